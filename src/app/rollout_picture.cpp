@@ -114,8 +114,27 @@ std::string scene_of(const trace::Trace& request) {
          " s; other engines have the settings that they come with";
 }
 
+/// How an engine's line and name look: by their outcome, so that neighbours differ. Of more engines than there are colours
+/// those that let something fall have one each, and the others are grey.
+struct Look {
+  std::size_t style = 0;
+  bool quiet = false;
+};
+std::vector<Look> looks_of(const Rollout& rollout) {
+  constexpr std::size_t kColours = 7;
+  const std::vector<std::size_t> order = by_outcome(rollout);
+  std::vector<Look> looks(rollout.scores.size());
+  const bool any_fell = std::ranges::any_of(
+      order, [&](std::size_t i) { return rollout.scores[i].fell_at.has_value(); });
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const bool stands = !rollout.scores[order[k]].fell_at;
+    looks[order[k]] = {k, order.size() > kColours && any_fell && stands};
+  }
+  return looks;
+}
+
 /// Where something falls, overlaps end with that: what lies on the ground then says nothing.
-std::vector<draw::TimeChart> charts_of(const Rollout& rollout) {
+std::vector<draw::TimeChart> charts_of(const Rollout& rollout, const std::vector<Look>& looks) {
   draw::TimeChart height{"Height of the highest body", "m"}, energy{"Energy since the start", "J"},
       overlap{"Deepest overlap", "m"};
   const auto frames = rollout.request.frames.size();
@@ -127,9 +146,10 @@ std::vector<draw::TimeChart> charts_of(const Rollout& rollout) {
     std::vector<double> joules = score.energy;
     for (double& one : joules) one -= score.energy.front();
     const bool breaks_off = score.time.size() < frames;
-    height.lines.push_back({name, i, score.time, score.height, breaks_off});
-    energy.lines.push_back({name, i, score.time, joules, breaks_off});
-    draw::TimeLine until{name, i, score.time, score.penetration, breaks_off};
+    const auto& [style, quiet] = looks[i];
+    height.lines.push_back({name, style, score.time, score.height, breaks_off, quiet});
+    energy.lines.push_back({name, style, score.time, joules, breaks_off, quiet});
+    draw::TimeLine until{name, style, score.time, score.penetration, breaks_off, quiet};
     if (score.fell_at) {
       any_fell = true;
       const auto end = std::ranges::upper_bound(until.time, *score.fell_at) - until.time.begin();
@@ -210,15 +230,17 @@ void paste(const Image& from, const draw::Rect& part, const draw::Rect& cell, Im
 Image rollout_picture(const Rollout& rollout, int shown, const std::optional<Size>& size,
                       Studio& studio) {
   const std::vector<std::size_t> drawn = by_outcome(rollout);
+  const std::vector<Look> looks = looks_of(rollout);
   std::vector<draw::RolloutCell> cells;
   for (const std::size_t i : drawn)
-    cells.push_back({name_of(rollout, i), note_of(rollout.scores[i]), i});
+    cells.push_back(
+        {name_of(rollout, i), note_of(rollout.scores[i]), looks[i].style, looks[i].quiet});
   const Size page_size = size.value_or(Size{1280, draw::rollout_page_height(cells.size())});
   const trace::Header& asked = rollout.request.header;
   const draw::RolloutPage page = draw::rollout_page(
       result_of(rollout), scene_of(rollout.request), asked.source,
       "scenes at " + spelled("%.3g", at(rollout.request.frames, shown).time) + " s",
-      charts_of(rollout), cells, page_size.width, page_size.height);
+      charts_of(rollout, looks), cells, page_size.width, page_size.height);
   Image picture = studio.paint(page.drawing);
   if (drawn.empty()) return picture;
 

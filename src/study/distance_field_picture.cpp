@@ -51,7 +51,7 @@ trace::Study picture_errors(const trace::Study& measured) {
       return point_at(series_of(measured, method, kByCells), kUsualCells);
     };
     const trace::StudyPoint& base = at_usual("trilinear");
-    const auto ratio = [&](double over, double under) { return number(over / under) + " times"; };
+    const auto ratio = [&](double over, double under) { return number(over / under) + " ×"; };
     const auto beside = [&](const trace::StudyPoint& other) {
       return ratio(base.error.value(), other.error.value());
     };
@@ -59,8 +59,16 @@ trace::Study picture_errors(const trace::Study& measured) {
       return ratio(other.nanoseconds.min, base.nanoseconds.min);
     };
     const trace::StudyPoint &cubic = at_usual("cubic"), &exact = at_usual("cubic with exact cells");
-    return "Cubic fields are " + beside(cubic) + " as close as trilinear ones in " + slower(cubic) +
-           " the time, exact cells " + beside(exact) + " in " + slower(exact);
+    const std::string cells = number(kUsualCells) + " cells";
+    const auto compared = [&](const trace::StudyPoint& other) {
+      return cells + ": " + beside(other) + " as close, " + slower(other) + " the time";
+    };
+    mark(study, "trilinear", "", kUsualCells, cells);
+    mark(study, "cubic", "", kUsualCells, compared(cubic));
+    mark(study, "cubic, exact cells", "", kUsualCells, compared(exact));
+    return "At " + cells + " a cubic field is " + beside(cubic) +
+           " as close as a trilinear one, in " + slower(cubic) + " the time; with exact cells " +
+           beside(exact) + ", in " + slower(exact);
   });
   return study;
 }
@@ -77,19 +85,22 @@ trace::Study picture_build(const trace::Study& measured) {
   tell(study, [&] {
     const double most = 128;
     double fastest = 1e300, slowest = 0, peer = 0;
-    for (const trace::StudySeries& series : measured.series) {
-      if (series.panel != kByCells) continue;
+    std::string fast_name, slow_name;
+    for (const trace::StudySeries& series : study.series) {
       const double time = 1e6 * error_at(series, most);
-      const bool own = std::ranges::find(kFields, series.method, &Named::first) != kFields.end();
-      if (!own) peer = time;
-      if (own) fastest = std::min(fastest, time), slowest = std::max(slowest, time);
+      const bool own = std::ranges::find(kFields, series.method, &Named::second) != kFields.end();
+      if (!own) peer = time, mark(study, series.method, "", most, duration(time));
+      if (own && time < fastest) fastest = time, fast_name = series.method;
+      if (own && time > slowest) slowest = time, slow_name = series.method;
     }
+    mark(study, fast_name, "", most, duration(fastest));
+    mark(study, slow_name, "", most, duration(slowest));
     const std::string field = "field of " + number(most, 3) + " cells";
     if (peer == 0)
       return "A " + field + " takes " + duration(fastest) + " to " + duration(slowest) +
              " to build";
-    return "OpenVDB takes " + number(peer / slowest) + " to " + number(peer / fastest) +
-           " times as long to build a " + field + " as these five kinds of one";
+    return "To build a " + field + " OpenVDB takes " + number(peer / slowest) + " to " +
+           number(peer / fastest) + " times as long as the five kinds of field here";
   });
   return study;
 }
@@ -114,6 +125,8 @@ trace::Study picture_missed(const trace::Study& measured) {
       for (const trace::StudyPoint& point : series.points)
         if (series.method == "conservative")
           conservative = std::max(conservative, point.error.value_or(0));
+    mark(study, "at points", "A hundredth of a cell deep", finest,
+         missed("sampled", "0.01 cells deep"));
     return "Points half a cell apart miss " + missed("sampled", "0.01 cells deep") +
            " of the overlaps of a hundredth of a cell; the conservative search misses " +
            (conservative > 0 ? "up to " + percent(conservative) : "none");
@@ -140,6 +153,9 @@ trace::Study picture_plate(const trace::Study& measured) {
       const double share = error_at(series_of(measured, method, kPlate), cells);
       return share > 0 ? percent(share) : std::string("nothing");
     };
+    mark(study, "trilinear", "", half, lost("trilinear", half));
+    mark(study, "cubic", "", quarter, lost("cubic", quarter));
+    mark(study, "with exact cells", "", quarter, lost("cubic with exact cells", quarter));
     return "Of a plate half a cell thick a trilinear field loses " + lost("trilinear", half) +
            ", of a quarter of a cell a cubic one " + lost("cubic", quarter) +
            ", with exact cells " + lost("cubic with exact cells", quarter);

@@ -19,11 +19,12 @@ Named split_unit(const std::string& parameter) {
           parameter.substr(bracket + 2, parameter.size() - bracket - 3)};
 }
 
-double largest_of(const trace::StudySeries& series) {
-  double largest = 0;
-  for (const trace::StudyPoint& point : series.points)
-    largest = std::max(largest, point.error_worst.value_or(0));
-  return largest;
+/// Where a series has its largest error, which is larger than 0.
+const trace::StudyPoint& largest_of(const trace::StudySeries& series) {
+  const auto error = [](const trace::StudyPoint& point) { return point.error_worst.value_or(0); };
+  const auto found = std::ranges::max_element(series.points, {}, error);
+  if (found == series.points.end() || error(*found) == 0) throw std::out_of_range(series.method);
+  return *found;
 }
 
 trace::Study picture_sweeps(const trace::Study& measured) {
@@ -48,15 +49,22 @@ trace::Study picture_sweeps(const trace::Study& measured) {
       "was moved "
       "and rounded";
   tell(study, [&] {
-    const trace::StudySeries& far = series_of(measured, "float, unrounded", "distance");
-    return "Float is off by " +
-           power(std::max(largest_of(series_of(measured, "float", "scale")),
-                          largest_of(series_of(measured, "float", "tilt")))) +
-           " of the size at any size and tilt, and by " +
-           power(point_at(far, kKilometre).error_worst.value()) +
-           " a kilometre from the origin; double by " +
-           power(point_at(series_of(measured, "double, unrounded", "distance"), kKilometre)
-                     .error_worst.value());
+    const trace::StudyPoint &by_size = largest_of(series_of(measured, "float", "scale")),
+                            &by_tilt = largest_of(series_of(measured, "float", "tilt"));
+    const bool is_size = *by_size.error_worst > *by_tilt.error_worst;
+    const trace::StudyPoint& anywhere = is_size ? by_size : by_tilt;
+    const auto far = [&](const char* scalar) {
+      const trace::StudySeries& series =
+          series_of(measured, std::string(scalar) + ", unrounded", "distance");
+      const std::string off = power(point_at(series, kKilometre).error_worst.value());
+      mark(study, std::string(scalar) + ", before rounding", "Distance from the origin", kKilometre,
+           off);
+      return off;
+    };
+    const std::string off = power(*anywhere.error_worst);
+    mark(study, "float", is_size ? "Size" : "Tilt", anywhere.parameter, off);
+    return "Float is off by " + off + " of the size at any size and tilt, and by " + far("float") +
+           " a kilometre from the origin; double by " + far("double");
   });
   return study;
 }
@@ -93,6 +101,13 @@ trace::Study picture_map(const trace::Study& measured) {
   tell(study, [&] {
     const double in_float = lost_at(measured, "float, unrounded", kKilometre);
     const double in_double = nearest_loss(measured, "double, unrounded");
+    for (trace::StudySeries& series : study.series)
+      for (trace::StudyPoint& point : series.points) {
+        if (series.panel == "Float" && point.parameter == kKilometre && series.row == in_float)
+          point.mark = "1 km: " + power(in_float);
+        if (series.panel == "Double" && point.parameter == in_double && point.failed > 0)
+          point.mark = count(in_double / kKilometre) + " km";
+      }
     return "1 km from the origin float loses overlaps of " + power(in_float) +
            " of the size; double loses none" +
            (in_double > 0 ? " nearer than " + count(in_double / 1000) + " km" : "");

@@ -55,6 +55,9 @@ trace::Study picture_times(const trace::Study& measured) {
     const trace::StudySeries& rebuilt = any_series_of(measured, "rebuild");
     const double ratio = sum_of(rebuilt) / sum_of(any_series_of(measured, "refit"));
     const double automatic = sum_of(rebuilt) / sum_of(any_series_of(measured, "auto"));
+    for (trace::StudySeries& series : study.series)
+      if (series.parameter == "frame")
+        series.method += ": " + duration(1e6 * sum_of(series)) + " in all";
     return "Rebuilding a mesh's tree in each of " + count(double(rebuilt.points.size())) +
            " frames takes " + number(ratio) + " times as long as refitting it, " +
            number(automatic) + " times as rebuilding it where needed";
@@ -67,6 +70,7 @@ trace::Study picture_costs(const trace::Study& measured) {
   keep_methods(study, {kTrees.begin(), kTrees.begin() + 3});
   const trace::Study kept = study;
   double refitted = 0, most_automatic = 0;
+  const auto times = [](double ratio, int digits) { return number(ratio, digits) + " ×"; };
   for (trace::StudySeries& series : study.series) {
     const bool is_compared = series.panel == "node pairs compared";
     divide_by(series, series_of(kept, kTrees[0].second, series.panel));
@@ -75,10 +79,16 @@ trace::Study picture_costs(const trace::Study& measured) {
     series.panel = is_compared ? "Node pairs that a query compares"
                                : "Boxes that a small query is expected to test";
     if (!is_compared || series.points.empty()) continue;
-    if (series.method == kTrees[1].second) refitted = series.points.back().error.value_or(0);
-    for (const trace::StudyPoint& point : series.points)
-      if (series.method == kTrees[2].second)
-        most_automatic = std::max(most_automatic, point.error.value_or(0));
+    const auto error = [](const trace::StudyPoint& point) { return point.error.value_or(0); };
+    if (series.method == kTrees[1].second) {
+      refitted = error(series.points.back());
+      series.points.back().mark = times(refitted, 2);
+    }
+    if (series.method == kTrees[2].second) {
+      trace::StudyPoint& most = *std::ranges::max_element(series.points, {}, error);
+      most_automatic = error(most);
+      most.mark = times(most_automatic, 3);
+    }
   }
   std::ranges::stable_sort(study.series, std::ranges::greater(), &trace::StudySeries::panel);
   study.unit = trace::kTimes;
@@ -111,6 +121,11 @@ trace::Study picture_motion(const trace::Study& measured) {
     study.series.push_back(ratio);
   }
   if (study.series.empty()) return study;
+  for (trace::StudySeries& series : study.series)
+    for (trace::StudyPoint& point : series.points) {
+      if (least < 1 && point.error == least) point.mark = percent(1 - least) + " less";
+      if (most > 1.005 && point.error == most) point.mark = percent(most - 1) + " more";
+    }
   trace::StudySeries roots = study.series.front();
   for (trace::StudyPoint& point : roots.points) point.error = point.error_worst = 1;
   roots.method = "from the roots";

@@ -30,6 +30,10 @@ trace::Study picture_bounds(const trace::Study& measured) {
     const auto at_rod = [&](const char* method) {
       return percent(error_at(series_of(measured, method), kRod));
     };
+    for (trace::StudySeries& series : study.series)
+      for (trace::StudyPoint& point : series.points)
+        if (point.parameter == kRod && !series.method.starts_with("bounding sphere"))
+          point.mark = percent(point.error.value_or(0));
     return "Of rods that axis-aligned boxes let through " + at_rod("AABB") +
            " are apart; six face normals leave " + at_rod("OBB, six axes") + ", all fifteen axes " +
            (error_at(series_of(measured, "OBB, fifteen axes"), kRod) > 0
@@ -48,7 +52,18 @@ bool every_threshold_is_wrong(const trace::Study& study, double nothing) {
   });
 }
 
-std::string result_of_thresholds(const trace::Study& measured) {
+/// Marks the worst of float in either panel.
+std::string result_of_thresholds(const trace::Study& measured, trace::Study& study) {
+  for (trace::StudySeries& series : study.series) {
+    if (series.method != "float" || series.points.empty()) continue;
+    // In the middle of those that are alike.
+    const auto error = [](const trace::StudyPoint& point) { return point.error_worst.value_or(0); };
+    const double most = error(*std::ranges::max_element(series.points, {}, error));
+    std::vector<trace::StudyPoint*> worst;
+    for (trace::StudyPoint& point : series.points)
+      if (error(point) == most) worst.push_back(&point);
+    worst[worst.size() / 2]->mark = number(most) + " mm";
+  }
   double missed = 0, closed = 0, guarded = 0;
   for (const trace::StudySeries& series : measured.series) {
     double worst = 0;
@@ -86,7 +101,7 @@ trace::Study picture_thresholds(const trace::Study& measured) {
         for (std::optional<double>* error : {&point.error, &point.error_worst})
           if (*error) **error *= 1000;  // millimetres
     study.shown = "Up: the deepest overlap, or widest gap, that is missed, mm";
-    tell(study, [&] { return result_of_thresholds(measured); });
+    tell(study, [&] { return result_of_thresholds(measured, study); });
   } else {
     study.unit = trace::kShare;
   }

@@ -20,6 +20,10 @@ int look_of(const trace::Study& study, const std::string& method) {
   return static_cast<int>(std::ranges::find(methods, method) - methods.begin());
 }
 
+bool is_at(const trace::StudyPoint& point, double parameter) {
+  return std::abs(point.parameter - parameter) <= 1e-9 * std::abs(parameter);
+}
+
 bool same_places(const trace::StudySeries& one, const trace::StudySeries& other) {
   return std::ranges::equal(one.points, other.points,
                             [](const trace::StudyPoint& a, const trace::StudyPoint& b) {
@@ -61,7 +65,7 @@ const trace::StudySeries& series_of(const trace::Study& study, const std::string
 
 const trace::StudyPoint& point_at(const trace::StudySeries& series, double parameter) {
   for (const trace::StudyPoint& point : series.points)
-    if (std::abs(point.parameter - parameter) <= 1e-9 * std::abs(parameter)) return point;
+    if (is_at(point, parameter)) return point;
   throw std::out_of_range("'" + series.method + "' has no point at " + number(parameter));
 }
 
@@ -146,6 +150,15 @@ void join_equal(trace::Study& study) {
     });
     for (trace::StudySeries& series : study.series)
       if (series.method == group.front()) series.method = listed(group);
+  }
+}
+
+void mark(trace::Study& study, const std::string& method, const std::string& panel,
+          double parameter, const std::string& words) {
+  for (trace::StudySeries& series : study.series) {
+    if (series.method != method || series.panel != panel) continue;
+    for (trace::StudyPoint& point : series.points)
+      if (is_at(point, parameter)) point.mark = words;
   }
 }
 

@@ -20,7 +20,7 @@ using StudyPicture = trace::Study(const trace::Study& measured);
 // Each is in the file of its name, for every measure of its study.
 StudyPicture picture_reducers, picture_overlap, picture_broad_phase, picture_meshes,
     picture_triangles, picture_time_of_impact, picture_tunnelling, picture_distance_field,
-    picture_solver, picture_limits;
+    picture_solver, picture_limits, picture_flip_distance;
 
 namespace told {
 
@@ -45,6 +45,10 @@ void keep_panels(trace::Study& study, const std::vector<Named>& named);
 /// Series that are at the same places in every panel become one, "these and those", under the name of all.
 /// It stands where the first of them stood.
 void join_equal(trace::Study& study);
+/// The title speaks of this point: it has a ring, with these words beside it. Names are those that series and panels have
+/// now; nothing where there is no such point.
+void mark(trace::Study& study, const std::string& method, const std::string& panel,
+          double parameter, const std::string& words);
 /// Every time is the least that was measured, which other programs on the machine disturb least.
 void show_least_times(trace::Study& study);
 /// Errors up to the resolution are none.

@@ -39,12 +39,13 @@ trace::Study picture_reducers(const trace::Study& measured) {
     const auto lost = [&](const char* method) {
       return error_at(series_of(measured, method), kUsualPoints);
     };
-    double least = 1, most = 0;
-    for (const Named& engine : kOfEngines) {
-      least = std::min(least, lost(engine.first.c_str()));
-      most = std::max(most, lost(engine.first.c_str()));
-    }
-    const double own = lost("optimal_deepest");
+    const auto of = [&](const Named& engine) { return lost(engine.first.c_str()); };
+    const Named& closest = *std::ranges::min_element(kOfEngines, {}, of);
+    const Named& farthest = *std::ranges::max_element(kOfEngines, {}, of);
+    const double least = of(closest), most = of(farthest), own = lost("optimal_deepest");
+    mark(study, kOwn[1].second, "", kUsualPoints, "8 points: " + percent(own));
+    mark(study, closest.second, "", kUsualPoints, percent(least));
+    mark(study, farthest.second, "", kUsualPoints, percent(most));
     return "Of eight points the best four with the deepest lose " + percent(own) +
            " of the area, engines' ways " + percent(least) + " to " + percent(most);
   });

@@ -43,12 +43,25 @@ trace::Study picture_curves(const trace::Study& measured) {
       return error_at(series_of(measured, method, kSubsteps), kUsualSubsteps);
     };
     double rivals = std::min(speed("projection, warm"), speed("baumgarte, warm"));
-    for (const trace::StudySeries& series : measured.series)
-      if (series.panel == kSubsteps && series.method != "soft, warm")
-        rivals = std::min(rivals, point_at(series, kUsualSubsteps).error.value_or(rivals));
-    return "With " + number(kUsualSubsteps) + " sub-steps ten boxes on soft contacts move at " +
-           number(1000 * speed("soft, warm")) + " mm/s, with the other methods at " +
-           number(1000 * rivals) + " or more";
+    const auto at_usual = [](trace::StudySeries& series) -> trace::StudyPoint* {
+      for (trace::StudyPoint& point : series.points)
+        if (series.panel == kSubsteps && point.parameter == kUsualSubsteps && point.error)
+          return &point;
+      return nullptr;
+    };
+    for (trace::StudySeries& series : study.series)
+      if (const auto* point = at_usual(series); point && series.method != kWarm[0].second)
+        rivals = std::min(rivals, *point->error);
+    const std::string sub_steps = number(kUsualSubsteps) + " sub-steps";
+    const auto spelled = [](double metres) { return number(1000 * metres) + " mm/s"; };
+    mark(study, kWarm[0].second, kSubsteps, kUsualSubsteps,
+         sub_steps + ": " + spelled(speed("soft, warm")));
+    for (trace::StudySeries& series : study.series)
+      if (auto* point = at_usual(series); point && *point->error == rivals)
+        point->mark = spelled(rivals);
+    return "With " + sub_steps + " ten boxes on soft contacts move at " +
+           spelled(speed("soft, warm")) + ", with the other methods at " + spelled(rivals) +
+           " or more";
   });
   return study;
 }
@@ -86,6 +99,15 @@ trace::Study picture_map(const trace::Study& measured) {
     for (const trace::StudySeries& series : measured.series)
       for (const trace::StudyPoint& point : series.points)
         if (point.failed < point.of) most = std::max(most, point.parameter);
+    for (std::size_t i = 0; i < study.series.size(); ++i) {
+      const trace::StudySeries& before = measured.series[i];
+      const double by_all =
+          before.panel.find("warm") == std::string::npos ? 0 : held_by_all(measured, before.panel);
+      for (trace::StudyPoint& point : study.series[i].points) {
+        if (point.parameter <= by_all) point.mark = number(by_all) + " ×";
+        if (point.parameter == most && point.failed < point.of) point.mark = count(most) + " ×";
+      }
+    }
     const auto held = [&](const char* panel) { return number(held_by_all(measured, panel)); };
     const std::string baumgarte = held("baumgarte, warm: 16 sweeps");
     const std::string projection = held("projection, warm: 8 + 8");

@@ -79,7 +79,7 @@ const std::vector<StudyInfo>& studies() {
        "distance fields: error against time and memory, what sampling misses, thin plates",
        &study_distance_field, &picture_distance_field},
       {"flip_distance", "by how little the pose of a pair may change before it has other points",
-       &study_flip_distance, nullptr, true},
+       &study_flip_distance, &picture_flip_distance, true},
   };
   return list;
 }

@@ -8,14 +8,15 @@ namespace {
 
 using namespace told;
 
-double worst_of(const trace::Study& study, const std::string& method) {
-  double worst = -1;
-  for (const trace::StudySeries& series : study.series)
+/// The first of the worst.
+trace::StudyPoint& worst_of(trace::Study& study, const std::string& method) {
+  trace::StudyPoint* worst = nullptr;
+  for (trace::StudySeries& series : study.series)
     if (series.method == method)
-      for (const trace::StudyPoint& point : series.points)
-        worst = std::max(worst, point.error.value_or(0));
-  if (worst < 0) throw std::out_of_range(method);
-  return worst;
+      for (trace::StudyPoint& point : series.points)
+        if (worst == nullptr || point.error.value_or(0) > worst->error.value_or(0)) worst = &point;
+  if (worst == nullptr) throw std::out_of_range(method);
+  return *worst;
 }
 
 std::string share_of(double share) {
@@ -25,7 +26,7 @@ std::string share_of(double share) {
 trace::Study picture_wrong(const trace::Study& measured) {
   trace::Study study = measured;
   drop_resolution(study);
-  const trace::Study judged = study;
+  trace::Study judged = study;
   keep_methods(study, {{"float", "float"},
                        {"float, epsilon 1e-6 m", "float, epsilon of 1 µm"},
                        {"double, epsilon 1e-9 m", "double, epsilon of 1 nm"},
@@ -44,10 +45,14 @@ trace::Study picture_wrong(const trace::Study& measured) {
   study.unit = trace::kShare;
   study.shown = "Up: share of wrong answers to whether two triangles share a point";
   tell(study, [&] {
-    return "Near one plane float errs in up to " + share_of(worst_of(judged, "float")) +
-           " of its answers, with an epsilon of 1 µm in " +
-           share_of(worst_of(judged, "float, epsilon 1e-6 m")) + "; the exact test in " +
-           share_of(worst_of(judged, "exact"));
+    const auto most = [&](trace::Study& whose, const char* method) {
+      trace::StudyPoint& worst = worst_of(whose, method);
+      return worst.mark = share_of(worst.error.value_or(0));
+    };
+    const std::string exact = most(judged, "exact");
+    return "Near one plane float errs in up to " + most(study, "float") +
+           " of its answers, with an epsilon of 1 µm in " + most(study, "float, epsilon of 1 µm") +
+           "; the exact test in " + exact;
   });
   return study;
 }

@@ -51,6 +51,8 @@ struct StudyPoint {
   Nanoseconds nanoseconds;
   int failed = 0;
   int of = 0;  // cases
+  // Of a picture alone, in no file:
+  std::string mark{};  // the title speaks of this point: it has a ring, with this beside it
 
   static constexpr auto fields() {
     using P = StudyPoint;
@@ -109,7 +111,10 @@ struct Study {
   StudyForm form = StudyForm::WorkPrecision;
   std::string row{};     // of a map: what its rows stand for; rows without a number are methods
   std::string signal{};  // the series that is no error, but the size of what the errors spoil
-  std::string shown{};   // of a picture alone: how to read it; empty: what its form says of itself
+  // Of a picture alone, in no file:
+  std::string shown{};  // how to read it; empty: what its form says of itself
+  bool other_cases =
+      false;  // a parameter makes cases of its own: points are held against those of the same one
 
   static constexpr auto fields() {
     using S = Study;

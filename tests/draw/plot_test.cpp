@@ -86,6 +86,19 @@ TEST(Plot, TextStaysOnTheCanvasAndKeepsApartAtFullAndHalfSize) {
   }
 }
 
+TEST(Plot, WordsOfAMarkedPointStandOnNothingElse) {
+  trace::Study study = crowded();
+  study.series[3].points[1].mark = "8 points: 2.9 %";
+  study.series[18].points[0].mark = "none lost";
+  const std::vector<Text> all = texts(plot(study, 1280, 720));
+  for (const char* marked : {"8 points: 2.9 %", "none lost"}) {
+    const auto found = std::ranges::find(all, marked, &Text::text);
+    ASSERT_NE(found, all.end()) << marked;
+    for (const Text& other : all)
+      EXPECT_TRUE(&other == &*found || !overlap(box_of(*found), box_of(other))) << other.text;
+  }
+}
+
 TEST(Plot, EveryMethodIsLabelledInBothPanels) {
   const std::vector<std::string> all = words(plot(crowded(), 1280, 720));
   for (const trace::StudySeries& series : crowded().series) {

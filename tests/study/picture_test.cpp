@@ -75,8 +75,31 @@ TEST(Picture, TheTitleIsTheResultOfTheRun) {
   EXPECT_EQ(picture_tunnelling(study).title,
             "At 20 m/s 40 % of the spheres pass a wall of 1 cm, 30 % with a margin of 2 cm; of "
             "those that are swept none");
+  const trace::Study told = picture_tunnelling(study);
+  EXPECT_EQ(told.series[0].points[1].mark, "40 %");
+  EXPECT_EQ(told.series[1].points[1].mark, "30 %");
+  EXPECT_EQ(told.series[0].points[0].mark, "") << "the title does not speak of it";
   study.series[3].points[1].error = 0.01;
   EXPECT_THAT(picture_tunnelling(study).title, HasSubstr("swept up to 1 %"));
+}
+
+TEST(Picture, OfFlipDistancesTheSmallestIsToldWithItsUnit) {
+  trace::Study study;
+  study.measure = "way";
+  study.error = "smallest way";
+  study.unit = "m";
+  study.series = {line("crate-floor", {0.01, 0.004}, "hull/one"),
+                  line("lid-crate", {0.02, 0.002}, "hull/two")};
+  const trace::Study told = picture_flip_distance(study);
+  EXPECT_EQ(told.title,
+            "At the least a way of 2 mm gives lid-crate other points, in frame 2 of hull/two");
+  EXPECT_EQ(told.series[1].points[1].mark, "2 mm");
+  EXPECT_THAT(told.shown, HasSubstr(", m"));
+  study.measure = "last_places";
+  study.unit = "";
+  for (trace::StudySeries& series : study.series)
+    for (trace::StudyPoint& point : series.points) *point.error *= 1e3;
+  EXPECT_THAT(picture_flip_distance(study).title, HasSubstr("2 last places of a coordinate"));
 }
 
 TEST(Picture, WhatLacksTheNumbersOfItsResultKeepsItsTitle) {

@@ -1,10 +1,11 @@
 #include "draw/charts/curve_labels.h"
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 #include "core/at.h"
-#include "draw/scene/labels.h"
+#include "draw/scene/palette.h"
 
 namespace contactscope::draw {
 namespace {
@@ -13,6 +14,7 @@ namespace {
 constexpr std::size_t kMostObstacles = 60;
 constexpr float kRow = 17;
 constexpr float kLetters = 14;
+constexpr float kRing = 9;  // radius, about what is marked
 constexpr float kLeader = 18;
 constexpr float kWidest = 150;   // of a row of a name
 constexpr float kAtBorder = 12;  // so near to it a line ends there
@@ -63,6 +65,27 @@ void spread_out(std::vector<Beside>& names, float row, float top, float bottom) 
 
 }  // namespace
 
+void draw_mark(const Point2& at, const Pen& pen) {
+  pen.ring(at, pen.px(kRing - 3), pen.px(kRing + 1.5), kWhite);
+  pen.ring(at, pen.px(kRing - 1.8), pen.px(kRing), kText);
+}
+
+LineLabel mark_label(const MarkedPoint& mark, const Pen& pen) {
+  const float size = pen.px(kMarkLetters);
+  return {text_width(mark.words, size, FontWeight::Bold), {mark.at}, pen.px(0.6 * kRing), size};
+}
+
+void write_mark(const MarkedPoint& mark, const PlacedLabel& place, const Color& color,
+                const Pen& pen) {
+  if (place.needs_leader) {
+    const Point2 way = place.leader_end - mark.at;
+    const Point2 border = mark.at + pen.px(kRing) / std::hypot(way.x, way.y) * way;
+    pen.line(border, place.leader_end, 1, color);
+  }
+  pen.text(mark.words, pixel(place.box.x, place.box.y) + Point2{0, 0.84f * pen.px(kMarkLetters)},
+           Align::Left, color, Weight::Bold, kMarkLetters, 2.5);
+}
+
 void name_near(const std::vector<const NamedLine*>& named,
                const std::vector<std::vector<Point2>>& anchors, const std::vector<NamedLine>& lines,
                const Rect& area, const Pen& pen) {
@@ -76,6 +99,15 @@ void name_near(const std::vector<const NamedLine*>& named,
       obstacles.lines.push_back({line.points[i - step], line.points[i], 1.2f});
   }
   std::vector<LineLabel> labels;
+  std::vector<std::pair<const MarkedPoint*, Color>> marks;
+  for (const NamedLine& line : lines) {
+    for (const MarkedPoint& mark : line.marks) {
+      draw_mark(mark.at, pen);
+      obstacles.markers.push_back(mark.at);
+      labels.push_back(mark_label(mark, pen));
+      marks.emplace_back(&mark, line.color);
+    }
+  }
   for (std::size_t i = 0; i < named.size(); ++i)
     labels.push_back({pen.width_of(named[i]->name, weight_of(*named[i])), anchors[i]});
   const float height = pen.px(kLetters);
@@ -83,8 +115,10 @@ void name_near(const std::vector<const NamedLine*>& named,
   const Rect room{area.x + inset, area.y + inset, area.width - 2 * inset, area.height - 2 * inset};
   const std::vector<PlacedLabel> places =
       place_line_labels(labels, obstacles, room, height, pen.scale());
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const PlacedLabel& place = places[i];
+  for (std::size_t i = 0; i < marks.size(); ++i)
+    write_mark(*marks[i].first, places[i], marks[i].second, pen);
+  for (std::size_t i = 0; i < named.size(); ++i) {
+    const PlacedLabel& place = places[marks.size() + i];
     const NamedLine& line = *named[i];
     if (place.needs_leader) pen.line(place.anchor, place.leader_end, 1, line.color);
     pen.text(line.name, pixel(place.box.x, place.box.y) + Point2{0, 0.84f * height}, Align::Left,

@@ -86,7 +86,7 @@ const std::optional<double>& error_of(const trace::StudyPoint& point, ErrorKind 
 }
 
 std::vector<bool> on_front(const trace::Study& study, ErrorKind kind) {
-  const bool same_cases = trace::has_panels(study);
+  const bool same_cases = trace::has_panels(study) && !study.other_cases;
   const auto beats = [&](const trace::StudyPoint& one, const trace::StudyPoint& other) {
     const std::optional<double>& error = error_of(one, kind);
     const double least = *error_of(other, kind);

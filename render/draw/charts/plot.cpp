@@ -107,11 +107,17 @@ Rect cell_of(const Rect& space, std::size_t columns, std::size_t rows, std::size
 
 }  // namespace
 
-void draw_decades_along(const Axis& axis, const Rect& area, bool grid, const Pen& pen) {
+void draw_decades_along(const Axis& axis, const Rect& area, bool grid, const Pen& pen,
+                        const std::vector<double>& values) {
   const auto top = static_cast<float>(area.y), bottom = static_cast<float>(area.bottom());
   const float room = pen.px(44);
-  for (const auto& [at, label] :
-       axis.is_logarithmic ? decades_of(axis, room) : counts_of(axis, room)) {
+  std::vector<std::pair<float, std::string>> ticks =
+      axis.is_logarithmic ? decades_of(axis, room) : counts_of(axis, room);
+  if (!values.empty())
+    ticks = mapped(values, [&](double value) {
+      return std::pair(axis.at(value), spell_tick_error(value, ""));
+    });
+  for (const auto& [at, label] : ticks) {
     if (grid) pen.line({at, top}, {at, bottom}, 1, kChartGrid);
     pen.line({at, bottom}, {at, bottom + pen.px(label.empty() ? 3 : 5)}, 1.2, kChartBorder);
     if (!label.empty()) pen.text(label, {at, bottom + pen.px(18)}, Align::Center, kQuietText);

@@ -29,7 +29,7 @@ Drawing plot(const trace::Study& study, int width, int height);
 
 /// Small multiples of a study of form Curves: in each panel the largest error of every series
 /// against the parameter, both logarithmic; a parameter that counts one by one, as frames do, is not, and
-/// shares and multiples are not. The error axis is the same in all panels. Series of the
+/// shares and multiples are not, whose axis begins at zero unless all are far from it. The error axis is the same in all panels. Series of the
 /// same name look the same everywhere: solid and filled, or dashed and hollow where the name goes on
 /// after a comma ("float, unrounded" beside "float"). They are named at their ends in up to three panels,
 /// once where all have the same, and in a legend in more. The series that study.signal names is a grey
@@ -39,7 +39,8 @@ Drawing plot_curves(const trace::Study& study, int width, int height);
 
 /// Panels of a study of form Map: a cell for every parameter (to the right, logarithmic) and row (up,
 /// logarithmic, or a line each for rows that are names), in the colour of the decade of its largest
-/// error, with a cross where cases failed. Darker is worse; a cell of failures alone is white.
+/// error, with a cross where cases failed. Darker is worse; a cell of failures alone is white. Cells that are
+/// marked with the same words have one line about them.
 Drawing plot_map(const trace::Study& study, int width, int height);
 
 /// Panels of a study of form Answers, side by side: a cell for every parameter (to the right) and row
@@ -48,8 +49,9 @@ Drawing plot_map(const trace::Study& study, int width, int height);
 Drawing plot_answers(const trace::Study& study, int width, int height);
 
 /// Labels as many decades of a logarithmic axis as fit under the lower edge of the area, or round numbers
-/// of another one, and draws their grid lines if asked to.
-void draw_decades_along(const Axis& axis, const Rect& area, bool grid, const Pen& pen);
+/// of another one, and draws their grid lines if asked to. Where `values` are named, they have the ticks instead.
+void draw_decades_along(const Axis& axis, const Rect& area, bool grid, const Pen& pen,
+                        const std::vector<double>& values = {});
 /// The same along its left edge; without labels the grid alone.
 void draw_decades_up(const Axis& axis, const Rect& area, bool grid, bool labels, const Pen& pen);
 
@@ -112,7 +114,7 @@ const std::optional<double>& error_of(const trace::StudyPoint& point, ErrorKind 
 
 /// For each series whether at least half of its points are beaten by no other point at the same
 /// parameter: none is as fast and as close, and better in one of them. Where the study has panels,
-/// whose parameter is how hard a method tries at the same cases, by no other point at all. By
+/// whose parameter is how hard a method tries at the same cases, by no other point at all, unless it says that these are others. By
 /// median time. A point without an error is beaten.
 std::vector<bool> on_front(const trace::Study& study, ErrorKind kind);
 
@@ -150,6 +152,7 @@ struct Course {
   bool quiet = false;                        // there to hold the others against
   std::vector<Point2> points;                // those with an error, in the order of the parameter
   std::vector<double> parameters;            // of these
+  std::vector<std::string> marks;            // of these; empty: it is not marked
   std::vector<std::array<float, 2>> spread;  // x of the least and greatest time of each
   std::vector<float> failures;               // x of the points with failures
   std::string failure_text;                  // "mjx: 3 of 120"

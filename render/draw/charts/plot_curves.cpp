@@ -13,7 +13,9 @@ namespace {
 
 constexpr double kLeft = 52;
 constexpr double kFailureRow = 15;
-constexpr int kFailureRows = 4;
+constexpr std::size_t kMostTicks = 8;      // where the points are; of more the axis has decades
+constexpr double kBetweenTicks = 7;        // pixels between their labels
+constexpr double kFarFromZero = 0.7;       // of the highest: zero would take most of the room
 constexpr std::size_t kMostWithNames = 3;  // panels; of more the lines have a legend
 
 /// Where the names of a panel's lines stand.
@@ -81,6 +83,17 @@ bool has_zero(const PlotPanel& panel) {
   });
 }
 
+/// Of one panel, the most series that have failures.
+int failing_series(const std::vector<PlotPanel>& panels) {
+  std::ptrdiff_t most = 0;
+  for (const PlotPanel& panel : panels)
+    most = std::max(most, std::ranges::count_if(panel.series, [](const auto* series) {
+                      return std::ranges::any_of(
+                          series->points, [](const auto& point) { return point.failed > 0; });
+                    }));
+  return static_cast<int>(most);
+}
+
 /// Names beside the ends of lines would tell nothing apart where several end at zero.
 bool several_end_at_zero(const std::vector<PlotPanel>& panels) {
   return std::ranges::any_of(panels, [](const PlotPanel& panel) {
@@ -101,9 +114,37 @@ bool same_lines(const std::vector<PlotPanel>& panels) {
 struct Curves : Pen {
   const trace::Study& study;
   PositiveRange errors;  // of all panels
-  bool any_failed;
+  double least_error;    // zero among them
+  int failure_rows;
 
   bool is_linear() const { return study.unit == trace::kShare || study.unit == trace::kTimes; }
+
+  /// The parameters of a panel, where ticks at each of them have room and short names; else none.
+  std::vector<double> ticks_at_points(const PlotPanel& panel, const Axis& x) const {
+    std::set<double> values;
+    for (const trace::StudySeries* series : panel.series)
+      for (const trace::StudyPoint& point : series->points) values.insert(point.parameter);
+    if (values.size() > kMostTicks) return {};
+    float free = -1e9f;
+    for (const double value : values) {
+      const double decade = std::round(std::log10(value));
+      const bool is_decade = std::abs(std::log10(value) - decade) < 1e-9;
+      const bool is_short =
+          value > 0.9e-3 && value < 1e4 && std::stod(printed("%.3g", value)) == value;
+      const float half = 0.5f * width_of(spell_tick_error(value, ""));
+      if (!(is_decade || is_short) || x.at(value) - half < free) return {};
+      free = x.at(value) + half + px(kBetweenTicks);
+    }
+    return {values.begin(), values.end()};
+  }
+
+  double top_of_axis() const { return errors.high + 0.04 * (errors.high - bottom_of_axis()); }
+  /// Zero, but where all is far from it: a whole step below the least.
+  double bottom_of_axis() const {
+    if (least_error < kFarFromZero * errors.high) return 0;
+    const double step = linear_step(errors.high - least_error);
+    return step * std::floor(least_error / step - 0.5);
+  }
 
   /// With names of lines where these have none of their own; and of failures.
   void legend(Point2 at, bool names) const {
@@ -113,13 +154,13 @@ struct Curves : Pen {
       at.x += px(36) + width_of(what) + px(26);
     };
     for (const trace::StudySeries& series : study.series) {
-      if (!names || !told.insert(series.method).second) continue;
+      if (!names || series.method == study.signal || !told.insert(series.method).second) continue;
       const CurveStyle style = style_of(study, series);
-      line(at, {at.x + px(30), at.y}, style.signal ? 1.5 : 2.5, style.color, style.dash());
-      if (!style.signal) marker({at.x + px(15), at.y}, style);
+      line(at, {at.x + px(30), at.y}, 2.5, style.color, style.dash());
+      marker({at.x + px(15), at.y}, style);
       name(series.method);
     }
-    if (!any_failed) return;
+    if (failure_rows == 0) return;
     const auto failing = std::ranges::find_if(study.series, [](const trace::StudySeries& series) {
       return std::ranges::any_of(series.points, [](const auto& point) { return point.failed > 0; });
     });
@@ -127,7 +168,7 @@ struct Curves : Pen {
     name("failures, of all cases");
   }
 
-  void panel(const PlotPanel& panel, Naming naming) const {
+  void panel(const PlotPanel& panel, Naming naming, bool names_signal) const {
     PositiveRange parameters;
     bool counts = true;
     for (const trace::StudySeries* series : panel.series) {
@@ -138,12 +179,13 @@ struct Curves : Pen {
     const auto left = static_cast<float>(area.x), right = static_cast<float>(area.right());
     const auto above = static_cast<float>(area.y), bottom = static_cast<float>(area.bottom());
     // Room for the rows of all panels alike, so that one height means one error everywhere.
-    const float top = above + px((any_failed ? kFailureRows : 0) * kFailureRow + 4);
+    const float top = above + px(failure_rows * kFailureRow + 4);
     const Axis x = counts ? Axis{parameters.low, parameters.high, left + px(8), right - px(8)}
                           : parameters.axis(left, right, px(8), px(8));
-    const Axis y = is_linear() ? Axis{0, 1.04 * errors.high, bottom, top}
+    const Axis y = is_linear() ? Axis{bottom_of_axis(), top_of_axis(), bottom, top}
                                : errors.axis(bottom, top, px(6), px(6));
-    draw_decades_along(x, area, true, *this);
+    draw_decades_along(x, area, true, *this,
+                       counts ? std::vector<double>{} : ticks_at_points(panel, x));
     if (is_linear())
       draw_shares_up(y, area, panel.begins_row);
     else
@@ -166,13 +208,28 @@ struct Curves : Pen {
     std::vector<NamedLine> lines = named_lines(panel);
     for (std::size_t i = 0; i < lines.size(); ++i)
       for (const trace::StudyPoint& point : panel.series[i]->points)
-        if (point.error)
-          lines[i].points.push_back({x.at(point.parameter), y.at(largest_error(point))});
+        if (point.error) {
+          const Point2 place{x.at(point.parameter), y.at(largest_error(point))};
+          lines[i].points.push_back(place);
+          if (!point.mark.empty()) lines[i].marks.push_back({place, point.mark});
+        }
+    if (naming == Naming::None) name_near({}, {}, lines, area, *this);
+    if (names_signal) name_signal(panel, x, y);
     if (naming == Naming::Beside) name_beside(lines, area, *this);
     if (naming == Naming::Inside) name_inside(lines, area, *this);
     float row = above + px(2 + 0.5 * kFailureRow);
     for (const trace::StudySeries* series : panel.series) {
       if (failures(*series, x, left, right, row)) row += px(kFailureRow);
+    }
+  }
+
+  /// It has no marker by which a legend could show it.
+  void name_signal(const PlotPanel& panel, const Axis& x, const Axis& y) const {
+    for (const trace::StudySeries* series : panel.series) {
+      if (series->method != study.signal || series->points.empty()) continue;
+      const trace::StudyPoint& last = series->points.back();
+      text(series->method, {x.at(last.parameter), y.at(largest_error(last)) - px(6)}, Align::Right,
+           kQuietText, Weight::Regular, 0, 2);
     }
   }
 
@@ -190,11 +247,12 @@ struct Curves : Pen {
   void draw_shares_up(const Axis& y, const Rect& area, bool labels) const {
     const auto left = static_cast<float>(area.x), right = static_cast<float>(area.right());
     const bool share = study.unit == trace::kShare;
-    for (int i = 0;; ++i) {
-      const double value = i * linear_step(y.high);
+    const double step = linear_step(y.high - y.low);
+    for (int i = static_cast<int>(std::ceil(y.low / step - 1e-9));; ++i) {
+      const double value = i * step;
       if (value > y.high) break;
       const float at = y.at(value);
-      if (i > 0) line({left, at}, {right, at}, 1, kChartGrid);
+      if (value > y.low) line({left, at}, {right, at}, 1, kChartGrid);
       line({left - px(5), at}, {left, at}, 1.2, kChartBorder);
       const std::string label =
           share ? spell_number(100 * value) + " %" : spell_number(value) + " ×";
@@ -202,7 +260,7 @@ struct Curves : Pen {
     }
   }
 
-  /// A fifth of the axis or less, 1, 2 or 5 times a power of ten.
+  /// A fifth of so much or less, 1, 2 or 5 times a power of ten.
   static double linear_step(double high) {
     const double least = high / 6, decade = std::pow(10.0, std::floor(std::log10(least)));
     for (const double factor : {1.0, 2.0, 5.0})
@@ -256,26 +314,32 @@ struct Curves : Pen {
 
 Drawing plot_curves(const trace::Study& study, int width, int height) {
   const auto points = points_of(study);
-  const bool any_failed =
-      std::ranges::any_of(points, [](const trace::StudyPoint& p) { return p.failed > 0; });
   // What has one value a point, such as a time or a share, has no largest one.
   const bool has_worst = std::ranges::any_of(points, [](const trace::StudyPoint& p) {
     return p.error && p.error_worst && *p.error_worst > *p.error;
   });
   std::string shown = study.shown.empty() ? study.error : study.shown;
   if (study.shown.empty() && has_worst) shown = "Largest " + shown;
+  if (study.shown.empty() && !study.unit.empty() && study.unit != trace::kShare &&
+      study.unit != trace::kTimes)
+    shown += ", " + study.unit;
   if (!shown.empty())
     shown[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(shown[0])));
   const std::vector<PlotPanel> all = panels_of(study);
+  const int failure_rows = failing_series(all);
   const Naming naming = all.size() > kMostWithNames ? Naming::None
                         : several_end_at_zero(all)  ? Naming::Inside
                                                     : Naming::Beside;
-  const bool has_legend = naming == Naming::None || any_failed;
+  const bool has_legend = naming == Naming::None || failure_rows > 0;
   PlotPage page = plot_page(study, shown, has_legend, width, height);
   PositiveRange errors;
-  for (const trace::StudyPoint& point : points) errors.include(largest_error(point));
+  double least = std::numeric_limits<double>::infinity();
+  for (const trace::StudyPoint& point : points) {
+    errors.include(largest_error(point));
+    if (point.error) least = std::min(least, largest_error(point));
+  }
   if (errors.high == 0) errors = {1e-16, 1};
-  Curves curves{Pen(page.drawing, page.scale, kPlotText), study, errors, any_failed};
+  Curves curves{Pen(page.drawing, page.scale, kPlotText), study, errors, least, failure_rows};
   if (has_legend) curves.legend(page.legend, naming == Naming::None);
   // Where every panel has the same lines, these are named once.
   const bool once = all.size() > 1 && same_lines(all);
@@ -287,7 +351,9 @@ Drawing plot_curves(const trace::Study& study, int width, int height) {
   const PlotPanel& named = naming == Naming::Beside ? panels.back() : panels.front();
   for (PlotPanel& panel : panels) {
     if (!once) panel.area.width -= room(panel);
-    curves.panel(panel, once && &panel != &named ? Naming::None : naming);
+    const bool is_first = &panel == &panels.front();
+    curves.panel(panel, once && &panel != &named ? Naming::None : naming,
+                 is_first && naming == Naming::None);
   }
   return page.drawing;
 }

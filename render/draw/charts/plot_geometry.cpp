@@ -68,6 +68,7 @@ struct Mapping {
         courses[i].points.push_back({x.at(median), is_zero(point) ? zero_row : y.at(*error)});
         courses[i].spread.push_back({x.at(least), x.at(most)});
         courses[i].parameters.push_back(point.parameter);
+        courses[i].marks.push_back(point.mark);
       }
       slot += std::ranges::any_of(points, zero) ? 1 : 0;
     }

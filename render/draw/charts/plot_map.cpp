@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 #include "core/at.h"
+#include "draw/charts/curve_labels.h"
 #include "draw/charts/plot.h"
 #include "draw/scene/palette.h"
 
@@ -39,6 +41,48 @@ struct Map : Pen {
   bool numbered;  // its rows
   const char* some_failed = "some cases failed";
   const char* all_failed = "all failed";
+
+  /// Cells with the same words beside them, by column and series.
+  using Marked = std::map<std::pair<std::size_t, std::size_t>, Rect>;
+
+  /// A line about all of them, and the words to the right, or where there is no room, to the left.
+  void mark(const std::string& words, const Marked& cells, const Rect& area) const {
+    Rect all = cells.begin()->second;
+    for (const auto& [place, rect] : cells) {
+      const double right = std::max(all.right(), rect.right());
+      const double bottom = std::max(all.bottom(), rect.bottom());
+      all.x = std::min(all.x, rect.x);
+      all.y = std::min(all.y, rect.y);
+      all.width = right - all.x;
+      all.height = bottom - all.y;
+    }
+    // White about the line, to be seen on dark cells.
+    draw_border(cells, 5, kWhite);
+    draw_border(cells, 2.6, kText);
+    const double height = cells.begin()->second.height;
+    const auto middle = static_cast<float>(all.y + 0.5 * height) + px(0.36 * kMarkLetters);
+    const float width = text_width(words, px(kMarkLetters), FontWeight::Bold);
+    const bool fits = all.right() + px(10) + width < area.right();
+    text(words, {static_cast<float>(fits ? all.right() + px(8) : all.x - px(8)), middle},
+         fits ? Align::Left : Align::Right, kText, Weight::Bold, kMarkLetters, 3);
+  }
+
+  void draw_border(const Marked& cells, double width, const Color& color) const {
+    for (const auto& [place, rect] : cells) {
+      const auto& [column, row] = place;
+      const std::vector<Point2> corners = corners_of(rect);  // from the top left one
+      const auto side = [&](std::size_t i, std::size_t c, std::size_t r) {
+        if (cells.contains({c, r})) return;
+        const Point2 from = corners[i], to = corners[(i + 1) % 4];
+        const Point2 end = (0.5f * px(width) / distance(from, to)) * (to - from);
+        line(from - end, to + end, width, color);  // so that corners and joints are whole
+      };
+      side(0, column, numbered ? row + 1 : row - 1);
+      side(1, column + 1, row);
+      side(2, column, numbered ? row - 1 : row + 1);
+      side(3, column - 1, row);
+    }
+  }
 
   void legend(const Point2& begin) const {
     float at = begin.x;
@@ -79,6 +123,7 @@ struct Map : Pen {
         mapped(panel.series.front()->points, &trace::StudyPoint::parameter);
     if (parameters.empty()) return;
     std::vector<double> rows;
+    std::map<std::string, Marked> marked;
     const auto left = static_cast<float>(area.x);
     const Axis x = axis_through(parameters, area.x, area.right());
     const double width = area.width / static_cast<double>(parameters.size());
@@ -88,8 +133,12 @@ struct Map : Pen {
       // Numbers grow upwards, names are read downwards.
       const double row = static_cast<double>(numbered ? panel.series.size() - 1 - i : i);
       const double top = area.y + row * height;
-      for (const trace::StudyPoint& point : series.points)
-        cell(point, {x.at(point.parameter) - 0.5 * width, top, width, height});
+      for (std::size_t j = 0; j < series.points.size(); ++j) {
+        const trace::StudyPoint& point = series.points[j];
+        const Rect rect{x.at(point.parameter) - 0.5 * width, top, width, height};
+        cell(point, rect);
+        if (!point.mark.empty()) marked[point.mark][{j, i}] = rect;
+      }
       if (numbered) {
         rows.push_back(*series.row);
       } else if (panel.begins_row) {
@@ -102,6 +151,7 @@ struct Map : Pen {
                       *this);
     draw_decades_along(x, area, false, *this);
     frame(area, 1.2, kChartBorder);
+    for (const auto& [words, cells] : marked) mark(words, cells, area);
     const float above = static_cast<float>(area.y) - px(6);
     text(panel.name, {left, above}, Align::Left, kText, Weight::Bold);
     const std::string axes = "across: " + panel.parameter + (numbered ? ", up: " + study.row : "");

@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "core/at.h"
+#include "draw/charts/curve_labels.h"
 #include "draw/charts/plot.h"
 #include "draw/scene/labels.h"
 #include "draw/scene/palette.h"
@@ -242,19 +243,37 @@ struct Diagram : Pen {
       const std::vector<Point2>& points = line_of_ends->points;
       labels.push_back({width_of(ends[i]), {i == 0 ? points.front() : points.back()}});
     }
+    // What is marked chooses before all.
+    std::vector<LineLabel> marked_labels;
+    std::vector<std::pair<MarkedPoint, Color>> marks;
+    for (const Course& course : plot.courses) {
+      for (std::size_t i = 0; i < course.points.size(); ++i) {
+        if (course.marks[i].empty()) continue;
+        const MarkedPoint& mark =
+            marks.emplace_back(MarkedPoint{course.points[i], course.marks[i]}, course.style.text)
+                .first;
+        draw_mark(mark.at, *this);
+        marked_labels.push_back(mark_label(mark, *this));
+      }
+    }
+    labels.insert(labels.begin(), marked_labels.begin(), marked_labels.end());
     const float height = px(kPlotText);
     const double inset = px(3);
     const Rect room{left + inset, plot.failures_end + inset, right - left - 2 * inset,
                     bottom - plot.failures_end - 2 * inset};
     const std::vector<PlacedLabel> places =
         place_line_labels(labels, obstacles, room, height, scale());
+    const auto marked_end = places.begin() + static_cast<std::ptrdiff_t>(marks.size());
+    for (std::size_t i = 0; i < marks.size(); ++i)
+      write_mark(marks[i].first, places[i], marks[i].second, *this);
+    const std::vector<PlacedLabel> others(marked_end, places.end());
     for (std::size_t i = 0; i < order.size(); ++i) {
-      if (places[i].needs_leader)
-        line(places[i].anchor, places[i].leader_end, 1, muted(order[i]->style.text));
+      if (others[i].needs_leader)
+        line(others[i].anchor, others[i].leader_end, 1, muted(order[i]->style.text));
     }
-    for (std::size_t i = 0; i < places.size(); ++i) {
+    for (std::size_t i = 0; i < others.size(); ++i) {
       const Point2 at =
-          pixel(places[i].box.x, places[i].box.y) + Point2{0, 0.5f * (height + 0.68f * height)};
+          pixel(others[i].box.x, others[i].box.y) + Point2{0, 0.5f * (height + 0.68f * height)};
       if (i < order.size())
         text(order[i]->method, at, Align::Left, order[i]->style.text, weight_of(order[i]), 0, 2);
       else
@@ -272,7 +291,7 @@ struct Diagram : Pen {
 
   /// "5" and "32 points": where that line begins, and where it ends.
   std::vector<std::string> parameters_at_ends(const Course* course) const {
-    if (course == nullptr) return {};
+    if (course == nullptr || study.other_cases) return {};
     const std::string& counted =
         study.series.front().parameter.empty() ? study.parameter : study.series.front().parameter;
     return {spell_number(course->parameters.front()),

@@ -13,9 +13,10 @@ constexpr double kCaptions = 30;  // heading, and source below
 constexpr double kScene = 26;     // the line under the heading
 constexpr double kChartGap = 22;
 constexpr double kCellGap = 12;
-constexpr double kCellName = 40;  // name and note below a cell
-constexpr double kCellRow = 222;  // a row of cells with their names
-constexpr int kOneRow = 640;      // height of a page with one row of cells
+constexpr double kCellName = 40;   // name and note below a cell
+constexpr double kCellRow = 222;   // a row of cells with their names, where there is one
+constexpr double kCellRows = 172;  // each, where there are more
+constexpr int kPage = 720;         // height of a page with up to two rows of cells
 constexpr std::size_t kMostInRow = 5;
 
 /// The same number in each row, but for the last.
@@ -31,8 +32,8 @@ std::size_t rows_of(std::size_t cells) {
 }  // namespace
 
 int rollout_page_height(std::size_t cells) {
-  const std::size_t rows = std::max<std::size_t>(1, rows_of(cells));
-  return kOneRow + static_cast<int>(rows - 1) * static_cast<int>(kCellRow);
+  const std::size_t rows = std::max<std::size_t>(2, rows_of(cells));
+  return kPage + static_cast<int>(rows - 2) * static_cast<int>(kCellRows);
 }
 
 RolloutPage rollout_page(const std::string& result, const std::string& title,
@@ -51,7 +52,8 @@ RolloutPage rollout_page(const std::string& result, const std::string& title,
            pixel(left, top + pen.px(15)), Align::Left, kQuietText, Weight::Regular, 16);
   const double begin = top + pen.px(kScene), end = height - left - pen.px(kCaptions);
   const auto rows = static_cast<double>(std::max<std::size_t>(1, rows_of(cells.size())));
-  const double cells_begin = end - rows * pen.px(kCellRow);
+  const double cell_row = rows > 1 ? kCellRows : kCellRow;
+  const double cells_begin = end - rows * pen.px(cell_row);
   const auto count = static_cast<double>(charts.size());
   const double chart_width = (whole - (count - 1) * pen.px(kChartGap)) / count;
   for (std::size_t i = 0; i < charts.size(); ++i)
@@ -62,17 +64,17 @@ RolloutPage rollout_page(const std::string& result, const std::string& title,
   const std::size_t columns = columns_of(cells.size());
   const double cell_width = std::min(
       (whole - static_cast<double>(columns - 1) * pen.px(kCellGap)) / static_cast<double>(columns),
-      1.6 * pen.px(kCellRow));
+      1.6 * pen.px(cell_row));
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const auto column = static_cast<double>(i % columns), row = static_cast<double>(i / columns);
     const Rect cell{std::round(left + column * (cell_width + pen.px(kCellGap))),
-                    std::round(cells_begin + row * pen.px(kCellRow)), std::floor(cell_width),
-                    std::floor(pen.px(kCellRow - kCellName))};
+                    std::round(cells_begin + row * pen.px(cell_row)), std::floor(cell_width),
+                    std::floor(pen.px(cell_row - kCellName))};
     page.cells.push_back(cell);
     const auto x = static_cast<float>(cell.x), y = static_cast<float>(cell.bottom());
     const float room = static_cast<float>(cell.width);
-    const MethodStyle style = method_style(cells[i].style);
-    pen.text(cells[i].name, {x, y + pen.px(17)}, Align::Left, style.text, Weight::Bold);
+    const Color color = cells[i].quiet ? kText : method_style(cells[i].style).text;
+    pen.text(cells[i].name, {x, y + pen.px(17)}, Align::Left, color, Weight::Bold);
     const float used = pen.width_of(cells[i].name + "  ", Weight::Bold);
     pen.text(fitted(cells[i].note, pen.px(kPlotText), Weight::Regular, room - used),
              {x + used, y + pen.px(17)}, Align::Left, kText);

@@ -130,7 +130,9 @@ struct ChartOverTime : Pen {
     draw_ticks();
     frame(area, 1.2, kChartBorder);
     // The first one last, so that the others do not hide it.
-    for (std::size_t i = chart.lines.size(); i-- > 0;) draw_line(chart.lines[i]);
+    for (const bool quiet : {true, false})
+      for (std::size_t i = chart.lines.size(); i-- > 0;)
+        if (chart.lines[i].quiet == quiet) draw_line(chart.lines[i]);
     draw_early_labels();
     draw_labels();
   }
@@ -162,11 +164,15 @@ struct ChartOverTime : Pen {
     return {x.at(one.time[i]), y.at(one.values[i])};
   }
 
+  static MethodStyle style_of(const TimeLine& one) {
+    return one.quiet ? MethodStyle{kDropped, kQuietText} : method_style(one.style);
+  }
+
   void draw_line(const TimeLine& one) const {
-    const MethodStyle style = method_style(one.style);
+    const MethodStyle style = style_of(one);
     std::vector<Point2> points;
     for (std::size_t i = 0; i < one.values.size(); ++i) points.push_back(place(one, i));
-    path(points, 2.2, style.color, style.dash, style.gap);
+    path(points, one.quiet ? 1.5 : 2.2, style.color, style.dash, style.gap);
     if (one.breaks_off && !points.empty()) cross(points.back(), 5, 2.4, style.color);
   }
 
@@ -183,8 +189,7 @@ struct ChartOverTime : Pen {
     std::vector<NamedLine> lines;
     for (std::size_t i = 0; i < chart.lines.size(); ++i) {
       const TimeLine& one = chart.lines[i];
-      NamedLine& line =
-          lines.emplace_back(NamedLine{labels[i], method_style(one.style).text, false, {}});
+      NamedLine& line = lines.emplace_back(NamedLine{labels[i], style_of(one).text, one.quiet, {}});
       for (std::size_t k = 0; k < one.values.size(); ++k) line.points.push_back(place(one, k));
     }
     std::vector<const NamedLine*> named;
@@ -244,7 +249,7 @@ struct ChartOverTime : Pen {
     const auto left = static_cast<float>(area.right()) + px(kLabelGap);
     for (std::size_t k = 0; k < which.size(); ++k) {
       const TimeLine& one = chart.lines[which[k]];
-      const MethodStyle style = method_style(one.style);
+      const MethodStyle style = style_of(one);
       const Point2 end = place(one, one.values.size() - 1);
       if (how_many[k] > 1) {
         line(end, {left - px(3), heights[k]}, 1, kText);

@@ -15,6 +15,7 @@ struct TimeLine {
   std::vector<double> time;    // seconds, rising
   std::vector<double> values;  // as many; finite
   bool breaks_off = false;     // its last value is not the end: a cross stands there
+  bool quiet = false;          // grey, behind the others
 };
 
 /// Several lines over the same time, each with its name at its end. Both axes are linear.
@@ -41,6 +42,7 @@ struct RolloutPage {
 struct RolloutCell {
   std::string name, note;
   std::size_t style = 0;
+  bool quiet = false;  // as its line
 };
 RolloutPage rollout_page(const std::string& result, const std::string& title,
                          const std::string& source, const std::string& moment,

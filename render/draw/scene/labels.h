@@ -56,6 +56,8 @@ class LabelPlacer {
 struct LineLabel {
   float width = 0;              // of the text, pixels
   std::vector<Point2> anchors;  // ends of the line, the preferred one first; not empty
+  float clearance = 0;          // pixels more between an anchor and the text
+  float height = 0;             // of the text; 0: that of all
 };
 
 /// What labels keep off.

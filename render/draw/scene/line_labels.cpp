@@ -121,12 +121,13 @@ struct Placement {
   }
 
   PlacedLabel best(std::size_t label) const {
-    const float width = labels[label].width;
+    const float width = labels[label].width, clearance = labels[label].clearance;
+    const double high = labels[label].height > 0 ? labels[label].height : height;
     const std::vector<Point2>& anchors = labels[label].anchors;
     std::optional<PlacedLabel> found;
     double least = std::numeric_limits<double>::infinity();
     const auto consider = [&](double center_x, double center_y, std::size_t anchor) {
-      const Rect box{center_x - 0.5 * width, center_y - 0.5 * height, width, height};
+      const Rect box{center_x - 0.5 * width, center_y - 0.5 * high, width, high};
       if (!allowed(box, label)) return;
       const PlacedLabel place = placed(box, anchors[anchor]);
       const double sum = cost(place, label, anchor == 0);
@@ -139,13 +140,13 @@ struct Placement {
       for (const double ring : kRings) {
         for (int i = 0; i < kDirections; ++i) {
           const double angle = 2 * std::numbers::pi * i / kDirections;
-          consider(at.x + std::cos(angle) * (ring * scale + 0.5 * width),
-                   at.y + std::sin(angle) * (ring * scale + 0.5 * height), anchor);
+          consider(at.x + std::cos(angle) * (ring * scale + clearance + 0.5 * width),
+                   at.y + std::sin(angle) * (ring * scale + clearance + 0.5 * high), anchor);
         }
       }
     }
     if (found) return *found;
-    for (double y = frame.y + 0.5 * height; y < frame.bottom(); y += 0.5 * height) {
+    for (double y = frame.y + 0.5 * high; y < frame.bottom(); y += 0.5 * high) {
       for (double x = frame.x + 0.5 * width; x < frame.right(); x += height) consider(x, y, 0);
     }
     if (found) return *found;

@@ -1,0 +1,42 @@
+#include <algorithm>
+
+#include "study/picture.h"
+
+namespace contactscope {
+namespace {
+
+using namespace told;
+
+/// "a way of 2 mm", in the measure of the study.
+std::string change_of(const trace::Study& study, double smallest) {
+  if (study.measure == "way") return "a way of " + length(smallest);
+  if (study.measure == "turn") return "a turn of " + power(smallest) + " rad";
+  return count(smallest) + " last places of a coordinate";
+}
+
+}  // namespace
+
+/// The title tells the smallest of all, and that point is marked.
+trace::Study picture_flip_distance(const trace::Study& measured) {
+  trace::Study study = measured;
+  trace::StudySeries* pair = nullptr;
+  trace::StudyPoint* least = nullptr;
+  for (trace::StudySeries& series : study.series)
+    for (trace::StudyPoint& point : series.points)
+      if (point.error && (least == nullptr || *point.error < *least->error))
+        pair = &series, least = &point;
+  if (least == nullptr) return study;
+  const std::string change = change_of(study, *least->error);
+  const bool is_one_scenario = std::ranges::all_of(
+      study.series, [&](const trace::StudySeries& one) { return one.panel == pair->panel; });
+  study.title = "At the least " + change + " gives " + pair->method + " other points, in frame " +
+                count(least->parameter) + (is_one_scenario ? "" : " of " + pair->panel);
+  least->mark = study.measure == "way"    ? length(*least->error)
+                : study.measure == "turn" ? power(*least->error) + " rad"
+                                          : count(*least->error);
+  study.shown = "Up: " + study.error + " of the second shape after which a pair has other points" +
+                (study.unit.empty() ? "" : ", " + study.unit) + ". Crosses: nothing changes it";
+  return study;
+}
+
+}  // namespace contactscope
