@@ -1,10 +1,13 @@
 #include <algorithm>
+#include <cctype>
+#include <cmath>
 #include <list>
 #include <optional>
 
 #include "core/at.h"
 #include "draw/insets/contact_plane.h"
 #include "draw/scene/pairs.h"
+#include "draw/scene/palette.h"
 #include "draw/scene/points.h"
 #include "draw/scene/quantity.h"
 #include "draw/staging.h"
@@ -142,6 +145,48 @@ void label_in_place(const LegendChoice& choice, Sketch& sketch) {
   }
 }
 
+/// Whether a text has this number in it, and not as a part of a longer one.
+bool says(const std::string& text, const std::string& number) {
+  const auto is_part = [&](std::size_t i) {
+    return i < text.size() && (std::isalnum(static_cast<unsigned char>(text[i])) || text[i] == '.');
+  };
+  for (std::size_t at = text.find(number); at != std::string::npos; at = text.find(number, at + 1))
+    if ((at == 0 || !is_part(at - 1)) && !is_part(at + number.size())) return true;
+  return false;
+}
+
+// A depth that the title tells stands on what it is of: beside the deepest whisker, where no label says it.
+void label_told_depth(const Scene& scene, const std::string& title,
+                      const std::vector<Sketch>& others, Sketch& sketch) {
+  constexpr float kSize = 17;
+  constexpr double kBeside = 13;  // pixels
+  if (scene.crowded() || !scene.shows(Layer::Contacts)) return;
+  const auto is_labelled = [](const std::string& number) {
+    return [&](const Sketch& any) {
+      return std::ranges::any_of(any.labels,
+                                 [&](const Label& label) { return says(label.text, number); });
+    };
+  };
+  for (const trace::Pair& pair : scene.frame.pairs) {
+    const std::vector<PairPoint> kept = kept_points(pair);
+    // The sum of radii ends with the depth.
+    if (kept.empty() || (scene.shows(Layer::Core) && !pair.incremental)) continue;
+    const PairPoint deepest = *std::ranges::min_element(
+        kept, {}, [](const PairPoint& at) { return at.point->separation; });
+    for (const double metres : {pair.separation, deepest.point->separation}) {
+      const std::string words =
+          spell_length(std::abs(metres), scene.noise(pair), scene.scales.length);
+      if (metres == 0 || !says(title, words)) continue;
+      if (std::ranges::any_of(others, is_labelled(words))) return;
+      const OnBoth whisker = whisker_at(scene, pair, deepest);
+      sketch.begin(name_of(Layer::Contacts), pair.a + " " + pair.b);
+      sketch.label(0.5 * (whisker.on_a + whisker.on_b), words, kContact, kSize, kBeside,
+                   Vec3d(-scene.camera.right()));
+      return;
+    }
+  }
+}
+
 // One view of the picture: that of all, or that of a pair that has one to itself.
 struct Shot {
   const PairViewport* viewport = nullptr;
@@ -211,6 +256,9 @@ Drawing illustrate(const Staging& staging, const trace::Frame& frame) {
   const LegendChoice choice = choose_legend(legend.sorted());
   // Once is enough, where the same is to be seen side by side.
   label_in_place(choice, sketches.front());
+  const std::string title = fill_title(staging, frame);
+  auto told = sketches.begin();
+  for (const Shot& shot : shots) label_told_depth(*shot.scene, title, sketches, *told++);
   auto sketch = sketches.begin();
   for (const Shot& shot : shots) {
     const Camera& camera = shot.scene->camera;
@@ -220,8 +268,18 @@ Drawing illustrate(const Staging& staging, const trace::Frame& frame) {
     if (shot.viewport != nullptr) draw_viewport_frame(*shot.viewport, staging.layout, drawing);
     const auto middle = staging.magnifier ? magnified_middle(staging.view, frame) : std::nullopt;
     if (middle) {
+      // What is exaggerated to be seen from far need not be near by.
+      const SequenceScales near_by = scales_within(*staging.magnifier, staging.scales);
+      std::string note;
+      if (near_by.overlap != staging.scales.overlap) {
+        Scene magnified = *shot.scene;
+        magnified.scales = near_by;
+        *sketch = sketched(staging, magnified, false);
+        note = near_by.overlap == 1 ? ", overlap to scale"
+                                    : ", overlap" + spell_factor(near_by.overlap);
+      }
       sketch->labels.clear();
-      draw_magnified(*staging.magnifier, *middle, *sketch, camera, staging.layout, drawing);
+      draw_magnified(*staging.magnifier, *middle, *sketch, note, camera, staging.layout, drawing);
     }
     ++sketch;
   }
@@ -230,8 +288,7 @@ Drawing illustrate(const Staging& staging, const trace::Frame& frame) {
     draw_inset(staging.insets[i], insets[i], staging.layout, drawing);
   }
   if (staging.style.legend) draw_legend(choice.listed, staging.layout, drawing);
-  draw_captions(fill_title(staging, frame), staging.header->source, staging.moments.of(frame),
-                staging.layout, drawing);
+  draw_captions(title, staging.header->source, staging.moments.of(frame), staging.layout, drawing);
   return drawing;
 }
 

@@ -101,8 +101,16 @@ std::optional<Magnifier> stage_magnifier(const View& view, const Camera& camera,
   return magnifier;
 }
 
+SequenceScales scales_within(const Magnifier& magnifier, const SequenceScales& scales) {
+  SequenceScales within = scales;
+  for (double* factor : {&within.overlap, &within.gap})
+    *factor = std::max(std::min(1.0, *factor), round_down(*factor / magnifier.factor));
+  return within;
+}
+
 void draw_magnified(const Magnifier& magnifier, const Vec3d& middle, const Sketch& sketch,
-                    const Camera& camera, const Layout& layout, Drawing& drawing) {
+                    const std::string& note, const Camera& camera, const Layout& layout,
+                    Drawing& drawing) {
   const std::optional<Point2> at = camera.project(middle);
   if (!at) return;
   const Rect& frame = magnifier.frame;
@@ -126,7 +134,7 @@ void draw_magnified(const Magnifier& magnifier, const Vec3d& middle, const Sketc
       Camera::orthographic(middle + away * back, middle, camera.up(), frame.height / pixels, frame);
   compose(sketch, near, inner, drawing);
   pen.frame(frame, 1.5, border);
-  const std::string words = "×" + spell_number(magnifier.factor);
+  const std::string words = "×" + spell_number(magnifier.factor) + note;
   pen.text(words, pixel(frame.x, frame.bottom()) + Point2{pen.px(7), -pen.px(7)}, Align::Left,
            kText, Weight::Bold, 0, 3);
 }

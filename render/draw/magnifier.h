@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "draw/scene/scene.h"
@@ -25,8 +26,12 @@ std::optional<Magnifier> stage_magnifier(const View& view, const Camera& camera,
 /// The middle of this frame's subject, world; nothing where it has none.
 std::optional<Vec3d> magnified_middle(const View& view, const trace::Frame& frame);
 
-/// The sketch again, without its words.
+/// Those with which overlaps and gaps are about as long in its frame as in the view.
+SequenceScales scales_within(const Magnifier& magnifier, const SequenceScales& scales);
+
+/// The sketch again, without its words; `note` stands behind the factor.
 void draw_magnified(const Magnifier& magnifier, const Vec3d& middle, const Sketch& sketch,
-                    const Camera& camera, const Layout& layout, Drawing& drawing);
+                    const std::string& note, const Camera& camera, const Layout& layout,
+                    Drawing& drawing);
 
 }  // namespace contactscope::draw

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <ranges>
 #include <set>
 
@@ -120,6 +121,11 @@ void draw_pair_label(const Scene& scene, const trace::Pair& pair, Sketch& sketch
   const std::vector<Vec2d> own = silhouette(camera, *body);
   if (!at || own.empty()) return;
 
+  const auto is_plane = [&](const std::string& name) {
+    const PlacedShape* shape = scene.find(name);
+    return shape != nullptr && shape->traced().half_space.has_value();
+  };
+  const bool on_plane = is_plane(pair.a) || is_plane(pair.b);
   std::vector<std::vector<Vec2d>> all;
   std::vector<Vec2d> both = own;
   for (const PlacedShape& shape : scene.shapes) {
@@ -159,8 +165,10 @@ void draw_pair_label(const Scene& scene, const trace::Pair& pair, Sketch& sketch
   const Vec2d up(0, -1), right(1, 0);
   std::vector<Place> places;
   for (int row = 0; row < kMostRows; ++row) {
-    for (const Place& place : {border(own, up), border(both, up), border(own, -up),
-                               border(own, right), border(own, -right)})
+    std::array<Place, 5> around = {border(own, up), border(both, up), border(own, -up),
+                                   border(own, right), border(own, -right)};
+    if (on_plane) std::swap(around[2], around[4]);  // below it is the ground
+    for (const Place& place : around)
       places.push_back({place.begin + row * kRowHeight * pixel * place.out, place.out});
   }
   const auto found = std::ranges::find_if(places, is_free);

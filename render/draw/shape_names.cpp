@@ -156,6 +156,11 @@ void draw_shape_names(const Scene& scene, Sketch& sketch) {
   // Of more than a few the role alone, where a normal is from one to the other.
   const bool roles_alone = named.size() > kMostNamedShapes;
   if (roles_alone && (scene.shapes.size() > kMostRoles || !scene.shows(Layer::Normals))) return;
+  // Where one is B of this pair and A of that one, letters would tell nothing.
+  const bool trades_roles = std::ranges::any_of(scene.frame.pairs, [&](const trace::Pair& one) {
+    return std::ranges::any_of(scene.frame.pairs,
+                               [&](const trace::Pair& other) { return one.a == other.b; });
+  });
   const Camera& camera = scene.camera;
   const Rect& view = camera.viewport();
   const std::optional<Point2> touching = camera.project(sketch.center);
@@ -171,7 +176,7 @@ void draw_shape_names(const Scene& scene, Sketch& sketch) {
       return kind_in_words(pair.label) == each.words;
     };
     if (each.copies > kMostCopies || std::ranges::any_of(scene.frame.pairs, says_so)) continue;
-    const bool has_role = each.of_a != each.of_b;
+    const bool has_role = each.of_a != each.of_b && !trades_roles;
     if (roles_alone && !has_role) continue;
     const std::string role = !has_role ? "" : each.of_a ? "A" : "B";
     const std::string text = roles_alone ? role : role + (has_role ? ": " : "") + each.words;

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <numbers>
 
 #include "core/at.h"
 #include "draw/scene/answers.h"
+#include "draw/scene/ghost.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/points.h"
 #include "draw/scene/solid.h"
@@ -69,11 +71,27 @@ Vec3d seen_side(const std::vector<PlacedShape>& placed, const trace::Pair& pair,
   return normal.dot(usual) < 0 ? Vec3d(-normal) : normal;
 }
 
+/// Where shapes are at the end of the step.
+std::vector<Vec3d> swept_points(const std::vector<PlacedShape>& placed, const trace::Frame& frame) {
+  std::vector<Vec3d> points;
+  for (const trace::Pair& pair : frame.pairs) {
+    if (!pair.impact) continue;
+    for (const auto& [name, travel] :
+         {std::pair(pair.a, pair.impact->travel_a), std::pair(pair.b, pair.impact->travel_b)}) {
+      for (const PlacedShape& shape : placed)
+        if (shape.traced().name == name && !shape.traced().half_space)
+          append(points,
+                 extent_points(moved(shape, travel.pivot, travel.displacement, travel.turn)));
+    }
+  }
+  return points;
+}
+
 // Also gives every plane of `meshes` its patch. Not to be cropped are round shapes, which are known
 // by their outline alone, and the ground with all that is on it; else the subject is all but
 // floors.
 Extent gather(const trace::Header& header, const std::vector<trace::Frame>& frames,
-              const View& view, ShapeMeshes& meshes) {
+              const View& view, ShapeMeshes& meshes, bool with_sweeps = false) {
   const Vec3d usual = default_direction(header);
   const double least = meshes.smallest_radius();
   const double smallest = std::isfinite(least) ? least : 0;  // there may be no shapes
@@ -97,6 +115,7 @@ Extent gather(const trace::Header& header, const std::vector<trace::Frame>& fram
       for (const auto& volume : {pair.query->bounds_a, pair.query->bounds_b})
         if (volume) append(points, extent_points(*volume));
     }
+    if (with_sweeps && view.shows(Layer::Sweep)) append(points, swept_points(placed, frame));
     shapes.add(std::move(points));
     subject.add(std::move(chosen));
     for (const trace::Pair& pair : frame.pairs) {
@@ -192,7 +211,7 @@ void fit_viewports(const trace::Header& header, const std::vector<trace::Frame>&
     ShapeMeshes meshes = staging.meshes;
     const Extent own = gather(
         header, mapped(frames, [&](const trace::Frame& frame) { return part_of(frame, viewport); }),
-        view, meshes);
+        view, meshes, true);
     const auto high = [&](const std::vector<Vec3d>& points, double share) {
       Eigen::AlignedBox2d box;
       for (const Vec3d& p : points) box.extend(flat(p));
@@ -234,7 +253,7 @@ std::vector<std::vector<float>> legend_widths(const Staging& staging,
 
 Staging stage(const trace::Header& header, const std::vector<trace::Frame>& frames,
               const View& asked, int width, int height, const FigureStyle& style,
-              const LayerTable& layers) {
+              const LayerTable& layers, const std::vector<int>& stored) {
   View view = asked;
   const std::vector<Panel> insets = take_insets(view);
   ShapeMeshes meshes(header.shapes);
@@ -266,13 +285,26 @@ Staging stage(const trace::Header& header, const std::vector<trace::Frame>& fram
     for (const trace::Frame& frame : frames) sequence->push_back({frame.frame, frame.poses});
     staging.sequence = std::move(sequence);
   }
+  // What is on show decides how large the views of pairs are, not what happens in between.
+  std::vector<trace::Frame> shown;
+  if (view.side_by_side)
+    std::ranges::copy_if(frames, std::back_inserter(shown), [&](const trace::Frame& frame) {
+      return std::ranges::find(stored, frame.frame) != stored.end();
+    });
   const auto fit = [&] {
     if (view.side_by_side) {
       staging.viewports = split_view(frames, staging.layout);
-      fit_viewports(header, frames, extent, staging);
+      fit_viewports(header, shown.empty() ? frames : shown, extent, staging);
       if (!staging.viewports.empty()) staging.camera = *staging.viewports.front().camera;
     }
-    staging.scales = fit_scales(staging.meshes, frames, staging.camera, staging.layout, view);
+    staging.scales = fit_scales(staging.meshes, frames, staging.camera, staging.layout, view,
+                                [&](const trace::Pair& pair) -> const Camera* {
+                                  const auto own = std::ranges::find_if(
+                                      staging.viewports, [&](const PairViewport& viewport) {
+                                        return shows_pair(viewport, pair);
+                                      });
+                                  return own == staging.viewports.end() ? nullptr : &*own->camera;
+                                });
     staging.insets = stage_insets(insets, up_axis(header), staging.camera, staging.layout, frames);
   };
   fit();

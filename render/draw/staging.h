@@ -37,10 +37,10 @@ struct Staging {
 /// Looks through all frames, and draws none. The view's own eye, target and lens are used where it
 /// names them; the rest is fitted: to the contact patches, seen from 30 degrees above the contact
 /// plane and about half as wide as the view, or to all shapes when nothing touches or the view asks
-/// for it. What a style leaves to do with complete drawings, finish() does.
+/// for it. Views of single pairs are fitted to the `stored` frames where some of these are there. What a style leaves to do with complete drawings, finish() does.
 Staging stage(const trace::Header& header, const std::vector<trace::Frame>& frames,
               const View& view, int width, int height, const FigureStyle& style = {},
-              const LayerTable& layers = kLayers);
+              const LayerTable& layers = kLayers, const std::vector<int>& stored = {});
 
 /// One frame as the view shows it, made from the trace alone; nothing of the pipeline is computed
 /// again. The same frame gives the same drawing.

@@ -16,11 +16,11 @@ constexpr double kViewportHeadingRow = 28;
 constexpr double kViewportGap = 12;
 constexpr double kWantedAspect = 1.25;
 
-bool is_of(const PairViewport& viewport, const trace::Pair& pair) {
+}  // namespace
+
+bool shows_pair(const PairViewport& viewport, const trace::Pair& pair) {
   return pair.a == viewport.a && pair.b == viewport.b && pair.label == viewport.label;
 }
-
-}  // namespace
 
 std::vector<PairViewport> split_view(const std::vector<trace::Frame>& frames,
                                      const Layout& layout) {
@@ -72,7 +72,7 @@ trace::Frame part_of(const trace::Frame& frame, const PairViewport& viewport) {
   for (const trace::Placement& pose : frame.poses)
     if (has(pose.first)) part.poses.push_back(pose);
   for (const trace::Pair& pair : frame.pairs) {
-    if (!is_of(viewport, pair)) continue;
+    if (!shows_pair(viewport, pair)) continue;
     part.pairs.push_back(pair);
     part.pairs.back().label.clear();  // it stands over the viewport
   }

@@ -29,6 +29,9 @@ std::vector<PairViewport> split_view(const std::vector<trace::Frame>& frames, co
 /// Below the heading.
 Rect inside_of(const PairViewport& viewport, const Layout& layout);
 
+/// Whether it is the viewport of this pair.
+bool shows_pair(const PairViewport& viewport, const trace::Pair& pair);
+
 /// Of a frame what a viewport shows: the two shapes and their pair, without its label.
 trace::Frame part_of(const trace::Frame& frame, const PairViewport& viewport);
 

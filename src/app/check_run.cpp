@@ -236,9 +236,9 @@ class Checker {
   void check_pictures(const snapshot::Shelf& shelf, const Scenario& scenario, const View& view,
                       Sequence& sequence, ScenarioOutcome& outcome,
                       std::vector<Finding>& findings) {
-    const draw::Staging staging =
-        draw::stage(sequence.header, sequence.frames, view, scenario.snapshots.width,
-                    scenario.snapshots.height, style_of(scenario));
+    const draw::Staging staging = draw::stage(
+        sequence.header, sequence.frames, view, scenario.snapshots.width, scenario.snapshots.height,
+        style_of(scenario), draw::kLayers, scenario.snapshots.frames);
     studio_.render(
         staging, sequence, scenario.snapshots.frames, [&](const trace::Frame& shown, Image image) {
           const Timed timed(ledger_, "compare");
@@ -277,9 +277,9 @@ class Checker {
       const View& view = picture.view.empty()
                              ? scenario.views.front()
                              : *std::ranges::find(scenario.views, picture.view, &View::name);
-      const draw::Staging staging =
-          draw::stage(sequence.header, sequence.frames, view, scenario.snapshots.width,
-                      scenario.snapshots.height, style_of(scenario));
+      const draw::Staging staging = draw::stage(
+          sequence.header, sequence.frames, view, scenario.snapshots.width,
+          scenario.snapshots.height, style_of(scenario), draw::kLayers, scenario.snapshots.frames);
       try {
         picture.layers = moved_layers(staging, *expected, *actual);
       } catch (const std::exception& error) {

@@ -78,11 +78,16 @@ std::string result_of(const Rollout& rollout) {
     else
       standing.push_back(name_of(rollout, i));
   }
-  const std::string bodies =
-      resting == 1 ? "The body" : "All " + std::to_string(resting) + " bodies";
+  const std::string bodies = resting == 1   ? "The body"
+                             : resting == 2 ? "Both bodies"
+                                            : "All " + std::to_string(resting) + " bodies";
+  constexpr std::size_t kMostNamed = 4;
   const std::string stand = resting == 1 ? " stands in " : " stand in ";
   if (resting == 0) return overlaps_of(rollout);
-  if (fallen.empty()) return bodies + stand + listed(standing);
+  if (fallen.empty())
+    return bodies + stand +
+           (standing.size() > kMostNamed ? "all " + std::to_string(standing.size()) + " engines"
+                                         : listed(standing));
   const std::string falls =
       (resting == 1 ? "The body falls in " : "A body falls in ") + listed(fallen);
   if (standing.empty()) return falls;

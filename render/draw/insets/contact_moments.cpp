@@ -17,9 +17,9 @@ constexpr double kLittle = 0.01;  // of the depth
 std::string percent(double share) {
   const double value = 100 * share;
   // Only what is whole may be called so.
-  const bool nearly = value > 99.94 && value < 99.9995;
   if (value > 99.9995) return "100 %";
-  return printed(nearly ? "%.3f %%" : "%.1f %%", value);
+  const int decimals = value > 99.94 ? 3 : value < 0.995 ? 2 : 1;
+  return printed("%.*f %%", decimals, value);
 }
 
 std::vector<ContactCell::Row> rows_of(const trace::ReducerAnswer& answer) {

@@ -90,15 +90,17 @@ void ContactPlane::number_kept(const std::vector<Point2>& places, const std::vec
   const Vec2d middle = middle_of(places);
   LabelPlacer placer(map);
   for (const Point2& place : places) placer.block(place, px(kKeptReach * size));
-  for (const int i : deepest) placer.block(contactscope::at(places, i), px(12 * size));
+  for (const int i : deepest) placer.block(contactscope::at(places, i), px(kDeepestReach * size));
   const float height = px(kOrderDigit);
   for (std::size_t k = 0; k < kept.size(); ++k) {
     const Point2& place = contactscope::at(places, kept[k]);
     const std::string digit = std::to_string(k + 1);
     const float width = text_width(digit, height, FontWeight::Bold);
     const float up = 0.76f * ascent(height, FontWeight::Bold), room = kBadgeRoom * up;
+    const bool is_deepest = std::ranges::find(deepest, kept[k]) != deepest.end();
+    const float reach = px((is_deepest ? kDeepestReach : kKeptReach) * size);
     auto found = placer.place(place, width + 2 * room, up + room, room,
-                              {px(kKeptReach * size + 2), pixel(way_out(middle, flat(place)))});
+                              {reach + px(2), pixel(way_out(middle, flat(place)))});
     if (!found) continue;
     found->left_baseline.x += room;
     if (found->needs_leader) line(place, found->leader_end, 1, kContact);

@@ -85,6 +85,7 @@ void draw_dropped_point(const Point2& at, const Pen& pen, double size);
 void draw_deepest_mark(const Point2& at, const Pen& pen, double size);
 /// Half the width of a kept point, at 720 lines.
 inline constexpr double kKeptReach = 8.2;
+inline constexpr double kDeepestReach = 12;
 
 /// The pair whose contact plane is shown, the first that touches; nullptr where none does.
 const trace::Pair* pair_of_contact_plane(const trace::Frame& frame);

@@ -2,6 +2,7 @@
 #include "draw/scene/ghost.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"
+#include "draw/scene/solid.h"
 
 /// Catto 2013, "Continuous Collision": a contact of shapes that are still apart lets them close by
 /// no more than the gap. Where a body would be a frame later without it, and the gap.
@@ -45,8 +46,10 @@ void draw_ahead(const Scene& scene, Sketch& sketch) {
     const PlacedShape* shape = scene.find(body.name);
     if (shape == nullptr || pixels < kLeastWay * scene.scales.pixel) continue;
     const Vec3d turn = step * body.angular_velocity;
-    draw_ghost(scene.camera, moved(*shape, center, way, turn), kGhost, sketch);
+    const PlacedShape later = moved(*shape, center, way, turn);
+    draw_ghost(scene.camera, later, kGhost, sketch);
     sketch.line(center, center + way, {1.2f, kDropped, true});
+    if (!in_view(scene.camera, later)) continue;
     sketch.explain(kAheadSwatch, "a frame later, if nothing stopped it", Vec3d(center + way));
   }
   for (const trace::Pair& pair : scene.frame.pairs) {

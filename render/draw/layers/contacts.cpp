@@ -12,10 +12,10 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr double kBesidePoint = 20;    // pixels from the point, clear of its arrows
-constexpr double kLeastWhisker = 6.5;  // pixels: a shorter one is hidden by its dot
-constexpr double kLeastDepth = 2;      // pixels: less looks like a touch
-constexpr double kEqually = 1e-2;      // of the overlap
+constexpr double kBesidePoint = 20;   // pixels from the point, clear of its arrows
+constexpr double kNumberBeside = 13;  // likewise, of a number
+constexpr double kLeastDepth = 2;     // pixels: less looks like a touch
+constexpr double kEqually = 1e-2;     // of the overlap
 
 constexpr Swatch kOneShotSwatch{LegendGroup::Points, 4, [](auto& pen) {
                                   pen.whisker(2.5, kContact);
@@ -28,6 +28,9 @@ constexpr Swatch kApartSwatch{LegendGroup::Points, 10, [](auto& pen) {
                                 pen.dot(0, 4.8, with_alpha(kContact, 0.3f));
                                 pen.dot(3.7, 4.8, kContact);
                               }};
+constexpr Swatch kOnePlaceSwatch{
+    LegendGroup::Points, 12,
+    [](auto& pen) { pen.text("×2", pen.at(1, 5.5), Align::Left, kContact, Weight::Bold, 15); }};
 constexpr Swatch kLineOfCentersSwatch{LegendGroup::Axes, 4,
                                       [](auto& pen) { pen.dashes(1.2, kShapeEdge); }};
 
@@ -101,19 +104,8 @@ void draw_points(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   // Where some normals are not those of the rest, the points of the rest step back.
   const std::optional<Vec3d> usual =
       scene.shows(Layer::Normals) ? usual_normal(scene.frame) : std::nullopt;
-  const auto is_seen = [&](const PairPoint& kept) {
-    auto [from, to] = whisker_at(scene, pair, kept);
-    const Vec3d& at = kept.point->position;
-    // The arrow of its impulse covers the part on its side.
-    if (scene.shows(Layer::Impulses) && kept.point->impulse) {
-      const Vec3d out = (scene.body(pair.b) != nullptr ? 1 : -1) * kept.manifold->normal;
-      for (Vec3d* end : {&from, &to})
-        if ((*end - at).dot(out) > 0) *end = at;
-    }
-    const std::optional<float> pixels = seen_distance(scene.camera, from, to);
-    return pixels && *pixels > kLeastWhisker * scene.scales.pixel;
-  };
-  const bool any_whisker = std::ranges::any_of(kept_points(pair), is_seen);
+  const bool any_whisker = std::ranges::any_of(
+      kept_points(pair), [&](const PairPoint& kept) { return has_whisker(scene, pair, kept); });
   for (const PairPoint& kept : kept_points(pair)) {
     if (usual && is_like(*usual, kept.manifold->normal)) {
       sketch.mark(MarkKind::Speck, kept.point->position, kDropped);
@@ -143,8 +135,8 @@ void draw_points(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   }
 }
 
-// A corner that neighbouring triangles of a mesh share is told by each of them: how many points are
-// where one is seen.
+// A corner that neighbouring triangles of a mesh share is told by each of them, and points of a sliver are side by side:
+// how many are where one is seen.
 void count_shared(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   constexpr double kOneDot = 4;  // pixels
   std::vector<std::pair<PairPoint, int>> places;
@@ -159,9 +151,13 @@ void count_shared(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
     else
       ++same->second;
   }
+  // Seen from the side all are, of a box on a floor: then each stands for as many.
+  const auto is_shared = [](const auto& place) { return place.second > 1; };
+  if (pair.manifolds.size() <= kFewManifolds && std::ranges::all_of(places, is_shared)) return;
   for (const auto& [kept, count] : places) {
     if (count < 2) continue;
     sketch.label(kept.point->position, "×" + std::to_string(count), kContact, 15, 9);
+    sketch.explain(kOnePlaceSwatch, "points in one place", kept.point->position);
   }
 }
 
@@ -173,7 +169,8 @@ void draw_contacts(const Scene& scene, const trace::Pair& pair, Sketch& sketch) 
   if (pair.query) return;  // it has no contacts; see the layer answer
   if (!pair.incremental || !scene.shows(Layer::Persistent)) draw_points(scene, pair, sketch);
   constexpr std::size_t kFewPoints = 16;  // of more, the counts would be a crowd
-  if (pair.manifolds.size() > kFewManifolds && all_points(pair).size() <= kFewPoints)
+  if (all_points(pair).size() <= kFewPoints && !scene.shows(Layer::Reduced) &&
+      !scene.shows(Layer::Ids))
     count_shared(scene, pair, sketch);
   const bool measured_elsewhere =
       scene.shows(Layer::SatAxes) || scene.shows(Layer::ContactAxis) || scene.shows(Layer::Simplex);
@@ -198,8 +195,8 @@ void draw_contacts(const Scene& scene, const trace::Pair& pair, Sketch& sketch) 
              scene.camera.right(), sketch);
 }
 
-/// How deep the pair is, beside its deepest point: of equally deep ones the outermost.
-void draw_overlap(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+/// Of equally deep points the one that is farthest to the left; nothing where none overlaps.
+std::optional<PairPoint> deepest_of(const Scene& scene, const trace::Pair& pair) {
   const Vec3d left = -scene.camera.right();
   std::optional<PairPoint> deepest;
   for (const PairPoint& candidate : all_points(pair)) {
@@ -210,19 +207,35 @@ void draw_overlap(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
     if (more < -equal || (more <= equal && !outer)) continue;
     deepest = candidate;
   }
-  if (!deepest || deepest->point->separation >= 0) return;
+  return deepest && deepest->point->separation < 0 ? deepest : std::nullopt;
+}
+
+/// How deep the pair is, beside its deepest point.
+void draw_overlap(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+  const std::optional<PairPoint> deepest = deepest_of(scene, pair);
+  if (!deepest) return;
+  const Vec3d left = -scene.camera.right();
   const trace::Point& point = *deepest->point;
   const double pixels = scene.camera.pixels_per_metre(point.position);
   if (-scene.scales.overlap * point.separation * pixels < kLeastDepth * scene.scales.pixel) return;
   const OnBoth whisker = whisker_at(scene, pair, *deepest);
+  const std::string words =
+      spell_separation(point.separation, scene.noise(pair), scene.scales.length);
+  // One sign for one overlap: where whiskers are seen, their numbers stand beside them alone.
+  const bool any_whisker = std::ranges::any_of(scene.frame.pairs, [&](const trace::Pair& other) {
+    const std::optional<PairPoint> at = deepest_of(scene, other);
+    return at && has_whisker(scene, other, *at);
+  });
+  if (any_whisker) {
+    sketch.label(0.5 * (whisker.on_a + whisker.on_b), words, kContact, 17, kNumberBeside, left);
+    return;
+  }
   const Vec3d aside = kBesidePoint * scene.scales.pixel / pixels * left;
   const Vec3d from = whisker.on_a + aside, to = whisker.on_b + aside;
   const std::string factor = spell_factor(scene.scales.overlap);
   draw_measure(scene, Measured::Overlap, from, to, 2.5f, factor.empty() ? "" : "overlap" + factor,
                sketch);
-  sketch.label(0.5 * (from + to),
-               spell_separation(point.separation, scene.noise(pair), scene.scales.length),
-               kAxisText, 17, 14, left);
+  sketch.label(0.5 * (from + to), words, kAxisText, 17, 14, left);
 }
 
 }  // namespace

@@ -32,11 +32,31 @@ std::string words(const Scene& scene, const trace::Pair& pair, bool all) {
          spell_factor(scene.scales.overlap);
 }
 
+/// The whisker that is as long as the axis says, where the contact shows it.
+std::optional<OnBoth> whisker_of(const Scene& scene, const trace::Pair& pair, double separation) {
+  constexpr double kEqually = 1e-6;  // of the overlap
+  for (const PairPoint& at : all_points(pair)) {
+    if (std::abs(at.point->separation - separation) < -kEqually * separation &&
+        has_whisker(scene, pair, at))
+      return whisker_at(scene, pair, at);
+  }
+  return std::nullopt;
+}
+
 // From the support point towards the plane it is measured from, as long as the separation. Beside
 // that line where the contact's own whisker and normal are on it, as drawings put measures.
 void draw_separation(const Scene& scene, const trace::Pair& pair, const Query& query, bool all,
                      Sketch& sketch) {
   const auto& [name, from, normal, metres, chosen] = query;
+  const std::string measured =
+      std::string(name) + ": " + spell_separation(metres, scene.noise(pair), scene.scales.length);
+  if (const auto whisker =
+          chosen && !all && metres < 0 ? whisker_of(scene, pair, metres) : std::nullopt) {
+    // One sign for one overlap.
+    sketch.label(0.5 * (whisker->on_a + whisker->on_b), measured, kAxisText, 18, 17,
+                 scene.camera.right());
+    return;
+  }
   const Vec3d to = from - (metres > 0 ? 1.0 : scene.scales.overlap) * metres * normal;
   Vec3d aside = Vec3d::Zero();
   if (chosen && metres < 0 && !all && scene.shows(Layer::Contacts)) {
@@ -52,12 +72,8 @@ void draw_separation(const Scene& scene, const trace::Pair& pair, const Query& q
   draw_measure(scene, metres > 0 ? Measured::Gap : Measured::Overlap, begin, end,
                chosen ? 3.5f : 2.0f, words(scene, pair, all), sketch);
   const std::string note = all && chosen && metres <= 0 ? ", chosen" : "";
-  sketch
-      .label(0.5 * (begin + end),
-             std::string(name) + ": " +
-                 spell_separation(metres, scene.noise(pair), scene.scales.length) + note,
-             kAxisText, chosen ? 18.0f : 15.0f, 17)
-      .bold = chosen;
+  sketch.label(0.5 * (begin + end), measured + note, kAxisText, chosen ? 18.0f : 15.0f, 17).bold =
+      chosen;
 }
 
 void draw_axes(const Scene& scene, const trace::Pair& pair, bool all, Sketch& sketch) {

@@ -1,4 +1,7 @@
+#include <algorithm>
+
 #include "draw/layers/layer.h"
+#include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"
 #include "draw/scene/solid.h"
 
@@ -51,8 +54,43 @@ void explain_margin(const Scene& scene, Legend& legend) {
                                     spell_length(core.margin, 0, scene.scales.length));
 }
 
+// How far the inside of a shape is from what it touches, at the leftmost contact point, once for each shape.
+void measure_margin(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+  constexpr double kLeastMeasured = 30;  // pixels
+  if (scene.crowded() || !scene.shows(Layer::Contacts) || scene.shows(Layer::Core)) return;
+  const std::vector<PairPoint> points = all_points(pair);
+  if (points.empty() || !scene.frame.field_slices.empty()) return;
+  const Vec3d right = scene.camera.right();
+  const PairPoint& at = *std::ranges::min_element(
+      points, {}, [&](const PairPoint& any) { return right.dot(any.point->position); });
+  for (const bool of_a : {true, false}) {
+    const std::string& name = of_a ? pair.a : pair.b;
+    const PlacedShape* shape = scene.find(name);
+    const auto touches = [&](const trace::Pair& other) {
+      return (other.a == name || other.b == name) && !other.manifolds.empty();
+    };
+    if (shape == nullptr || !shows_margin(*shape) ||
+        &*std::ranges::find_if(scene.frame.pairs, touches) != &pair)
+      continue;
+    const double margin = shape->mesh->core->margin;
+    const Vec3d from = at.point->position,
+                to = from + (of_a ? -margin : margin) * at.manifold->normal;
+    const std::optional<float> pixels = seen_distance(scene.camera, from, to);
+    if (!pixels || *pixels < kLeastMeasured * scene.scales.pixel) continue;
+    sketch.arrows.push_back({.from = from,
+                             .to = to,
+                             .double_headed = true,
+                             .width = 2.2f,
+                             .head = 10,
+                             .color = kMargin});
+    sketch.label(0.5 * (from + to), "margin " + spell_length(margin, 0, scene.scales.length),
+                 kMargin, 17, 10, Vec3d(-right));
+  }
+}
+
 }  // namespace
 
-const LayerDrawing kShapesLayer{.beneath = draw_shapes, .explain = explain_margin};
+const LayerDrawing kShapesLayer{
+    .beneath = draw_shapes, .result = measure_margin, .explain = explain_margin};
 
 }  // namespace contactscope::draw

@@ -1,5 +1,6 @@
 #include "draw/layers/layer.h"
 #include "draw/scene/ghost.h"
+#include "draw/scene/solid.h"
 
 /// How two shapes go through the step, and where they first meet: Catto 2013, "Continuous
 /// Collision". Onion skins at the times up to which the search knew them apart; where they meet;
@@ -12,6 +13,7 @@ constexpr double kLeastBetween = 0.02;  // of the step: of skins that are nearer
 
 constexpr LineStyle kSkin{1.2f, kDropped};
 constexpr LineStyle kEnd{2.0f, kDropped, true};
+constexpr LineStyle kEndOfHit{1.6f, with_alpha(kDropped, 0.55f), true};
 constexpr LineStyle kMeeting{3.0f, kContact};
 
 constexpr Swatch kSkinSwatch{LegendGroup::Motion, 5,
@@ -64,8 +66,14 @@ void draw_sweep(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const bool moved_any = (a != nullptr && moves(scene, *a, impact.travel_a)) ||
                          (b != nullptr && moves(scene, *b, impact.travel_b));
   if (moved_any) {
-    draw_at(1, kEnd);
-    sketch.explain(kEndSwatch, "at the next frame, if nothing stopped it");
+    // Where it is stopped, that is no place that it comes to: it steps back behind where they meet.
+    draw_at(1, impact.status == "hit" ? kEndOfHit : kEnd);
+    const auto ends_in_view = [&](const PlacedShape* shape, const trace::Travel& travel) {
+      return shape != nullptr && moves(scene, *shape, travel) &&
+             in_view(scene.camera, moved(*shape, travel.pivot, travel.displacement, travel.turn));
+    };
+    if (ends_in_view(a, impact.travel_a) || ends_in_view(b, impact.travel_b))
+      sketch.explain(kEndSwatch, "at the next frame, if nothing stopped it");
   }
   for (const Vec3d& ghost : impact.ghosts) {
     sketch.mark(MarkKind::WideRing, ghost, kAxis);

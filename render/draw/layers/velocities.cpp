@@ -64,7 +64,15 @@ void draw_spin(const Scene& scene, const trace::Body& body, bool numbered, Sketc
   sketch.line(center - 1.3 * radius * axis, tip, {1.5f, kMotion, true});
   draw_curved_arrow(scene.camera, center, axis, radius, spin * scene.scales.spin, 3, kMotion,
                     sketch);
-  if (numbered) sketch.label(tip, spell_quantity(spin, "rad/s"), kMotion, 16, 9, axis);
+  if (!numbered) return;
+  // At the arc: the ends of the axis are nearer to other things.
+  const Camera& camera = scene.camera;
+  const Vec3d across = camera.right() - camera.right().dot(axis) * axis;
+  const bool is_end_on = std::abs(camera.to_eye(center).dot(axis)) > 0.95;
+  const Vec3d out = is_end_on             ? Vec3d((camera.right() + camera.up()).normalized())
+                    : across.norm() > 0.1 ? Vec3d(across.normalized())
+                                          : camera.up();
+  sketch.label(center + radius * out, spell_quantity(spin, "rad/s"), kMotion, 16, 9, out);
 }
 
 void draw_velocities(const Scene& scene, Sketch& sketch) {

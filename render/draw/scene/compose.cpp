@@ -327,16 +327,31 @@ struct Composer {
     placer.block(*a, *b, px(arrow.width + 6));
   }
 
-  // What is inside of a shape stays under what is said about it. So do an origin and a node under the
+  /// A node under the head of an arrow, or a short arrow, would be all that is seen of it; a long one that begins there
+  /// would hide it.
+  bool is_under_arrow(const Point2& node) const {
+    constexpr float kSame = 3, kShort = 24;  // pixels
+    return std::ranges::any_of(sketch.arrows, [&](const Arrow& arrow) {
+      const std::optional<Point2> from = camera.project(arrow.from);
+      if (!from) return false;
+      if (!arrow.to) return arrow.pixels < kShort && distance(*from, node) < px(kSame);
+      const std::optional<Point2> to = camera.project(*arrow.to);
+      return to && (arrow.double_headed || distance(*from, *to) < px(kShort)) &&
+             std::min(distance(*from, node), distance(*to, node)) < px(kSame);
+    });
+  }
+
+  // What is inside of a shape stays under what is said about it. So do an origin and most nodes under the
   // arrow that begins or ends there, which may be no longer than they are wide.
   void draw_mark_inside(const Mark& mark) { draw_mark_if(true, mark); }
   void draw_mark_outside(const Mark& mark) { draw_mark_if(false, mark); }
   void draw_mark_if(bool inside, const Mark& mark) {
-    const bool is_inside = mark.kind == MarkKind::Core || mark.kind == MarkKind::Node ||
-                           mark.kind == MarkKind::Origin || mark.kind == MarkKind::HeldOrigin;
-    if (is_inside != inside) return;
     const std::optional<Point2> at = camera.project(mark.at);
     if (!at || !layout.view.contains(*at)) return;
+    const bool is_inside = mark.kind == MarkKind::Core || mark.kind == MarkKind::Origin ||
+                           mark.kind == MarkKind::HeldOrigin ||
+                           (mark.kind == MarkKind::Node && is_under_arrow(*at));
+    if (is_inside != inside) return;
     const float reach = draw_mark(mark.kind, *at, mark.color, pen);
     if (reach > 0) placer.block(*at, reach);
   }

@@ -102,6 +102,23 @@ OnBoth whisker_at(const Scene& scene, const trace::Pair& pair, const PairPoint& 
   return surfaces_scaled(scene, pair, at, apart ? scene.scales.gap : scene.scales.overlap);
 }
 
+bool has_whisker(const Scene& scene, const trace::Pair& pair, const PairPoint& at) {
+  constexpr double kLeastWhisker = 6.5;  // pixels: a shorter one is hidden by its dot
+  if (!scene.shows(Layer::Contacts) || pair.query ||
+      (pair.incremental && scene.shows(Layer::Persistent)))
+    return false;
+  auto [from, to] = whisker_at(scene, pair, at);
+  const Vec3d& middle = at.point->position;
+  // The arrow of its impulse covers the part on its side.
+  if (scene.shows(Layer::Impulses) && at.point->impulse) {
+    const Vec3d out = (scene.body(pair.b) != nullptr ? 1 : -1) * at.manifold->normal;
+    for (Vec3d* end : {&from, &to})
+      if ((*end - middle).dot(out) > 0) *end = middle;
+  }
+  const std::optional<float> pixels = seen_distance(scene.camera, from, to);
+  return pixels && *pixels > kLeastWhisker * scene.scales.pixel;
+}
+
 std::optional<Vec3d> usual_normal(const trace::Frame& frame) {
   std::vector<Vec3d> normals;
   for (const trace::Pair& pair : frame.pairs) {

@@ -49,6 +49,10 @@ OnBoth surfaces_at(const Scene& scene, const trace::Pair& pair, const PairPoint&
 /// which the point lies, or in the middle of both.
 OnBoth whisker_at(const Scene& scene, const trace::Pair& pair, const PairPoint& at);
 
+/// Whether a whisker is seen of the point: where contacts are shown, of a point that has no age beside it, longer than its
+/// dot is wide, and not under the arrow of its impulse.
+bool has_whisker(const Scene& scene, const trace::Pair& pair, const PairPoint& at);
+
 /// Manifolds of a pair. With more, as on a mesh, what they have in common is drawn smaller.
 inline constexpr std::size_t kFewManifolds = 2;
 

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "core/convex_polygon.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"
 
@@ -70,6 +72,23 @@ std::string millimetres(double metres, double least) {
   return printed("%.*f", static_cast<int>(digits), 1e3 * metres);
 }
 
+/// By a separating axis: a convex polygon in the winding of convex_polygon(), and a box.
+bool are_apart(const std::vector<Vec2d>& polygon, const Rect& box) {
+  Eigen::AlignedBox2d around;
+  for (const Vec2d& p : polygon) around.extend(p);
+  const Eigen::AlignedBox2d other(Vec2d(box.x, box.y), Vec2d(box.right(), box.bottom()));
+  if (!around.intersects(other)) return true;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec2d& p = polygon[i];
+    const Vec2d& q = polygon[(i + 1) % polygon.size()];
+    const auto is_outside = [&](const Vec2d& corner) { return turn(p, q, corner) < 0; };
+    if (is_outside({box.x, box.y}) && is_outside({box.right(), box.y}) &&
+        is_outside({box.x, box.bottom()}) && is_outside({box.right(), box.bottom()}))
+      return true;
+  }
+  return false;
+}
+
 struct RadiiSketch {
   const Scene& scene;
   const PlacedShape& a;
@@ -132,6 +151,59 @@ struct RadiiSketch {
                  8, aside);
   }
 
+  /// What both shapes cover on the screen.
+  std::vector<std::vector<Vec2d>> silhouettes() const {
+    std::vector<std::vector<Vec2d>> list;
+    for (const PlacedShape* shape : {&a, &b}) {
+      const double radius = shape->traced().radius;
+      const std::vector<Vec3d> outline =
+          radius > 0 ? RoundBody{shape->vertices, radius}.outline(scene.camera) : shape->vertices;
+      std::vector<Vec2d> seen;
+      for (const Vec3d& p : outline)
+        if (const std::optional<Point2> at = scene.camera.project(p))
+          seen.emplace_back(at->x, at->y);
+      if (seen.size() > 2) list.push_back(convex_polygon(std::move(seen)));
+    }
+    return list;
+  }
+
+  /// The box of a text as near to a point as there is room in the view beside both shapes, and not along the normal;
+  /// nothing where there is none.
+  std::optional<Rect> free_ground(const Vec3d& from, const Vec3d& normal, float width) const {
+    constexpr double kRow = 26, kStep = 12, kFarthest = 480;  // pixels
+    constexpr int kDirections = 24;
+    constexpr float kAlong = 0.93f;  // cosine
+    const Camera& camera = scene.camera;
+    const double pixel = scene.scales.pixel, height = kRow * pixel;
+    const std::optional<Point2> at = camera.project(from);
+    const std::optional<Point2> ahead =
+        camera.project(from + 20 / camera.pixels_per_metre(from) * normal);
+    if (!at || !ahead) return std::nullopt;
+    const float seen = distance(*at, *ahead);
+    const std::vector<std::vector<Vec2d>> covered = silhouettes();
+    for (double reach = 3 * kStep; reach < kFarthest; reach += kStep) {
+      for (int i = 0; i < kDirections; ++i) {
+        // From the right on, 0, +1, -1, +2, ...
+        const int step = (i % 2 == 1 ? 1 : -1) * ((i + 1) / 2);
+        const double angle = step * 2 * std::numbers::pi / kDirections;
+        const auto x = static_cast<float>(std::cos(angle)), y = static_cast<float>(std::sin(angle));
+        const Point2 corner = *at + static_cast<float>(reach * pixel) * Point2{x, y};
+        const Rect box{x >= 0 ? corner.x : corner.x - width, corner.y - 0.5 * height, width,
+                       height};
+        const Point2 way = corner - *at;
+        const bool is_along =
+            seen > 1 && std::abs(dot(way, *ahead - *at)) > kAlong * length(way) * seen;
+        const auto meets = [&](const std::vector<Vec2d>& polygon) {
+          return !are_apart(polygon, box.grown(6 * pixel));
+        };
+        if (is_along || !camera.viewport().encloses(box) || std::ranges::any_of(covered, meets))
+          continue;
+        return box;
+      }
+    }
+    return std::nullopt;
+  }
+
   /// The sum: overlap = radii less the distance of the cores, which is negative where the core of a
   /// round shape is inside of a hull.
   void sum(const Cores& at, const Vec3d& aside) {
@@ -150,7 +222,24 @@ struct RadiiSketch {
                         : "gap " + distance + " − " + text;
     text += " = " + millimetres(least, least) + " mm";
     const Vec3d middle = 0.5 * (at.a + radius_a * at.normal + at.b - radius_b * at.normal);
-    sketch.label(middle, text, overlaps ? kContact : kAxisText, kSumSize, 60, aside).leader = true;
+    const Color& ink = overlaps ? kContact : kAxisText;
+    const float width =
+        text_width(text, static_cast<float>(scene.scales.pixel) * kSumSize, FontWeight::Bold);
+    const std::optional<Rect> box = free_ground(middle, at.normal, width);
+    if (!box) {
+      sketch.label(middle, text, ink, kSumSize, 60, aside).leader = true;
+      return;
+    }
+    // A thin line to the side that is nearer, and the text beyond it.
+    const Camera& camera = scene.camera;
+    const Point2 foot = *camera.project(middle);
+    const bool is_right = box->x + 0.5 * box->width > foot.x;
+    const Point2 end = pixel(is_right ? box->x : box->right(), box->y + 0.5 * box->height);
+    const Point2 way = end - foot;
+    const Vec3d there =
+        middle + (way.x * camera.right() - way.y * camera.up()) / camera.pixels_per_metre(middle);
+    sketch.bordered_line(middle, there, {1.0f, kQuietText}, 3.5f);
+    sketch.label(there, text, ink, kSumSize, 4, Vec3d((is_right ? 1.0 : -1.0) * camera.right()));
   }
 
   void draw(const std::vector<Cores>& all) {

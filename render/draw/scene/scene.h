@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -100,8 +101,12 @@ struct SequenceScales {
   double touching = 0;  // metres: a contact point whose separation is larger does not touch
 };
 
+/// By which camera a pair is seen that has a viewport of its own; null: by that of the whole view.
+using CameraOf = std::function<const Camera*(const trace::Pair&)>;
+
 SequenceScales fit_scales(const ShapeMeshes& meshes, const std::vector<trace::Frame>& frames,
-                          const Camera& camera, const Layout& layout, const View& view);
+                          const Camera& whole, const Layout& layout, const View& view,
+                          const CameraOf& camera_of = {});
 
 inline constexpr std::size_t kCrowd = 24;  // shapes
 

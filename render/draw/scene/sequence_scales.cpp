@@ -24,6 +24,7 @@ constexpr double kWidestDrift = 46;       // pixels
 constexpr double kPlainDrift = 16;        // pixels that need no exaggeration
 constexpr double kStill = 1e-3;           // pixels a frame: no faster, it is rounding
 constexpr double kTouching = 1e-4;        // of the smallest body's radius
+constexpr double kSeenApart = 6;          // pixels
 
 // An impact is many times what a resting body needs: the usual frame sets the scale.
 double usual(std::vector<double> values) {
@@ -45,10 +46,11 @@ double fit_overlap(double deepest, double pixel) {
   return factor;
 }
 
-// Gaps are drawn as many times as wide, but none so wide that it leaves its shapes. Beside such a wide
+// Gaps are drawn as many times as wide, by their own factor where nothing overlaps, but none so wide that it leaves its shapes. Beside such a wide
 // one an overlap that needs a large factor to be seen is none to speak of.
-void fit_gap(double widest, double pixel, SequenceScales& scales) {
-  scales.gap = scales.overlap;
+void fit_gap(double widest, bool any_overlap, SequenceScales& scales) {
+  const double pixel = scales.pixel;
+  scales.gap = any_overlap ? scales.overlap : fit_overlap(widest, pixel);
   if (scales.overlap * widest <= kWidestGap * pixel) return;
   scales.gap = std::max(1.0, round_down(kWidestGap * pixel / widest));
   if (scales.overlap > kMostBesideGap) scales.overlap = scales.gap = 1;
@@ -57,7 +59,8 @@ void fit_gap(double widest, double pixel, SequenceScales& scales) {
 }  // namespace
 
 SequenceScales fit_scales(const ShapeMeshes& meshes, const std::vector<trace::Frame>& frames,
-                          const Camera& camera, const Layout& layout, const View& view) {
+                          const Camera& whole, const Layout& layout, const View& view,
+                          const CameraOf& camera_of) {
   SequenceScales scales;
   if (frames.size() > 1) {
     scales.step =
@@ -67,16 +70,20 @@ SequenceScales fit_scales(const ShapeMeshes& meshes, const std::vector<trace::Fr
   double speed = 0, spin = 0;               // on the screen at one pixel a metre; radians a second
   double drift = 0, deepest = 0, gap = 0;   // pixels
   double pixels_per_metre = 0;
+  double nearest = 0;                     // most pixels of a metre at a point
   double most_overlap = 0, most_gap = 0;  // metres
   for (const trace::Frame& frame : frames) {
     double largest = 0, largest_friction = 0;
     for (const trace::Pair& pair : frame.pairs) {
+      const Camera* own = camera_of ? camera_of(pair) : nullptr;
+      const Camera& camera = own != nullptr ? *own : whole;
       const double separation = pair.query && pair.query->gap ? *pair.query->gap : pair.separation;
       most_overlap = std::max(most_overlap, -separation);
       most_gap = std::max(most_gap, separation);
       for (const auto& [manifold, point] : all_points(pair)) {
         if (!camera.sees(point->position)) continue;
         const double here = camera.pixels_per_metre(point->position);
+        nearest = std::max(nearest, here);
         // Points that are drawn by their age have no whiskers.
         if (!pair.incremental || !view.shows(Layer::Persistent))
           deepest = std::max(deepest, -point->separation * here);
@@ -101,8 +108,8 @@ SequenceScales fit_scales(const ShapeMeshes& meshes, const std::vector<trace::Fr
     if (largest_friction > 0) frictions.push_back(largest_friction);
     if (!frame.solver) continue;
     for (const trace::Body& body : frame.solver->bodies) {
-      if (!camera.sees(body.center_of_mass)) continue;
-      const double here = camera.pixels_per_metre(body.center_of_mass);
+      if (!whole.sees(body.center_of_mass)) continue;
+      const double here = whole.pixels_per_metre(body.center_of_mass);
       speed = std::max(speed, here * body.velocity.norm());
       spin = std::max(spin, body.angular_velocity.norm());
     }
@@ -110,9 +117,11 @@ SequenceScales fit_scales(const ShapeMeshes& meshes, const std::vector<trace::Fr
 
   scales.pixel = layout.scale;
   scales.overlap = fit_overlap(deepest, scales.pixel);
-  fit_gap(gap, scales.pixel, scales);
+  fit_gap(gap, deepest > 0, scales);
   const double smallest = meshes.smallest_radius();
   if (std::isfinite(smallest)) scales.touching = kTouching * smallest;
+  // What is seen to be apart does not touch.
+  if (nearest > 0) scales.touching = std::min(scales.touching, kSeenApart * scales.pixel / nearest);
   // What overlaps is what the pictures are about, unless it is a touch.
   scales.length = length_unit(
       most_overlap > scales.touching || most_gap <= scales.touching ? most_overlap : most_gap);
