@@ -18,6 +18,7 @@ constexpr std::size_t kMostNamedShapes =
 constexpr std::size_t kMostCopies = 3;  // more of them are a stack or a heap, as anybody sees
 constexpr std::size_t kMostRoles = 12;  // shapes
 constexpr std::size_t kMostVertices = 5000;  // of a mesh whose outline is worked out
+constexpr double kMostOfCore = 0.12;         // of the outline's area
 constexpr double kMostOfMesh = 0.3;          // of its width, that a name on it takes
 constexpr float kNameSize = 16;              // pixels
 constexpr int kColumns = 18, kRowsTried = 12;
@@ -201,7 +202,10 @@ void draw_shape_names(const Scene& scene, Sketch& sketch) {
       return at + way.x() * camera.right() - way.y() * camera.up();
     };
     // On a small mesh it would cover the edges that are the mesh.
-    const bool fits = !each.shape->is_mesh() || 2 * half.x() < kMostOfMesh * width_of(own->first);
+    // Nor on a small body its core, where that is what is shown.
+    const bool is_small = scene.shows(Layer::Core) && 4 * half.prod() > kMostOfCore * area;
+    const bool fits =
+        !is_small && (!each.shape->is_mesh() || 2 * half.x() < kMostOfMesh * width_of(own->first));
     if (const auto place =
             !fits ? std::nullopt
                   : place_on(own->first, smaller, half, contact, view, sketch, pixel)) {

@@ -34,8 +34,16 @@ trace::Study picture_flip_distance(const trace::Study& measured) {
   least->mark = study.measure == "way"    ? length(*least->error)
                 : study.measure == "turn" ? power(*least->error) + " rad"
                                           : count(*least->error);
+  const bool is_way = study.measure == "way";
+  for (trace::StudySeries& series : study.series)
+    for (trace::StudyPoint& point : series.points)
+      for (std::optional<double>* error : {&point.error, &point.error_worst})
+        if (*error && is_way) **error *= 1000;  // millimetres
   study.shown = "Up: " + study.error + " of the second shape after which a pair has other points" +
-                (study.unit.empty() ? "" : ", " + study.unit) + ". Crosses: nothing changes it";
+                (is_way               ? ", mm"
+                 : study.unit.empty() ? ""
+                                      : ", " + study.unit) +
+                ". Crosses: nothing changes it";
   return study;
 }
 

@@ -349,5 +349,43 @@ TEST(PersistentPoints, OneThatWasTakenOutIsARingAroundTheOneInItsPlace) {
   EXPECT_EQ(marks(scene.sketch(), MarkKind::Hollow), 0u);
 }
 
+TEST(Overlap, HasOneSignWhereItsWhiskerIsSeen) {
+  CrateOnSlab scene;
+  scene.view.layers = {Layer::Shapes, Layer::Contacts, Layer::Overlap};
+  const Staging staging = scene.staged();
+  const Sketch both = sketch_frame(staging, scene.frames[0]);
+  EXPECT_TRUE(measures(both).empty());
+  const auto number = std::ranges::find(both.labels, "overlap 2.00 mm", &Label::text);
+  ASSERT_NE(number, both.labels.end());
+  EXPECT_TRUE(crate_sample::same(number->color, kContact)) << "as the whisker";
+  scene.view.layers = {Layer::Shapes, Layer::Overlap};
+  EXPECT_EQ(measures(sketch_frame(scene.staged(), scene.frames[0])).size(), 1u);
+}
+
+TEST(Title, ADepthThatItTellsStandsOnItsWhiskerOnce) {
+  CrateOnSlab scene;
+  scene.view.layers = {Layer::Shapes, Layer::Contacts};
+  const auto told = [&](const char* title) {
+    scene.view.title = title;
+    const auto texts = crate_sample::texts(illustrate(scene.staged(), scene.frames[0]));
+    return std::ranges::count(texts, "2.00 mm");
+  };
+  EXPECT_EQ(told("A crate stands {overlap} deep"), 1);
+  EXPECT_EQ(told("A crate stands 12.00 mm deep"), 0) << "another number";
+  EXPECT_EQ(told("A crate stands on a slab"), 0);
+  scene.view.layers.push_back(Layer::Overlap);
+  EXPECT_EQ(told("A crate stands {overlap} deep"), 0) << "its label says it";
+}
+
+TEST(Whisker, OfGapsAloneHasAFactorOfTheirOwn) {
+  CrateOnSlab scene;
+  for (trace::Point& point : scene.manifold().points) point.separation = 1e-4;
+  const SequenceScales scales = scene.staged().scales;
+  EXPECT_GE(scales.gap, 20);
+  EXPECT_EQ(scales.overlap, 1);
+  scene.manifold().points[0].separation = -0.5;
+  EXPECT_EQ(scene.staged().scales.gap, 1) << "that of the overlap";
+}
+
 }  // namespace
 }  // namespace contactscope::draw

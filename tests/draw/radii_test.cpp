@@ -162,5 +162,25 @@ TEST(ClippedSegment, TheAxisOfACapsuleIsCutAtTheSideThatItCrosses) {
   EXPECT_FALSE(face_of_round(shown, scene.pair()));
 }
 
+TEST(Radii, TheirSumStandsBesideBothShapes) {
+  for (const double aside : {0.0, 0.35}) {
+    RoundScene scene(round_shape("large", {Vec3d::Zero()}, 0.5), Vec3d::Zero(),
+                     round_shape("small", {Vec3d::Zero()}, 0.3), {aside, 0.6, 0});
+    const Vec3d way = Vec3d(aside, 0.6, 0).normalized();
+    scene.touch(way, "centres", {{0.45 * way, Vec3d(aside, 0.6, 0).norm() - 0.8, ""}});
+    const Staging staging = scene.staged();
+    const Sketch sketch = sketch_frame(staging, scene.frames[0]);
+    const auto sum = std::ranges::find_if(sketch.labels, [](const Label& label) {
+      return label.text.find(" = ") != std::string::npos;
+    });
+    ASSERT_NE(sum, sketch.labels.end());
+    const Point2 at = *staging.camera.project(sum->at);
+    for (const auto& [center, radius] :
+         {std::pair(Vec3d(0, 0, 0), 0.5), std::pair(Vec3d(aside, 0.6, 0), 0.3)})
+      EXPECT_GT(distance(at, *staging.camera.project(center)),
+                radius * staging.camera.pixels_per_metre(center));
+  }
+}
+
 }  // namespace
 }  // namespace contactscope::draw

@@ -114,5 +114,21 @@ TEST(Magnifiers, KeepLabelsOff) {
   }
 }
 
+TEST(SideBySide, IsFittedToTheFramesThatAreShown) {
+  TwoCrates crates;
+  crates.frames.push_back(crates.frames[0]);
+  crates.frames[1].frame = 1;
+  crates.frames[1].time = 1;
+  crates.frames[1].poses[1].second.position.y() += 6;
+  crates.frames[1].pairs[0].manifolds.clear();
+  const auto size = [&](const std::vector<int>& stored) {
+    const Staging staging =
+        stage(crates.header, crates.frames, crates.view, 1280, 720, {}, kLayers, stored);
+    return staging.viewports[0].camera->pixels_per_metre(Vec3d::Zero());
+  };
+  EXPECT_GT(size({0}), 1.5 * size({0, 1}));
+  EXPECT_EQ(size({7}), size({})) << "of frames that are not there none is shown";
+}
+
 }  // namespace
 }  // namespace contactscope::draw

@@ -94,7 +94,8 @@ TEST(Picture, OfFlipDistancesTheSmallestIsToldWithItsUnit) {
   EXPECT_EQ(told.title,
             "At the least a way of 2 mm gives lid-crate other points, in frame 2 of hull/two");
   EXPECT_EQ(told.series[1].points[1].mark, "2 mm");
-  EXPECT_THAT(told.shown, HasSubstr(", m"));
+  EXPECT_THAT(told.shown, HasSubstr(", mm"));
+  EXPECT_EQ(told.series[0].points[1].error, 4);
   study.measure = "last_places";
   study.unit = "";
   for (trace::StudySeries& series : study.series)

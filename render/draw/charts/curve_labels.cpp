@@ -70,6 +70,11 @@ void draw_mark(const Point2& at, const Pen& pen) {
   pen.ring(at, pen.px(kRing - 1.8), pen.px(kRing), kText);
 }
 
+Rect mark_box(const Point2& at, const Pen& pen) {
+  const double half = pen.px(kRing - 1);
+  return {at.x - half, at.y - half, 2 * half, 2 * half};
+}
+
 LineLabel mark_label(const MarkedPoint& mark, const Pen& pen) {
   const float size = pen.px(kMarkLetters);
   return {text_width(mark.words, size, FontWeight::Bold), {mark.at}, pen.px(0.6 * kRing), size};
@@ -103,7 +108,7 @@ void name_near(const std::vector<const NamedLine*>& named,
   for (const NamedLine& line : lines) {
     for (const MarkedPoint& mark : line.marks) {
       draw_mark(mark.at, pen);
-      obstacles.markers.push_back(mark.at);
+      obstacles.boxes.push_back(mark_box(mark.at, pen));
       labels.push_back(mark_label(mark, pen));
       marks.emplace_back(&mark, line.color);
     }

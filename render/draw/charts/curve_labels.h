@@ -17,8 +17,9 @@ struct MarkedPoint {
 /// Size of what stands there, pixels at 720 lines: larger than names.
 inline constexpr float kMarkLetters = 16;
 
-/// A ring about such a point.
+/// A ring about such a point, and what no label may cover of it.
 void draw_mark(const Point2& at, const Pen& pen);
+Rect mark_box(const Point2& at, const Pen& pen);
 /// What is to be placed for its words, and they in the place that was found.
 LineLabel mark_label(const MarkedPoint& mark, const Pen& pen);
 void write_mark(const MarkedPoint& mark, const PlacedLabel& place, const Color& color,

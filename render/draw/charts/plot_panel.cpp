@@ -253,6 +253,7 @@ struct Diagram : Pen {
             marks.emplace_back(MarkedPoint{course.points[i], course.marks[i]}, course.style.text)
                 .first;
         draw_mark(mark.at, *this);
+        obstacles.boxes.push_back(mark_box(mark.at, *this));
         marked_labels.push_back(mark_label(mark, *this));
       }
     }

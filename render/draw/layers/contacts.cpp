@@ -34,33 +34,58 @@ constexpr Swatch kOnePlaceSwatch{
 constexpr Swatch kLineOfCentersSwatch{LegendGroup::Axes, 4,
                                       [](auto& pen) { pen.dashes(1.2, kShapeEdge); }};
 
+/// The middle of what is seen of a face with these corners; of one that is seen nowhere its middle.
+Vec3d seen_middle(const std::vector<Vec3d>& corners, const Camera& camera) {
+  constexpr int kSteps = 10;
+  const Vec3d middle = mean_of(corners);
+  if (camera.sees(middle)) return middle;
+  std::vector<Vec3d> seen;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    for (std::size_t j = i + 1; j < corners.size(); ++j)
+      for (int step = 0; step <= kSteps; ++step) {
+        const Vec3d p = corners[i] + double(step) / kSteps * (corners[j] - corners[i]);
+        if (camera.sees(p)) seen.push_back(p);
+      }
+  return seen.empty() ? middle : mean_of(seen);
+}
+
 // The middle of all vertices that are as far along `direction` as the farthest one.
-std::optional<Vec3d> farthest(const PlacedShape& shape, const Vec3d& direction) {
+std::optional<Vec3d> farthest(const PlacedShape& shape, const Vec3d& direction,
+                              const Camera& camera) {
   if (shape.vertices.empty()) return std::nullopt;
   double most = -1e300;
   for (const Vec3d& v : shape.vertices) most = std::max(most, direction.dot(v));
   std::vector<Vec3d> front = shape.vertices;
   std::erase_if(
       front, [&](const Vec3d& v) { return most - direction.dot(v) > 1e-5 * shape.mesh->radius; });
-  return mean_of(front) + shape.traced().radius * direction;
+  return seen_middle(front, camera) + shape.traced().radius * direction;
 }
 
-// Along a known normal the gap is the pair's separation: from the shape whose vertex it was
-// measured to.
-std::optional<OnBoth> along(const PlacedShape& a, const PlacedShape& b, const Vec3d& normal,
-                            bool from_b, double gap) {
-  const std::optional<Vec3d> found = from_b ? farthest(a, normal) : farthest(b, Vec3d(-normal));
-  if (!found) return std::nullopt;
-  return from_b ? OnBoth{*found, *found + gap * normal} : OnBoth{*found - gap * normal, *found};
-}
+/// Two shapes that are apart, and who looks at them.
+struct Apart {
+  const PlacedShape& a;
+  const PlacedShape& b;
+  const Camera& camera;
+  double gap;  // metres
+
+  // Along a known normal the gap is the pair's separation: from the shape whose vertex it was
+  // measured to.
+  std::optional<OnBoth> along(const Vec3d& normal, bool from_b) const {
+    const std::optional<Vec3d> found =
+        from_b ? farthest(a, normal, camera) : farthest(b, Vec3d(-normal), camera);
+    if (!found) return std::nullopt;
+    return from_b ? OnBoth{*found, *found + gap * normal} : OnBoth{*found - gap * normal, *found};
+  }
+};
 
 bool is_sphere(const PlacedShape& shape) {
   return shape.traced().radius > 0 && shape.vertices.size() == 1;
 }
 
 // What the trace says about where the shapes are nearest to each other, or what kept them apart.
-std::optional<OnBoth> gap_of(const trace::Pair& pair, const PlacedShape& a, const PlacedShape& b) {
-  const double gap = pair.separation;
+std::optional<OnBoth> gap_of(const trace::Pair& pair, const PlacedShape& a, const PlacedShape& b,
+                             const Camera& camera) {
+  const Apart apart{a, b, camera, pair.separation};
   if (pair.gjk && pair.gjk->status == "separated" && pair.gjk->distance > 0) {
     const Vec3d normal = (pair.gjk->point_b - pair.gjk->point_a) / pair.gjk->distance;
     const double margin_a = pair.incremental ? pair.incremental->margin_a : 0;
@@ -73,22 +98,22 @@ std::optional<OnBoth> gap_of(const trace::Pair& pair, const PlacedShape& a, cons
     const PlacedShape& plane = of_a ? a : b;
     if (!plane.traced().half_space) continue;
     const Vec3d outward = plane.pose.rotate(plane.traced().half_space->normal);
-    return along(a, b, of_a ? outward : Vec3d(-outward), !of_a, gap);
+    return apart.along(of_a ? outward : Vec3d(-outward), !of_a);
   }
   if (is_sphere(a) && is_sphere(b)) {
     const Vec3d way = b.vertices[0] - a.vertices[0];
     if (way.isZero()) return std::nullopt;
-    return along(a, b, way.normalized(), true, gap);
+    return apart.along(way.normalized(), true);
   }
   if (pair.sat) {
     const trace::Sat& sat = *pair.sat;
-    if (sat.chosen == "face_a" && sat.face_a) return along(a, b, sat.face_a->normal, false, gap);
-    if (sat.chosen == "face_b" && sat.face_b) return along(a, b, sat.face_b->normal, true, gap);
+    if (sat.chosen == "face_a" && sat.face_a) return apart.along(sat.face_a->normal, false);
+    if (sat.chosen == "face_b" && sat.face_b) return apart.along(sat.face_b->normal, true);
     if (sat.chosen == "edge_edge" && sat.edge)
       return OnBoth{sat.edge->point_b - sat.edge->separation * sat.edge->normal, sat.edge->point_b};
   }
   if (pair.cache && pair.cache->hit && pair.cache->normal && pair.cache->axis != "edge_edge") {
-    return along(a, b, *pair.cache->normal, pair.cache->axis == "face_b", gap);
+    return apart.along(*pair.cache->normal, pair.cache->axis == "face_b");
   }
   return std::nullopt;
 }
@@ -184,7 +209,7 @@ void draw_contacts(const Scene& scene, const trace::Pair& pair, Sketch& sketch) 
                    Vec3d(0.8 * a->vertices[0] + 0.2 * b->vertices[0]));
   }
   if (pair.state != "separated" || !(pair.separation > 0)) return;
-  const auto gap = gap_of(pair, *a, *b);
+  const auto gap = gap_of(pair, *a, *b, scene.camera);
   if (!gap) return;
   const bool is_round = a->traced().radius > 0 || b->traced().radius > 0;
   if (scene.shows(Layer::Core) && pair.incremental) return;  // its sum shows the gap
@@ -210,10 +235,24 @@ std::optional<PairPoint> deepest_of(const Scene& scene, const trace::Pair& pair)
   return deepest && deepest->point->separation < 0 ? deepest : std::nullopt;
 }
 
+/// Of points within the margin the gap of the nearest, where its line is seen.
+void draw_least_gap(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+  const std::vector<PairPoint> points = all_points(pair);
+  if (points.empty() || !scene.shows(Layer::Contacts)) return;
+  const PairPoint& nearest = *std::ranges::min_element(
+      points, {}, [](const PairPoint& at) { return at.point->separation; });
+  if (!stands_off(*nearest.point, scene.scales)) return;
+  const OnBoth line = whisker_at(scene, pair, nearest);
+  sketch.label(
+      0.5 * (line.on_a + line.on_b),
+      "gap " + spell_length(nearest.point->separation, scene.noise(pair), scene.scales.length),
+      kContact, 17, kNumberBeside, Vec3d(-scene.camera.right()));
+}
+
 /// How deep the pair is, beside its deepest point.
 void draw_overlap(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const std::optional<PairPoint> deepest = deepest_of(scene, pair);
-  if (!deepest) return;
+  if (!deepest) return draw_least_gap(scene, pair, sketch);
   const Vec3d left = -scene.camera.right();
   const trace::Point& point = *deepest->point;
   const double pixels = scene.camera.pixels_per_metre(point.position);
