@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -9,11 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include <nlohmann/json.hpp>
+#include <simdjson.h>
 
 namespace contactscope::trace {
-
-using Json = nlohmann::ordered_json;
 
 /// What is wrong inside of a line that is JSON; who reads the file adds its name and the line.
 struct Complaint {
@@ -24,51 +23,70 @@ struct Complaint {
 /// that are made only where there is something to complain about, so a node must outlive those below it.
 class Node {
  public:
+  using Value = simdjson::dom::element;
+
   /// The whole line.
-  explicit Node(const Json& json) : json_(&json) {}
+  explicit Node(const Value& value) : value_(value) {}
 
   [[noreturn]] void fail(const std::string& message) const {
     throw Complaint{"'" + place() + "' " + message};
   }
 
+  bool is_object() const { return value_.is_object(); }
+
   Node at(const char* key) const {
     if (auto found = find(key)) return *found;
     throw Complaint{where() + " has no key '" + key + "'; a trace needs it"};
   }
-  /// Nothing when the key is missing or null: null is how some writers say "not there".
+  /// Nothing when the key is missing or null: null is how some writers say "not there". Of a key that is there
+  /// twice the last one holds.
   std::optional<Node> find(const char* key) const {
-    if (!json_->is_object()) wrong_type("an object");
-    const auto found = json_->find(key);
-    if (found == json_->end() || found->is_null()) return std::nullopt;
-    return Node(*found, *this, key);
+    const std::string_view wanted = key;
+    std::optional<Value> found;
+    const simdjson::dom::object object = this->object();
+    for (auto member = object.begin(); member != object.end(); ++member)
+      if (member.key_equals(wanted)) found = member.value();
+    if (!found || found->is_null()) return std::nullopt;
+    return Node(*found, *this, wanted);
   }
   std::vector<Node> items() const {
-    if (!json_->is_array()) wrong_type("an array");
+    const simdjson::dom::array array = this->array();
     std::vector<Node> nodes;
-    nodes.reserve(json_->size());
-    for (std::size_t i = 0; i < json_->size(); ++i) nodes.push_back(Node((*json_)[i], *this, i));
+    nodes.reserve(array.size());
+    for (const Value item : array) nodes.push_back(Node(item, *this, nodes.size()));
     return nodes;
   }
-  /// The keys stay where they are as long as the line does.
+  /// The keys stay where they are as long as the line does. One that is there twice has its first place and its
+  /// last value.
   std::vector<std::pair<std::string_view, Node>> members() const {
-    if (!json_->is_object()) wrong_type("an object");
+    const simdjson::dom::object object = this->object();
     std::vector<std::pair<std::string_view, Node>> nodes;
-    for (const auto& [key, value] : json_->get_ref<const Json::object_t&>())
-      nodes.emplace_back(key, Node(value, *this, key));
+    nodes.reserve(object.size());
+    for (const auto& [key, value] : object) nodes.emplace_back(key, Node(value, *this, key));
+    keep_last_of_each(nodes);
     return nodes;
   }
 
-  std::string string() const { return get<std::string>(json_->is_string(), "a string"); }
-  bool boolean() const { return get<bool>(json_->is_boolean(), "true or false"); }
-  double number() const { return get<double>(json_->is_number(), "a number"); }
+  std::string string() const {
+    if (!value_.is_string()) wrong_type("a string");
+    return std::string(std::string_view(value_));
+  }
+  bool boolean() const {
+    if (!value_.is_bool()) wrong_type("true or false");
+    return bool(value_);
+  }
+  double number() const {
+    if (!value_.is_number()) wrong_type("a number");
+    return double(value_);
+  }
   int integer() const {
-    if (!json_->is_number_integer()) wrong_type("an integer");
     constexpr auto kMax = std::numeric_limits<int>::max();
-    // Unsigned first: the signed reading of a number beyond 2^63 would wrap.
-    const bool huge = json_->is_number_unsigned() &&
-                      json_->get<std::uint64_t>() > static_cast<std::uint64_t>(kMax);
-    if (huge || json_->get<std::int64_t>() < -1) fail("is out of range");
-    return json_->get<int>();
+    // What is beyond 2^63 has a type of its own.
+    if (value_.type() == simdjson::dom::element_type::UINT64) fail("is out of range");
+    if (value_.type() != simdjson::dom::element_type::INT64) wrong_type("an integer");
+    const auto value = std::int64_t(value_);
+    if (value > kMax || value < -1) fail("is out of range");
+    return static_cast<int>(value);
   }
   /// An index into `count` things.
   int index(std::size_t count, const char* things) const {
@@ -80,27 +98,50 @@ class Node {
   }
   template <std::size_t Count>
   std::array<double, Count> numbers(const char* complaint) const {
-    if (!json_->is_array()) wrong_type("an array");
     std::array<double, Count> list{};
-    for (std::size_t i = 0; i < json_->size(); ++i) {
-      const double value = Node((*json_)[i], *this, i).number();
+    std::size_t i = 0;
+    for (const Value item : array()) {
+      const double value = Node(item, *this, i).number();
       if (i < Count) list[i] = value;
+      ++i;
     }
-    if (json_->size() != Count) fail(complaint);
+    if (i != Count) fail(complaint);
     return list;
   }
 
  private:
-  Node(const Json& json, const Node& around, std::string_view key)
-      : json_(&json), around_(&around), key_(key) {}
-  Node(const Json& json, const Node& around, std::size_t index)
-      : json_(&json), around_(&around), index_(index) {}
+  Node(const Value& value, const Node& around, std::string_view key)
+      : value_(value), around_(&around), key_(key) {}
+  Node(const Value& value, const Node& around, std::size_t index)
+      : value_(value), around_(&around), index_(index) {}
 
-  template <class T>
-  T get(bool is_right, const char* wanted) const {
-    if (!is_right) wrong_type(wanted);
-    return json_->get<T>();
+  simdjson::dom::object object() const {
+    if (!value_.is_object()) wrong_type("an object");
+    return simdjson::dom::object(value_);
   }
+  simdjson::dom::array array() const {
+    if (!value_.is_array()) wrong_type("an array");
+    return simdjson::dom::array(value_);
+  }
+  static void keep_last_of_each(std::vector<std::pair<std::string_view, Node>>& nodes) {
+    std::vector<std::string_view> keys;
+    keys.reserve(nodes.size());
+    for (const auto& [key, node] : nodes) keys.push_back(key);
+    std::ranges::sort(keys);
+    if (std::ranges::adjacent_find(keys) == keys.end()) return;
+    std::vector<std::pair<std::string_view, Node>> once;
+    for (const auto& one : nodes) {
+      const auto same =
+          std::ranges::find(once, one.first, [](const auto& other) { return other.first; });
+      if (same == once.end()) {
+        once.push_back(one);
+      } else {
+        *same = one;
+      }
+    }
+    nodes = std::move(once);
+  }
+
   std::string place() const {
     if (around_ == nullptr) return {};
     const std::string before = around_->place();
@@ -108,11 +149,18 @@ class Node {
     return before.empty() ? std::string(key_) : before + "." + std::string(key_);
   }
   std::string where() const { return around_ == nullptr ? "the line" : "'" + place() + "'"; }
+  const char* type_name() const {
+    if (value_.is_object()) return "object";
+    if (value_.is_array()) return "array";
+    if (value_.is_string()) return "string";
+    if (value_.is_bool()) return "boolean";
+    return value_.is_null() ? "null" : "number";
+  }
   [[noreturn]] void wrong_type(const char* wanted) const {
-    throw Complaint{where() + " is of type " + json_->type_name() + "; " + wanted + " is needed"};
+    throw Complaint{where() + " is of type " + type_name() + "; " + wanted + " is needed"};
   }
 
-  const Json* json_;
+  Value value_;
   const Node* around_ = nullptr;  // the object or list that it is in; null of the line
   std::string_view key_{};        // its key there, without data where it is the entry of a list
   std::size_t index_ = 0;

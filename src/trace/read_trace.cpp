@@ -1,11 +1,9 @@
 #include "trace/read_trace.h"
 
-#include <algorithm>
-#include <cctype>
 #include <istream>
 
 #include "core/input_error.h"
-#include "trace/json_node.h"
+#include "trace/json_line.h"
 
 namespace contactscope::trace {
 namespace {
@@ -122,36 +120,15 @@ Header read_header(const Node& node) {
       (name.starts_with(family) ? ": update contactscope, or have the writer write that" : ""));
 }
 
-constexpr const char* kNoJson =
-    "this line is no JSON from here on; a trace has one whole object on each line, so it may be "
-    "torn: make it "
-    "again";
-
-/// What keeps a line from being JSON at a column, from 1.
-std::string why_no_json(const std::string& line, std::size_t column, const std::string& told) {
-  if (line.starts_with("\x1f\x8b")) return "the file is compressed; unpack it first";
-  if (line.starts_with("\xff\xfe") || line.starts_with("\xfe\xff"))
-    return "the file is UTF-16; a trace is UTF-8";
-  if (told.find("UTF-8") != std::string::npos)
-    return "from here on this line is no UTF-8, as names have to be; it may be Latin-1, or binary";
-  constexpr std::size_t kBefore = 6;  // a sign, and the letters that were taken for a literal
-  std::string near = line.substr(column > kBefore ? column - kBefore : 0, 2 * kBefore);
-  std::ranges::transform(near, near.begin(), [](unsigned char c) { return std::tolower(c); });
-  if (near.find("nan") != std::string::npos || near.find("inf") != std::string::npos)
-    return "this line is no JSON from here on, which has no nan and no infinity; find where the "
-           "engine makes it, or leave "
-           "the pair out";
-  return kNoJson;
-}
-
 bool is_blank(const std::string& line) {
   return line.find_first_not_of(" \t\r") == std::string::npos;
 }
 
 }  // namespace
 
-TraceReader::TraceReader(std::istream& in, std::string name) : in_(in), name_(std::move(name)) {
-  const bool any = next_line([&](const Json& line) { header_ = read_header(Node(line)); });
+TraceReader::TraceReader(std::istream& in, std::string name)
+    : in_(in), name_(std::move(name)), json_(std::make_unique<JsonLine>()) {
+  const bool any = next_line([&](const Node& line) { header_ = read_header(line); });
   if (!any)
     throw InputError(name_, 0, 0,
                      std::string("the trace is empty; its first line must be a header with "
@@ -162,6 +139,8 @@ TraceReader::TraceReader(std::istream& in, std::string name) : in_(in), name_(st
   first_number_ = number_;
 }
 
+TraceReader::~TraceReader() = default;
+
 void TraceReader::know(const std::vector<Shape>& shapes) {
   for (const Shape& shape : shapes) kinds_.emplace(shape.name, kind_of(shape));
 }
@@ -169,9 +148,8 @@ void TraceReader::know(const std::vector<Shape>& shapes) {
 std::optional<Frame> TraceReader::next() {
   if (torn_) return std::nullopt;
   Frame frame;
-  const bool any = next_line([&](const Json& line) {
-    const Node node(line);
-    if (line.is_object() && node.find("schema"))
+  const bool any = next_line([&](const Node& node) {
+    if (node.is_object() && node.find("schema"))
       throw Complaint{
           "this is a second header; a file holds one trace: begin another file with it"};
     frame = read<Frame>(node, nullptr);
@@ -207,23 +185,15 @@ bool TraceReader::next_line(const Read& read_it) {
     ++number_;
     if (is_blank(line_)) continue;
     try {
-      read_it(Json::parse(line_));
+      read_it(json_->parse(line_));
       return true;
-    } catch (const nlohmann::json::parse_error& error) {
-      const int column = static_cast<int>(error.byte);
+    } catch (const NoJson& broken) {
       // A process that dies leaves half a line, and that has no end.
       if (in_.eof() && frames_ > 0) {
-        torn_ = Torn{number_, column};
+        torn_ = Torn{number_, broken.column, broken.why};
         return false;
       }
-      throw InputError(name_, number_, column, why_no_json(line_, error.byte, error.what()));
-    } catch (const nlohmann::json::out_of_range& error) {
-      throw InputError(
-          name_, number_, 1,
-          std::string("a number is too large for a double: ") +
-              std::string(error.what()).substr(std::string(error.what()).find_last_of(' ') + 1));
-    } catch (const nlohmann::json::exception& error) {
-      throw InputError(name_, number_, 1, std::string("not read: ") + error.what());
+      throw InputError(name_, number_, broken.column, broken.why);
     } catch (const Complaint& complaint) {
       throw InputError(name_, number_, 1, complaint.message);
     }
@@ -236,7 +206,7 @@ Trace read_trace(std::istream& in, const std::string& name) {
   Trace trace{reader.header(), {}};
   while (std::optional<Frame> frame = reader.next()) trace.frames.push_back(std::move(*frame));
   if (const auto& torn = reader.torn(); torn)
-    throw InputError(name, torn->line, torn->column, kNoJson);
+    throw InputError(name, torn->line, torn->column, torn->why);
   if (trace.header.frames == 0 && !trace.frames.empty())
     trace.header.frames = trace.frames.back().frame + 1;
   return trace;

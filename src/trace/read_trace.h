@@ -2,6 +2,7 @@
 
 #include <ios>
 #include <iosfwd>
+#include <memory>
 #include <optional>
 #include <string>
 #include <unordered_map>
@@ -11,9 +12,12 @@
 
 namespace contactscope::trace {
 
+class JsonLine;
+
 /// The last line of a file whose writer died before its end.
 struct Torn {
   int line = 0, column = 0;  // where it ends to be JSON, from 1
+  std::string why{};
 };
 
 /// Reads a trace a frame at a time: memory depends on the largest frame, and not on how many there are.
@@ -22,6 +26,7 @@ class TraceReader {
   /// Reads the header; the stream outlives the reader. `name` is the file's name for messages. Throws InputError as
   /// read_trace() does.
   TraceReader(std::istream& in, std::string name);
+  ~TraceReader();
 
   /// `frames` is 0 where the file does not say.
   const Header& header() const { return header_; }
@@ -52,8 +57,9 @@ class TraceReader {
 
   std::istream& in_;
   std::string name_, line_;
-  int number_ = 0;  // of the line
-  std::streampos first_{};  // of what follows the header
+  std::unique_ptr<JsonLine> json_;  // what reads it
+  int number_ = 0;                  // of the line
+  std::streampos first_{};          // of what follows the header
   int first_number_ = 0;
   int frames_ = 0;
   Header header_;

@@ -24,7 +24,7 @@ for file in libcontactscope.a contactscopeConfig.cmake pkgconfig/contactscope.pc
   usr/include/contactscope/adapters/bullet.h; do
   has "$library" "$file"
 done
-for dependency in libc6 libstdc++6 libdeflate0 libstb0; do
+for dependency in libc6 libstdc++6 libdeflate0 libsimdjson libstb0; do
   dpkg-deb -f "$program" Depends | grep -q -F "$dependency" || { echo "no $dependency"; exit 1; }
 done
 dpkg-deb -f "$program" Recommends | grep -q libegl1

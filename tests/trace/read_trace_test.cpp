@@ -67,6 +67,36 @@ TEST(ReadTrace, WhatKeepsALineFromBeingJsonIsSaid) {
   EXPECT_THAT(complaint(header_line() + header_line()), HasSubstr(":2:1: this is a second header"));
 }
 
+/// The fast parser refuses some spellings that are JSON: what they say is read all the same.
+TEST(ReadTrace, RareSpellingsOfJsonAreRead) {
+  const std::string frame = to_json_line(sample_frame());
+  const auto with = [&](const std::string& more) {
+    std::istringstream in("\xef\xbb\xbf" + header_line() + "{" + more + frame.substr(1));
+    Trace trace = read_trace(in, "run.jsonl");
+    trace.frames.at(0).line = 0;
+    return trace.frames.at(0);
+  };
+  EXPECT_EQ(to_json_line(with("")), frame);
+  EXPECT_EQ(to_json_line(with("\"more\":123456789012345678901234567890,")), frame);
+  EXPECT_EQ(to_json_line(with("\"more\":\"\\ud83d\\ude00\",")), frame);
+  EXPECT_EQ(to_json_line(with("\"frame\":99999,\"poses\":[],")), frame) << "the last one holds";
+  EXPECT_THAT(complaint(header_line() + "{\"more\":\"\\udc00\"," + frame.substr(1)),
+              HasSubstr(":2:15: this line is no JSON"));
+}
+
+TEST(ReadTrace, ListsInListsWithoutEndAreRefused) {
+  for (const int depth : {1100, 100000, 2000000}) {
+    const std::string lists = std::string(static_cast<std::size_t>(depth), '[') +
+                              std::string(static_cast<std::size_t>(depth), ']');
+    EXPECT_THAT(
+        complaint(header_line() + "{\"more\":" + lists + ",\"number\":18446744073709551616}"),
+        HasSubstr("run.jsonl:2:1: lists and objects are in each other more than 1000 deep"));
+  }
+  EXPECT_THAT(complaint(header_line() + "{\"more\":\"" + std::string(2000, '[') +
+                        "\\\"[\",\"number\":18446744073709551616}"),
+              HasSubstr("has no key 'frame'"));
+}
+
 /// A process that dies leaves half a line: what stands before it is read.
 TEST(TraceReader, EndsWhereTheLastLineIsCutOff) {
   const std::string frame = to_json_line(sample_frame());
