@@ -96,8 +96,8 @@ TEST_F(BroadPhasePicture, ASweepComparesABoxWithThoseThatBeginInItsSpan) {
   phase().cells = {{{{-1, -0.4, -1}, {1, 0.998, 1}}, 0, 2, 1}};
   phase().swept = "x";
   const Sketch drawn = sketch(Layer::Cells);
-  EXPECT_THAT(legend_of(drawn), testing::ElementsAre("a box and its span",
-                                                     "begins in the span, so compared: 1"));
+  EXPECT_THAT(legend_of(drawn),
+              testing::ElementsAre("a box and its span", "begins in the span, so compared: 1"));
   ASSERT_EQ(drawn.surfaces.size(), 2u) << "the span over all of the column, and the box";
   for (const Vec3d& corner : drawn.surfaces[0].polygon) EXPECT_EQ(std::abs(corner.x()), 1);
   ASSERT_EQ(drawn.labels.size(), 1u);

@@ -48,7 +48,8 @@ TEST(IncrementalPicture, NewIsFilledPersistedHalfFilledAndBrokenHollowWithItsRea
   std::vector<MarkKind> states = marks(sketch);
   std::erase(states, MarkKind::Core);  // of the anchors
   EXPECT_THAT(states, ElementsAre(MarkKind::Hollow, MarkKind::Half, MarkKind::Dot));
-  EXPECT_THAT(labels(sketch), ElementsAre(AllOf(StartsWith("slid, "), HasSubstr("mm apart")), "7", "new"));
+  EXPECT_THAT(labels(sketch),
+              ElementsAre(AllOf(StartsWith("slid, "), HasSubstr("mm apart")), "7", "new"));
   EXPECT_THAT(legend(sketch), Contains("new point"));
   EXPECT_THAT(legend(sketch), Contains("taken out, and why"));
 }
@@ -63,7 +64,8 @@ TEST(IncrementalPicture, AReplacedPointLeadsToTheOneInItsPlaceAndSaysHowFarItIs)
   for (trace::PersistentPoint& point : points) {
     point.point.on_a = point.point.on_b = point.point.position;
     if (point.state == "broken") continue;
-    point.point.position = broken->point.position + Vec3d(point.state == "new" ? 0.0125 : 0.5, 0, 0);
+    point.point.position =
+        broken->point.position + Vec3d(point.state == "new" ? 0.0125 : 0.5, 0, 0);
     point.point.on_a = point.point.on_b = point.point.position;
   }
   scene.view.layers = {Layer::Persistent};
@@ -409,7 +411,8 @@ TEST(DynamicsPicture, OfTheRelativeVelocityThePartAlongTheNormalIsNamed) {
               0, 1e-12);
   EXPECT_NEAR((*sketch.arrows[1].to - sketch.arrows[1].from - scale * Vec3d(0, -2.5, 0)).norm(), 0,
               1e-12);
-  EXPECT_THAT(labels(sketch_frame(staging, scene.frames[1])), ElementsAre("0 m/s along the normal"));
+  EXPECT_THAT(labels(sketch_frame(staging, scene.frames[1])),
+              ElementsAre("0 m/s along the normal"));
 }
 
 TEST(DynamicsPicture, AheadIsWhereABodyWouldBeAFrameLaterAndTheGap) {

@@ -55,15 +55,14 @@ constexpr Swatch kOnlySwatch{LegendGroup::Trees, 7,
 
 constexpr Color kSpan = rgb(0xF7EFD9), kSpanned = rgb(0xE6D29A);
 constexpr LineStyle kBegins{5.0f, rgb(0x1F2328)};
-constexpr Swatch kSpanSwatch{LegendGroup::Trees, 6, [](auto& pen) {
-                               pen.box(kSpan, kSpan, 1);
-                               pen.fill({pen.at(0, -3), pen.at(24, -3), pen.at(24, 3), pen.at(0, 3)},
-                                        kSpanned);
-                             }};
-constexpr Swatch kBeginsSwatch{LegendGroup::Trees, 7, [](auto& pen) {
-                                 pen.line(pen.at(12, -7), pen.at(12, 7), kBegins.width,
-                                          kBegins.color);
-                               }};
+constexpr Swatch kSpanSwatch{
+    LegendGroup::Trees, 6, [](auto& pen) {
+      pen.box(kSpan, kSpan, 1);
+      pen.fill({pen.at(0, -3), pen.at(24, -3), pen.at(24, 3), pen.at(0, 3)}, kSpanned);
+    }};
+constexpr Swatch kBeginsSwatch{
+    LegendGroup::Trees, 7,
+    [](auto& pen) { pen.line(pen.at(12, -7), pen.at(12, 7), kBegins.width, kBegins.color); }};
 constexpr double kSweptWay = 64, kBesideBox = 3.5;  // pixels
 
 /// The tile of a box on the floor of all.
@@ -121,8 +120,8 @@ std::optional<Sweep> find_sweep(const trace::BroadPhase& phase, const Floor& flo
   std::ranges::stable_sort(members, {}, begin);
   for (auto first = members.begin(); first != members.end(); ++first) {
     const double its_end = (*first)->box.upper[sweep.axis];
-    const auto end = std::find_if(first, members.end(),
-                                  [&](const auto* it) { return begin(it) > its_end; });
+    const auto end =
+        std::find_if(first, members.end(), [&](const auto* it) { return begin(it) > its_end; });
     if (end - first > count_of(sweep.boxes)) sweep.boxes.assign(first, end);
   }
   if (sweep.boxes.size() < 2) return std::nullopt;
@@ -210,6 +209,7 @@ void draw_cells(const Scene& scene, Sketch& sketch) {
 
 }  // namespace
 
-const LayerDrawing kCellsLayer{.needs = {&Stages::cells}, .beneath = draw_cells, .above = draw_begins};
+const LayerDrawing kCellsLayer{
+    .needs = {&Stages::cells}, .beneath = draw_cells, .above = draw_begins};
 
 }  // namespace contactscope::draw

@@ -38,18 +38,12 @@ constexpr Swatch kLinesSwatch{LegendGroup::Trees, 21, [](auto& pen) {
 constexpr Color kCellBorder = with_alpha(kDropped, 0.5f);
 constexpr Swatch kBandSwatch{LegendGroup::Trees, 23,
                              [](auto& pen) { pen.box(kWhite, kCellBorder, 1); }};
-constexpr Swatch kExactSwatch{LegendGroup::Trees, 24,
-                              [](auto& pen) {
-                               pen.fill({pen.at(12, -7), pen.at(24, -7), pen.at(24, 7),
-                                         pen.at(12, 7)},
-                                        kExact);
-                               pen.outline({pen.at(0, -7), pen.at(12, -7), pen.at(12, 7),
-                                            pen.at(0, 7)},
-                                           1, kCellBorder);
-                               pen.outline({pen.at(12, -7), pen.at(24, -7), pen.at(24, 7),
-                                            pen.at(12, 7)},
-                                           1, kCellBorder);
-                             }};
+constexpr Swatch kExactSwatch{
+    LegendGroup::Trees, 24, [](auto& pen) {
+      pen.fill({pen.at(12, -7), pen.at(24, -7), pen.at(24, 7), pen.at(12, 7)}, kExact);
+      pen.outline({pen.at(0, -7), pen.at(12, -7), pen.at(12, 7), pen.at(0, 7)}, 1, kCellBorder);
+      pen.outline({pen.at(12, -7), pen.at(24, -7), pen.at(24, 7), pen.at(12, 7)}, 1, kCellBorder);
+    }};
 constexpr Swatch kProbeSwatch{LegendGroup::Trees, 25, [](auto& pen) { pen.dot(0, 2.4, kProbe); }};
 
 /// Where cells of a slice are.
@@ -186,8 +180,9 @@ void draw_slices(const Scene& scene, Sketch& sketch) {
     inside |= draw_contours(scene, slice, spacing, sketch);
   }
   explain_cells(scene.frame.field_slices, sketch);
-  sketch.explain(inside ? kLinesSwatch : kOutsideSwatch,
-                 "surface, and lines every " + spell_quantity(spacing, "m", 1, scene.scales.length));
+  sketch.explain(
+      inside ? kLinesSwatch : kOutsideSwatch,
+      "surface, and lines every " + spell_quantity(spacing, "m", 1, scene.scales.length));
 }
 
 /// Of points that are nearer to each other on the screen than kBetweenProbes one is drawn.

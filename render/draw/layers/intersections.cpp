@@ -18,7 +18,8 @@ constexpr Swatch kCrossingTriangleSwatch{LegendGroup::Points, 21,
                                          [](auto& pen) { pen.area(kContact, 0.22f, 1); }};
 constexpr Swatch kTouchSwatch{LegendGroup::Points, 22,
                               [](auto& pen) { pen.dot(0, 4.8, kContact); }};
-constexpr LineStyle kUncounted{2.5f, kContact, true};  // what fades where it is hidden has no dashes
+// Not faint where it is hidden: what is has no dashes where it is seen.
+constexpr LineStyle kUncounted{2.5f, kContact, true};
 constexpr Swatch kUncountedSwatch{LegendGroup::Points, 25,
                                   [](auto& pen) { pen.dashes(2.5, kContact); }};
 constexpr Swatch kCoplanarSwatch{LegendGroup::Points, 23,

@@ -76,7 +76,8 @@ class ApproachPanel : public PanelContent {
              Align::Right, kQuietText);
     pen.text("0", pixel(left, chart.y + chart.height + pen.px(4)), Align::Right, kQuietText);
     pen.text("0", pixel(chart.x, below), Align::Center, kQuietText);
-    pen.text("share of the step", pixel(chart.x + 0.5 * chart.width, below), Align::Center, kQuietText);
+    pen.text("share of the step", pixel(chart.x + 0.5 * chart.width, below), Align::Center,
+             kQuietText);
     pen.text("1", pixel(chart.x + chart.width, below), Align::Center, kQuietText);
 
     std::vector<Point2> curve;
@@ -105,8 +106,8 @@ class ApproachPanel : public PanelContent {
         pen.disc(next, kApproachDot, kAxis);
       }
       const std::string last = end == first + 1 ? "" : " to " + std::to_string(end);
-      pen.text(std::to_string(first + 1) + last,
-               pixel(dot.x + pen.px(8), dot.y - pen.px(4)), Align::Left, kAxisText);
+      pen.text(std::to_string(first + 1) + last, pixel(dot.x + pen.px(8), dot.y - pen.px(4)),
+               Align::Left, kAxisText);
       first = end;
     }
   }
