@@ -186,6 +186,21 @@ TEST_P(EveryReducer, ChoosesTheSameOfAPatchAtEveryPowerOfTwo) {
   }
 }
 
+// Of equals the earliest, so that a choice does not change with what comes after it. (Those of engines do
+// as the engines do, and `deepest` takes both.)
+TEST(Reducers, TakeTheEarlierOfTwoPointsThatAreOne) {
+  const Case c = duplicates();
+  for (const char* const name :
+       {"area", "area_deepest", "distance", "extremes", "optimal", "optimal_deepest", "coherent"}) {
+    for (const int max_points : {1, 2, 3, 4}) {
+      ReduceOptions options;
+      options.max_points = max_points;
+      for (const int index : reduce<double>(find_reducer(name), c.points, c.normal, options))
+        EXPECT_LT(index, 5) << name << ", max_points " << max_points;
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Listed, EveryReducer, testing::ValuesIn(reducer_names()),
                          [](const auto& listed) { return listed.param; });
 

@@ -20,3 +20,6 @@ planted_bug(winding_hides_half_of_the_points FILE src/reduce/grow.h TESTS reduce
 planted_bug(triangles_told_doubled FILE src/reduce/choices.cpp TESTS reduce
   WAS [[return 0.5 * points.doubled_area(q, first, second); }]]
   IS [[return (@BUG@ ? 1 : 0.5) * points.doubled_area(q, first, second); }]])
+planted_bug(ties_go_to_the_last_point FILE src/reduce/steps.h TESTS reduce
+  WAS [[if (handicap * value > most) {]]
+  IS [[if (@BUG@ ? handicap * value >= most : handicap * value > most) {]])
