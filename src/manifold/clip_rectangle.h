@@ -19,7 +19,8 @@
 ///     out     0  1  1  0  0        r: the last of the run, whose edge comes back
 ///            e^    r^              p0 [crossing of e] [crossing of r] p3 p4
 ///
-/// Bit operations find both and splice the list. Positions stay where they are made.
+/// Bit operations find both and splice the list, which may turn as it likes, as long as its first corner
+/// is known. Positions stay where they are made.
 namespace contactscope::boxes {
 
 /// What is clipped. Three packs have a lane for a coordinate; `side` has one for each side plane.
@@ -50,44 +51,28 @@ template <class S>
   return lane_bits<S>(distances > thickness) | lane_bits<S>(distances < -thickness) << 4;
 }
 
-/// The first `bits` bits, below 64.
-constexpr std::uint64_t low(int bits) {
-  return (std::uint64_t{1} << bits) - 1;
-}
-
-/// Of a list, the run of corners outside of one side; see above. In bits, eight for each corner.
+/// Of a list, the run of corners outside of one side; see above. Places in a list are in bits, eight for
+/// each corner.
 struct OutsideRun {
   int end;                       // of the list
-  int leaves;                    // e
-  int returns;                   // r
-  bool has_first;                // the run has the first corner of the list
-  bool crosses_out, crosses_in;  // e, and what follows r, are not on the plane but inside
+  int after;                     // the corner that follows the run
+  int kept;                      // what is not of the run is so long
+  bool crosses_out, crosses_in;  // the corners before and after it are not on the plane but inside
 
-  /// A list of bytes with those of the two crossings spliced in. A corner stays where it was in the order;
-  /// the list begins with the way back where the run has its first corner.
+  /// A list of bytes, turned to begin behind the run, with those of the two crossings in its place.
   std::uint64_t splice(std::uint64_t bytes, std::uint64_t out, std::uint64_t in) const {
-    const int kept_from = returns + 8, kept_to = leaves + 8;
-    out = crosses_out ? out : 0;
-    in = crosses_in ? in : 0;
-    const int out_bits = crosses_out ? 8 : 0, in_bits = crosses_in ? 8 : 0;
-    if (has_first) {
-      const std::uint64_t kept = (bytes & low_or_all(kept_to)) >> kept_from;
-      return in | kept << in_bits | shifted(out, in_bits + kept_to - kept_from);
-    }
-    const std::uint64_t tail = kept_from < 64 ? bytes >> kept_from : 0;
-    return (bytes & low(kept_to)) | out << kept_to | shifted(in, kept_to + out_bits) |
-           shifted(tail, kept_to + out_bits + in_bits);
+    const std::uint64_t turned = bytes >> after | bytes << 1 << (end - after - 1);
+    const std::uint64_t crossings = (crosses_out ? out | in_bits(in) << 8 : in_bits(in));
+    return (turned & ((std::uint64_t{1} << kept) - 1)) | crossings << kept;
   }
-  int count() const {
-    const int kept = has_first ? leaves - returns : end - (returns - leaves);
-    return kept / 8 + static_cast<int>(crosses_out) + static_cast<int>(crosses_in);
-  }
+  /// Where a corner stands then that is not of the run.
+  int moved(int at) const { return at < after ? at - after + end : at - after; }
+  /// Where the way back begins: what goes on from the list's first corner when that is outside.
+  int way_back() const { return crosses_in ? kept + (crosses_out ? 8 : 0) : 0; }
+  int new_end() const { return kept + (crosses_out ? 8 : 0) + (crosses_in ? 8 : 0); }
 
  private:
-  static constexpr std::uint64_t low_or_all(int bits) { return ~std::uint64_t{0} >> (64 - bits); }
-  static constexpr std::uint64_t shifted(std::uint64_t bytes, int bits) {
-    return bits < 64 ? bytes << bits : 0;
-  }
+  std::uint64_t in_bits(std::uint64_t in) const { return crosses_in ? in : 0; }
 };
 
 /// False where the run is not one: rounding of a sliver. clip() knows what to do.
@@ -109,59 +94,58 @@ template <class S>
     result.crossings[i] = static_cast<std::uint8_t>((i + 3) % 4 | i << 4);
   }
   std::uint64_t list = 0x33221100U;
-  int count = 4, places = 4;
+  int end = 32, first = 0, places = 4;  // the list may begin anywhere: `first` is its first corner
   for (int side = 0; side < 4; ++side) {
     constexpr std::uint64_t kOneEach = 0x0101010101010101U;
-    const int end = 8 * count;
     const std::uint64_t valid = kOneEach >> (64 - end);
     const std::uint64_t outside = codes >> side & valid;
     if (outside == 0) continue;
     if (outside == valid) {
-      count = 0;
+      end = 0;
       break;
     }
     const std::uint64_t follows = outside >> 8 | (outside & 1U) << (end - 8);
     const std::uint64_t leaving = ~outside & follows, returning = outside & ~follows;
     if ((leaving & (leaving - 1)) != 0) [[unlikely]]
       return false;
+    const auto next = [end](int at) { return at + 8 == end ? 0 : at + 8; };
+    const int leaves = std::countr_zero(leaving), returns = std::countr_zero(returning);
     OutsideRun run;
     run.end = end;
-    run.leaves = std::countr_zero(leaving);
-    run.returns = std::countr_zero(returning);
-    run.has_first = (outside & 1U) != 0;
-    const auto next = [end](int at) { return at + 8 == end ? 0 : at + 8; };
-    const int inside = side + 4;
-    run.crosses_out = (codes >> (run.leaves + inside) & 1U) != 0;
-    run.crosses_in = (codes >> (next(run.returns) + inside) & 1U) != 0;
+    run.after = next(returns);
+    run.kept = run.moved(leaves) + 8;
+    const std::uint64_t inside = codes >> (side + 4);
+    run.crosses_out = (inside >> leaves & 1U) != 0;
+    run.crosses_in = (inside >> run.after & 1U) != 0;
 
-    const auto cross = [&](int at) __attribute__((always_inline)) {
-      const auto p = list >> at & 15U, q = list >> next(at) & 15U;
+    const auto cross = [&](int from, int to) __attribute__((always_inline)) {
+      const auto p = list >> from & 15U, q = list >> to & 15U;
       const S p_distance = distances[p][side], q_distance = distances[q][side];
       const S fraction = p_distance / (p_distance - q_distance);
       return Three<S>(result.positions[p] + fraction * (result.positions[q] - result.positions[p]));
     };
-    const std::uint64_t side_edge = static_cast<std::uint64_t>(4 + side);
-    const std::uint64_t out_edge = list >> (run.leaves + 4) & 15U;
-    const std::uint64_t in_edge = list >> (run.returns + 4) & 15U;
-    const auto out = static_cast<std::uint64_t>(places), in = out + 1;
-    const Three<S> crossing_out = cross(run.leaves), crossing_in = cross(run.returns);
+    const Three<S> crossing_out = cross(leaves, next(leaves));
+    const Three<S> crossing_in = cross(returns, run.after);
     const std::uint64_t out_code = put(places, crossing_out);
     const std::uint64_t in_code = put(places + 1, crossing_in);
+    const std::uint64_t side_edge = static_cast<std::uint64_t>(4 + side);
+    const std::uint64_t out_edge = list >> (leaves + 4) & 15U;
+    const std::uint64_t in_edge = list >> (returns + 4) & 15U;
+    const auto out = static_cast<std::uint64_t>(places), in = out + 1;
     result.crossings[out] = static_cast<std::uint8_t>(out_edge | side_edge << 4);
     result.crossings[in] = static_cast<std::uint8_t>(in_edge | side_edge << 4);
     places += 2;
-    if (!run.crosses_out) {
-      // It is on the plane: the polygon goes on along the side from there.
-      list = (list & ~(std::uint64_t{15} << (run.leaves + 4))) | side_edge << (run.leaves + 4);
-    }
-    list = run.splice(list, out | side_edge << 4, in | in_edge << 4);
+    // A corner on the plane goes on along the side itself.
+    const std::uint64_t turns = run.crosses_out ? 0 : (out_edge ^ side_edge) << (leaves + 4);
+    list = run.splice(list ^ turns, out | side_edge << 4, in | in_edge << 4);
     codes = run.splice(codes, out_code, in_code);
-    count = run.count();
-    if (count > 8) [[unlikely]]
+    first = (outside >> first & 1U) != 0 ? run.way_back() : run.moved(first);
+    end = run.new_end();
+    if (end > 64) [[unlikely]]
       return false;
   }
-  result.count = count;
-  result.list = list;
+  result.count = end / 8;
+  result.list = end == 0 ? 0 : list >> first | list << 1 << (end - first - 1);
   return true;
 }
 

@@ -1,7 +1,9 @@
 #include "manifold/collide_box_box.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "manifold/clip_rectangle.h"
@@ -13,6 +15,7 @@ namespace {
 
 using boxes::BoxAxis;
 using boxes::BoxPair;
+using boxes::Columns;
 using boxes::RectanglePair;
 using boxes::Three;
 using boxes::Verdict;
@@ -123,7 +126,8 @@ template <class S>
 
 /// Reference face of B: its side planes as side_plane() makes them.
 template <class S>
-[[gnu::always_inline]] inline FacePair<S> face_of_b(const BoxPair<S>& pair, int face,
+[[gnu::always_inline]] inline FacePair<S> face_of_b(const BoxPair<S>& pair,
+                                                    const Columns<S>& directions, int face,
                                                     RectanglePair<S>& rectangles) {
   const int axis = face / 2;
   const S sign = face % 2 == 0 ? S(1) : S(-1);
@@ -143,8 +147,8 @@ template <class S>
 
   // Opposite sides have opposite normals.
   const FaceSides<S>& sides = kFaceSides<S>[static_cast<std::size_t>(face)];
-  const Vec3<S> even = pair.direction_of_b(sides.axes[0]).cross(n);
-  const Vec3<S> odd = pair.direction_of_b(sides.axes[1]).cross(n);
+  const Vec3<S> even = boxes::vector<S>(directions.of[sides.axes[0]]).cross(n);
+  const Vec3<S> odd = boxes::vector<S>(directions.of[sides.axes[1]]).cross(n);
   const Three<S> up = lanes::load_pack<Three<S>>(sides.up.data());
   rectangles.side_x = up * Three<S>{even.x(), odd.x(), even.x(), odd.x()};
   rectangles.side_y = up * Three<S>{even.y(), odd.y(), even.y(), odd.y()};
@@ -152,11 +156,30 @@ template <class S>
   Three<S> o[4];
   lay_corners(boxes::VerticesOfB<S>(pair), face, o);
   rectangles.side_offset =
-      boxes::dot_sum<S>(Three<S>(rectangles.side_x * Three<S>{o[0][0], o[1][0], o[2][0], o[3][0]}),
-                        Three<S>(rectangles.side_y * Three<S>{o[0][1], o[1][1], o[2][1], o[3][1]}),
-                        Three<S>(rectangles.side_z * Three<S>{o[0][2], o[1][2], o[2][2], o[3][2]}));
+      dot_sum<S>(Three<S>(rectangles.side_x * Three<S>{o[0][0], o[1][0], o[2][0], o[3][0]}),
+                 Three<S>(rectangles.side_y * Three<S>{o[0][1], o[1][1], o[2][1], o[3][1]}),
+                 Three<S>(rectangles.side_z * Three<S>{o[0][2], o[1][2], o[2][2], o[3][2]}));
   return result;
 }
+
+/// The edges of both boxes in the order in which an id names them, A's before B's. A table, because a
+/// reference that was written as two bytes and an int would be waited for when it is read as one.
+constexpr std::array<FeatureRef, 24> kEdgeRefs = [] {
+  std::array<FeatureRef, 24> refs;
+  for (int i = 0; i < 24; ++i)
+    refs[static_cast<std::size_t>(i)] = edge_ref(i < 12 ? Owner::A : Owner::B, i % 12);
+  return refs;
+}();
+/// Of each face the edges of its ring, as places in that table: of A's faces, then of B's.
+constexpr std::array<std::array<std::uint8_t, 4>, 12> kRingEdges = [] {
+  std::array<std::array<std::uint8_t, 4>, 12> edges{};
+  for (std::size_t face = 0; face < 12; ++face) {
+    for (std::size_t i = 0; i < 4; ++i)
+      edges[face][i] =
+          static_cast<std::uint8_t>(kBox.face_ring[face % 6][i] / 2 + (face < 6 ? 0 : 12));
+  }
+  return edges;
+}();
 
 /// create_face_contact() for two boxes. False where it is to be asked.
 template <class S>
@@ -166,16 +189,15 @@ template <class S>
   rectangles.thickness = clip_thickness(pair.scale);
   const bool of_a = axis.reference == Owner::A;
   const FacePair<S> faces = of_a ? face_of_a(pair, axis.face.face, rectangles)
-                                 : face_of_b(pair, axis.face.face, rectangles);
+                                 : face_of_b(pair, axis.directions, axis.face.face, rectangles);
   boxes::ClippedRectangle<S> clipped;
   if (!boxes::clip_rectangle(rectangles, clipped)) [[unlikely]]
     return false;
 
-  EdgeKey keys[8];
-  for (std::size_t i = 0; i < 4; ++i) {
-    keys[i] = edge_key(other(axis.reference), ring_of(faces.incident)[i]);
-    keys[4 + i] = edge_key(axis.reference, ring_of(axis.face.face)[i]);
-  }
+  std::array<std::array<std::uint8_t, 4>, 2>
+      edges;  // places in kEdgeRefs, as ClippedRectangle has them
+  edges[0] = kRingEdges[static_cast<std::size_t>(faces.incident + (of_a ? 6 : 0))];
+  edges[1] = kRingEdges[static_cast<std::size_t>(axis.face.face + (of_a ? 0 : 6))];
   contact.axis = of_a ? AxisKind::FaceA : AxisKind::FaceB;
   contact.normal = of_a ? faces.plane.normal : Vec3<S>(-faces.plane.normal);
   contact.points.clear();
@@ -186,9 +208,13 @@ template <class S>
     const S separation = faces.plane.distance(position);
     if (!(separation <= margin)) continue;
     const Vec3<S> moved = position - separation * faces.plane.normal;
-    const int crossing = clipped.crossings[place];
-    const Crossing edges = Crossing::of(keys[crossing & 15], keys[crossing >> 4]);
-    contact.points.push_back({moved, separation, edges.id()});
+    const unsigned crossing = clipped.crossings[place];
+    const auto edge = [&](unsigned number) { return edges[number >> 2][number & 3U]; };
+    const std::uint8_t one = edge(crossing & 7U), two = edge(crossing >> 4);
+    contact.points.push_back({moved, separation, {}});
+    // One after the other, for the same reason.
+    contact.points.back().id.first = kEdgeRefs[std::min(one, two)];
+    contact.points.back().id.second = kEdgeRefs[std::max(one, two)];
     deepest = separation < deepest ? separation : deepest;
   }
   contact.type = face_contact_type(contact.points.size());
@@ -196,10 +222,12 @@ template <class S>
 }
 
 template <class S>
-[[gnu::always_inline]] inline void edge_contact(const BoxPair<S>& pair, const EdgeQuery<S>& edge,
+[[gnu::always_inline]] inline void edge_contact(const BoxPair<S>& pair, const BoxAxis<S>& axis,
                                                 Contact<S>& contact) {
-  const ClosestPoints<S> closest = closest_points(boxes::edge_of_a(pair, edge.edge_a),
-                                                  boxes::edge_of_b(pair, edge.edge_b), edge);
+  const EdgeQuery<S>& edge = axis.edge;
+  const ClosestPoints<S> closest =
+      closest_points(boxes::edge_of_a(pair, edge.edge_a),
+                     boxes::edge_of_b(pair, axis.directions, edge.edge_b), edge);
   create_edge_contact(closest, edge, contact);
 }
 
@@ -207,8 +235,8 @@ template <class S>
 
 /// As collide_hull_hull(), in the same steps.
 template <class S>
-bool collide_box_box(const Hull<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
-                     const CollideOptions& options, Contact<S>& contact) {
+[[gnu::flatten]] bool collide_box_box(const Hull<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
+                                      const CollideOptions& options, Contact<S>& contact) {
   // A rotation that is none, or not finite.
   if (!(std::abs(b_in_a.rotation.squaredNorm() - S(1)) <= S(8) * std::numeric_limits<S>::epsilon()))
     return false;
@@ -218,7 +246,7 @@ bool collide_box_box(const Hull<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
   if (axis.verdict == Verdict::Separated) return true;
   if (axis.verdict == Verdict::Undecided) return false;
   if (axis.verdict == Verdict::Edge) {
-    edge_contact(pair, axis.edge, contact);
+    edge_contact(pair, axis, contact);
     return true;
   }
   S deepest;

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <limits>
 #include <utility>
 
+#include "core/dot_order.h"
 #include "core/pose.h"
 #include "geometry/box_topology.h"
 #include "query/box_axes.h"
@@ -53,15 +55,6 @@ inline constexpr std::array<std::array<S, 4>, 8> kVertexSigns = [] {
   return signs;
 }();
 
-/// The sum of three products in the order in which Eigen's dot() adds them, which depends on whether its
-/// registers hold two or four numbers.
-template <class S, class P>
-[[gnu::always_inline]] inline P dot_sum(const P& x, const P& y, const P& z) {
-  using Packet = typename Eigen::internal::find_best_packet<S, 3>::type;
-  if constexpr (Eigen::internal::unpacket_traits<Packet>::size == 2) return (x + y) + z;
-  return x + (y + z);
-}
-
 template <class S>
 struct BoxPair {
   [[gnu::always_inline]] BoxPair(const Hull<S>& hull_a, const Hull<S>& hull_b,
@@ -79,18 +72,23 @@ struct BoxPair {
     const Mat3<S>& r = rotation;
     for (int k = 0; k < 3; ++k) {
       columns.of[k] = Three<S>{r(0, k), r(1, k), r(2, k), S(0)};
-      rows.of[k] = Three<S>{r(k, 0), r(k, 1), r(k, 2), S(0)};
     }
+    rows = columns.transposed();
     arms.of[0] = columns.of[0] * spread<0>(half_b);
     arms.of[1] = columns.of[1] * spread<1>(half_b);
     arms.of[2] = columns.of[2] * spread<2>(half_b);
   }
 
-  /// Unit vector along B's axis `axis`, as the half-edge that goes up along it has it.
-  [[gnu::always_inline]] Vec3<S> direction_of_b(int axis) const {
-    const S length = b.half_extents[axis] + b.half_extents[axis];
-    const Vec3<S> along = rotation.col(axis) * length;
-    return along / along.norm();
+  /// Unit vectors along B's axes, as the half-edges that go up along them have them.
+  [[gnu::always_inline]] Columns<S> directions_of_b() const {
+    const Three<S> lengths = half_b + half_b;
+    const Three<S> x = rows.of[0] * lengths, y = rows.of[1] * lengths, z = rows.of[2] * lengths;
+    const Three<S> squared = dot_sum<S>(Three<S>(x * x), Three<S>(y * y), Three<S>(z * z));
+    Three<S> norms;
+    for (int i = 0; i < 4; ++i) norms[i] = std::sqrt(squared[i]);
+    return {{columns.of[0] * spread<0>(lengths) / spread<0>(norms),
+             columns.of[1] * spread<1>(lengths) / spread<1>(norms),
+             columns.of[2] * spread<2>(lengths) / spread<2>(norms)}};
   }
 
   const Hull<S>& a;

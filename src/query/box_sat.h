@@ -33,7 +33,8 @@ struct BoxAxis {
   Owner reference = Owner::A;
   FaceQuery<S> face{};  // its support is not looked for
   EdgeQuery<S>
-      edge{};     // of Edge; of Face what is to be taken should the face's contact be too shallow
+      edge{};  // of Edge; of Face what is to be taken should the face's contact be too shallow
+  Columns<S> directions{};  // of B's axes, unless the boxes are separated
   S deepest = 0;  // metres: the largest separation of any axis, or less where that is no matter
 };
 
@@ -80,37 +81,53 @@ template <class S>
   return best_face<S>(-reach - (pair.half_b + middle), -reach - (pair.half_b - middle), tie);
 }
 
-/// Three of the nine cross products, of the axes of A with axis j of B, each as long as the sine of
-/// their angle. `gap` lies between the boxes along it, times that length.
+/// Three of the nine cross products, of the axes of A with axis j of B.
 template <class S>
 struct Crosses {
-  Three<S>
-      way;  // of B's middle along the cross products: its sign says which way they point from A
-  Three<S> gap;
-  Three<S> sine;
+  Three<S> way;  // of B's middle along the cross product: its sign says which way from A to B
+  Three<S> sine, over_sine;  // the length of the cross product, and 1 over it
+  Three<S> lower, upper;     // metres: the separation along it is between these
 };
 
+/// `off` is what a separation times the sine may be off. Nearly parallel edges make a sliver of the
+/// Minkowski difference, and no axis of it is better than the faces beside it by more than its width
+/// (tolerance.h), `sliver` (metres) times the sine: turn B until the edges are parallel, and axes at right
+/// angles to both are those of two rectangles, where a face is the best; supports have then moved by the
+/// sine times a radius, and normals by the sine.
 template <int kJ, class S>
-[[gnu::always_inline]] inline Crosses<S> crosses(const BoxPair<S>& pair) {
+[[gnu::always_inline]] inline Crosses<S> crosses(const BoxPair<S>& pair,
+                                                 const Columns<S>& directions, S off, S floor,
+                                                 S sliver) {
   constexpr int kNext = (kJ + 1) % 3, kAfter = (kJ + 2) % 3;
-  const Three<S>& column = pair.columns.of[kJ];
+  const Three<S>& column = directions.of[kJ];
   const Three<S> size = absolute<S>(column);
   const Three<S> way = next(column) * after_next(pair.way) - after_next(column) * next(pair.way);
   const Three<S> reach_a =
       next(pair.half_a) * after_next(size) + after_next(pair.half_a) * next(size);
   const Three<S> reach_b = spread<kNext>(pair.half_b) * absolute<S>(pair.columns.of[kAfter]) +
                            spread<kAfter>(pair.half_b) * absolute<S>(pair.columns.of[kNext]);
+  const Three<S> gap = absolute<S>(way) - (reach_a + reach_b);
   const Three<S> squares = column * column;
   const Three<S> squared = next(squares) + after_next(squares);
   Three<S> sine;
   for (int i = 0; i < 4; ++i) sine[i] = std::sqrt(squared[i]);
-  return {way, absolute<S>(way) - (reach_a + reach_b), sine};
+  const Three<S> over_sine = S(1) / sine;  // infinite where they are parallel
+  return {way, sine, over_sine, (gap - off) * over_sine,
+          lanes::smaller<Three<S>>((gap + off) * over_sine, floor + sliver * sine)};
 }
 
-/// Bits 0 to 8, for axis i of A and j of B bit 3 j + i.
-template <class Ask>
-[[gnu::always_inline]] inline std::uint32_t of_nine(const Ask& ask) {
-  return (ask(0) & 7U) | (ask(1) & 7U) << 3 | (ask(2) & 7U) << 6;
+/// The largest of nine.
+template <class S>
+[[gnu::always_inline]] inline S largest_of(const Three<S>& a, const Three<S>& b,
+                                           const Three<S>& c) {
+  const Three<S> three = lanes::larger(lanes::larger(a, b), c);
+  return std::max(std::max(three[0], three[1]), three[2]);
+}
+
+/// For axis i of A and j of B bit 4 j + i.
+template <class S, class F>
+[[gnu::always_inline]] inline std::uint32_t nine_bits(const F& a, const F& b, const F& c) {
+  return (lane_bits<S>(a) | lane_bits<S>(b) << 4 | lane_bits<S>(c) << 8) & 0x777U;
 }
 
 /// The edges of axis i of A and j of B that support each other along their cross product, as the
@@ -159,24 +176,25 @@ template <class S>
   return {edge, signs * S(0.5), vector<S>(vertices[from]), vector<S>(vertices[to])};
 }
 template <class S>
-[[gnu::always_inline]] inline BoxEdge<S> edge_of_b(const BoxPair<S>& pair, int edge) {
+[[gnu::always_inline]] inline BoxEdge<S> edge_of_b(const BoxPair<S>& pair,
+                                                   const Columns<S>& directions, int edge) {
   const VerticesOfB<S> vertices(pair);
   const int from = kBox.origin(edge), to = kBox.origin(edge ^ 1);
   const S sign = to > from ? S(1) : S(-1);
-  return {edge, pair.direction_of_b((to ^ from) / 2) * sign, vector<S>(vertices[from]),
+  return {edge, vector<S>(directions.of[(to ^ from) / 2]) * sign, vector<S>(vertices[from]),
           vector<S>(vertices[to])};
 }
 
-/// Separation and normal of two edges, as query_edges() measures them.
+/// Separation and normal of two edges, as query_edges() measures them. `over_sine` is 1 over that of
+/// their angle.
 template <class S>
-[[gnu::always_inline]] inline void measure(const BoxEdge<S>& a, const BoxEdge<S>& b,
+[[gnu::always_inline]] inline void measure(const BoxEdge<S>& a, const BoxEdge<S>& b, S over_sine,
                                            EdgeQuery<S>& query) {
   const Vec3<S> cross = a.along.cross(b.along);
-  const S sine = cross.norm();
   const int first = kBox.face(a.edge), second = kBox.face(a.edge ^ 1);
   const auto along = [&](int face) { return face % 2 == 0 ? cross[face / 2] : -cross[face / 2]; };
   const S orientation = along(first) + along(second) >= S(0) ? S(1) : S(-1);
-  query.normal = cross * (orientation / sine);
+  query.normal = cross * (orientation * over_sine);
   const Vec3<S> between = b.from - a.from;
   query.separation = query.normal.dot(between);
 }
@@ -207,65 +225,40 @@ template <class S>
   const S floor = std::max(face_a.separation, face_b.separation);
   if (!(face_a.unique && face_b.unique && floor <= margin)) return result;
 
-  // What a gap times a sine may be off: some ten roundings here and as many there, of products of
-  // lengths up to `scale`, with a rotation whose columns are unit and at right angles within ten.
+  // Some ten roundings here and as many there, of products of lengths up to `scale`, with a rotation
+  // whose columns are unit and at right angles within ten.
   const S off = S(32) * kEpsilon * pair.scale;
-  const Crosses<S> nine[] = {crosses<0>(pair), crosses<1>(pair), crosses<2>(pair)};
-  const std::uint32_t over =
-      of_nine([&](int j) { return lane_bits<S>(~(nine[j].gap + off < nine[j].sine * floor)); });
+  const S sliver = floor <= S(0) ? S(2.1) * pair.scale : std::numeric_limits<S>::max();
+  result.directions = pair.directions_of_b();
+  const Crosses<S> nine[] = {crosses<0>(pair, result.directions, off, floor, sliver),
+                             crosses<1>(pair, result.directions, off, floor, sliver),
+                             crosses<2>(pair, result.directions, off, floor, sliver)};
+  const S most_upper = largest_of<S>(nine[0].upper, nine[1].upper, nine[2].upper);
+  const S spare = relative ? S(0.9) * preference_tolerance(floor, pair.min_radius) : S(0);
   S most = floor;  // of all axes
   bool has_edge = false;
-  if (over != 0) {
-    const std::uint32_t apart = of_nine(
-        [&](int j) { return lane_bits<S>(nine[j].gap - off > nine[j].sine * (margin + tie)); });
-    if (apart != 0) {
+  if (!(most_upper < floor)) {
+    const S most_lower = largest_of<S>(nine[0].lower, nine[1].lower, nine[2].lower);
+    if (most_lower > margin + tie) {
       result.verdict = Verdict::Separated;
       return result;
     }
-    if (!(floor <= S(0))) return result;
-    // Nearly parallel edges make a sliver of the Minkowski difference: no axis of it is better than the
-    // faces beside it by more than its width (tolerance.h). Turn B until the edges are parallel: axes
-    // at right angles to both are those of two rectangles, where a face is the best. Supports move by
-    // the sine times a radius, and normals by the sine.
-    const S width = S(2.1) * pair.scale;  // over the sine
-    const std::uint32_t may_part =
-        over & of_nine([&](int j) {
-          return lane_bits<S>((~(nine[j].gap + off <= nine[j].sine * margin)) &
-                              (~(nine[j].sine * width <= margin - floor)));
-        });
-    if (may_part != 0) return result;
-    const S spare = relative ? S(0.9) * preference_tolerance(floor, pair.min_radius) : S(0);
-    const std::uint32_t beyond = of_nine([&](int j) {
-      return lane_bits<S>((~(nine[j].gap + off < nine[j].sine * (floor + spare))) &
-                          (nine[j].sine * width > spare));
-    });
-    if (relative && beyond == 0) {
+    if (!(floor <= S(0) && most_upper <= margin)) return result;
+    if (relative && most_upper < floor + spare) {
       most = floor + spare;
     } else {
-      Three<S> lower[3], upper[3];
-      for (int j = 0; j < 3; ++j) {
-        const Three<S> known = nine[j].sine;
-        upper[j] = (nine[j].gap + off) / known;
-        lower[j] = (nine[j].gap - off) / known;
-      }
-      int best = 0;
-      S largest = -std::numeric_limits<S>::infinity();
-      for (int k = 0; k < 9; ++k) {
-        const S value = lower[k / 3][k % 3];
-        if ((beyond >> k & 1) != 0 && value > largest) {
-          largest = value;
-          best = k;
-        }
-      }
+      const S rival = most_lower - S(2) * tie;
       const std::uint32_t near =
-          of_nine([&](int j) { return lane_bits<S>(~(upper[j] < largest - S(2) * tie)); }) & beyond;
-      const int i = best % 3, j = best / 3;
-      const S way = nine[j].way[i], sine = nine[j].sine[i];
-      const bool clear = near == 1U << best && largest > floor + spare + tie &&
-                         sine > S(1.1) * kNoisySine<S> && std::abs(way) > off;
-      if (!clear) return result;
+          nine_bits<S>(nine[0].upper >= rival, nine[1].upper >= rival, nine[2].upper >= rival);
+      const std::uint32_t best = nine_bits<S>(
+          nine[0].lower == most_lower, nine[1].lower == most_lower, nine[2].lower == most_lower);
+      if (near != best || (best & (best - 1)) != 0 || !(most_lower > floor + tie)) return result;
+      const int bit = std::countr_zero(best | 0x1000U), i = bit % 4, j = bit / 4;
+      const S way = nine[j].way[i];
+      if (!(nine[j].sine[i] > S(1.1) * kNoisySine<S> && std::abs(way) > off)) return result;
       result.edge = edges_along(pair, i, j, way < S(0));
-      measure(edge_of_a(pair, result.edge.edge_a), edge_of_b(pair, result.edge.edge_b),
+      measure(edge_of_a(pair, result.edge.edge_a),
+              edge_of_b(pair, result.directions, result.edge.edge_b), nine[j].over_sine[i],
               result.edge);
       if (!(result.edge.separation <= S(0))) return result;
       most = result.edge.separation;
