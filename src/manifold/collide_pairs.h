@@ -1,14 +1,24 @@
 #pragma once
 
+#include <cstring>
 #include <optional>
 #include <vector>
 
 #include "geometry/shape.h"
 #include "manifold/recorder.h"
+#include "reduce/all_finite.h"
 
 /// The functions of the table in dispatch.h, one for each pair of shapes. They work in A's frame,
 /// metres. Source of all but those with planes: Gregorius 2015, the slides of the same names.
 namespace contactscope {
+
+/// Puts a point at a place, with one store of all four numbers: who copies it next reads them as one, and
+/// would wait for four stores.
+template <class S>
+void move(ContactPoint<S>& point, const Vec3<S>& to) {
+  const typename lanes::Vector<S, 4>::Type four = {to.x(), to.y(), to.z(), point.separation};
+  std::memcpy(static_cast<void*>(&point), &four, sizeof four);
+}
 
 /// The last two stages of every pair: `contact` moves from A's frame to the world, where it stays,
 /// and what the reducer keeps of it becomes `manifold`. Gregorius 2015, "Contact Point Reduction".
@@ -20,12 +30,14 @@ void finish_contact(const ToWorld<S>& to_world, const CollideOptions& options, C
   manifold.axis = contact.axis;
   manifold.type = contact.type;
   manifold.normal = to_world.direction(contact.normal);
-  for (ContactPoint<S>& point : contact.points) point.position = to_world.point(point.position);
-  if (options.reducer == nullptr) {
+  for (ContactPoint<S>& point : contact.points) move(point, to_world.point(point.position));
+  const ContactPoints<S> points(contact.points.data(), contact.points.size());
+  const bool few = recorder == nullptr && count_of(points) <= options.reduction.max_points &&
+                   all_finite(points, manifold.normal);
+  if (options.reducer == nullptr || few) {
     manifold.points = contact.points;
     return;
   }
-  const ContactPoints<S> points(contact.points.data(), contact.points.size());
   const KeptIndices kept =
       recorder ? recorder->reduce(options, points, manifold.normal)
                : reduce(options.reducer, points, manifold.normal, options.reduction);

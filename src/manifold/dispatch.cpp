@@ -1,7 +1,6 @@
 #include "manifold/dispatch.h"
 
 #include <algorithm>
-#include <array>
 #include <type_traits>
 
 #include "manifold/collide_box_box.h"
@@ -22,6 +21,7 @@ void one_manifold(const PlacedPair<S>& pair, const CollideOptions& options, Mani
   const S separation = collide(relative_pose(pair.pose_a, pair.pose_b), contact);
   if (recorder) [[unlikely]]
     recorder->separation(separation);
+  if (contact.points.empty()) return;
   ContactSink<S> sink{ToWorld<S>(pair.pose_a), options, manifolds, recorder};
   sink.add(contact);
 }
@@ -148,33 +148,32 @@ void collide_in_double(const PlacedPair<float>& pair, const CollideOptions& opti
   manifolds = mapped(found, in_float);
 }
 
-/// What distinguishes a sphere or a capsule from another: its radius, the ends of its axis, then its
-/// rotation and position.
-template <class S>
-std::array<S, 14> told_apart_by(const Shape<S>& shape, const Pose<S>& pose) {
-  Vec3<S> from = Vec3<S>::Zero(), to = Vec3<S>::Zero();
-  const auto* sphere = std::get_if<Sphere<S>>(&shape);
-  const auto* capsule = std::get_if<Capsule<S>>(&shape);
-  if (capsule != nullptr) {
-    from = capsule->points[0];
-    to = capsule->points[1];
+/// Less, equal or more, by the numbers of two vectors one after the other.
+template <class V>
+int order_of(const V& one, const V& other) {
+  for (int i = 0; i < static_cast<int>(one.size()); ++i) {
+    if (one[i] != other[i]) return one[i] < other[i] ? -1 : 1;
   }
-  const Quat<S>& turn = pose.rotation;
-  const Vec3<S>& at = pose.position;
-  return {sphere ? sphere->radius : capsule->radius,
-          from.x(),
-          from.y(),
-          from.z(),
-          to.x(),
-          to.y(),
-          to.z(),
-          turn.w(),
-          turn.x(),
-          turn.y(),
-          turn.z(),
-          at.x(),
-          at.y(),
-          at.z()};
+  return 0;
+}
+
+/// Likewise two spheres or two capsules: by radius, the ends of the axis, the rotation and the position.
+template <class S>
+int order_of(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b, const Pose<S>& pose_b) {
+  const auto* const capsule_a = std::get_if<Capsule<S>>(&a);
+  const auto* const capsule_b = std::get_if<Capsule<S>>(&b);
+  const S radius_a = capsule_a ? capsule_a->radius : std::get_if<Sphere<S>>(&a)->radius;
+  const S radius_b = capsule_b ? capsule_b->radius : std::get_if<Sphere<S>>(&b)->radius;
+  if (radius_a != radius_b) return radius_a < radius_b ? -1 : 1;
+  if (capsule_a != nullptr) {
+    for (std::size_t end = 0; end < 2; ++end) {
+      if (const int order = order_of(capsule_a->points[end], capsule_b->points[end])) return order;
+    }
+  }
+  const Quat<S>&turn_a = pose_a.rotation, &turn_b = pose_b.rotation;
+  if (turn_a.w() != turn_b.w()) return turn_a.w() < turn_b.w() ? -1 : 1;
+  if (const int order = order_of(turn_a.vec(), turn_b.vec())) return order;
+  return order_of(pose_a.position, pose_b.position);
 }
 
 /// Two spheres, or two capsules, are worked on in an order of their own: the larger radius first. Not
@@ -182,8 +181,8 @@ std::array<S, 14> told_apart_by(const Shape<S>& shape, const Pose<S>& pose) {
 template <class S>
 [[gnu::noinline]] bool round_against_order(const Shape<S>& a, const Pose<S>& pose_a,
                                            const Shape<S>& b, const Pose<S>& pose_b, bool b_first) {
-  const auto of_a = told_apart_by(a, pose_a), of_b = told_apart_by(b, pose_b);
-  return of_a < of_b || (b_first && of_a == of_b);
+  const int order = order_of(a, pose_a, b, pose_b);
+  return order < 0 || (order == 0 && b_first);
 }
 
 template <class S>

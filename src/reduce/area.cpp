@@ -1,3 +1,4 @@
+#include "reduce/area_of_eight.h"
 #include "reduce/grow.h"
 
 namespace contactscope {
@@ -54,6 +55,11 @@ KeptIndices grow_from(const Candidates<S>& points, int first, OnALine on_a_line,
 template <Added added>
 constexpr auto reduce_from_support = []<class S>(const Candidates<S>& points,
                                                  const ReduceOptions& options) {
+  if (added == Added::Area && options.choices == nullptr && options.max_points == 4 &&
+      points.count() <= 8) {
+    KeptIndices kept;
+    if (area_of_eight(points, kept)) return kept;
+  }
   if (options.choices != nullptr) [[unlikely]]
     options.choices->support(steps::fixed_direction(options.choices->points.normal).normalized());
   const int support = points.farthest_along(steps::fixed_direction(points.normal));

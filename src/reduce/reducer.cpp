@@ -4,7 +4,7 @@
 #include <iterator>
 #include <type_traits>
 
-#include "core/pack.h"
+#include "reduce/all_finite.h"
 #include "reduce/steps.h"
 
 namespace contactscope {
@@ -29,23 +29,6 @@ const ReducerInfo* find_reducer(std::string_view name) {
   const auto found = std::ranges::find(reducers(), name, &ReducerInfo::name);
   return found == reducers().end() || found->in_float == nullptr ? nullptr : &*found;
 }
-
-namespace {
-
-template <class S>
-bool all_finite(ContactPoints<S> points, const Vec3<S>& normal) {
-  // Zero times anything finite is zero, times anything else is not.
-  const S zero = S(0);
-  lanes::Pack<S> sum = {};
-  for (const ContactPoint<S>& point : points) {
-    for (int i = 0; i < 4; i += lanes::kWidth<S>) sum += zero * lanes::load(point, i);
-  }
-  S total = zero * normal.x() + zero * normal.y() + zero * normal.z();
-  for (int lane = 0; lane < lanes::kWidth<S>; ++lane) total += sum[lane];
-  return total == zero;
-}
-
-}  // namespace
 
 template <class S>
 KeptIndices reduce(const ReducerInfo* reducer, ContactPoints<S> points, const Vec3<S>& normal,

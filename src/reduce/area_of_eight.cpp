@@ -1,0 +1,191 @@
+#include "reduce/area_of_eight.h"
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+#include "core/dot_order.h"
+#include "core/pack.h"
+
+namespace contactscope {
+namespace {
+
+constexpr int kEight = 8;
+
+template <class S>
+constexpr int kPacks = kEight / lanes::kWidest<S>;
+
+/// A number for each of eight points.
+template <class S>
+struct Eight {
+  using P = lanes::Widest<S>;
+  P of[kPacks<S>];
+
+  /// what(pack of one's, pack of other's ...) of each.
+  template <class What, class... Others>
+  [[gnu::always_inline]] static Eight from(const What& what, const Others&... others) {
+    Eight result;
+    for (int i = 0; i < kPacks<S>; ++i) result.of[i] = what(others.of[i]...);
+    return result;
+  }
+};
+
+/// Bit i is set where holds(numbers of point i ...), a comparison of packs.
+template <class S, class Holds, class... Others>
+[[gnu::always_inline]] inline std::uint32_t bits_of(const Holds& holds, const Others&... others) {
+  std::uint32_t bits = 0;
+  for (int i = 0; i < kPacks<S>; ++i)
+    bits |= lanes::bits<S>(holds(others.of[i]...)) << (i * lanes::kWidest<S>);
+  return bits;
+}
+
+template <class S>
+[[gnu::always_inline]] inline S most_of(const Eight<S>& values) {
+  typename Eight<S>::P most = values.of[0];
+  for (int i = 1; i < kPacks<S>; ++i) most = lanes::larger(most, values.of[i]);
+  return lanes::largest<S>(most)[0];
+}
+
+/// The earliest point with this score.
+template <class S>
+[[gnu::always_inline]] inline int earliest(const Eight<S>& scores, S most) {
+  using P = typename Eight<S>::P;
+  return std::countr_zero(bits_of<S>([&](const P& score) { return score == most; }, scores) |
+                          1U << kEight);
+}
+
+/// Eight positions, a coordinate each. Where there are fewer points the first one comes again: it is
+/// never the earliest of equals but at its own place.
+template <class S>
+struct Positions {
+  Eight<S> x, y, z;
+
+  /// Vectors from or to one place.
+  [[gnu::always_inline]] Positions minus(const Vec3<S>& place) const {
+    using P = typename Eight<S>::P;
+    const auto from = [](const Eight<S>& all, S one) {
+      return Eight<S>::from([one](const P& value) -> P { return value - one; }, all);
+    };
+    return {from(x, place.x()), from(y, place.y()), from(z, place.z())};
+  }
+  [[gnu::always_inline]] Positions negated() const {
+    using P = typename Eight<S>::P;
+    const auto turn = [](const Eight<S>& all) {
+      return Eight<S>::from([](const P& value) -> P { return -value; }, all);
+    };
+    return {turn(x), turn(y), turn(z)};
+  }
+  [[gnu::always_inline]] Eight<S> dot(const Vec3<S>& v) const {
+    using P = typename Eight<S>::P;
+    return Eight<S>::from(
+        [&v](const P& px, const P& py, const P& pz) {
+          return dot_sum<S>(P(v.x() * px), P(v.y() * py), P(v.z() * pz));
+        },
+        x, y, z);
+  }
+  [[gnu::always_inline]] Eight<S> squared_norm() const {
+    using P = typename Eight<S>::P;
+    return Eight<S>::from(
+        [](const P& px, const P& py, const P& pz) {
+          return dot_sum<S>(P(px * px), P(py * py), P(pz * pz));
+        },
+        x, y, z);
+  }
+};
+
+/// (qa x qb) . normal: Candidates::doubled_area() for all q.
+template <class S>
+[[gnu::always_inline]] inline Eight<S> doubled_areas(const Positions<S>& qa, const Positions<S>& qb,
+                                                     const Vec3<S>& normal) {
+  using P = typename Eight<S>::P;
+  return Eight<S>::from(
+      [&](const P& ax, const P& ay, const P& az, const P& bx, const P& by, const P& bz) {
+        return dot_sum<S>(P((ay * bz - az * by) * normal.x()), P((az * bx - ax * bz) * normal.y()),
+                          P((ax * by - ay * bx) * normal.z()));
+      },
+      qa.x, qa.y, qa.z, qb.x, qb.y, qb.z);
+}
+
+template <class S>
+[[gnu::always_inline]] inline Positions<S> positions_of(const Candidates<S>& points) {
+  using P = typename Eight<S>::P;
+  const ContactPoint<S>* at[kEight];
+  for (int i = 0; i < kEight; ++i) at[i] = points.points.data() + (i < points.count() ? i : 0);
+  Positions<S> result;
+  for (int i = 0; i < kPacks<S>; ++i) {
+    const auto each = [&](int axis) __attribute__((always_inline)) {
+      return lanes::pack_of<P>(
+          [&](int lane) { return at[i * lanes::kWidest<S> + lane]->position[axis]; });
+    };
+    result.x.of[i] = each(0);
+    result.y.of[i] = each(1);
+    result.z.of[i] = each(2);
+  }
+  return result;
+}
+
+}  // namespace
+
+/// Gregorius 2015, "Contact Point Reduction: 1st Point" to "4th Point (5)", as in area.cpp and grow.h:
+/// the same sums and products in the same order, the earliest of equals.
+template <class S>
+[[gnu::flatten]] bool area_of_eight(const Candidates<S>& points, KeptIndices& kept) {
+  using P = typename Eight<S>::P;
+  const Vec3<S>& normal = points.normal;
+  const Positions<S> at = positions_of(points);
+  const Positions<S> from_zero = at.minus(points[0]);
+  // Squares of squares of lengths are numbers: so nothing below is none.
+  constexpr S kFar = sizeof(S) == 4 ? S(1e9) : S(1e75);
+  if (!(most_of(from_zero.squared_norm()) < kFar)) return false;
+
+  const Eight<S> along = from_zero.dot(steps::fixed_direction(normal));
+  const int first = earliest(along, most_of(along));
+  const Positions<S> from_first = at.minus(points[first]);
+  const Eight<S> distances = from_first.squared_norm();
+  const S farthest = most_of(distances);
+  if (!(farthest > S(0))) return false;
+  const int second = earliest(distances, farthest);
+
+  const S negligible = points.negligible_area(first, second);
+  const Positions<S> to_first = from_first.negated();
+  const Positions<S> to_second = at.minus(points[second]).negated();
+  const Eight<S> beside = doubled_areas(to_first, to_second, normal);
+  const Eight<S> sizes =
+      Eight<S>::from([](const P& area) { return lanes::larger(area, P(-area)); }, beside);
+  const S largest = most_of(sizes);
+  if (!(largest > negligible)) return false;
+  const int third = earliest(sizes, largest);
+  kept.push_back(first);
+  kept.push_back(second);
+  kept.push_back(third);
+
+  // Where the ring third, first, second is clockwise, areas outside of it are positive. The edge from
+  // first to second has been measured.
+  const bool left =
+      (bits_of<S>([](const P& area) { return area > P{}; }, beside) >> third & 1U) != 0;
+  const S clockwise = left ? S(-1) : S(1);
+  const Positions<S> to_third = at.minus(points[third]).negated();
+  const Eight<S> of_edges[] = {doubled_areas(to_third, to_first, normal), beside,
+                               doubled_areas(to_second, to_third, normal)};
+  // Points of the ring and places without a point add nothing.
+  alignas(32) constexpr S kNumbers[kEight] = {0, 1, 2, 3, 4, 5, 6, 7};
+  const S count = static_cast<S>(points.count());
+  const S a = static_cast<S>(first), b = static_cast<S>(second), c = static_cast<S>(third);
+  Eight<S> added;
+  for (int i = 0; i < kPacks<S>; ++i) {
+    const P number = lanes::load_pack<P>(kNumbers + i * lanes::kWidest<S>);
+    P most = lanes::larger(P(of_edges[0].of[i] * clockwise), P(of_edges[1].of[i] * clockwise));
+    most = lanes::larger(most, P(of_edges[2].of[i] * clockwise));
+    const auto is_other = (number != a) & (number != b) & (number != c) & (number < count);
+    added.of[i] = is_other ? most : P{};
+  }
+  const S most = most_of(added);
+  const int fourth = most > negligible ? earliest(added, most) : -1;
+  if (fourth >= 0) kept.push_back(fourth);
+  return true;
+}
+
+template decltype(area_of_eight<float>) area_of_eight<float>;
+template decltype(area_of_eight<double>) area_of_eight<double>;
+
+}  // namespace contactscope
