@@ -2,6 +2,7 @@
 #include <limits>
 #include <optional>
 
+#include "manifold/clear_of_triangle.h"
 #include "manifold/collide_pairs.h"
 #include "manifold/collide_with_triangles.h"
 #include "manifold/create_contact.h"
@@ -11,6 +12,9 @@
 
 namespace contactscope {
 namespace {
+
+/// Each triangle that the tree finds is looked at.
+constexpr auto kNoneIsClear = [](int) { return false; };
 
 /// The triangle's closest point to the centre, and what it lies on. Triangle's frame.
 template <class S>
@@ -149,7 +153,8 @@ S collide_sphere_mesh(const Sphere<S>& a, const Mesh<S>& b, const Pose<S>& b_in_
     add_point<S>(-b_in_a.rotate(plane.normal), distance, a.radius, face_ref(Owner::B, face),
                  AxisKind::FaceB, contact);
   };
-  return collide_with_triangles(seen, b, b_in_a, options, sink, recorder, collide, on_face);
+  return collide_with_triangles(seen, b, b_in_a, options, sink, recorder, collide, on_face,
+                                kNoneIsClear);
 }
 
 template <class S>
@@ -200,7 +205,8 @@ S collide_capsule_mesh(const Capsule<S>& a, const Mesh<S>& b, const Pose<S>& b_i
     }
     contact.type = face_contact_type(contact.points.size());
   };
-  return collide_with_triangles(seen, b, b_in_a, options, sink, recorder, collide, on_face);
+  return collide_with_triangles(seen, b, b_in_a, options, sink, recorder, collide, on_face,
+                                kNoneIsClear);
 }
 
 template <class S>
@@ -222,8 +228,15 @@ S collide_hull_mesh(const Hull<S>& a, const Mesh<S>& b, const Pose<S>& b_in_a,
     }
     create_face_contact(pair, Owner::B, query, static_cast<S>(options.margin), contact, recorder);
   };
-  return collide_with_triangles(seen_from_mesh(a, b_in_a), b, b_in_a, options, sink, recorder,
-                                collide, on_face);
+  const SeenFromMesh<S> seen = seen_from_mesh(a, b_in_a);
+  // A record has every triangle.
+  if (recorder != nullptr || !a.is_box())
+    return collide_with_triangles(seen, b, b_in_a, options, sink, recorder, collide, on_face,
+                                  kNoneIsClear);
+  const ClearOfTriangle<S> is_clear(a, b, b_in_a, static_cast<S>(options.margin),
+                                    reach_of(seen, b_in_a));
+  return collide_with_triangles(seen, b, b_in_a, options, sink, recorder, collide, on_face,
+                                is_clear);
 }
 
 template CollideWithMesh<float, Sphere<float>> collide_sphere_mesh;

@@ -17,6 +17,13 @@ struct SeenFromMesh {
   Vec3<S> center;  // a point inside
 };
 
+/// How far from the origin of either frame anything of the shape gets: a bound on what rounds.
+template <class S>
+S reach_of(const SeenFromMesh<S>& shape, const Pose<S>& b_in_a) {
+  return shape.box.lower.cwiseAbs().cwiseMax(shape.box.upper.cwiseAbs()).maxCoeff() +
+         b_in_a.position.norm();
+}
+
 /// One triangle as a flat hull, and where that is in A's frame.
 template <class S>
 struct PlacedTriangle {
@@ -144,14 +151,15 @@ void mend(const SeenFromMesh<S>& shape, const Mesh<S>& b, const Pose<S>& b_in_a,
 /// face, contact) gets the face of the triangle on the side of the shape's centre. Both work in A's
 /// frame, where the triangle hull is placed by `triangle.in_a`. Returns the least separation, metres;
 /// when no triangle is near, that is a lower bound, for the record, from the boxes.
-template <class S, class Collide, class OnFace>
+///
+/// is_clear(triangle) is true of triangles that are known to be apart by more than the margin; they are
+/// passed over.
+template <class S, class Collide, class OnFace, class IsClear>
 S collide_with_triangles(const SeenFromMesh<S>& shape, const Mesh<S>& b, const Pose<S>& b_in_a,
                          const CollideOptions& options, ContactSink<S>& sink, Recorder<S>* recorder,
-                         const Collide& collide, const OnFace& on_face) {
+                         const Collide& collide, const OnFace& on_face, const IsClear& is_clear) {
   const S margin = static_cast<S>(options.margin);
-  // How far from the origin of either frame anything of the shape gets: a bound on what rounds.
-  const S reach = shape.box.lower.cwiseAbs().cwiseMax(shape.box.upper.cwiseAbs()).maxCoeff() +
-                  b_in_a.position.norm();
+  const S reach = reach_of(shape, b_in_a);
   const Vec3<S> grown = Vec3<S>::Constant(margin + tie_tolerance(reach));
   const Aabb<S> box{shape.box.lower - grown, shape.box.upper + grown};
 
@@ -160,6 +168,7 @@ S collide_with_triangles(const SeenFromMesh<S>& shape, const Mesh<S>& b, const P
   S kept = 0;  // depth of what was added or skipped, negative
   LeftOut<S> left_out;
   const auto collide_triangle = [&](int index) {
+    if (is_clear(index)) return;
     triangle.set(b, index);
     const PlacedTriangle<S> placed{
         triangle.hull, {b_in_a.rotation, b_in_a.transform(triangle.origin)}, index};
