@@ -7,6 +7,7 @@
 
 #include "bench/step_counter.h"
 #include "bench/workload.h"
+#include "manifold/collide_pairs.h"
 #include "manifold/dispatch.h"
 
 namespace contactscope::bench {
@@ -106,6 +107,19 @@ double pass_unrecorded(int workload) {
 double pass_cold(int workload) {
   static std::map<int, Memory> memories;
   return pass_without_recorder(workload, memories[workload], false);
+}
+
+double pass_general(int workload) {
+  static std::map<int, Memory> memories;
+  const CollideOptions settings = options();
+  Manifolds<float> manifolds(1);
+  return pass(workload, memories[workload], false,
+              [&](const TimedPair& pair, const Step& step, PairCache<float>* cache) {
+                manifolds[0] =
+                    collide_hull_hull(std::get<Hull<float>>(*pair.a), step.a,
+                                      std::get<Hull<float>>(*pair.b), step.b, settings, cache);
+                return digest(manifolds);
+              });
 }
 
 double pass_recorded(int workload) {

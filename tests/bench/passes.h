@@ -8,4 +8,6 @@ double pass_unrecorded(int workload);
 double pass_recorded(int workload);
 /// Without caches.
 double pass_cold(int workload);
+/// Two hulls by what any two hulls can: what a path of its own for boxes is measured against.
+double pass_general(int workload);
 }  // namespace contactscope::bench
