@@ -311,25 +311,6 @@ void require_folder(const Options& options) {
                    "DIR, or let check --write-missing make it with the first ones");
 }
 
-/// Leaves those of the shard; returns the names of all.
-std::vector<std::string> keep_shard(std::vector<Input>& inputs, const Options& options) {
-  std::vector<Costed> scenarios;
-  for (const Input& input : inputs) {
-    // Without times: a picture costs about as much as ten frames of facts.
-    const SnapshotSettings& stored = input.scenario.snapshots;
-    const int pictures = count_of(stored.frames) * count_of(input.scenario.views);
-    scenarios.push_back({input.scenario.name, 1.0 + 0.1 * input.scenario.frames + pictures});
-  }
-  if (!options.times.empty()) read_times(options.times, scenarios);
-  std::vector<std::string> names = mapped(scenarios, &Costed::name);
-  const std::vector<std::string> own = names_in_shard(std::move(scenarios), *options.shard);
-  std::erase_if(inputs, [&](const Input& input) {
-    return !std::ranges::binary_search(own, input.scenario.name);
-  });
-  std::ranges::sort(names);
-  return names;
-}
-
 /// With the times of scenarios that did not run this time.
 std::string merged_times(const fs::path& folder, const nlohmann::ordered_json& times) {
   nlohmann::ordered_json all = nlohmann::ordered_json::object();
@@ -351,7 +332,13 @@ snapshot::Outcome run_check(std::vector<Input>& inputs, const Options& options) 
   snapshot::Outcome outcome{options.snapshot_root, options.facts_only, options.shard};
   const std::vector<std::string> all =
       mapped(inputs, [](const Input& input) { return input.scenario.name; });
-  if (options.shard) outcome.all = keep_shard(inputs, options);
+  // Without times: a picture costs about as much as ten frames of facts.
+  if (options.shard)
+    outcome.all = keep_shard(inputs, options, [](const Input& input) {
+      const SnapshotSettings& stored = input.scenario.snapshots;
+      const int pictures = count_of(stored.frames) * count_of(input.scenario.views);
+      return 1.0 + 0.1 * input.scenario.frames + pictures;
+    });
 
   // What changes every file, or looks at a part of each scenario, is no case for it.
   const bool can_be_known = options.view.empty() && options.update != snapshot::Update::All;

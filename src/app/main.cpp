@@ -167,11 +167,14 @@ CLI::Option* add_named(CLI::App& verb, const std::string& name, const std::strin
   if (name == "--snapshots")
     return value_with_default(to.snapshot_root, "Folder of the stored snapshots");
   if (name == "VERB") return value(to.what);
-  if (CLI::Option* const option = add_check_option(verb, name, to, to.check)) return option;
+  if (CLI::Option* const option = add_check_option(verb, name, to, to.check)) {
+    if (!own_help.empty()) option->description(own_help);
+    return option;
+  }
   if (name == "--table") return flag(to.tables_only, "Write no pictures, and open no OpenGL");
   if (name == "--cases")
     return value(to.cases, "Cases a point of a line, default: the study's")
-        ->check(CLI::Range(1, 1000000));
+        ->check(CLI::Range(1, 2000000000));
   if (name == "--seed") return value_with_default(to.seed, "Of the random cases");
   if (name == "--json") return flag(to.json, "Print as JSON");
   if (name == "--frames") return value(to.frames_text, "Frames A:B[:STEP], B inclusive");
@@ -269,9 +272,9 @@ void finish(Command& command) {
 /// The options that were given, as they are given again, but for those on which no picture depends and
 /// those that each picture has for itself.
 std::string given_options(const CLI::App& verb) {
-  constexpr std::array<std::string_view, 11> kOwn = {
+  constexpr std::array<std::string_view, 12> kOwn = {
       "--anchors", "--frames", "--format",  "--out",       "--jobs", "--quiet",
-      "--verbose", "--json",   "--backend", "--scenarios", "--view"};
+      "--verbose", "--json",   "--backend", "--scenarios", "--view", "--shard"};
   std::string all;
   for (const CLI::Option* option : verb.get_options()) {
     if (option->count() == 0 || option->get_lnames().empty()) continue;

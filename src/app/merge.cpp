@@ -6,6 +6,7 @@
 
 #include "app/reports/report.h"
 #include "app/review.h"
+#include "app/soak.h"
 #include "app/verbs.h"
 #include "core/input_error.h"
 #include "snapshot/report_folder.h"
@@ -86,7 +87,7 @@ void require_whole(const std::vector<Part>& parts) {
       throw UsageError(name + " is in no shard; they had different --times");
 }
 
-ExitCode run_merge(const Options& options) {
+ExitCode merge_checks(const Options& options) {
   const std::vector<Part> parts = read_parts(options.scenarios);
   require_whole(parts);
   snapshot::ReportFolder report(options.out);
@@ -96,7 +97,8 @@ ExitCode run_merge(const Options& options) {
     for (const snapshot::ScenarioOutcome& scenario : part.outcome.scenarios) {
       outcome.scenarios.push_back(scenario);
       for (const snapshot::Finding& finding : scenario.findings)
-        for (const std::string& file : {finding.candidate, finding.expected, finding.difference})
+        for (const std::string& file :
+             {finding.candidate, finding.expected, finding.difference})
           if (!file.empty()) report.copy_file(part.folder / file, file);
     }
     if (const auto text = snapshot::read_text_file(part.folder / "times.json"))
@@ -110,14 +112,21 @@ ExitCode run_merge(const Options& options) {
   return snapshot::tally(outcome).failing == 0 ? ExitCode::Same : ExitCode::Different;
 }
 
+ExitCode run_merge(const Options& options) {
+  const std::vector<std::string> soak = soak_parts(options.scenarios);
+  return soak.empty() ? merge_checks(options) : merge_soak(soak, options);
+}
+
 }  // namespace
 
 Verb merge_verb() {
   return {"merge",
-          "Make one report of those that check --shard left",
+          "Put together what check --shard or study --shard left",
           &run_merge,
           "DIR... --json --junit --markdown --github --out",
-          {{"DIR", "What the shards had as --out, one for all or each its own"},
+          {{"DIR",
+            "What the shards had as --out, one for all or each its own; parts of a study in one "
+            "without parts of a check"},
            {"--json", "Print what was found as JSON"}}};
 }
 

@@ -9,6 +9,7 @@
 #include "app/narrow.h"
 #include "app/origin.h"
 #include "app/progress.h"
+#include "app/shard.h"
 #include "app/strip.h"
 #include "app/studio.h"
 #include "app/verbs.h"
@@ -151,6 +152,12 @@ ExitCode run_render(const Options& options) {
     const Timed timed(total, "read scenarios");
     inputs = load_inputs(options, Hold::Sample);
   }
+  if (options.shard && options.sheet)
+    throw UsageError("--sheet is of all scenarios; leave --shard out");
+  if (options.shard)
+    keep_shard(inputs, options, [&](const Input& input) {
+      return 1.0 + count_of(input.frames) * count_of(selected_views(input.scenario, options));
+    });
   int pictures = 0;
   for (const Input& input : inputs)
     pictures +=
@@ -208,10 +215,11 @@ Verb render_verb() {
               " --layers --panels --pair --shapes --eye --target --fov --camera --orthographic "
               "--timing --format --strip --columns --sheet --fps --anchors --json --frames "
               "--reducer --out "
-              "--backend --view --jobs",
+              "--backend --view --jobs --shard",
           {{"SCENARIO",
             "Files, folders, or names as hull/face_contact; a trace (*.jsonl) is drawn too"},
-           {"--json", "Print the paths of the pictures as JSON"}}};
+           {"--json", "Print the paths of the pictures as JSON"},
+           {"--shard", "Only part K of N of the scenarios, as 2/5; their pictures are in --out"}}};
 }
 
 }  // namespace contactscope::app

@@ -42,6 +42,20 @@ std::vector<std::string> names_in_shard(std::vector<Costed> scenarios,
   return names;
 }
 
+std::vector<std::string> keep_shard(std::vector<Input>& inputs, const Options& options,
+                                    const std::function<double(const Input&)>& cost) {
+  std::vector<Costed> scenarios;
+  for (const Input& input : inputs) scenarios.push_back({input.scenario.name, cost(input)});
+  if (!options.times.empty()) read_times(options.times, scenarios);
+  std::vector<std::string> names = mapped(scenarios, &Costed::name);
+  const std::vector<std::string> own = names_in_shard(std::move(scenarios), *options.shard);
+  std::erase_if(inputs, [&](const Input& input) {
+    return !std::ranges::binary_search(own, input.scenario.name);
+  });
+  std::ranges::sort(names);
+  return names;
+}
+
 std::string folder_of(const snapshot::Shard& shard) {
   return "check_" + std::to_string(shard.part) + "_of_" + std::to_string(shard.of);
 }

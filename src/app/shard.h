@@ -1,8 +1,11 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
+#include "app/catalogue.h"
+#include "app/verbs.h"
 #include "snapshot/finding.h"
 
 namespace contactscope::app {
@@ -21,6 +24,10 @@ void read_times(const std::string& path, std::vector<Costed>& scenarios);
 /// for the same names and costs, and whatever the parts are, each name is in one of them.
 std::vector<std::string> names_in_shard(std::vector<Costed> scenarios,
                                         const snapshot::Shard& shard);
+
+/// Leaves those of the part that was asked for, by --times or what each is said to cost; returns the names of all.
+std::vector<std::string> keep_shard(std::vector<Input>& inputs, const Options& options,
+                                    const std::function<double(const Input&)>& cost);
 
 /// Of the folder of its report: "check_2_of_5", so that parts with one --out do not meet.
 std::string folder_of(const snapshot::Shard& shard);

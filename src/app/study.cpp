@@ -9,6 +9,7 @@
 
 #include "app/catalogue.h"
 #include "app/progress.h"
+#include "app/soak.h"
 #include "app/studio.h"
 #include "app/table.h"
 #include "app/verbs.h"
@@ -71,6 +72,17 @@ Size size_of(const trace::Study& result) {
 ExitCode run_study(const Options& options) {
   note_interrupts();
   const StudyInfo& info = find_study(options.study);
+  if (options.shard) {
+    if (info.name != "stability")
+      throw UsageError("study " + info.name +
+                       " has no parts; --shard is of stability, whose cases are judged one by one");
+    return run_soak(options);
+  }
+  constexpr int kMostCases = 1000000;
+  if (options.cases.value_or(1) > kMostCases)
+    throw UsageError("--cases " + std::to_string(*options.cases) +
+                     " is more than a study holds; leave it below 1000001, or judge stability in "
+                     "parts, with --shard 1/1 or more");
   Ledger ledger;
   const std::vector<trace::Study> results = run_study(info, options, ledger);
   if (info.of_scenarios && results.front().series.empty())
@@ -112,15 +124,22 @@ ExitCode run_study(const Options& options) {
 }  // namespace
 
 Verb study_verb() {
-  return {"study",
-          "Measure error against run time: plot, CSV and JSON",
-          &run_study,
-          "NAME [SCENARIO...] --frames --size --cases --seed --table --json --out --backend",
-          {{"NAME", "A name that `list studies` prints"},
-           {"SCENARIO", "Of flip_distance: whose pairs; others make their own cases"},
-           {"--size", "WxH, default 1280x720, and 1280x1440 for plots of more than 9 methods"},
-           {"--table", "Write no plots, and open no OpenGL"},
-           {"--json", "Print the results as JSON too, one a line"}}};
+  return {
+      "study",
+      "Measure error against run time: plot, CSV and JSON",
+      &run_study,
+      "NAME [SCENARIO...] --frames --size --cases --seed --shard --table --json --out --backend",
+      {{"NAME", "A name that `list studies` prints"},
+       {"SCENARIO", "Of flip_distance: whose pairs; others make their own cases"},
+       {"--size", "WxH, default 1280x720, and 1280x1440 for plots of more than 9 methods"},
+       {"--cases",
+        "Cases a point of a line, default: the study's; with --shard of all parts together, "
+        "default 100000"},
+       {"--shard",
+        "Of stability: judge only part K of N of --cases random pairs, as 2/5, keeping sums "
+        "alone; merge puts parts together"},
+       {"--table", "Write no plots, and open no OpenGL"},
+       {"--json", "Print the results as JSON too, one a line"}}};
 }
 
 }  // namespace contactscope::app

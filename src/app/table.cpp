@@ -90,25 +90,41 @@ std::vector<SeriesRange> by_panel(const trace::Study& result) {
   return panels;
 }
 
-/// A row a series: a cell for each parameter, or whole decades of it alone, and what `sum` says of all
+/// Which parameters have a column: all of few; of many whole decades, or where those are less than three each so
+/// many-th, the last one too.
+std::vector<bool> columns_shown(const SeriesRange& panel) {
+  constexpr std::size_t kMost = 8, kLeast = 3;
+  const std::vector<trace::StudyPoint>& points = panel.front().points;
+  std::vector<bool> shown(points.size(), points.size() <= kMost);
+  if (points.size() <= kMost) return shown;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double decade = std::log10(points[i].parameter);
+    shown[i] = points[i].parameter > 0 && std::abs(std::remainder(decade, 1)) < 1e-6;
+  }
+  if (std::ranges::count(shown, true) >= static_cast<std::ptrdiff_t>(kLeast)) return shown;
+  const std::size_t step = (points.size() + kMost - 1) / kMost;
+  for (std::size_t i = 0; i < points.size(); ++i) shown[i] = (points.size() - 1 - i) % step == 0;
+  return shown;
+}
+
+/// A row a series: a cell for each parameter, or some of them where they are many, and what `sum` says of all
 /// its points, under the head "failed"; null where nothing is to be said.
-void print_panel(const SeriesRange& panel, std::ostream& out, bool decades_alone,
+void print_panel(const SeriesRange& panel, std::ostream& out, bool may_leave_out,
                  const std::function<std::string(const trace::StudyPoint&)>& cell,
                  std::string (*sum)(int failed, int of)) {
-  const auto is_shown = [&](double parameter) {
-    return !decades_alone || std::abs(std::remainder(std::log10(parameter), 1)) < 1e-6;
-  };
+  const std::vector<bool> shown =
+      may_leave_out ? columns_shown(panel) : std::vector<bool>(panel.front().points.size(), true);
   std::vector<std::string> heads = {panel.front().panel.empty() ? "method" : panel.front().panel};
-  for (const trace::StudyPoint& point : panel.front().points) {
-    if (is_shown(point.parameter)) heads.push_back(spelled("%g", point.parameter));
-  }
+  for (std::size_t i = 0; i < shown.size(); ++i)
+    if (shown[i]) heads.push_back(spelled("%g", panel.front().points[i].parameter));
   if (sum != nullptr) heads.push_back("failed");
   Table table = {heads};
   for (const trace::StudySeries& series : panel) {
     std::vector<std::string> cells = {series.method};
     int failed = 0, of = 0;
-    for (const trace::StudyPoint& point : series.points) {
-      if (is_shown(point.parameter)) cells.push_back(cell(point));
+    for (std::size_t i = 0; i < series.points.size(); ++i) {
+      const trace::StudyPoint& point = series.points[i];
+      if (shown[i]) cells.push_back(cell(point));
       failed += point.failed;
       of += point.of;
     }
@@ -150,7 +166,9 @@ std::string share(int failed, int of) {
 }
 
 void print_curves(const trace::Study& result, const SeriesRange& panel, std::ostream& out) {
-  out << "largest " << result.error << ", by " << panel.front().parameter << '\n';
+  const bool says_unit = result.unit.empty() || result.error.ends_with(')');
+  out << result.error << (says_unit ? "" : " (" + result.unit + ")") << ": largest, by "
+      << parameter_of(result, panel) << '\n';
   const auto cell = [](const trace::StudyPoint& point) {
     return (point.error_worst ? spelled("%.1e", *point.error_worst) : "-") +
            (point.failed > 0 ? "!" : "");

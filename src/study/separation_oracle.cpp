@@ -266,10 +266,14 @@ OracleAxis oracle_axis(const Hull<double>& a, const Hull<double>& b, const Pose<
 template <class S>
 SeparationOracle::SeparationOracle(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b,
                                    const Pose<S>& pose_b) {
-  // As seen from A: the world's origin may be far away.
+  // As seen from A: the world's origin may be far away. Where A has faces also turned as A is: a triangle a million
+  // times as long as high leans by more than double rounds as soon as its corners are turned.
   const Vec between = pose_b.position.template cast<Real>() - pose_a.position.template cast<Real>();
-  a_ = make_body(a, turn_of(pose_a), Vec(Vec::Zero()));
-  b_ = make_body(b, turn_of(pose_b), between);
+  const bool has_faces = std::holds_alternative<Hull<S>>(a) || std::holds_alternative<Mesh<S>>(a);
+  const Mat3<Real> turn = turn_of(pose_a), identity = Mat3<Real>::Identity();
+  to_a_ = has_faces ? Mat3<Real>(turn.transpose()) : identity;
+  a_ = make_body(a, has_faces ? identity : turn, Vec(Vec::Zero()));
+  b_ = make_body(b, Mat3<Real>(to_a_ * turn_of(pose_b)), Vec(to_a_ * between));
   scale_ = a_.reach + b_.reach + between.norm();
 }
 
@@ -300,7 +304,7 @@ double SeparationOracle::leverage() const {
 }
 
 double SeparationOracle::separation_along(const Vec3d& normal, int triangle) const {
-  const Vec direction = normal.cast<Real>() / normal.cast<Real>().norm();
+  const Vec direction = to_a_ * normal.cast<Real>() / normal.cast<Real>().norm();
   if (a_.is_plane || b_.is_plane) {
     const Vec expected = a_.is_plane ? a_.normal : Vec(-b_.normal);
     return separation() - static_cast<double>((direction - expected).norm() * scale_);

@@ -78,7 +78,8 @@ class SeparationOracle {
   double scale() const { return static_cast<double>(scale_); }
 
  private:
-  OracleBody a_, b_;
+  OracleBody a_, b_;             // as seen from A
+  Mat3<OracleBody::Real> to_a_;  // turns directions of the world into it
   OracleBody::Real scale_ = 0;
 };
 

@@ -1,0 +1,141 @@
+#include "study/soak.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/at.h"
+#include "study/random_cases.h"
+
+namespace contactscope {
+namespace {
+
+constexpr const char* kScalars[] = {"float", "double"};
+
+/// A line for each sweep, kind and scalar, in this order, empty.
+std::vector<SoakLine> empty_lines() {
+  std::vector<SoakLine> lines;
+  for (const LimitSweep& sweep : limit_sweeps())
+    for (const PairKind& kind : sweep.kinds)
+      for (const char* scalar : kScalars) lines.push_back({sweep.name, to_string(kind), scalar});
+  return lines;
+}
+
+/// Of "float"; that of "double" follows.
+std::size_t line_of(const SoakCase& one) {
+  std::size_t line = 0;
+  for (const LimitSweep& sweep : limit_sweeps()) {
+    if (&sweep == one.sweep) break;
+    line += std::size(kScalars) * sweep.kinds.size();
+  }
+  const auto is_kind = [&](const PairKind& kind) {
+    return kind.top == one.kind.top && kind.below == one.kind.below;
+  };
+  const auto kind = std::ranges::find_if(one.sweep->kinds, is_kind);
+  return line + std::size(kScalars) * static_cast<std::size_t>(kind - one.sweep->kinds.begin());
+}
+
+/// 64 bits that belong to a number, after splitmix64 (Steele, Lea, Flood 2014).
+std::uint64_t scrambled(std::uint64_t number) {
+  number += 0x9E3779B97F4A7C15u;
+  number = (number ^ (number >> 30)) * 0xBF58476D1CE4E5B9u;
+  number = (number ^ (number >> 27)) * 0x94D049BB133111EBu;
+  return number ^ (number >> 31);
+}
+
+void keep_worst(SoakLine& line, double ulps, std::int64_t number) {
+  const bool is_first = ulps == line.worst_ulps && number < line.worst_case;
+  if (number < 0 || (ulps <= line.worst_ulps && !is_first)) return;
+  line.worst_ulps = ulps;
+  line.worst_case = number;
+}
+
+void count(SoakLine& line, const PairVerdict& verdict, std::int64_t number) {
+  ++line.pairs;
+  ++line.faults[static_cast<std::size_t>(verdict.fault)];
+  if (verdict.fault != ContactFault::None) return;
+  if (verdict.ulps == 0) {
+    ++line.exact;
+    return;
+  }
+  int exponent = 0;
+  if (std::frexp(verdict.ulps, &exponent) == 0.5)
+    --exponent;  // a power of two is the end of its bin
+  ++line.errors[exponent];
+  keep_worst(line, verdict.ulps, number);
+}
+
+void keep_first(std::vector<SoakFailure>& failures) {
+  std::ranges::sort(failures, {}, [](const SoakFailure& failure) {
+    return std::pair(failure.number, failure.scalar);
+  });
+  if (failures.size() > kSoakFailures) failures.resize(kSoakFailures);
+}
+
+}  // namespace
+
+std::int64_t SoakLine::wrong() const {
+  std::int64_t sum = 0;
+  for (std::size_t i = 0; i < faults.size(); ++i)
+    sum += is_wrong(static_cast<ContactFault>(i)) ? faults[i] : 0;
+  return sum;
+}
+
+std::int64_t Soak::wrong() const {
+  std::int64_t sum = 0;
+  for (const SoakLine& line : lines) sum += line.wrong();
+  return sum;
+}
+
+SoakCase soak_case(std::uint64_t seed, std::int64_t number) {
+  const auto sweeps = static_cast<std::int64_t>(limit_sweeps().size());
+  SoakCase one;
+  one.sweep = &limit_sweeps()[static_cast<std::size_t>(number % sweeps)];
+  const auto kinds = static_cast<std::int64_t>(one.sweep->kinds.size());
+  one.kind = one.sweep->kinds[static_cast<std::size_t>(number / sweeps % kinds)];
+  const std::uint64_t bits = scrambled(seed ^ scrambled(static_cast<std::uint64_t>(number)));
+  const double share = std::ldexp(static_cast<double>(bits >> 11), -53);
+  one.value = one.sweep->low * std::pow(one.sweep->high / one.sweep->low, share);
+  // Even and odd cases differ within a sweep and kind, so they are numbered there.
+  const auto index = static_cast<int>(number / (sweeps * kinds));
+  one.pair = limit_case(*one.sweep, one.value, one.kind, index, seed);
+  return one;
+}
+
+Soak soak_pairs(std::uint64_t seed, std::int64_t cases, std::int64_t first, std::int64_t last,
+                const std::function<void(std::int64_t done)>& step) {
+  constexpr std::int64_t kStep = 1000;
+  Soak soak{seed, cases, empty_lines()};
+  for (std::int64_t number = first; number < last; ++number) {
+    if ((number - first) % kStep == 0) step(number - first);
+    const SoakCase one = soak_case(seed, number);
+    const PairVerdict verdicts[] = {judge_pair<float>(one.pair), judge_pair<double>(one.pair)};
+    const std::size_t line = line_of(one);
+    for (std::size_t scalar = 0; scalar < std::size(kScalars); ++scalar) {
+      const PairVerdict& verdict = verdicts[scalar];
+      count(soak.lines[line + scalar], verdict, number);
+      if (!is_wrong(verdict.fault) || soak.failures.size() >= kSoakFailures) continue;
+      soak.failures.push_back({number, one.sweep->name, to_string(one.kind), kScalars[scalar],
+                               kContactFaults[static_cast<std::size_t>(verdict.fault)], one.value,
+                               verdict.ulps});
+    }
+  }
+  keep_first(soak.failures);
+  return soak;
+}
+
+void add(Soak& whole, const Soak& part) {
+  for (std::size_t i = 0; i < whole.lines.size() && i < part.lines.size(); ++i) {
+    SoakLine& line = whole.lines[i];
+    const SoakLine& more = part.lines[i];
+    line.pairs += more.pairs;
+    line.exact += more.exact;
+    for (std::size_t fault = 0; fault < line.faults.size(); ++fault)
+      line.faults[fault] += more.faults[fault];
+    for (const auto& [exponent, number] : more.errors) line.errors[exponent] += number;
+    keep_worst(line, more.worst_ulps, more.worst_case);
+  }
+  whole.failures.insert(whole.failures.end(), part.failures.begin(), part.failures.end());
+  keep_first(whole.failures);
+}
+
+}  // namespace contactscope
