@@ -98,7 +98,8 @@ Verb show_verb() {
           {{"KEY", "Findings, as hull/face_contact/frame_0012, folders, or patterns with *"}},
           "Examples:\n"
           "  contactscope show hull/face_contact\n"
-          "  contactscope show '*/frame_0012' --pictures sixel"};
+          "  contactscope show '*/frame_0012' --pictures sixel\n"
+          "Exit codes: 0 done, 2 trouble, such as a name that the report does not have."};
 }
 
 }  // namespace contactscope::app

@@ -204,14 +204,15 @@ recorded (what a trace claims), or an engine of `versus`; without one it is the 
 points, manifolds, separation, touching, overlap, axis, type, ids, normal_x, normal_y, normal_z. lint.CAUSE is what
 `lint` finds, lint all of it; unmet are the expectations of a scenario that do not hold.
 
+Examples:
   contactscope shrink hull/far_away --while 'float.points != double.points'
   contactscope shrink run.jsonl --while lint.flipped_normals
   contactscope shrink mine/stack.toml --while unmet
   contactscope shrink round --while 'abs(bullet.separation - double.separation) > 0.001'
 
 Vertices are left out, settings and turns dropped and numbers rounded as long as it holds. The scenario is written to
-OUT/shrink with what is right, as an expectation: what the file expected, else what double has. Exit code 1: no two
-shapes show it by themselves.)"};
+OUT/shrink with what is right, as an expectation: what the file expected, else what double has.
+Exit codes: 0 it is written, 1 no two shapes show it by themselves, 2 trouble.)"};
 }
 
 }  // namespace contactscope::app

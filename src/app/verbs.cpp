@@ -16,7 +16,7 @@ Verb render_verb(), trace_verb(), check_verb(), explore_verb(), study_verb(), do
 
 namespace {
 
-/// What stands below the options of a verb that has no words of its own there.
+/// What stands below the options of a verb that has no examples of its own there.
 const char* examples_of(const std::string& verb) {
   if (verb == "render")
     return "Examples:\n"
@@ -36,8 +36,9 @@ const char* examples_of(const std::string& verb) {
   if (verb == "study")
     return "Examples:\n"
            "  contactscope study reducers --cases 100 --seed 2\n"
+           "  contactscope study stability --cases 100000000 --shard 1/64 --out soak\n"
            "  contactscope list studies\n"
-           "Exit codes: 0 done, 2 trouble.";
+           "Exit codes: 0 done, 1 a pair of --shard has a wrong answer, 2 trouble.";
   if (verb == "lint")
     return "Examples:\n"
            "  contactscope lint run.jsonl\n"
@@ -60,17 +61,25 @@ const char* examples_of(const std::string& verb) {
     return "Examples:\n"
            "  contactscope review\n"
            "  contactscope review --list | grep ^changed\n"
+           "  contactscope review --from decisions.json\n"
            "Exit codes: 0 nothing fails any more, 1 something does, 2 trouble.";
   if (verb == "merge")
     return "Examples:\n"
            "  contactscope merge shards --out out --junit junit.xml\n"
+           "  contactscope merge soak\n"
            "Exit codes: 0 the same, 1 something is not, 2 trouble, such as a part that is missing.";
+  if (verb == "help")
+    return "Examples:\n"
+           "  contactscope help check\n"
+           "Exit codes: 0 done, 2 there is no such verb.";
   return "";
 }
 
 std::vector<Verb> with_examples(std::vector<Verb> verbs) {
-  for (Verb& verb : verbs)
-    if (verb.footer.empty()) verb.footer = examples_of(verb.name);
+  for (Verb& verb : verbs) {
+    if (verb.footer.find("Examples:") != std::string::npos) continue;
+    verb.footer += (verb.footer.empty() ? "" : "\n\n") + std::string(examples_of(verb.name));
+  }
   return verbs;
 }
 

@@ -1,6 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <set>
+#include <sstream>
+
 #include "app/program.h"
 
 namespace contactscope::test {
@@ -15,6 +18,51 @@ TEST(CommandLine, HelpAndVersionSucceed) {
   EXPECT_THAT(run("--help").out, HasSubstr("render"));
   EXPECT_EQ(run("--version").exit_code, 0);
   EXPECT_THAT(run("--version").out, StartsWith("contactscope "));
+}
+
+/// The options in a text that stand behind `before`: "\n  " has a help's own, " " also those of its words.
+std::set<std::string> options_in(const std::string& text, const std::string& before) {
+  const std::string mark = before + "--";
+  std::set<std::string> options;
+  for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at + 1)) {
+    const std::size_t begin = at + before.size();
+    const std::size_t end = text.find_first_not_of("abcdefghijklmnopqrstuvwxyz-", begin);
+    options.insert(text.substr(begin, end - begin));
+  }
+  return options;
+}
+
+TEST(CommandLine, TheHelpOfEveryVerbHasExamplesValuesAndExitCodes) {
+  const std::string verbs = run("--help").out;
+  std::istringstream lines(verbs.substr(verbs.find("Subcommands:")));
+  std::vector<std::string> names;
+  std::string line;
+  std::getline(lines, line);
+  while (std::getline(lines, line) && line.starts_with("  "))
+    if (line[2] != ' ') names.push_back(line.substr(2, line.find(' ', 2) - 2));
+  EXPECT_GE(names.size(), 14u) << verbs;
+  for (const std::string& name : names) {
+    const ProgramRun help = run("help " + name);
+    EXPECT_EQ(help.exit_code, 0) << name;
+    EXPECT_THAT(help.out, HasSubstr("Exit codes: 0 ")) << name;
+    EXPECT_THAT(help.out, HasSubstr("2 ")) << name;
+    ASSERT_THAT(help.out, HasSubstr("Examples:\n  contactscope " + name)) << name;
+    const std::string before = help.out.substr(0, help.out.find("Examples:"));
+    const std::string examples = help.out.substr(before.size());
+    const std::set<std::string> known = options_in(before, "\n  ");
+    for (const std::string& option : options_in(examples, " "))
+      EXPECT_THAT(known, testing::Contains(option)) << "an example of " << name;
+    const std::pair<const char*, const char*> values[] = {{"--backend", "auto, egl or osmesa"},
+                                                          {"--shard", "part K of N"},
+                                                          {"--format", "webp"},
+                                                          {"--update", "--update=all"},
+                                                          {"--pictures", "sixel"}};
+    for (const auto& [option, value] : values) {
+      if (known.contains(option)) {
+        EXPECT_THAT(before, HasSubstr(value)) << name;
+      }
+    }
+  }
 }
 
 TEST(CommandLine, UsageErrorsAreTroubleAndPrintNothingOnStandardOutput) {

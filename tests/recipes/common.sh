@@ -1,0 +1,80 @@
+# What the tests of recipes share. $1 of each: the folder of the built program; $2: the sources.
+set -u
+export PATH="$1:$PATH" CI=
+readme=$2/README.md
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work" || exit 2
+
+fail() {
+  echo "FAILED: $*" >&2
+  exit 1
+}
+
+# 77: CTest calls the test skipped, and its log says why.
+skip() {
+  echo "skipped: $*" >&2
+  exit 77
+}
+
+# A command that stands in the README, word for word, with the exit code that it should have.
+recipe() {
+  wanted=$1
+  shift
+  grep -qF -- "    $1" "$readme" || fail "the README has no line '$1'"
+  echo "\$ $1"
+  sh -c "$1"
+  code=$?
+  [ "$code" = "$wanted" ] || fail "'$1' exits $code, not $wanted"
+}
+
+# A crate on a slab, so high over the floor.
+scenario() {
+  mkdir -p "$(dirname "$1")"
+  cat > "$1" << END
+title = "A crate on a slab"
+[time]
+frames = 2
+[shapes.slab]
+type         = "box"
+half_extents = [1.0, 0.2, 1.0]
+position     = [0.0, -0.2, 0.0]
+[shapes.crate]
+type         = "box"
+half_extents = [0.5, 0.5, 0.5]
+position     = [0.0, $2, 0.0]
+[snapshots]
+frames = [0, 1]
+size   = [320, 180]
+END
+}
+
+# A repository of eight scenarios with baselines, of which one was changed since.
+repository() {
+  for name in one two three four five six seven; do scenario "scenarios/hull/$name.toml" 0.495; done
+  scenario scenarios/hull/moved.toml 0.495
+  contactscope check --write-missing --quiet > /dev/null || fail "no first baselines"
+  scenario scenarios/hull/moved.toml 0.48
+}
+
+# The merged report is that of one run, byte for byte, but for times.
+same_as_one_run() {
+  contactscope check --fresh --quiet --out whole > /dev/null
+  for file in findings.json report.html hull/moved/frame_0000.actual.png; do
+    sed 's/ --out whole//g' "whole/check/$file" > whole.txt
+    cmp whole.txt "out/check/$file" || fail "$file is not that of one run"
+  done
+}
+
+# Merged parts of a study are those of one, byte for byte.
+same_soak() {
+  contactscope study stability --cases 20000 --shard 1/1 --out one --quiet > /dev/null
+  contactscope merge one --out one --quiet > /dev/null || fail "one part is no whole"
+  cmp one/study/stability/soak.json out/study/stability/soak.json || fail "the parts are not the whole"
+}
+
+# As many pictures as all scenarios have.
+all_rendered() {
+  count=$(find out/hull -name 'frame_*.png' | wc -l)
+  [ "$count" = 16 ] || fail "$count pictures of 16"
+}
