@@ -57,9 +57,10 @@ struct Finding {
   std::vector<std::string>
       layers{};  // of a picture whose facts changed: those that are drawn otherwise
   // Below the folder of the report; empty where there is none.
-  std::string candidate{};   // what the run made, to be stored where it is accepted
-  std::string expected{};    // what is stored
-  std::string difference{};  // a picture of both
+  std::string candidate{};       // what the run made, to be stored where it is accepted
+  std::string expected{};        // what is stored
+  std::string difference{};      // a picture of both
+  std::string layers_picture{};  // an SVG of the layers, as expected and as they are
   // Of the file as the run found it, and of the candidate; empty where there is none.
   std::string stored_sha256{}, candidate_sha256{};
   Done done = Done::Nothing;

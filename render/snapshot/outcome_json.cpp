@@ -38,6 +38,7 @@ Json to_json(const Finding& finding) {
   json["cause"] = finding.cause;
   if (finding.pixels) json["pixels"] = to_json(*finding.pixels);
   if (!finding.layers.empty()) json["layers"] = finding.layers;
+  if (!finding.layers_picture.empty()) json["layers_picture"] = finding.layers_picture;
   set(json, "candidate", finding.candidate);
   set(json, "expected", finding.expected);
   set(json, "difference", finding.difference);
@@ -96,6 +97,7 @@ Finding finding_of(const Json& json, const std::string& scenario) {
     finding.details = json.at("details").get<std::vector<std::string>>();
   finding.cause = json.at("cause");
   if (json.contains("pixels")) finding.pixels = pixels_of(json.at("pixels"));
+  finding.layers_picture = json.value("layers_picture", "");
   if (json.contains("layers")) finding.layers = json.at("layers").get<std::vector<std::string>>();
   finding.candidate = json.value("candidate", "");
   finding.expected = json.value("expected", "");

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::string_view kFindings = "findings.json";
-constexpr std::string_view kWords[] = {".actual", ".expected", ".difference"};
+constexpr std::string_view kWords[] = {".actual", ".expected", ".difference", ".layers"};
 
 /// Whether a file of an older report goes.
 bool is_ours(const fs::path& file) {
@@ -85,6 +85,13 @@ void ReportFolder::add_picture(Finding& finding, const CheckedPicture& checked,
   fs::copy_file(checked.nearest, aside_ / finding.expected, fs::copy_options::overwrite_existing);
   finding.difference = path(".difference.png");
   write_png((aside_ / finding.difference).string(), difference_image(*checked.expected, actual));
+}
+
+void ReportFolder::add_layers(Finding& finding, const std::string& svg) {
+  if (!finding.fails() || svg.empty()) return;
+  finding.layers_picture =
+      fs::path(finding.file).replace_extension().generic_string() + ".layers.svg";
+  add_file(finding.layers_picture, svg);
 }
 
 void ReportFolder::add_text(Finding& finding, const std::string& actual) {

@@ -30,6 +30,8 @@ class ReportFolder {
 
   /// Each keeps what a finding that fails is about, and says in it where. `actual`: what the run made.
   void add_picture(Finding& finding, const CheckedPicture& checked, const Image& actual);
+  /// What of a picture moved, as SVG; nothing where that is empty.
+  void add_layers(Finding& finding, const std::string& svg);
   void add_text(Finding& finding, const std::string& actual);
   /// A file of another kind: a path below the folder, and its text.
   void add_file(const std::string& path, const std::string& text);

@@ -77,6 +77,10 @@ CLI::Option* add_check_option(CLI::App& verb, const std::string& name, Options& 
     return value(to.markdown, "Write a summary in Markdown too, with small pictures in it");
   if (name == "--github") return flag(to.github, "Print annotations for GitHub too, one a cause");
   if (name == "--list") return flag(to.list_only, "Print a line each instead of asking");
+  if (name == "--from")
+    return value(to.from,
+                 "Do what a file says, {\"accept\": [...], \"reject\": [...]}, which report.html "
+                 "saves; - is the standard input");
   if (name == "--pictures")
     return value(to.pictures, "How the terminal draws: blocks, sixel, kitty, none")
         ->capture_default_str()

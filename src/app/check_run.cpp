@@ -281,7 +281,9 @@ class Checker {
           sequence.header, sequence.frames, view, scenario.snapshots.width,
           scenario.snapshots.height, style_of(scenario), draw::kLayers, scenario.snapshots.frames);
       try {
-        picture.layers = moved_layers(staging, *expected, *actual);
+        MovedLayers moved = moved_layers(staging, *expected, *actual);
+        picture.layers = std::move(moved.names);
+        report_.add_layers(picture, moved.svg);
       } catch (const std::exception& error) {
         ledger_.note(picture.key() + ": layers were not compared: " + error.what());
       }

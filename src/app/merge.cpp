@@ -98,7 +98,7 @@ ExitCode merge_checks(const Options& options) {
       outcome.scenarios.push_back(scenario);
       for (const snapshot::Finding& finding : scenario.findings)
         for (const std::string& file :
-             {finding.candidate, finding.expected, finding.difference})
+             {finding.candidate, finding.expected, finding.difference, finding.layers_picture})
           if (!file.empty()) report.copy_file(part.folder / file, file);
     }
     if (const auto text = snapshot::read_text_file(part.folder / "times.json"))

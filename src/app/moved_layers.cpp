@@ -25,27 +25,44 @@ Parts parts_of(const std::string& svg) {
     if (name.ends_with('-')) name.pop_back();
     auto part = std::ranges::find(parts, name, &Parts::value_type::first);
     if (part == parts.end()) part = parts.insert(parts.end(), {name, {}});
-    part->second += svg.substr(at, next == std::string::npos ? next : next - at);
+    const std::size_t end = next == std::string::npos ? svg.rfind("</svg>") : next;
+    const std::size_t rest = svg.find('"', begin) + 1;  // its id is that of a whole drawing
+    part->second += "<g" + svg.substr(rest, end - rest);
     at = next;
   }
   return parts;
 }
 
+/// What a drawing shows of a layer; empty where it has none.
+std::string part_of(const Parts& parts, const std::string& name) {
+  const auto part = std::ranges::find(parts, name, &Parts::value_type::first);
+  return part == parts.end() ? "" : part->second;
+}
+
+std::string group(const std::string& version, const std::string& name, const std::string& part) {
+  return "<g class=\"" + version + " " + name + "\">\n" + part + "</g>\n";
+}
+
 }  // namespace
 
-std::vector<std::string> moved_layers(const draw::Staging& staging, const trace::Frame& expected,
-                                      const trace::Frame& actual) {
+MovedLayers moved_layers(const draw::Staging& staging, const trace::Frame& expected,
+                         const trace::Frame& actual) {
   vector::SvgOptions options;
   options.embed_font = false;
   const Parts before = parts_of(vector::svg_of(draw::illustrate(staging, expected), options));
-  const Parts now = parts_of(vector::svg_of(draw::illustrate(staging, actual), options));
-  std::vector<std::string> moved;
-  for (const auto& [name, text] : now) {
-    const auto other = std::ranges::find(before, name, &Parts::value_type::first);
-    if (other == before.end() || other->second != text) moved.push_back(name);
-  }
+  const std::string svg = vector::svg_of(draw::illustrate(staging, actual), options);
+  const Parts now = parts_of(svg);
+  MovedLayers moved;
+  for (const auto& [name, text] : now)
+    if (part_of(before, name) != text) moved.names.push_back(name);
   for (const auto& [name, text] : before)
-    if (std::ranges::find(now, name, &Parts::value_type::first) == now.end()) moved.push_back(name);
+    if (part_of(now, name).empty()) moved.names.push_back(name);
+  if (moved.names.empty()) return moved;
+  moved.svg = svg.substr(0, svg.find('>') + 1) + "\n";
+  for (const std::string& name : moved.names)
+    moved.svg +=
+        group("expected", name, part_of(before, name)) + group("actual", name, part_of(now, name));
+  moved.svg += "</svg>\n";
   return moved;
 }
 

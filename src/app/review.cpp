@@ -7,16 +7,20 @@
 #include <cstdlib>
 #include <iomanip>
 #include <iostream>
+#include <iterator>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "app/progress.h"
 #include "app/reports/report.h"
 #include "app/shard.h"
 #include "app/show.h"
+#include "core/input_error.h"
 #include "scenario/nearest_word.h"
 #include "snapshot/accept.h"
 #include "snapshot/outcome_json.h"
 #include "snapshot/report_folder.h"
+#include "snapshot/store.h"
 #include "snapshot/verdict.h"
 
 namespace contactscope::app {
@@ -155,6 +159,72 @@ void print_list(snapshot::Outcome& outcome) {
   }
 }
 
+/// Accepts one, and says what became of it; false where it is refused.
+bool accept_one(const Options& options, const snapshot::Outcome& outcome, Finding& finding) {
+  const std::string why = snapshot::accept(report_folder(options), outcome.snapshots, finding,
+                                           {options.accept_as, options.note});
+  if (!why.empty()) {
+    std::cerr << why << '\n';
+    return false;
+  }
+  if (!options.quiet)
+    std::cout << snapshot::kDone[static_cast<std::size_t>(finding.done)] << " " << finding.key()
+              << '\n';
+  return true;
+}
+
+/// {"accept": [...], "reject": [...]}, as report.html saves it; "-" is the standard input.
+std::map<std::string, std::vector<std::string>> read_decisions(const std::string& file) {
+  const auto refuse = [&](const std::string& what) -> InputError {
+    return InputError(file == "-" ? "standard input" : file, 0, 0,
+                      what + R"(; write {"accept": ["hull/face_contact"], "reject": []}, as )"
+                             "report.html saves it");
+  };
+  std::string text;
+  if (file == "-") {
+    text.assign(std::istreambuf_iterator<char>(std::cin), {});
+  } else {
+    const std::optional<std::string> bytes = snapshot::read_text_file(file);
+    if (!bytes) throw refuse("no such file");
+    text = *bytes;
+  }
+  std::map<std::string, std::vector<std::string>> decisions;
+  try {
+    decisions = nlohmann::json::parse(text);
+  } catch (const nlohmann::json::exception& error) {
+    throw refuse(std::string("no decisions can be read here: ") + error.what());
+  }
+  for (const auto& [word, keys] : decisions)
+    if (word != "accept" && word != "reject") throw refuse("'" + word + "' is no decision");
+  return decisions;
+}
+
+/// What somebody chose on the page.
+ExitCode run_decisions(const Options& options, snapshot::Outcome& outcome) {
+  std::map<std::string, std::vector<std::string>> decisions = read_decisions(options.from);
+  // Names are looked up before anything is stored.
+  const std::vector<Finding*> rejected = findings_named(outcome, decisions["reject"]);
+  int refused = 0, accepted = 0, turned_down = 0;
+  for (Finding* finding : findings_named(outcome, decisions["accept"])) {
+    if (std::ranges::find(rejected, finding) != rejected.end())
+      throw UsageError(finding->key() + " is both accepted and rejected");
+  }
+  for (Finding* finding : findings_named(outcome, decisions["accept"]))
+    if (finding->fails()) ++(accept_one(options, outcome, *finding) ? accepted : refused);
+  for (Finding* finding : rejected) {
+    if (!finding->fails()) continue;
+    finding->review = Review::Rejected;
+    ++turned_down;
+  }
+  snapshot::write_outcome(report_folder(options), outcome);
+  retell_page(report_folder(options), outcome, options);
+  if (!options.quiet)
+    std::cerr << snapshot::counted(accepted, "finding") << " accepted, " << turned_down
+              << " rejected, " << refused << " refused; "
+              << snapshot::summary(snapshot::tally(outcome)) << '\n';
+  return snapshot::tally(outcome).failing == 0 ? ExitCode::Same : ExitCode::Different;
+}
+
 ExitCode run_review(const Options& options) {
   snapshot::Outcome outcome = snapshot::read_outcome(report_folder(options));
   const auto code = [&] {
@@ -169,6 +239,7 @@ ExitCode run_review(const Options& options) {
     return code();
   }
   refuse_in_ci();
+  if (!options.from.empty()) return run_decisions(options, outcome);
   ReviewSession(options, outcome).run();
   retell_page(report_folder(options), outcome, options);
   std::cout << snapshot::summary(snapshot::tally(outcome)) << '\n';
@@ -213,18 +284,7 @@ ExitCode run_accept(const Options& options) {
   snapshot::Outcome outcome = snapshot::read_outcome(report_folder(options));
   int refused = 0, accepted = 0;
   for (Finding* finding : findings_named(outcome, options.scenarios)) {
-    if (!finding->fails()) continue;
-    const std::string why = snapshot::accept(report_folder(options), outcome.snapshots, *finding,
-                                             {options.accept_as, options.note});
-    if (!why.empty()) {
-      ++refused;
-      std::cerr << why << '\n';
-      continue;
-    }
-    ++accepted;
-    if (!options.quiet)
-      std::cout << snapshot::kDone[static_cast<std::size_t>(finding->done)] << " " << finding->key()
-                << '\n';
+    if (finding->fails()) ++(accept_one(options, outcome, *finding) ? accepted : refused);
   }
   snapshot::write_outcome(report_folder(options), outcome);
   retell_page(report_folder(options), outcome, options);
@@ -238,7 +298,7 @@ Verb review_verb() {
   return {"review",
           "Go through what the last check found, one key each: accept, reject, skip, show",
           &run_review,
-          "--list --json --out",
+          "--list --from --json --out",
           {{"--list", "Print a line each instead of asking"},
            {"--json", "Print the findings as JSON"}}};
 }

@@ -80,6 +80,7 @@ struct Options {
   std::string accept_as;                 // under a word more: "osmesa"
   std::string note;                      // what stands beside that
   bool list_only = false;                // `review` prints what there is
+  std::string from;                      // a file of decisions for it
   std::string junit, markdown;           // files to write
   bool github = false;                   // annotations on standard output
   std::string pictures = "auto";         // of `show`: how a terminal draws them

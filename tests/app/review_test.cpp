@@ -94,6 +94,35 @@ TEST_F(ReviewTest, ShowTellsOneAndWhereItsPicturesAre) {
   EXPECT_EQ(run("show group/idea/frame_0009 " + out()).exit_code, 2);
 }
 
+TEST_F(ReviewTest, AFileOfDecisionsIsDone) {
+  const std::string file = folder_.write(
+      "decisions.json", R"({"accept": ["group/idea/frame_0000"], "reject": ["group/idea/trace"]})");
+  const ProgramRun done = run("review --from '" + file + "' " + out(), "CI=");
+  EXPECT_EQ(done.exit_code, 1) << "a rejected trace fails";
+  EXPECT_THAT(done.err, HasSubstr("1 finding accepted, 1 rejected, 0 refused"));
+  EXPECT_THAT(left(), HasSubstr("rejected          group/idea/trace"));
+  EXPECT_THAT(left(), HasSubstr("accepted          group/idea/frame_0000"));
+  const std::string all = folder_.write("all.json", R"({"accept": ["group/idea"]})");
+  EXPECT_EQ(run("review --from - " + out(), "CI=", all).exit_code, 0);
+  EXPECT_EQ(check().exit_code, 0);
+}
+
+TEST_F(ReviewTest, AFileThatDecidesNothingIsRefused) {
+  const auto told = [&](const std::string& text) {
+    const std::string file = folder_.write("decisions.json", text);
+    const ProgramRun result = run("review --from '" + file + "' " + out(), "CI=");
+    EXPECT_EQ(result.exit_code, 2);
+    return result.err;
+  };
+  EXPECT_THAT(told("{"), HasSubstr("as report.html saves it"));
+  EXPECT_THAT(told(R"({"take": []})"), HasSubstr("'take' is no decision"));
+  EXPECT_THAT(told(R"({"accept": ["group/idee"]})"), HasSubstr("names nothing in the last report"));
+  EXPECT_THAT(told(R"({"accept": ["group/idea"], "reject": ["group/idea/trace"]})"),
+              HasSubstr("group/idea/trace is both accepted and rejected"));
+  EXPECT_THAT(run("review --from nowhere.json " + out(), "CI=").err, HasSubstr("no such file"));
+  EXPECT_THAT(run("review --from x.json " + out(), "CI=true").err, HasSubstr("unset CI"));
+}
+
 TEST_F(ReviewTest, OthersAreToldInTheirWays) {
   const ProgramRun result = check("--github --junit '" + (folder_ / "junit.xml") +
                                   "' --markdown '" + (folder_ / "summary.md") + "'");

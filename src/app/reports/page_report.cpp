@@ -28,9 +28,18 @@ class Pictures {
     return "data:image/png;base64," + base64(*png);
   }
 
+  /// Of a file that stands in the page or nowhere.
+  std::string text(const std::string& file) {
+    constexpr std::uintmax_t kMost = 32 << 20, kMostEach = 1 << 20;
+    const std::optional<std::string> all = snapshot::read_text_file(folder_ / file);
+    if (!all || all->size() > kMostEach || text_bytes_ + all->size() > kMost) return {};
+    text_bytes_ += all->size();
+    return *all;
+  }
+
  private:
   std::filesystem::path folder_;
-  std::uintmax_t bytes_ = 0;
+  std::uintmax_t bytes_ = 0, text_bytes_ = 0;
 };
 
 /// What of a scenario's trace differs in one frame.
@@ -51,15 +60,19 @@ std::vector<std::string> facts_of(const snapshot::Outcome& outcome, const Findin
 
 Json finding_json(const Told& told, const Finding& finding, Pictures& pictures) {
   Json json{{"key", finding.key()},
+            {"scenario", finding.scenario},
             {"kind", snapshot::name_of(finding.kind)},
             {"sentence", finding.sentence},
             {"details", finding.details},
             {"review", snapshot::kReviews[static_cast<std::size_t>(finding.review)]}};
-  if (!finding.file.empty()) json["accept"] = accept_command(told, finding.key());
+  // An expectation is mended, not accepted, and so is what is known to be bad.
+  if (!finding.file.empty() && finding.kind != snapshot::FindingKind::KnownBad)
+    json["accept"] = accept_command(told, finding.key());
   if (!finding.is_picture()) return json;
   json["frame"] = *finding.frame;
   json["facts"] = facts_of(told.outcome, finding);
   json["layers"] = finding.layers;
+  if (!finding.layers_picture.empty()) json["layers_svg"] = pictures.text(finding.layers_picture);
   if (!finding.candidate.empty()) json["candidate"] = pictures.source(finding.candidate);
   if (!finding.expected.empty()) json["expected"] = pictures.source(finding.expected);
   if (!finding.difference.empty()) json["difference"] = pictures.source(finding.difference);
@@ -69,6 +82,7 @@ Json finding_json(const Told& told, const Finding& finding, Pictures& pictures) 
 void tell_page(const Told& told) {
   Pictures pictures(told.folder);
   Json json{{"summary", snapshot::summary(snapshot::tally(told.outcome))},
+            {"out", out_argument(told)},
             {"causes", Json::array()}};
   for (const Cause& cause : snapshot::causes(told.outcome)) {
     std::string kind(snapshot::name_of(cause.findings.front()->kind));

@@ -33,6 +33,9 @@ void tell_all(const Told& told);
 /// A path below the folder of the report, as the shell where we run would name it.
 std::string path_in(const Told& told, const std::string& file);
 
+/// " --out DIR" where commands on this report need it, else nothing.
+std::string out_argument(const Told& told);
+
 /// The shell command that accepts findings, or all of some folders: keys with blanks between them.
 std::string accept_command(const Told& told, const std::string& keys);
 

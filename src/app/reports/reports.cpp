@@ -24,10 +24,13 @@ void retell_page(const std::filesystem::path& folder, const snapshot::Outcome& o
   if (kPageReport.is_wanted(told)) kPageReport.tell(told);
 }
 
+std::string out_argument(const Told& told) {
+  if (told.options.out == Options().out) return {};
+  return " --out " + for_shell(told.options.out);
+}
+
 std::string accept_command(const Told& told, const std::string& keys) {
-  std::string command = "contactscope check --accept " + keys;
-  if (told.options.out != Options().out) command += " --out " + for_shell(told.options.out);
-  return command;
+  return "contactscope check --accept " + keys + out_argument(told);
 }
 
 }  // namespace contactscope::app
