@@ -41,9 +41,16 @@ std::optional<Thing> thing_of(const Difference& difference) {
       return Thing{"axis query", "axis queries"};
     case Stage::Decision:
       return Thing{"chosen axis", "chosen axes"};
-    case Stage::Faces:
-      return difference.text.starts_with("reference") ? Thing{"reference face", "reference faces"}
-                                                      : Thing{"incident face", "incident faces"};
+    case Stage::Faces: {
+      const bool is_another = std::ranges::any_of(difference.what, [](const Changes::What& what) {
+        return what.words == "face " || what.words == "shape ";
+      });
+      if (difference.text.starts_with("reference"))
+        return is_another ? Thing{"reference face", "reference faces"}
+                          : Thing{"place of the reference face", "places of reference faces"};
+      return is_another ? Thing{"incident face", "incident faces"}
+                        : Thing{"place of the incident face", "places of incident faces"};
+    }
     case Stage::Clipping:
       return Thing{"clip step", "clip steps"};
     case Stage::Reduction:

@@ -160,6 +160,8 @@ TEST_F(Check, UnmetExpectationFailsThoughTheSnapshotAgrees) {
   const ProgramRun result = check();
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_THAT(result.out, HasSubstr("frames 0 to 1, slab-crate: expected 3 points, got 4\n"));
+  EXPECT_THAT(result.err, HasSubstr("an expectation is mended"));
+  EXPECT_THAT(result.err, testing::Not(HasSubstr("--accept"))) << "there is nothing to accept";
 }
 
 TEST_F(Check, MissingFileAndTornFileAreCaught) {

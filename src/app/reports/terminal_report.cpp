@@ -63,6 +63,15 @@ void print_written(const ScenarioOutcome& scenario) {
                           " written or removed");
 }
 
+/// The first scenario of which something can be accepted; empty where nothing can.
+std::string acceptable(const snapshot::Outcome& outcome) {
+  for (const Cause& cause : snapshot::causes(outcome))
+    for (const snapshot::Finding* finding : cause.findings)
+      if (!finding->file.empty() && finding->kind != snapshot::FindingKind::KnownBad)
+        return finding->scenario;
+  return {};
+}
+
 void tell_terminal(const Told& told) {
   const snapshot::Outcome& outcome = told.outcome;
   const Options& options = told.options;
@@ -93,9 +102,12 @@ void tell_terminal(const Told& told) {
                             "check\n");
   std::cerr << snapshot::summary(counts) << '\n';
   if (counts.failing == 0) return;
-  std::cerr << "see " << path_in(told, "report.html") << "; contactscope review goes through it, "
-            << accept_command(told, snapshot::causes(outcome).front().scenarios.front())
-            << " takes one of them\n";
+  const std::string scenario = acceptable(outcome);
+  std::cerr << "see " << path_in(told, "report.html")
+            << (scenario.empty() ? "; an expectation is mended, in its scenario or in what fails it"
+                                 : "; contactscope review goes through it, " +
+                                       accept_command(told, scenario) + " takes one of them")
+            << '\n';
 }
 
 }  // namespace
