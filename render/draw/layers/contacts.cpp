@@ -182,7 +182,8 @@ void count_shared(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   for (const auto& [kept, count] : places) {
     if (count < 2) continue;
     sketch.label(kept.point->position, "×" + std::to_string(count), kContact, 15, 9);
-    sketch.explain(kOnePlaceSwatch, "points in one place", kept.point->position);
+    if (scene.camera.sees(kept.point->position))
+      sketch.explain(kOnePlaceSwatch, "points in one place", kept.point->position);
   }
 }
 
