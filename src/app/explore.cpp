@@ -1,6 +1,8 @@
 #include <filesystem>
 #include <iostream>
+#include <optional>
 #include <tuple>
+#include <utility>
 
 #include "app/catalogue.h"
 #include "app/figure_canvas.h"
@@ -196,10 +198,19 @@ ExitCode run_explore(const Options& options) {
   const std::shared_ptr<const Words> words = words_of(input, options);
   ExploreOptions explore_options;
   if (!options.reducer.empty()) explore_options.reducers = {known_reducer(options.reducer)};
+  explore_options.threads = options.jobs;
+  std::optional<Progress> progress;
+  std::string stage;
+  explore_options.progress = [&](const std::string& what, int total) {
+    stop_if_interrupted();
+    if (std::exchange(stage, what) != what) progress.emplace(total, options.quiet);
+    progress->advance(what);
+  };
   Explorations explorations =
       input.trace ? explore({std::move(input.trace->header), std::move(input.trace->frames)},
                             explore_options)
                   : explore(scenario, frames.back(), explore_options);
+  progress.reset();
   // Frames before the first one asked for ran too: some reducers go by what they kept there.
   std::erase_if(explorations, [&](const trace::Exploration& exploration) {
     return std::ranges::find(frames, exploration.frame) == frames.end();

@@ -2,14 +2,15 @@
 
 #include <algorithm>
 #include <map>
+#include <mutex>
 #include <tuple>
 #include <utility>
 
 #include "core/at.h"
-#include "reduce/polygon_area.h"
+#include "core/workers.h"
 #include "reduce/reducer.h"
 #include "scenario/run.h"
-#include "study/study.h"
+#include "study/explorer.h"
 #include "trace/find.h"
 
 namespace contactscope {
@@ -42,55 +43,11 @@ Scenario unreduced(const Scenario& scenario) {
   return result;
 }
 
-using Points = std::vector<trace::Point>;
-
-/// How many ids came or went.
-int changed(const Points& before, const Points& now) {
-  const auto missing = [](const Points& from, const Points& in) {
-    return std::ranges::count_if(from, [&](const trace::Point& point) {
-      return std::ranges::find(in, point.id, &trace::Point::id) == in.end();
-    });
-  };
-  return static_cast<int>(missing(before, now) + missing(now, before));
-}
-
-/// The largest way of a point of `some` to where `others` have its id, or else to the nearest.
-double farthest_way(const Points& some, const Points& others) {
-  double most = 0;
-  for (const trace::Point& place : some) {
-    const auto way = [&](const trace::Point& other) {
-      return (place.position - other.position).norm();
-    };
-    const auto same = std::ranges::find(others, place.id, &trace::Point::id);
-    most =
-        std::max(most, same != others.end() ? way(*same) : std::ranges::min(mapped(others, way)));
-  }
-  return most;
-}
-
-Vec3d middle_of(const Points& places) {
-  Vec3d sum = Vec3d::Zero();
-  for (const trace::Point& place : places) sum += place.position;
-  return sum / static_cast<double>(places.size());
-}
-
-/// How far a manifold moved from one frame to the next, in metres: the largest move of any of its
-/// points, or of their middle if that is more. A point that bears the same id in both moves between
-/// its two places; one that came is as far as the nearest place before, one that went as the
-/// nearest place after. So four points that give way to four others about the same middle have
-/// moved, and an id that is spelled anew at the same place has not. 0 where either frame has no
-/// points.
-double patch_move(const Points& before, const Points& now) {
-  if (before.empty() || now.empty()) return 0;
-  return std::max({farthest_way(before, now), farthest_way(now, before),
-                   (middle_of(now) - middle_of(before)).norm()});
-}
-
 /// How far any surface point of a shape moved between two poses, in metres, of those looked at: its
 /// vertices and, as a plane has none and a sphere's is its centre, what it has now at `contacts`
 /// (world). Exactly 0 where the pose is the same.
 double surface_move(const trace::Shape& shape, const Pose<double>& before, const Pose<double>& now,
-                    const Points& contacts) {
+                    const std::vector<trace::Point>& contacts) {
   // There and back through the local frame would leave rounding.
   if (before.position == now.position && before.rotation.coeffs() == now.rotation.coeffs())
     return 0;
@@ -103,89 +60,6 @@ double surface_move(const trace::Shape& shape, const Pose<double>& before, const
   }
   return most;
 }
-
-/// Answers for the manifolds of one pair, or of one triangle of a mesh, frame after frame.
-template <class S>
-class Explorer {
- public:
-  Explorer(const std::vector<std::string>& names, int max_points)
-      : names_(names), reducers_(mapped(names, find_reducer)), max_points_(max_points) {}
-
-  /// All but whether the centre of mass is supported, which takes all manifolds of a pair.
-  void answer(bool measure_time, trace::Exploration& result) {
-    // What was kept is forgotten after a frame in which the shapes did not touch.
-    if (result.frame != last_frame_ + 1) memories_.assign(names_.size(), {});
-    last_frame_ = result.frame;
-    std::vector<ContactPoint<double>> exact;
-    std::vector<ContactPoint<S>> points;
-    for (const trace::Point& point : result.points) {
-      const FeatureId id = id_of(point.id);
-      exact.push_back({point.position, point.separation, id});
-      // Exact: the trace holds what was computed in S.
-      points.push_back({point.position.cast<S>(), static_cast<S>(point.separation), id});
-    }
-    const auto previous = mapped(memories_, [&](const Points& kept) {
-      return mapped(kept, [&](const trace::Point& point) { return id_of(point.id); });
-    });
-    const Vec3<S> normal = result.normal.cast<S>();
-    const auto run = [&](const ReducerInfo* reducer, std::span<const FeatureId> before) {
-      ReduceOptions options;
-      options.max_points = max_points_;
-      options.previous = before;
-      return reduce<S>(reducer, points, normal, options);
-    };
-
-    for (std::size_t i = 0; i < names_.size(); ++i) {
-      const KeptIndices kept = run(reducers_[i], previous[i]);
-      // `none` keeps more than max_points: it is measured against itself.
-      trace::ReducerAnswer& answer = result.reducers.emplace_back(
-          measure_reduction(exact, result.normal, {kept.begin(), kept.size()},
-                            std::max(max_points_, count_of(kept))));
-      answer.name = names_[i];
-      const Points now = mapped(kept, [&](int index) { return at(result.points, index); });
-      const Points before = std::exchange(memories_[i], now);
-      if (before.empty()) continue;
-      answer.ids_changed = changed(before, now);
-      answer.patch_moved = patch_move(before, now);
-    }
-    const std::vector<Vec3d> places = mapped(exact, &ContactPoint<double>::position);
-    result.best_area = best_convex_area(places, result.normal, max_points_);
-    const KeptIndices best = run(find_reducer("optimal"), {});
-    result.best.assign(best.begin(), best.end());
-    if (!measure_time || count_of(points) <= max_points_) return;
-    constexpr int kRounds = 41;
-    constexpr int kCalls = 24;
-    std::vector<PassTimes> times(names_.size());
-    for (int round = 0; round < kRounds; ++round) {
-      for (std::size_t i = 0; i < names_.size(); ++i) {
-        times[i].measure(kCalls, [&](int) {
-          return static_cast<double>(run(reducers_[i], previous[i]).size());
-        });
-      }
-    }
-    for (std::size_t i = 0; i < names_.size(); ++i) {
-      const std::vector<double> sorted = times[i].sorted();
-      result.reducers[i].min = sorted.front();
-      result.reducers[i].median = sorted[kRounds / 2];
-      result.reducers[i].quarter = sorted[kRounds * 3 / 4];
-    }
-  }
-
- private:
-  /// Ids of the trace as ids that a reducer can compare: any spelling has its own, in all frames.
-  FeatureId id_of(const std::string& spelled) {
-    const auto number = static_cast<std::uint32_t>(ids_.size());
-    const std::uint32_t edge = ids_.emplace(spelled, number).first->second;
-    return FeatureId::of({Owner::A, edge}, {Owner::B, edge});
-  }
-
-  const std::vector<std::string>& names_;
-  std::vector<const ReducerInfo*> reducers_;
-  std::vector<Points> memories_;  // what each kept in the last frame
-  int max_points_;
-  int last_frame_ = -2;
-  std::map<std::string, std::uint32_t> ids_;
-};
 
 /// A weight goes straight down, whichever way the contact leans, and rests on what is kept of all
 /// the pair's manifolds together: a triangle of a floor alone holds few boxes.
@@ -208,7 +82,8 @@ void find_supported(const Vec3d& up, const Vec3d& load, std::span<trace::Explora
   }
 }
 
-/// Explorations of frame after frame, whose manifolds have all points.
+/// Explorations of frame after frame, whose manifolds have all points. Manifolds that bear one name follow each other;
+/// those of different names are explored at once, when all frames are there.
 template <class S>
 class Explorations {
  public:
@@ -232,22 +107,67 @@ class Explorations {
           add_manifold(frame, pair, manifold, places[manifold.triangle.value_or(-1)]++,
                        max_points(i));
       if (result_.size() == first) continue;
-      if (!knows(pair.a) || !knows(pair.b)) {  // a patch without bodies bears no weight
-        for (trace::Exploration& exploration : std::span(result_).subspan(first))
-          for (trace::ReducerAnswer& answer : exploration.reducers)
-            answer.supports_center_of_mass.reset();
-        continue;
-      }
+      Resting& resting = resting_.emplace_back(first, result_.size() - first);
+      if (!knows(pair.a) || !knows(pair.b)) continue;  // a patch without bodies bears no weight
       // The body that is higher up rests on the other one.
       const Vec3d up = header_.up == "z" ? Vec3d::UnitZ() : Vec3d::UnitY();
       const Vec3d a = center(frame, pair.a), b = center(frame, pair.b);
-      find_supported(up, a.dot(up) > b.dot(up) ? a : b, std::span(result_).subspan(first));
+      resting.load = a.dot(up) > b.dot(up) ? a : b;
     }
     before_ = frame;
   }
-  std::vector<trace::Exploration> take() { return std::move(result_); }
+
+  std::vector<trace::Exploration> explored() {
+    std::vector<Line*> lines;
+    for (auto& [name, line] : lines_) lines.push_back(&line);
+    std::vector<typename Explorer<S>::Memory> memories(result_.size());
+    std::mutex telling;
+    Workers workers(options_.threads > 0 ? options_.threads : hardware_threads());
+    workers.for_each(count_of(lines), [&](int i, int) {
+      Line& line = *at(lines, i);
+      for (const std::size_t place : line.places)
+        memories[place] = line.explorer.answer(result_[place]);
+      const std::lock_guard lock(telling);
+      tell("manifolds", count_of(lines));
+    });
+    workers.for_each(count_of(resting_), [&](int i, int) { rest(at(resting_, i)); });
+    if (options_.measure_time) {
+      for (Line* line : lines) {
+        for (const std::size_t place : line->places)
+          if (line->explorer.has_times(result_[place]))
+            line->explorer.measure_time(result_[place], memories[place]);
+        tell("manifolds that are timed", count_of(lines));
+      }
+    }
+    return std::move(result_);
+  }
+
+  void tell(const char* what, int total) const {
+    if (options_.progress) options_.progress(what, total);
+  }
 
  private:
+  /// The manifolds of one name: places in the result.
+  struct Line {
+    Explorer<S> explorer;
+    std::vector<std::size_t> places{};
+  };
+  /// The manifolds of a pair in a frame, and the centre of mass of what rests on them, where that is known.
+  struct Resting {
+    std::size_t first, count;
+    std::optional<Vec3d> load{};
+    Resting(std::size_t first_place, std::size_t how_many) : first(first_place), count(how_many) {}
+  };
+
+  void rest(const Resting& resting) {
+    const auto manifolds = std::span(result_).subspan(resting.first, resting.count);
+    if (resting.load)
+      return find_supported(header_.up == "z" ? Vec3d::UnitZ() : Vec3d::UnitY(), *resting.load,
+                            manifolds);
+    for (trace::Exploration& exploration : manifolds)
+      for (trace::ReducerAnswer& answer : exploration.reducers)
+        answer.supports_center_of_mass.reset();
+  }
   bool knows(const std::string& name) const {
     return std::ranges::find(header_.shapes, name, &trace::Shape::name) != header_.shapes.end();
   }
@@ -276,8 +196,8 @@ class Explorations {
           surface_move(shape(name), *then, *trace::find_pose(frame, name), manifold.points));
     }
     const ManifoldName name(pair.a, pair.b, pair.label, manifold.triangle.value_or(-1), place);
-    explorers_.try_emplace(name, names_, max_points)
-        .first->second.answer(options_.measure_time, exploration);
+    lines_.try_emplace(name, Line{Explorer<S>(names_, max_points)})
+        .first->second.places.push_back(result_.size());
     result_.push_back(std::move(exploration));
   }
 
@@ -285,7 +205,8 @@ class Explorations {
   const std::string& scenario_;
   const ExploreOptions& options_;
   std::vector<std::string> names_;
-  std::map<ManifoldName, Explorer<S>> explorers_;
+  std::map<ManifoldName, Line> lines_;
+  std::vector<Resting> resting_;
   trace::Frame before_;
   std::vector<trace::Exploration> result_;
 };
@@ -297,12 +218,14 @@ std::vector<trace::Exploration> explore_in(const Scenario& scenario, int last_fr
   Runner runner(source);
   const trace::Header header = runner.header();
   Explorations<S> explorations(header, scenario.name, options);
-  for (int f = 0; f <= last_frame; ++f)
+  for (int f = 0; f <= last_frame; ++f) {
     explorations.add(runner.frame_unrecorded(f), [&](int pair) {
       return source.patches.empty() ? at(source.pairs, pair).pipeline.max_points
                                     : source.pipeline.max_points;
     });
-  return explorations.take();
+    explorations.tell("frames", last_frame + 1);
+  }
+  return explorations.explored();
 }
 
 /// An engine that keeps points from frames before may tell one contact as several manifolds, each with the normal of its
@@ -342,7 +265,7 @@ std::vector<trace::Exploration> explore_in(const trace::Trace& trace,
     }
     explorations.add(frame, [](int) { return ReduceOptions{}.max_points; });
   }
-  return explorations.take();
+  return explorations.explored();
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -36,6 +37,10 @@ bool supports(std::span<const ContactPoint<double>> points, const Vec3d& normal,
 struct ExploreOptions {
   std::vector<std::string> reducers;  // names; empty: every one that is listed
   bool measure_time = true;
+  int threads =
+      0;  // of what is not timed; 0: as many as the processor runs. Answers are the same for any
+  /// Told of each step, in any thread, but by one at a time; may throw to stop. `what`: of which there are `total`.
+  std::function<void(const std::string& what, int total)> progress{};
 };
 
 /// Runs every reducer on the unreduced manifolds of frames 0 to `last_frame` of a scenario, in its

@@ -4,11 +4,13 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "core/workers.h"
 #include "study/picture.h"
 #include "trace/study.h"
 
@@ -25,9 +27,11 @@ struct StudyOptions {
       peer_folders{};  // of programs of other libraries; $PATH is looked through too
   const std::vector<Scenario>* scenarios = nullptr;  // of a study that is of scenarios
   std::vector<int> only_frames{};                    // of those; empty: all
+  int threads =
+      0;  // of what is not timed; 0: as many as the processor runs. Errors are the same for any
 };
 
-/// Told of each step; may throw to stop the study.
+/// Told of each step, in any thread, but by one at a time; may throw to stop the study.
 using StudyProgress = std::function<void(int done, int total, const std::string& what)>;
 
 /// One result for each measure of error, the main one first.
@@ -143,6 +147,7 @@ struct StudyGrid {
   std::vector<int> parameters;
   int cases;  // a parameter
   int repetitions;
+  int threads;
 
   /// `list`: anything with a `name` each. The options go before the study's own numbers.
   template <class Methods>
@@ -150,13 +155,14 @@ struct StudyGrid {
             int own_cases, int own_repetitions)
       : parameters(every_parameter.begin(), every_parameter.end()),
         cases(options.cases.value_or(own_cases)),
-        repetitions(options.repetitions.value_or(own_repetitions)) {
+        repetitions(options.repetitions.value_or(own_repetitions)),
+        threads(options.threads > 0 ? options.threads : hardware_threads()) {
     for (const auto& method : list) methods.emplace_back(method.name);
   }
 };
 
-/// Steps: for each parameter make its cases, `prepare(p)`, and let each method be judged by them,
-/// `judge(m, p, measurement)`; then time passes over all cases, `call(m, p, i)`, methods in turn
+/// Steps: for each parameter make its cases, `prepare(p)`; let each method be judged by them,
+/// `judge(m, p, measurement)`, several at once; then, in one thread, time passes over all cases, `call(m, p, i)`, methods in turn
 /// within a repetition and each repetition beginning with another one, so that a slow moment of the
 /// machine falls on all alike. The lines are added to the results.
 template <class Prepare, class Judge, class Call>
@@ -167,11 +173,17 @@ void measure_grid(const StudyGrid& grid, std::vector<trace::Study>& results,
   std::vector<std::vector<Measurement>> measured(
       methods, {parameters, Measurement(results.size(), grid.cases)});
   const StudyStep step = counted(progress, static_cast<int>(parameters) + grid.repetitions);
-  for (std::size_t p = 0; p < parameters; ++p) {
-    prepare(p);
-    for (std::size_t m = 0; m < methods; ++m) judge(m, p, measured[m][p]);
-    step("errors of " + std::to_string(grid.parameters[p]) + " " + results.front().parameter);
-  }
+  for (std::size_t p = 0; p < parameters; ++p) prepare(p);
+  std::mutex telling;
+  std::vector<std::size_t> judged(parameters);
+  Workers(grid.threads).for_each(static_cast<int>(methods * parameters), [&](int piece, int) {
+    const std::size_t p = static_cast<std::size_t>(piece) / methods;
+    const std::size_t m = static_cast<std::size_t>(piece) % methods;
+    judge(m, p, measured[m][p]);
+    const std::lock_guard lock(telling);
+    if (++judged[p] == methods)
+      step("errors of " + std::to_string(grid.parameters[p]) + " " + results.front().parameter);
+  });
   for (int repetition = 0; repetition < grid.repetitions; ++repetition) {
     for (std::size_t p = 0; p < parameters; ++p) {
       for (std::size_t turn = 0; turn < methods; ++turn) {

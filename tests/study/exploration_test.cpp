@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <set>
 
 #include "reduce/reducer.h"
+#include "trace/exploration.h"
 
 namespace contactscope {
 namespace {
@@ -51,6 +53,30 @@ const trace::ReducerAnswer& answer_of(const trace::Exploration& exploration,
 class Explore : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Scalars, Explore, testing::Values("float", "double"),
                          [](const auto& test) { return std::string(test.param); });
+
+/// Two crates turn on a floor: two manifolds that are explored at once.
+TEST_P(Explore, SaysTheSameForAnyNumberOfThreads) {
+  const Scenario scenario = octagon(
+      GetParam(), std::string(kAtRest) + "\nmotion = { angular_velocity = [0, 0.1, 0] }",
+      "[shapes.other]\ntype = \"box\"\nhalf_extents = [0.2, 0.2, 0.2]\nposition = [0.3, 1.19, 0]\n"
+      "[[pairs]]\na = \"floor\"\nb = \"crate\"\n[[pairs]]\na = \"crate\"\nb = \"other\"");
+  const auto told = [&](int threads) {
+    ExploreOptions options = untimed();
+    options.threads = threads;
+    std::map<std::string, int> steps;
+    options.progress = [&](const std::string& what, int) { ++steps[what]; };
+    std::string lines;
+    for (const trace::Exploration& exploration : explore(scenario, 3, options))
+      lines += trace::to_json_line(exploration) + "\n";
+    EXPECT_EQ(steps["frames"], 4);
+    EXPECT_EQ(steps["manifolds"], 2);
+    return lines;
+  };
+  const std::string alone = told(1);
+  EXPECT_EQ(std::ranges::count(alone, '\n'), 8);
+  EXPECT_EQ(told(2), alone);
+  EXPECT_EQ(told(5), alone);
+}
 
 TEST_P(Explore, RunsEveryListedReducerButTheOneThatKeepsAll) {
   std::vector<std::string> listed;

@@ -49,6 +49,23 @@ std::vector<std::optional<double>> errors(const trace::Study& study) {
   return list;
 }
 
+TEST(ReducerStudy, ErrorsAreTheSameForAnyNumberOfThreads) {
+  for (const int threads : {1, 2, 7}) {
+    StudyOptions options = small();
+    options.threads = threads;
+    int steps = 0;
+    const std::vector<trace::Study> same =
+        study_reducers(options, [&](int done, int total, const std::string&) {
+          EXPECT_EQ(done, ++steps);
+          EXPECT_LE(done, total);
+        });
+    EXPECT_EQ(steps, 6 + 3) << "six numbers of points, three passes that are timed";
+    ASSERT_EQ(same.size(), results().size());
+    for (std::size_t i = 0; i < same.size(); ++i)
+      EXPECT_EQ(errors(same[i]), errors(results()[i])) << same[i].measure;
+  }
+}
+
 TEST(ReducerStudy, HasALineForEveryReducerButNone) {
   std::vector<std::string> wanted;
   for (const ReducerInfo& info : reducers()) {
