@@ -74,3 +74,11 @@ planted_bug(ids_kept_before_not_flipped FILE src/manifold/dispatch.h TESTS manif
 planted_bug(support_kept_however_far FILE src/manifold/pair_cache.cpp TESTS manifold
   WAS [[const bool still_deepest = S(2) * moved < cache.support_clearance;]]
   IS [[const bool still_deepest = @BUG@ || S(2) * moved < cache.support_clearance;]])
+
+# Two boxes, which have a path of their own.
+planted_bug(box_normal_of_b_not_turned FILE src/manifold/collide_box_box.cpp TESTS manifold
+  WAS [[contact.normal = of_a ? faces.plane.normal : Vec3<S>(-faces.plane.normal);]]
+  IS [[contact.normal = of_a || @BUG@ ? faces.plane.normal : Vec3<S>(-faces.plane.normal);]])
+planted_bug(box_ids_of_the_other_owner FILE src/manifold/collide_box_box.cpp TESTS manifold
+  WAS [[static_cast<std::size_t>(faces.incident + (of_a ? 6 : 0))]]
+  IS [[static_cast<std::size_t>(faces.incident + (of_a != @BUG@ ? 6 : 0))]])
