@@ -75,7 +75,7 @@ std::string result_of(const Rollout& rollout) {
     resting = score.resting;
     if (score.fell_at)
       fallen.push_back(name_of(rollout, i) + " (" + spelled("%.2f", *score.fell_at) + " s)");
-    else
+    else if (score.failure.empty())  // who broke off does not know
       standing.push_back(name_of(rollout, i));
   }
   const std::string bodies = resting == 1   ? "The body"
@@ -83,7 +83,7 @@ std::string result_of(const Rollout& rollout) {
                                             : "All " + std::to_string(resting) + " bodies";
   constexpr std::size_t kMostNamed = 4;
   const std::string stand = resting == 1 ? " stands in " : " stand in ";
-  if (resting == 0) return overlaps_of(rollout);
+  if (resting == 0 || (fallen.empty() && standing.empty())) return overlaps_of(rollout);
   if (fallen.empty())
     return bodies + stand +
            (standing.size() > kMostNamed ? "all " + std::to_string(standing.size()) + " engines"

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <fstream>
 #include <iterator>
 
 #include "app/catalogue.h"
@@ -69,9 +68,8 @@ TEST_P(EveryScenario, MeetsItsExpectationsAndGivesTheStoredTraceByteForByte) {
     if (std::ranges::find(scenario.snapshots.frames, number) != scenario.snapshots.frames.end())
       given.frames.push_back(frame);
   }
-  std::ifstream file(snapshot::trace_path(CONTACTSCOPE_SOURCE_DIR "/snapshots", scenario.name));
-  const std::string stored{std::istreambuf_iterator<char>(file), {}};
-  EXPECT_EQ(snapshot::to_json_lines(given), stored);
+  EXPECT_EQ(snapshot::to_json_lines(given),
+            snapshot::read_stored_trace(CONTACTSCOPE_SOURCE_DIR "/snapshots", scenario.name));
 }
 
 TEST_P(EveryScenario, NamesItsSource) {

@@ -2,78 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
-#include <map>
+#include <string>
+#include <vector>
 
-#include "trace/find.h"
-#include "trace/json.h"
+#include "trace/trace.h"
 
 namespace contactscope::trace {
 namespace {
-
-/// Points that have the id that the pipeline gave them once their ids were taken away and made up anew.
-struct Agreement {
-  int same = 0, of = 0;
-};
-
-/// By kind of pair and axis.
-using Agreements = std::map<std::string, Agreement>;
-
-/// What other engines do not tell.
-void take_ids_away(Frame& frame) {
-  for (Pair& pair : frame.pairs)
-    for (Manifold& manifold : pair.manifolds) {
-      manifold.axis.clear();
-      for (Point& point : manifold.points) point.id.clear();
-    }
-}
-
-/// Of a frame and its copy with ids made up.
-void compare(const Frame& ours, const Frame& made_up, Agreements& all) {
-  for (std::size_t p = 0; p < ours.pairs.size(); ++p) {
-    const Pair& pair = ours.pairs[p];
-    // A field has no features; a confirmed point keeps the id of the frame in which it was found.
-    if (pair.kind.find("sdf") != std::string::npos || pair.incremental) continue;
-    for (std::size_t m = 0; m < pair.manifolds.size(); ++m) {
-      const Manifold& manifold = pair.manifolds[m];
-      Agreement& agreement = all[pair.kind + " " + manifold.axis];
-      for (std::size_t i = 0; i < manifold.points.size(); ++i) {
-        ++agreement.of;
-        agreement.same += made_up.pairs[p].manifolds[m].points[i].id == manifold.points[i].id;
-      }
-    }
-  }
-}
-
-TEST(PointNames, SlowAgreeWithThePipelineInNinetyNineOfAHundred) {
-  Agreements all;
-  for (const auto& entry :
-       std::filesystem::recursive_directory_iterator(CONTACTSCOPE_SOURCE_DIR "/snapshots")) {
-    if (entry.path().extension() != ".jsonl") continue;
-    std::ifstream file(entry.path());
-    const Trace trace = read_trace(file, entry.path());
-    std::vector<Shape> shapes = trace.header.shapes;
-    for (const Frame& frame : trace.frames) {
-      shapes.insert(shapes.end(), frame.shapes.begin(), frame.shapes.end());
-      Frame named = frame;
-      take_ids_away(named);
-      name_points(shapes, named);
-      compare(frame, named, all);
-    }
-  }
-  Agreement sum;
-  std::string others;
-  for (const auto& [kind, agreement] : all) {
-    sum.same += agreement.same;
-    sum.of += agreement.of;
-    if (agreement.same < agreement.of)
-      others += "\n" + kind + ": " + std::to_string(agreement.same) + " of " +
-                std::to_string(agreement.of);
-  }
-  EXPECT_GE(sum.of, 4000);
-  EXPECT_GE(sum.same, 0.99 * sum.of) << sum.same << " of " << sum.of << others;
-}
 
 Shape unit_box(const std::string& name) {
   Shape box;

@@ -144,11 +144,15 @@ struct ChartOverTime : Pen {
     text(chart.name + ", " + prefix.name + chart.unit, pixel(area.x, area.y - px(8)), Align::Left,
          kText, Weight::Bold);
     const auto rows = std::max(2, static_cast<int>(area.height / px(34)));
-    for (const double value : round_ticks(y.low, y.high, rows)) {
+    const std::vector<double> values = round_ticks(y.low, y.high, rows);
+    // Where the axis does not begin at zero neighbours may differ late: as many digits as tell them apart.
+    const double step = values.size() > 1 ? values[1] - values[0] : 1;
+    const int digits = std::max(4, static_cast<int>(std::ceil(std::log10(largest / step))) + 1);
+    for (const double value : values) {
       const Point2 left = pixel(area.x, y.at(value));
       line(left, pixel(area.right(), left.y), value == 0 ? 1.4 : 1,
            value == 0 ? kChartBorder : kChartGrid);
-      text(spell_number(value / prefix.size), left + Point2{-px(6), px(5)}, Align::Right,
+      text(spell_number(value / prefix.size, digits), left + Point2{-px(6), px(5)}, Align::Right,
            kQuietText);
     }
     const auto columns = std::max(2, static_cast<int>(area.width / px(56)));

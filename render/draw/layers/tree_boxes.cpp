@@ -74,13 +74,16 @@ void draw_tree(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
 
 constexpr Swatch kDeformedSwatch{LegendGroup::Trees, 5, [](auto& pen) { pen.area(kBox, 0, 1.5); }};
 
+// Boxes share faces, and lines that fall together add up: of a lighter tone, where they could let light through.
+constexpr Color kLightBox = {0.3f + 0.7f * kBox.r, 0.3f + 0.7f * kBox.g, 0.3f + 0.7f * kBox.b, 1};
+
 /// What the tree of a mesh that deforms is made of.
 void draw_deformed_trees(const Scene& scene, Sketch& sketch) {
   for (const trace::Deformed& deformed : scene.frame.deformed) {
     const PlacedShape* mesh = scene.find(deformed.name);
     if (mesh == nullptr) continue;
     for (const trace::Box& box : deformed.boxes)
-      outline(box, mesh->pose, {1.2f, with_alpha(kBox, 0.7f)}, sketch);
+      outline(box, mesh->pose, {1.2f, kLightBox}, sketch);
     sketch.explain(kDeformedSwatch, "boxes of the tree, four levels down");
   }
 }
