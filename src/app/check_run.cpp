@@ -11,6 +11,7 @@
 #include "app/figure_canvas.h"
 #include "app/known_same.h"
 #include "app/moved_layers.h"
+#include "app/program_id.h"
 #include "app/progress.h"
 #include "app/reports/report.h"
 #include "app/shard.h"
@@ -166,8 +167,7 @@ class Checker {
 
   /// All that findings depend on and that is of no scenario. Opens OpenGL where pictures are drawn.
   std::string surroundings() {
-    const Timed timed(ledger_, "hash the program");
-    return program_sha256() + " " + snapshot::rounding() + " " +
+    return program_id() + " " + snapshot::rounding() + " " +
            (options_.facts_only ? "facts" : studio_.driver());
   }
 

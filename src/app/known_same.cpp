@@ -107,10 +107,4 @@ std::vector<std::string> contents_of(const std::vector<Input>& inputs, const fs:
   return contents;
 }
 
-std::string program_sha256() {
-  std::error_code unknown;
-  const fs::path program = fs::read_symlink("/proc/self/exe", unknown);
-  return unknown ? "" : sha256_of(program);
-}
-
 }  // namespace contactscope::app

@@ -41,7 +41,4 @@ class KnownSame {
 std::vector<std::string> contents_of(const std::vector<Input>& inputs,
                                      const std::filesystem::path& snapshots);
 
-/// Hash of this program's file; empty where the system does not tell it.
-std::string program_sha256();
-
 }  // namespace contactscope::app

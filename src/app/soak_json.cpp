@@ -10,7 +10,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kSchema = "contactscope.soak/1";
 
-Json to_json(const SoakLine& line) {
+Json line_to_json(const SoakLine& line) {
   Json faults = Json::object(), errors = Json::array();
   for (std::size_t i = 1; i < line.faults.size(); ++i) faults[kContactFaults[i]] = line.faults[i];
   for (const auto& [exponent, count] : line.errors) errors.push_back({exponent, count});
@@ -43,7 +43,7 @@ std::string to_json(const Soak& soak, const std::optional<snapshot::Shard>& shar
   if (shard) json["shard"] = {{"part", shard->part}, {"of", shard->of}};
   json["wrong"] = soak.wrong();
   json["lines"] = Json::array();
-  for (const SoakLine& line : soak.lines) json["lines"].push_back(to_json(line));
+  for (const SoakLine& line : soak.lines) json["lines"].push_back(line_to_json(line));
   json["failures"] = Json::array();
   for (const SoakFailure& failure : soak.failures)
     json["failures"].push_back({{"case", failure.number},

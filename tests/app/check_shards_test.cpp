@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/program.h"
+#include "image/sha256.h"
 
 namespace contactscope::test {
 namespace {
@@ -93,6 +94,24 @@ TEST_F(CheckShards, WhatDidNotChangeIsKnownToBeTheSame) {
   text[text.find("-0.00") + 4] = '9';
   folder_.write("snapshots/group/one/trace.jsonl", text);
   EXPECT_EQ(check().exit_code, 1) << "a stored digit";
+}
+
+TEST_F(CheckShards, WhatIsKnownIsKnownOfThisBuildAlone) {
+  // readelf reads the build id that the linker made, by itself.
+  const std::string listed = folder_ / "notes.txt";
+  const std::string readelf = "LC_ALL=C readelf -n '" CONTACTSCOPE_BINARY_DIR "/contactscope' > ";
+  ASSERT_EQ(std::system((readelf + "'" + listed + "'").c_str()), 0);
+  const std::string notes = read_text(listed);
+  const std::string label = "Build ID: ";
+  const std::size_t found = notes.find(label);
+  if (found == std::string::npos) GTEST_SKIP() << "the linker makes no build ids here";
+  std::string id;
+  for (std::size_t at = found + label.size(); std::isxdigit(static_cast<unsigned char>(notes[at]));
+       at += 2)
+    id += static_cast<char>(std::stoi(notes.substr(at, 2), nullptr, 16));
+  check("--facts-only");
+  const auto known = nlohmann::json::parse(read_text(folder_ / "out/check/known_same.json"));
+  EXPECT_THAT(known["surroundings"].get<std::string>(), testing::StartsWith(sha256(id) + " "));
 }
 
 TEST_F(CheckShards, SeveralProcessesWithOneFolderDoNotHarmEachOther) {
