@@ -90,10 +90,26 @@ TEST(WaysOut, AreTheThreeShortestEachAsLongAsItsOverlap) {
   EXPECT_GT(sketch.arrows[0].width, sketch.arrows[1].width);  // along the contact's normal
 }
 
+TEST(WaysOut, TheOneThatIsTakenLeadsToWhereTheShapesJustTouch) {
+  DeepCrate scene;
+  scene.frames[0].poses[1].second.position = {0.9, 0.25, 0};
+  const Sketch sketch = scene.sketch();
+  ASSERT_FALSE(sketch.lines.empty());
+  double lowest = 1e300, highest = -1e300;
+  for (const Line& line : sketch.lines) {
+    EXPECT_TRUE(line.style.dashed);
+    lowest = std::min({lowest, line.from.y(), line.to.y()});
+    highest = std::max({highest, line.from.y(), line.to.y()});
+  }
+  EXPECT_NEAR(lowest, 0, 1e-9);  // on the slab's upper face, and as high as the crate is
+  EXPECT_NEAR(highest, 1, 1e-9);
+}
+
 TEST(WaysOut, OfShapesApartThereAreNone) {
   DeepCrate scene;
   scene.frames[0].poses[1].second.position = {0, 0.51, 0};
   EXPECT_TRUE(scene.sketch().arrows.empty());
+  EXPECT_TRUE(scene.sketch().lines.empty());
 }
 
 struct QueriedCrate : CrateOnSlab {
@@ -117,6 +133,9 @@ TEST(SatQueries, StandInThreeColumnsThatShowTheSame) {
               testing::IsSupersetOf({"faces of A", "faces of B", "pairs of edges",
                                      "overlap 2.00 mm: the least, chosen", "overlap 3.00 mm",
                                      "not asked any more"}));
+  EXPECT_TRUE(std::ranges::any_of(sketch.legend.sorted(), [](const LegendEntry& entry) {
+    return entry.text == "parallel plane through the support point";
+  }));
   // The same corner of the slab in each column: a third of the view apart, at one height.
   std::vector<Point2> places;
   for (const Label& label : sketch.labels)

@@ -14,6 +14,7 @@ namespace contactscope::draw {
 namespace {
 
 using crate_sample::CrateOnSlab;
+using crate_sample::same;
 using crate_sample::texts;
 using ::testing::Contains;
 using ::testing::ElementsAre;
@@ -158,6 +159,21 @@ TEST_F(PanelSheet, AxisHistoryCountsSwitchesAndCacheHitsUpToTheFrame) {
   EXPECT_THAT(title(2), Contains("1 of 3"));
   EXPECT_THAT(title(4), Contains("1 of 5"));
   EXPECT_THAT(title(4), IsSupersetOf({"faces of A", "faces of B", "edges"}));
+  EXPECT_THAT(title(4),
+              IsSupersetOf({"low bars: answered from the cache", "high bars: full test"}));
+  // Full tests before and after the one that the cache answered are dark, and twice as high.
+  std::vector<float> dark, cached;
+  const Drawing drawing = filled(Panel::AxisHistory, kSheet, {4}).drawing;
+  for (const Primitive& primitive : drawing.primitives) {
+    const Fill* fill = std::get_if<Fill>(&primitive);
+    if (fill == nullptr) continue;
+    const auto [low, high] = std::ranges::minmax(fill->polygon, {}, &Point2::y);
+    if (same(fill->color, kText)) dark.push_back(high.y - low.y);
+    if (same(fill->color, kAxis)) cached.push_back(high.y - low.y);
+  }
+  ASSERT_EQ(cached.size(), 1u);
+  EXPECT_EQ(dark.size(), 3u);  // frames 0 and 1, frame 3, this frame
+  for (const float height : dark) EXPECT_NEAR(height, 2 * cached[0], 2);
   expect_inside(filled(Panel::AxisHistory, kSheet, {4}).drawing, kSheet);
 }
 

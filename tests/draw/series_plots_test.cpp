@@ -92,6 +92,22 @@ TEST(StabilityPanel, SaysTheVerdictAndTheMarginInWords) {
   for (std::size_t f = 0; f < frames.size(); ++f) stability_panel(frames, f);  // stays inside
 }
 
+TEST(StabilityPanel, TellsAgesWhereThePictureTellsThem) {
+  CrateOnSlab scene;
+  scene.persist();
+  scene.balance("stable");
+  const auto rings = [&](std::vector<Layer> layers) {
+    const Drawing drawing =
+        panel_of(Panel::Stability, scene.frames, 0, kPanel, 1, std::move(layers));
+    return std::ranges::count_if(drawing.primitives, [](const Primitive& primitive) {
+      const Disc* disc = std::get_if<Disc>(&primitive);
+      return disc != nullptr && same(disc->color, kContact) && disc->inner > 0;
+    });
+  };
+  EXPECT_EQ(rings({Layer::Persistent}), 1);  // of the half-filled dot of the point that was kept
+  EXPECT_EQ(rings({Layer::Contacts}), 0);
+}
+
 /// Level lines of the verdicts' rows, in the style of the only pair: height and length, from the
 /// left.
 std::vector<std::pair<float, float>> verdict_levels(const Drawing& drawing) {

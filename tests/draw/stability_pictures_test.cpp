@@ -162,7 +162,8 @@ TEST(IncrementalPicture, CoresThatOverlapSayHowDeepAndByWhichMethod) {
   deepest.point.on_b = Vec3d(0.5, -0.1, 0.5);
   scene.view.layers = {Layer::Core};
   const Sketch sketch = scene.sketch();
-  EXPECT_THAT(labels(sketch), ElementsAre("cores overlap 50.0 mm, by SAT"));
+  EXPECT_THAT(labels(sketch), ElementsAre("cores overlap 50.0 mm, by SAT", "A's margin 50.0 mm",
+                                          "B's margin 100 mm"));
   ASSERT_EQ(sketch.arrows.size(), 1u);
   EXPECT_NEAR((sketch.arrows[0].from - Vec3d(0.5, 0.05, 0.5)).norm(), 0, 1e-12);
   EXPECT_NEAR((*sketch.arrows[0].to - Vec3d(0.5, 0, 0.5)).norm(), 0, 1e-12);

@@ -191,16 +191,22 @@ void draw_sum(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
     sketch.label(place(column, along), text, color, 16, 8, away);
   };
   const double distance = cores->distance;
+  const double margin_a = pair.incremental->margin_a, margin_b = pair.incremental->margin_b;
+  const double a = margin_a, b = distance - margin_b;  // the surfaces
   arrow(0, 0, distance, kAxis, distance < 0);
   if (distance < 0) {
     label(0, 0.5 * distance,
           "cores overlap " + spell_margin(-distance) + ", by " + in_words(pair.incremental->query),
           kAxisText, -side);
     sketch.explain(kOverlapSwatch, "overlap of the cores", place(0, 0.5 * distance));
+    for (const double along : {a, 0.0, distance, b})
+      sketch.line(place(0, along), place(1, along) + kBeyondColumn * pixel * side, kExtension);
+    line(1, 0, a);
+    line(1, b, distance);
+    label(1, 0.5 * a, "A's margin " + spell_margin(margin_a), kMargin, side);
+    label(1, 0.5 * (b + distance), "B's margin " + spell_margin(margin_b), kMargin, side);
     return;
   }
-  const double margin_a = pair.incremental->margin_a, margin_b = pair.incremental->margin_b;
-  const double a = margin_a, b = distance - margin_b;
   // Thin lines from one column to another, and a bit beyond.
   for (const auto& [from, to, along] :
        {std::tuple(0, 1, 0.0), {0, 2, distance}, {1, 3, a}, {2, 3, b}})

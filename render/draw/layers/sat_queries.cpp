@@ -22,6 +22,8 @@ constexpr double kQueryName = 22;  // pixels
 
 constexpr Swatch kBestPlaneSwatch{LegendGroup::Axes, 5,
                                   [](auto& pen) { pen.area(kAxis, 0.25f, 1.5); }};
+constexpr Swatch kParallelPlaneSwatch{LegendGroup::Axes, 7,
+                                      [](auto& pen) { pen.dashes(1.5, kAxis); }};
 constexpr Swatch kSupportVertexSwatch{LegendGroup::Axes, 6,
                                       [](auto& pen) { pen.dot(0, 5.0, kAxisText); }};
 
@@ -106,6 +108,7 @@ struct Column {
                              .color = kAxisText});
     sketch.mark(MarkKind::Dot, offset + best.support, kAxisText);
     sketch.explain(kBestPlaneSwatch, "plane of the best face or edge, extended");
+    sketch.explain(kParallelPlaneSwatch, "parallel plane through the support point");
     sketch.explain(kSupportVertexSwatch, "support point, farthest against the normal");
   }
 };

@@ -1,11 +1,13 @@
 #include <algorithm>
 
 #include "draw/layers/layer.h"
+#include "draw/scene/ghost.h"
 #include "draw/scene/points.h"
 #include "draw/scene/quantity.h"
 
 /// Catto 2007, "Extreme Fuzziness": deep in each other, hulls have several ways out, and the shortest
-/// is the contact's normal. Each is drawn from the centre of B, as long as the overlap along it.
+/// is the contact's normal. Each is drawn from the centre of B, as long as the overlap along it; where
+/// the one that is taken leads, B would just touch A.
 namespace contactscope::draw {
 namespace {
 
@@ -16,6 +18,10 @@ constexpr double kTaken = 0.9999;   // cosine to the normal of the contact
 constexpr Swatch kWayTakenSwatch{LegendGroup::Axes, 5,
                                  [](auto& pen) { pen.arrow(4, 11, kAxisText); }};
 constexpr Swatch kOtherWaySwatch{LegendGroup::Axes, 6, [](auto& pen) { pen.arrow(2, 9, kAxis); }};
+
+constexpr LineStyle kMovedOut{1.5f, kDropped, true};
+constexpr Swatch kMovedOutSwatch{LegendGroup::Axes, 7,
+                                 [](auto& pen) { pen.dashes(1.5, kDropped); }};
 
 struct WayOut {
   Vec3d direction;     // unit: B moves along it
@@ -68,10 +74,13 @@ void draw_ways_out(const Scene& scene, const trace::Pair& pair, Sketch& sketch) 
         .label(end, name + spell_length(way.overlap, 0, scene.scales.length), kAxisText,
                taken ? 20.0f : 17.0f, 10, way.direction)
         .bold = taken;
-    if (taken)
-      sketch.explain(kWayTakenSwatch, "way out that is taken, as long as the overlap");
-    else
+    if (!taken) {
       sketch.explain(kOtherWaySwatch, "other ways out");
+      continue;
+    }
+    sketch.explain(kWayTakenSwatch, "way out that is taken, as long as the overlap");
+    draw_ghost(scene.camera, moved(*b, center, end - center, Vec3d::Zero()), kMovedOut, sketch);
+    sketch.explain(kMovedOutSwatch, "B moved out of A");
   }
 }
 

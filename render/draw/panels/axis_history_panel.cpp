@@ -59,7 +59,7 @@ std::string told(const AxisCounts& counts) {
 
 /// Which axis made the contact, frame by frame: a switch of rows is a flip-flop, and so is a gap in
 /// a row, where another face or another pair of edges took over. Frames that went by the cache are
-/// half as high: no axis was looked for in them.
+/// half as high: no axis was looked for in them; full tests between them are dark.
 class AxisHistoryPanel : public PanelContent {
  public:
   AxisHistoryPanel(const Staging& staging, const Frames& frames) : scale_(staging.layout.scale) {
@@ -77,7 +77,8 @@ class AxisHistoryPanel : public PanelContent {
 
   PanelNeed need(const PanelMoment&) const override {
     const float line = Sheet::line_height(scale_);
-    const float frame = Sheet::heading_height(scale_) + (cached_ ? line : 0) + headline_height();
+    const float frame =
+        Sheet::heading_height(scale_) + (cached_ ? 2 * line : 0) + headline_height();
     const float each = kLeastHistory * line;
     return {frame + each + (count_ > 1 ? line : 0),
             frame + each * std::max(1.0f, static_cast<float>(count_)), 0, 1};
@@ -91,7 +92,10 @@ class AxisHistoryPanel : public PanelContent {
       return {};
     }
     if (headline_height() > 0) draw_headline(pairs_.front().second, moment.frame, sheet);
-    if (cached_) sheet.line("low bars: answered from the cache", kText);
+    if (cached_) {
+      sheet.line("low bars: answered from the cache", kAxisText);
+      sheet.line("high bars: full test", kText);
+    }
     const float line = sheet.line_height();
     auto available = static_cast<float>(sheet.rest().height);
     if (kLeastHistory * line * static_cast<float>(count_) > available)
@@ -149,8 +153,8 @@ class AxisHistoryPanel : public PanelContent {
       pen.text(last, pixel(rest.right(), y), Align::Right, kQuietText);
   }
 
-  static void draw_rows(const std::vector<AxisMoment>& moments, std::size_t now, float row,
-                        const Sheet& sheet) {
+  void draw_rows(const std::vector<AxisMoment>& moments, std::size_t now, float row,
+                 const Sheet& sheet) const {
     const Pen& pen = sheet.pen();
     const Rect rest = sheet.rest();
     const double left = rest.x + pen.px(kNameColumn), width = rest.right() - left;
@@ -174,9 +178,10 @@ class AxisHistoryPanel : public PanelContent {
         if (!is_here(from)) continue;
         const bool cached = from_cache(*moments[from].pair);
         while (to < now && is_here(to) && from_cache(*moments[to].pair) == cached) ++to;
-        bar(from, to, kAxis);
+        bar(from, to, cached_ && !cached ? kText : kAxis);
       }
-      if (is_here(now)) bar(now, now + 1, kAxis);
+      if (is_here(now))
+        bar(now, now + 1, cached_ && !from_cache(*moments[now].pair) ? kText : kAxis);
       for (std::size_t f = 0; f <= now; ++f) {
         if (!is_here(f) || !moments[f].switched) continue;
         pen.fill({at(f) - pen.px(1.5), y, pen.px(3), static_cast<double>(row)}, kWhite);

@@ -68,11 +68,12 @@ class StabilityPanel : public PanelContent {
  public:
   StabilityPanel(const Staging& staging, const Frames& frames)
       : staging_(staging), frames_(frames) {
-    has_ages_ = std::ranges::any_of(frames, [](const trace::Frame& frame) {
-      return first_pair(frame, [](const trace::Pair& pair) {
-               return pair.incremental.has_value();
-             }) != nullptr;
-    });
+    has_ages_ = staging.view.shows(Layer::Persistent) &&
+                std::ranges::any_of(frames, [](const trace::Frame& frame) {
+                  return first_pair(frame, [](const trace::Pair& pair) {
+                           return pair.incremental.has_value();
+                         }) != nullptr;
+                });
     std::vector<const trace::Pair*> pairs =
         distinct_pairs(frames, [](const trace::Pair& pair) { return pair.stability.has_value(); });
     if (pairs.size() > kMostMaps) pairs.resize(kMostMaps);
@@ -210,7 +211,7 @@ class StabilityPanel : public PanelContent {
     if (pair.incremental) {
       for (const trace::PersistentPoint& point : pair.incremental->points) {
         const PointState state = point_state(point.state);
-        if (state != PointState::Broken) dot(point.point, state);
+        if (state != PointState::Broken) dot(point.point, has_ages_ ? state : PointState::New);
       }
     } else {
       for (const PairPoint& any : all_points(pair)) {
@@ -297,7 +298,7 @@ class StabilityPanel : public PanelContent {
   const Frames& frames_;
   std::vector<History> histories_;
   SeriesChart margins_{"margin", "m"};
-  bool has_ages_ = false;  // beside points that have an age, those without are drawn as such
+  bool has_ages_ = false;  // the picture tells ages: points that have none are drawn as such
 };
 
 }  // namespace
