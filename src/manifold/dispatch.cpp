@@ -5,7 +5,9 @@
 
 #include "manifold/collide_box_box.h"
 #include "manifold/collide_pairs.h"
+#include "manifold/collide_two_capsules.h"
 #include "manifold/in_double.h"
+#include "manifold/round_order.h"
 
 namespace contactscope {
 namespace {
@@ -148,41 +150,15 @@ void collide_in_double(const PlacedPair<float>& pair, const CollideOptions& opti
   manifolds = mapped(found, in_float);
 }
 
-/// Less, equal or more, by the numbers of two vectors one after the other.
-template <class V>
-int order_of(const V& one, const V& other) {
-  for (int i = 0; i < static_cast<int>(one.size()); ++i) {
-    if (one[i] != other[i]) return one[i] < other[i] ? -1 : 1;
-  }
-  return 0;
-}
-
-/// Likewise two spheres or two capsules: by radius, the ends of the axis, the rotation and the position.
-template <class S>
-int order_of(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b, const Pose<S>& pose_b) {
-  const auto* const capsule_a = std::get_if<Capsule<S>>(&a);
-  const auto* const capsule_b = std::get_if<Capsule<S>>(&b);
-  const S radius_a = capsule_a ? capsule_a->radius : std::get_if<Sphere<S>>(&a)->radius;
-  const S radius_b = capsule_b ? capsule_b->radius : std::get_if<Sphere<S>>(&b)->radius;
-  if (radius_a != radius_b) return radius_a < radius_b ? -1 : 1;
-  if (capsule_a != nullptr) {
-    for (std::size_t end = 0; end < 2; ++end) {
-      if (const int order = order_of(capsule_a->points[end], capsule_b->points[end])) return order;
-    }
-  }
-  const Quat<S>&turn_a = pose_a.rotation, &turn_b = pose_b.rotation;
-  if (turn_a.w() != turn_b.w()) return turn_a.w() < turn_b.w() ? -1 : 1;
-  if (const int order = order_of(turn_a.vec(), turn_b.vec())) return order;
-  return order_of(pose_a.position, pose_b.position);
-}
-
-/// Two spheres, or two capsules, are worked on in an order of their own: the larger radius first. Not
-/// inlined: collide() keeps its registers for the kinds that have no need of this.
+/// Of two spheres or two capsules. Not inlined: collide() keeps its registers for the kinds that have no
+/// need of this.
 template <class S>
 [[gnu::noinline]] bool round_against_order(const Shape<S>& a, const Pose<S>& pose_a,
                                            const Shape<S>& b, const Pose<S>& pose_b, bool b_first) {
-  const int order = order_of(a, pose_a, b, pose_b);
-  return order < 0 || (order == 0 && b_first);
+  if (const auto* sphere = std::get_if<Sphere<S>>(&a))
+    return against_order(*sphere, pose_a, *std::get_if<Sphere<S>>(&b), pose_b, b_first);
+  return against_order(*std::get_if<Capsule<S>>(&a), pose_a, *std::get_if<Capsule<S>>(&b), pose_b,
+                       b_first);
 }
 
 template <class S>
@@ -209,6 +185,10 @@ void collide(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b, const 
              const CollideOptions& options, Manifolds<S>& manifolds,
              std::type_identity_t<PairCache<S>>* cache, trace::Pair* record,
              const trace::Stages& stages) {
+  if (kind_of(a) == ShapeKind::Capsule && kind_of(b) == ShapeKind::Capsule && record == nullptr &&
+      collide_two_capsules(*std::get_if<Capsule<S>>(&a), pose_a, *std::get_if<Capsule<S>>(&b),
+                           pose_b, options, manifolds))
+    return;
   const bool traded = against_the_table(a, pose_a, b, pose_b, options.b_first);
   const auto work = [&](const PlacedPair<S>& pair, const CollideOptions& in_order) {
     if constexpr (std::is_same_v<S, float>) {
