@@ -4,6 +4,7 @@
 #include <limits>
 #include <span>
 
+#include "core/pack.h"
 #include "core/vec3.h"
 
 namespace contactscope {
@@ -64,6 +65,38 @@ bool overlaps(const Aabb<S>& a, const Aabb<S>& b) {
          (a.lower.y() <= b.upper.y()) & (b.lower.y() <= a.upper.y()) &
          (a.lower.z() <= b.upper.z()) & (b.lower.z() <= a.upper.z());
 }
+
+/// overlaps() with one box that is asked about many. A float's box is four numbers and four numbers, two
+/// of which are twice there: the lower ends and one more, which infinity lets pass.
+template <class S>
+class OverlapsWith {
+ public:
+  explicit OverlapsWith(const Aabb<S>& box) : box_(box) {
+    if constexpr (kPacked) {
+      constexpr S kAny = std::numeric_limits<S>::infinity();
+      upper_ = lanes::Pack<S>{box.upper.x(), box.upper.y(), box.upper.z(), kAny};
+      lower_ = lanes::Pack<S>{-kAny, box.lower.x(), box.lower.y(), box.lower.z()};
+    }
+  }
+
+  bool operator()(const Aabb<S>& other) const {
+    if constexpr (kPacked) {
+      static_assert(sizeof other == 6 * sizeof(S));
+      const S* const numbers = other.lower.data();
+      const auto meet =
+          (lanes::load<S>(numbers) <= upper_) & (lanes::load<S>(numbers + 2) >= lower_);
+      return lanes::bits<S>(meet) == 0xf;
+    } else {
+      return overlaps(other, box_);
+    }
+  }
+
+ private:
+  static constexpr bool kPacked = lanes::kWidth<S> == 4;
+
+  Aabb<S> box_;
+  lanes::Pack<S> lower_, upper_;
+};
 
 /// Smallest box around both.
 template <class S>

@@ -25,8 +25,8 @@ trace::Tree AabbTree<S>::recorded_query(const Aabb<S>& box) const {
     const bool hit = overlaps(node.box, box);
     record.visits.push_back({traced(node.box), count_of(ends), node.leaf(), hit});
     if (hit && node.leaf()) {
-      any_of_leaf(node, box, [&](int triangle) {
-        record.candidates.push_back(triangle);
+      any_of_leaf(node, OverlapsWith<S>(box), [&](int place) {
+        record.candidates.push_back(at(triangles, place));
         return false;
       });
     }

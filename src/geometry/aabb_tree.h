@@ -61,12 +61,18 @@ struct AabbTree {
   /// order; asks no more of them after the first one.
   template <class Holds>
   bool any_of(const Aabb<S>& box, Holds&& holds) const {
+    return any_place_of(box, [&](int place) { return holds(at(triangles, place)); });
+  }
+  /// The same, of places in `triangles` and `boxes`.
+  template <class Holds>
+  bool any_place_of(const Aabb<S>& box, Holds&& holds) const {
+    const OverlapsWith<S> overlaps_box(box);
     const int node_count = count_of(nodes);
     int i = 0;
     while (i < node_count) {
       const Node& node = at(nodes, i);
-      const bool hit = overlaps(node.box, box);
-      if (hit && node.leaf() && any_of_leaf(node, box, holds)) return true;
+      const bool hit = overlaps_box(node.box);
+      if (hit && node.leaf() && any_of_leaf(node, overlaps_box, holds)) return true;
       i = hit || node.leaf() ? i + 1 : node.next;
     }
     return false;
@@ -91,9 +97,9 @@ struct AabbTree {
 
  private:
   template <class Holds>
-  bool any_of_leaf(const Node& node, const Aabb<S>& box, Holds&& holds) const {
+  bool any_of_leaf(const Node& node, const OverlapsWith<S>& overlaps_box, Holds&& holds) const {
     for (int k = node.next; k < node.next + node.count; ++k) {
-      if (overlaps(at(boxes, k), box) && holds(at(triangles, k))) return true;
+      if (overlaps_box(at(boxes, k)) && holds(k)) return true;
     }
     return false;
   }

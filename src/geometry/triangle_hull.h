@@ -1,8 +1,10 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include "geometry/hull.h"
+#include "geometry/lanes.h"
 #include "geometry/mesh.h"
 
 namespace contactscope {
@@ -26,6 +28,7 @@ struct TriangleHull {
     hull.vertex_edges = {0, 2, 4};
     hull.face_edges = {0, 1};
     hull.planes.resize(2);
+    lay_out(hull);
   }
 
   void set(const Mesh<S>& mesh, int triangle) {
@@ -35,10 +38,19 @@ struct TriangleHull {
     hull.planes[0] = {normal, S(0)};
     hull.planes[1] = {Vec3<S>(-normal), S(0)};
     hull.centroid = (hull.vertices[1] + hull.vertices[2]) / S(3);
-    hull.radius = S(0);
+    S squared = S(0);
     for (const Vec3<S>& vertex : hull.vertices)
-      hull.radius = std::max(hull.radius, Vec3<S>(vertex - hull.centroid).norm());
-    lay_out(hull);
+      squared = std::max(squared, Vec3<S>(vertex - hull.centroid).squaredNorm());
+    hull.radius = std::sqrt(squared);
+    // The lanes that lay_out() would make anew: those of corner 0 and of the padding stay.
+    constexpr std::size_t kStride = padded(3);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int axis = static_cast<int>(k);
+      hull.lanes.vertices[k * kStride + 1] = hull.vertices[1][axis];
+      hull.lanes.vertices[k * kStride + 2] = hull.vertices[2][axis];
+      hull.lanes.normals[k * kStride] = normal[axis];
+      hull.lanes.normals[k * kStride + 1] = -normal[axis];
+    }
   }
 
   Hull<S> hull;

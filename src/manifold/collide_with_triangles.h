@@ -57,14 +57,15 @@ constexpr S kNearerSurface = S(0.5);
 /// points to which another part of the surface is much nearer, and those that have come through
 /// another part. On a flat floor all triangles are equally far, and nothing is taken out.
 template <class S>
-void drop_detours(const Mesh<S>& b, int triangle, const Pose<S>& b_in_a, Contact<S>& contact) {
+void drop_detours(const NearTriangles<S>& near, int triangle, const Pose<S>& b_in_a,
+                  Contact<S>& contact) {
   remove_points(contact, [&](const ContactPoint<S>& point) {
     if (!(point.separation < S(0))) return false;
     const Vec3<S> on_mesh = b_in_a.inverse_transform(point.position);
     const Vec3<S> deep =
         b_in_a.inverse_transform(Vec3<S>(point.position - point.separation * contact.normal));
-    return surface_within(b, deep, -kNearerSurface<S> * point.separation) ||
-           hidden_from(b, triangle, deep, on_mesh);
+    return surface_within(near, deep, -kNearerSurface<S> * point.separation) ||
+           hidden_from(near, triangle, deep, on_mesh);
   });
 }
 
@@ -108,9 +109,10 @@ bool at_rim(const Mesh<S>& b, int triangle) {
 /// Steps 3 and 4 of collide_with_triangles for a contact that `triangle` gives by itself. `normal` is
 /// the contact's, from the mesh to the shape, in the mesh's frame.
 template <class S, class OnFace>
-void mend(const SeenFromMesh<S>& shape, const Mesh<S>& b, const Pose<S>& b_in_a,
+void mend(const SeenFromMesh<S>& shape, const NearTriangles<S>& near, const Pose<S>& b_in_a,
           const PlacedTriangle<S>& triangle, const Vec3<S>& normal, bool belongs,
           const OnFace& on_face, Contact<S>& contact) {
+  const Mesh<S>& b = near.mesh();
   const Vec3<S>& front = b.normal(triangle.index);
   if (!belongs) {
     const bool in_front = front.dot(Vec3<S>(shape.center - b.corner(triangle.index, 0))) >= S(0);
@@ -126,10 +128,10 @@ void mend(const SeenFromMesh<S>& shape, const Mesh<S>& b, const Pose<S>& b_in_a,
   Vec3<S> middle = b_in_a.inverse_transform(Vec3<S>(sum / static_cast<S>(contact.points.size())));
   const Vec3<S> above = middle - b.corner(triangle.index, 0);
   middle -= front.dot(above) * front;
-  if (hidden_from(b, triangle.index, shape.center, middle)) {
+  if (hidden_from(near, triangle.index, shape.center, middle)) {
     contact.points.clear();
   } else if (!belongs) {
-    drop_detours(b, triangle.index, b_in_a, contact);
+    drop_detours(near, triangle.index, b_in_a, contact);
   }
 }
 
@@ -163,6 +165,7 @@ S collide_with_triangles(const SeenFromMesh<S>& shape, const Mesh<S>& b, const P
   const Vec3<S> grown = Vec3<S>::Constant(margin + tie_tolerance(reach));
   const Aabb<S> box{shape.box.lower - grown, shape.box.upper + grown};
 
+  const NearTriangles<S> near(b, box);
   TriangleHull<S> triangle;
   S least = std::numeric_limits<S>::infinity();
   S kept = 0;  // depth of what was added or skipped, negative
@@ -185,7 +188,7 @@ S collide_with_triangles(const SeenFromMesh<S>& shape, const Mesh<S>& b, const P
       const bool is_back = normal.dot(b.normal(index)) < S(-0.99);
       if (!belongs || is_back) {
         const Contact<S> given = contact;
-        mend(shape, b, b_in_a, placed, normal, belongs, on_face, contact);
+        mend(shape, near, b_in_a, placed, normal, belongs, on_face, contact);
         if (contact.points.empty()) left_out.add(given, index);
       }
     }
@@ -195,7 +198,7 @@ S collide_with_triangles(const SeenFromMesh<S>& shape, const Mesh<S>& b, const P
   if (recorder) [[unlikely]] {
     for (const int index : recorder->query_tree(b, box)) collide_triangle(index);
   } else {
-    b.tree.query(box, collide_triangle);
+    near.each(collide_triangle);
   }
   left_out.ease(kept, margin);
   sink.add(left_out.contact, left_out.triangle);

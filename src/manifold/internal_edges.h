@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "geometry/mesh.h"
+#include "manifold/near_triangles.h"
 #include "query/closest_points.h"
 
 namespace contactscope {
@@ -148,23 +149,24 @@ bool crosses(const Mesh<S>& mesh, int triangle, const Vec3<S>& from, const Vec3<
 /// Whether another triangle stands between `eye` and the point `on_triangle` of a triangle, so that
 /// what has its centre at `eye` cannot have come to that side of it. Asks no winding. Mesh frame.
 template <class S>
-bool hidden_from(const Mesh<S>& mesh, int triangle, const Vec3<S>& eye,
+bool hidden_from(const NearTriangles<S>& near, int triangle, const Vec3<S>& eye,
                  const Vec3<S>& on_triangle) {
+  const Mesh<S>& mesh = near.mesh();
   // A little inside, for the neighbours of a point on an edge end there.
   const Vec3<S> middle =
       (mesh.corner(triangle, 0) + mesh.corner(triangle, 1) + mesh.corner(triangle, 2)) / S(3);
   const Vec3<S> target = on_triangle + S(0.01) * (middle - on_triangle);
-  return mesh.tree.any_of({eye.cwiseMin(target), eye.cwiseMax(target)}, [&](int other) {
+  return near.any_of({eye.cwiseMin(target), eye.cwiseMax(target)}, [&](int other) {
     return other != triangle && crosses(mesh, other, eye, target);
   });
 }
 
 /// Whether any of the mesh is nearer to `point` than `distance`. Mesh frame, metres.
 template <class S>
-bool surface_within(const Mesh<S>& mesh, const Vec3<S>& point, S distance) {
+bool surface_within(const NearTriangles<S>& near, const Vec3<S>& point, S distance) {
   const Vec3<S> reach = Vec3<S>::Constant(distance);
-  return mesh.tree.any_of({point - reach, point + reach}, [&](int triangle) {
-    return distance_to_triangle(mesh, triangle, point) < distance;
+  return near.any_of({point - reach, point + reach}, [&](int triangle) {
+    return distance_to_triangle(near.mesh(), triangle, point) < distance;
   });
 }
 

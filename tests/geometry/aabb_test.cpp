@@ -36,6 +36,39 @@ TEST(Aabb, AGapAlongOneAxisIsEnough) {
   }
 }
 
+template <class S>
+void expect_asked_as_overlaps() {
+  Random random(7);
+  const S numbers[] = {0,
+                       1,
+                       2,
+                       3,
+                       std::numeric_limits<S>::infinity(),
+                       -std::numeric_limits<S>::infinity(),
+                       std::numeric_limits<S>::quiet_NaN()};
+  const auto draw = [&] {
+    Aabb<S> box;
+    const int odd = random.chance(0.3) ? 7 : 4;
+    for (int k = 0; k < 3; ++k) {
+      box.lower[k] = numbers[random.index(odd)];
+      box.upper[k] = numbers[random.index(odd)];
+    }
+    return box;
+  };
+  int overlapping = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const Aabb<S> one = draw(), other = draw();
+    ASSERT_EQ(OverlapsWith<S>(one)(other), overlaps(one, other)) << i;
+    overlapping += overlaps(one, other) ? 1 : 0;
+  }
+  EXPECT_GT(overlapping, 500);
+}
+
+TEST(Aabb, ABoxThatIsAskedAboutManyOverlapsTheSameOnes) {
+  expect_asked_as_overlaps<float>();
+  expect_asked_as_overlaps<double>();
+}
+
 TEST(Aabb, ABoxInsideAnotherOverlapsAndAddsNothing) {
   const Box inner{Vec3d(0.2, 0.2, 0.2), Vec3d(0.3, 1, 0.3)};
   EXPECT_TRUE(overlaps(kUnit, inner));
