@@ -1,56 +1,135 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "core/scratch.h"
 #include "geometry/hull.h"
+#include "geometry/lanes.h"
 #include "geometry/mesh.h"
 #include "query/box_pair.h"
 
 namespace contactscope {
 
-/// Tells of most triangles near a box that they do not touch it, before one is made a hull and placed: a
-/// tree finds those whose bounds touch the box's bounds, and many of these are apart. Only the axes that
-/// are at hand: the three of the box and the triangle's normal. What it says is certain: apart by more
-/// than the margin and rounding, so that the separating axis test would say so, too.
+/// Tells of most triangles near a hull that they do not touch it, before one is made a hull and placed: a
+/// tree finds those whose bounds touch the hull's bounds, and many of these are apart. Only the axes that
+/// are at hand: the box around the hull in its own frame, the triangle's normal, and, where the hull is
+/// no box, its faces. What it says is certain: apart by more than the margin and rounding, so that the
+/// separating axis test would say so, too.
 template <class S>
 class ClearOfTriangle {
  public:
-  /// `box` is one (Hull::is_box). No coordinate of it in either frame is larger than `reach`, metres.
-  ClearOfTriangle(const Hull<S>& box, const Mesh<S>& mesh, const Pose<S>& mesh_in_box, S margin,
+  /// No coordinate of the hull in either frame is larger than `reach`, metres.
+  ClearOfTriangle(const Hull<S>& hull, const Mesh<S>& mesh, const Pose<S>& mesh_in_hull, S margin,
                   S reach)
-      : mesh_(mesh),
-        apart_(margin + S(64) * std::numeric_limits<S>::epsilon() * reach),
-        half_extents_(boxes::three(box.half_extents)),
-        shift_(boxes::three(mesh_in_box.position)) {
-    const Mat3<S> r = mesh_in_box.rotation.toRotationMatrix();
-    for (int k = 0; k < 3; ++k) to_box_.of[k] = boxes::three(Vec3<S>(r.col(k)));
+      : hull_(hull),
+        mesh_(mesh),
+        apart_(margin + kRounding * reach),
+        shift_(boxes::three(mesh_in_hull.position)),
+        vertices_(hull.is_box() ? 0 : 3 * padded(hull.vertex_count())) {
+    const Mat3<S> r = mesh_in_hull.rotation.toRotationMatrix();
+    for (int k = 0; k < 3; ++k) to_hull_.of[k] = boxes::three(Vec3<S>(r.col(k)));
+    if (hull.is_box()) {
+      upper_ = boxes::three(hull.half_extents);
+      lower_ = -upper_;
+    } else {
+      lay_vertices();
+    }
   }
 
   bool operator()(int triangle) const {
-    using boxes::Three;
-    Three<S> corners[3];
+    Three corners[3];
     for (int k = 0; k < 3; ++k) corners[k] = turned(mesh_.corner(triangle, k)) + shift_;
-    const Three<S> least = lanes::smaller(lanes::smaller(corners[0], corners[1]), corners[2]);
-    const Three<S> most = lanes::larger(lanes::larger(corners[0], corners[1]), corners[2]);
-    const Three<S> gaps = lanes::larger(least, Three<S>(-most)) - half_extents_;
-    if ((boxes::lane_bits<S>(gaps > apart_) & 7U) != 0) return true;
+    const Three least = lanes::smaller(lanes::smaller(corners[0], corners[1]), corners[2]);
+    const Three most = lanes::larger(lanes::larger(corners[0], corners[1]), corners[2]);
+    // A triangle may be much larger than the hull, and then its own corners round.
+    const Three far = lanes::larger(most, Three(-least));
+    const S apart = apart_ + kRounding * std::max(std::max(far[0], far[1]), far[2]);
+    const Three gaps = lanes::larger(Three(least - upper_), Three(lower_ - most));
+    if ((boxes::lane_bits<S>(gaps > apart) & 7U) != 0) return true;
 
-    const Three<S> normal = turned(mesh_.normal(triangle));
-    const Three<S> height = normal * corners[0];
-    const Three<S> reach = boxes::absolute<S>(normal) * half_extents_;
-    return std::abs(height[0] + height[1] + height[2]) - (reach[0] + reach[1] + reach[2]) > apart_;
+    const Three normal = turned(mesh_.normal(triangle));
+    const Three heights = normal * corners[0];
+    const S height = heights[0] + heights[1] + heights[2];
+    if (hull_.is_box()) {
+      const Three reach = boxes::absolute<S>(normal) * upper_;
+      return std::abs(height) - (reach[0] + reach[1] + reach[2]) > apart;
+    }
+    return beside_plane(normal, height, apart) || beside_face(corners, apart);
   }
 
  private:
-  [[gnu::always_inline]] boxes::Three<S> turned(const Vec3<S>& v) const {
-    return to_box_.of[0] * v.x() + to_box_.of[1] * v.y() + to_box_.of[2] * v.z();
+  using Three = boxes::Three<S>;
+  using Pack = lanes::Pack<S>;
+  static constexpr S kRounding = S(64) * std::numeric_limits<S>::epsilon();
+
+  [[gnu::always_inline]] Three turned(const Vec3<S>& v) const {
+    return to_hull_.of[0] * v.x() + to_hull_.of[1] * v.y() + to_hull_.of[2] * v.z();
   }
 
+  /// The hull's lanes, but padded with a vertex and not with zeros, which may lie outside.
+  void lay_vertices() {
+    const int count = hull_.vertex_count(), stride = padded(count);
+    const S* const from = hull_.lanes.vertices.data();
+    for (int k = 0; k < 3; ++k) {
+      const S* const of_hull = from + k * stride;
+      S* const of_this = vertices_.data() + k * stride;
+      Pack least = lanes::all(of_hull[0]), most = least;
+      for (int i = 0; i < stride; i += lanes::kWidth<S>) {
+        Pack pack = lanes::load(of_hull + i);
+        if (i + lanes::kWidth < S >> count) {
+          pack = lanes::each<S>([&](int lane) { return of_hull[i + lane < count ? i + lane : 0]; });
+        }
+        lanes::store(pack, of_this + i);
+        least = lanes::smaller(least, pack);
+        most = lanes::larger(most, pack);
+      }
+      lower_[k] = lanes::smallest<S>(least)[0];
+      upper_[k] = lanes::largest<S>(most)[0];
+    }
+  }
+
+  /// `height` is that of the triangle's plane along its normal.
+  bool beside_plane(const Three& normal, S height, S apart) const {
+    const int stride = padded(hull_.vertex_count());
+    const Pack x = lanes::all(normal[0]), y = lanes::all(normal[1]), z = lanes::all(normal[2]);
+    Pack least = lanes::all(std::numeric_limits<S>::infinity()), most = -least;
+    for (int i = 0; i < stride; i += lanes::kWidth<S>) {
+      const S* const from = vertices_.data() + i;
+      const Pack along = x * lanes::load(from) + y * lanes::load(from + stride) +
+                         z * lanes::load(from + 2 * stride);
+      least = lanes::smaller(least, along);
+      most = lanes::larger(most, along);
+    }
+    return lanes::smallest<S>(least)[0] - height > apart ||
+           height - lanes::largest<S>(most)[0] > apart;
+  }
+
+  bool beside_face(const Three (&corners)[3], S apart) const {
+    const int stride = padded(hull_.face_count());
+    const S* const normals = hull_.lanes.normals.data();
+    lanes::Flags<S> beside = {};
+    for (int i = 0; i < stride; i += lanes::kWidth<S>) {
+      const Pack x = lanes::load(normals + i), y = lanes::load(normals + stride + i),
+                 z = lanes::load(normals + 2 * stride + i);
+      const auto along = [&](const Three& corner) {
+        return x * corner[0] + y * corner[1] + z * corner[2];
+      };
+      const Pack least =
+          lanes::smaller(lanes::smaller(along(corners[0]), along(corners[1])), along(corners[2]));
+      beside |= least - lanes::load(hull_.lanes.offsets.data() + i) > apart;
+    }
+    return lanes::bits<S>(beside) != 0;
+  }
+
+  const Hull<S>& hull_;
   const Mesh<S>& mesh_;
   S apart_;
-  boxes::Three<S> half_extents_, shift_;
-  boxes::Columns<S> to_box_;
+  Three lower_, upper_;  // of the box around the hull, own frame
+  Three shift_;
+  boxes::Columns<S> to_hull_;
+  Scratch<S, 3 * 64> vertices_;  // of any hull but a box
 };
 
 }  // namespace contactscope

@@ -230,7 +230,7 @@ S collide_hull_mesh(const Hull<S>& a, const Mesh<S>& b, const Pose<S>& b_in_a,
   };
   const SeenFromMesh<S> seen = seen_from_mesh(a, b_in_a);
   // A record has every triangle.
-  if (recorder != nullptr || !a.is_box())
+  if (recorder != nullptr)
     return collide_with_triangles(seen, b, b_in_a, options, sink, recorder, collide, on_face,
                                   kNoneIsClear);
   const ClearOfTriangle<S> is_clear(a, b, b_in_a, static_cast<S>(options.margin),

@@ -10,30 +10,45 @@
 #include "manifold/dispatch.h"
 #include "support/random_geometry.h"
 
-// What a box is told to pass over it does not touch, and nothing of its contacts is lost.
+// What a hull is told to pass over it does not touch, and nothing of its contacts is lost.
 namespace contactscope {
 namespace {
 
 using test::Random;
 
 template <class S>
-struct BoxOnGrid {
-  Hull<S> box;
+struct HullOnGrid {
+  Hull<S> hull;
   Mesh<S> grid;
-  Pose<S> in_box;
+  Pose<S> in_hull;
 };
 
+/// A box, or a hull of an even or an odd number of vertices and faces, whose own frame may begin outside
+/// of it.
+Hull<double> draw_hull(double size, Random& random) {
+  if (random.chance(0.4)) {
+    Vec3d half;
+    for (int k = 0; k < 3; ++k) half[k] = size * random.uniform(0.1, 0.6);
+    return make_box(half);
+  }
+  const int vertices = 4 + random.index(random.chance(0.1) ? 90 : 13);
+  const Hull<double> hull = test::random_hull(random, vertices, size * random.uniform(0.2, 0.6), 3);
+  if (random.chance(0.5)) return hull;
+  return std::get<Hull<double>>(seen_from(hull, size * random.vector(-1, 1)));
+}
+
 template <class S>
-BoxOnGrid<S> draw(Random& random) {
+HullOnGrid<S> draw(Random& random) {
   const double size = random.chance(0.5) ? 1 : random.decade(-4, 4);
   const double amplitude = random.chance(0.3) ? 0 : size * random.uniform(0, 0.2);
-  const Shape<double> grid = make_grid(4 * size, 4 * size, 8, 8, amplitude);
-  Pose<double> in_box;
-  if (random.chance(0.7)) in_box.rotation = random.rotation();
-  in_box.position = size * random.vector(-1, 1);
-  Vec3d half;
-  for (int k = 0; k < 3; ++k) half[k] = size * random.uniform(0.1, 0.6);
-  return {hull_cast<S>(make_box(half)), std::get<Mesh<S>>(shape_cast<S>(grid)), in_box.cast<S>()};
+  // Triangles may be thousands of times larger than the hull, too.
+  const double side = 4 * size * (random.chance(0.8) ? 1 : random.decade(0, 4));
+  const Shape<double> grid = make_grid(side, side, 8, 8, amplitude);
+  Pose<double> in_hull;
+  if (random.chance(0.7)) in_hull.rotation = random.rotation();
+  in_hull.position = size * random.vector(-1, 1);
+  const Hull<S> hull = hull_cast<S>(draw_hull(size, random));
+  return {hull, std::get<Mesh<S>>(shape_cast<S>(grid)), in_hull.cast<S>()};
 }
 
 template <class S>
@@ -46,22 +61,22 @@ TYPED_TEST(ClearTriangles, AreApartByTheSeparatingAxisTest) {
   Random random(41);
   int clear = 0, apart = 0;
   for (int i = 0; i < 200; ++i) {
-    const BoxOnGrid<S> drawn = draw<S>(random);
-    const S reach = drawn.box.radius + drawn.in_box.position.norm();
+    const HullOnGrid<S> drawn = draw<S>(random);
+    const S reach = drawn.hull.centroid.norm() + drawn.hull.radius + drawn.in_hull.position.norm();
     for (const double margin : {0.0, 0.05}) {
       CollideOptions options;
-      options.margin = margin * drawn.box.radius;
-      const ClearOfTriangle<S> is_clear(drawn.box, drawn.grid, drawn.in_box,
+      options.margin = margin * drawn.hull.radius;
+      const ClearOfTriangle<S> is_clear(drawn.hull, drawn.grid, drawn.in_hull,
                                         static_cast<S>(options.margin), reach);
       for (int triangle = 0; triangle < drawn.grid.triangle_count(); ++triangle) {
-        TriangleHull<S> hull;
-        hull.set(drawn.grid, triangle);
-        const Pose<S> placed{drawn.in_box.rotation, drawn.in_box.transform(hull.origin)};
+        TriangleHull<S> flat;
+        flat.set(drawn.grid, triangle);
+        const Pose<S> placed{drawn.in_hull.rotation, drawn.in_hull.transform(flat.origin)};
         Contact<S> contact;
         PairCache<S>* const nothing = nullptr;
         Recorder<S>* const nobody = nullptr;
         const S separation =
-            collide_hull_hull(drawn.box, hull.hull, placed, options, nothing, contact, nobody);
+            collide_hull_hull(drawn.hull, flat.hull, placed, options, nothing, contact, nobody);
         apart += separation > static_cast<S>(options.margin) ? 1 : 0;
         if (!is_clear(triangle)) continue;
         ++clear;
@@ -73,18 +88,18 @@ TYPED_TEST(ClearTriangles, AreApartByTheSeparatingAxisTest) {
   EXPECT_GT(clear, 0.9 * apart);
 }
 
-TYPED_TEST(ClearTriangles, ABoxHasTheContactsThatItsRecordHas) {
+TYPED_TEST(ClearTriangles, AHullHasTheContactsThatItsRecordHas) {
   using S = TypeParam;
   Random random(42);
   int points = 0;
   for (int i = 0; i < 300; ++i) {
-    SCOPED_TRACE("box " + std::to_string(i));
-    const BoxOnGrid<S> drawn = draw<S>(random);
-    const Shape<S> box = drawn.box, grid = drawn.grid;
+    SCOPED_TRACE("hull " + std::to_string(i));
+    const HullOnGrid<S> drawn = draw<S>(random);
+    const Shape<S> hull = drawn.hull, grid = drawn.grid;
     Manifolds<S> watched, alone;
     trace::Pair record;
-    collide(box, Pose<S>{}, grid, drawn.in_box, {}, watched, nullptr, &record);
-    collide(box, Pose<S>{}, grid, drawn.in_box, {}, alone);
+    collide(hull, Pose<S>{}, grid, drawn.in_hull, {}, watched, nullptr, &record);
+    collide(hull, Pose<S>{}, grid, drawn.in_hull, {}, alone);
     ASSERT_EQ(alone.size(), watched.size());
     for (std::size_t k = 0; k < alone.size(); ++k) {
       ASSERT_EQ(alone[k].triangle, watched[k].triangle);
