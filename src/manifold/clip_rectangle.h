@@ -23,7 +23,8 @@
 /// is known. Positions stay where they are made.
 namespace contactscope::boxes {
 
-/// What is clipped. Three packs have a lane for a coordinate; `side` has one for each side plane.
+/// What is clipped: a rectangle, or a triangle, which has no fourth corner, or none of whose sides is the
+/// fourth. Three packs have a lane for a coordinate; `side` has one for each side plane.
 template <class S>
 struct RectanglePair {
   Three<S> corners[4];  // of the incident face, in the order of its ring, A's frame, metres
@@ -75,8 +76,8 @@ struct OutsideRun {
   std::uint64_t in_bits(std::uint64_t in) const { return crosses_in ? in : 0; }
 };
 
-/// False where the run is not one: rounding of a sliver. clip() knows what to do.
-template <class S>
+/// False where the run is not one: rounding of a sliver. clip() knows what to do. `kCorners`: 4 or 3.
+template <int kCorners = 4, class S>
 [[gnu::always_inline]] inline bool clip_rectangle(const RectanglePair<S>& pair,
                                                   ClippedRectangle<S>& result) {
   Three<S> distances[ClippedRectangle<S>::kPlaces];
@@ -89,12 +90,13 @@ template <class S>
     distances[place] = along - pair.side_offset;
     return outcode<S>(distances[place], pair.thickness);
   };
-  for (int i = 0; i < 4; ++i) {
+  for (int i = 0; i < kCorners; ++i) {
     codes |= put(i, pair.corners[i]) << (8 * i);
-    result.crossings[i] = static_cast<std::uint8_t>((i + 3) % 4 | i << 4);
+    result.crossings[i] = static_cast<std::uint8_t>((i + kCorners - 1) % kCorners | i << 4);
   }
-  std::uint64_t list = 0x33221100U;
-  int end = 32, first = 0, places = 4;  // the list may begin anywhere: `first` is its first corner
+  std::uint64_t list = 0x33221100U & (~std::uint64_t{0} >> (64 - 8 * kCorners));
+  int end = 8 * kCorners, first = 0,
+      places = kCorners;  // the list may begin anywhere: `first` is its first corner
   for (int side = 0; side < 4; ++side) {
     constexpr std::uint64_t kOneEach = 0x0101010101010101U;
     const std::uint64_t valid = kOneEach >> (64 - end);

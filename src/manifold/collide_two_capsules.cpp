@@ -4,84 +4,27 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <cstring>
 #include <limits>
-#include <optional>
 #include <utility>
 
-#include "core/dot_order.h"
 #include "manifold/contact.h"
 #include "manifold/round_order.h"
-#include "query/box_pair.h"
+#include "query/packed_vectors.h"
 #include "query/tolerance.h"
 
 namespace contactscope {
 namespace {
 
 using boxes::absolute;
-using boxes::after_next;
+using boxes::Coordinates;
+using boxes::four_of;
 using boxes::lane_bits;
-using boxes::next;
+using boxes::largest_of;
 using boxes::spread;
+using boxes::sum_of;
 using boxes::Three;
-
-/// Four numbers of something that is nothing but numbers, from number `kFirst` on.
-template <class S, int kFirst, class T>
-[[gnu::always_inline]] inline Three<S> four_of(const T& numbers) {
-  static_assert(sizeof(T) >= (kFirst + 4) * sizeof(S) && std::is_standard_layout_v<T>);
-  Three<S> pack;
-  std::memcpy(&pack, reinterpret_cast<const std::byte*>(&numbers) + kFirst * sizeof(S),
-              sizeof pack);
-  return pack;
-}
-
-/// u x v. The bracket has its entry k + 1 at place k.
-template <class S>
-[[gnu::always_inline]] inline Three<S> cross(const Three<S>& u, const Three<S>& v) {
-  return next(Three<S>(u * next(v) - next(u) * v));
-}
-
-/// The x, y and z of four vectors, side by side.
-template <class S>
-struct Coordinates {
-  [[gnu::always_inline]] Coordinates(const Three<S>& one, const Three<S>& two,
-                                     const Three<S>& three, const Three<S>& four) {
-    const Three<S> low = __builtin_shufflevector(one, two, 0, 4, 1, 5);
-    const Three<S> low_too = __builtin_shufflevector(three, four, 0, 4, 1, 5);
-    const Three<S> high = __builtin_shufflevector(one, two, 2, 6, 3, 7);
-    const Three<S> high_too = __builtin_shufflevector(three, four, 2, 6, 3, 7);
-    x = __builtin_shufflevector(low, low_too, 0, 1, 4, 5);
-    y = __builtin_shufflevector(low, low_too, 2, 3, 6, 7);
-    z = __builtin_shufflevector(high, high_too, 0, 1, 4, 5);
-  }
-  /// Of each vector, in the order of Eigen's dot().
-  [[gnu::always_inline]] Three<S> sums() const { return dot_sum<S>(x, y, z); }
-
-  Three<S> x, y, z;
-};
-
-/// Likewise of one vector.
-template <class S>
-[[gnu::always_inline]] inline S sum_of(const Three<S>& v) {
-  return dot_sum<S>(v[0], v[1], v[2]);
-}
-template <class S>
-[[gnu::always_inline]] inline S largest_of(const Three<S>& v) {
-  return std::max(std::max(v[0], v[1]), v[2]);
-}
-
-/// A rotation as a quaternion, the real part in the last lane.
-template <class S>
-struct Turn {
-  /// As Eigen turns a vector by a quaternion.
-  [[gnu::always_inline]] Three<S> of(const Three<S>& v) const {
-    const Three<S> half = cross<S>(quaternion, v);
-    const Three<S> whole = half + half;
-    return v + spread<3>(quaternion) * whole + cross<S>(quaternion, whole);
-  }
-
-  Three<S> quaternion;
-};
+using boxes::Turn;
+using boxes::TurnMatrix;
 
 /// A capsule's axis between its ends, in A's frame.
 template <class S>
@@ -168,47 +111,6 @@ template <class S>
   return dots[0] <= dots[1] ? dots[2] / squared_length : S(1) + dots[3] / squared_length;
 }
 
-/// From A's frame to the world, the same bits as ToWorld.
-template <class S>
-class PackedToWorld {
- public:
-  [[gnu::always_inline]] explicit PackedToWorld(const Pose<S>& a, const Three<S>& position)
-      : position_(position) {
-    if constexpr (std::is_same_v<S, float>) {
-      // The matrix of a quaternion, as Eigen has it.
-      const Three<S> q = four_of<S, 0>(a.rotation), twice = q + q;
-      const Three<S> with_w = twice * spread<3>(q);  // twice w x, w y, w z
-      const Three<S> squares = twice * q;
-      const Three<S> mixed = after_next(twice) * next(q);  // twice z y, x z, y x
-      const Three<S> plus = mixed + with_w, minus = mixed - with_w;
-      const Three<S> diagonal = S(1) - (next(squares) + after_next(squares));
-      columns_.of[0] = Three<S>{diagonal[0], plus[2], minus[1], S(0)};
-      columns_.of[1] = Three<S>{minus[2], diagonal[1], plus[0], S(0)};
-      columns_.of[2] = Three<S>{plus[1], minus[0], diagonal[2], S(0)};
-    } else {
-      // Eigen adds the rows of a product in double in different orders.
-      to_world_.emplace(a);
-    }
-  }
-  [[gnu::always_inline]] Three<S> direction(const Three<S>& in_a) const {
-    if constexpr (std::is_same_v<S, float>) {
-      return dot_sum<S>(Three<S>(columns_.of[0] * spread<0>(in_a)),
-                        Three<S>(columns_.of[1] * spread<1>(in_a)),
-                        Three<S>(columns_.of[2] * spread<2>(in_a)));
-    } else {
-      return boxes::three(to_world_->direction(boxes::vector<S>(in_a)));
-    }
-  }
-  [[gnu::always_inline]] Three<S> point(const Three<S>& in_a) const {
-    return direction(in_a) + position_;
-  }
-
- private:
-  Three<S> position_;
-  boxes::Columns<S> columns_;
-  std::optional<ToWorld<S>> to_world_;
-};
-
 /// By number: the first end of an axis, the second, the axis.
 constexpr std::array<std::array<FeatureRef, 3>, 2> kFeatures = {
     {{vertex_ref(Owner::A, 0), vertex_ref(Owner::A, 1), edge_ref(Owner::A, 0)},
@@ -285,8 +187,9 @@ template <class S>
     normal = across / std::sqrt(sum_of<S>(across * across));
   }
   const Three<S> middle = S(0.5) * ((on_a + a.radius * normal) + (on_b - b.radius * normal));
-  const PackedToWorld<S> to_world(pose_a, position_a);
-  const Three<S> direction = to_world.direction(normal), point = to_world.point(middle);
+  // As ToWorld.
+  const TurnMatrix<S> to_world(pose_a.rotation);
+  const Three<S> direction = to_world.of(normal), point = to_world.of(middle) + position_a;
   // Zero times anything finite is zero.
   if (!boxes::all<S>(S(0) * direction + S(0) * point == S(0))) return false;
 

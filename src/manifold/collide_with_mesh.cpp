@@ -2,6 +2,7 @@
 #include <limits>
 #include <optional>
 
+#include "manifold/box_on_triangles.h"
 #include "manifold/clear_of_triangle.h"
 #include "manifold/collide_pairs.h"
 #include "manifold/collide_with_triangles.h"
@@ -121,16 +122,16 @@ S collide_sphere_mesh(const Sphere<S>& a, const Mesh<S>& b, const Pose<S>& b_in_
 
   const auto collide = [&](const PlacedTriangle<S>& triangle, Contact<S>& contact) {
     const Vec3<S> in_triangle = center - b.corner(triangle.index, 0);
-    const S touching = touching_distance(length_scale(triangle.hull, triangle.in_a, S(0)));
-    const S height = triangle.hull.planes[0].distance(in_triangle);
+    const S touching = touching_distance(length_scale(triangle.hull(), triangle.in_a(), S(0)));
+    const S height = triangle.hull().planes[0].distance(in_triangle);
     // In the plane, within rounding, both sides are as good: the front.
     const int face = height >= -touching ? 0 : 1;
     Closest<S> closest;
     closest.feature = face_ref(Owner::B, face);
     S distance = face == 0 ? height : -height;
-    const bool over_face = projects_into(triangle.hull, face, in_triangle, S(0));
+    const bool over_face = projects_into(triangle.hull(), face, in_triangle, S(0));
     if (!over_face) {
-      closest = closest_on_outline(triangle.hull, in_triangle);
+      closest = closest_on_outline(triangle.hull(), in_triangle);
       distance = closest.outward.norm();
     }
     const S separation = distance - a.radius;
@@ -138,7 +139,7 @@ S collide_sphere_mesh(const Sphere<S>& a, const Mesh<S>& b, const Pose<S>& b_in_
     const char* geometry = over_face ? "centre on a triangle" : "centre on an edge or a vertex";
     const bool touches = !(distance > touching);
     if (touches && skips_degenerate(geometry, options, recorder)) return separation;
-    Vec3<S> outward = at(triangle.hull.planes, face).normal;
+    Vec3<S> outward = at(triangle.hull().planes, face).normal;
     if (!over_face && !touches) outward = closest.outward / distance;
     add_point<S>(-b_in_a.rotate(outward), distance, a.radius, closest.feature,
                  AxisKind::ClosestPoints, contact);
@@ -146,10 +147,10 @@ S collide_sphere_mesh(const Sphere<S>& a, const Mesh<S>& b, const Pose<S>& b_in_
   };
   const auto on_face = [&](const PlacedTriangle<S>& triangle, int face, Contact<S>& contact) {
     const Vec3<S> in_triangle = center - b.corner(triangle.index, 0);
-    const Plane<S>& plane = at(triangle.hull.planes, face);
+    const Plane<S>& plane = at(triangle.hull().planes, face);
     const S distance = plane.distance(in_triangle);
     if (distance - a.radius > options.margin) return;
-    if (!projects_into(triangle.hull, face, in_triangle, S(0))) return;
+    if (!projects_into(triangle.hull(), face, in_triangle, S(0))) return;
     add_point<S>(-b_in_a.rotate(plane.normal), distance, a.radius, face_ref(Owner::B, face),
                  AxisKind::FaceB, contact);
   };
@@ -170,25 +171,26 @@ S collide_capsule_mesh(const Capsule<S>& a, const Mesh<S>& b, const Pose<S>& b_i
   const auto collide = [&](const PlacedTriangle<S>& triangle, Contact<S>& contact) {
     const Vec3<S>& origin = b.corner(triangle.index, 0);
     const Vec3<S> in_triangle[2] = {ends[0] - origin, ends[1] - origin};
-    const S touching = touching_distance(length_scale(triangle.hull, triangle.in_a, core_reach));
-    const std::optional<InPlane<S>> found = beside_in_plane(triangle.hull, in_triangle);
+    const S touching =
+        touching_distance(length_scale(triangle.hull(), triangle.in_a(), core_reach));
+    const std::optional<InPlane<S>> found = beside_in_plane(triangle.hull(), in_triangle);
     if (!found || found->closest.distance <= touching)
-      return collide_capsule_hull(a, triangle.hull, triangle.in_a, options, contact, recorder);
+      return collide_capsule_hull(a, triangle.hull(), triangle.in_a(), options, contact, recorder);
     const auto& [closest, id] = *found;
     const S separation = closest.distance - a.radius;
     if (separation > options.margin) return separation;
     contact.axis = AxisKind::ClosestPoints;
     contact.type = contact_type(id.first.kind, id.second.kind);
     contact.normal = b_in_a.rotate(Vec3<S>((closest.on_b - closest.on_a) / closest.distance));
-    contact.points.push_back({triangle.in_a.transform(closest.on_b), separation, id});
+    contact.points.push_back({triangle.in_a().transform(closest.on_b), separation, id});
     return separation;
   };
   const auto on_face = [&](const PlacedTriangle<S>& triangle, int face, Contact<S>& contact) {
     const Vec3<S>& origin = b.corner(triangle.index, 0);
     const Vec3<S> in_triangle[2] = {ends[0] - origin, ends[1] - origin};
-    const ClippedSegment<S> clipped = clip_to_prism(triangle.hull, face, in_triangle, S(0));
+    const ClippedSegment<S> clipped = clip_to_prism(triangle.hull(), face, in_triangle, S(0));
     if (clipped.empty()) return;
-    const Plane<S>& plane = at(triangle.hull.planes, face);
+    const Plane<S>& plane = at(triangle.hull().planes, face);
     contact.axis = AxisKind::FaceB;
     contact.normal = -b_in_a.rotate(plane.normal);
     const int count = clipped.parameters[0] < clipped.parameters[1] ? 2 : 1;
@@ -201,7 +203,7 @@ S collide_capsule_mesh(const Capsule<S>& a, const Mesh<S>& b, const Pose<S>& b_i
       const FeatureId id =
           clip_id(end, cut_by, face_ref(Owner::B, face), edge_ref(Owner::B, cut_by / 2));
       contact.points.push_back(
-          {triangle.in_a.transform(plane.project(core)), distance - a.radius, id});
+          {triangle.in_a().transform(plane.project(core)), distance - a.radius, id});
     }
     contact.type = face_contact_type(contact.points.size());
   };
@@ -212,13 +214,20 @@ S collide_capsule_mesh(const Capsule<S>& a, const Mesh<S>& b, const Pose<S>& b_i
 template <class S>
 S collide_hull_mesh(const Hull<S>& a, const Mesh<S>& b, const Pose<S>& b_in_a,
                     const CollideOptions& options, ContactSink<S>& sink, Recorder<S>* recorder) {
+  // A record has every triangle and every axis.
+  std::optional<BoxOnTriangles<S>> as_box;
+  if (a.is_box() && recorder == nullptr) as_box.emplace(a, b, b_in_a, options);
   const auto collide = [&](const PlacedTriangle<S>& triangle, Contact<S>& contact) {
+    const Owner preferred = preferred_face(b, triangle.index);
+    if (as_box && preferred == Owner::B && as_box->collide(triangle.index, contact))
+      return S(0);  // only a record, or a contact that was skipped, has use of it
     PairCache<S>* const nothing_kept = nullptr;
-    return collide_hull_hull(a, triangle.hull, triangle.in_a, options, nothing_kept, contact,
-                             recorder, preferred_face(b, triangle.index));
+    return collide_hull_hull(a, triangle.hull(), triangle.in_a(), options, nothing_kept, contact,
+                             recorder, preferred);
   };
   const auto on_face = [&](const PlacedTriangle<S>& triangle, int face, Contact<S>& contact) {
-    const HullPair<S> pair(a, triangle.hull, triangle.in_a);
+    if (as_box && as_box->collide_face(triangle.index, face, contact)) return;
+    const HullPair<S> pair(a, triangle.hull(), triangle.in_a());
     // The face query of the talk for this face alone.
     const Plane<S> plane = pair.b.plane(face);
     FaceQuery<S> query{face, 0, std::numeric_limits<S>::infinity()};
@@ -229,7 +238,6 @@ S collide_hull_mesh(const Hull<S>& a, const Mesh<S>& b, const Pose<S>& b_in_a,
     create_face_contact(pair, Owner::B, query, static_cast<S>(options.margin), contact, recorder);
   };
   const SeenFromMesh<S> seen = seen_from_mesh(a, b_in_a);
-  // A record has every triangle.
   if (recorder != nullptr)
     return collide_with_triangles(seen, b, b_in_a, options, sink, recorder, collide, on_face,
                                   kNoneIsClear);

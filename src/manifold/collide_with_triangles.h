@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 #include "geometry/triangle_hull.h"
 #include "manifold/collide_pairs.h"
@@ -24,12 +25,40 @@ S reach_of(const SeenFromMesh<S>& shape, const Pose<S>& b_in_a) {
          b_in_a.position.norm();
 }
 
-/// One triangle as a flat hull, and where that is in A's frame.
+/// One triangle, and when it is asked for, the triangle as a flat hull and where that is in A's frame.
 template <class S>
-struct PlacedTriangle {
-  const Hull<S>& hull;
-  Pose<S> in_a;
-  int index;
+class PlacedTriangle {
+ public:
+  /// All outlive this. `hull` is made, or set to this triangle, when it is asked for.
+  PlacedTriangle(const Mesh<S>& mesh, int triangle, const Pose<S>& mesh_in_a,
+                 std::optional<TriangleHull<S>>& hull)
+      : index(triangle), mesh_(mesh), mesh_in_a_(mesh_in_a), hull_(hull) {}
+
+  const Hull<S>& hull() const {
+    place();
+    return hull_->hull;
+  }
+  const Pose<S>& in_a() const {
+    place();
+    return in_a_;
+  }
+
+  const int index;
+
+ private:
+  void place() const {
+    if (is_placed_) return;
+    if (!hull_) hull_.emplace();
+    hull_->set(mesh_, index);
+    in_a_ = {mesh_in_a_.rotation, mesh_in_a_.transform(hull_->origin)};
+    is_placed_ = true;
+  }
+
+  const Mesh<S>& mesh_;
+  const Pose<S>& mesh_in_a_;
+  std::optional<TriangleHull<S>>& hull_;
+  mutable Pose<S> in_a_;
+  mutable bool is_placed_ = false;
 };
 
 /// The corner or the edge of a triangle that is a hull, at a parameter of that edge.
@@ -166,15 +195,13 @@ S collide_with_triangles(const SeenFromMesh<S>& shape, const Mesh<S>& b, const P
   const Aabb<S> box{shape.box.lower - grown, shape.box.upper + grown};
 
   const NearTriangles<S> near(b, box);
-  TriangleHull<S> triangle;
+  std::optional<TriangleHull<S>> hull;
   S least = std::numeric_limits<S>::infinity();
   S kept = 0;  // depth of what was added or skipped, negative
   LeftOut<S> left_out;
   const auto collide_triangle = [&](int index) {
     if (is_clear(index)) return;
-    triangle.set(b, index);
-    const PlacedTriangle<S> placed{
-        triangle.hull, {b_in_a.rotation, b_in_a.transform(triangle.origin)}, index};
+    const PlacedTriangle<S> placed(b, index, b_in_a, hull);
     Contact<S> contact;
     const S separation = collide(placed, contact);
     least = std::min(least, separation);

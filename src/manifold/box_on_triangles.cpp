@@ -1,0 +1,244 @@
+#include "manifold/box_on_triangles.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "core/at.h"
+#include "manifold/clip_rectangle.h"
+#include "manifold/edge_contact.h"
+#include "query/box_triangle_sat.h"
+
+namespace contactscope {
+namespace {
+
+using boxes::absolute;
+using boxes::BoxTriangleAxis;
+using boxes::Coordinates;
+using boxes::lane_bits;
+using boxes::Three;
+using boxes::TriangleByBox;
+using boxes::vertex_of_box;
+
+/// How heights of vertices are added up: as query_faces() does it, and as Plane::distance().
+template <class S>
+inline constexpr auto kAsFaceQuery =
+    [](const Three<S>& x, const Three<S>& y, const Three<S>& z) { return Three<S>((x + y) + z); };
+template <class S>
+inline constexpr auto kAsDistance =
+    [](const Three<S>& x, const Three<S>& y, const Three<S>& z) { return dot_sum<S>(x, y, z); };
+
+/// The vertices of a box by their heights along a normal, in two packs, and which is the lowest, the
+/// earliest of equals. `sum` adds the three terms up.
+template <class S, class Sum>
+[[gnu::always_inline]] inline int lowest_vertex(const Three<S>& terms, S offset, const Sum& sum) {
+  const S x = terms[0], y = terms[1], z = terms[2];
+  const Three<S> along_x = {-x, x, -x, x}, along_y = {-y, -y, y, y}, along_z = {z, z, z, z};
+  const Three<S> low = sum(along_x, along_y, Three<S>(-along_z)) - offset;
+  const Three<S> high = sum(along_x, along_y, along_z) - offset;
+  const Three<S> least = lanes::smallest<S>(lanes::smaller(low, high));
+  return std::countr_zero(lane_bits<S>(low == least) | lane_bits<S>(high == least) << 4 | 0x80U);
+}
+
+/// The face of a box at one of its vertices that looks most against a normal, as incident_face().
+template <class S>
+[[gnu::always_inline]] inline int face_against(int vertex, const Three<S>& normal) {
+  int best = 0;
+  S least = std::numeric_limits<S>::infinity();
+  for (const int face : kBox.faces_around[static_cast<std::size_t>(vertex)]) {
+    const S cosine = face % 2 == 0 ? normal[face / 2] : -normal[face / 2];
+    best = cosine < least ? face : best;
+    least = cosine < least ? cosine : least;
+  }
+  return best;
+}
+
+/// The edges of a box, then those of a triangle, in the order in which an id names them. A table, because a
+/// reference that was written as two bytes and an int would be waited for when it is read as one.
+constexpr std::array<FeatureRef, 15> kEdgeRefs = [] {
+  std::array<FeatureRef, 15> refs;
+  for (int i = 0; i < 15; ++i)
+    refs[static_cast<std::size_t>(i)] = i < 12 ? edge_ref(Owner::A, i) : edge_ref(Owner::B, i - 12);
+  return refs;
+}();
+using EdgePlaces = std::array<std::uint8_t, 4>;  // in that table, in the order of a ring
+constexpr std::array<EdgePlaces, 6> kBoxRings = [] {
+  std::array<EdgePlaces, 6> rings{};
+  for (std::size_t face = 0; face < 6; ++face) {
+    for (std::size_t i = 0; i < 4; ++i)
+      rings[face][i] = static_cast<std::uint8_t>(kBox.face_ring[face][i] / 2);
+  }
+  return rings;
+}();
+/// Of the front and of the back, as TriangleHull numbers them.
+constexpr std::array<EdgePlaces, 2> kTriangleRings = {{{12, 13, 14}, {12, 14, 13}}};
+
+/// The side planes of a box's faces, a lane for each, in the order of the ring.
+template <class S>
+struct FaceSides {
+  std::array<S, 4> x{}, y{}, z{};
+};
+template <class S>
+constexpr std::array<FaceSides<S>, 6> kFaceSides = [] {
+  std::array<FaceSides<S>, 6> sides;
+  for (std::size_t face = 0; face < 6; ++face) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      const int side = kBox.face(kBox.face_ring[face][i] ^ 1);
+      FaceSides<S>& of = sides[face];
+      (side / 2 == 0 ? of.x : side / 2 == 1 ? of.y : of.z)[i] = side % 2 == 0 ? S(1) : S(-1);
+    }
+  }
+  return sides;
+}();
+
+/// What clipping left that is below the reference face or up to `margin` above it, moved onto it.
+template <class S>
+[[gnu::always_inline]] inline void add_points(const boxes::ClippedRectangle<S>& clipped,
+                                              const EdgePlaces& incident, const EdgePlaces& sides,
+                                              const Three<S>& normal, S offset, S margin,
+                                              Contact<S>& contact) {
+  for (int i = 0; i < clipped.count; ++i) {
+    const int place = clipped.place(i);
+    const Three<S>& position = clipped.positions[place];
+    const S separation = boxes::sum_of<S>(position * normal) - offset;
+    if (!(separation <= margin)) continue;
+    const unsigned crossing = clipped.crossings[place];
+    const auto edge = [&](unsigned number) {
+      return number < 4 ? incident[number] : sides[number & 3U];
+    };
+    const std::uint8_t one = edge(crossing & 7U), two = edge(crossing >> 4);
+    contact.points.push_back({boxes::vector<S>(position - separation * normal), separation, {}});
+    contact.points.back().id.first = kEdgeRefs[std::min(one, two)];
+    contact.points.back().id.second = kEdgeRefs[std::max(one, two)];
+  }
+  contact.type = face_contact_type(contact.points.size());
+}
+
+}  // namespace
+
+template <class S>
+BoxOnTriangles<S>::BoxOnTriangles(const Hull<S>& box, const Mesh<S>& mesh,
+                                  const Pose<S>& mesh_in_box, const CollideOptions& options)
+    : box_(box),
+      mesh_(mesh),
+      mesh_in_box_(mesh_in_box),
+      margin_(static_cast<S>(options.margin)),
+      preference_(options.preference),
+      is_turn_(std::abs(mesh_in_box.rotation.squaredNorm() - S(1)) <=
+               S(8) * std::numeric_limits<S>::epsilon()),
+      turn_(mesh_in_box.rotation),
+      half_(boxes::three(box.half_extents)) {}
+
+/// As collide_hull_hull(), in the same steps.
+template <class S>
+[[gnu::flatten]] bool BoxOnTriangles<S>::collide(int index, Contact<S>& contact) const {
+  using Axis = BoxTriangleAxis<S>;
+  if (!is_turn_) return false;
+  const TriangleByBox<S> triangle(mesh_, index, mesh_in_box_, turn_, box_.radius);
+  const Axis axis = boxes::box_triangle_sat(half_, box_.radius, triangle, margin_, preference_);
+  if (axis.verdict == Axis::Separated) return true;
+  if (axis.verdict == Axis::Undecided) return false;
+  if (axis.verdict == Axis::Edge) {
+    create_edge_contact(closest_points(axis.edge_a, axis.edge_b, axis.edge), axis.edge, contact);
+    return true;
+  }
+  const bool done = axis.reference == Owner::B
+                        ? face_of_triangle(triangle, axis.face, kAsFaceQuery<S>, contact)
+                        : face_of_box(triangle, axis.face, contact);
+  // As in create_contact(). Where the contact is not as deep as the axis, that takes another.
+  if (done && contact.deepest() <= axis.deepest + axis.tolerance + depth_rounding(triangle.scale))
+    return true;
+  contact.points.clear();
+  return false;
+}
+
+template <class S>
+[[gnu::flatten]] bool BoxOnTriangles<S>::collide_face(int index, int face,
+                                                      Contact<S>& contact) const {
+  const TriangleByBox<S> triangle(mesh_, index, mesh_in_box_, turn_, box_.radius);
+  return face_of_triangle(triangle, face, kAsDistance<S>, contact);
+}
+
+/// create_face_contact() of the triangle's face with that of the box at its lowest vertex, by heights that
+/// `sum` adds up: the box's rectangle is clipped against three sides, and a fourth that nothing is outside
+/// of.
+template <class S>
+template <class Sum>
+[[gnu::always_inline]] inline bool BoxOnTriangles<S>::face_of_triangle(
+    const TriangleByBox<S>& triangle, int face, const Sum& sum, Contact<S>& contact) const {
+  const Three<S> normal = face == 0 ? triangle.normal : -triangle.normal;
+  const S offset = face == 0 ? triangle.offset : -triangle.offset;
+  const int support = lowest_vertex<S>(Three<S>(normal * half_), offset, sum);
+  const int incident = face_against<S>(support, normal);
+  boxes::RectanglePair<S> rectangles;
+  rectangles.thickness = clip_thickness(triangle.scale);
+  for (std::size_t i = 0; i < 4; ++i)
+    rectangles.corners[i] =
+        vertex_of_box<S>(half_, kBoxFaces[static_cast<std::size_t>(incident)][i]);
+  // Seen from the back the edges come in the order 0, 2, 1, each from its other end.
+  Three<S> sides[3], origins[3];
+  for (int k = 0; k < 3; ++k) {
+    sides[k] = boxes::cross<S>(triangle.directions[k], triangle.normal);
+    origins[k] = triangle.corners[face == 0 ? k : (k + 1) % 3];
+  }
+  if (face == 1) {
+    std::swap(sides[1], sides[2]);
+    std::swap(origins[1], origins[2]);
+  }
+  const Three<S> none = {};
+  const Coordinates<S> of_sides(sides[0], sides[1], sides[2], none);
+  rectangles.side_x = of_sides.x;
+  rectangles.side_y = of_sides.y;
+  rectangles.side_z = of_sides.z;
+  rectangles.side_offset = of_sides.dot(Coordinates<S>(origins[0], origins[1], origins[2], none)) +
+                           Three<S>{0, 0, 0, std::numeric_limits<S>::infinity()};
+  boxes::ClippedRectangle<S> clipped;
+  if (!boxes::clip_rectangle(rectangles, clipped)) [[unlikely]]
+    return false;
+  contact.axis = AxisKind::FaceB;
+  contact.normal = boxes::vector<S>(-normal);
+  contact.points.clear();
+  add_points(clipped, kBoxRings[static_cast<std::size_t>(incident)],
+             kTriangleRings[static_cast<std::size_t>(face)], normal, offset, margin_, contact);
+  return true;
+}
+
+/// create_face_contact() of the box's face with the side of the triangle that looks against it.
+template <class S>
+[[gnu::always_inline]] inline bool BoxOnTriangles<S>::face_of_box(const TriangleByBox<S>& triangle,
+                                                                  int face,
+                                                                  Contact<S>& contact) const {
+  const int axis = face / 2;
+  const S sign = face % 2 == 0 ? S(1) : S(-1);
+  const int incident = sign * triangle.normal[axis] > S(0) ? 1 : 0;
+  boxes::RectanglePair<S> rectangles;
+  rectangles.thickness = clip_thickness(triangle.scale);
+  rectangles.corners[0] = triangle.corners[incident == 0 ? 0 : 1];
+  rectangles.corners[1] = triangle.corners[incident == 0 ? 1 : 0];
+  rectangles.corners[2] = triangle.corners[2];
+  const FaceSides<S>& sides = kFaceSides<S>[static_cast<std::size_t>(face)];
+  rectangles.side_x = lanes::load_pack<Three<S>>(sides.x.data());
+  rectangles.side_y = lanes::load_pack<Three<S>>(sides.y.data());
+  rectangles.side_z = lanes::load_pack<Three<S>>(sides.z.data());
+  rectangles.side_offset = absolute<S>(rectangles.side_x) * half_[0] +
+                           absolute<S>(rectangles.side_y) * half_[1] +
+                           absolute<S>(rectangles.side_z) * half_[2];
+  boxes::ClippedRectangle<S> clipped;
+  if (!boxes::clip_rectangle<3>(rectangles, clipped)) [[unlikely]]
+    return false;
+  contact.axis = AxisKind::FaceA;
+  contact.normal = Vec3<S>::Unit(axis) * sign;
+  contact.points.clear();
+  add_points(clipped, kTriangleRings[static_cast<std::size_t>(incident)],
+             kBoxRings[static_cast<std::size_t>(face)], boxes::three(contact.normal), half_[axis],
+             margin_, contact);
+  return true;
+}
+
+template class BoxOnTriangles<float>;
+template class BoxOnTriangles<double>;
+
+}  // namespace contactscope

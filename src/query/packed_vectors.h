@@ -1,0 +1,130 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <type_traits>
+
+#include "core/dot_order.h"
+#include "core/pose.h"
+#include "query/box_pair.h"
+
+/// Vectors of three in one register each, and a few of them at a time: what Eigen does with one, bit for bit.
+namespace contactscope::boxes {
+
+/// Four numbers of something that is nothing but numbers, from number `kFirst` on.
+template <class S, int kFirst, class T>
+[[gnu::always_inline]] inline Three<S> four_of(const T& numbers) {
+  static_assert(sizeof(T) >= (kFirst + 4) * sizeof(S) && std::is_standard_layout_v<T>);
+  Three<S> pack;
+  std::memcpy(&pack, reinterpret_cast<const std::byte*>(&numbers) + kFirst * sizeof(S),
+              sizeof pack);
+  return pack;
+}
+
+/// u x v. The bracket has its entry k + 1 at place k.
+template <class S>
+[[gnu::always_inline]] inline Three<S> cross(const Three<S>& u, const Three<S>& v) {
+  return next(Three<S>(u * next(v) - next(u) * v));
+}
+
+/// The sum of the three entries, in the order of Eigen's dot().
+template <class S>
+[[gnu::always_inline]] inline S sum_of(const Three<S>& v) {
+  return dot_sum<S>(v[0], v[1], v[2]);
+}
+template <class S>
+[[gnu::always_inline]] inline S largest_of(const Three<S>& v) {
+  return std::max(std::max(v[0], v[1]), v[2]);
+}
+
+template <class S>
+[[gnu::always_inline]] inline Three<S> square_roots(const Three<S>& of) {
+  Three<S> roots;
+  for (int i = 0; i < 4; ++i) roots[i] = std::sqrt(of[i]);
+  return roots;
+}
+
+/// The x, y and z of four vectors, side by side.
+template <class S>
+struct Coordinates {
+  [[gnu::always_inline]] Coordinates(const Three<S>& one, const Three<S>& two,
+                                     const Three<S>& three, const Three<S>& four) {
+    const Three<S> low = __builtin_shufflevector(one, two, 0, 4, 1, 5);
+    const Three<S> low_too = __builtin_shufflevector(three, four, 0, 4, 1, 5);
+    const Three<S> high = __builtin_shufflevector(one, two, 2, 6, 3, 7);
+    const Three<S> high_too = __builtin_shufflevector(three, four, 2, 6, 3, 7);
+    x = __builtin_shufflevector(low, low_too, 0, 1, 4, 5);
+    y = __builtin_shufflevector(low, low_too, 2, 3, 6, 7);
+    z = __builtin_shufflevector(high, high_too, 0, 1, 4, 5);
+  }
+  /// The sum of each vector's entries.
+  [[gnu::always_inline]] Three<S> sums() const { return dot_sum<S>(x, y, z); }
+  /// The dot products with four others.
+  [[gnu::always_inline]] Three<S> dot(const Coordinates& other) const {
+    return dot_sum<S>(Three<S>(x * other.x), Three<S>(y * other.y), Three<S>(z * other.z));
+  }
+
+  Three<S> x, y, z;
+};
+
+/// A rotation as a quaternion, the real part in the last lane.
+template <class S>
+struct Turn {
+  /// As Eigen turns a vector by a quaternion.
+  [[gnu::always_inline]] Three<S> of(const Three<S>& v) const {
+    const Three<S> half = cross<S>(quaternion, v);
+    const Three<S> whole = half + half;
+    return v + spread<3>(quaternion) * whole + cross<S>(quaternion, whole);
+  }
+
+  Three<S> quaternion;
+};
+
+/// The matrix of a rotation, and its products as Eigen has them.
+template <class S>
+class TurnMatrix {
+ public:
+  [[gnu::always_inline]] explicit TurnMatrix(const Quat<S>& rotation) {
+    if constexpr (kInPacks) {
+      const Three<S> q = four_of<S, 0>(rotation), twice = q + q;
+      const Three<S> with_w = twice * spread<3>(q);  // twice w x, w y, w z
+      const Three<S> squares = twice * q;
+      const Three<S> mixed = after_next(twice) * next(q);  // twice z y, x z, y x
+      const Three<S> plus = mixed + with_w, minus = mixed - with_w;
+      const Three<S> diagonal = S(1) - (next(squares) + after_next(squares));
+      columns_.of[0] = Three<S>{diagonal[0], plus[2], minus[1], S(0)};
+      columns_.of[1] = Three<S>{minus[2], diagonal[1], plus[0], S(0)};
+      columns_.of[2] = Three<S>{plus[1], minus[0], diagonal[2], S(0)};
+    } else {
+      matrix_ = rotation.toRotationMatrix();
+      for (int k = 0; k < 3; ++k) columns_.of[k] = three(Vec3<S>(matrix_.col(k)));
+    }
+  }
+
+  /// As Eigen's product of a matrix and a vector.
+  [[gnu::always_inline]] Three<S> of(const Three<S>& v) const {
+    if constexpr (kInPacks) {
+      return dot_sum<S>(Three<S>(columns_.of[0] * spread<0>(v)),
+                        Three<S>(columns_.of[1] * spread<1>(v)),
+                        Three<S>(columns_.of[2] * spread<2>(v)));
+    } else {
+      return three(Vec3<S>(matrix_ * vector<S>(v)));
+    }
+  }
+  /// As dot() of lanes.h adds up, by which hulls are placed.
+  [[gnu::always_inline]] Three<S> of_placed(const Three<S>& v) const {
+    return (columns_.of[0] * spread<0>(v) + columns_.of[1] * spread<1>(v)) +
+           columns_.of[2] * spread<2>(v);
+  }
+
+ private:
+  /// In double Eigen adds the rows of a product in different orders, so that it has to be asked.
+  static constexpr bool kInPacks = std::is_same_v<S, float>;
+
+  Columns<S> columns_;
+  Mat3<S> matrix_;
+};
+
+}  // namespace contactscope::boxes
