@@ -14,6 +14,9 @@ namespace {
 // floor under the camera is cropped by the picture and not by this plane.
 constexpr double kNearFraction = 0.02;
 
+// What is so far beside the picture is so for certain, however a cut at another border rounds; pixels.
+constexpr double kBeside = 1;
+
 Point2 mix2(const Point2& a, const Point2& b, double t) {
   return pixel(a.x + t * (b.x - a.x), a.y + t * (b.y - a.y));
 }
@@ -128,6 +131,23 @@ ViewFit fit_view(const std::vector<Vec3d>& points, const Vec3d& towards_eye, con
 }
 
 std::vector<Point2> project_polygon(const Camera& camera, const std::vector<Vec3d>& polygon) {
+  // Of a mesh nearly every triangle is all in the picture, or all beside it: those are not cut.
+  std::vector<Point2> whole;
+  whole.reserve(polygon.size());
+  std::array<double, 4> most{-kBeside, -kBeside, -kBeside, -kBeside};  // inside of each border
+  bool inside = true;
+  for (const Vec3d& p : polygon) {
+    const std::optional<Point2> seen = camera.project(p);
+    if (!seen) break;
+    inside = inside && camera.viewport().contains(*seen);
+    const std::array<double, 4> distance = distances(camera.viewport(), *seen);
+    for (std::size_t i = 0; i < most.size(); ++i) most[i] = std::max(most[i], distance[i]);
+    whole.push_back(*seen);
+  }
+  if (whole.size() == polygon.size()) {
+    if (inside && whole.size() >= 3) return whole;
+    if (inside || std::ranges::any_of(most, [](double d) { return d <= -kBeside; })) return {};
+  }
   const std::vector<Vec3d> in_front = clipped(
       mapped(polygon, [&](const Vec3d& p) { return camera.to_camera(p); }),
       [&](const Vec3d& p) { return p.z() - camera.near_distance(); },

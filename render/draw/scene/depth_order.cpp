@@ -1,8 +1,8 @@
 #include "draw/scene/visibility.h"
 
 #include <algorithm>
+#include <deque>
 #include <functional>
-#include <iterator>
 #include <span>
 
 #include "core/at.h"
@@ -25,9 +25,12 @@ struct Item {
   bool parts = false;
 };
 
-bool is_small(const Item& item) {
-  return item.surface.body == kSmallSurface;
+bool is_small(const Item* item) {
+  return item->surface.body == kSmallSurface;
 }
+
+/// Items are many and large: what is sorted to one side or the other is where they are.
+using Items = std::vector<Item*>;
 
 /// Paints into `result`, farthest first.
 struct Painter {
@@ -35,15 +38,16 @@ struct Painter {
   const std::vector<RoundBody>& bodies;
   double tolerance;
   std::vector<Surface>& result;
+  std::deque<Item> pieces{};  // what was cut; they stay where they are
 
   // What is small and beyond one of the planes has nothing to do with the rest.
-  void paint_apart(std::vector<Item> items, std::span<const Plane<double>> box) const {
+  void paint_apart(Items items, std::span<const Plane<double>> box) {
     if (box.empty() || std::ranges::none_of(items, is_small)) {
       paint(std::move(items));
       return;
     }
-    auto [front, back, on] = part(box.front(), std::move(items));
-    std::ranges::move(on, std::back_inserter(back));
+    auto [front, back, on] = part(box.front(), items);
+    back.insert(back.end(), on.begin(), on.end());
     const bool eye_in_front = in_front(box.front());
     if (!eye_in_front) paint(std::move(front));
     paint_apart(std::move(back), box.subspan(1));
@@ -51,15 +55,16 @@ struct Painter {
   }
 
   struct Parts {
-    std::vector<Item> front, back, on;
+    Items front, back, on;
   };
 
-  void paint(std::vector<Item> items) const {
+  void paint(Items items) {
     if (items.size() < 2) {
       put(items);
       return;
     }
-    const auto largest = std::ranges::max_element(items, {}, &Item::area);
+    Item* const largest =
+        *std::ranges::max_element(items, {}, [](const Item* item) { return item->area; });
     if (largest->surface.body != kFlatSurface) {
       paint_small(items);
       std::erase_if(items, is_small);
@@ -68,43 +73,44 @@ struct Painter {
     }
     const Plane<double> plane = largest->plane;
     largest->parts = true;
-    auto [front, back, on] = part(plane, std::move(items));
+    auto [front, back, on] = part(plane, items);
     if (in_front(plane)) std::swap(front, back);
     paint(std::move(front));
     put(on);
     paint(std::move(back));
   }
 
-  void put(std::vector<Item>& items) const {
-    for (Item& item : items) result.push_back(std::move(item.surface));
+  void put(const Items& items) {
+    for (Item* item : items) result.push_back(std::move(item->surface));
   }
 
   // By the middle of each.
-  void paint_small(const std::vector<Item>& items) const {
-    std::vector<std::pair<double, const Item*>> sorted;
-    for (const Item& item : items) {
+  void paint_small(const Items& items) {
+    std::vector<std::pair<double, Item*>> sorted;
+    sorted.reserve(items.size());
+    for (Item* item : items) {
       if (!is_small(item)) continue;
-      const Vec3d middle = mean_of(
-          mapped(item.surface.polygon, [&](const Vec3d& p) { return camera.to_camera(p); }));
-      sorted.emplace_back(camera.is_perspective() ? middle.norm() : middle.z(), &item);
+      Vec3d sum = Vec3d::Zero();
+      for (const Vec3d& p : item->surface.polygon) sum += camera.to_camera(p);
+      const Vec3d middle = sum / static_cast<double>(item->surface.polygon.size());
+      sorted.emplace_back(camera.is_perspective() ? middle.norm() : middle.z(), item);
     }
     std::ranges::stable_sort(sorted, std::ranges::greater(),
                              [](const auto& entry) { return entry.first; });
-    for (const auto& [distance, item] : sorted) result.push_back(item->surface);
+    for (const auto& [distance, item] : sorted) result.push_back(std::move(item->surface));
   }
 
   // Facets of round bodies alone: parted by the planes of the pairs from (first, second) on. `won`
   // counts for each body the pairs in which this region is on its side.
-  void paint_bodies(std::vector<Item> items, std::size_t first, std::size_t second,
-                    std::vector<int> won) const {
+  void paint_bodies(Items items, std::size_t first, std::size_t second, std::vector<int> won) {
     std::vector<bool> present(bodies.size());
-    for (const Item& item : items) present[static_cast<std::size_t>(item.surface.body)] = true;
+    for (const Item* item : items) present[static_cast<std::size_t>(item->surface.body)] = true;
     for (; first < bodies.size(); ++first, second = first + 1) {
       for (; present[first] && second < bodies.size(); ++second) {
         if (!present[second]) continue;
         const Plane<double> plane = power_plane(bodies[first], bodies[second]);
-        auto [front, back, on] = part(plane, std::move(items));
-        std::ranges::move(on, std::back_inserter(back));
+        auto [front, back, on] = part(plane, items);
+        back.insert(back.end(), on.begin(), on.end());
         std::vector<int> won_front = won;
         ++won_front[second];
         ++won[first];
@@ -116,7 +122,7 @@ struct Painter {
       }
     }
     std::ranges::stable_sort(items, {},
-                             [&](const Item& item) { return at(won, item.surface.body); });
+                             [&](const Item* item) { return at(won, item->surface.body); });
     put(items);
   }
 
@@ -125,30 +131,31 @@ struct Painter {
     return camera.to_eye(on_plane).dot(plane.normal) > 0;
   }
 
-  Parts part(const Plane<double>& plane, std::vector<Item> items) const {
+  Parts part(const Plane<double>& plane, const Items& items) {
     Parts parts;
-    for (Item& item : items) {
+    for (Item* item : items) {
       bool front = false, back = false;
-      for (const Vec3d& p : item.surface.polygon) {
-        if (item.parts) break;
+      for (const Vec3d& p : item->surface.polygon) {
+        if (item->parts) break;
         const double d = plane.distance(p);
         front = front || d > tolerance;
         back = back || d < -tolerance;
       }
       if (!front || !back) {
-        (front ? parts.front : back ? parts.back : parts.on).push_back(std::move(item));
+        (front ? parts.front : back ? parts.back : parts.on).push_back(item);
         continue;
       }
       for (const int sign : {1, -1}) {
-        Item piece = item;
-        piece.surface.polygon = clipped(
-            item.surface.polygon, [&](const Vec3d& p) { return sign * plane.distance(p); },
+        std::vector<Vec3d> polygon = clipped(
+            item->surface.polygon, [&](const Vec3d& p) { return sign * plane.distance(p); },
             [&](const Vec3d& p, const Vec3d& q, double at_p, double at_q) {
               return zero_between(p, q, sign * at_p, sign * at_q);
             },
             tolerance);
-        if (piece.surface.polygon.size() < 3) continue;
-        (sign > 0 ? parts.front : parts.back).push_back(std::move(piece));
+        if (polygon.size() < 3) continue;
+        Item& piece = pieces.emplace_back(*item);
+        piece.surface.polygon = std::move(polygon);
+        (sign > 0 ? parts.front : parts.back).push_back(&piece);
       }
     }
     return parts;
@@ -183,7 +190,10 @@ std::vector<Surface> depth_ordered(std::vector<Surface> surfaces, const Camera& 
   std::vector<Surface> result;
   result.reserve(items.size());
   const double scale = items.empty() ? 0 : whole.sizes().maxCoeff();
-  Painter{camera, bodies, kOnPlane * scale, result}.paint_apart(std::move(items), sides);
+  Items all;
+  all.reserve(items.size());
+  for (Item& item : items) all.push_back(&item);
+  Painter{camera, bodies, kOnPlane * scale, result}.paint_apart(std::move(all), sides);
   return result;
 }
 

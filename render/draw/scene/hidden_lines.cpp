@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 
 #include "core/at.h"
 #include "draw/scene/points.h"
@@ -25,8 +24,11 @@ constexpr int kColumns = 48, kRows = 32;
 
 HiddenLines::HiddenLines(const Camera& camera, const Occluders& occluders,
                          const std::vector<ConvexShadow>& shadows)
-    : camera_(camera), shadows_(shadows), everywhere_(shadows.size()), cells_(kColumns * kRows) {
-  std::iota(everywhere_.begin(), everywhere_.end(), 0);
+    : camera_(camera), begins_{0}, cells_(kColumns * kRows) {
+  for (const ConvexShadow& shadow : shadows) {
+    bounds_.insert(bounds_.end(), shadow.begin(), shadow.end());
+    everywhere_.push_back(end_shadow());
+  }
   const bool few = occluders.size() < kManyOccluders;
   for (const std::vector<Vec3d>& polygon : occluders) {
     if (polygon.size() < 3) continue;
@@ -35,11 +37,15 @@ HiddenLines::HiddenLines(const Camera& camera, const Occluders& occluders,
     for (const Vec3d& p : polygon) size = std::max(size, (p - middle).norm());
     const double border = kBorder * size;
     border_ = std::max(border_, border);
+    std::vector<Point2> seen;
+    if (!few) {
+      seen = project_polygon(camera, polygon);
+      if (seen.empty()) continue;  // no line that is seen is near it
+    }
     Vec3d normal = newell_normal(polygon).normalized();
     if (normal.dot(camera.to_eye(middle)) < 0) normal = -normal;
 
-    ConvexShadow shadow;
-    shadow.push_back({normal, normal.dot(middle) - border});  // behind the polygon
+    bounds_.push_back({normal, normal.dot(middle) - border});  // behind the polygon
     for (std::size_t i = 0; i < polygon.size(); ++i) {
       const Vec3d& p = polygon[i];
       const Vec3d& q = polygon[(i + 1) % polygon.size()];
@@ -49,20 +55,23 @@ HiddenLines::HiddenLines(const Camera& camera, const Occluders& occluders,
       if (length <= kBorder * (q - p).norm()) continue;
       side /= length;
       if (side.dot(middle - p) > 0) side = -side;
-      shadow.push_back({side, side.dot(p) - border});
+      bounds_.push_back({side, side.dot(p) - border});
     }
-    const int index = count_of(shadows_);
-    shadows_.push_back(std::move(shadow));
-    if (few) {
+    const int index = end_shadow();
+    if (few)
       everywhere_.push_back(index);
-    } else {
-      for (const int cell : cells_of(project_polygon(camera, polygon)))
-        at(cells_, cell).push_back(index);
-    }
+    else
+      each_cell(seen, [&](std::size_t cell) { cells_[cell].push_back(index); });
   }
 }
 
-std::vector<int> HiddenLines::cells_of(std::span<const Point2> points) const {
+int HiddenLines::end_shadow() {
+  begins_.push_back(bounds_.size());
+  return count_of(begins_) - 2;
+}
+
+template <class Visit>
+void HiddenLines::each_cell(std::span<const Point2> points, const Visit& visit) const {
   const Rect& view = camera_.viewport();
   Eigen::AlignedBox2i box;
   for (const Point2& at : points) {
@@ -71,39 +80,32 @@ std::vector<int> HiddenLines::cells_of(std::span<const Point2> points) const {
     box.extend(Eigen::Vector2i(static_cast<int>(std::clamp(x, 0.0, kColumns - 1.0)),
                                static_cast<int>(std::clamp(y, 0.0, kRows - 1.0))));
   }
-  std::vector<int> cells;
   for (int row = box.min().y(); row <= box.max().y(); ++row) {
     for (int column = box.min().x(); column <= box.max().x(); ++column)
-      cells.push_back(row * kColumns + column);
+      visit(static_cast<std::size_t>(row * kColumns + column));
   }
-  return cells;
 }
 
 std::vector<Span> HiddenLines::split(const Vec3d& from, const Vec3d& to) const {
-  std::vector<int> candidates = everywhere_;
-  if (candidates.size() < shadows_.size()) {
-    if (const std::optional<Segment2> seen = project_segment(camera_, from, to)) {
-      for (const int cell : cells_of(std::array{seen->from, seen->to}))
-        candidates.insert(candidates.end(), at(cells_, cell).begin(), at(cells_, cell).end());
-    }
-    std::ranges::sort(candidates);
-    candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
-  }
   std::vector<std::pair<double, double>> hidden;
-  for (const int index : candidates) {
+  const auto look = [&](int index) {
+    const auto shadow = static_cast<std::size_t>(index);
     double first = 0, last = 1;
-    for (const Plane<double>& bound : at(shadows_, index)) {
-      const double d0 = bound.distance(from);
-      const double d1 = bound.distance(to);
-      if (d0 > 0 && d1 > 0) {
-        first = 1;
-        last = 0;
-        break;
-      }
+    for (std::size_t i = begins_[shadow]; i < begins_[shadow + 1]; ++i) {
+      const double d0 = bounds_[i].distance(from);
+      const double d1 = bounds_[i].distance(to);
+      if (d0 > 0 && d1 > 0) return;
       if (d0 > 0) first = std::max(first, d0 / (d0 - d1));
       if (d1 > 0) last = std::min(last, d0 / (d0 - d1));
     }
     if (first < last) hidden.emplace_back(first, last);
+  };
+  std::ranges::for_each(everywhere_, look);
+  if (everywhere_.size() + 1 < begins_.size()) {
+    // A shadow that is in several of the cells is looked at in each: its interval adds nothing twice.
+    if (const std::optional<Segment2> seen = project_segment(camera_, from, to))
+      each_cell(std::array{seen->from, seen->to},
+                [&](std::size_t cell) { std::ranges::for_each(cells_[cell], look); });
   }
   std::ranges::sort(hidden);
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 
+#include "core/at.h"
 #include "core/convex_polygon.h"
 #include "draw/scene/points.h"
 #include "draw/scene/solid.h"
@@ -47,10 +48,11 @@ constexpr double kTooClose = 3;
 constexpr double kFarAway = 11;
 
 // The share that is left of a line between triangles which stand closer and closer on the screen
-// towards the horizon.
-float distance_fade(const Scene& scene, const PlacedShape& shape, const ShapeMesh::Edge& edge) {
-  const std::optional<Point2> from = scene.camera.project(shape.vertex(edge.from));
-  const std::optional<Point2> to = scene.camera.project(shape.vertex(edge.to));
+// towards the horizon. `seen` is where each vertex is on the screen.
+float distance_fade(const Scene& scene, const PlacedShape& shape, const ShapeMesh::Edge& edge,
+                    const std::vector<std::optional<Point2>>& seen) {
+  const std::optional<Point2>& from = at(seen, edge.from);
+  const std::optional<Point2>& to = at(seen, edge.to);
   if (!from || !to) return 1;
   const Vec2d along(to->x - from->x, to->y - from->y);
   const double length = along.norm();
@@ -60,7 +62,7 @@ float distance_fade(const Scene& scene, const PlacedShape& shape, const ShapeMes
     if (face < 0) continue;
     for (const int v : at(shape.traced().faces, face)) {
       if (v == edge.from || v == edge.to) continue;
-      const std::optional<Point2> apex = scene.camera.project(shape.vertex(v));
+      const std::optional<Point2>& apex = at(seen, v);
       if (!apex) continue;
       const Vec2d way(apex->x - from->x, apex->y - from->y);
       spacing = std::min(spacing, std::abs(cross(along, way)) / length);
@@ -124,6 +126,9 @@ void draw_mesh(const Scene& scene, const PlacedShape& shape, const Color& fill, 
   const LineStyle crease{1.5f, border.color, false, hidden};
   const LineStyle thin{1.0f, with_alpha(kShapeEdge, thin_alpha(scene, shape)), false,
                        LineStyle::Hidden::Gone};
+  std::vector<std::optional<Point2>> seen;
+  if (many && thin.color.a > 0)
+    seen = mapped(shape.vertices, [&](const Vec3d& v) { return scene.camera.project(v); });
   for (const ShapeMesh::Edge& edge : edges) {
     const bool left = at(front, edge.left);
     const bool right = edge.right >= 0 && at(front, edge.right);
@@ -136,7 +141,7 @@ void draw_mesh(const Scene& scene, const PlacedShape& shape, const Color& fill, 
       style = crease;
     } else {
       if (thin.color.a <= 0 || (!left && !open)) continue;
-      if (many) style.color.a *= distance_fade(scene, shape, edge);
+      if (many) style.color.a *= distance_fade(scene, shape, edge, seen);
       if (style.color.a < 0.01f) continue;
     }
     sketch.line(shape.vertex(edge.from), shape.vertex(edge.to), style);

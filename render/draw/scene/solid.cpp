@@ -18,14 +18,17 @@ constexpr LineStyle kTick{1.0f, with_alpha(kShapeEdge, 0.55f), false, LineStyle:
 std::vector<bool> draw_faces(const Camera& camera, const PlacedShape& shape, const Color& fill,
                              bool both_sides, Sketch& sketch) {
   const Vec3d light = key_light(camera);
+  const int faces = count_of(shape.traced().faces);
   std::vector<bool> front;
-  for (int f = 0; f < count_of(shape.traced().faces); ++f) {
-    const std::vector<Vec3d> polygon = shape.polygon(f);
+  front.reserve(static_cast<std::size_t>(faces));
+  for (int f = 0; f < faces; ++f) {
+    std::vector<Vec3d> polygon = shape.polygon(f);
     const Vec3d normal = shape.normal(f);
     front.push_back(camera.faces(polygon.front(), normal));
     if (!front.back() && !both_sides) continue;
     sketch.occluders.push_back(polygon);
-    sketch.surfaces.push_back({polygon, toned(fill, (front.back() ? 1 : -1) * normal.dot(light)),
+    sketch.surfaces.push_back({std::move(polygon),
+                               toned(fill, (front.back() ? 1 : -1) * normal.dot(light)),
                                kFlatSurface, Surface::Kind::Body});
   }
   return front;

@@ -101,11 +101,15 @@ class HiddenLines {
   std::vector<Span> split(const Vec3d& from, const Vec3d& to) const;
 
  private:
+  // Ends the shadow whose bounds were written last, and gives its number.
+  int end_shadow();
   // The cells of the view in the box around points.
-  std::vector<int> cells_of(std::span<const Point2> points) const;
+  template <class Visit>
+  void each_cell(std::span<const Point2> points, const Visit& visit) const;
 
   Camera camera_;
-  std::vector<ConvexShadow> shadows_;
+  std::vector<Plane<double>> bounds_;    // of all shadows, one after the other
+  std::vector<std::size_t> begins_;      // of each shadow in `bounds_`, and the end of the last
   std::vector<int> everywhere_;          // shadows that any line may be in
   std::vector<std::vector<int>> cells_;  // the others, by where they are on the screen
   double border_ = 0;                    // metres
