@@ -22,6 +22,12 @@ std::uint32_t be32(const std::uint8_t* at) {
          at[3];
 }
 
+bool has_signature(std::span<const std::uint8_t> bytes) {
+  return bytes.size() >= kPngSignature.size() &&
+         std::equal(kPngSignature.begin(), kPngSignature.end(), bytes.begin(),
+                    [](char a, std::uint8_t b) { return static_cast<std::uint8_t>(a) == b; });
+}
+
 }  // namespace
 
 std::vector<std::uint8_t> encode_png(const Image& image, int level, const PngText& text) {
@@ -48,7 +54,8 @@ Image decode_png(std::span<const std::uint8_t> bytes, const std::string& name) {
                             &channels, 3),
       stbi_image_free);
   if (!pixels) {
-    throw PngError(name + ": cannot be read as a PNG: " + stbi_failure_reason());
+    throw PngError(name + ": cannot be read as a PNG: " +
+                   (has_signature(bytes) ? "it is cut off or damaged" : "it is none"));
   }
   Image image(width, height);
   image.rgb.assign(pixels.get(), pixels.get() + image.rgb.size());
@@ -61,16 +68,12 @@ Image read_png(const std::string& path) {
 
 PngText read_png_text(const std::string& path) {
   const std::vector<std::uint8_t> bytes = read_whole_file(path);
-  if (!std::equal(
-          kPngSignature.begin(), kPngSignature.end(), bytes.begin(),
-          bytes.begin() + static_cast<std::ptrdiff_t>(std::min(kPngSignature.size(), bytes.size())),
-          [](char a, std::uint8_t b) { return static_cast<std::uint8_t>(a) == b; }))
-    throw PngError(path + ": cannot be read as a PNG: not a PNG");
+  if (!has_signature(bytes)) throw PngError(path + ": cannot be read as a PNG: it is none");
   PngText text;
   for (std::size_t at = kPngSignature.size(); at + 12 <= bytes.size();) {
     const std::size_t length = be32(&bytes[at]);
     if (length > bytes.size() - at - 12)
-      throw PngError(path + ": cannot be read as a PNG: cut off");
+      throw PngError(path + ": cannot be read as a PNG: it is cut off or damaged");
     const auto* data = reinterpret_cast<const char*>(&bytes[at + 8]);
     const std::string_view type(data - 4, 4), all(data, length);
     const std::size_t end = std::min(all.find('\0'), length);

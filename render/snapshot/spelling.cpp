@@ -146,7 +146,8 @@ std::string spell_turn(const Vec3d& expected, const Vec3d& actual) {
 }
 
 std::string spell_angle(double radians) {
-  return significant(radians * 180 / std::numbers::pi, 2) + " degrees";
+  const std::string degrees = significant(radians * 180 / std::numbers::pi, 2);
+  return degrees + (degrees == "1" ? " degree" : " degrees");
 }
 
 }  // namespace contactscope::snapshot

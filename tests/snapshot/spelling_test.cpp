@@ -54,6 +54,13 @@ TEST(Spelling, AMoveToNowhereNamesBothPlaces) {
   EXPECT_EQ(spell_move(Vec3d(1, 2, 3), Vec3d(1, nan, 3)), "moved from (1, 2, 3) to (1, nan, 3)");
 }
 
+TEST(Spelling, OneDegreeIsOne) {
+  const double degree = std::numbers::pi / 180;
+  EXPECT_EQ(spell_angle(degree), "1 degree");
+  EXPECT_EQ(spell_angle(1.1 * degree), "1.1 degrees");
+  EXPECT_EQ(spell_angle(2 * degree), "2 degrees");
+}
+
 TEST(Spelling, DirectionsFlipOrTurn) {
   const double angle = 3.2 * std::numbers::pi / 180;
   EXPECT_EQ(spell_turn(Vec3d(0, 1, 0), Vec3d(0, -1, 0)), "flipped");
