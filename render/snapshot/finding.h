@@ -106,7 +106,8 @@ struct Outcome {
   std::string snapshots;  // the folder, as it was named
   bool facts_only = false;
   std::optional<Shard> shard{};
-  std::vector<std::string> all{};            // of a shard: the names of all scenarios, sorted
+  std::vector<std::string> all{};  // of a shard: the names of all scenarios, sorted
+  std::string made_of{};           // of a shard: the program and all scenario files, as a hash
   std::vector<ScenarioOutcome> scenarios{};  // by name
 };
 

@@ -130,6 +130,7 @@ std::string to_json(const Outcome& outcome) {
   if (outcome.shard) {
     json["shard"] = {{"part", outcome.shard->part}, {"of", outcome.shard->of}};
     json["all"] = outcome.all;
+    set(json, "made_of", outcome.made_of);
   }
   json["same"] = counts.failing == 0;
   json["summary"] = summary(counts);
@@ -156,6 +157,7 @@ Outcome parse_outcome(const std::string& text, const std::string& name) {
     if (json.contains("shard")) {
       outcome.shard = Shard{json.at("shard").at("part"), json.at("shard").at("of")};
       outcome.all = json.at("all").get<std::vector<std::string>>();
+      outcome.made_of = json.value("made_of", "");
     }
     for (const Json& scenario : json.at("scenarios"))
       outcome.scenarios.push_back(scenario_of(scenario));

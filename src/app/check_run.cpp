@@ -19,6 +19,7 @@
 #include "core/at.h"
 #include "core/input_error.h"
 #include "draw/staging.h"
+#include "image/sha256.h"
 #include "scenario/run.h"
 #include "snapshot/brittle.h"
 #include "snapshot/check.h"
@@ -313,6 +314,15 @@ void require_folder(const Options& options) {
                    "DIR, or let check --write-missing make it with the first ones");
 }
 
+/// What parts of one run have in common. Snapshots are not in it: a part with --update may have written some before the
+/// next one begins.
+std::string made_of(const std::vector<Input>& inputs) {
+  std::string all = program_sha256();
+  for (const Input& input : inputs)
+    all += "\n" + input.scenario.name + " " + snapshot::sha256_of_file(input.scenario.path);
+  return sha256(all);
+}
+
 /// With the times of scenarios that did not run this time.
 std::string merged_times(const fs::path& folder, const nlohmann::ordered_json& times) {
   nlohmann::ordered_json all = nlohmann::ordered_json::object();
@@ -334,6 +344,7 @@ snapshot::Outcome run_check(std::vector<Input>& inputs, const Options& options) 
   snapshot::Outcome outcome{options.snapshot_root, options.facts_only, options.shard};
   const std::vector<std::string> all =
       mapped(inputs, [](const Input& input) { return input.scenario.name; });
+  if (options.shard) outcome.made_of = made_of(inputs);
   // Without times: a picture costs about as much as ten frames of facts.
   if (options.shard)
     outcome.all = keep_shard(inputs, options, [](const Input& input) {

@@ -68,6 +68,10 @@ void require_whole(const std::vector<Part>& parts) {
       throw UsageError(folder + " and " + parts.front().folder.generic_string() +
                        " are of runs that were asked for something else, so they are no parts of "
                        "one; run all shards on the same files with the same options");
+    if (outcome.made_of != first.made_of)
+      throw UsageError(folder + " and " + parts.front().folder.generic_string() +
+                       " were made by different programs or of different scenario files, so one of "
+                       "them is left from an earlier run; run its shard again");
     if (!there.insert(outcome.shard->part).second)
       throw UsageError("shard " + std::to_string(outcome.shard->part) + " is there twice, in " +
                        folder + " too");

@@ -78,6 +78,19 @@ TEST_F(CheckShards, OfDifferentRunsTheyAreRefused) {
   EXPECT_THAT(merge().err, HasSubstr("no parts of one"));
 }
 
+TEST_F(CheckShards, OneThatIsLeftFromAnEarlierRunIsRefused) {
+  check("--shard 1/2");
+  check("--shard 2/2");
+  EXPECT_EQ(merge().exit_code, 1);
+  folder_.write("scenarios/group/one.toml", small_scenario() + "# another comment\n");
+  check("--shard 1/2");
+  const ProgramRun merged = merge();
+  EXPECT_EQ(merged.exit_code, 2);
+  EXPECT_THAT(merged.err, HasSubstr("left from an earlier run; run its shard again"));
+  check("--shard 2/2");
+  EXPECT_EQ(merge().exit_code, 1);
+}
+
 TEST_F(CheckShards, WhatDidNotChangeIsKnownToBeTheSame) {
   check();
   const ProgramRun second = check("--verbose");
