@@ -43,6 +43,8 @@ install(FILES ${PROJECT_SOURCE_DIR}/LICENSE NOTICE DESTINATION ${doc_dir}/contac
 # The program looks for scenarios there, from where it lies itself.
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/scenarios
   DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/contactscope COMPONENT program)
+install(FILES ${PROJECT_SOURCE_DIR}/src/trace/findings.schema.json
+  DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/contactscope COMPONENT program)
 install(DIRECTORY words DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/contactscope COMPONENT program)
 
 # The man page and what shells complete, as the program prints them.

@@ -1,0 +1,156 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "app/program.h"
+
+namespace contactscope::test {
+namespace {
+
+using Json = nlohmann::json;
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::Not;
+
+/// As much of JSON Schema as findings.schema.json uses. A word that is not known here is a mistake of the schema, so
+/// that nothing in it goes unchecked.
+class Schema {
+ public:
+  explicit Schema(Json whole) : whole_(std::move(whole)) {}
+
+  /// Places at which a document is not as the schema says.
+  std::vector<std::string> faults(const Json& document) const {
+    std::vector<std::string> found;
+    check(document, whole_, "", found);
+    return found;
+  }
+
+ private:
+  static bool has_type(const Json& value, const std::string& type) {
+    if (type == "object") return value.is_object();
+    if (type == "array") return value.is_array();
+    if (type == "string") return value.is_string();
+    if (type == "boolean") return value.is_boolean();
+    return type == "integer" && value.is_number_integer();
+  }
+
+  void check(const Json& value, const Json& schema, const std::string& at,
+             std::vector<std::string>& found) const {
+    const auto fault = [&](const std::string& what) { found.push_back(at + ": " + what); };
+    for (const auto& [word, said] : schema.items()) {
+      if (word == "$ref")
+        check(value, whole_.at(Json::json_pointer(said.get<std::string>().substr(1))), at, found);
+      else if (word == "type")
+        has_type(value, said) ? void() : fault("no " + said.get<std::string>());
+      else if (word == "const")
+        value == said ? void() : fault("is another");
+      else if (word == "enum")
+        std::ranges::count(said, value) > 0 ? void() : fault(value.dump() + " is no such word");
+      else if (word == "minimum")
+        value >= said ? void() : fault("too small");
+      else if (word == "required")
+        for (const std::string key : said) value.contains(key) ? void() : fault("no " + key);
+      else if (word == "items")
+        for (const Json& item : value) check(item, said, at + "/-", found);
+      else if (word == "properties" || word == "additionalProperties")
+        check_members(value, schema, at, word == "properties", found);
+      else if (word != "$schema" && word != "$defs" && word != "title" && word != "description")
+        ADD_FAILURE() << "this test does not know '" << word << "'";
+    }
+  }
+
+  void check_members(const Json& value, const Json& schema, const std::string& at, bool are_listed,
+                     std::vector<std::string>& found) const {
+    const Json listed = schema.value("properties", Json::object());
+    for (const auto& [key, member] : value.items()) {
+      if (listed.contains(key) != are_listed) continue;
+      const Json& said = are_listed ? listed.at(key) : schema.at("additionalProperties");
+      if (said.is_boolean())
+        said.get<bool>() ? void() : found.push_back(at + ": '" + key + "' is not listed");
+      else
+        check(member, said, at + "/" + key, found);
+    }
+  }
+
+  Json whole_;
+};
+
+Schema findings_schema() {
+  return Schema(Json::parse(read_text(CONTACTSCOPE_SOURCE_DIR "/src/trace/findings.schema.json")));
+}
+
+TEST(FindingsSchema, EveryKindOfFindingIsAsItSays) {
+  const Schema schema = findings_schema();
+  const TemporaryFolder folder;
+  const auto store = [&](const std::string& name, const std::string& text) {
+    folder.write("scenarios/group/" + name + ".toml", text);
+  };
+  std::vector<Json> seen;
+  const auto check = [&](const std::string& arguments) {
+    const ProgramRun result =
+        run("check --json --scenarios '" + (folder / "scenarios") + "' --snapshots '" +
+                (folder / "snapshots") + "' --out '" + (folder / "out") + "' " + arguments,
+            "CI=");
+    EXPECT_NE(result.exit_code, 2) << result.err;
+    seen.push_back(Json::parse(result.out));
+    EXPECT_THAT(schema.faults(seen.back()), IsEmpty()) << arguments;
+  };
+  std::string moved = small_scenario();
+  moved.replace(moved.find("0.495"), 5, "0.480");
+  for (const char* name : {"gone", "torn", "lost", "moved"}) store(name, small_scenario());
+  check("--write-missing");
+  std::filesystem::remove(folder / "scenarios/group/gone.toml");
+  std::filesystem::remove(folder / "snapshots/group/lost/frame_0001.png");
+  folder.write("snapshots/group/torn/frame_0001.png", "torn");
+  store("young", small_scenario());
+  store("moved", moved + "[[expect]]\na = \"slab\"\nb = \"crate\"\npoints = 3\n");
+  std::filesystem::copy(folder / "snapshots/group/lost/frame_0000.png",
+                        folder / "snapshots/group/moved/frame_0000.bad_1.png");
+  check("");
+  check("--facts-only --shard 1/2");
+  store("moved", small_scenario());
+  std::filesystem::remove(folder / "snapshots/group/moved/frame_0000.png");
+  check("--update");
+
+  std::set<std::string> kinds;
+  for (const Json& document : seen)
+    for (const Json& scenario : document["scenarios"])
+      for (const Json& finding : scenario["findings"]) kinds.insert(finding["kind"]);
+  EXPECT_THAT(kinds, ElementsAre("changed", "known_bad", "missing", "new", "orphaned",
+                                 "unmet_expectation", "unreadable"));
+}
+
+TEST(FindingsSchema, WhatIsOtherwiseIsAFault) {
+  const Schema schema = findings_schema();
+  Json document = Json::parse(
+      R"({"schema": "contactscope.check/1", "snapshots": "s", "same": false, "summary": "",
+          "counts": {"scenarios": 1, "same": 0, "failing": 1, "frames": 1, "pictures": 0, "written": 0,
+            "changed": 1, "new": 0, "missing": 0, "orphaned": 0, "unmet_expectation": 0,
+            "unreadable": 0, "known_bad": 0},
+          "scenarios": [{"scenario": "a/b", "same": false, "frames": 1, "pictures": 0, "written": 0,
+            "findings": [{"key": "a/b/trace", "kind": "changed", "sentence": "", "cause": "trace",
+              "done": "nothing", "review": "open", "fails": true}]}]})");
+  ASSERT_THAT(schema.faults(document), IsEmpty());
+  const auto faults_with = [&](const char* place, const Json& value) {
+    Json other = document;
+    other[Json::json_pointer(place)] = value;
+    return schema.faults(other);
+  };
+  EXPECT_THAT(faults_with("/schema", "contactscope.check/2"), Not(IsEmpty()));
+  EXPECT_THAT(faults_with("/counts/new", -1), Not(IsEmpty()));
+  EXPECT_THAT(faults_with("/counts/odd", "1"), Not(IsEmpty()));
+  EXPECT_THAT(faults_with("/scenarios/0/odd", 1), Not(IsEmpty()));
+  EXPECT_THAT(faults_with("/scenarios/0/findings/0/kind", "odd"), Not(IsEmpty()));
+  EXPECT_THAT(faults_with("/scenarios/0/findings/0/frame", "0"), Not(IsEmpty()));
+  document["scenarios"][0].erase("findings");
+  EXPECT_THAT(schema.faults(document), Not(IsEmpty()));
+}
+
+}  // namespace
+}  // namespace contactscope::test
