@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <iterator>
 #include <map>
+#include <optional>
 
 #include "app/narrow.h"
 #include "core/at.h"
@@ -163,8 +164,16 @@ std::vector<Scenario> load_scenarios(const Options& options) {
   }
   std::vector<Scenario> scenarios;
   Paths paths;
+  std::optional<InputError> refused;
   for (const std::string& file : files) {
-    Scenario scenario = load_scenario(file);
+    Scenario scenario;
+    try {
+      scenario = load_scenario(file);
+    } catch (const InputError& error) {
+      if (refused) std::fprintf(stderr, "%s\n", refused->what());
+      refused = error;  // and on, to tell what is wrong with the others in the same run
+      continue;
+    }
     if (!is_new(scenario.name, file, paths)) continue;
     if (!options.reducer.empty()) override_reducer(scenario, options.reducer);
     require_view(scenario, options.view);
@@ -178,6 +187,7 @@ std::vector<Scenario> load_scenarios(const Options& options) {
     }
     scenarios.push_back(std::move(scenario));
   }
+  if (refused) throw InputError(*refused);
   return scenarios;
 }
 

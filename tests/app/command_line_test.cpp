@@ -128,6 +128,19 @@ TEST(CommandLine, OneBadScenarioAmongGoodOnesLeavesNothingWritten) {
   EXPECT_THAT(files_below(folder / "out"), IsEmpty());
 }
 
+TEST(CommandLine, EveryBadScenarioIsToldInOneRun) {
+  const TemporaryFolder folder;
+  folder.write("scenarios/a/first.toml", "title = 3\n");
+  folder.write("scenarios/a/good.toml", small_scenario());
+  folder.write("scenarios/a/second.toml", "titel = \"x\"\n");
+  const std::string root = folder / "scenarios";
+  const ProgramRun result =
+      run("check --facts-only --scenarios '" + root + "' --out '" + (folder / "out") + "'");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, HasSubstr(root + "/a/first.toml:1:"));
+  EXPECT_THAT(result.err, HasSubstr(root + "/a/second.toml:1:1: "));
+}
+
 TEST(CommandLine, TwoScenariosOfOneNameAreRefusedAndOneNamedTwiceIsTakenOnce) {
   const TemporaryFolder folder;
   const std::string one = folder.write("a/group/idea.toml", small_scenario());
