@@ -14,6 +14,11 @@ bool names(const std::string& pattern, const Finding& finding) {
   std::string wanted = pattern;
   while (wanted.size() > 1 && wanted.back() == '/') wanted.pop_back();
   std::string key = finding.key();
+  // What is held against frame_0012.osmesa.png is the picture frame_0012 all the same.
+  if (const std::size_t dot = key.rfind('.');
+      dot != std::string::npos && dot > key.rfind('/') &&
+      fnmatch(wanted.c_str(), key.substr(0, dot).c_str(), 0) == 0)
+    return true;
   while (true) {
     if (fnmatch(wanted.c_str(), key.c_str(), 0) == 0) return true;
     const std::size_t slash = key.rfind('/');
@@ -46,13 +51,19 @@ std::string accept(const fs::path& report, const fs::path& snapshots, Finding& f
     return finding.key() + " is stale: its candidate " + candidate.generic_string() +
            " is gone, or not what the report tells of; run check again";
   fs::path target = stored;
+  const bool is_bad = how.word.starts_with("bad_");
   if (!how.word.empty()) {
     const bool is_list = stored == hashes_path(snapshots, finding.scenario);
     if (is_list) return finding.key() + " is not stored under a word more; accept it without --as";
+    if (!finding.is_picture() && !is_bad)
+      return finding.key() +
+             " is no picture, and only of pictures are there several, one a driver; accept it "
+             "without --as";
     const std::string name = stored.filename().string();
     target.replace_filename(name.substr(0, name.find('.')) + "." + how.word +
                             stored.extension().string());
   }
+  const bool is_there = fs::exists(target);
   if (finding.is_picture())
     write_stored_picture(target, read_png(candidate.string()));
   else if (target.extension() == ".jsonl")
@@ -60,8 +71,8 @@ std::string accept(const fs::path& report, const fs::path& snapshots, Finding& f
   else
     write_text(target, *read_text_file(candidate));
   if (!how.note.empty()) write_text(fs::path(target).replace_extension(".txt"), how.note + "\n");
-  finding.done = finding.stored_sha256.empty() ? Done::Written : Done::Updated;
-  finding.review = Review::Accepted;
+  finding.review = is_bad ? Review::Rejected : Review::Accepted;
+  if (!is_bad) finding.done = is_there ? Done::Updated : Done::Written;
   return {};
 }
 

@@ -7,8 +7,8 @@
 
 namespace contactscope::snapshot {
 
-/// Whether a pattern of the command line names a finding: its key, a folder above it ("hull",
-/// "hull/face_contact"), or either with * for any letters and ? for one.
+/// Whether a pattern of the command line names a finding: its key, with or without the word of the baseline that it
+/// was held against, a folder above it ("hull", "hull/face_contact"), or either with * for any letters and ? for one.
 bool names(const std::string& pattern, const Finding& finding);
 
 /// As what a candidate is stored.
@@ -18,7 +18,7 @@ struct Acceptance {
 };
 
 /// Stores the candidate of a finding, as `check --update` would have: nothing is run or drawn for it. What nobody asks
-/// for any more is removed. Returns why that was refused, empty where it was done: the stored file, or the
+/// for any more is removed. What is kept under a word that begins with "bad_" is rejected by that, and fails as before. Returns why that was refused, empty where it was done: the stored file, or the
 /// candidate, is not the one any more that the report tells of, or there is nothing to store.
 /// `report` is the folder of findings.json. Throws std::filesystem::filesystem_error.
 std::string accept(const std::filesystem::path& report, const std::filesystem::path& snapshots,

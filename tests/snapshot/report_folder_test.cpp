@@ -120,8 +120,34 @@ TEST_F(ReportFiles, UnderAWordMoreItStandsBesideWhatIsStored) {
   EXPECT_THAT(snapshots_.files(), UnorderedElementsAre("hull/face_contact/frame_0012.png",
                                                        "hull/face_contact/frame_0012.bad_31.png",
                                                        "hull/face_contact/frame_0012.bad_31.txt"));
+  EXPECT_TRUE(only(outcome).fails()) << "it is known, and as wrong as before";
+  EXPECT_EQ(only(outcome).review, Review::Rejected);
   EXPECT_THAT(check_picture(shelf(), key_, dot_picture(82, 45), kLocal).finding->sentence,
               HasSubstr("it is back"));
+}
+
+TEST_F(ReportFiles, OnlyPicturesHaveAnotherBaseline) {
+  Outcome outcome = report(dot_picture(82, 45));
+  EXPECT_EQ(accept(folder(), snapshots_.path(), only(outcome), {"osmesa"}), "");
+  EXPECT_EQ(only(outcome).done, Done::Written);
+  write_text(snapshots_ / "hull/face_contact/trace.jsonl", "stored");
+  write_text(folder() / "hull/face_contact/trace.actual.jsonl", "actual");
+  Finding trace{FindingKind::Changed, "hull/face_contact", "", {}, "hull/face_contact/trace.jsonl"};
+  trace.candidate = "hull/face_contact/trace.actual.jsonl";
+  trace.stored_sha256 = sha256_of_file(snapshots_ / "hull/face_contact/trace.jsonl");
+  trace.candidate_sha256 = sha256_of_file(folder() / trace.candidate);
+  EXPECT_THAT(accept(folder(), snapshots_.path(), trace, {"osmesa"}), HasSubstr("is no picture"));
+  EXPECT_TRUE(trace.fails());
+}
+
+TEST(Accept, APictureIsNamedWithOrWithoutTheWordOfItsBaseline) {
+  const Finding finding{FindingKind::Changed, "hull/face_contact", "", 12,
+                        "hull/face_contact/frame_0012.osmesa.png"};
+  for (const char* pattern : {"hull/face_contact/frame_0012", "hull/face_contact/frame_0012.osmesa",
+                              "*/frame_0012", "hull"})
+    EXPECT_TRUE(names(pattern, finding)) << pattern;
+  for (const char* pattern : {"hull/face_contact/frame_001", "hull/face_contact/frame_0012.egl"})
+    EXPECT_FALSE(names(pattern, finding)) << pattern;
 }
 
 TEST(Accept, PatternsNameKeysAndTheFoldersAboveThem) {
