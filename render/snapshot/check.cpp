@@ -177,7 +177,8 @@ CheckedTrace check_trace(const Shelf& shelf, const trace::Trace& actual, const P
         Finding& changed = finding(FindingKind::Changed);
         changed.sentence = checked.differences.cause;
         changed.details = checked.differences.sentences;
-        changed.cause = "trace: " + checked.differences.signature;
+        changed.cause = (checked.differences.is_input ? std::string(kInputCause) : "trace: ") +
+                        checked.differences.signature;
         for (const fs::path& bad : baselines_of(own)) {
           if (!is_known_bad(bad) ||
               !compare_with_stored(with_meshes(*read_text_file(bad), bad), bad.string(), actual)

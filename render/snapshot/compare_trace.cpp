@@ -144,6 +144,7 @@ TraceDifferences compare_and_settle(const Trace& expected, Trace& actual,
     FirstCause cause = first_cause(name, all, margins);
     told.cause = std::move(cause.sentence);
     told.signature = std::move(cause.signature);
+    told.is_input = cause.is_input;
   }
   return told;
 }

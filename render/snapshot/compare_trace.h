@@ -27,6 +27,7 @@ struct TraceDifferences {
   std::vector<std::string> sentences{};  // as compare_traces() tells them
   std::string cause{};                   // the first of them that the others may follow from
   std::string signature{};               // of that cause; see FirstCause
+  bool is_input = false;                 // likewise
   std::vector<int> frames{};             // in which something differs
   bool is_setup = false;                 // the header differs, in more than its words
   bool is_words = false;                 // title or source differ

@@ -21,6 +21,21 @@ int largest(const Cause& cause) {
   return most;
 }
 
+/// More scenarios than somebody edits by hand: the program reads or builds them otherwise.
+constexpr std::size_t kMostEdited = 5;
+
+/// A cause for each of its scenarios.
+std::vector<Cause> by_scenario(const Cause& cause) {
+  std::vector<Cause> all;
+  for (const std::string& scenario : cause.scenarios) {
+    Cause& own = all.emplace_back();
+    own.scenarios = {scenario};
+    std::ranges::copy_if(cause.findings, std::back_inserter(own.findings),
+                         [&](const Finding* finding) { return finding->scenario == scenario; });
+  }
+  return all;
+}
+
 }  // namespace
 
 Tally tally(const Outcome& outcome) {
@@ -29,6 +44,7 @@ Tally tally(const Outcome& outcome) {
     const bool is_there = !scenario.file.empty();
     tally.scenarios += is_there;
     tally.failing += scenario.fails();
+    tally.without_file += scenario.fails() && !is_there;
     tally.same += is_there && scenario.findings.empty();
     tally.known_same += scenario.is_known_same;
     tally.frames += scenario.frames;
@@ -49,11 +65,14 @@ std::string counted(int count, const std::string& one, const std::string& many) 
 }
 
 std::string summary(const Tally& tally) {
+  const int own = tally.failing - tally.without_file;
   std::string text = counted(tally.scenarios, "scenario") + ": ";
   text += tally.failing == 0 && tally.same == tally.scenarios
               ? "all the same"
-              : std::to_string(tally.same) + " the same, " + std::to_string(tally.failing) +
-                    (tally.failing == 1 ? " fails" : " fail");
+              : std::to_string(tally.same) + " the same, " + std::to_string(own) +
+                    (own == 1 ? " fails" : " fail");
+  if (tally.without_file > 0)
+    text += ", " + std::to_string(tally.without_file) + " more stored without a file";
   if (tally.failing > 0) {
     std::string kinds;
     for (std::size_t kind = 0; kind < kFindingKinds.size(); ++kind) {
@@ -85,7 +104,10 @@ std::vector<Cause> causes(const Outcome& outcome) {
   for (auto& [name, cause] : by_cause) {
     std::ranges::stable_sort(
         cause.findings, [](const Finding* a, const Finding* b) { return weight(*a) > weight(*b); });
-    all.push_back(std::move(cause));
+    if (name.starts_with(kInputCause) && cause.scenarios.size() <= kMostEdited)
+      std::ranges::move(by_scenario(cause), std::back_inserter(all));
+    else
+      all.push_back(std::move(cause));
   }
   std::ranges::stable_sort(all, [](const Cause& a, const Cause& b) {
     if (a.scenarios.size() != b.scenarios.size()) return a.scenarios.size() > b.scenarios.size();

@@ -28,6 +28,9 @@ inline constexpr std::string_view name_of(FindingKind kind) {
   return kFindingKinds[static_cast<std::size_t>(kind)];
 }
 
+/// What the cause begins with where what the scenario's file says is another: a shape, a setting, where it starts.
+inline constexpr std::string_view kInputCause = "scenario: ";
+
 /// What became of the stored file.
 enum class Done { Nothing, Written, Updated, Removed };
 inline constexpr std::array<std::string_view, 4> kDone = {"nothing", "written", "updated",
@@ -75,6 +78,8 @@ struct Finding {
   /// The check exits with 1.
   bool fails() const { return done == Done::Nothing && review != Review::Accepted; }
   bool is_picture() const { return frame.has_value(); }
+  /// There is a candidate, or a file to remove. An expectation is mended instead, and so is what is known to be bad.
+  bool is_acceptable() const { return !file.empty() && kind != FindingKind::KnownBad; }
 };
 
 /// What came of one scenario.
@@ -114,6 +119,8 @@ struct Outcome {
 /// How many of what.
 struct Tally {
   int scenarios = 0, same = 0, failing = 0, known_same = 0;
+  int without_file =
+      0;  // of those that fail: stored, but no scenario any more, or no mesh that a trace is of
   int frames = 0, pictures = 0, written = 0;
   std::array<int, kFindingKinds.size()> kinds{};  // of those that fail
   int rejected = 0, accepted = 0;                 // in a review
@@ -134,7 +141,8 @@ struct Cause {
 };
 
 /// Those that fail, by cause: what concerns most scenarios first, then the largest difference. Within one the traces
-/// before pictures, which follow from them, and the largest difference first.
+/// before pictures, which follow from them, and the largest difference first. Where a few scenarios say something else
+/// now, somebody edited each of them, and each is a cause of its own.
 std::vector<Cause> causes(const Outcome& outcome);
 
 }  // namespace contactscope::snapshot

@@ -7,6 +7,7 @@
 
 #include "snapshot/finding.h"
 #include "snapshot/flipped.h"
+#include "trace/find.h"
 
 namespace contactscope::snapshot {
 namespace {
@@ -208,6 +209,12 @@ std::string signature_of(const Difference& first) {
   return text;
 }
 
+bool is_input(const Difference& first, const FrameDifferences& frame) {
+  if (first.stage == Stage::Setup) return true;
+  if (first.stage != Stage::Motion || frame.actual == nullptr) return false;
+  return frame.frame <= 0 || trace::find_body(*frame.actual, first.subject) == nullptr;
+}
+
 }  // namespace
 
 FirstCause first_cause(const std::string& scenario, const std::vector<FrameDifferences>& frames,
@@ -239,6 +246,7 @@ FirstCause first_cause(const std::string& scenario, const std::vector<FrameDiffe
     cause.sentence +=
         std::string("; also frame") + (others.size() > 1 ? "s " : " ") + spell_numbers(others);
   cause.signature = signature_of(*first);
+  cause.is_input = is_input(*first, *frame);
   return cause;
 }
 

@@ -25,6 +25,8 @@ struct FirstCause {
   /// Where and how in the pipeline, without a number or a name: equal for traces that one edit of the
   /// program may have changed.
   std::string signature;
+  /// It stands in the scenario's file: a shape, a setting, or a pose that no solver has moved yet.
+  bool is_input = false;
 };
 
 /// The first frame in which anything differs, and in it what the pipeline decides first: all else may follow

@@ -44,6 +44,33 @@ TEST(Findings, OneCauseIsToldOnceWithItsScenarios) {
   EXPECT_EQ(all[0].findings[0]->scenario, "c/c") << "the largest difference first";
 }
 
+/// How many causes `count` scenarios are that changed alike.
+std::size_t causes_of(int count, const std::string& cause) {
+  Outcome outcome{"snapshots"};
+  for (int i = 0; i < count; ++i) {
+    const std::string name = "a/s" + std::to_string(i);
+    outcome.scenarios.push_back({name, name + ".toml"});
+    outcome.scenarios.back().findings = {picture(name, cause, 10 + i), picture(name, cause, 20)};
+  }
+  return causes(outcome).size();
+}
+
+TEST(Findings, AFewEditedScenariosAreACauseEach) {
+  const std::string edited = std::string(kInputCause) + "1, pose ";
+  EXPECT_EQ(causes_of(1, edited), 1u);
+  EXPECT_EQ(causes_of(5, edited), 5u);
+  EXPECT_EQ(causes_of(6, edited), 1u) << "nobody edits so many at once: the program reads them";
+  EXPECT_EQ(causes_of(2, "trace: 7, chosen "), 1u) << "one edit of the program";
+}
+
+TEST(Findings, WhatIsStoredWithoutAFileIsCountedBesideTheScenarios) {
+  Outcome outcome = three_scenarios();
+  outcome.scenarios.push_back({"e/e"});
+  outcome.scenarios[4].findings = {{FindingKind::Orphaned, "e/e", "", {}, "e/e/trace.jsonl"}};
+  EXPECT_THAT(summary(tally(outcome)),
+              HasSubstr("4 scenarios: 1 the same, 3 fail, 1 more stored without a file ("));
+}
+
 TEST(Findings, TheSummaryCountsEachKind) {
   Outcome outcome = three_scenarios();
   EXPECT_EQ(summary(tally(outcome)),
@@ -136,6 +163,27 @@ TEST(FirstCause, WhatMovedIsToldWithTheChoiceThatItTurned) {
               HasSubstr("frame 0, crate: moved 30 um along y; so for crate-floor in frame "
                         "12 the incident face is now face 5 instead of face 3; with it 1 "
                         "clip step changed"));
+}
+
+TEST(FirstCause, WhatTheFileSaysIsToldApartFromWhatTheSolverMoves) {
+  trace::Trace stored = sample_trace();
+  for (trace::Frame& frame : stored.frames) frame.solver.reset();
+  const auto is_input = [&](std::size_t frame) {
+    trace::Trace now = stored;
+    now.frames[frame].poses[0].second.position.y() += 3e-5;
+    return compare_with_stored(to_json_lines(stored), "file", now).is_input;
+  };
+  EXPECT_TRUE(is_input(0));
+  EXPECT_TRUE(is_input(1)) << "scripted";
+  trace::Body body;
+  body.name = stored.frames[1].poses[0].first;
+  for (trace::Frame& frame : stored.frames) frame.solver.emplace().bodies = {body};
+  EXPECT_TRUE(is_input(0)) << "where it begins";
+  EXPECT_FALSE(is_input(1));
+
+  trace::Trace point = sample_trace();
+  sample_pair(point).manifolds[0].points[0].position.x() += 0.1;
+  EXPECT_FALSE(compare_with_stored(to_json_lines(sample_trace()), "file", point).is_input);
 }
 
 TEST(FirstCause, ItsSignatureHasNoNumbersOrNames) {
