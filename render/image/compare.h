@@ -19,6 +19,7 @@ struct PixelLimits {
   int channel = kChannelTolerance;  // pixels that differ by no more count as equal
   int cluster = kClusterLimit;      // a group of so many touching pixels fails
   int total = kTotalLimit;          // more of them fail
+  friend bool operator==(const PixelLimits&, const PixelLimits&) = default;
 };
 
 enum class PixelVerdict { Identical, WithinTolerance, Different, SizeDiffers };

@@ -53,7 +53,8 @@ std::vector<std::string> brittle_decisions(const trace::Header& header, const tr
       sentences.push_back("frame " + std::to_string(frame.frame) + ", " + pair.a + "-" + pair.b +
                           (pair.label.empty() ? "" : " (" + pair.label + ")") + ": " +
                           decision.stage + ": " + decision.took + " over " + decision.over +
-                          " by " + by + ", which is within rounding");
+                          " by " + by +
+                          ", which is within rounding: another machine may choose otherwise");
     }
   }
   return sentences;

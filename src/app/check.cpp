@@ -6,6 +6,7 @@
 #include "app/reports/report.h"
 #include "app/review.h"
 #include "app/verbs.h"
+#include "gl/context.h"
 #include "snapshot/report_folder.h"
 
 namespace contactscope::app {
@@ -17,7 +18,15 @@ ExitCode run_check_verb(const Options& options) {
   std::vector<Input> inputs = load_inputs(options, Hold::Sample);
   if (options.update != snapshot::Update::None && snapshot::is_ci(std::getenv("CI")))
     std::cerr << "CI=true: nothing is written; unset CI to accept what changed\n";
-  const snapshot::Outcome outcome = run_check(inputs, options);
+  const snapshot::Outcome outcome = [&] {
+    try {
+      return run_check(inputs, options);
+    } catch (const gl::ContextError& error) {
+      throw gl::ContextError(std::string(error.what()) +
+                             "\nor compare traces and expectations alone, which needs none: "
+                             "contactscope check --facts-only");
+    }
+  }();
   tell_all({outcome, report_folder(options), options});
   return snapshot::tally(outcome).failing == 0 ? ExitCode::Same : ExitCode::Different;
 }

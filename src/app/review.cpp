@@ -1,9 +1,11 @@
 #include "app/review.h"
 
+#include <poll.h>
 #include <termios.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdlib>
 #include <iomanip>
 #include <iostream>
@@ -60,12 +62,16 @@ class Keys {
 
   /// 'q' too where the terminal is gone.
   char next() const {
-    char key = 'q';
-    if (read(STDIN_FILENO, &key, 1) != 1) {
+    // A read() would go on waiting after Ctrl-C, and a poll() without end would where it comes just before.
+    constexpr int kMilliseconds = 50;
+    pollfd terminal{STDIN_FILENO, POLLIN, 0};
+    int ready = 0;
+    while (ready == 0 || (ready < 0 && errno == EINTR)) {
       stop_if_interrupted();
-      return 'q';
+      ready = poll(&terminal, 1, kMilliseconds);
     }
-    return key;
+    char key = 'q';
+    return ready == 1 && read(STDIN_FILENO, &key, 1) == 1 ? key : 'q';
   }
 
  private:
@@ -78,8 +84,10 @@ class ReviewSession {
   ReviewSession(const Options& options, snapshot::Outcome& outcome)
       : options_(options), outcome_(outcome) {
     for (const snapshot::Cause& cause : snapshot::causes(outcome)) {
+      ++causes_;
       for (const Finding* finding : cause.findings) {
-        if (finding->review == Review::Open) open_.push_back(const_cast<Finding*>(finding));
+        if (finding->review == Review::Open)
+          open_.push_back({const_cast<Finding*>(finding), causes_});
       }
     }
   }
@@ -89,21 +97,28 @@ class ReviewSession {
       std::cout << "nothing waits for a review\n";
       return;
     }
+    note_interrupts();  // so that the terminal is left as it was
     const Keys keys;
     std::cout << "a accept, c accept all of its cause, r reject, s skip, w show, q quit\n";
     for (std::size_t i = 0; i < open_.size(); ++i) {
-      Finding& finding = *open_[i];
+      Finding& finding = *open_[i].finding;
       if (finding.review != Review::Open) continue;  // with its cause
       std::cout << "\n[" << i + 1 << "/" << open_.size() << "] " << finding.key() << "  "
                 << snapshot::name_of(finding.kind) << '\n'
                 << finding.sentence << '\n';
-      if (!ask(finding, keys)) break;
+      if (!ask(open_[i], keys)) break;
     }
   }
 
  private:
+  struct Waiting {
+    Finding* finding;
+    int cause;
+  };
+
   /// False to quit.
-  bool ask(Finding& finding, const Keys& keys) {
+  bool ask(const Waiting& asked, const Keys& keys) {
+    Finding& finding = *asked.finding;
     while (true) {
       std::cout << "a c r s w q? " << std::flush;
       const char key = keys.next();
@@ -114,9 +129,9 @@ class ReviewSession {
         show(finding, report_folder(options_).string(), terminal_pictures(), std::cout);
       if (key == 'a' && accept(finding)) return true;
       if (key == 'c') {
-        const std::string cause = finding.cause;
-        for (Finding* const other : open_)
-          if (other->cause == cause && other->review == Review::Open) accept(*other);
+        for (const Waiting& other : open_)
+          if (other.cause == asked.cause && other.finding->review == Review::Open)
+            accept(*other.finding);
         return true;
       }
       if (key == 'r') {
@@ -144,7 +159,8 @@ class ReviewSession {
 
   const Options& options_;
   snapshot::Outcome& outcome_;
-  std::vector<Finding*> open_;
+  std::vector<Waiting> open_;
+  int causes_ = 0;
 };
 
 /// A line each: its state, its key, its sentence.
@@ -167,9 +183,11 @@ bool accept_one(const Options& options, const snapshot::Outcome& outcome, Findin
     std::cerr << why << '\n';
     return false;
   }
-  if (!options.quiet)
-    std::cout << snapshot::kDone[static_cast<std::size_t>(finding.done)] << " " << finding.key()
-              << '\n';
+  if (options.quiet) return true;
+  const bool is_bad = finding.review == Review::Rejected;
+  std::cout << (is_bad ? "kept" : snapshot::kDone[static_cast<std::size_t>(finding.done)]) << " "
+            << finding.key() << (options.accept_as.empty() ? "" : " as " + options.accept_as)
+            << (is_bad ? ", to be known again; it goes on failing" : "") << '\n';
   return true;
 }
 

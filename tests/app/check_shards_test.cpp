@@ -107,6 +107,13 @@ TEST_F(CheckShards, WhatDidNotChangeIsKnownToBeTheSame) {
   text[text.find("-0.00") + 4] = '9';
   folder_.write("snapshots/group/one/trace.jsonl", text);
   EXPECT_EQ(check().exit_code, 1) << "a stored digit";
+  check("--update");
+  check();
+  std::filesystem::remove(folder_ / "scenarios/group/three.toml");
+  const ProgramRun gone = check();
+  EXPECT_EQ(gone.exit_code, 1);
+  EXPECT_THAT(gone.err, HasSubstr("2 of 2 were not run again"));
+  EXPECT_THAT(gone.err, Not(HasSubstr("nothing changed since the last check: neither")));
 }
 
 TEST_F(CheckShards, WhatIsKnownIsKnownOfThisBuildAlone) {

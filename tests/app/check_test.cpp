@@ -39,9 +39,12 @@ TEST_F(Check, NothingIsWrittenUnlessAsked) {
   std::filesystem::create_directory(folder_ / "snapshots");
   const ProgramRun first = check();
   EXPECT_EQ(first.exit_code, 1);
-  EXPECT_THAT(first.out, HasSubstr("new         group/idea: new, nothing is stored"));
+  EXPECT_EQ(first.out, "new         group/idea: new, nothing is stored of group/idea\n");
+  EXPECT_THAT(first.err, HasSubstr("check --write-missing stores what is not there yet"));
   EXPECT_THAT(stored(), IsEmpty());
-  EXPECT_EQ(check("--write-missing").exit_code, 0);
+  const ProgramRun written = check("--write-missing");
+  EXPECT_EQ(written.exit_code, 0);
+  EXPECT_THAT(written.out, HasSubstr("stored      group/idea, 3 files\n"));
   EXPECT_THAT(stored(),
               testing::ElementsAre("group/idea/frame_0000.png", "group/idea/frame_0001.png",
                                    "group/idea/trace.jsonl"));
@@ -72,7 +75,9 @@ TEST_F(Check, FactsOnlyNeedsNoOpenGl) {
   check("--update");
   const std::string no_driver =
       "CI= CONTACTSCOPE_BACKEND=egl __EGL_VENDOR_LIBRARY_FILENAMES=/nonexistent";
-  EXPECT_EQ(check("", no_driver).exit_code, 2);
+  const ProgramRun refused = check("", no_driver);
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("contactscope check --facts-only"));
   EXPECT_EQ(check("--facts-only", no_driver).exit_code, 0);
   store(changed("0.495", "0.480"));
   const ProgramRun result = check("--facts-only --verbose");
@@ -94,8 +99,9 @@ TEST_F(Check, EveryKindComesOutOfOneRun) {
         "[[expect]]\na = \"slab\"\nb = \"crate\"\nstate = \"touching\"\npoints = 3\n");
   const ProgramRun result = check();
   EXPECT_EQ(result.exit_code, 1);
-  EXPECT_THAT(result.err, HasSubstr("4 scenarios: 0 the same, 5 fail (3 changed, 3 new, 1 missing, "
-                                    "3 orphaned, 1 unmet expectation, 1 unreadable, 0 known bad)"));
+  EXPECT_THAT(result.err, HasSubstr("4 scenarios: 0 the same, 4 fail, 1 more stored without a file "
+                                    "(3 changed, 3 new, 1 missing, 3 orphaned, 1 unmet "
+                                    "expectation, 1 unreadable, 0 known bad)"));
 }
 
 TEST_F(Check, OneOfTwoPicturesIsAccepted) {
@@ -160,7 +166,7 @@ TEST_F(Check, UnmetExpectationFailsThoughTheSnapshotAgrees) {
   const ProgramRun result = check();
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_THAT(result.out, HasSubstr("frames 0 to 1, slab-crate: expected 3 points, got 4\n"));
-  EXPECT_THAT(result.err, HasSubstr("an expectation is mended"));
+  EXPECT_THAT(result.err, HasSubstr("mend the expectation in its scenario, or what fails it"));
   EXPECT_THAT(result.err, testing::Not(HasSubstr("--accept"))) << "there is nothing to accept";
 }
 
@@ -196,6 +202,20 @@ TEST_F(Check, SnapshotsOfAScenarioThatIsGoneAreStale) {
   const ProgramRun result = check("", "CI=true");
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_THAT(result.out, HasSubstr("group/idea"));
+  check("--junit '" + (folder_ / "junit.xml") + "'");
+  EXPECT_THAT(read_text(folder_ / "junit.xml"), HasSubstr("name=\"idea\">")) << "no file is told";
+}
+
+TEST_F(Check, WhatAPictureMayDifferByIsToldWhereItsScenarioSaysSo) {
+  const auto with_limits = [](std::string scenario) {
+    return scenario.insert(scenario.find("[snapshots]\n") + 12, "limits = { total = 60 }\n");
+  };
+  store(with_limits(small_scenario()));
+  check("--update");
+  store(with_limits(changed("0.495", "0.480")));
+  EXPECT_THAT(check().out, HasSubstr("allowed are 60 pixels"));
+  store(changed("0.495", "0.480"));
+  EXPECT_THAT(check().out, Not(HasSubstr("allowed are")));
 }
 
 TEST_F(Check, JsonIsWhatTheReportHas) {

@@ -66,6 +66,67 @@ TEST_F(ReviewTest, ACauseIsAcceptedAtOnceAndQuittingKeepsTheRest) {
   EXPECT_THAT(review("").shown, HasSubstr("nothing waits for a review"));
 }
 
+TEST_F(ReviewTest, CtrlCEndsItAndKeepsWhatWasDone) {
+  const TerminalRun stopped = review("r\003");
+  EXPECT_EQ(stopped.exit_code, 130) << stopped.shown;
+  EXPECT_THAT(left(), HasSubstr("rejected          group/idea/trace"));
+}
+
+TEST_F(ReviewTest, AnotherScenarioThatSomebodyEditedIsNoPartOfACause) {
+  folder_.write("scenarios/group/other.toml", small_scenario());
+  check("--write-missing");
+  std::string moved = small_scenario();
+  moved.replace(moved.find("0.495"), 5, "0.470");
+  folder_.write("scenarios/group/other.toml", moved);
+  const ProgramRun result = check();
+  EXPECT_THAT(result.out, HasSubstr("group/idea frame 0, crate: moved 15 mm along -y"));
+  EXPECT_THAT(result.out, HasSubstr("group/other frame 0, crate: moved 25 mm along -y"));
+  EXPECT_THAT(result.out, Not(HasSubstr("told once")));
+  review("cq");
+  EXPECT_THAT(check().err, HasSubstr("2 scenarios: 1 the same, 1 fails"));
+}
+
+TEST_F(ReviewTest, AKnownBugGoesOnFailing) {
+  const ProgramRun kept = check("--accept group/idea/frame_0000 --as bad_31 --note 'it is back'");
+  EXPECT_EQ(kept.exit_code, 0);
+  EXPECT_THAT(kept.out, HasSubstr("kept group/idea/frame_0000 as bad_31, to be known again"));
+  EXPECT_THAT(left(), HasSubstr("rejected          group/idea/frame_0000"));
+  check("--update");
+  const ProgramRun back = check("--github");
+  EXPECT_EQ(back.exit_code, 1);
+  EXPECT_THAT(back.out, HasSubstr("known bad   group/idea frame 0: it is back"));
+  EXPECT_THAT(back.err, HasSubstr("mend what brings it back, or remove "));
+  EXPECT_THAT(back.out + back.err, Not(HasSubstr("--accept")));
+}
+
+TEST_F(ReviewTest, APictureOfAnotherDriverIsAcceptedByItsPlainName) {
+  EXPECT_EQ(check("--accept group/idea/frame_0000 --as osmesa").exit_code, 0);
+  std::string moved = small_scenario();
+  moved.replace(moved.find("0.495"), 5, "0.470");
+  folder_.write("scenarios/group/idea.toml", moved);
+  EXPECT_EQ(check().exit_code, 1);
+  EXPECT_THAT(left(), HasSubstr("group/idea/frame_0000.osmesa")) << "the nearest is shown";
+  const ProgramRun accepted = check("--accept group/idea/frame_0000");
+  EXPECT_THAT(accepted.out, HasSubstr("updated group/idea/frame_0000.osmesa"));
+  EXPECT_THAT(check("--accept group/idea/trace --as osmesa").err, HasSubstr("is no picture"));
+}
+
+TEST_F(ReviewTest, AnUnmetExpectationIsMendedWhoeverIsTold) {
+  folder_.write("scenarios/group/idea.toml",
+                small_scenario() + "[[expect]]\na = \"slab\"\nb = \"crate\"\npoints = 3\n");
+  check("--update");
+  const std::string junit = folder_ / "junit.xml", summary = folder_ / "summary.md";
+  const ProgramRun result = check("--github --junit '" + junit + "' --markdown '" + summary + "'");
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.out,
+              testing::ContainsRegex("::error file=[^,]*group/idea\\.toml,line=[0-9]+,"));
+  for (const std::string& told : {result.out + result.err, read_text(junit), read_text(summary),
+                                  read_text(folder_ / "out/check/report.html")}) {
+    EXPECT_THAT(told, HasSubstr("mend the expectation in its scenario"));
+    EXPECT_THAT(told, Not(HasSubstr("--accept group")));
+  }
+}
+
 TEST_F(ReviewTest, WithoutATerminalItSaysWhatElseThereIs) {
   const ProgramRun result = run("review " + out(), "CI=");
   EXPECT_EQ(result.exit_code, 2);

@@ -25,19 +25,29 @@ std::string escaped(const std::string& text, bool is_property) {
   return all;
 }
 
+/// "line=22,": an expectation begins with its place, "FILE:22: ...".
+std::string line_in(const std::string& file, const snapshot::Finding& finding) {
+  const std::string begin = file + ":";
+  if (!finding.sentence.starts_with(begin)) return {};
+  const std::string line = finding.sentence.substr(
+      begin.size(), finding.sentence.find_first_not_of("0123456789", begin.size()) - begin.size());
+  return line.empty() ? "" : "line=" + line + ",";
+}
+
 /// An annotation a cause, at the file of the first scenario that has it: a pull request shows ten.
 void tell_github(const Told& told) {
   for (const snapshot::Cause& cause : snapshot::causes(told.outcome)) {
     const snapshot::Finding& first = *cause.findings.front();
-    std::string file;
+    std::string place;
     for (const snapshot::ScenarioOutcome& scenario : told.outcome.scenarios)
-      if (scenario.scenario == first.scenario) file = scenario.file;
+      if (scenario.scenario == first.scenario && !scenario.file.empty())
+        place = "file=" + escaped(scenario.file, true) + "," + line_in(scenario.file, first);
     std::string text = first.sentence;
     if (cause.scenarios.size() > 1)
       text += "\ntold once of " + std::to_string(cause.scenarios.size()) + " scenarios";
-    text += "\n" + accept_command(told, first.scenario);
-    std::cout << "::error " << (file.empty() ? "" : "file=" + escaped(file, true) + ",")
-              << "title=" << escaped(first.key(), true) << "::" << escaped(text, false) << '\n';
+    text += "\n" + remedy(told, cause);
+    std::cout << "::error " << place << "title=" << escaped(first.key(), true)
+              << "::" << escaped(text, false) << '\n';
   }
 }
 

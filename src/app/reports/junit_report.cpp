@@ -36,15 +36,16 @@ void tell_junit(const Told& told) {
           << "\" failures=\"" << failures << "\">\n";
     }
     out << "  <testcase classname=\"" << vector::escaped(group) << "\" name=\""
-        << vector::escaped(scenario.scenario.substr(slash + 1)) << "\" file=\""
-        << vector::escaped(scenario.file) << "\">\n";
+        << vector::escaped(scenario.scenario.substr(slash + 1)) << "\"";
+    if (!scenario.file.empty()) out << " file=\"" << vector::escaped(scenario.file) << "\"";
+    out << ">\n";
     std::string attachments;
     for (const Finding& finding : scenario.findings) {
       if (!finding.fails()) continue;
       out << "   <failure type=\"" << snapshot::name_of(finding.kind) << "\" message=\""
           << vector::escaped(finding.sentence) << "\">";
       for (const std::string& detail : finding.details) out << vector::escaped(detail) << '\n';
-      out << vector::escaped(accept_command(told, finding.key())) << "</failure>\n";
+      out << vector::escaped(remedy(told, finding)) << "</failure>\n";
       for (const std::string& file : {finding.expected, finding.candidate, finding.difference}) {
         if (!file.empty())
           attachments += "[[ATTACHMENT|" +

@@ -58,7 +58,8 @@ void tell_markdown(const Told& told) {
       out << "| expected | actual | difference |\n|---|---|---|\n" << row;
       break;  // the largest of each cause
     }
-    out << "    " << accept_command(told, first.scenario) << "\n";
+    out << (first.is_acceptable() ? "    " + remedy(told, cause) : plain(remedy(told, cause)))
+        << "\n";
   }
   snapshot::write_text(told.options.markdown, out.str());
 }

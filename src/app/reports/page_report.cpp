@@ -65,9 +65,10 @@ Json finding_json(const Told& told, const Finding& finding, Pictures& pictures) 
             {"sentence", finding.sentence},
             {"details", finding.details},
             {"review", snapshot::kReviews[static_cast<std::size_t>(finding.review)]}};
-  // An expectation is mended, not accepted, and so is what is known to be bad.
-  if (!finding.file.empty() && finding.kind != snapshot::FindingKind::KnownBad)
+  if (finding.is_acceptable())
     json["accept"] = accept_command(told, finding.key());
+  else
+    json["remedy"] = remedy(told, finding);
   if (!finding.is_picture()) return json;
   json["frame"] = *finding.frame;
   json["facts"] = facts_of(told.outcome, finding);
@@ -93,8 +94,9 @@ void tell_page(const Told& told) {
     Json one{{"kind", kind},
              {"scenarios", cause.scenarios},
              {"pictures", std::ranges::count_if(cause.findings, &Finding::is_picture)},
-             {"accept", accept_command(told, scenarios)},
              {"findings", Json::array()}};
+    if (cause.scenarios.size() > 1 && cause.findings.front()->is_acceptable())
+      one["accept"] = accept_command(told, scenarios);
     // What is told by its first finding is looked at in the pictures.
     std::vector<const Finding*> shown = cause.findings;
     std::stable_partition(shown.begin() + 1, shown.end(),

@@ -39,6 +39,12 @@ std::string out_argument(const Told& told);
 /// The shell command that accepts findings, or all of some folders: keys with blanks between them.
 std::string accept_command(const Told& told, const std::string& keys);
 
+/// What to do about one finding: the command that accepts it, or a sentence where none does.
+std::string remedy(const Told& told, const snapshot::Finding& finding);
+
+/// The same for all findings of a cause, of which the first one tells.
+std::string remedy(const Told& told, const snapshot::Cause& cause);
+
 /// Writes report.html into the folder of the report, before that is put in its place; and again after a review.
 void retell_page(const std::filesystem::path& folder, const snapshot::Outcome& outcome,
                  const Options& options);

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "app/origin.h"
 #include "app/reports/rows.h"
 
@@ -31,6 +33,23 @@ std::string out_argument(const Told& told) {
 
 std::string accept_command(const Told& told, const std::string& keys) {
   return "contactscope check --accept " + keys + out_argument(told);
+}
+
+std::string remedy(const Told& told, const snapshot::Finding& finding) {
+  if (finding.is_acceptable()) return accept_command(told, finding.key());
+  if (finding.file.empty()) return "mend the expectation in its scenario, or what fails it";
+  return "mend what brings it back, or remove " + told.outcome.snapshots + "/" + finding.file +
+         " where it is right after all";
+}
+
+std::string remedy(const Told& told, const snapshot::Cause& cause) {
+  constexpr std::size_t kMostNames = 12;
+  const snapshot::Finding& first = *cause.findings.front();
+  if (!first.is_acceptable()) return remedy(told, first);
+  std::string names;
+  for (std::size_t i = 0; i < std::min(cause.scenarios.size(), kMostNames); ++i)
+    names += (i == 0 ? "" : " ") + cause.scenarios[i];
+  return accept_command(told, names);
 }
 
 }  // namespace contactscope::app

@@ -9,6 +9,7 @@ namespace {
 
 using snapshot::Cause;
 using snapshot::Finding;
+using snapshot::FindingKind;
 using snapshot::ScenarioOutcome;
 
 constexpr int kIndent = 12;
@@ -44,32 +45,56 @@ void put_cause(const Cause& cause, bool is_verbose) {
                      (pictures > 0 ? " and " + snapshot::counted(pictures, "picture") : "") + ": " +
                      list_of(cause.scenarios, is_verbose ? cause.scenarios.size() : kMostNames));
   }
-  const std::size_t most = is_verbose                    ? cause.findings.size()
-                           : cause.scenarios.size() == 1 ? kMostSentences
-                                                         : 1;
+  // What nothing is stored of, or nobody asks for, says the same of each of its files.
+  const bool is_of_files = first.kind == FindingKind::New || first.kind == FindingKind::Missing ||
+                           first.kind == FindingKind::Orphaned;
+  const bool is_told_once = is_of_files || cause.scenarios.size() > 1;
+  const std::size_t most = is_verbose ? cause.findings.size() : is_told_once ? 1 : kMostSentences;
   for (std::size_t i = 0; i < cause.findings.size() && i < most; ++i) {
     const Finding& finding = *cause.findings[i];
     if (i > 0) put_line("", finding.sentence);
-    const bool is_told = finding.kind == snapshot::FindingKind::UnmetExpectation || is_verbose;
+    const bool is_told = finding.kind == FindingKind::UnmetExpectation || is_verbose ||
+                         (finding.pixels && finding.pixels->limits != PixelLimits{});
     for (const std::string& detail : finding.details)
       if (is_told && detail != finding.sentence) put_line("", "  " + detail);
   }
-  if (most < cause.findings.size() && cause.scenarios.size() == 1)
+  if (most < cause.findings.size() && cause.scenarios.size() == 1 && first.kind != FindingKind::New)
     put_line("", "and " + std::to_string(cause.findings.size() - most) + " more of it");
 }
 
+/// "stored      crates/beam, 6 files", "updated     crates/beam, 6 files, 1 of them new and 2 removed".
 void print_written(const ScenarioOutcome& scenario) {
-  put_line("updated", scenario.scenario + ", " + snapshot::counted(scenario.written, "file") +
-                          " written or removed");
+  using snapshot::Done;
+  const auto count = [&](Done done) {
+    return static_cast<int>(std::ranges::count(scenario.findings, done, &Finding::done));
+  };
+  const int stored = count(Done::Written), removed = count(Done::Removed);
+  const bool is_one = stored == scenario.written || removed == scenario.written;
+  std::string text = scenario.scenario + ", " + snapshot::counted(scenario.written, "file");
+  if (!is_one && stored > 0) text += ", " + std::to_string(stored) + " of them new";
+  if (!is_one && removed > 0)
+    text += (stored > 0 ? " and " : ", ") + std::to_string(removed) + " removed";
+  put_line(!is_one ? "updated" : stored > 0 ? "stored" : "removed", text);
 }
 
-/// The first scenario of which something can be accepted; empty where nothing can.
-std::string acceptable(const snapshot::Outcome& outcome) {
-  for (const Cause& cause : snapshot::causes(outcome))
-    for (const snapshot::Finding* finding : cause.findings)
-      if (!finding->file.empty() && finding->kind != snapshot::FindingKind::KnownBad)
-        return finding->scenario;
-  return {};
+/// What to do about all of it.
+std::string what_to_do(const Told& told, const snapshot::Tally& counts) {
+  const std::vector<Cause> causes = snapshot::causes(told.outcome);
+  const auto count = [&](FindingKind kind) { return counts.kinds[static_cast<std::size_t>(kind)]; };
+  std::string scenario, mended;
+  for (const Cause& cause : causes)
+    for (const Finding* finding : cause.findings) {
+      if (scenario.empty() && finding->is_acceptable()) scenario = finding->scenario;
+      if (mended.empty() && !finding->is_acceptable()) mended = remedy(told, *finding);
+    }
+  if (scenario.empty()) return mended;
+  const int absent = count(FindingKind::New) + count(FindingKind::Missing);
+  int all = 0;
+  for (const Cause& cause : causes) all += static_cast<int>(cause.findings.size());
+  const std::string store = "contactscope check --write-missing stores what is not there yet";
+  const std::string review = "contactscope review goes through it, " +
+                             accept_command(told, scenario) + " takes one of them";
+  return absent == 0 ? review : absent == all ? store : review + ", " + store;
 }
 
 void tell_terminal(const Told& told) {
@@ -93,7 +118,7 @@ void tell_terminal(const Told& told) {
   for (std::size_t i = 0; i < notes.size() && i < most; ++i) std::cerr << notes[i] << '\n';
   if (most < notes.size()) std::cerr << "and " << notes.size() - most << " more such notes\n";
   if (counts.known_same > 0)
-    std::cerr << (counts.known_same == counts.scenarios
+    std::cerr << (counts.known_same == counts.scenarios && counts.failing + counts.written == 0
                       ? "nothing changed since the last check: neither scenarios, snapshots nor "
                         "program\n"
                       : std::to_string(counts.known_same) + " of " +
@@ -102,12 +127,7 @@ void tell_terminal(const Told& told) {
                             "check\n");
   std::cerr << snapshot::summary(counts) << '\n';
   if (counts.failing == 0) return;
-  const std::string scenario = acceptable(outcome);
-  std::cerr << "see " << path_in(told, "report.html")
-            << (scenario.empty() ? "; an expectation is mended, in its scenario or in what fails it"
-                                 : "; contactscope review goes through it, " +
-                                       accept_command(told, scenario) + " takes one of them")
-            << '\n';
+  std::cerr << "see " << path_in(told, "report.html") << "; " << what_to_do(told, counts) << '\n';
 }
 
 }  // namespace
