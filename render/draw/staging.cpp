@@ -194,8 +194,16 @@ Camera fit_camera(const trace::Header& header, const Extent& extent, const View&
              : Camera::perspective(eye, best.target, up, fov, viewport);
 }
 
+/// Where the first shape of a viewport's pair is when the sequence begins.
+Vec3d first_place(const std::vector<trace::Frame>& frames, const PairViewport& viewport) {
+  for (const trace::Placement& pose : frames.front().poses)
+    if (pose.first == viewport.a) return pose.second.position;
+  return Vec3d::Zero();
+}
+
 // All viewports of pairs show as many pixels of a metre, from the same side: the one that needs
-// most room decides. What each shows stands in its middle in all frames.
+// most room decides. What each shows stands in its middle in all frames. A target of the view's own
+// is beside the first pair, and the others are looked at in the same place beside theirs.
 void fit_viewports(const trace::Header& header, const std::vector<trace::Frame>& frames,
                    const Extent& all, Staging& staging) {
   const View& view = staging.view;
@@ -219,7 +227,10 @@ void fit_viewports(const trace::Header& header, const std::vector<trace::Frame>&
       return std::max(size.y(), size.x() * inside.height / inside.width) / share;
     };
     const bool close = view.focus == Focus::Contact && !own.contact.empty();
-    middles.push_back(center_of(close ? own.contact : own.shapes));
+    middles.push_back(view.target ? Vec3d(*view.target + first_place(frames, viewport) -
+                                          first_place(frames, staging.viewports.front()))
+                      : close     ? center_of(own.contact)
+                                  : center_of(own.shapes));
     const double whole = high(own.shapes, kShapesShare);
     height = std::max(height, close ? std::clamp(high(own.contact, kPatchShare),
                                                  kLeastShapes * kLeastShapes * whole, whole)

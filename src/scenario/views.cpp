@@ -117,8 +117,6 @@ View read_view(const Value& value) {
     const auto layout = table.find("layout");
     return layout && layout->one_of({"one", "side_by_side"}, "layout") == "side_by_side";
   }();
-  if (view.side_by_side && (view.eye && view.target))
-    table.find("target")->fail("side by side each viewport looks at its own pair; remove 'target'");
   table.read("inset", view.inset, &Value::boolean);
   table.read("story", view.story,
              word_of<Story>({"none", "clip_steps", "gjk_steps", "epa_steps"}, "story"));

@@ -188,8 +188,18 @@ TEST(Answers, PanelsTellThemOverTime) {
   EXPECT_THAT(panel_texts(asked, Panel::Answers, 1), Contains("falsely in 1 of 2 frames"));
   const std::vector<std::string> axes = panel_texts(asked, Panel::AxisIntervals);
   EXPECT_THAT(axes, Contains("face 1 of A"));
-  EXPECT_THAT(axes, Contains("−2.00 mm"));
+  EXPECT_THAT(axes, Contains("2.00 mm")) << "below the word overlap, without a sign";
+  EXPECT_THAT(axes, Contains("overlap"));
   EXPECT_THAT(panel_texts(asked, Panel::Summary), Contains(HasSubstr("do the oriented boxes")));
+}
+
+TEST(Answers, IntervalsAreThoseOfPairsInView) {
+  AskedCrate asked(true, false);
+  asked.view.eye = Vec3d(0, 1, 5);
+  asked.view.target = Vec3d(0, 0, 0);
+  EXPECT_THAT(panel_texts(asked, Panel::AxisIntervals), Contains("face 1 of A"));
+  asked.view.target = Vec3d(0, 1, 10);
+  EXPECT_THAT(panel_texts(asked, Panel::AxisIntervals), Contains(HasSubstr("does not apply")));
 }
 
 TEST(Answers, ThePipelineCountsWhatIsAskedBesideWhatIsCollided) {

@@ -51,6 +51,20 @@ TEST(SideBySide, PairsHaveEqualParallelViewports) {
   EXPECT_NEAR(of_left.y - left.frame.y, of_right.y - right.frame.y, 1e-3);
 }
 
+TEST(SideBySide, ATargetIsLookedAtInEachPair) {
+  TwoCrates crates;
+  crates.view.eye = Vec3d(0.5, 0, 9);
+  crates.view.target = Vec3d(0.5, 0, 0.5);  // an edge of the left crate
+  const Staging staging = crates.staged();
+  for (int i = 0; i < 2; ++i) {
+    const PairViewport& viewport = staging.viewports[static_cast<std::size_t>(i)];
+    const Rect& view = viewport.camera->viewport();
+    const Point2 seen = *viewport.camera->project({0.5 + 5 * i, 0, 0.5});
+    EXPECT_NEAR(seen.x, view.x + 0.5 * view.width, 1e-3);
+    EXPECT_NEAR(seen.y, view.y + 0.5 * view.height, 1e-3);
+  }
+}
+
 TEST(SideBySide, EachIsNamedOnceAndShowsItsOwnPair) {
   const TwoCrates crates;
   const Staging staging = crates.staged();

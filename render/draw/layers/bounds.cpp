@@ -12,6 +12,7 @@ namespace {
 constexpr std::size_t kMostNamed = 12;  // boxes
 constexpr double kNameRoom = 20;        // pixels that a name beside a box takes
 constexpr double kAxisLength = 56;      // pixels
+constexpr double kBeyondBoxes = 12;     // pixels: how far a line at their ends goes on
 
 constexpr Swatch kMeetingSwatch{LegendGroup::Trees, 3, [](auto& pen) { pen.area(kBox, 0, 2.5); }};
 constexpr Swatch kShapeBoxSwatch{LegendGroup::Trees, 5, [](auto& pen) { pen.area(kBox, 0, 1.5); },
@@ -20,8 +21,10 @@ constexpr double kLeastShared = 6;  // pixels: what is smaller is not seen to be
 constexpr Color kShared = with_alpha(kBox, 0.22f);
 constexpr Swatch kSharedSwatch{LegendGroup::Trees, 4,
                                [](auto& pen) { pen.box(kShared, kShared, 1); }};
+// Not dashed: of a small box dashes would leave corners, and of many in space a thicket.
+constexpr LineStyle kAlone{1.2f, kDropped};
 constexpr Swatch kAloneSwatch{LegendGroup::Trees, 4,
-                              [](auto& pen) { pen.area(kDropped, 0, 1.5, true); }};
+                              [](auto& pen) { pen.area(kAlone.color, 0, kAlone.width); }};
 
 /// A place for a name, and the way from the box to it.
 struct NamePlace {
@@ -132,6 +135,34 @@ void draw_swept_axes(const Scene& scene, const std::vector<trace::Bounds>& all, 
   }
 }
 
+// Where two ends pass each other, across both boxes: the places on an axis are the same, whatever
+// lies between the boxes along the others.
+void draw_passing_ends(const Scene& scene, const std::vector<trace::Bounds>& all, Sketch& sketch) {
+  const auto box_of = [&](const std::string& name) {
+    const auto found = std::ranges::find(all, name, &trace::Bounds::name);
+    return found == all.end() ? nullptr : &found->box;
+  };
+  for (const trace::EndSwap& swap : scene.frame.broad_phase->end_swaps) {
+    const trace::Box *lower = box_of(swap.lower), *upper = box_of(swap.upper);
+    const int axis = swap.axis == "x" ? 0 : swap.axis == "y" ? 1 : 2;
+    const Vec3d across = scene.camera.to_eye(Vec3d::Zero()).cross(Vec3d::Unit(axis)).cwiseAbs();
+    if (lower == nullptr || upper == nullptr || across.isZero(0.1)) continue;
+    int along = 0;
+    across.maxCoeff(&along);
+    Eigen::AlignedBox3d both(lower->lower, lower->upper);
+    both.extend(upper->lower).extend(upper->upper);
+    const double beyond =
+        kBeyondBoxes * scene.scales.pixel / scene.camera.pixels_per_metre(both.center());
+    Vec3d from = both.max(), to = both.max();
+    from[axis] = to[axis] = swap.place;
+    from[along] = both.min()[along] - beyond;
+    to[along] += beyond;
+    sketch.line(from, to, {swap.counts ? 2.5f : 1.5f, swap.counts ? kBox : kShapeEdge});
+    sketch.label(to, "ends pass along " + swap.axis, swap.counts ? kBox : kQuietText, 16, 6,
+                 Vec3d(to - from));
+  }
+}
+
 void draw_bounds(const Scene& scene, Sketch& sketch) {
   if (!scene.frame.broad_phase) return draw_boxes_of_shapes(scene, sketch);
   const auto meets = [&](const trace::Bounds& bounds) {
@@ -143,8 +174,7 @@ void draw_bounds(const Scene& scene, Sketch& sketch) {
   const auto meeting = std::stable_partition(all.begin(), all.end(), std::not_fn(meets));
   for (auto bounds = all.begin(); bounds != all.end(); ++bounds) {
     const bool alone = bounds < meeting;
-    outline_solid(scene, bounds->box,
-                  alone ? LineStyle{1.5f, kDropped, true} : LineStyle{2.5f, kBox}, sketch);
+    outline_solid(scene, bounds->box, alone ? kAlone : LineStyle{2.5f, kBox}, sketch);
     if (all.size() <= kMostNamed) {
       const NamePlace name = free_side(scene, *bounds, all);
       sketch.label(name.at, in_words(bounds->name), kText, 16, 6, name.out);
@@ -152,8 +182,10 @@ void draw_bounds(const Scene& scene, Sketch& sketch) {
     sketch.explain(alone ? kAloneSwatch : kMeetingSwatch,
                    alone ? "box that meets no other" : "box that meets another", bounds->box.upper);
   }
-  if (scene.frame.broad_phase->method == "sweep_and_prune" && all.size() <= kMostNamed)
+  if (scene.frame.broad_phase->method == "sweep_and_prune" && all.size() <= kMostNamed) {
     draw_swept_axes(scene, all, sketch);
+    draw_passing_ends(scene, all, sketch);
+  }
   const auto box_of = [&](const std::string& name) -> const trace::Box* {
     const auto found = std::ranges::find(all, name, &trace::Bounds::name);
     return found == all.end() ? nullptr : &found->box;

@@ -1,9 +1,12 @@
 #include <algorithm>
 #include <array>
+#include <map>
+#include <numeric>
 #include <optional>
 #include <string>
 
 #include "draw/layers/layer.h"
+#include "image/font.h"
 
 /// The cells, columns or nodes into which a broad phase sorts boxes, as tiles on their floors: the
 /// darker, the more tests they cost. Tones are opaque and few, and of tiles that lie over each other
@@ -19,7 +22,7 @@ struct Tone {
 constexpr std::array<Tone, 3> kTones = {
     {{1, rgb(0xECEEF1)}, {10, rgb(0xD5D9DE)}, {100, rgb(0xC2C8CF)}}};
 constexpr LineStyle kBorder{1.0f, rgb(0xB0B6BE)};
-constexpr LineStyle kAbove{1.0f, with_alpha(kDropped, 0.5f)};
+constexpr LineStyle kAbove{1.0f, rgb(0xB4B9C0)};
 constexpr int kDeepest = 2;  // of nodes that only lie around others
 constexpr Color kTooLarge = rgb(0xEDE2C9);
 
@@ -63,7 +66,14 @@ constexpr Swatch kSpanSwatch{
 constexpr Swatch kBeginsSwatch{
     LegendGroup::Trees, 7,
     [](auto& pen) { pen.line(pen.at(12, -7), pen.at(12, 7), kBegins.width, kBegins.color); }};
+constexpr float kCount = 16;          // size of the number in a tile, pixels
+constexpr double kCountClear = 13;    // from its middle to the outline of a box, likewise
+constexpr double kLeastCounted = 20;  // pixels: in a narrower tile no number stands
 constexpr double kSweptWay = 64, kBesideBox = 3.5;  // pixels
+
+bool is_tree(const trace::BroadPhase& phase) {
+  return phase.method == "tree" || phase.method == "octree";
+}
 
 /// The tile of a box on the floor of all.
 class Floor {
@@ -79,6 +89,8 @@ class Floor {
   }
 
   int up() const { return up_; }
+  int right() const { return right_; }
+  int ahead() const { return ahead_; }
   /// The other axis of the floor.
   int across(int axis) const { return 3 - up_ - axis; }
 
@@ -155,11 +167,90 @@ void draw_begins(const Scene& scene, Sketch& sketch) {
     to[across] = bounds->box.upper[across];
     sketch.line(from, to, kBegins);
   }
-  sketch.explain(kBeginsSwatch, "begins in the span, so compared: " + std::to_string(compared));
+  sketch.explain(kBeginsSwatch, "begins in the span, so tested: " + std::to_string(compared));
   const Vec3d from = floor.tile_of(sweep->column)[0], way = Vec3d::Unit(sweep->axis);
   const double metres = kSweptWay * scene.scales.pixel / scene.camera.pixels_per_metre(from);
   sketch.arrows.push_back(arrow_to_scale(from, metres * way, 2.5f, 10, kBegins.color));
   sketch.label(from + metres * way, "swept along " + phase.swept, kBegins.color, 17, 8, way);
+}
+
+/// Cells of a grid that lie over each other are one tile with the tests of all: so the tiles' tests add
+/// up to what the frame cost. Nodes of a tree stay apart.
+std::vector<trace::Cell> stacked(const trace::BroadPhase& phase, const Floor& floor) {
+  if (phase.method != "grid") return phase.cells;
+  std::map<std::array<double, 4>, trace::Cell> stacks;
+  for (const trace::Cell& cell : phase.cells) {
+    const std::vector<Vec3d> tile = floor.tile_of(cell.box);
+    const int x = floor.right(), y = floor.ahead();
+    const auto [stack, is_new] =
+        stacks.try_emplace({tile[0][x], tile[0][y], tile[2][x], tile[2][y]}, cell);
+    if (is_new) continue;
+    stack->second.tests += cell.tests;
+    stack->second.members += cell.members;
+  }
+  std::vector<trace::Cell> cells;
+  for (const auto& [tile, stack] : stacks) cells.push_back(stack);
+  return cells;
+}
+
+/// Where a number is read best in a tile, whose corners are at `low` and `high` along the view's right and
+/// up: off the outlines of boxes as far as it needs to be, and then as far to the lower left as it can.
+Vec2d place_in_tile(const Vec2d& low, const Vec2d& high,
+                    const std::vector<Eigen::AlignedBox2d>& boxes, double pixel) {
+  constexpr int kTried = 12;
+  const Vec2d margin = (0.5 * kCount * pixel * Vec2d(1.4, 1)).cwiseMin(0.5 * (high - low));
+  Vec2d best = low + margin;
+  double most = -1;
+  for (int row = 0; row <= kTried; ++row) {
+    for (int column = 0; column <= kTried; ++column) {
+      const Vec2d share(column / double(kTried), row / double(kTried));
+      const Vec2d at = low + margin + share.cwiseProduct(high - low - 2 * margin);
+      double clear = kCountClear * pixel;
+      for (const Eigen::AlignedBox2d& box : boxes) {
+        const double inside = std::min((at - box.min()).minCoeff(), (box.max() - at).minCoeff());
+        clear = std::min(clear, inside > 0 ? inside : box.exteriorDistance(at));
+      }
+      const double value = clear / pixel - 0.01 * (row + column);
+      if (value <= most) continue;
+      best = at;
+      most = value;
+    }
+  }
+  return best;
+}
+
+/// Writes into each tile how many tests it cost. Of none where one has no room: a sum needs all.
+/// Returns whether they stand there.
+bool write_tests(const Scene& scene, const std::vector<trace::Cell>& cells, const Floor& floor,
+                 Sketch& sketch) {
+  const Vec3d right = scene.camera.right(), up = scene.camera.up();
+  const auto flat = [&](const Vec3d& at) { return Vec2d(right.dot(at), up.dot(at)); };
+  const auto seen = [&](const trace::Box& box) {
+    Eigen::AlignedBox2d around;
+    for (const Vec3d& corner : floor.tile_of(box)) around.extend(flat(corner));
+    return around;
+  };
+  const double pixel = scene.scales.pixel / scene.camera.pixels_per_metre(cells.front().box.lower);
+  std::vector<Eigen::AlignedBox2d> boxes;
+  for (const trace::Bounds& bounds : scene.frame.broad_phase->bounds)
+    boxes.push_back(seen(bounds.box));
+  std::vector<std::pair<Vec2d, int>> numbers;
+  for (const trace::Cell& cell : cells) {
+    if (cell.tests == 0) continue;
+    const std::vector<Vec3d> corners = floor.tile_of(cell.box);
+    for (const std::size_t beside : {1, 3})
+      if (flat(corners[beside] - corners[0]).norm() < kLeastCounted * pixel) return false;
+    const Eigen::AlignedBox2d tile = seen(cell.box);
+    numbers.emplace_back(place_in_tile(tile.min(), tile.max(), boxes, pixel), cell.tests);
+  }
+  const Vec3d on_floor = floor.tile_of(cells.front().box)[0];
+  for (const auto& [at, tests] : numbers) {
+    const std::string text = std::to_string(tests);
+    const double half = 0.5 * static_cast<double>(text_width(text, kCount, Weight::Bold)) * pixel;
+    const Vec2d begin = at - Vec2d(half, 0) - flat(on_floor);  // the label goes on to the right
+    sketch.label(on_floor + begin.x() * right + begin.y() * up, text, kShapeEdge, kCount, 0, right);
+  }
+  return true;
 }
 
 void draw_cells(const Scene& scene, Sketch& sketch) {
@@ -177,7 +268,7 @@ void draw_cells(const Scene& scene, Sketch& sketch) {
       sketch.explain(kOnlySwatch, "the only cell, of all boxes");
     return;
   }
-  std::vector<trace::Cell> cells = phase.cells;
+  std::vector<trace::Cell> cells = stacked(phase, floor);
   std::ranges::stable_sort(cells, {}, &trace::Cell::tests);
   for (const trace::Cell& cell : cells) {
     // Nodes without boxes of their own lie over each other, a dozen deep.
@@ -189,22 +280,32 @@ void draw_cells(const Scene& scene, Sketch& sketch) {
       sketch.face(tile_of(cell.box), tone_of(cell.tests), kBorder);
     }
   }
+  bool any_large = false;
   for (const trace::Bounds& bounds : phase.bounds) {
     if (!bounds.large) continue;
     sketch.face(tile_of(bounds.box), kTooLarge, kBorder);
-    sketch.explain(kLargeSwatch, "too large for cells: tested with all");
+    any_large = true;
+  }
+  if (any_large) {
+    const int in_cells = std::accumulate(
+        cells.begin(), cells.end(), 0, [](int sum, const auto& cell) { return sum + cell.tests; });
+    sketch.explain(kLargeSwatch, "too large for cells, tested with all: " +
+                                     std::to_string(phase.comparisons - in_cells) + " tests");
   }
   if (sweep) draw_span(*sweep, floor, sketch);
   const int most = cells.back().tests;
-  const std::string where = phase.method == "tree" || phase.method == "octree"
-                                ? "tests at a node: up to 9"
-                                : "tests in a cell: up to 9";
+  const bool in_words = phase.method != "grid" || !write_tests(scene, cells, floor, sketch);
+  const auto explain = [&](const Swatch& swatch, const std::string& tones) {
+    sketch.explain(swatch, !in_words        ? "number: tests in a cell"
+                           : is_tree(phase) ? "tests at a node: up to 9" + tones
+                                            : "tests in a cell: up to 9" + tones);
+  };
   if (most >= kTones[2].tests)
-    sketch.explain(kTonesSwatch<3>, where + ", up to 99, more");
+    explain(kTonesSwatch<3>, ", up to 99, more");
   else if (most >= kTones[1].tests)
-    sketch.explain(kTonesSwatch<2>, where + ", more");
+    explain(kTonesSwatch<2>, ", more");
   else if (most >= kTones[0].tests)
-    sketch.explain(kTonesSwatch<1>, where);
+    explain(kTonesSwatch<1>, "");
 }
 
 }  // namespace

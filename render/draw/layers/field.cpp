@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
+#include <vector>
 
 #include "draw/layers/layer.h"
 #include "draw/scene/contours.h"
@@ -16,13 +18,14 @@ constexpr double kCellsBetween = 3;    // from a line to the next
 constexpr double kBetweenProbes = 14;  // pixels
 constexpr float kLineText = 17;        // pixels
 constexpr double kBesideLine = 5;      // likewise
-constexpr double kFromBorder = 0.12;   // of the view, of a line's label
+constexpr double kLeastNamed = 30;  // pixels from the middle of ground that is named to its border
+constexpr double kFromBorder = 0.12;  // of the view, of a line's label
 constexpr Color kOutside = rgb(0x5F6B78);
 constexpr Color kInside = rgb(0x6A4C93);
 constexpr LineStyle kOutsideLine{1.2f, kOutside};
 constexpr LineStyle kInsideLine{1.6f, kInside, true};
 constexpr LineStyle kSurface{3.2f, kNormal};
-constexpr LineStyle kGrid{0.7f, with_alpha(kDropped, 0.35f)};
+constexpr LineStyle kGrid{0.9f, with_alpha(kDropped, 0.42f)};
 constexpr Color kExact = rgb(0xF3DFC1, 0.75f);
 constexpr Color kProbe = rgb(0x3F4650);
 
@@ -164,6 +167,59 @@ bool draw_contours(const Scene& scene, const trace::FieldSlice& slice, double sp
   return -step > least;
 }
 
+/// Says where nodes are shared by many cells, in the middle of the largest such ground in sight:
+/// white that nothing names would be taken for no field at all.
+void name_coarse_ground(const Scene& scene, const trace::FieldSlice& slice, Sketch& sketch) {
+  const auto cells_along = [&](int values, const Vec3d& step) {
+    return static_cast<int>(std::lround((values - 1) * step.norm() / slice.cell));
+  };
+  const int width = cells_along(slice.columns, slice.next);
+  const int height = cells_along(slice.rows(), slice.next_row);
+  if (slice.band.empty() || width < 1 || height < 1) return;
+  // Of each cell how many it is from the nearest with nodes of its own, or from the lattice's border.
+  std::vector<int> away(static_cast<std::size_t>((width + 2) * (height + 2)), 0);
+  const auto at = [&](int column, int row) -> int& {
+    return away[static_cast<std::size_t>((row + 1) * (width + 2) + column + 1)];
+  };
+  for (int row = 0; row < height; ++row)
+    for (int column = 0; column < width; ++column) at(column, row) = width + height;
+  for (const auto& [column, row] : slice.band)
+    if (column >= 0 && column < width && row >= 0 && row < height) at(column, row) = 0;
+  for (const int way : {1, -1}) {
+    for (int i = 0; i < width * height; ++i) {
+      const int cell = way > 0 ? i : width * height - 1 - i;
+      const int column = cell % width, row = cell / width;
+      int& here = at(column, row);
+      here = std::min({here, at(column - way, row) + 1, at(column, row - way) + 1,
+                       at(column - way, row - way) + 1, at(column + way, row - way) + 1});
+    }
+  }
+  // On another shape it would be said of that.
+  const auto covers = [&](const Vec3d& place) {
+    return [&, place](const PlacedShape& shape) {
+      const Vec3d center = shape.pose.transform(shape.traced().center_of_mass);
+      return shape.traced().name != slice.name && (place - center).norm() < shape.mesh->radius;
+    };
+  };
+  const Cells cells(slice);
+  std::optional<Vec3d> middle;
+  int farthest = 0;
+  for (int row = 0; row < height; ++row) {
+    for (int column = 0; column < width; ++column) {
+      const Vec3d center = 0.5 * (cells.corner(column, row) + cells.corner(column + 1, row + 1));
+      if (at(column, row) <= farthest || !is_well_inside(scene.camera, center) ||
+          std::ranges::any_of(scene.shapes, covers(center)))
+        continue;
+      farthest = at(column, row);
+      middle = center;
+    }
+  }
+  const double pixels =
+      middle ? (farthest - 0.5) * slice.cell * scene.camera.pixels_per_metre(*middle) : 0;
+  if (pixels >= kLeastNamed * scene.scales.pixel)
+    sketch.label(*middle, "blended here", kQuietText, kLineText, 0).bold = false;
+}
+
 void draw_slices(const Scene& scene, Sketch& sketch) {
   double largest = 0, cell = 0;
   for (const trace::FieldSlice& slice : scene.frame.field_slices) {
@@ -178,6 +234,7 @@ void draw_slices(const Scene& scene, Sketch& sketch) {
     draw_exact_cells(slice, sketch);
     draw_grid(slice, sketch);
     inside |= draw_contours(scene, slice, spacing, sketch);
+    name_coarse_ground(scene, slice, sketch);
   }
   explain_cells(scene.frame.field_slices, sketch);
   sketch.explain(

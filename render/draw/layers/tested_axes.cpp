@@ -45,6 +45,7 @@ void draw_tested_axes(const Scene& scene, const trace::Pair& pair, Sketch& sketc
   if (!pair.query || !pair.query->bounds_a || !pair.query->bounds_b) return;
   const trace::Query& query = *pair.query;
   const Vec3d middle = 0.5 * (query.bounds_a->center + query.bounds_b->center);
+  if (!scene.camera.sees(middle)) return;  // nor does the legend speak of it
   if (const trace::TestedAxis* axis = worth_a_look(query)) {
     const Color color = axis->separates ? kAxis : axis->skipped ? kDropped : kShapeEdge;
     sketch.arrows.push_back({.from = middle,

@@ -15,6 +15,7 @@ constexpr double kAnswerBar = 14;      // pixels at 720 lines, the height of a r
 constexpr double kBelowAnswerBar = 3;  // likewise
 constexpr double kLeastBetween = 8;    // and between two rows
 constexpr double kMostBetween = 16;
+constexpr double kLargestAnswers = 1.25;  // times all of that, where there is room
 
 bool has_query(const trace::Pair& pair) {
   return pair.query.has_value();
@@ -50,9 +51,8 @@ class AnswersPanel : public PanelContent {
   PanelNeed need(const PanelMoment&) const override {
     const float heading = Sheet::heading_height(scale_), count = static_cast<float>(rows());
     const auto between = scale_ * static_cast<float>(kLeastBetween);
-    const auto wide = scale_ * static_cast<float>(kMostBetween);
     return {heading + row_height(), heading + count * (row_height() + between),
-            heading + count * (row_height() + wide), 0};
+            heading + count * most_of_row(), 0};
   }
 
   std::string lay_out(const PanelMoment& moment, Sheet& sheet) override {
@@ -61,11 +61,15 @@ class AnswersPanel : public PanelContent {
       sheet.paragraph("does not apply: no pair is asked anything in this sequence", kQuietText);
       return {};
     }
-    const double room = sheet.rest().height / static_cast<double>(rows()) - row_height();
-    const auto between = static_cast<float>(std::clamp<double>(room, 0, kMostBetween * scale_));
+    const double room = sheet.rest().height / static_cast<double>(rows());
+    const double row = row_height(), widest = kMostBetween * static_cast<double>(scale_);
+    larger_ = std::clamp(room / (row + widest), 1.0, kLargestAnswers);
+    sheet.enlarge(larger_);
+    const auto between =
+        static_cast<float>(std::clamp(room - larger_ * row, 0.0, larger_ * widest));
     std::size_t shown = 0;
     for (const AnswerHistory& history : histories_) {
-      const bool fits = row_height() <= static_cast<float>(sheet.rest().height) + 1;
+      const bool fits = larger_ * row <= sheet.rest().height + 1;
       if (shown > 0 && !fits) break;
       draw_row(history, moment.frame, sheet);
       sheet.skip(between);
@@ -84,6 +88,12 @@ class AnswersPanel : public PanelContent {
            static_cast<float>(bar + 8) * scale_;
   }
 
+  /// With what is between it and the next one.
+  float most_of_row() const {
+    const double row = row_height() + scale_ * static_cast<float>(kMostBetween);
+    return static_cast<float>(kLargestAnswers * row);
+  }
+
   /// A frame alone has no history.
   bool is_sequence() const {
     return std::ranges::any_of(
@@ -96,13 +106,14 @@ class AnswersPanel : public PanelContent {
     const double baseline = rest.y + 0.82 * sheet.text_height();
     const std::string answer = answer_at(history, now);
     const float used = pen.width_of(answer) + pen.px(10);
-    pen.text(pen.fitted(history.name, Weight::Bold, static_cast<float>(rest.width) - used),
+    const auto size = static_cast<double>(sheet.text_height() / pen.scale());
+    pen.text(pen.fitted(history.name, Weight::Bold, static_cast<float>(rest.width) - used, size),
              pixel(rest.x, baseline), Align::Left, kText, Weight::Bold);
     pen.text(answer, pixel(rest.right(), baseline), Align::Right, kText);
     sheet.skip(sheet.text_height());
     if (is_sequence()) {
       draw_cells(history, now, sheet);
-      sheet.skip(pen.px(kAnswerBar + kBelowAnswerBar));
+      sheet.skip(pen.px(larger_ * (kAnswerBar + kBelowAnswerBar)));
     }
     if (has_wrong_) sheet.line(told(history, now), kQuietText);
   }
@@ -138,10 +149,10 @@ class AnswersPanel : public PanelContent {
            (asked == 1 ? " frame" : " frames");
   }
 
-  static void draw_cells(const AnswerHistory& history, std::size_t now, const Sheet& sheet) {
+  void draw_cells(const AnswerHistory& history, std::size_t now, const Sheet& sheet) const {
     const Pen& pen = sheet.pen();
     const Rect rest = sheet.rest();
-    const double height = pen.px(kAnswerBar);
+    const double height = pen.px(larger_ * kAnswerBar);
     const double cell = rest.width / static_cast<double>(history.answers.size());
     pen.fill({rest.x, rest.y, rest.width, height}, with_alpha(kQuietText, 0.08f));
     for (std::size_t f = 0; f <= now; ++f) {
@@ -158,6 +169,7 @@ class AnswersPanel : public PanelContent {
   }
 
   float scale_;
+  double larger_ = 1;  // than at the least, as the sheet has room
   LengthUnit unit_;
   bool has_wrong_ = false;                // some bounds, in some frame
   std::vector<AnswerHistory> histories_;  // shapes before bounds

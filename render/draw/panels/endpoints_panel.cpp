@@ -10,13 +10,17 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr float kLeastBox = 3, kMostBox = 21;  // pixels at 720 lines: a box on an axis
-constexpr float kNamed = 14;                   // rows at least so high bear names
-constexpr double kBoxNames = 74;               // pixels at 720 lines
+// Pixels at 720 lines: a box on an axis, and the same where axes leave room on which nothing passes.
+constexpr float kLeastBox = 3, kMostBox = 21, kLargestBox = 30;
+constexpr float kNamed = 14;         // rows at least so high bear names
+constexpr double kBoxNames = 74;     // pixels at 720 lines
+constexpr double kLargerText = 1.2;  // beside the largest boxes
 constexpr double kAfterAxis = 8;
 constexpr const char* kAxes[] = {"x", "y", "z"};
 
-constexpr Color kSpark = kContact;
+// Of two boxes whose ends pass each other: a pair that begins or ends as the boxes that meet are
+// drawn in the view.
+constexpr Color kPairPasses = kBox, kOthersPass = kShapeEdge;
 
 std::string number_of(int number, const char* one, const char* many) {
   return std::to_string(number) + " " + (number == 1 ? one : many);
@@ -54,14 +58,30 @@ class EndpointsPanel : public PanelContent {
     }
     const double axes_height =
         3 * (sheet.line_height() + static_cast<double>(sheet.pen().px(kAfterAxis)));
+    const int shown = axes_shown(*phase);
+    const double room = (sheet.rest().height - axes_height) / static_cast<double>(boxes_);
     const double row =
-        std::min<double>(sheet.pen().px(kMostBox),
-                         (sheet.rest().height - axes_height) / (3 * static_cast<double>(boxes_)));
-    for (int axis = 0; axis < 3; ++axis) draw_axis(*phase, axis, row, sheet);
+        std::min<double>(sheet.pen().px(shown == 3 ? kMostBox : kLargestBox), room / shown);
+    sheet.enlarge(
+        std::clamp(row / static_cast<double>(sheet.pen().px(kMostBox)), 1.0, kLargerText));
+    for (int axis = 0; axis < 3; ++axis)
+      draw_axis(*phase, axis, shown == 3 || passes(*phase, axis), row, sheet);
     return {};
   }
 
  private:
+  static bool passes(const trace::BroadPhase& phase, int axis) {
+    return std::ranges::any_of(
+        phase.end_swaps, [&](const trace::EndSwap& swap) { return swap.axis == kAxes[axis]; });
+  }
+
+  /// Those on which something passes; all where nothing does.
+  static int axes_shown(const trace::BroadPhase& phase) {
+    int shown = 0;
+    for (int axis = 0; axis < 3; ++axis) shown += passes(phase, axis);
+    return shown == 0 ? 3 : shown;
+  }
+
   /// What the swaps on an axis come to: of a single one which two boxes passed each other.
   static std::string what_passes(const trace::BroadPhase& phase, int axis) {
     int swaps = 0, begun = 0, ended = 0;
@@ -82,10 +102,12 @@ class EndpointsPanel : public PanelContent {
     return in_words(last->lower) + " passes " + in_words(last->upper) + ", " + outcome;
   }
 
-  /// A bar a box, in the order of their lower ends.
-  void draw_axis(const trace::BroadPhase& phase, int axis, double row, Sheet& sheet) const {
+  /// A bar a box, in the order of their lower ends; of an axis without them the words alone.
+  void draw_axis(const trace::BroadPhase& phase, int axis, bool with_bars, double row,
+                 Sheet& sheet) const {
     sheet.line(std::string("along ") + kAxes[axis] + ": " + what_passes(phase, axis), kText);
     const Pen& pen = sheet.pen();
+    if (!with_bars) return sheet.skip(pen.px(kAfterAxis));
     const Rect rest = sheet.rest();
     const bool named = row >= static_cast<double>(pen.px(kNamed));
     const double left = rest.x + (named ? static_cast<double>(pen.px(kBoxNames)) : 0);
@@ -102,7 +124,7 @@ class EndpointsPanel : public PanelContent {
       const double bar = std::max(1.0, 0.5 * row), from = across(bounds.box.lower[axis]);
       pen.fill(
           {from, y + 0.5 * (row - bar), std::max(1.0, across(bounds.box.upper[axis]) - from), bar},
-          with_alpha(kShapeEdge, 0.45f));
+          color_of(phase, axis, bounds.name));
       if (named)
         pen.text(pen.fitted(in_words(bounds.name), FontWeight::Regular, pen.px(kBoxNames - 6)),
                  {static_cast<float>(rest.x), static_cast<float>(y + 0.8 * row)}, Align::Left,
@@ -115,11 +137,22 @@ class EndpointsPanel : public PanelContent {
       const auto lower = height_of.find(swap.lower), upper = height_of.find(swap.upper);
       if (lower == height_of.end() || upper == height_of.end()) continue;
       const double x = across(swap.place);
-      const Color color = swap.counts ? kSpark : kDropped;
+      const Color color = swap.counts ? kPairPasses : kOthersPass;
       pen.line(pixel(x, lower->second), pixel(x, upper->second), swap.counts ? 2.5 : 1.5, color);
       spark(pen, x, 0.5 * (lower->second + upper->second), swap.counts ? 7 : 5, color);
     }
     sheet.skip_to(y + static_cast<double>(pen.px(kAfterAxis)));
+  }
+
+  /// The strongest that the box's swaps on the axis give it; without any it is faint.
+  static Color color_of(const trace::BroadPhase& phase, int axis, const std::string& name) {
+    Color color = with_alpha(kShapeEdge, 0.3f);
+    for (const trace::EndSwap& swap : phase.end_swaps) {
+      if (swap.axis != kAxes[axis] || (swap.lower != name && swap.upper != name)) continue;
+      if (swap.counts) return kPairPasses;
+      color = with_alpha(kOthersPass, 0.75f);
+    }
+    return color;
   }
 
   /// A star of eight rays.

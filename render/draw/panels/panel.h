@@ -26,6 +26,9 @@ class Sheet {
 
   /// In bold, with a thin rule under it.
   void heading(const std::string& text);
+  /// Rows from here on are so many times as large: where a panel has room, what it says is legible
+  /// on a slide as well.
+  void enlarge(double times);
   void line(const std::string& text, const Color& color) { lines({text}, color); }
   /// Close under each other.
   void lines(const std::vector<std::string>& all, const Color& color);

@@ -44,7 +44,7 @@ std::vector<StageCount> stages_of(const trace::Frame& frame, const PairUse& use)
     stages.push_back({"pairs of " + std::to_string(shapes) + " shapes",
                       std::int64_t{shapes} * (shapes - 1) / 2, kShapeEdge});
     const bool ends = frame.broad_phase->method == "sweep_and_prune";
-    stages.push_back({ends ? "ends that passed each other" : "pairs of boxes compared",
+    stages.push_back({ends ? "ends that passed each other" : "tests of two boxes",
                       frame.broad_phase->comparisons, with_alpha(kDropped, 0.7f), !ends});
     stages.push_back({"whose boxes overlap", frame.broad_phase->pairs, kBox});
   } else {

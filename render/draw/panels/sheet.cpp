@@ -78,6 +78,13 @@ void Sheet::heading(const std::string& text) {
   skip(kUnderRule * scale);
 }
 
+void Sheet::enlarge(double times) {
+  const float scale = pen_.scale() * static_cast<float>(times);
+  text_ = whole_size(kTextSize, scale);
+  spacing_ = spacing_at(scale);
+  pen_.write_in(static_cast<double>(text_ / pen_.scale()));
+}
+
 void Sheet::write(const std::vector<std::string>& lines, float x, const Color& color) {
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const float top = y_ + text_ * static_cast<float>(i);

@@ -24,6 +24,8 @@ class Pen {
 
   float px(double at_720) const { return scale_ * static_cast<float>(at_720); }
   float scale() const { return scale_; }
+  /// Of text that says no size of its own, pixels at 720 lines.
+  void write_in(double text_size) { text_size_ = text_size; }
   Drawing& drawing() const { return out_; }
 
   /// The program's own words as the drawing's reader says them: as they are, where it has no others.

@@ -1,0 +1,70 @@
+// What pictures show of a distance field, from facts by hand.
+
+#include <algorithm>
+
+#include <gmock/gmock.h>
+
+#include "crate_on_slab.h"
+
+namespace contactscope::draw {
+namespace {
+
+using crate_sample::CrateOnSlab;
+
+/// Twelve by twelve cells of 10 cm around the origin, seen at right angles; the three columns on the
+/// left have nodes of their own. The crate is 9 m away.
+struct SlicedSlab : CrateOnSlab {
+  SlicedSlab() {
+    view.layers = {Layer::Field};
+    view.eye = Vec3d(0, 0, 9);
+    view.target = Vec3d(0, 0, 0);
+    view.orthographic_height = 1.6;
+    frames[0].pairs.clear();
+    frames[0].poses[1].second.position.x() = 9;
+    trace::FieldSlice slice;
+    slice.name = "slab";
+    slice.cell = 0.1;
+    slice.origin = {-0.6, -0.6, 0};
+    slice.next = {0.1, 0, 0};
+    slice.next_row = {0, 0.1, 0};
+    slice.columns = 13;
+    for (int row = 0; row < 13; ++row)
+      for (int column = 0; column < 13; ++column) slice.distances.push_back(column + 0.5);
+    for (int row = 0; row < 12; ++row)
+      for (int column = 0; column < 3; ++column) slice.band.push_back({column, row});
+    frames[0].field_slices = {slice};
+  }
+
+  std::vector<Label> coarse() const {
+    std::vector<Label> labels = sketch().labels;
+    std::erase_if(labels, [](const Label& label) { return label.text != "blended here"; });
+    return labels;
+  }
+};
+
+TEST(FieldPicture, NamesTheGroundThatHasNoNodesOfItsOwn) {
+  const SlicedSlab slab;
+  const std::vector<Label> labels = slab.coarse();
+  ASSERT_EQ(labels.size(), 1u);
+  EXPECT_NEAR(labels[0].at.x(), 0.15, 0.06) << "halfway between the band and the border";
+  EXPECT_LT(std::abs(labels[0].at.y()), 0.25);
+}
+
+TEST(FieldPicture, NamesNoGroundWhereAllCellsHaveNodesOrTooFewHaveNone) {
+  SlicedSlab slab;
+  trace::FieldSlice& slice = slab.frames[0].field_slices[0];
+  for (int row = 0; row < 12; ++row)
+    for (int column = 3; column < 11; ++column) slice.band.push_back({column, row});
+  EXPECT_TRUE(slab.coarse().empty());
+  slice.band.clear();
+  EXPECT_TRUE(slab.coarse().empty());
+}
+
+TEST(FieldPicture, NamesNoGroundOnAnotherShape) {
+  SlicedSlab slab;
+  slab.frames[0].poses[1].second.position = {0.2, 0, 0};  // the crate, as large as the slice
+  EXPECT_TRUE(slab.coarse().empty());
+}
+
+}  // namespace
+}  // namespace contactscope::draw
