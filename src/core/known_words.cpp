@@ -159,6 +159,7 @@ const std::vector<std::string_view>& known_words() {
       "triangle that crosses the other mesh",
       "triangles that overlap in one plane",
       "triangle without an area",
+      "edge at which the surface ends",
       "the triangles where they first meet",
       "where the surfaces meet",
       "where they touch, which does not count",

@@ -166,6 +166,26 @@ TEST(Answers, ShowTheClosestPoints) {
   EXPECT_EQ(sketch.labels[0].text, "gap 120 mm");
 }
 
+TEST(Answers, OfSeveralDistancesFromAShapeTheShortestIsStrongest) {
+  AskedCrate asked(false, false);
+  asked.query().point_a = Vec3d(0, 0, 0);
+  asked.query().point_b = Vec3d(0, 0.12, 0);
+  asked.view.layers = {Layer::Answer};
+  trace::Pair farther = asked.pair();
+  farther.b = "lamp";
+  farther.query->gap = 0.5;
+  farther.query->point_b = Vec3d(0, 0.5, 0);
+  asked.frames[0].pairs.push_back(farther);
+  Sketch sketch = sketch_frame(asked.staged(), asked.frames[0]);
+  ASSERT_EQ(sketch.arrows.size(), 2u);
+  EXPECT_GT(sketch.arrows[0].width, sketch.arrows[1].width);
+  EXPECT_TRUE(sketch.labels[0].bold);
+  EXPECT_FALSE(sketch.labels[1].bold);
+  asked.frames[0].pairs[1].a = "table";  // of other shapes: no choice
+  sketch = sketch_frame(asked.staged(), asked.frames[0]);
+  EXPECT_EQ(sketch.arrows[0].width, sketch.arrows[1].width);
+}
+
 std::vector<std::string> panel_texts(AskedCrate& asked, Panel panel, std::size_t frame = 0) {
   asked.view.panels = {panel};
   const Staging staging = asked.staged();

@@ -127,6 +127,19 @@ TEST(MeshPictures, CoplanarAndDegenerateTrianglesHaveSignsOfTheirOwn) {
                                           Contains("triangle without an area")));
 }
 
+TEST(MeshPictures, AMeshWithoutAnInsideShowsWhereItIsOpen) {
+  TwoSurfaces scene;
+  const auto edges = [&] {
+    return std::ranges::count_if(scene.sketch().lines, [](const Line& line) {
+      return crate_sample::same(line.style.color, kAxisText);
+    });
+  };
+  EXPECT_EQ(edges(), 0);
+  scene.frames[0].pairs[0].query->containment = {.a = "inside", .b = "open"};
+  EXPECT_EQ(edges(), 4) << "the border of the wall, and not the edge between its triangles";
+  EXPECT_THAT(legend_texts(scene.sketch()), Contains("edge at which the surface ends"));
+}
+
 TEST(MeshPictures, ATriangleThatIsNotThereIsLeftOut) {
   TwoSurfaces scene;
   scene.frames[0].pairs[0].intersections = {{7, -1, "proper", {}, true, true}};

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "draw/layers/layer.h"
@@ -27,6 +28,18 @@ bool is_same_measure(const trace::Pair& pair, const trace::Pair& other) {
          is_near(one.point_b, two.point_a);
 }
 
+/// Whether another one of these shapes is nearer to one of them. Who asks how far a thing is from
+/// several looks for the nearest.
+bool is_nearer_elsewhere(const Scene& scene, const trace::Pair& pair) {
+  const double gap = *pair.query->gap;
+  return std::ranges::any_of(scene.frame.pairs, [&](const trace::Pair& other) {
+    const int shared =
+        (other.a == pair.a || other.a == pair.b) + (other.b == pair.a || other.b == pair.b);
+    return shared == 1 && other.query && other.query->gap &&
+           *other.query->gap < gap - 1e-5 * std::abs(gap);
+  });
+}
+
 void draw_answer(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   if (!pair.query || !pair.query->gap || !pair.query->point_a || !pair.query->point_b) return;
   const trace::Query& query = *pair.query;
@@ -43,10 +56,14 @@ void draw_answer(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
     if (touches) sketch.explain(kPointsSwatch, apart ? "closest points" : "deepest points", from);
   }
   if (touches) return;
-  draw_measure(scene, apart ? Measured::Gap : Measured::Overlap, from, to, 3, "", sketch);
-  sketch.label(0.5 * (from + to),
-               spell_separation(*query.gap, scene.noise(pair), scene.scales.length), kAxisText, 17,
-               14, scene.camera.right());
+  const bool quiet = apart && is_nearer_elsewhere(scene, pair);
+  draw_measure(scene, apart ? Measured::Gap : Measured::Overlap, from, to, quiet ? 1.5f : 3, "",
+               sketch);
+  sketch
+      .label(0.5 * (from + to),
+             spell_separation(*query.gap, scene.noise(pair), scene.scales.length), kAxisText, 17,
+             14, scene.camera.right())
+      .bold = !quiet;
 }
 
 }  // namespace

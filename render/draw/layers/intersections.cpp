@@ -24,6 +24,10 @@ constexpr Swatch kUncountedSwatch{LegendGroup::Points, 25,
                                   [](auto& pen) { pen.dashes(2.5, kContact); }};
 constexpr Swatch kCoplanarSwatch{LegendGroup::Points, 23,
                                  [](auto& pen) { pen.area(kAxis, 0.45f, 1.5); }};
+constexpr LineStyle kOpenEdge{4.0f, kAxisText, false, LineStyle::Hidden::Faint};
+constexpr Swatch kOpenEdgeSwatch{LegendGroup::Points, 26, [](auto& pen) {
+                                   pen.level_line(0, 23, kOpenEdge.width, kOpenEdge.color);
+                                 }};
 
 /// Of a mesh of which so many triangles cross, none is set off: all of it would be in their colour.
 constexpr double kMostOfMesh = 0.5;
@@ -88,6 +92,16 @@ void draw_segments(const trace::Pair& pair, Sketch& sketch) {
   }
 }
 
+/// Of a mesh that was found to have no inside the edges at which its surface ends.
+void draw_open_edges(const PlacedShape* mesh, const std::string& containment, Sketch& sketch) {
+  if (mesh == nullptr || containment != "open") return;
+  for (const ShapeMesh::Edge& edge : mesh->mesh->edges) {
+    if (edge.left >= 0 && edge.right >= 0) continue;
+    sketch.line(mesh->vertex(edge.from), mesh->vertex(edge.to), kOpenEdge);
+    sketch.explain(kOpenEdgeSwatch, "edge at which the surface ends");
+  }
+}
+
 void draw_intersections(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const PlacedShape *a = scene.find(pair.a), *b = scene.find(pair.b);
   std::set<int> crossing_a, crossing_b, coplanar_a, coplanar_b;
@@ -112,6 +126,9 @@ void draw_intersections(const Scene& scene, const trace::Pair& pair, Sketch& ske
     if (meeting.b_degenerate) draw_degenerate(b, meeting.b, sketch);
   }
   draw_segments(pair, sketch);
+  if (!pair.query || !pair.query->containment) return;
+  draw_open_edges(a, pair.query->containment->a, sketch);
+  draw_open_edges(b, pair.query->containment->b, sketch);
 }
 
 }  // namespace
