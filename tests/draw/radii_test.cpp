@@ -87,12 +87,20 @@ TEST(Radii, OverlapOfTwoSpheresIsTheSumOfTheRadiiLessTheDistanceOfTheCentres) {
   const Sketch sketch = scene.sketch();
   EXPECT_THAT(said(sketch), Contains("overlap 500 + 300 − 620 = 180 mm"));
   EXPECT_THAT(said(sketch), Contains("A's centre"));
-  // A radius each, beside the line between the centres and as long as it is.
-  std::vector<double> lengths;
-  for (const Arrow& arrow : sketch.arrows)
-    if (arrow.double_headed) lengths.push_back((*arrow.to - arrow.from).norm());
+  // Both radii and the distance, beside the line between the centres and as long as they are; no two of them in one column.
+  std::vector<double> lengths, columns;
+  for (const Arrow& arrow : sketch.arrows) {
+    if (!arrow.double_headed) continue;
+    lengths.push_back((*arrow.to - arrow.from).norm());
+    columns.push_back(arrow.from.x());
+  }
   EXPECT_THAT(lengths, testing::UnorderedElementsAre(testing::DoubleNear(0.5, 1e-9),
-                                                     testing::DoubleNear(0.3, 1e-9)));
+                                                     testing::DoubleNear(0.3, 1e-9),
+                                                     testing::DoubleNear(0.62, 1e-9)));
+  std::ranges::sort(columns);
+  EXPECT_GT(std::ranges::adjacent_find(columns, [](double x, double y) { return y - x < 0.01; }) -
+                columns.begin(),
+            2);
 }
 
 TEST(Radii, AGapIsTheDistanceLessBothRadii) {
@@ -156,10 +164,50 @@ TEST(ClippedSegment, TheAxisOfACapsuleIsCutAtTheSideThatItCrosses) {
   });
   ASSERT_NE(green, sketch.lines.end());
   EXPECT_NEAR((green->to - green->from).norm(), 0.7, 1e-9);
+  // The plane that cuts is drawn, and none where the whole axis is over the face.
+  const auto planes = [](const Sketch& drawn) {
+    return std::ranges::count_if(drawn.surfaces, [](const Surface& surface) {
+      return crate_sample::same(with_alpha(surface.color, 1), kSidePlane);
+    });
+  };
+  EXPECT_EQ(planes(sketch), 1);
+  RoundScene within = scene;
+  within.frames[0].poses[1].second.position = {0.1, 0.18, 0.1};
+  within.touch(Vec3d::UnitY(), "face_a",
+               {{{-0.4, 0, 0.1}, -0.02, "a:f2 b:v0"}, {{0.6, 0, 0.1}, -0.02, "a:f2 b:v1"}});
+  EXPECT_EQ(planes(within.sketch()), 0);
   // Whatever made the contact of closest points, no face did.
   scene.pair().manifolds[0].axis = "closest_points";
   EXPECT_FALSE(clipped_segment(shown, scene.pair()));
   EXPECT_FALSE(face_of_round(shown, scene.pair()));
+}
+
+// A block has room for the text, but it must not lie on one of its edges.
+TEST(Radii, TheirSumStandsOffTheEdgesOfAHull) {
+  RoundScene scene(cuboid("block", {0.9, 0.35, 0.6}), Vec3d(0, -0.35, 0),
+                   round_shape("ball", {Vec3d::Zero()}, 0.3), Vec3d(0, 0.12, 0));
+  trace::Shape& block = scene.header.shapes[0];
+  block.edges = {{0, 1}, {0, 2}, {0, 4}, {1, 3}, {1, 5}, {2, 3},
+                 {2, 6}, {3, 7}, {4, 5}, {4, 6}, {5, 7}, {6, 7}};
+  scene.touch(Vec3d::UnitY(), "closest_points", {{{0, 0, 0}, -0.18, "a:f2 b:v0"}});
+  scene.view.eye = Vec3d(1, 1, 4);
+  scene.view.layers = {Layer::Shapes, Layer::Core};
+  const Staging staging = scene.staged();
+  const Drawing drawing = illustrate(staging, scene.frames[0]);
+  const Text* sum = nullptr;
+  for (const Primitive& primitive : drawing.primitives)
+    if (const Text* text = std::get_if<Text>(&primitive))
+      if (text->text == "overlap 300 − 120 = 180 mm") sum = text;
+  ASSERT_NE(sum, nullptr);
+  const Rect box{sum->at.x, sum->at.y - 0.7 * sum->size,
+                 text_width(sum->text, sum->size, sum->weight), 0.8 * sum->size};
+  for (const auto& edge : block.edges) {
+    const Point2 from = *staging.camera.project(block.vertices[std::size_t(edge[0])] -
+                                                Vec3d(0, 0.35, 0)),
+                 to = *staging.camera.project(block.vertices[std::size_t(edge[1])] -
+                                              Vec3d(0, 0.35, 0));
+    EXPECT_FALSE(clip_segment(box, from, to)) << edge[0] << " to " << edge[1];
+  }
 }
 
 TEST(Radii, TheirSumStandsBesideBothShapes) {

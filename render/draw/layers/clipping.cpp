@@ -30,6 +30,18 @@ void draw_face_of_round(const Scene& scene, const trace::Pair& pair, Sketch& ske
   sketch.explain(kReferenceFaceSwatch, "reference face", face->polygon.front());
 }
 
+// Whether another pair has the same reference face: filled twice, it would be of a stronger blue. Each pair has its own
+// rounding.
+bool is_marked_ground(const trace::Polygon& polygon, const Sketch& sketch) {
+  const double same = 1e-5 * reach_of(polygon);
+  return std::ranges::any_of(sketch.surfaces, [&](const Surface& surface) {
+    return surface.kind == Surface::Kind::Ground &&
+           std::ranges::equal(surface.polygon, polygon, [&](const Vec3d& p, const Vec3d& q) {
+             return (p - q).norm() <= same;
+           });
+  });
+}
+
 // Gregorius 2015, "Hull vs Hull: Face Contact". In a story the faces are what is known already once
 // the first side plane cuts: outlines alone, so that the polygon stands out.
 template <bool kReference>
@@ -41,9 +53,12 @@ void draw_clip_face(const Scene& scene, const trace::Pair& pair, Sketch& sketch)
   const bool known = tells_clip_story(scene, pair) && clip_steps_to_show(scene, pair) > 0;
   if (known)
     sketch.outline(polygon, {kReference ? 2.5f : 2.0f, color, !kReference});
-  else
-    sketch.face(polygon, with_alpha(color, 0.35f), {3.0f, color, !kReference});
-  if (kReference && !known) sketch.surfaces.back().kind = Surface::Kind::Ground;
+  else if (!kReference)
+    sketch.face(polygon, with_alpha(color, 0.35f), {3.0f, color, true});
+  else if (!is_marked_ground(polygon, sketch)) {
+    sketch.face(polygon, with_alpha(color, 0.35f), {3.0f, color});
+    sketch.surfaces.back().kind = Surface::Kind::Ground;
+  }
   sketch.explain(kReference ? kReferenceFaceSwatch : kIncidentFaceSwatch,
                  kReference ? "reference face" : "incident face", near_corner(polygon));
 }
@@ -90,11 +105,14 @@ void draw_side_plane(const trace::Polygon& face, const Vec3d& up, const Vec3d& o
 
 void draw_side_planes(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   if (const auto segment = clipped_segment(scene, pair)) {
-    for (std::size_t k = 0; k < segment->sides.size(); ++k)
-      draw_side_plane(segment->face, segment->normal, segment->sides[k], k,
-                      segment->cuts(k) ? PlaneLook::Plain : PlaneLook::Done, sketch);
-    const Vec3d top = segment->face[0] + rise_of(segment->face) * segment->normal;
-    sketch.explain(kSidePlaneSwatch, "side plane, outward normal", top);
+    // Of a polygon nearly all planes cut, of a segment one or none: the others would be a cage around it.
+    for (std::size_t k = 0; k < segment->sides.size(); ++k) {
+      if (!segment->cuts(k)) continue;
+      draw_side_plane(segment->face, segment->normal, segment->sides[k], k, PlaneLook::Plain,
+                      sketch);
+      const Vec3d top = segment->face[k] + rise_of(segment->face) * segment->normal;
+      sketch.explain(kSidePlaneSwatch, "side plane, outward normal", top);
+    }
   }
   const std::size_t shown = clip_steps_to_show(scene, pair);
   const bool story = tells_clip_story(scene, pair);

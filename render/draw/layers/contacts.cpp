@@ -204,7 +204,8 @@ void draw_contacts(const Scene& scene, const trace::Pair& pair, Sketch& sketch) 
   const PlacedShape* b = scene.find(pair.b);
   if (measured_elsewhere || a == nullptr || b == nullptr) return;
   // Gregorius 2015, "Sphere vs Sphere": all follows from the line between the centres.
-  if (is_sphere(*a) && is_sphere(*b) && !a->vertices[0].isApprox(b->vertices[0], 1e-6)) {
+  if (is_sphere(*a) && is_sphere(*b) && !scene.shows(Layer::Core) &&
+      !a->vertices[0].isApprox(b->vertices[0], 1e-6)) {
     sketch.line(a->vertices[0], b->vertices[0], {1.2f, with_alpha(kShapeEdge, 0.8f), true});
     sketch.explain(kLineOfCentersSwatch, "line between the centres",
                    Vec3d(0.8 * a->vertices[0] + 0.2 * b->vertices[0]));

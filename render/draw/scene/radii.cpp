@@ -17,16 +17,19 @@ namespace contactscope::draw {
 namespace {
 
 // Pixels.
-constexpr double kBeside = 34;       // from the line between the cores to a radius beside it
-constexpr double kBeyondRadius = 6;  // a line from a core to its radius goes on so far
-constexpr double kLeastRadius = 12;
+constexpr double kColumn =
+    34;  // from the line between the cores to a length beside it, and to the next
+constexpr double kBeyondColumn = 6;  // a line from a core to its column goes on so far
+constexpr double kLeastLength = 12;
+// Of a length: nearer to its core than to where both radii overlap.
+constexpr double kLabelled = 0.4;
 constexpr float kLengthSize = 17;
 constexpr float kSumSize = 20;
 constexpr float kCoreSize = 16;
 constexpr double kSame = 1e-4;  // of a shape's size: nearer than that is the same place
 
 constexpr LineStyle kVirtual{1.8f, kShapeEdge, true, LineStyle::Hidden::Same};
-constexpr LineStyle kToRadius{1.0f, with_alpha(kQuietText, 0.8f)};
+constexpr LineStyle kToColumn{1.0f, with_alpha(kQuietText, 0.8f)};
 constexpr Swatch kVirtualSwatch{LegendGroup::Cores, 4, [](auto& pen) {
                                   for (const double from : {0.0, 8.0, 16.0})
                                     pen.level_line(from, from + 6, 1.8, kShapeEdge);
@@ -133,33 +136,39 @@ struct RadiiSketch {
     return apart < 0 ? "inside" : "outside";
   }
 
-  /// A radius beside the line between the cores, from the core to the surface.
-  void radius(const Vec3d& from, const Vec3d& way, const Vec3d& aside, const char* name) {
-    const double length = way.norm();
-    if (length < metres(from, kLeastRadius)) return;
-    const Vec3d beside = metres(from, kBeside) * aside;
-    const Vec3d beyond = metres(from, kBeside + kBeyondRadius) * aside;
-    for (const Vec3d& end : {from, Vec3d(from + way)}) sketch.line(end, end + beyond, kToRadius);
+  /// A length along the line between the cores, measured in a column beside it: from the right of the line outwards
+  /// 1, 2, ..., and -1 on its left.
+  void dimension(const Vec3d& from, const Vec3d& way, const Vec3d& right, int column,
+                 const std::string& text, const Color& line, const Color& ink) {
+    if (way.norm() < metres(from, kLeastLength)) return;
+    const Vec3d outwards = column < 0 ? Vec3d(-right) : right;
+    const double pixels = kColumn * std::abs(column);
+    const Vec3d beside = metres(from, pixels) * outwards;
+    const Vec3d beyond = metres(from, pixels + kBeyondColumn) * outwards;
+    for (const Vec3d& end : {from, Vec3d(from + way)}) sketch.line(end, end + beyond, kToColumn);
     sketch.arrows.push_back({.from = from + beside,
                              .to = from + beside + way,
                              .double_headed = true,
                              .width = 1.8f,
                              .head = 9,
-                             .color = kShapeEdge});
-    sketch.label(from + beside + 0.5 * way,
-                 std::string(name) + " " + millimetres(length, length) + " mm", kText, kLengthSize,
-                 8, aside);
+                             .color = line});
+    sketch.label(from + beside + kLabelled * way, text, ink, kLengthSize, 8, outwards);
   }
 
-  /// What both shapes cover on the screen.
+  void radius(const Vec3d& from, const Vec3d& way, const Vec3d& right, int column) {
+    const double length = way.norm();
+    dimension(from, way, right, column, "r " + millimetres(length, length) + " mm", kShapeEdge,
+              kText);
+  }
+
+  /// What the round shapes cover on the screen.
   std::vector<std::vector<Vec2d>> silhouettes() const {
     std::vector<std::vector<Vec2d>> list;
     for (const PlacedShape* shape : {&a, &b}) {
       const double radius = shape->traced().radius;
-      const std::vector<Vec3d> outline =
-          radius > 0 ? RoundBody{shape->vertices, radius}.outline(scene.camera) : shape->vertices;
+      if (!(radius > 0)) continue;
       std::vector<Vec2d> seen;
-      for (const Vec3d& p : outline)
+      for (const Vec3d& p : RoundBody{shape->vertices, radius}.outline(scene.camera))
         if (const std::optional<Point2> at = scene.camera.project(p))
           seen.emplace_back(at->x, at->y);
       if (seen.size() > 2) list.push_back(convex_polygon(std::move(seen)));
@@ -167,12 +176,26 @@ struct RadiiSketch {
     return list;
   }
 
-  /// The box of a text as near to a point as there is room in the view beside both shapes, and not along the normal;
-  /// nothing where there is none.
+  /// The edges of a hull on the screen: its faces have room for a text, its edges have not.
+  std::vector<Segment2> edges_of_hull() const {
+    std::vector<Segment2> list;
+    for (const PlacedShape* shape : {&a, &b}) {
+      if (shape->traced().radius > 0) continue;
+      for (const ShapeMesh::Edge& edge : shape->mesh->edges)
+        if (const std::optional<Segment2> seen =
+                project_segment(scene.camera, shape->vertex(edge.from), shape->vertex(edge.to)))
+          list.push_back(*seen);
+    }
+    return list;
+  }
+
+  /// The box of a text as near to a point as there is room in the view beside the round shapes and off a hull's edges,
+  /// and not along the normal, on the left first; nothing where there is none.
   std::optional<Rect> free_ground(const Vec3d& from, const Vec3d& normal, float width) const {
     constexpr double kRow = 26, kStep = 12, kFarthest = 480;  // pixels
     constexpr int kDirections = 24;
-    constexpr float kAlong = 0.93f;  // cosine
+    constexpr float kAlong = 0.93f;   // cosine
+    constexpr double kSlanted = 1.5;  // how much farther away a level line may lead
     const Camera& camera = scene.camera;
     const double pixel = scene.scales.pixel, height = kRow * pixel;
     const std::optional<Point2> at = camera.project(from);
@@ -181,11 +204,14 @@ struct RadiiSketch {
     if (!at || !ahead) return std::nullopt;
     const float seen = distance(*at, *ahead);
     const std::vector<std::vector<Vec2d>> covered = silhouettes();
+    const std::vector<Segment2> edges = edges_of_hull();
+    std::optional<Rect> best;
+    double least = 0;
     for (double reach = 3 * kStep; reach < kFarthest; reach += kStep) {
       for (int i = 0; i < kDirections; ++i) {
-        // From the right on, 0, +1, -1, +2, ...
+        // From the left on, 0, +1, -1, +2, ...
         const int step = (i % 2 == 1 ? 1 : -1) * ((i + 1) / 2);
-        const double angle = step * 2 * std::numbers::pi / kDirections;
+        const double angle = std::numbers::pi + step * 2 * std::numbers::pi / kDirections;
         const auto x = static_cast<float>(std::cos(angle)), y = static_cast<float>(std::sin(angle));
         const Point2 corner = *at + static_cast<float>(reach * pixel) * Point2{x, y};
         const Rect box{x >= 0 ? corner.x : corner.x - width, corner.y - 0.5 * height, width,
@@ -193,15 +219,23 @@ struct RadiiSketch {
         const Point2 way = corner - *at;
         const bool is_along =
             seen > 1 && std::abs(dot(way, *ahead - *at)) > kAlong * length(way) * seen;
+        const Rect room = box.grown(6 * pixel);
         const auto meets = [&](const std::vector<Vec2d>& polygon) {
-          return !are_apart(polygon, box.grown(6 * pixel));
+          return !are_apart(polygon, room);
         };
-        if (is_along || !camera.viewport().encloses(box) || std::ranges::any_of(covered, meets))
+        const auto crosses = [&](const Segment2& edge) {
+          return clip_segment(room, edge.from, edge.to).has_value();
+        };
+        if (is_along || !camera.viewport().encloses(box) || std::ranges::any_of(covered, meets) ||
+            std::ranges::any_of(edges, crosses))
           continue;
-        return box;
+        const double cost = reach * (1 + kSlanted * std::abs(y));
+        if (best && cost >= least) continue;
+        best = box;
+        least = cost;
       }
     }
-    return std::nullopt;
+    return best;
   }
 
   /// The sum: overlap = radii less the distance of the cores, which is negative where the core of a
@@ -221,7 +255,10 @@ struct RadiiSketch {
            : overlaps   ? "overlap " + text + (apart < 0 ? " + " : " − ") + distance
                         : "gap " + distance + " − " + text;
     text += " = " + millimetres(least, least) + " mm";
-    const Vec3d middle = 0.5 * (at.a + radius_a * at.normal + at.b - radius_b * at.normal);
+    // Of a hull the part of the whisker beside which no length is measured.
+    const double share = radius_a > 0 && radius_b > 0 ? 0.5 : radius_b > 0 ? 0.75 : 0.25;
+    const Vec3d on_a = at.a + radius_a * at.normal, on_b = at.b - radius_b * at.normal;
+    const Vec3d middle = (1 - share) * on_a + share * on_b;
     const Color& ink = overlaps ? kContact : kAxisText;
     const float width =
         text_width(text, static_cast<float>(scene.scales.pixel) * kSumSize, FontWeight::Bold);
@@ -251,9 +288,10 @@ struct RadiiSketch {
       const bool end_on = across.norm() < 0.2;
       const Vec3d right = end_on ? scene.camera.right() : Vec3d(across.normalized());
       if (!(at.b - at.a).isZero(1e-9)) sketch.line(at.a, at.b, {1.6f, kAxisText, true});
+      if (first) sum(at, right);  // before the lengths: its line leads to where it is
       if (first && !end_on) {
-        radius(at.a, radius_a * at.normal, -right, "r");
-        radius(at.b, -radius_b * at.normal, right, "r");
+        radius(at.a, radius_a * at.normal, right, 1);
+        radius(at.b, -radius_b * at.normal, right, radius_a > 0 ? 2 : 1);
       }
       core(a, at.a, -at.normal - right, first && !degenerate);
       core(b, at.b, at.normal + right, first && !degenerate);
@@ -261,11 +299,9 @@ struct RadiiSketch {
         sketch.label(at.b, *degenerate, kText, kCoreSize, 14, -right - at.normal).bold = false;
       if (first) {
         const double apart = (at.b - at.a).dot(at.normal);
-        if (std::abs(apart) > metres(at.a, 2))
-          sketch.label(0.5 * (at.a + at.b),
-                       millimetres(std::abs(apart), std::abs(apart)) + " mm " + stands(apart),
-                       kAxisText, kLengthSize, 10, -right);
-        sum(at, right);
+        const std::string distance =
+            millimetres(std::abs(apart), std::abs(apart)) + " mm " + stands(apart);
+        if (!end_on) dimension(at.a, at.b - at.a, right, -1, distance, kAxisText, kAxisText);
       }
       first = false;
     }
