@@ -16,8 +16,11 @@ namespace {
 // Pixels at 720 lines.
 constexpr double kLargeEnough = 20;  // a subject that is, needs no magnifier
 constexpr double kLeastSubject = 0.05;
-constexpr double kMagnified = 105;                                 // that the subject gets at most
-constexpr double kMagnifierHeight = 0.3, kMagnifierAspect = 1.25;  // of the view's
+constexpr double kMagnified = 105;  // that the subject gets at most, in the smallest magnifier
+constexpr double kMagnifierHeight = 0.3;   // of the view's, of the smallest magnifier
+constexpr double kMagnifierAspect = 1.25;  // width to height
+// A magnifier is so much larger where a corner of the view has room for it beside the shapes.
+constexpr std::array<double, 4> kLarger = {1.7, 1.5, 1.3, 1.0};
 constexpr double kMagnifierText = 15;
 
 // What the picture is about: points that lie beside each other, or the two ends of a distance.
@@ -71,34 +74,39 @@ std::optional<Magnifier> stage_magnifier(const View& view, const Camera& camera,
   }
   if (middles.empty() || largest < kLeastSubject * layout.scale) return std::nullopt;
   const Rect& view_rect = layout.view;
-  const double height = kMagnifierHeight * view_rect.height;
-  const double width = kMagnifierAspect * height;
   const std::optional<Point2> subject = camera.project(mean_of(middles));
   if (!subject || !view_rect.contains(*subject)) return std::nullopt;
   std::vector<Point2> seen;
   for (const Vec3d& p : shapes)
     if (const std::optional<Point2> at = camera.project(p)) seen.push_back(*at);
-  // The corner that covers least of the shapes and is farthest from what it magnifies; of two alike
-  // the one on the right.
-  Magnifier magnifier{{}, round_down(kMagnified * layout.scale / largest)};
-  double farthest = -1;
-  for (const bool right : {true, false}) {
-    for (const bool low : {true, false}) {
-      const Rect frame{right ? view_rect.right() - width - 2 : view_rect.x + 2,
-                       low ? view_rect.bottom() - height - 2 : view_rect.y + 2, width, height};
-      const Point2 center = pixel(frame.x + 0.5 * width, frame.y + 0.5 * height);
-      if (frame.contains(*subject)) continue;
-      const auto covers = [&](const Point2& p) { return frame.contains(p); };
-      const double covered = static_cast<double>(std::ranges::count_if(seen, covers)) /
-                             std::max(1.0, static_cast<double>(seen.size()));
-      const double away = distance(center, *subject) * (1 - std::min(0.9, 4 * covered));
-      if (away <= farthest + 1) continue;
-      farthest = away;
-      magnifier.frame = frame;
+  Eigen::AlignedBox2d around;
+  for (const Point2& p : seen) around.extend(Vec2d(p.x, p.y));
+  const Rect taken{around.min().x(), around.min().y(), around.sizes().x(), around.sizes().y()};
+  for (const double larger : kLarger) {
+    const double height = larger * kMagnifierHeight * view_rect.height;
+    const double width = kMagnifierAspect * height;
+    // The corner that covers least of the shapes and is farthest from what it magnifies; of two alike
+    // the one on the right.
+    Magnifier magnifier{{}, round_down(larger * kMagnified * layout.scale / largest)};
+    double farthest = -1;
+    for (const bool right : {true, false}) {
+      for (const bool low : {true, false}) {
+        const Rect frame{right ? view_rect.right() - width - 2 : view_rect.x + 2,
+                         low ? view_rect.bottom() - height - 2 : view_rect.y + 2, width, height};
+        const Point2 center = pixel(frame.x + 0.5 * width, frame.y + 0.5 * height);
+        if (frame.contains(*subject) || (larger > 1 && frame.overlaps(taken))) continue;
+        const auto covers = [&](const Point2& p) { return frame.contains(p); };
+        const double covered = static_cast<double>(std::ranges::count_if(seen, covers)) /
+                               std::max(1.0, static_cast<double>(seen.size()));
+        const double away = distance(center, *subject) * (1 - std::min(0.9, 4 * covered));
+        if (away <= farthest + 1) continue;
+        farthest = away;
+        magnifier.frame = frame;
+      }
     }
+    if (farthest >= 0 && magnifier.factor >= 2) return magnifier;
   }
-  if (farthest < 0 || magnifier.factor < 2) return std::nullopt;
-  return magnifier;
+  return std::nullopt;
 }
 
 SequenceScales scales_within(const Magnifier& magnifier, const SequenceScales& scales) {

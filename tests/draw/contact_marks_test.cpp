@@ -138,6 +138,90 @@ TEST(Faces, TheReferenceFaceIsBlueAndTheIncidentOneOrange) {
   EXPECT_EQ(heights_of(sketch, 0xE69F00).size(), 6u);
 }
 
+// Two crates on one slab have its top for their reference face, to the last bit or nearly: it is one face, of one blue.
+TEST(Faces, OneThatTwoPairsShareIsTintedOnce) {
+  CrateOnSlab scene;
+  trace::Clip& clip = scene.pair().clip.emplace();
+  clip.reference = {"slab", 2, Vec3d::UnitY(), {{-1, 0, 1}, {1, 0, 1}, {1, 0, -1}, {-1, 0, -1}}};
+  trace::Pair other = scene.pair();
+  other.label = "other";
+  other.clip->reference.polygon[0].x() -= 1e-7;
+  scene.frames[0].pairs.push_back(other);
+  scene.view.layers = {Layer::Shapes, Layer::ReferenceFace};
+  const auto tinted = [&] {
+    const Sketch sketch = scene.sketch();
+    return std::ranges::count_if(sketch.surfaces, [](const Surface& surface) {
+      return surface.kind == Surface::Kind::Ground;
+    });
+  };
+  EXPECT_EQ(tinted(), 1);
+  for (Vec3d& corner : scene.frames[0].pairs[1].clip->reference.polygon) corner.x() += 2.5;
+  EXPECT_EQ(tinted(), 2) << "that of another slab";
+}
+
+/// The crate comes down on the slab from 1 m above it.
+struct FallingCrate : CrateOnSlab {
+  FallingCrate() {
+    frames[0].poses[1].second.position = {0, 1.5, 0};
+    pair().manifolds.clear();
+    trace::Impact& impact = pair().impact.emplace();
+    impact.method = "time_of_impact";
+    impact.status = "hit";
+    impact.time = 0.5;
+    impact.travel_b = {{0, 1.5, 0}, {0, -2, 0}, Vec3d::Zero()};
+    impact.distances = {{0, 1}, {0.5, 0}, {1, 0}};
+    view.layers = {Layer::Sweep};
+  }
+};
+
+TEST(Sweep, WhereItFirstMeetsABodyHasFaces) {
+  const FallingCrate scene;
+  const Sketch sketch = scene.sketch();
+  ASSERT_FALSE(sketch.surfaces.empty());
+  for (const Surface& face : sketch.surfaces)
+    for (const Vec3d& corner : face.polygon)
+      EXPECT_NEAR(std::abs(corner.y() - 0.5), 0.5, 1e-12);  // 1 m lower than it is now
+}
+
+// Who looks at frames alone sees it there only if it is through by then.
+TEST(Sweep, ItsEndIsDrawnWhereTheNextFrameDoesNotTell) {
+  FallingCrate scene;
+  const auto says = [&] { return explained(scene.sketch()); };
+  EXPECT_THAT(says(), testing::Not(Contains(HasSubstr("if nothing stopped it"))));
+  scene.pair().impact->distances.back().distance = 0.2;
+  EXPECT_THAT(says(), Contains(HasSubstr("if nothing stopped it")));
+}
+
+/// A slice of a field 2 m wide with cells of 0.1 m, through the middle of what is seen: y < 0 is inside.
+struct FieldOnSlab : CrateOnSlab {
+  FieldOnSlab() {
+    trace::FieldSlice slice;
+    slice.name = "slab";
+    slice.cell = 0.1;
+    slice.origin = {-1, -1, 0};
+    slice.next = {0.1, 0, 0};
+    slice.next_row = {0, 0.1, 0};
+    slice.columns = 21;
+    for (int row = 0; row < 21; ++row)
+      for (int column = 0; column < 21; ++column) slice.distances.push_back(row - 10);
+    frames[0].field_slices = {slice};
+    view.layers = {Layer::Field};
+    view.eye = Vec3d(0, 0, 5);
+    view.target = Vec3d::Zero();
+  }
+};
+
+TEST(Field, LinesOfEqualDistanceNeedAViewThatHasRoomForSome) {
+  FieldOnSlab scene;
+  scene.view.orthographic_height = 4;
+  EXPECT_THAT(explained(scene.sketch()), Contains(HasSubstr("lines every")));
+  const std::size_t lines = scene.sketch().curves.size();
+  scene.view.orthographic_height = 0.5;
+  EXPECT_THAT(explained(scene.sketch()), testing::ElementsAre("surface as the field has it"));
+  EXPECT_EQ(scene.sketch().curves.size(), 1u);
+  EXPECT_GT(lines, 1u);
+}
+
 TEST(FlipDistance, IsAnArrowFromTheMiddleOfThePointsWithItsLength) {
   CrateOnSlab scene;
   scene.view.layers = {Layer::Shapes, Layer::FlipDistance};

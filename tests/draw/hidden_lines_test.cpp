@@ -61,6 +61,16 @@ TEST(HiddenLines, NoGapBetweenTheShadowsOfNeighbours) {
   EXPECT_TRUE(spans[0].hidden);
 }
 
+// What is sunk by as much is hidden behind a floor of any width: 5 mm of 4 m are a pixel of these.
+TEST(HiddenLines, TheWidthOfAFloorDoesNotDecideWhatItHides) {
+  for (const double half : {1.0, 128.0}) {
+    const HiddenLines lines(
+        from_front(), {{{-half, -half, 0}, {half, -half, 0}, {half, half, 0}, {-half, half, 0}}});
+    EXPECT_NEAR(hidden_length(lines.split({-0.5, 0, -0.005}, {0.5, 0, -0.005})), 1, 1e-12) << half;
+    EXPECT_EQ(hidden_length(lines.split({-0.5, 0, 0}, {0.5, 0, 0})), 0) << half;
+  }
+}
+
 TEST(HiddenLines, PerspectiveShadowWidensBehindTheOccluder) {
   const Camera camera = Camera::perspective({0, 0, 10}, {0, 0, 0}, Vec3d::UnitY(), 0.6, kViewport);
   const HiddenLines lines(camera, {kSquare});

@@ -100,11 +100,26 @@ TEST(Magnifiers, ShowWhatIsSmallerThanItsDots) {
   const float seen = *seen_distance(staging.camera, {0, 0, 0.5}, {0.001, 0, 0.5});
   EXPECT_LT(seen, 20);
   EXPECT_GE(staging.magnifier->factor * seen, 40);
-  EXPECT_LE(staging.magnifier->factor * seen, 110);
+  EXPECT_LE(staging.magnifier->factor * seen, 180);
   EXPECT_THAT(crate_sample::texts(illustrate(staging, tiny.frames[0])),
               Contains(::testing::StartsWith("×")));
   tiny.view.inset = false;
   EXPECT_FALSE(tiny.staged().magnifier);
+}
+
+// Beside the shapes there is room for a larger one; where they fill the view, the smallest covers something.
+TEST(Magnifiers, AreLargerWhereTheyCoverNothing) {
+  TinyPatch tiny;
+  tiny.view.eye = Vec3d(2, 2, 4);
+  const auto magnifier = [&](double height) {
+    tiny.view.orthographic_height = height;
+    return *tiny.staged().magnifier;
+  };
+  const Magnifier beside = magnifier(5), over = magnifier(1.4);
+  EXPECT_GT(beside.frame.height, 1.2 * over.frame.height);
+  const Staging staging = tiny.staged();
+  EXPECT_NEAR(over.frame.height, 0.3 * staging.layout.view.height, 1e-9);
+  EXPECT_NEAR(beside.frame.width / beside.frame.height, over.frame.width / over.frame.height, 1e-9);
 }
 
 TEST(Magnifiers, AreNotThereWhereTheSubjectIsSeen) {

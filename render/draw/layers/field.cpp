@@ -29,6 +29,8 @@ constexpr LineStyle kGrid{0.9f, with_alpha(kDropped, 0.42f)};
 constexpr Color kExact = rgb(0xF3DFC1, 0.75f);
 constexpr Color kProbe = rgb(0x3F4650);
 
+constexpr Swatch kSurfaceSwatch{LegendGroup::Trees, 19,
+                                [](auto& pen) { pen.level_line(0, 23, 3.2, kNormal); }};
 constexpr Swatch kOutsideSwatch{LegendGroup::Trees, 20, [](auto& pen) {
                                   pen.level_line(0, 23, 3.2, kNormal, -3);
                                   pen.level_line(0, 23, 1.2, kOutside, 3);
@@ -148,6 +150,14 @@ std::optional<Vec3d> draw_level(const Scene& scene, const trace::FieldSlice& sli
   return corner;
 }
 
+/// In a view that has room for fewer lines than this they tell nothing of the field.
+constexpr double kLeastLinesInView = 5;
+
+bool has_room_for_lines(const Scene& scene, const trace::FieldSlice& slice, double spacing) {
+  return scene.camera.viewport().height >
+         kLeastLinesInView * spacing * scene.camera.pixels_per_metre(slice.origin);
+}
+
 /// `spacing`: metres. Whether there are lines inside. The nearest line on each side says how far it is.
 bool draw_contours(const Scene& scene, const trace::FieldSlice& slice, double spacing,
                    Sketch& sketch) {
@@ -163,7 +173,6 @@ bool draw_contours(const Scene& scene, const trace::FieldSlice& slice, double sp
   };
   draw_side(1, largest, kOutsideLine, " outside");
   draw_side(-1, -least, kInsideLine, " inside");
-  draw_level(scene, slice, 0, kSurface, sketch);
   return -step > least;
 }
 
@@ -229,14 +238,22 @@ void draw_slices(const Scene& scene, Sketch& sketch) {
   }
   if (!(largest > 0)) return;
   const double spacing = round_down(std::max(kCellsBetween * cell, 2 * largest / kMostLines));
-  bool inside = false;
+  bool inside = false, any_lines = false;
   for (const trace::FieldSlice& slice : scene.frame.field_slices) {
     draw_exact_cells(slice, sketch);
     draw_grid(slice, sketch);
-    inside |= draw_contours(scene, slice, spacing, sketch);
+    if (has_room_for_lines(scene, slice, spacing)) {
+      any_lines = true;
+      inside |= draw_contours(scene, slice, spacing, sketch);
+    }
+    draw_level(scene, slice, 0, kSurface, sketch);
     name_coarse_ground(scene, slice, sketch);
   }
   explain_cells(scene.frame.field_slices, sketch);
+  if (!any_lines) {
+    sketch.explain(kSurfaceSwatch, "surface as the field has it");
+    return;
+  }
   sketch.explain(
       inside ? kLinesSwatch : kOutsideSwatch,
       "surface, and lines every " + spell_quantity(spacing, "m", 1, scene.scales.length));

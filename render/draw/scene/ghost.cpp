@@ -16,7 +16,7 @@ PlacedShape moved(PlacedShape shape, const Vec3d& pivot, const Vec3d& way, const
 }
 
 void draw_ghost(const Camera& camera, const PlacedShape& shape, const LineStyle& style,
-                Sketch& sketch) {
+                Sketch& sketch, const std::optional<Color>& fill) {
   const double radius = shape.traced().radius;
   if (radius > 0) {
     const std::vector<Vec3d> outline = RoundBody{shape.vertices, radius}.outline(camera);
@@ -26,6 +26,13 @@ void draw_ghost(const Camera& camera, const PlacedShape& shape, const LineStyle&
   const auto front = [&](int face) {
     return face >= 0 && camera.faces(shape.polygon(face).front(), shape.normal(face));
   };
+  if (fill) {
+    const Vec3d light = key_light(camera);
+    for (int f = 0; f < count_of(shape.traced().faces); ++f)
+      if (front(f))
+        sketch.surfaces.push_back({shape.polygon(f), toned(*fill, shape.normal(f).dot(light)),
+                                   kFlatSurface, Surface::Kind::Body});
+  }
   for (const ShapeMesh::Edge& edge : shape.mesh->edges) {
     if (front(edge.left) != front(edge.right))
       sketch.line(shape.vertex(edge.from), shape.vertex(edge.to), style);

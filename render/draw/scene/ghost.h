@@ -9,8 +9,8 @@ namespace contactscope::draw {
 /// in the world.
 PlacedShape moved(PlacedShape shape, const Vec3d& pivot, const Vec3d& way, const Vec3d& turn);
 
-/// The silhouette alone.
+/// The silhouette; of a shape with faces also these where there is a `fill`.
 void draw_ghost(const Camera& camera, const PlacedShape& shape, const LineStyle& style,
-                Sketch& sketch);
+                Sketch& sketch, const std::optional<Color>& fill = std::nullopt);
 
 }  // namespace contactscope::draw

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "core/at.h"
 #include "draw/scene/points.h"
@@ -10,7 +11,8 @@ namespace contactscope::draw {
 namespace {
 
 // A line within this fraction of the occluders' size of a shadow's border is seen: it is an edge of
-// the occluder itself, or touches it, and rounding must not decide.
+// the occluder itself, or touches it, and rounding must not decide. Of an occluder that is larger than the view
+// the view's size counts: what is sunk into a floor is hidden as far as it is seen to be, however wide the floor is.
 constexpr double kBorder = 2e-4;
 // Widest gap between two shadows, in borders, that counts as their seam: two borders seen at a
 // slant.
@@ -35,7 +37,9 @@ HiddenLines::HiddenLines(const Camera& camera, const Occluders& occluders,
     const Vec3d middle = mean_of(polygon);
     double size = 0;
     for (const Vec3d& p : polygon) size = std::max(size, (p - middle).norm());
-    const double border = kBorder * size;
+    const double view = std::hypot(camera.viewport().width, camera.viewport().height) /
+                        camera.pixels_per_metre(middle);
+    const double border = kBorder * std::min(size, view);
     border_ = std::max(border_, border);
     std::vector<Point2> seen;
     if (!few) {
