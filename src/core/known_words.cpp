@@ -84,7 +84,7 @@ const std::vector<std::string_view>& known_words() {
       "no contact",
       "no contact made",
       "where they first meet",
-      "where it is by then",
+      "how it is turned by then",
       "a point where they touch",
       // Normals, axes and distances.
       "normal, from A to B",
@@ -103,7 +103,7 @@ const std::vector<std::string_view>& known_words() {
       "distance of its plane",
       "overlap of the cores",
       "the contact's normal, its separation",
-      "from the origin to the nearest point of the border",
+      "the origin's distance from the border",
       "best axis of a query, its separation",
       "best axis of a query, its overlap",
       "distance",

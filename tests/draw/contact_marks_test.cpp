@@ -246,9 +246,13 @@ TEST(Contacts, APointThatWasReducedAwayIsNoDot) {
   scene.view.layers = {Layer::Shapes, Layer::Contacts};
   EXPECT_EQ(marks(scene.sketch(), MarkKind::Dot), 2u);
   EXPECT_EQ(marks(scene.sketch(), MarkKind::Cross), 0u);
-  scene.view.layers = {Layer::Shapes, Layer::Contacts, Layer::Reduced};
-  EXPECT_EQ(marks(scene.sketch(), MarkKind::Dot), 2u);
-  EXPECT_EQ(marks(scene.sketch(), MarkKind::Cross), 1u);
+  for (const bool contacts : {true, false}) {
+    scene.view.layers = {Layer::Shapes, Layer::Reduced};
+    if (contacts) scene.view.layers.push_back(Layer::Contacts);
+    EXPECT_EQ(marks(scene.sketch(), MarkKind::Dot), 2u);  // within the rings, by either layer
+    EXPECT_EQ(marks(scene.sketch(), MarkKind::Ring), 2u);
+    EXPECT_EQ(marks(scene.sketch(), MarkKind::Cross), 1u);
+  }
 }
 
 TEST(Contacts, APointWithinTheMarginLooksUnlikeOneThatTouches) {

@@ -163,7 +163,7 @@ struct DifferencePen {
     if (!nearest) return;
     distance(*nearest, nearest->norm(), held ? "overlap " : "gap ");
     if (nearest->norm() > smallest)
-      sketch.explain(kAxisSwatch, "from the origin to the nearest point of the border");
+      sketch.explain(kAxisSwatch, "the origin's distance from the border");
   }
 };
 

@@ -9,7 +9,7 @@ namespace {
 constexpr std::size_t kCrowd = 24;
 
 // Gregorius 2015, "Contact Point Reduction": of a pair's one manifold, where it took points away.
-void draw_reduced(const Scene&, const trace::Pair& pair, Sketch& sketch) {
+void draw_reduced(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   if (pair.manifolds.size() != 1 || pair.manifolds.front().points.empty() || !pair.reduction)
     return;
   const std::vector<trace::Point>& points = pair.reduction->points;
@@ -22,6 +22,7 @@ void draw_reduced(const Scene&, const trace::Pair& pair, Sketch& sketch) {
     if (choice == kept.end()) {
       sketch.mark(crowded ? MarkKind::SmallCross : MarkKind::Cross, at, kDropped);
     } else {
+      if (!scene.shows(Layer::Contacts)) sketch.mark(MarkKind::Dot, at, kContact);
       sketch.mark(MarkKind::Ring, at, kContact);
       sketch.label(at, std::to_string(choice - kept.begin() + 1), kContact, 17, 12).badge =
           Badge::Choice;

@@ -94,7 +94,7 @@ void draw_sweep(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const bool turns = !impact.travel_a.turn.isZero(0) || !impact.travel_b.turn.isZero(0);
   if (is_cast && turns) {
     draw_turned(impact.time, impact.time, kTrue);
-    sketch.explain(kTrueSwatch, "where it is by then");
+    sketch.explain(kTrueSwatch, "how it is turned by then");
   }
   if (moved_any) {
     draw_at(impact.time, kMeeting, true);
