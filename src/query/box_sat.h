@@ -245,7 +245,7 @@ template <class S>
     }
     if (!(floor <= S(0) && most_upper <= margin)) return result;
     if (relative && most_upper < floor + spare) {
-      most = floor + spare;
+      most = most_upper + tie;
     } else {
       const S rival = most_lower - S(2) * tie;
       const std::uint32_t near =
