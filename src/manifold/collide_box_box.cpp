@@ -4,16 +4,18 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 
+#include "manifold/box_contact.h"
 #include "manifold/clip_rectangle.h"
-#include "manifold/edge_contact.h"
 #include "query/box_sat.h"
 
 namespace contactscope {
 namespace {
 
 using boxes::BoxAxis;
+using boxes::BoxContact;
 using boxes::BoxPair;
 using boxes::Columns;
 using boxes::RectanglePair;
@@ -103,12 +105,11 @@ template <class S>
   const int axis = face / 2;
   const S sign = face % 2 == 0 ? S(1) : S(-1);
   const Vec3<S>& half = pair.a.half_extents;
-  const Mat3<S>& r = pair.rotation;
   const EightSums<S> along(pair.arms.of[0][axis], pair.arms.of[1][axis], pair.arms.of[2][axis]);
   const S shift = pair.position[axis];
   const int support = earliest_least<S>(sign * (along.of[0] + shift) - half[axis],
                                         sign * (along.of[1] + shift) - half[axis]);
-  const Vec3<S> cosines(sign * r(axis, 0), sign * r(axis, 1), sign * r(axis, 2));
+  const Vec3<S> cosines = boxes::vector<S>(sign * pair.rows.of[axis]);
   FacePair<S> result;
   result.incident = incident_at<S>(support, cosines);
   result.plane.normal = Vec3<S>::Unit(axis) * sign;
@@ -131,8 +132,7 @@ template <class S>
                                                     RectanglePair<S>& rectangles) {
   const int axis = face / 2;
   const S sign = face % 2 == 0 ? S(1) : S(-1);
-  const Mat3<S>& r = pair.rotation;
-  const Vec3<S> cosines(sign * r(0, axis), sign * r(1, axis), sign * r(2, axis));
+  const Vec3<S> cosines = boxes::vector<S>(sign * pair.columns.of[axis]);
   FacePair<S> result;
   const Vec3<S> n = cosines;  // the axes of A are those of the frame
   result.plane.normal = n;
@@ -162,15 +162,7 @@ template <class S>
   return result;
 }
 
-/// The edges of both boxes in the order in which an id names them, A's before B's. A table, because a
-/// reference that was written as two bytes and an int would be waited for when it is read as one.
-constexpr std::array<FeatureRef, 24> kEdgeRefs = [] {
-  std::array<FeatureRef, 24> refs;
-  for (int i = 0; i < 24; ++i)
-    refs[static_cast<std::size_t>(i)] = edge_ref(i < 12 ? Owner::A : Owner::B, i % 12);
-  return refs;
-}();
-/// Of each face the edges of its ring, as places in that table: of A's faces, then of B's.
+/// Of each face the edges of its ring, as places in kEdgeRefs: of A's faces, then of B's.
 constexpr std::array<std::array<std::uint8_t, 4>, 12> kRingEdges = [] {
   std::array<std::array<std::uint8_t, 4>, 12> edges{};
   for (std::size_t face = 0; face < 12; ++face) {
@@ -184,7 +176,7 @@ constexpr std::array<std::array<std::uint8_t, 4>, 12> kRingEdges = [] {
 /// create_face_contact() for two boxes. False where it is to be asked.
 template <class S>
 [[gnu::always_inline]] inline bool face_contact(const BoxPair<S>& pair, const BoxAxis<S>& axis,
-                                                S margin, Contact<S>& contact, S& deepest) {
+                                                S margin, BoxContact<S>& contact, S& deepest) {
   RectanglePair<S> rectangles;
   rectangles.thickness = clip_thickness(pair.scale);
   const bool of_a = axis.reference == Owner::A;
@@ -194,49 +186,46 @@ template <class S>
   if (!boxes::clip_rectangle(rectangles, clipped)) [[unlikely]]
     return false;
 
-  std::array<std::array<std::uint8_t, 4>, 2>
-      edges;  // places in kEdgeRefs, as ClippedRectangle has them
-  edges[0] = kRingEdges[static_cast<std::size_t>(faces.incident + (of_a ? 6 : 0))];
-  edges[1] = kRingEdges[static_cast<std::size_t>(axis.face.face + (of_a ? 0 : 6))];
+  // Places in kEdgeRefs of the edges that ClippedRectangle counts.
+  std::array<std::uint8_t, 8> edges;
+  const int incident = faces.incident + (of_a ? 6 : 0), reference = axis.face.face + (of_a ? 0 : 6);
+  std::memcpy(edges.data(), &kRingEdges[static_cast<std::size_t>(incident)], 4);
+  std::memcpy(edges.data() + 4, &kRingEdges[static_cast<std::size_t>(reference)], 4);
   contact.axis = of_a ? AxisKind::FaceA : AxisKind::FaceB;
-  contact.normal = of_a ? faces.plane.normal : Vec3<S>(-faces.plane.normal);
-  contact.points.clear();
+  const Three<S> normal = boxes::three(faces.plane.normal);
+  contact.normal = of_a ? normal : -normal;
   deepest = std::numeric_limits<S>::infinity();
-  for (int i = 0; i < clipped.count; ++i) {
-    const int place = clipped.place(i);
-    const Vec3<S> position = boxes::vector<S>(clipped.positions[place]);
-    const S separation = faces.plane.distance(position);
+  std::uint64_t list = clipped.list;
+  for (int i = 0; i < clipped.count; ++i, list >>= 8) {
+    const std::size_t place = list & 15U;
+    const Three<S>& position = clipped.positions[place];
+    const S separation = boxes::dot<S>(normal, position) - faces.plane.offset;
     if (!(separation <= margin)) continue;
-    const Vec3<S> moved = position - separation * faces.plane.normal;
     const unsigned crossing = clipped.crossings[place];
-    const auto edge = [&](unsigned number) { return edges[number >> 2][number & 3U]; };
-    const std::uint8_t one = edge(crossing & 7U), two = edge(crossing >> 4);
-    contact.points.push_back({moved, separation, {}});
-    // One after the other, for the same reason.
-    contact.points.back().id.first = kEdgeRefs[std::min(one, two)];
-    contact.points.back().id.second = kEdgeRefs[std::max(one, two)];
+    const std::uint8_t one = edges[crossing & 7U], two = edges[crossing >> 4];
+    contact.put(position - separation * normal, separation, std::min(one, two), std::max(one, two));
     deepest = separation < deepest ? separation : deepest;
   }
-  contact.type = face_contact_type(contact.points.size());
+  contact.type = face_contact_type(static_cast<std::size_t>(contact.count));
   return true;
 }
 
+/// create_edge_contact() for two boxes.
 template <class S>
-[[gnu::always_inline]] inline void edge_contact(const BoxPair<S>& pair, const BoxAxis<S>& axis,
-                                                Contact<S>& contact) {
-  const EdgeQuery<S>& edge = axis.edge;
-  const ClosestPoints<S> closest =
-      closest_points(boxes::edge_of_a(pair, edge.edge_a),
-                     boxes::edge_of_b(pair, axis.directions, edge.edge_b), edge);
-  create_edge_contact(closest, edge, contact);
+[[gnu::always_inline]] inline void edge_contact(const BoxAxis<S>& axis, BoxContact<S>& contact) {
+  contact.axis = AxisKind::EdgeEdge;
+  contact.type = ContactType::EdgeEdge;
+  contact.normal = axis.edge.normal;
+  contact.put(axis.edge.middle, axis.edge.separation, axis.edges.edge_a / 2,
+              12 + axis.edges.edge_b / 2);
 }
 
-}  // namespace
-
-/// As collide_hull_hull(), in the same steps.
+/// As collide_hull_hull(), in the same steps. False where that is to be asked; what is in `contact` then
+/// means nothing.
 template <class S>
-[[gnu::flatten]] bool collide_box_box(const Hull<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
-                                      const CollideOptions& options, Contact<S>& contact) {
+[[gnu::always_inline]] inline bool collide(const Hull<S>& a, const Hull<S>& b,
+                                           const Pose<S>& b_in_a, const CollideOptions& options,
+                                           BoxContact<S>& contact) {
   // A rotation that is none, or not finite.
   if (!(std::abs(b_in_a.rotation.squaredNorm() - S(1)) <= S(8) * std::numeric_limits<S>::epsilon()))
     return false;
@@ -246,7 +235,7 @@ template <class S>
   if (axis.verdict == Verdict::Separated) return true;
   if (axis.verdict == Verdict::Undecided) return false;
   if (axis.verdict == Verdict::Edge) {
-    edge_contact(pair, axis, contact);
+    edge_contact(axis, contact);
     return true;
   }
   S deepest;
@@ -256,9 +245,19 @@ template <class S>
   const S preferred = options.preference == Preference::Relative
                           ? preference_tolerance(axis.deepest, pair.min_radius)
                           : S(0);
-  if (deepest <= axis.deepest + preferred + depth_rounding(pair.scale)) return true;
-  contact.points.clear();
-  return false;
+  return deepest <= axis.deepest + preferred + depth_rounding(pair.scale);
+}
+
+}  // namespace
+
+template <class S>
+[[gnu::flatten]] bool collide_box_box(const Hull<S>& a, const Pose<S>& pose_a, const Hull<S>& b,
+                                      const Pose<S>& pose_b, const CollideOptions& options,
+                                      std::vector<Manifold<S>>& manifolds) {
+  BoxContact<S> contact;
+  if (!collide(a, b, relative_pose(pose_a, pose_b), options, contact)) return false;
+  if (contact.count > 0) boxes::finish(pose_a, options, contact, manifolds.emplace_back());
+  return true;
 }
 
 template decltype(collide_box_box<float>) collide_box_box<float>;

@@ -1,20 +1,23 @@
 #pragma once
 
+#include <vector>
+
 #include "geometry/hull.h"
 #include "manifold/collide_options.h"
 #include "manifold/contact.h"
 
 namespace contactscope {
 
-/// collide_hull_hull() for two boxes (Hull::is_box) by the separating axis test, where nobody watches and
-/// nothing is kept between calls: the same contact, bit for bit, in a third of the time. `contact` is
-/// empty when it is called.
+/// collide() for two boxes (Hull::is_box) by the separating axis test, where nobody watches and nothing
+/// is kept between calls: the same manifold, bit for bit, in a third of the time, or none where they are
+/// apart. `manifolds` is empty when it is called.
 ///
-/// False, and `contact` empty, where rounding would decide: two axes that are equally deep within
+/// False, and `manifolds` empty, where rounding would decide: two axes that are equally deep within
 /// rounding, a rotation that is not unit, contacts that are to be taken from another axis than the
 /// preferred one. Then collide_hull_hull() is to be asked.
 template <class S>
-bool collide_box_box(const Hull<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
-                     const CollideOptions& options, Contact<S>& contact);
+bool collide_box_box(const Hull<S>& a, const Pose<S>& pose_a, const Hull<S>& b,
+                     const Pose<S>& pose_b, const CollideOptions& options,
+                     std::vector<Manifold<S>>& manifolds);
 
 }  // namespace contactscope

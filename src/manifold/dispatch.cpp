@@ -44,13 +44,13 @@ void hulls(const PlacedPair<S>& pair, const CollideOptions& options, Manifolds<S
            Recorder<S>* recorder) {
   const Hull<S>& a = *std::get_if<Hull<S>>(&pair.a);
   const Hull<S>& b = *std::get_if<Hull<S>>(&pair.b);
+  if (recorder == nullptr && a.is_box() && b.is_box() && pair.cache == nullptr &&
+      options.penetration == PenetrationMethod::Sat &&
+      collide_box_box(a, pair.pose_a, b, pair.pose_b, options, manifolds))
+    return;
   one_manifold(pair, options, manifolds, recorder, [&](const Pose<S>& b_in_a, Contact<S>& contact) {
     if (recorder) [[unlikely]]
       recorder->minkowski(a, b, b_in_a);
-    else if (a.is_box() && b.is_box() && pair.cache == nullptr &&
-             options.penetration == PenetrationMethod::Sat &&
-             collide_box_box(a, b, b_in_a, options, contact))
-      return S(0);  // only a record has use of it
     return collide_hull_hull(a, b, b_in_a, options, pair.cache, contact, recorder);
   });
 }

@@ -4,7 +4,7 @@
 #include <limits>
 #include <type_traits>
 
-#include "core/pack.h"
+#include "core/three.h"
 #include "geometry/obb.h"
 
 /// The fifteen axes of two oriented boxes side by side, three to a pack: Gottschalk, Lin and
@@ -15,9 +15,7 @@
 /// of R turned by 90 degrees about axis i, and it projects both boxes by entries of R as well.
 namespace contactscope::boxes {
 
-/// Three numbers side by side. What the fourth lane holds means nothing, NaN included.
-template <class S>
-using Three = typename lanes::Vector<S, 4>::Type;
+using lanes::after_next, lanes::Columns, lanes::next, lanes::spread, lanes::Three;
 
 /// The lanes from S number `first` of a box on, as it lies in memory: center, axes, half_extents.
 template <class S>
@@ -26,20 +24,6 @@ template <class S>
   Three<S> pack;
   std::memcpy(&pack, reinterpret_cast<const std::byte*>(&box) + first * sizeof(S), sizeof pack);
   return pack;
-}
-
-/// Entries 1, 2, 0 and 2, 0, 1 of a vector: what a cross product multiplies.
-template <class T>
-[[gnu::always_inline]] inline T next(const T& v) {
-  return __builtin_shufflevector(v, v, 1, 2, 0, 3);
-}
-template <class T>
-[[gnu::always_inline]] inline T after_next(const T& v) {
-  return __builtin_shufflevector(v, v, 2, 0, 1, 3);
-}
-template <int kLane, class T>
-[[gnu::always_inline]] inline T spread(const T& v) {
-  return __builtin_shufflevector(v, v, kLane, kLane, kLane, kLane);
 }
 
 template <class S>
@@ -58,25 +42,6 @@ template <class S, class Flags>
     return (holds[0] & holds[1] & holds[2]) != 0;
   }
 }
-
-/// Columns to rows.
-template <class S>
-struct Columns {
-  Three<S> of[3];
-
-  [[gnu::always_inline]] Columns transposed() const {
-    const auto& [x, y, z] = of;
-    const Three<S> low = __builtin_shufflevector(x, y, 0, 4, 1, 5);
-    const Three<S> high = __builtin_shufflevector(x, y, 2, 6, 3, 7);
-    return {{__builtin_shufflevector(low, z, 0, 1, 4, 5),
-             __builtin_shufflevector(low, z, 2, 3, 5, 5),
-             __builtin_shufflevector(high, z, 0, 1, 6, 6)}};
-  }
-  /// The sum of the columns, each times an entry of `v`.
-  [[gnu::always_inline]] Three<S> times(const Three<S>& v) const {
-    return of[0] * spread<0>(v) + of[1] * spread<1>(v) + of[2] * spread<2>(v);
-  }
-};
 
 /// Projections on three axes, which need not be unit: each box reaches so far to either side of its
 /// middle, and the middles are so far apart.

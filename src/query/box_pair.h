@@ -20,6 +20,8 @@
 /// the three least terms, added in the same order: no vertex has to be looked at.
 namespace contactscope::boxes {
 
+using lanes::vector;
+
 /// One bit a lane, of the four lanes of a comparison of two Three.
 template <class S, class Flags>
 [[gnu::always_inline]] inline std::uint32_t lane_bits(const Flags& holds) {
@@ -35,10 +37,6 @@ template <class S, class Flags>
 template <class S>
 [[gnu::always_inline]] inline Three<S> three(const Vec3<S>& v, S fourth = S(0)) {
   return Three<S>{v.x(), v.y(), v.z(), fourth};
-}
-template <class S>
-[[gnu::always_inline]] inline Vec3<S> vector(const Three<S>& v) {
-  return {v[0], v[1], v[2]};
 }
 template <class S>
 [[gnu::always_inline]] inline Three<S> all_of(S value) {
@@ -61,23 +59,22 @@ struct BoxPair {
                                  const Pose<S>& b_in_a)
       : a(hull_a),
         b(hull_b),
-        rotation(b_in_a.rotation.toRotationMatrix()),
         position(b_in_a.position),
         scale(hull_a.radius + hull_b.radius + b_in_a.position.norm()),
         min_radius(std::min(hull_a.radius, hull_b.radius)),
         // Nothing is ever farther than infinity: the fourth lane wins no comparison.
         half_a(three(hull_a.half_extents, std::numeric_limits<S>::infinity())),
         half_b(three(hull_b.half_extents, std::numeric_limits<S>::infinity())),
-        way(three(position)) {
-    const Mat3<S>& r = rotation;
-    for (int k = 0; k < 3; ++k) {
-      columns.of[k] = Three<S>{r(0, k), r(1, k), r(2, k), S(0)};
-    }
-    rows = columns.transposed();
+        way(three(position)),
+        columns(lanes::rotation_columns(b_in_a.rotation)),
+        rows(columns.transposed()) {
     arms.of[0] = columns.of[0] * spread<0>(half_b);
     arms.of[1] = columns.of[1] * spread<1>(half_b);
     arms.of[2] = columns.of[2] * spread<2>(half_b);
   }
+
+  /// Entry of the matrix that turns B's frame into A's: of B's axis j along A's axis i.
+  [[gnu::always_inline]] S rotation(int i, int j) const { return columns.of[j][i]; }
 
   /// Unit vectors along B's axes, as the half-edges that go up along them have them.
   [[gnu::always_inline]] Columns<S> directions_of_b() const {
@@ -93,8 +90,7 @@ struct BoxPair {
 
   const Hull<S>& a;
   const Hull<S>& b;
-  Mat3<S> rotation;  // of B in A's frame
-  Vec3<S> position;
+  Vec3<S> position;     // of B in A's frame
   S scale, min_radius;  // as in HullPair, metres
   Three<S> half_a, half_b, way;
   Columns<S> columns, rows;  // of the rotation: B's axes in A's frame, A's axes in B's

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "core/manifold.h"
-#include "query/box_pair.h"
+#include "query/box_edges.h"
 #include "query/sat.h"
 #include "query/tolerance.h"
 
@@ -31,10 +31,10 @@ template <class S>
 struct BoxAxis {
   Verdict verdict = Verdict::Undecided;
   Owner reference = Owner::A;
-  FaceQuery<S> face{};  // its support is not looked for
-  EdgeQuery<S>
-      edge{};  // of Edge; of Face what is to be taken should the face's contact be too shallow
-  Columns<S> directions{};  // of B's axes, unless the boxes are separated
+  FaceQuery<S> face{};    // its support is not looked for
+  CrossedEdges edges;     // of Edge
+  EdgeMeasure<S> edge;    // likewise
+  Columns<S> directions;  // of B's axes, unless the boxes are separated
   S deepest = 0;  // metres: the largest separation of any axis, or less where that is no matter
 };
 
@@ -130,75 +130,6 @@ template <class S, class F>
   return (lane_bits<S>(a) | lane_bits<S>(b) << 4 | lane_bits<S>(c) << 8) & 0x777U;
 }
 
-/// The edges of axis i of A and j of B that support each other along their cross product, as the
-/// general path finds them: A's half-edge is the even one, and B's goes as the arc of A's edge on the
-/// Gauss map does, from the normal of the face on the left of it to the other (gauss_map.h).
-template <class S>
-[[gnu::always_inline]] inline EdgeQuery<S> edges_along(const BoxPair<S>& pair, int i, int j,
-                                                       bool against) {
-  const auto bit = [](bool set, int axis) { return static_cast<int>(set) << axis; };
-  const auto next_of = [](int axis) { return axis == 2 ? 0 : axis + 1; };
-  const Mat3<S>& r = pair.rotation;
-  const int i1 = next_of(i), i2 = next_of(i1), j1 = next_of(j), j2 = next_of(j1);
-  // The cross product of axis i of A and j of B, or the opposite: its entries along A's axes, and along
-  // B's, away from which B's vertex lies.
-  const int vertex_a =
-      bit((r(i2, j) < S(0)) != against, i1) | bit((r(i1, j) > S(0)) != against, i2);
-  const int vertex_b =
-      bit((r(i, j2) < S(0)) != against, j1) | bit((r(i, j1) > S(0)) != against, j2);
-  EdgeQuery<S> query;
-  query.edge_a = kBox.leaving[static_cast<std::size_t>(vertex_a)][static_cast<std::size_t>(i)] & ~1;
-  const int second = kBox.face(query.edge_a ^ 1);                     // +x, -x, ...
-  const bool falls = (r(second / 2, j) < S(0)) != (second % 2 != 0);  // B's axis along its normal
-  const int from = falls ? vertex_b : vertex_b | bit(true, j);
-  query.edge_b = kBox.leaving[static_cast<std::size_t>(from)][static_cast<std::size_t>(j)];
-  return query;
-}
-
-/// One of two edges that meet, as closest_points() asks for it.
-template <class S>
-struct BoxEdge {
-  [[gnu::always_inline]] Vec3<S> direction(int) const { return along; }
-  [[gnu::always_inline]] Vec3<S> origin(int half_edge) const {
-    return half_edge == edge ? from : to;
-  }
-
-  int edge;  // half-edge
-  Vec3<S> along, from, to;
-};
-template <class S>
-[[gnu::always_inline]] inline BoxEdge<S> edge_of_a(const BoxPair<S>& pair, int edge) {
-  const VerticesOfA<S> vertices(pair);
-  const int from = kBox.origin(edge), to = kBox.origin(edge ^ 1);
-  const Vec3<S> signs =
-      vector<S>(lanes::load_pack<Three<S>>(kVertexSigns<S>[static_cast<std::size_t>(to)].data()) -
-                lanes::load_pack<Three<S>>(kVertexSigns<S>[static_cast<std::size_t>(from)].data()));
-  return {edge, signs * S(0.5), vector<S>(vertices[from]), vector<S>(vertices[to])};
-}
-template <class S>
-[[gnu::always_inline]] inline BoxEdge<S> edge_of_b(const BoxPair<S>& pair,
-                                                   const Columns<S>& directions, int edge) {
-  const VerticesOfB<S> vertices(pair);
-  const int from = kBox.origin(edge), to = kBox.origin(edge ^ 1);
-  const S sign = to > from ? S(1) : S(-1);
-  return {edge, vector<S>(directions.of[(to ^ from) / 2]) * sign, vector<S>(vertices[from]),
-          vector<S>(vertices[to])};
-}
-
-/// Separation and normal of two edges, as query_edges() measures them. `over_sine` is 1 over that of
-/// their angle.
-template <class S>
-[[gnu::always_inline]] inline void measure(const BoxEdge<S>& a, const BoxEdge<S>& b, S over_sine,
-                                           EdgeQuery<S>& query) {
-  const Vec3<S> cross = a.along.cross(b.along);
-  const int first = kBox.face(a.edge), second = kBox.face(a.edge ^ 1);
-  const auto along = [&](int face) { return face % 2 == 0 ? cross[face / 2] : -cross[face / 2]; };
-  const S orientation = along(first) + along(second) >= S(0) ? S(1) : S(-1);
-  query.normal = cross * (orientation * over_sine);
-  const Vec3<S> between = b.from - a.from;
-  query.separation = query.normal.dot(between);
-}
-
 /// sat() for two boxes. Metres; `margin` >= 0.
 ///
 /// Steps: 1. A's faces, 2. B's faces: either may separate. 3. The nine cross products: they may
@@ -253,13 +184,13 @@ template <class S>
       const std::uint32_t best = nine_bits<S>(
           nine[0].lower == most_lower, nine[1].lower == most_lower, nine[2].lower == most_lower);
       if (near != best || (best & (best - 1)) != 0 || !(most_lower > floor + tie)) return result;
-      const int bit = std::countr_zero(best | 0x1000U), i = bit % 4, j = bit / 4;
+      const int bit = std::countr_zero(best | 0x1000U), i = bit & 3, j = bit >> 2;
       const S way = nine[j].way[i];
       if (!(nine[j].sine[i] > S(1.1) * kNoisySine<S> && std::abs(way) > off)) return result;
-      result.edge = edges_along(pair, i, j, way < S(0));
-      measure(edge_of_a(pair, result.edge.edge_a),
-              edge_of_b(pair, result.directions, result.edge.edge_b), nine[j].over_sine[i],
-              result.edge);
+      const int against = way < S(0) ? 1 : 0;
+      result.edges = edges_along(pair, i, j, against);
+      result.edge =
+          measure(pair, result.edges, i, j, against, result.directions.of[j], nine[j].over_sine[i]);
       if (!(result.edge.separation <= S(0))) return result;
       most = result.edge.separation;
       has_edge = true;

@@ -10,7 +10,9 @@
 #include "core/at.h"
 #include "geometry/primitives.h"
 #include "manifold/collide_pairs.h"
+#include "manifold/dispatch.h"
 #include "support/brute_force_sat.h"
+#include "support/builders.h"
 #include "support/random_geometry.h"
 
 // What two boxes give by themselves is what any two hulls would give, bit for bit, or nothing.
@@ -34,9 +36,8 @@ bool same(const Vec3<S>& one, const Vec3<S>& other) {
 }
 
 template <class S>
-void expect_same(const Contact<S>& contact, const Contact<S>& expected) {
+void expect_same(const Manifold<S>& contact, const Manifold<S>& expected) {
   ASSERT_EQ(contact.points.size(), expected.points.size());
-  if (expected.points.empty()) return;
   EXPECT_EQ(contact.axis, expected.axis);
   EXPECT_EQ(contact.type, expected.type);
   EXPECT_TRUE(same(contact.normal, expected.normal))
@@ -171,25 +172,28 @@ TYPED_TEST(BoxBox, SlowGivesWhatTwoHullsGiveBitForBit) {
       const Hull<S> b = hull_cast<S>(make_box(drawn.size * drawn.half_b));
       ASSERT_TRUE(a.is_box() && b.is_box());
       drawn.b_in_a.position *= drawn.size;
-      const Pose<S> b_in_a = drawn.b_in_a.template cast<S>();
+      Pose<double> pose_a;
+      if (random.chance(0.5)) pose_a = random.pose(drawn.size);
+      const Pose<S> in_world = pose_a.template cast<S>();
+      const Pose<S> pose_b = compose(pose_a, drawn.b_in_a).template cast<S>();
       for (const auto& [preference, margin] : kSettings) {
         SCOPED_TRACE(std::string(family.name) + ", pair " + std::to_string(i) + ", preference " +
                      to_string(preference) + ", margin " + std::to_string(margin));
         CollideOptions options;
         options.preference = preference;
         options.margin = margin * drawn.size;
-        Contact<S> contact;
-        if (!collide_box_box(a, b, b_in_a, options, contact)) {
-          ASSERT_TRUE(contact.points.empty());
+        if (random.chance(0.5)) options.reducer = find_reducer("area");
+        Manifolds<S> manifolds;
+        if (!collide_box_box(a, in_world, b, pose_b, options, manifolds)) {
+          ASSERT_TRUE(manifolds.empty());
           continue;
         }
-        Contact<S> expected;
-        PairCache<S>* const nothing = nullptr;
-        Recorder<S>* const nobody = nullptr;
-        collide_hull_hull(a, b, b_in_a, options, nothing, expected, nobody);
+        const Manifold<S> expected = collide_hull_hull(a, in_world, b, pose_b, options);
         ++decided;
-        touching += expected.points.empty() ? 0 : 1;
-        expect_same(contact, expected);
+        ASSERT_EQ(manifolds.empty(), expected.points.empty());
+        if (manifolds.empty()) continue;
+        ++touching;
+        expect_same(manifolds[0], expected);
         ASSERT_FALSE(this->HasFailure());
       }
     }
@@ -212,17 +216,17 @@ TYPED_TEST(BoxBox, IsAsDeepAsBruteForceOverEveryAxis) {
       const Pose<S> b_in_a = drawn.b_in_a.template cast<S>();
       CollideOptions options;
       options.preference = Preference::None;
-      Contact<S> contact;
-      if (!collide_box_box(a, b, b_in_a, options, contact)) continue;
+      Manifolds<S> manifolds;
+      if (!collide_box_box(a, {}, b, b_in_a, options, manifolds)) continue;
       const test::BruteForceAxis best = test::brute_force_sat(
           hull_cast<double>(a), {}, hull_cast<double>(b), b_in_a.template cast<double>());
       const double rounding =
           64 * std::numeric_limits<S>::epsilon() * (a.radius + b.radius + b_in_a.position.norm());
       if (std::abs(best.separation) > rounding) {
-        ASSERT_EQ(contact.points.empty(), best.separation > 0) << best.separation;
+        ASSERT_EQ(manifolds.empty(), best.separation > 0) << best.separation;
       }
-      if (!contact.points.empty()) {
-        ASSERT_NEAR(contact.deepest(), best.separation, rounding);
+      if (!manifolds.empty()) {
+        ASSERT_NEAR(test::deepest(manifolds[0]), best.separation, rounding);
       }
     }
   }
@@ -248,13 +252,15 @@ TEST(BoxBox, LeavesARotationThatIsNoneToTheGeneralPath) {
   const Hull<double> box = make_box({1, 1, 1});
   Pose<double> b_in_a;
   b_in_a.position = {0, 1.9, 0.1};
-  Contact<double> contact;
-  EXPECT_TRUE(collide_box_box(box, box, b_in_a, {}, contact));
+  Manifolds<double> manifolds;
+  EXPECT_TRUE(collide_box_box(box, {}, box, b_in_a, {}, manifolds));
+  EXPECT_EQ(manifolds.size(), 1U);
+  manifolds.clear();
   b_in_a.rotation.coeffs() *= 1.001;
-  contact.points.clear();
-  EXPECT_FALSE(collide_box_box(box, box, b_in_a, {}, contact));
+  EXPECT_FALSE(collide_box_box(box, {}, box, b_in_a, {}, manifolds));
   b_in_a.rotation.coeffs().setConstant(std::numeric_limits<double>::quiet_NaN());
-  EXPECT_FALSE(collide_box_box(box, box, b_in_a, {}, contact));
+  EXPECT_FALSE(collide_box_box(box, {}, box, b_in_a, {}, manifolds));
+  EXPECT_TRUE(manifolds.empty());
 }
 
 }  // namespace
