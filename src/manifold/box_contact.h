@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include "manifold/collide_options.h"
 #include "manifold/contact.h"
 #include "query/box_edges.h"
 #include "reduce/reducer.h"

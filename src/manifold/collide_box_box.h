@@ -5,6 +5,7 @@
 #include "geometry/hull.h"
 #include "manifold/collide_options.h"
 #include "manifold/contact.h"
+#include "manifold/pair_cache.h"
 
 namespace contactscope {
 
@@ -19,5 +20,16 @@ template <class S>
 bool collide_box_box(const Hull<S>& a, const Pose<S>& pose_a, const Hull<S>& b,
                      const Pose<S>& pose_b, const CollideOptions& options,
                      std::vector<Manifold<S>>& manifolds);
+
+/// collide_from_cache() for two boxes whose cache holds a face axis, where nobody watches: what it takes
+/// for a hit is one here, with the same manifold. It does not look for the other box's support and
+/// incident face where they were, as it takes no longer to find them.
+///
+/// False, and `manifolds` empty, where the cache does not help or rounding would decide. Then
+/// collide_hull_hull() is to be asked, with the cache.
+template <class S>
+bool collide_boxes_from_cache(const Hull<S>& a, const Pose<S>& pose_a, const Hull<S>& b,
+                              const Pose<S>& pose_b, const CollideOptions& options,
+                              const PairCache<S>& cache, std::vector<Manifold<S>>& manifolds);
 
 }  // namespace contactscope

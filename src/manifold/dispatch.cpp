@@ -44,10 +44,14 @@ void hulls(const PlacedPair<S>& pair, const CollideOptions& options, Manifolds<S
            Recorder<S>* recorder) {
   const Hull<S>& a = *std::get_if<Hull<S>>(&pair.a);
   const Hull<S>& b = *std::get_if<Hull<S>>(&pair.b);
-  if (recorder == nullptr && a.is_box() && b.is_box() && pair.cache == nullptr &&
-      options.penetration == PenetrationMethod::Sat &&
-      collide_box_box(a, pair.pose_a, b, pair.pose_b, options, manifolds))
-    return;
+  if (recorder == nullptr && a.is_box() && b.is_box() &&
+      options.penetration == PenetrationMethod::Sat) {
+    const bool done = pair.cache == nullptr
+                          ? collide_box_box(a, pair.pose_a, b, pair.pose_b, options, manifolds)
+                          : collide_boxes_from_cache(a, pair.pose_a, b, pair.pose_b, options,
+                                                     *pair.cache, manifolds);
+    if (done) return;
+  }
   one_manifold(pair, options, manifolds, recorder, [&](const Pose<S>& b_in_a, Contact<S>& contact) {
     if (recorder) [[unlikely]]
       recorder->minkowski(a, b, b_in_a);

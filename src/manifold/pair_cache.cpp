@@ -6,6 +6,7 @@
 
 #include "manifold/create_contact.h"
 #include "manifold/edge_contact.h"
+#include "manifold/pair_motion.h"
 #include "manifold/recorder.h"
 #include "query/support_set.h"
 #include "query/tolerance.h"
@@ -135,29 +136,16 @@ struct Motion {
   S turn;      // of any unit vector of one, seen from the other: the length of its change
 };
 
-/// The difference of two rotations by an angle t apart takes no unit vector farther than 2 sin(t /
-/// 2), which is at most twice the distance of their quaternions, 2 sin(t / 4), taken with the signs
-/// that bring them nearest.
 template <class S>
 Motion<S> motion_since(const PairCache<S>& cache, const FeaturePair<S>& pair,
                        const Quat<S>& rotation) {
-  const S apart = (rotation.coeffs() - cache.rotation.coeffs()).squaredNorm();
-  const S opposite = (rotation.coeffs() + cache.rotation.coeffs()).squaredNorm();
-  const S turn = S(2) * std::sqrt(std::min(apart, opposite));
+  const S turn = turn_since(cache, rotation);
   const Vec3<S> center_b = pair.rotation * pair.b.hull.centroid + pair.position;
   const Vec3<S> center_a =
       pair.rotation.transpose() * Vec3<S>(pair.a.hull.centroid - pair.position);
   const S of_b = Vec3<S>(center_b - cache.center_b).norm() + turn * pair.b.hull.radius;
   const S of_a = Vec3<S>(center_a - cache.center_a).norm() + turn * pair.a.hull.radius;
   return {std::max(of_a, of_b), turn};
-}
-
-/// Whether the preference takes an axis of this separation where no axis has more than `bound`, and
-/// the margin leaves the pair touching.
-template <class S>
-bool preferred(S separation, S bound, S margin, S min_radius) {
-  const S tolerance = preference_tolerance(std::min(bound, S(0)), min_radius);
-  return bound <= margin && bound - separation <= tolerance;
 }
 
 /// Makes the kept axis's contact at the new pose, where both hulls have turned by no more than `turn`.

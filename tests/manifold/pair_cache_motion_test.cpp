@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <limits>
 
+#include "manifold/collide_box_box.h"
 #include "manifold/dispatch.h"
 #include "moving_pairs.h"
 #include "support/brute_force_sat.h"
@@ -176,6 +177,54 @@ TEST(PairCacheHistory, TheSameHistoryGivesTheSameBitsWatchedOrNot) {
       }
     }
   }
+}
+
+// Boxes have a cached path of their own where nobody watches: it takes the same for a hit.
+TYPED_TEST(PairCacheMotion, TwoBoxesGiveTheSameBitsWatchedOrNot) {
+  using S = TypeParam;
+  Random random(78);
+  int by_themselves = 0, touching = 0;
+  for (int i = 0; i < 150; ++i) {
+    const double size = random.decade(-4, 4);
+    PairCase<double> start{
+        test::random_box(random, size, 4), {}, test::random_box(random, size, 4), {}};
+    start.pose_b = {
+        random.chance(0.7) ? random.rotation_by(random.decade(-7, -1)) : random.rotation(),
+        0.5 * size * random.unit_vector()};
+    const test::BruteForceAxis axis =
+        test::brute_force_sat(start.a, start.pose_a, start.b, start.pose_b);
+    start.pose_b.position += (-random.uniform(0, 0.02) * size - axis.separation) * axis.normal;
+    const Pose<double> place = random.pose(2 * size);
+    const Hull<S> hull_a = hull_cast<S>(start.a), hull_b = hull_cast<S>(start.b);
+    const Shape<S> a = hull_a, b = hull_b;
+    CollideOptions options;
+    options.margin = i % 3 == 0 ? 0.003 * size : 0;
+    if (i % 2 == 0) options.reducer = find_reducer("area");
+    for (const Motion& motion : motions(random, axis.normal)) {
+      PairCache<S> watched_cache, cache;
+      for (int k = 0; k < 60; ++k) {
+        SCOPED_TRACE(std::string(motion.name) + ", pair " + std::to_string(i) + ", frame " +
+                     std::to_string(k));
+        Pose<double> moved = compose(place, motion.pose(start.pose_b, size, k));
+        moved.rotation.normalize();
+        const Pose<S> pose_a = place.template cast<S>(), pose_b = moved.template cast<S>();
+        Manifolds<S> watched, unwatched, alone;
+        by_themselves +=
+            collide_boxes_from_cache(hull_a, pose_a, hull_b, pose_b, options, cache, alone);
+        trace::Pair record;
+        collide(a, pose_a, b, pose_b, options, watched, &watched_cache, &record);
+        collide(a, pose_a, b, pose_b, options, unwatched, &cache);
+        ASSERT_EQ(watched.size(), unwatched.size());
+        if (watched.empty()) continue;
+        ++touching;
+        ASSERT_TRUE(same_bits(watched[0], unwatched[0]));
+      }
+    }
+  }
+  std::printf("%d frames of boxes, %d touching, %d by what boxes keep\n", 150 * 4 * 60, touching,
+              by_themselves);
+  EXPECT_GT(touching, 150 * 4 * 60 / 2);
+  EXPECT_GT(by_themselves, touching / 2);
 }
 
 TEST(PairCacheHistory, TheRecordTellsHowFarTheSecondBoxHasMoved) {

@@ -56,12 +56,12 @@ planted_bug(back_of_a_triangle_is_its_front FILE src/manifold/collide_with_mesh.
 planted_bug(last_edge_of_a_triangle FILE src/manifold/collide_with_mesh.cpp TESTS manifold
   WAS [[if (!(squared < least)) continue;]]
   IS [[if (!@BUG@ && !(squared < least)) continue;]])
-planted_bug(cache_never_gives_up FILE src/manifold/pair_cache.cpp TESTS manifold
+planted_bug(cache_never_gives_up FILE src/manifold/pair_motion.h TESTS manifold
   WAS [[return bound <= margin && bound - separation <= tolerance;]]
   IS [[return @BUG@ || (bound <= margin && bound - separation <= tolerance);]])
-planted_bug(cache_forgets_to_turn FILE src/manifold/pair_cache.cpp TESTS manifold
-  WAS [[const S turn = S(2) * std::sqrt(std::min(apart, opposite));]]
-  IS [[const S turn = @BUG@ ? S(0) : S(2) * std::sqrt(std::min(apart, opposite));]])
+planted_bug(cache_forgets_to_turn FILE src/manifold/pair_motion.h TESTS manifold
+  WAS [[return S(2) * std::sqrt(std::min(apart, opposite));]]
+  IS [[return @BUG@ ? S(0) : S(2) * std::sqrt(std::min(apart, opposite));]])
 planted_bug(float_at_extreme_sizes FILE src/manifold/dispatch.cpp TESTS manifold
   WAS [[if (belongs_in_double(a, b))]]
   IS [[if (!@BUG@ && belongs_in_double(a, b))]])
@@ -76,9 +76,9 @@ planted_bug(support_kept_however_far FILE src/manifold/pair_cache.cpp TESTS mani
   IS [[const bool still_deepest = @BUG@ || S(2) * moved < cache.support_clearance;]])
 
 # Two boxes, which have a path of their own.
-planted_bug(box_normal_of_b_not_turned FILE src/manifold/collide_box_box.cpp TESTS manifold
+planted_bug(box_normal_of_b_not_turned FILE src/manifold/box_face_contact.h TESTS manifold
   WAS [[contact.normal = of_a ? normal : -normal;]]
   IS [[contact.normal = of_a || @BUG@ ? normal : -normal;]])
-planted_bug(box_ids_of_the_other_owner FILE src/manifold/collide_box_box.cpp TESTS manifold
+planted_bug(box_ids_of_the_other_owner FILE src/manifold/box_face_contact.h TESTS manifold
   WAS [[const int incident = faces.incident + (of_a ? 6 : 0)]]
   IS [[const int incident = faces.incident + (of_a != @BUG@ ? 6 : 0)]])

@@ -1,0 +1,90 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "manifold/box_face_contact.h"
+#include "manifold/collide_box_box.h"
+#include "manifold/pair_motion.h"
+
+namespace contactscope {
+namespace {
+
+using boxes::BoxContact;
+using boxes::BoxPair;
+using boxes::Columns;
+using boxes::Three;
+
+/// How far any point of one box has moved, seen from the other, where both have turned by `turn`. The
+/// middle of each is the origin of its own frame.
+template <class S>
+[[gnu::always_inline]] inline S moved_since(const PairCache<S>& cache, const BoxPair<S>& pair,
+                                            S turn) {
+  const auto norm = [](const Three<S>& v) __attribute__((always_inline)) {
+    return std::sqrt(boxes::dot<S>(v, v));
+  };
+  const Three<S> back = -pair.way;
+  const Three<S> center_a = dot_sum<S>(Three<S>(pair.rows.of[0] * boxes::spread<0>(back)),
+                                       Three<S>(pair.rows.of[1] * boxes::spread<1>(back)),
+                                       Three<S>(pair.rows.of[2] * boxes::spread<2>(back)));
+  const S of_b = norm(pair.way - boxes::three(cache.center_b)) + turn * pair.b.radius;
+  const S of_a = norm(center_a - boxes::three(cache.center_a)) + turn * pair.a.radius;
+  return std::max(of_a, of_b);
+}
+
+/// Whether the cache gives the contact, which has no points where the kept axis separates.
+template <class S>
+[[gnu::always_inline]] inline bool from_cache(const BoxPair<S>& pair, const Quat<S>& rotation,
+                                              const PairCache<S>& cache,
+                                              const CollideOptions& options,
+                                              BoxContact<S>& contact) {
+  const S margin = static_cast<S>(options.margin);
+  const Owner owner = cache.axis == AxisKind::FaceA ? Owner::A : Owner::B;
+  const Columns<S> directions = owner == Owner::A ? pair.columns : pair.directions_of_b();
+  boxes::RectanglePair<S> rectangles;
+  const S slack = S(16) * std::numeric_limits<S>::epsilon() * pair.scale;
+  const boxes::FacePair<S> faces =
+      boxes::face_pair(pair, owner, cache.first, directions, slack, rectangles);
+  if (!faces.separation.is_alone) return false;
+  const S separation = faces.separation.least;
+  if (separation > margin) return true;  // still, or by now, a separating axis
+  if (cache.kind != CachedKind::Features) return false;
+
+  const S turn = turn_since(cache, rotation);
+  const S far_bound = cache.far + moved_since(cache, pair, turn) + depth_rounding(pair.scale);
+  if (!preferred(separation, far_bound, margin, pair.min_radius)) return false;
+  S deepest;
+  if (!boxes::face_contact(faces, owner, cache.first, rectangles, margin, contact, deepest))
+    return false;
+  const S near_bound = deepest < S(0) ? deepest * (cache.near_cosine - turn) : deepest;
+  const S bound = std::max(far_bound, near_bound);
+  return contact.count > 0 && preferred(separation, bound, margin, pair.min_radius);
+}
+
+}  // namespace
+
+template <class S>
+[[gnu::flatten]] bool collide_boxes_from_cache(const Hull<S>& a, const Pose<S>& pose_a,
+                                               const Hull<S>& b, const Pose<S>& pose_b,
+                                               const CollideOptions& options,
+                                               const PairCache<S>& cache,
+                                               std::vector<Manifold<S>>& manifolds) {
+  const bool on_face = cache.axis == AxisKind::FaceA || cache.axis == AxisKind::FaceB;
+  if (cache.kind == CachedKind::Empty || !on_face || cache.radius_a != a.radius ||
+      cache.radius_b != b.radius || static_cast<unsigned>(cache.first) >= 6U ||
+      options.preference != Preference::Relative)
+    return false;
+  const Pose<S> b_in_a = relative_pose(pose_a, pose_b);
+  // A rotation that is none, or not finite.
+  if (!(std::abs(b_in_a.rotation.squaredNorm() - S(1)) <= S(8) * std::numeric_limits<S>::epsilon()))
+    return false;
+  const BoxPair<S> pair(a, b, b_in_a);
+  BoxContact<S> contact;
+  if (!from_cache(pair, b_in_a.rotation, cache, options, contact)) return false;
+  if (contact.count > 0) boxes::finish(pose_a, options, contact, manifolds.emplace_back());
+  return true;
+}
+
+template decltype(collide_boxes_from_cache<float>) collide_boxes_from_cache<float>;
+template decltype(collide_boxes_from_cache<double>) collide_boxes_from_cache<double>;
+
+}  // namespace contactscope
