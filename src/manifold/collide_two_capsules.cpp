@@ -5,7 +5,6 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "manifold/contact.h"
 #include "manifold/round_order.h"
@@ -29,12 +28,6 @@ using boxes::TurnMatrix;
 /// A capsule's axis between its ends, in A's frame.
 template <class S>
 struct Axis {
-  /// As Segment::at() of closest_points.cpp has it.
-  [[gnu::always_inline]] Three<S> at(S parameter) const {
-    if (parameter <= S(0.5)) return ends[0] + parameter * along;
-    return ends[1] - (S(1) - parameter) * along;
-  }
-
   Three<S> ends[2];
   Three<S> along = ends[1] - ends[0];
 };
@@ -57,7 +50,8 @@ struct Products {
 /// Which ends of two axes, or which end of one and the other axis, are nearest.
 struct Nearest {
   enum Kind { TwoEnds, EndAndAxis, Uncertain } kind = Uncertain;
-  int which = 0;  // the corner or the side, see nearest()
+  int which = 0;               // the corner or the side, see nearest()
+  bool beyond_middle = false;  // the foot is in the second half of the axis
 };
 
 /// The squared distance between the points at s of A and t of B is a convex function over a square, and its
@@ -73,45 +67,50 @@ struct Nearest {
 template <class S>
 [[gnu::always_inline]] inline Nearest nearest(const Products<S>& products) {
   constexpr S kUnsure = S(4096) * std::numeric_limits<S>::epsilon();
-  const Three<S> aa = spread<0>(products.squares), bb = spread<1>(products.squares);
-  const Three<S> ab = spread<2>(products.squares);
+  const Three<S>& squares = products.squares;
+  const Three<S> aa = spread<0>(squares), bb = spread<1>(squares), ab = spread<2>(squares);
   const Three<S> a_way = spread<0>(products.ways), b_way = spread<1>(products.ways);
-  const Three<S> unsure = kUnsure * (aa + bb + spread<3>(products.squares));
+  const Three<S> unsure = kUnsure * (aa + bb + spread<3>(squares));
   constexpr Three<S> kS = {0, 1, 0, 1}, kT = {0, 0, 1, 1};
-  const Three<S> along_s = (a_way + aa * kS) - ab * kT, along_t = (bb * kT - b_way) - ab * kS;
-  const Three<S> inwards_s = along_s * (S(1) - S(2) * kS);
-  const Three<S> inwards_t = along_t * (S(1) - S(2) * kT);
+  constexpr Three<S> kInS = S(1) - S(2) * kS, kInT = S(1) - S(2) * kT;
+  const Three<S> inwards_s = (a_way * kInS - aa * kS) - ab * (kT * kInS);
+  const Three<S> inwards_t = (bb * -kT - b_way * kInT) - ab * (kS * kInT);
   const std::uint32_t corners = lane_bits<S>(lanes::smaller(inwards_s, inwards_t) > unsure);
-  if (corners != 0) return {Nearest::TwoEnds, std::countr_zero(corners)};
+  if (corners != 0) return {Nearest::TwoEnds, std::countr_zero(corners), false};
 
   // s = 0, s = 1, t = 0, t = 1.
-  const Three<S> lengths = __builtin_shufflevector(products.squares, products.squares, 1, 1, 0, 0);
+  const Three<S> lengths = __builtin_shufflevector(squares, squares, 1, 1, 0, 0);
   const Three<S> ways = __builtin_shufflevector(b_way, -a_way, 0, 0, 4, 4);
   const Three<S> foot = (ways + ab * kS) / lengths;
   const Three<S> to_end = lanes::smaller(foot, S(1) - foot);
   const Three<S> begins = __builtin_shufflevector(a_way, -b_way, 0, 0, 4, 4);
-  const Three<S> far = __builtin_shufflevector(products.squares, products.squares, 0, 0, 1, 1);
-  const Three<S> inwards = ((begins + far * kS) - foot * ab) * (S(1) - S(2) * kS);
+  const Three<S> far = __builtin_shufflevector(squares, squares, 0, 0, 1, 1);
+  const Three<S> inwards = ((begins + far * kS) - foot * ab) * kInS;
   // So far from the foot squared distances are more than rounding larger.
   const auto is_between = to_end * absolute<S>(to_end) * lengths > unsure * S(1.0 / 16);
   const std::uint32_t sides = lane_bits<S>((inwards > unsure) & is_between);
-  if (sides != 0) return {Nearest::EndAndAxis, std::countr_zero(sides)};
-  return {};
+  if (sides == 0) return {};
+  // Nor would it be certain near the middle from which end the foot is measured.
+  const Three<S> from_middle = (foot - S(0.5)) * lengths;
+  const std::uint32_t unclear = lane_bits<S>(absolute<S>(from_middle) <= unsure);
+  if ((sides & unclear) != 0) return {};
+  return {Nearest::EndAndAxis, std::countr_zero(sides), (sides & lane_bits<S>(foot > S(0.5))) != 0};
 }
 
-/// The parameter of the point of `axis` that is nearest to `point`: as from_all_ends() of
-/// closest_points.cpp finds it. `squared_length` is the axis'.
+/// The point of an axis nearest to `point`, from the end that is nearer to both: as from_all_ends() and
+/// Segment::at() of closest_points.cpp have it.
 template <class S>
-[[gnu::always_inline]] inline S foot_on(const Axis<S>& axis, const Three<S>& point,
-                                        S squared_length) {
-  const Three<S> from_start = point - axis.ends[0], from_end = point - axis.ends[1];
-  const Coordinates<S> products(from_start * from_start, from_end * from_end,
-                                from_start * axis.along, from_end * axis.along);
-  const Three<S> dots = products.x + (products.y + products.z);
-  return dots[0] <= dots[1] ? dots[2] / squared_length : S(1) + dots[3] / squared_length;
+[[gnu::always_inline]] inline Three<S> foot_on(const Axis<S>& axis, const Three<S>& point,
+                                               S squared_length, bool beyond_middle) {
+  const Three<S> end = axis.ends[beyond_middle ? 1 : 0];
+  const Three<S> along = (point - end) * axis.along;
+  const S way = (along[0] + (along[1] + along[2])) / squared_length;
+  // From the second end: the parameter 1 + way is rounded, and less than 1 by so much.
+  return end + (beyond_middle ? -(S(1) - (S(1) + way)) : way) * axis.along;
 }
 
 /// By number: the first end of an axis, the second, the axis.
+constexpr int kOnAxis = 2;
 constexpr std::array<std::array<FeatureRef, 3>, 2> kFeatures = {
     {{vertex_ref(Owner::A, 0), vertex_ref(Owner::A, 1), edge_ref(Owner::A, 0)},
      {vertex_ref(Owner::B, 0), vertex_ref(Owner::B, 1), edge_ref(Owner::B, 0)}}};
@@ -133,37 +132,35 @@ template <class S>
   const Three<S> position_a = position(pose_a);
   const Three<S> way = to_a.of(position(pose_b) - position_a);
   const Three<S> own_ends_b[2] = {four_of<S, 0>(b), four_of<S, 3>(b)};
-  const Axis<S> axis_a{{four_of<S, 0>(a), four_of<S, 3>(a)}};
-  const Axis<S> axis_b{{b_to_a.of(own_ends_b[0]) + way, b_to_a.of(own_ends_b[1]) + way}};
+  const Axis<S> axes[2] = {{{four_of<S, 0>(a), four_of<S, 3>(a)}},
+                           {{b_to_a.of(own_ends_b[0]) + way, b_to_a.of(own_ends_b[1]) + way}}};
 
   // No coordinate is larger, in either frame.
   const S scale = largest_of<S>(lanes::larger(
-      lanes::larger(lanes::larger(absolute<S>(axis_a.ends[0]), absolute<S>(axis_a.ends[1])),
-                    lanes::larger(absolute<S>(axis_b.ends[0]), absolute<S>(axis_b.ends[1]))),
+      lanes::larger(lanes::larger(absolute<S>(axes[0].ends[0]), absolute<S>(axes[0].ends[1])),
+                    lanes::larger(absolute<S>(axes[1].ends[0]), absolute<S>(axes[1].ends[1]))),
       lanes::larger(absolute<S>(own_ends_b[0]), absolute<S>(own_ends_b[1]))));
-  const Products<S> products(axis_a, axis_b);
-  const S aa = products.squares[0], bb = products.squares[1], ab = products.squares[2];
+  const Products<S> products(axes[0], axes[1]);
   // Nearly parallel axes make two points. The squared sine would have to be less than 0.01; what the
   // placed ends of B may be off by turns its axis by less than the rest.
   const S rounding = S(8192) * std::numeric_limits<S>::epsilon() * scale;
-  if (!(ab * ab < S(0.98) * (aa * bb) && bb > rounding * rounding)) return false;
+  const S aa = products.squares[0], bb = products.squares[1], ab = products.squares[2];
+  if (!(ab * ab < S(0.989) * (aa * bb) && bb > rounding * rounding)) return false;
   const Nearest found = nearest(products);
   if (found.kind == Nearest::Uncertain) return false;
 
-  constexpr int kOnAxis = 2;
-  const bool two_ends = found.kind == Nearest::TwoEnds;
-  int feature_a = found.which & 1, feature_b = two_ends ? found.which >> 1 : found.which & 1;
-  Three<S> on_a = axis_a.ends[feature_a], on_b = axis_b.ends[feature_b];
-  if (!two_ends) {
-    if (found.which < 2) {
-      on_b = axis_b.at(foot_on(axis_b, on_a, bb));
-      feature_b = kOnAxis;
-    } else {
-      on_a = axis_a.at(foot_on(axis_a, on_b, aa));
-      feature_a = kOnAxis;
-    }
+  // Of A and of B: the closest points, and what they lie on.
+  const int end = found.which & 1, owner = found.which >> 1;
+  Three<S> on[2] = {axes[0].ends[end], axes[1].ends[owner]};
+  int feature[2] = {end, owner};
+  if (found.kind == Nearest::EndAndAxis) {
+    on[owner] = axes[owner].ends[end];
+    on[1 - owner] =
+        foot_on<S>(axes[1 - owner], on[owner], owner == 0 ? bb : aa, found.beyond_middle);
+    feature[owner] = end;
+    feature[1 - owner] = kOnAxis;
   }
-  const Three<S> between = on_b - on_a;
+  const Three<S> between = on[1] - on[0];
   const S distance = std::sqrt(sum_of<S>(between * between));
   const S separation = distance - (a.radius + b.radius);
   if (separation > options.margin) return true;
@@ -177,16 +174,15 @@ template <class S>
 
   // normal_between() of collide_capsule_capsule.cpp.
   Three<S> normal = between / distance;
-  if (!two_ends) {
+  if (found.kind == Nearest::EndAndAxis) {
     const Three<S> own_along_b = own_ends_b[1] - own_ends_b[0];
-    const Three<S> unit =
-        feature_a == kOnAxis
-            ? axis_a.along / std::sqrt(aa)
-            : b_to_a.of(own_along_b) / std::sqrt(sum_of<S>(own_along_b * own_along_b));
+    const Three<S> alongs[2] = {axes[0].along, b_to_a.of(own_along_b)};
+    const S squared_lengths[2] = {aa, sum_of<S>(own_along_b * own_along_b)};
+    const Three<S> unit = alongs[1 - owner] / std::sqrt(squared_lengths[1 - owner]);
     const Three<S> across = between - sum_of<S>(between * unit) * unit;
     normal = across / std::sqrt(sum_of<S>(across * across));
   }
-  const Three<S> middle = S(0.5) * ((on_a + a.radius * normal) + (on_b - b.radius * normal));
+  const Three<S> middle = S(0.5) * ((on[0] + a.radius * normal) + (on[1] - b.radius * normal));
   // As ToWorld.
   const TurnMatrix<S> to_world(pose_a.rotation);
   const Three<S> direction = to_world.of(normal), point = to_world.of(middle) + position_a;
@@ -194,13 +190,12 @@ template <class S>
   if (!boxes::all<S>(S(0) * direction + S(0) * point == S(0))) return false;
 
   Manifold<S>& manifold = manifolds.emplace_back();
-  manifold.normal = boxes::vector<S>(traded ? -direction : direction);
+  manifold.normal = boxes::vector<S>(direction * (traded ? S(-1) : S(1)));
   manifold.axis = AxisKind::ClosestPoints;
-  manifold.type = two_ends ? ContactType::PointPoint : ContactType::PointEdge;
-  if (traded) std::swap(feature_a, feature_b);
+  manifold.type = found.kind == Nearest::TwoEnds ? ContactType::PointPoint : ContactType::PointEdge;
   manifold.points.push_back({boxes::vector<S>(point), separation, {}});
-  manifold.points[0].id.first = at(kFeatures[0], feature_a);
-  manifold.points[0].id.second = at(kFeatures[1], feature_b);
+  manifold.points[0].id.first = at(kFeatures[0], feature[traded ? 1 : 0]);
+  manifold.points[0].id.second = at(kFeatures[1], feature[traded ? 0 : 1]);
   return true;
 }
 

@@ -89,14 +89,23 @@ class TurnMatrix {
   [[gnu::always_inline]] explicit TurnMatrix(const Quat<S>& rotation) {
     if constexpr (kInPacks) {
       const Three<S> q = four_of<S, 0>(rotation), twice = q + q;
-      const Three<S> with_w = twice * spread<3>(q);  // twice w x, w y, w z
       const Three<S> squares = twice * q;
-      const Three<S> mixed = after_next(twice) * next(q);  // twice z y, x z, y x
-      const Three<S> plus = mixed + with_w, minus = mixed - with_w;
+      const Three<S> mixed = twice * next(q);        // 2 x y, 2 y z, 2 z x
+      const Three<S> with_w = twice * spread<3>(q);  // 2 w x, 2 w y, 2 w z
+      // Entry k of each is in column k, from the diagonal on downwards and round:
+      //     d0 a1 b2
+      //     b0 d1 a2
+      //     a0 b1 d2
       const Three<S> diagonal = S(1) - (next(squares) + after_next(squares));
-      columns_.of[0] = Three<S>{diagonal[0], plus[2], minus[1], S(0)};
-      columns_.of[1] = Three<S>{minus[2], diagonal[1], plus[0], S(0)};
-      columns_.of[2] = Three<S>{plus[1], minus[0], diagonal[2], S(0)};
+      const Three<S> below = mixed + after_next(with_w);
+      const Three<S> above = after_next(mixed) - next(with_w);
+      const Three<S> low = __builtin_shufflevector(diagonal, below, 0, 4, 1, 5);
+      const Three<S> high = __builtin_shufflevector(diagonal, below, 2, 6, 3, 7);
+      const Three<S> second = __builtin_shufflevector(low, above, 2, 3, 5, 5);
+      const Three<S> third = __builtin_shufflevector(high, above, 0, 1, 6, 6);
+      columns_.of[0] = __builtin_shufflevector(low, above, 0, 1, 4, 4);
+      columns_.of[1] = after_next(second);
+      columns_.of[2] = next(third);
     } else {
       matrix_ = rotation.toRotationMatrix();
       for (int k = 0; k < 3; ++k) columns_.of[k] = three(Vec3<S>(matrix_.col(k)));
