@@ -66,7 +66,7 @@ struct Nearest {
 /// slopes are more than rounding, and a foot is farther from the corners than what rounding hides.
 template <class S>
 [[gnu::always_inline]] inline Nearest nearest(const Products<S>& products) {
-  constexpr S kUnsure = S(4096) * std::numeric_limits<S>::epsilon();
+  constexpr S kUnsure = S(2048) * std::numeric_limits<S>::epsilon();
   const Three<S>& squares = products.squares;
   const Three<S> aa = spread<0>(squares), bb = spread<1>(squares), ab = spread<2>(squares);
   const Three<S> a_way = spread<0>(products.ways), b_way = spread<1>(products.ways);
