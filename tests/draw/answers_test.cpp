@@ -149,7 +149,7 @@ TEST(Answers, ShowAxesThatSeparateAndThoseOfNoise) {
   asked.query().axes[0].separates = false;
   sketch = sketch_frame(asked.staged(), asked.frames[0]);
   EXPECT_EQ(sketch.arrows[0].direction, Vec3d::UnitX()) << "noise is of more interest";
-  EXPECT_EQ(sketch.labels[0].text, "length 1 × 10⁻⁶");
+  EXPECT_EQ(sketch.labels[0].text, "edges 0 × 2, length 1 × 10⁻⁶");
   asked.query().axes[1].length = 0.5;
   sketch = sketch_frame(asked.staged(), asked.frames[0]);
   EXPECT_EQ(sketch.arrows[0].direction, Vec3d::UnitY()) << "else the largest gap";

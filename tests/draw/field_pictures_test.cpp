@@ -66,5 +66,23 @@ TEST(FieldPicture, NamesNoGroundOnAnotherShape) {
   EXPECT_TRUE(slab.coarse().empty());
 }
 
+TEST(FieldPicture, ASpeckIsOnNoWhisker) {
+  SlicedSlab slab;
+  slab.view.layers = {Layer::Field, Layer::Contacts};
+  slab.frames[0].poses[1].second.position = {0, 0.3, 0};
+  trace::Pair& pair = slab.frames[0].pairs.emplace_back(CrateOnSlab().pair());
+  pair.manifolds[0].points = {{{0, -0.2, 0}, -0.1, "b:v4"}};
+  pair.field_probes.emplace().probes = {{{0, -0.22, 0}, -0.1}, {{0.3, -0.22, 0}, 0.1}};
+  const auto specks = [&] {
+    std::vector<Mark> marks = slab.sketch().marks;
+    std::erase_if(marks, [](const Mark& mark) { return mark.kind != MarkKind::Speck; });
+    return marks;
+  };
+  ASSERT_EQ(specks().size(), 1u);
+  EXPECT_EQ(specks()[0].at.x(), 0.3);
+  slab.view.layers = {Layer::Field};  // no whisker
+  EXPECT_EQ(specks().size(), 2u);
+}
+
 }  // namespace
 }  // namespace contactscope::draw

@@ -6,6 +6,7 @@
 
 #include "draw/layers/layer.h"
 #include "draw/scene/contours.h"
+#include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"
 
 /// A slice through a distance field: lines of equal distance, the surface among them strong, and the
@@ -15,6 +16,7 @@ namespace {
 
 constexpr int kMostLines = 16;         // on each side of the surface
 constexpr double kCellsBetween = 3;    // from a line to the next
+constexpr double kFromWhisker = 8;     // pixels
 constexpr double kBetweenProbes = 14;  // pixels
 constexpr float kLineText = 17;        // pixels
 constexpr double kBesideLine = 5;      // likewise
@@ -259,12 +261,42 @@ void draw_slices(const Scene& scene, Sketch& sketch) {
       "surface, and lines every " + spell_quantity(spacing, "m", 1, scene.scales.length));
 }
 
-/// Of points that are nearer to each other on the screen than kBetweenProbes one is drawn.
+/// The whiskers of a pair as they are seen.
+std::vector<Segment2> seen_whiskers(const Scene& scene, const trace::Pair& pair) {
+  std::vector<Segment2> whiskers;
+  for (const PairPoint& point : kept_points(pair)) {
+    if (!has_whisker(scene, pair, point)) continue;
+    const OnBoth ends = whisker_at(scene, pair, point);
+    if (const auto seen = project_segment(scene.camera, ends.on_a, ends.on_b))
+      whiskers.push_back(*seen);
+  }
+  return whiskers;
+}
+
+/// Pixels from the nearest place of a line.
+float distance_from(const Segment2& line, const Point2& at) {
+  const Point2 way = line.to - line.from;
+  const float squared = dot(way, way);
+  const float share =
+      squared > 0 ? std::clamp(dot(at - line.from, way) / squared, 0.0f, 1.0f) : 0.0f;
+  return distance(line.from + share * way, at);
+}
+
+/// Of points that are nearer to each other on the screen than kBetweenProbes one is drawn, and none
+/// on a whisker, which is what they found.
 void draw_probes(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   if (!pair.field_probes) return;
+  const std::vector<Segment2> whiskers = seen_whiskers(scene, pair);
+  const auto is_on_whisker = [&](const Vec3d& at) {
+    const std::optional<Point2> seen = scene.camera.project(at);
+    return seen && std::ranges::any_of(whiskers, [&](const Segment2& whisker) {
+             return distance_from(whisker, *seen) < kFromWhisker * scene.scales.pixel;
+           });
+  };
   const Vec3d right = scene.camera.right(), up = scene.camera.up();
   std::set<std::pair<double, double>> drawn;
   for (const trace::FieldProbe& probe : pair.field_probes->probes) {
+    if (is_on_whisker(probe.position)) continue;
     const double cells =
         scene.camera.pixels_per_metre(probe.position) / (kBetweenProbes * scene.scales.pixel);
     if (drawn

@@ -58,7 +58,8 @@ void draw_tested_axes(const Scene& scene, const trace::Pair& pair, Sketch& sketc
                              .color = color,
                              .open = axis->skipped});
     const std::string text =
-        is_short(*axis) ? "length " + spell_number(axis->length, 2) : spell_axis(query, *axis);
+        spell_axis(query, *axis) +
+        (is_short(*axis) ? ", length " + spell_number(axis->length, 2) : std::string());
     const double metres = kArrow * scene.scales.pixel / scene.camera.pixels_per_metre(middle);
     sketch.label(middle + metres * axis->direction, text, axis->separates ? kAxisText : kQuietText,
                  16, 8, axis->direction);
