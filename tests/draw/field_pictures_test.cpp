@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include "crate_on_slab.h"
+#include "draw/scene/pairs.h"
 
 namespace contactscope::draw {
 namespace {
@@ -64,6 +65,21 @@ TEST(FieldPicture, NamesNoGroundOnAnotherShape) {
   SlicedSlab slab;
   slab.frames[0].poses[1].second.position = {0.2, 0, 0};  // the crate, as large as the slice
   EXPECT_TRUE(slab.coarse().empty());
+}
+
+TEST(FieldPicture, APointIsOnTheSurfaceOfTheFieldAndItsOverlapGoesInFromThere) {
+  CrateOnSlab crate;
+  const PairPoint first{&crate.manifold(), &crate.manifold().points[0]};
+  const Vec3d at = first.point->position;
+  const Staging staging = crate.staged();
+  const auto ends = [&](const char* kind) {
+    crate.pair().kind = kind;
+    return surfaces_at(scene_of(staging, crate.frames[0]), crate.pair(), first);
+  };
+  EXPECT_EQ(ends("hull-sdf").on_b, at);
+  EXPECT_NEAR((ends("hull-sdf").on_a - at).norm(), 0.002, 1e-9);
+  EXPECT_EQ(ends("sdf-hull").on_a, at);
+  EXPECT_NEAR((ends("sdf-hull").on_b - at).norm(), 0.002, 1e-9);
 }
 
 TEST(FieldPicture, ASpeckIsOnNoWhisker) {

@@ -16,10 +16,13 @@ namespace {
 // reference face, one of an incremental manifold, of two edges or of two round shapes in the middle
 // of both surfaces. Where a round shape touches a flat one, the point is on the flat one; except
 // that of an edge which the capsule's axis has passed it is midway between edge and axis (Gregorius
-// 2015, "Capsule vs Hull: Deep Contact"), and the capsule's surface is a radius further.
+// 2015, "Capsule vs Hull: Deep Contact"), and the capsule's surface is a radius further. What a
+// distance field is asked by lies that far from its surface, and the point is there.
 double share_behind_a(const trace::Pair& pair, const trace::Manifold& manifold,
                       const trace::Point& point, double radius_a, double radius_b) {
   if (pair.incremental) return 0.5;
+  if (pair.kind == "hull-sdf") return 1;
+  if (pair.kind == "sdf-hull") return 0;
   if (manifold.axis == "face_a") return 0;
   if (manifold.axis == "face_b") return 1;
   if ((radius_a > 0) == (radius_b > 0)) return 0.5;
