@@ -129,10 +129,19 @@ TEST(Radii, BeyondTheSurfaceOfAHullTheDistanceIsAdded) {
   EXPECT_THAT(said(scene.sketch()), Contains("overlap 300 + 30 = 330 mm"));
 }
 
-TEST(Radii, APairThatIsSkippedSaysSo) {
+// There is nothing to add where the centre is on the surface of a hull.
+TEST(Radii, OnTheSurfaceOfAHullTheOverlapIsTheRadius) {
+  RoundScene scene(cuboid("block", {0.8, 0.35, 0.5}), Vec3d(0, -0.35, 0),
+                   round_shape("ball", {Vec3d::Zero()}, 0.3), Vec3d::Zero());
+  scene.touch(Vec3d::UnitY(), "face_a", {{{0, 0, 0}, -0.3, "a:f2 b:v0"}});
+  EXPECT_THAT(said(scene.sketch()), Contains("overlap 300 mm"));
+}
+
+TEST(Contacts, APairThatIsSkippedSaysSo) {
   RoundScene scene(round_shape("outer", {Vec3d::Zero()}, 0.5), Vec3d::Zero(),
                    round_shape("inner", {Vec3d::Zero()}, 0.3), Vec3d::Zero());
   scene.pair().separation = -0.8;
+  scene.view.layers = {Layer::Contacts};
   EXPECT_THAT(said(scene.sketch()), Not(Contains("no normal: contact skipped")));
   scene.pair().degenerate = trace::Degenerate{"coincident centres", "skip"};
   EXPECT_THAT(said(scene.sketch()), Contains("no normal: contact skipped"));

@@ -187,12 +187,23 @@ void count_shared(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   }
 }
 
+// Shapes that overlap without a point would look like an oversight. Of a ball in a wall the ball is told of.
+void tell_skipped(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+  const PlacedShape *a = scene.find(pair.a), *b = scene.find(pair.b);
+  if (!pair.degenerate || pair.degenerate->answer != "skip" || a == nullptr || b == nullptr) return;
+  const PlacedShape& shape = b->traced().radius > 0 ? *b : *a;
+  Label& label = sketch.label(shape.pose.transform(shape.traced().center_of_mass),
+                              "no normal: contact skipped", kText, 20, 60, -scene.camera.up());
+  label.leader = true;
+}
+
 void draw_contacts(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   if (scene.crowded()) {
     if (!pair.manifolds.empty()) draw_specks(pair, sketch);
     return;
   }
   if (pair.query) return;  // it has no contacts; see the layer answer
+  tell_skipped(scene, pair, sketch);
   if (!pair.incremental || !scene.shows(Layer::Persistent)) draw_points(scene, pair, sketch);
   constexpr std::size_t kFewPoints = 16;  // of more, the counts would be a crowd
   if (all_points(pair).size() <= kFewPoints && !scene.shows(Layer::Reduced) &&

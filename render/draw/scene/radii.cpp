@@ -251,10 +251,11 @@ struct RadiiSketch {
     }
     const std::string distance = millimetres(std::abs(apart), least);
     const bool in_one_place = overlaps && distance.find_first_not_of("0.") == std::string::npos;
+    const bool is_sum = !in_one_place || (radius_a > 0 && radius_b > 0);
     text = in_one_place ? "overlap " + text
            : overlaps   ? "overlap " + text + (apart < 0 ? " + " : " − ") + distance
                         : "gap " + distance + " − " + text;
-    text += " = " + millimetres(least, least) + " mm";
+    text += (is_sum ? " = " + millimetres(least, least) : "") + " mm";
     // Of a hull the part of the whisker beside which no length is measured.
     const double share = radius_a > 0 && radius_b > 0 ? 0.5 : radius_b > 0 ? 0.75 : 0.25;
     const Vec3d on_a = at.a + radius_a * at.normal, on_b = at.b - radius_b * at.normal;
@@ -320,11 +321,6 @@ void draw_radii(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   RadiiSketch drawing{scene, *a, *b, sketch};
   if (pair.degenerate) drawing.degenerate = pair.degenerate->geometry;
   drawing.draw(cores_of(scene, pair, *a, *b));
-  if (pair.degenerate && pair.degenerate->answer == "skip")
-    sketch
-        .label(b->pose.transform(b->traced().center_of_mass), "no normal: contact skipped", kText,
-               kSumSize, 60, -scene.camera.up())
-        .leader = true;
 }
 
 }  // namespace contactscope::draw
