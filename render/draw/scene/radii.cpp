@@ -207,7 +207,8 @@ struct RadiiSketch {
     const std::vector<Segment2> edges = edges_of_hull();
     std::optional<Rect> best;
     double least = 0;
-    for (double reach = 3 * kStep; reach < kFarthest; reach += kStep) {
+    // No place costs less than its reach.
+    for (double reach = 3 * kStep; reach < kFarthest && !(best && reach >= least); reach += kStep) {
       for (int i = 0; i < kDirections; ++i) {
         // From the left on, 0, +1, -1, +2, ...
         const int step = (i % 2 == 1 ? 1 : -1) * ((i + 1) / 2);
