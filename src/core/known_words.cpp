@@ -65,7 +65,7 @@ const std::vector<std::string_view>& known_words() {
       "reduced away",
       "kept",
       "kept, in order of choice",
-      "kept of the step before",
+      "kept from the step before",
       "deepest",
       "deepest points",
       "contact polygon",

@@ -273,7 +273,7 @@ TEST(DynamicsPicture, ArrowsAreAsLongAsTheLegendSays) {
   EXPECT_EQ(friction, 2);
   EXPECT_EQ(velocity, 1);
   EXPECT_THAT(legend(sketch), Contains("normal impulse, " + spell_impulse_scale(scales.impulse)));
-  EXPECT_THAT(legend(sketch), Contains("kept of the step before"));
+  EXPECT_THAT(legend(sketch), Contains("kept from the step before"));
   EXPECT_THAT(legend(sketch), Contains(StartsWith("spin, turn in ")));
   EXPECT_THAT(labels(sketch), Contains("0.500 m/s"));
   EXPECT_THAT(labels(sketch), Contains("2.00 N s"));

@@ -63,7 +63,7 @@ std::string spell_scale(const Scene& scene, double metres) {
                             : spell_impulse_scale(metres);
 }
 
-// Along the way out of the other body what was kept of the step before, and over it the whole; both
+// Along the way out of the other body what was kept from the step before, and over it the whole; both
 // cut where they would be too long.
 void draw_normal_impulse(const Scene& scene, const trace::Point& point, const Vec3d& out,
                          Sketch& sketch) {
@@ -75,7 +75,7 @@ void draw_normal_impulse(const Scene& scene, const trace::Point& point, const Ve
     if (!(shown * scene.camera.pixels_per_metre(at) >= kLeastImpulse)) continue;
     if (warm) {
       sketch.bordered_line(at, at + shown * out, {6.0f, kWhite}, 9.0f, kImpulse);
-      sketch.explain(kWarmStartSwatch, "kept of the step before");
+      sketch.explain(kWarmStartSwatch, "kept from the step before");
     } else {
       sketch.arrows.push_back(arrow_to_scale(at, shown * out, 3, 12, kImpulse));
       sketch.arrows.back().halo = false;
