@@ -1,7 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "app/program.h"
 #include "app/terminal.h"
@@ -192,7 +194,17 @@ TEST_F(ReviewTest, OthersAreToldInTheirWays) {
   const std::string junit = read_text(folder_ / "junit.xml");
   EXPECT_THAT(junit, HasSubstr("<testsuite name=\"group\" tests=\"1\" failures=\"1\">"));
   EXPECT_THAT(junit, HasSubstr("<failure type=\"changed\" message=\"group/idea frame 0, crate"));
-  EXPECT_THAT(junit, HasSubstr("[[ATTACHMENT|/"));
+  // Jenkins wants each on a line of its own, without text before or after.
+  std::istringstream lines(junit);
+  std::vector<std::string> attached;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.find("ATTACHMENT") == std::string::npos) continue;
+    ASSERT_THAT(line, testing::MatchesRegex("\\[\\[ATTACHMENT\\|/[^|]*\\]\\]"));
+    attached.push_back(line.substr(13, line.size() - 15));
+  }
+  ASSERT_EQ(attached.size(), 7u) << "three of each picture, and the trace";
+  EXPECT_THAT(attached[0], HasSubstr("frame_0000.expected.png"));
+  for (const std::string& file : attached) EXPECT_TRUE(std::filesystem::exists(file)) << file;
   const std::string summary = read_text(folder_ / "summary.md");
   EXPECT_THAT(summary, HasSubstr("1 scenario: 0 the same, 1 fails"));
   EXPECT_THAT(summary, HasSubstr("](data:image/png;base64,"));

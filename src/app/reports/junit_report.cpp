@@ -39,7 +39,7 @@ void tell_junit(const Told& told) {
         << vector::escaped(scenario.scenario.substr(slash + 1)) << "\"";
     if (!scenario.file.empty()) out << " file=\"" << vector::escaped(scenario.file) << "\"";
     out << ">\n";
-    std::string attachments;
+    std::string pictures, others;  // a line each; GitLab shows the first
     for (const Finding& finding : scenario.findings) {
       if (!finding.fails()) continue;
       out << "   <failure type=\"" << snapshot::name_of(finding.kind) << "\" message=\""
@@ -47,14 +47,14 @@ void tell_junit(const Told& told) {
       for (const std::string& detail : finding.details) out << vector::escaped(detail) << '\n';
       out << vector::escaped(remedy(told, finding)) << "</failure>\n";
       for (const std::string& file : {finding.expected, finding.candidate, finding.difference}) {
-        if (!file.empty())
-          attachments += "[[ATTACHMENT|" +
-                         std::filesystem::absolute(told.folder / file).lexically_normal().string() +
-                         "]]\n";
+        if (file.empty()) continue;
+        const std::filesystem::path path = std::filesystem::absolute(told.folder / file);
+        (finding.is_picture() ? pictures : others) +=
+            "[[ATTACHMENT|" + vector::escaped(path.lexically_normal().string()) + "]]\n";
       }
     }
-    if (!attachments.empty())
-      out << "   <system-out>" << vector::escaped(attachments) << "</system-out>\n";
+    if (!pictures.empty() || !others.empty())
+      out << "   <system-out>\n" << pictures << others << "</system-out>\n";
     out << "  </testcase>\n";
   }
   if (!group.empty()) out << " </testsuite>\n";
