@@ -82,3 +82,17 @@ planted_bug(box_normal_of_b_not_turned FILE src/manifold/box_face_contact.h TEST
 planted_bug(box_ids_of_the_other_owner FILE src/manifold/box_face_contact.h TESTS manifold
   WAS [[const int incident = faces.incident + (of_a ? 6 : 0)]]
   IS [[const int incident = faces.incident + (of_a != @BUG@ ? 6 : 0)]])
+
+# Two capsules and a box on a mesh, which have paths of their own, too.
+planted_bug(capsule_normal_of_traded_shapes_not_turned FILE src/manifold/collide_two_capsules.cpp TESTS manifold
+  WAS [[direction * (traded ? S(-1) : S(1))]]
+  IS [[direction * (traded && !@BUG@ ? S(-1) : S(1))]])
+planted_bug(capsule_foot_from_the_first_end FILE src/manifold/collide_two_capsules.cpp TESTS manifold
+  WAS [[on[owner] = axes[owner].ends[end];]]
+  IS [[on[owner] = axes[owner].ends[@BUG@ ? 0 : end];]])
+planted_bug(triangle_on_a_box_from_behind FILE src/manifold/box_on_triangles.cpp TESTS manifold
+  WAS [[const int incident = sign * triangle.normal[axis] > S(0) ? 1 : 0;]]
+  IS [[const int incident = (sign * triangle.normal[axis] > S(0)) != @BUG@ ? 1 : 0;]])
+planted_bug(edge_of_a_triangle_climbs FILE src/query/box_triangle_sat.h TESTS manifold query
+  WAS [[const bool falls = along_face(second, vector<S>(triangle.directions[k])) < S(0);]]
+  IS [[const bool falls = (along_face(second, vector<S>(triangle.directions[k])) < S(0)) != @BUG@;]])
