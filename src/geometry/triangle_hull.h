@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "geometry/hull.h"
 #include "geometry/lanes.h"
@@ -28,7 +29,11 @@ struct TriangleHull {
     hull.vertex_edges = {0, 2, 4};
     hull.face_edges = {0, 1};
     hull.planes.resize(2);
-    lay_out(hull);
+    // As lay_out() makes them.
+    hull.lanes.vertices.assign(3 * kStride, S(0));
+    hull.lanes.normals.assign(3 * kStride, S(0));
+    hull.lanes.offsets.assign(kStride, std::numeric_limits<S>::infinity());
+    hull.lanes.offsets[0] = hull.lanes.offsets[1] = S(0);
   }
 
   void set(const Mesh<S>& mesh, int triangle) {
@@ -42,8 +47,7 @@ struct TriangleHull {
     for (const Vec3<S>& vertex : hull.vertices)
       squared = std::max(squared, Vec3<S>(vertex - hull.centroid).squaredNorm());
     hull.radius = std::sqrt(squared);
-    // The lanes that lay_out() would make anew: those of corner 0 and of the padding stay.
-    constexpr std::size_t kStride = padded(3);
+    // Lanes of corner 0 and of the padding stay.
     for (std::size_t k = 0; k < 3; ++k) {
       const int axis = static_cast<int>(k);
       hull.lanes.vertices[k * kStride + 1] = hull.vertices[1][axis];
@@ -52,6 +56,8 @@ struct TriangleHull {
       hull.lanes.normals[k * kStride + 1] = -normal[axis];
     }
   }
+
+  static constexpr std::size_t kStride = padded(3);  // of the lanes, padded(2) as well
 
   Hull<S> hull;
   Vec3<S> origin;  // of the hull's frame, in the mesh's frame, metres

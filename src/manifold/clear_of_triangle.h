@@ -8,15 +8,19 @@
 #include "geometry/hull.h"
 #include "geometry/lanes.h"
 #include "geometry/mesh.h"
-#include "query/box_pair.h"
+#include "query/packed_vectors.h"
 
 namespace contactscope {
 
 /// Tells of most triangles near a hull that they do not touch it, before one is made a hull and placed: a
 /// tree finds those whose bounds touch the hull's bounds, and many of these are apart. Only the axes that
-/// are at hand: the box around the hull in its own frame, the triangle's normal, and, where the hull is
-/// no box, its faces. What it says is certain: apart by more than the margin and rounding, so that the
-/// separating axis test would say so, too.
+/// are at hand: the triangle's normal and the faces of the hull, of any hull but a box also the box around
+/// it in its own frame and one way from the triangle to its middle. What it says is certain: apart by more
+/// than the margin and rounding, so that the separating axis test would say so, too.
+///
+/// That test measures along faces and edges alone: of corners that are a margin apart it may find half of
+/// it. Other axes are asked only without a margin, and have to be clearer, since of sharp corners it finds
+/// but a small part.
 template <class S>
 class ClearOfTriangle {
  public:
@@ -26,6 +30,7 @@ class ClearOfTriangle {
       : hull_(hull),
         mesh_(mesh),
         apart_(margin + kRounding * reach),
+        other_axes_(margin > S(0) ? std::numeric_limits<S>::infinity() : S(0)),
         shift_(boxes::three(mesh_in_hull.position)),
         vertices_(hull.is_box() ? 0 : 3 * padded(hull.vertex_count())) {
     const Mat3<S> r = mesh_in_hull.rotation.toRotationMatrix();
@@ -47,7 +52,8 @@ class ClearOfTriangle {
     const Three far = lanes::larger(most, Three(-least));
     const S apart = apart_ + kRounding * std::max(std::max(far[0], far[1]), far[2]);
     const Three gaps = lanes::larger(Three(least - upper_), Three(lower_ - most));
-    if ((boxes::lane_bits<S>(gaps > apart) & 7U) != 0) return true;
+    const S clearly = hull_.is_box() ? apart : kSharp * apart + other_axes_;
+    if ((boxes::lane_bits<S>(gaps > clearly) & 7U) != 0) return true;
 
     const Three normal = turned(mesh_.normal(triangle));
     const Three heights = normal * corners[0];
@@ -56,13 +62,15 @@ class ClearOfTriangle {
       const Three reach = boxes::absolute<S>(normal) * upper_;
       return std::abs(height) - (reach[0] + reach[1] + reach[2]) > apart;
     }
-    return beside_plane(normal, height, apart) || beside_face(corners, apart);
+    return beside_plane(normal, height, apart) || beside_face(corners, apart) ||
+           beside_outline(corners, clearly);
   }
 
  private:
   using Three = boxes::Three<S>;
   using Pack = lanes::Pack<S>;
   static constexpr S kRounding = S(64) * std::numeric_limits<S>::epsilon();
+  static constexpr S kSharp = S(8);
 
   [[gnu::always_inline]] Three turned(const Vec3<S>& v) const {
     return to_hull_.of[0] * v.x() + to_hull_.of[1] * v.y() + to_hull_.of[2] * v.z();
@@ -90,10 +98,13 @@ class ClearOfTriangle {
     }
   }
 
-  /// `height` is that of the triangle's plane along its normal.
-  bool beside_plane(const Three& normal, S height, S apart) const {
+  /// Of the hull's vertices.
+  struct Heights {
+    S least, most;
+  };
+  Heights heights_along(const Three& way) const {
     const int stride = padded(hull_.vertex_count());
-    const Pack x = lanes::all(normal[0]), y = lanes::all(normal[1]), z = lanes::all(normal[2]);
+    const Pack x = lanes::all(way[0]), y = lanes::all(way[1]), z = lanes::all(way[2]);
     Pack least = lanes::all(std::numeric_limits<S>::infinity()), most = -least;
     for (int i = 0; i < stride; i += lanes::kWidth<S>) {
       const S* const from = vertices_.data() + i;
@@ -102,8 +113,13 @@ class ClearOfTriangle {
       least = lanes::smaller(least, along);
       most = lanes::larger(most, along);
     }
-    return lanes::smallest<S>(least)[0] - height > apart ||
-           height - lanes::largest<S>(most)[0] > apart;
+    return {lanes::smallest<S>(least)[0], lanes::largest<S>(most)[0]};
+  }
+
+  /// `height` is that of the triangle's plane along its normal.
+  bool beside_plane(const Three& normal, S height, S apart) const {
+    const Heights heights = heights_along(normal);
+    return heights.least - height > apart || height - heights.most > apart;
   }
 
   bool beside_face(const Three (&corners)[3], S apart) const {
@@ -123,9 +139,36 @@ class ClearOfTriangle {
     return lanes::bits<S>(beside) != 0;
   }
 
+  /// Along the way to the hull's middle from the nearest point of the triangle's outline. Where edges, or
+  /// a corner and something else, are nearest to each other, what separates them is not far from that.
+  bool beside_outline(const Three (&corners)[3], S apart) const {
+    const auto& [c0, c1, c2] = corners;
+    const boxes::Coordinates<S> from(c0, c1, c2, c2), to(c1, c2, c0, c0);
+    const Three along[] = {to.x - from.x, to.y - from.y, to.z - from.z};
+    const Vec3<S>& middle = hull_.centroid;
+    const Three rest[] = {middle.x() - from.x, middle.y() - from.y, middle.z() - from.z};
+    const Three ahead = rest[0] * along[0] + rest[1] * along[1] + rest[2] * along[2];
+    const Three squared = along[0] * along[0] + along[1] * along[1] + along[2] * along[2];
+    const Three zero = {}, one = boxes::all_of(S(1));
+    const Three part = lanes::smaller(lanes::larger(Three(ahead / squared), zero), one);
+    const Three ways[] = {rest[0] - part * along[0], rest[1] - part * along[1],
+                          rest[2] - part * along[2]};
+    const Three far = ways[0] * ways[0] + ways[1] * ways[1] + ways[2] * ways[2];
+    const int nearest = far[0] <= far[1] ? (far[0] <= far[2] ? 0 : 2) : (far[1] <= far[2] ? 1 : 2);
+    const Three way = {ways[0][nearest], ways[1][nearest], ways[2][nearest], S(0)};
+    S highest = -std::numeric_limits<S>::infinity();
+    for (const Three& corner : corners) {
+      const Three terms = way * corner;
+      highest = std::max(highest, terms[0] + terms[1] + terms[2]);
+    }
+    const S gap = heights_along(way).least - highest;
+    return gap > S(0) && gap * gap > apart * apart * far[nearest];
+  }
+
   const Hull<S>& hull_;
   const Mesh<S>& mesh_;
   S apart_;
+  S other_axes_;         // infinity where only those of the separating axis test will do
   Three lower_, upper_;  // of the box around the hull, own frame
   Three shift_;
   boxes::Columns<S> to_hull_;

@@ -32,7 +32,8 @@ Hull<double> draw_hull(double size, Random& random) {
     return make_box(half);
   }
   const int vertices = 4 + random.index(random.chance(0.1) ? 90 : 13);
-  const Hull<double> hull = test::random_hull(random, vertices, size * random.uniform(0.2, 0.6), 3);
+  const Hull<double> hull =
+      test::random_hull(random, vertices, size * random.uniform(0.2, 0.6), random.decade(0, 1.5));
   if (random.chance(0.5)) return hull;
   return std::get<Hull<double>>(seen_from(hull, size * random.vector(-1, 1)));
 }
@@ -63,7 +64,7 @@ TYPED_TEST(ClearTriangles, AreApartByTheSeparatingAxisTest) {
   for (int i = 0; i < 200; ++i) {
     const HullOnGrid<S> drawn = draw<S>(random);
     const S reach = drawn.hull.centroid.norm() + drawn.hull.radius + drawn.in_hull.position.norm();
-    for (const double margin : {0.0, 0.05}) {
+    for (const double margin : {0.0, 0.05, 1.0}) {
       CollideOptions options;
       options.margin = margin * drawn.hull.radius;
       const ClearOfTriangle<S> is_clear(drawn.hull, drawn.grid, drawn.in_hull,
@@ -96,10 +97,12 @@ TYPED_TEST(ClearTriangles, AHullHasTheContactsThatItsRecordHas) {
     SCOPED_TRACE("hull " + std::to_string(i));
     const HullOnGrid<S> drawn = draw<S>(random);
     const Shape<S> hull = drawn.hull, grid = drawn.grid;
+    CollideOptions options;
+    if (random.chance(0.4)) options.margin = random.decade(-2, 0) * drawn.hull.radius;
     Manifolds<S> watched, alone;
     trace::Pair record;
-    collide(hull, Pose<S>{}, grid, drawn.in_hull, {}, watched, nullptr, &record);
-    collide(hull, Pose<S>{}, grid, drawn.in_hull, {}, alone);
+    collide(hull, Pose<S>{}, grid, drawn.in_hull, options, watched, nullptr, &record);
+    collide(hull, Pose<S>{}, grid, drawn.in_hull, options, alone);
     ASSERT_EQ(alone.size(), watched.size());
     for (std::size_t k = 0; k < alone.size(); ++k) {
       ASSERT_EQ(alone[k].triangle, watched[k].triangle);
