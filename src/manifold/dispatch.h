@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -85,6 +84,16 @@ struct PlacedPair {
   PairCache<S>* cache = nullptr;  // nullptr: nothing is kept
 };
 
+/// The ids that a reducer kept in the frame before are of the other shape where two have traded places.
+/// Not inlined: every pair would clear the room for these options.
+template <class Work>
+[[gnu::noinline]] void with_flipped_ids(const CollideOptions& options, const Work& work) {
+  const std::vector<FeatureId> previous = mapped(options.reduction.previous, &FeatureId::flipped);
+  CollideOptions flipped = options;
+  flipped.reduction.previous = previous;
+  work(flipped);
+}
+
 /// Runs work(pair, options), which fills `manifolds` and, where there is one, `record` for a pair in
 /// the order in which it is worked on: that of the arguments, `given`, or the other one where they
 /// are `traded`. Leaves both in the order of the arguments.
@@ -99,15 +108,10 @@ template <class S, class Work>
     if (traded) std::swap(record->a, record->b);
     record->kind = pair_kind(pair.a, pair.b);
   }
-  // The ids that a reducer kept in the frame before are of the other shape.
-  std::vector<FeatureId> previous;
-  std::optional<CollideOptions> flipped;
-  if (traded && !options.reduction.previous.empty()) [[unlikely]] {
-    previous = mapped(options.reduction.previous, &FeatureId::flipped);
-    flipped = options;
-    flipped->reduction.previous = previous;
-  }
-  work(pair, flipped ? *flipped : options);
+  if (traded && !options.reduction.previous.empty()) [[unlikely]]
+    with_flipped_ids(options, [&](const CollideOptions& flipped) { work(pair, flipped); });
+  else
+    work(pair, options);
   if (record != nullptr) [[unlikely]] {
     record_manifolds<S>(manifolds, *record);
     if (traded) trace::mirror(*record);
