@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "core/dot_order.h"
-#include "core/pack.h"
+#include "core/three.h"
 
 namespace contactscope {
 namespace {
@@ -60,20 +60,20 @@ template <class S>
 struct Positions {
   Eight<S> x, y, z;
 
-  /// Vectors from or to one place.
-  [[gnu::always_inline]] Positions minus(const Vec3<S>& place) const {
+  /// Vectors from one place, and to it.
+  [[gnu::always_inline]] Positions from(const Vec3<S>& place) const {
     using P = typename Eight<S>::P;
-    const auto from = [](const Eight<S>& all, S one) {
+    const auto each = [](const Eight<S>& all, S one) {
       return Eight<S>::from([one](const P& value) -> P { return value - one; }, all);
     };
-    return {from(x, place.x()), from(y, place.y()), from(z, place.z())};
+    return {each(x, place.x()), each(y, place.y()), each(z, place.z())};
   }
-  [[gnu::always_inline]] Positions negated() const {
+  [[gnu::always_inline]] Positions to(const Vec3<S>& place) const {
     using P = typename Eight<S>::P;
-    const auto turn = [](const Eight<S>& all) {
-      return Eight<S>::from([](const P& value) -> P { return -value; }, all);
+    const auto each = [](const Eight<S>& all, S one) {
+      return Eight<S>::from([one](const P& value) -> P { return one - value; }, all);
     };
-    return {turn(x), turn(y), turn(z)};
+    return {each(x, place.x()), each(y, place.y()), each(z, place.z())};
   }
   [[gnu::always_inline]] Eight<S> dot(const Vec3<S>& v) const {
     using P = typename Eight<S>::P;
@@ -109,17 +109,35 @@ template <class S>
 template <class S>
 [[gnu::always_inline]] inline Positions<S> positions_of(const Candidates<S>& points) {
   using P = typename Eight<S>::P;
-  const ContactPoint<S>* at[kEight];
-  for (int i = 0; i < kEight; ++i) at[i] = points.points.data() + (i < points.count() ? i : 0);
   Positions<S> result;
-  for (int i = 0; i < kPacks<S>; ++i) {
-    const auto each = [&](int axis) __attribute__((always_inline)) {
-      return lanes::pack_of<P>(
-          [&](int lane) { return at[i * lanes::kWidest<S> + lane]->position[axis]; });
+  if constexpr (lanes::kWidest<S> == 4) {
+    // Four at a time, turned from a point to a register to a coordinate to a register.
+    const auto position = [&](int i) __attribute__((always_inline)) {
+      return lanes::load_pack<P>(points[i < points.count() ? i : 0].data());
     };
-    result.x.of[i] = each(0);
-    result.y.of[i] = each(1);
-    result.z.of[i] = each(2);
+    for (int i = 0; i < kPacks<S>; ++i) {
+      const P a = position(4 * i), b = position(4 * i + 1), c = position(4 * i + 2),
+              d = position(4 * i + 3);
+      const P low_ab = __builtin_shufflevector(a, b, 0, 4, 1, 5);
+      const P low_cd = __builtin_shufflevector(c, d, 0, 4, 1, 5);
+      const P high_ab = __builtin_shufflevector(a, b, 2, 6, 3, 7);
+      const P high_cd = __builtin_shufflevector(c, d, 2, 6, 3, 7);
+      result.x.of[i] = __builtin_shufflevector(low_ab, low_cd, 0, 1, 4, 5);
+      result.y.of[i] = __builtin_shufflevector(low_ab, low_cd, 2, 3, 6, 7);
+      result.z.of[i] = __builtin_shufflevector(high_ab, high_cd, 0, 1, 4, 5);
+    }
+  } else {
+    const ContactPoint<S>* at[kEight];
+    for (int i = 0; i < kEight; ++i) at[i] = points.points.data() + (i < points.count() ? i : 0);
+    for (int i = 0; i < kPacks<S>; ++i) {
+      const auto each = [&](int axis) __attribute__((always_inline)) {
+        return lanes::pack_of<P>(
+            [&](int lane) { return at[i * lanes::kWidest<S> + lane]->position[axis]; });
+      };
+      result.x.of[i] = each(0);
+      result.y.of[i] = each(1);
+      result.z.of[i] = each(2);
+    }
   }
   return result;
 }
@@ -133,22 +151,18 @@ template <class S>
   using P = typename Eight<S>::P;
   const Vec3<S>& normal = points.normal;
   const Positions<S> at = positions_of(points);
-  const Positions<S> from_zero = at.minus(points[0]);
-  // Squares of squares of lengths are numbers: so nothing below is none.
-  constexpr S kFar = sizeof(S) == 4 ? S(1e9) : S(1e75);
-  if (!(most_of(from_zero.squared_norm()) < kFar)) return false;
-
-  const Eight<S> along = from_zero.dot(steps::fixed_direction(normal));
-  const int first = earliest(along, most_of(along));
-  const Positions<S> from_first = at.minus(points[first]);
-  const Eight<S> distances = from_first.squared_norm();
+  const Eight<S> along = at.from(points[0]).dot(steps::fixed_direction(normal));
+  const int first = earliest(along, most_of(along)) % kEight;
+  const Positions<S> to_first = at.to(points[first]);
+  const Eight<S> distances = to_first.squared_norm();
   const S farthest = most_of(distances);
-  if (!(farthest > S(0))) return false;
+  // Squares of squares of lengths are numbers: so nothing below is none.
+  constexpr S kFar = sizeof(S) == 4 ? S(2e8) : S(2e74);
+  if (!(farthest > S(0) && farthest < kFar)) return false;
   const int second = earliest(distances, farthest);
 
   const S negligible = points.negligible_area(first, second);
-  const Positions<S> to_first = from_first.negated();
-  const Positions<S> to_second = at.minus(points[second]).negated();
+  const Positions<S> to_second = at.to(points[second]);
   const Eight<S> beside = doubled_areas(to_first, to_second, normal);
   const Eight<S> sizes =
       Eight<S>::from([](const P& area) { return lanes::larger(area, P(-area)); }, beside);
@@ -164,7 +178,7 @@ template <class S>
   const bool left =
       (bits_of<S>([](const P& area) { return area > P{}; }, beside) >> third & 1U) != 0;
   const S clockwise = left ? S(-1) : S(1);
-  const Positions<S> to_third = at.minus(points[third]).negated();
+  const Positions<S> to_third = at.to(points[third]);
   const Eight<S> of_edges[] = {doubled_areas(to_third, to_first, normal), beside,
                                doubled_areas(to_second, to_third, normal)};
   // Points of the ring and places without a point add nothing.
