@@ -125,21 +125,6 @@ void override_views(std::vector<View>& views, const Options& options) {
 
 }  // namespace
 
-std::vector<std::string> scenario_files(const std::string& root) {
-  std::vector<std::string> files;
-  if (!fs::is_directory(root)) {
-    throw InputError(root, 0, 0,
-                     "no such folder; run where scenarios/ is, or name --scenarios DIR");
-  }
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root)) {
-    if (entry.is_regular_file() && entry.path().extension() == ".toml") {
-      files.push_back(entry.path().string());
-    }
-  }
-  std::ranges::sort(files);
-  return files;
-}
-
 std::vector<View> selected_views(const Scenario& scenario, const Options& options) {
   std::vector<View> views = scenario.views;
   std::erase_if(views, [&](const View& view) {

@@ -12,9 +12,6 @@
 
 namespace contactscope::app {
 
-/// Paths of all scenario files under a folder, sorted.
-std::vector<std::string> scenario_files(const std::string& root);
-
 /// Loads the scenarios that a command names: a file, a folder with all that is in it, or a name
 /// such as "hull/face_contact" under options.scenario_root. No name means all under the root.
 /// Settings of the command line that override a scenario's are applied. All files are read before

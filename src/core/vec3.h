@@ -3,6 +3,19 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#ifdef EIGEN_VECTORIZE_NEON
+// Of three floats Eigen sums the last two first, a + (b + c), but where it has packets of two: there the first
+// two, which rounds otherwise. Vectors and matrices pass those over, so that arm64 gives the bits of others.
+template <>
+struct Eigen::internal::find_best_packet<float, 3> {
+  using type = Eigen::internal::Packet4f;
+};
+template <>
+struct Eigen::internal::find_best_packet<float, 9> {
+  using type = Eigen::internal::Packet4f;
+};
+#endif
+
 namespace contactscope {
 
 /// Column vector of three. Eigen's type, so that its algebra is at hand; functions of this project

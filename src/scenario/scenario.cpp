@@ -271,6 +271,21 @@ std::vector<View> load_views(const std::string& path) {
   return read_views(Value(path, document, "").require("views", "a view as [[views]]"));
 }
 
+std::vector<std::string> scenario_files(const std::string& root) {
+  std::vector<std::string> files;
+  if (!fs::is_directory(root)) {
+    throw InputError(root, 0, 0,
+                     "no such folder; run where scenarios/ is, or name --scenarios DIR");
+  }
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root)) {
+    if (entry.is_regular_file() && entry.path().extension() == ".toml") {
+      files.push_back(entry.path().string());
+    }
+  }
+  std::ranges::sort(files);
+  return files;
+}
+
 Scenario load_scenario(const std::string& path) {
   return parse_scenario(read_text(path), path);
 }

@@ -200,6 +200,9 @@ inline bool walks_trees(const Scenario& scenario, const ScenarioPair& pair) {
          is_mesh(pair.b);
 }
 
+/// Paths of all scenario files under a folder, sorted. Throws InputError where there is no such folder.
+std::vector<std::string> scenario_files(const std::string& root);
+
 /// Reads a scenario file. Throws InputError with line, column and remedy. Relative file names in it
 /// are relative to its folder.
 Scenario load_scenario(const std::string& path);

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <iterator>
 
-#include "app/catalogue.h"
 #include "scenario/run.h"
+#include "snapshot/compare_trace.h"
 #include "snapshot/store.h"
 #include "trace/json.h"
 
@@ -11,7 +11,7 @@ namespace {
 
 const std::vector<std::string>& files() {
   static const std::vector<std::string> found =
-      app::scenario_files(CONTACTSCOPE_SOURCE_DIR "/scenarios");
+      scenario_files(CONTACTSCOPE_SOURCE_DIR "/scenarios");
   return found;
 }
 
@@ -45,6 +45,18 @@ trace::Frame without_records(const trace::Frame& recorded) {
   return bare;
 }
 
+/// Where another processor than the one that stored the traces rounds otherwise, and why: tests/arm64/README.md.
+/// There every fact is held to what `check` lets it differ by, a few units in the last place.
+bool rounds_otherwise(const std::string& scenario) {
+#ifdef __aarch64__
+  constexpr const char* kNames[] = {"field/sampling_misses", "mesh/collecting_triangles",
+                                    "mesh/sliding_over_edges", "mesh_mesh/twist"};
+  return std::ranges::find(kNames, scenario) != std::end(kNames);
+#else
+  return scenario.empty();
+#endif
+}
+
 TEST_P(EveryScenario, SlowGivesTheSameManifoldsBitForBitWhetherRecordedOrNot) {
   const Scenario scenario = load_scenario(GetParam());
   Runner watched(scenario), unwatched(scenario);
@@ -68,8 +80,16 @@ TEST_P(EveryScenario, MeetsItsExpectationsAndGivesTheStoredTraceByteForByte) {
     if (std::ranges::find(scenario.snapshots.frames, number) != scenario.snapshots.frames.end())
       given.frames.push_back(frame);
   }
-  EXPECT_EQ(snapshot::to_json_lines(given),
-            snapshot::read_stored_trace(CONTACTSCOPE_SOURCE_DIR "/snapshots", scenario.name));
+  const std::optional<std::string> stored =
+      snapshot::read_stored_trace(CONTACTSCOPE_SOURCE_DIR "/snapshots", scenario.name);
+  if (!rounds_otherwise(scenario.name)) {
+    EXPECT_EQ(snapshot::to_json_lines(given), stored);
+    return;
+  }
+  ASSERT_TRUE(stored);
+  const auto differences = snapshot::compare_with_stored(*stored, scenario.name, given);
+  EXPECT_THAT(differences.sentences, testing::IsEmpty());
+  EXPECT_NE(snapshot::to_json_lines(given), stored) << "take it off the list";
 }
 
 TEST_P(EveryScenario, NamesItsSource) {

@@ -10,7 +10,12 @@
 /// numbers of 113 bits, which hold the products of two doubles.
 namespace contactscope::test {
 
+#ifdef __SIZEOF_FLOAT128__
 __extension__ using Quad = __float128;
+#else
+using Quad = long double;  // has them on arm64
+static_assert(std::numeric_limits<Quad>::digits == 113);
+#endif
 using QuadVector = std::array<Quad, 3>;
 
 inline Quad dot(const QuadVector& a, const QuadVector& b) {
