@@ -19,7 +19,7 @@ constexpr double kOnPlane = 2e-6;
 struct Item {
   Surface surface;
   Plane<double> plane;
-  double area = 0;  // twice, square metres; -1 where the plane must not part others
+  double area = -1;  // twice, square metres; -1 where the plane must not part others
   // Lies in the plane that parts now, for it is its own: also a polygon that is not flat, as a trace
   // from elsewhere may hold. So both sides have fewer items than the whole.
   bool parts = false;
@@ -175,12 +175,14 @@ std::vector<Surface> depth_ordered(std::vector<Surface> surfaces, const Camera& 
     whole.extend(own);
     if (surface.body != kSmallSurface) middle.extend(own);
     const Vec3d normal = newell_normal(surface.polygon);
-    const double area = normal.norm();
-    if (!(area > 0)) continue;
-    const Vec3d unit = normal / area;
-    const Plane<double> plane{unit, unit.dot(mean_of(surface.polygon))};
-    const bool parts_others = surface.body == kFlatSurface;
-    items.push_back({std::move(surface), plane, parts_others ? area : -1});
+    if (!(normal.squaredNorm() > 0)) continue;
+    Item& item = items.emplace_back();
+    if (surface.body == kFlatSurface) {
+      item.area = normal.norm();
+      const Vec3d unit = normal / item.area;
+      item.plane = {unit, unit.dot(mean_of(surface.polygon))};
+    }
+    item.surface = std::move(surface);
   }
   std::vector<Plane<double>> sides;
   for (int axis = 0; axis < 3 && !middle.isEmpty(); ++axis) {
