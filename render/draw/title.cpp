@@ -103,6 +103,11 @@ struct Filler {
       case TitleFact::Bodies:
         if (!frame.solver) return {};
         return counted(count_of(frame.solver->bodies), piece);
+      case TitleFact::Asleep:
+        if (!frame.solver) return {};
+        return counted(static_cast<int>(std::ranges::count(
+                           frame.solver->bodies, std::optional(true), &trace::Body::asleep)),
+                       piece);
       case TitleFact::Pairs:
         return counted(count_of(pairs), piece);
       case TitleFact::Touching:

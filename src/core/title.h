@@ -28,6 +28,7 @@ enum class TitleStage { None, Clip, Reduction, Search, Stability, Tree, Query };
   ROW(Time, "time", None, "s")                                                                    \
   ROW(Shapes, "shapes", None, "shapes in the frame")                                              \
   ROW(Bodies, "bodies", None, "bodies that the solver moves")                                     \
+  ROW(Asleep, "asleep", None, "those of them that sleep through the step")                        \
   ROW(Pairs, "pairs", None, "pairs that were run")                                                \
   ROW(Touching, "touching", None, "pairs with contact points")                                    \
   ROW(State, "state", None, "touching, within the margin, apart, ..., of the first pair")         \

@@ -43,7 +43,7 @@ using PairImpulses = std::vector<PointImpulse<S>>;
 /// is none; see solver_settings.h.
 template <class S>
 SolverSettings settled(const SolverSettings& settings, const std::vector<Body<S>>& bodies) {
-  if (settings.slop && settings.speculative_margin) return settings;
+  if (settings.slop && settings.speculative_margin && settings.sleep_speed) return settings;
   double smallest = std::numeric_limits<double>::infinity();
   for (const Body<S>& body : bodies) {
     if (!body.dynamic()) continue;

@@ -39,15 +39,21 @@ struct SolverSettings {
   // Metres: points that far apart are kept, so that they do not come and go where a body rocks, and
   // keep bodies from passing each other.
   std::optional<double> speculative_margin{};
+  // Seconds for which an island must rest before it sleeps; nothing: nobody ever does. Box2D has half a
+  // second.
+  std::optional<double> sleep_after{};
+  // Metres a second: what is no faster rests; see mean_speed() in sleep.h.
+  std::optional<double> sleep_speed{};
 };
 
-/// With the lengths that were not given: 1/200 of `size` for the slop and four times that for the
-/// speculative margin, 5 mm and 2 cm for a metre, as Box2D has them. `size` is that of the smallest
-/// body, see shortest_edge() in body.h.
+/// With the lengths that were not given: 1/200 of `size` for the slop, four times that for the
+/// speculative margin, and ten times as much a second for bodies that rest: 5 mm, 2 cm and 5 cm a second
+/// for a metre, as Box2D has them. `size` is that of the smallest body, see shortest_edge() in body.h.
 constexpr SolverSettings settled(SolverSettings settings, double size) {
-  constexpr double kSlop = 0.005, kSpeculativeMargin = 0.02;
+  constexpr double kSlop = 0.005, kSpeculativeMargin = 0.02, kSleepSpeed = 0.05;
   if (!settings.slop) settings.slop = kSlop * size;
   if (!settings.speculative_margin) settings.speculative_margin = kSpeculativeMargin * size;
+  if (!settings.sleep_speed) settings.sleep_speed = kSleepSpeed * size;
   return settings;
 }
 

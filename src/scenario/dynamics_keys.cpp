@@ -15,6 +15,7 @@ constexpr double kMostGravity = 1e6;  // metres a second, a second
 constexpr int kMostIterations = 10000;
 constexpr int kMostSubsteps = 1000;
 constexpr double kMostHertz = 1e6;
+constexpr double kLongestRest = 1e6;  // seconds
 
 double read_mass(const Value& table, const ScenarioShape& shape) {
   const auto mass = table.find("mass");
@@ -55,9 +56,9 @@ auto at_most(double most, const char* unit = nullptr) {
 }
 
 SolverSettings read_solver_keys(const Value& value) {
-  const Value& table =
-      value.table({"iterations", "substeps", "position_correction", "warm_start", "baumgarte",
-                   "slop", "hertz", "damping_ratio", "speculative_margin"});
+  const Value& table = value.table({"iterations", "substeps", "position_correction", "warm_start",
+                                    "baumgarte", "slop", "hertz", "damping_ratio",
+                                    "speculative_margin", "sleep_after", "sleep_speed"});
   SolverSettings solver;
   table.read("iterations", solver.iterations, integer_in(1, kMostIterations));
   table.read("substeps", solver.substeps, integer_in(1, kMostSubsteps));
@@ -73,6 +74,8 @@ SolverSettings read_solver_keys(const Value& value) {
   });
   table.read("damping_ratio", solver.damping_ratio, at_most(kMostHertz));
   table.read("speculative_margin", solver.speculative_margin, at_most(kLargestLength, "metres"));
+  table.read("sleep_after", solver.sleep_after, at_most(kLongestRest, "seconds"));
+  table.read("sleep_speed", solver.sleep_speed, at_most(kLargestLength, "metres a second"));
   return solver;
 }
 

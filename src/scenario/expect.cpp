@@ -131,10 +131,10 @@ void require_triangles(const Value& count, const Expectation& expectation,
 }
 
 Expectation read_expectation(const Value& value, const Scenario& scenario) {
-  const Value& table =
-      value.table({"frames", "a", "b", "label", "state", "points", "axis", "type", "normal",
-                   "separation", "load", "tolerance", "overlap", "touching", "intersections",
-                   "impact", "impact_time", "ghosts", "stops"});
+  const Value& table = value.table({"frames", "a",           "b",       "label",    "state",
+                                    "points", "axis",        "type",    "normal",   "separation",
+                                    "load",   "tolerance",   "overlap", "touching", "intersections",
+                                    "impact", "impact_time", "ghosts",  "stops",    "asleep"});
   Expectation expectation;
   expectation.line = value.line();
   expectation.last_frame = scenario.frames - 1;
@@ -184,6 +184,11 @@ Expectation read_expectation(const Value& value, const Scenario& scenario) {
     if (!scenario.shape(expectation.a).dynamic() && !scenario.shape(expectation.b).dynamic())
       load->fail("'load' is what the solver gives, and neither shape is dynamic");
   }
+  if (const auto asleep = table.find("asleep")) {
+    expectation.asleep = asleep->boolean();
+    if (!scenario.solver.sleep_after)
+      asleep->fail("'asleep' is of bodies that may sleep; set [solver] sleep_after = 0.5");
+  }
   table.read("tolerance", expectation.tolerance,
              [](const Value& tolerance) { return tolerance.not_negative("metres"); });
   if (const auto overlap = table.find("overlap")) expectation.overlap = overlap->boolean();
@@ -197,10 +202,10 @@ Expectation read_expectation(const Value& value, const Scenario& scenario) {
       !expectation.stops && !expectation.overlap && !expectation.touching &&
       !expectation.intersections && !expectation.state && !expectation.points &&
       !expectation.axis && !expectation.type && !expectation.normal && !expectation.separation &&
-      !expectation.load)
+      !expectation.load && !expectation.asleep)
     value.fail(
         "this entry expects nothing; add state, points, axis, type, normal, separation, load, "
-        "overlap, touching, intersections, impact, impact_time, ghosts or stops");
+        "overlap, touching, intersections, impact, impact_time, ghosts, stops or asleep");
   return expectation;
 }
 
@@ -307,6 +312,13 @@ void add_between_frames(const Expectation& expected, const trace::Pair& pair,
         {"expected " + std::to_string(*expected.stops) + " stops", std::to_string(stops)});
 }
 
+bool sleeps(const trace::Pair& pair, const trace::Frame* frame) {
+  return frame != nullptr && frame->solver &&
+         std::ranges::none_of(frame->solver->bodies, [&](const trace::Body& body) {
+           return (body.name == pair.a || body.name == pair.b) && body.asleep != true;
+         });
+}
+
 /// What `pair` does not meet. `frame` is that of the pair; null where it did not run.
 std::vector<Unmet> unmet(const Expectation& expected, const trace::Pair& pair, double dt,
                          const trace::Frame* frame) {
@@ -324,6 +336,7 @@ std::vector<Unmet> unmet(const Expectation& expected, const trace::Pair& pair, d
   wants("overlap", expected.overlap, pair.overlap.value_or(false));
   wants("touching", expected.touching,
         pair.query && pair.query->touching ? *pair.query->touching : false);
+  wants("sleep", expected.asleep, sleeps(pair, frame));
   if (expected.intersections && count_of(pair.intersections) != *expected.intersections)
     list.push_back({"expected " + std::to_string(*expected.intersections) + " intersections",
                     std::to_string(count_of(pair.intersections))});

@@ -3,16 +3,17 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
+#include <optional>
 #include <set>
 #include <utility>
 
 #include "broadphase/world_box.h"
 #include "core/at.h"
-#include "dynamics/rest.h"
+#include "dynamics/sleep.h"
 #include "manifold/dispatch.h"
 #include "manifold/flip_distance.h"
 #include "manifold/incremental.h"
+#include "scenario/active_pair.h"
 #include "scenario/between_frames.h"
 #include "scenario/deforming_mesh.h"
 #include "scenario/field_slice.h"
@@ -24,70 +25,12 @@
 namespace contactscope {
 namespace {
 
-CollideOptions options_of(const PipelineSettings& settings) {
-  CollideOptions options;
-  options.margin = settings.margin;
-  options.preference = settings.preference;
-  options.degenerate = settings.degenerate;
-  options.field = settings.field;
-  options.internal_edges = settings.internal_edges;
-  options.penetration = settings.penetration;
-  options.reducer = find_reducer(settings.reducer);
-  options.reduction.max_points = settings.max_points;
-  return options;
-}
-
-/// Whether its tree is built anew when it has become expensive.
-bool chooses_tree(const ScenarioShape& shape) {
-  return shape.deforms() && shape.tree == TreeUpdate::Auto;
-}
-
-/// Whether a pair goes by what it kept in the frame before, or tells a mesh what its tree cost.
-bool remembers(const Scenario& scenario, const ScenarioPair& pair) {
-  const PipelineSettings& settings = pair.pipeline;
-  if (!settings.makes_contacts())
-    return walks_trees(scenario, pair) &&
-           (settings.traversal == Traversal::Coherent || chooses_tree(scenario.shape(pair.a)) ||
-            chooses_tree(scenario.shape(pair.b)));
-  const auto kind = [&](int i) { return kind_of(*scenario.shape(i).geometry); };
-  const ReducerInfo* const reducer = find_reducer(settings.reducer);
-  return settings.manifold == ManifoldKind::Incremental ||
-         (settings.cache && can_cache(kind(pair.a), kind(pair.b))) ||
-         (reducer != nullptr && reducer->remembers);
-}
-
-/// The body of a shape at the start.
-template <class S>
-Body<S> body_of(const ScenarioShape& shape, const Shape<S>& rounded) {
-  const Pose<S> pose = collider_pose_at(shape, 0).template cast<S>();
-  if (!shape.dynamic()) return static_body<S>(pose);
-  Body<S> body = dynamic_body<S>(pose, with_mass(*mass_properties(rounded), shape.body->mass));
-  body.velocity = shape.body->velocity.template cast<S>();
-  body.angular_velocity = shape.body->angular_velocity.template cast<S>();
-  return body;
-}
-
 /// From the frame in which the mesh is collided to that of its file.
 void move_boxes(trace::Tree& tree, const Vec3d& by) {
   for (Vec3d* corner : {&tree.box.lower, &tree.box.upper}) *corner += by;
   for (trace::TreeVisit& visit : tree.visits)
     for (Vec3d* corner : {&visit.box.lower, &visit.box.upper}) *corner += by;
 }
-
-/// A pair that is run, and what it keeps from one frame for the next.
-template <class S>
-struct ActivePair {
-  ScenarioPair pair;
-  bool acts = false;            // the solver gets its contacts
-  std::vector<FeatureId> kept;  // by the reducer, or all
-  PairCache<S> cache;
-  PersistentManifold<S> persistent;
-  PairImpulses<S> impulses;  // of dynamic scenarios
-  MeshFront front;           // of two meshes that are asked, as the next
-  MeshQueryCost query_cost;
-
-  BoxPair shapes() const { return {pair.a, pair.b}; }
-};
 
 }  // namespace
 
@@ -114,6 +57,7 @@ class Runner::In final : public Runner::InScalar {
     for (std::size_t i = 0; dynamic_ && i < shapes_->size(); ++i)
       bodies_.push_back(body_of(scenario.shapes[i], (*shapes_)[i]));
     between_.begin(bodies_);
+    if (dynamic_) sleepers_ = Sleepers<S>(bodies_, scenario.solver);
   }
 
   std::unique_ptr<InScalar> copy() const override { return std::make_unique<In>(*this); }
@@ -135,7 +79,7 @@ class Runner::In final : public Runner::InScalar {
     return header;
   }
 
-  trace::Frame run(int frame, bool recorded) override {
+  void advance(int frame) override {
     const bool keeps = dynamic_ || chooser_.chooses() || trees_remember() ||
                        std::ranges::any_of(pairs_, [&](const ActivePair<S>& active) {
                          return remembers(scenario_, active.pair);
@@ -143,6 +87,10 @@ class Runner::In final : public Runner::InScalar {
     assert(!keeps || frame >= next_);
     if (!keeps) next_ = frame;
     while (next_ < frame) step(false, nullptr);
+  }
+
+  trace::Frame run(int frame, bool recorded) override {
+    advance(frame);
     trace::Frame result;
     result.frame = frame;
     result.time = frame * scenario_.dt;
@@ -177,12 +125,15 @@ class Runner::In final : public Runner::InScalar {
     }
     if (recorded && stages_.fields) record_field_slices(poses, *result);
     if (dynamic_ && recorded) result->solver = solver_facts(scenario_, bodies_);
+    if (sleepers_.may_sleep()) note_unmoved(poses);
 
     if (chooser_.chooses()) choose_pairs(poses, recorded ? result : nullptr);
     std::vector<Manifolds<S>> contacts(pairs_.size());
     for (std::size_t i = 0; i < contacts.size(); ++i) {
       const ScenarioPair& pair = pairs_[i].pair;
+      const bool rests = is_at_rest(pairs_[i]);
       if (!result) {
+        if (rests) continue;
         const bool counts = remembers(scenario_, pair);
         if (!pair.pipeline.makes_contacts()) {
           if (counts) answer_pair(pairs_[i], poses, nullptr);
@@ -201,11 +152,15 @@ class Runner::In final : public Runner::InScalar {
         move_boxes(pair, record);
         continue;
       }
-      contacts[i] = collide_pair(pairs_[i], poses, recorded ? &record : nullptr);
+      // What nobody would have looked at must not be there because somebody looks.
+      std::optional<ActivePair<S>> spare;
+      if (rests) spare = pairs_[i];
+      contacts[i] = collide_pair(spare ? *spare : pairs_[i], poses, recorded ? &record : nullptr);
       if (recorded) {
         move_boxes(pair, record);
         between_.record(pair, next_, bodies_, record);
-        record_stability(pair, *result, record);
+        record_stability<S>(scenario_, stages_, pair, *result, shape(pair.a), shape(pair.b),
+                            record);
       } else {
         record.kind = pair_kind(shape(pair.a), shape(pair.b));
         record_manifolds<S>(contacts[i], record);
@@ -216,8 +171,27 @@ class Runner::In final : public Runner::InScalar {
         result->pairs.push_back(
             patch_facts<S>(patch, scenario_.pipeline, recorded ? stages_ : trace::Stages::none()));
     }
-    if (dynamic_) solve(contacts, recorded ? result : nullptr);
+    if (dynamic_) solve(poses, contacts, recorded ? result : nullptr);
     ++next_;
+  }
+
+  /// Which shapes are where they were in the frame before.
+  void note_unmoved(const std::vector<Pose<S>>& poses) {
+    unmoved_.assign(poses.size(), false);
+    for (int i = 0; i < count_of(poses_before_); ++i)
+      at(unmoved_, i) = at(poses, i).position == at(poses_before_, i).position &&
+                        at(poses, i).rotation.coeffs() == at(poses_before_, i).rotation.coeffs() &&
+                        !scenario_.shape(i).deforms();
+    poses_before_ = poses;
+  }
+
+  /// Whether a pair's contacts are what they were, and the solver is not going to ask for them: until
+  /// something wakes them, its bodies sleep, or stand still for good.
+  bool is_at_rest(const ActivePair<S>& active) const {
+    const auto rests = [&](int i) {
+      return at(unmoved_, i) && (sleepers_.asleep(i) || !scenario_.shape(i).dynamic());
+    };
+    return sleepers_.may_sleep() && active.acts && rests(active.pair.a) && rests(active.pair.b);
   }
 
   void record_field_slices(const std::vector<Pose<S>>& poses, trace::Frame& frame) const {
@@ -279,6 +253,7 @@ class Runner::In final : public Runner::InScalar {
     return {
         .pair = pair,
         .acts = first && (scenario_.shape(pair.a).dynamic() || scenario_.shape(pair.b).dynamic()),
+        .touches = false,
         .kept = {},
         .cache = {},
         .persistent = {},
@@ -289,15 +264,19 @@ class Runner::In final : public Runner::InScalar {
 
   /// The pairs of this frame. Those that were there in the frame before keep what they have.
   void choose_pairs(const std::vector<Pose<S>>& poses, trace::Frame* record) {
-    std::vector<Aabb<float>> boxes;
     const double margin = 0.5 * chooser_.reach();
-    for (int i = 0; i < count_of(poses); ++i)
-      boxes.push_back(scenario_.pipeline.continuous && !scenario_.shape(i).deforms()
-                          ? between_.swept_box(i, next_, bodies_, margin)
-                          : world_box(shape(i), at(poses, i), margin));
+    boxes_.resize(poses.size());
+    for (int i = 0; i < count_of(poses); ++i) {
+      if (scenario_.pipeline.continuous && !scenario_.shape(i).deforms())
+        at(boxes_, i) = between_.swept_box(i, next_, bodies_, margin);
+      else if (!sleepers_.may_sleep() || !at(unmoved_, i))
+        at(boxes_, i) = world_box(shape(i), at(poses, i), margin);
+    }
+    const std::vector<BoxPair> boxed = chooser_.choose(boxes_, record, stages_.cells);
+    if (std::ranges::equal(boxed, pairs_, {}, {}, &ActivePair<S>::shapes)) return;
     std::vector<ActivePair<S>> chosen;
     auto before = pairs_.begin();
-    for (const BoxPair& pair : chooser_.choose(boxes, record, stages_.cells)) {
+    for (const BoxPair& pair : boxed) {
       while (before != pairs_.end() && before->shapes() < pair) ++before;
       if (before != pairs_.end() && before->shapes() == pair)
         chosen.push_back(std::move(*before));
@@ -325,9 +304,10 @@ class Runner::In final : public Runner::InScalar {
 
     Manifolds<S> manifolds;
     if (pair.pipeline.manifold == ManifoldKind::Incremental) {
+      if (memory.persistent.empty()) memory.persistent.emplace_back();
       collide_incremental(a, pose_a, b, pose_b, options,
-                          {pair.pipeline.incremental, pair.pipeline.penetration}, memory.persistent,
-                          manifolds, record, stages_);
+                          {pair.pipeline.incremental, pair.pipeline.penetration},
+                          memory.persistent.front(), manifolds, record, stages_);
     } else {
       PairCache<S>* const cache = pair.pipeline.cache ? &memory.cache : nullptr;
       collide(a, pose_a, b, pose_b, options, manifolds, cache, record, stages_);
@@ -339,40 +319,13 @@ class Runner::In final : public Runner::InScalar {
     memory.kept.clear();
     for (const Manifold<S>& manifold : manifolds)
       for (const ContactPoint<S>& point : manifold.points) memory.kept.push_back(point.id);
+    memory.touches = !memory.kept.empty();
     return manifolds;
   }
 
-  /// Whether a body can rest on the pair's manifolds, where the pair is incremental or a view shows
-  /// it: the one that the solver moves, else the higher one along `up`.
-  void record_stability(const ScenarioPair& pair, const trace::Frame& frame,
-                        trace::Pair& record) const {
-    const std::vector<View>& views = scenario_.views;
-    if (!stages_.stability) return;
-    if (pair.pipeline.manifold != ManifoldKind::Incremental && !shown(views, Layer::CenterOfMass) &&
-        !shown(views, Layer::Support) && !shown(views, Panel::Stability))
-      return;
-    const Vec3d up = scenario_.up == "z" ? Vec3d::UnitZ() : Vec3d::UnitY();
-    const auto center = [&](int i) {
-      return at(frame.poses, i)
-          .second.transform(traced_shape(scenario_.shape(i), shape(i)).center_of_mass);
-    };
-    const auto rests = [&](int index) {  // false of what cannot fall
-      const ShapeKind kind = kind_of(*scenario_.shape(index).geometry);
-      return kind != ShapeKind::Plane && kind != ShapeKind::Mesh;
-    };
-    const auto rank = [&](int index) {
-      return std::pair(rests(index), scenario_.shape(index).dynamic());
-    };
-    const bool higher_a = center(pair.a).dot(up) > center(pair.b).dot(up);
-    const int body =
-        rank(pair.a) > rank(pair.b) || (rank(pair.a) == rank(pair.b) && higher_a) ? pair.a : pair.b;
-    if (!rests(body)) return;
-    record.stability = rest_of(record, scenario_.shape(body).name, center(body),
-                               static_cast<double>(std::numeric_limits<S>::epsilon()));
-  }
-
   /// The solver's step; what it gave the contacts stands in `result` where there is one.
-  void solve(const std::vector<Manifolds<S>>& contacts, trace::Frame* result) {
+  void solve(const std::vector<Pose<S>>& poses, std::vector<Manifolds<S>>& contacts,
+             trace::Frame* result) {
     const double now = next_ * scenario_.dt, next = (next_ + 1) * scenario_.dt;
     const std::vector<Body<S>> before = bodies_;
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
@@ -381,6 +334,7 @@ class Runner::In final : public Runner::InScalar {
         set_scripted_velocity(bodies_[i], collider_pose_at(shape, now),
                               collider_pose_at(shape, next), scenario_.dt);
     }
+    const std::vector<Touch> touches = wake(poses, contacts);
     std::vector<PairContacts<S>> pairs;
     std::vector<PairImpulses<S>> impulses;
     for (std::size_t i = 0; i < contacts.size(); ++i) {
@@ -390,8 +344,8 @@ class Runner::In final : public Runner::InScalar {
       pairs.push_back(
           {pair.a, pair.b, pairs_[i].acts ? &contacts[i] : nullptr, friction, restitution});
     }
-    solve_step<S>(bodies_, pairs, impulses, scenario_.world.gravity.cast<S>(), scenario_.solver,
-                  static_cast<S>(scenario_.dt));
+    solve_awake<S>(bodies_, pairs, impulses, scenario_.world.gravity.cast<S>(), scenario_.solver,
+                   static_cast<S>(scenario_.dt), sleepers_);
     const auto settings_of = [&](int a, int b) -> const PipelineSettings* {
       if (chooser_.chooses()) return &scenario_.pipeline;
       const auto found = std::ranges::find_if(pairs_, [&](const ActivePair<S>& active) {
@@ -408,10 +362,45 @@ class Runner::In final : public Runner::InScalar {
       if (result && result->solver) result->solver->stops.push_back(stop_facts(scenario_, stop));
     for (std::size_t i = 0; i < contacts.size(); ++i) {
       pairs_[i].impulses = std::move(impulses[i]);
-      if (!result) continue;
+      if (!result || sleeps(pairs_[i].pair)) continue;
       record_impulses(contacts[i], pairs_[i].impulses, result->pairs[i]);
       record_relative_velocities(pairs_[i].pair, before, bodies_, result->pairs[i]);
     }
+    for (const ImpactStop<S>& stop : stops) {
+      sleepers_.wake(stop.a);
+      sleepers_.wake(stop.b);
+    }
+    if (result && result->solver) tell_sleepers(*result->solver);
+    sleepers_.settle(bodies_, touches, scenario_.dt);
+  }
+
+  /// Wakes whom the contacts wake, and collides pairs that were passed over as long as they slept.
+  /// Returns what touches; nothing where nobody sleeps.
+  std::vector<Touch> wake(const std::vector<Pose<S>>& poses, std::vector<Manifolds<S>>& contacts) {
+    if (!sleepers_.may_sleep()) return {};
+    std::vector<Touch> touches;
+    std::vector<std::size_t> rested;
+    for (std::size_t i = 0; i < pairs_.size(); ++i) {
+      const ActivePair<S>& active = pairs_[i];
+      if (active.acts && active.touches) touches.push_back({active.pair.a, active.pair.b});
+      if (is_at_rest(active)) rested.push_back(i);
+    }
+    if (!sleepers_.wake(bodies_, touches)) return touches;
+    for (const std::size_t i : rested)
+      if (!is_at_rest(pairs_[i])) contacts[i] = collide_pair(pairs_[i], poses, nullptr);
+    return touches;
+  }
+
+  /// Whether the step leaves the pair alone, because one of its bodies sleeps.
+  bool sleeps(const ScenarioPair& pair) const {
+    return sleepers_.asleep(pair.a) || sleepers_.asleep(pair.b);
+  }
+
+  void tell_sleepers(trace::Solver& facts) const {
+    if (!sleepers_.may_sleep()) return;
+    auto told = facts.bodies.begin();  // of the dynamic shapes, in their order
+    for (int i = 0; i < count_of(bodies_); ++i)
+      if (at(bodies_, i).dynamic()) (told++)->asleep = sleepers_.asleep(i);
   }
 
   const Scenario& scenario_;
@@ -423,8 +412,13 @@ class Runner::In final : public Runner::InScalar {
   int next_ = 0;
   std::vector<DeformingMesh<S>> deforming_;
   std::vector<Body<S>> bodies_;  // one a shape; of dynamic scenarios alone
+  Sleepers<S> sleepers_;
+  std::vector<Pose<S>>
+      poses_before_;           // of the last frame, and which shapes stayed there: where bodies
+  std::vector<bool> unmoved_;  // may sleep
   std::vector<ActivePair<S>> pairs_;
   PairChooser chooser_;
+  std::vector<Aabb<float>> boxes_;        // that it chose by
   std::vector<OwnBounds<S>> own_bounds_;  // one a shape, for pairs that ask them
 };
 

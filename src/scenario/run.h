@@ -44,6 +44,9 @@ class Runner {
   /// deepest point, and 0 when separated: how far apart, only a recorded frame says.
   trace::Frame frame_unrecorded(int frame) { return in_scalar_->run(frame, false); }
 
+  /// Goes on to where `frame` is the next one, and keeps of the frames before it what that one depends on.
+  void advance(int frame) { in_scalar_->advance(frame); }
+
  private:
   /// A scenario in float or double.
   struct InScalar {
@@ -51,6 +54,7 @@ class Runner {
     virtual std::unique_ptr<InScalar> copy() const = 0;
     virtual trace::Header header() const = 0;
     virtual trace::Frame run(int frame, bool recorded) = 0;
+    virtual void advance(int frame) = 0;
   };
   template <class S>
   class In;

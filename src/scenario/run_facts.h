@@ -1,8 +1,13 @@
 #pragma once
 
+#include <limits>
+#include <utility>
+
 #include "core/at.h"
+#include "dynamics/rest.h"
 #include "dynamics/solver.h"
 #include "scenario/scenario.h"
+#include "scenario/shown_stages.h"
 #include "trace/trace.h"
 
 /// What a trace tells of shapes, and of the solver in scenarios with dynamic ones.
@@ -127,15 +132,50 @@ void record_impulses(const Manifolds<S>& manifolds, const PairImpulses<S>& impul
   }
 }
 
+/// Whether a body can rest on the pair's manifolds, where the pair is incremental or a view shows it: the
+/// one that the solver moves, else the higher one along `up`..
+template <class S>
+void record_stability(const Scenario& scenario, const trace::Stages& stages,
+                      const ScenarioPair& pair, const trace::Frame& frame, const Shape<S>& shape_a,
+                      const Shape<S>& shape_b, trace::Pair& record) {
+  const std::vector<View>& views = scenario.views;
+  if (!stages.stability) return;
+  if (pair.pipeline.manifold != ManifoldKind::Incremental && !shown(views, Layer::CenterOfMass) &&
+      !shown(views, Layer::Support) && !shown(views, Panel::Stability))
+    return;
+  const Vec3d up = scenario.up == "z" ? Vec3d::UnitZ() : Vec3d::UnitY();
+  const auto center = [&](int i, const Shape<S>& shape) {
+    return at(frame.poses, i)
+        .second.transform(traced_shape(scenario.shape(i), shape).center_of_mass);
+  };
+  const auto rests = [&](int index) {  // false of what cannot fall
+    const ShapeKind kind = kind_of(*scenario.shape(index).geometry);
+    return kind != ShapeKind::Plane && kind != ShapeKind::Mesh;
+  };
+  const auto rank = [&](int index) {
+    return std::pair(rests(index), scenario.shape(index).dynamic());
+  };
+  const Vec3d center_a = center(pair.a, shape_a), center_b = center(pair.b, shape_b);
+  const bool higher_a = center_a.dot(up) > center_b.dot(up);
+  const bool of_a = rank(pair.a) > rank(pair.b) || (rank(pair.a) == rank(pair.b) && higher_a);
+  const int body = of_a ? pair.a : pair.b;
+  if (!rests(body)) return;
+  record.stability = rest_of(record, scenario.shape(body).name, of_a ? center_a : center_b,
+                             static_cast<double>(std::numeric_limits<S>::epsilon()));
+}
+
 template <class S>
 trace::Solver solver_facts(const Scenario& scenario, const std::vector<Body<S>>& bodies) {
-  trace::Solver facts{.position_correction = to_string(scenario.solver.position_correction),
-                      .iterations = scenario.solver.iterations,
-                      .substeps = scenario.solver.substeps,
-                      .warm_start = scenario.solver.warm_start,
-                      .slop = scenario.solver.slop.value_or(0),
-                      .speculative_margin = scenario.solver.speculative_margin.value_or(0),
-                      .bodies = {}};
+  trace::Solver facts{
+      .position_correction = to_string(scenario.solver.position_correction),
+      .iterations = scenario.solver.iterations,
+      .substeps = scenario.solver.substeps,
+      .warm_start = scenario.solver.warm_start,
+      .slop = scenario.solver.slop.value_or(0),
+      .speculative_margin = scenario.solver.speculative_margin.value_or(0),
+      .sleep_after = scenario.solver.sleep_after,
+      .sleep_speed = scenario.solver.sleep_after ? scenario.solver.sleep_speed : std::nullopt,
+      .bodies = {}};
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const Body<S>& body = bodies[i];
     if (!body.dynamic()) continue;

@@ -149,6 +149,7 @@ struct Expectation {
   std::optional<double> impact_time;  // fraction of that step
   std::optional<int> ghosts;          // speculative points that hold back what would not meet
   std::optional<int> stops;           // of the two, by the solver, in that step
+  std::optional<bool> asleep;         // the bodies of the pair, through that step
   double tolerance = 1e-5;  // metres, and for each component of the normal; share of the load
   int line = 0;             // in the file, for messages
 };

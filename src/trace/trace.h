@@ -23,6 +23,7 @@ struct Body {
   Vec3d angular_velocity = Vec3d::Zero();  // radians a second
   double kinetic_energy = 0;               // joules
   double potential_energy = 0;             // joules, against gravity; 0 at the origin
+  std::optional<bool> asleep{};            // where bodies may sleep: the step leaves it where it is
   /// Where somebody else is to step it: three rows, about the centre of mass, the shape's axes, kg m^2.
   std::vector<Vec3d> inertia{};
 
@@ -34,7 +35,7 @@ struct Body {
         field::spin("angular_velocity", &Body::angular_velocity),
         field::energy("kinetic_energy", &Body::kinetic_energy).optional(),
         field::energy("potential_energy", &Body::potential_energy).optional(),
-        field::exact("inertia", &Body::inertia).where_set());
+        field::exact("asleep", &Body::asleep), field::exact("inertia", &Body::inertia).where_set());
   }
   friend bool operator==(const Body&, const Body&) = default;
 };
@@ -64,6 +65,9 @@ struct Solver {
   bool warm_start = false;
   double slop = 0;                // metres of overlap that are let be, as settled by the bodies
   double speculative_margin = 0;  // metres, likewise
+  // Where bodies may sleep:
+  std::optional<double> sleep_after{};  // seconds for which an island rests before it does
+  std::optional<double> sleep_speed{};  // metres a second: what is no faster rests
   std::vector<Body> bodies;
   std::vector<Stop> stops{};  // between this frame and the next, in the order of their times
 
@@ -75,6 +79,8 @@ struct Solver {
         field::exact("warm_start", &Solver::warm_start).optional().called("off", "on"),
         field::exact("slop", &Solver::slop).optional(),
         field::exact("speculative_margin", &Solver::speculative_margin).optional(),
+        field::exact("sleep_after", &Solver::sleep_after),
+        field::exact("sleep_speed", &Solver::sleep_speed),
         field::facts("bodies", &Solver::bodies).entries("body", "bodies").says("body"),
         field::facts("stops", &Solver::stops).where_set().entries("stop"));
   }

@@ -121,8 +121,9 @@ trace::Trace sample_trace() {
     pose.rotation = Quatd(0.8, 0, 0.6, 0);
     frame.poses = {{"crate", pose}, {"floor", Pose<double>{}}};
     frame.pairs.push_back(contact());
-    frame.solver = trace::Solver{"soft", 8, 4, true, 0.005, 0.02, {}};
-    frame.solver->bodies = {{"crate", 2, Vec3d(0, 1, 0), Vec3d(0, -0.5, 0), Vec3d(0, 2, 0), 1, 8}};
+    frame.solver = trace::Solver{"soft", 8, 4, true, 0.005, 0.02, 0.5, 0.05, {}};
+    frame.solver->bodies = {
+        {"crate", 2, Vec3d(0, 1, 0), Vec3d(0, -0.5, 0), Vec3d(0, 2, 0), 1, 8, true}};
     frame.totals = trace::totals_of(frame);
     trace.frames.push_back(frame);
   }

@@ -124,8 +124,8 @@ Frame sample_frame() {
                              "turns about a line",
                              std::array<Vec3d, 2>{Vec3d(0, 0, 0), Vec3d(1, 0, 0)}};
   frame.pairs.push_back(pair);
-  frame.solver = Solver{"soft", 8, 4, true, 0.005, 0.02, {}};
-  frame.solver->bodies = {{"zebra", 2.5, {1, 2, 3}, {4, 5, 6}, {7, 8, 9}, 0.5, -9.81},
+  frame.solver = Solver{"soft", 8, 4, true, 0.005, 0.02, 0.5, 0.05, {}};
+  frame.solver->bodies = {{"zebra", 2.5, {1, 2, 3}, {4, 5, 6}, {7, 8, 9}, 0.5, -9.81, true},
                           {"apple", 1e-300, {0, 0, 0}, {0, 0, -0.0}, {0, 0, 0}, 0, 0}};
 
   frame.pairs.push_back({"apple", "zebra", "", "hull-hull", "separated", 0.25, {}, {}, {}, {}});

@@ -8,10 +8,10 @@
 #include "draw/layers/layer.h"
 #include "draw/scene/pairs.h"
 
-/// Bodies that contacts join are solved, and fall asleep, together: Catto 2010, "Islands". The
-/// solver here knows neither, so both are worked out from what is seen: islands are the bodies that
-/// contact points join, but for those that nothing moves; and an island rests for as many frames as
-/// none of its bodies has moved.
+/// Bodies that contacts join fall asleep, and wake, together: Catto 2010, "Islands". Islands are worked
+/// out from what is seen: the bodies that contact points join, but for those that nothing moves. That
+/// an island sleeps, the trace says; where nobody may sleep, it rests for as many frames as none of its
+/// bodies has moved.
 namespace contactscope::draw {
 namespace {
 
@@ -24,6 +24,13 @@ constexpr Swatch kIslandSwatch{LegendGroup::Trees, 9,
                                  for (const double at : {3.0, 19.0}) pen.disc(pen.at(at), 4, kBox);
                                },
                                kBox};
+constexpr Swatch kSleepingSwatch{LegendGroup::Trees, 9,
+                                 [](auto& pen) {
+                                   pen.level_line(3, 19, 2.5, kQuietText);
+                                   for (const double at : {3.0, 19.0})
+                                     pen.disc(pen.at(at), 4, kQuietText);
+                                 },
+                                 kQuietText};
 
 /// The bodies that the solver moves, and the number of each one's island.
 std::vector<std::size_t> islands_of(const Scene& scene) {
@@ -79,28 +86,37 @@ void draw_islands(const Scene& scene, Sketch& sketch) {
     const trace::Body* a = scene.body(pair.a);
     const trace::Body* b = scene.body(pair.b);
     if (a == nullptr || b == nullptr || all_points(pair).empty()) continue;
-    sketch.bordered_line(a->center_of_mass, b->center_of_mass, {2.5f, kBox}, 5.0f);
+    const Color color = a->asleep == true && b->asleep == true ? kQuietText : kBox;
+    sketch.bordered_line(a->center_of_mass, b->center_of_mass, {2.5f, color}, 5.0f);
   }
   int number = 0;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     if (island[i] != i) continue;
+    const bool asleep = bodies[i].asleep == true;  // as all of its island
+    const Color color = asleep ? kQuietText : kBox;
     int members = 0, rest = std::numeric_limits<int>::max();
     const trace::Body* highest = &bodies[i];
     for (std::size_t k = i; k < bodies.size(); ++k) {
       if (island[k] != i) continue;
       const trace::Body& body = bodies[k];
       ++members;
-      rest = std::min(rest, rest_of(scene, body));
+      if (!asleep) rest = std::min(rest, rest_of(scene, body));
       if (up.dot(body.center_of_mass - highest->center_of_mass) > 0) highest = &body;
-      sketch.mark(MarkKind::Node, body.center_of_mass, kBox);
+      sketch.mark(MarkKind::Node, body.center_of_mass, color);
     }
     ++number;
-    sketch.explain(kIslandSwatch, "island: bodies that contacts join");
+    if (asleep)
+      sketch.explain(kSleepingSwatch, "island that sleeps");
+    else
+      sketch.explain(kIslandSwatch, "island: bodies that contacts join");
     if (scene.crowded()) continue;
     std::string text = "island " + std::to_string(number) + ": " + std::to_string(members) +
                        (members == 1 ? " body" : " bodies");
-    if (rest >= kLeastRest) text += ", unmoved for " + std::to_string(rest) + " frames";
-    sketch.label(highest->center_of_mass, text, kBox, 16, 12, up);
+    if (asleep)
+      text += ", asleep";
+    else if (rest >= kLeastRest)
+      text += ", unmoved for " + std::to_string(rest) + " frames";
+    sketch.label(highest->center_of_mass, text, color, 16, 12, up);
   }
 }
 

@@ -132,16 +132,27 @@ class SummaryPanel : public PanelContent {
     }
     std::string missing = sheet.more(pairs.size() - shown, "pair", "pairs");
     sheet.row("time", printed("%.3f s", frames_[moment.frame].time));
+    if (may_sleep(moment)) {
+      const std::vector<trace::Body>& bodies = frames_[moment.frame].solver->bodies;
+      const auto asleep = std::ranges::count(bodies, std::optional(true), &trace::Body::asleep);
+      sheet.row("asleep", std::to_string(asleep) + " of " + std::to_string(bodies.size()));
+    }
     if (moment.pipeline_nanoseconds)
       sheet.row("pipeline", printed("%.2f µs", *moment.pipeline_nanoseconds / 1000));
     return missing;
   }
 
  private:
+  bool may_sleep(const PanelMoment& moment) const {
+    const auto& solver = frames_[moment.frame].solver;
+    return solver && solver->sleep_after;
+  }
+
   /// With so many of the frame's pairs, and a line that tells of the others.
   float height_of(std::size_t pairs, const PanelMoment& moment) const {
     const bool all = pairs == frames_[moment.frame].pairs.size();
-    const std::size_t lines = 1 + moment.pipeline_nanoseconds.has_value() + !all;
+    const std::size_t lines =
+        1 + may_sleep(moment) + moment.pipeline_nanoseconds.has_value() + !all;
     return pair_height_ * static_cast<float>(pairs) +
            Sheet::line_height(scale_) * static_cast<float>(lines);
   }

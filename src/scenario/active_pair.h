@@ -1,0 +1,75 @@
+#pragma once
+
+#include <vector>
+
+#include "broadphase/box_pair.h"
+#include "dynamics/solver.h"
+#include "manifold/dispatch.h"
+#include "manifold/incremental.h"
+#include "query/mesh_overlap.h"
+#include "query/mesh_query_cost.h"
+#include "scenario/scenario.h"
+
+/// A pair that is run, and what a file says about how.
+namespace contactscope {
+
+inline CollideOptions options_of(const PipelineSettings& settings) {
+  CollideOptions options;
+  options.margin = settings.margin;
+  options.preference = settings.preference;
+  options.degenerate = settings.degenerate;
+  options.field = settings.field;
+  options.internal_edges = settings.internal_edges;
+  options.penetration = settings.penetration;
+  options.reducer = find_reducer(settings.reducer);
+  options.reduction.max_points = settings.max_points;
+  return options;
+}
+
+/// Whether its tree is built anew when it has become expensive.
+inline bool chooses_tree(const ScenarioShape& shape) {
+  return shape.deforms() && shape.tree == TreeUpdate::Auto;
+}
+
+/// Whether a pair goes by what it kept in the frame before, or tells a mesh what its tree cost.
+inline bool remembers(const Scenario& scenario, const ScenarioPair& pair) {
+  const PipelineSettings& settings = pair.pipeline;
+  if (!settings.makes_contacts())
+    return walks_trees(scenario, pair) &&
+           (settings.traversal == Traversal::Coherent || chooses_tree(scenario.shape(pair.a)) ||
+            chooses_tree(scenario.shape(pair.b)));
+  const auto kind = [&](int i) { return kind_of(*scenario.shape(i).geometry); };
+  const ReducerInfo* const reducer = find_reducer(settings.reducer);
+  return settings.manifold == ManifoldKind::Incremental ||
+         (settings.cache && can_cache(kind(pair.a), kind(pair.b))) ||
+         (reducer != nullptr && reducer->remembers);
+}
+
+/// The body of a shape at the start.
+template <class S>
+Body<S> body_of(const ScenarioShape& shape, const Shape<S>& rounded) {
+  const Pose<S> pose = collider_pose_at(shape, 0).template cast<S>();
+  if (!shape.dynamic()) return static_body<S>(pose);
+  Body<S> body = dynamic_body<S>(pose, with_mass(*mass_properties(rounded), shape.body->mass));
+  body.velocity = shape.body->velocity.template cast<S>();
+  body.angular_velocity = shape.body->angular_velocity.template cast<S>();
+  return body;
+}
+
+/// A pair that is run, and what it keeps from one frame for the next.
+template <class S>
+struct ActivePair {
+  ScenarioPair pair;
+  bool acts = false;            // the solver gets its contacts
+  bool touches = false;         // it had contact points when it was collided last
+  std::vector<FeatureId> kept;  // by the reducer, or all
+  PairCache<S> cache;
+  std::vector<PersistentManifold<S>> persistent;  // one, of 5 kB, where the manifold is incremental
+  PairImpulses<S> impulses;                       // of dynamic scenarios
+  MeshFront front;                                // of two meshes that are asked, as the next
+  MeshQueryCost query_cost;
+
+  BoxPair shapes() const { return {pair.a, pair.b}; }
+};
+
+}  // namespace contactscope
