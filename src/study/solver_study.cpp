@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <mutex>
 #include <numeric>
 
+#include "core/workers.h"
 #include "study/random_cases.h"
 #include "study/solver_stack.h"
 #include "study/study.h"
@@ -104,6 +106,7 @@ class StackResults {
     results = results_of("solver", "float", parameter, "", measures);
   }
 
+  /// Several may be judged at once.
   Measurement judge(int boxes, double ratio, const SolverMethod& method, int iterations,
                     int substeps) {
     SolverSettings settings;
@@ -116,7 +119,10 @@ class StackResults {
       std::mt19937_64 engine = case_engine(options_.seed, i, boxes, ratio);
       const StackOutcome outcome = run_stack(stack_plan(engine, boxes, ratio), settings,
                                              options_.frames.value_or(kStackFrames));
-      ++faults_[static_cast<std::size_t>(outcome.fault)];
+      {
+        const std::lock_guard lock(counting_);
+        ++faults_[static_cast<std::size_t>(outcome.fault)];
+      }
       measured.times.add(outcome.nanoseconds);
       if (outcome.fault != StackFault::None) ++measured.failed;
       for (std::size_t m = 0; m < values_.size() && outcome.fault == StackFault::None; ++m)
@@ -146,6 +152,7 @@ class StackResults {
   const StudyOptions& options_;
   int cases_;
   std::vector<double StackOutcome::*> values_;  // one a result
+  std::mutex counting_;
   std::array<int, 4> faults_{};
 };
 
@@ -182,15 +189,32 @@ std::vector<trace::Study> maps(const StudyOptions& options, const StudyStep& ste
   }
   std::vector<double> ratios;
   for (int i = 0; i < kRatioSteps; ++i) ratios.push_back(std::pow(10.0, 0.5 * i));
-  for (const std::size_t turn : {0, 1, 2, 5, 4, 3}) {  // a method's brothers under each other
-    const SolverMethod& method = kSolverMethods[turn];
-    for (const int boxes : kHeights) {
-      const std::string row = std::to_string(boxes) + " boxes";
-      add_line(stacks.results, {row, {}, method.map_name, kParameter}, ratios, [&](double ratio) {
-        return stacks.judge(boxes, ratio, method, method.map_iterations, method.map_substeps);
+  struct Row {
+    const SolverMethod& method;
+    int boxes;
+    std::vector<Measurement> cells;
+    int judged = 0;
+    std::string name() const { return std::to_string(boxes) + " boxes"; }
+  };
+  std::vector<Row> rows;
+  for (const std::size_t turn : {0, 1, 2, 5, 4, 3})  // a method's brothers under each other
+    for (const int boxes : kHeights)
+      rows.push_back({kSolverMethods[turn], boxes, {ratios.size(), Measurement(0)}});
+  // A map shows no times, so its stacks are run side by side.
+  std::mutex telling;
+  Workers(options.threads > 0 ? options.threads : hardware_threads())
+      .for_each(count_of(rows) * kRatioSteps, [&](int piece, int) {
+        Row& row = at(rows, piece / kRatioSteps);
+        const int i = piece % kRatioSteps;
+        at(row.cells, i) = stacks.judge(row.boxes, at(ratios, i), row.method,
+                                        row.method.map_iterations, row.method.map_substeps);
+        const std::lock_guard lock(telling);
+        if (++row.judged == kRatioSteps) step(std::string(row.method.name) + ", " + row.name());
       });
-      step(std::string(method.name) + ", " + row);
-    }
+  for (const Row& row : rows) {
+    auto next = row.cells.begin();
+    add_line(stacks.results, {row.name(), {}, row.method.map_name, kParameter}, ratios,
+             [&](double) { return *next++; });
   }
   for (trace::Study& study : stacks.results) {
     for (trace::StudySeries& series : study.series) {
