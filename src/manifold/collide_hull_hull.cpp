@@ -26,6 +26,13 @@ S collide_hull_hull(const Hull<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
   }
 
   const HullPair<S> pair(a, b, b_in_a);
+  if (cache == nullptr && recorder == nullptr) {
+    const SatResult<S> axes =
+        sat(pair, static_cast<S>(options.margin), options.preference, preferred);
+    if (axes.status == SatStatus::Touching) create_contact(pair, axes, options, contact, recorder);
+    return axes.separation(axes.chosen);
+  }
+  // A record tells of every face, and a cache keeps what bounds them all.
   FaceSeparations<S> faces_a(pair.a);
   FaceSeparations<S> faces_b(pair.b);
   const SatResult<S> axes =

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <type_traits>
 
+#include "geometry/prefetch.h"
 #include "manifold/collide_box_box.h"
 #include "manifold/collide_pairs.h"
 #include "manifold/collide_two_capsules.h"
@@ -51,6 +52,10 @@ void hulls(const PlacedPair<S>& pair, const CollideOptions& options, Manifolds<S
                           : collide_boxes_from_cache(a, pair.pose_a, b, pair.pose_b, options,
                                                      *pair.cache, manifolds);
     if (done) return;
+  } else if (pair.cache == nullptr) {
+    // A cache spares most of a hull.
+    for (const Hull<S>* hull : {&b, &a}) prefetch_lanes(*hull);
+    for (const Hull<S>* hull : {&a, &b}) prefetch_topology(*hull);
   }
   one_manifold(pair, options, manifolds, recorder, [&](const Pose<S>& b_in_a, Contact<S>& contact) {
     if (recorder) [[unlikely]]

@@ -2,35 +2,63 @@
 
 #include <algorithm>
 
+#include "core/pack.h"
+
 namespace contactscope {
 namespace {
 
+/// A matrix in packs that each hold one of its numbers in all lanes.
+template <class S>
+struct PackedRotation {
+  using Pack = lanes::Pack<S>;
+
+  explicit PackedRotation(const Mat3<S>& rotation) {
+    for (int k = 0; k < 9; ++k) numbers[k] = lanes::all(rotation(k / 3, k % 3));
+  }
+  /// Component `row` of the vectors (x, y, z) turned.
+  Pack turned(int row, const Pack& x, const Pack& y, const Pack& z) const {
+    const Pack* const r = numbers + 3 * row;
+    return (r[0] * x + r[1] * y) + r[2] * z;
+  }
+
+  Pack numbers[9];
+};
+
 /// `to` = rotation * `from` + position, with the lanes of `to` after each other from there on.
 template <class S>
-void place(const VectorLanes<S>& from, const Mat3<S>& rotation, const Vec3<S>& position,
-           S* __restrict to) {
-  const S* __restrict x = from.x();
-  const S* __restrict y = from.y();
-  const S* __restrict z = from.z();
+void place_points(const VectorLanes<S>& from, const PackedRotation<S>& rotation,
+                  const Vec3<S>& position, S* to) {
+  using lanes::load;
+  using lanes::Pack;
   const int count = from.padded_count();
-  for (int row = 0; row < 3; ++row) {
-    const S rx = rotation(row, 0), ry = rotation(row, 1), rz = rotation(row, 2);
-    const S shift = position[row];
-    for (int i = 0; i < count; ++i) to[i] = dot(rx, ry, rz, x[i], y[i], z[i]) + shift;
-    to += count;
+  const Pack<S> shift[3] = {lanes::all(position.x()), lanes::all(position.y()),
+                            lanes::all(position.z())};
+  for (int i = 0; i < count; i += lanes::kWidth<S>) {
+    const Pack<S> x = load(from.x() + i), y = load(from.y() + i), z = load(from.z() + i);
+    for (int row = 0; row < 3; ++row)
+      lanes::store<S>(rotation.turned(row, x, y, z) + shift[row], to + row * count + i);
   }
 }
 
-/// Planes with rotated normals, moved by `position`.
+/// Planes: normals, likewise but moved by zero, and offsets, which move by `position`.
 template <class S>
-void place_offsets(const VectorLanes<S>& normals, const S* __restrict from, const Vec3<S>& position,
-                   S* __restrict to) {
-  const S* __restrict nx = normals.x();
-  const S* __restrict ny = normals.y();
-  const S* __restrict nz = normals.z();
-  const S x = position.x(), y = position.y(), z = position.z();
-  const int count = normals.padded_count();
-  for (int i = 0; i < count; ++i) to[i] = from[i] + dot(nx[i], ny[i], nz[i], x, y, z);
+void place_planes(const VectorLanes<S>& from, const S* offsets, const PackedRotation<S>& rotation,
+                  const Vec3<S>& position, S* to, S* to_offsets) {
+  using lanes::all;
+  using lanes::load;
+  using lanes::Pack;
+  const int count = from.padded_count();
+  const Pack<S> px = all(position.x()), py = all(position.y()), pz = all(position.z());
+  for (int i = 0; i < count; i += lanes::kWidth<S>) {
+    const Pack<S> x = load(from.x() + i), y = load(from.y() + i), z = load(from.z() + i);
+    Pack<S> n[3];
+    for (int row = 0; row < 3; ++row) {
+      n[row] = rotation.turned(row, x, y, z) + all(S(0));
+      lanes::store<S>(n[row], to + row * count + i);
+    }
+    const Pack<S> offset = load(offsets + i) + ((n[0] * px + n[1] * py) + n[2] * pz);
+    lanes::store<S>(offset, to_offsets + i);
+  }
 }
 
 }  // namespace
@@ -55,12 +83,12 @@ PlacedHull<S>::PlacedHull(const Hull<S>& placed, const Mat3<S>& to_frame, const 
   S* const placed_vertices = placed_.data();
   S* const placed_normals = placed_vertices + 3 * vertices.padded_count();
   S* const placed_offsets = placed_normals + 3 * normals.padded_count();
-  place({placed.lanes.vertices.data(), vertices.count()}, to_frame, position, placed_vertices);
-  place({placed.lanes.normals.data(), normals.count()}, to_frame, Vec3<S>(Vec3<S>::Zero()),
-        placed_normals);
+  const PackedRotation<S> turn(to_frame);
+  place_points({placed.lanes.vertices.data(), vertices.count()}, turn, position, placed_vertices);
+  place_planes({placed.lanes.normals.data(), normals.count()}, placed.lanes.offsets.data(), turn,
+               position, placed_normals, placed_offsets);
   vertices = {placed_vertices, vertices.count()};
   normals = {placed_normals, normals.count()};
-  place_offsets(normals, placed.lanes.offsets.data(), position, placed_offsets);
   offsets = placed_offsets;
 }
 

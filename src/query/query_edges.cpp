@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "core/at.h"
+#include "query/face_bounds.h"
 #include "query/gauss_map.h"
 #include "query/sat.h"
 #include "query/tolerance.h"
@@ -115,26 +116,31 @@ template <class S>
   return true;
 }
 
+/// Calls visit(arc, along_a, edge_b) for each edge of B whose arc crosses that of an edge of A, or a half
+/// of it, unless no separation on it can be larger than `to_beat`. Inlined, and an arc is put together
+/// only where it is walked: most are left out.
+template <class S, class Visit>
+[[gnu::always_inline]] inline void walk(const HullPair<S>& pair, const Mat3<S>& a_to_b, int edge,
+                                        const Vec3<S>& on_edge, const ArcEnd<S>& first,
+                                        const ArcEnd<S>& second, S to_beat, Visit& visit) {
+  if (first.support == second.support || arc_stays_below(pair.b, on_edge, first, second, to_beat))
+    return;
+  const Arc<S> arc{edge, on_edge, first, second};
+  const Vec3<S> along_a = pair.a.direction(edge);
+  const Vec3<S> first_in_b = a_to_b * first.direction;
+  const Vec3<S> second_in_b = a_to_b * second.direction;
+  walk_arc(pair.b.hull, first_in_b, second_in_b, first.support, second.support,
+           [&](int edge_b) { visit(arc, along_a, edge_b); });
+}
+
 /// Calls visit(arc, along_a, edge_b) for every edge of A and each edge of B whose arc crosses its arc,
 /// but for arcs on which no separation can be larger than `to_beat`, which `visit` may raise.
 template <class S, class Visit>
 void each_crossing(const HullPair<S>& pair, const FaceSeparations<S>& faces_a, const S& to_beat,
-                   const Visit& visit) {
+                   Visit&& visit) {
   const PlacedHull<S>& a = pair.a;
   const PlacedHull<S>& b = pair.b;
   const Mat3<S> a_to_b = b.rotation.transpose();
-  // Inlined, and an arc is put together only where it is walked: most are left out.
-  const auto walk = [&](int edge, const Vec3<S>& on_edge, const ArcEnd<S>& first,
-                        const ArcEnd<S>& second) __attribute__((always_inline)) {
-    if (first.support == second.support || arc_stays_below(b, on_edge, first, second, to_beat))
-      return;
-    const Arc<S> arc{edge, on_edge, first, second};
-    const Vec3<S> along_a = a.direction(edge);
-    const Vec3<S> first_in_b = a_to_b * first.direction;
-    const Vec3<S> second_in_b = a_to_b * second.direction;
-    walk_arc(b.hull, first_in_b, second_in_b, first.support, second.support,
-             [&](int edge_b) { visit(arc, along_a, edge_b); });
-  };
   const auto end_at = [&](int face) {
     return ArcEnd<S>{a.normals[face], faces_a.support(face), faces_a.separation(face)};
   };
@@ -148,13 +154,26 @@ void each_crossing(const HullPair<S>& pair, const FaceSeparations<S>& faces_a, c
       const Vec3<S> on_edge = a.origin(edge);
       const Vec3<S> side = a.direction(edge).cross(a.normals[first]);
       const ArcEnd<S> middle = end_along(b, side, on_edge);
-      walk(edge, on_edge, end_at(first), middle);
-      walk(edge, on_edge, middle, end_at(second));
+      walk(pair, a_to_b, edge, on_edge, end_at(first), middle, to_beat, visit);
+      walk(pair, a_to_b, edge, on_edge, middle, end_at(second), to_beat, visit);
     } else if (faces_a.support(first) != faces_a.support(second)) {
-      walk(edge, a.origin(edge), end_at(first), end_at(second));
+      walk(pair, a_to_b, edge, a.origin(edge), end_at(first), end_at(second), to_beat, visit);
     }
   }
 }
+
+/// The best crossing of those that are visited.
+template <class S>
+struct BestCrossing {
+  void operator()(const Arc<S>& arc, const Vec3<S>& along_a, int edge_b) {
+    if (measure(pair, arc, along_a, edge_b, to_beat, best)) to_beat = best.separation + tie;
+  }
+
+  const HullPair<S>& pair;
+  S to_beat;
+  S tie;
+  EdgeQuery<S> best{};
+};
 
 /// The edge at a vertex of a flat hull that is less parallel to a direction.
 template <class S>
@@ -177,12 +196,35 @@ int edge_across(const PlacedHull<S>& hull, int vertex, const Vec3<S>& direction)
 template <class S>
 EdgeQuery<S> query_edges(const HullPair<S>& pair, const FaceSeparations<S>& faces_a, S floor,
                          S tie) {
-  EdgeQuery<S> best;
-  S to_beat = floor;
-  each_crossing(pair, faces_a, to_beat, [&](const Arc<S>& arc, const Vec3<S>& along_a, int edge_b) {
-    if (measure(pair, arc, along_a, edge_b, to_beat, best)) to_beat = best.separation + tie;
-  });
-  return best;
+  BestCrossing<S> crossing{pair, floor, tie};
+  each_crossing(pair, faces_a, crossing.to_beat, crossing);
+  return crossing.best;
+}
+
+/// A crossing that was measured may be above what is true of its arc by rounding: by the roundings of
+/// the sine times the length of what is measured along it. As much is left below `floor`. Only of
+/// edges so near to parallel that their axis is measured again with support points it may be more;
+/// and where such a true axis is above the faces, it is below the best crossing.
+template <class S>
+EdgeQuery<S> query_edges(const HullPair<S>& pair, const FaceBounds<S>& bounds_a, S floor, S tie) {
+  const PlacedHull<S>& a = pair.a;
+  const S rounding = S(64) * std::numeric_limits<S>::epsilon() * pair.scale;
+  Scratch<int, 256> edges(a.hull.edge_count() + 1);
+  const int count = bounds_a.edges_above(std::min(floor, S(0)) - rounding, edges.data());
+  const Mat3<S> a_to_b = pair.b.rotation.transpose();
+  const FaceQuery<S>& best_face = bounds_a.best();
+  const auto end_at = [&](int face) {
+    const FaceQuery<S> query = face == best_face.face ? best_face : measure_face(a, face, pair.b);
+    return ArcEnd<S>{a.normals[face], query.support, query.separation};
+  };
+  BestCrossing<S> crossing{pair, floor, tie};
+  for (int i = 0; i < count; ++i) {
+    const int edge = edges[i];
+    const ArcEnd<S> first = end_at(a.half_edge(edge).face);
+    const ArcEnd<S> second = end_at(a.half_edge(edge + 1).face);
+    walk(pair, a_to_b, edge, a.origin(edge), first, second, crossing.to_beat, crossing);
+  }
+  return crossing.best;
 }
 
 template <class S>
@@ -220,11 +262,13 @@ EdgeQuery<S> query_sides(const HullPair<S>& pair) {
   return best;
 }
 
-template decltype(query_sides<float>) query_sides<float>;
-template decltype(query_sides<double>) query_sides<double>;
-template decltype(query_edges<float>) query_edges<float>;
-template decltype(query_edges<double>) query_edges<double>;
-template decltype(all_crossings<float>) all_crossings<float>;
-template decltype(all_crossings<double>) all_crossings<double>;
+#define CONTACTSCOPE_INSTANTIATE(S)                                                                \
+  template EdgeQuery<S> query_edges(const HullPair<S>&, const FaceSeparations<S>&, S, S);          \
+  template EdgeQuery<S> query_edges(const HullPair<S>&, const FaceBounds<S>&, S, S);               \
+  template std::vector<EdgeQuery<S>> all_crossings(const HullPair<S>&, const FaceSeparations<S>&); \
+  template EdgeQuery<S> query_sides(const HullPair<S>&);
+CONTACTSCOPE_INSTANTIATE(float)
+CONTACTSCOPE_INSTANTIATE(double)
+#undef CONTACTSCOPE_INSTANTIATE
 
 }  // namespace contactscope

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "query/face_bounds.h"
+#include "query/support_set.h"
 #include "query/tolerance.h"
 
 namespace contactscope {
@@ -19,31 +21,109 @@ AxisKind choose(const SatResult<S>& queries, S tolerance, Owner preferred) {
   return AxisKind::EdgeEdge;
 }
 
+template <class S>
+S tie_of(const HullPair<S>& pair, Preference preference) {
+  return preference == Preference::Relative ? tie_tolerance(pair.scale) : S(0);
+}
+
+/// Takes the result of a face query of A or B. Returns whether it found a separating axis.
+template <class S>
+bool is_apart(SatResult<S>& result, AxisKind kind, const FaceQuery<S>& query, S margin) {
+  (kind == AxisKind::FaceA ? result.face_a : result.face_b) = query;
+  ++result.queries_run;
+  result.chosen = result.deepest = kind;
+  return query.separation > margin;
+}
+
+/// Likewise of the edge query, which may have found no pair.
+template <class S>
+bool is_apart(SatResult<S>& result, const EdgeQuery<S>& query, S margin) {
+  result.edge = query;
+  ++result.queries_run;
+  result.chosen = result.deepest = AxisKind::EdgeEdge;
+  return query.edge_a >= 0 && query.separation > margin;
+}
+
+/// What an edge pair has to beat.
+template <class S>
+S floor_of(const SatResult<S>& faces) {
+  return std::max(faces.face_a.separation, faces.face_b.separation);
+}
+
+/// No separating axis: the hulls overlap, or are within the margin of each other.
+template <class S>
+void touch(const HullPair<S>& pair, Preference preference, Owner preferred, SatResult<S>& result) {
+  result.status = SatStatus::Touching;
+  if (result.edge.edge_a < 0 || !(result.edge.separation > floor_of(result))) {
+    const bool is_of_b = result.face_b.separation > result.face_a.separation;
+    result.deepest = is_of_b ? AxisKind::FaceB : AxisKind::FaceA;
+  }
+  const S tolerance = preference == Preference::Relative
+                          ? preference_tolerance(result.separation(result.deepest), pair.min_radius)
+                          : S(0);
+  result.chosen = choose(result, tolerance, preferred);
+}
+
+/// The vertex of B that is farthest towards A's centroid: where to begin, and no more than that.
+template <class S>
+int vertex_towards_a(const HullPair<S>& pair) {
+  const Hull<S>& b = pair.b.hull;
+  const Vec3<S> from_vertex = pair.a.hull.centroid - pair.b.vertices[0];
+  const Vec3<S> in_b = pair.b.rotation.transpose() * from_vertex;
+  return support_index(support_set(b), Vec3<S>(in_b + b.vertices[0] - b.centroid));
+}
+
+/// Three corners of a face of A, none of which another vertex of A exceeds along its normal: where to
+/// begin with B's faces.
+template <class S>
+void look_at_face(const Hull<S>& a, int face, FaceBounds<S>& faces_b) {
+  const auto origin = [&](int edge) { return at(a.half_edges, edge).origin; };
+  const int first = at(a.face_edges, face);
+  const int second = at(a.half_edges, first).next;
+  const int third = at(a.half_edges, second).next;
+  faces_b.look_at({origin(first), origin(second), origin(third)});
+}
+
+/// Smaller hulls are measured whole in the time that the bounds take.
+constexpr int kFewestVertices = 16;
+
+/// sat() by bounds, into `result`. Returns false where faces tie, and where measuring them all takes
+/// no longer; then `result` says nothing.
+template <class S>
+bool sat_by_bounds(const HullPair<S>& pair, S margin, Preference preference, Owner preferred,
+                   SatResult<S>& result) {
+  const int fewer = std::min(pair.a.hull.vertex_count(), pair.b.hull.vertex_count());
+  if (fewer < kFewestVertices || pair.a.hull.flat() || pair.b.hull.flat()) return false;
+  result.tie = tie_of(pair, preference);
+
+  FaceBounds<S> faces_a(pair.a, pair.b);
+  faces_a.look_at({vertex_towards_a(pair)});
+  if (!faces_a.find_best(result.tie)) return false;
+  if (is_apart(result, AxisKind::FaceA, faces_a.best(), margin)) return true;
+
+  FaceBounds<S> faces_b(pair.b, pair.a);
+  look_at_face(pair.a.hull, result.face_a.face, faces_b);
+  if (!faces_b.find_best(result.tie)) return false;
+  if (is_apart(result, AxisKind::FaceB, faces_b.best(), margin)) return true;
+
+  if (!is_apart(result, query_edges(pair, faces_a, floor_of(result), result.tie), margin))
+    touch(pair, preference, preferred, result);
+  return true;
+}
+
 }  // namespace
 
 template <class S>
 SatResult<S> sat(const HullPair<S>& pair, S margin, Preference preference,
                  FaceSeparations<S>& faces_a, FaceSeparations<S>& faces_b, Owner preferred) {
   SatResult<S> result;
-  const S tie = preference == Preference::Relative ? tie_tolerance(pair.scale) : S(0);
-  result.tie = tie;
-
-  result.face_a = query_faces(pair.a, pair.b, tie, faces_a);
-  result.queries_run = 1;
-  result.chosen = result.deepest = AxisKind::FaceA;
-  if (result.face_a.separation > margin) return result;  // we found a separating axis
-
-  result.face_b = query_faces(pair.b, pair.a, tie, faces_b);
-  result.queries_run = 2;
-  result.chosen = result.deepest = AxisKind::FaceB;
-  if (result.face_b.separation > margin) return result;  // we found a separating axis
-
-  const S floor = std::max(result.face_a.separation, result.face_b.separation);
-  result.edge = query_edges(pair, faces_a, floor, tie);
-  result.queries_run = 3;
-  result.chosen = result.deepest = AxisKind::EdgeEdge;
-  const bool has_edge = result.edge.edge_a >= 0;
-  if (has_edge && result.edge.separation > margin) return result;  // we found a separating axis
+  const S tie = result.tie = tie_of(pair, preference);
+  const FaceQuery<S> face_a = query_faces(pair.a, pair.b, tie, faces_a);
+  if (is_apart(result, AxisKind::FaceA, face_a, margin)) return result;
+  const FaceQuery<S> face_b = query_faces(pair.b, pair.a, tie, faces_b);
+  if (is_apart(result, AxisKind::FaceB, face_b, margin)) return result;
+  const EdgeQuery<S> edge = query_edges(pair, faces_a, floor_of(result), tie);
+  if (is_apart(result, edge, margin)) return result;
 
   if (pair.a.hull.flat() && pair.b.hull.flat()) [[unlikely]] {
     const EdgeQuery<S> side = query_sides(pair);
@@ -52,22 +132,14 @@ SatResult<S> sat(const HullPair<S>& pair, S margin, Preference preference,
       return result;  // we found a separating axis
     }
   }
-
-  // No separating axis: the hulls overlap, or are within the margin of each other.
-  result.status = SatStatus::Touching;
-  if (!has_edge || !(result.edge.separation > floor)) {
-    const bool is_of_b = result.face_b.separation > result.face_a.separation;
-    result.deepest = is_of_b ? AxisKind::FaceB : AxisKind::FaceA;
-  }
-  const S tolerance = preference == Preference::Relative
-                          ? preference_tolerance(result.separation(result.deepest), pair.min_radius)
-                          : S(0);
-  result.chosen = choose(result, tolerance, preferred);
+  touch(pair, preference, preferred, result);
   return result;
 }
 
 template <class S>
 SatResult<S> sat(const HullPair<S>& pair, S margin, Preference preference, Owner preferred) {
+  SatResult<S> result;
+  if (sat_by_bounds(pair, margin, preference, preferred, result)) return result;
   FaceSeparations<S> faces_a(pair.a);
   FaceSeparations<S> faces_b(pair.b);
   return sat(pair, margin, preference, faces_a, faces_b, preferred);

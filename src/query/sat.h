@@ -98,11 +98,14 @@ EdgeQuery<S> query_sides(const HullPair<S>& pair);
 /// Runs the queries and chooses the axis. Separated when an axis is found along which the hulls are
 /// more than `margin` (metres, >= 0) apart. Of faces that are nearly as deep those of `preferred`
 /// come first.
+///
+/// Of larger hulls faces and edges are left out that bounds show to be worse than the best (see
+/// face_bounds.h). That changes no bit of the result.
 template <class S>
 SatResult<S> sat(const HullPair<S>& pair, S margin, Preference preference,
                  Owner preferred = Owner::A);
 
-/// The same, and leaves what the face queries that ran have measured.
+/// The same by measuring every face, and leaves what the face queries that ran have measured.
 template <class S>
 SatResult<S> sat(const HullPair<S>& pair, S margin, Preference preference,
                  FaceSeparations<S>& faces_a, FaceSeparations<S>& faces_b,

@@ -1,10 +1,8 @@
 #pragma once
 
-#include <algorithm>
-
 #include "core/vec3.h"
 #include "geometry/hull.h"
-#include "geometry/lanes.h"
+#include "geometry/prefetch.h"
 
 namespace contactscope {
 
@@ -40,11 +38,7 @@ int support_index(const SupportSet<S>& set, const Vec3<S>& direction);
 /// support point of a hull that was not seen lately waits for memory.
 template <class S>
 void prefetch_points(const SupportSet<S>& set) {
-  if (set.hull == nullptr) return;
-  constexpr int kCacheLine = 64, kMost = 1024;  // bytes; a longer row fetches itself
-  const auto* bytes = reinterpret_cast<const char*>(set.hull->lanes.vertices.data());
-  const int size = std::min(3 * padded(set.count) * static_cast<int>(sizeof(S)), kMost);
-  for (int i = 0; i < size; i += kCacheLine) __builtin_prefetch(bytes + i);
+  if (set.hull != nullptr) prefetch(set.hull->lanes.vertices);
 }
 
 /// Some point in the middle of the set.
