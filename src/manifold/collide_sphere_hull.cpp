@@ -1,3 +1,5 @@
+#include <optional>
+
 #include "manifold/collide_pairs.h"
 #include "manifold/round_contact.h"
 #include "query/closest_points.h"
@@ -5,6 +7,7 @@
 #include "query/hull_feature.h"
 #include "query/point_faces.h"
 #include "query/tolerance.h"
+#include "query/voronoi_region.h"
 
 namespace contactscope {
 namespace {
@@ -29,18 +32,29 @@ Vec3<S> from_edge(const Hull<S>& hull, int half_edge, const Vec3<S>& point) {
   const Vec3<S> from_origin = point - hull.origin(half_edge);
   const Vec3<S> from_target = point - hull.target(half_edge);
   const Vec3<S> along = hull.target(half_edge) - hull.origin(half_edge);
-  const bool origin_is_nearer = from_origin.squaredNorm() < from_target.squaredNorm();
+  const S to_origin = from_origin.squaredNorm(), to_target = from_target.squaredNorm();
+  // Of two that are as near, the same from either side.
+  const bool origin_is_nearer =
+      to_origin < to_target || (to_origin == to_target && half_edge % 2 != 0);
   const Vec3<S>& from = origin_is_nearer ? from_origin : from_target;
   return from - (from.dot(along) / along.squaredNorm()) * along;
 }
 
-/// The closest feature of the hull to a centre that projects into none of its nearest faces.
+/// The closest feature of the hull to a centre that projects into none of its nearest faces, and lies
+/// beside the half-edge `beside` of one. Where the regions of edges and vertices have told it, only a
+/// record has GJK run.
 template <class S>
 Touch<S> touch_edge_or_vertex(const Hull<S>& hull, const Vec3<S>& center, int nearest_face,
-                              GjkRun<S>* run) {
-  const GjkSimplex<S> start = simplex_near(hull, edge_beside(hull, nearest_face, center), 0);
-  const GjkResult<S> closest = gjk(support_set(center), support_set(hull), Pose<S>{}, &start, run);
-  const HullFeature feature = feature_of_b(hull, closest.simplex);
+                              int beside, S scale, GjkRun<S>* run) {
+  const std::optional<HullFeature> region = voronoi_region(hull, beside, center, scale);
+  const auto by_gjk = [&] {
+    const GjkSimplex<S> start = simplex_near(hull, edge_beside(hull, nearest_face, center), 0);
+    return feature_of_b(
+        hull, gjk(support_set(center), support_set(hull), Pose<S>{}, &start, run).simplex);
+  };
+  HullFeature feature;
+  if (!region || run != nullptr) feature = by_gjk();
+  if (region) feature = *region;
   if (feature.kind == FeatureKind::Face) {
     const int face = feature.index < 0 ? nearest_face : feature.index;
     return touch_face(hull, face, at(hull.planes, face).distance(center));
@@ -57,11 +71,11 @@ Touch<S> touch_edge_or_vertex(const Hull<S>& hull, const Vec3<S>& center, int ne
 /// We deviate from the talk in the order: faces first. Their distances tell inside from outside,
 /// settle most spheres that are far off, and where the centre projects into the nearest face that is
 /// the closest point, with all digits of the face's normal, at any height. GJK is left with edges
-/// and vertices.
+/// and vertices whose regions rounding leaves open.
 ///
 /// Steps: 1. distances from all faces; farther than the radius: apart. 2. The centre inside, or
-/// above a face: that face. 3. GJK for the closest edge or vertex. 4. On an edge or vertex within
-/// rounding: the face of step 1.
+/// above a face: that face. 3. The edge or vertex in whose region it lies, or that of GJK. 4. On an
+/// edge or vertex within rounding: the face of step 1.
 template <class S>
 S collide_sphere_hull(const Sphere<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
                       const CollideOptions& options, Contact<S>& contact, Recorder<S>* recorder) {
@@ -80,8 +94,9 @@ S collide_sphere_hull(const Sphere<S>& a, const Hull<S>& b, const Pose<S>& b_in_
     if (tied) {
       degenerate = on_surface ? "centre on an edge or a vertex" : "centre as near to several faces";
     }
-  } else if (!projects_into(b, face, center, S(0))) {
-    const Touch<S> closest = touch_edge_or_vertex(b, center, face, gjk_run(recorder));
+  } else if (const int beside = side_beside(b, face, center); beside >= 0) {
+    const Touch<S> closest =
+        touch_edge_or_vertex(b, center, face, beside, scale, gjk_run(recorder));
     if (recorder) [[unlikely]]
       recorder->gjk(b_in_a);
     if (closest.distance > touching_distance(scale)) {

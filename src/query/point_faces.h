@@ -11,6 +11,7 @@
 #include "geometry/hull.h"
 #include "geometry/lanes.h"
 #include "query/hull_feature.h"
+#include "query/lane_search.h"
 
 namespace contactscope {
 
@@ -75,18 +76,20 @@ class PointFaces {
  public:
   PointFaces(const Hull<S>& hull, const Vec3<S>& point)
       : hull_(hull), point_(point), distances_(padded(hull.face_count())) {
+    using lanes::load;
+    using lanes::Pack;
     const VectorLanes<S> normals(hull.lanes.normals.data(), hull.face_count());
-    const S* __restrict nx = normals.x();
-    const S* __restrict ny = normals.y();
-    const S* __restrict nz = normals.z();
-    const S* __restrict offsets = hull.lanes.offsets.data();
-    S* __restrict distances = distances_.data();
-    const S x = point.x(), y = point.y(), z = point.z();
-    const int count = normals.padded_count();
-    for (int f = 0; f < count; ++f) {
-      distances[f] = dot(nx[f], ny[f], nz[f], x, y, z) - offsets[f];
+    const S* const offsets = hull.lanes.offsets.data();
+    const Pack<S> x = lanes::all(point.x()), y = lanes::all(point.y()), z = lanes::all(point.z());
+    Pack<S> largest = lanes::all(-std::numeric_limits<S>::infinity());
+    for (int f = 0; f < normals.padded_count(); f += lanes::kWidth<S>) {
+      const Pack<S> distance =
+          ((load(normals.x() + f) * x + load(normals.y() + f) * y) + load(normals.z() + f) * z) -
+          load(offsets + f);
+      lanes::store<S>(distance, distances_.data() + f);
+      largest = lanes::larger(distance, largest);  // padding lies behind every point
     }
-    largest_ = largest_in_lanes(distances, count);  // padding lies behind every point
+    largest_ = lanes::largest<S>(largest)[0];
   }
 
   S operator[](int face) const { return distances_[face]; }
@@ -97,17 +100,15 @@ class PointFaces {
   /// the earliest that the point projects into.
   int nearest(S tie) const {
     const int count = hull_.face_count();
-    int earliest = -1;
-    int ties = 0;
-    for_each_not_below(distances_.data(), count, largest_ - tie, [&](int face) {
-      if (++ties == 1) earliest = face;
-    });
-    if (ties == 1) return earliest;
+    const lanes::Pack<S> least = lanes::all(largest_ - tie);
+    const auto is_near = [&](const lanes::Pack<S>& distance) { return ~(distance < least); };
+    const Hits near = hits(distances_.data(), padded(count), is_near);
+    if (near.is_single || near.first < 0) return std::max(near.first, 0);
     int below = -1;
     for_each_not_below(distances_.data(), count, largest_ - tie, [&](int face) {
       if (below < 0 && projects_into(hull_, face, point_, tie)) below = face;
     });
-    return below < 0 ? earliest : below;
+    return below < 0 ? near.first : below;
   }
 
   /// Whether a face within `tie` of the largest leans away from `face` by more than `sine`: then
