@@ -317,7 +317,7 @@ void require_folder(const Options& options) {
 /// What parts of one run have in common. Snapshots are not in it: a part with --update may have written some before the
 /// next one begins.
 std::string made_of(const std::vector<Input>& inputs) {
-  std::string all = program_sha256();
+  std::string all = program_id();
   for (const Input& input : inputs)
     all += "\n" + input.scenario.name + " " + snapshot::sha256_of_file(input.scenario.path);
   return sha256(all);
