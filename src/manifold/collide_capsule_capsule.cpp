@@ -105,19 +105,28 @@ Vec3<S> perpendicular_to(const AxisPair<S>& axes, const Vec3<S>& direction) {
 /// points are very close.
 template <class S>
 Vec3<S> normal_between(const AxisPair<S>& axes, const ClosestOfSegments<S>& closest) {
+  Vec3<S> between = closest.on_b - closest.on_a;
   const auto is_inside = [](const Axis<S>& axis, S parameter) {
     return axis.has_length() && S(0) < parameter && parameter < S(1);
   };
+  // A point that is nearer than an end by less than what rounding hides of the distance may still lie
+  // beside it by the root of that, and the axis leans towards the other shape. `towards` is the way there.
+  const auto leans_from_end = [](const Axis<S>& axis, S parameter, const Vec3<S>& towards) {
+    if (!axis.has_length()) return false;
+    const S way = towards.dot(axis.along);
+    return (parameter == S(0) && way > S(0)) || (parameter == S(1) && way < S(0));
+  };
   const bool inside_a = is_inside(axes.a, closest.parameter_a);
   const bool inside_b = is_inside(axes.b, closest.parameter_b);
-  Vec3<S> between = closest.on_b - closest.on_a;
   if (inside_a && inside_b &&
       closest.distance < axes.sine * std::min(axes.a.length, axes.b.length)) {
     const Vec3<S> normal = perpendicular_to(axes, Vec3<S>(axes.cross.normalized()));
     return normal.dot(between) < S(0) ? Vec3<S>(-normal) : normal;
   }
-  if (inside_a) between = rejected(between, axes.a.unit());
-  if (inside_b) between = rejected(between, axes.b.unit());
+  if (inside_a || leans_from_end(axes.a, closest.parameter_a, between))
+    between = rejected(between, axes.a.unit());
+  if (inside_b || leans_from_end(axes.b, closest.parameter_b, Vec3<S>(-between)))
+    between = rejected(between, axes.b.unit());
   return between.normalized();
 }
 
