@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/at.h"
+#include "core/workers.h"
 #include "study/random_cases.h"
 #include "study/study.h"
 
@@ -34,11 +35,17 @@ void add_case(Measurement& measured, bool is_failure, double of_size, double ulp
   measured.errors[1].add(ulps);
 }
 
+/// Judges on all threads; what is timed afterwards has the processor for itself.
 template <class S>
-void judge_all(const Cases& cases, int repetitions, Measurement& own, Measurement& unrounded) {
+void judge_all(const Cases& cases, int repetitions, Workers& workers, Measurement& own,
+               Measurement& unrounded) {
+  std::vector<PairVerdict> verdicts(cases.size());
+  workers.for_each(count_of(cases),
+                   [&](int i, int) { at(verdicts, i) = judge_pair<S>(at(cases, i)); });
   std::vector<RoundedPair<S>> rounded;
-  for (const StackedPair& pair : cases) {
-    const PairVerdict verdict = judge_pair<S>(pair);
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    const StackedPair& pair = cases[i];
+    const PairVerdict& verdict = verdicts[i];
     add_case(own, verdict.fault != ContactFault::None, verdict.error / pair.size, verdict.ulps);
     add_case(unrounded, verdict.lost, verdict.unrounded_error / pair.size, verdict.unrounded_ulps);
     rounded.emplace_back(pair);
@@ -52,12 +59,12 @@ void judge_all(const Cases& cases, int repetitions, Measurement& own, Measuremen
   unrounded.times = own.times;
 }
 
-Cell judge(const Cases& cases, int repetitions) {
+Cell judge(const Cases& cases, int repetitions, Workers& workers) {
   Cell cell(std::size(kLines), Measurement(2));
   for (const StackedPair& pair : cases)
     add_case(cell[kJudgements], false, std::max(0.0, -pair.separation) / pair.size, 0);
-  judge_all<float>(cases, repetitions, cell[0], cell[2]);
-  judge_all<double>(cases, repetitions, cell[1], cell[3]);
+  judge_all<float>(cases, repetitions, workers, cell[0], cell[2]);
+  judge_all<double>(cases, repetitions, workers, cell[1], cell[3]);
   cell[kJudgements].times = cell[0].times;
   return cell;
 }
@@ -88,7 +95,8 @@ std::vector<PairKind> every_kind() {
 }
 
 /// Six sweeps over all pairs at once, and those that every kind of pair has by kind of pair.
-std::vector<trace::Study> run_sweeps(const StudyOptions& options, const StudyStep& step) {
+std::vector<trace::Study> run_sweeps(const StudyOptions& options, Workers& workers,
+                                     const StudyStep& step) {
   const int case_count = options.cases.value_or(kCases);
   const int repetitions = options.repetitions.value_or(kRepetitions);
   trace::Study sweeps =
@@ -120,11 +128,11 @@ std::vector<trace::Study> run_sweeps(const StudyOptions& options, const StudySte
           cases.push_back(limit_case(sweep, value, sweep.kinds[k], i, options.seed));
         all.insert(all.end(), cases.begin(), cases.end());
         if (!has_map) continue;
-        const Cell cell = judge(cases, repetitions);
+        const Cell cell = judge(cases, repetitions, workers);
         for (const std::size_t scalar : {0, 1})
           by_kind[scalar][row + k].points.push_back(cell[scalar].point(value, 1));
       }
-      const Cell cell = judge(all, repetitions);
+      const Cell cell = judge(all, repetitions, workers);
       for (std::size_t line = 0; line < cell.size(); ++line)
         sweeps.series[curve + line].points.push_back(cell[line].point(value, 0));
       step(sweep.name);
@@ -150,7 +158,8 @@ constexpr LimitMap kLimitMaps[] = {
 };
 
 /// One panel for each scalar and judgement, a series for each row.
-trace::Study run_map(const LimitMap& map, const StudyOptions& options, const StudyStep& step) {
+trace::Study run_map(const LimitMap& map, const StudyOptions& options, Workers& workers,
+                     const StudyStep& step) {
   const LimitSweep& across = limit_sweeps()[map.across];
   const LimitSweep& up = limit_sweeps()[map.up];
   const std::vector<double> rows = up.values();
@@ -173,7 +182,7 @@ trace::Study run_map(const LimitMap& map, const StudyOptions& options, const Stu
         cases.push_back(
             stacked_pair(at(across.kinds, i % map.kinds), stacking, i / map.kinds, engine));
       }
-      const Cell cell = judge(cases, 1);
+      const Cell cell = judge(cases, 1, workers);
       for (std::size_t i = 0; i < kJudgements; ++i)
         study.series[i * rows.size() + row].points.push_back(cell[i].point(value, 1));
     }
@@ -253,8 +262,9 @@ std::vector<trace::Study> study_limits(const StudyOptions& options, const StudyP
   for (const LimitSweep& sweep : limit_sweeps()) steps += count_of(sweep.values());
   for (const LimitMap& map : kLimitMaps) steps += count_of(limit_sweeps()[map.up].values());
   const StudyStep step = counted(progress, steps);
-  std::vector<trace::Study> results = run_sweeps(options, step);
-  for (const LimitMap& map : kLimitMaps) results.push_back(run_map(map, options, step));
+  Workers workers(options.threads > 0 ? options.threads : hardware_threads());
+  std::vector<trace::Study> results = run_sweeps(options, workers, step);
+  for (const LimitMap& map : kLimitMaps) results.push_back(run_map(map, options, workers, step));
   return results;
 }
 

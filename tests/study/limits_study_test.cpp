@@ -79,17 +79,21 @@ TEST(LimitsStudy, ProgressEndsWithItsTotal) {
   EXPECT_EQ(last, total);
 }
 
-TEST(LimitsStudy, TheSameSeedGivesTheSameErrors) {
-  StudyOptions options;
-  options.cases = 2;
-  options.repetitions = 1;
-  const auto studies = study_limits(options, [](int, int, const std::string&) {});
-  for (std::size_t i = 0; i < studies.size(); ++i) {
-    for (std::size_t s = 0; s < studies[i].series.size(); ++s) {
-      const auto& points = studies[i].series[s].points;
-      for (std::size_t p = 0; p < points.size(); ++p) {
-        EXPECT_EQ(points[p].error_worst, small_study()[i].series[s].points[p].error_worst);
-        EXPECT_EQ(points[p].failed, small_study()[i].series[s].points[p].failed);
+TEST(LimitsStudy, TheSameSeedGivesTheSameErrorsForAnyNumberOfThreads) {
+  for (const int threads : {1, 3}) {
+    StudyOptions options;
+    options.cases = 2;
+    options.repetitions = 1;
+    options.threads = threads;
+    const auto studies = study_limits(options, [](int, int, const std::string&) {});
+    ASSERT_EQ(studies.size(), small_study().size());
+    for (std::size_t i = 0; i < studies.size(); ++i) {
+      for (std::size_t s = 0; s < studies[i].series.size(); ++s) {
+        const auto& points = studies[i].series[s].points;
+        for (std::size_t p = 0; p < points.size(); ++p) {
+          EXPECT_EQ(points[p].error_worst, small_study()[i].series[s].points[p].error_worst);
+          EXPECT_EQ(points[p].failed, small_study()[i].series[s].points[p].failed);
+        }
       }
     }
   }
