@@ -88,9 +88,8 @@ Measurement judge_field(const Mesh<double>& mesh, const std::vector<TruePoint>& 
 }
 
 /// No farther from the surface than kByTheSurface: where contacts ask.
-std::vector<TruePoint> points_by_surface(std::mt19937_64& engine, const Mesh<double>& mesh,
-                                         int count) {
-  std::vector<TruePoint> points;
+std::vector<Vec3d> places_by_surface(std::mt19937_64& engine, const Mesh<double>& mesh, int count) {
+  std::vector<Vec3d> places;
   for (int i = 0; i < count; ++i) {
     const auto [a, b, c] =
         at(mesh.triangles, std::uniform_int_distribution(0, mesh.triangle_count() - 1)(engine));
@@ -98,19 +97,27 @@ std::vector<TruePoint> points_by_surface(std::mt19937_64& engine, const Mesh<dou
     const Vec3d on_surface = (1 - u) * at(mesh.vertices, a) + u * (1 - v) * at(mesh.vertices, b) +
                              u * v * at(mesh.vertices, c);
     const Vec3d away = uniform_rotation(engine) * Vec3d(uniform(engine, 0, kByTheSurface), 0, 0);
-    points.push_back(truth_at(mesh, on_surface + away));
+    places.push_back(on_surface + away);
   }
-  return points;
+  return places;
 }
 
-std::vector<TruePoint> points_in_box(std::mt19937_64& engine, const Mesh<double>& mesh, int count) {
+std::vector<Vec3d> places_in_box(std::mt19937_64& engine, const Mesh<double>& mesh, int count) {
   const Aabb<double> box = mesh.tree.bounds();
-  std::vector<TruePoint> points;
+  std::vector<Vec3d> places;
   for (int i = 0; i < count; ++i) {
     Vec3d part;
     for (int k = 0; k < 3; ++k) part[k] = uniform(engine, 0, 1);
-    points.push_back(truth_at(mesh, box.lower + part.cwiseProduct(box.extent())));
+    places.push_back(box.lower + part.cwiseProduct(box.extent()));
   }
+  return places;
+}
+
+std::vector<TruePoint> truths_at(const Mesh<double>& mesh, const std::vector<Vec3d>& places,
+                                 Workers& workers) {
+  std::vector<TruePoint> points(places.size());
+  workers.for_each(count_of(places),
+                   [&](int i, int) { at(points, i) = truth_at(mesh, at(places, i)); });
   return points;
 }
 
@@ -148,8 +155,12 @@ std::vector<trace::Study> study_field_errors(const StudyOptions& options, const 
   const int repetitions = options.repetitions.value_or(kFieldRepetitions);
   const Mesh<double> mesh = ball_mesh(kFieldMeridians, 0.5, kWaves);
   std::mt19937_64 engine(options.seed);
-  const std::vector<TruePoint> near_surface = points_by_surface(engine, mesh, count);
-  const std::vector<TruePoint> anywhere = points_in_box(engine, mesh, count);
+  std::vector<TruePoint> near_surface, anywhere;
+  {
+    Workers workers(options.thread_count());
+    near_surface = truths_at(mesh, places_by_surface(engine, mesh, count), workers);
+    anywhere = truths_at(mesh, places_in_box(engine, mesh, count), workers);
+  }
   std::vector<trace::Study> results = results_of(
       "distance_field", "double", "cells",
       "all triangles in long double, " + std::to_string(count) +

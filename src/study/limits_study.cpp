@@ -262,7 +262,7 @@ std::vector<trace::Study> study_limits(const StudyOptions& options, const StudyP
   for (const LimitSweep& sweep : limit_sweeps()) steps += count_of(sweep.values());
   for (const LimitMap& map : kLimitMaps) steps += count_of(limit_sweeps()[map.up].values());
   const StudyStep step = counted(progress, steps);
-  Workers workers(options.threads > 0 ? options.threads : hardware_threads());
+  Workers workers(options.thread_count());
   std::vector<trace::Study> results = run_sweeps(options, workers, step);
   for (const LimitMap& map : kLimitMaps) results.push_back(run_map(map, options, workers, step));
   return results;

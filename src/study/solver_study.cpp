@@ -202,15 +202,14 @@ std::vector<trace::Study> maps(const StudyOptions& options, const StudyStep& ste
       rows.push_back({kSolverMethods[turn], boxes, {ratios.size(), Measurement(0)}});
   // A map shows no times, so its stacks are run side by side.
   std::mutex telling;
-  Workers(options.threads > 0 ? options.threads : hardware_threads())
-      .for_each(count_of(rows) * kRatioSteps, [&](int piece, int) {
-        Row& row = at(rows, piece / kRatioSteps);
-        const int i = piece % kRatioSteps;
-        at(row.cells, i) = stacks.judge(row.boxes, at(ratios, i), row.method,
-                                        row.method.map_iterations, row.method.map_substeps);
-        const std::lock_guard lock(telling);
-        if (++row.judged == kRatioSteps) step(std::string(row.method.name) + ", " + row.name());
-      });
+  Workers(options.thread_count()).for_each(count_of(rows) * kRatioSteps, [&](int piece, int) {
+    Row& row = at(rows, piece / kRatioSteps);
+    const int i = piece % kRatioSteps;
+    at(row.cells, i) = stacks.judge(row.boxes, at(ratios, i), row.method, row.method.map_iterations,
+                                    row.method.map_substeps);
+    const std::lock_guard lock(telling);
+    if (++row.judged == kRatioSteps) step(std::string(row.method.name) + ", " + row.name());
+  });
   for (const Row& row : rows) {
     auto next = row.cells.begin();
     add_line(stacks.results, {row.name(), {}, row.method.map_name, kParameter}, ratios,

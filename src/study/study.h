@@ -29,6 +29,8 @@ struct StudyOptions {
   std::vector<int> only_frames{};                    // of those; empty: all
   int threads =
       0;  // of what is not timed; 0: as many as the processor runs. Errors are the same for any
+
+  int thread_count() const { return threads > 0 ? threads : hardware_threads(); }
 };
 
 /// Told of each step, in any thread, but by one at a time; may throw to stop the study.
@@ -156,7 +158,7 @@ struct StudyGrid {
       : parameters(every_parameter.begin(), every_parameter.end()),
         cases(options.cases.value_or(own_cases)),
         repetitions(options.repetitions.value_or(own_repetitions)),
-        threads(options.threads > 0 ? options.threads : hardware_threads()) {
+        threads(options.thread_count()) {
     for (const auto& method : list) methods.emplace_back(method.name);
   }
 };

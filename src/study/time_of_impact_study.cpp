@@ -78,8 +78,7 @@ std::vector<trace::Study> study_impact_finders(const std::vector<ImpactFinderInf
   for (const double way : kWays)
     workloads.push_back({"rotating", "metres in the step", way, {way, kFullTurn, 0}});
   for (const double origin : kOrigins)
-    workloads.push_back(
-        {"far from the origin", "metres away", origin, {10, kFullTurn, origin}});
+    workloads.push_back({"far from the origin", "metres away", origin, {10, kFullTurn, origin}});
   const int count = options.cases.value_or(kImpactCases);
   std::vector<trace::Study> results = results_of(
       "time_of_impact", "float and double", "metres in the step",
@@ -90,6 +89,7 @@ std::vector<trace::Study> study_impact_finders(const std::vector<ImpactFinderInf
        {"missed", "How many hits are missed", "share of the pairs", "", 0.5 / count}});
   results[1].form = trace::StudyForm::Curves;
   const StudyStep tell = counted(progress, static_cast<int>(workloads.size()));
+  Workers workers(options.thread_count());
   const char* panel = nullptr;
   std::size_t first = 0;
   for (const ImpactWorkload& workload : workloads) {
@@ -103,12 +103,13 @@ std::vector<trace::Study> study_impact_finders(const std::vector<ImpactFinderInf
           study.series.push_back(
               {info.name, {}, panel, std::string(panel) + ", " + workload.parameter_name});
     }
-    std::vector<ImpactCase> cases;
-    for (int i = 0; i < count; ++i) {
+    // Most of the study is the truth of each case, which is no one's time.
+    std::vector<ImpactCase> cases(static_cast<std::size_t>(count));
+    workers.for_each(count, [&](int i, int) {
       std::mt19937_64 engine =
           case_engine(options.seed, i, workload.parameter, 1 + workload.motion.turn);
-      cases.push_back(random_impact_case(engine, kImpactVertices, workload.motion));
-    }
+      at(cases, i) = random_impact_case(engine, kImpactVertices, workload.motion);
+    });
     for (std::size_t f = 0; f < finders.size(); ++f) {
       if (workload.motion.turn > 0 && !finders[f].knows_rotation) continue;
       const auto finder = finders[f].make(cases);

@@ -33,6 +33,24 @@ TEST(TimeOfImpactStudy, SlowOursMissNothingAndSamplingDoes) {
   EXPECT_GT(*line_of(results[1], "translating", "8 samples").points.back().error, 0.1);
 }
 
+TEST(TimeOfImpactStudy, SlowErrorsAreThoseOfAnyNumberOfThreads) {
+  const auto errors = [](int threads) {
+    StudyOptions options;
+    options.cases = 5;
+    options.repetitions = 1;
+    options.threads = threads;
+    std::vector<std::optional<double>> list;
+    for (const trace::Study& study :
+         study_time_of_impact(options, [](int, int, const std::string&) {}))
+      for (const trace::StudySeries& series : study.series)
+        for (const trace::StudyPoint& point : series.points) list.push_back(point.error);
+    return list;
+  };
+  const std::vector<std::optional<double>> alone = errors(1);
+  EXPECT_GT(alone.size(), 100U);
+  EXPECT_EQ(errors(3), alone);
+}
+
 TEST(TunnellingStudy, SlowNothingPassesATimeOfImpact) {
   StudyOptions options;
   options.cases = 20;
