@@ -8,7 +8,9 @@
 #include "bench/step_counter.h"
 #include "bench/workload.h"
 #include "manifold/collide_pairs.h"
+#include "manifold/create_contact.h"
 #include "manifold/dispatch.h"
+#include "query/sat.h"
 
 namespace contactscope::bench {
 namespace {
@@ -24,14 +26,24 @@ struct TimedPair {
   std::vector<Step> steps;
 };
 
+/// A box as a hull that nobody knows to be one.
+Shape<float> forgotten(Shape<float> shape) {
+  if (Hull<float>* hull = std::get_if<Hull<float>>(&shape)) hull->half_extents.setZero();
+  return shape;
+}
+
 /// One workload in float, made once.
 class TimedWorkload {
  public:
-  explicit TimedWorkload(Workload workload) : moving(is_moving(workload)) {
+  TimedWorkload(Workload workload, bool general) : moving(is_moving(workload)) {
     std::map<const Shape<double>*, std::shared_ptr<const Shape<float>>> cast;
     const auto in_float = [&](const std::shared_ptr<const Shape<double>>& shape) {
       auto& result = cast[shape.get()];
-      if (!result) result = std::make_shared<const Shape<float>>(shape_cast<float>(*shape));
+      if (!result) {
+        Shape<float> made = shape_cast<float>(*shape);
+        result = std::make_shared<const Shape<float>>(general ? forgotten(std::move(made))
+                                                              : std::move(made));
+      }
       return result;
     };
     const std::vector<WorkloadPair> made = make_workload(workload);
@@ -48,9 +60,9 @@ class TimedWorkload {
   bool moving;
 };
 
-const TimedWorkload& workload_at(int index) {
-  static std::map<int, TimedWorkload> made;
-  return made.try_emplace(index, static_cast<Workload>(index)).first->second;
+const TimedWorkload& workload_at(int index, bool general) {
+  static std::map<std::pair<int, bool>, TimedWorkload> made;
+  return made.try_emplace({index, general}, static_cast<Workload>(index), general).first->second;
 }
 
 CollideOptions options() {
@@ -59,24 +71,28 @@ CollideOptions options() {
   return result;
 }
 
+double digest(const Manifold<float>& manifold) {
+  double sum = manifold.normal.x();
+  for (const ContactPoint<float>& point : manifold.points) sum += point.separation;
+  return sum;
+}
+
 double digest(const Manifolds<float>& manifolds) {
   double sum = 0;
-  for (const Manifold<float>& manifold : manifolds) {
-    sum += manifold.normal.x();
-    for (const ContactPoint<float>& point : manifold.points) sum += point.separation;
-  }
+  for (const Manifold<float>& manifold : manifolds) sum += digest(manifold);
   return sum;
 }
 
 /// What a variant keeps between its passes over a workload.
 struct Memory {
+  bool general = false;  // boxes are any hulls
   StepCounter counter;
   std::vector<PairCache<float>> caches;  // one a pair, where pairs move
 };
 
 template <class Collide>
 double pass(int index, Memory& memory, bool cached, const Collide& collide_pair) {
-  const TimedWorkload& workload = workload_at(index);
+  const TimedWorkload& workload = workload_at(index, memory.general);
   if (cached && workload.moving) memory.caches.resize(workload.pairs.size());
   const std::size_t step = memory.counter.next(workload.pairs.front().steps.size());
   double sum = 0;
@@ -111,15 +127,43 @@ double pass_cold(int workload) {
 
 double pass_general(int workload) {
   static std::map<int, Memory> memories;
+  Memory& memory = memories[workload];
+  memory.general = true;
   const CollideOptions settings = options();
-  Manifolds<float> manifolds(1);
-  return pass(workload, memories[workload], false,
-              [&](const TimedPair& pair, const Step& step, PairCache<float>* cache) {
-                manifolds[0] =
-                    collide_hull_hull(std::get<Hull<float>>(*pair.a), step.a,
-                                      std::get<Hull<float>>(*pair.b), step.b, settings, cache);
-                return digest(manifolds);
-              });
+  Recorder<float>* const nobody = nullptr;
+  Contact<float> contact;
+  Manifold<float> manifold;
+  const auto finished = [&](const Step& step) {
+    finish_contact(ToWorld<float>(step.a), settings, contact, manifold, nobody);
+    return digest(manifold);
+  };
+  switch (static_cast<Workload>(workload)) {
+    case Workload::Hull32:
+      return pass(workload, memory, false,
+                  [&](const TimedPair& timed, const Step& step, PairCache<float>*) {
+                    const HullPair<float> pair(std::get<Hull<float>>(*timed.a),
+                                               std::get<Hull<float>>(*timed.b),
+                                               relative_pose(step.a, step.b));
+                    FaceSeparations<float> faces_a(pair.a), faces_b(pair.b);
+                    const SatResult<float> axes = sat(pair, static_cast<float>(settings.margin),
+                                                      settings.preference, faces_a, faces_b);
+                    contact.points.clear();
+                    if (axes.status == SatStatus::Touching)
+                      create_contact(pair, axes, settings, contact, nobody);
+                    return finished(step);
+                  });
+    case Workload::CapsuleCapsule:
+      return pass(
+          workload, memory, false, [&](const TimedPair& pair, const Step& step, PairCache<float>*) {
+            contact.points.clear();
+            collide_capsule_capsule(std::get<Capsule<float>>(*pair.a),
+                                    std::get<Capsule<float>>(*pair.b),
+                                    relative_pose(step.a, step.b), settings, contact, nobody);
+            return finished(step);
+          });
+    default:
+      return pass_without_recorder(workload, memory, true);
+  }
 }
 
 double pass_recorded(int workload) {

@@ -8,6 +8,7 @@ double pass_unrecorded(int workload);
 double pass_recorded(int workload);
 /// Without caches.
 double pass_cold(int workload);
-/// Two hulls by what any two hulls can: what a path of its own for boxes is measured against.
+/// What the pair would take without the path of its own that it has: boxes are any hulls, also on a mesh
+/// and with a cache; every face of large hulls is measured; two capsules go the way of all shapes.
 double pass_general(int workload);
 }  // namespace contactscope::bench
