@@ -5,6 +5,10 @@
 #include <filesystem>
 #include <iostream>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 #include "app/check_arguments.h"
 #include "app/formats/format.h"
 #include "app/manual.h"
@@ -377,11 +381,23 @@ int run(int argc, char** argv) {
   return static_cast<int>(code);
 }
 
+/// Each picture takes and gives back some megabytes at a time. Given back to the kernel, every one of their
+/// pages is asked for anew with the next picture, a sixth of its time; so they are kept.
+void keep_freed_memory() {
+#ifdef __GLIBC__
+  constexpr int kMegabyte = 1 << 20;
+  mallopt(M_MMAP_THRESHOLD, 32 * kMegabyte);  // the most that it takes
+  mallopt(M_TRIM_THRESHOLD, 1024 * kMegabyte);
+  mallopt(M_TOP_PAD, 16 * kMegabyte);
+#endif
+}
+
 }  // namespace
 }  // namespace contactscope::app
 
 int main(int argc, char** argv) {
   using contactscope::InputError;
+  contactscope::app::keep_freed_memory();
   try {
     return contactscope::app::run(argc, argv);
   } catch (const contactscope::app::Interrupted& interrupted) {

@@ -25,6 +25,18 @@ double measure(const Runner& before, int frame) {
   return best;
 }
 
+struct TimedDrawing {
+  draw::Drawing drawing;
+  std::chrono::nanoseconds time;
+};
+
+template <class Draw>
+TimedDrawing timed_drawing(const Draw& draw) {
+  const auto begin = std::chrono::steady_clock::now();
+  draw::Drawing drawing = draw();
+  return {std::move(drawing), std::chrono::steady_clock::now() - begin};
+}
+
 }  // namespace
 
 Sequence run_sequence(const Scenario& scenario, const trace::Stages& stages, bool timing,
@@ -76,21 +88,9 @@ void Studio::each_drawing(const draw::Staging& staging, Sequence& sequence,
     const Timed timed(ledger_, "start Dear ImGui");
     panels.emplace(staging, sequence.frames);
   };
-  if (!sequence.file) start_panels();
-  sequence.each(numbers, [&](std::size_t index) {
-    stop_if_interrupted();
-    const trace::Frame& frame = sequence.frames[index];
-    // What looked through all frames did not see one that was read for its picture.
-    if (sequence.file) start_panels();
-    draw::Drawing drawing;
-    {
-      const Timed timed(ledger_, "illustrate");
-      drawing = sequence.file && staging.cells
-                    ? draw::illustrate(draw::stage(sequence.header, sequence.frames, staging.view,
-                                                   width, height, staging.style),
-                                       frame)
-                    : draw::illustrate(staging, frame);
-    }
+  const auto complete = [&](std::size_t index, TimedDrawing drawn) {
+    ledger_.add("illustrate", drawn.time);
+    draw::Drawing& drawing = drawn.drawing;
     if (panels) {
       const Timed timed(ledger_, "panels");
       draw::PanelMoment moment{index, {}};
@@ -102,8 +102,42 @@ void Studio::each_drawing(const draw::Staging& staging, Sequence& sequence,
       }
     }
     finish(staging.style, drawing);
-    sink(frame, std::move(drawing));
-  });
+    sink(sequence.frames[index], std::move(drawing));
+  };
+
+  if (sequence.file) {
+    sequence.each(numbers, [&](std::size_t index) {
+      stop_if_interrupted();
+      const trace::Frame& frame = sequence.frames[index];
+      // What looked through all frames did not see one that was read for its picture.
+      start_panels();
+      complete(index, timed_drawing([&] {
+                 return staging.cells ? draw::illustrate(
+                                            draw::stage(sequence.header, sequence.frames,
+                                                        staging.view, width, height, staging.style),
+                                            frame)
+                                      : draw::illustrate(staging, frame);
+               }));
+    });
+    return;
+  }
+  start_panels();
+  std::vector<std::size_t> places;
+  sequence.each(numbers, [&](std::size_t index) { places.push_back(index); });
+  // Each frame is drawn while the one before is painted and read back, which leaves a core idle.
+  const auto begin = [&](std::size_t i) {
+    return std::async(i == 0 ? std::launch::deferred : std::launch::async, [&, i] {
+      return timed_drawing([&] { return draw::illustrate(staging, sequence.frames[places[i]]); });
+    });
+  };
+  std::future<TimedDrawing> next;
+  if (!places.empty()) next = begin(0);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    stop_if_interrupted();
+    TimedDrawing drawn = next.get();
+    if (i + 1 < places.size()) next = begin(i + 1);
+    complete(places[i], std::move(drawn));
+  }
 }
 
 void Studio::render(const draw::Staging& staging, Sequence& sequence,

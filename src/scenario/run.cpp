@@ -129,6 +129,7 @@ class Runner::In final : public Runner::InScalar {
 
     if (chooser_.chooses()) choose_pairs(poses, recorded ? result : nullptr);
     std::vector<Manifolds<S>> contacts(pairs_.size());
+    if (result) result->pairs.reserve(pairs_.size());
     for (std::size_t i = 0; i < contacts.size(); ++i) {
       const ScenarioPair& pair = pairs_[i].pair;
       const bool rests = is_at_rest(pairs_[i]);
