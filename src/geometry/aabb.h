@@ -30,14 +30,14 @@ struct Aabb {
     return ((lower.array() <= other.lower.array()) && (other.upper.array() <= upper.array())).all();
   }
 
-  /// Grows by a point or a box.
-  void include(const Vec3<S>& point) {
-    lower = lower.cwiseMin(point);
-    upper = upper.cwiseMax(point);
-  }
+  /// Grows by a point or a box. Of 0.0 and -0.0 the one that was there stays, on every processor: the smaller of
+  /// the two is another one to NEON than to SSE2, and traces are compared byte for byte.
+  void include(const Vec3<S>& point) { include(Aabb{point, point}); }
   void include(const Aabb& other) {
-    lower = lower.cwiseMin(other.lower);
-    upper = upper.cwiseMax(other.upper);
+    for (int k = 0; k < 3; ++k) {
+      lower[k] = other.lower[k] < lower[k] ? other.lower[k] : lower[k];
+      upper[k] = other.upper[k] > upper[k] ? other.upper[k] : upper[k];
+    }
   }
 
   /// Each coordinate rounded to the nearest of the other scalar. Rounding is monotone: the result

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "support/random_geometry.h"
@@ -34,6 +35,24 @@ TEST(Aabb, AGapAlongOneAxisIsEnough) {
       EXPECT_FALSE(overlaps(other, kUnit)) << axis;
     }
   }
+}
+
+// Traces are compared byte for byte, and a flat mesh has zeros of both signs.
+template <class S>
+void expect_first_zero_stays() {
+  const Vec3<S> zero = Vec3<S>::Zero(), minus_zero = -zero;
+  Aabb<S> box{zero, minus_zero};
+  box.include(minus_zero);
+  box.include(zero);
+  box.include(Aabb<S>{minus_zero, zero});
+  for (int k = 0; k < 3; ++k) {
+    EXPECT_FALSE(std::signbit(box.lower[k])) << k;
+    EXPECT_TRUE(std::signbit(box.upper[k])) << k;
+  }
+}
+TEST(Aabb, OfTwoZerosTheFirstStays) {
+  expect_first_zero_stays<float>();
+  expect_first_zero_stays<double>();
 }
 
 template <class S>
