@@ -43,6 +43,23 @@ bool same_bits(const Manifold<S>& one, const Manifold<S>& other) {
   return true;
 }
 
+/// Collides a pair with a record and without one; counts it where it touches.
+template <class S>
+void expect_same_when_watched(const PairCase<S>& pair, const CollideOptions& options,
+                              int& touching) {
+  trace::Pair record;
+  const Manifold<S> watched = recorded(pair, options, record);
+  Manifolds<S> unwatched;
+  collide(Shape<S>(pair.a), pair.pose_a, Shape<S>(pair.b), pair.pose_b, options, unwatched);
+  ASSERT_EQ(unwatched.empty(), watched.points.empty());
+  if (!unwatched.empty()) {
+    ASSERT_TRUE(same_bits(watched, unwatched[0]));
+  }
+  ASSERT_EQ(record.state, watched.points.empty() ? "separated" : "touching");
+  ASSERT_EQ(record.manifolds.size(), watched.points.empty() ? 0u : 1u);
+  touching += watched.points.empty() ? 0 : 1;
+}
+
 template <class S>
 class RecordOfAPair : public testing::Test {};
 using Scalars = testing::Types<float, double>;
@@ -58,19 +75,32 @@ TYPED_TEST(RecordOfAPair, SlowChangesNoBitOfAnyManifold) {
     options.preference = i % 2 == 0 ? Preference::Relative : Preference::None;
     options.reducer = i % 3 == 0 ? nullptr : find_reducer("area");
     options.margin = i % 5 == 0 ? S(0.01) * pair.a.radius : S(0);
-    trace::Pair record;
-    const Manifold<S> watched = recorded(pair, options, record);
-    Manifolds<S> unwatched;
-    collide(Shape<S>(pair.a), pair.pose_a, Shape<S>(pair.b), pair.pose_b, options, unwatched);
-    ASSERT_EQ(unwatched.empty(), watched.points.empty()) << "pair " << i;
-    if (!unwatched.empty()) {
-      ASSERT_TRUE(same_bits(watched, unwatched[0])) << "pair " << i;
-    }
-    ASSERT_EQ(record.state, watched.points.empty() ? "separated" : "touching");
-    ASSERT_EQ(record.manifolds.size(), watched.points.empty() ? 0u : 1u);
-    touching += watched.points.empty() ? 0 : 1;
+    ASSERT_NO_FATAL_FAILURE(expect_same_when_watched(pair, options, touching)) << "pair " << i;
   }
   EXPECT_GT(touching, 3000);
+}
+
+/// Unwatched, hulls of so many vertices leave out faces and edges by bounds (face_bounds.h).
+TYPED_TEST(RecordOfAPair, ChangesNoBitOfHullsThatAreSearchedByBounds) {
+  using S = TypeParam;
+  test::Random random(98);
+  int touching = 0;
+  for (int i = 0; i < 600; ++i) {
+    PairCase<double> drawn{
+        test::random_hull(random, 32, 0.5, 1), {}, test::random_hull(random, 32, 0.5, 1), {}};
+    drawn.pose_a = {random.rotation(), random.vector(-5, 5)};
+    drawn.pose_b.rotation = random.rotation();
+    drawn.pose_b.position =
+        drawn.pose_a.position + random.unit_vector() * random.uniform(0.8, 1.02);
+    CollideOptions options;
+    options.preference = i % 2 == 0 ? Preference::Relative : Preference::None;
+    options.reducer = i % 3 == 0 ? nullptr : find_reducer("area");
+    options.margin = i % 5 == 0 ? 0.005 : 0;
+    ASSERT_NO_FATAL_FAILURE(expect_same_when_watched(drawn.template cast<S>(), options, touching))
+        << "pair " << i;
+  }
+  EXPECT_GT(touching, 200);
+  EXPECT_LT(touching, 600);
 }
 
 TYPED_TEST(RecordOfAPair, HoldsTheManifoldExactly) {
