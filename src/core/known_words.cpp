@@ -189,6 +189,7 @@ const std::vector<std::string_view>& known_words() {
       "cell with its own distances, tinted: asks its triangles",
       "too large for cells, tested with all: {n} tests",
       "number: tests in a cell",
+      "number: tests at a node",
       "asked here",
       // Panels.
       "pair",

@@ -1,6 +1,7 @@
 // What pictures show of a broad phase, from facts by hand.
 
 #include <algorithm>
+#include <map>
 
 #include <gmock/gmock.h>
 
@@ -92,6 +93,49 @@ TEST_F(BroadPhasePicture, TilesOfAGridBearWhatTheirCellsCostTogether) {
   drawn = sketch(Layer::Cells);
   EXPECT_THAT(numbers(drawn), testing::IsEmpty()) << "one had no room, and a sum needs all";
   EXPECT_THAT(legend_of(drawn), testing::ElementsAre("tests in a cell: up to 9, more"));
+}
+
+TEST_F(BroadPhasePicture, NodesOfAnOctreeBearTheirTestsWhereNoOtherNodeCoversThem) {
+  phase().method = "octree";
+  phase().cells = {{{{0, 0, 0}, {4, 1, 4}}, 0, 2, 3}, {{{0, 0, 0}, {4, 1, 2}}, 1, 4, 8}};
+  const auto numbers = [](const Sketch& drawn) {
+    std::map<std::string, Vec3d> all;
+    for (const Label& label : drawn.labels) all[label.text] = label.at;
+    return all;
+  };
+  Sketch drawn = sketch(Layer::Cells);
+  std::map<std::string, Vec3d> found = numbers(drawn);
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_NE(found.at("3"), found.at("8"));
+  EXPECT_THAT(legend_of(drawn), testing::ElementsAre("number: tests at a node"));
+  phase().cells[1].box.upper.z() = 4;
+  drawn = sketch(Layer::Cells);
+  EXPECT_THAT(numbers(drawn), testing::IsEmpty())
+      << "the one below is not seen, and a sum needs all";
+  EXPECT_THAT(legend_of(drawn), testing::ElementsAre("tests at a node: up to 9"));
+}
+
+TEST_F(BroadPhasePicture, OfATreeNoNumbersStandForTheyDoNotAddUp) {
+  phase().method = "tree";
+  phase().cells = {{{{0, 0, 0}, {2, 1, 2}}, 0, 1, 3}, {{{2, 0, 0}, {4, 1, 2}}, 0, 1, 8}};
+  const Sketch drawn = sketch(Layer::Cells);
+  EXPECT_THAT(drawn.labels, testing::IsEmpty());
+  EXPECT_THAT(legend_of(drawn), testing::ElementsAre("tests at a node: up to 9"));
+}
+
+TEST_F(BroadPhasePicture, AHeapOfMoreThanAHundredShapesIsDrawnWithoutHiddenEdges) {
+  const auto faint = [](const Line& line) { return line.style.hidden != LineStyle::Hidden::Gone; };
+  EXPECT_TRUE(std::ranges::any_of(sketch(Layer::Shapes).lines, faint));
+  for (int i = 0; i < 100; ++i) {
+    const std::string name = "crate_" + std::to_string(i);
+    scene.header.shapes.push_back(crate_sample::cuboid(name, {0.5, 0.5, 0.5}));
+    Pose<double> pose;
+    pose.position = {2.0 * i, 0.5, 3};
+    scene.frames[0].poses.push_back({name, pose});
+  }
+  const Sketch heap = sketch(Layer::Shapes);
+  ASSERT_FALSE(heap.lines.empty());
+  EXPECT_FALSE(std::ranges::any_of(heap.lines, faint));
 }
 
 TEST_F(BroadPhasePicture, WhatIsTooLargeForCellsIsExplained) {

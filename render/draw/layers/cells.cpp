@@ -3,6 +3,7 @@
 #include <map>
 #include <numeric>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "draw/layers/layer.h"
@@ -193,25 +194,32 @@ std::vector<trace::Cell> stacked(const trace::BroadPhase& phase, const Floor& fl
   return cells;
 }
 
-/// Where a number is read best in a tile, whose corners are at `low` and `high` along the view's right and
-/// up: off the outlines of boxes as far as it needs to be, and then as far to the lower left as it can.
-Vec2d place_in_tile(const Vec2d& low, const Vec2d& high,
-                    const std::vector<Eigen::AlignedBox2d>& boxes, double pixel) {
+/// Where a number is read best in a tile along the view's right and up: on none of the tiles `above` it,
+/// off the outlines of boxes as far as it needs to be, and then as far to the lower left as it can.
+/// Nothing where those above leave no room.
+std::optional<Vec2d> place_in_tile(const Eigen::AlignedBox2d& tile,
+                                   std::span<const Eigen::AlignedBox2d> above,
+                                   const std::vector<Eigen::AlignedBox2d>& boxes, double pixel) {
   constexpr int kTried = 12;
+  const Vec2d low = tile.min(), high = tile.max();
   const Vec2d margin = (0.5 * kCount * pixel * Vec2d(1.4, 1)).cwiseMin(0.5 * (high - low));
-  Vec2d best = low + margin;
-  double most = -1;
+  std::optional<Vec2d> best;
+  double most = 0;
   for (int row = 0; row <= kTried; ++row) {
     for (int column = 0; column <= kTried; ++column) {
       const Vec2d share(column / double(kTried), row / double(kTried));
       const Vec2d at = low + margin + share.cwiseProduct(high - low - 2 * margin);
+      // Tiles beside this one share its border, and do not cover what stands at it.
+      const Eigen::AlignedBox2d text(at - 0.99 * margin, at + 0.99 * margin);
+      if (std::ranges::any_of(above, [&](const auto& other) { return other.intersects(text); }))
+        continue;
       double clear = kCountClear * pixel;
       for (const Eigen::AlignedBox2d& box : boxes) {
         const double inside = std::min((at - box.min()).minCoeff(), (box.max() - at).minCoeff());
         clear = std::min(clear, inside > 0 ? inside : box.exteriorDistance(at));
       }
       const double value = clear / pixel - 0.01 * (row + column);
-      if (value <= most) continue;
+      if (best && value <= most) continue;
       best = at;
       most = value;
     }
@@ -220,7 +228,7 @@ Vec2d place_in_tile(const Vec2d& low, const Vec2d& high,
 }
 
 /// Writes into each tile how many tests it cost. Of none where one has no room: a sum needs all.
-/// Returns whether they stand there.
+/// `cells`: in the order in which their tiles are drawn. Returns whether the numbers stand there.
 bool write_tests(const Scene& scene, const std::vector<trace::Cell>& cells, const Floor& floor,
                  Sketch& sketch) {
   const Vec3d right = scene.camera.right(), up = scene.camera.up();
@@ -234,14 +242,23 @@ bool write_tests(const Scene& scene, const std::vector<trace::Cell>& cells, cons
   std::vector<Eigen::AlignedBox2d> boxes;
   for (const trace::Bounds& bounds : scene.frame.broad_phase->bounds)
     boxes.push_back(seen(bounds.box));
+  std::vector<Eigen::AlignedBox2d> tiles;
+  for (const trace::Cell& cell : cells) {
+    if (cell.members > 0) tiles.push_back(seen(cell.box));
+  }
+  std::span<const Eigen::AlignedBox2d> above = tiles;
   std::vector<std::pair<Vec2d, int>> numbers;
   for (const trace::Cell& cell : cells) {
+    if (cell.members == 0) continue;
+    const Eigen::AlignedBox2d& tile = above.front();
+    above = above.subspan(1);
     if (cell.tests == 0) continue;
     const std::vector<Vec3d> corners = floor.tile_of(cell.box);
     for (const std::size_t beside : {1, 3})
       if (flat(corners[beside] - corners[0]).norm() < kLeastCounted * pixel) return false;
-    const Eigen::AlignedBox2d tile = seen(cell.box);
-    numbers.emplace_back(place_in_tile(tile.min(), tile.max(), boxes, pixel), cell.tests);
+    const std::optional<Vec2d> place = place_in_tile(tile, above, boxes, pixel);
+    if (!place) return false;
+    numbers.emplace_back(*place, cell.tests);
   }
   const Vec3d on_floor = floor.tile_of(cells.front().box)[0];
   for (const auto& [at, tests] : numbers) {
@@ -294,11 +311,13 @@ void draw_cells(const Scene& scene, Sketch& sketch) {
   }
   if (sweep) draw_span(*sweep, floor, sketch);
   const int most = cells.back().tests;
-  const bool in_words = phase.method != "grid" || !write_tests(scene, cells, floor, sketch);
+  // What a query tests in a tree it tests at nodes all the way down, and one test counts at several.
+  const bool adds_up = phase.method == "grid" || phase.method == "octree";
+  const bool in_words = !adds_up || !write_tests(scene, cells, floor, sketch);
   const auto explain = [&](const Swatch& swatch, const std::string& tones) {
-    sketch.explain(swatch, !in_words        ? "number: tests in a cell"
-                           : is_tree(phase) ? "tests at a node: up to 9" + tones
-                                            : "tests in a cell: up to 9" + tones);
+    const std::string where = is_tree(phase) ? "at a node" : "in a cell";
+    sketch.explain(swatch,
+                   in_words ? "tests " + where + ": up to 9" + tones : "number: tests " + where);
   };
   if (most >= kTones[2].tests)
     explain(kTonesSwatch<3>, ", up to 99, more");

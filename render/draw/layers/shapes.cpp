@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <span>
 
 #include "draw/layers/layer.h"
 #include "draw/scene/pairs.h"
@@ -25,7 +26,21 @@ void draw_core(const PlacedShape& shape, Sketch& sketch) {
     if (const auto ends = shape.edge(e)) sketch.line((*ends)[0], (*ends)[1], {1.0f, kInside, true});
 }
 
+// In a heap of so many shapes the hidden edges of all would lie over each other as noise.
+constexpr std::size_t kHeap = 100;
+
+// Of what was drawn since there were so many lines, curves and marks: no hidden edge, and no core.
+void hide_insides(std::size_t lines, std::size_t curves, std::size_t marks, Sketch& sketch) {
+  for (Line& line : std::span(sketch.lines).subspan(lines))
+    line.style.hidden = LineStyle::Hidden::Gone;
+  for (Curve& curve : std::span(sketch.curves).subspan(curves))
+    curve.style.hidden = LineStyle::Hidden::Gone;
+  sketch.marks.resize(marks);
+}
+
 void draw_shapes(const Scene& scene, Sketch& sketch) {
+  const std::size_t lines = sketch.lines.size(), curves = sketch.curves.size(),
+                    marks = sketch.marks.size();
   for (const PlacedShape& shape : scene.shapes) {
     const Color fill = shape.is_a ? kShapeA : kShapeB;
     if (shape.is_mesh()) {
@@ -38,6 +53,7 @@ void draw_shapes(const Scene& scene, Sketch& sketch) {
     }
     if (shows_margin(shape)) draw_core(shape, sketch);
   }
+  if (scene.shapes.size() > kHeap) hide_insides(lines, curves, marks, sketch);
 }
 
 // The widest: a wrong margin is the first thing to look for where bodies float.
