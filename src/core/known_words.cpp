@@ -275,7 +275,7 @@ const std::vector<std::string_view>& known_words() {
       "{n} pairs of triangles touch",
       "{n} pairs of arcs cross",
       "{n} pairs of boxes",
-      "{n} % of the pairs of triangles",
+      "{n} % of {m} pairs",
       "grey",
       "none cross",
       "no triangles cross",

@@ -234,7 +234,7 @@ TEST_F(MeshPanels, TheMatrixHasABlockForEachPairOfNodesThatDecidedSomething) {
   EXPECT_LE(bottom, 580);
   EXPECT_THAT(crate_sample::texts(drawing),
               AllOf(Contains("5 pairs of boxes"), Contains("1 of them, vermilion"),
-                    Contains("75 % of the pairs of triangles, grey")));
+                    Contains("75 % of 4 pairs, grey")));
 }
 
 TEST_F(MeshPanels, WithoutTwoMeshesTheMatrixSaysSo) {

@@ -50,8 +50,8 @@ class NodePairsPanel : public PanelContent {
     sheet.row("compared",
               spell_count(static_cast<std::int64_t>(visits.size())) + " pairs of boxes");
     sheet.row("reach leaves", spell_count(leaves) + " of them, vermilion");
-    sheet.row("spared",
-              spell_number(100 * spared(visits) / all) + " % of the pairs of triangles, grey");
+    sheet.row("spared", spell_number(100 * spared(visits) / all) + " % of " +
+                            spell_count(static_cast<std::int64_t>(all)) + " pairs, grey");
     draw_matrix(visits, sheet);
     return {};
   }
