@@ -133,15 +133,24 @@ void explain_beside(const View& view, const trace::Frame& frame, Legend& legend)
 }
 
 // Says at the thing what the legend has no room for.
-void label_in_place(const LegendChoice& choice, Sketch& sketch) {
+void label_in_place(const LegendEntry& entry, Sketch& sketch) {
   sketch.begin(kLegendPart);
+  Label& label = sketch.label(*entry.anchor, label_of(entry), entry.swatch->ink, kInPlace, kAway);
+  label.bold = false;
+  label.leader = true;
+}
+
+bool has_sign(const LegendEntry& entry, const Sketch& sketch) {
+  return std::ranges::find(sketch.legend.entries(), entry.swatch, &LegendEntry::swatch) !=
+         sketch.legend.entries().end();
+}
+
+// Once is enough where the same is to be seen side by side: in the first shot that has it.
+void label_in_place(const LegendChoice& choice, std::vector<Sketch>& side_by_side) {
   for (const LegendEntry& entry : choice.labelled) {
-    if (std::ranges::find(sketch.legend.entries(), entry.swatch, &LegendEntry::swatch) ==
-        sketch.legend.entries().end())
-      continue;
-    Label& label = sketch.label(*entry.anchor, label_of(entry), entry.swatch->ink, kInPlace, kAway);
-    label.bold = false;
-    label.leader = true;
+    const auto sketch = std::ranges::find_if(
+        side_by_side, [&](const Sketch& each) { return has_sign(entry, each); });
+    if (sketch != side_by_side.end()) label_in_place(entry, *sketch);
   }
 }
 
@@ -254,8 +263,7 @@ Drawing illustrate(const Staging& staging, const trace::Frame& frame) {
   }
   explain_beside(staging.view, frame, legend);
   const LegendChoice choice = choose_legend(legend.sorted());
-  // Once is enough, where the same is to be seen side by side.
-  label_in_place(choice, sketches.front());
+  label_in_place(choice, sketches);
   const std::string title = fill_title(staging, frame);
   auto told = sketches.begin();
   for (const Shot& shot : shots) label_told_depth(*shot.scene, title, sketches, *told++);
@@ -284,7 +292,8 @@ Drawing illustrate(const Staging& staging, const trace::Frame& frame) {
     ++sketch;
   }
   for (std::size_t i = 0; i < insets.size(); ++i) {
-    label_in_place(choice, insets[i].sketch);
+    for (const LegendEntry& entry : choice.labelled)
+      if (has_sign(entry, insets[i].sketch)) label_in_place(entry, insets[i].sketch);
     draw_inset(staging.insets[i], insets[i], staging.layout, drawing);
   }
   if (staging.style.legend) draw_legend(choice.listed, staging.layout, drawing);

@@ -156,7 +156,7 @@ const std::vector<std::string_view>& known_words() {
       "the ball touches",
       // Meshes, fields and bounds.
       "triangle touched",
-      "triangle touched, incident",
+      "incident triangle",
       "triangle that crosses the other mesh",
       "triangles that overlap in one plane",
       "triangle without an area",

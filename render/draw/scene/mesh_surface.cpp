@@ -160,7 +160,7 @@ void draw_touched_triangles(const Scene& scene, Sketch& sketch) {
         {width, color, incident, many ? LineStyle::Hidden::Faint : LineStyle::Hidden::Same});
     if (!incident) sketch.surfaces.back().kind = Surface::Kind::Ground;
     sketch.explain(incident ? kIncidentFaceSwatch : kReferenceFaceSwatch,
-                   incident ? "triangle touched, incident" : "triangle touched",
+                   incident ? "incident triangle" : "triangle touched",
                    near_corner(mesh->polygon(triangle)));
   }
 }
