@@ -10,10 +10,7 @@ using namespace told;
 
 const std::vector<Named> kTrees = {{"rebuild", "rebuilt in each frame"},
                                    {"refit", "only refitted"},
-                                   {"auto", "rebuilt where a query costs 30 % more"},
-                                   {"both trees", "both trees built"},
-                                   {"query", "query"},
-                                   {"vertices moved, one tree refitted", "one tree refitted"}};
+                                   {"auto", "rebuilt where a query costs 30 % more"}};
 
 double sum_of(const trace::StudySeries& series) {
   double sum = 0;
@@ -39,35 +36,29 @@ void divide_by(trace::StudySeries& series, const trace::StudySeries& base) {
 trace::Study picture_times(const trace::Study& measured) {
   trace::Study study = measured;
   keep_methods(study, kTrees);
-  std::ranges::stable_sort(study.series, std::ranges::greater(), [](const auto& series) {
-    return series.parameter.starts_with("frames");
-  });
   for (trace::StudySeries& series : study.series) {
-    const bool is_twist = series.parameter.starts_with("frames");
-    if (is_twist)
-      series.panel = "A ball of " + series.panel.substr(0, series.panel.find(' ')) +
-                     " triangles is twisted: update and query";
-    if (!is_twist) series.panel = "Two balls that cross in a ring";
-    series.parameter = is_twist ? "frame" : "triangles of each ball";
+    series.panel = "A ball of " + series.panel.substr(0, series.panel.find(' ')) +
+                   " triangles is twisted: its tree is brought up to date and queried";
+    series.parameter = "frame";
   }
-  study.shown = "Up: milliseconds, the least of the repetitions";
+  study.shown = "Up: milliseconds of a frame, the least of the repetitions";
   tell(study, [&] {
     const trace::StudySeries& rebuilt = any_series_of(measured, "rebuild");
-    const double ratio = sum_of(rebuilt) / sum_of(any_series_of(measured, "refit"));
-    const double automatic = sum_of(rebuilt) / sum_of(any_series_of(measured, "auto"));
+    const auto total = [](const trace::StudySeries& series) {
+      return duration(1e6 * sum_of(series));
+    };
     for (trace::StudySeries& series : study.series)
-      if (series.parameter == "frame")
-        series.method += ": " + duration(1e6 * sum_of(series)) + " in all";
-    return "Rebuilding a mesh's tree in each of " + count(double(rebuilt.points.size())) +
-           " frames takes " + number(ratio) + " times as long as refitting it, " +
-           number(automatic) + " times as rebuilding it where needed";
+      series.method += ": " + total(series) + " in all";
+    return count(double(rebuilt.points.size())) + " frames take " + total(rebuilt) +
+           " where a mesh's tree is rebuilt in each, and " +
+           total(any_series_of(measured, "auto")) + " where only as needed";
   });
   return study;
 }
 
 trace::Study picture_costs(const trace::Study& measured) {
   trace::Study study = measured;
-  keep_methods(study, {kTrees.begin(), kTrees.begin() + 3});
+  keep_methods(study, kTrees);
   const trace::Study kept = study;
   double refitted = 0, most_automatic = 0;
   const auto times = [](double ratio, int digits) { return number(ratio, digits) + " ×"; };

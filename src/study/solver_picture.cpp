@@ -22,6 +22,7 @@ trace::Study picture_curves(const trace::Study& measured) {
   std::vector<Named> all = kWarm;
   all.insert(all.end(), kCold.begin(), kCold.end());
   keep_methods(study, all);
+  if (study.measure == "jitter") keep_panels(study, {{kSubsteps, kSubsteps}});
   // Those of one panel stand together.
   std::ranges::stable_sort(study.series, std::ranges::less(), &trace::StudySeries::panel);
   double failed = 0, of = 0;
@@ -58,9 +59,9 @@ trace::Study picture_curves(const trace::Study& measured) {
          sub_steps + ": " + spelled(speed("soft, warm")));
     for (trace::StudySeries& series : study.series)
       if (auto* point = at_usual(series); point && *point->error == rivals)
-        point->mark = spelled(rivals);
+        point->mark = sub_steps + ": " + spelled(rivals);
     return "With " + sub_steps + " ten boxes on soft contacts move at " +
-           spelled(speed("soft, warm")) + ", with the other methods at " + spelled(rivals) +
+           spelled(speed("soft, warm")) + ", with any other method at " + spelled(rivals) +
            " or more";
   });
   return study;
