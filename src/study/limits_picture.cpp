@@ -51,7 +51,7 @@ trace::Study picture_sweeps(const trace::Study& measured) {
       return off;
     };
     const std::string in_float = far("float");
-    return "1 km from the origin float is off by " + in_float + " of the size, double by " +
+    return "At 1 km the rounding of places costs float " + in_float + " of the size, double " +
            far("double");
   });
   return study;

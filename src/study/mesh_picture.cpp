@@ -50,8 +50,8 @@ trace::Study picture_times(const trace::Study& measured) {
     for (trace::StudySeries& series : study.series)
       series.method += ": " + total(series) + " in all";
     return count(double(rebuilt.points.size())) + " frames take " + total(rebuilt) +
-           " where a mesh's tree is rebuilt in each, and " +
-           total(any_series_of(measured, "auto")) + " where only as needed";
+           " with a tree rebuilt in each, " + total(any_series_of(measured, "auto")) +
+           " rebuilt where needed, " + total(any_series_of(measured, "refit")) + " refitted";
   });
   return study;
 }
@@ -118,7 +118,10 @@ trace::Study picture_motion(const trace::Study& measured) {
       if (most > 1.005 && point.error == most) point.mark = percent(most - 1) + " more";
     }
   trace::StudySeries roots = study.series.front();
-  for (trace::StudyPoint& point : roots.points) point.error = point.error_worst = 1;
+  for (trace::StudyPoint& point : roots.points) {
+    point.error = point.error_worst = 1;
+    point.mark.clear();
+  }
   roots.method = "from the roots";
   roots.quiet = true;
   roots.look.reset();

@@ -14,8 +14,10 @@ constexpr const char* kSubsteps = "More sub-steps, an iteration each";
 const std::vector<Named> kWarm = {{"soft, warm", "soft contacts"},
                                   {"projection, warm", "projection"},
                                   {"baumgarte, warm", "Baumgarte"}};
-const std::vector<Named> kCold = {
-    {"soft, cold", ""}, {"projection, cold", ""}, {"baumgarte, cold", "without warm starting"}};
+constexpr const char* kColdEnd = ", cold";
+const std::vector<Named> kCold = {{"soft, cold", "soft contacts, cold"},
+                                  {"projection, cold", "projection, cold"},
+                                  {"baumgarte, cold", "Baumgarte, cold"}};
 
 trace::Study picture_curves(const trace::Study& measured) {
   trace::Study study = measured;
@@ -27,7 +29,7 @@ trace::Study picture_curves(const trace::Study& measured) {
   std::ranges::stable_sort(study.series, std::ranges::less(), &trace::StudySeries::panel);
   double failed = 0, of = 0;
   for (trace::StudySeries& series : study.series) {
-    const bool is_cold = series.method.empty() || series.method == kCold.back().second;
+    const bool is_cold = series.method.ends_with(kColdEnd);
     series.quiet = is_cold;
     for (trace::StudyPoint& point : series.points) {
       if (!is_cold) continue;
@@ -37,7 +39,7 @@ trace::Study picture_curves(const trace::Study& measured) {
     }
   }
   study.shown = "Up: mean " + study.error + ". Along a line: 1 to 64. Crosses: stacks that fell" +
-                (of > 0 ? "; without warm starting " + percent(failed / of) + " did." : ".");
+                (of > 0 ? "; cold, without warm starting, " + percent(failed / of) + " did." : ".");
   if (study.measure != "jitter") return study;
   tell(study, [&] {
     const auto speed = [&](const char* method) {
