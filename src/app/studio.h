@@ -44,7 +44,8 @@ class Studio {
 
   /// The first half of pictures: draws the frames of a staged sequence whose numbers are given, panels
   /// included, and hands each drawing to `sink`. Opens no OpenGL; Dear ImGui where the view has panels.
-  /// Measured pipeline times go to the summary panel.
+  /// Measured pipeline times go to the summary panel. Of a sequence that is held whole another thread draws the
+  /// next frame while `sink` has this one; `sink` is always called in the caller's.
   void each_drawing(const draw::Staging& staging, Sequence& sequence,
                     const std::vector<int>& numbers,
                     const std::function<void(const trace::Frame&, draw::Drawing)>& sink);
