@@ -10,7 +10,7 @@ namespace contactscope {
 /// not know animations sees the first picture.
 class ApngEncoder {
  public:
-  /// `level` is libdeflate's, 0 to 12.
+  /// `level` is that of zlib_stream(), 0 to 12.
   explicit ApngEncoder(int level = 6) : level_(level) {}
 
   /// The next picture, as large as the first one, and with alpha where that has some. `milliseconds`:

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "image/deflate.h"
 #include "image/image.h"
 #include "image/png_chunks.h"
 
@@ -16,13 +17,14 @@ class PngError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A PNG of 8 bits a channel, RGB, with alpha where the picture has some. `level` is libdeflate's, 0
-/// (stored) to 12 (smallest); level 1 takes 8 ms for 1280x720. The picture has at least one pixel. Equal
-/// pictures with equal texts give equal bytes. May be called from several threads at once.
-std::vector<std::uint8_t> encode_png(const Image& image, int level = 1, const PngText& text = {});
+/// A PNG of 8 bits a channel, RGB, with alpha where the picture has some. `level` is that
+/// of zlib_stream(), 0 (stored) to 12 (smallest); level 1 takes 1 to 2.5 ms for 1280x720. The picture has at
+/// least one pixel. Equal pictures with equal texts give equal bytes on one machine. May be called from
+/// several threads at once.
+std::vector<std::uint8_t> encode_png(const Image& image, int level = kFastestDeflate, const PngText& text = {});
 
 /// encode_png() into a file that is whole or absent. Throws std::filesystem::filesystem_error.
-void write_png(const std::string& path, const Image& image, int level = 1,
+void write_png(const std::string& path, const Image& image, int level = kFastestDeflate,
                const PngText& text = {});
 
 /// Reads any PNG as 8-bit RGB; alpha is dropped. Throws std::filesystem::filesystem_error when the

@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <cassert>
 #include <memory>
-#include <new>
+
+#include "image/deflate.h"
 
 namespace contactscope {
 namespace {
@@ -87,14 +88,7 @@ Bytes deflated_rows(const Image& image, const PixelBox& box, int level) {
       to[3] = image.alpha[first + x];
     }
   }
-  const std::unique_ptr<libdeflate_compressor, void (*)(libdeflate_compressor*)> compressor(
-      libdeflate_alloc_compressor(level), libdeflate_free_compressor);
-  if (!compressor) throw std::bad_alloc();
-  const std::size_t bound = libdeflate_zlib_compress_bound(compressor.get(), size);
-  const auto out = std::make_unique_for_overwrite<std::uint8_t[]>(bound);
-  const std::size_t length =
-      libdeflate_zlib_compress(compressor.get(), rows.get(), size, out.get(), bound);
-  return {out.get(), out.get() + length};
+  return zlib_stream({rows.get(), size}, level);
 }
 
 }  // namespace contactscope

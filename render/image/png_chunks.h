@@ -33,7 +33,7 @@ void append_png_begin(const Image& image, Bytes& to);
 void append_png_text(const PngText& text, Bytes& to);
 
 /// Rows of part of a picture, each behind the byte that names its filter (none), as a zlib stream: what
-/// IDAT and fdAT hold. The box has at least one pixel.
+/// IDAT and fdAT hold. The box has at least one pixel; `level` is that of zlib_stream().
 Bytes deflated_rows(const Image& image, const PixelBox& box, int level);
 
 }  // namespace contactscope

@@ -58,6 +58,15 @@ TEST_F(Png, ReadsBackWhatItWroteAtEveryLevel) {
   EXPECT_EQ(files(), 1u) << "nothing is left aside";
 }
 
+TEST_F(Png, EveryLevelButTheFirstOneCompresses) {
+  Image picture(640, 360);
+  testing::paint_all(picture, {255, 255, 255});
+  testing::paint_dot(picture, 300, 200, 80, {213, 94, 0});
+  EXPECT_GT(encode_png(picture, 0).size(), picture.rgb.size());
+  for (int level = 1; level <= 12; ++level)
+    EXPECT_LT(encode_png(picture, level).size(), picture.rgb.size() / 50) << level;
+}
+
 TEST_F(Png, KeepsNoiseAndOddSizes) {
   for (const auto& [width, height] : {std::pair{1, 1}, {1, 50}, {333, 7}, {640, 360}}) {
     const Image picture = noise(width, height, 3);
