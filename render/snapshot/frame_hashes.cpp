@@ -58,7 +58,8 @@ class Mixer {
     for (const auto& value : values) add(static_cast<const T&>(value));
   }
   template <class T>
-  void add(const std::optional<T>& value) {
+  requires trace::kIsOptional<T>
+  void add(const T& value) {
     if (value) add(*value);
   }
   template <trace::Listed T>

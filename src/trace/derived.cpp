@@ -58,6 +58,10 @@ void mirror_value(std::optional<T>& value, Mirrored how) {
   if (value) mirror_value(*value, how);
 }
 template <class T>
+void mirror_value(Stage<T>& value, Mirrored how) {
+  if (value) mirror_value(*value, how);
+}
+template <class T>
 requires(!std::same_as<T, int>) void mirror_value(std::vector<T>& list, Mirrored how) {
   for (T& value : list) mirror_value(value, how);
 }

@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "trace/stage.h"
+
 /// How the structs of this folder list their fields: each has a `fields()`, and the JSON writer and
 /// reader, the comparison that `check` makes, the mirroring of a pair and their tests all
 /// follow from it. A struct inside of another one, in an optional or in a list has a list of its own.
@@ -66,6 +68,8 @@ template <class T>
 inline constexpr bool kIsOptional = false;
 template <class T>
 inline constexpr bool kIsOptional<std::optional<T>> = true;
+template <class T>
+inline constexpr bool kIsOptional<Stage<T>> = true;
 
 /// What an optional or a list holds; any other type itself.
 template <class T>
@@ -74,6 +78,10 @@ struct Unwrapped {
 };
 template <class T>
 struct Unwrapped<std::optional<T>> {
+  using type = T;
+};
+template <class T>
+struct Unwrapped<Stage<T>> {
   using type = T;
 };
 template <class T>

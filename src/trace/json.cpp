@@ -67,7 +67,8 @@ class JsonWriter {
     return Json::array({json(q.w(), key), json(q.x(), key), json(q.y(), key), json(q.z(), key)});
   }
   template <class T>
-  Json json(const std::optional<T>& value, const char* key) const {
+  requires kIsOptional<T> Json json(const T& value, const char* key)
+  const {
     return value ? json(*value, key) : Json(nullptr);
   }
   template <Listed T>

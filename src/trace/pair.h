@@ -15,6 +15,7 @@
 #include "trace/query.h"
 #include "trace/sat.h"
 #include "trace/shape.h"
+#include "trace/stage.h"
 
 namespace contactscope::trace {
 
@@ -242,24 +243,24 @@ struct Pair {
   std::string state;      // "touching" or "separated"
   double separation = 0;  // deepest point when touching, best axis when separated
   std::vector<Manifold> manifolds;
-  std::optional<Sat> sat;
-  std::optional<Clip> clip;
-  std::optional<Reduction> reduction;
-  std::optional<Degenerate> degenerate{};
-  std::optional<Tree> tree{};
-  std::optional<Gjk> gjk{};
-  std::optional<Cache> cache{};  // empty too where there was nothing to try
-  std::optional<Penetration> penetration{};
-  std::optional<Minkowski> minkowski{};
-  std::optional<Incremental> incremental{};
-  std::optional<Stability> stability{};
+  Stage<Sat> sat;
+  Stage<Clip> clip;
+  Stage<Reduction> reduction;
+  Stage<Degenerate> degenerate;
+  Stage<Tree> tree;
+  Stage<Gjk> gjk;
+  Stage<Cache> cache;  // empty too where there was nothing to try
+  Stage<Penetration> penetration;
+  Stage<Minkowski> minkowski;
+  Stage<Incremental> incremental;
+  Stage<Stability> stability;
   std::optional<bool> overlap{};  // where the pair was asked for something else than its manifold
-  std::optional<Query> query{};   // likewise; such a pair has no manifolds
+  Stage<Query> query;   // likewise; such a pair has no manifolds
   std::vector<Intersection> intersections{};  // of two meshes
-  std::optional<Impact> impact{};             // where the pair is asked when it meets
-  std::optional<FieldProbes> field_probes{};  // with a distance field, where a view shows it
+  Stage<Impact> impact;             // where the pair is asked when it meets
+  Stage<FieldProbes> field_probes;  // with a distance field, where a view shows it
   std::vector<Decision> decisions{};          // in the order in which they were taken
-  std::optional<Flip> flip{};
+  Stage<Flip> flip;
 
   /// A trace may leave the separation out; see complete().
   static void not_told(Pair& pair) { pair.separation = std::numeric_limits<double>::quiet_NaN(); }

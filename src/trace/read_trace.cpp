@@ -47,7 +47,8 @@ struct Value {
     value = Quatd(q[0], q[1], q[2], q[3]);
   }
   template <class T>
-  void read(const Node& node, std::optional<T>& value) const {
+  requires kIsOptional<T>
+  void read(const Node& node, T& value) const {
     read(node, value.emplace());
   }
   template <Listed T>

@@ -86,7 +86,7 @@ TEST(FarShapes, AreToldAsTheFileHasThem) {
   EXPECT_EQ(frame.poses[1].second.position, kFar);
   EXPECT_EQ(frame.poses[3].second.position, kFar);
 
-  const std::optional<trace::Tree>& tree = pair_of(frame, "ball", "floor").tree;
+  const trace::Stage<trace::Tree>& tree = pair_of(frame, "ball", "floor").tree;
   ASSERT_TRUE(tree);
   EXPECT_LT((tree->visits.at(0).box.lower + kFar - Vec3d(4, 0, -1)).norm(), 1e-6);
   EXPECT_LT((tree->visits.at(0).box.upper + kFar - Vec3d(6, 0, 1)).norm(), 1e-6);

@@ -33,7 +33,8 @@ class Filler {
     for (int i = 0; i < 3; ++i) fill(value[i]);
   }
   template <class T>
-  void fill(std::optional<T>& value) {
+  requires kIsOptional<T>
+  void fill(T& value) {
     fill(value.emplace());
   }
   template <class T>
@@ -100,8 +101,9 @@ class Changer {
     for (int i = 0; i < 3; ++i) each(value[i]);
   }
   template <class T>
-  void each(std::optional<T>& value) {
-    with(value, std::optional<T>());
+  requires kIsOptional<T>
+  void each(T& value) {
+    with(value, T());
     each(*value);
   }
   template <class T>
