@@ -26,8 +26,8 @@ Bytes small_stream(std::span<const std::uint8_t> bytes, int level) {
   if (!compressor) throw std::bad_alloc();
   const std::size_t bound = libdeflate_zlib_compress_bound(compressor.get(), bytes.size());
   const auto out = std::make_unique_for_overwrite<std::uint8_t[]>(bound);
-  const std::size_t length = libdeflate_zlib_compress(compressor.get(), bytes.data(), bytes.size(),
-                                                      out.get(), bound);
+  const std::size_t length =
+      libdeflate_zlib_compress(compressor.get(), bytes.data(), bytes.size(), out.get(), bound);
   return {out.get(), out.get() + length};
 }
 
@@ -55,7 +55,8 @@ Bytes fast_stream(std::span<const std::uint8_t> bytes) {
   do {
     stream.next_out = piece.data();
     stream.avail_out = as_u32(piece.size());
-    if (isal_deflate(&stream) != COMP_OK) throw std::runtime_error("a picture cannot be compressed");
+    if (isal_deflate(&stream) != COMP_OK)
+      throw std::runtime_error("a picture cannot be compressed");
     out.insert(out.end(), piece.begin(), piece.end() - stream.avail_out);
   } while (stream.internal_state.state != ZSTATE_END);
   return out;

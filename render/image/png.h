@@ -21,7 +21,8 @@ class PngError : public std::runtime_error {
 /// of zlib_stream(), 0 (stored) to 12 (smallest); level 1 takes 1 to 2.5 ms for 1280x720. The picture has at
 /// least one pixel. Equal pictures with equal texts give equal bytes on one machine. May be called from
 /// several threads at once.
-std::vector<std::uint8_t> encode_png(const Image& image, int level = kFastestDeflate, const PngText& text = {});
+std::vector<std::uint8_t> encode_png(const Image& image, int level = kFastestDeflate,
+                                     const PngText& text = {});
 
 /// encode_png() into a file that is whole or absent. Throws std::filesystem::filesystem_error.
 void write_png(const std::string& path, const Image& image, int level = kFastestDeflate,

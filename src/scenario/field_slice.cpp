@@ -25,7 +25,7 @@ trace::FieldSlice slice_through(const std::string& name, const PlacedField& fiel
   const int along = facing[through] > 0 ? one : other, across = facing[through] > 0 ? other : one;
   const double longest = std::max(values.size()[along], values.size()[across]);
   // Values a cell where that is more than one, else cells a value.
-  const double per_cell = std::min(4.0, std::floor(kSliceValues / longest));
+  const double per_cell = std::min(8.0, std::floor(kSliceValues / longest));
   const double step = per_cell >= 1 ? 1 / per_cell : std::ceil(longest / kSliceValues);
   const auto count_along = [&](int axis) {
     return 1 + static_cast<int>(std::floor(values.size()[axis] / step + 0.5 / kSliceValues));

@@ -68,9 +68,7 @@ class JsonWriter {
   }
   template <class T>
   requires kIsOptional<T> Json json(const T& value, const char* key)
-  const {
-    return value ? json(*value, key) : Json(nullptr);
-  }
+  const { return value ? json(*value, key) : Json(nullptr); }
   template <Listed T>
   Json json(const T& fact, const char*) const {
     Json object = Json::object();

@@ -246,21 +246,21 @@ struct Pair {
   Stage<Sat> sat;
   Stage<Clip> clip;
   Stage<Reduction> reduction;
-  Stage<Degenerate> degenerate;
-  Stage<Tree> tree;
-  Stage<Gjk> gjk;
-  Stage<Cache> cache;  // empty too where there was nothing to try
-  Stage<Penetration> penetration;
-  Stage<Minkowski> minkowski;
-  Stage<Incremental> incremental;
-  Stage<Stability> stability;
+  Stage<Degenerate> degenerate{};
+  Stage<Tree> tree{};
+  Stage<Gjk> gjk{};
+  Stage<Cache> cache{};  // empty too where there was nothing to try
+  Stage<Penetration> penetration{};
+  Stage<Minkowski> minkowski{};
+  Stage<Incremental> incremental{};
+  Stage<Stability> stability{};
   std::optional<bool> overlap{};  // where the pair was asked for something else than its manifold
-  Stage<Query> query;   // likewise; such a pair has no manifolds
+  Stage<Query> query{};           // likewise; such a pair has no manifolds
   std::vector<Intersection> intersections{};  // of two meshes
-  Stage<Impact> impact;             // where the pair is asked when it meets
-  Stage<FieldProbes> field_probes;  // with a distance field, where a view shows it
+  Stage<Impact> impact{};                     // where the pair is asked when it meets
+  Stage<FieldProbes> field_probes{};          // with a distance field, where a view shows it
   std::vector<Decision> decisions{};          // in the order in which they were taken
-  Stage<Flip> flip;
+  Stage<Flip> flip{};
 
   /// A trace may leave the separation out; see complete().
   static void not_told(Pair& pair) { pair.separation = std::numeric_limits<double>::quiet_NaN(); }

@@ -48,9 +48,7 @@ struct Value {
   }
   template <class T>
   requires kIsOptional<T>
-  void read(const Node& node, T& value) const {
-    read(node, value.emplace());
-  }
+  void read(const Node& node, T& value) const { read(node, value.emplace()); }
   template <Listed T>
   void read(const Node& node, T& value) const {
     value = trace::read<T>(node, &counts);

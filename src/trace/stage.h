@@ -31,6 +31,13 @@ class Stage {
   T* operator->() { return value_.get(); }
   const T* operator->() const { return value_.get(); }
 
+  /// Throws std::bad_optional_access where nothing was told.
+  const T& value() const {
+    if (!value_) throw std::bad_optional_access();
+    return *value_;
+  }
+  T value_or(T other) const { return value_ ? *value_ : std::move(other); }
+
   template <class... Arguments>
   T& emplace(Arguments&&... arguments) {
     value_ = std::make_unique<T>(std::forward<Arguments>(arguments)...);

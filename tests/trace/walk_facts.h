@@ -34,9 +34,7 @@ class Filler {
   }
   template <class T>
   requires kIsOptional<T>
-  void fill(T& value) {
-    fill(value.emplace());
-  }
+  void fill(T& value) { fill(value.emplace()); }
   template <class T>
   void fill(std::vector<T>& list) {
     list.clear();
