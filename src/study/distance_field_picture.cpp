@@ -28,6 +28,11 @@ std::vector<Named> all_fields(const trace::Study& study) {
   return named;
 }
 
+/// By the name that it has in pictures.
+bool is_peer(const std::string& field) {
+  return std::ranges::find(kFields, field, &Named::second) == kFields.end();
+}
+
 void show_cells_alone(trace::Study& study) {
   keep_panels(study, {{kByCells, ""}});
   for (trace::StudySeries& series : study.series) series.parameter = "cells along the longest side";
@@ -35,16 +40,20 @@ void show_cells_alone(trace::Study& study) {
 
 trace::Study picture_errors(const trace::Study& measured) {
   trace::Study study = measured;
-  keep_methods(study, all_fields(measured));
+  std::vector<Named> named = all_fields(measured);
+  // Tables have the others, which are between these.
+  std::erase_if(named, [](const Named& field) {
+    return field.second == "trilinear, exact cells" || field.second == "cubic, some cells exact";
+  });
+  keep_methods(study, named);
   show_cells_alone(study);
   for (trace::StudySeries& series : study.series) {
     series.parameter = "cells";
+    series.quiet = is_peer(series.method);
     for (trace::StudyPoint& point : series.points) point.error_worst.reset();  // tables have it
   }
   show_least_times(study);
-  study.shown =
-      "Along a line: fields of 16, 32, 64 and 128 cells. Thick: of as many cells nothing else is "
-      "both as fast and as close.";
+  study.shown = "Along a line: fields of 16, 32, 64 and 128 cells; those of 64 have a ring.";
   if (study.measure != "distance") return study;
   tell(study, [&] {
     const auto at_usual = [&](const char* method) -> const trace::StudyPoint& {
@@ -61,7 +70,7 @@ trace::Study picture_errors(const trace::Study& measured) {
     const trace::StudyPoint &cubic = at_usual("cubic"), &exact = at_usual("cubic with exact cells");
     const std::string cells = number(kUsualCells) + " cells";
     const auto compared = [&](const trace::StudyPoint& other) {
-      return cells + ": " + beside(other) + " as close, " + slower(other) + " the time";
+      return beside(other) + " as close, " + slower(other) + " the time";
     };
     mark(study, "trilinear", "", kUsualCells, cells);
     mark(study, "cubic", "", kUsualCells, compared(cubic));
@@ -87,32 +96,69 @@ trace::Study picture_build(const trace::Study& measured) {
     std::string fast_name, slow_name;
     for (const trace::StudySeries& series : study.series) {
       const double time = 1e6 * error_at(series, most);
-      const bool own = std::ranges::find(kFields, series.method, &Named::second) != kFields.end();
+      const bool own = !is_peer(series.method);
       if (!own) peer = time, mark(study, series.method, "", most, duration(time));
       if (own && time < fastest) fastest = time, fast_name = series.method;
       if (own && time > slowest) slowest = time, slow_name = series.method;
     }
     mark(study, fast_name, "", most, duration(fastest));
     mark(study, slow_name, "", most, duration(slowest));
+    // The other kinds are between these two.
+    std::erase_if(study.series, [&](const trace::StudySeries& series) {
+      return !is_peer(series.method) && series.method != fast_name && series.method != slow_name;
+    });
+    for (trace::StudySeries& series : study.series) {
+      if (series.method == fast_name) series.method += ", the fastest of five kinds";
+      if (series.method == slow_name) series.method += ", the slowest of five kinds";
+    }
     const std::string field = "field of " + number(most, 3) + " cells";
     if (peer == 0)
       return "A " + field + " takes " + duration(fastest) + " to " + duration(slowest) +
              " to build";
     return "To build a " + field + " OpenVDB takes " + number(peer / slowest) + " to " +
-           number(peer / fastest) + " times as long as the five kinds of field here";
+           number(peer / fastest) + " times as long as the five kinds here";
   });
   return study;
 }
 
+/// At each parameter the worst of a method in all of its panels.
+trace::StudySeries worst_of_panels(const trace::Study& study, const std::string& method) {
+  trace::StudySeries worst;
+  for (const trace::StudySeries& series : study.series) {
+    if (series.method != method) continue;
+    if (worst.points.empty()) worst = series;
+    for (trace::StudyPoint& point : worst.points)
+      for (const trace::StudyPoint& other : series.points)
+        if (other.parameter == point.parameter && other.error > point.error) point = other;
+  }
+  worst.method = "conservative: of any depth";
+  worst.look = 1;
+  return worst;
+}
+
 trace::Study picture_missed(const trace::Study& measured) {
   trace::Study study = measured;
-  keep_methods(study, {{"sampled", "at points"}, {"conservative", "conservative search"}});
-  keep_panels(study, {{"0.01 cells deep", "A hundredth of a cell deep"},
-                      {"0.1 cells deep", "A tenth of a cell deep"},
-                      {"1 cell deep", "A cell deep"}});
-  for (trace::StudySeries& series : study.series) series.parameter = "cells between points";
+  study.series.clear();
+  const std::string deepest = "at points: of ";
+  for (const auto& [panel, depth] :
+       {Named{"0.01 cells deep", "1/100 of a cell"}, Named{"0.1 cells deep", "1/10 of a cell"},
+        Named{"1 cell deep", "one cell"}}) {
+    for (const trace::StudySeries& series : measured.series) {
+      if (series.method != "sampled" || series.panel != panel) continue;
+      trace::StudySeries& line = study.series.emplace_back(series);
+      line.method = deepest + depth;
+      line.look = static_cast<int>(study.series.size()) + 1;
+    }
+  }
+  if (const auto searched = worst_of_panels(measured, "conservative"); !searched.points.empty())
+    study.series.push_back(searched);
+  for (trace::StudySeries& series : study.series) {
+    series.panel.clear();
+    series.parameter = "cells between the points";
+  }
   study.unit = trace::kShare;
-  study.shown = "Up: share of the overlaps of a cube with a ball's field that a search misses";
+  study.shown =
+      "Up: share of the overlaps of a cube with a ball's field that are missed, by their depth";
   tell(study, [&] {
     const double finest = 0.5;
     const auto missed = [&](const char* method, const char* panel) {
@@ -120,12 +166,9 @@ trace::Study picture_missed(const trace::Study& measured) {
       return share > 0 ? percent(share) : std::string("none");
     };
     double conservative = 0;
-    for (const trace::StudySeries& series : measured.series)
-      for (const trace::StudyPoint& point : series.points)
-        if (series.method == "conservative")
-          conservative = std::max(conservative, point.error.value_or(0));
-    mark(study, "at points", "A hundredth of a cell deep", finest,
-         missed("sampled", "0.01 cells deep"));
+    for (const trace::StudyPoint& point : worst_of_panels(measured, "conservative").points)
+      conservative = std::max(conservative, point.error.value_or(0));
+    mark(study, deepest + "1/100 of a cell", "", finest, missed("sampled", "0.01 cells deep"));
     return "Points half a cell apart miss " + missed("sampled", "0.01 cells deep") +
            " of the overlaps of a hundredth of a cell; the conservative search misses " +
            (conservative > 0 ? "up to " + percent(conservative) : "none");
@@ -155,7 +198,9 @@ trace::Study picture_plate(const trace::Study& measured) {
     const std::string exact = lost("cubic with exact cells");
     mark(study, "trilinear", "", quarter, lost("trilinear"));
     mark(study, "cubic", "", quarter, lost("cubic"));
-    mark(study, "with exact cells", "", quarter, exact);
+    if (exact != "nothing") mark(study, "with exact cells", "", quarter, exact);
+    if (exact == "nothing" && study.series.back().method == "with exact cells")
+      study.series.back().method += ": nothing";
     return "Of a plate a quarter of a cell thick a trilinear field loses " + lost("trilinear") +
            ", a cubic one " + lost("cubic") + ", with exact cells " + exact;
   });

@@ -11,6 +11,7 @@ using namespace told;
 
 constexpr double kKilometre = 1000;
 constexpr const char* kDistance = "Distance from the origin";
+constexpr const char* kRounded = ", positions rounded";
 
 /// "tilt (rad)": what the axis is, and its unit.
 Named split_unit(const std::string& parameter) {
@@ -27,8 +28,9 @@ trace::Study picture_sweeps(const trace::Study& measured) {
     // What drowns in rounding is lost against the geometry as it was meant too: it is counted there.
     if (!as_meant)
       for (trace::StudyPoint& point : series.points) point.failed = 0;
-    if (as_meant)
-      series.method = series.method.substr(0, series.method.find(',')) + ", before rounding";
+    const std::string scalar = series.method.substr(0, series.method.find(','));
+    if (as_meant) series.method = scalar + kRounded;
+    if (!as_meant && series.method != study.signal) series.method = scalar + ", the pipeline alone";
     const auto [what, unit] = split_unit(series.parameter);
     series.panel = what == "overlap, 1 = coincident" ? "overlap" : what;
     series.panel[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(series.panel[0])));
@@ -37,22 +39,22 @@ trace::Study picture_sweeps(const trace::Study& measured) {
                                                 : "of the size; 1: coincident";
   }
   // Nothing grows with the size, much with the distance; the tables have the other sweeps.
-  keep_panels(study, {{"Size", "Size"}, {kDistance, kDistance}});
+  keep_panels(study, {{kDistance, ""}});
+  for (trace::StudySeries& series : study.series) series.parameter = "m from the origin";
   study.reference = study.reference.substr(0, study.reference.find(';'));
-  study.shown =
-      "Up: largest error of a contact / size of the shapes. Before rounding: against the geometry "
-      "before it was moved to its place. Crosses: contacts lost.";
+  study.shown = "Up: largest error of a contact, as a fraction of the size of its shapes";
+  study.failed = "contacts lost";
   tell(study, [&] {
     const auto far = [&](const char* scalar) {
       const trace::StudySeries& series =
           series_of(measured, std::string(scalar) + ", unrounded", "distance");
       const std::string off = power(point_at(series, kKilometre).error_worst.value());
-      mark(study, std::string(scalar) + ", before rounding", kDistance, kKilometre, "1 km: " + off);
+      mark(study, scalar + std::string(kRounded), "", kKilometre, "1 km: " + off);
       return off;
     };
     const std::string in_float = far("float");
-    return "At 1 km the rounding of places costs float " + in_float + " of the size, double " +
-           far("double");
+    return "1 km from the origin rounded positions put a contact off by " + in_float +
+           " of its size in float, " + far("double") + " in double";
   });
   return study;
 }
@@ -81,11 +83,12 @@ trace::Study picture_map(const trace::Study& measured) {
   if (study.measure != "distance_overlap") return study;
   keep_panels(study, {{"float, unrounded", "Float"}, {"double, unrounded", "Double"}});
   for (trace::StudySeries& series : study.series) series.parameter = "distance from the origin, m";
-  study.row = "overlap / size";
+  study.row.clear();  // said under the title
+  // How far off those are that are found, the tables have.
+  study.unit = trace::kShare;
   study.shown =
-      "Colour: largest error of a contact against the geometry before it was rounded, in roundings "
-      "of "
-      "the pair's coordinates";
+      "Up: overlap / size of the shapes. Colour: share of the contacts that are lost, not found or "
+      "off by half of their depth.";
   tell(study, [&] {
     const double in_float = lost_at(measured, "float, unrounded", kKilometre);
     const double in_double = nearest_loss(measured, "double, unrounded");
@@ -97,7 +100,7 @@ trace::Study picture_map(const trace::Study& measured) {
           point.mark = count(in_double / kKilometre) + " km";
       }
     return "1 km from the origin float loses overlaps of " + power(in_float) +
-           " of the size; double loses none" +
+           " of the size and less; double loses none" +
            (in_double > 0 ? " nearer than " + count(in_double / 1000) + " km" : "");
   });
   return study;

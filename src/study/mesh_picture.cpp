@@ -8,7 +8,7 @@ namespace {
 
 using namespace told;
 
-const std::vector<Named> kTrees = {{"rebuild", "rebuilt in each frame"},
+const std::vector<Named> kTrees = {{"rebuild", "always rebuilt"},
                                    {"refit", "only refitted"},
                                    {"auto", "rebuilt where a query costs 30 % more"}};
 
@@ -36,22 +36,30 @@ void divide_by(trace::StudySeries& series, const trace::StudySeries& base) {
 trace::Study picture_times(const trace::Study& measured) {
   trace::Study study = measured;
   keep_methods(study, kTrees);
+  std::string triangles;
   for (trace::StudySeries& series : study.series) {
-    series.panel = "A ball of " + series.panel.substr(0, series.panel.find(' ')) +
-                   " triangles is twisted: its tree is brought up to date and queried";
+    triangles = series.panel.substr(0, series.panel.find(' '));
+    series.panel.clear();
     series.parameter = "frame";
+    double sum = 0;
+    for (trace::StudyPoint& point : series.points)
+      point.error = point.error_worst = sum += point.error.value_or(0);
   }
-  study.shown = "Up: milliseconds of a frame, the least of the repetitions";
+  study.unit = trace::kSum;
+  study.shown = "Up: time of all frames so far, in which a ball of " + triangles +
+                " triangles is twisted, its tree brought up to date and queried";
   tell(study, [&] {
     const trace::StudySeries& rebuilt = any_series_of(measured, "rebuild");
     const auto total = [](const trace::StudySeries& series) {
       return duration(1e6 * sum_of(series));
     };
-    for (trace::StudySeries& series : study.series)
-      series.method += ": " + total(series) + " in all";
+    for (const Named& tree : kTrees)
+      for (trace::StudySeries& series : study.series)
+        if (series.method == tree.second)
+          series.method += ": " + total(any_series_of(measured, tree.first));
     return count(double(rebuilt.points.size())) + " frames take " + total(rebuilt) +
            " with a tree rebuilt in each, " + total(any_series_of(measured, "auto")) +
-           " rebuilt where needed, " + total(any_series_of(measured, "refit")) + " refitted";
+           " rebuilt where needed, " + total(any_series_of(measured, "refit")) + " only refitted";
   });
   return study;
 }
@@ -59,17 +67,16 @@ trace::Study picture_times(const trace::Study& measured) {
 trace::Study picture_costs(const trace::Study& measured) {
   trace::Study study = measured;
   keep_methods(study, kTrees);
+  // The boxes that a query is expected to test tell the same; tables have them.
+  keep_panels(study, {{"node pairs compared", ""}});
   const trace::Study kept = study;
   double refitted = 0, most_automatic = 0;
   const auto times = [](double ratio, int digits) { return number(ratio, digits) + " ×"; };
   for (trace::StudySeries& series : study.series) {
-    const bool is_compared = series.panel == "node pairs compared";
     divide_by(series, series_of(kept, kTrees[0].second, series.panel));
     series.quiet = series.method == kTrees[0].second;
     series.parameter = "frame";
-    series.panel = is_compared ? "Node pairs that a query compares"
-                               : "Boxes that a small query is expected to test";
-    if (!is_compared || series.points.empty()) continue;
+    if (series.points.empty()) continue;
     const auto error = [](const trace::StudyPoint& point) { return point.error.value_or(0); };
     if (series.method == kTrees[1].second) {
       refitted = error(series.points.back());
@@ -81,9 +88,9 @@ trace::Study picture_costs(const trace::Study& measured) {
       most.mark = times(most_automatic, 3);
     }
   }
-  std::ranges::stable_sort(study.series, std::ranges::greater(), &trace::StudySeries::panel);
   study.unit = trace::kTimes;
-  study.shown = "Up: times as many as with a tree that is rebuilt in each frame";
+  study.shown =
+      "Up: node pairs that a query compares, over those with a tree that is rebuilt in each frame";
   if (refitted > 0)
     study.title = "A tree that is only refitted ends at " + number(refitted) +
                   " times the node pairs of one rebuilt; rebuilt where needed it stays within " +

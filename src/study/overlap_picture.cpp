@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include "core/at.h"
 #include "study/picture.h"
@@ -19,7 +20,7 @@ trace::Study picture_bounds(const trace::Study& measured) {
                        {"OBB, fifteen axes", "oriented box, fifteen axes"}});
   for (trace::StudySeries& series : study.series) {
     series.method += ": " + duration(mean_time(series));
-    series.parameter = "length of the boxes / their width";
+    series.parameter = "length of the boxes / their width; of rods 10";
   }
   study.form = trace::StudyForm::Curves;
   study.unit = trace::kShare;
@@ -32,10 +33,11 @@ trace::Study picture_bounds(const trace::Study& measured) {
     };
     for (trace::StudySeries& series : study.series)
       for (trace::StudyPoint& point : series.points)
-        if (point.parameter == kRod && !series.method.starts_with("bounding sphere"))
-          point.mark = percent(point.error.value_or(0));
-    return "Of rods that axis-aligned boxes let through " + at_rod("AABB") +
-           " are apart; six face normals leave " + at_rod("OBB, six axes") + ", all fifteen axes " +
+        if (point.parameter == kRod && point.error > 0 &&
+            !series.method.starts_with("bounding sphere"))
+          point.mark = percent(*point.error);
+    return "Of rod pairs that pass axis-aligned boxes " + at_rod("AABB") +
+           " are apart, six face normals " + at_rod("OBB, six axes") + ", fifteen axes " +
            (error_at(series_of(measured, "OBB, fifteen axes"), kRod) > 0
                 ? at_rod("OBB, fifteen axes")
                 : "none");
@@ -52,17 +54,19 @@ bool every_threshold_is_wrong(const trace::Study& study, double nothing) {
   });
 }
 
-/// Marks the worst of float in either panel.
+constexpr const char* kGuarded = "guarded, without a threshold: none of either";
+
+/// Marks the worst of float either way.
 std::string result_of_thresholds(const trace::Study& measured, trace::Study& study) {
   for (trace::StudySeries& series : study.series) {
-    if (series.method != "float" || series.points.empty()) continue;
+    if (series.method == kGuarded || series.points.empty()) continue;
     // In the middle of those that are alike.
     const auto error = [](const trace::StudyPoint& point) { return point.error_worst.value_or(0); };
     const double most = error(*std::ranges::max_element(series.points, {}, error));
     std::vector<trace::StudyPoint*> worst;
     for (trace::StudyPoint& point : series.points)
       if (error(point) == most) worst.push_back(&point);
-    worst[worst.size() / 2]->mark = number(most) + " mm";
+    if (most > 0) worst[worst.size() / 2]->mark = number(most) + " mm";
   }
   double missed = 0, closed = 0, guarded = 0;
   for (const trace::StudySeries& series : measured.series) {
@@ -80,27 +84,40 @@ std::string result_of_thresholds(const trace::Study& measured, trace::Study& stu
          (guarded == 0 ? "; the guarded test neither" : "");
 }
 
+/// No error at any of its points.
+bool is_right(const trace::StudySeries& series) {
+  return std::ranges::all_of(series.points, [](const trace::StudyPoint& point) {
+    return point.error_worst.value_or(0) == 0;
+  });
+}
+
 trace::Study picture_thresholds(const trace::Study& measured) {
   trace::Study study = measured;
   drop_resolution(study);
-  keep_methods(study, {{"float", "float"},
-                       {"double", "double"},
-                       {"float, guarded", "float guarded"},
-                       {"double, guarded", "double guarded"}});
-  join_equal(study);
+  // Those of double are alike at smaller thresholds; tables have them.
+  keep_methods(study, {{"float", "float"}, {"float, guarded", kGuarded}});
   std::ranges::stable_sort(study.series, std::ranges::greater(), &trace::StudySeries::panel);
+  bool guarded = false;
+  std::erase_if(study.series, [&](const trace::StudySeries& series) {
+    return series.method == kGuarded && std::exchange(guarded, true) && is_right(series);
+  });
+  std::ranges::stable_partition(study.series, [](const trace::StudySeries& series) {
+    return series.method != kGuarded;  // which is drawn over the others
+  });
   for (trace::StudySeries& series : study.series) {
-    if (series.method == "float guarded and double guarded") series.method = "both, guarded";
-    const bool apart = series.panel == "overlaps called apart";
-    series.panel = apart ? "Overlaps called apart" : "Gaps called overlaps";
-    series.parameter = "sine up to which cross products of edges are skipped";
+    if (series.method != kGuarded) series.method = series.panel;
+    series.look = series.method == kGuarded ? 2 : series.panel == "overlaps called apart" ? 0 : 1;
+    series.panel.clear();
+    series.parameter = "threshold: sine up to which cross products of edges are skipped";
   }
   if (study.measure == "threshold") {
     for (trace::StudySeries& series : study.series)
       for (trace::StudyPoint& point : series.points)
         for (std::optional<double>* error : {&point.error, &point.error_worst})
           if (*error) **error *= 1000;  // millimetres
-    study.shown = "Up: the deepest overlap, or widest gap, that is missed, mm";
+    study.shown =
+        "Up: the deepest overlap that is called apart, the widest gap that is called an overlap, "
+        "mm";
     tell(study, [&] { return result_of_thresholds(measured, study); });
   } else {
     study.unit = trace::kShare;

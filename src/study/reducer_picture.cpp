@@ -10,10 +10,9 @@ using namespace told;
 
 constexpr double kUsualPoints = 8;
 const std::vector<Named> kOwn = {{"optimal", "best four"},
-                                 {"optimal_deepest", "best four with the deepest"},
-                                 {"coherent", "staying with the frame before"},
+                                 {"optimal_deepest", "best four with the deepest point"},
+                                 {"coherent", "near the last frame's choice"},
                                  {"area", "greedy, by area"}};
-const std::vector<Named> kRandom = {{"random", "at random"}};
 // Grey: what engines do.
 const std::vector<Named> kOfEngines = {{"box3d", "Box3D"}, {"jolt", "Jolt"},   {"bullet", "Bullet"},
                                        {"ode", "ODE"},     {"physx", "PhysX"}, {"mjx", "MJX"}};
@@ -24,17 +23,19 @@ trace::Study picture_reducers(const trace::Study& measured) {
   trace::Study study = measured;
   std::vector<Named> all = kOwn;
   all.insert(all.end(), kOfEngines.begin(), kOfEngines.end());
-  all.insert(all.end(), kRandom.begin(), kRandom.end());
   keep_methods(study, all);
+  // One number of points, so that a method is one marker: tables have the others, and the worst.
   for (trace::StudySeries& series : study.series) {
     series.quiet = std::ranges::find(kOwn, series.method, &Named::second) == kOwn.end();
-    for (trace::StudyPoint& point : series.points) point.error_worst.reset();  // tables have it
+    std::erase_if(series.points, [](const auto& point) { return point.parameter != kUsualPoints; });
+    for (trace::StudyPoint& point : series.points) point.error_worst.reset();
   }
   show_least_times(study);
-  study.shown =
-      "Four points kept of 5, 6, 8, 12, 16 and 32 along a line. Grey: as engines choose. Thick: "
-      "nothing else is both as fast and as close.";
+  study.shown = "Four points kept of eight. Grey: as engines choose.";
   if (study.measure != "area") return study;
+  drop_resolution(study);
+  study.unit = trace::kShare;
+  study.error = "share of the area that is lost,";
   tell(study, [&] {
     const auto lost = [&](const char* method) {
       return error_at(series_of(measured, method), kUsualPoints);
@@ -43,9 +44,12 @@ trace::Study picture_reducers(const trace::Study& measured) {
     const Named& closest = *std::ranges::min_element(kOfEngines, {}, of);
     const Named& farthest = *std::ranges::max_element(kOfEngines, {}, of);
     const double least = of(closest), most = of(farthest), own = lost("optimal_deepest");
-    mark(study, kOwn[1].second, "", kUsualPoints, "8 points: " + percent(own));
-    mark(study, closest.second, "", kUsualPoints, percent(least));
-    mark(study, farthest.second, "", kUsualPoints, percent(most));
+    mark(study, kOwn[1].second, "", kUsualPoints, percent(own));
+    for (trace::StudySeries& series : study.series) {
+      const double share = error_at(series, kUsualPoints);
+      if (series.method != kOwn[1].second)
+        series.method += share > 0 ? ": " + percent(share) : ": nothing";
+    }
     return "Of eight points the best four with the deepest lose " + percent(own) +
            " of the area, engines' ways " + percent(least) + " to " + percent(most);
   });

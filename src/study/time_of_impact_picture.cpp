@@ -9,7 +9,6 @@ namespace {
 using namespace told;
 
 constexpr double kUsualWay = 10;  // metres in the step
-constexpr const char* kTurning = "Turning by up to 2 rad";
 
 std::string result_of(const trace::Study& measured, trace::Study& study) {
   const auto at_usual = [&](const char* method) -> const trace::StudyPoint& {
@@ -18,12 +17,23 @@ std::string result_of(const trace::Study& measured, trace::Study& study) {
   const trace::StudyPoint &own = at_usual("time of impact"), &sampled = at_usual("64 samples");
   if (!own.error || !sampled.error) throw std::out_of_range("all failed");
   const std::string way = number(kUsualWay) + " m: ";
-  mark(study, "time of impact", kTurning, kUsualWay,
-       way + power(*own.error) + ", " + duration(own.nanoseconds.min));
-  mark(study, "64 samples", kTurning, kUsualWay,
-       way + power(*sampled.error) + ", " + duration(sampled.nanoseconds.min));
-  return "The time of impact is off by " + power(*own.error) +
-         " of the step, that of 64 samples by " + power(*sampled.error);
+  const auto told_of = [&](const char* method, const trace::StudyPoint& point) {
+    for (trace::StudySeries& series : study.series)
+      if (series.method.starts_with(method))
+        mark(study, series.method, "", kUsualWay, way + power(*point.error));
+  };
+  told_of("time of impact", own);
+  told_of("64 samples", sampled);
+  return "The time of impact is off by " + power(*own.error) + " of the step in " +
+         duration(own.nanoseconds.min) + ", that of 64 samples by " + power(*sampled.error) +
+         " in " + duration(sampled.nanoseconds.min);
+}
+
+/// The least and the most that a query took.
+std::string times_of(const trace::StudySeries& series) {
+  const auto time = [](const trace::StudyPoint& point) { return point.nanoseconds.min; };
+  const auto [least, most] = std::ranges::minmax(series.points, {}, time);
+  return number(time(least) / 1000) + "–" + number(time(most) / 1000) + " µs";
 }
 
 }  // namespace
@@ -35,18 +45,24 @@ trace::Study picture_time_of_impact(const trace::Study& measured) {
                        {"8 samples", "8 samples"},
                        {"64 samples", "64 samples"}});
   // Those that do not turn are as far off, in less time: tables have them.
-  keep_panels(study, {{"rotating", kTurning}});
-  for (trace::StudySeries& series : study.series) series.parameter = "metres in the step";
+  keep_panels(study, {{"rotating", ""}});
+  for (trace::StudySeries& series : study.series)
+    series.parameter = "metres that a hull goes in the step";
   if (study.measure != "error") {
     study.unit = trace::kShare;
     return study;
   }
-  show_least_times(study);
-  study.parameter = "m in the step";
-  study.other_cases = true;
+  // Times hardly depend on the way: the names of the lines have them.
+  for (trace::StudySeries& series : study.series) {
+    if (!series.points.empty()) series.method += ", " + times_of(series);
+    for (trace::StudyPoint& point : series.points) point.error_worst.reset();  // tables have it
+  }
+  study.form = trace::StudyForm::Curves;
+  study.failed = "hits missed";
   study.shown =
-      "Up: mean error, as a fraction of the step. Along a line: 1, 3, 10 and 100 m in the step. "
-      "Crosses: hits that were missed.";
+      "Up: mean error, as a fraction of the step, of hulls that turn by up to 2 rad. Times are of "
+      "a "
+      "query.";
   tell(study, [&] { return result_of(measured, study); });
   return study;
 }

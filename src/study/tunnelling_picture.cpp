@@ -9,6 +9,8 @@ namespace {
 using namespace told;
 
 constexpr double kUsualSpeed = 20;  // m/s
+constexpr const char* kAtEnds = "tested at ends of steps";
+constexpr const char* kWithMargin = "with a margin of 2 cm";
 const std::vector<std::string> kSwept = {"swept bounding sphere", "conservative advancement",
                                          "time of impact"};
 
@@ -22,8 +24,7 @@ std::string result_of(const trace::Study& measured, trace::Study& study) {
       for (const trace::StudyPoint& point : series.points)
         swept = std::max(swept, point.error.value_or(0));
   for (const auto& [method, name] :
-       {Named{"discrete", "tested at the end of each step"},
-        Named{"speculative margin of 2 cm", "with a speculative margin of 2 cm"}})
+       {Named{"discrete", kAtEnds}, Named{"speculative margin of 2 cm", kWithMargin}})
     mark(study, name, "Spheres of 10 cm", kUsualSpeed, at_usual(method.c_str()));
   return "At 20 m/s " + at_usual("discrete") + " of the spheres pass a wall of 1 cm, " +
          at_usual("speculative margin of 2 cm") +
@@ -35,8 +36,8 @@ std::string result_of(const trace::Study& measured, trace::Study& study) {
 
 trace::Study picture_tunnelling(const trace::Study& measured) {
   trace::Study study = measured;
-  keep_methods(study, {{"discrete", "tested at the end of each step"},
-                       {"speculative margin of 2 cm", "with a speculative margin of 2 cm"},
+  keep_methods(study, {{"discrete", kAtEnds},
+                       {"speculative margin of 2 cm", kWithMargin},
                        {kSwept[0], kSwept[0]},
                        {kSwept[1], kSwept[1]},
                        {kSwept[2], kSwept[2]}});
@@ -47,7 +48,7 @@ trace::Study picture_tunnelling(const trace::Study& measured) {
   if (study.measure != "passed") return study;
   join_equal(study);
   for (trace::StudySeries& series : study.series)
-    if (series.method == listed(kSwept)) series.method = "swept, in each of three ways";
+    if (series.method == listed(kSwept)) series.method = "swept, in any of three ways";
   study.unit = trace::kShare;
   study.shown = "Up: share of the bullets that pass a wall of 1 cm, at 60 steps a second";
   tell(study, [&] { return result_of(measured, study); });

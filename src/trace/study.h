@@ -104,7 +104,7 @@ struct Study {
   StudyContext context;
   std::string reference;  // what the error is measured against
   std::string error;      // name of the error
-  std::string unit;       // "m"; empty for a ratio. Of a picture also kShare and kTimes
+  std::string unit;       // "m"; empty for a ratio. Of a picture also kShare, kTimes and kSum
   double resolution = 0;  // errors up to this one cannot be told from rounding
   std::string parameter;  // "points": what the parameter counts
   std::vector<StudySeries> series;
@@ -112,7 +112,8 @@ struct Study {
   std::string row{};     // of a map: what its rows stand for; rows without a number are methods
   std::string signal{};  // the series that is no error, but the size of what the errors spoil
   // Of a picture alone, in no file:
-  std::string shown{};  // how to read it; empty: what its form says of itself
+  std::string shown{};   // how to read it; empty: what its form says of itself
+  std::string failed{};  // what befell the cases that failed: "lost"; empty: "failed"
   bool other_cases =
       false;  // a parameter makes cases of its own: points are held against those of the same one
 
@@ -128,9 +129,11 @@ struct Study {
   }
 };
 
-/// Units of what is drawn on a linear axis from zero: shares of 1, in percent, and multiples.
+/// Units of what is drawn on a linear axis from zero: shares of 1, in percent, multiples, and milliseconds that
+/// add up. Maps colour shares of cases that failed; work precision has shares on its logarithmic axis.
 inline constexpr const char* kShare = "share";
 inline constexpr const char* kTimes = "times";
+inline constexpr const char* kSum = "milliseconds in all";
 
 /// Whether its series belong to panels: curves and maps always do.
 bool has_panels(const Study& study);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "draw/scene/quantity.h"
+#include "trace/study.h"
 
 namespace contactscope::draw {
 namespace {
@@ -61,6 +62,7 @@ std::string spell_tick_time(double nanoseconds) {
 }
 
 std::string spell_tick_error(double value, const std::string& unit) {
+  if (unit == trace::kShare) return spell_tick_error(100 * value, "%");
   const bool short_enough = value > 0.9e-3 && value < 1e4;
   const std::string number = short_enough ? printed("%.6g", value) : power_of_ten(value);
   return unit.empty() ? number : number + " " + unit;

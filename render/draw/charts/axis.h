@@ -39,7 +39,8 @@ struct Axis {
 /// "50 ns", "1 µs", "2 ms" for a tick at 1, 2 or 5 times a power of ten.
 std::string spell_tick_time(double nanoseconds);
 
-/// "0.01", "10⁻⁴" for a tick of a number without unit; with unit "m" as lengths are spelled.
+/// "0.01", "10⁻⁴" for a tick of a number without unit; with unit "m" as lengths are spelled, and shares
+/// of 1 (trace::kShare) in percent.
 std::string spell_tick_error(double value, const std::string& unit);
 
 }  // namespace contactscope::draw

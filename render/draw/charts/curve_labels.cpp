@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kMostObstacles = 60;
 constexpr float kRow = 17;
 constexpr float kLetters = 14;
-constexpr float kRing = 9;  // radius, about what is marked
+constexpr float kRing = 8;  // radius, about what is marked
 constexpr float kLeader = 18;
 constexpr float kWidest = 150;   // of a row of a name
 constexpr float kAtBorder = 12;  // so near to it a line ends there

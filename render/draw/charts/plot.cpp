@@ -15,8 +15,7 @@ namespace {
 
 // Pixels at 720 lines.
 constexpr double kHeading = 22;
-constexpr double kUnder = 26;
-constexpr double kUnderCurves = 42;  // with the name of the axis
+constexpr double kUnder = 42;  // labels, and the name of the axis
 constexpr double kBetween = 18;
 constexpr double kGutter = 22;  // between diagrams of work precision
 constexpr double kTitle = 28;
@@ -87,6 +86,20 @@ std::string subtitle(const trace::Study& study) {
          "or more nothing in the panel as fast is as close.";
 }
 
+/// How much larger letters, lines and markers are than where many diagrams share the page: a slide's
+/// plot is read from afar.
+float enlarged(const trace::Study& study) {
+  constexpr std::size_t kMostLines = 10;
+  if (study.form == trace::StudyForm::WorkPrecision) {
+    const auto has_worst = [](const trace::StudyPoint& p) { return p.error_worst.has_value(); };
+    const bool has_two =
+        !trace::has_panels(study) && std::ranges::any_of(points_of(study), has_worst);
+    if (has_two || study.series.size() > kMostLines) return 1;
+  }
+  const std::size_t panels = panels_of(study).size();
+  return panels <= 1 ? 1.3f : panels <= 3 ? 1.15f : 1;
+}
+
 /// With names as they are read and not as options spell them: "sweep and prune".
 trace::Study named_in_words(trace::Study study) {
   for (trace::StudySeries& series : study.series) series.method = in_words(series.method);
@@ -120,7 +133,7 @@ void draw_decades_along(const Axis& axis, const Rect& area, bool grid, const Pen
   for (const auto& [at, label] : ticks) {
     if (grid) pen.line({at, top}, {at, bottom}, 1, kChartGrid);
     pen.line({at, bottom}, {at, bottom + pen.px(label.empty() ? 3 : 5)}, 1.2, kChartBorder);
-    if (!label.empty()) pen.text(label, {at, bottom + pen.px(18)}, Align::Center, kQuietText);
+    if (!label.empty()) pen.text(label, {at, bottom + pen.px(19)}, Align::Center, kQuietText);
   }
 }
 
@@ -162,7 +175,8 @@ PlotPage plot_page(const trace::Study& study, const std::string& shown, bool has
                    int height) {
   const Layout layout = make_layout(width, height, false, {});
   const bool is_small = study.form != trace::StudyForm::WorkPrecision;  // multiples
-  PlotPage page{{.width = width, .height = height}, layout.scale, {}, {}};
+  const float larger = enlarged(study);
+  PlotPage page{{.width = width, .height = height}, larger * layout.scale, {}, {}};
   draw_captions(study.title, "Against " + study.reference, spell_context(study.context, !is_small),
                 layout, page.drawing);
   const double left = layout.legend.x;
@@ -170,14 +184,14 @@ PlotPage plot_page(const trace::Study& study, const std::string& shown, bool has
       fit_title(study.title, static_cast<float>(layout.legend.width), layout.scale);
   const double title_rows = title.lines.size() > 1 ? 2.3 * title.size : kTitle;
   const double top = left + layout.px(title_rows + 4);
-  const float baseline = is_small ? layout.px(12) : 0.8f * layout.px(kSubtitle);
-  Pen(page.drawing, layout.scale, is_small ? kPlotText : kSubtitle)
-      .text(shown, {static_cast<float>(left), static_cast<float>(top) + baseline}, Align::Left,
-            kQuietText);
-  const double legend = top + layout.px(16 + 0.5 * kLegend);
+  const Pen pen(page.drawing, page.scale, is_small ? kPlotText : kSubtitle);
+  const float baseline = is_small ? pen.px(12) : 0.8f * pen.px(kSubtitle);
+  pen.text(shown, {static_cast<float>(left), static_cast<float>(top) + baseline}, Align::Left,
+           kQuietText);
+  const double legend = top + pen.px(16 + 0.5 * kLegend);
   page.legend = pixel(left, legend);
   const double begin =
-      has_legend ? legend + layout.px(0.5 * kLegend + 4) : top + layout.px(kSubtitle + 12);
+      has_legend ? legend + pen.px(0.5 * kLegend + 4) : top + pen.px(kSubtitle + 12);
   page.panels = {left, begin, layout.legend.width, height - left - layout.px(kCaption) - begin};
   return page;
 }
@@ -205,8 +219,7 @@ std::vector<PlotPanel> panels_on(const PlotPage& page, const trace::Study& study
   for (std::size_t i = 0; i < panels.size(); ++i) {
     Rect& area = panels[i].area = cell_of(space, columns, rows, i, scale * kBetween, 0);
     area.y += scale * kHeading;
-    const bool names_axis = study.form == trace::StudyForm::Curves;
-    area.height -= scale * (kHeading + (names_axis ? kUnderCurves : kUnder));
+    area.height -= scale * (kHeading + kUnder);
     panels[i].begins_row = i % columns == 0;
   }
   return panels;

@@ -117,7 +117,9 @@ struct Curves : Pen {
   double least_error;    // zero among them
   int failure_rows;
 
-  bool is_linear() const { return study.unit == trace::kShare || study.unit == trace::kTimes; }
+  bool is_linear() const {
+    return study.unit == trace::kShare || study.unit == trace::kTimes || study.unit == trace::kSum;
+  }
 
   /// The parameters of a panel, where ticks at each of them have room and short names; else none.
   std::vector<double> ticks_at_points(const PlotPanel& panel, const Axis& x) const {
@@ -246,7 +248,6 @@ struct Curves : Pen {
   /// Round numbers from zero on, of shares in percent.
   void draw_shares_up(const Axis& y, const Rect& area, bool labels) const {
     const auto left = static_cast<float>(area.x), right = static_cast<float>(area.right());
-    const bool share = study.unit == trace::kShare;
     const double step = linear_step(y.high - y.low);
     for (int i = static_cast<int>(std::ceil(y.low / step - 1e-9));; ++i) {
       const double value = i * step;
@@ -254,8 +255,9 @@ struct Curves : Pen {
       const float at = y.at(value);
       if (value > y.low) line({left, at}, {right, at}, 1, kChartGrid);
       line({left - px(5), at}, {left, at}, 1.2, kChartBorder);
-      const std::string label =
-          share ? spell_number(100 * value) + " %" : spell_number(value) + " ×";
+      const std::string label = study.unit == trace::kShare   ? spell_number(100 * value) + " %"
+                                : study.unit == trace::kTimes ? spell_number(value) + " ×"
+                                                              : spell_number(value) + " ms";
       if (labels) text(label, {left - px(8), at + px(5)}, Align::Right, kQuietText);
     }
   }
@@ -304,8 +306,14 @@ struct Curves : Pen {
     }
     if (crosses == 0) return false;
     const bool at_left = 2 * on_the_left < crosses;
-    text(spell_failures(series), {at_left ? left + px(6) : right - px(6), row + px(5)},
-         at_left ? Align::Left : Align::Right, kQuietText);
+    const Point2 place{at_left ? left + px(6) : right - px(6), row + px(5)};
+    const Align align = at_left ? Align::Left : Align::Right;
+    // In words there is no legend of crosses.
+    if (study.failed.empty())
+      text(spell_failures(series), place, align, kQuietText);
+    else
+      text(series.method + ": " + spell_failures(series) + " " + study.failed, place, align,
+           style_of(study, series).text);
     return true;
   }
 };
@@ -330,7 +338,7 @@ Drawing plot_curves(const trace::Study& study, int width, int height) {
   const Naming naming = all.size() > kMostWithNames ? Naming::None
                         : several_end_at_zero(all)  ? Naming::Inside
                                                     : Naming::Beside;
-  const bool has_legend = naming == Naming::None || failure_rows > 0;
+  const bool has_legend = naming == Naming::None || (failure_rows > 0 && study.failed.empty());
   PlotPage page = plot_page(study, shown, has_legend, width, height);
   PositiveRange errors;
   double least = std::numeric_limits<double>::infinity();

@@ -28,6 +28,24 @@ std::size_t decade_of(double error) {
   return static_cast<std::size_t>(std::clamp(above, 0.0, double(kDecades.size() - 1)));
 }
 
+/// Of a share of cases that failed, up to `most`.
+struct ShareStep {
+  double most;
+  const char* name;
+  std::size_t shade;  // of kDecades
+};
+constexpr std::array<ShareStep, 5> kShares = {{{0, "none", 0},
+                                               {0.1, "≤ 10 %", 2},
+                                               {0.5, "≤ 50 %", 3},
+                                               {0.9999, "< 100 %", 5},
+                                               {1, "all", 7}}};
+
+const ShareStep& share_of(const trace::StudyPoint& point) {
+  const double share = point.of > 0 ? static_cast<double>(point.failed) / point.of : 0;
+  return *std::ranges::find_if(
+      kShares, [&](const ShareStep& step) { return share <= step.most || step.most == 1; });
+}
+
 /// Half a cell beyond the first and the last value.
 Axis axis_through(const std::vector<double>& values, double from, double to) {
   const double cell = std::abs(to - from) / static_cast<double>(values.size());
@@ -39,8 +57,8 @@ Axis axis_through(const std::vector<double>& values, double from, double to) {
 struct Map : Pen {
   const trace::Study& study;
   bool numbered;  // its rows
-  const char* some_failed = "some cases failed";
-  const char* all_failed = "all failed";
+
+  bool has_shares() const { return study.unit == trace::kShare; }
 
   /// Cells with the same words beside them, by column and series.
   using Marked = std::map<std::pair<std::size_t, std::size_t>, Rect>;
@@ -91,30 +109,43 @@ struct Map : Pen {
       at += aside + width_of(what) + px(18);
     };
     const auto box = [&](double width) { return Rect{at, begin.y - px(8), px(width), px(16)}; };
+    // One bar of all steps, each with its bound inside of it.
+    const std::vector<std::pair<std::string, std::size_t>> steps = steps_of_bar();
+    const auto bar = static_cast<double>(kBarCell);
+    const Rect whole{at, begin.y - px(8), px(bar * static_cast<double>(steps.size())), px(16)};
+    for (const auto& [bound, shade] : steps) {
+      fill(box(bar), contactscope::at(kDecades, shade));
+      text(bound, {at + px(0.5 * bar), begin.y + px(5)}, Align::Center, shade > 3 ? kWhite : kText);
+      at += px(bar);
+    }
+    frame(whole, 1.2, kChartBorder);
+    if (has_shares()) return;
+    at += px(24);
+    cross({at + px(10), begin.y}, 5, 1.8, kFailure);
+    at += px(22);
+    name(study.failed.empty() ? "some cases failed" : "some " + study.failed, 0);
+    hatched(box(26));
+    frame(box(26), 1.2, kChartBorder);
+    name("all " + (study.failed.empty() ? "failed" : study.failed), px(32));
+  }
+
+  /// Words and shades of the legend's bar, the lightest first.
+  std::vector<std::pair<std::string, std::size_t>> steps_of_bar() const {
+    std::vector<std::pair<std::string, std::size_t>> steps;
+    if (has_shares()) {
+      for (const ShareStep& step : kShares) steps.emplace_back(step.name, step.shade);
+      return steps;
+    }
     std::size_t most = 0;
     for (const trace::StudyPoint& point : points_of(study)) {
       if (point.error) most = std::max(most, decade_of(largest_error(point)));
     }
-    // One bar of all decades, with the bounds between them inside of it.
-    const auto bar = static_cast<double>(kBarCell);
-    const Rect whole{at, begin.y - px(8), px(bar * static_cast<double>(most + 1)), px(16)};
     for (std::size_t i = 0; i <= most; ++i) {
-      fill(box(bar), kDecades[i]);
       const bool open = i + 1 == kDecades.size();
       const double bound = std::pow(10.0, static_cast<double>(open ? i - 1 : i));
-      const bool dark = i > 3;
-      text((open ? "> " : "≤ ") + spell_tick_error(bound, ""),
-           {at + px(0.5 * bar), begin.y + px(5)}, Align::Center, dark ? kWhite : kText);
-      at += px(bar);
+      steps.emplace_back((open ? "> " : "≤ ") + spell_tick_error(bound, ""), i);
     }
-    frame(whole, 1.2, kChartBorder);
-    at += px(24);
-    cross({at + px(10), begin.y}, 5, 1.8, kFailure);
-    at += px(22);
-    name(some_failed, 0);
-    hatched(box(26));
-    frame(box(26), 1.2, kChartBorder);
-    name(all_failed, px(32));
+    return steps;
   }
 
   void panel(const PlotPanel& panel) const {
@@ -154,9 +185,14 @@ struct Map : Pen {
     for (const auto& [words, cells] : marked) mark(words, cells, area);
     const float above = static_cast<float>(area.y) - px(6);
     text(panel.name, {left, above}, Align::Left, kText, Weight::Bold);
-    const std::string axes = "across: " + panel.parameter + (numbered ? ", up: " + study.row : "");
-    if (width_of(axes) + width_of(panel.name, Weight::Bold) + px(12) < area.width)
-      text(axes, {static_cast<float>(area.right()), above}, Align::Right, kQuietText);
+    text(fitted(panel.parameter, Weight::Regular, static_cast<float>(area.width)),
+         {static_cast<float>(area.right()), static_cast<float>(area.bottom()) + px(34)},
+         Align::Right, kQuietText);
+    if (numbered && !study.row.empty()) {
+      const std::string up = "up: " + study.row;
+      if (width_of(up) + width_of(panel.name, Weight::Bold) + px(12) < area.width)
+        text(up, {static_cast<float>(area.right()), above}, Align::Right, kQuietText);
+    }
   }
 
   /// A cell without a value is hatched: white alone would look like the smallest error.
@@ -167,6 +203,7 @@ struct Map : Pen {
   }
 
   void cell(const trace::StudyPoint& point, const Rect& rect) const {
+    if (has_shares()) return fill(rect, contactscope::at(kDecades, share_of(point).shade));
     if (point.error) fill(rect, kDecades[decade_of(largest_error(point))]);
     if (point.failed == 0) return;
     if (!point.error) return hatched(rect);

@@ -109,7 +109,8 @@ struct Diagram : Pen {
       text(what, {left - px(8), y + 0.34f * px(kPlotText)}, Align::Right, kText);
     };
     if (plot.zeros_begin < bottom) label(plot.zeros_label, 0.5f * (plot.zeros_begin + bottom));
-    if (plot.failures_end > top) label("failed", 0.5f * (top + plot.failures_end));
+    const std::string failed = study.failed.empty() ? "failed" : study.failed;
+    if (plot.failures_end > top) label(failed, 0.5f * (top + plot.failures_end));
     for (const Axis::Tick& tick : labelled_ticks(plot.y))
       label(spell_tick_error(tick.value, study.unit), tick.at);
   }
