@@ -386,6 +386,62 @@ TEST(PlotMap, ACellForEachPointAndACrossWhereSomeFailed) {
   EXPECT_GT(count().second, strokes + 10);
 }
 
+TEST(PlotMap, SharesAreColouredByWhatFailedAloneAndNameTheirSteps) {
+  trace::Study map = study_of(trace::StudyForm::Map);
+  map.row = "row";
+  map.unit = trace::kShare;
+  map.series.push_back({"m", points(0), "one", "p", 1.0});
+  const auto shade_of = [&](std::size_t cell) {
+    const std::vector<Fill> fills = all_of<Fill>(plot_map(map, 1280, 720));
+    return fills[fills.size() - 21 + cell].color.r;
+  };
+  for (trace::StudyPoint& point : map.series[0].points) point.failed = 0;
+  const float none = shade_of(4);
+  map.series[0].points[4].failed = 4;
+  const float some = shade_of(4);
+  map.series[0].points[4].failed = 40;
+  EXPECT_LT(some, none - 0.1f);
+  EXPECT_LT(shade_of(4), some - 0.1f);
+  map.series[0].points[5].error_worst = 1e6;
+  EXPECT_EQ(shade_of(5), none) << "how large an error is does not count";
+  const std::vector<std::string> all = words(plot_map(map, 1280, 720));
+  EXPECT_THAT(all, testing::IsSupersetOf({"none", "≤ 10 %", "all"}));
+  EXPECT_THAT(all, Not(Contains("some cases failed")));
+}
+
+TEST(PlotCurves, FailuresThatHaveAWordAreNamedBesideTheirCrossesAndHaveNoLegend) {
+  trace::Study study = study_of(trace::StudyForm::Curves);
+  study.series.push_back({"rising", points(0.4, 18)});
+  EXPECT_THAT(words(plot_curves(study, 1280, 720)), Contains("failures, of all cases"));
+  study.failed = "hits missed";
+  const std::vector<std::string> all = words(plot_curves(study, 1280, 720));
+  EXPECT_THAT(all, Not(Contains("failures, of all cases")));
+  EXPECT_THAT(all, Contains("rising: 46 of 840 hits missed"));
+}
+
+TEST(PlotCurves, OneDiagramHasLargerLettersThanMany) {
+  const auto tick_size = [](const Drawing& drawing) {
+    for (const Text& text : all_of<Text>(drawing))
+      if (text.text == "10⁻⁸") return text.size;
+    return 0.0f;
+  };
+  trace::Study one = study_of(trace::StudyForm::Curves);
+  one.series.push_back({"rising", points(0.4)});
+  EXPECT_GT(tick_size(plot_curves(curves(), 1280, 720)), 10);
+  EXPECT_GT(tick_size(plot_curves(one, 1280, 720)),
+            1.2f * tick_size(plot_curves(curves(), 1280, 720)));
+}
+
+TEST(PlotCurves, TimesThatAddUpAreOnALinearAxisInMilliseconds) {
+  trace::Study study = study_of(trace::StudyForm::Curves);
+  study.unit = trace::kSum;
+  trace::StudySeries& line = study.series.emplace_back();
+  line.method = "frames so far";
+  for (const double sum : {20.0, 60.0, 100.0}) line.points.push_back({sum, sum, sum, {}, 0, 1});
+  EXPECT_THAT(words(plot_curves(study, 1280, 720)),
+              testing::IsSupersetOf({"0 ms", "40 ms", "100 ms"}));
+}
+
 TEST(PlotAnswers, TextStaysOnTheCanvasAndApart) {
   for (const auto& [width, height] : kSizes) expect_legible(plot_answers(answers(), width, height));
 }
