@@ -131,7 +131,7 @@ trace::StudySeries worst_of_panels(const trace::Study& study, const std::string&
       for (const trace::StudyPoint& other : series.points)
         if (other.parameter == point.parameter && other.error > point.error) point = other;
   }
-  worst.method = "conservative: of any depth";
+  worst.method = "conservative: overlaps of any depth";
   worst.look = 1;
   return worst;
 }
@@ -139,7 +139,7 @@ trace::StudySeries worst_of_panels(const trace::Study& study, const std::string&
 trace::Study picture_missed(const trace::Study& measured) {
   trace::Study study = measured;
   study.series.clear();
-  const std::string deepest = "at points: of ";
+  const std::string deepest = "at points: overlaps of ";
   for (const auto& [panel, depth] :
        {Named{"0.01 cells deep", "1/100 of a cell"}, Named{"0.1 cells deep", "1/10 of a cell"},
         Named{"1 cell deep", "one cell"}}) {

@@ -30,7 +30,8 @@ trace::Study picture_sweeps(const trace::Study& measured) {
       for (trace::StudyPoint& point : series.points) point.failed = 0;
     const std::string scalar = series.method.substr(0, series.method.find(','));
     if (as_meant) series.method = scalar + kRounded;
-    if (!as_meant && series.method != study.signal) series.method = scalar + ", the pipeline alone";
+    if (!as_meant && series.method != study.signal)
+      series.method = scalar + ", its computing alone";
     const auto [what, unit] = split_unit(series.parameter);
     series.panel = what == "overlap, 1 = coincident" ? "overlap" : what;
     series.panel[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(series.panel[0])));

@@ -8,9 +8,8 @@ namespace {
 
 using namespace told;
 
-const std::vector<Named> kTrees = {{"rebuild", "always rebuilt"},
-                                   {"refit", "only refitted"},
-                                   {"auto", "rebuilt where a query costs 30 % more"}};
+const std::vector<Named> kTrees = {
+    {"rebuild", "always rebuilt"}, {"refit", "only refitted"}, {"auto", "rebuilt where needed"}};
 
 double sum_of(const trace::StudySeries& series) {
   double sum = 0;
@@ -51,7 +50,7 @@ trace::Study picture_times(const trace::Study& measured) {
   tell(study, [&] {
     const trace::StudySeries& rebuilt = any_series_of(measured, "rebuild");
     const auto total = [](const trace::StudySeries& series) {
-      return duration(1e6 * sum_of(series));
+      return duration(1e6 * sum_of(series), 3);
     };
     for (const Named& tree : kTrees)
       for (trace::StudySeries& series : study.series)

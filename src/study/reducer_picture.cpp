@@ -9,7 +9,7 @@ namespace {
 using namespace told;
 
 constexpr double kUsualPoints = 8;
-const std::vector<Named> kOwn = {{"optimal", "best four"},
+const std::vector<Named> kOwn = {{"optimal", "best four by area alone"},
                                  {"optimal_deepest", "best four with the deepest point"},
                                  {"coherent", "near the last frame's choice"},
                                  {"area", "greedy, by area"}};

@@ -46,8 +46,9 @@ trace::Study picture_curves(const trace::Study& measured) {
     mark(study, kWarm[0].second, kSubsteps, kUsualSubsteps,
          sub_steps + ": " + spelled(speed("soft, warm")));
     for (trace::StudySeries& series : study.series)
-      if (auto* point = at_usual(series); point && *point->error == rivals)
-        point->mark = sub_steps + ": " + spelled(rivals);
+      if (auto* point = at_usual(series); point && series.method != kWarm[0].second)
+        point->mark =
+            (*point->error == rivals ? sub_steps + ": " : std::string()) + spelled(*point->error);
     return "With " + sub_steps + " ten boxes on soft contacts move at " +
            spelled(speed("soft, warm")) + ", with projection or Baumgarte at " + spelled(rivals) +
            " or more";

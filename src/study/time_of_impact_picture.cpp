@@ -24,9 +24,8 @@ std::string result_of(const trace::Study& measured, trace::Study& study) {
   };
   told_of("time of impact", own);
   told_of("64 samples", sampled);
-  return "The time of impact is off by " + power(*own.error) + " of the step in " +
-         duration(own.nanoseconds.min) + ", that of 64 samples by " + power(*sampled.error) +
-         " in " + duration(sampled.nanoseconds.min);
+  return "A search for the time of impact is off by " + power(*own.error) +
+         " of the step, 64 samples by " + power(*sampled.error);
 }
 
 /// The least and the most that a query took.
