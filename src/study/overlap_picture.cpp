@@ -101,7 +101,7 @@ trace::Study picture_thresholds(const trace::Study& measured) {
   std::erase_if(study.series, [&](const trace::StudySeries& series) {
     return series.method == kGuarded && std::exchange(guarded, true) && is_right(series);
   });
-  std::ranges::stable_partition(study.series, [](const trace::StudySeries& series) {
+  std::stable_partition(study.series.begin(), study.series.end(), [](const auto& series) {
     return series.method != kGuarded;  // which is drawn over the others
   });
   for (trace::StudySeries& series : study.series) {
