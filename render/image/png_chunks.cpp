@@ -6,8 +6,6 @@
 #include <cassert>
 #include <memory>
 
-#include "image/deflate.h"
-
 namespace contactscope {
 namespace {
 

@@ -8,12 +8,11 @@
 #include <vector>
 
 #include "image/compare.h"
+#include "image/deflate.h"
 #include "image/image.h"
 
 /// What PNG files and animated ones consist of. PNG specification, third edition, W3C 2025.
 namespace contactscope {
-
-using Bytes = std::vector<std::uint8_t>;
 
 /// What a picture says of itself: keyword, of 1 to 79 letters, and value, UTF-8.
 using PngText = std::vector<std::pair<std::string, std::string>>;

@@ -131,8 +131,6 @@ trace::StudySeries worst_of_panels(const trace::Study& study, const std::string&
       for (const trace::StudyPoint& other : series.points)
         if (other.parameter == point.parameter && other.error > point.error) point = other;
   }
-  worst.method = "conservative: overlaps of any depth";
-  worst.look = 1;
   return worst;
 }
 
@@ -150,8 +148,12 @@ trace::Study picture_missed(const trace::Study& measured) {
       line.look = static_cast<int>(study.series.size()) + 1;
     }
   }
-  if (const auto searched = worst_of_panels(measured, "conservative"); !searched.points.empty())
+  trace::StudySeries searched = worst_of_panels(measured, "conservative");
+  if (!searched.points.empty()) {
+    searched.method = "conservative: overlaps of any depth";
+    searched.look = 1;
     study.series.push_back(searched);
+  }
   for (trace::StudySeries& series : study.series) {
     series.panel.clear();
     series.parameter = "cells between the points";
@@ -166,7 +168,7 @@ trace::Study picture_missed(const trace::Study& measured) {
       return share > 0 ? percent(share) : std::string("none");
     };
     double conservative = 0;
-    for (const trace::StudyPoint& point : worst_of_panels(measured, "conservative").points)
+    for (const trace::StudyPoint& point : searched.points)
       conservative = std::max(conservative, point.error.value_or(0));
     mark(study, deepest + "1/100 of a cell", "", finest, missed("sampled", "0.01 cells deep"));
     return "Points half a cell apart miss " + missed("sampled", "0.01 cells deep") +
@@ -198,9 +200,9 @@ trace::Study picture_plate(const trace::Study& measured) {
     const std::string exact = lost("cubic with exact cells");
     mark(study, "trilinear", "", quarter, lost("trilinear"));
     mark(study, "cubic", "", quarter, lost("cubic"));
+    for (trace::StudySeries& series : study.series)
+      if (series.method == "with exact cells" && exact == "nothing") series.method += ": " + exact;
     if (exact != "nothing") mark(study, "with exact cells", "", quarter, exact);
-    if (exact == "nothing" && study.series.back().method == "with exact cells")
-      study.series.back().method += ": nothing";
     return "Of a plate a quarter of a cell thick a trilinear field loses " + lost("trilinear") +
            ", a cubic one " + lost("cubic") + ", with exact cells " + exact;
   });

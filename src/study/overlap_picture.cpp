@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <utility>
+#include <functional>
 
 #include "core/at.h"
 #include "study/picture.h"
@@ -54,12 +54,12 @@ bool every_threshold_is_wrong(const trace::Study& study, double nothing) {
   });
 }
 
-constexpr const char* kGuarded = "guarded, without a threshold: none of either";
+constexpr const char* kGuarded = "guarded, without a threshold";
 
 /// Marks the worst of float either way.
 std::string result_of_thresholds(const trace::Study& measured, trace::Study& study) {
   for (trace::StudySeries& series : study.series) {
-    if (series.method == kGuarded || series.points.empty()) continue;
+    if (series.method.starts_with(kGuarded) || series.points.empty()) continue;
     // In the middle of those that are alike.
     const auto error = [](const trace::StudyPoint& point) { return point.error_worst.value_or(0); };
     const double most = error(*std::ranges::max_element(series.points, {}, error));
@@ -97,16 +97,21 @@ trace::Study picture_thresholds(const trace::Study& measured) {
   // Those of double are alike at smaller thresholds; tables have them.
   keep_methods(study, {{"float", "float"}, {"float, guarded", kGuarded}});
   std::ranges::stable_sort(study.series, std::ranges::greater(), &trace::StudySeries::panel);
-  bool guarded = false;
-  std::erase_if(study.series, [&](const trace::StudySeries& series) {
-    return series.method == kGuarded && std::exchange(guarded, true) && is_right(series);
-  });
-  std::stable_partition(study.series.begin(), study.series.end(), [](const auto& series) {
-    return series.method != kGuarded;  // which is drawn over the others
-  });
+  const auto is_guarded = [](const trace::StudySeries& series) {
+    return series.method == kGuarded;
+  };
+  // Drawn over the others; where it is right both ways, one line of zeros says so.
+  const auto guarded =
+      std::stable_partition(study.series.begin(), study.series.end(), std::not_fn(is_guarded));
+  const bool never_wrong = std::all_of(guarded, study.series.end(), is_right);
+  if (never_wrong && guarded != study.series.end())
+    study.series.erase(guarded + 1, study.series.end());
   for (trace::StudySeries& series : study.series) {
-    if (series.method != kGuarded) series.method = series.panel;
-    series.look = series.method == kGuarded ? 2 : series.panel == "overlaps called apart" ? 0 : 1;
+    series.look = is_guarded(series) ? 2 : series.panel == "overlaps called apart" ? 0 : 1;
+    if (!is_guarded(series))
+      series.method = series.panel;
+    else if (never_wrong)
+      series.method += ": none of either";
     series.panel.clear();
     series.parameter = "threshold: sine up to which cross products of edges are skipped";
   }

@@ -59,9 +59,8 @@ trace::Study picture_time_of_impact(const trace::Study& measured) {
   study.form = trace::StudyForm::Curves;
   study.failed = "hits missed";
   study.shown =
-      "Up: mean error, as a fraction of the step, of hulls that turn by up to 2 rad. Times are of "
-      "a "
-      "query.";
+      "Up: mean error, as a fraction of the step, of hulls that turn by up to 2 rad. Times are "
+      "of a query.";
   tell(study, [&] { return result_of(measured, study); });
   return study;
 }

@@ -45,8 +45,9 @@ void mirror_value(std::array<double, 2>& interval, Mirrored how) {
 }
 /// The corners of a face; they still begin with the same one.
 template <class Corners>
-requires std::same_as<typename Corners::value_type, int>
-void mirror_value(Corners& face, Mirrored how) {
+requires(!kIsOptional<Corners> &&
+         std::same_as<typename Corners::value_type, int>) void mirror_value(Corners& face,
+                                                                            Mirrored how) {
   if (how == Mirrored::Rewound && !face.empty()) std::reverse(face.begin() + 1, face.end());
 }
 template <class T>
@@ -54,11 +55,8 @@ void mirror_value(T&, Mirrored) {}  // a number
 template <Listed T>
 void mirror_value(T& fact, Mirrored);
 template <class T>
-void mirror_value(std::optional<T>& value, Mirrored how) {
-  if (value) mirror_value(*value, how);
-}
-template <class T>
-void mirror_value(Stage<T>& value, Mirrored how) {
+requires kIsOptional<T>
+void mirror_value(T& value, Mirrored how) {
   if (value) mirror_value(*value, how);
 }
 template <class T>

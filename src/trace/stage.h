@@ -7,9 +7,9 @@
 namespace contactscope::trace {
 
 /// What one stage of the pipeline tells of a pair, or nothing where it did not run. It is used as an
-/// std::optional is, but what it holds stands apart: of the fourteen stages most are empty in most pairs,
-/// and a pair with all of them inside of itself takes 3.4 kB, which a long sequence of a large heap pays
-/// for in memory and in the time that the system takes to hand it out. Copies are deep.
+/// std::optional is, but what it holds stands apart: most stages are empty in most pairs, and a pair that
+/// has room for all of them inside of itself takes 3.4 kB. A long sequence of a large heap would pay for
+/// that room in memory, and in the time that the system takes to hand it out. Copies are deep.
 template <class T>
 class Stage {
  public:

@@ -121,8 +121,7 @@ std::vector<bool> on_front(const trace::Study& study, ErrorKind kind);
 /// A picture of a study: its frame is drawn, and says where the rest belongs.
 struct PlotPage {
   Drawing drawing;
-  float
-      scale;  // pixels for one at 720 lines; more where few diagrams leave room for larger letters
+  float scale;    // pixels for one at 720 lines; more where few diagrams leave room for it
   Point2 legend;  // its left end, half-way up
   Rect panels;
 };

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <set>
@@ -111,15 +112,29 @@ bool same_lines(const std::vector<PlotPanel>& panels) {
   });
 }
 
+/// Of errors that are drawn on a linear axis from zero: how a tick is spelled.
+struct LinearUnit {
+  const char* unit;
+  double factor;
+  const char* suffix;
+};
+constexpr std::array<LinearUnit, 3> kLinearUnits = {
+    {{trace::kShare, 100, " %"}, {trace::kTimes, 1, " ×"}, {trace::kSum, 1, " ms"}}};
+
+/// Null where the axis is logarithmic.
+const LinearUnit* linear_unit(const trace::Study& study) {
+  const auto found = std::ranges::find_if(
+      kLinearUnits, [&](const LinearUnit& one) { return study.unit == one.unit; });
+  return found == kLinearUnits.end() ? nullptr : &*found;
+}
+
 struct Curves : Pen {
   const trace::Study& study;
   PositiveRange errors;  // of all panels
   double least_error;    // zero among them
   int failure_rows;
 
-  bool is_linear() const {
-    return study.unit == trace::kShare || study.unit == trace::kTimes || study.unit == trace::kSum;
-  }
+  bool is_linear() const { return linear_unit(study) != nullptr; }
 
   /// The parameters of a panel, where ticks at each of them have room and short names; else none.
   std::vector<double> ticks_at_points(const PlotPanel& panel, const Axis& x) const {
@@ -189,7 +204,7 @@ struct Curves : Pen {
     draw_decades_along(x, area, true, *this,
                        counts ? std::vector<double>{} : ticks_at_points(panel, x));
     if (is_linear())
-      draw_shares_up(y, area, panel.begins_row);
+      draw_linear_up(y, area, panel.begins_row);
     else
       draw_decades_up(y, area, true, panel.begins_row, *this);
     frame(area, 1.2, kChartBorder);
@@ -245,9 +260,10 @@ struct Curves : Pen {
     return lines;
   }
 
-  /// Round numbers from zero on, of shares in percent.
-  void draw_shares_up(const Axis& y, const Rect& area, bool labels) const {
+  /// Round numbers of the linear unit, from zero on.
+  void draw_linear_up(const Axis& y, const Rect& area, bool labels) const {
     const auto left = static_cast<float>(area.x), right = static_cast<float>(area.right());
+    const LinearUnit& unit = *linear_unit(study);
     const double step = linear_step(y.high - y.low);
     for (int i = static_cast<int>(std::ceil(y.low / step - 1e-9));; ++i) {
       const double value = i * step;
@@ -255,10 +271,9 @@ struct Curves : Pen {
       const float at = y.at(value);
       if (value > y.low) line({left, at}, {right, at}, 1, kChartGrid);
       line({left - px(5), at}, {left, at}, 1.2, kChartBorder);
-      const std::string label = study.unit == trace::kShare   ? spell_number(100 * value) + " %"
-                                : study.unit == trace::kTimes ? spell_number(value) + " ×"
-                                                              : spell_number(value) + " ms";
-      if (labels) text(label, {left - px(8), at + px(5)}, Align::Right, kQuietText);
+      if (labels)
+        text(spell_number(unit.factor * value) + unit.suffix, {left - px(8), at + px(5)},
+             Align::Right, kQuietText);
     }
   }
 
