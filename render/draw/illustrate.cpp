@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/at.h"
+#include "core/words.h"
 #include "draw/insets/contact_plane.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/palette.h"
@@ -222,6 +223,14 @@ std::list<Shot> shots_of(const Staging& staging, const trace::Frame& frame) {
   return shots;
 }
 
+/// In the order of the legend, but for those whose words are not to be said.
+std::vector<LegendEntry> said_entries(const Legend& legend, const Staging& staging) {
+  std::vector<LegendEntry> entries = legend.sorted();
+  if (const Words* words = staging.layout.words)
+    std::erase_if(entries, [&](const LegendEntry& entry) { return words->of(entry.text).empty(); });
+  return entries;
+}
+
 }  // namespace
 
 Scene scene_of(const Staging& staging, const trace::Frame& frame) {
@@ -238,7 +247,7 @@ LegendChoice legend_of(const Staging& staging, const trace::Frame& frame) {
       legend.explain(seen_by(inset.camera, sketch_inset(inset, scene).sketch.legend));
   }
   explain_beside(staging.view, frame, legend);
-  return choose_legend(legend.sorted());
+  return choose_legend(said_entries(legend, staging));
 }
 
 Sketch sketch_frame(const Staging& staging, const trace::Frame& frame) {
@@ -262,7 +271,7 @@ Drawing illustrate(const Staging& staging, const trace::Frame& frame) {
     legend.explain(seen_by(inset.camera, insets.back().sketch.legend));
   }
   explain_beside(staging.view, frame, legend);
-  const LegendChoice choice = choose_legend(legend.sorted());
+  const LegendChoice choice = choose_legend(said_entries(legend, staging));
   label_in_place(choice, sketches);
   const std::string title = fill_title(staging, frame);
   auto told = sketches.begin();

@@ -162,6 +162,8 @@ void draw_shape_names(const Scene& scene, Sketch& sketch) {
     return std::ranges::any_of(scene.frame.pairs,
                                [&](const trace::Pair& other) { return one.a == other.b; });
   });
+  // Nor where the solver moves bodies and no normal goes from one to the other.
+  const bool tells_roles = !trades_roles && (!scene.frame.solver || scene.shows(Layer::Normals));
   const Camera& camera = scene.camera;
   const Rect& view = camera.viewport();
   const std::optional<Point2> touching = camera.project(sketch.center);
@@ -177,8 +179,10 @@ void draw_shape_names(const Scene& scene, Sketch& sketch) {
       return kind_in_words(pair.label) == each.words;
     };
     if (each.copies > kMostCopies || std::ranges::any_of(scene.frame.pairs, says_so)) continue;
-    const bool has_role = each.of_a != each.of_b && !trades_roles;
+    const bool has_role = each.of_a != each.of_b && tells_roles;
     if (roles_alone && !has_role) continue;
+    // On one of several alike it would seem to be that one's own.
+    if (each.copies > 1 && !has_role) continue;
     const std::string role = !has_role ? "" : each.of_a ? "A" : "B";
     const std::string text = roles_alone ? role : role + (has_role ? ": " : "") + each.words;
     const auto own = std::ranges::find(outlines, each.shape,

@@ -137,7 +137,7 @@ const std::vector<std::string_view>& known_words() {
       "on the border of the support",
       "stability: centre of mass over the contact",
       // Motion and forces.
-      "relative velocity at the contact",
+      "relative velocity at the contact, way in {n}",
       "its part along the normal",
       "in the frames before",
       "at the next frame, if nothing stopped it",

@@ -88,6 +88,7 @@ void Words::replace(const Words& others) {
 }
 
 std::string Words::mistake(std::string_view what, std::string_view by) {
+  if (by.empty()) return {};  // it is not said
   const std::vector<std::string> wanted = pieces_of(what), given = pieces_of(by);
   const auto has = [](const std::vector<std::string>& pieces, const std::string& name) {
     for (std::size_t i = 1; i < pieces.size(); i += 2) {
@@ -130,8 +131,11 @@ std::string Words::translated(std::string_view text, int depth) const {
   for (const std::string_view between : kBetweenParts) {
     const std::size_t at = text.find(between);
     if (at == std::string_view::npos) continue;
-    return translated(text.substr(0, at), depth + 1) + std::string(between) +
-           translated(text.substr(at + between.size()), depth + 1);
+    const std::string_view before = text.substr(0, at), after = text.substr(at + between.size());
+    const std::string first = translated(before, depth + 1), rest = translated(after, depth + 1);
+    // What has a part that is not to be said is not said.
+    if ((first.empty() && !before.empty()) || (rest.empty() && !after.empty())) return {};
+    return first + std::string(between) + rest;
   }
   const std::size_t open = text.find(" (");
   if (open != std::string_view::npos && text.ends_with(')')) {

@@ -259,7 +259,12 @@ std::vector<std::string_view> names_in_pictures(const Scenario& scenario) {
   for (const View& view : scenario.views) {
     if (view.title) add_title(*view.title);
   }
-  for (const ScenarioShape& shape : scenario.shapes) names.push_back(shape.name);
+  for (const ScenarioShape& shape : scenario.shapes) {
+    const std::string_view name = shape.name;
+    names.push_back(name);
+    // Pictures call "crate" what the file calls "crate_3".
+    names.push_back(name.substr(0, name.find_last_not_of("0123456789_- ") + 1));
+  }
   for (const ScenarioPair& pair : scenario.pairs) names.push_back(pair.label);
   std::erase(names, "");
   return names;

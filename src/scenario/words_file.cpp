@@ -18,7 +18,7 @@ Words scenario_file::read_words_table(const Value& table,
                  (near.empty() ? "`contactscope list words` has all that there are"
                                : "did you mean '" + near + "'?"));
     }
-    const std::string by = entry.non_empty_string();
+    const std::string by = entry.string();
     if (const std::string mistake = Words::mistake(entry.name(), by); !mistake.empty())
       entry.fail("'" + by + "' cannot stand for '" + entry.name() + "': " + mistake);
     words.replace(entry.name(), by);

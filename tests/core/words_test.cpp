@@ -68,6 +68,16 @@ TEST(Words, LaterEntriesTakeThePlaceOfEarlierOnes) {
   EXPECT_EQ(words.of("whisker"), "Strich");
 }
 
+TEST(Words, WhatHasAnEmptyWordAsAPartIsNotSaid) {
+  Words words = german();
+  words.replace("crate", "");
+  EXPECT_EQ(words.of("crate"), "");
+  EXPECT_EQ(words.of("B: crate"), "");
+  EXPECT_EQ(words.of("crates"), "crates");
+  EXPECT_EQ(words.of("overlap: "), "Überlappung: ") << "what was empty before takes nothing";
+  EXPECT_THAT(Words::mistake("step {n} of {m}", ""), IsEmpty());
+}
+
 TEST(Words, MistakesAreToldInWords) {
   EXPECT_THAT(Words::mistake("step {n} of {m}", "Schritt {n} von {m}"), IsEmpty());
   EXPECT_THAT(Words::mistake("step {n} of {m}", "Schritt {n}"), HasSubstr("{m} is missing"));

@@ -137,5 +137,45 @@ TEST(NamesOfShapes, HaveNoNumbersAndAreFew) {
               Not(Contains("B: small crate")));
 }
 
+TEST(NamesOfShapes, HaveNoLettersWhereTheSolverMovesBodiesAndNoNormalIsDrawn) {
+  CrateOnSlab crate;
+  crate.solve(1);
+  crate.view.layers = {Layer::Shapes, Layer::Contacts};
+  EXPECT_THAT(crate_sample::texts(illustrate(crate.staged(), crate.frames[0])), Contains("crate"));
+  crate.view.layers.push_back(Layer::Normals);
+  EXPECT_THAT(crate_sample::texts(illustrate(crate.staged(), crate.frames[0])),
+              Contains("B: crate"));
+}
+
+TEST(NamesOfShapes, StandOnNoneOfSeveralAlike) {
+  CrateOnSlab crate;
+  crate.solve(1);
+  crate.view.layers = {Layer::Shapes, Layer::Contacts};
+  crate.header.shapes.push_back(crate_sample::cuboid("crate_2", {0.1, 0.1, 0.1}));
+  Pose<double> pose;
+  pose.position = {0.8, 0.1, 0};
+  crate.frames[0].poses.push_back({"crate_2", pose});
+  const std::vector<std::string> drawn =
+      crate_sample::texts(illustrate(crate.staged(), crate.frames[0]));
+  EXPECT_THAT(drawn, Contains("slab"));
+  EXPECT_THAT(drawn, Not(Contains("crate")));
+}
+
+// So that a picture may leave out what anybody sees.
+TEST(NamesOfShapes, AndEntriesOfTheLegendAreLeftOutByAnEmptyWord) {
+  CrateOnSlab crate;
+  crate.view.layers = {Layer::Shapes, Layer::Contacts};
+  Words words;
+  words.replace("crate", "");
+  words.replace("contact point", "");
+  FigureStyle style;
+  style.words = std::make_shared<const Words>(words);
+  const Staging staging = stage(crate.header, crate.frames, crate.view, 1280, 720, style);
+  EXPECT_TRUE(legend_of(staging, crate.frames[0]).listed.empty());
+  const std::vector<std::string> drawn = crate_sample::texts(illustrate(staging, crate.frames[0]));
+  EXPECT_THAT(drawn, Contains("A: slab"));
+  EXPECT_THAT(drawn, Not(Contains("B: crate")));
+}
+
 }  // namespace
 }  // namespace contactscope::draw

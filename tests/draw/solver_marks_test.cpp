@@ -75,6 +75,18 @@ TEST(Loads, OfOnePointTheArrowSaysItself) {
   EXPECT_THAT(brackets(sketch), IsEmpty());
 }
 
+TEST(Friction, OfAPointThatHasFarLessThanAnotherHasNoArrow) {
+  PushedCrate scene(1);
+  scene.view.layers = {Layer::Shapes, Layer::Impulses, Layer::Friction};
+  const auto arrows = [&] {
+    const Sketch sketch = scene.drawn();
+    return std::ranges::count_if(sketch.arrows, [](const Arrow& arrow) { return arrow.open; });
+  };
+  EXPECT_EQ(arrows(), 2);
+  scene.frames[0].pairs[0].manifolds[0].points[0].impulse->friction *= 0.3;
+  EXPECT_EQ(arrows(), 1);
+}
+
 TEST(Loads, NothingThatPushesHasNoBracket) {
   const PushedCrate scene(0);
   EXPECT_THAT(brackets(scene.drawn()), IsEmpty());

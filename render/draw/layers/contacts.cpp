@@ -15,6 +15,7 @@ namespace {
 constexpr double kBesidePoint = 20;   // pixels from the point, clear of its arrows
 constexpr double kNumberBeside = 13;  // likewise, of a number
 constexpr double kLeastDepth = 2;     // pixels: less looks like a touch
+constexpr double kLeastShare = 0.05;  // of the largest overlap that is seen: more has a number too
 constexpr double kEqually = 1e-2;     // of the overlap
 
 constexpr Swatch kOneShotSwatch{LegendGroup::Points, 4, [](auto& pen) {
@@ -262,6 +263,20 @@ void draw_least_gap(const Scene& scene, const trace::Pair& pair, Sketch& sketch)
       kContact, 17, kNumberBeside, Vec3d(-scene.camera.right()));
 }
 
+Vec3d leftmost_of(const trace::Pair& pair, const Vec3d& left) {
+  const std::vector<PairPoint> points = all_points(pair);
+  const auto how_far = [&](const PairPoint& at) { return left.dot(at.point->position); };
+  return std::ranges::max_element(points, {}, how_far)->point->position;
+}
+
+/// Metres, of all pairs of the frame.
+double largest_overlap(const Scene& scene) {
+  double largest = 0;
+  for (const trace::Pair& pair : scene.frame.pairs)
+    for (const PairPoint& at : all_points(pair)) largest = std::max(largest, -at.point->separation);
+  return largest;
+}
+
 /// How deep the pair is, beside its deepest point.
 void draw_overlap(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const std::optional<PairPoint> deepest = deepest_of(scene, pair);
@@ -269,7 +284,11 @@ void draw_overlap(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const Vec3d left = -scene.camera.right();
   const trace::Point& point = *deepest->point;
   const double pixels = scene.camera.pixels_per_metre(point.position);
-  if (-scene.scales.overlap * point.separation * pixels < kLeastDepth * scene.scales.pixel) return;
+  const double least =
+      kLeastDepth * scene.scales.pixel / (scene.scales.overlap * pixels);  // metres
+  const double largest = largest_overlap(scene);
+  if (-point.separation < least && (largest < least || -point.separation < kLeastShare * largest))
+    return;
   const OnBoth whisker = whisker_at(scene, pair, *deepest);
   const std::string words =
       spell_separation(point.separation, scene.noise(pair), scene.scales.length);
@@ -283,7 +302,9 @@ void draw_overlap(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
     return;
   }
   const Vec3d aside = kBesidePoint * scene.scales.pixel / pixels * left;
-  const Vec3d from = whisker.on_a + aside, to = whisker.on_b + aside;
+  // To the left of all of the pair's points, so that neither covers the bodies.
+  const Vec3d shift = leftmost_of(pair, left) - point.position + aside;
+  const Vec3d from = whisker.on_a + shift, to = whisker.on_b + shift;
   const std::string factor = spell_factor(scene.scales.overlap);
   draw_measure(scene, Measured::Overlap, from, to, 2.5f, factor.empty() ? "" : "overlap" + factor,
                sketch);

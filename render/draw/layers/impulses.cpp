@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kLeastImpulse = 3;         // pixels
 constexpr double kLeastFriction = 10;       // pixels: shorter, an open head is only a blot
+constexpr double kLeastOfFriction = 0.35;   // of the largest: what holds is what is shown
 constexpr std::size_t kLabelledPoints = 8;  // points: more numbers than these would be a crowd
 
 // The colour of friction is too light for letters on white; the same hue, darkened.
@@ -89,6 +90,15 @@ void draw_normal_impulse(const Scene& scene, const trace::Point& point, const Ve
   }
 }
 
+/// Newton seconds, of all points of the frame.
+double largest_friction(const Scene& scene) {
+  double largest = 0;
+  for (const trace::Pair& pair : scene.frame.pairs)
+    for (const auto& [manifold, point] : all_points(pair))
+      if (point->impulse) largest = std::max(largest, point->impulse->friction.norm());
+  return largest;
+}
+
 void draw_friction(const Scene& scene, const trace::Point& point, double side, Sketch& sketch) {
   const SequenceScales& scales = scene.scales;
   const Vec3d& at = point.position;
@@ -98,6 +108,7 @@ void draw_friction(const Scene& scene, const trace::Point& point, double side, S
   const double share =
       own_scale ? 1.0 : std::min(1.0, scales.longest_impulse / std::max(length, 1e-300));
   const Vec3d way = side * share * scales.friction * point.impulse->friction;
+  if (point.impulse->friction.norm() < kLeastOfFriction * largest_friction(scene)) return;
   // As it is seen: towards the eye it would be a blot too.
   const auto seen = seen_distance(scene.camera, at, at + way);
   if (!seen || !(*seen >= kLeastFriction * scales.pixel)) return;
@@ -228,14 +239,16 @@ void draw_impulses(const Scene& scene, const trace::Pair& pair, Sketch& sketch) 
       sketch.explain(kPushedSwatch, "contact point", at);
     }
     draw_normal_impulse(scene, *point, out, sketch);
-    if (moves_a && moves_b && points == 1) draw_normal_impulse(scene, *point, -out, sketch);
+    const bool pushes_both = moves_a && moves_b && points == 1;
+    if (pushes_both) draw_normal_impulse(scene, *point, -out, sketch);
     draw_friction(scene, *point, side, sketch);
     const double length = scene.scales.impulse * point->impulse->normal;
     const double pixels = scene.camera.pixels_per_metre(at);
     if (shows_loads(scene) || points > kLabelledPoints || length * pixels < kLeastImpulse) continue;
-    sketch.label(at + std::min(length, scene.scales.longest_impulse) * out,
-                 spell_quantity(point->impulse->normal, "N s", 3, scene.scales.load), kImpulse, 15,
-                 8, out);
+    const double shown = std::min(length, scene.scales.longest_impulse);
+    const std::string spelled = spell_quantity(point->impulse->normal, "N s", 3, scene.scales.load);
+    sketch.label(at + shown * out, spelled, kImpulse, 15, 8, out);
+    if (pushes_both) sketch.label(at - shown * out, spelled, kImpulse, 15, 8, Vec3d(-out));
   }
 }
 

@@ -116,7 +116,14 @@ void draw_islands(const Scene& scene, Sketch& sketch) {
       text += ", asleep";
     else if (rest >= kLeastRest)
       text += ", unmoved for " + std::to_string(rest) + " frames";
-    sketch.label(highest->center_of_mass, text, color, 16, 12, up);
+    // Over the bodies: as wide as one of them, it would cover its edges.
+    Vec3d top = highest->center_of_mass;
+    if (const PlacedShape* shape = scene.find(highest->name)) {
+      double reach = 0;
+      for (const Vec3d& p : extent_points(*shape)) reach = std::max(reach, up.dot(p - top));
+      top += reach * up;
+    }
+    sketch.label(top, text, color, 16, 9, up);
   }
 }
 

@@ -41,7 +41,8 @@ void draw_relative_velocity(const Scene& scene, const trace::Pair& pair, Sketch&
       sketch.arrows.push_back(arrow_to_scale(at, whole, 2, 10, kMotion));
       sketch.arrows.back().open = true;
       sketch.line(at + whole, at + part, {1.2f, kMotion, true});
-      sketch.explain(kWholeSwatch, "relative velocity at the contact", Vec3d(at + 0.8 * whole));
+      sketch.explain(kWholeSwatch, "relative velocity at the contact, way in " +
+                                       spell_quantity(scales.velocity, "s", 1));
     }
     const std::string spelled = spell_closing(speed, scales.closing);
     if (!is_seen(part)) {

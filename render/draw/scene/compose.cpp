@@ -403,6 +403,7 @@ struct Composer {
     const Weight weight = label.bold ? Weight::Bold : Weight::Regular;
     const float up = 0.76f * ascent(size, weight);  // capitals and digits, not accents
     const Said text = pen.said(label.text);
+    if (text.text.empty()) return;
     const bool has_badge = label.badge != Badge::None;
     const float width = text_width(text.text, size, weight);
     const bool diamond = label.badge == Badge::Support;
