@@ -76,7 +76,7 @@ trace::Study picture_errors(const trace::Study& measured) {
     mark(study, "cubic", "", kUsualCells, compared(cubic));
     mark(study, "cubic, exact cells", "", kUsualCells, compared(exact));
     return "At " + cells + " a cubic field is " + beside(cubic) +
-           " as close as a trilinear one, in " + slower(cubic) + " the time";
+           " as close as a trilinear one, with exact cells " + beside(exact);
   });
   return study;
 }
@@ -85,7 +85,13 @@ trace::Study picture_build(const trace::Study& measured) {
   trace::Study study = measured;
   keep_methods(study, all_fields(measured));
   show_cells_alone(study);
-  study.shown = "Up: milliseconds to build, on one thread";
+  // "all triangles in long double, 2000 points within 2 cm of a wavy ball, by band": what was built.
+  const std::size_t begin = study.reference.find(" of a "), end = study.reference.find(", by band");
+  const bool is_told = begin != std::string::npos && end != std::string::npos && begin < end;
+  study.shown =
+      "Up: milliseconds to build" +
+      (is_told ? " the field" + study.reference.substr(begin, end - begin) : std::string()) +
+      ", on one thread";
   if (study.measure != "build") {
     study.shown = "Up: megabytes";
     return study;
@@ -97,20 +103,24 @@ trace::Study picture_build(const trace::Study& measured) {
     for (const trace::StudySeries& series : study.series) {
       const double time = 1e6 * error_at(series, most);
       const bool own = !is_peer(series.method);
-      if (!own) peer = time, mark(study, series.method, "", most, duration(time));
+      if (!own) peer = time;
       if (own && time < fastest) fastest = time, fast_name = series.method;
       if (own && time > slowest) slowest = time, slow_name = series.method;
     }
-    mark(study, fast_name, "", most, duration(fastest));
-    mark(study, slow_name, "", most, duration(slowest));
-    // The other kinds are between these two.
-    std::erase_if(study.series, [&](const trace::StudySeries& series) {
-      return !is_peer(series.method) && series.method != fast_name && series.method != slow_name;
-    });
-    for (trace::StudySeries& series : study.series) {
-      if (series.method == fast_name) series.method += ", the fastest of five kinds";
-      if (series.method == slow_name) series.method += ", the slowest of five kinds";
+    // The other kinds are between these two, and the middle one has the name of all.
+    std::vector<trace::StudySeries*> between;
+    for (trace::StudySeries& series : study.series)
+      if (is_peer(series.method) || series.method == fast_name || series.method == slow_name)
+        series.method += ": " + duration(1e6 * error_at(series, most));
+      else
+        between.push_back(&series);
+    std::ranges::sort(between, {}, [&](const auto* series) { return error_at(*series, most); });
+    for (std::size_t i = 0; i < between.size(); ++i) {
+      at(between, i)->quiet = true;
+      at(between, i)->method =
+          i == between.size() / 2 ? count(double(between.size())) + " other kinds" : "";
     }
+    study.reference.clear();  // that of errors
     const std::string field = "field of " + number(most, 3) + " cells";
     if (peer == 0)
       return "A " + field + " takes " + duration(fastest) + " to " + duration(slowest) +

@@ -30,8 +30,7 @@ trace::Study picture_sweeps(const trace::Study& measured) {
       for (trace::StudyPoint& point : series.points) point.failed = 0;
     const std::string scalar = series.method.substr(0, series.method.find(','));
     if (as_meant) series.method = scalar + kRounded;
-    if (!as_meant && series.method != study.signal)
-      series.method = scalar + ", its computing alone";
+    if (!as_meant && series.method != study.signal) series.method = scalar + ", arithmetic alone";
     const auto [what, unit] = split_unit(series.parameter);
     series.panel = what == "overlap, 1 = coincident" ? "overlap" : what;
     series.panel[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(series.panel[0])));
@@ -100,8 +99,8 @@ trace::Study picture_map(const trace::Study& measured) {
         if (series.panel == "Double" && point.parameter == in_double && point.failed > 0)
           point.mark = count(in_double / kKilometre) + " km";
       }
-    return "1 km from the origin float loses overlaps of " + power(in_float) +
-           " of the size and less; double loses none" +
+    return "1 km from the origin float loses some overlaps of " + power(in_float) +
+           " of the size; double loses none" +
            (in_double > 0 ? " nearer than " + count(in_double / 1000) + " km" : "");
   });
   return study;

@@ -121,8 +121,12 @@ trace::Study picture_motion(const trace::Study& measured) {
   for (trace::StudySeries& series : study.series)
     for (trace::StudyPoint& point : series.points) {
       if (least < 1 && point.error == least) point.mark = percent(1 - least) + " less";
-      if (most > 1.005 && point.error == most) point.mark = percent(most - 1) + " more";
     }
+  // At the end both are near one place: their names tell them apart.
+  for (trace::StudySeries& series : study.series) {
+    const double last = series.points.empty() ? 1 : series.points.back().error.value_or(1);
+    if (last > 1.005) series.method += ": " + percent(last - 1) + " more";
+  }
   trace::StudySeries roots = study.series.front();
   for (trace::StudyPoint& point : roots.points) {
     point.error = point.error_worst = 1;

@@ -20,7 +20,7 @@ trace::Study picture_bounds(const trace::Study& measured) {
                        {"OBB, fifteen axes", "oriented box, fifteen axes"}});
   for (trace::StudySeries& series : study.series) {
     series.method += ": " + duration(mean_time(series));
-    series.parameter = "length of the boxes / their width; of rods 10";
+    series.parameter = "length of the boxes / their width";
   }
   study.form = trace::StudyForm::Curves;
   study.unit = trace::kShare;
@@ -33,11 +33,10 @@ trace::Study picture_bounds(const trace::Study& measured) {
     };
     for (trace::StudySeries& series : study.series)
       for (trace::StudyPoint& point : series.points)
-        if (point.parameter == kRod && point.error > 0 &&
-            !series.method.starts_with("bounding sphere"))
-          point.mark = percent(*point.error);
-    return "Of rod pairs that pass axis-aligned boxes " + at_rod("AABB") +
-           " are apart, six face normals " + at_rod("OBB, six axes") + ", fifteen axes " +
+        if (point.parameter == kRod && point.error && series.method.starts_with("axis-aligned"))
+          point.mark = "rods: " + percent(*point.error);
+    return at_rod("AABB") + " of the rods that axis-aligned boxes let through are apart, with " +
+           "fifteen axes " +
            (error_at(series_of(measured, "OBB, fifteen axes"), kRod) > 0
                 ? at_rod("OBB, fifteen axes")
                 : "none");
@@ -54,7 +53,7 @@ bool every_threshold_is_wrong(const trace::Study& study, double nothing) {
   });
 }
 
-constexpr const char* kGuarded = "guarded, without a threshold";
+constexpr const char* kGuarded = "no threshold, each gap against its own rounding";
 
 /// Marks the worst of float either way.
 std::string result_of_thresholds(const trace::Study& measured, trace::Study& study) {
@@ -68,20 +67,18 @@ std::string result_of_thresholds(const trace::Study& measured, trace::Study& stu
       if (error(point) == most) worst.push_back(&point);
     if (most > 0) worst[worst.size() / 2]->mark = number(most) + " mm";
   }
-  double missed = 0, closed = 0, guarded = 0;
+  double missed = 0, closed = 0;
   for (const trace::StudySeries& series : measured.series) {
     double worst = 0;
     for (const trace::StudyPoint& point : series.points)
       if (point.error_worst > measured.resolution) worst = std::max(worst, *point.error_worst);
-    if (series.method.find("guarded") != std::string::npos) guarded = std::max(guarded, worst);
     if (series.method == "float")
       (series.panel == "overlaps called apart" ? missed : closed) = worst;
   }
   const bool each = every_threshold_is_wrong(measured, measured.resolution);
   return std::string(each ? "Every threshold" : "A threshold") +
          " in float misses overlaps, of up to " + number(1000 * missed) + " mm" +
-         ", or closes gaps, of up to " + number(1000 * closed) + " mm" +
-         (guarded == 0 ? "; the guarded test neither" : "");
+         ", or closes gaps, of up to " + number(1000 * closed) + " mm";
 }
 
 /// No error at any of its points.

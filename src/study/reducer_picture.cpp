@@ -31,7 +31,9 @@ trace::Study picture_reducers(const trace::Study& measured) {
     for (trace::StudyPoint& point : series.points) point.error_worst.reset();
   }
   show_least_times(study);
-  study.shown = "Four points kept of eight. Grey: as engines choose.";
+  study.shown =
+      "Four points kept of eight; without the deepest a contact tells too small an overlap. Grey: "
+      "as engines choose.";
   if (study.measure != "area") return study;
   drop_resolution(study);
   study.unit = trace::kShare;
@@ -50,8 +52,8 @@ trace::Study picture_reducers(const trace::Study& measured) {
       if (series.method != kOwn[1].second)
         series.method += share > 0 ? ": " + percent(share) : ": nothing";
     }
-    return "Of eight points the best four with the deepest lose " + percent(own) +
-           " of the area, engines' ways " + percent(least) + " to " + percent(most);
+    return "To keep the deepest of eight points costs " + percent(own) +
+           " of the area; engines' ways cost " + percent(least) + " to " + percent(most);
   });
   return study;
 }

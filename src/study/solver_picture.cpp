@@ -98,7 +98,6 @@ trace::Study picture_map(const trace::Study& measured) {
       const double by_all = held_by_all(study, series.panel);
       for (trace::StudyPoint& point : series.points) {
         if (point.parameter <= by_all) point.mark = number(by_all) + " ×";
-        if (point.parameter == most && point.failed < point.of) point.mark = count(most) + " ×";
       }
       // Beyond the next decade all fall.
       std::erase_if(series.points,
@@ -109,8 +108,7 @@ trace::Study picture_map(const trace::Study& measured) {
     const std::string projection = held("projection, warm: 8 + 8");
     return "Soft contacts carry " + held("soft, warm: 4 × (2 + 2)") +
            " times the mass at every height, Baumgarte and projection " + baumgarte +
-           (projection == baumgarte ? "" : " and " + projection) + "; nothing carries more than " +
-           count(most);
+           (projection == baumgarte ? "" : " and " + projection);
   });
   return study;
 }

@@ -1,6 +1,8 @@
 #include "draw/charts/curve_labels.h"
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <cmath>
 #include <sstream>
 
@@ -13,6 +15,7 @@ namespace {
 // Pixels at 720 lines.
 constexpr std::size_t kMostObstacles = 60;
 constexpr float kRow = 17;
+constexpr float kBetweenNames = 5;  // where one of them has several rows
 constexpr float kLetters = 14;
 constexpr float kRing = 8;  // radius, about what is marked
 constexpr float kLeader = 18;
@@ -24,10 +27,28 @@ Weight weight_of(const NamedLine& line) {
   return line.quiet ? Weight::Regular : Weight::Bold;
 }
 
+/// The words of a name, a number and the unit after it as one.
+std::vector<std::string> words_of(const std::string& name) {
+  constexpr std::array<const char*, 12> kUnits = {"%",  "×",  "ns", "µs", "ms", "s",
+                                                  "µm", "mm", "cm", "m",  "km", "kg"};
+  std::vector<std::string> words;
+  std::istringstream all(name);
+  for (std::string word; all >> word;) {
+    const std::string bare = word.substr(0, word.find_last_not_of(",;:") + 1);
+    const bool is_unit = std::ranges::find(kUnits, bare) != kUnits.end();
+    const bool follows_number =
+        !words.empty() && std::isdigit(static_cast<unsigned char>(words.back().back())) != 0;
+    if (is_unit && follows_number)
+      words.back() += " " + word;
+    else
+      words.push_back(word);
+  }
+  return words;
+}
+
 std::vector<std::string> rows_of(const NamedLine& line, const Pen& pen) {
   std::vector<std::string> rows;
-  std::istringstream words(line.name);
-  for (std::string word; words >> word;) {
+  for (const std::string& word : words_of(line.name)) {
     const bool fits =
         !rows.empty() && pen.width_of(rows.back() + " " + word, weight_of(line)) <= pen.px(kWidest);
     if (fits)
@@ -46,10 +67,12 @@ struct Beside {
 };
 
 /// Down where they crowd, and back up from the bottom.
-void spread_out(std::vector<Beside>& names, float row, float top, float bottom) {
+void spread_out(std::vector<Beside>& names, float row, float between, float top, float bottom) {
   std::ranges::stable_sort(names, {}, &Beside::middle);
+  const bool any_wraps =
+      std::ranges::any_of(names, [](const Beside& name) { return name.rows.size() > 1; });
   const auto half = [&](const Beside& name) {
-    return 0.5f * row * static_cast<float>(name.rows.size());
+    return 0.5f * (row * static_cast<float>(name.rows.size()) + (any_wraps ? between : 0));
   };
   float least = top;
   for (Beside& name : names) {
@@ -145,7 +168,7 @@ void name_beside(const std::vector<NamedLine>& lines, const Rect& area, const Pe
   std::vector<const NamedLine*> inside;
   std::vector<std::vector<Point2>> anchors;
   for (const NamedLine& line : lines) {
-    if (line.points.empty()) continue;
+    if (line.points.empty() || line.name.empty()) continue;
     const Point2& end = line.points.back();
     if (end.x > right - pen.px(kAtBorder)) {
       beside.push_back({&line, rows_of(line, pen), end.y});
@@ -156,7 +179,7 @@ void name_beside(const std::vector<NamedLine>& lines, const Rect& area, const Pe
   }
   name_near(inside, anchors, lines, area, pen);
   const float row = pen.px(kRow);
-  spread_out(beside, row, static_cast<float>(area.y),
+  spread_out(beside, row, pen.px(kBetweenNames), static_cast<float>(area.y),
              static_cast<float>(area.bottom()) + pen.px(kOverhang));
   const float left = right + pen.px(kLeader);
   for (const Beside& name : beside) {
@@ -174,10 +197,15 @@ void name_inside(const std::vector<NamedLine>& lines, const Rect& area, const Pe
   std::vector<const NamedLine*> named;
   std::vector<std::vector<Point2>> anchors;
   for (const NamedLine& line : lines) {
-    if (line.points.empty()) continue;
+    if (line.points.empty() || line.name.empty()) continue;
     named.push_back(&line);
-    // Where no other line is near.
+    // Where no other line is near, and nothing is marked.
     std::vector<Point2> own = line.points;
+    const auto is_marked = [&](const Point2& point) {
+      return std::ranges::any_of(line.marks,
+                                 [&](const MarkedPoint& mark) { return mark.at == point; });
+    };
+    if (own.size() > line.marks.size()) std::erase_if(own, is_marked);
     const auto nearest = [&](const Point2& point) {
       float least = 1e9f;
       for (const NamedLine& other : lines)

@@ -177,8 +177,9 @@ PlotPage plot_page(const trace::Study& study, const std::string& shown, bool has
   const bool is_small = study.form != trace::StudyForm::WorkPrecision;  // multiples
   const float larger = enlarged(study);
   PlotPage page{{.width = width, .height = height}, larger * layout.scale, {}, {}};
-  draw_captions(study.title, "Against " + study.reference, spell_context(study.context, !is_small),
-                layout, page.drawing);
+  const std::string against = study.reference.empty() ? "" : "Against " + study.reference;
+  draw_captions(study.title, against, spell_context(study.context, !is_small), layout,
+                page.drawing);
   const double left = layout.legend.x;
   const FittedTitle title =
       fit_title(study.title, static_cast<float>(layout.legend.width), layout.scale);

@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kLeft = 52;
 constexpr double kFailureRow = 15;
+constexpr double kZeroRow = 18;            // below a logarithmic axis, which has no zero
 constexpr std::size_t kMostTicks = 8;      // where the points are; of more the axis has decades
 constexpr double kBetweenTicks = 7;        // pixels between their labels
 constexpr double kFarFromZero = 0.7;       // of the highest: zero would take most of the room
@@ -40,7 +41,7 @@ struct CurveStyle {
 CurveStyle style_of(const trace::Study& study, const trace::StudySeries& of) {
   const std::string& method = of.method;
   const bool dashed = method.find(',') != std::string::npos && !of.look;
-  if (method == study.signal) return {kDropped, kQuietText, true, true};
+  if (!study.signal.empty() && method == study.signal) return {kDropped, kQuietText, true, true};
   if (of.quiet) return {kDropped, kQuietText, dashed, false, true};
   if (of.look) {
     const MethodStyle look = method_style(static_cast<std::size_t>(*of.look));
@@ -133,6 +134,7 @@ struct Curves : Pen {
   PositiveRange errors;  // of all panels
   double least_error;    // zero among them
   int failure_rows;
+  bool has_zero_row;
 
   bool is_linear() const { return linear_unit(study) != nullptr; }
 
@@ -199,8 +201,14 @@ struct Curves : Pen {
     const float top = above + px(failure_rows * kFailureRow + 4);
     const Axis x = counts ? Axis{parameters.low, parameters.high, left + px(8), right - px(8)}
                           : parameters.axis(left, right, px(8), px(8));
+    const float floor = has_zero_row ? bottom - px(kZeroRow) : bottom;
     const Axis y = is_linear() ? Axis{bottom_of_axis(), top_of_axis(), bottom, top}
-                               : errors.axis(bottom, top, px(6), px(6));
+                               : errors.axis(floor, top, px(6), px(6));
+    const auto place = [&](const trace::StudyPoint& point) {
+      const double error = largest_error(point);
+      return Point2{x.at(point.parameter),
+                    has_zero_row && error == 0 ? 0.5f * (floor + bottom) : y.at(error)};
+    };
     draw_decades_along(x, area, true, *this,
                        counts ? std::vector<double>{} : ticks_at_points(panel, x));
     if (is_linear())
@@ -208,6 +216,9 @@ struct Curves : Pen {
     else
       draw_decades_up(y, area, true, panel.begins_row, *this);
     frame(area, 1.2, kChartBorder);
+    // What is no error, or none that has a value, stands apart.
+    if (failure_rows > 0) line({left, top - px(1)}, {right, top - px(1)}, 1.2, kChartBorder);
+    if (has_zero_row) line({left, floor}, {right, floor}, 1.2, kChartBorder);
     text(panel.name, {left, above - px(6)}, Align::Left, kText, Weight::Bold);
     text(fitted(panel.parameter, Weight::Regular, right - left), {right, bottom + px(34)},
          Align::Right, kQuietText);
@@ -217,18 +228,17 @@ struct Curves : Pen {
         if ((style.signal || style.quiet) != behind) continue;
         for (std::size_t later = i + 1; later < panel.series.size(); ++later)
           style.covered += covers(*panel.series[later], *panel.series[i]) ? 1 : 0;
-        curve(*panel.series[i], style, x, y);
+        curve(*panel.series[i], style, place);
       }
     }
-    if (panel.begins_row && has_zero(panel) && !is_linear())
-      text("0", {left - px(8), bottom + px(5)}, Align::Right, kQuietText);
+    if (panel.begins_row && has_zero_row)
+      text("0", {left - px(8), 0.5f * (floor + bottom) + px(5)}, Align::Right, kQuietText);
     std::vector<NamedLine> lines = named_lines(panel);
     for (std::size_t i = 0; i < lines.size(); ++i)
       for (const trace::StudyPoint& point : panel.series[i]->points)
         if (point.error) {
-          const Point2 place{x.at(point.parameter), y.at(largest_error(point))};
-          lines[i].points.push_back(place);
-          if (!point.mark.empty()) lines[i].marks.push_back({place, point.mark});
+          lines[i].points.push_back(place(point));
+          if (!point.mark.empty()) lines[i].marks.push_back({place(point), point.mark});
         }
     if (naming == Naming::None) name_near({}, {}, lines, area, *this);
     if (names_signal) name_signal(panel, x, y);
@@ -291,16 +301,16 @@ struct Curves : Pen {
     if (style.dashed) draw_marker(Marker::Circle, at, px(1.9), kWhite, drawing());
   }
 
-  void curve(const trace::StudySeries& series, const CurveStyle& style, const Axis& x,
-             const Axis& y) const {
-    const auto place = [&](const trace::StudyPoint& point) {
-      return Point2{x.at(point.parameter), y.at(largest_error(point))};
-    };
+  /// On the way to a zero that has no place on the axis it is dashed.
+  template <class Place>
+  void curve(const trace::StudySeries& series, const CurveStyle& style, const Place& place) const {
     for (std::size_t i = 1; i < series.points.size(); ++i) {
       const trace::StudyPoint &before = series.points[i - 1], &point = series.points[i];
       if (!before.error || !point.error) continue;
+      const bool leaves_axis =
+          has_zero_row && (largest_error(before) == 0) != (largest_error(point) == 0);
       line(place(before), place(point), style.signal || style.quiet ? 1.5 : 2.2 + style.wider(),
-           style.color, style.dash());
+           style.color, leaves_axis ? 3 : style.dash());
     }
     if (style.signal) return;
     for (const trace::StudyPoint& point : series.points) {
@@ -312,23 +322,29 @@ struct Curves : Pen {
   bool failures(const trace::StudySeries& series, const Axis& x, float left, float right,
                 float row) const {
     int on_the_left = 0, crosses = 0;
+    float first = right;
     for (const trace::StudyPoint& point : series.points) {
       if (point.failed == 0) continue;
       const float at = x.at(point.parameter);
       ++crosses;
+      first = std::min(first, at);
       on_the_left += at < 0.5f * (left + right);
       cross({at, row}, 3.6, 1.8, style_of(study, series).color);
     }
     if (crosses == 0) return false;
+    if (!study.failed.empty()) {
+      // In words, before the first cross where there is room, else after the last.
+      const std::string name = series.method.substr(0, series.method.find(':'));
+      const std::string words = name + ": " + spell_failures(series) + " " + study.failed;
+      const bool fits = first - px(10) - width_of(words) > left;
+      text(words, {fits ? first - px(10) : right - px(6), row + px(5)}, Align::Right,
+           style_of(study, series).text);
+      return true;
+    }
     const bool at_left = 2 * on_the_left < crosses;
     const Point2 place{at_left ? left + px(6) : right - px(6), row + px(5)};
     const Align align = at_left ? Align::Left : Align::Right;
-    // In words there is no legend of crosses.
-    if (study.failed.empty())
-      text(spell_failures(series), place, align, kQuietText);
-    else
-      text(series.method + ": " + spell_failures(series) + " " + study.failed, place, align,
-           style_of(study, series).text);
+    text(spell_failures(series), place, align, kQuietText);
     return true;
   }
 };
@@ -362,7 +378,9 @@ Drawing plot_curves(const trace::Study& study, int width, int height) {
     if (point.error) least = std::min(least, largest_error(point));
   }
   if (errors.high == 0) errors = {1e-16, 1};
-  Curves curves{Pen(page.drawing, page.scale, kPlotText), study, errors, least, failure_rows};
+  const bool has_zero_row = linear_unit(study) == nullptr && std::ranges::any_of(all, has_zero);
+  Curves curves{
+      Pen(page.drawing, page.scale, kPlotText), study, errors, least, failure_rows, has_zero_row};
   if (has_legend) curves.legend(page.legend, naming == Naming::None);
   // Where every panel has the same lines, these are named once.
   const bool once = all.size() > 1 && same_lines(all);

@@ -81,8 +81,12 @@ struct Map : Pen {
     const auto middle = static_cast<float>(all.y + 0.5 * height) + px(0.36 * kMarkLetters);
     const float width = text_width(words, px(kMarkLetters), FontWeight::Bold);
     const bool fits = all.right() + px(10) + width < area.right();
-    text(words, {static_cast<float>(fits ? all.right() + px(8) : all.x - px(8)), middle},
-         fits ? Align::Left : Align::Right, kText, Weight::Bold, kMarkLetters, 3);
+    // On a plate: cells beside it may be of any shade.
+    const auto begin = static_cast<float>(fits ? all.right() + px(8) : all.x - px(8) - width);
+    const Rect plate{begin - px(4), middle - px(0.36 * kMarkLetters + 10), width + px(8), px(20)};
+    fill(plate, kWhite);
+    frame(plate, 1, kChartBorder);
+    text(words, {begin, middle}, Align::Left, kText, Weight::Bold, kMarkLetters);
   }
 
   void draw_border(const Marked& cells, double width, const Color& color) const {
