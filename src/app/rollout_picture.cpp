@@ -65,6 +65,32 @@ std::vector<std::size_t> by_outcome(const Rollout& rollout) {
   return engines;
 }
 
+/// Few bodies that differ in it: what falls may be for that.
+bool are_masses_told(const std::vector<versus::RolloutBody>& bodies) {
+  constexpr std::size_t kMostBodies = 4;
+  return bodies.size() <= kMostBodies &&
+         std::ranges::any_of(bodies, [&](const versus::RolloutBody& body) {
+           return body.mass != bodies.front().mass;
+         });
+}
+
+/// The body that falls, by its mass where that tells it and is the same one with every engine.
+std::string fallen_body(const Rollout& rollout) {
+  const std::vector<versus::RolloutBody> bodies = versus::rollout_bodies(rollout.request);
+  std::vector<std::string> names;
+  for (const RolloutScore& score : rollout.scores)
+    if (score.fell_at && std::ranges::find(names, score.first_fallen) == names.end())
+      names.push_back(score.first_fallen);
+  if (bodies.size() == 1) return "The body";
+  const auto body = names.size() == 1
+                        ? std::ranges::find(bodies, names.front(), &versus::RolloutBody::name)
+                        : bodies.end();
+  if (body == bodies.end() || !are_masses_told(bodies) ||
+      std::ranges::count(bodies, body->mass, &versus::RolloutBody::mass) > 1)
+    return "A body";
+  return "The body of " + draw::spell_number(body->mass) + " kg";
+}
+
 /// What became of the bodies that rest, for the heading.
 std::string result_of(const Rollout& rollout) {
   std::vector<std::string> fallen, standing;
@@ -88,13 +114,37 @@ std::string result_of(const Rollout& rollout) {
     return bodies + stand +
            (standing.size() > kMostNamed ? "all " + std::to_string(standing.size()) + " engines"
                                          : listed(standing));
-  const std::string falls =
-      (resting == 1 ? "The body falls in " : "A body falls in ") + listed(fallen);
+  const std::string falls = fallen_body(rollout) + " falls in " + listed(fallen);
   if (standing.empty()) return falls;
   // Those that fall are named each, with their times; the others where there is room.
   const std::string others =
       standing.size() > 3 ? std::to_string(standing.size()) + " others" : listed(standing);
   return falls + "; " + (resting == 1 ? "it stands in " : "all stand in ") + others;
+}
+
+/// Of more engines than stand in a row, those in which a body falls, and of the others the one that is farthest off its
+/// place: the chart has them all.
+constexpr std::size_t kMostScenes = 5;
+
+bool stands(const RolloutScore& score) {
+  return score.resting > 0 && !score.fell_at && score.failure.empty();
+}
+
+bool any_fell(const Rollout& rollout) {
+  return std::ranges::any_of(rollout.scores,
+                             [](const RolloutScore& score) { return score.fell_at.has_value(); });
+}
+
+std::vector<std::size_t> scenes_of(const Rollout& rollout) {
+  std::vector<std::size_t> scenes = by_outcome(rollout);
+  if (scenes.size() <= kMostScenes || !any_fell(rollout)) return scenes;
+  const auto is_standing = [&](std::size_t i) { return stands(rollout.scores[i]); };
+  const auto drift = [&](std::size_t i) {
+    return is_standing(i) ? rollout.scores[i].worst_drift : -1;
+  };
+  const std::size_t farthest = *std::ranges::max_element(scenes, {}, drift);
+  std::erase_if(scenes, [&](std::size_t i) { return is_standing(i) && i != farthest; });
+  return scenes;
 }
 
 std::string note_of(const RolloutScore& score) {
@@ -119,31 +169,26 @@ std::string scene_of(const trace::Trace& request) {
          " s; other engines have the settings that they come with";
 }
 
-/// How an engine's line and name look: by their outcome, so that neighbours differ. Of more engines than there are colours
-/// those that let something fall have one each, and the others are grey.
+/// How an engine's line and name look: by their outcome, so that neighbours differ. Of more engines than have a scene each
+/// those that let something fall have a colour each, and the others are grey.
 struct Look {
   std::size_t style = 0;
   bool quiet = false;
 };
 std::vector<Look> looks_of(const Rollout& rollout) {
-  constexpr std::size_t kColours = 7;
   const std::vector<std::size_t> order = by_outcome(rollout);
   std::vector<Look> looks(rollout.scores.size());
-  const bool any_fell = std::ranges::any_of(
-      order, [&](std::size_t i) { return rollout.scores[i].fell_at.has_value(); });
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    const bool stands = !rollout.scores[order[k]].fell_at;
-    looks[order[k]] = {k, order.size() > kColours && any_fell && stands};
-  }
+  const bool some_are_quiet = order.size() > kMostScenes && any_fell(rollout);
+  for (std::size_t k = 0; k < order.size(); ++k)
+    looks[order[k]] = {k, some_are_quiet && !rollout.scores[order[k]].fell_at};
   return looks;
 }
 
-/// Where something falls, overlaps end with that: what lies on the ground then says nothing.
+/// Where something falls, the height alone tells it, with a mark where it does.
 std::vector<draw::TimeChart> charts_of(const Rollout& rollout, const std::vector<Look>& looks) {
   draw::TimeChart height{"Height of the highest body", "m"}, energy{"Energy since the start", "J"},
       overlap{"Deepest overlap", "m"};
   const auto frames = rollout.request.frames.size();
-  bool any_fell = false;
   for (std::size_t i = 0; i < rollout.scores.size(); ++i) {
     const RolloutScore& score = rollout.scores[i];
     if (score.time.empty()) continue;
@@ -154,19 +199,28 @@ std::vector<draw::TimeChart> charts_of(const Rollout& rollout, const std::vector
     const auto& [style, quiet] = looks[i];
     height.lines.push_back({name, style, score.time, score.height, breaks_off, quiet});
     energy.lines.push_back({name, style, score.time, joules, breaks_off, quiet});
-    draw::TimeLine until{name, style, score.time, score.penetration, breaks_off, quiet};
-    if (score.fell_at) {
-      any_fell = true;
-      const auto end = std::ranges::upper_bound(until.time, *score.fell_at) - until.time.begin();
-      until.time.resize(static_cast<std::size_t>(end));
-      until.values.resize(static_cast<std::size_t>(end));
-      until.breaks_off = true;
-    }
-    overlap.lines.push_back(until);
+    overlap.lines.push_back({name, style, score.time, score.penetration, breaks_off, quiet});
+    if (!score.fell_at) continue;
+    const auto after = std::ranges::lower_bound(score.time, *score.fell_at) - score.time.begin();
+    height.lines.back().marked = std::min(static_cast<std::size_t>(after), score.time.size() - 1);
+    height.lines.back().mark = spelled("%.2f", *score.fell_at) + " s";
   }
-  if (!any_fell) return {height, energy, overlap};
-  overlap.name += " until it falls";
-  return {height, overlap};
+  if (any_fell(rollout)) return {height};
+  return {height, energy, overlap};
+}
+
+/// Where each body is in a frame, for a picture that says how heavy they are.
+void place_masses(const trace::Trace& request, trace::Frame& frame) {
+  if (frame.solver) return;
+  frame.solver.emplace();
+  for (const versus::RolloutBody& body : versus::rollout_bodies(request)) {
+    const auto pose = std::ranges::find(frame.poses, body.name, &trace::Placement::first);
+    if (pose == frame.poses.end()) continue;
+    trace::Body& placed = frame.solver->bodies.emplace_back();
+    placed.name = body.name;
+    placed.mass = body.mass;
+    placed.center_of_mass = pose->second.transform(body.center);
+  }
 }
 
 /// The frame of an engine to draw, with all poses: what it leaves out is where the request has it.
@@ -203,13 +257,50 @@ bool is_near(const trace::Frame& frame, const trace::Frame& start) {
 /// A canvas whose view, without captions and legend, is as large as a cell.
 draw::Staging staged(const trace::Header& header, const std::vector<trace::Frame>& frames,
                      const View& view, const draw::Rect& cell) {
+  draw::FigureStyle on_page;
+  on_page.scale = 1.4;  // a canvas is small, and what is written on it is read on a page
   int width = static_cast<int>(1.2 * cell.width), height = static_cast<int>(1.5 * cell.height);
   for (int round = 0; round < 2; ++round) {
-    const draw::Rect room = draw::stage(header, frames, view, width, height).layout.view;
+    const draw::Rect room = draw::stage(header, frames, view, width, height, on_page).layout.view;
     width += static_cast<int>(std::ceil(cell.width - room.width));
     height += static_cast<int>(std::ceil(cell.height - room.height));
   }
-  return draw::stage(header, frames, view, width, height);
+  return draw::stage(header, frames, view, width, height, on_page);
+}
+
+/// Where the bodies are in any of the frames, pixels of a canvas. All of the view where there is none.
+draw::Rect reach_of_bodies(const draw::Staging& staging, const std::vector<trace::Frame>& frames,
+                           const trace::Trace& request) {
+  const std::vector<versus::RolloutBody> bodies = versus::rollout_bodies(request);
+  std::optional<draw::Rect> reach;
+  for (const trace::Frame& frame : frames) {
+    const draw::Scene scene = draw::scene_of(staging, frame);
+    for (const draw::PlacedShape& shape : scene.shapes) {
+      if (std::ranges::count(bodies, shape.traced().name, &versus::RolloutBody::name) == 0)
+        continue;
+      for (const Vec3d& corner : draw::extent_points(shape)) {
+        const std::optional<draw::Point2> at = scene.camera.project(corner);
+        if (!at) continue;
+        if (!reach) reach = draw::Rect{at->x, at->y, 0, 0};
+        const double left = std::min<double>(reach->x, at->x);
+        const double top = std::min<double>(reach->y, at->y);
+        const double right = std::max<double>(reach->right(), at->x);
+        const double bottom = std::max<double>(reach->bottom(), at->y);
+        reach = draw::Rect{left, top, right - left, bottom - top};
+      }
+    }
+  }
+  return reach.value_or(staging.layout.view);
+}
+
+/// A part of a view, as large as a cell and as near as it can be to having the bodies in its middle.
+draw::Rect part_about(const draw::Rect& bodies, const draw::Rect& view, const draw::Rect& cell) {
+  const double width = std::min(cell.width, view.width);
+  const double height = std::min(cell.height, view.height);
+  const double x = bodies.x + 0.5 * (bodies.width - width);
+  const double y = bodies.y + 0.5 * (bodies.height - height);
+  return {std::clamp(x, view.x, view.right() - width),
+          std::clamp(y, view.y, view.bottom() - height), width, height};
 }
 
 /// The middle of a part of a picture, into the middle of a cell of another one.
@@ -234,12 +325,19 @@ void paste(const Image& from, const draw::Rect& part, const draw::Rect& cell, Im
 
 Image rollout_picture(const Rollout& rollout, int shown, const std::optional<Size>& size,
                       Studio& studio) {
-  const std::vector<std::size_t> drawn = by_outcome(rollout);
+  const std::vector<std::size_t> drawn = scenes_of(rollout);
+  const std::size_t left_out = by_outcome(rollout).size() - drawn.size();
   const std::vector<Look> looks = looks_of(rollout);
   std::vector<draw::RolloutCell> cells;
-  for (const std::size_t i : drawn)
-    cells.push_back(
-        {name_of(rollout, i), note_of(rollout.scores[i]), looks[i].style, looks[i].quiet});
+  for (const std::size_t i : drawn) {
+    const RolloutScore& score = rollout.scores[i];
+    const bool is_for_others = left_out > 0 && stands(score);
+    cells.push_back({name_of(rollout, i),
+                     is_for_others ? "stands, " + millimetres(score.worst_drift) + " mm off; " +
+                                         std::to_string(left_out) + " others less"
+                                   : note_of(score),
+                     looks[i].style, looks[i].quiet});
+  }
   const Size page_size = size.value_or(Size{1280, draw::rollout_page_height(cells.size())});
   const trace::Header& asked = rollout.request.header;
   const draw::RolloutPage page = draw::rollout_page(
@@ -255,6 +353,8 @@ Image rollout_picture(const Rollout& rollout, int shown, const std::optional<Siz
   View view;
   view.focus = Focus::Shapes;
   view.layers = {Layer::Shapes};
+  const bool with_masses = are_masses_told(versus::rollout_bodies(rollout.request));
+  if (with_masses) view.layers.push_back(Layer::Masses);
   // One camera for all, which holds those that are still there.
   std::vector<trace::Frame> frames = {rollout.request.frames.front()};
   frames.front().pairs.clear();
@@ -262,10 +362,23 @@ Image rollout_picture(const Rollout& rollout, int shown, const std::optional<Siz
     trace::Frame frame = frame_of(rollout, i, shown);
     if (is_near(frame, frames.front())) frames.push_back(std::move(frame));
   }
-  const draw::Staging staging = staged(header, frames, view, page.cells.front());
-  for (std::size_t k = 0; k < drawn.size(); ++k)
-    paste(studio.paint(draw::illustrate(staging, frame_of(rollout, drawn[k], shown))),
-          staging.layout.view, page.cells[k], picture);
+  // As near to the bodies as the cell has room for: of the ground a part is enough.
+  constexpr double kMostNearer = 1.6, kOfCell = 0.88;
+  const draw::Rect& cell = page.cells.front();
+  draw::Staging staging = staged(header, frames, view, cell);
+  const draw::Rect far = reach_of_bodies(staging, frames, rollout.request);
+  const double nearer = std::clamp(
+      kOfCell * std::min(cell.width / far.width, cell.height / far.height), 1.0, kMostNearer);
+  staging =
+      staged(header, frames, view,
+             {cell.x, cell.y, std::floor(nearer * cell.width), std::floor(nearer * cell.height)});
+  const draw::Rect part =
+      part_about(reach_of_bodies(staging, frames, rollout.request), staging.layout.view, cell);
+  for (std::size_t k = 0; k < drawn.size(); ++k) {
+    trace::Frame frame = frame_of(rollout, drawn[k], shown);
+    if (with_masses) place_masses(rollout.request, frame);
+    paste(studio.paint(draw::illustrate(staging, frame)), part, page.cells[k], picture);
+  }
   return picture;
 }
 

@@ -16,6 +16,8 @@ constexpr double kCellGap = 12;
 constexpr double kCellName = 40;   // name and note below a cell
 constexpr double kCellRow = 222;   // a row of cells with their names, where there is one
 constexpr double kCellRows = 172;  // each, where there are more
+constexpr double kLargeRow = 280;  // under one chart
+constexpr float kLarger = 1.2f;    // letters and lines of a page with one chart and one row
 constexpr int kPage = 720;         // height of a page with up to two rows of cells
 constexpr std::size_t kMostInRow = 5;
 
@@ -52,7 +54,9 @@ RolloutPage rollout_page(const std::string& result, const std::string& title,
            pixel(left, top + pen.px(15)), Align::Left, kQuietText, Weight::Regular, 16);
   const double begin = top + pen.px(kScene), end = height - left - pen.px(kCaptions);
   const auto rows = static_cast<double>(std::max<std::size_t>(1, rows_of(cells.size())));
-  const double cell_row = rows > 1 ? kCellRows : kCellRow;
+  const bool is_large = charts.size() == 1 && rows_of(cells.size()) <= 1;
+  const double cell_row = rows > 1 ? kCellRows : is_large ? kLargeRow : kCellRow;
+  const Pen writing(page.drawing, (is_large ? kLarger : 1) * layout.scale, kPlotText);
   const double cells_begin = end - rows * pen.px(cell_row);
   const auto count = static_cast<double>(charts.size());
   const double chart_width = (whole - (count - 1) * pen.px(kChartGap)) / count;
@@ -60,7 +64,7 @@ RolloutPage rollout_page(const std::string& result, const std::string& title,
     draw_time_chart(charts[i],
                     {left + static_cast<double>(i) * (chart_width + pen.px(kChartGap)), begin,
                      chart_width, cells_begin - pen.px(kCellGap) - begin},
-                    pen);
+                    writing);
   const std::size_t columns = columns_of(cells.size());
   const double cell_width = std::min(
       (whole - static_cast<double>(columns - 1) * pen.px(kCellGap)) / static_cast<double>(columns),
@@ -74,10 +78,10 @@ RolloutPage rollout_page(const std::string& result, const std::string& title,
     const auto x = static_cast<float>(cell.x), y = static_cast<float>(cell.bottom());
     const float room = static_cast<float>(cell.width);
     const Color color = cells[i].quiet ? kText : method_style(cells[i].style).text;
-    pen.text(cells[i].name, {x, y + pen.px(17)}, Align::Left, color, Weight::Bold);
-    const float used = pen.width_of(cells[i].name + "  ", Weight::Bold);
-    pen.text(fitted(cells[i].note, pen.px(kPlotText), Weight::Regular, room - used),
-             {x + used, y + pen.px(17)}, Align::Left, kText);
+    writing.text(cells[i].name, {x, y + writing.px(17)}, Align::Left, color, Weight::Bold);
+    const float used = writing.width_of(cells[i].name + "  ", Weight::Bold);
+    writing.text(fitted(cells[i].note, writing.px(kPlotText), Weight::Regular, room - used),
+                 {x + used, y + writing.px(17)}, Align::Left, kText);
   }
   return page;
 }

@@ -189,17 +189,22 @@ struct ChartOverTime : Pen {
   }
 
   /// Lines that end before the others are named where they do.
+  bool is_named_inside(std::size_t i) const {
+    return ends_early(i) || chart.lines[i].marked.has_value();
+  }
+
   void draw_early_labels() const {
     std::vector<NamedLine> lines;
     for (std::size_t i = 0; i < chart.lines.size(); ++i) {
       const TimeLine& one = chart.lines[i];
       NamedLine& line = lines.emplace_back(NamedLine{labels[i], style_of(one).text, one.quiet, {}});
       for (std::size_t k = 0; k < one.values.size(); ++k) line.points.push_back(place(one, k));
+      if (one.marked) line.marks.push_back({place(one, *one.marked), one.name + " " + one.mark});
     }
     std::vector<const NamedLine*> named;
     std::vector<std::vector<Point2>> anchors;
     for (std::size_t i = 0; i < lines.size(); ++i) {
-      if (lines[i].points.empty() || !ends_early(i)) continue;
+      if (lines[i].points.empty() || !ends_early(i) || chart.lines[i].marked) continue;
       named.push_back(&lines[i]);
       const std::vector<Point2>& points = lines[i].points;
       anchors.push_back(
@@ -231,16 +236,19 @@ struct ChartOverTime : Pen {
                                        : "the " + std::to_string(count) + " others";
   }
 
-  /// Many that end at one place have one label, for which of them is which cannot be seen there.
+  /// Many that end at one place have one label, for which of them is which cannot be seen there. Quiet ones are
+  /// named all the same: they look alike anyway.
   void draw_labels() const {
     std::vector<std::size_t> which;
     std::vector<float> wanted;
     std::vector<std::size_t> how_many;
     for (const std::vector<std::size_t>& crowd : crowds()) {
-      const bool together = crowd.size() >= kLeastTogether;
+      const bool is_quiet =
+          std::ranges::all_of(crowd, [&](std::size_t i) { return chart.lines[i].quiet; });
+      const bool together = crowd.size() >= kLeastTogether && !is_quiet;
       for (const std::size_t i : crowd) {
         if (together && i != crowd[crowd.size() / 2]) continue;
-        if (ends_early(i)) continue;
+        if (is_named_inside(i)) continue;
         which.push_back(i);
         wanted.push_back(end_of(i).y);
         how_many.push_back(together ? crowd.size() : 1);

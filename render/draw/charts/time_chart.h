@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,11 +12,13 @@ namespace contactscope::draw {
 /// One method's course in a chart of several.
 struct TimeLine {
   std::string name;
-  std::size_t style = 0;       // of method_style()
-  std::vector<double> time;    // seconds, rising
-  std::vector<double> values;  // as many; finite
-  bool breaks_off = false;     // its last value is not the end: a cross stands there
-  bool quiet = false;          // grey, behind the others
+  std::size_t style = 0;                // of method_style()
+  std::vector<double> time;             // seconds, rising
+  std::vector<double> values;           // as many; finite
+  bool breaks_off = false;              // its last value is not the end: a cross stands there
+  bool quiet = false;                   // grey, behind the others
+  std::optional<std::size_t> marked{};  // this value has a ring, with its name and these words
+  std::string mark{};
 };
 
 /// Several lines over the same time, each with its name at its end. Both axes are linear.
@@ -26,7 +29,8 @@ struct TimeChart {
 };
 
 /// Draws a chart into `rect`, with its name above it, ticks to the left and under it and names of lines to the right;
-/// one that ends early is named where it does, and several that end at one place are named together.
+/// one that ends early is named where it does, one that is marked at its mark, and several that end at one place are
+/// named together, unless they are quiet: those are told by their order.
 /// Where one line goes more than five times as far as the others do, the axis leaves it out, and its name says
 /// how far it went.
 void draw_time_chart(const TimeChart& chart, const Rect& rect, const Pen& pen);

@@ -1,0 +1,103 @@
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "draw/charts/plot.h"
+#include "draw/charts/time_chart.h"
+#include "draw/scene/pen.h"
+
+/// How lines of charts are named and what stands apart from them.
+namespace contactscope::draw {
+namespace {
+
+using testing::Contains;
+using testing::IsSupersetOf;
+using testing::Not;
+
+std::vector<Text> texts(const Drawing& drawing) {
+  std::vector<Text> list;
+  for (const Primitive& primitive : drawing.primitives)
+    if (const auto* text = std::get_if<Text>(&primitive)) list.push_back(*text);
+  return list;
+}
+
+std::vector<std::string> words(const Drawing& drawing) {
+  std::vector<std::string> list;
+  for (const Text& text : texts(drawing)) list.push_back(text.text);
+  return list;
+}
+
+trace::Study curves_of(const std::string& name, const std::vector<double>& errors) {
+  trace::Study study;
+  study.study = "sample";
+  study.form = trace::StudyForm::Curves;
+  study.title = "A sample";
+  study.parameter = "size";
+  trace::StudySeries& line = study.series.emplace_back();
+  line.method = name;
+  double parameter = 1;
+  for (const double error : errors)
+    line.points.push_back({parameter *= 10, error, error, {}, 0, 100});
+  return study;
+}
+
+TEST(ChartNames, ANumberStaysWithItsUnit) {
+  const Drawing drawing =
+      plot(curves_of("rebuilt in each where needed: 35.3 ms", {1, 2, 3}), 1280, 720);
+  EXPECT_THAT(words(drawing), Not(Contains("ms")));
+}
+
+TEST(ChartNames, OfALineWithoutANameNothingIsWritten) {
+  trace::Study study = curves_of("named", {1, 2, 3});
+  study.series.push_back(study.series.front());
+  study.series.back().method = "second";
+  const std::size_t named = words(plot(study, 1280, 720)).size();
+  study.series.back().method.clear();
+  EXPECT_EQ(words(plot(study, 1280, 720)).size(), named - 1);
+}
+
+TEST(ChartNames, ZerosStandInARowBelowALogarithmicAxis) {
+  const auto lowest = [](const Drawing& drawing) {
+    float low = 0, next = 0;
+    for (const Primitive& primitive : drawing.primitives)
+      if (const auto* disc = std::get_if<Disc>(&primitive)) {
+        if (disc->center.y > low)
+          next = std::exchange(low, disc->center.y);
+        else
+          next = std::max(next, disc->center.y);
+      }
+    return low - next;
+  };
+  const Drawing some = plot(curves_of("some", {1, 1, 1, 0}), 1280, 720);
+  EXPECT_THAT(words(some), Contains("0"));
+  EXPECT_GT(lowest(some), 10);
+  EXPECT_THAT(words(plot(curves_of("none", {1, 1, 1, 1}), 1280, 720)), Not(Contains("0")));
+}
+
+TEST(ChartNames, FailuresAreToldBesideTheirFirstCross) {
+  trace::Study study = curves_of("8 samples: 2 µs", {1, 1, 1, 1});
+  study.failed = "hits missed";
+  study.series.front().points.back().failed = 7;
+  const std::vector<Text> all = texts(plot(study, 1280, 720));
+  const auto told = std::ranges::find(all, "8 samples: 7 of 400 hits missed", &Text::text);
+  ASSERT_NE(told, all.end()) << "without the time in the name of the line";
+  EXPECT_GT(told->at.x, 400) << "the cross is at the right";
+}
+
+TEST(ChartNames, AMarkedLineOverTimeIsNamedThereAndQuietOnesAllTheSame) {
+  const std::vector<double> time = {0, 1, 2, 3};
+  TimeChart chart{"Height", "m"};
+  chart.lines.push_back({"falling", 0, time, {1.5, 1.4, 0.5, 0.5}});
+  chart.lines.back().marked = 2;
+  chart.lines.back().mark = "2.00 s";
+  for (const char* name : {"one", "two", "three", "four"})
+    chart.lines.push_back({name, 1, time, {1.5, 1.49, 1.49, 1.49}, false, true});
+  Drawing drawing{.width = 900, .height = 300};
+  draw_time_chart(chart, {10, 10, 880, 280}, Pen(drawing, 1, kPlotText));
+  EXPECT_THAT(words(drawing), IsSupersetOf({"falling 2.00 s", "one", "two", "three", "four"}));
+  EXPECT_THAT(words(drawing), Not(Contains("falling")));
+}
+
+}  // namespace
+}  // namespace contactscope::draw
