@@ -74,12 +74,11 @@ void PairChooser::tell(const BroadPhaseRecord& structure, trace::BroadPhase& fac
     world.include(bounds.box.upper);
   }
   for (const BroadPhaseCell& cell : structure.cells) {
+    Aabb<double> box = cell.box.cast<double>();
     // Columns have no end.
-    const Aabb<double> box = cell.box.cast<double>();
-    facts.cells.push_back({{box.lower.cwiseMax(world.lower), box.upper.cwiseMin(world.upper)},
-                           cell.depth,
-                           cell.members,
-                           cell.tests});
+    if (!is_bounded(cell.box))
+      box = {box.lower.cwiseMax(world.lower), box.upper.cwiseMin(world.upper)};
+    facts.cells.push_back({{box.lower, box.upper}, cell.depth, cell.members, cell.tests});
   }
   constexpr const char* kAxes[] = {"x", "y", "z"};
   if (structure.swept >= 0) facts.swept = kAxes[structure.swept];

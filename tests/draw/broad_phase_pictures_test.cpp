@@ -35,6 +35,11 @@ class BroadPhasePicture : public ::testing::Test {
     return sketch_frame(staging, scene.frames[0]);
   }
 
+  // So many boxes that a tree is not drawn whole.
+  void crowd() {
+    while (phase().bounds.size() <= 12) phase().bounds.push_back(phase().bounds[0]);
+  }
+
   std::vector<std::string> panel(Panel which) {
     scene.view.panels = {which};
     const Staging staging = scene.staged();
@@ -96,6 +101,7 @@ TEST_F(BroadPhasePicture, TilesOfAGridBearWhatTheirCellsCostTogether) {
 }
 
 TEST_F(BroadPhasePicture, NodesOfAnOctreeBearTheirTestsWhereNoOtherNodeCoversThem) {
+  crowd();
   phase().method = "octree";
   phase().cells = {{{{0, 0, 0}, {4, 1, 4}}, 0, 2, 3}, {{{0, 0, 0}, {4, 1, 2}}, 1, 4, 8}};
   const auto numbers = [](const Sketch& drawn) {
@@ -116,11 +122,50 @@ TEST_F(BroadPhasePicture, NodesOfAnOctreeBearTheirTestsWhereNoOtherNodeCoversThe
 }
 
 TEST_F(BroadPhasePicture, OfATreeNoNumbersStandForTheyDoNotAddUp) {
+  crowd();
   phase().method = "tree";
   phase().cells = {{{{0, 0, 0}, {2, 1, 2}}, 0, 1, 3}, {{{2, 0, 0}, {4, 1, 2}}, 0, 1, 8}};
   const Sketch drawn = sketch(Layer::Cells);
   EXPECT_THAT(drawn.labels, testing::IsEmpty());
   EXPECT_THAT(legend_of(drawn), testing::ElementsAre("tests at a node: up to 9"));
+}
+
+TEST_F(BroadPhasePicture, PairsThatATreeOfFewBoxesTestedAreLinked) {
+  phase().method = "tree";
+  phase().bounds = {{"large", {{0, 0, 0}, {4, 1, 4}}},
+                    {"within", {{1, 0, 1}, {2, 1, 2}}},
+                    {"beside", {{4.2, 0, 1}, {5, 1, 2}}},
+                    {"far", {{8, 0, 1}, {9, 1, 2}}}};
+  phase().cells = {{{{-0.4, 0, -0.4}, {9.1, 1, 4.4}}, 0, 0, 0},
+                   {{{-0.4, 0, -0.4}, {4.4, 1, 4.4}}, 1, 1, 2},
+                   {{{0.9, 0, 0.9}, {2.1, 1, 2.1}}, 1, 1, 1},
+                   {{{4.1, 0, 0.9}, {5.1, 1, 2.1}}, 1, 1, 1},
+                   {{{7.9, 0, 0.9}, {9.1, 1, 2.1}}, 1, 1, 0}};
+  phase().comparisons = 2;
+  const auto ends = [](const Sketch& drawn) {
+    return std::ranges::count(drawn.marks, MarkKind::Node, &Mark::kind);
+  };
+  const Sketch drawn = sketch(Layer::Cells);
+  EXPECT_EQ(ends(drawn), 4);
+  EXPECT_THAT(legend_of(drawn),
+              testing::ElementsAre("leaf: a box and a margin around it",
+                                   "larger nodes, deeper ones darker", "pair that is tested",
+                                   "tested in vain: boxes do not overlap"));
+  phase().comparisons = 3;
+  EXPECT_EQ(ends(sketch(Layer::Cells)), 0) << "these two are not all";
+}
+
+TEST_F(BroadPhasePicture, ABoxIsTestedAtNodesOfAnOctreeThatItReaches) {
+  phase().method = "octree";
+  phase().bounds = {{"large", {{0, 0, 0}, {4, 1, 2}}},
+                    {"within", {{1, 0, 1}, {2, 1, 2}}},
+                    {"beside", {{1, 0, 3}, {2, 1, 4}}}};
+  phase().cells = {{{{0, 0, 0}, {4, 1, 4}}, 0, 1, 0},
+                   {{{1, 0, 1}, {2, 1, 2}}, 1, 1, 1},
+                   {{{1, 0, 3}, {2, 1, 4}}, 1, 1, 0}};
+  phase().comparisons = 1;
+  EXPECT_THAT(legend_of(sketch(Layer::Cells)),
+              testing::ElementsAre("node, as far as its boxes reach", "pair that is tested"));
 }
 
 TEST_F(BroadPhasePicture, AHeapOfMoreThanAHundredShapesIsDrawnWithoutHiddenEdges) {

@@ -171,11 +171,13 @@ void draw_bounds(const Scene& scene, Sketch& sketch) {
     });
   };
   std::vector<trace::Bounds> all = scene.frame.broad_phase->bounds;
+  // Cells and nodes have numbers and borders of their own where names would stand.
+  const bool named = all.size() <= kMostNamed && !scene.shows(Layer::Cells);
   const auto meeting = std::stable_partition(all.begin(), all.end(), std::not_fn(meets));
   for (auto bounds = all.begin(); bounds != all.end(); ++bounds) {
     const bool alone = bounds < meeting;
     outline_solid(scene, bounds->box, alone ? kAlone : LineStyle{2.5f, kBox}, sketch);
-    if (all.size() <= kMostNamed) {
+    if (named) {
       const NamePlace name = free_side(scene, *bounds, all);
       sketch.label(name.at, in_words(bounds->name), kText, 16, 6, name.out);
     }

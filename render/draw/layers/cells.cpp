@@ -7,6 +7,7 @@
 #include <string>
 
 #include "draw/layers/layer.h"
+#include "draw/layers/tree_levels.h"
 #include "image/font.h"
 
 /// The cells, columns or nodes into which a broad phase sorts boxes, as tiles on their floors: the
@@ -67,7 +68,7 @@ constexpr Swatch kSpanSwatch{
 constexpr Swatch kBeginsSwatch{
     LegendGroup::Trees, 7,
     [](auto& pen) { pen.line(pen.at(12, -7), pen.at(12, 7), kBegins.width, kBegins.color); }};
-constexpr float kCount = 16;          // size of the number in a tile, pixels
+constexpr float kCount = 18;          // size of the number in a tile, pixels
 constexpr double kCountClear = 13;    // from its middle to the outline of a box, likewise
 constexpr double kLeastCounted = 20;  // pixels: in a narrower tile no number stands
 constexpr double kSweptWay = 64, kBesideBox = 3.5;  // pixels
@@ -75,38 +76,6 @@ constexpr double kSweptWay = 64, kBesideBox = 3.5;  // pixels
 bool is_tree(const trace::BroadPhase& phase) {
   return phase.method == "tree" || phase.method == "octree";
 }
-
-/// The tile of a box on the floor of all.
-class Floor {
- public:
-  explicit Floor(const Scene& scene)
-      : up_(scene.header.up == "z" ? 2 : 1),
-        right_(up_ == 2 ? 0 : 2),
-        ahead_(up_ == 2 ? 1 : 0),
-        floor_(scene.frame.broad_phase->cells.front().box.lower[up_]) {
-    // One floor, so that the order in which tiles are drawn is the one in which they lie.
-    for (const trace::Cell& cell : scene.frame.broad_phase->cells)
-      floor_ = std::min(floor_, cell.box.lower[up_]);
-  }
-
-  int up() const { return up_; }
-  int right() const { return right_; }
-  int ahead() const { return ahead_; }
-  /// The other axis of the floor.
-  int across(int axis) const { return 3 - up_ - axis; }
-
-  std::vector<Vec3d> tile_of(const trace::Box& box) const {
-    std::vector<Vec3d> tile(4, box.lower);
-    tile[1][right_] = tile[2][right_] = box.upper[right_];
-    tile[2][ahead_] = tile[3][ahead_] = box.upper[ahead_];
-    for (Vec3d& corner : tile) corner[up_] = floor_;
-    return tile;
-  }
-
- private:
-  int up_, right_, ahead_;  // right-handed
-  double floor_;
-};
 
 /// Of the column that costs most: the box that is compared most often, and behind it those that it
 /// is compared with, which are all that begin along the axis before it ends.
@@ -151,11 +120,12 @@ void draw_span(const Sweep& sweep, const Floor& floor, Sketch& sketch) {
   sketch.explain(kSpanSwatch, "a box and its span");
 }
 
-/// Over the boxes: the ends at which those begin that the sweep compares.
+/// Over the boxes: the ends at which those begin that the sweep compares, or what a tree tested.
 void draw_begins(const Scene& scene, Sketch& sketch) {
   if (!scene.frame.broad_phase || scene.frame.broad_phase->cells.empty()) return;
   const trace::BroadPhase& phase = *scene.frame.broad_phase;
   const Floor floor(scene);
+  if (is_tree(phase) && phase.bounds.size() <= kFewBoxes) return link_tested(scene, sketch);
   const std::optional<Sweep> sweep = find_sweep(phase, floor);
   if (!sweep) return;
   const int compared = count_of(sweep->boxes) - 1, across = floor.across(sweep->axis);
@@ -284,6 +254,12 @@ void draw_cells(const Scene& scene, Sketch& sketch) {
     else
       sketch.explain(kOnlySwatch, "the only cell, of all boxes");
     return;
+  }
+  if (is_tree(phase) && phase.bounds.size() <= kFewBoxes) {
+    const std::vector<trace::Cell> levels = draw_levels(phase, floor, sketch);
+    const bool counted = phase.method == "octree" && find_tests(phase).empty() &&
+                         write_tests(scene, levels, floor, sketch);
+    return explain_levels(phase, counted, sketch);
   }
   std::vector<trace::Cell> cells = stacked(phase, floor);
   std::ranges::stable_sort(cells, {}, &trace::Cell::tests);

@@ -1,0 +1,140 @@
+#include "draw/layers/tree_levels.h"
+
+#include <array>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+namespace contactscope::draw {
+namespace {
+
+// The deeper a node lies, the darker it is.
+constexpr std::array<Color, 4> kLevels = {rgb(0xF3F5F8), rgb(0xE6EAF0), rgb(0xD6DDE6),
+                                          rgb(0xC5CFDB)};
+constexpr Color kBoxNode = rgb(0xFBF1D3);
+constexpr LineStyle kLevelBorder{1.0f, rgb(0x9AA3AE)}, kBoxNodeBorder{1.5f, rgb(0xB08D3C)};
+constexpr Color kInVain = rgb(0xC2571A);
+constexpr LineStyle kLink{3.5f, rgb(0x1F2328)}, kVainLink{3.5f, kInVain, true};
+constexpr Swatch kBoxNodeSwatch{LegendGroup::Trees, 5, [](auto& pen) {
+                                  pen.box(kBoxNode, kBoxNodeBorder.color, kBoxNodeBorder.width);
+                                }};
+constexpr Swatch kLevelsSwatch{
+    LegendGroup::Trees, 7, [](auto& pen) {
+      for (int i = 0; i < 3; ++i) {
+        const double in = 4.0 * i, down = 2.5 * i;
+        pen.fill({pen.at(in, -7 + down), pen.at(24 - in, -7 + down), pen.at(24 - in, 7 - down),
+                  pen.at(in, 7 - down)},
+                 kLevels[static_cast<std::size_t>(i)]);
+      }
+      pen.outline({pen.at(0, -7), pen.at(24, -7), pen.at(24, 7), pen.at(0, 7)}, 1,
+                  kLevelBorder.color);
+    }};
+constexpr Swatch kLinkSwatch{LegendGroup::Trees, 8, [](auto& pen) {
+                                 pen.line(pen.at(0, 0), pen.at(24, 0), kLink.width, kLink.color);
+                               }};
+constexpr Swatch kVainLinkSwatch{
+    LegendGroup::Trees, 9, [](auto& pen) {
+      for (const double from : {0.0, 9.0, 18.0})
+        pen.line(pen.at(from, 0), pen.at(from + 6, 0), kVainLink.width, kInVain);
+    }};
+
+Eigen::AlignedBox3d solid_box(const trace::Box& box) { return {box.lower, box.upper}; }
+
+/// The node of each box, by their places in the lists of both: the smallest that holds it and is not full, the
+/// smallest boxes first, for a large node may hold the boxes of others as well.
+std::optional<std::vector<std::size_t>> nodes_of_boxes(const trace::BroadPhase& phase) {
+  const auto in_order = [](const auto& list, const auto& box_of) {
+    std::vector<std::size_t> order(list.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) {
+      const trace::Box& box = box_of(list[i]);
+      return (box.upper - box.lower).prod();
+    });
+    return order;
+  };
+  const auto box_of = [](const auto& each) -> const trace::Box& { return each.box; };
+  const std::vector<std::size_t> nodes = in_order(phase.cells, box_of);
+  std::vector<int> room;
+  for (const trace::Cell& cell : phase.cells) room.push_back(cell.members);
+  std::vector<std::size_t> found(phase.bounds.size());
+  for (const std::size_t i : in_order(phase.bounds, box_of)) {
+    const auto node = std::ranges::find_if(nodes, [&](std::size_t each) {
+      return room[each] > 0 && solid_box(phase.cells[each].box).contains(solid_box(phase.bounds[i].box));
+    });
+    if (node == nodes.end()) return std::nullopt;
+    --room[*node];
+    found[i] = *node;
+  }
+  return found;
+}
+
+Vec3d top_middle(const trace::Box& box, int up) {
+  Vec3d at = 0.5 * (box.lower + box.upper);
+  at[up] = box.upper[up];
+  return at;
+}
+
+}  // namespace
+
+std::vector<TestedPair> find_tests(const trace::BroadPhase& phase) {
+  const std::optional<std::vector<std::size_t>> nodes = nodes_of_boxes(phase);
+  if (!nodes) return {};
+  const bool is_octree = phase.method == "octree";
+  std::vector<TestedPair> pairs;
+  std::vector<int> tests(phase.cells.size());
+  for (std::size_t i = 0; i < phase.bounds.size(); ++i) {
+    for (std::size_t j = i + 1; j < phase.bounds.size(); ++j) {
+      const trace::Bounds &a = phase.bounds[i], &b = phase.bounds[j];
+      const trace::Box &a_node = phase.cells[(*nodes)[i]].box, &b_node = phase.cells[(*nodes)[j]].box;
+      // Leaves of a tree are compared, and of an octree a box with the nodes of those after it.
+      if (!solid_box(is_octree ? a.box : a_node).intersects(solid_box(b_node))) continue;
+      pairs.push_back({&a, &b, a_node, b_node, solid_box(a.box).intersects(solid_box(b.box))});
+      ++tests[(*nodes)[j]];
+    }
+  }
+  bool as_counted = count_of(pairs) == phase.comparisons;
+  for (std::size_t i = 0; is_octree && i < tests.size(); ++i)
+    as_counted = as_counted && tests[i] == phase.cells[i].tests;
+  if (!as_counted) pairs.clear();
+  return pairs;
+}
+
+std::vector<trace::Cell> draw_levels(const trace::BroadPhase& phase, const Floor& floor,
+                                     Sketch& sketch) {
+  std::vector<trace::Cell> cells = phase.cells;
+  // A small node of two leaves may lie within a large leaf beside them: leaves are over all others.
+  std::ranges::stable_sort(
+      cells, {}, [](const trace::Cell& cell) { return std::pair(cell.members > 0, cell.depth); });
+  for (const trace::Cell& cell : cells) {
+    const std::vector<Vec3d> tile = floor.tile_of(cell.box);
+    if (cell.members > 0) {
+      sketch.face(tile, kBoxNode, kBoxNodeBorder);
+      continue;
+    }
+    const std::size_t level = std::min(static_cast<std::size_t>(cell.depth), kLevels.size() - 1);
+    sketch.face(tile, kLevels[level], kLevelBorder);
+    sketch.explain(kLevelsSwatch, "larger nodes, deeper ones darker");
+  }
+  return cells;
+}
+
+void explain_levels(const trace::BroadPhase& phase, bool counted, Sketch& sketch) {
+  sketch.explain(kBoxNodeSwatch, phase.method == "tree" ? "leaf: a box and a margin around it"
+                                 : counted              ? "number: tests at a node"
+                                                        : "node, as far as its boxes reach");
+}
+
+void link_tested(const Scene& scene, Sketch& sketch) {
+  const int up = Floor(scene).up();
+  for (const TestedPair& pair : find_tests(*scene.frame.broad_phase)) {
+    const Vec3d from = top_middle(pair.a->box, up), to = top_middle(pair.b->box, up);
+    sketch.bordered_line(from, to, pair.overlaps ? kLink : kVainLink, 6.5f);
+    for (const Vec3d& end : {from, to}) sketch.mark(MarkKind::Node, end, kLink.color);
+    if (pair.overlaps)
+      sketch.explain(kLinkSwatch, "pair that is tested");
+    else
+      sketch.explain(kVainLinkSwatch, "tested in vain: boxes do not overlap", 0.5 * (from + to));
+  }
+}
+
+}  // namespace contactscope::draw
