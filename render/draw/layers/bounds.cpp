@@ -192,9 +192,15 @@ void draw_bounds(const Scene& scene, Sketch& sketch) {
     const auto found = std::ranges::find(all, name, &trace::Bounds::name);
     return found == all.end() ? nullptr : &found->box;
   };
+  const auto is_mesh = [&](const std::string& name) {
+    const PlacedShape* shape = scene.find(name);
+    return shape != nullptr && shape->is_mesh();
+  };
   for (const trace::Pair& pair : scene.frame.pairs) {
     const trace::Box *a = box_of(pair.a), *b = box_of(pair.b);
-    if (a != nullptr && b != nullptr) draw_shared(scene, *a, *b, sketch);
+    // Of a body on a mesh it is most of the body's own box, and hides the triangles that are there.
+    if (a == nullptr || b == nullptr || is_mesh(pair.a) != is_mesh(pair.b)) continue;
+    draw_shared(scene, *a, *b, sketch);
   }
 }
 

@@ -18,27 +18,29 @@ constexpr LineStyle kLink{3.5f, rgb(0x1F2328)}, kVainLink{3.5f, kInVain, true};
 constexpr Swatch kBoxNodeSwatch{LegendGroup::Trees, 5, [](auto& pen) {
                                   pen.box(kBoxNode, kBoxNodeBorder.color, kBoxNodeBorder.width);
                                 }};
-constexpr Swatch kLevelsSwatch{
-    LegendGroup::Trees, 7, [](auto& pen) {
-      for (int i = 0; i < 3; ++i) {
-        const double in = 4.0 * i, down = 2.5 * i;
-        pen.fill({pen.at(in, -7 + down), pen.at(24 - in, -7 + down), pen.at(24 - in, 7 - down),
-                  pen.at(in, 7 - down)},
-                 kLevels[static_cast<std::size_t>(i)]);
-      }
-      pen.outline({pen.at(0, -7), pen.at(24, -7), pen.at(24, 7), pen.at(0, 7)}, 1,
-                  kLevelBorder.color);
-    }};
-constexpr Swatch kLinkSwatch{LegendGroup::Trees, 8, [](auto& pen) {
-                                 pen.line(pen.at(0, 0), pen.at(24, 0), kLink.width, kLink.color);
+constexpr Swatch kLevelsSwatch{LegendGroup::Trees, 7, [](auto& pen) {
+                                 for (int i = 0; i < 3; ++i) {
+                                   const double in = 4.0 * i, down = 2.5 * i;
+                                   pen.fill({pen.at(in, -7 + down), pen.at(24 - in, -7 + down),
+                                             pen.at(24 - in, 7 - down), pen.at(in, 7 - down)},
+                                            kLevels[static_cast<std::size_t>(i)]);
+                                 }
+                                 pen.outline(
+                                     {pen.at(0, -7), pen.at(24, -7), pen.at(24, 7), pen.at(0, 7)},
+                                     1, kLevelBorder.color);
                                }};
-constexpr Swatch kVainLinkSwatch{
-    LegendGroup::Trees, 9, [](auto& pen) {
-      for (const double from : {0.0, 9.0, 18.0})
-        pen.line(pen.at(from, 0), pen.at(from + 6, 0), kVainLink.width, kInVain);
-    }};
+constexpr Swatch kLinkSwatch{LegendGroup::Trees, 8, [](auto& pen) {
+                               pen.line(pen.at(0, 0), pen.at(24, 0), kLink.width, kLink.color);
+                             }};
+constexpr Swatch kVainLinkSwatch{LegendGroup::Trees, 9, [](auto& pen) {
+                                   for (const double from : {0.0, 9.0, 18.0})
+                                     pen.line(pen.at(from, 0), pen.at(from + 6, 0), kVainLink.width,
+                                              kInVain);
+                                 }};
 
-Eigen::AlignedBox3d solid_box(const trace::Box& box) { return {box.lower, box.upper}; }
+Eigen::AlignedBox3d solid_box(const trace::Box& box) {
+  return {box.lower, box.upper};
+}
 
 /// The node of each box, by their places in the lists of both: the smallest that holds it and is not full, the
 /// smallest boxes first, for a large node may hold the boxes of others as well.
@@ -59,7 +61,8 @@ std::optional<std::vector<std::size_t>> nodes_of_boxes(const trace::BroadPhase& 
   std::vector<std::size_t> found(phase.bounds.size());
   for (const std::size_t i : in_order(phase.bounds, box_of)) {
     const auto node = std::ranges::find_if(nodes, [&](std::size_t each) {
-      return room[each] > 0 && solid_box(phase.cells[each].box).contains(solid_box(phase.bounds[i].box));
+      return room[each] > 0 &&
+             solid_box(phase.cells[each].box).contains(solid_box(phase.bounds[i].box));
     });
     if (node == nodes.end()) return std::nullopt;
     --room[*node];
@@ -85,7 +88,8 @@ std::vector<TestedPair> find_tests(const trace::BroadPhase& phase) {
   for (std::size_t i = 0; i < phase.bounds.size(); ++i) {
     for (std::size_t j = i + 1; j < phase.bounds.size(); ++j) {
       const trace::Bounds &a = phase.bounds[i], &b = phase.bounds[j];
-      const trace::Box &a_node = phase.cells[(*nodes)[i]].box, &b_node = phase.cells[(*nodes)[j]].box;
+      const trace::Box &a_node = phase.cells[(*nodes)[i]].box,
+                       &b_node = phase.cells[(*nodes)[j]].box;
       // Leaves of a tree are compared, and of an octree a box with the nodes of those after it.
       if (!solid_box(is_octree ? a.box : a_node).intersects(solid_box(b_node))) continue;
       pairs.push_back({&a, &b, a_node, b_node, solid_box(a.box).intersects(solid_box(b.box))});
