@@ -92,6 +92,11 @@ std::vector<Named> named_shapes(const Scene& scene) {
   for (const PlacedShape& shape : scene.shapes) {
     if (!in_view(scene.camera, shape)) continue;
     std::string words = kind_in_words(shape.traced().name);
+    // The label of a pair says it.
+    const auto says_so = [&](const trace::Pair& pair) {
+      return kind_in_words(pair.label) == words;
+    };
+    if (std::ranges::any_of(scene.frame.pairs, says_so)) continue;
     auto known = std::ranges::find(named, words, &Named::words);
     if (known == named.end()) known = named.insert(known, Named{std::move(words), &shape});
     (shape.is_a ? known->of_a : known->of_b) = true;
@@ -175,10 +180,7 @@ void draw_shape_names(const Scene& scene, Sketch& sketch) {
   const double pixel = scene.scales.pixel;
   const float size = static_cast<float>(pixel) * kNameSize;
   for (const Named& each : named) {
-    const auto says_so = [&](const trace::Pair& pair) {
-      return kind_in_words(pair.label) == each.words;
-    };
-    if (each.copies > kMostCopies || std::ranges::any_of(scene.frame.pairs, says_so)) continue;
+    if (each.copies > kMostCopies) continue;
     const bool has_role = each.of_a != each.of_b && tells_roles;
     if (roles_alone && !has_role) continue;
     // On one of several alike it would seem to be that one's own.

@@ -192,6 +192,18 @@ TEST(Sweep, ItsEndIsDrawnWhereTheNextFrameDoesNotTell) {
   EXPECT_THAT(says(), Contains(HasSubstr("if nothing stopped it")));
 }
 
+// Which way it turns is seen by the way of the point that meets; what goes straight needs no arrow.
+TEST(Sweep, WhatTurnsShowsTheWayOfThePointThatMeets) {
+  FallingCrate scene;
+  const auto says = [&] { return explained(scene.sketch()); };
+  EXPECT_THAT(says(), testing::Not(Contains("way of the point that meets")));
+  scene.pair().impact->travel_b.turn = {0, 0, 1.5};
+  EXPECT_THAT(says(), Contains("way of the point that meets"));
+  const Sketch sketch = scene.sketch();
+  ASSERT_EQ(sketch.arrows.size(), 1u);
+  EXPECT_LT((*sketch.arrows[0].to - scene.pair().impact->point_a).norm(), 0.2);
+}
+
 /// A slice of a field 2 m wide with cells of 0.1 m, through the middle of what is seen: y < 0 is inside.
 struct FieldOnSlab : CrateOnSlab {
   FieldOnSlab() {

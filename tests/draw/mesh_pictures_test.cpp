@@ -127,6 +127,52 @@ TEST(MeshPictures, CoplanarAndDegenerateTrianglesHaveSignsOfTheirOwn) {
                                           Contains("triangle without an area")));
 }
 
+TEST(MeshPictures, CornersOfTheTriangleThatMeetsFirstGoStraightOn) {
+  TwoSurfaces scene;
+  scene.view.layers = {Layer::Shapes, Layer::Sweep};
+  trace::Impact& impact = scene.frames[0].pairs[0].impact.emplace();
+  impact.method = "time_of_impact";
+  impact.status = "hit";
+  impact.triangle_a = 0;
+  impact.corners_a = {{-1, -1, 1}, {1, -1, 1}, {1, -1, -1}};
+  const auto ways = [&] {
+    return std::ranges::count_if(scene.sketch().lines, [](const Line& line) {
+      return crate_sample::same(line.style.color, kContact) && line.style.dashed &&
+             (line.to - line.from - Vec3d(0, -1, 0)).norm() < 1e-9;
+    });
+  };
+  EXPECT_EQ(ways(), 3);
+  EXPECT_THAT(legend_texts(scene.sketch()), Contains("way of a corner"));
+  impact.triangle_a = -1;
+  EXPECT_EQ(ways(), 0) << "of which nobody says where it is now";
+}
+
+// Its contact point is a dot, and its centre is none.
+TEST(MeshPictures, ABallThatTouchesHasACrossForItsCentre) {
+  TwoSurfaces scene;
+  trace::Shape& ball = scene.header.shapes.emplace_back();
+  ball.name = "ball";
+  ball.type = "sphere";
+  ball.radius = 0.3;
+  ball.vertices = {Vec3d::Zero()};
+  Pose<double> above;
+  above.position = {0.2, 0.8, 0};
+  scene.frames[0].poses.emplace_back("ball", above);
+  scene.frames[0].pairs[0].b = "ball";
+  trace::Impact& impact = scene.frames[0].pairs[0].impact.emplace();
+  impact.method = "time_of_impact";
+  impact.status = "hit";
+  impact.time = 0.5;
+  impact.travel_b.displacement = {0, -1, 0};
+  scene.view.layers = {Layer::Shapes, Layer::Prism};
+  const Sketch sketch = scene.sketch();
+  const auto cross = std::ranges::find(sketch.marks, MarkKind::Cross, &Mark::kind);
+  ASSERT_NE(cross, sketch.marks.end());
+  EXPECT_LT((cross->at - Vec3d(0.2, 0.3, 0)).norm(), 1e-9);
+  EXPECT_THAT(legend_texts(sketch), AllOf(Contains("centre of the ball as it touches"),
+                                          Contains("prism about face, edges and vertices")));
+}
+
 TEST(MeshPictures, AMeshWithoutAnInsideShowsWhereItIsOpen) {
   TwoSurfaces scene;
   const auto edges = [&] {
@@ -232,9 +278,9 @@ TEST_F(MeshPanels, TheMatrixHasABlockForEachPairOfNodesThatDecidedSomething) {
   EXPECT_EQ(grey, 3);
   EXPECT_LE(right, 1232.5);
   EXPECT_LE(bottom, 580);
-  EXPECT_THAT(crate_sample::texts(drawing),
-              AllOf(Contains("5 pairs of boxes"), Contains("1 of them, vermilion"),
-                    Contains("75 % of 4 pairs, grey")));
+  EXPECT_THAT(
+      crate_sample::texts(drawing),
+      AllOf(Contains("4 pairs of triangles"), Contains("75 %, grey"), Contains("1 pair, orange")));
 }
 
 TEST_F(MeshPanels, WithoutTwoMeshesTheMatrixSaysSo) {

@@ -19,9 +19,9 @@ constexpr Swatch kCrossingTriangleSwatch{LegendGroup::Points, 21,
 constexpr Swatch kTouchSwatch{LegendGroup::Points, 22,
                               [](auto& pen) { pen.dot(0, 4.8, kContact); }};
 // Not faint where it is hidden: what is has no dashes where it is seen.
-constexpr LineStyle kUncounted{2.5f, kContact, true};
+constexpr LineStyle kUncounted{3.5f, kContact, true};
 constexpr Swatch kUncountedSwatch{LegendGroup::Points, 25,
-                                  [](auto& pen) { pen.dashes(2.5, kContact); }};
+                                  [](auto& pen) { pen.dashes(kUncounted.width, kContact); }};
 constexpr Swatch kCoplanarSwatch{LegendGroup::Points, 23,
                                  [](auto& pen) { pen.area(kAxis, 0.45f, 1.5); }};
 constexpr LineStyle kOpenEdge{4.0f, kAxisText, false, LineStyle::Hidden::Faint};
@@ -50,7 +50,8 @@ bool draw_triangles(const PlacedShape* mesh, const std::set<int>& triangles, con
 /// An area that has become a line is drawn as one.
 void draw_degenerate(const PlacedShape* mesh, int triangle, Sketch& sketch) {
   if (mesh == nullptr || triangle < 0 || triangle >= count_of(mesh->traced().faces)) return;
-  sketch.outline(mesh->polygon(triangle), {4.0f, with_alpha(kAxisText, 0.8f)});
+  sketch.outline(mesh->polygon(triangle),
+                 {4.0f, with_alpha(kAxisText, 0.8f), false, LineStyle::Hidden::Faint});
   sketch.explain(kDegenerateSwatch, "triangle without an area", mesh->polygon(triangle)[0]);
 }
 
@@ -73,6 +74,8 @@ void draw_segments(const trace::Pair& pair, Sketch& sketch) {
     if (before(to, from)) std::swap(from, to);
     if (!counts && !dashed.insert({from.x(), from.y(), from.z(), to.x(), to.y(), to.z()}).second)
       continue;
+    // White between the dashes: an edge of a mesh lies there as well.
+    if (!counts) sketch.line(from, to, {kUncounted.width + 2, kWhite});
     sketch.line(from, to,
                 counts ? LineStyle{3.5f, kContact, false, LineStyle::Hidden::Faint} : kUncounted);
     if (counts)

@@ -20,12 +20,19 @@ constexpr Color kVertexTint = rgb(0xEDF0F3);
 constexpr LineStyle kThin{1.0f, kDropped};
 constexpr LineStyle kWay{1.5f, kContact, true};
 
-constexpr Swatch kFaceSwatch{LegendGroup::Motion, 9, [](auto& pen) { pen.area(kFaceTint, 1, 1); }};
-constexpr Swatch kEdgeSwatch{LegendGroup::Motion, 10, [](auto& pen) { pen.area(kEdgeTint, 1, 1); }};
-constexpr Swatch kVertexSwatch{LegendGroup::Motion, 11,
-                               [](auto& pen) { pen.area(kVertexTint, 1, 1); }};
+/// Its three tints beside each other, in the order of the words.
+constexpr Swatch kPrismSwatch{
+    LegendGroup::Motion, 9, [](auto& pen) {
+      constexpr double kBand = 8;  // pixels
+      double x = 0;
+      for (const Color& tint : {kFaceTint, kEdgeTint, kVertexTint}) {
+        pen.fill({pen.at(x, -7), pen.at(x + kBand, -7), pen.at(x + kBand, 7), pen.at(x, 7)}, tint);
+        x += kBand;
+      }
+      pen.outline({pen.at(0, -7), pen.at(x, -7), pen.at(x, 7), pen.at(0, 7)}, 1, kDropped);
+    }};
 constexpr Swatch kWaySwatch{LegendGroup::Motion, 12, [](auto& pen) { pen.dashes(1.5, kContact); }};
-constexpr Swatch kHitSwatch{LegendGroup::Motion, 13, [](auto& pen) { pen.dot(0, 4.8, kContact); }};
+constexpr Swatch kCenterSwatch{LegendGroup::Motion, 13, [](auto& pen) { pen.crossed(kContact); }};
 
 /// What the eye sees of a ball.
 std::vector<Vec3d> disc_of(const Camera& camera, const Vec3d& center, double radius) {
@@ -115,12 +122,12 @@ void draw_prism(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   sketch.line(center, center + way->displacement, kWay);
   if (pair.impact->status == "hit") {
     const Vec3d touching = center + pair.impact->time * way->displacement;
-    sketch.mark(MarkKind::Dot, touching, kContact);
-    sketch.explain(kHitSwatch, "the ball touches", touching);
+    // The contact is a dot, and this is none.
+    sketch.mark(MarkKind::Cross, touching, kContact);
+    sketch.explain(kCenterSwatch, "centre of the ball as it touches", touching);
+    sketch.explain(kPlainPointSwatch, "contact point", pair.impact->point_a);
   }
-  sketch.explain(kFaceSwatch, "touches the face");
-  sketch.explain(kEdgeSwatch, "an edge");
-  sketch.explain(kVertexSwatch, "a vertex");
+  sketch.explain(kPrismSwatch, "prism about face, edges and vertices");
   sketch.explain(kWaySwatch, "way of a ball's centre", Vec3d(center + 0.3 * way->displacement));
 }
 

@@ -1,10 +1,13 @@
+#include <vector>
+
 #include "draw/layers/layer.h"
 #include "draw/scene/ghost.h"
 #include "draw/scene/solid.h"
 
 /// How two shapes go through the step, and where they first meet: Catto 2013, "Continuous
 /// Collision". Onion skins at the times up to which the search knew them apart; where they meet;
-/// and where they are at the end of the step, as somebody who looks at frames alone would have it.
+/// and where they are at the end of the step, as somebody who looks at frames alone would have it. Of
+/// what turns also the way of the point that meets; of meshes that deform the ways of the corners.
 namespace contactscope::draw {
 namespace {
 
@@ -26,12 +29,77 @@ constexpr LineStyle kTrue{2.2f, kShapeEdge};
 constexpr Swatch kTrueSwatch{LegendGroup::Motion, 8,
                              [](auto& pen) { pen.level_line(0, 23, 2.2, kShapeEdge); }};
 
+constexpr double kLeastTurnShown = 0.5;  // radians: what turns less goes straight to the eye
+constexpr double kLeastCornerWay = 24;   // pixels
+constexpr double kTurnHead = 12,
+                 kTurnClear = 10;  // pixels: of an arrow, and between it and the dot
+
+constexpr float kTurnWayWidth = 1.8f;
+constexpr Swatch kTurnWaySwatch{LegendGroup::Motion, 14,
+                                [](auto& pen) { pen.arrow(kTurnWayWidth, 10, kShapeEdge); }};
+constexpr LineStyle kMetTriangleNow{1.5f, kContact};
+constexpr LineStyle kCornerWay{1.5f, kContact, true};
+constexpr Swatch kCornerWaySwatch{LegendGroup::Motion, 15,
+                                  [](auto& pen) { pen.dashes(1.5, kContact); }};
+
 constexpr Swatch kGhostSwatch{LegendGroup::Motion, 9, [](auto& pen) { pen.dot(4.2, 6.2, kAxis); }};
 
 /// Whether a shape goes or turns so far that it is seen elsewhere: what rests would be drawn over itself.
 bool moves(const Scene& scene, const PlacedShape& shape, const trace::Travel& travel) {
   const double way = travel.displacement.norm() + travel.turn.norm() * shape.mesh->radius;
   return way * scene.camera.pixels_per_metre(travel.pivot) > kLeastWay * scene.scales.pixel;
+}
+
+/// From where the point that meets is now to where it does, as an arrow: which way the shape turns.
+void draw_turn_way(const Scene& scene, const trace::Travel& travel, const Vec3d& turn,
+                   const Vec3d& point, double time, Sketch& sketch) {
+  constexpr int kSteps = 48;
+  const auto turned = [&](double part) {
+    const double angle = part * turn.norm();
+    return Quatd(Eigen::AngleAxisd(angle, angle > 0 ? Vec3d(turn.normalized()) : Vec3d::UnitX()));
+  };
+  const Vec3d arm = turned(time).conjugate() * (point - travel.pivot - time * travel.displacement);
+  const double pixels = scene.camera.pixels_per_metre(point) / scene.scales.pixel;
+  std::vector<Vec3d> way;
+  std::optional<Vec3d> neck;  // where the head begins
+  for (int i = 0; i <= kSteps; ++i) {
+    const double part = time * i / kSteps;
+    const Vec3d at = travel.pivot + part * travel.displacement + turned(part) * arm;
+    const double left = (point - at).norm() * pixels;
+    if (left < kTurnClear) break;
+    if (left > kTurnClear + kTurnHead)
+      way.push_back(at);
+    else if (!neck)
+      neck = at;
+  }
+  if (way.size() < 3) return;
+  const Vec3d last = way.back(), along = (point - last).normalized();
+  sketch.curves.push_back({way, {kTurnWayWidth, kShapeEdge}});
+  sketch.arrows.push_back({.from = last,
+                           .to = Vec3d(point - kTurnClear / pixels * along),
+                           .width = kTurnWayWidth,
+                           .head = static_cast<float>(kTurnHead),
+                           .color = kShapeEdge,
+                           .halo = false,
+                           .head_share = 1});
+  sketch.explain(kTurnWaySwatch, "way of the point that meets");
+}
+
+/// Of a mesh the triangle that meets the other one first, where it does; and how its corners get there
+/// from where they are now, each straight on.
+void draw_met_triangle(const Scene& scene, const PlacedShape* mesh, int triangle,
+                       const std::vector<Vec3d>& corners, Sketch& sketch) {
+  if (corners.empty()) return;
+  sketch.face(corners, with_alpha(kContact, 0.3f), kMeeting);
+  sketch.explain(kMeetingSwatch, "the triangles where they first meet");
+  if (mesh == nullptr || triangle < 0 || triangle >= count_of(mesh->traced().faces)) return;
+  const std::vector<Vec3d> now = mesh->polygon(triangle);
+  const double pixels = scene.camera.pixels_per_metre(corners[0]) / scene.scales.pixel;
+  if (now.size() != corners.size() || (corners[0] - now[0]).norm() * pixels < kLeastCornerWay)
+    return;
+  sketch.face(now, with_alpha(kContact, 0.15f), kMetTriangleNow);
+  for (std::size_t i = 0; i < now.size(); ++i) sketch.line(now[i], corners[i], kCornerWay);
+  sketch.explain(kCornerWaySwatch, "way of a corner");
 }
 
 void draw_sweep(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
@@ -85,11 +153,8 @@ void draw_sweep(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
     sketch.mark(MarkKind::WideRing, ghost, kAxis);
     sketch.explain(kGhostSwatch, "ghost: holds back what would go past", ghost);
   }
-  for (const std::vector<Vec3d>* corners : {&impact.corners_a, &impact.corners_b}) {
-    for (std::size_t i = 0; i < corners->size(); ++i)
-      sketch.line((*corners)[i], (*corners)[(i + 1) % corners->size()], kMeeting);
-    if (!corners->empty()) sketch.explain(kMeetingSwatch, "the triangles where they first meet");
-  }
+  draw_met_triangle(scene, a, impact.triangle_a, impact.corners_a, sketch);
+  draw_met_triangle(scene, b, impact.triangle_b, impact.corners_b, sketch);
   if (impact.status != "hit") return;
   const bool turns = !impact.travel_a.turn.isZero(0) || !impact.travel_b.turn.isZero(0);
   if (is_cast && turns) {
@@ -99,6 +164,11 @@ void draw_sweep(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   if (moved_any) {
     draw_at(impact.time, kMeeting, true);
     sketch.explain(kMeetingSwatch, "where they first meet");
+  }
+  for (const trace::Travel* travel : {&impact.travel_a, &impact.travel_b}) {
+    if (travel->turn.norm() > kLeastTurnShown)
+      draw_turn_way(scene, *travel, is_cast ? Vec3d(Vec3d::Zero()) : travel->turn, impact.point_a,
+                    impact.time, sketch);
   }
   sketch.mark(MarkKind::Dot, impact.point_a, kContact);
 }

@@ -12,6 +12,8 @@ constexpr std::size_t kMostSkins = 12;  // of one shape; older ones are left out
 
 constexpr LineStyle kPast{1.2f, kDropped};
 constexpr LineStyle kTrailWay{1.2f, kDropped, true};
+// Where dashes are what is to come.
+constexpr LineStyle kSolidWay{1.2f, with_alpha(kDropped, 0.7f)};
 
 constexpr double kLeastStep = 4;      // pixels: nearer to each other, outlines merge into bars
 constexpr double kLeastTurn = 0.005;  // half a turn's sine
@@ -21,6 +23,7 @@ constexpr Swatch kPastSwatch{LegendGroup::Motion, 4,
 
 void draw_trail(const Scene& scene, Sketch& sketch) {
   if (scene.sequence == nullptr) return;
+  const bool shows_future = scene.shows(Layer::Sweep);
   for (const PlacedShape& shape : scene.shapes) {
     if (shape.is_mesh() || shape.traced().half_space) continue;
     const Vec3d middle = shape.traced().center_of_mass;
@@ -41,7 +44,11 @@ void draw_trail(const Scene& scene, Sketch& sketch) {
       const Vec3d place = then.transform(middle), way = next.transform(middle) - place;
       const Quatd turn = then.rotation * shape.pose.rotation.conjugate();
       if (way.isZero(0) && then.rotation.coeffs() == next.rotation.coeffs()) continue;
-      sketch.line(place, place + way, kTrailWay);
+      // Up to the border of a ball where it is now: its name may stand on it.
+      const bool to_border =
+          shows_future && k + 2 == past.size() && shape.traced().type == "sphere" && way.norm() > 0;
+      const double inside = to_border ? std::min(1.0, shape.traced().radius / way.norm()) : 0;
+      sketch.line(place, place + (1 - inside) * way, shows_future ? kSolidWay : kTrailWay);
       const auto merges = [&](const Vec3d& other) {
         return (place - other).norm() * pixels_per_metre < kLeastStep;
       };

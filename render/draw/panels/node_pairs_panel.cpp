@@ -47,11 +47,10 @@ class NodePairsPanel : public PanelContent {
     const auto leaves = std::ranges::count_if(
         visits, [](const trace::NodePair& visit) { return visit.overlaps && visit.leaves; });
     const double all = static_cast<double>(visits[0].count_a) * visits[0].count_b;
-    sheet.row("compared",
-              spell_count(static_cast<std::int64_t>(visits.size())) + " pairs of boxes");
-    sheet.row("reach leaves", spell_count(leaves) + " of them, vermilion");
-    sheet.row("spared", spell_number(100 * spared(visits) / all) + " % of " +
-                            spell_count(static_cast<std::int64_t>(all)) + " pairs, grey");
+    sheet.row("all", spell_count(static_cast<std::int64_t>(all)) + " pairs of triangles");
+    sheet.row("spared", spell_number(100 * spared(visits) / all) + " %, grey");
+    sheet.row("left to test",
+              spell_count(leaves) + (leaves == 1 ? " pair" : " pairs") + ", orange");
     draw_matrix(visits, sheet);
     return {};
   }
@@ -86,11 +85,11 @@ class NodePairsPanel : public PanelContent {
     for (const trace::NodePair& visit : visits)
       if (visit.overlaps && visit.leaves) pen.fill(block(visit, pen.px(kLeastBlock)), kContact);
     pen.frame(matrix, 1.2, kShapeEdge);
+    // Each axis is named at its middle, on the side where it begins.
     const double below = matrix.bottom() + 0.75 * caption;
-    pen.text("in tree order: A down, B to the right", pixel(matrix.x, below), Align::Left,
+    pen.text("triangles of B, in tree order", pixel(matrix.x + 0.5 * side, below), Align::Center,
              kQuietText);
-    pen.text("A", pixel(rest.x, matrix.y + sheet.text_height()), Align::Left, kQuietText);
-    pen.text("B", pixel(rest.x, below), Align::Left, kQuietText);
+    pen.text("A", pixel(rest.x, matrix.y + 0.5 * side), Align::Left, kArcOfA, Weight::Bold);
   }
 
   const Frames& frames_;
