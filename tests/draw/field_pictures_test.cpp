@@ -67,6 +67,20 @@ TEST(FieldPicture, NamesNoGroundOnAnotherShape) {
   EXPECT_TRUE(slab.coarse().empty());
 }
 
+TEST(FieldPicture, OfWhatTheFieldIsOfOnlyWhatItHasLostIsOutlined) {
+  SlicedSlab slab;
+  slab.view.layers = {Layer::Shapes, Layer::Field};
+  const auto outlines = [&] {
+    const std::vector<Curve> curves = slab.sketch().curves;
+    return std::ranges::count_if(curves, [](const Curve& curve) {
+      return curve.style.dashed && crate_sample::same(curve.style.color, kDropped);
+    });
+  };
+  EXPECT_GT(outlines(), 0) << "the field is outside all over it";
+  for (double& distance : slab.frames[0].field_slices[0].distances) distance = -0.5;
+  EXPECT_EQ(outlines(), 0);
+}
+
 TEST(FieldPicture, APointIsOnTheSurfaceOfTheFieldAndItsOverlapGoesInFromThere) {
   CrateOnSlab crate;
   const PairPoint first{&crate.manifold(), &crate.manifold().points[0]};

@@ -16,6 +16,7 @@ using ::testing::AllOf;
 using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::UnorderedElementsAre;
 
 trace::Shape surface(const std::string& name, const std::vector<Vec3d>& vertices) {
@@ -123,6 +124,10 @@ TEST(MeshPictures, CoplanarAndDegenerateTrianglesHaveSignsOfTheirOwn) {
                                             {1, 0, "touching", {}, false, true}};
   const Sketch sketch = scene.sketch();
   EXPECT_EQ(surfaces_of(sketch, kAxis), 2);
+  EXPECT_TRUE(std::ranges::any_of(sketch.lines, [](const Line& line) {
+    return crate_sample::same(line.style.color, kAxisText) &&
+           line.style.hidden == LineStyle::Hidden::Faint;
+  })) << "behind a wall it is seen to be behind it";
   EXPECT_THAT(legend_texts(sketch), AllOf(Contains("triangles that overlap in one plane"),
                                           Contains("triangle without an area")));
 }
@@ -238,7 +243,34 @@ TEST(MeshPictures, CandidatesAreShownWithoutTheBoxesThatLedToThem) {
   const Sketch sketch = scene.sketch();
   EXPECT_EQ(surfaces_of(sketch, kClipPolygon), 1);
   EXPECT_EQ(sketch.surfaces.size(), 1u);
-  EXPECT_THAT(legend_texts(sketch), ElementsAre("candidate triangle"));
+  EXPECT_EQ(sketch.lines.size(), 3u + 12u) << "its sides, and the box that asked";
+  EXPECT_THAT(legend_texts(sketch),
+              UnorderedElementsAre("candidate triangle", "box of the shape that asks"));
+  scene.view.layers = {Layer::Candidates, Layer::Bounds};
+  EXPECT_THAT(legend_texts(scene.sketch()), Not(Contains("box of the shape that asks")));
+}
+
+TEST(MeshPictures, OfATreeTheBoxesAreShownThatAreLeftOutOrTestedAndNoTwoShareASide) {
+  TwoSurfaces scene;
+  scene.view.layers = {Layer::Tree};
+  trace::Tree& tree = scene.frames[0].pairs[0].tree.emplace();
+  tree.shape = "level";
+  tree.box = {{0, -1, -1}, {0.1, 1, 1}};
+  const trace::Box left{{-1, 0, -1}, {0, 0, 1}}, right{{0, 0, -1}, {1, 0, 1}};
+  tree.visits = {{{left.lower, right.upper}, 0, true, false},
+                 {left, 1, false, true},
+                 {right, 1, true, true}};
+  const Sketch sketch = scene.sketch();
+  EXPECT_THAT(legend_texts(sketch),
+              UnorderedElementsAre("box of triangles that are tested",
+                                   "box left out, with all below", "box of the shape that asks"));
+  double before = -1, behind = 1;  // the sides that the two would share
+  for (const Line& line : sketch.lines) {
+    if (crate_sample::same(line.style.color, kDropped)) before = std::max(before, line.from.x());
+    if (crate_sample::same(line.style.color, kBox)) behind = std::min(behind, line.from.x());
+  }
+  EXPECT_LT(before, 0);
+  EXPECT_GT(behind, 0);
 }
 
 class MeshPanels : public ::testing::Test {
@@ -288,7 +320,7 @@ TEST_F(MeshPanels, WithoutTwoMeshesTheMatrixSaysSo) {
               Contains(HasSubstr("does not apply")));
 }
 
-TEST_F(MeshPanels, TheCostOfATreeIsToldForEachMeshAndEachPair) {
+TEST_F(MeshPanels, WhatTreesCostIsCountedWhereAPairIsAskedAndElseExpectedForEachMesh) {
   for (int k = 0; k < 3; ++k) {
     if (k > 0) scene.add_frame();
     trace::Frame& frame = scene.frames.back();
@@ -297,8 +329,11 @@ TEST_F(MeshPanels, TheCostOfATreeIsToldForEachMeshAndEachPair) {
     frame.pairs[0].query->trees = trace::TreeCounts{100 + k, 10, 4};
   }
   const std::vector<std::string> all = crate_sample::texts(laid_out(Panel::TreeCost, 2));
-  EXPECT_THAT(all, AllOf(Contains("level"), Contains("wall"), Contains("32"), Contains("20"),
-                         Contains("102"), Contains("pairs of boxes compared")));
+  EXPECT_THAT(all, AllOf(Contains("102"), Contains("pairs of boxes compared"), Not(Contains("32"))));
+  for (trace::Frame& frame : scene.frames) frame.pairs[0].query->trees.reset();
+  EXPECT_THAT(crate_sample::texts(laid_out(Panel::TreeCost, 2)),
+              AllOf(Contains("level"), Contains("wall"), Contains("32"), Contains("20"),
+                    Contains("boxes a query is expected to test")));
 }
 
 TEST(MeshPictures, TheMatrixAloneAsksForNodePairs) {

@@ -1,6 +1,9 @@
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <span>
 
+#include "core/at.h"
 #include "draw/layers/layer.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"
@@ -38,11 +41,65 @@ void hide_insides(std::size_t lines, std::size_t curves, std::size_t marks, Sket
   sketch.marks.resize(marks);
 }
 
+// Of a field its own surface is what the picture is about: of what it is made of only what the field has lost.
+constexpr LineStyle kLostOutline{1.3f, kDropped, true, LineStyle::Hidden::Same};
+constexpr float kWithin = 1.2f;    // lines as thin as this are no outline
+constexpr double kLeastLost = 0.15;  // cells from the field's surface
+constexpr int kOutlineSteps = 64;
+constexpr Swatch kLostSwatch{LegendGroup::Shapes, 3, [](auto& pen) {
+                               pen.dashes(kLostOutline.width, kLostOutline.color);
+                             }};
+
+const trace::FieldSlice* slice_of(const Scene& scene, const PlacedShape& shape) {
+  if (!scene.shows(Layer::Field)) return nullptr;
+  const auto& slices = scene.frame.field_slices;
+  const auto found =
+      std::ranges::find(slices, shape.traced().name, [](const auto& slice) { return slice.name; });
+  return found == slices.end() ? nullptr : &*found;
+}
+
+// Cells, of a place seen along the slice's normal; none beside the slice.
+std::optional<double> distance_at(const trace::FieldSlice& slice, const Vec3d& place) {
+  const Vec3d way = place - slice.origin;
+  const double column = way.dot(slice.next) / slice.next.squaredNorm();
+  const double row = way.dot(slice.next_row) / slice.next_row.squaredNorm();
+  const int left = static_cast<int>(std::floor(column)), below = static_cast<int>(std::floor(row));
+  if (left < 0 || below < 0 || left + 1 >= slice.columns || below + 1 >= slice.rows()) return {};
+  const auto value = [&](int x, int y) { return at(slice.distances, y * slice.columns + x); };
+  const double u = column - left, v = row - below;
+  return (1 - v) * ((1 - u) * value(left, below) + u * value(left + 1, below)) +
+         v * ((1 - u) * value(left, below + 1) + u * value(left + 1, below + 1));
+}
+
+// Instead of the lines that were drawn since there were so many.
+void draw_what_is_lost(const trace::FieldSlice& slice, std::size_t lines, Sketch& sketch) {
+  const Vec3d normal = slice.next.cross(slice.next_row).normalized();
+  bool any = false;
+  for (const Line& line : std::span(sketch.lines).subspan(lines)) {
+    const Vec3d way = line.to - line.from;
+    if (line.style.width < kWithin || normal.cross(way).norm() < kLeastLost * slice.cell) continue;
+    std::vector<Vec3d> lost;  // places of the line that follow each other
+    for (int i = 0; i <= kOutlineSteps + 1; ++i) {
+      const Vec3d place = line.from + i * way / kOutlineSteps;
+      if (i <= kOutlineSteps && distance_at(slice, place).value_or(0) > kLeastLost) {
+        lost.push_back(place);
+        continue;
+      }
+      if (lost.size() > 1) sketch.curves.push_back({{lost.front(), lost.back()}, kLostOutline});
+      any |= lost.size() > 1;
+      lost.clear();
+    }
+  }
+  sketch.lines.resize(lines);
+  if (any) sketch.explain(kLostSwatch, "what the field has lost of the shape");
+}
+
 void draw_shapes(const Scene& scene, Sketch& sketch) {
   const std::size_t lines = sketch.lines.size(), curves = sketch.curves.size(),
                     marks = sketch.marks.size();
   for (const PlacedShape& shape : scene.shapes) {
     const Color fill = shape.is_a ? kShapeA : kShapeB;
+    const std::size_t before = sketch.lines.size();
     if (shape.is_mesh()) {
       draw_mesh(scene, shape, fill, sketch);
     } else {
@@ -51,6 +108,8 @@ void draw_shapes(const Scene& scene, Sketch& sketch) {
                                                     : draw_solid;
       draw(scene.camera, shape, fill, sketch);
     }
+    if (const trace::FieldSlice* slice = slice_of(scene, shape))
+      draw_what_is_lost(*slice, before, sketch);
     if (shows_margin(shape)) draw_core(shape, sketch);
   }
   if (scene.shapes.size() > kHeap) hide_insides(lines, curves, marks, sketch);

@@ -22,8 +22,17 @@ constexpr LineStyle kMeeting{3.0f, kContact};
 constexpr Swatch kSkinSwatch{LegendGroup::Motion, 5,
                              [](auto& pen) { pen.level_line(0, 23, 1.2, kDropped); }};
 constexpr Swatch kEndSwatch{LegendGroup::Motion, 6, [](auto& pen) { pen.dashes(2, kDropped); }};
+constexpr Swatch kEndOfHitSwatch{LegendGroup::Motion, 6, [](auto& pen) {
+                                   pen.dashes(kEndOfHit.width, kEndOfHit.color);
+                                 }};
 constexpr Swatch kMeetingSwatch{LegendGroup::Motion, 7,
                                 [](auto& pen) { pen.level_line(0, 23, 3, kContact); }};
+
+// With the point at which they do.
+constexpr Swatch kFirstMeetingSwatch{LegendGroup::Motion, 7, [](auto& pen) {
+                              pen.level_line(0, 23, 3, kContact);
+                              pen.dot(0, 4.8, kContact);
+                            }};
 
 constexpr LineStyle kTrue{2.2f, kShapeEdge};
 constexpr Swatch kTrueSwatch{LegendGroup::Motion, 8,
@@ -147,7 +156,8 @@ void draw_sweep(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
              in_view(scene.camera, moved(*shape, travel.pivot, travel.displacement, travel.turn));
     };
     if (ends_in_view(a, impact.travel_a) || ends_in_view(b, impact.travel_b))
-      sketch.explain(kEndSwatch, "at the next frame, if nothing stopped it");
+      sketch.explain(impact.status == "hit" ? kEndOfHitSwatch : kEndSwatch,
+                     "at the next frame, if nothing stopped it");
   }
   for (const Vec3d& ghost : impact.ghosts) {
     sketch.mark(MarkKind::WideRing, ghost, kAxis);
@@ -163,7 +173,7 @@ void draw_sweep(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   }
   if (moved_any) {
     draw_at(impact.time, kMeeting, true);
-    sketch.explain(kMeetingSwatch, "where they first meet");
+    sketch.explain(kFirstMeetingSwatch, "where they first meet");
   }
   for (const trace::Travel* travel : {&impact.travel_a, &impact.travel_b}) {
     if (travel->turn.norm() > kLeastTurnShown)

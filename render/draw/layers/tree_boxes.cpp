@@ -13,7 +13,22 @@ constexpr float kLeftOut = 0.22f;  // alpha of what no query looks at
 constexpr Swatch kQuerySwatch{LegendGroup::Trees, 0, [](auto& pen) { pen.area(kNormal, 0, 2); }};
 constexpr Swatch kBoxSwatch{LegendGroup::Trees, 1, [](auto& pen) { pen.area(kBox, 0, 2.5); }};
 constexpr Swatch kMissSwatch{LegendGroup::Trees, 2,
-                             [](auto& pen) { pen.area(kDropped, kLeftOut, 1.5, true); }};
+                             [](auto& pen) { pen.area(kDropped, kLeftOut, 1.5); }};
+
+constexpr double kSeam = 3;  // pixels from a box's side to what is drawn of it
+
+/// Boxes of a tree share sides: each is drawn a little smaller, or it could not be told whose a side is.
+trace::Box drawn_box(const Scene& scene, const trace::Box& box, const PlacedShape& mesh) {
+  const Vec3d middle = mesh.pose.transform(0.5 * (box.lower + box.upper));
+  const double seam = kSeam * scene.scales.pixel / scene.camera.pixels_per_metre(middle);
+  trace::Box drawn = box;
+  for (int k = 0; k < 3; ++k) {
+    if (drawn.upper[k] - drawn.lower[k] < 4 * seam) continue;
+    drawn.lower[k] += seam;
+    drawn.upper[k] -= seam;
+  }
+  return drawn;
+}
 
 // The cut through the middle of a box across its shortest side: all of a box over a flat mesh.
 std::vector<Vec3d> widest_cut(const trace::Box& box, const PlacedShape& mesh) {
@@ -46,30 +61,34 @@ void draw_candidates(const Scene& scene, const trace::Pair& pair, Sketch& sketch
   }
 }
 
+/// What met the boxes of the triangles that were found.
+void draw_query(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+  const PlacedShape* mesh = mesh_of(scene, pair);
+  if (mesh == nullptr) return;
+  outline(pair.tree->box, mesh->pose, {2.0f, kNormal, false, LineStyle::Hidden::Faint}, sketch);
+  sketch.explain(kQuerySwatch, "box of the shape that asks",
+                 mesh->pose.transform(pair.tree->box.upper));
+}
+
 void draw_tree(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const PlacedShape* mesh = mesh_of(scene, pair);
   if (mesh == nullptr) return;
   if (!scene.shows(Layer::Candidates)) draw_candidates(scene, pair, sketch);
-  // What was left out beneath what was entered, and the deepest last: it is what the query found.
-  std::vector<trace::TreeVisit> visits = pair.tree->visits;
-  std::ranges::stable_sort(visits, [](const auto& a, const auto& b) {
-    return a.overlaps != b.overlaps ? b.overlaps : a.depth < b.depth;
-  });
-  for (const trace::TreeVisit& visit : visits) {
-    const bool inner = !visit.leaf;
-    const LineStyle style = visit.overlaps
-                                ? LineStyle{inner ? 1.5f : 3.0f, with_alpha(kBox, inner ? 0.8f : 1)}
-                                : LineStyle{1.5f, kDropped, true};
-    if (!visit.overlaps)
-      sketch.surfaces.push_back({widest_cut(visit.box, *mesh), with_alpha(kDropped, kLeftOut)});
-    outline(visit.box, mesh->pose, style, sketch);
-    sketch.explain(visit.overlaps ? kBoxSwatch : kMissSwatch,
-                   visit.overlaps ? "box of the tree, entered" : "box left out, with all below",
-                   mesh->pose.transform(visit.box.upper));
+  // What was left out beneath what was found. A box that was entered and is no leaf shows by those in it.
+  for (const bool found : {false, true}) {
+    for (const trace::TreeVisit& visit : pair.tree->visits) {
+      if (visit.overlaps != found || (found && !visit.leaf)) continue;
+      const trace::Box box = drawn_box(scene, visit.box, *mesh);
+      if (!found)
+        sketch.surfaces.push_back({widest_cut(box, *mesh), with_alpha(kDropped, kLeftOut)});
+      outline(box, mesh->pose,
+              found ? LineStyle{3.0f, kBox} : LineStyle{1.5f, with_alpha(kDropped, 0.7f)}, sketch);
+      sketch.explain(found ? kBoxSwatch : kMissSwatch,
+                     found ? "box of triangles that are tested" : "box left out, with all below",
+                     mesh->pose.transform(visit.box.upper));
+    }
   }
-  outline(pair.tree->box, mesh->pose, {2.0f, kNormal}, sketch);
-  sketch.explain(kQuerySwatch, "box of the shape that asks",
-                 mesh->pose.transform(pair.tree->box.upper));
+  if (!scene.shows(Layer::Candidates)) draw_query(scene, pair, sketch);
 }
 
 constexpr Swatch kDeformedSwatch{LegendGroup::Trees, 5, [](auto& pen) { pen.area(kBox, 0, 1.5); }};
@@ -95,6 +114,10 @@ const LayerDrawing kCandidatesLayer{
     .beneath =
         [](const Scene& scene, Sketch& sketch) {
           for (const trace::Pair& pair : scene.frame.pairs) draw_candidates(scene, pair, sketch);
+        },
+    .search =
+        [](const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+          if (!scene.shows(Layer::Bounds)) draw_query(scene, pair, sketch);
         },
 };
 const LayerDrawing kTreeLayer{

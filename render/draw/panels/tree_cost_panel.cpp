@@ -11,7 +11,7 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr double kLeastChart = 70, kMostChart = 230, kMostAlone = 400, kAxisBelow = 20,
+constexpr double kLeastChart = 70, kMostChart = 400, kAxisBelow = 20,
                  kNames = 20;  // px at 720 lines
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
@@ -37,57 +37,46 @@ class NamedCurves {
   std::map<std::string, std::size_t> places_;
 };
 
-/// Two charts over each other: boxes that a small query tests in the tree of each mesh that deforms,
-/// by the surfaces of its boxes, and node pairs that were really compared by each pair of meshes. A
-/// rebuild is the tooth of a saw. Where no mesh deforms the first is left out.
+/// The node pairs that were compared by each pair of meshes. Where no meshes are asked it is the boxes
+/// that a small query is expected to test in the tree of each mesh that deforms, by the surfaces of its
+/// boxes. A rebuild is the tooth of a saw.
 class TreeCostPanel : public PanelContent {
  public:
   TreeCostPanel(const Staging& staging, const Frames& frames)
       : frames_(frames), scale_(staging.layout.scale) {}
 
   PanelNeed need(const PanelMoment&) const override {
-    const double charts = deforms() ? 2 : 1;
     const auto high = [&](double chart) {
       return Sheet::heading_height(scale_) +
-             static_cast<float>(charts * (chart + kNames) + kAxisBelow) * scale_;
+             static_cast<float>(chart + kNames + kAxisBelow) * scale_;
     };
-    return {high(kLeastChart), high(1.3 * kLeastChart), high(most()), 0};
+    return {high(kLeastChart), high(1.3 * kLeastChart), high(kMostChart), 0};
   }
 
   std::string lay_out(const PanelMoment& moment, Sheet& sheet) override {
-    if (charts_.empty()) gather();
+    if (names_.empty()) gather();
     sheet.heading("what the trees cost");
     const Pen pen(sheet.pen().drawing(), sheet.pen().scale(), kChartText);
     const Rect rect = sheet.rest();
-    const auto charts = static_cast<double>(charts_.size());
-    const double height = std::min<double>(
-        pen.px(most()), (rect.height - pen.px(kAxisBelow)) / charts - pen.px(kNames));
-    double y = rect.y;
-    for (const NamedChart& named : charts_) {
-      double x = rect.x;
-      // Both charts have the same names.
-      const bool is_named = named.names.size() > 1 && &named == &charts_.front();
-      for (std::size_t i = 0; i < named.names.size() && is_named; ++i) {
-        draw_series_swatch(i, pixel(x, y + pen.px(0.5 * kNames)), 18, pen);
-        pen.text(named.names[i], pixel(x + pen.px(22), y + pen.px(0.75 * kNames)), Align::Left,
-                 kText);
-        x += pen.px(34) + pen.width_of(named.names[i]);
-      }
-      y += is_named ? pen.px(kNames) : 0;
-      draw_series_chart(named.chart, moment.frame, {rect.x, y, rect.width, height}, pen);
-      y += height;
+    double x = rect.x, y = rect.y;
+    const bool is_named = names_.size() > 1;
+    for (std::size_t i = 0; i < names_.size() && is_named; ++i) {
+      draw_series_swatch(i, pixel(x, y + pen.px(0.5 * kNames)), 18, pen);
+      pen.text(names_[i], pixel(x + pen.px(22), y + pen.px(0.75 * kNames)), Align::Left, kText);
+      x += pen.px(34) + pen.width_of(names_[i]);
     }
+    y += is_named ? pen.px(kNames) : 0;
+    const double height =
+        std::min<double>(pen.px(kMostChart), rect.height - pen.px(kAxisBelow) - pen.px(kNames));
+    draw_series_chart(chart_, moment.frame, {rect.x, y, rect.width, height}, pen);
     const double gutter = pen.px(kChartGutter);
     draw_time_axis(frames_.back().time, rect.x + gutter, rect.width - gutter,
-                   y + pen.px(kAxisBelow - 4), pen);
+                   y + height + pen.px(kAxisBelow - 4), pen);
     return {};
   }
 
  private:
-  double most() const { return deforms() ? kMostChart : kMostAlone; }
-  bool deforms() const { return !frames_.front().deformed.empty(); }
-
-  /// What the pair of a mesh is called, so that both charts have the same names.
+  /// What the pair of a mesh is called.
   static std::string name_of(const trace::Deformed& deformed,
                              const std::vector<trace::Pair>& pairs) {
     for (const trace::Pair& pair : pairs)
@@ -96,10 +85,14 @@ class TreeCostPanel : public PanelContent {
     return deformed.name;
   }
 
-  struct NamedChart {
-    SeriesChart chart;
-    std::vector<std::string> names;
-  };
+  /// A pair has the name of its mesh that deforms: it is its tree that the picture is about.
+  static std::string name_of(const trace::Pair& pair,
+                             const std::vector<trace::Deformed>& deformed) {
+    if (!pair.label.empty()) return pair.label;
+    for (const trace::Deformed& mesh : deformed)
+      if (mesh.name == pair.a || mesh.name == pair.b) return mesh.name;
+    return pair_name(pair);
+  }
 
   void gather() {
     NamedCurves expected(frames_.size()), compared(frames_.size());
@@ -108,23 +101,20 @@ class TreeCostPanel : public PanelContent {
         expected.set(name_of(deformed, frames_[f].pairs), f, deformed.cost);
       for (const trace::Pair& pair : frames_[f].pairs)
         if (pair.query && pair.query->trees)
-          compared.set(pair.label.empty() ? pair_name(pair) : pair.label, f,
-                       pair.query->trees->node_pairs);
+          compared.set(name_of(pair, frames_[f].deformed), f, pair.query->trees->node_pairs);
     }
-    if (deforms()) add("boxes a query is expected to test", expected);
-    add("pairs of boxes compared", compared);
-  }
-
-  void add(const char* name, const NamedCurves& curves) {
-    SeriesChart chart{name, ""};
-    chart.curves = curves.curves;
-    chart.fit();
-    charts_.push_back({std::move(chart), curves.names});
+    const bool asked = !compared.names.empty();
+    const NamedCurves& shown = asked ? compared : expected;
+    chart_ = {asked ? "pairs of boxes compared" : "boxes a query is expected to test", ""};
+    chart_.curves = shown.curves;
+    chart_.fit();
+    names_ = shown.names;
   }
 
   const Frames& frames_;
   float scale_;
-  std::vector<NamedChart> charts_;
+  SeriesChart chart_;
+  std::vector<std::string> names_;
 };
 
 }  // namespace
