@@ -34,7 +34,7 @@ Drawing plot(const trace::Study& study, int width, int height);
 /// after a comma ("float, unrounded" beside "float"). They are named at their ends in up to three panels,
 /// once where all have the same, and in a legend in more. The series that study.signal names is a grey
 /// line: errors above it drown what is measured. Failures are crosses in rows at the top, with how
-/// many of how many cases.
+/// many of how many cases, and zeros stand in a row below a logarithmic axis; a line parts both from the rest.
 Drawing plot_curves(const trace::Study& study, int width, int height);
 
 /// Panels of a study of form Map: a cell for every parameter (to the right, logarithmic) and row (up,

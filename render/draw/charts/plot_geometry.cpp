@@ -58,7 +58,10 @@ struct Mapping {
     float slot = 0;
     for (std::size_t i = 0; i < courses.size(); ++i) {
       courses[i].quiet = study.series[i].quiet;
-      courses[i].strong = front[i] && !courses[i].quiet;
+      // A method of one point that the title speaks of, too.
+      const std::vector<trace::StudyPoint>& own = study.series[i].points;
+      const bool is_told = own.size() == 1 && !own.front().mark.empty();
+      courses[i].strong = (front[i] || is_told) && !courses[i].quiet;
       const std::vector<trace::StudyPoint>& points = study.series[i].points;
       const float zero_row = zeros_begin + px(kZeroSlot) * (slot + 0.8f);
       for (const trace::StudyPoint& point : points) {
