@@ -272,6 +272,13 @@ TEST_F(BroadPhasePicture, ThePipelineCountsWhatEachStageLetsThrough) {
                                                     "pairs in contact", "contact points", "2"}));
 }
 
+TEST_F(BroadPhasePicture, BesideCellsAloneThePipelineEndsWithTheBroadPhase) {
+  scene.view.layers = {Layer::Bounds, Layer::Cells};
+  const std::vector<std::string> told = panel(Panel::Pipeline);
+  EXPECT_THAT(told, Contains("whose boxes overlap"));
+  EXPECT_THAT(told, testing::Not(Contains("pairs in contact")));
+}
+
 TEST_F(BroadPhasePicture, AFewBoxesBearTheirNames) {
   const auto names = [&] {
     const Sketch drawn = sketch(Layer::Bounds);

@@ -29,8 +29,11 @@ struct PairUse {
   bool collided = false;  // some are asked for their contacts
 };
 
-PairUse use_of(const Frames& frames) {
+PairUse use_of(const View& view, const Frames& frames) {
   PairUse use;
+  // Of the cells of a broad phase alone, what comes after it is not seen.
+  if (view.shows(Layer::Cells) && !view.shows(Layer::Contacts) && !view.shows(Layer::Shapes))
+    return use;
   for (const trace::Frame& frame : frames)
     for (const trace::Pair& pair : frame.pairs) (pair.query ? use.asked : use.collided) = true;
   if (!use.asked) use.collided = true;  // also where no pair comes so far
@@ -71,7 +74,7 @@ std::vector<StageCount> stages_of(const trace::Frame& frame, const PairUse& use)
 class PipelinePanel : public PanelContent {
  public:
   PipelinePanel(const Staging& staging, const Frames& frames)
-      : frames_(frames), use_(use_of(frames)), scale_(staging.layout.scale) {
+      : frames_(frames), use_(use_of(staging.view, frames)), scale_(staging.layout.scale) {
     for (const trace::Frame& frame : frames)
       for (const StageCount& stage : stages_of(frame, use_))
         if (stage.of_pairs) most_ = std::max(most_, stage.count);
