@@ -147,10 +147,10 @@ TEST_F(BroadPhasePicture, PairsThatATreeOfFewBoxesTestedAreLinked) {
   };
   const Sketch drawn = sketch(Layer::Cells);
   EXPECT_EQ(ends(drawn), 4);
-  EXPECT_THAT(legend_of(drawn),
-              testing::ElementsAre("leaf: a box and a margin around it",
-                                   "larger nodes, deeper ones darker", "pair that is tested",
-                                   "tested in vain: boxes do not overlap"));
+  EXPECT_THAT(
+      legend_of(drawn),
+      testing::ElementsAre("leaf: a box and a margin around it", "larger nodes, deeper ones darker",
+                           "pair that is tested", "tested in vain: boxes do not overlap"));
   phase().comparisons = 3;
   EXPECT_EQ(ends(sketch(Layer::Cells)), 0) << "these two are not all";
 }
