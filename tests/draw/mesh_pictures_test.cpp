@@ -257,9 +257,8 @@ TEST(MeshPictures, OfATreeTheBoxesAreShownThatAreLeftOutOrTestedAndNoTwoShareASi
   tree.shape = "level";
   tree.box = {{0, -1, -1}, {0.1, 1, 1}};
   const trace::Box left{{-1, 0, -1}, {0, 0, 1}}, right{{0, 0, -1}, {1, 0, 1}};
-  tree.visits = {{{left.lower, right.upper}, 0, true, false},
-                 {left, 1, false, true},
-                 {right, 1, true, true}};
+  tree.visits = {
+      {{left.lower, right.upper}, 0, false, true}, {left, 1, true, false}, {right, 1, true, true}};
   const Sketch sketch = scene.sketch();
   EXPECT_THAT(legend_texts(sketch),
               UnorderedElementsAre("box of triangles that are tested",
@@ -329,7 +328,8 @@ TEST_F(MeshPanels, WhatTreesCostIsCountedWhereAPairIsAskedAndElseExpectedForEach
     frame.pairs[0].query->trees = trace::TreeCounts{100 + k, 10, 4};
   }
   const std::vector<std::string> all = crate_sample::texts(laid_out(Panel::TreeCost, 2));
-  EXPECT_THAT(all, AllOf(Contains("102"), Contains("pairs of boxes compared"), Not(Contains("32"))));
+  EXPECT_THAT(all,
+              AllOf(Contains("102"), Contains("pairs of boxes compared"), Not(Contains("32"))));
   for (trace::Frame& frame : scene.frames) frame.pairs[0].query->trees.reset();
   EXPECT_THAT(crate_sample::texts(laid_out(Panel::TreeCost, 2)),
               AllOf(Contains("level"), Contains("wall"), Contains("32"), Contains("20"),

@@ -43,12 +43,12 @@ void hide_insides(std::size_t lines, std::size_t curves, std::size_t marks, Sket
 
 // Of a field its own surface is what the picture is about: of what it is made of only what the field has lost.
 constexpr LineStyle kLostOutline{1.3f, kDropped, true, LineStyle::Hidden::Same};
-constexpr float kWithin = 1.2f;    // lines as thin as this are no outline
-constexpr double kLeastLost = 0.15;  // cells from the field's surface
-constexpr int kOutlineSteps = 64;
-constexpr Swatch kLostSwatch{LegendGroup::Shapes, 3, [](auto& pen) {
-                               pen.dashes(kLostOutline.width, kLostOutline.color);
-                             }};
+constexpr float kWithin = 1.2f;      // lines as thin as this are no outline
+constexpr double kLeastLost = 0.15;  // cells from the field's surface, somewhere
+constexpr double kOnSurface = 0.02;  // likewise, everywhere
+constexpr int kOutlineSteps = 256;
+constexpr Swatch kLostSwatch{LegendGroup::Shapes, 3,
+                             [](auto& pen) { pen.dashes(kLostOutline.width, kLostOutline.color); }};
 
 const trace::FieldSlice* slice_of(const Scene& scene, const PlacedShape& shape) {
   if (!scene.shows(Layer::Field)) return nullptr;
@@ -74,24 +74,43 @@ std::optional<double> distance_at(const trace::FieldSlice& slice, const Vec3d& p
 // Instead of the lines that were drawn since there were so many.
 void draw_what_is_lost(const trace::FieldSlice& slice, std::size_t lines, Sketch& sketch) {
   const Vec3d normal = slice.next.cross(slice.next_row).normalized();
-  bool any = false;
+  const std::size_t first = sketch.curves.size();
+  // Edges behind each other are seen as one, and the dashes of one would fill the gaps of the other.
+  const auto add_once = [&](const std::vector<Vec3d>& ends) {
+    const auto seen_together = [&](const Vec3d& p, const Vec3d& q) {
+      return normal.cross(p - q).norm() < kLeastLost * slice.cell;
+    };
+    for (const Curve& other : std::span(sketch.curves).subspan(first)) {
+      const Vec3d &p = other.points.front(), &q = other.points.back();
+      if ((seen_together(ends[0], p) && seen_together(ends[1], q)) ||
+          (seen_together(ends[0], q) && seen_together(ends[1], p)))
+        return;
+    }
+    sketch.curves.push_back({ends, kLostOutline});
+  };
   for (const Line& line : std::span(sketch.lines).subspan(lines)) {
     const Vec3d way = line.to - line.from;
     if (line.style.width < kWithin || normal.cross(way).norm() < kLeastLost * slice.cell) continue;
-    std::vector<Vec3d> lost;  // places of the line that follow each other
+    std::vector<Vec3d> outside;  // places of the line that follow each other
+    double farthest = 0;
     for (int i = 0; i <= kOutlineSteps + 1; ++i) {
       const Vec3d place = line.from + i * way / kOutlineSteps;
-      if (i <= kOutlineSteps && distance_at(slice, place).value_or(0) > kLeastLost) {
-        lost.push_back(place);
+      const double away = i > kOutlineSteps ? 0 : distance_at(slice, place).value_or(0);
+      if (away > kOnSurface) {
+        outside.push_back(place);
+        farthest = std::max(farthest, away);
         continue;
       }
-      if (lost.size() > 1) sketch.curves.push_back({{lost.front(), lost.back()}, kLostOutline});
-      any |= lost.size() > 1;
-      lost.clear();
+      if (outside.size() > 1 && farthest > kLeastLost) {
+        add_once({outside.front(), outside.back()});
+      }
+      outside.clear();
+      farthest = 0;
     }
   }
   sketch.lines.resize(lines);
-  if (any) sketch.explain(kLostSwatch, "what the field has lost of the shape");
+  if (sketch.curves.size() > first)
+    sketch.explain(kLostSwatch, "what the field has lost of the shape");
 }
 
 void draw_shapes(const Scene& scene, Sketch& sketch) {

@@ -22,17 +22,16 @@ constexpr LineStyle kMeeting{3.0f, kContact};
 constexpr Swatch kSkinSwatch{LegendGroup::Motion, 5,
                              [](auto& pen) { pen.level_line(0, 23, 1.2, kDropped); }};
 constexpr Swatch kEndSwatch{LegendGroup::Motion, 6, [](auto& pen) { pen.dashes(2, kDropped); }};
-constexpr Swatch kEndOfHitSwatch{LegendGroup::Motion, 6, [](auto& pen) {
-                                   pen.dashes(kEndOfHit.width, kEndOfHit.color);
-                                 }};
+constexpr Swatch kEndOfHitSwatch{LegendGroup::Motion, 6,
+                                 [](auto& pen) { pen.dashes(kEndOfHit.width, kEndOfHit.color); }};
 constexpr Swatch kMeetingSwatch{LegendGroup::Motion, 7,
                                 [](auto& pen) { pen.level_line(0, 23, 3, kContact); }};
 
 // With the point at which they do.
 constexpr Swatch kFirstMeetingSwatch{LegendGroup::Motion, 7, [](auto& pen) {
-                              pen.level_line(0, 23, 3, kContact);
-                              pen.dot(0, 4.8, kContact);
-                            }};
+                                       pen.level_line(0, 23, 3, kContact);
+                                       pen.dot(0, 4.8, kContact);
+                                     }};
 
 constexpr LineStyle kTrue{2.2f, kShapeEdge};
 constexpr Swatch kTrueSwatch{LegendGroup::Motion, 8,
