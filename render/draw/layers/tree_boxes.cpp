@@ -56,7 +56,10 @@ void draw_candidates(const Scene& scene, const trace::Pair& pair, Sketch& sketch
   if (mesh == nullptr) return;
   for (const int candidate : pair.tree->candidates) {
     if (candidate < 0 || candidate >= count_of(mesh->traced().faces)) continue;
-    sketch.face(mesh->polygon(candidate), with_alpha(kClipPolygon, 0.22f), {1.5f, kClipPolygon});
+    // Within the boxes that led to them their sides are not the strongest lines.
+    const bool boxed = scene.shows(Layer::Tree);
+    sketch.face(mesh->polygon(candidate), with_alpha(kClipPolygon, boxed ? 0.3f : 0.22f),
+                {boxed ? 1.0f : 1.5f, with_alpha(kClipPolygon, boxed ? 0.5f : 1)});
     sketch.explain(kClipPolygonSwatch, "candidate triangle", mean_of(mesh->polygon(candidate)));
   }
 }
