@@ -7,7 +7,7 @@
 #include <string>
 
 #include "draw/layers/layer.h"
-#include "draw/layers/tree_levels.h"
+#include "draw/scene/tree_levels.h"
 #include "image/font.h"
 
 /// The cells, columns or nodes into which a broad phase sorts boxes, as tiles on their floors: the

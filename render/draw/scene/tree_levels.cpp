@@ -1,4 +1,4 @@
-#include "draw/layers/tree_levels.h"
+#include "draw/scene/tree_levels.h"
 
 #include <array>
 #include <numeric>
