@@ -59,7 +59,8 @@ void draw_candidates(const Scene& scene, const trace::Pair& pair, Sketch& sketch
     // Within the boxes that led to them their sides are not the strongest lines.
     const bool boxed = scene.shows(Layer::Tree);
     sketch.face(mesh->polygon(candidate), with_alpha(kClipPolygon, boxed ? 0.3f : 0.22f),
-                {boxed ? 1.0f : 1.5f, with_alpha(kClipPolygon, boxed ? 0.5f : 1)});
+                {boxed ? 1.0f : 1.5f, with_alpha(kClipPolygon, boxed ? 0.5f : 1), false,
+                 LineStyle::Hidden::Faint});
     sketch.explain(kClipPolygonSwatch, "candidate triangle", mean_of(mesh->polygon(candidate)));
   }
 }
