@@ -311,7 +311,8 @@ TEST_F(MeshPanels, TheMatrixHasABlockForEachPairOfNodesThatDecidedSomething) {
   EXPECT_LE(bottom, 580);
   EXPECT_THAT(
       crate_sample::texts(drawing),
-      AllOf(Contains("4 pairs of triangles"), Contains("75 %, grey"), Contains("1 pair, orange")));
+      AllOf(Contains("5 pairs of boxes"), Contains("75 % of 4 pairs, grey"),
+            Contains("1 pairs of triangles, orange")));
 }
 
 TEST_F(MeshPanels, WithoutTwoMeshesTheMatrixSaysSo) {

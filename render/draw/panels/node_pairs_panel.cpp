@@ -44,13 +44,14 @@ class NodePairsPanel : public PanelContent {
       return {};
     }
     const std::vector<trace::NodePair>& visits = pair->query->node_pairs;
-    const auto leaves = std::ranges::count_if(
-        visits, [](const trace::NodePair& visit) { return visit.overlaps && visit.leaves; });
     const double all = static_cast<double>(visits[0].count_a) * visits[0].count_b;
-    sheet.row("all", spell_count(static_cast<std::int64_t>(all)) + " pairs of triangles");
-    sheet.row("spared", spell_number(100 * spared(visits) / all) + " %, grey");
-    sheet.row("left to test",
-              spell_count(leaves) + (leaves == 1 ? " pair" : " pairs") + ", orange");
+    const double left_out = spared(visits);
+    sheet.row("compared",
+              spell_count(static_cast<std::int64_t>(visits.size())) + " pairs of boxes");
+    sheet.row("spared", spell_number(100 * left_out / all) + " % of " +
+                            spell_count(static_cast<std::int64_t>(all)) + " pairs, grey");
+    sheet.row("left to test", spell_count(static_cast<std::int64_t>(all - left_out)) +
+                                  " pairs of triangles, orange");
     draw_matrix(visits, sheet);
     return {};
   }
