@@ -152,6 +152,24 @@ TEST(MeshPictures, CornersOfTheTriangleThatMeetsFirstGoStraightOn) {
   EXPECT_EQ(ways(), 0) << "of which nobody says where it is now";
 }
 
+TEST(MeshPictures, TrianglesThatMeetFirstBearTheLettersOfTheirMeshes) {
+  TwoSurfaces scene;
+  scene.view.layers = {Layer::Shapes, Layer::Sweep};
+  trace::Impact& impact = scene.frames[0].pairs[0].impact.emplace();
+  impact.method = "time_of_impact";
+  impact.status = "hit";
+  impact.corners_a = {{-1, 0, 0}, {0, 0, 0}, {0, 1, 0}};
+  const auto letter = [&](std::string_view text) {
+    const std::vector<Label> labels = scene.sketch().labels;
+    const auto found = std::ranges::find(labels, text, &Label::text);
+    return found == labels.end() ? std::nullopt : std::optional(found->at);
+  };
+  EXPECT_FALSE(letter("A")) << "of one alone there is nothing to tell apart";
+  impact.corners_b = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  EXPECT_EQ(letter("A"), Vec3d(-1, 0, 0)) << "away from the other one";
+  EXPECT_EQ(letter("B"), Vec3d(1, 0, 0));
+}
+
 // Its contact point is a dot, and its centre is none.
 TEST(MeshPictures, ABallThatTouchesHasACrossForItsCentre) {
   TwoSurfaces scene;

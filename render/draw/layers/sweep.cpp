@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <vector>
 
 #include "draw/layers/layer.h"
@@ -110,6 +111,16 @@ void draw_met_triangle(const Scene& scene, const PlacedShape* mesh, int triangle
   sketch.explain(kCornerWaySwatch, "way of a corner");
 }
 
+/// Whose triangle it is, at its corner that is farthest from the other one.
+void name_met_triangle(const char* role, const Color& ink, const std::vector<Vec3d>& corners,
+                       const std::vector<Vec3d>& others, Sketch& sketch) {
+  if (corners.empty() || others.empty()) return;
+  const Vec3d middle = mean_of(others);
+  const Vec3d& corner = *std::ranges::max_element(
+      corners, {}, [&](const Vec3d& p) { return (p - middle).squaredNorm(); });
+  sketch.label(corner, role, ink, 17, 8, Vec3d((corner - middle).normalized()));
+}
+
 void draw_sweep(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   if (!pair.impact) return;
   const trace::Impact& impact = *pair.impact;
@@ -164,6 +175,8 @@ void draw_sweep(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   }
   draw_met_triangle(scene, a, impact.triangle_a, impact.corners_a, sketch);
   draw_met_triangle(scene, b, impact.triangle_b, impact.corners_b, sketch);
+  name_met_triangle("A", kArcOfA, impact.corners_a, impact.corners_b, sketch);
+  name_met_triangle("B", kArcOfB, impact.corners_b, impact.corners_a, sketch);
   if (impact.status != "hit") return;
   const bool turns = !impact.travel_a.turn.isZero(0) || !impact.travel_b.turn.isZero(0);
   if (is_cast && turns) {
