@@ -119,7 +119,11 @@ std::string result_of(const Rollout& rollout) {
   // Those that fall are named each, with their times; the others where there is room.
   const std::string others =
       standing.size() > 3 ? std::to_string(standing.size()) + " others" : listed(standing);
-  return falls + "; " + (resting == 1 ? "it stands in " : "all stand in ") + others;
+  return falls + "; " +
+         (resting == 1   ? "it stands in "
+          : resting == 2 ? "both stand in "
+                         : "all stand in ") +
+         others;
 }
 
 /// Of more engines than stand in a row, those in which a body falls, and of the others the one that is farthest off its
@@ -332,11 +336,10 @@ Image rollout_picture(const Rollout& rollout, int shown, const std::optional<Siz
   for (const std::size_t i : drawn) {
     const RolloutScore& score = rollout.scores[i];
     const bool is_for_others = left_out > 0 && stands(score);
-    cells.push_back({name_of(rollout, i),
-                     is_for_others ? "stands, " + millimetres(score.worst_drift) + " mm off; " +
-                                         std::to_string(left_out) + " others less"
-                                   : note_of(score),
-                     looks[i].style, looks[i].quiet});
+    cells.push_back(
+        {name_of(rollout, i),
+         is_for_others ? "stands, as in " + std::to_string(left_out) + " others" : note_of(score),
+         looks[i].style, looks[i].quiet});
   }
   const Size page_size = size.value_or(Size{1280, draw::rollout_page_height(cells.size())});
   const trace::Header& asked = rollout.request.header;

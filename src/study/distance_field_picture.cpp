@@ -10,6 +10,7 @@ using namespace told;
 
 constexpr const char* kByCells = "by cells";
 constexpr double kUsualCells = 64;
+constexpr double kMicrometres = 1e6;  // of a metre
 const std::vector<Named> kFields = {
     {"trilinear", "trilinear"},
     {"cubic", "cubic"},
@@ -23,7 +24,10 @@ std::vector<Named> all_fields(const trace::Study& study) {
   for (const trace::StudySeries& series : study.series) {
     if (std::ranges::find(named, series.method, &Named::first) != named.end()) continue;
     // "OpenVDB 10.0.1, trilinear"
-    named.emplace_back(series.method, series.method.substr(0, series.method.find(' ')));
+    const std::size_t comma = series.method.find(',');
+    named.emplace_back(series.method,
+                       series.method.substr(0, series.method.find(' ')) +
+                           (comma == std::string::npos ? "" : series.method.substr(comma)));
   }
   return named;
 }
@@ -47,13 +51,29 @@ trace::Study picture_errors(const trace::Study& measured) {
   });
   keep_methods(study, named);
   show_cells_alone(study);
+  const bool is_length = study.unit == "m";
+  if (is_length) {
+    study.unit = "µm";
+    study.resolution *= kMicrometres;
+  }
   for (trace::StudySeries& series : study.series) {
     series.parameter = "cells";
     series.quiet = is_peer(series.method);
-    for (trace::StudyPoint& point : series.points) point.error_worst.reset();  // tables have it
+    for (trace::StudyPoint& point : series.points) {
+      point.error_worst.reset();
+      if (is_length && point.error) *point.error *= kMicrometres;
+    }
+    // One size, so that a field is one marker: tables have the others, and the worst.
+    std::erase_if(series.points, [](const auto& point) { return point.parameter != kUsualCells; });
   }
   show_least_times(study);
-  study.shown = "Along a line: fields of 16, 32, 64 and 128 cells; those of 64 have a ring.";
+  // "..., by band in its box": what other panels are of.
+  const std::size_t begin = study.reference.find(", by band"),
+                    seed = study.reference.rfind(", seed");
+  if (begin != std::string::npos && seed != std::string::npos && begin < seed)
+    study.reference.erase(begin, seed - begin);
+  study.shown = "Fields of " + number(kUsualCells) +
+                " cells, asked within 2 cm of the surface of a ball 1 m wide";
   if (study.measure != "distance") return study;
   tell(study, [&] {
     const auto at_usual = [&](const char* method) -> const trace::StudyPoint& {
@@ -69,14 +89,18 @@ trace::Study picture_errors(const trace::Study& measured) {
     };
     const trace::StudyPoint &cubic = at_usual("cubic"), &exact = at_usual("cubic with exact cells");
     const std::string cells = number(kUsualCells) + " cells";
-    const auto compared = [&](const trace::StudyPoint& other) {
-      return beside(other) + " as close, " + slower(other) + " the time";
+    // The name is in the mark.
+    const auto compare = [&](const std::string& name, const trace::StudyPoint& other) {
+      mark(study, name, "", kUsualCells,
+           name + ": " + beside(other) + " as close as trilinear, " + slower(other) + " the time");
+      for (trace::StudySeries& series : study.series)
+        if (series.method == name) series.method.clear();
     };
-    mark(study, "trilinear", "", kUsualCells, cells);
-    mark(study, "cubic", "", kUsualCells, compared(cubic));
-    mark(study, "cubic, exact cells", "", kUsualCells, compared(exact));
+    compare("cubic", cubic);
+    compare("cubic, exact cells", exact);
     return "At " + cells + " a cubic field is " + beside(cubic) +
-           " as close as a trilinear one, with exact cells " + beside(exact);
+           " as close as a trilinear one in " + slower(cubic) + " the time, with exact cells " +
+           beside(exact) + " in " + slower(exact);
   });
   return study;
 }
@@ -98,35 +122,29 @@ trace::Study picture_build(const trace::Study& measured) {
   }
   tell(study, [&] {
     const double most = 128;
-    double fastest = 1e300, slowest = 0, peer = 0;
-    std::string fast_name, slow_name;
+    double slowest = 0, peer = 0;
+    std::string slow_name;
     for (const trace::StudySeries& series : study.series) {
       const double time = 1e6 * error_at(series, most);
-      const bool own = !is_peer(series.method);
-      if (!own) peer = time;
-      if (own && time < fastest) fastest = time, fast_name = series.method;
-      if (own && time > slowest) slowest = time, slow_name = series.method;
+      if (is_peer(series.method))
+        peer = time;
+      else if (time > slowest)
+        slowest = time, slow_name = series.method;
     }
-    // The other kinds are between these two, and the middle one has the name of all.
-    std::vector<trace::StudySeries*> between;
-    for (trace::StudySeries& series : study.series)
-      if (is_peer(series.method) || series.method == fast_name || series.method == slow_name)
-        series.method += ": " + duration(1e6 * error_at(series, most));
-      else
-        between.push_back(&series);
-    std::ranges::sort(between, {}, [&](const auto* series) { return error_at(*series, most); });
-    for (std::size_t i = 0; i < between.size(); ++i) {
-      at(between, i)->quiet = true;
-      at(between, i)->method =
-          i == between.size() / 2 ? count(double(between.size())) + " other kinds" : "";
+    // The other kinds take less: tables have them, but that which is of the peer's kind.
+    std::erase_if(study.series, [&](const trace::StudySeries& series) {
+      return !is_peer(series.method) && series.method != slow_name &&
+             series.method != kFields.front().second;
+    });
+    for (trace::StudySeries& series : study.series) {
+      if (series.method == slow_name) series.method += ", the slowest here";
+      series.method += ": " + duration(1e6 * error_at(series, most));
     }
     study.reference.clear();  // that of errors
     const std::string field = "field of " + number(most, 3) + " cells";
-    if (peer == 0)
-      return "A " + field + " takes " + duration(fastest) + " to " + duration(slowest) +
-             " to build";
-    return "To build a " + field + " OpenVDB takes " + number(peer / slowest) + " to " +
-           number(peer / fastest) + " times as long as the five kinds here";
+    if (peer == 0) return "A " + field + " takes up to " + duration(slowest) + " to build";
+    return "OpenVDB takes " + duration(peer) + " to build a " + field + ", the slowest kind here " +
+           duration(slowest);
   });
   return study;
 }

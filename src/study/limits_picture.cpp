@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <cmath>
+#include <string_view>
 
 #include "core/at.h"
 #include "study/picture.h"
@@ -10,51 +10,43 @@ namespace {
 using namespace told;
 
 constexpr double kKilometre = 1000;
-constexpr const char* kDistance = "Distance from the origin";
-constexpr const char* kRounded = ", positions rounded";
-
-/// "tilt (rad)": what the axis is, and its unit.
-Named split_unit(const std::string& parameter) {
-  const std::size_t bracket = parameter.find(" (");
-  if (bracket == std::string::npos) return {parameter, ""};
-  return {parameter.substr(0, bracket),
-          parameter.substr(bracket + 2, parameter.size() - bracket - 3)};
-}
+constexpr const char* kDistance = "distance";
+constexpr std::string_view kAsMeant = ", unrounded";  // the geometry before it was rounded
 
 trace::Study picture_sweeps(const trace::Study& measured) {
   trace::Study study = measured;
-  for (trace::StudySeries& series : study.series) {
-    const bool as_meant = series.method.find("unrounded") != std::string::npos;
-    // What drowns in rounding is lost against the geometry as it was meant too: it is counted there.
-    if (!as_meant)
-      for (trace::StudyPoint& point : series.points) point.failed = 0;
-    const std::string scalar = series.method.substr(0, series.method.find(','));
-    if (as_meant) series.method = scalar + kRounded;
-    if (!as_meant && series.method != study.signal) series.method = scalar + ", arithmetic alone";
-    const auto [what, unit] = split_unit(series.parameter);
-    series.panel = what == "overlap, 1 = coincident" ? "overlap" : what;
-    series.panel[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(series.panel[0])));
-    series.parameter = !unit.empty()            ? unit
-                       : what == "aspect ratio" ? "length / thickness"
-                                                : "of the size; 1: coincident";
-  }
+  // Against the geometry as it was meant: what the arithmetic alone loses, tables have.
+  std::erase_if(study.series, [](const trace::StudySeries& series) {
+    return !series.method.ends_with(kAsMeant);
+  });
   // Nothing grows with the size, much with the distance; the tables have the other sweeps.
   keep_panels(study, {{kDistance, ""}});
-  for (trace::StudySeries& series : study.series) series.parameter = "m from the origin";
+  double first_lost = 1e300;
+  for (trace::StudySeries& series : study.series) {
+    series.method.resize(series.method.size() - kAsMeant.size());
+    series.parameter = "m from the origin";
+    for (const trace::StudyPoint& point : series.points)
+      if (point.failed > 0) first_lost = std::min(first_lost, point.parameter);
+  }
+  // From there on the largest error would be that of what is found: the map of overlaps tells of what is lost.
+  for (trace::StudySeries& series : study.series)
+    std::erase_if(series.points, [&](const auto& point) { return point.parameter >= first_lost; });
+  study.signal.clear();
   study.reference = study.reference.substr(0, study.reference.find(';'));
-  study.shown = "Up: largest error of a contact, as a fraction of the size of its shapes";
-  study.failed = "contacts lost";
+  study.shown =
+      "Up: largest error of a contact, as a fraction of the size of its shapes, whose positions "
+      "are rounded";
   tell(study, [&] {
     const auto far = [&](const char* scalar) {
       const trace::StudySeries& series =
-          series_of(measured, std::string(scalar) + ", unrounded", "distance");
+          series_of(measured, std::string(scalar) + std::string(kAsMeant), kDistance);
       const std::string off = power(point_at(series, kKilometre).error_worst.value());
-      mark(study, scalar + std::string(kRounded), "", kKilometre, "1 km: " + off);
+      mark(study, scalar, "", kKilometre, "1 km: " + off);
       return off;
     };
     const std::string in_float = far("float");
-    return "1 km from the origin rounded positions put a contact off by " + in_float +
-           " of its size in float, " + far("double") + " in double";
+    return "1 km from the origin a contact is off by " + in_float +
+           " of its shapes' size in float, by " + far("double") + " in double";
   });
   return study;
 }

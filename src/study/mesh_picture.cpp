@@ -149,8 +149,11 @@ trace::Study picture_motion(const trace::Study& measured) {
 }  // namespace
 
 trace::Study picture_meshes(const trace::Study& measured) {
-  if (measured.measure == "time") return picture_times(measured);
-  return measured.measure == "cost" ? picture_costs(measured) : picture_motion(measured);
+  trace::Study study = measured.measure == "time"   ? picture_times(measured)
+                       : measured.measure == "cost" ? picture_costs(measured)
+                                                    : picture_motion(measured);
+  study.reference.clear();  // of what is found; these are times and counts
+  return study;
 }
 
 }  // namespace contactscope

@@ -80,9 +80,21 @@ TEST(ChartNames, FailuresAreToldBesideTheirFirstCross) {
   study.failed = "hits missed";
   study.series.front().points.back().failed = 7;
   const std::vector<Text> all = texts(plot(study, 1280, 720));
-  const auto told = std::ranges::find(all, "8 samples: 7 of 400 hits missed", &Text::text);
+  const auto told = std::ranges::find(all, "8 samples: 7 of 100 hits missed", &Text::text);
   ASSERT_NE(told, all.end()) << "without the time in the name of the line";
   EXPECT_GT(told->at.x, 400) << "the cross is at the right";
+}
+
+TEST(ChartNames, EachCrossHasItsOwnCountWhereThereIsRoom) {
+  trace::Study study = curves_of("8 samples", {1, 1, 1, 1});
+  study.failed = "hits missed";
+  study.series.front().points[2].failed = 3;
+  study.series.front().points[3].failed = 7;
+  EXPECT_THAT(words(plot(study, 1280, 720)),
+              IsSupersetOf({"8 samples: 3 of 100 hits missed", "7 of 100"}));
+  study.series.front().points[0].failed = 1;
+  EXPECT_THAT(words(plot(study, 1280, 720)), Contains("8 samples: 11 of 400 hits missed"))
+      << "before the first there is none";
 }
 
 TEST(ChartNames, AMarkedLineOverTimeIsNamedThereAndQuietOnesAllTheSame) {

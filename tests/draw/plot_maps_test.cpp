@@ -214,8 +214,10 @@ TEST(PlotMap, MarkedCellsHaveOneBorderAndTheirWordsOnce) {
     for (std::size_t column = 0; column < 3; ++column)
       study.series[row].points[column].mark = "10 ×";
   const Drawing drawing = plot_map(study, 1280, 720);
-  EXPECT_EQ(borders(drawing), 2 * 12 + 2 * 3);
+  EXPECT_EQ(borders(drawing), 4) << "a rectangle is one outline";
   EXPECT_EQ(std::ranges::count(words(drawing), "10 ×"), 1);
+  study.series[0].points[3].mark = "10 ×";
+  EXPECT_EQ(borders(plot_map(study, 1280, 720)), 2 * 12 + 2 * 3 + 2);
 }
 
 TEST(PlotCurves, AMethodHasTheColourThatTheOtherPlotsOfItsStudyGiveIt) {
@@ -404,8 +406,10 @@ TEST(PlotMap, SharesAreColouredByWhatFailedAloneAndNameTheirSteps) {
   EXPECT_LT(shade_of(4), some - 0.1f);
   map.series[0].points[5].error_worst = 1e6;
   EXPECT_EQ(shade_of(5), none) << "how large an error is does not count";
+  map.series[0].points[6].failed = 4;
   const std::vector<std::string> all = words(plot_map(map, 1280, 720));
   EXPECT_THAT(all, testing::IsSupersetOf({"none", "≤ 10 %", "all"}));
+  EXPECT_THAT(all, Not(Contains("≤ 50 %"))) << "nothing in the map is of that";
   EXPECT_THAT(all, Not(Contains("some cases failed")));
 }
 

@@ -109,7 +109,7 @@ TEST(Plot, EveryMethodIsLabelledInBothPanels) {
 
 TEST(Plot, SaysTitleAxesDecadesContextAndWhichWayIsBetter) {
   const std::vector<std::string> all = words(plot(crowded(), 1280, 720));
-  for (const char* text : {"What each reducer loses", "lost area", "mean", "worst", "0", "0.1",
+  for (const char* text : {"What each reducer loses", "lost area,", "mean", "worst", "0", "0.1",
                            "100 ns", "1 µs", "better", "time of a call, median"}) {
     EXPECT_THAT(all, Contains(text));
   }

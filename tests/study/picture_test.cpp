@@ -70,10 +70,10 @@ TEST(Picture, TheTitleIsTheResultOfTheRun) {
   for (const char* method : {"discrete", "speculative margin of 2 cm", "swept bounding sphere",
                              "conservative advancement", "time of impact"})
     study.series.push_back(line(method, {0, 0}, "spheres, a wall of 1 cm"));
-  study.series[0].points[1] = {20, 0.4, 0.4, {}, 0, 10};
-  study.series[1].points[1] = {20, 0.3, 0.3, {}, 0, 10};
+  study.series[0].points[1] = {10, 0.4, 0.4, {}, 0, 10};
+  study.series[1].points[1] = {10, 0.3, 0.3, {}, 0, 10};
   EXPECT_EQ(picture_tunnelling(study).title,
-            "At 20 m/s 40 % of the spheres pass a wall of 1 cm, 30 % with a margin of 2 cm; of "
+            "At 10 m/s 40 % of the spheres pass a wall of 1 cm, 30 % with a margin of 2 cm; of "
             "those that are swept none");
   const trace::Study told = picture_tunnelling(study);
   EXPECT_EQ(told.series[0].points[1].mark, "40 %");

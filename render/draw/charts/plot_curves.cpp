@@ -203,7 +203,7 @@ struct Curves : Pen {
                           : parameters.axis(left, right, px(8), px(8));
     const float floor = has_zero_row ? bottom - px(kZeroRow) : bottom;
     const Axis y = is_linear() ? Axis{bottom_of_axis(), top_of_axis(), bottom, top}
-                               : errors.axis(floor, top, px(6), px(6));
+                               : errors.axis(floor, top, px(6), px(failure_rows > 0 ? 20 : 6));
     const auto place = [&](const trace::StudyPoint& point) {
       const double error = largest_error(point);
       return Point2{x.at(point.parameter),
@@ -318,24 +318,50 @@ struct Curves : Pen {
     }
   }
 
+  /// What is told before each cross, "64 samples: 1 of 200 hits missed" before the first; nothing where that has no room.
+  std::vector<std::string> failures_of_each(const trace::StudySeries& series, const Axis& x,
+                                            float left) const {
+    std::vector<std::string> words;
+    for (const trace::StudyPoint& point : series.points) {
+      if (point.failed == 0) continue;
+      const std::string count = spell_count(point.failed) + " of " + spell_count(point.of);
+      words.push_back(words.empty() ? name_before_colon(series) + ": " + count + " " + study.failed
+                                    : count);
+      const float at = x.at(point.parameter);
+      if (at - px(20) - width_of(words.back()) < left) return {};
+      left = at;
+    }
+    return words;
+  }
+
+  static std::string name_before_colon(const trace::StudySeries& series) {
+    return series.method.substr(0, series.method.find(':'));
+  }
+
   /// Crosses, and their count at the end where fewer of them are. False where there are none.
   bool failures(const trace::StudySeries& series, const Axis& x, float left, float right,
                 float row) const {
     int on_the_left = 0, crosses = 0;
     float first = right;
+    std::vector<std::string> each;
+    if (!study.failed.empty()) each = failures_of_each(series, x, left);
     for (const trace::StudyPoint& point : series.points) {
       if (point.failed == 0) continue;
       const float at = x.at(point.parameter);
+      const CurveStyle style = style_of(study, series);
+      cross({at, row}, 3.6, 1.8, style.color);
+      if (!each.empty())
+        text(contactscope::at(each, crosses), {at - px(10), row + px(5)}, Align::Right, style.text);
       ++crosses;
       first = std::min(first, at);
       on_the_left += at < 0.5f * (left + right);
-      cross({at, row}, 3.6, 1.8, style_of(study, series).color);
     }
     if (crosses == 0) return false;
+    if (!each.empty()) return true;
     if (!study.failed.empty()) {
-      // In words, before the first cross where there is room, else after the last.
-      const std::string name = series.method.substr(0, series.method.find(':'));
-      const std::string words = name + ": " + spell_failures(series) + " " + study.failed;
+      // Of all in words, before the first cross where there is room, else after the last.
+      const std::string words =
+          name_before_colon(series) + ": " + spell_failures(series) + " " + study.failed;
       const bool fits = first - px(10) - width_of(words) > left;
       text(words, {fits ? first - px(10) : right - px(6), row + px(5)}, Align::Right,
            style_of(study, series).text);

@@ -74,10 +74,15 @@ struct Map : Pen {
       all.width = right - all.x;
       all.height = bottom - all.y;
     }
-    // White about the line, to be seen on dark cells.
-    draw_border(cells, 5, kWhite);
-    draw_border(cells, 2.6, kText);
     const double height = cells.begin()->second.height;
+    const double area_of_cells =
+        static_cast<double>(cells.size()) * cells.begin()->second.width * height;
+    // White about the line, to be seen on dark cells. That of a rectangle has no joints.
+    for (const auto& [width, color] : {std::pair{5.0, kWhite}, std::pair{2.6, kText}})
+      if (area_of_cells > 0.999 * all.width * all.height)
+        outline(corners_of(all), width, color);
+      else
+        draw_border(cells, width, color);
     const auto middle = static_cast<float>(all.y + 0.5 * height) + px(0.36 * kMarkLetters);
     const float width = text_width(words, px(kMarkLetters), FontWeight::Bold);
     const bool fits = all.right() + px(10) + width < area.right();
@@ -137,7 +142,11 @@ struct Map : Pen {
   std::vector<std::pair<std::string, std::size_t>> steps_of_bar() const {
     std::vector<std::pair<std::string, std::size_t>> steps;
     if (has_shares()) {
-      for (const ShareStep& step : kShares) steps.emplace_back(step.name, step.shade);
+      for (const ShareStep& step : kShares)
+        if (std::ranges::any_of(points_of(study), [&](const trace::StudyPoint& point) {
+              return &share_of(point) == &step;
+            }))
+          steps.emplace_back(step.name, step.shade);
       return steps;
     }
     std::size_t most = 0;
@@ -150,6 +159,15 @@ struct Map : Pen {
       steps.emplace_back((open ? "> " : "≤ ") + spell_tick_error(bound, ""), i);
     }
     return steps;
+  }
+
+  /// Each of a few columns' parameters, to two digits; of more the axis has decades.
+  std::vector<double> ticks_of(const std::vector<double>& parameters, double width) const {
+    std::vector<double> ticks =
+        mapped(parameters, [](double parameter) { return std::stod(printed("%.2g", parameter)); });
+    const bool have_room = std::ranges::all_of(
+        ticks, [&](double tick) { return width_of(spell_tick_error(tick, "")) + px(6) < width; });
+    return have_room ? ticks : std::vector<double>{};
   }
 
   void panel(const PlotPanel& panel) const {
@@ -184,7 +202,7 @@ struct Map : Pen {
     if (numbered)
       draw_decades_up(axis_through(rows, area.bottom(), area.y), area, false, panel.begins_row,
                       *this);
-    draw_decades_along(x, area, false, *this);
+    draw_decades_along(x, area, false, *this, ticks_of(parameters, width));
     frame(area, 1.2, kChartBorder);
     for (const auto& [words, cells] : marked) mark(words, cells, area);
     const float above = static_cast<float>(area.y) - px(6);

@@ -130,8 +130,8 @@ struct Diagram : Pen {
          {right, bottom + px(2 * kPlotText + 5)}, Align::Right, kText);
     if (!study.series.empty() && !study.series.front().panel.empty())
       return heading(study.series.front().panel, x, Weight::Bold);
-    heading(study.error, x, Weight::Regular);
-    const float used = text_width(study.error + "  ", px(kHeading), Weight::Regular);
+    heading(study.error + ",", x, Weight::Regular);
+    const float used = text_width(study.error + ", ", px(kHeading), Weight::Regular);
     heading(kind == ErrorKind::Mean ? "mean" : "worst", x + used, Weight::Bold);
   }
 

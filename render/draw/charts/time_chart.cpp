@@ -236,16 +236,19 @@ struct ChartOverTime : Pen {
                                        : "the " + std::to_string(count) + " others";
   }
 
-  /// Many that end at one place have one label, for which of them is which cannot be seen there. Quiet ones are
-  /// named all the same: they look alike anyway.
+  /// Many that end at one place have one label, for which of them is which cannot be seen there. Quiet ones look
+  /// alike anyway: each has its name, and all of them have one bracket and one line to it.
   void draw_labels() const {
     std::vector<std::size_t> which;
     std::vector<float> wanted;
     std::vector<std::size_t> how_many;
+    std::vector<std::pair<std::size_t, std::size_t>> brackets;  // first and last label of each
     for (const std::vector<std::size_t>& crowd : crowds()) {
       const bool is_quiet =
           std::ranges::all_of(crowd, [&](std::size_t i) { return chart.lines[i].quiet; });
-      const bool together = crowd.size() >= kLeastTogether && !is_quiet;
+      const bool is_large = crowd.size() >= kLeastTogether;
+      const bool together = is_large && !is_quiet;
+      const std::size_t begin = which.size();
       for (const std::size_t i : crowd) {
         if (together && i != crowd[crowd.size() / 2]) continue;
         if (is_named_inside(i)) continue;
@@ -253,22 +256,31 @@ struct ChartOverTime : Pen {
         wanted.push_back(end_of(i).y);
         how_many.push_back(together ? crowd.size() : 1);
       }
+      if (is_large && is_quiet && which.size() > begin)
+        brackets.emplace_back(begin, which.size() - 1);
     }
     const float row = px(kLabelRow);
     const auto top = static_cast<float>(area.y) + 0.4f * row;
     const auto bottom = static_cast<float>(area.bottom()) + px(kTicksBelow - 12);
     const std::vector<float> heights = spread_out(wanted, row, top, bottom);
     const auto left = static_cast<float>(area.right()) + px(kLabelGap);
+    for (const auto& [first, last] : brackets) {
+      const float before = left - px(5);
+      line({before, heights[first] - px(6)}, {before, heights[last] + px(6)}, 1.2, kQuietText);
+      line(end_of(which[first]), {before, heights[first]}, 1, kQuietText);
+    }
     for (std::size_t k = 0; k < which.size(); ++k) {
       const TimeLine& one = chart.lines[which[k]];
       const MethodStyle style = style_of(one);
       const Point2 end = place(one, one.values.size() - 1);
+      const bool is_bracketed = std::ranges::any_of(
+          brackets, [&](const auto& bracket) { return bracket.first <= k && k <= bracket.second; });
       if (how_many[k] > 1) {
         line(end, {left - px(3), heights[k]}, 1, kText);
         text(all_of(how_many[k]), {left, heights[k] + px(5)}, Align::Left, kText, Weight::Bold);
         continue;
       }
-      line(end, {left - px(3), heights[k]}, 1, style.text);
+      if (!is_bracketed) line(end, {left - px(3), heights[k]}, 1, style.text);
       text(labels[which[k]], {left, heights[k] + px(5)}, Align::Left, style.text, Weight::Bold);
     }
   }
