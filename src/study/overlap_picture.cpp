@@ -35,8 +35,8 @@ trace::Study picture_bounds(const trace::Study& measured) {
       for (trace::StudyPoint& point : series.points)
         if (point.parameter == kRod && point.error && series.method.starts_with("axis-aligned"))
           point.mark = "rods: " + percent(*point.error);
-    return at_rod("AABB") + " of the rods that axis-aligned boxes let through are apart, with " +
-           "fifteen axes " +
+    return "Of rods that axis-aligned boxes let through " + at_rod("AABB") +
+           " are apart, of those that fifteen axes let through " +
            (error_at(series_of(measured, "OBB, fifteen axes"), kRod) > 0
                 ? at_rod("OBB, fifteen axes")
                 : "none");

@@ -56,8 +56,8 @@ void show_jitter(const trace::Study& measured, trace::Study& study) {
     });
     mark(study, kWarm[0].second, "", kUsualSubsteps, spelled(soft));
     mark(study, rival, "", kUsualSubsteps, spelled(slower));
-    return "With " + number(kUsualSubsteps) + " sub-steps ten boxes on soft contacts move at " +
-           spelled(soft) + ", with " + rival + " at " + spelled(slower);
+    return "With " + number(kUsualSubsteps) + " sub-steps a resting stack of ten moves at " +
+           spelled(soft) + " on soft contacts, at " + spelled(slower) + " with " + rival;
   });
 }
 

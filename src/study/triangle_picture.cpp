@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <map>
 
 #include "core/at.h"
 #include "study/picture.h"
@@ -26,6 +27,20 @@ std::string share_of(double share) {
 constexpr const char* kUsualSize = "triangles of 1 m";
 constexpr const char* kEpsilon = "float with an epsilon of 1 µm";
 
+/// Nothing is told by a line beyond the first parameter at which every method is right of almost all.
+void end_where_all_are_right(trace::Study& study) {
+  constexpr double kAlmostNone = 1e-3;
+  std::map<double, double> most;  // wrong, by parameter
+  for (const trace::StudySeries& series : study.series)
+    for (const trace::StudyPoint& point : series.points)
+      most[point.parameter] = std::max(most[point.parameter], point.error.value_or(0));
+  const auto end =
+      std::ranges::find_if(most, [](const auto& one) { return one.second < kAlmostNone; });
+  if (end == most.end()) return;
+  for (trace::StudySeries& series : study.series)
+    std::erase_if(series.points, [&](const auto& point) { return point.parameter > end->first; });
+}
+
 trace::Study picture_wrong(const trace::Study& measured) {
   trace::Study study = measured;
   drop_resolution(study);
@@ -37,6 +52,7 @@ trace::Study picture_wrong(const trace::Study& measured) {
                        {"exact", "exact"}});
   // An epsilon is right at one size: tables have the others.
   keep_panels(study, {{kUsualSize, ""}});
+  end_where_all_are_right(study);
   join_equal(study);
   for (trace::StudySeries& series : study.series)
     series.parameter = "units in the last place off the plane";
