@@ -49,8 +49,8 @@ void show_jitter(const trace::Study& measured, trace::Study& study) {
     const double soft = speed("soft, warm"), projection = speed("projection, warm"),
                  baumgarte = speed("baumgarte, warm");
     // Of the two others the one that moves less; tables have both.
-    const auto& [rival, slower] = projection < baumgarte ? std::pair(kWarm[1].second, projection)
-                                                         : std::pair(kWarm[2].second, baumgarte);
+    const double slower = std::min(projection, baumgarte);
+    const std::string rival = kWarm[projection < baumgarte ? 1 : 2].second;
     std::erase_if(study.series, [&](const trace::StudySeries& series) {
       return series.method != kWarm[0].second && series.method != rival;
     });
