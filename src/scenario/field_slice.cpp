@@ -23,10 +23,11 @@ trace::FieldSlice slice_through(const std::string& name, const PlacedField& fiel
   // Counter-clockwise as seen from where it looks.
   const int one = (through + 1) % 3, other = (through + 2) % 3;
   const int along = facing[through] > 0 ? one : other, across = facing[through] > 0 ? other : one;
-  const double longest = std::max(values.size()[along], values.size()[across]);
+  // A slice that is long and narrow has as many values in all as a square one.
+  const double side = std::sqrt(values.size()[along] * values.size()[across]);
   // Values a cell where that is more than one, else cells a value.
-  const double per_cell = std::min(8.0, std::floor(kSliceValues / longest));
-  const double step = per_cell >= 1 ? 1 / per_cell : std::ceil(longest / kSliceValues);
+  const double per_cell = std::min(8.0, std::round(kSliceValues / side));
+  const double step = per_cell >= 1 ? 1 / per_cell : std::ceil(side / kSliceValues);
   const auto count_along = [&](int axis) {
     return 1 + static_cast<int>(std::floor(values.size()[axis] / step + 0.5 / kSliceValues));
   };

@@ -164,8 +164,27 @@ TEST_F(BroadPhasePicture, ABoxIsTestedAtNodesOfAnOctreeThatItReaches) {
                    {{{1, 0, 1}, {2, 1, 2}}, 1, 1, 1},
                    {{{1, 0, 3}, {2, 1, 4}}, 1, 1, 0}};
   phase().comparisons = 1;
-  EXPECT_THAT(legend_of(sketch(Layer::Cells)),
+  const Sketch drawn = sketch(Layer::Cells);
+  EXPECT_THAT(legend_of(drawn),
               testing::ElementsAre("node, as far as its boxes reach", "pair that is tested"));
+  ASSERT_EQ(drawn.surfaces.size(), 3u);
+  EXPECT_LT(drawn.surfaces[1].color.b, drawn.surfaces[0].color.b) << "a node within another";
+}
+
+TEST_F(BroadPhasePicture, PairsThatAGridOfFewBoxesTestedAreLinked) {
+  phase().method = "grid";
+  phase().bounds = {{"large", {{0, 0, 0}, {9, 1, 9}}, true},
+                    {"one", {{1, 0.1, 1}, {2, 0.9, 2}}},
+                    {"beside", {{2.5, 0.1, 1}, {3.5, 0.9, 2}}},
+                    {"far", {{20, 0.1, 1}, {21, 0.9, 2}}}};
+  phase().cells = {{{{0, 0, 0}, {4, 1, 4}}, 0, 2, 1}, {{{20, 0, 0}, {24, 1, 4}}, 0, 1, 0}};
+  phase().comparisons = 4;
+  const auto ends = [](const Sketch& drawn) {
+    return std::ranges::count(drawn.marks, MarkKind::Node, &Mark::kind);
+  };
+  EXPECT_EQ(ends(sketch(Layer::Cells)), 2 * (3 + 1));
+  phase().comparisons = 5;
+  EXPECT_EQ(ends(sketch(Layer::Cells)), 0) << "these four are not all";
 }
 
 TEST_F(BroadPhasePicture, AHeapOfMoreThanAHundredShapesIsDrawnWithoutHiddenEdges) {

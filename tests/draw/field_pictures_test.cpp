@@ -47,8 +47,20 @@ TEST(FieldPicture, NamesTheGroundThatHasNoNodesOfItsOwn) {
   const SlicedSlab slab;
   const std::vector<Label> labels = slab.coarse();
   ASSERT_EQ(labels.size(), 1u);
-  EXPECT_NEAR(labels[0].at.x(), 0.15, 0.06) << "halfway between the band and the border";
-  EXPECT_LT(std::abs(labels[0].at.y()), 0.25);
+  EXPECT_NEAR(labels[0].at.head<2>().norm(), 0, 1e-9) << "the middle of a large cell";
+}
+
+TEST(FieldPicture, CellsOfFarNodesAreLargeAndNoLinesGoAcrossThem) {
+  SlicedSlab slab;
+  const auto closed = [&] {
+    const std::vector<Curve> curves = slab.sketch().curves;
+    return std::ranges::count_if(curves, [](const Curve& curve) { return curve.closed; });
+  };
+  EXPECT_EQ(closed(), 2 * 3) << "the band reaches into the blocks on the left";
+  EXPECT_EQ(slab.sketch().curves.size(), 6u) << "the surface is nowhere";
+  slab.frames[0].field_slices[0].band.clear();
+  EXPECT_EQ(closed(), 0);
+  EXPECT_FALSE(slab.sketch().curves.empty()) << "lines of equal distance";
 }
 
 TEST(FieldPicture, NamesNoGroundWhereAllCellsHaveNodesOrTooFewHaveNone) {
@@ -112,6 +124,8 @@ TEST(FieldPicture, ASpeckIsOnNoWhisker) {
   EXPECT_EQ(specks()[0].at.x(), 0.3);
   slab.view.layers = {Layer::Field};  // no whisker
   EXPECT_EQ(specks().size(), 2u);
+  pair.field_probes->probes[0].position.z() = 0.2;
+  EXPECT_EQ(specks().size(), 1u) << "two cells before the slice";
 }
 
 }  // namespace

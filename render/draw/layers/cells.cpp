@@ -120,12 +120,13 @@ void draw_span(const Sweep& sweep, const Floor& floor, Sketch& sketch) {
   sketch.explain(kSpanSwatch, "a box and its span");
 }
 
-/// Over the boxes: the ends at which those begin that the sweep compares, or what a tree tested.
+/// Over the boxes: the ends at which those begin that the sweep compares, or what was tested.
 void draw_begins(const Scene& scene, Sketch& sketch) {
   if (!scene.frame.broad_phase || scene.frame.broad_phase->cells.empty()) return;
   const trace::BroadPhase& phase = *scene.frame.broad_phase;
   const Floor floor(scene);
-  if (is_tree(phase) && phase.bounds.size() <= kFewBoxes) return link_tested(scene, sketch);
+  if ((is_tree(phase) || phase.method == "grid") && phase.bounds.size() <= kFewBoxes)
+    return link_tested(scene, sketch);
   const std::optional<Sweep> sweep = find_sweep(phase, floor);
   if (!sweep) return;
   const int compared = count_of(sweep->boxes) - 1, across = floor.across(sweep->axis);

@@ -17,6 +17,7 @@ namespace {
 constexpr int kMostLines = 16;         // on each side of the surface
 constexpr double kCellsBetween = 3;    // from a line to the next
 constexpr double kFromWhisker = 8;     // pixels
+constexpr double kOffSlice = 0.81;     // cells
 constexpr double kBetweenProbes = 14;  // pixels
 constexpr float kLineText = 17;        // pixels
 constexpr double kBesideLine = 5;      // likewise
@@ -178,14 +179,42 @@ bool draw_contours(const Scene& scene, const trace::FieldSlice& slice, double sp
   return -step > least;
 }
 
+constexpr int kCoarse = 4;  // cells along the side of a block without nodes of its own
+
+/// How many cells there are along a side of a slice that has so many values.
+int cells_along(const trace::FieldSlice& slice, int values, const Vec3d& step) {
+  return static_cast<int>(std::lround((values - 1) * step.norm() / slice.cell));
+}
+
+/// The blocks of cells between whose far nodes distances are blended, as the large cells that they are.
+/// Returns whether there are any.
+bool draw_coarse_cells(const trace::FieldSlice& slice, Sketch& sketch) {
+  const int width = cells_along(slice, slice.columns, slice.next);
+  const int height = cells_along(slice, slice.rows(), slice.next_row);
+  std::set<std::array<int, 2>> fine;
+  for (const auto& [column, row] : slice.band) fine.insert({column / kCoarse, row / kCoarse});
+  if (fine.empty()) return false;
+  const Cells cells(slice);
+  bool any = false;
+  for (int row = 0; row + kCoarse <= height; row += kCoarse) {
+    for (int column = 0; column + kCoarse <= width; column += kCoarse) {
+      if (fine.contains({column / kCoarse, row / kCoarse})) continue;
+      sketch.curves.push_back(
+          {{cells.corner(column, row), cells.corner(column + kCoarse, row),
+            cells.corner(column + kCoarse, row + kCoarse), cells.corner(column, row + kCoarse)},
+           kGrid,
+           true});
+      any = true;
+    }
+  }
+  return any;
+}
+
 /// Says where nodes are shared by many cells, in the middle of the largest such ground in sight:
 /// white that nothing names would be taken for no field at all.
 void name_coarse_ground(const Scene& scene, const trace::FieldSlice& slice, Sketch& sketch) {
-  const auto cells_along = [&](int values, const Vec3d& step) {
-    return static_cast<int>(std::lround((values - 1) * step.norm() / slice.cell));
-  };
-  const int width = cells_along(slice.columns, slice.next);
-  const int height = cells_along(slice.rows(), slice.next_row);
+  const int width = cells_along(slice, slice.columns, slice.next);
+  const int height = cells_along(slice, slice.rows(), slice.next_row);
   if (slice.band.empty() || width < 1 || height < 1) return;
   // Of each cell how many it is from the nearest with nodes of its own, or from the lattice's border.
   std::vector<int> away(static_cast<std::size_t>((width + 2) * (height + 2)), 0);
@@ -214,6 +243,7 @@ void name_coarse_ground(const Scene& scene, const trace::FieldSlice& slice, Sket
   };
   const Cells cells(slice);
   std::optional<Vec3d> middle;
+  std::array<int, 2> block{};
   int farthest = 0;
   for (int row = 0; row < height; ++row) {
     for (int column = 0; column < width; ++column) {
@@ -223,12 +253,16 @@ void name_coarse_ground(const Scene& scene, const trace::FieldSlice& slice, Sket
         continue;
       farthest = at(column, row);
       middle = center;
+      block = {column - column % kCoarse, row - row % kCoarse};
     }
   }
   const double pixels =
       middle ? (farthest - 0.5) * slice.cell * scene.camera.pixels_per_metre(*middle) : 0;
+  // Off the sides of the large cells.
+  const Vec3d between = 0.5 * (cells.corner(block[0], block[1]) +
+                               cells.corner(block[0] + kCoarse, block[1] + kCoarse));
   if (pixels >= kLeastNamed * scene.scales.pixel)
-    sketch.label(*middle, "blended here", kQuietText, kLineText, 0).bold = false;
+    sketch.label(between, "blended here", kQuietText, kLineText, 0).bold = false;
 }
 
 void draw_slices(const Scene& scene, Sketch& sketch) {
@@ -244,7 +278,8 @@ void draw_slices(const Scene& scene, Sketch& sketch) {
   for (const trace::FieldSlice& slice : scene.frame.field_slices) {
     draw_exact_cells(slice, sketch);
     draw_grid(slice, sketch);
-    if (has_room_for_lines(scene, slice, spacing)) {
+    // Lines across cells of two sizes would hide which is which.
+    if (!draw_coarse_cells(slice, sketch) && has_room_for_lines(scene, slice, spacing)) {
       any_lines = true;
       inside |= draw_contours(scene, slice, spacing, sketch);
     }
@@ -282,8 +317,18 @@ float distance_from(const Segment2& line, const Point2& at) {
   return distance(line.from + share * way, at);
 }
 
+/// Whether a place is in the slice through one of a pair's fields, as near as kOffSlice.
+bool is_in_slice(const Scene& scene, const trace::Pair& pair, const Vec3d& at) {
+  return std::ranges::any_of(scene.frame.field_slices, [&](const trace::FieldSlice& slice) {
+    const Vec3d normal = slice.next.cross(slice.next_row).stableNormalized();
+    return (slice.name == pair.a || slice.name == pair.b) &&
+           std::abs(normal.dot(at - slice.origin)) <= kOffSlice * slice.cell;
+  });
+}
+
 /// Of points that are nearer to each other on the screen than kBetweenProbes one is drawn, and none
-/// on a whisker, which is what they found.
+/// on a whisker, which is what they found. Those before and behind the slice would seem to lie inside
+/// of the section of the shape that asks.
 void draw_probes(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   if (!pair.field_probes) return;
   const std::vector<Segment2> whiskers = seen_whiskers(scene, pair);
@@ -296,7 +341,7 @@ void draw_probes(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const Vec3d right = scene.camera.right(), up = scene.camera.up();
   std::set<std::pair<double, double>> drawn;
   for (const trace::FieldProbe& probe : pair.field_probes->probes) {
-    if (is_on_whisker(probe.position)) continue;
+    if (!is_in_slice(scene, pair, probe.position) || is_on_whisker(probe.position)) continue;
     const double cells =
         scene.camera.pixels_per_metre(probe.position) / (kBetweenProbes * scene.scales.pixel);
     if (drawn

@@ -11,13 +11,21 @@ namespace {
 // The deeper a node lies, the darker it is.
 constexpr std::array<Color, 4> kLevels = {rgb(0xF3F5F8), rgb(0xE6EAF0), rgb(0xD6DDE6),
                                           rgb(0xC5CFDB)};
-constexpr Color kBoxNode = rgb(0xFBF1D3);
+// Of nodes with boxes, by how many of these they lie in: else it is not seen which one a box hangs in.
+constexpr std::array<Color, 3> kBoxNodes = {rgb(0xFBF1D3), rgb(0xF2DA96), rgb(0xE3BF60)};
 constexpr LineStyle kLevelBorder{1.0f, rgb(0x9AA3AE)}, kBoxNodeBorder{1.5f, rgb(0xB08D3C)};
 constexpr Color kInVain = rgb(0xC2571A);
 constexpr LineStyle kLink{3.5f, rgb(0x1F2328)}, kVainLink{3.5f, kInVain, true};
 constexpr Swatch kBoxNodeSwatch{LegendGroup::Trees, 5, [](auto& pen) {
-                                  pen.box(kBoxNode, kBoxNodeBorder.color, kBoxNodeBorder.width);
+                                  pen.box(kBoxNodes[0], kBoxNodeBorder.color, kBoxNodeBorder.width);
                                 }};
+constexpr Swatch kNestedSwatch{
+    LegendGroup::Trees, 5, [](auto& pen) {
+      pen.box(kBoxNodes[0], kBoxNodeBorder.color, kBoxNodeBorder.width);
+      const auto inner = {pen.at(10, -1), pen.at(20, -1), pen.at(20, 4), pen.at(10, 4)};
+      pen.fill(inner, kBoxNodes[1]);
+      pen.outline(inner, 1, kBoxNodeBorder.color);
+    }};
 constexpr Swatch kLevelsSwatch{LegendGroup::Trees, 7, [](auto& pen) {
                                  for (int i = 0; i < 3; ++i) {
                                    const double in = 4.0 * i, down = 2.5 * i;
@@ -71,6 +79,38 @@ std::optional<std::vector<std::size_t>> nodes_of_boxes(const trace::BroadPhase& 
   return found;
 }
 
+/// Of how many other nodes with boxes it is a part. A leaf of a tree is of none: it only lies over others.
+std::size_t nodes_around(const trace::BroadPhase& phase, const trace::Cell& cell) {
+  if (phase.method == "tree") return 0;
+  return static_cast<std::size_t>(std::ranges::count_if(phase.cells, [&](const trace::Cell& other) {
+    return other.members > 0 && other.depth < cell.depth &&
+           solid_box(other.box).contains(solid_box(cell.box));
+  }));
+}
+
+/// What a grid tested: boxes that are too large for cells with all, and those of a cell with each other.
+std::vector<TestedPair> find_tests_in_grid(const trace::BroadPhase& phase) {
+  const auto is_in = [](const trace::Cell& cell, const trace::Bounds& bounds) {
+    return !bounds.large && (bounds.box.lower.array() < cell.box.upper.array()).all() &&
+           (bounds.box.upper.array() >= cell.box.lower.array()).all();
+  };
+  std::vector<TestedPair> pairs;
+  int tests = 0;
+  for (std::size_t i = 0; i < phase.bounds.size(); ++i) {
+    for (std::size_t j = i + 1; j < phase.bounds.size(); ++j) {
+      const trace::Bounds &a = phase.bounds[i], &b = phase.bounds[j];
+      const auto cells = std::ranges::count_if(
+          phase.cells, [&](const trace::Cell& cell) { return is_in(cell, a) && is_in(cell, b); });
+      const int of_pair = a.large || b.large ? 1 : static_cast<int>(cells);
+      if (of_pair == 0) continue;
+      tests += of_pair;
+      pairs.push_back({&a, &b, solid_box(a.box).intersects(solid_box(b.box))});
+    }
+  }
+  if (tests != phase.comparisons) pairs.clear();
+  return pairs;
+}
+
 Vec3d top_middle(const trace::Box& box, int up) {
   Vec3d at = 0.5 * (box.lower + box.upper);
   at[up] = box.upper[up];
@@ -80,6 +120,7 @@ Vec3d top_middle(const trace::Box& box, int up) {
 }  // namespace
 
 std::vector<TestedPair> find_tests(const trace::BroadPhase& phase) {
+  if (phase.method == "grid") return find_tests_in_grid(phase);
   const std::optional<std::vector<std::size_t>> nodes = nodes_of_boxes(phase);
   if (!nodes) return {};
   const bool is_octree = phase.method == "octree";
@@ -92,7 +133,7 @@ std::vector<TestedPair> find_tests(const trace::BroadPhase& phase) {
                        &b_node = phase.cells[(*nodes)[j]].box;
       // Leaves of a tree are compared, and of an octree a box with the nodes of those after it.
       if (!solid_box(is_octree ? a.box : a_node).intersects(solid_box(b_node))) continue;
-      pairs.push_back({&a, &b, a_node, b_node, solid_box(a.box).intersects(solid_box(b.box))});
+      pairs.push_back({&a, &b, solid_box(a.box).intersects(solid_box(b.box))});
       ++tests[(*nodes)[j]];
     }
   }
@@ -112,7 +153,8 @@ std::vector<trace::Cell> draw_levels(const trace::BroadPhase& phase, const Floor
   for (const trace::Cell& cell : cells) {
     const std::vector<Vec3d> tile = floor.tile_of(cell.box);
     if (cell.members > 0) {
-      sketch.face(tile, kBoxNode, kBoxNodeBorder);
+      const std::size_t around = std::min(nodes_around(phase, cell), kBoxNodes.size() - 1);
+      sketch.face(tile, kBoxNodes[around], kBoxNodeBorder);
       continue;
     }
     const std::size_t level = std::min(static_cast<std::size_t>(cell.depth), kLevels.size() - 1);
@@ -123,9 +165,13 @@ std::vector<trace::Cell> draw_levels(const trace::BroadPhase& phase, const Floor
 }
 
 void explain_levels(const trace::BroadPhase& phase, bool counted, Sketch& sketch) {
-  sketch.explain(kBoxNodeSwatch, phase.method == "tree" ? "leaf: a box and a margin around it"
-                                 : counted              ? "number: tests at a node"
-                                                        : "node, as far as its boxes reach");
+  const bool nested = std::ranges::any_of(phase.cells, [&](const trace::Cell& cell) {
+    return cell.members > 0 && nodes_around(phase, cell) > 0;
+  });
+  sketch.explain(nested ? kNestedSwatch : kBoxNodeSwatch,
+                 phase.method == "tree" ? "leaf: a box and a margin around it"
+                 : counted              ? "number: tests at a node"
+                                        : "node, as far as its boxes reach");
 }
 
 void link_tested(const Scene& scene, Sketch& sketch) {

@@ -42,16 +42,15 @@ class Floor {
   double floor_;
 };
 
-/// Two boxes that a tree tested.
+/// Two boxes that were tested.
 struct TestedPair {
   const trace::Bounds *a, *b;
-  trace::Box a_node, b_node;  // in which they hang
   bool overlaps;
 };
 
-/// The pairs that a tree or an octree tested. A trace counts tests by node and does not name pairs: they
-/// follow from the nodes in which boxes hang, and where these pairs are not as many as the counts say, there
-/// are none here.
+/// The pairs that a tree, an octree or a grid tested. A trace counts tests by node or cell and does not
+/// name pairs: they follow from the nodes in which boxes hang or the cells that they reach, and where
+/// these pairs are not as many as the counts say, there are none here.
 std::vector<TestedPair> find_tests(const trace::BroadPhase& phase);
 
 /// Nodes as plates on the floor, the deeper ones over those around them and those with boxes over all. Returns them in this order.
