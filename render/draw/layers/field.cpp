@@ -242,15 +242,21 @@ void name_coarse_ground(const Scene& scene, const trace::FieldSlice& slice, Sket
     };
   };
   const Cells cells(slice);
+  // Of places that are as far, the one nearest to the middle: others may lie at a border of the ground.
+  const Vec3d slice_middle = 0.5 * (cells.corner(0, 0) + cells.corner(width, height));
+  double least_off = 0;
   std::optional<Vec3d> middle;
   std::array<int, 2> block{};
   int farthest = 0;
   for (int row = 0; row < height; ++row) {
     for (int column = 0; column < width; ++column) {
       const Vec3d center = 0.5 * (cells.corner(column, row) + cells.corner(column + 1, row + 1));
-      if (at(column, row) <= farthest || !is_well_inside(scene.camera, center) ||
+      const double off = (center - slice_middle).norm();
+      if (at(column, row) < farthest || (at(column, row) == farthest && off >= least_off) ||
+          !is_well_inside(scene.camera, center) ||
           std::ranges::any_of(scene.shapes, covers(center)))
         continue;
+      least_off = off;
       farthest = at(column, row);
       middle = center;
       block = {column - column % kCoarse, row - row % kCoarse};
