@@ -24,6 +24,16 @@ std::string result_of(const trace::Study& measured, trace::Study& study) {
   for (trace::StudySeries& series : study.series)
     if (!series.points.empty() && series.points.back().parameter == most.parameter)
       series.method += ": " + duration(series.points.back().nanoseconds.median);
+  // Why other lines end before.
+  std::vector<std::string> slow;
+  double given = 0;
+  for (const trace::StudySeries& series : study.series)
+    if (!series.points.empty() && series.points.back().parameter < most.parameter) {
+      slow.push_back(series.method);
+      given = std::max(given, series.points.back().parameter);
+    }
+  if (!slow.empty())
+    study.shown += ". Given no more than " + count(given) + ": " + listed(slow) + ".";
   return result;
 }
 
@@ -34,6 +44,7 @@ trace::Study picture_broad_phase(const trace::Study& measured) {
   keep_panels(study, {{"from nothing", kPanel}});  // tables have the other scenes
   for (trace::StudySeries& series : study.series) {
     std::ranges::replace(series.method, '_', ' ');
+    if (series.method == "sweep and prune") series.method = "sweep & prune";
     series.parameter = "boxes";
   }
   if (study.measure != "time") return study;

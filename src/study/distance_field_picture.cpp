@@ -73,7 +73,7 @@ trace::Study picture_errors(const trace::Study& measured) {
   if (begin != std::string::npos && seed != std::string::npos && begin < seed)
     study.reference.erase(begin, seed - begin);
   study.shown = "Fields of " + number(kUsualCells) +
-                " cells, asked within 2 cm of the surface of a ball 1 m wide";
+                " cells along the longest side, asked within 2 cm of the surface of a ball 1 m wide";
   if (study.measure != "distance") return study;
   tell(study, [&] {
     const auto at_usual = [&](const char* method) -> const trace::StudyPoint& {
@@ -88,7 +88,6 @@ trace::Study picture_errors(const trace::Study& measured) {
       return ratio(other.nanoseconds.min, base.nanoseconds.min);
     };
     const trace::StudyPoint &cubic = at_usual("cubic"), &exact = at_usual("cubic with exact cells");
-    const std::string cells = number(kUsualCells) + " cells";
     // The name is in the mark.
     const auto compare = [&](const std::string& name, const trace::StudyPoint& other) {
       mark(study, name, "", kUsualCells,
@@ -98,9 +97,8 @@ trace::Study picture_errors(const trace::Study& measured) {
     };
     compare("cubic", cubic);
     compare("cubic, exact cells", exact);
-    return "At " + cells + " a cubic field is " + beside(cubic) +
-           " as close as a trilinear one in " + slower(cubic) + " the time, with exact cells " +
-           beside(exact) + " in " + slower(exact);
+    return "A cubic field with exact cells is " + beside(exact) +
+           " as close as a trilinear one, in " + slower(exact) + " the time";
   });
   return study;
 }

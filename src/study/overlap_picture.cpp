@@ -11,22 +11,18 @@ using namespace told;
 
 constexpr double kRod = 10;  // times as long as wide
 
-/// By length over width instead of by time, which the names of the lines say.
+/// By length over width instead of by time, which tables have.
 trace::Study picture_bounds(const trace::Study& measured) {
   trace::Study study = measured;
   keep_methods(study, {{"sphere", "bounding sphere"},
                        {"AABB", "axis-aligned box"},
                        {"OBB, six axes", "oriented box, six face normals"},
                        {"OBB, fifteen axes", "oriented box, fifteen axes"}});
-  for (trace::StudySeries& series : study.series) {
-    series.method += ": " + duration(mean_time(series));
+  for (trace::StudySeries& series : study.series)
     series.parameter = "length of the boxes / their width";
-  }
   study.form = trace::StudyForm::Curves;
   study.unit = trace::kShare;
-  study.shown =
-      "Up: share of the pairs that a bound lets through, although they are apart. Times are of one "
-      "test.";
+  study.shown = "Up: of the pairs that a bound lets through, the share that is apart";
   tell(study, [&] {
     const auto at_rod = [&](const char* method) {
       return percent(error_at(series_of(measured, method), kRod));
@@ -35,22 +31,13 @@ trace::Study picture_bounds(const trace::Study& measured) {
       for (trace::StudyPoint& point : series.points)
         if (point.parameter == kRod && point.error && series.method.starts_with("axis-aligned"))
           point.mark = "rods: " + percent(*point.error);
-    return "Of rods that axis-aligned boxes let through " + at_rod("AABB") +
-           " are apart, of those that fifteen axes let through " +
+    return "Of the rods that axis-aligned boxes let through " + at_rod("AABB") +
+           " are apart; " +
            (error_at(series_of(measured, "OBB, fifteen axes"), kRod) > 0
-                ? at_rod("OBB, fifteen axes")
-                : "none");
+                ? "of those of fifteen axes " + at_rod("OBB, fifteen axes")
+                : "fifteen axes let through none of these");
   });
   return study;
-}
-
-/// Whether every threshold is wrong in float one way or the other.
-bool every_threshold_is_wrong(const trace::Study& study, double nothing) {
-  const trace::StudySeries& missed = series_of(study, "float", "overlaps called apart");
-  const trace::StudySeries& closed = series_of(study, "float", "gaps called overlaps");
-  return std::ranges::all_of(missed.points, [&](const trace::StudyPoint& point) {
-    return point.error_worst > nothing || point_at(closed, point.parameter).error_worst > nothing;
-  });
 }
 
 constexpr const char* kGuarded = "no threshold, each gap against its own rounding";
@@ -59,13 +46,13 @@ constexpr const char* kGuarded = "no threshold, each gap against its own roundin
 std::string result_of_thresholds(const trace::Study& measured, trace::Study& study) {
   for (trace::StudySeries& series : study.series) {
     if (series.method.starts_with(kGuarded) || series.points.empty()) continue;
-    // In the middle of those that are alike.
+    // The last of those that are alike, where the line turns.
     const auto error = [](const trace::StudyPoint& point) { return point.error_worst.value_or(0); };
     const double most = error(*std::ranges::max_element(series.points, {}, error));
-    std::vector<trace::StudyPoint*> worst;
+    trace::StudyPoint* worst = nullptr;
     for (trace::StudyPoint& point : series.points)
-      if (error(point) == most) worst.push_back(&point);
-    if (most > 0) worst[worst.size() / 2]->mark = number(most) + " mm";
+      if (error(point) == most) worst = &point;
+    if (most > 0) worst->mark = number(most) + " mm";
   }
   double missed = 0, closed = 0;
   for (const trace::StudySeries& series : measured.series) {
@@ -75,10 +62,8 @@ std::string result_of_thresholds(const trace::Study& measured, trace::Study& stu
     if (series.method == "float")
       (series.panel == "overlaps called apart" ? missed : closed) = worst;
   }
-  const bool each = every_threshold_is_wrong(measured, measured.resolution);
-  return std::string(each ? "Every threshold" : "A threshold") +
-         " in float misses overlaps, of up to " + number(1000 * missed) + " mm" +
-         ", or closes gaps, of up to " + number(1000 * closed) + " mm";
+  return "In float a small threshold misses overlaps of up to " + number(1000 * missed) +
+         " mm, a large one closes gaps of up to " + number(1000 * closed) + " mm";
 }
 
 /// No error at any of its points.

@@ -31,8 +31,6 @@ const trace::StudySeries& series_of(const trace::Study& study, const std::string
 const trace::StudyPoint& point_at(const trace::StudySeries& series, double parameter);
 /// Its error there. Throws likewise, also where all cases failed.
 double error_at(const trace::StudySeries& series, double parameter);
-/// The mean of the least times of its points, nanoseconds.
-double mean_time(const trace::StudySeries& series);
 /// What failed at all of its points, of all cases.
 double failed_share(const trace::StudySeries& series);
 

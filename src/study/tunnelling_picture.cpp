@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <string_view>
 
 #include "core/at.h"
 #include "study/picture.h"
@@ -27,8 +28,7 @@ std::string result_of(const trace::Study& measured, trace::Study& study) {
        {Named{"discrete", kAtEnds}, Named{"speculative margin of 2 cm", kWithMargin}})
     mark(study, name, "", kUsualSpeed, at_usual(method.c_str()));
   return "At " + number(kUsualSpeed) + " m/s " + at_usual("discrete") +
-         " of the spheres pass a wall of 1 cm, " + at_usual("speculative margin of 2 cm") +
-         " with a margin of 2 cm; of those that are swept " +
+         " of the spheres pass a wall of 1 cm; of those that are swept " +
          (swept > 0 ? "up to " + percent(swept) : "none");
 }
 
@@ -51,10 +51,18 @@ trace::Study picture_tunnelling(const trace::Study& measured) {
   for (trace::StudySeries& series : study.series) series.parameter = "m/s";
   if (study.measure != "passed") return study;
   join_equal(study);
-  for (trace::StudySeries& series : study.series)
-    if (series.method == listed(kSwept)) series.method = "swept, in any of three ways";
   study.unit = trace::kShare;
   study.shown = "Up: share of spheres of 10 cm that pass a wall of 1 cm, at 60 steps a second";
+  for (trace::StudySeries& series : study.series)
+    if (series.method == listed(kSwept)) {
+      study.shown += ". Swept: by " + series.method;
+      series.method = "swept";
+    }
+  // Of all that a bullet may be these are spheres.
+  constexpr std::string_view kBullet = "bullet", kSphere = "sphere";
+  for (std::size_t i = 0; (i = study.reference.find(kBullet, i)) != std::string::npos;
+       i += kSphere.size())
+    study.reference.replace(i, kBullet.size(), kSphere);
   tell(study, [&] { return result_of(measured, study); });
   return study;
 }

@@ -32,6 +32,8 @@ TEST(Told, NumbersHaveTwoDigitsAndNoExponent) {
   EXPECT_EQ(told::percent(0.0686), "6.9 %");
   EXPECT_EQ(told::percent(1), "100 %");
   EXPECT_EQ(told::count(1e6), "1,000,000");
+  EXPECT_EQ(told::percent(0.575), "58 %");
+  EXPECT_EQ(told::percent(0.685), "69 %");
   EXPECT_EQ(told::length(0.00008), "80 µm");
   EXPECT_EQ(told::length(0.69), "69 cm");
   EXPECT_EQ(told::duration(5.57e9), "5.6 s");
@@ -73,8 +75,7 @@ TEST(Picture, TheTitleIsTheResultOfTheRun) {
   study.series[0].points[1] = {10, 0.4, 0.4, {}, 0, 10};
   study.series[1].points[1] = {10, 0.3, 0.3, {}, 0, 10};
   EXPECT_EQ(picture_tunnelling(study).title,
-            "At 10 m/s 40 % of the spheres pass a wall of 1 cm, 30 % with a margin of 2 cm; of "
-            "those that are swept none");
+            "At 10 m/s 40 % of the spheres pass a wall of 1 cm; of those that are swept none");
   const trace::Study told = picture_tunnelling(study);
   EXPECT_EQ(told.series[0].points[1].mark, "40 %");
   EXPECT_EQ(told.series[1].points[1].mark, "30 %");

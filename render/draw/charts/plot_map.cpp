@@ -64,7 +64,8 @@ struct Map : Pen {
   /// Cells with the same words beside them, by column and series.
   using Marked = std::map<std::pair<std::size_t, std::size_t>, Rect>;
 
-  /// A line about all of them, and the words to the right, or where there is no room, to the left.
+  /// A line about all of them, and the words in its upper right corner, so that no column beside is named by them.
+  /// Where it has no room, or is no rectangle, they are to the right, or else to the left.
   void mark(const std::string& words, const Marked& cells, const Rect& area) const {
     Rect all = cells.begin()->second;
     for (const auto& [place, rect] : cells) {
@@ -79,16 +80,21 @@ struct Map : Pen {
     const double area_of_cells =
         static_cast<double>(cells.size()) * cells.begin()->second.width * height;
     // White about the line, to be seen on dark cells. That of a rectangle has no joints.
+    const bool is_rectangle = area_of_cells > 0.999 * all.width * all.height;
     for (const auto& [width, color] : {std::pair{5.0, kWhite}, std::pair{2.6, kText}})
-      if (area_of_cells > 0.999 * all.width * all.height)
+      if (is_rectangle)
         outline(corners_of(all), width, color);
       else
         draw_border(cells, width, color);
     const auto middle = static_cast<float>(all.y + 0.5 * height) + px(0.36 * kMarkLetters);
     const float width = text_width(words, px(kMarkLetters), FontWeight::Bold);
+    const bool is_inside =
+        is_rectangle && cells.size() > 1 && all.width > width + px(24) && height > px(28);
     const bool fits = all.right() + px(10) + width < area.right();
     // On a plate: cells beside it may be of any shade.
-    const auto begin = static_cast<float>(fits ? all.right() + px(8) : all.x - px(8) - width);
+    const auto begin = static_cast<float>(is_inside ? all.right() - px(12) - width
+                                          : fits    ? all.right() + px(8)
+                                                    : all.x - px(8) - width);
     const Rect plate{begin - px(4), middle - px(0.36 * kMarkLetters + 10), width + px(8), px(20)};
     fill(plate, kWhite);
     frame(plate, 1, kChartBorder);
