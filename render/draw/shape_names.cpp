@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "core/convex_polygon.h"
+#include "core/kind_name.h"
 #include "draw/scene/pair_words.h"
 #include "draw/scene/solid.h"
 #include "draw/staging.h"
@@ -29,10 +30,9 @@ constexpr double kFromPairLabel = 10;   // pixels
 constexpr double kFromFrame = 8;        // pixels between letters and the border of the view
 constexpr double kInside = 16;          // pixels: so far inside of its shape a leader ends
 
-/// "small crate" of "small_crate_3": the number tells copies apart, and says nothing of them.
+/// "small crate" of "small_crate_3".
 std::string kind_in_words(std::string_view name) {
-  const std::size_t last = name.find_last_not_of("0123456789_- ");
-  return name_in_words(last == std::string_view::npos ? name : name.substr(0, last + 1));
+  return name_in_words(kind_of_name(name));
 }
 
 /// Shapes of one name, of which one bears it.

@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "core/at.h"
+#include "core/kind_name.h"
 #include "scenario/readers.h"
 #include "scenario/words_file.h"
 
@@ -260,10 +261,8 @@ std::vector<std::string_view> names_in_pictures(const Scenario& scenario) {
     if (view.title) add_title(*view.title);
   }
   for (const ScenarioShape& shape : scenario.shapes) {
-    const std::string_view name = shape.name;
-    names.push_back(name);
-    // Pictures call "crate" what the file calls "crate_3".
-    names.push_back(name.substr(0, name.find_last_not_of("0123456789_- ") + 1));
+    names.push_back(shape.name);
+    names.push_back(kind_of_name(shape.name));
   }
   for (const ScenarioPair& pair : scenario.pairs) names.push_back(pair.label);
   std::erase(names, "");

@@ -72,8 +72,9 @@ trace::Study picture_errors(const trace::Study& measured) {
                     seed = study.reference.rfind(", seed");
   if (begin != std::string::npos && seed != std::string::npos && begin < seed)
     study.reference.erase(begin, seed - begin);
-  study.shown = "Fields of " + number(kUsualCells) +
-                " cells along the longest side, asked within 2 cm of the surface of a ball 1 m wide";
+  study.shown =
+      "Fields of " + number(kUsualCells) +
+      " cells along the longest side, asked within 2 cm of the surface of a ball 1 m wide";
   if (study.measure != "distance") return study;
   tell(study, [&] {
     const auto at_usual = [&](const char* method) -> const trace::StudyPoint& {

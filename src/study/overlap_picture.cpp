@@ -31,8 +31,7 @@ trace::Study picture_bounds(const trace::Study& measured) {
       for (trace::StudyPoint& point : series.points)
         if (point.parameter == kRod && point.error && series.method.starts_with("axis-aligned"))
           point.mark = "rods: " + percent(*point.error);
-    return "Of the rods that axis-aligned boxes let through " + at_rod("AABB") +
-           " are apart; " +
+    return "Of the rods that axis-aligned boxes let through " + at_rod("AABB") + " are apart; " +
            (error_at(series_of(measured, "OBB, fifteen axes"), kRod) > 0
                 ? "of those of fifteen axes " + at_rod("OBB, fifteen axes")
                 : "fifteen axes let through none of these");

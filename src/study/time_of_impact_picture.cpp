@@ -45,8 +45,8 @@ trace::Study picture_time_of_impact(const trace::Study& measured) {
   trace::Study study = measured;
   // Conservative advancement is as close, in twice the time, and eight samples miss most of the fast ones: tables
   // have them, and all times.
-  keep_methods(study, {{"time of impact", "search for the time of impact"},
-                       {"64 samples", kSampled}});
+  keep_methods(study,
+               {{"time of impact", "search for the time of impact"}, {"64 samples", kSampled}});
   // Those that do not turn are as far off, in less time: tables have them.
   keep_panels(study, {{"rotating", ""}});
   for (trace::StudySeries& series : study.series)

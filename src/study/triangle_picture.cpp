@@ -67,8 +67,7 @@ trace::Study picture_wrong(const trace::Study& measured) {
     const std::string in_float = most(study, "float"), guarded = most(study, kEpsilon);
     // Of these the names of the lines say it, where it is the same for both.
     for (trace::StudySeries& series : study.series)
-      if (in_double == exact && series.method == "double and exact")
-        series.method += ": " + exact;
+      if (in_double == exact && series.method == "double and exact") series.method += ": " + exact;
     return "Float gets up to " + in_float +
            " of nearly coplanar triangles wrong, float with an epsilon of 1 µm up to " + guarded;
   });

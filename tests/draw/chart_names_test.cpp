@@ -6,6 +6,7 @@
 #include "draw/charts/plot.h"
 #include "draw/charts/time_chart.h"
 #include "draw/scene/pen.h"
+#include "drawn_texts.h"
 
 /// How lines of charts are named and what stands apart from them.
 namespace contactscope::draw {
@@ -14,19 +15,6 @@ namespace {
 using testing::Contains;
 using testing::IsSupersetOf;
 using testing::Not;
-
-std::vector<Text> texts(const Drawing& drawing) {
-  std::vector<Text> list;
-  for (const Primitive& primitive : drawing.primitives)
-    if (const auto* text = std::get_if<Text>(&primitive)) list.push_back(*text);
-  return list;
-}
-
-std::vector<std::string> words(const Drawing& drawing) {
-  std::vector<std::string> list;
-  for (const Text& text : texts(drawing)) list.push_back(text.text);
-  return list;
-}
 
 trace::Study curves_of(const std::string& name, const std::vector<double>& errors) {
   trace::Study study;

@@ -45,6 +45,14 @@ struct TwoSurfaces {
     view.layers = {Layer::Shapes, Layer::Intersections};
   }
 
+  /// Of the first frame's pair: that the two meet in the step after it.
+  trace::Impact& hit() {
+    trace::Impact& impact = frames[0].pairs[0].impact.emplace();
+    impact.method = "time_of_impact";
+    impact.status = "hit";
+    return impact;
+  }
+
   void add_frame() {
     trace::Frame& frame = frames.emplace_back();
     frame.frame = static_cast<int>(frames.size()) - 1;
@@ -135,9 +143,7 @@ TEST(MeshPictures, CoplanarAndDegenerateTrianglesHaveSignsOfTheirOwn) {
 TEST(MeshPictures, CornersOfTheTriangleThatMeetsFirstGoStraightOn) {
   TwoSurfaces scene;
   scene.view.layers = {Layer::Shapes, Layer::Sweep};
-  trace::Impact& impact = scene.frames[0].pairs[0].impact.emplace();
-  impact.method = "time_of_impact";
-  impact.status = "hit";
+  trace::Impact& impact = scene.hit();
   impact.triangle_a = 0;
   impact.corners_a = {{-1, -1, 1}, {1, -1, 1}, {1, -1, -1}};
   const auto ways = [&] {
@@ -155,9 +161,7 @@ TEST(MeshPictures, CornersOfTheTriangleThatMeetsFirstGoStraightOn) {
 TEST(MeshPictures, TrianglesThatMeetFirstBearTheLettersOfTheirMeshes) {
   TwoSurfaces scene;
   scene.view.layers = {Layer::Shapes, Layer::Sweep};
-  trace::Impact& impact = scene.frames[0].pairs[0].impact.emplace();
-  impact.method = "time_of_impact";
-  impact.status = "hit";
+  trace::Impact& impact = scene.hit();
   impact.corners_a = {{-1, 0, 0}, {0, 0, 0}, {0, 1, 0}};
   const auto letter = [&](std::string_view text) {
     const std::vector<Label> labels = scene.sketch().labels;
@@ -182,9 +186,7 @@ TEST(MeshPictures, ABallThatTouchesHasACrossForItsCentre) {
   above.position = {0.2, 0.8, 0};
   scene.frames[0].poses.emplace_back("ball", above);
   scene.frames[0].pairs[0].b = "ball";
-  trace::Impact& impact = scene.frames[0].pairs[0].impact.emplace();
-  impact.method = "time_of_impact";
-  impact.status = "hit";
+  trace::Impact& impact = scene.hit();
   impact.time = 0.5;
   impact.travel_b.displacement = {0, -1, 0};
   scene.view.layers = {Layer::Shapes, Layer::Prism};
@@ -327,10 +329,9 @@ TEST_F(MeshPanels, TheMatrixHasABlockForEachPairOfNodesThatDecidedSomething) {
   EXPECT_EQ(grey, 3);
   EXPECT_LE(right, 1232.5);
   EXPECT_LE(bottom, 580);
-  EXPECT_THAT(
-      crate_sample::texts(drawing),
-      AllOf(Contains("5 pairs of boxes"), Contains("75 % of 4 pairs, grey"),
-            Contains("1 pairs of triangles, orange")));
+  EXPECT_THAT(crate_sample::texts(drawing),
+              AllOf(Contains("5 pairs of boxes"), Contains("75 % of 4 pairs, grey"),
+                    Contains("1 pairs of triangles, orange")));
 }
 
 TEST_F(MeshPanels, WithoutTwoMeshesTheMatrixSaysSo) {

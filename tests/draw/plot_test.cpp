@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drawn_texts.h"
 #include "image/font.h"
 
 namespace contactscope::draw {
@@ -41,20 +42,6 @@ trace::Study crowded(int methods = 18) {
   study.series.back().points[1].failed = 2;
   study.series.push_back({"never_works", {{5, {}, {}, {90, 80, 100}, 100, 100}}});
   return study;
-}
-
-std::vector<Text> texts(const Drawing& drawing) {
-  std::vector<Text> list;
-  for (const Primitive& primitive : drawing.primitives) {
-    if (const auto* text = std::get_if<Text>(&primitive)) list.push_back(*text);
-  }
-  return list;
-}
-
-std::vector<std::string> words(const Drawing& drawing) {
-  std::vector<std::string> list;
-  for (const Text& text : texts(drawing)) list.push_back(text.text);
-  return list;
 }
 
 /// Where the letters stand: from the height of capitals to a little under the baseline.

@@ -188,11 +188,11 @@ struct ChartOverTime : Pen {
     return end_of(i).x < static_cast<float>(area.right()) - px(2);
   }
 
-  /// Lines that end before the others are named where they do.
   bool is_named_inside(std::size_t i) const {
     return ends_early(i) || chart.lines[i].marked.has_value();
   }
 
+  /// Lines that end before the others are named where they do, marked ones at their marks.
   void draw_early_labels() const {
     std::vector<NamedLine> lines;
     for (std::size_t i = 0; i < chart.lines.size(); ++i) {

@@ -286,9 +286,10 @@ void draw_overlap(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const double pixels = scene.camera.pixels_per_metre(point.position);
   const double least =
       kLeastDepth * scene.scales.pixel / (scene.scales.overlap * pixels);  // metres
-  const double largest = largest_overlap(scene);
-  if (-point.separation < least && (largest < least || -point.separation < kLeastShare * largest))
-    return;
+  if (-point.separation < least) {
+    const double largest = largest_overlap(scene);
+    if (largest < least || -point.separation < kLeastShare * largest) return;
+  }
   const OnBoth whisker = whisker_at(scene, pair, *deepest);
   const std::string words =
       spell_separation(point.separation, scene.noise(pair), scene.scales.length);

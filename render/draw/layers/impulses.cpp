@@ -108,10 +108,10 @@ void draw_friction(const Scene& scene, const trace::Point& point, double side, S
   const double share =
       own_scale ? 1.0 : std::min(1.0, scales.longest_impulse / std::max(length, 1e-300));
   const Vec3d way = side * share * scales.friction * point.impulse->friction;
-  if (point.impulse->friction.norm() < kLeastOfFriction * largest_friction(scene)) return;
   // As it is seen: towards the eye it would be a blot too.
   const auto seen = seen_distance(scene.camera, at, at + way);
   if (!seen || !(*seen >= kLeastFriction * scales.pixel)) return;
+  if (point.impulse->friction.norm() < kLeastOfFriction * largest_friction(scene)) return;
   sketch.arrows.push_back(arrow_to_scale(at, way, 2.5f, 10, kFriction));
   sketch.arrows.back().open = true;
   if (share < 1) draw_break(scene, at + 0.6 * way, way.normalized(), kFriction, sketch);

@@ -69,17 +69,13 @@ void draw_turn_way(const Scene& scene, const trace::Travel& travel, const Vec3d&
   };
   const Vec3d arm = turned(time).conjugate() * (point - travel.pivot - time * travel.displacement);
   const double pixels = scene.camera.pixels_per_metre(point) / scene.scales.pixel;
-  std::vector<Vec3d> way;
-  std::optional<Vec3d> neck;  // where the head begins
+  std::vector<Vec3d> way;  // up to where the head begins
   for (int i = 0; i <= kSteps; ++i) {
     const double part = time * i / kSteps;
     const Vec3d at = travel.pivot + part * travel.displacement + turned(part) * arm;
     const double left = (point - at).norm() * pixels;
     if (left < kTurnClear) break;
-    if (left > kTurnClear + kTurnHead)
-      way.push_back(at);
-    else if (!neck)
-      neck = at;
+    if (left > kTurnClear + kTurnHead) way.push_back(at);
   }
   if (way.size() < 3) return;
   const Vec3d last = way.back(), along = (point - last).normalized();
@@ -188,6 +184,7 @@ void draw_sweep(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
     sketch.explain(kFirstMeetingSwatch, "where they first meet");
   }
   for (const trace::Travel* travel : {&impact.travel_a, &impact.travel_b}) {
+    // A cast leaves the shape as it is turned, so that its point goes straight.
     if (travel->turn.norm() > kLeastTurnShown)
       draw_turn_way(scene, *travel, is_cast ? Vec3d(Vec3d::Zero()) : travel->turn, impact.point_a,
                     impact.time, sketch);

@@ -49,7 +49,8 @@ class ApproachPanel : public PanelContent {
                             (impact.status == "hit"
                                  ? ", at " + printed("%.1f", 100 * impact.time) + " % of the step"
                                  : ""));
-    if (!impact.steps.empty()) sheet.line("pink: a lower bound of the distance, step by step", kAxisText);
+    if (!impact.steps.empty())
+      sheet.line("pink: a lower bound of the distance, step by step", kAxisText);
     if (!impact.distances.empty()) draw_chart(impact, sheet);
     const auto others = std::ranges::count_if(pairs, is_asked_when) - 1;
     return others == 0 ? "" : std::to_string(others) + (others == 1 ? " pair" : " pairs");

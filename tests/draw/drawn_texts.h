@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "draw/scene/drawing.h"
+
+/// What is written in a drawing, in the order in which it is drawn.
+namespace contactscope::draw {
+
+inline std::vector<Text> texts(const Drawing& drawing) {
+  std::vector<Text> list;
+  for (const Primitive& primitive : drawing.primitives)
+    if (const auto* text = std::get_if<Text>(&primitive)) list.push_back(*text);
+  return list;
+}
+
+inline std::vector<std::string> words(const Drawing& drawing) {
+  std::vector<std::string> list;
+  for (const Text& text : texts(drawing)) list.push_back(text.text);
+  return list;
+}
+
+}  // namespace contactscope::draw
