@@ -3,6 +3,7 @@
 
 #include "draw/layers/layer.h"
 #include "draw/scene/ghost.h"
+#include "draw/scene/points.h"
 #include "draw/scene/solid.h"
 
 /// How two shapes go through the step, and where they first meet: Catto 2013, "Continuous
