@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "core/convex_polygon.h"
-#include "core/kind_name.h"
+#include "core/shape_name.h"
 #include "draw/scene/pair_words.h"
 #include "draw/scene/solid.h"
 #include "draw/staging.h"

@@ -8,7 +8,7 @@
 #include <system_error>
 
 #include "core/at.h"
-#include "core/kind_name.h"
+#include "core/shape_name.h"
 #include "scenario/readers.h"
 #include "scenario/words_file.h"
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/shape_name.h"
 #include "scenario/readers.h"
 
 namespace contactscope {
@@ -22,6 +23,9 @@ Words scenario_file::read_words_table(const Value& table,
     if (const std::string mistake = Words::mistake(entry.name(), by); !mistake.empty())
       entry.fail("'" + by + "' cannot stand for '" + entry.name() + "': " + mistake);
     words.replace(entry.name(), by);
+    // Pictures have a shape's name in words.
+    if (std::ranges::find(names, entry.name()) != names.end())
+      words.replace(name_in_words(entry.name()), by);
   }
   return words;
 }

@@ -67,5 +67,25 @@ TEST(FigureOptions, AScenarioMayReplaceWordsAndNames) {
   EXPECT_THAT(result.err, HasSubstr("did you mean 'contact point'?"));
 }
 
+TEST(FigureOptions, ANameIsReplacedAsTheScenarioWritesIt) {
+  const TemporaryFolder folder;
+  std::string scenario = small_scenario();
+  const std::string header = "[shapes.crate]";
+  ASSERT_THAT(scenario, HasSubstr(header));
+  scenario.replace(scenario.find(header), header.size(), "[shapes.old_crate]");
+  const auto texts = [&](const std::string& name, const std::string& words) {
+    const std::string path = folder.write("my/" + name + ".toml", scenario + words);
+    const std::filesystem::path out = folder.path() / name;
+    EXPECT_EQ(run("render '" + path + "' --frames 0 --size 1280x720 --format svg --out '" +
+                  out.string() + "'")
+                  .exit_code,
+              0);
+    return read_text(out / "0000.svg");
+  };
+  EXPECT_THAT(texts("plain", ""), HasSubstr(">old crate<"));
+  EXPECT_THAT(texts("german", "\n[words]\n\"old_crate\" = \"Kiste\"\n"),
+              AllOf(HasSubstr(">Kiste<"), Not(HasSubstr(">old crate<"))));
+}
+
 }  // namespace
 }  // namespace contactscope::test

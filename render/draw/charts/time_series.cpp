@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/shape_name.h"
 #include "draw/scene/pair_words.h"
 #include "draw/scene/pairs.h"
 

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "core/at.h"
+#include "core/shape_name.h"
 #include "draw/insets/contact_cells.h"
 #include "draw/scene/pair_words.h"
 #include "draw/scene/pairs.h"

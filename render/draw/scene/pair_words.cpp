@@ -82,20 +82,6 @@ std::string in_words(std::string_view code) {
   return text;
 }
 
-std::string name_in_words(std::string_view name) {
-  std::string words;
-  for (std::size_t i = 0; i < name.size(); ++i) {
-    const auto is_digit = [&](std::size_t at) { return name[at] >= '0' && name[at] <= '9'; };
-    const bool parts = name[i] == '_' || name[i] == ' ';
-    // "crate 1" of "crate1", but "box3d" has its number in it.
-    const bool counts = is_digit(i) && i > 0 && !is_digit(i - 1) &&
-                        name.find_first_not_of("0123456789", i) == std::string_view::npos;
-    if ((parts || counts) && !words.empty() && words.back() != ' ') words += ' ';
-    if (!parts) words += name[i];
-  }
-  return words;
-}
-
 Balance balance_of(const trace::Stability& stability) {
   if (stability.verdict == "no contact") return Balance::NoContact;
   if (stability.verdict != "stable") return Balance::Unstable;

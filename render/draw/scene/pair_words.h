@@ -36,9 +36,6 @@ std::string spell_features(const std::string& type);
 /// "time of impact" of "time_of_impact", "GJK" of "gjk": what a trace calls a method, for people.
 std::string in_words(std::string_view code);
 
-/// "small crate 3" of "small_crate3": what a scenario calls a shape, for people.
-std::string name_in_words(std::string_view name);
-
 /// Whether a body can rest on a manifold. A margin of less than 5 % of the support is marginal: the
 /// next push may turn the body.
 enum class Balance { Stable, Marginal, Unstable, NoContact };

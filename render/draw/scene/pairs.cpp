@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 
+#include "core/shape_name.h"
 #include "draw/scene/pair_words.h"
 #include "draw/scene/points.h"
 
