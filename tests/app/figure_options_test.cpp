@@ -80,11 +80,11 @@ TEST(FigureOptions, ANameIsReplacedAsTheScenarioWritesIt) {
                   out.string() + "'")
                   .exit_code,
               0);
-    return read_text(out / "0000.svg");
+    return read_text(out / "my" / name / "frame_0000.svg");
   };
-  EXPECT_THAT(texts("plain", ""), HasSubstr(">old crate<"));
+  EXPECT_THAT(texts("plain", ""), HasSubstr(": old crate<"));
   EXPECT_THAT(texts("german", "\n[words]\n\"old_crate\" = \"Kiste\"\n"),
-              AllOf(HasSubstr(">Kiste<"), Not(HasSubstr(">old crate<"))));
+              AllOf(HasSubstr(": Kiste<"), Not(HasSubstr(": old crate<"))));
 }
 
 }  // namespace
