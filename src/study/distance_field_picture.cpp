@@ -136,14 +136,13 @@ trace::Study picture_build(const trace::Study& measured) {
              series.method != kFields.front().second;
     });
     for (trace::StudySeries& series : study.series) {
-      if (series.method == slow_name) series.method += ", the slowest here";
       series.method += ": " + duration(1e6 * error_at(series, most));
     }
     study.reference.clear();  // that of errors
     const std::string field = "field of " + number(most, 3) + " cells";
     if (peer == 0) return "A " + field + " takes up to " + duration(slowest) + " to build";
-    return "OpenVDB takes " + duration(peer) + " to build a " + field + ", the slowest kind here " +
-           duration(slowest);
+    return "OpenVDB takes " + duration(peer) + " to build a " + field +
+           ", contactscope's slowest kind " + duration(slowest);
   });
   return study;
 }
@@ -164,42 +163,41 @@ trace::StudySeries worst_of_panels(const trace::Study& study, const std::string&
 trace::Study picture_missed(const trace::Study& measured) {
   trace::Study study = measured;
   study.series.clear();
-  const std::string deepest = "at points: overlaps of ";
+  const std::string points = "at points: ";
+  const std::string shallowest = points + "1/100 of a cell deep";
   for (const auto& [panel, depth] :
-       {Named{"0.01 cells deep", "1/100 of a cell"}, Named{"0.1 cells deep", "1/10 of a cell"},
-        Named{"1 cell deep", "one cell"}}) {
+       {Named{"0.01 cells deep", "1/100 of a cell deep"},
+        Named{"0.1 cells deep", "1/10 of a cell deep"}, Named{"1 cell deep", "one cell deep"}}) {
     for (const trace::StudySeries& series : measured.series) {
       if (series.method != "sampled" || series.panel != panel) continue;
       trace::StudySeries& line = study.series.emplace_back(series);
-      line.method = deepest + depth;
+      line.method = points + depth;
       line.look = static_cast<int>(study.series.size()) + 1;
     }
   }
-  trace::StudySeries searched = worst_of_panels(measured, "conservative");
+  const trace::StudySeries searched = worst_of_panels(measured, "conservative");
+  double conservative = 0;
+  for (const trace::StudyPoint& point : searched.points)
+    conservative = std::max(conservative, point.error.value_or(0));
   if (!searched.points.empty()) {
-    searched.method = "conservative: overlaps of any depth";
-    searched.look = 1;
-    study.series.push_back(searched);
+    trace::StudySeries& line = study.series.emplace_back(searched);
+    line.method = "conservative search: any depth";
+    line.look = 1;
   }
   for (trace::StudySeries& series : study.series) {
     series.panel.clear();
-    series.parameter = "cells between the points";
+    series.parameter = "cells from point to point";
   }
   study.unit = trace::kShare;
   study.shown =
-      "Up: share of the overlaps of a cube with a ball's field that are missed, by their depth";
+      "A cube overlaps a ball, whose distance field is asked at points of the cube's faces; "
+      "conservative: faces are halved until a bound decides. Up: share missed";
   tell(study, [&] {
-    const double finest = 0.5;
-    const auto missed = [&](const char* method, const char* panel) {
-      const double share = error_at(series_of(measured, method, panel), finest);
-      return share > 0 ? percent(share) : std::string("none");
-    };
-    double conservative = 0;
-    for (const trace::StudyPoint& point : searched.points)
-      conservative = std::max(conservative, point.error.value_or(0));
-    mark(study, deepest + "1/100 of a cell", "", finest, missed("sampled", "0.01 cells deep"));
-    return "Points half a cell apart miss " + missed("sampled", "0.01 cells deep") +
-           " of the overlaps of a hundredth of a cell; the conservative search misses " +
+    const double usual = 1;
+    const double missed = error_at(series_of(measured, "sampled", "0.01 cells deep"), usual);
+    mark(study, shallowest, "", usual, percent(missed));
+    return "Points one cell apart miss " + percent(missed) + " of the shallowest overlaps, " +
+           "a conservative search " +
            (conservative > 0 ? "up to " + percent(conservative) : "none");
   });
   return study;

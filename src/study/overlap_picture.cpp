@@ -39,7 +39,7 @@ trace::Study picture_bounds(const trace::Study& measured) {
   return study;
 }
 
-constexpr const char* kGuarded = "no threshold, each gap against its own rounding";
+constexpr const char* kGuarded = "no threshold, each gap judged by its own rounding error";
 
 /// Marks the worst of float either way.
 std::string result_of_thresholds(const trace::Study& measured, trace::Study& study) {
@@ -92,9 +92,9 @@ trace::Study picture_thresholds(const trace::Study& measured) {
     if (!is_guarded(series))
       series.method = series.panel;
     else if (never_wrong)
-      series.method += ": none of either";
+      series.method += ": never wrong";
     series.panel.clear();
-    series.parameter = "threshold: sine up to which cross products of edges are skipped";
+    series.parameter = "threshold: edges at an angle with a smaller sine give no axis";
   }
   if (study.measure == "threshold") {
     for (trace::StudySeries& series : study.series)

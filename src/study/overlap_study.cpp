@@ -249,7 +249,8 @@ std::vector<trace::Study> study_thresholds(const StudyOptions& options,
   std::vector<trace::Study> results = results_of(
       "overlap", "float and double", "sine up to which axes are skipped",
       "all axes in long double, " + std::to_string(cases) +
-          " pairs of nearly parallel boxes, seed " + std::to_string(options.seed),
+          " pairs of nearly parallel boxes, sides of 0.2 to 2 m, seed " +
+          std::to_string(options.seed),
       {{"threshold", "Skip too few cross products and overlaps are missed, too many and gaps are",
         "overlap or gap that is missed (m)", "", kRoundingOfFloat},
        {"wrong", "How often skipping short cross products, or not, gives the wrong answer",

@@ -9,6 +9,7 @@ namespace {
 using namespace told;
 
 constexpr double kUsualWay = 10;  // metres in the step
+constexpr double kPercent = 100;  // of one
 constexpr const char* kSampled = "64 samples of the step";
 
 std::string result_of(const trace::Study& measured, trace::Study& study) {
@@ -20,12 +21,12 @@ std::string result_of(const trace::Study& measured, trace::Study& study) {
   const auto told_of = [&](const char* method, const trace::StudyPoint& point) {
     for (trace::StudySeries& series : study.series)
       if (series.method.starts_with(method))
-        mark(study, series.method, "", kUsualWay, power(*point.error));
+        mark(study, series.method, "", kUsualWay, "off by " + percent(*point.error));
   };
   told_of("search", own);
   told_of("64 samples", sampled);
-  return "A search for the time of impact is off by " + power(*own.error) +
-         " of the step, 64 samples by " + power(*sampled.error);
+  return "Over " + number(kUsualWay) + " m in a step a search for the time of impact is off by " +
+         percent(*own.error) + " of the step, 64 samples by " + percent(*sampled.error);
 }
 
 /// The most hits that a line misses at one of its points, in words; nothing where it misses none. Its means are of the
@@ -33,8 +34,8 @@ std::string result_of(const trace::Study& measured, trace::Study& study) {
 std::string take_missed(trace::StudySeries& series) {
   const auto most = std::ranges::max_element(series.points, {}, &trace::StudyPoint::failed);
   if (most == series.points.end() || most->failed == 0) return "";
-  const std::string words = " Without hits that are missed, up to " + count(most->failed) + " of " +
-                            count(most->of) + " by " + series.method + ".";
+  const std::string words = " Up to " + count(most->failed) + " of " + count(most->of) +
+                            " hits are missed by " + series.method + ", and left out here.";
   for (trace::StudyPoint& point : series.points) point.failed = 0;
   return words;
 }
@@ -56,12 +57,15 @@ trace::Study picture_time_of_impact(const trace::Study& measured) {
     return study;
   }
   study.shown =
-      "Up: mean error of the time of impact, as a fraction of the step, of hulls that turn by up "
-      "to 2 rad.";
+      "Up: mean error of the time of impact, in % of the step, of hulls that turn by up to 2 rad.";
+  study.resolution *= kPercent;
   for (trace::StudySeries& series : study.series) {
     if (series.method == kSampled) series.look = 1;  // far from the blue of the search
     study.shown += take_missed(series);
-    for (trace::StudyPoint& point : series.points) point.error_worst.reset();  // tables have it
+    for (trace::StudyPoint& point : series.points) {
+      point.error_worst.reset();  // tables have it
+      if (point.error) *point.error *= kPercent;
+    }
   }
   study.form = trace::StudyForm::Curves;
   tell(study, [&] { return result_of(measured, study); });

@@ -11,7 +11,7 @@ using namespace told;
 
 constexpr double kUsualSpeed = 10;  // m/s
 constexpr const char* kAtEnds = "tested at ends of steps";
-constexpr const char* kWithMargin = "with a margin of 2 cm";
+constexpr const char* kWithMargin = "with a speculative margin of 2 cm";
 const std::vector<std::string> kSwept = {"swept bounding sphere", "conservative advancement",
                                          "time of impact"};
 
@@ -52,12 +52,12 @@ trace::Study picture_tunnelling(const trace::Study& measured) {
   if (study.measure != "passed") return study;
   join_equal(study);
   study.unit = trace::kShare;
-  study.shown = "Up: share of spheres of 10 cm that pass a wall of 1 cm, at 60 steps a second";
+  // Why those pass that are found in the wall at the end of a step.
+  study.shown =
+      "Up: share of spheres 10 cm wide that pass, at 60 steps a second. A sphere found in the wall "
+      "with its middle beyond is pushed out there: it has passed";
   for (trace::StudySeries& series : study.series)
-    if (series.method == listed(kSwept)) {
-      study.shown += ". Swept: by " + series.method;
-      series.method = "swept";
-    }
+    if (series.method == listed(kSwept)) series.method = "swept, in three ways";
   // Of all that a bullet may be these are spheres.
   constexpr std::string_view kBullet = "bullet", kSphere = "sphere";
   for (std::size_t i = 0; (i = study.reference.find(kBullet, i)) != std::string::npos;
