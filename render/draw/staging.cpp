@@ -291,7 +291,7 @@ Staging stage(const trace::Header& header, const std::vector<trace::Frame>& fram
                                        view.choices, width, height, style);
     return staging;
   }
-  if (view.shows(Layer::Trail) || view.shows(Layer::Islands)) {
+  if (view.shows(Layer::Trail) || view.shows(Layer::Islands) || view.shows(Layer::Velocities)) {
     auto sequence = std::make_shared<SequencePoses>();
     for (const trace::Frame& frame : frames) sequence->push_back({frame.frame, frame.poses});
     staging.sequence = std::move(sequence);

@@ -5,6 +5,7 @@
 #include "core/convex_polygon.h"
 #include "draw/layers/layer.h"
 #include "draw/scene/quantity.h"
+#include "draw/scene/scripted_bodies.h"
 
 namespace contactscope::draw {
 namespace {
@@ -75,11 +76,26 @@ void draw_spin(const Scene& scene, const trace::Body& body, bool numbered, Sketc
   sketch.label(center + radius * out, spell_quantity(spin, "rad/s"), kMotion, 16, 9, out);
 }
 
+// What the solver moves; without one what is moved by a script, as it goes on to the next frame, and at
+// the end as it came from the one before.
+std::vector<trace::Body> moving_bodies(const Scene& scene) {
+  if (scene.frame.solver) return {scene.bodies().begin(), scene.bodies().end()};
+  if (scene.sequence == nullptr || scene.sequence->size() < 2) return {};
+  const auto here = std::ranges::find(*scene.sequence, scene.frame.frame, &FramePoses::frame);
+  if (here == scene.sequence->end()) return {};
+  const bool is_last = here + 1 == scene.sequence->end();
+  const FramePoses& other = is_last ? *(here - 1) : *(here + 1);
+  // Backwards in time at the end: both the way and the seconds change their sign.
+  return scripted_bodies(scene.meshes, scene.frame.poses, other.poses,
+                         scene.scales.step * (other.frame - here->frame));
+}
+
 void draw_velocities(const Scene& scene, Sketch& sketch) {
-  const bool numbered = scene.bodies().size() <= kLabelledBodies;
+  const std::vector<trace::Body> bodies = moving_bodies(scene);
+  const bool numbered = bodies.size() <= kLabelledBodies;
   double fastest = 0;
-  for (const trace::Body& body : scene.bodies()) fastest = std::max(fastest, body.velocity.norm());
-  for (const trace::Body& body : scene.bodies()) {
+  for (const trace::Body& body : bodies) fastest = std::max(fastest, body.velocity.norm());
+  for (const trace::Body& body : bodies) {
     draw_velocity(scene, body, fastest, numbered, sketch);
     draw_spin(scene, body, numbered, sketch);
   }

@@ -4,6 +4,7 @@
 
 #include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"
+#include "draw/scene/scripted_bodies.h"
 
 namespace contactscope::draw {
 namespace {
@@ -72,6 +73,12 @@ SequenceScales fit_scales(const ShapeMeshes& meshes, const std::vector<trace::Fr
   double pixels_per_metre = 0;
   double nearest = 0;                     // most pixels of a metre at a point
   double most_overlap = 0, most_gap = 0;  // metres
+  const auto moves = [&](const trace::Body& body) {
+    if (!whole.sees(body.center_of_mass)) return;
+    const double here = whole.pixels_per_metre(body.center_of_mass);
+    speed = std::max(speed, here * body.velocity.norm());
+    spin = std::max(spin, body.angular_velocity.norm());
+  };
   for (const trace::Frame& frame : frames) {
     double largest = 0, largest_friction = 0;
     for (const trace::Pair& pair : frame.pairs) {
@@ -107,12 +114,13 @@ SequenceScales fit_scales(const ShapeMeshes& meshes, const std::vector<trace::Fr
     if (largest > 0) impulses.push_back(largest);
     if (largest_friction > 0) frictions.push_back(largest_friction);
     if (!frame.solver) continue;
-    for (const trace::Body& body : frame.solver->bodies) {
-      if (!whole.sees(body.center_of_mass)) continue;
-      const double here = whole.pixels_per_metre(body.center_of_mass);
-      speed = std::max(speed, here * body.velocity.norm());
-      spin = std::max(spin, body.angular_velocity.norm());
-    }
+    std::ranges::for_each(frame.solver->bodies, moves);
+  }
+  for (std::size_t i = 0; view.shows(Layer::Velocities) && i + 1 < frames.size(); ++i) {
+    if (frames[i].solver) break;
+    const double seconds = frames[i + 1].time - frames[i].time;
+    std::ranges::for_each(scripted_bodies(meshes, frames[i].poses, frames[i + 1].poses, seconds),
+                          moves);
   }
 
   scales.pixel = layout.scale;
