@@ -259,7 +259,6 @@ const std::vector<std::string_view>& known_words() {
       "{n} axes",
       "{n} axis",
       "{n} apart",
-      "{n} away",
       "{n} inside",
       "{n} outside",
       "{n} within the faces",

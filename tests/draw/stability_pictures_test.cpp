@@ -65,14 +65,17 @@ TEST(IncrementalPicture, AReplacedPointLeadsToTheOneInItsPlaceAndSaysHowFarItIs)
     point.point.on_a = point.point.on_b = point.point.position;
     if (point.state == "broken") continue;
     point.point.position =
-        broken->point.position + Vec3d(point.state == "new" ? 0.0125 : 0.5, 0, 0);
+        broken->point.position + Vec3d(point.state == "new" ? 0.125 : 0.5, 0, 0);
     point.point.on_a = point.point.on_b = point.point.position;
   }
   scene.view.layers = {Layer::Persistent};
   const Sketch sketch = scene.sketch();
-  EXPECT_THAT(labels(sketch), Contains("replaced, 12.5 mm away"));
-  ASSERT_EQ(sketch.lines.size(), 1u);
-  EXPECT_NEAR((sketch.lines[0].to - sketch.lines[0].from).norm(), 0.0125, 1e-12);
+  EXPECT_THAT(labels(sketch), Contains("replaced"));
+  EXPECT_THAT(labels(sketch), Contains("125 mm"));
+  ASSERT_EQ(sketch.arrows.size(), 1u);
+  const Vec3d way = *sketch.arrows[0].to - sketch.arrows[0].from;
+  EXPECT_LT(way.norm(), 0.125) << "up to the border of the dot";
+  EXPECT_NEAR(way.normalized().x(), 1, 1e-12);
 }
 
 TEST(IncrementalPicture, DriftOfAnchorsIsDrawnToAStatedFactorAndNotWhereADotHidesIt) {

@@ -11,7 +11,7 @@ namespace {
 constexpr double kLeastAnchors = 12;  // pixels
 constexpr double kCovered = 8;        // pixels
 
-constexpr LineStyle kReplacedBy{1.5f, kDropped, true};
+constexpr double kClearOfDot = 9;  // pixels of an arrow from the dot that it points at
 
 template <PointState kState>
 constexpr Swatch kStateSwatch{
@@ -31,16 +31,9 @@ bool is_covered(const Scene& scene, const trace::Pair& pair, const Vec3d& at) {
   });
 }
 
-/// Why a point was taken out, and the length that decided it: how far its places slid, or how far from
-/// it the point is that took its place, to which a line leads.
-std::string told_reason(const Scene& scene, const trace::Pair& pair,
-                        const trace::PersistentPoint& point, Sketch& sketch) {
-  const auto with = [&](double metres, const char* after) {
-    return point.reason + ", " + spell_length(metres, scene.noise(pair), scene.scales.length) +
-           after;
-  };
-  if (point.reason == "slid") return with((point.on_b() - point.on_a()).norm(), " apart");
-  if (point.reason != "replaced") return point.reason;
+// An arrow from a replaced point to the one that took its place, and how far that is.
+void lead_to_successor(const Scene& scene, const trace::Pair& pair,
+                       const trace::PersistentPoint& point, Sketch& sketch) {
   const trace::PersistentPoint* nearest = nullptr;
   const auto away = [&](const trace::PersistentPoint& other) {
     return (other.point.position - point.point.position).norm();
@@ -49,9 +42,23 @@ std::string told_reason(const Scene& scene, const trace::Pair& pair,
     if (other.state != "broken" && (nearest == nullptr || away(other) < away(*nearest)))
       nearest = &other;
   }
-  if (nearest == nullptr) return point.reason;
-  sketch.line(point.point.position, nearest->point.position, kReplacedBy);
-  return with(away(*nearest), " away");
+  if (nearest == nullptr) return;
+  const Vec3d& from = point.point.position;
+  const Vec3d way = nearest->point.position - from;
+  const double clear = kClearOfDot * scene.scales.pixel / scene.camera.pixels_per_metre(from);
+  if (way.norm() > 2 * clear)
+    sketch.arrows.push_back(arrow_to_scale(from, way - clear * way.normalized(), 2, 10, kDropped));
+  sketch.label(from + 0.5 * way, spell_length(way.norm(), scene.noise(pair), scene.scales.length),
+               kDropped, 17, 9, scene.camera.up());
+}
+
+/// Why a point was taken out; of one whose places slid apart also how far.
+std::string told_reason(const Scene& scene, const trace::Pair& pair,
+                        const trace::PersistentPoint& point) {
+  if (point.reason != "slid") return point.reason;
+  const double metres = (point.on_b() - point.on_a()).norm();
+  return point.reason + ", " + spell_length(metres, scene.noise(pair), scene.scales.length) +
+         " apart";
 }
 
 void draw_persistent_point(const Scene& scene, const trace::Pair& pair,
@@ -75,7 +82,8 @@ void draw_persistent_point(const Scene& scene, const trace::Pair& pair,
   if (state == PointState::Broken) {
     sketch.explain(kStateSwatch<PointState::Broken>, "taken out, and why", at);
     sketch.mark(is_covered(scene, pair, at) ? MarkKind::WideRing : MarkKind::Hollow, at, kContact);
-    sketch.label(at, told_reason(scene, pair, point, sketch), kDropped, 16, 12).bold = false;
+    sketch.label(at, told_reason(scene, pair, point), kDropped, 16, 12).bold = false;
+    if (point.reason == "replaced") lead_to_successor(scene, pair, point, sketch);
     return;
   }
   const bool is_new = state == PointState::New;
