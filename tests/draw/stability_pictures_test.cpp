@@ -64,14 +64,13 @@ TEST(IncrementalPicture, AReplacedPointLeadsToTheOneInItsPlaceAndSaysHowFarItIs)
   for (trace::PersistentPoint& point : points) {
     point.point.on_a = point.point.on_b = point.point.position;
     if (point.state == "broken") continue;
-    point.point.position =
-        broken->point.position + Vec3d(point.state == "new" ? 0.125 : 0.5, 0, 0);
+    point.point.position = broken->point.position + Vec3d(point.state == "new" ? 0.125 : 0.5, 0, 0);
     point.point.on_a = point.point.on_b = point.point.position;
   }
   scene.view.layers = {Layer::Persistent};
   const Sketch sketch = scene.sketch();
   EXPECT_THAT(labels(sketch), Contains("replaced"));
-  EXPECT_THAT(labels(sketch), Contains("125 mm"));
+  EXPECT_THAT(labels(sketch), Contains("0.125 m"));
   ASSERT_EQ(sketch.arrows.size(), 1u);
   const Vec3d way = *sketch.arrows[0].to - sketch.arrows[0].from;
   EXPECT_LT(way.norm(), 0.125) << "up to the border of the dot";
@@ -297,6 +296,25 @@ TEST(DynamicsPicture, SpinTurnsByItsAngleInTheStatedTime) {
   const double angle = 0.5 * staging.scales.spin;
   EXPECT_NEAR(from.normalized().dot(to.normalized()), std::cos(angle), 1e-9);
   EXPECT_NEAR(from.normalized().cross(to.normalized()).y(), std::sin(angle), 1e-9);
+}
+
+TEST(DynamicsPicture, WithoutASolverVelocitiesLeadToTheNextFrameAndAtTheEndFromTheLast) {
+  CrateOnSlab scene;
+  scene.frames.push_back(scene.frames[0]);
+  scene.frames[1].frame = 1;
+  scene.frames[1].time = scene.frames[0].time + 0.1;
+  Pose<double>& later = scene.frames[1].poses[1].second;
+  later.position.x() += 0.05;
+  later.rotation = Quatd(Eigen::AngleAxisd(0.02, Vec3d::UnitY()));
+  scene.view.layers = {Layer::Velocities};
+  const Staging staging = scene.staged();
+  for (const trace::Frame& frame : scene.frames) {
+    const Sketch sketch = sketch_frame(staging, frame);
+    EXPECT_THAT(labels(sketch), ElementsAre("0.500 m/s", "0.200 rad/s"));
+    ASSERT_EQ(sketch.arrows.size(), 2u) << "none of the slab, which rests";
+    const Vec3d way = *sketch.arrows[0].to - sketch.arrows[0].from;
+    EXPECT_NEAR((way - Vec3d(0.5 * staging.scales.velocity, 0, 0)).norm(), 0, 1e-9);
+  }
 }
 
 TEST(DynamicsPicture, ImpulsesAreThoseOnTheBodyThatMoves) {
