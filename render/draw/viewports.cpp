@@ -24,8 +24,11 @@ bool shows_pair(const PairViewport& viewport, const trace::Pair& pair) {
 
 std::vector<PairViewport> split_view(const std::vector<trace::Frame>& frames,
                                      const Layout& layout) {
-  const std::vector<const trace::Pair*> pairs =
+  std::vector<const trace::Pair*> pairs =
       distinct_pairs(frames, [](const trace::Pair&) { return true; });
+  // A pair that is not named beside others that are is there for something else than the comparison.
+  const auto has_no_label = [](const trace::Pair* pair) { return pair->label.empty(); };
+  if (!std::ranges::all_of(pairs, has_no_label)) std::erase_if(pairs, has_no_label);
   const std::size_t count = pairs.size();
   if (count < 2 || count > kMostViewports) return {};
   const double gap = layout.px(kViewportGap);

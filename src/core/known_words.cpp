@@ -188,6 +188,7 @@ const std::vector<std::string_view>& known_words() {
       "a box and its span",
       "begins in the span, so tested: {n}",
       "swept along {axis}",
+      "sweep along {axis}",
       "tests in a cell: up to {n}, up to {m}, more",
       "tests in a cell: up to {n}, more",
       "tests in a cell: up to {n}",
@@ -201,6 +202,7 @@ const std::vector<std::string_view>& known_words() {
       "number: tests in a cell",
       "number: tests at a node",
       "asked here",
+      "surface of the field",
       // Panels.
       "pair",
       "state",

@@ -187,6 +187,19 @@ TEST_F(BroadPhasePicture, PairsThatAGridOfFewBoxesTestedAreLinked) {
   EXPECT_EQ(ends(sketch(Layer::Cells)), 0) << "these four are not all";
 }
 
+TEST_F(BroadPhasePicture, AGridIsDrawnAlsoWhereNoBoxIs) {
+  phase().bounds = {{"one", {{0.2, 0.1, 0.2}, {0.8, 0.9, 0.8}}},
+                    {"other", {{4.2, 0.1, 2.2}, {4.8, 0.9, 2.8}}}};
+  phase().cells = {{{{0, 0, 0}, {1, 1, 1}}, 0, 1, 0}, {{{4, 0, 2}, {5, 1, 3}}, 0, 1, 0}};
+  const std::size_t of_tiles = sketch(Layer::Cells).lines.size();
+  phase().method = "grid";
+  const Sketch drawn = sketch(Layer::Cells);
+  EXPECT_EQ(drawn.lines.size(), of_tiles + 6 + 4) << "5 cells by 3";
+  for (const Line& line : drawn.lines) EXPECT_EQ(line.from.y(), 0) << "on the floor";
+  phase().bounds[1].box.upper.x() = 900;
+  EXPECT_EQ(sketch(Layer::Cells).lines.size(), of_tiles) << "too many to be told apart";
+}
+
 TEST_F(BroadPhasePicture, AHeapOfMoreThanAHundredShapesIsDrawnWithoutHiddenEdges) {
   const auto faint = [](const Line& line) { return line.style.hidden != LineStyle::Hidden::Gone; };
   EXPECT_TRUE(std::ranges::any_of(sketch(Layer::Shapes).lines, faint));
@@ -292,10 +305,19 @@ TEST_F(BroadPhasePicture, ThePipelineCountsWhatEachStageLetsThrough) {
 }
 
 TEST_F(BroadPhasePicture, BesideCellsAloneThePipelineEndsWithTheBroadPhase) {
-  scene.view.layers = {Layer::Bounds, Layer::Cells};
+  scene.view.layers = {Layer::Shapes, Layer::Bounds, Layer::Cells};
   const std::vector<std::string> told = panel(Panel::Pipeline);
   EXPECT_THAT(told, Contains("whose boxes overlap"));
   EXPECT_THAT(told, testing::Not(Contains("pairs in contact")));
+}
+
+TEST_F(BroadPhasePicture, ASingleColumnIsCalledTheSweepThatItIs) {
+  phase().method = "columns";
+  phase().swept = "x";
+  phase().cells = {{{{-1, -0.4, -1}, {1, 0.998, 1}}, 0, 2, 1}};
+  EXPECT_THAT(panel(Panel::Pipeline), Contains("broad phase: sweep along x"));
+  phase().cells.push_back(phase().cells[0]);
+  EXPECT_THAT(panel(Panel::Pipeline), Contains("broad phase: columns"));
 }
 
 TEST_F(BroadPhasePicture, AFewBoxesBearTheirNames) {
@@ -309,6 +331,17 @@ TEST_F(BroadPhasePicture, AFewBoxesBearTheirNames) {
   EXPECT_THAT(names(), testing::UnorderedElementsAre("slab", "crate"));
   for (int i = 0; i < 11; ++i) phase().bounds.push_back(phase().bounds[0]);
   EXPECT_THAT(names(), testing::IsEmpty()) << "many do not";
+}
+
+TEST_F(BroadPhasePicture, BesideCellsOnlyWhatIsAloneOfItsKindBearsItsName) {
+  phase().bounds = {{"crate_1", {{0, 0, 0}, {1, 1, 1}}},
+                    {"crate_2", {{2, 0, 0}, {3, 1, 1}}},
+                    {"slab", {{4, 0, 0}, {9, 1, 3}}}};
+  scene.view.layers = {Layer::Bounds, Layer::Cells};
+  std::vector<std::string> names;
+  for (const Label& label : sketch_frame(scene.staged(), scene.frames[0]).labels)
+    if (label.text.size() > 1) names.push_back(label.text);
+  EXPECT_THAT(names, testing::ElementsAre("slab"));
 }
 
 TEST_F(BroadPhasePicture, ANameStandsBesideItsOwnBoxAndInNoOther) {

@@ -229,7 +229,7 @@ TEST(Field, LinesOfEqualDistanceNeedAViewThatHasRoomForSome) {
   EXPECT_THAT(explained(scene.sketch()), Contains(HasSubstr("lines every")));
   const std::size_t lines = scene.sketch().curves.size();
   scene.view.orthographic_height = 0.5;
-  EXPECT_THAT(explained(scene.sketch()), testing::ElementsAre("surface as the field has it"));
+  EXPECT_THAT(explained(scene.sketch()), testing::ElementsAre("surface of the field"));
   EXPECT_EQ(scene.sketch().curves.size(), 1u);
   EXPECT_GT(lines, 1u);
 }

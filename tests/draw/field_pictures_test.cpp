@@ -93,6 +93,14 @@ TEST(FieldPicture, OfWhatTheFieldIsOfOnlyWhatItHasLostIsOutlined) {
   EXPECT_EQ(outlines(), 0);
 }
 
+TEST(FieldPicture, WhatIsCutHidesNothing) {
+  SlicedSlab slab;
+  slab.view.layers = {Layer::Shapes, Layer::Field};
+  const std::size_t of_crate = slab.sketch().occluders.size();
+  slab.frames[0].field_slices.clear();
+  EXPECT_GT(slab.sketch().occluders.size(), of_crate);
+}
+
 TEST(FieldPicture, APointIsOnTheSurfaceOfTheFieldAndItsOverlapGoesInFromThere) {
   CrateOnSlab crate;
   const PairPoint first{&crate.manifold(), &crate.manifold().points[0]};
@@ -108,24 +116,24 @@ TEST(FieldPicture, APointIsOnTheSurfaceOfTheFieldAndItsOverlapGoesInFromThere) {
   EXPECT_NEAR((ends("sdf-hull").on_b - at).norm(), 0.002, 1e-9);
 }
 
-TEST(FieldPicture, ASpeckIsOnNoWhisker) {
+TEST(FieldPicture, APlaceThatWasAskedIsOnNoWhisker) {
   SlicedSlab slab;
   slab.view.layers = {Layer::Field, Layer::Contacts};
   slab.frames[0].poses[1].second.position = {0, 0.3, 0};
   trace::Pair& pair = slab.frames[0].pairs.emplace_back(CrateOnSlab().pair());
   pair.manifolds[0].points = {{{0, -0.2, 0}, -0.1, "b:v4"}};
   pair.field_probes.emplace().probes = {{{0, -0.22, 0}, -0.1}, {{0.3, -0.22, 0}, 0.1}};
-  const auto specks = [&] {
+  const auto asked = [&] {
     std::vector<Mark> marks = slab.sketch().marks;
-    std::erase_if(marks, [](const Mark& mark) { return mark.kind != MarkKind::Speck; });
+    std::erase_if(marks, [](const Mark& mark) { return mark.kind != MarkKind::Node; });
     return marks;
   };
-  ASSERT_EQ(specks().size(), 1u);
-  EXPECT_EQ(specks()[0].at.x(), 0.3);
+  ASSERT_EQ(asked().size(), 1u);
+  EXPECT_EQ(asked()[0].at.x(), 0.3);
   slab.view.layers = {Layer::Field};  // no whisker
-  EXPECT_EQ(specks().size(), 2u);
+  EXPECT_EQ(asked().size(), 2u);
   pair.field_probes->probes[0].position.z() = 0.2;
-  EXPECT_EQ(specks().size(), 1u) << "two cells before the slice";
+  EXPECT_EQ(asked().size(), 1u) << "two cells before the slice";
 }
 
 }  // namespace

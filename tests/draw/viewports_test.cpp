@@ -77,6 +77,17 @@ TEST(SideBySide, EachIsNamedOnceAndShowsItsOwnPair) {
   EXPECT_EQ(std::ranges::count(drawn, "right"), 1);
 }
 
+TEST(SideBySide, APairWithoutALabelIsNotShownBesideNamedOnes) {
+  TwoCrates crates;
+  trace::Frame& frame = crates.frames[0];
+  frame.pairs.push_back(frame.pairs[1]);
+  frame.pairs.back().label.clear();
+  EXPECT_EQ(crates.staged().viewports.size(), 2u);
+  for (trace::Pair& pair : frame.pairs) pair.label.clear();
+  frame.pairs.back().a = "slab";
+  EXPECT_EQ(crates.staged().viewports.size(), 3u) << "where none is named all are";
+}
+
 TEST(SideBySide, OnePairKeepsTheUsualView) {
   CrateOnSlab crate;
   crate.view.side_by_side = true;

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "core/kind_name.h"
 #include "draw/layers/layer.h"
 #include "draw/scene/box_outline.h"
 #include "draw/scene/pair_words.h"
@@ -52,6 +53,22 @@ NamePlace free_side(const Scene& scene, const trace::Bounds& bounds,
   for (const Vec3d& out : {Vec3d(-up), up, right, Vec3d(-right)})
     if (const NamePlace name = place(out); is_free(name)) return name;
   return place(-up);
+}
+
+// Cells and nodes have numbers and borders where names would stand; the box that differs from all
+// others, as a slab among crates does, is what the picture is about and needs one.
+bool is_one_of_a_kind(const std::string& name, const std::vector<trace::Bounds>& all) {
+  const std::string_view kind = kind_of_name(name);
+  return kind == name && std::ranges::count_if(all, [&](const trace::Bounds& other) {
+                           return kind_of_name(other.name) == kind;
+                         }) == 1;
+}
+
+// At the upper edge, inside: outside of it are the nodes.
+void name_within(const Scene& scene, const trace::Bounds& bounds, Sketch& sketch) {
+  const Vec3d up = scene.camera.up(), half = 0.5 * (bounds.box.upper - bounds.box.lower);
+  sketch.label(bounds.box.lower + half + up.cwiseAbs().dot(half) * up, in_words(bounds.name), kText,
+               16, 6, Vec3d(-up));
 }
 
 // What debuggers of engines draw first: the axis-aligned box of each shape.
@@ -171,8 +188,7 @@ void draw_bounds(const Scene& scene, Sketch& sketch) {
     });
   };
   std::vector<trace::Bounds> all = scene.frame.broad_phase->bounds;
-  // Cells and nodes have numbers and borders of their own where names would stand.
-  const bool named = all.size() <= kMostNamed && !scene.shows(Layer::Cells);
+  const bool few = all.size() <= kMostNamed, named = few && !scene.shows(Layer::Cells);
   const auto meeting = std::stable_partition(all.begin(), all.end(), std::not_fn(meets));
   for (auto bounds = all.begin(); bounds != all.end(); ++bounds) {
     const bool alone = bounds < meeting;
@@ -180,6 +196,8 @@ void draw_bounds(const Scene& scene, Sketch& sketch) {
     if (named) {
       const NamePlace name = free_side(scene, *bounds, all);
       sketch.label(name.at, in_words(bounds->name), kText, 16, 6, name.out);
+    } else if (few && is_one_of_a_kind(bounds->name, all)) {
+      name_within(scene, *bounds, sketch);
     }
     sketch.explain(alone ? kAloneSwatch : kMeetingSwatch,
                    alone ? "box that meets no other" : "box that meets another", bounds->box.upper);

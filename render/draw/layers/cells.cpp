@@ -165,6 +165,36 @@ std::vector<trace::Cell> stacked(const trace::BroadPhase& phase, const Floor& fl
   return cells;
 }
 
+constexpr LineStyle kLattice{1.0f, with_alpha(kShapeEdge, 0.16f)};
+constexpr double kMostLattice = 40;  // cells along a side: more would be a grey ground
+
+/// The cells between those that boxes are in, which nobody keeps: a grid goes on without end, and what
+/// is too large for its cells is seen to be.
+void draw_lattice(const trace::BroadPhase& phase, const Floor& floor, Sketch& sketch) {
+  const trace::Box& cell = phase.cells.front().box;
+  const double side = cell.upper[floor.right()] - cell.lower[floor.right()];
+  if (!(side > 0)) return;
+  const Vec3d corner = floor.tile_of(cell)[0];
+  Eigen::AlignedBox3d around;
+  for (const trace::Bounds& bounds : phase.bounds) {
+    around.extend(bounds.box.lower);
+    around.extend(bounds.box.upper);
+  }
+  const Vec3d first = ((around.min() - corner) / side).array().floor();
+  const Vec3d last = ((around.max() - corner) / side).array().ceil();
+  const int x = floor.right(), y = floor.ahead();
+  if (!(std::max(last[x] - first[x], last[y] - first[y]) <= kMostLattice)) return;
+  for (const auto& [along, across] : {std::pair(x, y), std::pair(y, x)}) {
+    for (double line = first[along]; line <= last[along]; ++line) {
+      Vec3d from = corner, to = corner;
+      from[along] = to[along] = corner[along] + line * side;
+      from[across] += first[across] * side;
+      to[across] += last[across] * side;
+      sketch.line(from, to, kLattice);
+    }
+  }
+}
+
 /// Where a number is read best in a tile along the view's right and up: on none of the tiles `above` it,
 /// off the outlines of boxes as far as it needs to be, and then as far to the lower left as it can.
 /// Nothing where those above leave no room.
@@ -262,6 +292,7 @@ void draw_cells(const Scene& scene, Sketch& sketch) {
                          write_tests(scene, levels, floor, sketch);
     return explain_levels(phase, counted, sketch);
   }
+  if (phase.method == "grid") draw_lattice(phase, floor, sketch);
   std::vector<trace::Cell> cells = stacked(phase, floor);
   std::ranges::stable_sort(cells, {}, &trace::Cell::tests);
   for (const trace::Cell& cell : cells) {

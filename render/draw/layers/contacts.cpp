@@ -210,6 +210,9 @@ void draw_contacts(const Scene& scene, const trace::Pair& pair, Sketch& sketch) 
   if (all_points(pair).size() <= kFewPoints && !scene.shows(Layer::Reduced) &&
       !scene.shows(Layer::Ids))
     count_shared(scene, pair, sketch);
+  // In a heap what is apart is not the point.
+  constexpr std::size_t kFewPairs = 16;
+  if (scene.frame.pairs.size() > kFewPairs) return;
   const bool measured_elsewhere =
       scene.shows(Layer::SatAxes) || scene.shows(Layer::ContactAxis) || scene.shows(Layer::Simplex);
   const PlacedShape* a = scene.find(pair.a);

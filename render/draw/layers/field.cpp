@@ -10,7 +10,7 @@
 #include "draw/scene/quantity.h"
 
 /// A slice through a distance field: lines of equal distance, the surface among them strong, and the
-/// cells that have nodes or triangles of their own, faint. What contacts asked are specks.
+/// cells that have nodes or triangles of their own, faint. What contacts asked are dots.
 namespace contactscope::draw {
 namespace {
 
@@ -29,7 +29,7 @@ constexpr LineStyle kOutsideLine{1.2f, kOutside};
 constexpr LineStyle kInsideLine{1.6f, kInside, true};
 constexpr LineStyle kSurface{3.2f, kNormal};
 constexpr LineStyle kGrid{0.9f, with_alpha(kDropped, 0.42f)};
-constexpr Color kExact = rgb(0xF3DFC1, 0.75f);
+constexpr Color kExact = rgb(0xF3DFC1, 0.5f);
 constexpr Color kProbe = rgb(0x3F4650);
 
 constexpr Swatch kSurfaceSwatch{LegendGroup::Trees, 19,
@@ -52,7 +52,7 @@ constexpr Swatch kExactSwatch{
       pen.outline({pen.at(0, -7), pen.at(12, -7), pen.at(12, 7), pen.at(0, 7)}, 1, kCellBorder);
       pen.outline({pen.at(12, -7), pen.at(24, -7), pen.at(24, 7), pen.at(12, 7)}, 1, kCellBorder);
     }};
-constexpr Swatch kProbeSwatch{LegendGroup::Trees, 25, [](auto& pen) { pen.dot(0, 2.4, kProbe); }};
+constexpr Swatch kProbeSwatch{LegendGroup::Trees, 25, [](auto& pen) { pen.dot(0, 4, kProbe); }};
 
 /// Where cells of a slice are.
 class Cells {
@@ -294,7 +294,7 @@ void draw_slices(const Scene& scene, Sketch& sketch) {
   }
   explain_cells(scene.frame.field_slices, sketch);
   if (!any_lines) {
-    sketch.explain(kSurfaceSwatch, "surface as the field has it");
+    sketch.explain(kSurfaceSwatch, "surface of the field");
     return;
   }
   sketch.explain(
@@ -354,7 +354,7 @@ void draw_probes(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
             .emplace(std::floor(cells * right.dot(probe.position)),
                      std::floor(cells * up.dot(probe.position)))
             .second)
-      sketch.mark(MarkKind::Speck, probe.position, kProbe);
+      sketch.mark(MarkKind::Node, probe.position, kProbe);
   }
   if (!drawn.empty()) sketch.explain(kProbeSwatch, "asked here");
 }

@@ -118,7 +118,7 @@ void draw_shapes(const Scene& scene, Sketch& sketch) {
                     marks = sketch.marks.size();
   for (const PlacedShape& shape : scene.shapes) {
     const Color fill = shape.is_a ? kShapeA : kShapeB;
-    const std::size_t before = sketch.lines.size();
+    const std::size_t before = sketch.lines.size(), occluders = sketch.occluders.size();
     if (shape.is_mesh()) {
       draw_mesh(scene, shape, fill, sketch);
     } else {
@@ -127,8 +127,11 @@ void draw_shapes(const Scene& scene, Sketch& sketch) {
                                                     : draw_solid;
       draw(scene.camera, shape, fill, sketch);
     }
-    if (const trace::FieldSlice* slice = slice_of(scene, shape))
+    if (const trace::FieldSlice* slice = slice_of(scene, shape)) {
       draw_what_is_lost(*slice, before, sketch);
+      // It is cut along the slice: what is before that is taken away, and hides nothing of the others.
+      sketch.occluders.resize(occluders);
+    }
     if (shows_margin(shape)) draw_core(shape, sketch);
   }
   if (scene.shapes.size() > kHeap) hide_insides(lines, curves, marks, sketch);

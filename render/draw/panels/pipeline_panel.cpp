@@ -32,12 +32,17 @@ struct PairUse {
 PairUse use_of(const View& view, const Frames& frames) {
   PairUse use;
   // Of the cells of a broad phase alone, what comes after it is not seen.
-  if (view.shows(Layer::Cells) && !view.shows(Layer::Contacts) && !view.shows(Layer::Shapes))
-    return use;
+  if (view.shows(Layer::Cells) && !view.shows(Layer::Contacts)) return use;
   for (const trace::Frame& frame : frames)
     for (const trace::Pair& pair : frame.pairs) (pair.query ? use.asked : use.collided) = true;
   if (!use.asked) use.collided = true;  // also where no pair comes so far
   return use;
+}
+
+// A few boxes are one column, which is swept and nothing else: so the view calls it as well.
+std::string name_of(const trace::BroadPhase& phase) {
+  return phase.method == "columns" && phase.cells.size() == 1 ? "sweep along " + phase.swept
+                                                              : in_words(phase.method);
 }
 
 std::vector<StageCount> stages_of(const trace::Frame& frame, const PairUse& use) {
@@ -91,7 +96,7 @@ class PipelinePanel : public PanelContent {
   /// count that does. All is larger where there is room.
   std::string lay_out(const PanelMoment& moment, Sheet& sheet) override {
     const trace::Frame& frame = frames_[moment.frame];
-    sheet.heading(frame.broad_phase ? "broad phase: " + in_words(frame.broad_phase->method)
+    sheet.heading(frame.broad_phase ? "broad phase: " + name_of(*frame.broad_phase)
                                     : "what each stage lets through");
     const std::vector<StageCount> stages = stages_of(frame, use_);
     const Rect rest = sheet.rest();
