@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "draw/scene/answers.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/palette.h"
 #include "draw/scene/pen.h"
@@ -90,12 +91,17 @@ trace::Frame part_of(const trace::Frame& frame, const PairViewport& viewport) {
   return part;
 }
 
-void draw_viewport_frame(const PairViewport& viewport, const Layout& layout, Drawing& drawing) {
+void draw_viewport_frame(const PairViewport& viewport, const trace::Frame& frame,
+                         const Layout& layout, Drawing& drawing) {
+  const auto pair = std::ranges::find_if(
+      frame.pairs, [&](const trace::Pair& each) { return shows_pair(viewport, each); });
+  const bool answers = pair != frame.pairs.end() && !pair->label.empty() && pair->query &&
+                       !pair->query->bounds.empty();
   const Pen pen(drawing, layout.scale, kViewportHeading);
   pen.frame(viewport.frame, 1, with_alpha(kQuietText, 0.5f));
   const float padding = pen.px(8), size = pen.px(kViewportHeading);
   const Said heading =
-      pen.fitted(viewport.heading, Weight::Bold,
+      pen.fitted(answers ? label_with_answer(*pair) : viewport.heading, Weight::Bold,
                  static_cast<float>(viewport.frame.width) - 2 * padding, kViewportHeading);
   pen.text(heading,
            pixel(viewport.frame.x + padding, viewport.frame.y + 0.5 * padding + 0.9 * size),

@@ -35,7 +35,8 @@ bool shows_pair(const PairViewport& viewport, const trace::Pair& pair);
 /// Of a frame what a viewport shows: the two shapes and their pair, without its label.
 trace::Frame part_of(const trace::Frame& frame, const PairViewport& viewport);
 
-/// Its border and heading.
-void draw_viewport_frame(const PairViewport& viewport, const Layout& layout, Drawing& drawing);
+/// Its border and heading, of bounds with what they say in this frame.
+void draw_viewport_frame(const PairViewport& viewport, const trace::Frame& frame,
+                         const Layout& layout, Drawing& drawing);
 
 }  // namespace contactscope::draw

@@ -77,7 +77,7 @@ TEST(Answers, AreSaidInWords) {
   EXPECT_EQ(spell_answer(asked.pair()), "gap 0.120 m");
   asked.query().gap = 0.0;
   EXPECT_EQ(spell_answer(asked.pair()), "0 m: they touch");
-  EXPECT_EQ(spell_axis(asked.query(), asked.query().axes[1]), "edges 0 × 2");
+  EXPECT_EQ(spell_axis(asked.query(), asked.query().axes[1]), "A's x × B's z");
 }
 
 TEST(Answers, OfMeshesTellWhatWasFound) {
@@ -126,6 +126,24 @@ TEST(Answers, ColourTheBoundsThatWereAsked) {
   }
 }
 
+TEST(Answers, OrientedBoxesBesideOthersAreDrawnAroundThem) {
+  AskedCrate asked(false, false);
+  asked.view.layers = {Layer::Volumes};
+  const auto reach = [&] {
+    double most = 0;
+    for (const Line& line : sketch_frame(asked.staged(), asked.frames[0]).lines)
+      most = std::max(most, line.from.x());
+    return most;
+  };
+  const double alone = reach();
+  trace::Pair boxes = asked.pair();
+  boxes.label = "axis-aligned boxes";
+  boxes.query->bounds = "aabb";
+  asked.frames[0].pairs.push_back(boxes);
+  EXPECT_DOUBLE_EQ(alone, 1);
+  EXPECT_GT(reach(), 1);
+}
+
 TEST(Answers, WhatBoundsSayIsToldWhateverTheyWereAsked) {
   for (const auto& [bounds, shapes, words] :
        {std::tuple{true, true, "bounds say yes, as the shapes do"},
@@ -145,11 +163,11 @@ TEST(Answers, ShowAxesThatSeparateAndThoseOfNoise) {
   ASSERT_EQ(sketch.arrows.size(), 1u);
   EXPECT_EQ(sketch.arrows[0].direction, Vec3d::UnitY());
   EXPECT_EQ(sketch.arrows[0].color.r, kAxis.r);
-  EXPECT_EQ(sketch.labels[0].text, "face 1 of A");
+  EXPECT_EQ(sketch.labels[0].text, "A's y");
   asked.query().axes[0].separates = false;
   sketch = sketch_frame(asked.staged(), asked.frames[0]);
   EXPECT_EQ(sketch.arrows[0].direction, Vec3d::UnitX()) << "noise is of more interest";
-  EXPECT_EQ(sketch.labels[0].text, "edges 0 × 2, length 1 × 10⁻⁶");
+  EXPECT_EQ(sketch.labels[0].text, "A's x × B's z, length 1 × 10⁻⁶");
   asked.query().axes[1].length = 0.5;
   sketch = sketch_frame(asked.staged(), asked.frames[0]);
   EXPECT_EQ(sketch.arrows[0].direction, Vec3d::UnitY()) << "else the largest gap";
@@ -207,7 +225,7 @@ TEST(Answers, PanelsTellThemOverTime) {
   EXPECT_THAT(panel_texts(asked, Panel::Answers), Contains("falsely in 1 of 1 frame"));
   EXPECT_THAT(panel_texts(asked, Panel::Answers, 1), Contains("falsely in 1 of 2 frames"));
   const std::vector<std::string> axes = panel_texts(asked, Panel::AxisIntervals);
-  EXPECT_THAT(axes, Contains("face 1 of A"));
+  EXPECT_THAT(axes, Contains("A's y"));
   EXPECT_THAT(axes, Contains("2.00 mm")) << "below the word overlap, without a sign";
   EXPECT_THAT(axes, Contains("overlap"));
   EXPECT_THAT(panel_texts(asked, Panel::Summary), Contains(HasSubstr("do the oriented boxes")));
@@ -217,7 +235,7 @@ TEST(Answers, IntervalsAreThoseOfPairsInView) {
   AskedCrate asked(true, false);
   asked.view.eye = Vec3d(0, 1, 5);
   asked.view.target = Vec3d(0, 0, 0);
-  EXPECT_THAT(panel_texts(asked, Panel::AxisIntervals), Contains("face 1 of A"));
+  EXPECT_THAT(panel_texts(asked, Panel::AxisIntervals), Contains("A's y"));
   asked.view.target = Vec3d(0, 1, 10);
   EXPECT_THAT(panel_texts(asked, Panel::AxisIntervals), Contains(HasSubstr("does not apply")));
 }

@@ -88,6 +88,20 @@ TEST(SideBySide, APairWithoutALabelIsNotShownBesideNamedOnes) {
   EXPECT_EQ(crates.staged().viewports.size(), 3u) << "where none is named all are";
 }
 
+TEST(SideBySide, BoundsSayTheirAnswerInTheHeading) {
+  TwoCrates crates;
+  for (trace::Pair& pair : crates.frames[0].pairs) {
+    trace::Query& query = pair.query.emplace();
+    query.asked = "overlap";
+    query.bounds = "obb";
+  }
+  crates.frames[0].pairs[0].overlap = true;
+  const std::vector<std::string> drawn =
+      crate_sample::texts(illustrate(crates.staged(), crates.frames[0]));
+  EXPECT_THAT(drawn, Contains("left: yes"));
+  EXPECT_THAT(drawn, Contains("right: no"));
+}
+
 TEST(SideBySide, OnePairKeepsTheUsualView) {
   CrateOnSlab crate;
   crate.view.side_by_side = true;

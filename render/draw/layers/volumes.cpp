@@ -23,6 +23,8 @@ constexpr Swatch kMissedSwatch{LegendGroup::Trees, 8, [](auto& pen) {
                                  pen.area(answer_color(AnswerKind::Missed), 0, 2.5, true);
                                }};
 
+constexpr double kAround = 5;  // pixels from an oriented box to others in its place
+
 void explain(AnswerKind kind, Sketch& sketch) {
   switch (kind) {
     case AnswerKind::No:
@@ -60,13 +62,17 @@ void draw_volume(const Scene& scene, const trace::Volume& volume, const LineStyl
   sketch.curves.push_back({horizon, faint, true});
 }
 
-/// What the bounds are called, where several pairs of the same shapes are asked of theirs.
-void name_volume(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
-  const auto beside = [&](const trace::Pair& other) {
+/// Whether other pairs of the same shapes are asked of their bounds too.
+bool is_one_of_several(const Scene& scene, const trace::Pair& pair) {
+  return std::ranges::any_of(scene.frame.pairs, [&](const trace::Pair& other) {
     return &other != &pair && other.a == pair.a && other.b == pair.b && other.query &&
            !other.query->bounds.empty();
-  };
-  if (pair.label.empty() || std::ranges::none_of(scene.frame.pairs, beside)) return;
+  });
+}
+
+/// What the bounds are called.
+void name_volume(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+  if (pair.label.empty()) return;
   const trace::Volume& volume = *pair.query->bounds_a;
   // Up and to the left, where axis-aligned boxes have a corner, oriented ones a side, balls neither.
   const Vec3d way = scene.camera.up() - scene.camera.right();
@@ -74,7 +80,8 @@ void name_volume(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   for (const Vec3d& corner : extent_points(volume))
     if (volume.half_extents && way.dot(corner) > way.dot(at)) at = corner;
   if (volume.radius) at += *volume.radius * (scene.camera.up() + scene.camera.right()).normalized();
-  sketch.label(at, label_with_answer(pair), kText, 16, 8, Vec3d(at - volume.center));
+  sketch.label(at, label_with_answer(pair), answer_color(answer_kind(pair)), 16, 8,
+               Vec3d(at - volume.center));
 }
 
 void draw_volumes(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
@@ -82,10 +89,17 @@ void draw_volumes(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const AnswerKind kind = answer_kind(pair);
   const bool no = kind == AnswerKind::No;
   const LineStyle style{no ? 1.5f : 2.5f, answer_color(kind), no || kind == AnswerKind::Missed};
-  for (const trace::Volume* volume : {&*pair.query->bounds_a, &*pair.query->bounds_b})
-    draw_volume(scene, *volume, style, sketch);
+  const bool several = is_one_of_several(scene, pair);
+  for (trace::Volume volume : {*pair.query->bounds_a, *pair.query->bounds_b}) {
+    // The oriented box of a box lies on its edges, and that of a ball on the axis-aligned one: neither could
+    // be told from them.
+    if (several && volume.half_extents && pair.query->bounds == "obb")
+      *volume.half_extents += Vec3d::Constant(kAround * scene.scales.pixel /
+                                              scene.camera.pixels_per_metre(volume.center));
+    draw_volume(scene, volume, style, sketch);
+  }
   explain(kind, sketch);
-  name_volume(scene, pair, sketch);
+  if (several) name_volume(scene, pair, sketch);
 }
 
 }  // namespace

@@ -119,14 +119,12 @@ std::string label_with_answer(const trace::Pair& pair) {
 }
 
 std::string spell_axis(const trace::Query& query, const trace::TestedAxis& axis) {
-  if (query.bounds == "aabb") {
-    constexpr const char* kNames[] = {"x", "y", "z"};
-    return kNames[std::clamp(axis.a, 0, 2)];
-  }
-  if (axis.kind == "face_a") return "face " + std::to_string(axis.a) + " of A";
-  if (axis.kind == "face_b") return "face " + std::to_string(axis.b) + " of B";
-  if (axis.kind == "edges")
-    return "edges " + std::to_string(axis.a) + " × " + std::to_string(axis.b);
+  const auto named = [](int k) { return std::string(1, "xyz"[std::clamp(k, 0, 2)]); };
+  if (query.bounds == "aabb") return named(axis.a);
+  const std::string of_a = "A's " + named(axis.a), of_b = "B's " + named(axis.b);
+  if (axis.kind == "face_a") return of_a;
+  if (axis.kind == "face_b") return of_b;
+  if (axis.kind == "edges") return of_a + " × " + of_b;
   return "middle to middle";
 }
 

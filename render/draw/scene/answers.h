@@ -32,8 +32,7 @@ std::string spell_answer(const trace::Pair& pair, const LengthUnit& unit = {});
 /// Of a pair whose bounds were asked, its label with what they say: "spheres: yes, falsely".
 std::string label_with_answer(const trace::Pair& pair);
 
-/// "x", "face 1 of A", "edges 0 × 2", "towards the nearest point"; of axis-aligned boxes the axes of
-/// the world.
+/// "A's y", "A's x × B's z", "middle to middle"; of axis-aligned boxes "x", an axis of the world.
 std::string spell_axis(const trace::Query& query, const trace::TestedAxis& axis);
 
 /// Corners of a box, or six points of a ball: what a picture of it must hold.
