@@ -380,5 +380,27 @@ TEST_F(BroadPhasePicture, AmongManyShapesAPointIsASpeckWithoutALength) {
   EXPECT_TRUE(many.labels.empty());
 }
 
+TEST_F(BroadPhasePicture, AmongManyShapesAPointBehindABodyIsPale) {
+  while (scene.header.shapes.size() <= kCrowd) {
+    const std::string name = "more" + std::to_string(scene.header.shapes.size());
+    scene.header.shapes.push_back(crate_sample::cuboid(name, {0.1, 0.1, 0.1}));
+    scene.frames[0].poses.emplace_back(name, Pose<double>{});
+  }
+  scene.view.eye = Vec3d(0, 0.5, 9);
+  scene.view.target = Vec3d(0, 0.5, 0);
+  std::vector<trace::Point>& points = scene.pair().manifolds[0].points;
+  points[0].position = Vec3d(0, 0.5, -0.5);  // on the back of the crate
+  points[1].position = Vec3d(0, 0.5, 0.5);   // on its front
+  scene.view.layers = {Layer::Shapes, Layer::Contacts};
+  const Staging staging = scene.staged();
+  const Sketch drawn = sketch_frame(staging, scene.frames[0]);
+  const auto at_point = [&](std::size_t i) {
+    return std::ranges::find(drawn.marks, points[i].position, &Mark::at)->kind;
+  };
+  EXPECT_EQ(at_point(0), MarkKind::Core);
+  EXPECT_EQ(at_point(1), MarkKind::Speck);
+  EXPECT_THAT(legend_of(drawn), Contains("contact point, pale behind a body"));
+}
+
 }  // namespace
 }  // namespace contactscope::draw

@@ -6,6 +6,7 @@
 #include "draw/scene/points.h"
 #include "draw/scene/quantity.h"
 #include "draw/scene/solid.h"
+#include "draw/scene/visibility.h"
 
 /// Gregorius 2015, "Contact Points" and "Contact Manifolds"; of shapes that are apart how far, and
 /// where.
@@ -119,10 +120,31 @@ std::optional<OnBoth> gap_of(const trace::Pair& pair, const PlacedShape& a, cons
   return std::nullopt;
 }
 
-void draw_specks(const trace::Pair& pair, Sketch& sketch) {
-  for (const PairPoint& kept : kept_points(pair))
-    sketch.mark(MarkKind::Speck, kept.point->position, kContact);
-  sketch.explain(kSpeckSwatch, "contact point");
+// Specks alone of points behind bodies would seem to lie on these. A point lies within the bodies that
+// touch there, so that one just behind their surface is where it is seen.
+void draw_specks(const Scene& scene, Sketch& sketch) {
+  constexpr double kWithin = 6;    // pixels
+  constexpr float kBehind = 0.4f;  // alpha
+  const HiddenLines bodies(scene.camera, sketch.occluders, sketch.shadows);
+  const auto is_behind = [&](const Vec3d& at) {
+    const double metres = kWithin * scene.scales.pixel / scene.camera.pixels_per_metre(at);
+    const Vec3d before = at + metres * scene.camera.to_eye(at).normalized();
+    return bodies.split(before, before).front().hidden;
+  };
+  for (const trace::Pair& pair : scene.frame.pairs) {
+    if (pair.manifolds.empty()) continue;
+    sketch.begin(name_of(Layer::Contacts), pair.a + " " + pair.b);
+    for (const PairPoint& kept : kept_points(pair)) {
+      const Vec3d& at = kept.point->position;
+      if (is_behind(at)) {
+        sketch.mark(MarkKind::Core, at, with_alpha(kContact, kBehind));
+        sketch.explain(kSpeckSwatch, "contact point, pale behind a body");
+      } else {
+        sketch.mark(MarkKind::Speck, at, kContact);
+        sketch.explain(kSpeckSwatch, "contact point");
+      }
+    }
+  }
 }
 
 void draw_points(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
@@ -199,11 +221,8 @@ void tell_skipped(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
 }
 
 void draw_contacts(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
-  if (scene.crowded()) {
-    if (!pair.manifolds.empty()) draw_specks(pair, sketch);
-    return;
-  }
-  if (pair.query) return;  // it has no contacts; see the layer answer
+  if (scene.crowded()) return;  // see draw_specks()
+  if (pair.query) return;       // it has no contacts; see the layer answer
   tell_skipped(scene, pair, sketch);
   if (!pair.incremental || !scene.shows(Layer::Persistent)) draw_points(scene, pair, sketch);
   constexpr std::size_t kFewPoints = 16;  // of more, the counts would be a crowd
@@ -325,6 +344,10 @@ const LayerDrawing kContactsLayer{
             draw_touched_triangles(scene, sketch);
         },
     .result = draw_contacts,
+    .above =
+        [](const Scene& scene, Sketch& sketch) {
+          if (scene.crowded()) draw_specks(scene, sketch);
+        },
 };
 
 const LayerDrawing kOverlapLayer{.result = draw_overlap};
