@@ -225,10 +225,11 @@ std::list<Shot> shots_of(const Staging& staging, const trace::Frame& frame) {
 
 /// In the order of the legend, but for those whose words are not to be said.
 std::vector<LegendEntry> said_entries(const Legend& legend, const Staging& staging) {
-  std::vector<LegendEntry> entries = legend.sorted();
-  if (const Words* words = staging.layout.words)
-    std::erase_if(entries, [&](const LegendEntry& entry) { return words->of(entry.text).empty(); });
-  return entries;
+  const Words* words = staging.layout.words;
+  Legend said;  // before what has one sign is joined
+  for (const LegendEntry& entry : legend.entries())
+    if (words == nullptr || !words->of(entry.text).empty()) said.explain(entry);
+  return said.sorted();
 }
 
 }  // namespace
@@ -282,7 +283,8 @@ Drawing illustrate(const Staging& staging, const trace::Frame& frame) {
     sketch->begin(kShapeNamesPart);
     draw_shape_names(*shot.scene, *sketch);
     compose(*sketch, camera, shot.layout, drawing);
-    if (shot.viewport != nullptr) draw_viewport_frame(*shot.viewport, staging.layout, drawing);
+    if (shot.viewport != nullptr)
+      draw_viewport_frame(*shot.viewport, frame, staging.layout, drawing);
     const auto middle = staging.magnifier ? magnified_middle(staging.view, frame) : std::nullopt;
     if (middle) {
       // What is exaggerated to be seen from far need not be near by.

@@ -27,10 +27,6 @@ constexpr Swatch kPolytopeSwatch{LegendGroup::Differences, 2,
                                  [](auto& pen) { pen.area(kPolytope, 0.06f, 1.2); }};
 constexpr Swatch kNearestFaceSwatch{LegendGroup::Differences, 3,
                                     [](auto& pen) { pen.area(kPolytope, 0.35f, 2.5); }};
-constexpr Swatch kNextOfSimplexSwatch{LegendGroup::Differences, 5,
-                                      [](auto& pen) { pen.dot(2.6, 4.8, kClipPolygon); }};
-constexpr Swatch kNextOfPolytopeSwatch{LegendGroup::Differences, 6,
-                                       [](auto& pen) { pen.dot(2.6, 4.8, kPolytope); }};
 
 constexpr std::size_t kManyFaces = 120;
 constexpr double kNumberAside = 46;  // pixels from a short arrow to its number
@@ -86,9 +82,9 @@ struct DifferencePen {
 
   void next(const SimplexStep& step) const {
     if (!step.next) return;
-    sketch.mark(MarkKind::Hollow, difference(*step.next), step_color(step));
-    sketch.explain(step.polytope != nullptr ? kNextOfPolytopeSwatch : kNextOfSimplexSwatch,
-                   "next support point");
+    const Vec3d at = difference(*step.next);
+    sketch.mark(MarkKind::Hollow, at, step_color(step));
+    sketch.label(at, "next point", step_color(step), 15, 10).bold = false;
   }
 
   /// A simplex has all of its edges and triangles.
