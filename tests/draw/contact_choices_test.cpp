@@ -78,8 +78,8 @@ TEST(ContactCells, AChoiceShowsWhatEachCandidateWasWorth) {
   const std::vector<std::string> fourth = words(drawn(chosen(), 0, 1280, 720, 4));
   // The chosen point's area outside one edge, and what another point was worth; its areas inside the
   // other two decide nothing.
-  EXPECT_THAT(fourth, IsSupersetOf({"−0.5000 m²", "−0.1000 m²"}));
-  EXPECT_THAT(fourth, testing::Not(Contains("+0.7500 m²")));
+  EXPECT_THAT(fourth, IsSupersetOf({"0.5000 m²", "0.1000 m²"}));
+  EXPECT_THAT(fourth, testing::Not(Contains("0.7500 m²")));
   // Rings of the choices so far, and the legend's.
   for (int choices = 1; choices <= 4; ++choices) {
     EXPECT_EQ(rings(drawn(chosen(), 0, 1280, 720, choices)).size(),
@@ -98,7 +98,7 @@ TEST(ContactCells, TheLegendOfAChoiceTellsItsMarks) {
   const auto along = [](const trace::Point& p) { return p.position; };
   const std::vector<trace::Point> p = octagon();
   const double area = 0.5 * (along(p[3]) - along(p[1])).cross(along(p[0]) - along(p[1])).norm();
-  EXPECT_THAT(said, IsSupersetOf({std::string("−0.500 m"), spell_area(-area),
+  EXPECT_THAT(said, IsSupersetOf({std::string("0.500 m"), spell_area(area),
                                   std::string("distance to the edge")}));
 }
 

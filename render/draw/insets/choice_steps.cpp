@@ -91,11 +91,13 @@ struct ChoicePen : Pen {
   void candidate(const std::string& rule, const trace::Measure& measure, bool winner) {
     const Color color = winner ? kContact : kDropped;
     const bool by_distance = rule == "distance";
-    const std::string value = by_distance || rule == "farthest" ? spell_length(measure.value)
-                              : rule == "deepest"               ? spell_length(-measure.value)
-                              : rule == "triangle" ? spell_signed(inside() * measure.value)
-                                                   : spell_signed(measure.value);
     const bool grows = rule == "outside" || by_distance;
+    // A measure of the talk is negative outside. Inside of all edges a point adds nothing.
+    if (grows && !(measure.value < 0)) return;
+    const std::string value = rule == "farthest"                 ? spell_length(measure.value)
+                              : rule == "deepest" || by_distance ? spell_length(-measure.value)
+                              : rule == "triangle" ? spell_signed(inside() * measure.value)
+                                                   : spell_area(-measure.value);
     if (grows && winner) return outside(measure, value, by_distance);
     Vec2d at = place(measure.point);
     if (rule == "farthest") {
@@ -112,13 +114,11 @@ struct ChoicePen : Pen {
     labels.push_back({at, value, color, winner});
   }
 
-  /// The winner with the edge that sees it outside, by a negative area or distance. Of the others the
-  /// one that decides.
+  /// The winner with the edge that sees it outside. Of the others the one that decides.
   void outside(const trace::Measure& measure, const std::string& spelled, bool by_distance) {
     const Vec2d from = place(measure.edge[0]), to = place(measure.edge[1]);
     const Vec2d point = place(measure.point);
     const Vec2d centroid = (from + to + point) / 3;
-    if (!(measure.value < 0)) return;  // the edges that see it inside decide nothing
     hatch(convex_polygon({from, to, point}), {}, 5, 1.3, kContact);
     sides(measure, 2.5, kContact);
     if (!by_distance) {
@@ -135,7 +135,7 @@ struct ChoicePen : Pen {
     labels.push_back({0.5 * (foot + point), spelled, kAxisText, true});
     const double area = 0.5 * std::abs(contactscope::cross(edge, point - from)) /
                         std::pow(plane.pixels_per_metre, 2);
-    labels.push_back({centroid, spell_signed(-area), kContact, true});
+    labels.push_back({centroid, spell_area(area), kContact, true});
   }
 
   /// The sign of the triangle that wins. It is the inside for the fourth point, so the third's candidates
@@ -146,7 +146,7 @@ struct ChoicePen : Pen {
     return winner != measures.end() && winner->value < 0 ? -1 : 1;
   }
 
-  /// Areas as the talk has them: negative outside.
+  /// Of the third point's triangles, on one side of the first edge or on the other.
   static std::string spell_signed(double area) { return (area > 0 ? "+" : "") + spell_area(area); }
 
   void points() {

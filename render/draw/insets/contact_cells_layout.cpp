@@ -26,7 +26,7 @@ constexpr std::size_t kSomeCells = 6;
 }  // namespace
 
 double ContactCells::signs() const {
-  if (choices_ > 0) return cell_count() == 1 ? kLargerSigns : 1;
+  if (choices_ > 0) return cell_count() <= 2 ? kLargerSigns : 1;
   return cell_count() <= kFewCells ? kLargeSigns : cell_count() <= kSomeCells ? kLargerSigns : 1;
 }
 
