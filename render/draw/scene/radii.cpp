@@ -284,8 +284,12 @@ struct RadiiSketch {
   void draw(const std::vector<Cores>& all) {
     bool first = true;
     for (const Cores& at : all) {
-      virtual_sphere(a, at.a);
-      virtual_sphere(b, at.b);
+      // About one place they are one in the other, and tell nothing that the radii do not.
+      const bool in_one_place = (at.b - at.a).norm() < kSame * (a.mesh->radius + b.mesh->radius);
+      if (!(in_one_place && is_pill(a) && is_pill(b))) {
+        virtual_sphere(a, at.a);
+        virtual_sphere(b, at.b);
+      }
       const Vec3d across = at.normal.cross(scene.camera.to_eye(at.a));
       const bool end_on = across.norm() < 0.2;
       const Vec3d right = end_on ? scene.camera.right() : Vec3d(across.normalized());
