@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "core/kind_name.h"
+#include "core/shape_name.h"
 #include "draw/layers/layer.h"
 #include "draw/scene/box_outline.h"
 #include "draw/scene/pair_words.h"
