@@ -210,8 +210,14 @@ std::list<Shot> shots_of(const Staging& staging, const trace::Frame& frame) {
   std::list<Shot> shots;
   if (staging.viewports.empty()) {
     Shot& shot = shots.emplace_back(Shot{.layout = staging.layout});
-    if (staging.magnifier) shot.layout.insets.push_back(staging.magnifier->frame);
     shot.scene.emplace(scene_of(staging, frame));
+    if (staging.magnifier) {
+      shot.layout.insets.push_back(staging.magnifier->frame);
+      // Overlaps that are seen there as they are need not be exaggerated beside it.
+      if (!staging.view.shows(Layer::Overlap) &&
+          scales_within(*staging.magnifier, staging.scales).overlap == 1)
+        shot.scene->scales.overlap = 1;
+    }
   }
   for (const PairViewport& viewport : staging.viewports) {
     Shot& shot = shots.emplace_back(Shot{&viewport, staging.layout, part_of(frame, viewport)});
@@ -276,7 +282,13 @@ Drawing illustrate(const Staging& staging, const trace::Frame& frame) {
   label_in_place(choice, sketches);
   const std::string title = fill_title(staging, frame);
   auto told = sketches.begin();
-  for (const Shot& shot : shots) label_told_depth(*shot.scene, title, sketches, *told++);
+  const auto is_told_near_by = [&](const Shot& shot) {
+    return shot.scene->scales.overlap != staging.scales.overlap;
+  };
+  for (const Shot& shot : shots) {
+    if (!is_told_near_by(shot)) label_told_depth(*shot.scene, title, sketches, *told);
+    ++told;
+  }
   auto sketch = sketches.begin();
   for (const Shot& shot : shots) {
     const Camera& camera = shot.scene->camera;
@@ -290,14 +302,15 @@ Drawing illustrate(const Staging& staging, const trace::Frame& frame) {
       // What is exaggerated to be seen from far need not be near by.
       const SequenceScales near_by = scales_within(*staging.magnifier, staging.scales);
       std::string note;
+      Scene magnified = *shot.scene;
       if (near_by.overlap != staging.scales.overlap) {
-        Scene magnified = *shot.scene;
         magnified.scales = near_by;
         *sketch = sketched(staging, magnified, false);
         note = near_by.overlap == 1 ? ", overlap to scale"
                                     : ", overlap" + spell_factor(near_by.overlap);
       }
       sketch->labels.clear();
+      if (is_told_near_by(shot)) label_told_depth(magnified, title, {}, *sketch);
       draw_magnified(*staging.magnifier, *middle, *sketch, note, camera, staging.layout, drawing);
     }
     ++sketch;

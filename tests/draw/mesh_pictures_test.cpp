@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "crate_on_slab.h"
 #include "draw/panels/panel.h"
@@ -354,6 +355,34 @@ TEST_F(MeshPanels, WhatTreesCostIsCountedWhereAPairIsAskedAndElseExpectedForEach
   EXPECT_THAT(crate_sample::texts(laid_out(Panel::TreeCost, 2)),
               AllOf(Contains("level"), Contains("wall"), Contains("32"), Contains("20"),
                     Contains("boxes a query is expected to test")));
+}
+
+TEST(MeshPictures, WaysThroughTheStepAreArrowsOfOneScale) {
+  TwoSurfaces scene;
+  scene.view.layers = {Layer::Shapes, Layer::Velocities};
+  EXPECT_THAT(scene.sketch().arrows, testing::IsEmpty()) << "nobody asked what they meet";
+  trace::Impact& impact = scene.hit();
+  impact.travel_a.displacement = {2, 0, 0};
+  impact.travel_b.displacement = {0, -1, 0};
+  const Sketch sketch = scene.sketch();
+  ASSERT_EQ(sketch.arrows.size(), 2u);
+  EXPECT_NEAR(sketch.arrows[0].pixels, 2 * sketch.arrows[1].pixels, 1e-3);
+  EXPECT_EQ(sketch.arrows[1].direction, Vec3d(0, -1, 0));
+  EXPECT_THAT(mapped(sketch.labels, &Label::text), AllOf(Contains("2.00 m"), Contains("1.00 m")));
+  EXPECT_THAT(legend_texts(sketch), Contains("way through the step, not to scale"));
+}
+
+TEST(MeshPictures, ANormalThatLeansFromItsFlatSurfaceIsMarkedWithItsAngle) {
+  TwoSurfaces scene;
+  scene.view.layers = {Layer::Shapes, Layer::Normals};
+  trace::Pair& pair = scene.frames[0].pairs[0];
+  const Vec3d leaning(0.5, std::sqrt(0.75), 0);
+  pair.manifolds = {{Vec3d::UnitY(), "", 0, {{{0.2, 0, 0.1}, -0.01, ""}}},
+                    {leaning, "", 1, {{{0, 0, 0}, -0.01, ""}}}};
+  const auto labels = [&] { return mapped(scene.sketch().labels, &Label::text); };
+  EXPECT_THAT(labels(), Contains("leans 30°"));
+  pair.manifolds.erase(pair.manifolds.begin());
+  EXPECT_THAT(labels(), Not(Contains("leans 30°"))) << "alone it may be that of an edge";
 }
 
 TEST(MeshPictures, TheMatrixAloneAsksForNodePairs) {

@@ -168,6 +168,26 @@ TEST(Magnifiers, KeepLabelsOff) {
   }
 }
 
+// Whiskers of two lengths in one picture would have to be told apart.
+TEST(Magnifiers, HaveTheOnlyWhiskersWhereTheyShowThemToScale) {
+  TinyPatch tiny;
+  tiny.header.title = "{overlap} deep";
+  const Staging staging = tiny.staged();
+  ASSERT_GT(staging.scales.overlap, 1);
+  const Drawing drawing = illustrate(staging, tiny.frames[0]);
+  const std::vector<std::string> texts = crate_sample::texts(drawing);
+  EXPECT_THAT(texts, Contains(::testing::EndsWith("overlap to scale")));
+  EXPECT_THAT(texts, Contains("contact point"));
+  int depths = 0;
+  for (const Primitive& primitive : drawing.primitives) {
+    const Text* text = std::get_if<Text>(&primitive);
+    if (text == nullptr || text->text != "2.00 mm") continue;
+    EXPECT_TRUE(staging.magnifier->frame.contains(text->at));
+    ++depths;
+  }
+  EXPECT_EQ(depths, 1);
+}
+
 TEST(SideBySide, IsFittedToTheFramesThatAreShown) {
   TwoCrates crates;
   crates.frames.push_back(crates.frames[0]);

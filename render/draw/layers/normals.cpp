@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "draw/layers/layer.h"
 #include "draw/scene/pairs.h"
@@ -9,6 +11,7 @@ namespace {
 
 // Pixels. Shorter, an arrow would hide behind the dots of its contact.
 constexpr double kLeastArrow = 8;
+constexpr double kLeastLean = 3;  // degrees
 
 constexpr Swatch kNormalSwatch{LegendGroup::Forces, 0,
                                [](auto& pen) { pen.arrow(3, 10, kNormal); }};
@@ -38,6 +41,34 @@ Vec3d start_of_normal(const Scene& scene, const trace::Pair& pair,
   return middle + std::max(0.0, ahead) * manifold.normal;
 }
 
+/// The mesh of the pair and a triangle of it: that triangle's own normal, unit, whichever way.
+std::optional<Vec3d> face_normal(const Scene& scene, const trace::Pair& pair,
+                                 const trace::Manifold& manifold) {
+  if (!manifold.triangle) return std::nullopt;
+  for (const std::string* name : {&pair.a, &pair.b}) {
+    const PlacedShape* shape = scene.find(*name);
+    if (shape == nullptr || !shape->is_mesh()) continue;
+    const std::vector<Vec3d> corners = shape->polygon(*manifold.triangle);
+    return Vec3d((corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized());
+  }
+  return std::nullopt;
+}
+
+/// Degrees by which a contact of a mesh leans from the normal that its triangle shares with another one of
+/// the pair, whose contact has that normal: an edge that the surface lacks made it lean. 0 where none does.
+double lean_of(const Scene& scene, const trace::Pair& pair, const trace::Manifold& manifold) {
+  constexpr double kParallel = 0.9998;  // cosine
+  const std::optional<Vec3d> own = face_normal(scene, pair, manifold);
+  if (!own) return 0;
+  const bool any_upright = std::ranges::any_of(pair.manifolds, [&](const trace::Manifold& other) {
+    const std::optional<Vec3d> face = face_normal(scene, pair, other);
+    return face && std::abs(face->dot(*own)) > kParallel &&
+           std::abs(face->dot(other.normal)) > kParallel;
+  });
+  const double cosine = std::abs(own->dot(manifold.normal));
+  return any_upright && cosine < kParallel ? std::acos(cosine) * 180 / std::numbers::pi : 0;
+}
+
 void draw_normals(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   // A mesh's arrows, as long as elsewhere, would be a wood.
   const bool many = pair.manifolds.size() > kFewManifolds;
@@ -63,6 +94,10 @@ void draw_normals(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
     const Vec3d ahead = arrow.from + 0.7 * arrow.pixels /
                                          scene.camera.pixels_per_metre(arrow.from) *
                                          arrow.direction;
+    const double lean = usual ? 0 : lean_of(scene, pair, manifold);
+    if (lean >= kLeastLean)
+      sketch.label(ahead, printed("leans %.0f°", lean), kNormal, 18, 12,
+                   Vec3d(-scene.camera.right()));
     if (steps_back)
       sketch.explain(kUsualNormalSwatch, "normal and points as most have them", ahead);
     else

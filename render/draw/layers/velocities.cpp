@@ -1,11 +1,14 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
+#include <string_view>
 
 #include "core/convex_polygon.h"
 #include "draw/layers/layer.h"
 #include "draw/scene/quantity.h"
 #include "draw/scene/scripted_bodies.h"
+#include "draw/scene/solid.h"
 
 namespace contactscope::draw {
 namespace {
@@ -90,7 +93,61 @@ std::vector<trace::Body> moving_bodies(const Scene& scene) {
                          scene.scales.step * (other.frame - here->frame));
 }
 
+/// The middle of what is seen of a shape, as deep in the view as the shape itself.
+std::optional<Vec3d> seen_middle(const Camera& camera, const PlacedShape& shape) {
+  Eigen::AlignedBox2d seen;
+  for (const Vec3d& corner : extent_points(shape))
+    if (const std::optional<Point2> at = camera.project(corner)) seen.extend(Vec2d(at->x, at->y));
+  const Rect& view = camera.viewport();
+  seen.clamp({Vec2d(view.x, view.y), Vec2d(view.right(), view.bottom())});
+  const Vec3d center = shape.pose.transform(shape.traced().center_of_mass);
+  const std::optional<Point2> foot = camera.project(center);
+  if (seen.isEmpty() || !foot) return std::nullopt;
+  const Vec2d way = (seen.center() - Vec2d(foot->x, foot->y)) / camera.pixels_per_metre(center);
+  return center + way.x() * camera.right() - way.y() * camera.up();
+}
+
+// Where what a script moves is asked what it meets on its way through the step, that way is told. It may be
+// far longer or shorter than what is seen of the shape, so that only arrows beside each other are to one
+// scale.
+void draw_ways(const Scene& scene, Sketch& sketch) {
+  constexpr double kLongest = 110, kLeast = 30;  // pixels
+  double longest = 0;
+  const auto each = [&](const auto& visit) {
+    for (const trace::Pair& pair : scene.frame.pairs) {
+      if (!pair.impact) continue;
+      visit(pair.a, pair.impact->travel_a.displacement);
+      visit(pair.b, pair.impact->travel_b.displacement);
+    }
+  };
+  each([&](const std::string&, const Vec3d& way) { longest = std::max(longest, way.norm()); });
+  if (!(longest > 0)) return;
+  std::set<std::string_view> drawn;  // a shape may be in several pairs
+  each([&](const std::string& name, const Vec3d& way) {
+    const PlacedShape* shape = scene.find(name);
+    const double pixels = kLongest * way.norm() / longest;
+    if (shape == nullptr || pixels < kLeast || !drawn.insert(name).second) return;
+    const std::optional<Vec3d> middle = seen_middle(scene.camera, *shape);
+    if (!middle) return;
+    const Vec3d along = way.normalized();
+    const double metres = scene.scales.pixel * pixels / scene.camera.pixels_per_metre(*middle);
+    sketch.arrows.push_back({.from = *middle - 0.5 * metres * along,
+                             .direction = along,
+                             .pixels = static_cast<float>(pixels),
+                             .width = 3.5f,
+                             .head = 13,
+                             .color = kMotion});
+    const bool is_level = std::abs(along.dot(scene.camera.right())) > 0.5;
+    sketch.label(*middle, spell_length(way.norm()), kMotion, 17, 9,
+                 is_level ? scene.camera.up() : scene.camera.right());
+    sketch.explain(kVelocitySwatch, "way through the step, not to scale");
+  });
+}
+
 void draw_velocities(const Scene& scene, Sketch& sketch) {
+  const bool asks_ways = std::ranges::any_of(
+      scene.frame.pairs, [](const trace::Pair& pair) { return pair.impact.has_value(); });
+  if (!scene.frame.solver && asks_ways) return draw_ways(scene, sketch);
   const std::vector<trace::Body> bodies = moving_bodies(scene);
   const bool numbered = bodies.size() <= kLabelledBodies;
   double fastest = 0;
