@@ -100,6 +100,9 @@ void draw_axes(const Scene& scene, const trace::Pair& pair, bool all, Sketch& sk
     if (const auto ends = scene.edge(*name, index))
       sketch.line((*ends)[0], (*ends)[1], {chosen ? 5.0f : 3.5f, kAxis});
   }
+  // With a Gauss map they bear numbers, see below.
+  if (chosen && !all && sat.edge_pairs.empty())
+    sketch.explain(kDecidingEdgesSwatch, "edges that cross");
   const std::optional<float> pixels = seen_distance(scene.camera, edge.point_a, edge.point_b);
   if (chosen && pixels && *pixels >= kLeastOfAxis * scene.scales.pixel) {
     for (const Vec3d& point : {edge.point_a, edge.point_b})
