@@ -26,27 +26,60 @@ std::optional<std::array<Vec3d, 2>> farthest_edge(const PlacedShape& shape, cons
   return best;
 }
 
+/// A corner, an edge or a face of a hull, which touches a face of the other shape.
+struct TouchingFeature {
+  const PlacedShape* shape = nullptr;
+  std::string_view kind;  // "point", "edge" or "face"
+  Vec3d way;              // unit, towards the face that it touches
+};
+
+/// Nothing of crossed edges, and of round shapes.
+std::optional<TouchingFeature> feature_on_face(const Scene& scene, const trace::Pair& pair,
+                                               const trace::Manifold& manifold) {
+  // Of a capsule the closest points may be those of two edges as well.
+  if (manifold.points.empty() || manifold.axis == "edge_edge" || manifold.type == "edge-edge")
+    return std::nullopt;
+  // The face is the reference; its type names the lesser feature first, which is the other's.
+  const bool of_b = manifold.axis != "face_b";
+  const PlacedShape* shape = scene.find(of_b ? pair.b : pair.a);
+  if (shape == nullptr || shape->vertices.empty() || shape->mesh->normals.empty())
+    return std::nullopt;
+  const std::string_view type = manifold.type;
+  return TouchingFeature{shape, type.substr(0, type.find('-')),
+                         of_b ? Vec3d(-manifold.normal) : manifold.normal};
+}
+
+/// "face that touches", or where the frame has others beside it what all of them are.
+std::string words_of(const Scene& scene, std::string_view kind) {
+  for (const trace::Pair& pair : scene.frame.pairs)
+    for (const trace::Manifold& manifold : pair.manifolds) {
+      const auto other = feature_on_face(scene, pair, manifold);
+      if (other && other->kind != kind) return "corner, edge or face that touches";
+    }
+  return std::string(kind == "point" ? "corner" : kind) + " that touches";
+}
+
 // In the colour of the incident face, whose features they are.
-void draw_feature(const PlacedShape& shape, const Vec3d& way, std::string_view kind,
-                  Sketch& sketch) {
-  if (shape.vertices.empty() || shape.mesh->normals.empty()) return;
+void draw_feature(const TouchingFeature& feature, const std::string& words, Sketch& sketch) {
+  const auto& [placed, kind, way] = feature;
+  const PlacedShape& shape = *placed;
   if (kind == "point") {
     const auto corner = std::ranges::max_element(
-        shape.vertices, {}, [&](const Vec3d& vertex) { return way.dot(vertex); });
+        shape.vertices, {}, [&](const Vec3d& vertex) { return feature.way.dot(vertex); });
     sketch.mark(MarkKind::WideRing, *corner, kIncidentFace);
-    sketch.explain(kTouchingFeatureSwatch, "corner, edge or face that touches");
   } else if (kind == "edge") {
-    if (const auto edge = farthest_edge(shape, way)) {
-      sketch.line((*edge)[0], (*edge)[1], {6.0f, kIncidentFace});
-      sketch.explain(kTouchingFeatureSwatch, "corner, edge or face that touches");
-    }
+    const auto edge = farthest_edge(shape, way);
+    if (!edge) return;
+    sketch.line((*edge)[0], (*edge)[1], {6.0f, kIncidentFace});
   } else if (kind == "face") {
     int best = 0;
     for (int face = 1; face < count_of(shape.mesh->normals); ++face)
       if (way.dot(shape.normal(face)) > way.dot(shape.normal(best))) best = face;
     sketch.face(shape.polygon(best), with_alpha(kIncidentFace, 0.35f), {5.0f, kIncidentFace});
-    sketch.explain(kTouchingFeatureSwatch, "corner, edge or face that touches");
+  } else {
+    return;
   }
+  sketch.explain(kTouchingFeatureSwatch, words);
 }
 
 void draw_crossed_edges(const Scene& scene, const trace::Pair& pair,
@@ -62,18 +95,10 @@ void draw_crossed_edges(const Scene& scene, const trace::Pair& pair,
 void draw_features(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   for (const trace::Manifold& manifold : pair.manifolds) {
     if (manifold.points.empty()) continue;
-    // Of a capsule the closest points may be those of two edges as well.
-    if (manifold.axis == "edge_edge" || manifold.type == "edge-edge") {
+    if (manifold.axis == "edge_edge" || manifold.type == "edge-edge")
       draw_crossed_edges(scene, pair, manifold, sketch);
-      continue;
-    }
-    // The face is the reference; its type names the lesser feature first, which is the other's.
-    const bool of_b = manifold.axis != "face_b";
-    const PlacedShape* shape = scene.find(of_b ? pair.b : pair.a);
-    if (shape == nullptr) continue;
-    const std::string_view type = manifold.type;
-    draw_feature(*shape, of_b ? Vec3d(-manifold.normal) : manifold.normal,
-                 type.substr(0, type.find('-')), sketch);
+    else if (const auto feature = feature_on_face(scene, pair, manifold))
+      draw_feature(*feature, words_of(scene, feature->kind), sketch);
   }
 }
 
