@@ -17,8 +17,10 @@ namespace {
 
 constexpr std::array<const char*, 3> kQueryNames = {"faces of A", "faces of B", "pairs of edges"};
 constexpr double kPlaneReach =
-    0.95;                          // of an extended plane beyond its middle, of both shapes' size
-constexpr double kQueryName = 22;  // pixels
+    0.95;  // of an extended plane beyond its middle, of both shapes' size
+constexpr double kBeyondFoot = 0.12;  // likewise, beyond where the separation ends on it
+constexpr double kQueryName = 22;     // pixels
+constexpr float kShapeName = 18;      // pixels
 
 constexpr Swatch kBestPlaneSwatch{LegendGroup::Axes, 5,
                                   [](auto& pen) { pen.area(kAxis, 0.25f, 1.5); }};
@@ -69,6 +71,18 @@ trace::Polygon square_about(const Vec3d& middle, const Vec3d& normal, const Vec3
           middle - half * (u - v)};
 }
 
+/// The square about `middle`, wide enough to hold what is within `margin` of `foot` on its plane as well.
+trace::Polygon plane_under(const Vec3d& middle, const Vec3d& normal, const Vec3d& along,
+                           double half, const Vec3d& foot, double margin) {
+  const Vec3d u = (along - along.dot(normal) * normal).normalized(), v = normal.cross(u);
+  const Vec3d way = foot - middle;
+  const double x = u.dot(way), y = v.dot(way);
+  const double left = std::max(half, margin - x), right = std::max(half, margin + x);
+  const double down = std::max(half, margin - y), up = std::max(half, margin + y);
+  return {middle - left * u - down * v, middle + right * u - down * v, middle + right * u + up * v,
+          middle - left * u + up * v};
+}
+
 PlacedShape moved(const PlacedShape& shape, const Vec3d& by) {
   PlacedShape copy = shape;
   copy.pose.position += by;
@@ -88,8 +102,9 @@ struct Column {
     const Vec3d middle = offset + (best.face.empty() ? best.on_plane : mean_of(best.face));
     const Vec3d foot = offset + best.support - best.separation * best.normal;
     const float strength = chosen ? 1.0f : 0.6f;
-    sketch.face(square_about(middle, best.normal, along, kPlaneReach * size),
-                with_alpha(kAxis, 0.22f * strength), {1.5f, with_alpha(kAxis, strength)});
+    sketch.face(
+        plane_under(middle, best.normal, along, kPlaneReach * size, foot, kBeyondFoot * size),
+        with_alpha(kAxis, 0.22f * strength), {1.5f, with_alpha(kAxis, strength)});
     sketch.outline(
         square_about(offset + best.support, best.normal, along, 0.4 * kPlaneReach * size),
         {1.5f, with_alpha(kAxis, strength), true});
@@ -107,9 +122,9 @@ struct Column {
                              .head = 11,
                              .color = kAxisText});
     sketch.mark(MarkKind::Dot, offset + best.support, kAxisText);
-    sketch.explain(kBestPlaneSwatch, "plane of the best face or edge, extended");
+    sketch.explain(kBestPlaneSwatch, "plane of the best face or edges, extended");
     sketch.explain(kParallelPlaneSwatch, "parallel plane through the support point");
-    sketch.explain(kSupportVertexSwatch, "support point, farthest against the normal");
+    sketch.explain(kSupportVertexSwatch, "support point of the other shape");
   }
 };
 
@@ -133,6 +148,9 @@ void draw_sat_queries(const Scene& scene, const trace::Pair& pair, Sketch& sketc
     const Vec3d offset = (column - at->x) / pixels * camera.right();
     for (const PlacedShape* shape : {a, b})
       draw_solid(camera, moved(*shape, offset), shape->is_a ? kShapeA : kShapeB, sketch);
+    for (const PlacedShape* shape : {a, b})
+      sketch.label(center_of(shape->vertices) + offset, shape->is_a ? "A" : "B", kText, kShapeName,
+                   0);
     const bool chosen = pair.sat->chosen == kChosen[k];
     if (found[k] && (!found[k]->face.empty() || !found[k]->edges.empty()))
       Column{scene, sketch, offset}.draw_best(*found[k], chosen, size);
