@@ -110,6 +110,19 @@ TEST(ClipStory, TheActivePlaneIsStrongAndThoseBeforeAreOutlines) {
   EXPECT_EQ(filled(5), 0);  // the contacts are the subject
 }
 
+TEST(ClipStory, TheLastStepHasNoSidePlanesAndTellsHowFarAboveTheFaceAPointIs) {
+  ClippedSquare scene;
+  const Sketch sketch = scene.at(5);
+  for (const Curve& curve : sketch.curves)
+    EXPECT_FALSE(crate_sample::same(curve.style.color, kSidePlane));
+  const auto above = std::ranges::find_if(sketch.lines, [](const Line& line) {
+    return crate_sample::same(line.style.color, kDropped);
+  });
+  ASSERT_NE(above, sketch.lines.end());
+  EXPECT_NEAR(above->from.y(), 0.2, 1e-9);
+  EXPECT_NEAR(above->to.y(), 0, 1e-9);
+}
+
 TEST(ClipStory, TheHeadingIsInThePictureAtOnePlace) {
   ClippedSquare scene;
   const Staging staging = scene.staged();

@@ -15,6 +15,8 @@ namespace {
 // Height of a drawn side plane, as a fraction of the reference face's size.
 constexpr double kPlaneHeight = 0.22;
 
+constexpr LineStyle kAboveFace{1.5f, kDropped};
+
 constexpr Swatch kSidePlaneSwatch{LegendGroup::Faces, 1,
                                   [](auto& pen) { pen.area(kSidePlane, 0.2f, 1.2); }};
 
@@ -116,16 +118,17 @@ void draw_side_planes(const Scene& scene, const trace::Pair& pair, Sketch& sketc
   }
   const std::size_t shown = clip_steps_to_show(scene, pair);
   const bool story = tells_clip_story(scene, pair);
-  const bool over = story && static_cast<std::size_t>(scene.frame.frame) > shown;
+  // Once all have cut, the last step of a story is about the reference face alone.
+  if (story && static_cast<std::size_t>(scene.frame.frame) > shown) return;
   for (std::size_t k = 0; k < shown; ++k)
     draw_side_plane(pair.clip->reference.polygon, pair.clip->reference.normal,
                     pair.clip->steps[k].normal, k,
-                    !story                    ? PlaneLook::Plain
-                    : k + 1 == shown && !over ? PlaneLook::Active
-                                              : PlaneLook::Done,
+                    !story           ? PlaneLook::Plain
+                    : k + 1 == shown ? PlaneLook::Active
+                                     : PlaneLook::Done,
                     sketch);
   if (shown > 0)
-    sketch.explain(kSidePlaneSwatch, over ? "side plane" : "side plane, outward normal",
+    sketch.explain(kSidePlaneSwatch, "side plane, outward normal",
                    top_of_side_plane(*pair.clip, shown - 1));
 }
 
@@ -152,10 +155,15 @@ void draw_clip_polygons(const Scene& scene, const trace::Pair& pair, Sketch& ske
 void draw_dropped(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   if (!pair.clip) return;
   const bool over = static_cast<std::size_t>(scene.frame.frame) > pair.clip->steps.size();
-  if (tells_clip_story(scene, pair) && !over) return;
+  const bool story = tells_clip_story(scene, pair);
+  if (story && !over) return;
   for (const trace::DroppedPoint& point : pair.clip->dropped) {
     if (is_kept(pair, point)) continue;
     sketch.mark(MarkKind::Cross, point.position, kDropped);
+    // How far above the reference face it is, as whiskers tell how far below it the others were.
+    const Vec3d& normal = pair.clip->reference.normal;
+    const double above = normal.dot(point.position - pair.clip->reference.polygon.front());
+    if (story) sketch.line(point.position, point.position - above * normal, kAboveFace);
     sketch.explain(kDroppedSwatch, point.reason, point.position);
   }
 }
