@@ -146,6 +146,27 @@ TEST(SatQueries, StandInThreeColumnsThatShowTheSame) {
   EXPECT_NEAR(places[1].y, places[0].y, 0.5);
 }
 
+TEST(Trail, OfALongWayTheSkinsAreAllAlongIt) {
+  CrateOnSlab scene;
+  scene.frames.assign(40, scene.frames[0]);
+  for (int f = 0; f < 40; ++f) {
+    scene.frames[static_cast<std::size_t>(f)].frame = f;
+    scene.frames[static_cast<std::size_t>(f)].poses[1].second.position.x() = 0.05 * f;
+  }
+  scene.view.layers = {Layer::Trail};
+  const Staging staging = scene.staged();
+  double first = 1e300;
+  int ways = 0;
+  for (const Line& line : sketch_frame(staging, scene.frames.back()).lines) {
+    if (!line.style.dashed) continue;
+    first = std::min(first, line.from.x());
+    ++ways;
+  }
+  EXPECT_LT(first, 1.2);  // the last twelve frames begin at 1.35
+  EXPECT_GE(ways, 1);
+  EXPECT_LE(ways, 12);
+}
+
 TEST(SatQueries, AGapEndsTheTest) {
   QueriedCrate scene;
   scene.pair().state = "separated";

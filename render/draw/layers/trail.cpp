@@ -8,7 +8,7 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr std::size_t kMostSkins = 12;  // of one shape; older ones are left out
+constexpr std::size_t kMostSkins = 12;  // of one shape
 
 constexpr LineStyle kPast{1.2f, kDropped};
 constexpr LineStyle kTrailWay{1.2f, kDropped, true};
@@ -17,9 +17,26 @@ constexpr LineStyle kSolidWay{1.2f, with_alpha(kDropped, 0.7f)};
 
 constexpr double kLeastStep = 4;      // pixels: nearer to each other, outlines merge into bars
 constexpr double kLeastTurn = 0.005;  // half a turn's sine
+constexpr double kSpread = 1.1;       // of a shape's radius, between the skins of a long way
 
 constexpr Swatch kPastSwatch{LegendGroup::Motion, 4,
                              [](auto& pen) { pen.level_line(0, 23, 1.2, kDropped); }};
+
+// From the present place, which is last, back to the oldest: each as far from the one after it as outlines can be told
+// apart.
+std::vector<Pose<double>> spread(const std::vector<Pose<double>>& past, const PlacedShape& shape) {
+  const Vec3d& middle = shape.traced().center_of_mass;
+  const double radius = shape.mesh->radius;
+  std::vector<Pose<double>> kept = {past.back()};
+  for (auto pose = past.rbegin() + 1; pose != past.rend(); ++pose) {
+    const Pose<double>& after = kept.back();
+    const double way = (pose->transform(middle) - after.transform(middle)).norm();
+    const double turn = 2 * (pose->rotation * after.rotation.conjugate()).vec().norm();
+    if (way + radius * turn >= kSpread * radius) kept.push_back(*pose);
+  }
+  std::ranges::reverse(kept);
+  return kept;
+}
 
 void draw_trail(const Scene& scene, Sketch& sketch) {
   if (scene.sequence == nullptr) return;
@@ -34,8 +51,10 @@ void draw_trail(const Scene& scene, Sketch& sketch) {
                                           &std::pair<std::string, Pose<double>>::first);
       if (then != frame.poses.end()) past.push_back(then->second);
     }
-    if (past.size() > kMostSkins) past.erase(past.begin(), past.end() - kMostSkins);
+    const bool is_long = past.size() > kMostSkins;
     past.push_back(shape.pose);
+    if (is_long) past = spread(past, shape);
+    if (past.size() > kMostSkins + 1) past.erase(past.begin(), past.end() - kMostSkins - 1);
     const Vec3d now = shape.pose.transform(middle);
     const double pixels_per_metre = scene.camera.pixels_per_metre(now) / scene.scales.pixel;
     std::optional<Vec3d> last;  // where the newest skin that is drawn was

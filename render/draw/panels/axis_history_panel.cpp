@@ -20,6 +20,7 @@ constexpr float kMostRow = 3.6f, kMostRowOfOne = 6;
 constexpr float kLeastRow = 0.9f;
 constexpr float kAroundHistory = 2.8f;  // a title, the frames and space below
 constexpr float kHeadline = 2.4f;       // how often the cache answered, where one pair is shown
+constexpr float kTestsRow = 1.6f;       // in which frames it did not
 constexpr float kLeastHistory = kAroundHistory + kLeastRow * static_cast<float>(kAxisRows.size());
 
 constexpr double kNameColumn = 78;    // pixels at 720 lines
@@ -58,8 +59,8 @@ std::string told(const AxisCounts& counts) {
 }
 
 /// Which axis made the contact, frame by frame: a switch of rows is a flip-flop, and so is a gap in
-/// a row, where another face or another pair of edges took over. Frames that went by the cache are
-/// half as high: no axis was looked for in them; full tests between them are dark.
+/// a row, where another face or another pair of edges took over. Where a cache is at work, a row below
+/// has the frames in which it had no answer, so that all axes were tested.
 class AxisHistoryPanel : public PanelContent {
  public:
   AxisHistoryPanel(const Staging& staging, const Frames& frames) : scale_(staging.layout.scale) {
@@ -77,9 +78,8 @@ class AxisHistoryPanel : public PanelContent {
 
   PanelNeed need(const PanelMoment&) const override {
     const float line = Sheet::line_height(scale_);
-    const float frame =
-        Sheet::heading_height(scale_) + (cached_ ? 2 * line : 0) + headline_height();
-    const float each = kLeastHistory * line;
+    const float frame = Sheet::heading_height(scale_) + headline_height();
+    const float each = (kLeastHistory + tests_row()) * line;
     return {frame + each + (count_ > 1 ? line : 0),
             frame + each * std::max(1.0f, static_cast<float>(count_)), 0, 1};
   }
@@ -92,24 +92,25 @@ class AxisHistoryPanel : public PanelContent {
       return {};
     }
     if (headline_height() > 0) draw_headline(pairs_.front().second, moment.frame, sheet);
-    if (cached_) {
-      sheet.line("low bars: answered from the cache", kAxisText);
-      sheet.line("high bars: full test", kText);
-    }
     const float line = sheet.line_height();
+    const float least = (kLeastHistory + tests_row()) * line;
     auto available = static_cast<float>(sheet.rest().height);
-    if (kLeastHistory * line * static_cast<float>(count_) > available)
-      available -= line;  // for the words below
-    const float fitting = std::max(1.0f, available / (kLeastHistory * line));
+    if (least * static_cast<float>(count_) > available) available -= line;  // for the words below
+    const float fitting = std::max(1.0f, available / least);
     const std::size_t shown = std::min(pairs_.size(), static_cast<std::size_t>(fitting));
-    const float row = std::min((count_ > 1 ? kMostRow : kMostRowOfOne) * line,
-                               (available / static_cast<float>(shown) - kAroundHistory * line) /
-                                   static_cast<float>(kAxisRows.size()));
+    const float row =
+        std::min((count_ > 1 ? kMostRow : kMostRowOfOne) * line,
+                 (available / static_cast<float>(shown) - (kAroundHistory + tests_row()) * line) /
+                     static_cast<float>(kAxisRows.size()));
     for (const auto& [name, moments] : std::span(pairs_).first(shown)) {
       if (!(headline_height() > 0))
         sheet.line(name + ": " + told(counted(moments, moment.frame)), kText);
       draw_rows(moments, moment.frame, row, sheet);
       sheet.skip(row * static_cast<float>(kAxisRows.size()));
+      if (cached_) {
+        draw_tests(moments, moment.frame, sheet);
+        sheet.skip(tests_row() * line);
+      }
       draw_ends(moments.size(), moment.frame, sheet);
       sheet.skip(1.5f * line);
     }
@@ -121,6 +122,9 @@ class AxisHistoryPanel : public PanelContent {
   float headline_height() const {
     return cached_ && count_ == 1 ? kHeadline * Sheet::line_height(scale_) : 0;
   }
+
+  /// Lines of text.
+  float tests_row() const { return cached_ ? kTestsRow : 0; }
 
   /// What the history comes to, large enough to be read on a thumbnail.
   void draw_headline(const std::vector<AxisMoment>& moments, std::size_t now, Sheet& sheet) const {
@@ -169,19 +173,12 @@ class AxisHistoryPanel : public PanelContent {
       const auto is_here = [&](std::size_t f) {
         return moments[f].pair != nullptr && moments[f].axis == kAxisRows[r].axis;
       };
-      const auto bar = [&](std::size_t from, std::size_t to, const Color& color) {
-        const double top = from_cache(*moments[from].pair) ? y + 0.5 * row : y + gap;
-        pen.fill({at(from), top, at(to) - at(from), y + row - gap - top}, color);
-      };
-      for (std::size_t from = 0, to = 0; from < now; from = to) {
+      for (std::size_t from = 0, to = 0; from <= now; from = to) {
         to = from + 1;
         if (!is_here(from)) continue;
-        const bool cached = from_cache(*moments[from].pair);
-        while (to < now && is_here(to) && from_cache(*moments[to].pair) == cached) ++to;
-        bar(from, to, cached_ && !cached ? kText : kAxis);
+        while (to <= now && is_here(to)) ++to;
+        pen.fill({at(from), y + gap, at(to) - at(from), row - 2 * gap}, kAxis);
       }
-      if (is_here(now))
-        bar(now, now + 1, cached_ && !from_cache(*moments[now].pair) ? kText : kAxis);
       for (std::size_t f = 0; f <= now; ++f) {
         if (!is_here(f) || !moments[f].switched) continue;
         pen.fill({at(f) - pen.px(1.5), y, pen.px(3), static_cast<double>(row)}, kWhite);
@@ -189,6 +186,23 @@ class AxisHistoryPanel : public PanelContent {
     }
     const double most = row * static_cast<double>(kAxisRows.size());
     pen.frame({at(now), rest.y - pen.px(1), cell, most + pen.px(2)}, 1.5, kText);
+  }
+
+  /// Below the rows: the frames in which the cache had no answer.
+  static void draw_tests(const std::vector<AxisMoment>& moments, std::size_t now,
+                         const Sheet& sheet) {
+    const Pen& pen = sheet.pen();
+    const Rect rest = sheet.rest();
+    const double left = rest.x + pen.px(kNameColumn), width = rest.right() - left;
+    const double cell = width / static_cast<double>(moments.size());
+    const double y = rest.y + 0.35 * sheet.line_height(), height = 1.1 * sheet.line_height();
+    pen.text("full test", pixel(rest.x, y + 0.5 * height + 0.3 * sheet.text_height()), Align::Left,
+             kText);
+    pen.fill({left, y, width, height}, with_alpha(kQuietText, 0.10f));
+    for (std::size_t f = 0; f <= now; ++f) {
+      if (moments[f].pair != nullptr && !from_cache(*moments[f].pair))
+        pen.fill({left + cell * static_cast<double>(f), y, cell, height}, kText);
+    }
   }
 
   float scale_;
