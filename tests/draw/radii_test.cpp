@@ -147,6 +147,26 @@ TEST(Contacts, APairThatIsSkippedSaysSo) {
   EXPECT_THAT(said(scene.sketch()), Contains("no normal: contact skipped"));
 }
 
+TEST(Normals, OfACentreOnAnEdgeTheOtherFaceThatIsAsNearHasItsArrowToo) {
+  RoundScene scene(cuboid("block", {0.8, 0.35, 0.5}), Vec3d(0, -0.35, 0),
+                   round_shape("ball", {Vec3d::Zero()}, 0.3), Vec3d(0.8, 0, 0));
+  scene.touch(Vec3d::UnitY(), "face_a", {{{0.8, 0, 0}, -0.3, "a:f2 b:v0"}});
+  scene.view.layers = {Layer::Normals};
+  const auto others = [&] {
+    std::vector<Vec3d> directions;
+    for (const Arrow& arrow : scene.sketch().arrows)
+      if (arrow.open) directions.push_back(arrow.direction);
+    return directions;
+  };
+  EXPECT_TRUE(others().empty());
+  scene.pair().degenerate = trace::Degenerate{"centre on the surface", "fallback"};
+  ASSERT_EQ(others().size(), 1u);
+  EXPECT_NEAR((others()[0] - Vec3d::UnitX()).norm(), 0, 1e-9);
+  scene.pair().manifolds.clear();
+  scene.pair().degenerate->answer = "skip";
+  EXPECT_EQ(others().size(), 2u);
+}
+
 TEST(ClippedSegment, TheAxisOfACapsuleIsCutAtTheSideThatItCrosses) {
   RoundScene scene(cuboid("block", {0.8, 0.3, 0.5}), Vec3d(0, -0.3, 0),
                    round_shape("pill", {{-0.5, 0, 0}, {0.5, 0, 0}}, 0.2), Vec3d(0.6, 0.18, 0.1));

@@ -7,6 +7,7 @@
 #include "draw/scene/quantity.h"
 #include "draw/scene/solid.h"
 #include "draw/scene/visibility.h"
+#include "image/font.h"
 
 /// Gregorius 2015, "Contact Points" and "Contact Manifolds"; of shapes that are apart how far, and
 /// where.
@@ -210,13 +211,36 @@ void count_shared(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   }
 }
 
-// Shapes that overlap without a point would look like an oversight. Of a ball in a wall the ball is told of.
+/// Pixels at 720 lines from a place to the right until both shapes are passed, if a text so wide has room there.
+std::optional<double> way_past(const Scene& scene, const PlacedShape& a, const PlacedShape& b,
+                               const Vec3d& from, float width) {
+  const std::optional<Point2> begin = scene.camera.project(from);
+  if (!begin) return std::nullopt;
+  float right = begin->x;
+  for (const PlacedShape* shape : {&a, &b})
+    for (const Vec3d& p : extent_points(*shape))
+      if (const std::optional<Point2> seen = scene.camera.project(p))
+        right = std::max(right, seen->x);
+  const double clearance = (right - begin->x) / scene.scales.pixel + kNumberBeside;
+  if (begin->x + clearance * scene.scales.pixel + width > scene.camera.viewport().right())
+    return std::nullopt;
+  return clearance;
+}
+
+// Shapes that overlap without a point would look like an oversight. Of a ball in a wall the ball is told of. Beside both
+// where there is room, for on them the label covers what has no normal.
 void tell_skipped(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const PlacedShape *a = scene.find(pair.a), *b = scene.find(pair.b);
   if (!pair.degenerate || pair.degenerate->answer != "skip" || a == nullptr || b == nullptr) return;
   const PlacedShape& shape = b->traced().radius > 0 ? *b : *a;
-  Label& label = sketch.label(shape.pose.transform(shape.traced().center_of_mass),
-                              "no normal: contact skipped", kText, 20, 60, -scene.camera.up());
+  const Vec3d middle = shape.pose.transform(shape.traced().center_of_mass);
+  const std::string words = "no normal: contact skipped";
+  constexpr float kSize = 20;
+  const auto past =
+      way_past(scene, *a, *b, middle,
+               text_width(words, static_cast<float>(scene.scales.pixel) * kSize, FontWeight::Bold));
+  Label& label = sketch.label(middle, words, kText, kSize, past.value_or(60),
+                              past ? scene.camera.right() : Vec3d(-scene.camera.up()));
   label.leader = true;
 }
 

@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
+#include "core/at.h"
 #include "draw/layers/layer.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/points.h"
@@ -12,9 +14,12 @@ namespace {
 // Pixels. Shorter, an arrow would hide behind the dots of its contact.
 constexpr double kLeastArrow = 8;
 constexpr double kLeastLean = 3;  // degrees
+constexpr double kAsNear = 1e-5;  // of a hull's radius
 
 constexpr Swatch kNormalSwatch{LegendGroup::Forces, 0,
                                [](auto& pen) { pen.arrow(3, 10, kNormal); }};
+constexpr Swatch kRivalSwatch{LegendGroup::Forces, 2,
+                              [](auto& pen) { pen.open_arrow(2, kDropped); }};
 constexpr Swatch kUsualNormalSwatch{LegendGroup::Forces, 1,
                                     [](auto& pen) { pen.arrow(2, 8, kDropped); }};
 
@@ -69,7 +74,58 @@ double lean_of(const Scene& scene, const trace::Pair& pair, const trace::Manifol
   return any_upright && cosine < kParallel ? std::acos(cosine) * 180 / std::numbers::pi : 0;
 }
 
+/// The point of a round shape's core that is least outside of a hull; of equal ones the middle.
+Vec3d innermost(const PlacedShape& hull, const std::vector<Vec3d>& core,
+                const std::vector<Vec3d>& normals) {
+  const auto outside = [&](const Vec3d& p) {
+    double most = -std::numeric_limits<double>::infinity();
+    for (int f = 0; f < count_of(normals); ++f)
+      most = std::max(most, at(normals, f).dot(p - hull.polygon(f)[0]));
+    return most;
+  };
+  Vec3d best = mean_of(core);
+  for (const Vec3d& p : core)
+    if (outside(p) < outside(best) - kAsNear * hull.mesh->radius) best = p;
+  return best;
+}
+
+// Gregorius 2015, "Sphere vs Hull" and "Capsule vs Hull", where geometry has no normal: of a round shape's core on an edge
+// or in the middle of a hull, the normals of the other faces that are just as near.
+void draw_rivals(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+  const PlacedShape *a = scene.find(pair.a), *b = scene.find(pair.b);
+  if (!pair.degenerate || a == nullptr || b == nullptr) return;
+  const bool hull_is_a = b->traced().radius > 0;
+  const PlacedShape &hull = hull_is_a ? *a : *b, &round = hull_is_a ? *b : *a;
+  if (hull.is_mesh() || hull.traced().faces.empty() || round.vertices.empty()) return;
+  std::vector<Vec3d> normals;
+  for (int f = 0; f < count_of(hull.traced().faces); ++f) normals.push_back(hull.normal(f));
+  const Vec3d from = innermost(hull, round.vertices, normals);
+  double nearest = -std::numeric_limits<double>::infinity();
+  const auto distance = [&](int f) { return at(normals, f).dot(from - hull.polygon(f)[0]); };
+  for (int f = 0; f < count_of(normals); ++f) nearest = std::max(nearest, distance(f));
+  for (int f = 0; f < count_of(normals); ++f) {
+    const Vec3d& normal = at(normals, f);
+    if (distance(f) < nearest - kAsNear * hull.mesh->radius) continue;
+    const auto is_taken = [&](const trace::Manifold& manifold) {
+      return std::abs(manifold.normal.dot(normal)) > 1 - kAsNear &&
+             (manifold.normal.dot(normal) > 0) == hull_is_a;
+    };
+    if (std::ranges::any_of(pair.manifolds, is_taken)) continue;
+    const Arrow arrow{.from = from,
+                      .direction = normal,
+                      .pixels = 60,
+                      .width = 2,
+                      .head = 10,
+                      .color = kDropped,
+                      .open = true};
+    if (!has_room(scene.camera, arrow)) continue;
+    sketch.arrows.push_back(arrow);
+    sketch.explain(kRivalSwatch, "normal of a face that is just as near");
+  }
+}
+
 void draw_normals(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+  draw_rivals(scene, pair, sketch);
   // A mesh's arrows, as long as elsewhere, would be a wood.
   const bool many = pair.manifolds.size() > kFewManifolds;
   const std::optional<Vec3d> usual = usual_normal(scene.frame);
