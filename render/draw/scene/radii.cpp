@@ -5,6 +5,7 @@
 #include <numbers>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/convex_polygon.h"
@@ -26,7 +27,9 @@ constexpr double kLabelled = 0.4;
 constexpr float kLengthSize = 17;
 constexpr float kSumSize = 20;
 constexpr float kCoreSize = 16;
-constexpr double kSame = 1e-4;  // of a shape's size: nearer than that is the same place
+constexpr double kBesideCore = 14;   // of its name
+constexpr double kBeneathAxis = 34;  // likewise, where the axis goes on
+constexpr double kSame = 1e-4;       // of a shape's size: nearer than that is the same place
 
 constexpr LineStyle kVirtual{1.8f, kShapeEdge, true, LineStyle::Hidden::Same};
 constexpr LineStyle kToColumn{1.0f, with_alpha(kQuietText, 0.8f)};
@@ -92,6 +95,13 @@ bool are_apart(const std::vector<Vec2d>& polygon, const Rect& box) {
   return false;
 }
 
+/// Whether a place is an end of a capsule's axis.
+bool is_end(const PlacedShape& pill, const Vec3d& place) {
+  return std::ranges::any_of(pill.vertices, [&](const Vec3d& v) {
+    return (v - place).norm() < kSame * pill.mesh->radius;
+  });
+}
+
 struct RadiiSketch {
   const Scene& scene;
   const PlacedShape& a;
@@ -113,7 +123,8 @@ struct RadiiSketch {
                    Vec3d(center + ball.radius * scene.camera.up()));
   }
 
-  void core(const PlacedShape& shape, const Vec3d& at, const Vec3d& away, bool named) {
+  void core(const PlacedShape& shape, const Vec3d& at, const Vec3d& away, bool named,
+            double clearance = kBesideCore) {
     if (!(shape.traced().radius > 0)) return;
     sketch.mark(MarkKind::Node, at, kText);
     if (!named) return;
@@ -121,13 +132,20 @@ struct RadiiSketch {
     const std::string whose = !both ? "" : &shape == &a ? "A's " : "B's ";
     std::string name = whose + "centre";
     if (is_pill(shape)) {
-      const bool end = std::ranges::any_of(shape.vertices, [&](const Vec3d& v) {
-        return (v - at).norm() < kSame * shape.mesh->radius;
-      });
+      const bool end = is_end(shape, at);
       name = end ? "end of " + whose + "axis" : "nearest on " + whose + "axis";
       if (!both) name = end ? "end of the axis" : "nearest on the axis";
     }
-    sketch.label(at, name, kText, kCoreSize, 14, away).bold = false;
+    sketch.label(at, name, kText, kCoreSize, clearance, away).bold = false;
+  }
+
+  /// In which direction the name of B's core stands, and how far away. Of a capsule whose axis goes on both ways inside
+  /// of a hull off that axis, and off the length that is measured from there to the surface.
+  std::pair<Vec3d, double> beside_core(const Cores& at, const Vec3d& right) const {
+    const bool passed =
+        is_pill(b) && !(radius_a > 0) && (at.b - at.a).dot(at.normal) < 0 && !is_end(b, at.b);
+    if (passed) return {-2 * at.normal - right, kBeneathAxis};
+    return {at.normal + right, kBesideCore};
   }
 
   /// Cores that are points or segments are apart; a hull is a solid, and the other core outside or inside.
@@ -300,7 +318,8 @@ struct RadiiSketch {
         radius(at.b, -radius_b * at.normal, right, radius_a > 0 ? 2 : 1);
       }
       core(a, at.a, -at.normal - right, first && !degenerate);
-      core(b, at.b, at.normal + right, first && !degenerate);
+      const auto [aside, clearance] = beside_core(at, right);
+      core(b, at.b, aside, first && !degenerate, clearance);
       if (first && degenerate)
         sketch.label(at.b, *degenerate, kText, kCoreSize, 14, -right - at.normal).bold = false;
       if (first) {
