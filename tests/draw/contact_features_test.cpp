@@ -132,14 +132,14 @@ TEST(SatQueries, StandInThreeColumnsThatShowTheSame) {
   EXPECT_THAT(feature_labels(sketch),
               testing::IsSupersetOf({"faces of A", "faces of B", "pairs of edges",
                                      "overlap 2.00 mm: the least, chosen", "overlap 3.00 mm",
-                                     "not asked any more"}));
+                                     "not tested"}));
   EXPECT_TRUE(std::ranges::any_of(sketch.legend.sorted(), [](const LegendEntry& entry) {
     return entry.text == "parallel plane through the support point";
   }));
   // The same corner of the slab in each column: a third of the view apart, at one height.
   std::vector<Point2> places;
   for (const Label& label : sketch.labels)
-    if (label.text.find("of") != std::string::npos || label.text == "not asked any more")
+    if (label.text.find("of") != std::string::npos || label.text == "not tested")
       places.push_back(*staging.camera.project(label.at));
   const double third = staging.layout.view.width / 3;
   EXPECT_NEAR(places[1].x - places[0].x, third, 0.5);

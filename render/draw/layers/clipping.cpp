@@ -135,7 +135,10 @@ void draw_side_planes(const Scene& scene, const trace::Pair& pair, Sketch& sketc
 void draw_clip_polygons(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   if (const auto segment = clipped_segment(scene, pair)) {
     sketch.bordered_line(segment->from, segment->to, {4.5f, kClipPolygon}, 8);
-    sketch.explain(kClippedSegmentSwatch, "axis of the capsule, clipped",
+    bool is_cut = false;
+    for (std::size_t k = 0; k < segment->sides.size(); ++k) is_cut = is_cut || segment->cuts(k);
+    sketch.explain(kClippedSegmentSwatch,
+                   is_cut ? "axis of the capsule, clipped" : "axis of the capsule",
                    Vec3d(0.7 * segment->from + 0.3 * segment->to));
   }
   const std::size_t shown = clip_steps_to_show(scene, pair);

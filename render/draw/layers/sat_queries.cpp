@@ -156,7 +156,7 @@ void draw_sat_queries(const Scene& scene, const trace::Pair& pair, Sketch& sketc
       Column{scene, sketch, offset}.draw_best(*found[k], chosen, size);
     const Vec3d above = middle + offset + top * camera.up();
     sketch.label(above, kQueryNames[k], kText, kQueryName, 0, Vec3d(-camera.up()));
-    std::string words = "not asked any more";
+    std::string words = "not tested";
     if (found[k]) {
       const bool apart = found[k]->separation > 0;
       words = spell_separation(found[k]->separation, scene.noise(pair), scene.scales.length);
