@@ -20,7 +20,7 @@ constexpr float kMostRow = 3.6f, kMostRowOfOne = 6;
 constexpr float kLeastRow = 0.9f;
 constexpr float kAroundHistory = 2.8f;  // a title, the frames and space below
 constexpr float kHeadline = 2.4f;       // how often the cache answered, where one pair is shown
-constexpr float kTestsRow = 1.6f;       // in which frames it did not
+constexpr float kTestsRow = 3;          // in which frames it did not
 constexpr float kLeastHistory = kAroundHistory + kLeastRow * static_cast<float>(kAxisRows.size());
 
 constexpr double kNameColumn = 78;    // pixels at 720 lines
@@ -195,7 +195,8 @@ class AxisHistoryPanel : public PanelContent {
     const Rect rest = sheet.rest();
     const double left = rest.x + pen.px(kNameColumn), width = rest.right() - left;
     const double cell = width / static_cast<double>(moments.size());
-    const double y = rest.y + 0.35 * sheet.line_height(), height = 1.1 * sheet.line_height();
+    const double y = rest.y + 0.4 * sheet.line_height();
+    const double height = (kTestsRow - 0.6) * sheet.line_height();
     pen.text("full test", pixel(rest.x, y + 0.5 * height + 0.3 * sheet.text_height()), Align::Left,
              kText);
     pen.fill({left, y, width, height}, with_alpha(kQuietText, 0.10f));
