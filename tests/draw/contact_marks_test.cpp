@@ -204,6 +204,38 @@ TEST(Sweep, WhatTurnsShowsTheWayOfThePointThatMeets) {
   EXPECT_LT((*sketch.arrows[0].to - scene.pair().impact->point_a).norm(), 0.2);
 }
 
+// Its middle goes on as it does now; what turns has no straight way.
+TEST(Sweep, WhatIsNotSeenAtTheNextFrameShowsItsWayThere) {
+  FallingCrate scene;
+  scene.pair().impact->status = "separated";
+  scene.pair().impact->distances.back().distance = 0.2;
+  const auto tips = [&] {
+    std::vector<Vec3d> all;
+    for (const Arrow& arrow : scene.sketch().arrows) all.push_back(*arrow.to);
+    return all;
+  };
+  ASSERT_EQ(tips().size(), 1u);
+  EXPECT_LT((tips()[0] - Vec3d(0, -0.5, 0)).norm(), 1e-9);
+  scene.pair().impact->travel_b.turn = {0, 0, 1.5};
+  EXPECT_TRUE(tips().empty());
+}
+
+TEST(Sweep, SkinsBearTheNumbersOfTheStepsInTheChart) {
+  FallingCrate scene;
+  scene.pair().impact->travel_b.turn = {0, 0, 1.5};
+  for (const double safe : {0.2, 0.35, 0.499})
+    scene.pair().impact->steps.emplace_back().safe = safe;
+  const auto numbers = [&] {
+    std::vector<std::string> all;
+    for (const Label& label : scene.sketch().labels) all.push_back(label.text);
+    return all;
+  };
+  EXPECT_THAT(numbers(), testing::Not(Contains("2"))) << "without a chart they would mean nothing";
+  scene.view.panels = {Panel::Approach};
+  EXPECT_THAT(numbers(), testing::IsSupersetOf({"2", "3"}));
+  EXPECT_THAT(numbers(), testing::Not(Contains("4"))) << "nearly where they meet";
+}
+
 /// A slice of a field 2 m wide with cells of 0.1 m, through the middle of what is seen: y < 0 is inside.
 struct FieldOnSlab : CrateOnSlab {
   FieldOnSlab() {

@@ -148,9 +148,10 @@ TEST(MeshPictures, CornersOfTheTriangleThatMeetsFirstGoStraightOn) {
   impact.triangle_a = 0;
   impact.corners_a = {{-1, -1, 1}, {1, -1, 1}, {1, -1, -1}};
   const auto ways = [&] {
-    return std::ranges::count_if(scene.sketch().lines, [](const Line& line) {
-      return crate_sample::same(line.style.color, kContact) && line.style.dashed &&
-             (line.to - line.from - Vec3d(0, -1, 0)).norm() < 1e-9;
+    return std::ranges::count_if(scene.sketch().arrows, [&](const Arrow& arrow) {
+      return crate_sample::same(arrow.color, kContact) &&
+             std::ranges::find(impact.corners_a, *arrow.to) != impact.corners_a.end() &&
+             (*arrow.to - arrow.from).normalized().isApprox(Vec3d(0, -1, 0), 1e-9);
     });
   };
   EXPECT_EQ(ways(), 3);

@@ -457,9 +457,9 @@ TEST(DynamicsPicture, AheadIsWhereABodyWouldBeAFrameLaterAndTheGap) {
     if (line.style.dashed) dashed.push_back(line);
   }
   ASSERT_GE(dashed.size(), 5u) << "a silhouette, and the way";
-  EXPECT_NEAR((dashed.back().to - dashed.back().from - Vec3d(0, -0.3, 0)).norm(), 0, 1e-12);
-  ASSERT_EQ(sketch.arrows.size(), 1u);
-  const Vec3d gap = *sketch.arrows[0].to - sketch.arrows[0].from;
+  ASSERT_EQ(sketch.arrows.size(), 2u) << "the head of the way, and the gap";
+  EXPECT_NEAR((*sketch.arrows[0].to - dashed.back().from - Vec3d(0, -0.3, 0)).norm(), 0, 1e-12);
+  const Vec3d gap = *sketch.arrows[1].to - sketch.arrows[1].from;
   EXPECT_NEAR((gap - Vec3d(0, 0.25, 0)).norm(), 0, 1e-12);
 }
 

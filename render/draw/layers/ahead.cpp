@@ -48,7 +48,7 @@ void draw_ahead(const Scene& scene, Sketch& sketch) {
     const Vec3d turn = step * body.angular_velocity;
     const PlacedShape later = moved(*shape, center, way, turn);
     draw_ghost(scene.camera, later, kGhost, sketch);
-    sketch.line(center, center + way, {1.2f, kDropped, true});
+    draw_way(scene, center, center + way, border_of_ball(*shape), {1.2f, kDropped, true}, sketch);
     if (!in_view(scene.camera, later)) continue;
     sketch.explain(kAheadSwatch, "a frame later, if nothing stopped it", Vec3d(center + way));
   }

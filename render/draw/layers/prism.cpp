@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "draw/layers/layer.h"
+#include "draw/scene/ghost.h"
 #include "draw/scene/pairs.h"
 
 /// Where the centre of a ball is when the ball touches a triangle: a prism with rounded edges. Its
@@ -14,11 +15,12 @@ namespace {
 
 constexpr int kMostTriangles =
     8;  // of a mesh, of which all are drawn; of others the one that is met
-constexpr Color kFaceTint = rgb(0xA9AFB8);
-constexpr Color kEdgeTint = rgb(0xCDD2D9);
-constexpr Color kVertexTint = rgb(0xEDF0F3);
+constexpr Color kFaceTint = rgb(0xBFC6D0);
+constexpr Color kEdgeTint = rgb(0xD9DEE5);
+constexpr Color kVertexTint = rgb(0xEFF2F5);
 constexpr LineStyle kThin{1.0f, kDropped};
-constexpr LineStyle kWay{1.5f, kContact, true};
+constexpr LineStyle kWay{1.8f, kContact, true};
+constexpr double kBeforeCross = 8;  // pixels between it and the tip of the way
 
 /// Its three tints beside each other, in the order of the words.
 constexpr Swatch kPrismSwatch{
@@ -91,6 +93,9 @@ void draw_triangle(const Scene& scene, const std::vector<Vec3d>& corners, double
   std::vector<Vec3d> flat;
   for (const Vec3d& corner : corners) flat.emplace_back(corner + side * normal);
   sketch.face(flat, kFaceTint, kThin);
+  // What it is about is seen through it.
+  sketch.outline(corners, {5, with_alpha(kWhite, 0.85f)});
+  sketch.outline(corners, {2.2f, kShapeEdge});
 }
 
 void draw_prism(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
@@ -119,16 +124,18 @@ void draw_prism(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
         draw_triangle(scene, mesh->polygon(triangle), ball->traced().radius, sketch);
   }
   const Vec3d center = ball->pose.position;
-  sketch.line(center, center + way->displacement, kWay);
-  if (pair.impact->status == "hit") {
-    const Vec3d touching = center + pair.impact->time * way->displacement;
+  const bool hits = pair.impact->status == "hit";
+  const Vec3d touching = center + (hits ? pair.impact->time : 1.0) * way->displacement;
+  const double pixel = scene.scales.pixel / scene.camera.pixels_per_metre(touching);  // metres
+  draw_way(scene, center, touching, hits ? kBeforeCross * pixel : 0, kWay, sketch);
+  if (hits) {
     // The contact is a dot, and this is none.
     sketch.mark(MarkKind::Cross, touching, kContact);
     sketch.explain(kCenterSwatch, "centre of the ball as it touches", touching);
     sketch.explain(kPlainPointSwatch, "contact point", pair.impact->point_a);
   }
   sketch.explain(kPrismSwatch, "prism about face, edges and vertices");
-  sketch.explain(kWaySwatch, "way of a ball's centre", Vec3d(center + 0.3 * way->displacement));
+  sketch.explain(kWaySwatch, "way of a ball's centre", Vec3d(0.7 * center + 0.3 * touching));
 }
 
 }  // namespace

@@ -18,6 +18,8 @@ constexpr double kLeastBetween = 0.02;  // of the step: of skins that are nearer
 
 constexpr LineStyle kSkin{1.2f, kDropped};
 constexpr LineStyle kEnd{2.0f, kDropped, true};
+constexpr LineStyle kEndWay{1.2f, kDropped, true};
+constexpr LineStyle kEndWayOfHit{1.2f, with_alpha(kDropped, 0.55f), true};
 constexpr LineStyle kEndOfHit{1.6f, with_alpha(kDropped, 0.55f), true};
 constexpr LineStyle kMeeting{3.0f, kContact};
 
@@ -91,6 +93,27 @@ void draw_turn_way(const Scene& scene, const trace::Travel& travel, const Vec3d&
   sketch.explain(kTurnWaySwatch, "way of the point that meets");
 }
 
+/// Which step of the chart of the approach begins at a skin, at its end that is highest on the screen.
+void number_skin(const Scene& scene, const PlacedShape& shape, const trace::Travel& travel,
+                 double time, std::size_t step, Sketch& sketch) {
+  constexpr double kEqually = 0.98;  // of the way from the pivot
+  if (travel.turn.isZero(0) || shape.vertices.empty()) return;
+  const PlacedShape skin =
+      moved(shape, travel.pivot, time * travel.displacement, time * travel.turn);
+  const Vec3d pivot = travel.pivot + time * travel.displacement;
+  const auto reach = [&](const Vec3d& at) { return (at - pivot).norm(); };
+  const double farthest = reach(*std::ranges::max_element(skin.vertices, {}, reach));
+  const Vec3d* end = nullptr;
+  for (const Vec3d& at : skin.vertices) {
+    if (reach(at) < kEqually * farthest) continue;
+    if (end == nullptr || (at - *end).dot(scene.camera.up()) > 0) end = &at;
+  }
+  const double round =
+      skin.traced().radius * scene.camera.pixels_per_metre(*end) / scene.scales.pixel;
+  sketch.label(*end, std::to_string(step), kAxisText, 17, round + 5,
+               Vec3d((*end - pivot).normalized()));
+}
+
 /// Of a mesh the triangle that meets the other one first, where it does; and how its corners get there
 /// from where they are now, each straight on.
 void draw_met_triangle(const Scene& scene, const PlacedShape* mesh, int triangle,
@@ -104,7 +127,8 @@ void draw_met_triangle(const Scene& scene, const PlacedShape* mesh, int triangle
   if (now.size() != corners.size() || (corners[0] - now[0]).norm() * pixels < kLeastCornerWay)
     return;
   sketch.face(now, with_alpha(kContact, 0.15f), kMetTriangleNow);
-  for (std::size_t i = 0; i < now.size(); ++i) sketch.line(now[i], corners[i], kCornerWay);
+  for (std::size_t i = 0; i < now.size(); ++i)
+    draw_way(scene, now[i], corners[i], 0, kCornerWay, sketch);
   sketch.explain(kCornerWaySwatch, "way of a corner");
 }
 
@@ -140,13 +164,20 @@ void draw_sweep(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
     draw_turned(time, is_cast && time < 1 ? 0 : time, style, filled);
   };
   double last = 0;
-  for (const trace::ImpactStep& step : impact.steps) {
+  for (std::size_t i = 0; i < impact.steps.size(); ++i) {
+    const trace::ImpactStep& step = impact.steps[i];
     if (impact.method == "speculative") break;  // nobody searches; the answer judges ghosts alone
     if (impact.status == "separated") break;    // nothing is found: the way is drawn, and enough
     if (step.safe - last < kLeastBetween || step.safe >= 1) continue;
     if (impact.status == "hit" && impact.time - step.safe < kLeastBetween) continue;
     last = step.safe;
     draw_at(step.safe, kSkin);
+    if (scene.view.shows(Panel::Approach)) {
+      for (const auto& [name, travel] :
+           {std::pair(pair.a, &impact.travel_a), std::pair(pair.b, &impact.travel_b)})
+        if (const PlacedShape* shape = scene.find(name))
+          number_skin(scene, *shape, *travel, step.safe, i + 2, sketch);
+    }
     sketch.explain(kSkinSwatch, "a step of the search: apart for certain until then");
   }
   const PlacedShape *a = scene.find(pair.a), *b = scene.find(pair.b);
@@ -165,6 +196,17 @@ void draw_sweep(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
     if (ends_in_view(a, impact.travel_a) || ends_in_view(b, impact.travel_b))
       sketch.explain(impact.status == "hit" ? kEndOfHitSwatch : kEndSwatch,
                      "at the next frame, if nothing stopped it");
+  }
+  if (!is_seen_anyway) {
+    for (const auto& [shape, travel] :
+         {std::pair(a, &impact.travel_a), std::pair(b, &impact.travel_b)}) {
+      if (shape == nullptr || !travel->turn.isZero(0) || !moves(scene, *shape, *travel)) continue;
+      // The middle of what is no ball is nowhere to be seen, and here it is not what matters.
+      if (impact.status == "hit" && border_of_ball(*shape) == 0) continue;
+      const Vec3d middle = shape->pose.transform(shape->traced().center_of_mass);
+      draw_way(scene, middle, middle + travel->displacement, border_of_ball(*shape),
+               impact.status == "hit" ? kEndWayOfHit : kEndWay, sketch);
+    }
   }
   for (const Vec3d& ghost : impact.ghosts) {
     sketch.mark(MarkKind::WideRing, ghost, kAxis);

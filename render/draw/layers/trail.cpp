@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t kMostSkins = 12;  // of one shape
 
 constexpr LineStyle kPast{1.2f, kDropped};
-constexpr LineStyle kTrailWay{1.2f, kDropped, true};
+constexpr LineStyle kTrailWay{1.5f, kDropped, true};
 // Where dashes are what is to come.
 constexpr LineStyle kSolidWay{1.2f, with_alpha(kDropped, 0.7f)};
 
@@ -63,11 +63,8 @@ void draw_trail(const Scene& scene, Sketch& sketch) {
       const Vec3d place = then.transform(middle), way = next.transform(middle) - place;
       const Quatd turn = then.rotation * shape.pose.rotation.conjugate();
       if (way.isZero(0) && then.rotation.coeffs() == next.rotation.coeffs()) continue;
-      // Up to the border of a ball where it is now: its name may stand on it.
-      const bool to_border =
-          shows_future && k + 2 == past.size() && shape.traced().type == "sphere" && way.norm() > 0;
-      const double inside = to_border ? std::min(1.0, shape.traced().radius / way.norm()) : 0;
-      sketch.line(place, place + (1 - inside) * way, shows_future ? kSolidWay : kTrailWay);
+      draw_way(scene, place, place + way, border_of_ball(shape),
+               shows_future ? kSolidWay : kTrailWay, sketch);
       const auto merges = [&](const Vec3d& other) {
         return (place - other).norm() * pixels_per_metre < kLeastStep;
       };

@@ -76,10 +76,10 @@ class ApproachPanel : public PanelContent {
     pen.text(spell_length(most, 0, length_unit(most)), pixel(left, chart.y + pen.px(10)),
              Align::Right, kQuietText);
     pen.text("0", pixel(left, chart.y + chart.height + pen.px(4)), Align::Right, kQuietText);
-    pen.text("0", pixel(chart.x, below), Align::Center, kQuietText);
+    pen.text("0 %", pixel(chart.x, below), Align::Center, kQuietText);
     pen.text("share of the step", pixel(chart.x + 0.5 * chart.width, below), Align::Center,
              kQuietText);
-    pen.text("1", pixel(chart.x + chart.width, below), Align::Center, kQuietText);
+    pen.text("100 %", pixel(chart.x + chart.width + pen.px(6), below), Align::Right, kQuietText);
 
     std::vector<Point2> curve;
     for (const trace::DistanceAt& at : impact.distances)

@@ -1,5 +1,7 @@
 #include "draw/scene/ghost.h"
 
+#include <algorithm>
+
 namespace contactscope::draw {
 
 PlacedShape moved(PlacedShape shape, const Vec3d& pivot, const Vec3d& way, const Vec3d& turn) {
@@ -37,6 +39,29 @@ void draw_ghost(const Camera& camera, const PlacedShape& shape, const LineStyle&
     if (front(edge.left) != front(edge.right))
       sketch.line(shape.vertex(edge.from), shape.vertex(edge.to), style);
   }
+}
+
+void draw_way(const Scene& scene, const Vec3d& from, const Vec3d& to, double before,
+              const LineStyle& style, Sketch& sketch) {
+  constexpr double kHead = 12, kLeast = 30;  // pixels: of a way that has a head
+  const double length = (to - from).norm();
+  if (!(length > 0)) return;
+  const Vec3d end = to - std::min(1.0, before / length) * (to - from);
+  const std::optional<float> seen = seen_distance(scene.camera, from, end);
+  if (!seen || *seen < kLeast * scene.scales.pixel) return sketch.line(from, end, style);
+  const Vec3d neck = end - kHead * scene.scales.pixel / *seen * (end - from);
+  sketch.line(from, neck, style);
+  sketch.arrows.push_back({.from = neck,
+                           .to = end,
+                           .width = style.width,
+                           .head = static_cast<float>(kHead),
+                           .color = style.color,
+                           .halo = false,
+                           .head_share = 1});
+}
+
+double border_of_ball(const PlacedShape& shape) {
+  return shape.traced().type == "sphere" ? shape.traced().radius : 0;
 }
 
 }  // namespace contactscope::draw
