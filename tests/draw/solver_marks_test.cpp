@@ -75,6 +75,38 @@ TEST(Loads, OfOnePointTheArrowSaysItself) {
   EXPECT_THAT(brackets(sketch), IsEmpty());
 }
 
+TEST(Loads, OfPointsThatAreSeenInOnePlaceOneArrowIsTheSum) {
+  PushedCrate scene(1);
+  scene.view.eye = Vec3d(5, 0, 0.5);
+  scene.view.target = Vec3d(0, 0, 0.5);
+  scene.view.orthographic_height = 3;
+  const auto arrows = [&] {
+    const Sketch sketch = scene.drawn();
+    return std::ranges::count_if(sketch.arrows, [](const Arrow& arrow) {
+      return crate_sample::same(arrow.color, kImpulse);
+    });
+  };
+  EXPECT_THAT(words_of(scene.drawn()), Contains("20.0 N"));
+  EXPECT_THAT(brackets(scene.drawn()), IsEmpty());
+  EXPECT_EQ(arrows(), 1);
+  scene.view.impulse_scale = 1e-5;
+  EXPECT_THAT(words_of(scene.drawn()), Not(Contains("20.0 N"))) << "a number of no arrow";
+}
+
+TEST(Impulses, APointThatIsStillApartAndGetsNothingHasNoMark) {
+  PushedCrate scene(0);
+  scene.view.layers = {Layer::Shapes, Layer::Impulses};
+  scene.view.impulse_scale = 0.1;
+  const auto nodes = [&] {
+    const Sketch sketch = scene.drawn();
+    return std::ranges::count(sketch.marks, MarkKind::Node, &Mark::kind);
+  };
+  scene.manifold().points[0].impulse->normal = 1;
+  EXPECT_EQ(nodes(), 2) << "what touches is a contact point all the same";
+  scene.manifold().points[1].separation = 0.1;
+  EXPECT_EQ(nodes(), 1);
+}
+
 TEST(Friction, OfAPointThatHasFarLessThanAnotherHasNoArrow) {
   PushedCrate scene(1);
   scene.view.layers = {Layer::Shapes, Layer::Impulses, Layer::Friction};

@@ -99,7 +99,21 @@ double largest_friction(const Scene& scene) {
   return largest;
 }
 
-void draw_friction(const Scene& scene, const trace::Point& point, double side, Sketch& sketch) {
+/// Of all pairs, each of which is one sum.
+double largest_friction_of_pairs(const Scene& scene) {
+  double largest = 0;
+  for (const trace::Pair& pair : scene.frame.pairs) {
+    Vec3d sum = Vec3d::Zero();
+    for (const auto& [manifold, point] : all_points(pair))
+      if (point->impulse) sum += point->impulse->friction;
+    largest = std::max(largest, sum.norm());
+  }
+  return largest;
+}
+
+/// The way of its arrow; nothing where there is too little of it for one beside the `largest`.
+std::optional<Vec3d> draw_friction(const Scene& scene, const trace::Point& point, double side,
+                                   double largest, Sketch& sketch) {
   const SequenceScales& scales = scene.scales;
   const Vec3d& at = point.position;
   const bool own_scale = scales.friction != scales.impulse;
@@ -110,13 +124,58 @@ void draw_friction(const Scene& scene, const trace::Point& point, double side, S
   const Vec3d way = side * share * scales.friction * point.impulse->friction;
   // As it is seen: towards the eye it would be a blot too.
   const auto seen = seen_distance(scene.camera, at, at + way);
-  if (!seen || !(*seen >= kLeastFriction * scales.pixel)) return;
-  if (point.impulse->friction.norm() < kLeastOfFriction * largest_friction(scene)) return;
+  if (!seen || !(*seen >= kLeastFriction * scales.pixel)) return std::nullopt;
+  if (point.impulse->friction.norm() < kLeastOfFriction * largest) return std::nullopt;
   sketch.arrows.push_back(arrow_to_scale(at, way, 2.5f, 10, kFriction));
   sketch.arrows.back().open = true;
   if (share < 1) draw_break(scene, at + 0.6 * way, way.normalized(), kFriction, sketch);
   sketch.explain(kFrictionSwatch, own_scale ? "friction, " + spell_scale(scene, scales.friction)
                                             : "friction, same scale");
+  return way;
+}
+
+std::string spell_load(const Scene& scene, double newton_seconds) {
+  return spell_quantity(newton_seconds / scene.scales.step, "N", 3, scene.scales.load);
+}
+
+// Points that are seen in one place, as those of an edge from its end, push as one; nothing where
+// they are seen apart, or push another way.
+std::optional<PairPoint> seen_as_one(const Scene& scene, const trace::Pair& pair,
+                                     trace::Point& sum) {
+  constexpr float kOnePlace = 4;     // pixels
+  constexpr double kOneWay = 0.999;  // cosine
+  std::optional<PairPoint> first;
+  for (const PairPoint& one : all_points(pair)) {
+    if (!one.point->impulse) continue;
+    if (!first) {
+      first = {one.manifold, &sum};
+      sum = *one.point;
+      sum.impulse->warm_start = 0;  // of each by itself
+      continue;
+    }
+    const auto apart = seen_distance(scene.camera, sum.position, one.point->position);
+    if (!apart || *apart > kOnePlace * scene.scales.pixel ||
+        first->manifold->normal.dot(one.manifold->normal) < kOneWay)
+      return std::nullopt;
+    sum.impulse->normal += one.point->impulse->normal;
+    sum.impulse->friction += one.point->impulse->friction;
+  }
+  return first;
+}
+
+// What it pushes and holds one of the bodies with, as two arrows with their numbers.
+void draw_load_of_one(const Scene& scene, const PairPoint& at, double side, Sketch& sketch) {
+  const trace::Point& point = *at.point;
+  const Vec3d out = side * at.manifold->normal;
+  draw_normal_impulse(scene, point, out, sketch);
+  const double shown =
+      std::min(scene.scales.impulse * point.impulse->normal, scene.scales.longest_impulse);
+  if (shown * scene.camera.pixels_per_metre(point.position) >= kLeastImpulse)
+    sketch.label(point.position + shown * out, spell_load(scene, point.impulse->normal), kImpulse,
+                 17, 8, out);
+  if (const auto way = draw_friction(scene, point, side, largest_friction_of_pairs(scene), sketch))
+    sketch.label(point.position + 0.5 * *way, spell_load(scene, point.impulse->friction.norm()),
+                 kFrictionText, 17, 8, scene.camera.up());
 }
 
 // What the pair's points carry together.
@@ -195,19 +254,9 @@ std::optional<Bracket> bracket_beside(const Scene& scene, const PairLoad& load) 
 void draw_load(const Scene& scene, const trace::Pair& pair, double side, Sketch& sketch) {
   const PairLoad load = load_of(scene, pair, side);
   if (load.outermost == nullptr || !(load.normal > 0)) return;
-  const double step = scene.scales.step;
-  const std::string normal = spell_quantity(load.normal / step, "N", 3, scene.scales.load);
+  const std::string normal = spell_load(scene, load.normal);
   const bool rubs = scene.shows(Layer::Friction) && load.friction.norm() >= 1e-6 * load.normal;
-  const std::string friction =
-      spell_quantity(load.friction.norm() / step, "N", 3, scene.scales.load);
-  if (load.at.size() == 1) {
-    const Vec3d& at = load.outermost->position;
-    sketch.label(at, normal, kImpulse, 17, 12, scene.camera.right());
-    if (!rubs) return;
-    const Vec3d way = side * scene.scales.friction * load.outermost->impulse->friction;
-    sketch.label(at + way, friction, kFrictionText, 17, 10, Vec3d(load.friction.normalized()));
-    return;
-  }
+  const std::string friction = spell_load(scene, load.friction.norm());
   const std::optional<Bracket> bracket = bracket_beside(scene, load);
   if (!bracket) return;
   const LineStyle style{1.8f, kImpulse};
@@ -225,6 +274,17 @@ void draw_impulses(const Scene& scene, const trace::Pair& pair, Sketch& sketch) 
   const bool moves_a = scene.frame.solver && scene.body(pair.a) != nullptr;
   const bool moves_b = !scene.frame.solver || scene.body(pair.b) != nullptr;
   const double side = moves_a && !moves_b ? -1 : 1;
+  trace::Point sum;
+  const std::optional<PairPoint> one =
+      shows_loads(scene) ? seen_as_one(scene, pair, sum) : std::nullopt;
+  if (one && sum.impulse->normal > 0 && scene.camera.sees(sum.position)) {
+    if (!scene.shows(Layer::Contacts)) {
+      sketch.mark(MarkKind::Node, sum.position, kContact);
+      sketch.explain(kPushedSwatch, "contact point", sum.position);
+    }
+    if (moves_a && moves_b) draw_load_of_one(scene, *one, -side, sketch);
+    return draw_load_of_one(scene, *one, side, sketch);
+  }
   if (shows_loads(scene)) draw_load(scene, pair, side, sketch);
   std::size_t points = 0;
   for (const trace::Pair& other : scene.frame.pairs) {
@@ -233,6 +293,8 @@ void draw_impulses(const Scene& scene, const trace::Pair& pair, Sketch& sketch) 
   for (const auto& [manifold, point] : all_points(pair)) {
     const Vec3d& at = point->position;
     if (!point->impulse || !scene.camera.sees(at)) continue;
+    // What is still apart and gets nothing is no place at which anything is pushed.
+    if (stands_off(*point, scene.scales) && point->impulse->normal == 0) continue;
     const Vec3d out = side * manifold->normal;
     if (!scene.shows(Layer::Contacts)) {
       sketch.mark(MarkKind::Node, at, kContact);
@@ -241,7 +303,7 @@ void draw_impulses(const Scene& scene, const trace::Pair& pair, Sketch& sketch) 
     draw_normal_impulse(scene, *point, out, sketch);
     const bool pushes_both = moves_a && moves_b && points == 1;
     if (pushes_both) draw_normal_impulse(scene, *point, -out, sketch);
-    draw_friction(scene, *point, side, sketch);
+    draw_friction(scene, *point, side, largest_friction(scene), sketch);
     const double length = scene.scales.impulse * point->impulse->normal;
     const double pixels = scene.camera.pixels_per_metre(at);
     if (shows_loads(scene) || points > kLabelledPoints || length * pixels < kLeastImpulse) continue;
