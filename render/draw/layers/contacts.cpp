@@ -323,6 +323,12 @@ double largest_overlap(const Scene& scene) {
   return largest;
 }
 
+double least_separation(const trace::Pair& pair) {
+  double least = 1e300;
+  for (const PairPoint& at : all_points(pair)) least = std::min(least, at.point->separation);
+  return least;
+}
+
 /// How deep the pair is, beside its deepest point.
 void draw_overlap(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const std::optional<PairPoint> deepest = deepest_of(scene, pair);
@@ -337,8 +343,9 @@ void draw_overlap(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
     if (largest < least || -point.separation < kLeastShare * largest) return;
   }
   const OnBoth whisker = whisker_at(scene, pair, *deepest);
+  // Equally deep points differ in their last digit: the number is that of the title and the charts.
   const std::string words =
-      spell_separation(point.separation, scene.noise(pair), scene.scales.length);
+      spell_separation(least_separation(pair), scene.noise(pair), scene.scales.length);
   // One sign for one overlap: where whiskers are seen, their numbers stand beside them alone.
   const bool any_whisker = std::ranges::any_of(scene.frame.pairs, [&](const trace::Pair& other) {
     const std::optional<PairPoint> at = deepest_of(scene, other);
