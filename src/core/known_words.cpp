@@ -214,6 +214,7 @@ const std::vector<std::string_view>& known_words() {
       "separation",
       "time",
       "asleep",
+      "awake",
       "cores",
       "confirmed",
       "asked",

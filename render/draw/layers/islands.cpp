@@ -114,6 +114,8 @@ void draw_islands(const Scene& scene, Sketch& sketch) {
                        (members == 1 ? " body" : " bodies");
     if (asleep)
       text += ", asleep";
+    else if (bodies[i].asleep)
+      text += ", awake";
     else if (rest >= kLeastRest)
       text += ", unmoved for " + std::to_string(rest) + " frames";
     // Over the bodies: as wide as one of them, it would cover its edges.
