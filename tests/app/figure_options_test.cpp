@@ -53,6 +53,15 @@ TEST(FigureOptions, EveryWordHasAGermanOne) {
   std::istringstream lines(listed.out);
   for (std::string word; std::getline(lines, word);)
     EXPECT_THAT(german, HasSubstr("\"" + word + "\" = \"")) << word;
+  // No word is there twice, which is no TOML, and none that pictures lack.
+  const TemporaryFolder folder;
+  const ProgramRun drawn =
+      run(kFigure +
+          "--format svg --words '" CONTACTSCOPE_SOURCE_DIR "/src/package/words/de.toml' --out '" +
+          folder.path().string() + "'");
+  EXPECT_EQ(drawn.exit_code, 0) << drawn.err;
+  EXPECT_THAT(read_text(folder.path() / "hull/face_contact/frame_0012.svg"),
+              HasSubstr("Bezugsfläche"));
 }
 
 TEST(FigureOptions, AScenarioMayReplaceWordsAndNames) {
