@@ -74,7 +74,8 @@ trace::Study picture_errors(const trace::Study& measured) {
     study.reference.erase(begin, seed - begin);
   study.shown =
       "Fields of " + number(kUsualCells) +
-      " cells along the longest side, asked within 2 cm of the surface of a ball 1 m wide";
+      " cells along the longest side, asked within 2 cm of the surface of a ball 1 m wide. Exact "
+      "cells ask their triangles";
   if (study.measure != "distance") return study;
   tell(study, [&] {
     const auto at_usual = [&](const char* method) -> const trace::StudyPoint& {
@@ -214,7 +215,7 @@ trace::Study picture_plate(const trace::Study& measured) {
   }
   study.unit = trace::kShare;
   study.shown =
-      "Up: share of the places in the middle of a plate beside a wall that a field calls outside";
+      "Up: share of a plate's middle that a field calls outside. Exact cells ask their triangles";
   tell(study, [&] {
     const double quarter = 0.25;
     const char* const kPlate = "a plate beside a wall";

@@ -34,8 +34,8 @@ trace::Study picture_sweeps(const trace::Study& measured) {
   study.signal.clear();
   study.reference = study.reference.substr(0, study.reference.find(';'));
   study.shown =
-      "Up: largest error of a contact, as a fraction of the size of its shapes, whose positions "
-      "are rounded";
+      "Up: largest error of a contact over the size of its shapes, whose poses float or double "
+      "rounds; both axes logarithmic";
   tell(study, [&] {
     const auto far = [&](const char* scalar) {
       const trace::StudySeries& series =

@@ -22,7 +22,9 @@ trace::Study picture_bounds(const trace::Study& measured) {
     series.parameter = "length of the boxes / their width";
   study.form = trace::StudyForm::Curves;
   study.unit = trace::kShare;
-  study.shown = "Up: of the pairs that a bound lets through, the share that is apart";
+  study.shown =
+      "Up: of the pairs that a bound lets through, the share that is apart. Rods: " + number(kRod) +
+      " times as long as wide";
   tell(study, [&] {
     const auto at_rod = [&](const char* method) {
       return percent(error_at(series_of(measured, method), kRod));
@@ -31,10 +33,10 @@ trace::Study picture_bounds(const trace::Study& measured) {
       for (trace::StudyPoint& point : series.points)
         if (point.parameter == kRod && point.error && series.method.starts_with("axis-aligned"))
           point.mark = "rods: " + percent(*point.error);
-    return "Of the rods that axis-aligned boxes let through " + at_rod("AABB") + " are apart; " +
+    return at_rod("AABB") + " of the rods that axis-aligned boxes let through are apart; " +
            (error_at(series_of(measured, "OBB, fifteen axes"), kRod) > 0
                 ? "of those of fifteen axes " + at_rod("OBB, fifteen axes")
-                : "fifteen axes let through none of these");
+                : "fifteen axes let none of them through");
   });
   return study;
 }

@@ -57,7 +57,7 @@ trace::Study picture_wrong(const trace::Study& measured) {
   for (trace::StudySeries& series : study.series)
     series.parameter = "units in the last place off the plane";
   study.unit = trace::kShare;
-  study.shown = "Up: share of wrong answers to whether two triangles share a point";
+  study.shown = "Up: share of wrong answers to whether two triangles of 1 m share a point";
   tell(study, [&] {
     const auto most = [&](trace::Study& whose, const char* method) {
       trace::StudyPoint& worst = worst_of(whose, method);
@@ -88,13 +88,13 @@ trace::Study picture_answers(const trace::Study& measured) {
   };
   const std::string in_float = wrong_in("float"), in_double = wrong_in("double"),
                     exact = wrong_in("exact");
-  study.title = "Of " + count(corners) + " corners beside a plane float answers " + in_float +
+  study.title = "Of " + count(corners) + " places of a corner at a plane float gets " + in_float +
                 " wrong, double " + in_double + ", the exact test " + exact;
   for (trace::StudySeries& series : study.series)
     series.panel[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(series.panel[0])));
   study.shown =
-      "Colour: answer for a corner moved by its last bits; on the diagonal it touches, above it "
-      "crosses";
+      "Colour: the answer for a triangle, a corner of which is moved by its last bits; on the "
+      "diagonal it touches the plane, above it crosses";
   return study;
 }
 
