@@ -229,6 +229,26 @@ S way_to_hull(const CapsuleTouch<S>& touch, const CorePoint<S>& point) {
 
 }  // namespace
 
+template <class S>
+void add_capsule_touch(const Capsule<S>& a, const Hull<S>& b, const Mat3<S>& rotation,
+                       const Vec3<S> (&ends)[2], const CapsuleTouch<S>& touch, S scale, S reach,
+                       Contact<S>& contact) {
+  const Vec3<S> along = ends[1] - ends[0];
+  const S merging = std::min(touching_distance(scale), kOnePoint<S> * a.radius);
+  const TouchingPair<S> pair{b, ends, along, along.norm(), scale, merging};
+  const CorePoints<S> core = touch.kind == CapsuleTouchKind::Face
+                                 ? points_on_face(pair, touch, reach)
+                                 : points_on_edge_or_vertex(pair, touch, reach);
+  contact.axis = axis_of(touch, core);
+  contact.type = core.type;
+  contact.normal = -(rotation * touch.normal);
+  for (const CorePoint<S>& point : core.points) {
+    const Vec3<S> position =
+        segment_point(a.points, point.parameter) + way_to_hull(touch, point) * contact.normal;
+    contact.points.push_back({position, point.distance - a.radius, point.id});
+  }
+}
+
 /// Steps: 1. the separating axis test; farther than the radius: apart. 2. What the segment touches
 /// and where (capsule_touch.h). 3. One or two points of the segment; the talk's clipping for faces.
 /// 4. From the hull's frame to A's.
@@ -252,24 +272,12 @@ S collide_capsule_hull(const Capsule<S>& a, const Hull<S>& b, const Pose<S>& b_i
   if (touch.distance > reach) return separation;
   if (touch.degenerate != nullptr && skips_degenerate(touch.degenerate, options, recorder))
     return separation;
-
-  const Vec3<S> along = ends[1] - ends[0];
-  const S merging = std::min(touching_distance(scale), kOnePoint<S> * a.radius);
-  const TouchingPair<S> pair{b, ends, along, along.norm(), scale, merging};
-  const CorePoints<S> core = touch.kind == CapsuleTouchKind::Face
-                                 ? points_on_face(pair, touch, reach)
-                                 : points_on_edge_or_vertex(pair, touch, reach);
-  contact.axis = axis_of(touch, core);
-  contact.type = core.type;
-  contact.normal = -(rotation * touch.normal);
-  for (const CorePoint<S>& point : core.points) {
-    const Vec3<S> position =
-        segment_point(a.points, point.parameter) + way_to_hull(touch, point) * contact.normal;
-    contact.points.push_back({position, point.distance - a.radius, point.id});
-  }
+  add_capsule_touch(a, b, rotation, ends, touch, scale, reach, contact);
   return separation;
 }
 
+template decltype(add_capsule_touch<float>) add_capsule_touch<float>;
+template decltype(add_capsule_touch<double>) add_capsule_touch<double>;
 template CollideConvex<float, Capsule<float>, Hull<float>> collide_capsule_hull;
 template CollideConvex<double, Capsule<double>, Hull<double>> collide_capsule_hull;
 

@@ -6,6 +6,7 @@
 
 #include "geometry/shape.h"
 #include "manifold/recorder.h"
+#include "query/capsule_touch.h"
 #include "reduce/all_finite.h"
 
 /// The functions of the table in dispatch.h, one for each pair of shapes. They work in A's frame,
@@ -163,6 +164,15 @@ template <class S>
 S collide_capsule_hull(const Capsule<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
                        const CollideOptions& options, Contact<S>& contact, Recorder<S>* recorder);
 
+/// The contact of a capsule where it touches a hull: `touch` in the hull's frame, in which the capsule's
+/// axis is between `ends`, and which `rotation` turns to A's. A second point where the axis lies along an
+/// edge or over a face, as above. `scale` is that of the pair, `reach` the largest distance of the axis
+/// from the hull that makes a point, metres.
+template <class S>
+void add_capsule_touch(const Capsule<S>& a, const Hull<S>& b, const Mat3<S>& rotation,
+                       const Vec3<S> (&ends)[2], const CapsuleTouch<S>& touch, S scale, S reach,
+                       Contact<S>& contact);
+
 /// Each end of the axis carries a sphere, and each sphere below the plane (or up to the margin above
 /// it) gives a point on the plane: two at most, named after the ends. A capsule whose axis is level
 /// touches with an edge, any other with a point; one of length zero is a sphere and has one point.
@@ -171,7 +181,8 @@ S collide_capsule_plane(const Capsule<S>& a, const HalfSpace<S>& b, const Pose<S
                         const CollideOptions& options, Contact<S>& contact, Recorder<S>* recorder);
 
 /// The triangle as a flat hull. A segment that lies in the plane of a triangle beside it, where no
-/// axis of the separating axis test looks, meets it at the closest points of segment and outline.
+/// axis of the separating axis test looks, meets it at the closest points of segment and outline, and
+/// along an edge at both ends of the stretch beside it.
 template <class S>
 S collide_capsule_mesh(const Capsule<S>& a, const Mesh<S>& b, const Pose<S>& b_in_a,
                        const CollideOptions& options, ContactSink<S>& sink, Recorder<S>* recorder);

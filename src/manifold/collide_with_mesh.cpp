@@ -57,31 +57,37 @@ template <class S>
 constexpr S kInPlane = S(1e-3);
 
 /// A segment in the triangle's plane against the triangle's outline, in the triangle's frame. None
-/// of it is over or under the triangle, so the closest points are on the outline, exactly.
+/// of it is over or under the triangle, so the closest points are on the outline, exactly. Empty where
+/// the segment is not in the plane, reaches into the triangle, or is as near as `touching`.
 template <class S>
-struct InPlane {
-  ClosestOfSegments<S> closest;
-  FeatureId id;
-};
-
-/// Empty where the segment is not in the plane, or reaches into the triangle.
-template <class S>
-std::optional<InPlane<S>> beside_in_plane(const Hull<S>& triangle, const Vec3<S> (&ends)[2]) {
+std::optional<CapsuleTouch<S>> beside_in_plane(const Hull<S>& triangle, const Vec3<S> (&ends)[2],
+                                               S touching) {
   const Plane<S>& plane = triangle.planes[0];
   const S height = std::max(std::abs(plane.distance(ends[0])), std::abs(plane.distance(ends[1])));
   if (height > kInPlane<S> * triangle.radius) return std::nullopt;
   if (!clip_to_prism(triangle, 0, ends, S(0)).empty()) return std::nullopt;
-  InPlane<S> result;
-  result.closest.distance = std::numeric_limits<S>::infinity();
-  for (int edge = 0; edge < 3; ++edge) {
-    const ClosestOfSegments<S> found =
-        closest_of_segments(ends[0], ends[1], triangle.origin(2 * edge), triangle.target(2 * edge));
-    if (!(found.distance < result.closest.distance)) continue;
-    result.closest = found;
-    result.id = FeatureId::of(axis_feature(Owner::A, found.parameter_a),
-                              outline_feature(edge, found.parameter_b));
+  const auto closest_on = [&](int edge) {
+    return closest_of_segments(ends[0], ends[1], triangle.origin(2 * edge),
+                               triangle.target(2 * edge));
+  };
+  ClosestOfSegments<S> closest = closest_on(0);
+  int of = 0;
+  for (const int edge : {1, 2}) {
+    const ClosestOfSegments<S> found = closest_on(edge);
+    if (!(found.distance < closest.distance)) continue;
+    closest = found;
+    of = edge;
   }
-  return result;
+  if (!(closest.distance > touching)) return std::nullopt;
+  const FeatureRef outline = outline_feature(of, closest.parameter_b);
+  const int number = static_cast<int>(outline.index);
+  CapsuleTouch<S> touch;
+  touch.kind = CapsuleTouchKind::Closest;
+  touch.feature = {outline.kind, outline.kind == FeatureKind::Edge ? 2 * number : number};
+  touch.parameter = closest.parameter_a;
+  touch.distance = closest.distance;
+  touch.normal = (closest.on_a - closest.on_b) / closest.distance;
+  return touch;
 }
 
 /// The hull as the mesh sees it: the box of its vertices.
@@ -171,19 +177,16 @@ S collide_capsule_mesh(const Capsule<S>& a, const Mesh<S>& b, const Pose<S>& b_i
   const auto collide = [&](const PlacedTriangle<S>& triangle, Contact<S>& contact) {
     const Vec3<S>& origin = b.corner(triangle.index, 0);
     const Vec3<S> in_triangle[2] = {ends[0] - origin, ends[1] - origin};
-    const S touching =
-        touching_distance(length_scale(triangle.hull(), triangle.in_a(), core_reach));
-    const std::optional<InPlane<S>> found = beside_in_plane(triangle.hull(), in_triangle);
-    if (!found || found->closest.distance <= touching)
+    const S scale = length_scale(triangle.hull(), triangle.in_a(), core_reach);
+    const std::optional<CapsuleTouch<S>> touch =
+        beside_in_plane(triangle.hull(), in_triangle, touching_distance(scale));
+    if (!touch)
       return collide_capsule_hull(a, triangle.hull(), triangle.in_a(), options, contact, recorder);
-    const auto& [closest, id] = *found;
-    const S separation = closest.distance - a.radius;
-    if (separation > options.margin) return separation;
-    contact.axis = AxisKind::ClosestPoints;
-    contact.type = contact_type(id.first.kind, id.second.kind);
-    contact.normal = b_in_a.rotate(Vec3<S>((closest.on_b - closest.on_a) / closest.distance));
-    contact.points.push_back({triangle.in_a().transform(closest.on_b), separation, id});
-    return separation;
+    const S margin = static_cast<S>(options.margin);
+    if (touch->distance - a.radius <= margin)
+      add_capsule_touch(a, triangle.hull(), Mat3<S>(b_in_a.rotation.toRotationMatrix()),
+                        in_triangle, *touch, scale, a.radius + margin, contact);
+    return touch->distance - a.radius;
   };
   const auto on_face = [&](const PlacedTriangle<S>& triangle, int face, Contact<S>& contact) {
     const Vec3<S>& origin = b.corner(triangle.index, 0);

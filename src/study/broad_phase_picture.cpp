@@ -19,8 +19,9 @@ std::string result_of(const trace::Study& measured, trace::Study& study) {
     return point_at(series_of(measured, method, "from nothing"), most.parameter).nanoseconds.median;
   };
   const std::string result = "To find all pairs of " + count(most.parameter) +
-                             " boxes columns take " + duration(of("columns")) + ", a grid " +
-                             duration(of("grid")) + ", a tree " + duration(of("tree"));
+                             " boxes a sweep in columns takes " + duration(of("columns")) +
+                             ", a grid " + duration(of("grid")) + ", a tree " +
+                             duration(of("tree"));
   for (trace::StudySeries& series : study.series)
     if (!series.points.empty() && series.points.back().parameter == most.parameter)
       series.method += ": " + duration(series.points.back().nanoseconds.median);
@@ -32,8 +33,7 @@ std::string result_of(const trace::Study& measured, trace::Study& study) {
       slow.push_back(series.method);
       given = std::max(given, series.points.back().parameter);
     }
-  if (!slow.empty())
-    study.shown += ". Given no more than " + count(given) + ": " + listed(slow) + ".";
+  if (!slow.empty()) study.shown += "; " + listed(slow) + " were given at most " + count(given);
   return result;
 }
 
@@ -45,6 +45,8 @@ trace::Study picture_broad_phase(const trace::Study& measured) {
   for (trace::StudySeries& series : study.series) {
     std::ranges::replace(series.method, '_', ' ');
     if (series.method == "sweep and prune") series.method = "sweep & prune";
+    if (series.method == "columns") series.method = "sweep in columns";
+    if (series.method == "tree") series.method = "tree of boxes";
     series.parameter = "boxes";
   }
   if (study.measure != "time") return study;

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "geometry/primitives.h"
 #include "geometry/triangle_hull.h"
@@ -139,6 +140,40 @@ TEST(MeshPairs, ACapsuleBesideATriangleIsAsFarAsTheClosestPoints) {
     ASSERT_NEAR(deepest_of(manifolds), separation, tolerance) << i;
   }
   EXPECT_GT(touching, 400);
+}
+
+// ReactPhysics3D issue 347, all the way round: in the plane of the triangle too, where no face looks at
+// the capsule.
+TEST(MeshPairs, ACapsuleAlongAnEdgeHasTwoPointsWhereverItIsAboutTheEdge) {
+  test::Random random(14);
+  for (int i = 0; i < 2000; ++i) {
+    const double size = random.decade(-4, 4);
+    const std::vector<Vec3d> corners = {{-size, 0, 0}, {size, 0, 0}, {0, 0, -0.8 * size}};
+    const Mesh<double> mesh = build_mesh(corners, {{{0, 1, 2}}});
+    // From beside the triangle, in its plane, up to a right angle to it.
+    const double up = i % 2 == 0 ? 0 : random.uniform(-1, 1) * std::numbers::pi / 2;
+    const Vec3d way(0, std::sin(up), std::cos(up));
+    const double radius = 0.1 * size, distance = 0.9 * radius, half = 0.5 * size;
+    const Pose<double> world = random.pose(size);
+    const Capsule<double> capsule{{Vec3d(-half, 0, 0), Vec3d(half, 0, 0)}, radius};
+    Pose<double> pose = world;
+    pose.position = world.transform(distance * way);
+    const PlacedShapes pair{capsule, pose, mesh, world};
+    const Manifolds<double> manifolds = manifolds_of<double>(pair);
+    ASSERT_EQ(manifolds.size(), 1u) << i;
+    ASSERT_EQ(manifolds[0].points.size(), 2u) << i << ", " << up << " rad";
+    EXPECT_LT((manifolds[0].normal + world.rotate(way)).norm(), 1e-12) << i;
+    const double tolerance = 64 * std::numeric_limits<double>::epsilon() * size;
+    double ends = 0;
+    for (const ContactPoint<double>& point : manifolds[0].points) {
+      EXPECT_NEAR(point.separation, distance - radius, tolerance) << i;
+      const Vec3d local = world.inverse_transform(point.position);
+      EXPECT_NEAR(std::abs(local.x()), half, tolerance) << i;
+      ends += local.x();
+    }
+    EXPECT_NEAR(ends, 0, tolerance) << i;
+    EXPECT_NE(manifolds[0].points[0].id, manifolds[0].points[1].id) << i;
+  }
 }
 
 TEST(MeshPairs, AHullOverlapsATriangleAsDeepAsTheShallowestOfAllAxesSays) {
