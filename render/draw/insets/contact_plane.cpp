@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/at.h"
+#include "core/convex_polygon.h"
 #include "draw/scene/labels.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"
@@ -157,6 +158,20 @@ void draw_deepest_mark(const Point2& at, const Pen& pen, double size) {
   pen.outline(corners, 1.6 * size, kNormal);
 }
 
+std::vector<Vec3d> kept_polygon(const trace::Reduction& reduction, const Vec3d& normal) {
+  const Vec3d u = any_perpendicular(normal), v = normal.cross(u);
+  const auto flat = [&](int i) -> Vec2d {
+    const Vec3d& place = at(reduction.points, i).position;
+    return {u.dot(place), v.dot(place)};
+  };
+  std::vector<Vec3d> corners;
+  for (const Vec2d& corner : convex_polygon(mapped(reduction.kept, flat))) {
+    const auto found = std::ranges::find(reduction.kept, corner, flat);
+    corners.push_back(at(reduction.points, *found).position);
+  }
+  return corners;
+}
+
 const trace::Pair* pair_of_contact_plane(const trace::Frame& frame) {
   return first_pair(frame, [](const trace::Pair& pair) { return !pair.manifolds.empty(); });
 }
@@ -197,7 +212,10 @@ void explain_panels(const View& view, const trace::Frame& frame, Legend& legend)
   if (reduction_in_contact_plane(*pair) &&
       pair->reduction->kept.size() < pair->reduction->points.size()) {
     legend.explain(kReducedSwatch, "reduced away");
-    legend.explain(kKeptSwatch, "kept, in order of choice");
+    if (pair->reduction->kept.size() > 2)
+      legend.explain(kSpannedSwatch, kSpannedWords);
+    else
+      legend.explain(kKeptSwatch, "kept, in order of choice");
   }
 }
 

@@ -155,6 +155,9 @@ void draw_points(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
       scene.shows(Layer::Normals) ? usual_normal(scene.frame) : std::nullopt;
   const bool any_whisker = std::ranges::any_of(
       kept_points(pair), [&](const PairPoint& kept) { return has_whisker(scene, pair, kept); });
+  const bool all_ringed = scene.shows(Layer::Reduced) && pair.manifolds.size() == 1 &&
+                          pair.reduction &&
+                          pair.reduction->kept.size() < pair.reduction->points.size();
   for (const PairPoint& kept : kept_points(pair)) {
     if (usual && is_like(*usual, kept.manifold->normal)) {
       sketch.mark(MarkKind::Speck, kept.point->position, kDropped);
@@ -177,6 +180,8 @@ void draw_points(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
                                        spell_factor(scene.scales.gap));
     else if (square)
       sketch.explain(kOneShotSwatch, "one-shot point, whisker = overlap" + factor);
+    else if (!any_whisker && all_ringed)
+      continue;  // the layer reduced says what a dot in a ring is
     else if (!any_whisker)
       sketch.explain(kPlainPointSwatch, "contact point");
     else

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "draw/insets/contact_plane.h"
 #include "draw/layers/layer.h"
 
 namespace contactscope::draw {
@@ -15,6 +16,9 @@ void draw_reduced(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const std::vector<trace::Point>& points = pair.reduction->points;
   const std::vector<int>& kept = pair.reduction->kept;
   if (kept.size() >= points.size()) return;
+  const std::vector<Vec3d> corners = kept_polygon(*pair.reduction, pair.manifolds.front().normal);
+  const bool spans = corners.size() > 2;
+  if (spans) sketch.face(corners, with_alpha(kContact, kKeptFill), {2.0f, kContact});
   const bool crowded = points.size() - kept.size() > kCrowd;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Vec3d& at = points[i].position;
@@ -29,7 +33,9 @@ void draw_reduced(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
     }
   }
   sketch.explain(kReducedSwatch, "reduced away");
-  if (!kept.empty()) sketch.explain(kKeptSwatch, "kept, in order of choice");
+  if (!kept.empty())
+    sketch.explain(spans ? kSpannedSwatch : kKeptSwatch,
+                   spans ? kSpannedWords : "kept, in order of choice");
 }
 
 }  // namespace

@@ -186,7 +186,8 @@ class ContactPlanePanel : public PanelContent {
 
   /// Returns what they come to.
   std::vector<std::string> draw_points(const trace::Pair& pair, const ContactPlane& plane) const {
-    if (reduction_in_contact_plane(pair)) return draw_reduction(*pair.reduction, plane);
+    if (reduction_in_contact_plane(pair))
+      return draw_reduction(*pair.reduction, pair.manifolds.front().normal, plane);
     const std::vector<PairPoint> points = all_points(pair);
     for (const PairPoint& any : points) draw_point(*any.point, plane);
     const std::string text = std::to_string(points.size());
@@ -206,11 +207,16 @@ class ContactPlanePanel : public PanelContent {
            " apart";
   }
 
-  std::vector<std::string> draw_reduction(const trace::Reduction& reduction,
+  std::vector<std::string> draw_reduction(const trace::Reduction& reduction, const Vec3d& normal,
                                           const ContactPlane& plane) const {
     const std::vector<int>& kept = reduction.kept;
     const bool fewer = kept.size() < reduction.points.size();
     const std::vector<Point2> places = plane.at(reduction.points);
+    if (const std::vector<Vec3d> corners = kept_polygon(reduction, normal);
+        fewer && corners.size() > 2) {
+      plane.area(plane.at(corners), with_alpha(kContact, kKeptFill));
+      plane.border(plane.at(corners), 2, kContact, 0);
+    }
     for (std::size_t i = 0; i < places.size(); ++i) {
       if (std::ranges::find(kept, static_cast<int>(i)) == kept.end())
         draw_dropped_point(places[i], plane, 1);
