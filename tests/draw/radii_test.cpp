@@ -10,6 +10,7 @@ namespace {
 using crate_sample::cuboid;
 using testing::Contains;
 using testing::HasSubstr;
+using testing::IsSupersetOf;
 using testing::Not;
 
 trace::Shape round_shape(const std::string& name, std::vector<Vec3d> core, double radius) {
@@ -162,6 +163,7 @@ TEST(Normals, OfACentreOnAnEdgeTheOtherFaceThatIsAsNearHasItsArrowToo) {
   scene.pair().degenerate = trace::Degenerate{"centre on the surface", "fallback"};
   ASSERT_EQ(others().size(), 1u);
   EXPECT_NEAR((others()[0] - Vec3d::UnitX()).norm(), 0, 1e-9);
+  EXPECT_THAT(said(scene.sketch()), IsSupersetOf({"face 0", "face 2"}));
   scene.pair().manifolds.clear();
   scene.pair().degenerate->answer = "skip";
   EXPECT_EQ(others().size(), 2u);

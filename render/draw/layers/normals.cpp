@@ -13,8 +13,10 @@ namespace {
 
 // Pixels. Shorter, an arrow would hide behind the dots of its contact.
 constexpr double kLeastArrow = 8;
-constexpr double kLeastLean = 3;  // degrees
-constexpr double kAsNear = 1e-5;  // of a hull's radius
+constexpr float kUsualLength = 78;  // of an arrow
+constexpr double kBeyondTip = 6;    // of the number of its face
+constexpr double kLeastLean = 3;    // degrees
+constexpr double kAsNear = 1e-5;    // of a hull's radius
 
 constexpr Swatch kNormalSwatch{LegendGroup::Forces, 0,
                                [](auto& pen) { pen.arrow(3, 10, kNormal); }};
@@ -90,7 +92,7 @@ Vec3d innermost(const PlacedShape& hull, const std::vector<Vec3d>& core,
 }
 
 // Gregorius 2015, "Sphere vs Hull" and "Capsule vs Hull", where geometry has no normal: of a round shape's core on an edge
-// or in the middle of a hull, the normals of the other faces that are just as near.
+// or in the middle of a hull, the normals of all faces that are just as near, by number: the first of them is taken.
 void draw_rivals(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const PlacedShape *a = scene.find(pair.a), *b = scene.find(pair.b);
   if (!pair.degenerate || a == nullptr || b == nullptr) return;
@@ -103,14 +105,35 @@ void draw_rivals(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   double nearest = -std::numeric_limits<double>::infinity();
   const auto distance = [&](int f) { return at(normals, f).dot(from - hull.polygon(f)[0]); };
   for (int f = 0; f < count_of(normals); ++f) nearest = std::max(nearest, distance(f));
+  const auto is_as_near = [&](int f) {
+    return distance(f) >= nearest - kAsNear * hull.mesh->radius;
+  };
+  int as_near = 0;
+  for (int f = 0; f < count_of(normals); ++f) as_near += is_as_near(f) ? 1 : 0;
+  const bool several = as_near > 1;
   for (int f = 0; f < count_of(normals); ++f) {
     const Vec3d& normal = at(normals, f);
-    if (distance(f) < nearest - kAsNear * hull.mesh->radius) continue;
+    if (!is_as_near(f)) continue;
+    const auto number_at = [&](const Arrow& arrow, bool taken) {
+      const double metres = (arrow.pixels + kBeyondTip) / scene.camera.pixels_per_metre(arrow.from);
+      sketch
+          .label(arrow.from + metres * arrow.direction, "face " + std::to_string(f),
+                 taken ? kNormal : kQuietText, taken ? 18.0f : 16.0f, 2, arrow.direction)
+          .bold = taken;
+    };
     const auto is_taken = [&](const trace::Manifold& manifold) {
       return std::abs(manifold.normal.dot(normal)) > 1 - kAsNear &&
              (manifold.normal.dot(normal) > 0) == hull_is_a;
     };
-    if (std::ranges::any_of(pair.manifolds, is_taken)) continue;
+    const auto taken = std::ranges::find_if(pair.manifolds, is_taken);
+    if (taken != pair.manifolds.end()) {
+      if (!several || taken->points.empty()) continue;
+      const Arrow own{.from = start_of_normal(scene, pair, *taken),
+                      .direction = taken->normal,
+                      .pixels = kUsualLength};
+      if (has_room(scene.camera, own)) number_at(own, true);
+      continue;
+    }
     const Arrow arrow{.from = from,
                       .direction = normal,
                       .pixels = 60,
@@ -120,6 +143,7 @@ void draw_rivals(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
                       .open = true};
     if (!has_room(scene.camera, arrow)) continue;
     sketch.arrows.push_back(arrow);
+    number_at(arrow, false);
     sketch.explain(kRivalSwatch, "normal of a face that is just as near");
   }
 }
@@ -137,7 +161,7 @@ void draw_normals(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
                       .direction = manifold.normal,
                       .pixels = steps_back            ? 26.0f
                                 : many && !stands_out ? 44.0f
-                                                      : 78.0f,
+                                                      : kUsualLength,
                       .width = steps_back            ? 1.5f
                                : many && !stands_out ? 2.0f
                                                      : 3.0f,

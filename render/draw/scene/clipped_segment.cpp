@@ -19,8 +19,12 @@ bool ClippedSegment::cuts(std::size_t side) const {
 std::optional<FaceOfRound> face_of_round(const Scene& scene, const trace::Pair& pair) {
   if (pair.clip || pair.manifolds.size() != 1) return std::nullopt;
   const trace::Manifold& manifold = pair.manifolds.front();
-  const bool of_a = manifold.axis == "face_a";
-  if (!of_a && manifold.axis != "face_b") return std::nullopt;
+  // Of a core on a hull's vertex or edge the closest points coincide: the normal is that of a face that was chosen.
+  const bool chosen = pair.degenerate && manifold.axis == "closest_points";
+  const PlacedShape* shape_a = scene.find(pair.a);
+  const bool of_a = manifold.axis == "face_a" ||
+                    (chosen && shape_a != nullptr && !shape_a->traced().faces.empty());
+  if (!of_a && !chosen && manifold.axis != "face_b") return std::nullopt;
   const PlacedShape* hull = scene.find(of_a ? pair.a : pair.b);
   const PlacedShape* round = scene.find(of_a ? pair.b : pair.a);
   if (hull == nullptr || round == nullptr || hull->is_mesh() || hull->traced().faces.empty())
