@@ -18,9 +18,10 @@ namespace {
 constexpr std::array<const char*, 3> kQueryNames = {"faces of A", "faces of B", "pairs of edges"};
 constexpr double kPlaneReach =
     0.95;  // of an extended plane beyond its middle, of both shapes' size
-constexpr double kBeyondFoot = 0.12;  // likewise, beyond where the separation ends on it
-constexpr double kQueryName = 22;     // pixels
-constexpr float kShapeName = 18;      // pixels
+constexpr double kEdgePlaneReach = 0.6;  // likewise, of edges: it leans, and would cover both
+constexpr double kBeyondFoot = 0.12;     // likewise, beyond where the separation ends on it
+constexpr double kQueryName = 22;        // pixels
+constexpr float kShapeName = 18;         // pixels
 
 constexpr Swatch kBestPlaneSwatch{LegendGroup::Axes, 5,
                                   [](auto& pen) { pen.area(kAxis, 0.25f, 1.5); }};
@@ -102,12 +103,11 @@ struct Column {
     const Vec3d middle = offset + (best.face.empty() ? best.on_plane : mean_of(best.face));
     const Vec3d foot = offset + best.support - best.separation * best.normal;
     const float strength = chosen ? 1.0f : 0.6f;
-    sketch.face(
-        plane_under(middle, best.normal, along, kPlaneReach * size, foot, kBeyondFoot * size),
-        with_alpha(kAxis, 0.22f * strength), {1.5f, with_alpha(kAxis, strength)});
-    sketch.outline(
-        square_about(offset + best.support, best.normal, along, 0.4 * kPlaneReach * size),
-        {1.5f, with_alpha(kAxis, strength), true});
+    const double reach = best.face.empty() ? kEdgePlaneReach : kPlaneReach;
+    sketch.face(plane_under(middle, best.normal, along, reach * size, foot, kBeyondFoot * size),
+                with_alpha(kAxis, 0.22f * strength), {1.5f, with_alpha(kAxis, strength)});
+    sketch.outline(square_about(offset + best.support, best.normal, along, 0.4 * reach * size),
+                   {1.5f, with_alpha(kAxis, strength), true});
     if (!best.face.empty()) {
       std::vector<Vec3d> face = best.face;
       for (Vec3d& corner : face) corner += offset;
