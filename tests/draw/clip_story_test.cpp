@@ -97,7 +97,7 @@ TEST(ClipStory, HatchesWhatIsCutAwayAndNothingElse) {
   EXPECT_GT(hatched, 8u);  // beside the four sides of the outline
 }
 
-TEST(ClipStory, TheActivePlaneIsStrongAndThoseBeforeAreOutlines) {
+TEST(ClipStory, TheActivePlaneIsTheOnlyOne) {
   ClippedSquare scene;
   const auto filled = [&](int frame) {
     const Sketch sketch = scene.at(frame);
@@ -108,6 +108,11 @@ TEST(ClipStory, TheActivePlaneIsStrongAndThoseBeforeAreOutlines) {
   EXPECT_EQ(filled(1), 1);
   EXPECT_EQ(filled(3), 1);
   EXPECT_EQ(filled(5), 0);  // the contacts are the subject
+  const Sketch third = scene.at(3);
+  EXPECT_EQ(std::ranges::count_if(
+                third.lines,
+                [](const Line& line) { return crate_sample::same(line.style.color, kSidePlane); }),
+            4);  // its own border
 }
 
 TEST(ClipStory, TheLastStepHasNoSidePlanesAndTellsHowFarAboveTheFaceAPointIs) {

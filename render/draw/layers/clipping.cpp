@@ -45,14 +45,17 @@ bool is_marked_ground(const trace::Polygon& polygon, const Sketch& sketch) {
 }
 
 // Gregorius 2015, "Hull vs Hull: Face Contact". In a story the faces are what is known already once
-// the first side plane cuts: outlines alone, so that the polygon stands out.
+// the first side plane cuts: outlines alone, so that the polygon stands out. In the last step the reference face
+// takes away what is above it, and is filled again.
 template <bool kReference>
 void draw_clip_face(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   if (kReference && !pair.clip) draw_face_of_round(scene, pair, sketch);
   if (!pair.clip) return;
   const trace::Polygon& polygon = (kReference ? pair.clip->reference : pair.clip->incident).polygon;
   const Color color = kReference ? kReferenceFace : kIncidentFace;
-  const bool known = tells_clip_story(scene, pair) && clip_steps_to_show(scene, pair) > 0;
+  const std::size_t shown = clip_steps_to_show(scene, pair);
+  const bool acts = kReference && static_cast<std::size_t>(scene.frame.frame) > shown;
+  const bool known = tells_clip_story(scene, pair) && shown > 0 && !acts;
   if (known)
     sketch.outline(polygon, {kReference ? 2.5f : 2.0f, color, !kReference});
   else if (!kReference)
@@ -65,12 +68,6 @@ void draw_clip_face(const Scene& scene, const trace::Pair& pair, Sketch& sketch)
                  kReference ? "reference face" : "incident face", near_corner(polygon));
 }
 
-enum class PlaneLook {
-  Plain,   // one of all
-  Active,  // that cuts in this step of a story
-  Done,    // that has cut before
-};
-
 double rise_of(const trace::Polygon& face) {
   return 0.5 * kPlaneHeight * reach_of(face);
 }
@@ -81,27 +78,21 @@ Vec3d top_of_side_plane(const trace::Clip& clip, std::size_t step) {
   return middle + rise_of(face) * clip.reference.normal;
 }
 
-// Through an edge of a face with the normal `up`.
+// Through an edge of a face with the normal `up`; `active`: it is the one that cuts.
 void draw_side_plane(const trace::Polygon& face, const Vec3d& up, const Vec3d& outward,
-                     std::size_t step, PlaneLook look, Sketch& sketch) {
+                     std::size_t step, bool active, Sketch& sketch) {
   const Vec3d& from = face[step];
   const Vec3d& to = face[(step + 1) % face.size()];
-  const bool active = look == PlaneLook::Active, done = look == PlaneLook::Done;
   const Vec3d rise = (active ? 1.5 : 1.0) * rise_of(face) * up;
-  const Color border = with_alpha(kSidePlane, done ? 0.6f : 1.0f);
   const trace::Polygon corners = {from - rise, to - rise, to + rise, from + rise};
-  if (done) {
-    sketch.outline(corners, {1.0f, border});
-    return;
-  }
   sketch.face(corners, with_alpha(kSidePlane, active ? 0.5f : 0.36f),
-              {active ? 3.0f : 1.5f, border});
+              {active ? 3.0f : 1.5f, kSidePlane});
   sketch.arrows.push_back({.from = 0.5 * (from + to),
                            .direction = outward,
-                           .pixels = active ? 46.0f : 30.0f,
-                           .width = active ? 3.0f : 1.5f,
-                           .head = active ? 12.0f : 8.0f,
-                           .color = border,
+                           .pixels = active ? 64.0f : 30.0f,
+                           .width = active ? 4.0f : 1.5f,
+                           .head = active ? 15.0f : 8.0f,
+                           .color = kSidePlane,
                            .halo = active});
 }
 
@@ -110,8 +101,7 @@ void draw_side_planes(const Scene& scene, const trace::Pair& pair, Sketch& sketc
     // Of a polygon nearly all planes cut, of a segment one or none: the others would be a cage around it.
     for (std::size_t k = 0; k < segment->sides.size(); ++k) {
       if (!segment->cuts(k)) continue;
-      draw_side_plane(segment->face, segment->normal, segment->sides[k], k, PlaneLook::Plain,
-                      sketch);
+      draw_side_plane(segment->face, segment->normal, segment->sides[k], k, true, sketch);
       const Vec3d top = segment->face[k] + rise_of(segment->face) * segment->normal;
       sketch.explain(kSidePlaneSwatch, "side plane, outward normal", top);
     }
@@ -120,13 +110,10 @@ void draw_side_planes(const Scene& scene, const trace::Pair& pair, Sketch& sketc
   const bool story = tells_clip_story(scene, pair);
   // Once all have cut, the last step of a story is about the reference face alone.
   if (story && static_cast<std::size_t>(scene.frame.frame) > shown) return;
-  for (std::size_t k = 0; k < shown; ++k)
+  // Those that have cut before have left their corners, and would be a cage around them.
+  for (std::size_t k = story && shown > 0 ? shown - 1 : 0; k < shown; ++k)
     draw_side_plane(pair.clip->reference.polygon, pair.clip->reference.normal,
-                    pair.clip->steps[k].normal, k,
-                    !story           ? PlaneLook::Plain
-                    : k + 1 == shown ? PlaneLook::Active
-                                     : PlaneLook::Done,
-                    sketch);
+                    pair.clip->steps[k].normal, k, story, sketch);
   if (shown > 0)
     sketch.explain(kSidePlaneSwatch, "side plane, outward normal",
                    top_of_side_plane(*pair.clip, shown - 1));
@@ -150,7 +137,9 @@ void draw_clip_polygons(const Scene& scene, const trace::Pair& pair, Sketch& ske
     if (polygon.empty() || !last) continue;
     sketch.outline(polygon, {story ? 3.5f : 2.5f, kClipPolygon});
     sketch.surfaces.push_back({polygon, with_alpha(kClipPolygon, story ? 0.3f : 0.22f)});
-    sketch.explain(kClipPolygonSwatch, "clip polygon", middle_of_side(polygon));
+    // Of a story other lines run along its sides.
+    sketch.explain(kClipPolygonSwatch, "clip polygon",
+                   story ? mean_of(polygon) : middle_of_side(polygon));
   }
 }
 
@@ -166,7 +155,8 @@ void draw_dropped(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
     // How far above the reference face it is, as whiskers tell how far below it the others were.
     const Vec3d& normal = pair.clip->reference.normal;
     const double above = normal.dot(point.position - pair.clip->reference.polygon.front());
-    if (story) sketch.line(point.position, point.position - above * normal, kAboveFace);
+    if (story || scene.shows(Layer::Coherent))
+      sketch.line(point.position, point.position - above * normal, kAboveFace);
     sketch.explain(kDroppedSwatch, point.reason, point.position);
   }
 }

@@ -50,7 +50,7 @@ std::optional<Vec3d> middle_of(const trace::Pair& pair, const PairEdge& edge) {
 // named beside it. Those of a mesh count within a triangle, and a round shape has none that is seen.
 void draw_ids(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   for (const PairPoint& kept : kept_points(pair))
-    sketch.label(kept.point->position, features_of(kept.point->id), kText, 15, 12);
+    sketch.label(kept.point->position, features_of(kept.point->id), kText, 18, 12);
   std::vector<PairEdge> edges;
   for (const PairPoint& any : all_points(pair)) {
     for (const PairEdge& edge : edges_in(any.point->id)) {
