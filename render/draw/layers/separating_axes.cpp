@@ -53,8 +53,8 @@ void draw_separation(const Scene& scene, const trace::Pair& pair, const Query& q
   if (const auto whisker =
           chosen && !all && metres < 0 ? whisker_of(scene, pair, metres) : std::nullopt) {
     // One sign for one overlap.
-    sketch.label(0.5 * (whisker->on_a + whisker->on_b), measured, kAxisText, 18, 17,
-                 scene.camera.right());
+    sketch.label(0.5 * (whisker->on_a + whisker->on_b), measured, kContact, 18, 17,
+                 Vec3d(-scene.camera.right()));
     return;
   }
   const Vec3d to = from - (metres > 0 ? 1.0 : scene.scales.overlap) * metres * normal;
