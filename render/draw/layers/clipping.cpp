@@ -137,9 +137,11 @@ void draw_clip_polygons(const Scene& scene, const trace::Pair& pair, Sketch& ske
     if (polygon.empty() || !last) continue;
     sketch.outline(polygon, {story ? 3.5f : 2.5f, kClipPolygon});
     sketch.surfaces.push_back({polygon, with_alpha(kClipPolygon, story ? 0.3f : 0.22f)});
-    // Of a story other lines run along its sides.
-    sketch.explain(kClipPolygonSwatch, "clip polygon",
-                   story ? mean_of(polygon) : middle_of_side(polygon));
+    // While planes cut, other lines run along its sides, and the legend is full.
+    if (story && static_cast<std::size_t>(scene.frame.frame) <= shown)
+      sketch.label(mean_of(polygon), "clip polygon", kClipPolygon, 17, 0);
+    else
+      sketch.explain(kClipPolygonSwatch, "clip polygon", middle_of_side(polygon));
   }
 }
 
