@@ -16,8 +16,8 @@ namespace contactscope::lint {
 using trace::Trace;
 
 /// Frames of a scenario as a trace that another engine might have written: without stages.
-inline Trace recorded(const std::string& name, int first, int last) {
-  const Scenario scenario = load_scenario(CONTACTSCOPE_SOURCE_DIR "/scenarios/" + name + ".toml");
+inline Trace recorded(const std::string& file, int first, int last) {
+  const Scenario scenario = load_scenario(CONTACTSCOPE_SOURCE_DIR "/" + file);
   Runner runner(scenario, trace::Stages::none());
   Trace trace{runner.header(), {}};
   for (int f = first; f <= last; ++f) {
@@ -29,17 +29,17 @@ inline Trace recorded(const std::string& name, int first, int last) {
 
 /// Spheres, capsules and boxes in a heap on a plane.
 inline const Trace& heap() {
-  static const Trace kTrace = recorded("broadphase/falling_bodies", 40, 80);
+  static const Trace kTrace = recorded("tests/lint/heap.toml", 40, 80);
   return kTrace;
 }
 /// Crates at rest, each on the one below.
 inline const Trace& stack() {
-  static const Trace kTrace = recorded("solver/stack_of_ten", 60, 90);
+  static const Trace kTrace = recorded("scenarios/solver/stack_of_ten.toml", 60, 90);
   return kTrace;
 }
 /// A crate, a capsule and others on a mesh.
 inline const Trace& terrain() {
-  static const Trace kTrace = recorded("pipeline/mesh_and_actors", 30, 60);
+  static const Trace kTrace = recorded("scenarios/pipeline/mesh_and_actors.toml", 30, 60);
   return kTrace;
 }
 
