@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kMostNamed = 12;  // boxes
 constexpr double kNameRoom = 20;        // pixels that a name beside a box takes
-constexpr double kAxisLength = 56;      // pixels
+constexpr double kAxisLength = 56;      // pixels, below the names of the lowest boxes
 constexpr double kBeyondBoxes = 12;     // pixels: how far a line at their ends goes on
 
 constexpr Swatch kMeetingSwatch{LegendGroup::Trees, 3, [](auto& pen) { pen.area(kBox, 0, 2.5); }};
@@ -138,10 +138,10 @@ void draw_swept_axes(const Scene& scene, const std::vector<trace::Bounds>& all, 
     around.extend(bounds.box.upper);
   }
   const Vec3d right = scene.camera.right(), up = scene.camera.up(), reach = 0.5 * around.sizes();
-  const Vec3d corner =
-      around.center() - right.cwiseAbs().dot(reach) * right - up.cwiseAbs().dot(reach) * up;
-  const double length =
-      kAxisLength * scene.scales.pixel / scene.camera.pixels_per_metre(around.center());
+  const double pixel = scene.scales.pixel / scene.camera.pixels_per_metre(around.center());
+  const Vec3d corner = around.center() - right.cwiseAbs().dot(reach) * right -
+                       (up.cwiseAbs().dot(reach) + 1.5 * kNameRoom * pixel) * up;
+  const double length = kAxisLength * pixel;
   constexpr const char* kNames[] = {"x", "y", "z"};
   for (int axis = 0; axis < 3; ++axis) {
     const Vec3d way = length * Vec3d::Unit(axis);

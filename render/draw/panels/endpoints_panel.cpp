@@ -10,12 +10,13 @@
 namespace contactscope::draw {
 namespace {
 
-// Pixels at 720 lines: a box on an axis, and the same where axes leave room on which nothing passes.
-constexpr float kLeastBox = 3, kMostBox = 21, kLargestBox = 30;
+// Pixels at 720 lines: a box on an axis, and the same where axes leave room on which nothing passes, one of them or both others.
+constexpr float kLeastBox = 3, kMostBox = 21, kLargestBox = 30, kLargestAlone = 44;
 constexpr float kNamed = 14;         // rows at least so high bear names
 constexpr double kBoxNames = 74;     // pixels at 720 lines
 constexpr double kLargerText = 1.2;  // beside the largest boxes
 constexpr double kAfterAxis = 8;
+constexpr double kBelowMiddle = 5.5;  // of a row, the foot of a name
 constexpr const char* kAxes[] = {"x", "y", "z"};
 
 // Of two boxes whose ends pass each other: a pair that begins or ends as the boxes that meet are
@@ -60,8 +61,8 @@ class EndpointsPanel : public PanelContent {
         3 * (sheet.line_height() + static_cast<double>(sheet.pen().px(kAfterAxis)));
     const int shown = axes_shown(*phase);
     const double room = (sheet.rest().height - axes_height) / static_cast<double>(boxes_);
-    const double row =
-        std::min<double>(sheet.pen().px(shown == 3 ? kMostBox : kLargestBox), room / shown);
+    const float most = shown == 3 ? kMostBox : shown == 2 ? kLargestBox : kLargestAlone;
+    const double row = std::min<double>(sheet.pen().px(most), room / shown);
     sheet.enlarge(
         std::clamp(row / static_cast<double>(sheet.pen().px(kMostBox)), 1.0, kLargerText));
     for (int axis = 0; axis < 3; ++axis)
@@ -127,8 +128,9 @@ class EndpointsPanel : public PanelContent {
           color_of(phase, axis, bounds.name));
       if (named)
         pen.text(pen.fitted(in_words(bounds.name), FontWeight::Regular, pen.px(kBoxNames - 6)),
-                 {static_cast<float>(rest.x), static_cast<float>(y + 0.8 * row)}, Align::Left,
-                 kQuietText);
+                 {static_cast<float>(rest.x),
+                  static_cast<float>(y + 0.5 * row + static_cast<double>(pen.px(kBelowMiddle)))},
+                 Align::Left, kQuietText);
       height_of[bounds.name] = y + 0.5 * row;
       y += row;
     }
