@@ -31,6 +31,11 @@ constexpr Swatch kApartSwatch{LegendGroup::Points, 10, [](auto& pen) {
                                 pen.dot(0, 4.8, with_alpha(kContact, 0.3f));
                                 pen.dot(3.7, 4.8, kContact);
                               }};
+constexpr Swatch kApartPlainSwatch{LegendGroup::Points, 10, [](auto& pen) {
+                                     pen.dot(0, 4.8, kWhite);
+                                     pen.dot(0, 4.8, with_alpha(kContact, 0.3f));
+                                     pen.dot(3.7, 4.8, kContact);
+                                   }};
 constexpr Swatch kOnePlaceSwatch{
     LegendGroup::Points, 12,
     [](auto& pen) { pen.text("×2", pen.at(1, 5.5), Align::Left, kContact, Weight::Bold, 15); }};
@@ -170,12 +175,16 @@ void draw_points(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
     // them a filled dot means a new point, which those of a one-shot manifold all are and none is.
     const bool square = !apart && scene.shows(Layer::Persistent);
     const float width = apart ? 1.5f : 2.5f;
-    sketch.bordered_line(from, to, {width, kContact}, 2 * width);
+    // The layer `ahead` has an arrow beside it that is as long.
+    const bool measured = apart && scene.shows(Layer::Ahead);
+    if (!measured) sketch.bordered_line(from, to, {width, kContact}, 2 * width);
     sketch.mark(apart    ? MarkKind::Apart
                 : square ? MarkKind::Square
                          : MarkKind::Dot,
                 kept.point->position, kContact);
-    if (apart)
+    if (measured)
+      sketch.explain(kApartPlainSwatch, "point within the margin, not touching");
+    else if (apart)
       sketch.explain(kApartSwatch, "point within the margin, not touching: line = gap" +
                                        spell_factor(scene.scales.gap));
     else if (square)
