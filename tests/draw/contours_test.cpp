@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace contactscope::draw {
@@ -61,6 +62,13 @@ TEST(Contours, WhereTwoCouldCrossTheMeanDecides) {
   // Above it each line is about a high corner.
   EXPECT_THAT(both_ends(0.75), testing::ElementsAre(testing::DoubleNear(0.25, 1e-12),
                                                     testing::DoubleNear(2.875, 1e-12)));
+}
+
+TEST(Contours, GoByACornerThatLiesOnAPointOfTheGrid) {
+  const auto notch = [](int x, int y) { return std::min(x - 2.0, y - 2.0); };
+  const std::vector<Contour> lines = contours_at(grid(5, 5, notch), 5, 0);
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_THAT(lines[0].points, testing::Contains(Vec3d(2, 2, 0)));
 }
 
 TEST(Contours, OfOneValueOrOutOfReachAreNone) {

@@ -29,7 +29,7 @@ constexpr LineStyle kOutsideLine{1.2f, kOutside};
 constexpr LineStyle kInsideLine{1.6f, kInside, true};
 constexpr LineStyle kSurface{3.2f, kNormal};
 constexpr LineStyle kGrid{0.9f, with_alpha(kDropped, 0.42f)};
-constexpr Color kExact = rgb(0xF3DFC1, 0.5f);
+constexpr Color kExact = rgb(0xC4E6D2, 0.6f);  // not the grey of a shape, through which it is seen
 constexpr Color kProbe = rgb(0x3F4650);
 
 constexpr Swatch kSurfaceSwatch{LegendGroup::Trees, 19,

@@ -76,16 +76,37 @@ class Crossings {
     return start + part * (side % 2 == 0 ? Vec3d::UnitX() : Vec3d::UnitY());
   }
 
+  /// From one point of the grid to another across a square that has a third corner on the level: the line goes by that one, or a
+  /// corner of a solid would be blunt where it lies on a point of the grid.
+  void go_to(const Vec3d& to, std::vector<Vec3d>& points) const {
+    if (!points.empty()) {
+      const Vec3d from = points.back();
+      const bool on_grid =
+          from == from.array().round().matrix() && to == to.array().round().matrix();
+      for (const Vec3d& turn : {Vec3d(from.x(), to.y(), 0), Vec3d(to.x(), from.y(), 0)}) {
+        if (!on_grid || turn == from || turn == to) continue;
+        if (at(values_, static_cast<int>(turn.y()) * columns_ + static_cast<int>(turn.x())) ==
+            level_)
+          points.push_back(turn);
+      }
+    }
+    points.push_back(to);
+  }
+
   /// What is followed is taken away.
   Contour follow(int start, bool closed) {
     Contour line{{}, closed};
     for (int side = start, before = -1; side >= 0;) {
-      line.points.push_back(place(side));
+      go_to(place(side), line.points);
       auto& ways = at(next_, side);
       const int on = ways[0] != before ? ways[0] : ways[1];
       ways = {-1, -1};
       before = side;
       side = on == start ? -1 : on;
+    }
+    if (closed) {
+      go_to(Vec3d(line.points.front()), line.points);
+      line.points.pop_back();
     }
     return line;
   }
