@@ -247,6 +247,24 @@ TEST_F(BroadPhasePicture, ASweepComparesABoxWithThoseThatBeginInItsSpan) {
   EXPECT_EQ(drawn.labels[0].text, "swept along x");
 }
 
+TEST_F(BroadPhasePicture, PairsThatASweepOfFewBoxesTestedAreLinked) {
+  phase().method = "columns";
+  phase().swept = "x";
+  phase().bounds = {{"one", {{0, 0, 0}, {2, 1, 2}}},
+                    {"beside", {{1, 0, 4}, {3, 1, 6}}},
+                    {"far", {{8, 0, 0}, {9, 1, 2}}}};
+  phase().cells = {{{{0, 0, 0}, {9, 1, 6}}, 0, 3, 1}};
+  phase().comparisons = 1;
+  const Sketch drawn = sketch(Layer::Cells);
+  EXPECT_EQ(std::ranges::count(drawn.marks, MarkKind::Node, &Mark::kind), 2);
+  EXPECT_THAT(legend_of(drawn),
+              testing::ElementsAre("a box and its span", "tested in vain: boxes do not overlap"));
+  phase().comparisons = 2;
+  EXPECT_THAT(legend_of(sketch(Layer::Cells)),
+              testing::ElementsAre("a box and its span", "begins in the span, so tested: 1"))
+      << "this one is not all";
+}
+
 TEST_F(BroadPhasePicture, ASweepAlongTheViewIsNotDrawn) {
   phase().method = "columns";
   phase().cells = {{{{-1, -0.4, -1}, {1, 0.998, 1}}, 0, 2, 1}};

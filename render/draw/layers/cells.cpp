@@ -71,7 +71,7 @@ constexpr Swatch kBeginsSwatch{
 constexpr float kCount = 18;          // size of the number in a tile, pixels
 constexpr double kCountClear = 13;    // from its middle to the outline of a box, likewise
 constexpr double kLeastCounted = 20;  // pixels: in a narrower tile no number stands
-constexpr double kSweptWay = 64, kBesideBox = 3.5;  // pixels
+constexpr double kSweptWay = 64, kBesideBox = 3.5, kBesideColumn = 16;  // pixels
 
 bool is_tree(const trace::BroadPhase& phase) {
   return phase.method == "tree" || phase.method == "octree";
@@ -120,7 +120,22 @@ void draw_span(const Sweep& sweep, const Floor& floor, Sketch& sketch) {
   sketch.explain(kSpanSwatch, "a box and its span");
 }
 
-/// Over the boxes: the ends at which those begin that the sweep compares, or what was tested.
+/// Over the boxes: the ends at which those begin that the sweep compares.
+void mark_begins(const Scene& scene, const Sweep& sweep, const Floor& floor, Sketch& sketch) {
+  const int compared = count_of(sweep.boxes) - 1, across = floor.across(sweep.axis);
+  for (const trace::Bounds* bounds : sweep.boxes) {
+    if (bounds == sweep.boxes.front()) continue;
+    Vec3d from = bounds->box.lower;
+    from[floor.up()] = bounds->box.upper[floor.up()];
+    from[sweep.axis] -= kBesideBox * scene.scales.pixel / scene.camera.pixels_per_metre(from);
+    Vec3d to = from;
+    to[across] = bounds->box.upper[across];
+    sketch.line(from, to, kBegins);
+  }
+  sketch.explain(kBeginsSwatch, "begins in the span, so tested: " + std::to_string(compared));
+}
+
+/// Over the boxes: what was tested, or what one step of a sweep tests.
 void draw_begins(const Scene& scene, Sketch& sketch) {
   if (!scene.frame.broad_phase || scene.frame.broad_phase->cells.empty()) return;
   const trace::BroadPhase& phase = *scene.frame.broad_phase;
@@ -129,19 +144,16 @@ void draw_begins(const Scene& scene, Sketch& sketch) {
     return link_tested(scene, sketch);
   const std::optional<Sweep> sweep = find_sweep(phase, floor);
   if (!sweep) return;
-  const int compared = count_of(sweep->boxes) - 1, across = floor.across(sweep->axis);
-  for (const trace::Bounds* bounds : sweep->boxes) {
-    if (bounds == sweep->boxes.front()) continue;
-    Vec3d from = bounds->box.lower;
-    from[floor.up()] = bounds->box.upper[floor.up()];
-    from[sweep->axis] -= kBesideBox * scene.scales.pixel / scene.camera.pixels_per_metre(from);
-    Vec3d to = from;
-    to[across] = bounds->box.upper[across];
-    sketch.line(from, to, kBegins);
-  }
-  sketch.explain(kBeginsSwatch, "begins in the span, so tested: " + std::to_string(compared));
-  const Vec3d from = floor.tile_of(sweep->column)[0], way = Vec3d::Unit(sweep->axis);
-  const double metres = kSweptWay * scene.scales.pixel / scene.camera.pixels_per_metre(from);
+  const bool linked = phase.bounds.size() <= kFewBoxes && !find_tests(phase).empty();
+  if (linked)
+    link_tested(scene, sketch);
+  else
+    mark_begins(scene, *sweep, floor, sketch);
+  Vec3d from = floor.tile_of(sweep->column)[0];
+  const Vec3d way = Vec3d::Unit(sweep->axis);
+  const double pixel = scene.scales.pixel / scene.camera.pixels_per_metre(from);
+  const double metres = kSweptWay * pixel;
+  from[floor.across(sweep->axis)] -= kBesideColumn * pixel;
   sketch.arrows.push_back(arrow_to_scale(from, metres * way, 2.5f, 10, kBegins.color));
   sketch.label(from + metres * way, "swept along " + phase.swept, kBegins.color, 17, 8, way);
 }
@@ -279,7 +291,9 @@ void draw_cells(const Scene& scene, Sketch& sketch) {
   const std::optional<Sweep> sweep = find_sweep(phase, floor);
   // A single tone would tell nothing.
   if (phase.cells.size() == 1 && phase.cells.front().members > 0) {
-    sketch.outline(tile_of(phase.cells.front().box), kOnly);
+    // Of few boxes it would be one more of them.
+    if (phase.bounds.size() > kFewBoxes || !sweep)
+      sketch.outline(tile_of(phase.cells.front().box), kOnly);
     if (sweep)
       draw_span(*sweep, floor, sketch);
     else

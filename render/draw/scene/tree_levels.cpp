@@ -111,6 +111,22 @@ std::vector<TestedPair> find_tests_in_grid(const trace::BroadPhase& phase) {
   return pairs;
 }
 
+/// What a sweep along an axis tested: boxes that overlap along it.
+std::vector<TestedPair> find_tests_in_sweep(const trace::BroadPhase& phase) {
+  if (phase.cells.size() != 1 || phase.swept.empty()) return {};
+  const int axis = phase.swept == "x" ? 0 : phase.swept == "y" ? 1 : 2;
+  std::vector<TestedPair> pairs;
+  for (std::size_t i = 0; i < phase.bounds.size(); ++i) {
+    for (std::size_t j = i + 1; j < phase.bounds.size(); ++j) {
+      const trace::Bounds &a = phase.bounds[i], &b = phase.bounds[j];
+      if (a.box.lower[axis] > b.box.upper[axis] || b.box.lower[axis] > a.box.upper[axis]) continue;
+      pairs.push_back({&a, &b, solid_box(a.box).intersects(solid_box(b.box))});
+    }
+  }
+  if (count_of(pairs) != phase.comparisons) pairs.clear();
+  return pairs;
+}
+
 Vec3d top_middle(const trace::Box& box, int up) {
   Vec3d at = 0.5 * (box.lower + box.upper);
   at[up] = box.upper[up];
@@ -121,6 +137,7 @@ Vec3d top_middle(const trace::Box& box, int up) {
 
 std::vector<TestedPair> find_tests(const trace::BroadPhase& phase) {
   if (phase.method == "grid") return find_tests_in_grid(phase);
+  if (phase.method == "columns") return find_tests_in_sweep(phase);
   const std::optional<std::vector<std::size_t>> nodes = nodes_of_boxes(phase);
   if (!nodes) return {};
   const bool is_octree = phase.method == "octree";

@@ -48,9 +48,9 @@ struct TestedPair {
   bool overlaps;
 };
 
-/// The pairs that a tree, an octree or a grid tested. A trace counts tests by node or cell and does not
-/// name pairs: they follow from the nodes in which boxes hang or the cells that they reach, and where
-/// these pairs are not as many as the counts say, there are none here.
+/// The pairs that a tree, an octree, a grid or a sweep tested. A trace counts tests by node or cell and does not
+/// name pairs: they follow from the nodes in which boxes hang, the cells that they reach or their spans along an axis, and
+/// where these pairs are not as many as the counts say, there are none here.
 std::vector<TestedPair> find_tests(const trace::BroadPhase& phase);
 
 /// Nodes as plates on the floor, the deeper ones over those around them and those with boxes over all. Returns them in this order.
