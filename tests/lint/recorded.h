@@ -39,7 +39,7 @@ inline const Trace& stack() {
 }
 /// A crate, a capsule and others on a mesh.
 inline const Trace& terrain() {
-  static const Trace kTrace = recorded("scenarios/pipeline/mesh_and_actors.toml", 30, 60);
+  static const Trace kTrace = recorded("tests/lint/terrain.toml", 30, 60);
   return kTrace;
 }
 
