@@ -417,6 +417,7 @@ const std::vector<std::string_view>& known_words() {
       "centre",
       "end of the axis",
       "nearest on the axis",
+      "shared stretch",
       "axis of the capsule",
       "axis of the capsule, clipped",
       "no normal: contact skipped",

@@ -29,10 +29,13 @@ constexpr float kSumSize = 20;
 constexpr float kCoreSize = 16;
 constexpr double kBesideCore = 14;   // of its name
 constexpr double kBeneathAxis = 34;  // likewise, where the axis goes on
-constexpr double kSame = 1e-4;       // of a shape's size: nearer than that is the same place
+constexpr double kSideOfRightAngle = 34;
+constexpr double kSame = 1e-4;  // of a shape's size: nearer than that is the same place
 
 constexpr LineStyle kVirtual{1.8f, kShapeEdge, true, LineStyle::Hidden::Same};
 constexpr LineStyle kToColumn{1.0f, with_alpha(kQuietText, 0.8f)};
+constexpr LineStyle kAlongAxis{2.2f, kShapeEdge, false, LineStyle::Hidden::Same};
+constexpr LineStyle kRightAngle{1.6f, kText, false, LineStyle::Hidden::Same};
 constexpr Swatch kVirtualSwatch{LegendGroup::Cores, 4, [](auto& pen) {
                                   for (const double from : {0.0, 8.0, 16.0})
                                     pen.level_line(from, from + 6, 1.8, kShapeEdge);
@@ -179,6 +182,31 @@ struct RadiiSketch {
               kText);
   }
 
+  /// Of axes that are parallel: on both of them the stretch at the ends of which the two contact points are.
+  void shared_stretch(const Cores& from, const Cores& to) {
+    sketch.line(from.a, to.a, kAlongAxis);
+    sketch.line(from.b, to.b, kAlongAxis);
+    if (degenerate) return;  // which is what the axes in one line are called after
+    sketch
+        .label(0.5 * (from.a + to.a), "shared stretch", kText, kCoreSize, kBesideCore, -from.normal)
+        .bold = false;
+  }
+
+  /// Of axes that cross in one place: that the normal is at right angles to both of them, which is what makes it their
+  /// cross product. In a picture of things that lean away from the eye no angle is seen as it is.
+  void right_angles(const Cores& at) {
+    const double side = metres(at.a, kSideOfRightAngle);
+    for (const PlacedShape* shape : {&a, &b}) {
+      const Vec3d axis = shape->vertices[1] - shape->vertices[0];
+      // On the left, for the radii are measured on the right.
+      const Vec3d along = axis.dot(scene.camera.right()) > 0 ? Vec3d(-axis) : axis;
+      sketch.line(shape->vertices[0], shape->vertices[1], kAlongAxis);
+      const Vec3d out = at.a + side * along.normalized(), up = side * at.normal;
+      sketch.line(out, out + up, kRightAngle);
+      sketch.line(out + up, at.a + up, kRightAngle);
+    }
+  }
+
   /// What the round shapes cover on the screen.
   std::vector<std::vector<Vec2d>> silhouettes() const {
     std::vector<std::vector<Vec2d>> list;
@@ -300,6 +328,8 @@ struct RadiiSketch {
   }
 
   void draw(const std::vector<Cores>& all) {
+    if (is_pill(a) && is_pill(b) && all.size() == 2) shared_stretch(all[0], all[1]);
+    if (degenerate == "crossing axes" && all.size() == 1) right_angles(all[0]);
     bool first = true;
     for (const Cores& at : all) {
       // About one place they are one in the other, and tell nothing that the radii do not.
