@@ -418,6 +418,7 @@ const std::vector<std::string_view>& known_words() {
       "end of the axis",
       "nearest on the axis",
       "shared stretch",
+      "cross product of both axes",
       "axis of the capsule",
       "axis of the capsule, clipped",
       "no normal: contact skipped",

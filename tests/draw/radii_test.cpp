@@ -123,6 +123,50 @@ TEST(Radii, ACapsuleHasAVirtualSphereAboutTheNearestPointOfItsAxis) {
   EXPECT_THAT(said(sketch), Contains("overlap 300 + 250 − 500 = 50 mm"));
 }
 
+TEST(Radii, OfParallelAxesTheStretchBetweenTheTwoPointsIsMarkedOnBoth) {
+  RoundScene scene(round_shape("lower", {{-0.8, 0, 0}, {0.8, 0, 0}}, 0.25), Vec3d::Zero(),
+                   round_shape("upper", {{-0.6, 0, 0}, {0.6, 0, 0}}, 0.25), Vec3d(0.7, 0.42, 0));
+  scene.touch(Vec3d::UnitY(), "closest_points",
+              {{{0.1, 0.21, 0}, -0.08, "a:e0 b:v0"}, {{0.8, 0.21, 0}, -0.08, "a:v1 b:e0"}});
+  const Sketch sketch = scene.sketch();
+  EXPECT_THAT(said(sketch), Contains("shared stretch"));
+  for (const double height : {0.0, 0.42}) {
+    EXPECT_TRUE(std::ranges::any_of(sketch.lines, [&](const Line& line) {
+      return (line.from - Vec3d(0.1, height, 0)).norm() < 1e-9 &&
+             (line.to - Vec3d(0.8, height, 0)).norm() < 1e-9;
+    })) << height;
+  }
+}
+
+TEST(Radii, OfAxesThatMeetTheNormalIsAtRightAnglesToBoth) {
+  RoundScene scene(round_shape("lower", {{-0.8, 0, 0}, {0.8, 0, 0}}, 0.25), Vec3d::Zero(),
+                   round_shape("upper", {{0, 0, -0.7}, {0, 0, 0.7}}, 0.2), Vec3d::Zero());
+  scene.view.eye = Vec3d(3, 1, 3);
+  scene.touch(Vec3d::UnitY(), "closest_points", {{{0, 0.025, 0}, -0.45, "a:e0 b:e0"}});
+  scene.pair().degenerate = trace::Degenerate{"crossing axes", "fallback"};
+  // The side of each mark that ends on the normal.
+  const auto marks = [&] {
+    std::vector<Vec3d> along;
+    for (const Line& line : scene.sketch().lines) {
+      const bool is_level = std::abs(line.to.y() - line.from.y()) < 1e-9 && line.to.y() > 1e-3;
+      if (is_level && std::hypot(line.to.x(), line.to.z()) < 1e-9)
+        along.push_back((line.from - line.to).normalized());
+    }
+    return along;
+  };
+  const std::vector<Vec3d> along = marks();
+  ASSERT_EQ(along.size(), 2u);
+  EXPECT_NEAR(std::abs(along[0].x()), 1, 1e-9);
+  EXPECT_NEAR(std::abs(along[1].z()), 1, 1e-9);
+  EXPECT_THAT(said(scene.sketch()), Not(Contains("r 250 mm")));
+  EXPECT_THAT(said(scene.sketch()), Not(Contains("cross product of both axes")))
+      << "there is no arrow";
+  scene.view.layers = {Layer::Core, Layer::Normals};
+  EXPECT_THAT(said(scene.sketch()), Contains("cross product of both axes"));
+  scene.pair().degenerate.reset();
+  EXPECT_TRUE(marks().empty());
+}
+
 TEST(Radii, BeyondTheSurfaceOfAHullTheDistanceIsAdded) {
   RoundScene scene(cuboid("block", {0.8, 0.35, 0.5}), Vec3d(0, -0.35, 0),
                    round_shape("ball", {Vec3d::Zero()}, 0.3), Vec3d(0, -0.03, 0));

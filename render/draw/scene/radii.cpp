@@ -29,7 +29,8 @@ constexpr float kSumSize = 20;
 constexpr float kCoreSize = 16;
 constexpr double kBesideCore = 14;   // of its name
 constexpr double kBeneathAxis = 34;  // likewise, where the axis goes on
-constexpr double kSideOfRightAngle = 34;
+constexpr double kOnArrow = 45;
+constexpr double kSideOfRightAngle = 44;
 constexpr double kSame = 1e-4;  // of a shape's size: nearer than that is the same place
 
 constexpr LineStyle kVirtual{1.8f, kShapeEdge, true, LineStyle::Hidden::Same};
@@ -194,12 +195,17 @@ struct RadiiSketch {
 
   /// Of axes that cross in one place: that the normal is at right angles to both of them, which is what makes it their
   /// cross product. In a picture of things that lean away from the eye no angle is seen as it is.
-  void right_angles(const Cores& at) {
+  void cross_product(const Cores& at, const Vec3d& aside) {
+    if (scene.shows(Layer::Normals)) {
+      const Vec3d on_arrow = at.a + (radius_a + metres(at.a, kOnArrow)) * at.normal;
+      sketch.label(on_arrow, "cross product of both axes", kText, kLengthSize, 10, aside);
+    }
     const double side = metres(at.a, kSideOfRightAngle);
     for (const PlacedShape* shape : {&a, &b}) {
       const Vec3d axis = shape->vertices[1] - shape->vertices[0];
-      // On the left, for the radii are measured on the right.
-      const Vec3d along = axis.dot(scene.camera.right()) > 0 ? Vec3d(-axis) : axis;
+      // One on each side, so that they are two.
+      const bool is_right = axis.dot(scene.camera.right()) > 0;
+      const Vec3d along = is_right == (shape == &b) ? axis : Vec3d(-axis);
       sketch.line(shape->vertices[0], shape->vertices[1], kAlongAxis);
       const Vec3d out = at.a + side * along.normalized(), up = side * at.normal;
       sketch.line(out, out + up, kRightAngle);
@@ -329,7 +335,6 @@ struct RadiiSketch {
 
   void draw(const std::vector<Cores>& all) {
     if (is_pill(a) && is_pill(b) && all.size() == 2) shared_stretch(all[0], all[1]);
-    if (degenerate == "crossing axes" && all.size() == 1) right_angles(all[0]);
     bool first = true;
     for (const Cores& at : all) {
       // About one place they are one in the other, and tell nothing that the radii do not.
@@ -343,7 +348,10 @@ struct RadiiSketch {
       const Vec3d right = end_on ? scene.camera.right() : Vec3d(across.normalized());
       if (!(at.b - at.a).isZero(1e-9)) sketch.line(at.a, at.b, {1.6f, kAxisText, true});
       if (first) sum(at, right);  // before the lengths: its line leads to where it is
-      if (first && !end_on) {
+      // The normal is what is told of axes that meet; the sum names the radii.
+      const bool axes_meet = degenerate == "crossing axes" && all.size() == 1;
+      if (axes_meet) cross_product(at, right);
+      if (first && !end_on && !axes_meet) {
         radius(at.a, radius_a * at.normal, right, 1);
         radius(at.b, -radius_b * at.normal, right, radius_a > 0 ? 2 : 1);
       }
