@@ -48,8 +48,7 @@ TEST(IncrementalPicture, NewIsFilledPersistedHalfFilledAndBrokenHollowWithItsRea
   std::vector<MarkKind> states = marks(sketch);
   std::erase(states, MarkKind::Core);  // of the anchors
   EXPECT_THAT(states, ElementsAre(MarkKind::Hollow, MarkKind::Half, MarkKind::Dot));
-  EXPECT_THAT(labels(sketch),
-              ElementsAre(AllOf(StartsWith("slid, "), HasSubstr("mm apart")), "7", "new"));
+  EXPECT_THAT(labels(sketch), ElementsAre(HasSubstr(" mm apart, slid"), "7", "new"));
   EXPECT_THAT(legend(sketch), Contains("new point"));
   EXPECT_THAT(legend(sketch), Contains("taken out, and why"));
 }
@@ -202,12 +201,16 @@ TEST(StabilityPicture, BodiesWithoutContactHaveACentreOfMassToo) {
   EXPECT_THAT(legend(sketch), ElementsAre("centre of mass"));
 }
 
-TEST(StabilityPicture, StableBodySaysHowFarInsideAndHasNoAxis) {
+TEST(StabilityPicture, StableBodySaysHowFarInsideAlongTheWayAndHasNoAxis) {
   CrateOnSlab scene;
   scene.balance("stable");
   scene.view.layers = {Layer::Support};
   const Sketch sketch = scene.sketch();
-  EXPECT_THAT(labels(sketch), ElementsAre("stable, 250 mm inside"));
+  EXPECT_THAT(labels(sketch), ElementsAre("250 mm inside", "stable"));
+  ASSERT_EQ(sketch.arrows.size(), 1u);
+  EXPECT_TRUE(sketch.arrows[0].double_headed);
+  EXPECT_EQ(sketch.arrows[0].from, scene.pair().stability->projection);
+  EXPECT_NEAR((*sketch.arrows[0].to - sketch.arrows[0].from).norm(), 0.25, 1e-9);
   EXPECT_TRUE(sketch.curves.empty());
   EXPECT_THAT(legend(sketch), ElementsAre("support: hull of the contact points"));
 }
@@ -248,6 +251,23 @@ TEST(StabilityPicture, FreeAxisIsNamedAndTurnsTheWayThatTheBodyFalls) {
   const Vec3d turn = (tip.from - center).cross(*tip.to - tip.from);
   EXPECT_LT(turn.x(), 0) << "the top towards smaller z is a negative turn about x";
   EXPECT_NEAR(turn.normalized().x(), -1, 0.1);
+}
+
+TEST(StabilityPicture, BodyOnOnePointTurnsAboutItTowardsItsCentreOfMass) {
+  CrateOnSlab scene;
+  scene.balance("turns about a point");
+  trace::Stability& stability = *scene.pair().stability;
+  stability.axis.reset();
+  stability.support = {stability.projection + Vec3d(0.5, 0, 0)};
+  stability.margin = -0.5;
+  scene.view.layers = {Layer::Support};
+  const Sketch sketch = scene.sketch();
+  EXPECT_THAT(legend(sketch), ElementsAre("axis about which the body turns"));
+  ASSERT_EQ(sketch.arrows.size(), 1u);
+  const std::vector<Vec3d>& arc = sketch.curves.back().points;
+  const Vec3d center = 0.5 * (arc.front() + arc[arc.size() / 2]);
+  const Arrow& tip = sketch.arrows[0];
+  EXPECT_GT((tip.from - center).cross(*tip.to - tip.from).normalized().z(), 0.9);
 }
 
 TEST(DynamicsPicture, ArrowsAreAsLongAsTheLegendSays) {

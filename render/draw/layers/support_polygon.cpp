@@ -15,6 +15,7 @@ constexpr double kFreeTurnRadius = 30;    // pixels, or
 constexpr double kFreeTurnShare = 0.085;  // of a small view
 constexpr double kClearTurns = 2.4;       // of the curved arrow's radius
 constexpr double kBeyondAxis = 0.35;      // of an axis beyond its two points, of the body's radius
+constexpr double kLeastMargin = 50;       // pixels: a shorter one is told with the verdict
 
 constexpr Swatch kCenterOfMassSwatch{
     LegendGroup::Masses, 0,
@@ -46,10 +47,32 @@ void draw_centers_of_mass(const Scene& scene, Sketch& sketch) {
                    any_projected ? "centre of mass, and its projection" : "centre of mass", first);
 }
 
-void draw_free_axis(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
-  const std::array<Vec3d, 2>& ends = *pair.stability->axis;
+bool turns(const trace::Stability& stability) {
+  return stability.axis && stability.verdict != "stable" &&
+         (*stability.axis)[0] != (*stability.axis)[1];
+}
+
+/// Which way gravity, or whatever presses the bodies together, turns the body about a place.
+Vec3d torque_about(const trace::Pair& pair, const Vec3d& place) {
+  const Vec3d& normal = pair.manifolds.front().normal;
+  const Vec3d down = pair.stability->shape == pair.a ? normal : Vec3d(-normal);
+  return (pair.stability->center_of_mass - place).cross(down);
+}
+
+/// Two places on the line about which the body turns; about a point both are there.
+std::optional<std::array<Vec3d, 2>> free_axis(const trace::Pair& pair) {
+  const trace::Stability& stability = *pair.stability;
+  if (pair.manifolds.empty()) return std::nullopt;
+  if (turns(stability)) return stability.axis;
+  if (stability.support.size() != 1 || stability.margin == 0) return std::nullopt;
+  return std::array<Vec3d, 2>{stability.support[0], stability.support[0]};
+}
+
+void draw_free_axis(const Scene& scene, const trace::Pair& pair, const std::array<Vec3d, 2>& ends,
+                    Sketch& sketch) {
   const Vec3d between = ends[1] - ends[0];
-  const Vec3d along = between.normalized();
+  const Vec3d torque = torque_about(pair, ends[0]);
+  const Vec3d along = between.isZero(0) ? torque.normalized() : between.normalized();
   const PlacedShape* body = scene.find(pair.stability->shape);
   const double radius =
       body != nullptr && std::isfinite(body->mesh->radius) ? body->mesh->radius : between.norm();
@@ -58,15 +81,13 @@ void draw_free_axis(const Scene& scene, const trace::Pair& pair, Sketch& sketch)
   const double turn = pixels / scene.camera.pixels_per_metre(0.5 * (ends[0] + ends[1]));
   const double beyond = std::max({0.25 * between.norm(), kBeyondAxis * radius, kClearTurns * turn});
   const Vec3d from = ends[0] - beyond * along, to = ends[1] + beyond * along;
-  sketch.bordered_line(from, to, {2.5f, kNormal, true}, 5.5f);
+  // Between its two points it is an edge of the support, which is drawn.
+  sketch.bordered_line(ends[0], from, {2.5f, kNormal, true}, 5.5f);
+  sketch.bordered_line(ends[1], to, {2.5f, kNormal, true}, 5.5f);
   // At the end that is farther from what else is drawn, so that the points stay free.
   const bool last = scene.camera.to_camera(to).z() < scene.camera.to_camera(from).z();
   const double inset = std::min(0.3 * beyond, 0.5 * turn);
   const Vec3d place = last ? Vec3d(to - inset * along) : Vec3d(from + inset * along);
-  // Which way gravity, or whatever presses the bodies together, turns the body.
-  const Vec3d& normal = pair.manifolds.front().normal;
-  const Vec3d down = pair.stability->shape == pair.a ? normal : Vec3d(-normal);
-  const Vec3d torque = (pair.stability->center_of_mass - ends[0]).cross(down);
   const Vec3d axis = torque.dot(along) < 0 ? Vec3d(-along) : along;
   // In balance on its axis it may turn either way: heads at both ends.
   for (const double way : {1.0, -1.0}) {
@@ -76,22 +97,55 @@ void draw_free_axis(const Scene& scene, const trace::Pair& pair, Sketch& sketch)
   }
 }
 
-bool turns(const trace::Pair& pair) {
-  const trace::Stability& stability = *pair.stability;
-  return stability.axis && stability.verdict != "stable" && !pair.manifolds.empty() &&
-         (*stability.axis)[0] != (*stability.axis)[1];
+/// The place of the support's border that is nearest to the projection; of several the rightmost,
+/// beside the words below the projection.
+std::optional<Vec3d> nearest_border(const Scene& scene, const trace::Stability& stability) {
+  std::optional<Vec3d> nearest;
+  const std::vector<Vec3d>& corners = stability.support;
+  const Vec3d& from = stability.projection;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vec3d& begin = corners[i];
+    const Vec3d side = corners[(i + 1) % corners.size()] - begin;
+    const double share = std::clamp(side.dot(from - begin) / side.squaredNorm(), 0.0, 1.0);
+    const Vec3d place = begin + share * side;
+    const double more = nearest ? (place - from).norm() - (*nearest - from).norm() : -1;
+    const double equal = 1e-3 * std::abs(stability.margin);
+    const bool is_right = nearest && scene.camera.right().dot(place - *nearest) > 0;
+    if (more < -equal || (more < equal && is_right)) nearest = place;
+  }
+  return nearest;
 }
 
 std::string verdict_of(const trace::Stability& stability) {
   const std::string balance = spell_balance(balance_of(stability));
-  if (stability.verdict == "no contact") return balance;
+  if (stability.verdict == "no contact" || stability.verdict == "stable") return balance;
   // How it turns is said where it does.
-  const std::string verdict =
-      stability.verdict == "stable" ? balance : balance + ": " + stability.verdict;
-  if (stability.support.size() < 3) return verdict;
-  if (stability.margin == 0) return verdict + ", on the border";
-  const std::string margin = spell_margin(std::abs(stability.margin));
-  return verdict + ", " + margin + (stability.margin < 0 ? " outside" : " inside");
+  return balance + ": " + stability.verdict;
+}
+
+/// How far inside or outside of its support the centre of mass is: along the way, where that is long
+/// enough, else with the verdict.
+void draw_verdict(const Scene& scene, const trace::Stability& stability, Sketch& sketch) {
+  std::string verdict = verdict_of(stability);
+  if (stability.support.size() > 2 && stability.margin == 0) {
+    verdict = spell_balance(balance_of(stability)) + ", on the border";
+  } else if (stability.support.size() > 2) {
+    const Vec3d& from = stability.projection;
+    const std::string margin =
+        spell_margin(std::abs(stability.margin)) + (stability.margin < 0 ? " outside" : " inside");
+    const std::optional<Vec3d> border = nearest_border(scene, stability);
+    const std::optional<float> seen = seen_distance(scene.camera, from, *border);
+    if (seen && *seen >= kLeastMargin * scene.scales.pixel) {
+      sketch.arrows.push_back(
+          {.from = from, .to = *border, .double_headed = true, .width = 1.5f, .color = kNormal});
+      const Vec3d way = (*border - from).normalized();
+      sketch.label(0.5 * (from + *border), margin, kText, 17, 9,
+                   Vec3d(scene.camera.up() - scene.camera.up().dot(way) * way));
+    } else {
+      verdict += ", " + margin;
+    }
+  }
+  sketch.label(stability.projection, verdict, kText, 18, 16, Vec3d(-scene.camera.up()));
 }
 
 // Gregorius 2015, "Incremental Manifold Stability": a body is stable while its centre of mass
@@ -99,16 +153,15 @@ std::string verdict_of(const trace::Stability& stability) {
 void draw_support(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   if (!pair.stability) return;
   const trace::Stability& stability = *pair.stability;
-  explain_support(stability, turns(pair), sketch.legend);
+  const std::optional<std::array<Vec3d, 2>> axis = free_axis(pair);
+  explain_support(stability, turns(stability), sketch.legend);
+  if (axis && !turns(stability))
+    sketch.explain(kFreeAxisSwatch, "axis about which the body turns", (*axis)[1]);
   if (stability.support.size() > 2)
     sketch.surfaces.push_back({stability.support, with_alpha(kClipPolygon, 0.28f)});
-  // A line is seen on both sides of the axis that lies on it.
-  const float width = stability.support.size() == 2 && turns(pair) ? 7.0f : 3.0f;
-  if (stability.support.size() > 1) sketch.outline(stability.support, {width, kClipPolygon});
-  if (turns(pair)) draw_free_axis(scene, pair, sketch);
-  if (stability.support.empty()) return;
-  sketch.label(stability.projection, verdict_of(stability), kText, 18, 16,
-               Vec3d(-scene.camera.up()));
+  if (stability.support.size() > 1) sketch.outline(stability.support, {3.0f, kClipPolygon});
+  if (axis) draw_free_axis(scene, pair, *axis, sketch);
+  if (!stability.support.empty()) draw_verdict(scene, stability, sketch);
 }
 
 }  // namespace
