@@ -193,12 +193,13 @@ void draw_sum(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const double distance = cores->distance;
   const double margin_a = pair.incremental->margin_a, margin_b = pair.incremental->margin_b;
   const double a = margin_a, b = distance - margin_b;  // the surfaces
-  arrow(0, 0, distance, kAxis, distance < 0);
   if (distance < 0) {
-    label(0, 0.5 * distance,
+    // The three parts stand one below the other, beside the whole, which is the contact's whisker.
+    arrow(1, 0, distance, kAxis, true);
+    label(1, 0.5 * distance,
           "cores overlap " + spell_margin(-distance) + ", by " + in_words(pair.incremental->query),
-          kAxisText, -side);
-    sketch.explain(kOverlapSwatch, "overlap of the cores", place(0, 0.5 * distance));
+          kAxisText, side);
+    sketch.explain(kOverlapSwatch, "overlap of the cores", place(1, 0.5 * distance));
     for (const double along : {a, 0.0, distance, b})
       sketch.line(place(0, along), place(1, along) + kBeyondColumn * pixel * side, kExtension);
     line(1, 0, a);
@@ -207,6 +208,7 @@ void draw_sum(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
     label(1, 0.5 * (b + distance), "B's margin " + spell_margin(margin_b), kMargin, side);
     return;
   }
+  arrow(0, 0, distance, kAxis, false);
   // Thin lines from one column to another, and a bit beyond.
   for (const auto& [from, to, along] :
        {std::tuple(0, 1, 0.0), {0, 2, distance}, {1, 3, a}, {2, 3, b}})
@@ -224,7 +226,8 @@ void draw_sum(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   arrow(3, a, b, apart ? kAxis : kContact, !apart);
   label(3, 0.5 * (a + b), (apart ? "gap " : "overlap ") + spell_margin(std::abs(b - a)),
         apart ? kAxisText : kContact, side);
-  label(0, 0.5 * distance, "cores " + spell_margin(distance) + " apart", kAxisText, -side);
+  // In A: about the middle are the contact and the corner of B without its margin.
+  label(0, 0.15 * distance, "cores " + spell_margin(distance) + " apart", kAxisText, -side);
 }
 
 void draw_cores(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
