@@ -57,8 +57,7 @@ std::string told_reason(const Scene& scene, const trace::Pair& pair,
                         const trace::PersistentPoint& point) {
   if (point.reason != "slid") return point.reason;
   const double metres = (point.on_b() - point.on_a()).norm();
-  return point.reason + ", " + spell_length(metres, scene.noise(pair), scene.scales.length) +
-         " apart";
+  return spell_length(metres, scene.noise(pair), scene.scales.length) + " apart, " + point.reason;
 }
 
 void draw_persistent_point(const Scene& scene, const trace::Pair& pair,
