@@ -324,6 +324,7 @@ const std::vector<std::string_view>& known_words() {
       "B's y",
       "B's z",
       "edges",
+      "face",
       "faces of A",
       "this frame",
       "faces of B",

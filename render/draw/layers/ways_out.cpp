@@ -62,14 +62,17 @@ void draw_ways_out(const Scene& scene, const trace::Pair& pair, Sketch& sketch) 
   if (a->mesh->normals.empty() || b->mesh->normals.empty() || a->is_mesh() || b->is_mesh()) return;
   const Vec3d& normal = pair.manifolds.front().normal;
   const Vec3d center = b->pose.transform(b->traced().center_of_mass);
-  for (const WayOut& way : ways_out(pair, *a, *b)) {
+  const std::vector<WayOut> ways = ways_out(pair, *a, *b);
+  const bool any_of_edges = std::ranges::any_of(ways, &WayOut::of_edges);
+  for (const WayOut& way : ways) {
     if (way.overlap <= 0) return;  // apart: there is nothing to get out of
     const bool taken = normal.dot(way.direction) > kTaken;
     const Vec3d end = center + way.overlap * way.direction;
     const Color color = taken ? kAxisText : kAxis;
     sketch.arrows.push_back(
         arrow_to_scale(center, end - center, taken ? 5.0f : 2.5f, taken ? 16.0f : 12.0f, color));
-    const std::string name = way.of_edges ? "edges: " : "";
+    // What it is a way over is said where there are both.
+    const std::string name = way.of_edges ? "edges: " : any_of_edges ? "face: " : "";
     sketch
         .label(end, name + spell_length(way.overlap, 0, scene.scales.length), kAxisText,
                taken ? 20.0f : 17.0f, 10, way.direction)
