@@ -159,7 +159,11 @@ void draw_support(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
     sketch.explain(kFreeAxisSwatch, "axis about which the body turns", (*axis)[1]);
   if (stability.support.size() > 2)
     sketch.surfaces.push_back({stability.support, with_alpha(kClipPolygon, 0.28f)});
-  if (stability.support.size() > 1) sketch.outline(stability.support, {3.0f, kClipPolygon});
+  // No label covers its edges: on which side of them the centre of mass is, is what one looks for.
+  const std::size_t count = stability.support.size();
+  for (std::size_t i = 0; count > 1 && i < count; ++i)
+    sketch.lines.push_back(
+        {stability.support[i], stability.support[(i + 1) % count], {3.0f, kClipPolygon}, true});
   if (axis) draw_free_axis(scene, pair, *axis, sketch);
   if (!stability.support.empty()) draw_verdict(scene, stability, sketch);
 }
