@@ -108,6 +108,7 @@ TEST(LintVerb, SlowNothingIsSaidOfScenariosButOfThoseThatShowAFault) {
                         "scenarios/field/sampling_misses.toml",      // sampled too coarsely
                         "scenarios/incremental/margin.toml",         // a core too thin
                         "scenarios/incremental/rotating_out.toml",   // one point a frame
+                        "scenarios/incremental/sliding.toml",        // points that slide away
                         "scenarios/mesh/sliding_over_edges.toml"));  // internal edges
 }
 
