@@ -118,6 +118,8 @@ const std::vector<std::string_view>& known_words() {
       "portal and inner point",
       "face nearest to the origin",
       "next point",
+      "search for the next point",
+      "no point lies beyond",
       "support points of the simplex",
       "support points of the nearest face",
       "arcs that cross",

@@ -313,7 +313,7 @@ TEST(GaussMapInset, TheEdgesThatDecideAreNamedOnTheShapes) {
   view.layers = {Layer::ContactAxis};
   const Staged staged({frame}, view);
   const Sketch sketch = sketch_frame(staged.staging, frame);
-  EXPECT_THAT(label_texts(sketch), ElementsAre("edge 3", "edge 11"));
+  EXPECT_THAT(label_texts(sketch), ElementsAre("edge of A", "edge of B"));
   ASSERT_EQ(sketch.lines.size(), 2u);
   EXPECT_EQ(sketch.lines[0].from, Vec3d(0.5, -0.5, -0.5));
   EXPECT_EQ(sketch.lines[0].to, Vec3d(0.5, 0.5, -0.5));
@@ -357,7 +357,7 @@ TEST(GaussMapInset, OneMarkForEachCrossingInFront) {
   EXPECT_EQ(picture.note, "2 pairs of arcs cross, 1 in front");
   EXPECT_EQ(marks_of(picture.sketch, MarkKind::Dot, kAxis), 1u);
   EXPECT_EQ(marks_of(picture.sketch, MarkKind::Ring, kAxisText), 1u);
-  EXPECT_THAT(label_texts(picture.sketch), ElementsAre("edge 0 × edge 3, overlap 0.200 m"));
+  EXPECT_THAT(label_texts(picture.sketch), ElementsAre("edge of A × edge of B, overlap 0.200 m"));
 }
 
 TEST(GaussMapInset, TheBestAxisIsNeverBehindTheSphere) {

@@ -137,7 +137,9 @@ class ShapeMap {
   void draw_curve(const Camera& camera, const std::vector<Vec3d>& points, bool lit,
                   Sketch& sketch) const {
     const LineStyle front{lit ? 3.0f : 1.5f, with_alpha(ink(), lit ? 1.0f : 0.6f), !is_a_};
-    const LineStyle back{1.0f, with_alpha(ink(), 0.28f), false};
+    // Half of a ring is always behind, without which it is none.
+    const LineStyle back{is_ring() ? 2.0f : 1.0f, with_alpha(ink(), is_ring() ? 0.5f : 0.28f),
+                         is_ring()};
     bool seen = false;
     for (std::size_t i = 1; i < points.size(); ++i) {
       const bool faces = camera.faces(points[i], points[i]);
@@ -173,8 +175,7 @@ void draw_best_axes(const trace::Sat& sat, double noise, const LengthUnit& unit,
         true, camera, sketch);
   if (sat.edge)
     draw_best(sat.edge->normal,
-              "edge " + std::to_string(sat.edge->a) + " × edge " + std::to_string(sat.edge->b) +
-                  ", " + spell_separation(sat.edge->separation, noise, unit),
+              "edge of A × edge of B, " + spell_separation(sat.edge->separation, noise, unit),
               sat.chosen == "edge_edge", camera, sketch);
   sketch.explain(kBestAxisSwatch, "best axis of a query");
 }

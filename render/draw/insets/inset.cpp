@@ -21,6 +21,24 @@ bool is_inset(Panel panel) {
   return panel == Panel::Minkowski || panel == Panel::GaussMap;
 }
 
+/// Without perspective, and to the same scale as `camera` where all the points find room at it: a gap
+/// is then as long as the origin's way to the difference.
+Camera parallel_camera(const Camera& camera, const std::vector<Vec3d>& points,
+                       const Vec3d& direction, const Vec3d& world_up, const Rect& viewport) {
+  Eigen::AlignedBox3d seen;  // right, up and towards the eye
+  for (const Vec3d& p : points)
+    seen.extend(Vec3d(p.dot(camera.right()), p.dot(camera.up()), p.dot(direction)));
+  const Vec3d middle = seen.center(), size = seen.sizes();
+  const double aspect = viewport.width / viewport.height;
+  const double fitted = std::max(size.y(), size.x() / aspect) / kInsetShare;
+  const Vec3d target =
+      middle.x() * camera.right() + middle.y() * camera.up() + middle.z() * direction;
+  const double alike = viewport.height / camera.pixels_per_metre(camera.eye() - direction);
+  const double height = std::max(fitted, alike);
+  return Camera::orthographic(target + (size.norm() + height) * direction, target, world_up,
+                              height > 0 ? height : 1, viewport);
+}
+
 }  // namespace
 
 std::vector<Panel> take_insets(View& view) {
@@ -48,6 +66,12 @@ std::vector<Inset> stage_insets(const std::vector<Panel>& panels, const Vec3d& w
     // From so far the rays that touch the unit sphere make the wanted angle.
     ViewFit fit{Vec3d::Zero(),
                 1 / std::sin(std::atan(kSphereShare * half_height * std::min(1.0, aspect)))};
+    if (!sphere && !camera.is_perspective()) {
+      insets.push_back(
+          {panels[i], frame,
+           parallel_camera(camera, minkowski_extent(frames), direction, world_up, viewport)});
+      continue;
+    }
     if (!sphere) {
       fit = fit_view(minkowski_extent(frames), direction, world_up, std::nullopt, half_height,
                      aspect, kInsetShare);

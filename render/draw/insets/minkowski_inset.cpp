@@ -16,8 +16,6 @@ namespace contactscope::draw {
 namespace {
 
 constexpr Color kDifference = rgb(0xE4E4E8);
-constexpr Swatch kDifferenceSwatch{LegendGroup::Differences, 0,
-                                   [](auto& pen) { pen.box(kDifference, kShapeEdge, 1.5); }};
 constexpr Swatch kSimplexSwatch{LegendGroup::Differences, 1,
                                 [](auto& pen) { pen.area(kClipPolygon, 0.16f, 2); }};
 // Of two points; one alone is a support point.
@@ -28,7 +26,16 @@ constexpr Swatch kPolytopeSwatch{LegendGroup::Differences, 2,
 constexpr Swatch kNearestFaceSwatch{LegendGroup::Differences, 3,
                                     [](auto& pen) { pen.area(kPolytope, 0.35f, 2.5); }};
 
+constexpr Swatch kSearchSwatch{LegendGroup::Differences, 5,
+                               [](auto& pen) { pen.open_arrow(1.8, kText); }};
+constexpr Swatch kFarthestSwatch{LegendGroup::Differences, 6,
+                                 [](auto& pen) { pen.dashes(1.5, kText); }};
+
 constexpr std::size_t kManyFaces = 120;
+constexpr double kSupportShare =
+    0.3;  // of the difference's size, half the line through a support point
+constexpr double kLeastSearch =
+    48;  // pixels, of the arrow along which the next point is looked for
 constexpr double kNumberAside = 46;  // pixels from a short arrow to its number
 
 bool has_difference(const trace::Pair& pair) {
@@ -54,6 +61,7 @@ struct DifferencePen {
   const Camera& camera;
   float scale;  // pixels for one at 720 lines
   double smallest;
+  double size;  // of the difference, metres
   LengthUnit unit;
   Sketch& sketch;
 
@@ -80,11 +88,23 @@ struct DifferencePen {
     }
   }
 
-  void next(const SimplexStep& step) const {
+  /// The support point that comes next, and why: `from` it is looked for along the unit `way`, and
+  /// all of the difference is on one side of the dashes through it, across that way.
+  void next(const SimplexStep& step, const Vec3d& from, const Vec3d& way) const {
     if (!step.next) return;
     const Vec3d at = difference(*step.next);
+    const Vec3d along = way.cross(camera.to_eye(at)).normalized();
+    const double least = kLeastSearch * static_cast<double>(scale) / camera.pixels_per_metre(from);
+    const Vec3d end = from + std::max(least, (at - from).dot(way)) * way;
+    sketch.arrows.push_back({.from = from, .to = end, .width = 1.8f, .color = kText, .open = true});
+    sketch.explain(kSearchSwatch, "search for the next point");
+    // Beyond both the point and where the way meets them.
+    const double reach = kSupportShare * size, shift = (from - at).dot(along);
+    sketch.line(at + (std::min(shift, 0.0) - reach) * along,
+                at + (std::max(shift, 0.0) + reach) * along, {1.5f, kText, true});
+    sketch.explain(kFarthestSwatch, "no point lies beyond");
     sketch.mark(MarkKind::Hollow, at, step_color(step));
-    sketch.label(at, "next point", step_color(step), 15, 10).bold = false;
+    sketch.label(at, "next point", step_color(step), 16, 12);
   }
 
   /// A simplex has all of its edges and triangles.
@@ -100,7 +120,6 @@ struct DifferencePen {
       }
     }
     for (std::size_t i = 0; i < count; ++i) vertex(step, i);
-    next(step);
     if (count == 0) return;
     const bool mpr = step.of == SimplexStep::Of::Mpr;
     if (mpr || count > 2)
@@ -109,6 +128,7 @@ struct DifferencePen {
       sketch.explain(kSimplexLineSwatch, "simplex");
     if (mpr) return;
     const Vec3d nearest = nearest_to_origin(points);
+    if (nearest.norm() > smallest) next(step, Vec3d::Zero(), -nearest.normalized());
     distance(nearest, nearest.norm(), step.last() ? "gap " : "");
     if (nearest.norm() > smallest) sketch.explain(kAxisSwatch, "nearest point, its distance");
   }
@@ -139,8 +159,8 @@ struct DifferencePen {
       sketch.lines.push_back({triangle[i], triangle[(i + 1) % 3], {3.0f, kPolytope}, true});
     for (const int corner : face) vertex(step, static_cast<std::size_t>(corner));
     sketch.explain(kNearestFaceSwatch, "face nearest to the origin", mean_of(triangle));
-    next(step);
     const Vec3d normal = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]).normalized();
+    next(step, polytope.distance * normal, normal);
     distance(polytope.distance * normal, polytope.distance, step.last() ? "overlap " : "");
     sketch.explain(kAxisSwatch, "distance of its plane");
   }
@@ -208,7 +228,6 @@ InsetPicture sketch_minkowski(const Inset& inset, const Scene& scene) {
     }
     const PlacedShape placed{&mesh, {}, solid.vertices};
     draw_solid(inset.camera, placed, kDifference, sketch);
-    sketch.explain(kDifferenceSwatch, "B − A");
     Vec3d middle = Vec3d::Zero();
     for (const Vec3d& v : solid.vertices) middle += v / static_cast<double>(solid.vertices.size());
     sketch.center = middle;
@@ -221,7 +240,8 @@ InsetPicture sketch_minkowski(const Inset& inset, const Scene& scene) {
   const std::optional<SimplexStep> step = simplex_step(scene.view, scene.frame, *pair);
   picture.note = note_of(*pair, step);
   // Rounding in float leaves so much of nothing.
-  const DifferencePen pen{inset.camera, static_cast<float>(scene.scales.pixel), 1e-6 * size,
+  const DifferencePen pen{inset.camera,        static_cast<float>(scene.scales.pixel),
+                          1e-6 * size,         size,
                           scene.scales.length, sketch};
   if (step && step->polytope != nullptr)
     pen.polytope(*step);

@@ -100,7 +100,7 @@ void draw_axes(const Scene& scene, const trace::Pair& pair, bool all, Sketch& sk
     if (const auto ends = scene.edge(*name, index))
       sketch.line((*ends)[0], (*ends)[1], {chosen ? 5.0f : 3.5f, kAxis});
   }
-  // With a Gauss map they bear numbers, see below.
+  // With a Gauss map they are named, see below.
   if (chosen && !all && sat.edge_pairs.empty())
     sketch.explain(kDecidingEdgesSwatch, "edges that cross");
   const std::optional<float> pixels = seen_distance(scene.camera, edge.point_a, edge.point_b);
@@ -116,7 +116,7 @@ void draw_axes(const Scene& scene, const trace::Pair& pair, bool all, Sketch& sk
 }
 
 /// The two edges of an edge contact: those of the separating axis test as far as the Gauss map is
-/// recorded, on which they bear numbers; without that test those in the id of the point.
+/// recorded, on which they are named; without that test those in the id of the point.
 std::vector<PairEdge> deciding_edges(const trace::Pair& pair) {
   if (pair.sat) {
     if (pair.sat->chosen != "edge_edge" || !pair.sat->edge || pair.sat->edge_pairs.empty())
@@ -140,7 +140,7 @@ void draw_deciding_edges(const Scene& scene, const trace::Pair& pair, Sketch& sk
     // At the end that is nearer to the eye, where the other edge is not.
     const bool first = scene.camera.to_camera(from).z() < scene.camera.to_camera(to).z();
     const Vec3d& near = first ? from : to;
-    sketch.label(near, "edge " + std::to_string(edge), kAxisText, 16, 9,
+    sketch.label(near, of_a ? "edge of A" : "edge of B", kAxisText, 16, 9,
                  Vec3d(near - 0.5 * (from + to)));
   }
 }

@@ -57,7 +57,7 @@ void draw_simplex_points(const Scene& scene, const trace::Pair& pair, Sketch& sk
         sketch.line(points[i].at, points[j].at, {2.5f, color, !of_a});  // those of B dashed
       std::string text;
       for (const int number : points[i].numbers)
-        text += (text.empty() ? "" : " ") + std::to_string(number);
+        text += (text.empty() ? "" : ", ") + std::to_string(number);
       sketch.mark(MarkKind::Dot, points[i].at, color);
       sketch.label(points[i].at, text, color, 15, 10).badge = Badge::Support;
     }
