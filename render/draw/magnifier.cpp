@@ -15,7 +15,7 @@ namespace {
 
 // Pixels at 720 lines.
 constexpr double kLargeEnough = 20;  // a subject that is, needs no magnifier
-constexpr double kLeastSubject = 0.05;
+constexpr double kLeastSubject = 0.002;
 constexpr double kMagnified = 105;  // that the subject gets at most, in the smallest magnifier
 constexpr double kMagnifierHeight = 0.3;   // of the view's, of the smallest magnifier
 constexpr double kMagnifierAspect = 1.25;  // width to height
@@ -142,7 +142,11 @@ void draw_magnified(const Magnifier& magnifier, const Vec3d& middle, const Sketc
       Camera::orthographic(middle + away * back, middle, camera.up(), frame.height / pixels, frame);
   compose(sketch, near, inner, drawing);
   pen.frame(frame, 1.5, border);
-  const std::string words = "×" + spell_number(magnifier.factor) + note;
+  // Of a large one, which is round, its noughts rather than a power of ten.
+  const std::string factor = magnifier.factor < 1e4
+                                 ? spell_number(magnifier.factor)
+                                 : std::to_string(std::llround(magnifier.factor));
+  const std::string words = "×" + factor + note;
   pen.text(words, pixel(frame.x, frame.bottom()) + Point2{pen.px(7), -pen.px(7)}, Align::Left,
            kText, Weight::Bold, 0, 3);
 }

@@ -101,6 +101,8 @@ void draw_pair_label(const Scene& scene, const trace::Pair& pair, Sketch& sketch
     return shape != nullptr && in_view(scene.camera, *shape);
   };
   const std::string words = pair_label_text(scene, pair);
+  // The panel of intervals says what the bounds of this pair are.
+  if (std::ranges::find(scene.view.panels, Panel::AxisIntervals) != scene.view.panels.end()) return;
   if (words.empty() || (!is_seen(pair.a) && !is_seen(pair.b))) return;
   const trace::Pair* end = scene.frame.pairs.data() + scene.frame.pairs.size();
   if (!pair.label.empty() &&
@@ -116,9 +118,19 @@ void draw_pair_label(const Scene& scene, const trace::Pair& pair, Sketch& sketch
   const PlacedShape* body = labelled_body(scene, pair);
   if (body == nullptr) return;
   const Camera& camera = scene.camera;
-  const Vec3d middle = body->pose.transform(body->traced().center_of_mass);
+  const auto middle_of = [](const PlacedShape& shape) -> Vec3d {
+    return shape.pose.transform(shape.traced().center_of_mass);
+  };
+  Vec3d middle = middle_of(*body);
+  std::vector<Vec2d> own = silhouette(camera, *body);
+  // An answer of bounds is one of both.
+  const PlacedShape* partner = scene.find(body->traced().name == pair.a ? pair.b : pair.a);
+  if (pair.query && !pair.query->bounds.empty() && partner != nullptr) {
+    middle = 0.5 * (middle + middle_of(*partner));
+    const std::vector<Vec2d> more = silhouette(camera, *partner);
+    own.insert(own.end(), more.begin(), more.end());
+  }
   const std::optional<Point2> at = camera.project(middle);
-  const std::vector<Vec2d> own = silhouette(camera, *body);
   if (!at || own.empty()) return;
 
   const auto is_plane = [&](const std::string& name) {

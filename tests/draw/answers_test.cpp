@@ -141,6 +141,8 @@ TEST(Answers, OrientedBoxesBesideOthersAreDrawnAroundThem) {
   boxes.query->bounds = "aabb";
   asked.frames[0].pairs.push_back(boxes);
   EXPECT_DOUBLE_EQ(alone, 1);
+  EXPECT_DOUBLE_EQ(reach(), 1) << "a box that lies along the axes is both, and drawn once";
+  asked.frames[0].pairs.back().query->bounds_a->half_extents = Vec3d(0.9, 0.3, 0.9);
   EXPECT_GT(reach(), 1);
 }
 

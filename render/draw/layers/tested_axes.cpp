@@ -5,8 +5,8 @@
 #include "draw/scene/answers.h"
 #include "draw/scene/quantity.h"
 
-/// The axis of an overlap test that is worth a look, as an arrow from halfway between both bounds: the
-/// one that separates, or a cross product so short that rounding gives it its direction, or the one
+/// The axis of an overlap test that is worth a look, as an arrow from where both bounds meet, and of a
+/// cross product the two edges there: the one that separates, or a cross product so short that rounding gives it its direction, or the one
 /// with the largest gap (Gottschalk, Lin and Manocha 1996, "OBBTree"; the survey's "Oriented Bounding
 /// Box").
 namespace contactscope::draw {
@@ -41,12 +41,34 @@ const trace::TestedAxis* worth_a_look(const trace::Query& query) {
   return axis ? axis : largest([](const auto& one) { return !one.skipped; });
 }
 
+/// Of the places that stand for a volume's size the one nearest to the other's middle.
+Vec3d end_towards(const trace::Volume& volume, const trace::Volume& other) {
+  const std::vector<Vec3d> ends = extent_points(volume);
+  return *std::ranges::min_element(
+      ends, {}, [&](const Vec3d& end) { return (end - other.center).squaredNorm(); });
+}
+
+/// The edge of a box at its corner `end` along its own axis k.
+void draw_edge(const trace::Volume& box, int k, const Vec3d& end, Sketch& sketch) {
+  if (!box.half_extents || k < 0 || k > 2) return;
+  const Vec3d way = box.rotation.value_or(Quatd::Identity()) * Vec3d::Unit(k);
+  const double side = way.dot(end - box.center) > 0 ? -2 : 2;
+  sketch.line(end, end + side * (*box.half_extents)[k] * way, {4, kAxis});
+}
+
 void draw_tested_axes(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   if (!pair.query || !pair.query->bounds_a || !pair.query->bounds_b) return;
   const trace::Query& query = *pair.query;
-  const Vec3d middle = 0.5 * (query.bounds_a->center + query.bounds_b->center);
+  const Vec3d end_a = end_towards(*query.bounds_a, *query.bounds_b);
+  const Vec3d end_b = end_towards(*query.bounds_b, *query.bounds_a);
+  const Vec3d middle = 0.5 * (end_a + end_b);
   if (!scene.camera.sees(middle)) return;  // nor does the legend speak of it
   if (const trace::TestedAxis* axis = worth_a_look(query)) {
+    if (axis->kind == "edges") {
+      draw_edge(*query.bounds_a, axis->a, end_a, sketch);
+      draw_edge(*query.bounds_b, axis->b, end_b, sketch);
+      sketch.explain(kDecidingEdgesSwatch, "edges that make the axis", end_a);
+    }
     const Color color = axis->separates ? kAxis : axis->skipped ? kDropped : kShapeEdge;
     sketch.arrows.push_back({.from = middle,
                              .direction = axis->direction,

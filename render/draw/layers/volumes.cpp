@@ -70,6 +70,21 @@ bool is_one_of_several(const Scene& scene, const trace::Pair& pair) {
   });
 }
 
+/// Whether the axis-aligned boxes of the same shapes have this box too, which then need not be drawn
+/// twice.
+bool is_aligned_box(const Scene& scene, const trace::Pair& pair, const trace::Volume& box) {
+  const auto same = [&](const std::optional<trace::Volume>& other) {
+    return other && other->half_extents &&
+           (other->center - box.center).norm() <= 1e-6 * box.half_extents->norm() &&
+           box.rotation.value_or(Quatd::Identity()).isApprox(Quatd::Identity(), 1e-6) &&
+           other->half_extents->isApprox(*box.half_extents, 1e-6);
+  };
+  return std::ranges::any_of(scene.frame.pairs, [&](const trace::Pair& other) {
+    return other.a == pair.a && other.b == pair.b && other.query && other.query->bounds == "aabb" &&
+           (same(other.query->bounds_a) || same(other.query->bounds_b));
+  });
+}
+
 /// What the bounds are called.
 void name_volume(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   if (pair.label.empty()) return;
@@ -91,11 +106,15 @@ void draw_volumes(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const LineStyle style{no ? 1.5f : 2.5f, answer_color(kind), no || kind == AnswerKind::Missed};
   const bool several = is_one_of_several(scene, pair);
   for (trace::Volume volume : {*pair.query->bounds_a, *pair.query->bounds_b}) {
-    // The oriented box of a box lies on its edges, and that of a ball on the axis-aligned one: neither could
-    // be told from them.
-    if (several && volume.half_extents && pair.query->bounds == "obb")
+    const bool oriented = several && volume.half_extents && pair.query->bounds == "obb";
+    if (oriented && is_aligned_box(scene, pair, volume)) continue;
+    // The oriented box of a box lies on its edges, from which it could not be told.
+    if (oriented)
       *volume.half_extents += Vec3d::Constant(kAround * scene.scales.pixel /
                                               scene.camera.pixels_per_metre(volume.center));
+    // Between dashes the edges of a box would show that its own oriented box lies on.
+    if (style.dashed && volume.half_extents && pair.query->bounds == "obb")
+      draw_volume(scene, volume, {style.width + 1.5f, kWhite}, sketch);
     draw_volume(scene, volume, style, sketch);
   }
   explain(kind, sketch);

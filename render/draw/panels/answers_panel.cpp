@@ -7,11 +7,13 @@
 #include "draw/scene/quantity.h"
 
 /// What each pair answered, frame by frame, and which share of the answers was wrong: the survey's
-/// "false positives" of bounds.
+/// "false positives" of bounds. Where only shapes are asked, a question of yes or no is answered by
+/// that alone, and one of how far by a column of that height.
 namespace contactscope::draw {
 namespace {
 
 constexpr double kAnswerBar = 14;      // pixels at 720 lines, the height of a row of cells
+constexpr double kColumn = 26;         // likewise, of the tallest column
 constexpr double kBelowAnswerBar = 3;  // likewise
 constexpr double kLeastBetween = 8;    // and between two rows
 constexpr double kMostBetween = 16;
@@ -21,10 +23,22 @@ bool has_query(const trace::Pair& pair) {
   return pair.query.has_value();
 }
 
+bool is_measure(const trace::Query& query) {
+  return query.asked == "distance" || query.asked == "penetration";
+}
+
+/// What a question of how far is answered by, metres: what is apart is not deep, and what overlaps not
+/// apart.
+double measured(const trace::Pair& pair) {
+  const double gap = pair.query->gap.value_or(0);
+  return std::max(0.0, pair.query->asked == "distance" ? gap : -gap);
+}
+
 struct AnswerHistory {
   std::string name;
   std::vector<const trace::Pair*> moments;  // one a frame; null where it has no such pair
   bool of_bounds = false;
+  bool measures = false;                           // how far, and not whether
   std::vector<std::optional<AnswerKind>> answers;  // one a frame
 };
 
@@ -46,6 +60,15 @@ class AnswersPanel : public PanelContent {
       }
     }
     std::ranges::stable_sort(histories_, {}, &AnswerHistory::of_bounds);
+    // Beside bounds a distance stands for the truth that they are compared with.
+    if (std::ranges::any_of(histories_, &AnswerHistory::of_bounds)) return;
+    for (AnswerHistory& history : histories_) {
+      for (const trace::Pair* moment : history.moments) {
+        if (moment == nullptr || !moment->query || !is_measure(*moment->query)) continue;
+        history.measures = has_measure_ = true;
+        farthest_ = std::max(farthest_, measured(*moment));
+      }
+    }
   }
 
   PanelNeed need(const PanelMoment&) const override {
@@ -83,10 +106,12 @@ class AnswersPanel : public PanelContent {
 
   /// Name and answer, the cells, and a line of words.
   float row_height() const {
-    const double bar = is_sequence() ? kAnswerBar + kBelowAnswerBar : 0;
+    const double bar = is_sequence() ? bar_height() + kBelowAnswerBar : 0;
     return Sheet::line_height(scale_) * (has_wrong_ ? 2.0f : 1.0f) +
            static_cast<float>(bar + 8) * scale_;
   }
+
+  double bar_height() const { return has_measure_ ? kColumn : kAnswerBar; }
 
   /// With what is between it and the next one.
   float most_of_row() const {
@@ -113,7 +138,7 @@ class AnswersPanel : public PanelContent {
     sheet.skip(sheet.text_height());
     if (is_sequence()) {
       draw_cells(history, now, sheet);
-      sheet.skip(pen.px(larger_ * (kAnswerBar + kBelowAnswerBar)));
+      sheet.skip(pen.px(larger_ * (bar_height() + kBelowAnswerBar)));
     }
     if (has_wrong_) sheet.line(told(history, now), kQuietText);
   }
@@ -121,7 +146,10 @@ class AnswersPanel : public PanelContent {
   /// Of shapes what they are asked; of bounds whether that is so: "yes, falsely".
   std::string answer_at(const AnswerHistory& history, std::size_t now) const {
     if (!history.answers[now]) return "not asked";
-    if (!history.of_bounds) return spell_answer(*history.moments[now], unit_);
+    const trace::Pair& moment = *history.moments[now];
+    if (history.measures) return spell_length(measured(moment), 0, unit_);
+    if (has_measure_) return *history.answers[now] == AnswerKind::Yes ? "yes" : "no";
+    if (!history.of_bounds) return spell_answer(moment, unit_);
     switch (*history.answers[now]) {
       case AnswerKind::Yes:
         return "yes";
@@ -152,16 +180,22 @@ class AnswersPanel : public PanelContent {
   void draw_cells(const AnswerHistory& history, std::size_t now, const Sheet& sheet) const {
     const Pen& pen = sheet.pen();
     const Rect rest = sheet.rest();
-    const double height = pen.px(larger_ * kAnswerBar);
+    const double height = pen.px(larger_ * bar_height());
     const double cell = rest.width / static_cast<double>(history.answers.size());
     pen.fill({rest.x, rest.y, rest.width, height}, with_alpha(kQuietText, 0.08f));
     for (std::size_t f = 0; f <= now; ++f) {
       if (!history.answers[f]) continue;
+      const double left = rest.x + cell * static_cast<double>(f);
+      if (history.measures) {
+        const double tall = farthest_ > 0 ? measured(*history.moments[f]) / farthest_ * height : 0;
+        pen.fill({left, rest.y + height - tall, cell, tall}, kAxis);
+        continue;
+      }
       const AnswerKind kind = *history.answers[f];
       const bool no = kind == AnswerKind::No;
       // A wrong one is higher, so that it is told apart in grey as well.
       const double top = rest.y + (no ? 0.6 : kind == AnswerKind::Yes ? 0.3 : 0.0) * height;
-      pen.fill({rest.x + cell * static_cast<double>(f), top, cell, rest.y + height - top},
+      pen.fill({left, top, cell, rest.y + height - top},
                with_alpha(answer_color(kind), no ? 0.35f : 1.0f));
     }
     const double here = rest.x + cell * static_cast<double>(now);
@@ -172,6 +206,8 @@ class AnswersPanel : public PanelContent {
   double larger_ = 1;  // than at the least, as the sheet has room
   LengthUnit unit_;
   bool has_wrong_ = false;                // some bounds, in some frame
+  bool has_measure_ = false;              // some question of how far, where only shapes are asked
+  double farthest_ = 0;                   // metres, of all answers to such
   std::vector<AnswerHistory> histories_;  // shapes before bounds
 };
 
