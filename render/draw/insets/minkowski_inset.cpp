@@ -96,7 +96,9 @@ struct DifferencePen {
     const Vec3d along = way.cross(camera.to_eye(at)).normalized();
     const double least = kLeastSearch * static_cast<double>(scale) / camera.pixels_per_metre(from);
     const Vec3d end = from + std::max(least, (at - from).dot(way)) * way;
-    sketch.arrows.push_back({.from = from, .to = end, .width = 1.8f, .color = kText, .open = true});
+    // A halo would cover the origin.
+    sketch.arrows.push_back(
+        {.from = from, .to = end, .width = 1.8f, .color = kText, .halo = false, .open = true});
     sketch.explain(kSearchSwatch, "search for the next point");
     // Beyond both the point and where the way meets them.
     const double reach = kSupportShare * size, shift = (from - at).dot(along);
