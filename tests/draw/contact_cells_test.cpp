@@ -160,7 +160,22 @@ TEST(ContactCells, ExtremesHaveTheirBoxAndTheLegendTellsAllAreas) {
     choice.direction = direction;
     moment.cells[0].choices.push_back(choice);
   }
-  EXPECT_THAT(words(drawn({moment}, 0)), Contains("box along the axes"));
+  EXPECT_THAT(words(drawn({moment}, 0)), IsSupersetOf({"box along the axes", "x", "z"}));
+}
+
+TEST(ContactCells, StripsSayWhenAndHowOrangeIsMeant) {
+  std::vector<ContactMoment> moments = moments_of(1, 30);
+  EXPECT_THAT(words(drawn(moments, 15)), Contains("points over time, orange: kept"));
+  EXPECT_THAT(words(drawn(moments, 15)), Not(Contains("now"))) << "the moments have no time";
+  for (ContactMoment& moment : moments) moment.time = 0.1 * moment.frame;
+  EXPECT_THAT(words(drawn(moments, 15)), IsSupersetOf({"0", "now", "2.90 s"}));
+  EXPECT_THAT(words(drawn(moments, 0)), Not(Contains("now"))) << "there is no room for it there";
+}
+
+TEST(ContactCells, MoreIdsThanTheEyeFollowsHaveNoStrip) {
+  std::vector<ContactMoment> moments = moments_of(1, 30);
+  for (ContactMoment& moment : moments) moment.cells[0].points = sliver();
+  EXPECT_THAT(words(drawn(moments, 0)), Not(Contains("points over time, orange: kept")));
 }
 
 TEST(ContactCells, StripsTakeTheRoomThatAFlatPatchLeaves) {

@@ -59,12 +59,11 @@ TEST(ContactCells, LabelsOfAChoiceKeepApart) {
   }
 }
 
-TEST(ContactCells, TheThirdChoiceIsToldFromTheSideOnWhichItFormsATriangle) {
-  // The other way round: the winner's triangle is the inside, of which the fourth point is outside.
+TEST(ContactCells, TheThirdChoiceIsToldByTheSizeOfEachTriangleOnEitherSide) {
   std::vector<ContactMoment> moments = chosen();
   for (trace::Measure& measure : moments[0].cells[0].choices[2].measures)
     measure.value = -measure.value;
-  EXPECT_THAT(words(drawn(moments, 0, 1280, 720, 3)), IsSupersetOf({"+0.5000 m²", "−0.2500 m²"}));
+  EXPECT_THAT(words(drawn(moments, 0, 1280, 720, 3)), IsSupersetOf({"0.5000 m²", "0.2500 m²"}));
 }
 
 TEST(ContactCells, AChoiceShowsWhatEachCandidateWasWorth) {
@@ -73,7 +72,7 @@ TEST(ContactCells, AChoiceShowsWhatEachCandidateWasWorth) {
   EXPECT_EQ(std::ranges::count_if(second, [](const std::string& s) { return s.ends_with(" m"); }),
             7);
   const std::vector<std::string> third = words(drawn(chosen(), 0, 1280, 720, 3));
-  EXPECT_THAT(third, IsSupersetOf({"+0.5000 m²", "−0.2500 m²", "largest triangle"}));
+  EXPECT_THAT(third, IsSupersetOf({"0.5000 m²", "0.2500 m²", "largest triangle"}));
   EXPECT_EQ(std::ranges::count_if(third, [](const std::string& s) { return s.ends_with("²"); }), 6);
   const std::vector<std::string> fourth = words(drawn(chosen(), 0, 1280, 720, 4));
   // The chosen point's area outside one edge, and what another point was worth; its areas inside the
@@ -100,6 +99,17 @@ TEST(ContactCells, TheLegendOfAChoiceTellsItsMarks) {
   const double area = 0.5 * (along(p[3]) - along(p[1])).cross(along(p[0]) - along(p[1])).norm();
   EXPECT_THAT(said, IsSupersetOf({std::string("0.500 m"), spell_area(area),
                                   std::string("distance to the edge")}));
+}
+
+TEST(ContactCells, AFifthChoiceStandsOutsideOfTheFourBeforeIt) {
+  std::vector<ContactMoment> moments = chosen();
+  ContactCell& cell = moments[0].cells[0];
+  cell.kept.push_back(2);
+  cell.choices.push_back({"outside", Vec3d::Zero(), {{2, {{1, 3}}, -0.25}, {4, {{3, 5}}, -0.125}}});
+  const std::vector<std::string> said = words(drawn(moments, 0, 1280, 720, 5));
+  EXPECT_THAT(
+      said, IsSupersetOf({"kept area", "added outside", "deepest", "0.2500 m²", "0.1250 m²", "5"}));
+  EXPECT_THAT(said, testing::Not(Contains("triangle so far")));
 }
 
 TEST(ContactCells, MoreChoicesThanWereMadeShowTheLast) {

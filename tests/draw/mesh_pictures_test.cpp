@@ -213,6 +213,16 @@ TEST(MeshPictures, AMeshWithoutAnInsideShowsWhereItIsOpen) {
   EXPECT_THAT(legend_texts(scene.sketch()), Contains("edge at which the surface ends"));
 }
 
+TEST(MeshPictures, WhatIsInsideOfTheOtherIsDashedThroughIt) {
+  TwoSurfaces scene;
+  const auto told = [&](const char* containment) {
+    scene.frames[0].pairs[0].query->containment = {.a = containment, .b = "outside"};
+    return legend_texts(scene.sketch());
+  };
+  EXPECT_THAT(told("outside"), testing::Not(Contains("inside the other")));
+  EXPECT_THAT(told("inside"), Contains("inside the other"));
+}
+
 TEST(MeshPictures, ATriangleThatIsNotThereIsLeftOut) {
   TwoSurfaces scene;
   scene.frames[0].pairs[0].intersections = {{7, -1, "proper", {}, true, true}};
@@ -252,6 +262,14 @@ TEST(MeshPictures, BoxesOfADeformedMeshesTreeStandInItsPose) {
   EXPECT_EQ(sketch.lines.size(), 12u);
   for (const Line& line : sketch.lines) EXPECT_GE(line.from.y(), 5);
   EXPECT_THAT(legend_texts(sketch), Contains("boxes of the tree, four levels down"));
+  // Of several the largest is set off, with its volume.
+  scene.frames[0].deformed[0].boxes.push_back({{-1, 0, -1}, {1, 1, 1}});
+  const Sketch several = scene.sketch();
+  EXPECT_EQ(several.lines.size(), 3u * 12);
+  EXPECT_THAT(legend_texts(several), Contains("largest of them"));
+  EXPECT_TRUE(std::ranges::any_of(several.labels, [](const Label& label) {
+    return label.text == "4.00 m³" || label.text == "4 m³";
+  }));
 }
 
 TEST(MeshPictures, CandidatesAreShownWithoutTheBoxesThatLedToThem) {

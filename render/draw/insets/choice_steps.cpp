@@ -18,7 +18,7 @@ struct ChoicePen : Pen {
     std::string text;
     Color color;
     bool bold;
-    bool inwards = false;  // goes to the middle's side of its place
+    bool centered = false;  // on its place, which has room for it
   };
 
   const ContactPlane& plane;
@@ -35,7 +35,7 @@ struct ChoicePen : Pen {
 
   void run() {
     for (const Point2& place : places) placer.block(place, px(9));
-    if (shown > 3) triangle(kept[0], kept[1], kept[2]);
+    if (shown > 3) kept_before();
     if (shown == 3) side(kept[0], kept[1], 2.5, kContact);
     if (shown > 0 && shown <= choices.size()) {
       const trace::Choice& choice = choices[shown - 1];
@@ -47,7 +47,10 @@ struct ChoicePen : Pen {
       }
     }
     points();
-    for (const Label& label : labels) write(label);
+    for (const Label& label : labels)
+      if (label.centered) write_centered(label);
+    for (const Label& label : labels)
+      if (!label.centered) write(label);
   }
 
   Vec2d place(int point) const { return flat(at(places, point)); }
@@ -64,6 +67,15 @@ struct ChoicePen : Pen {
   void sides(const trace::Measure& measure, double width, const Color& color) const {
     for (const int end : measure.edge) side(end, measure.point, width, color);
   }
+  /// What is kept before the choice that is shown.
+  void kept_before() const {
+    std::vector<Vec2d> corners;
+    for (std::size_t k = 0; k + 1 < shown; ++k) corners.push_back(place(kept[k]));
+    const std::vector<Point2> polygon =
+        mapped(convex_polygon(corners), [](const Vec2d& corner) { return pixel(corner); });
+    fill(polygon, with_alpha(kContact, 0.16f));
+    outline(polygon, 2, kContact);
+  }
   void triangle(int a, int b, int c) const {
     fill({pixel(place(a)), pixel(place(b)), pixel(place(c))}, with_alpha(kContact, 0.16f));
     for (const auto& [from, to] : {std::pair{a, b}, {b, c}, {c, a}}) side(from, to, 2, kContact);
@@ -75,10 +87,15 @@ struct ChoicePen : Pen {
     if (on_page.norm() < 0.5) return;
     const Vec2d along = on_page.normalized(), across(-along.y(), along.x());
     const Vec2d at = place(chosen());
-    const double half = 0.22 * std::min(plane.map.width, plane.map.height);
-    stroke(at - half * across, at + half * across, 2, kNormal, 7);
-    labels.push_back({at + half * across, "the farthest", kText, false});
-    const Vec2d tip = middle + half * along;
+    // The line is long enough for the arrow to end at it.
+    const Vec2d foot = middle + (at - middle).dot(along) * along;
+    const double reach = (foot - at).dot(across), past = px(40);
+    const Vec2d from = at + (std::min(reach, 0.0) - past) * across,
+                to = at + (std::max(reach, 0.0) + past) * across;
+    stroke(from, to, 2, kNormal, 7);
+    placer.block(pixel(from), pixel(to), px(6));
+    labels.push_back({at, "the farthest", kText, false});
+    const Vec2d tip = foot - px(3) * along;
     stroke(middle, tip - px(8) * along, 3, kNormal);
     const double head = px(13);
     fill({pixel(tip), pixel(tip - head * along + 0.42 * head * across),
@@ -96,19 +113,21 @@ struct ChoicePen : Pen {
     if (grows && !(measure.value < 0)) return;
     const std::string value = rule == "farthest"                 ? spell_length(measure.value)
                               : rule == "deepest" || by_distance ? spell_length(-measure.value)
-                              : rule == "triangle" ? spell_signed(inside() * measure.value)
+                              : rule == "triangle" ? spell_area(std::abs(measure.value))
                                                    : spell_area(-measure.value);
     if (grows && winner) return outside(measure, value, by_distance);
+    if (by_distance) way_from_edge(measure, 1.4, with_alpha(kAxis, 0.9f));
     Vec2d at = place(measure.point);
+    if (rule == "triangle" && winner) {
+      triangle(measure.edge[0], measure.edge[1], measure.point);
+      labels.push_back(area_label(place(measure.edge[0]), place(measure.edge[1]), at, value));
+      return;
+    }
     if (rule == "farthest") {
       side(kept[0], measure.point, winner ? 3.0 : 1.2,
            winner ? kContact : with_alpha(kDropped, 0.7f));
       at = (1 - 0.62) * place(kept[0]) + 0.62 * at;
-    } else if (rule == "triangle" && winner) {
-      triangle(measure.edge[0], measure.edge[1], measure.point);
-    } else if (rule == "triangle") {
-      sides(measure, 1.2, with_alpha(kDropped, 0.55f));
-    } else if (rule != "deepest" && !grows) {
+    } else if (rule != "triangle" && rule != "deepest" && !grows) {
       return;
     }
     labels.push_back({at, value, color, winner});
@@ -118,36 +137,31 @@ struct ChoicePen : Pen {
   void outside(const trace::Measure& measure, const std::string& spelled, bool by_distance) {
     const Vec2d from = place(measure.edge[0]), to = place(measure.edge[1]);
     const Vec2d point = place(measure.point);
-    const Vec2d centroid = (from + to + point) / 3;
     hatch(convex_polygon({from, to, point}), {}, 5, 1.3, kContact);
     sides(measure, 2.5, kContact);
     if (!by_distance) {
-      labels.push_back({centroid, spelled, kContact, true});
+      labels.push_back(area_label(from, to, point, spelled));
       return;
     }
     // What it went by, and what that gained.
-    const Vec2d edge = to - from;
+    const Vec2d foot = way_from_edge(measure, 2.2, kAxis);
+    labels.push_back({0.5 * (foot + point), spelled, kAxisText, true});
+    const double area = 0.5 * std::abs(contactscope::cross(to - from, point - from)) /
+                        std::pow(plane.pixels_per_metre, 2);
+    labels.push_back(area_label(from, to, point, spell_area(area)));
+  }
+
+  /// At right angles from the line of its edge to a point; gives the place on that line.
+  Vec2d way_from_edge(const trace::Measure& measure, double width, const Color& color) const {
+    const Vec2d from = place(measure.edge[0]), to = place(measure.edge[1]);
+    const Vec2d point = place(measure.point), edge = to - from;
     const double share = edge.dot(point - from) / edge.squaredNorm();
     const Vec2d foot = from + share * edge;
-    if (share < 0 || share > 1) stroke(share < 0 ? from : to, foot, 1.2f, kAxis, 4);
-    stroke(foot, point, 4.5, kWhite);
-    stroke(foot, point, 2.2, kAxis);
-    labels.push_back({0.5 * (foot + point), spelled, kAxisText, true});
-    const double area = 0.5 * std::abs(contactscope::cross(edge, point - from)) /
-                        std::pow(plane.pixels_per_metre, 2);
-    labels.push_back({centroid, spell_area(area), kContact, true});
+    if (share < 0 || share > 1) stroke(share < 0 ? from : to, foot, 1.2, kAxis, 4);
+    stroke(foot, point, width + 2.3, kWhite);
+    stroke(foot, point, width, color);
+    return foot;
   }
-
-  /// The sign of the triangle that wins. It is the inside for the fourth point, so the third's candidates
-  /// are told by the same side: positive where the triangle comes to be, negative across its first edge.
-  double inside() const {
-    const std::vector<trace::Measure>& measures = choices[shown - 1].measures;
-    const auto winner = std::ranges::find(measures, chosen(), &trace::Measure::point);
-    return winner != measures.end() && winner->value < 0 ? -1 : 1;
-  }
-
-  /// Of the third point's triangles, on one side of the first edge or on the other.
-  static std::string spell_signed(double area) { return (area > 0 ? "+" : "") + spell_area(area); }
 
   void points() {
     const auto end = kept.begin() + static_cast<std::ptrdiff_t>(shown);
@@ -160,6 +174,9 @@ struct ChoicePen : Pen {
       draw_kept_point(places[i], *this, 1);
       number(places[i], static_cast<int>(found - kept.begin()) + 1);
     }
+    // Of a level patch none. Area alone may leave it out.
+    if (shown > 3)
+      for (const int i : deepest_points(cell.points)) draw_deepest_mark(at(places, i), *this, 1);
   }
 
   /// Beside the point, away from the middle.
@@ -171,10 +188,29 @@ struct ChoicePen : Pen {
     placer.block(pixel(flat(at) + px(19) * out), px(12));
   }
 
+  void write_centered(const Label& label) {
+    const Weight weight = label.bold ? Weight::Bold : Weight::Regular;
+    const Vec2d half(0.5 * width_of(label.text, weight), 0);
+    text(label.text, pixel(label.at) + Point2{0, px(0.34 * kLabelSize)}, Align::Center, label.color,
+         weight, 0, 3);
+    placer.block(pixel(label.at - half), pixel(label.at + half), px(0.6 * kLabelSize));
+  }
+
+  /// In the middle of a triangle where that has room for it, else beside its last corner.
+  Label area_label(const Vec2d& a, const Vec2d& b, const Vec2d& c,
+                   const std::string& spelled) const {
+    const double twice = std::abs(contactscope::cross(b - a, c - a));
+    const double inscribed = 2 * twice / ((b - a).norm() + (c - b).norm() + (a - c).norm());
+    const bool fits = inscribed > 1.1 * width_of(spelled, Weight::Bold);
+    // Beyond its number.
+    const Vec2d beside = c + px(26) * way_out(middle, c);
+    return {fits ? Vec2d((a + b + c) / 3) : beside, spelled, kContact, true, fits};
+  }
+
   void write(const Label& label) {
     const float size = px(kLabelSize);
     const Weight weight = label.bold ? Weight::Bold : Weight::Regular;
-    const Vec2d way = (label.inwards ? -1.0 : 1.0) * way_out(middle, label.at);
+    const Vec2d way = way_out(middle, label.at);
     const auto found =
         placer.place(pixel(label.at), width_of(label.text, weight), 0.76f * ascent(size, weight),
                      descent(size, weight), {px(14), pixel(way)});

@@ -5,24 +5,12 @@
 #include <optional>
 
 #include "core/at.h"
+#include "draw/scene/quantity.h"
 
 namespace contactscope::draw {
 namespace {
 
 constexpr double kHatchSpacing = 5;  // pixels between lines
-/// The points of least separation: all that tie within what the numbers carry. Empty where the patch is
-/// level.
-std::vector<int> deepest_of(const std::vector<trace::Point>& points) {
-  const auto [least, most] = std::ranges::minmax_element(points, {}, &trace::Point::separation);
-  if (least == points.end()) return {};
-  const double noise = separation_noise(points);
-  if (most->separation - least->separation <= noise) return {};
-  std::vector<int> deepest;
-  for (int i = 0; i < count_of(points); ++i)
-    if (at(points, i).separation - least->separation <= noise) deepest.push_back(i);
-  return deepest;
-}
-
 /// Chosen by nothing but how far they lie along directions.
 bool by_extremes(const ContactCell& cell) {
   return cell.choices.size() > 1 &&
@@ -44,6 +32,35 @@ std::vector<Point2> axes_box(const ContactPlane& plane, const ContactCell& cell)
     box.push_back(plane.at(origin + at.x() * axes.u + at.y() * axes.v));
   }
   return box;
+}
+
+/// Along two sides of that box, where the axes are those of the world, with their names.
+void draw_axes(const ContactPlane& plane, const std::vector<Point2>& box) {
+  double left = flat(box[0]).x(), bottom = flat(box[0]).y(), right = left, top = bottom;
+  for (const Point2& corner : box) {
+    left = std::min(left, flat(corner).x()), right = std::max(right, flat(corner).x());
+    top = std::min(top, flat(corner).y()), bottom = std::max(bottom, flat(corner).y());
+  }
+  const double away = plane.px(30), long_side = 0.45 * std::min(right - left, bottom - top);
+  const Vec2d corner(left - away, bottom + away);
+  for (const auto& [name, axis] :
+       {std::pair{"x", Vec3d::UnitX()}, {"y", Vec3d::UnitY()}, {"z", Vec3d::UnitZ()}}) {
+    const Vec2d on_page(plane.axes.u.dot(axis), -plane.axes.v.dot(axis));
+    if (on_page.norm() < 0.99) continue;  // not in the plane, or askew in it
+    const bool level = std::abs(on_page.x()) > 0.5;
+    const bool back = level ? on_page.x() < 0 : on_page.y() > 0;  // it ends where the arrows meet
+    const Vec2d far = corner + long_side * (level ? Vec2d(1, 0) : Vec2d(0, -1));
+    const Vec2d from = back ? far : corner, tip = back ? corner : far;
+    const Vec2d along = (tip - from).normalized(), across(-along.y(), along.x());
+    const double head = plane.px(8);
+    plane.path({pixel(from), pixel(tip - 0.6 * head * along)}, 1.6, kNormal);
+    plane.fill({pixel(tip), pixel(tip - head * along + 0.42 * head * across),
+                pixel(tip - head * along - 0.42 * head * across)},
+               kNormal);
+    const Vec2d beside = 0.5 * (from + tip) + plane.px(8) * (level ? Vec2d(0, 1) : Vec2d(-1, 0));
+    plane.text(name, pixel(beside.x(), beside.y() + plane.px(level ? 8 : 4)), Align::Center, kText,
+               Weight::Bold);
+  }
 }
 
 // The signs of the contact plane alone. Its legend stands in the order in which it is made.
@@ -109,14 +126,19 @@ std::vector<LegendEntry> ContactCells::legend() const {
     };
     const bool by_distance = by_rule("distance"), grows = by_rule("outside") || by_distance,
                triangle = by_rule("triangle") || grows;
-    const bool few = !grows;  // signs: with more, dots and their polygon need no word
-    add(few, kClipPolygonSwatch, "contact polygon");
-    add(few, kPlainPointSwatch, "contact point");
+    add(true, kClipPolygonSwatch, "contact polygon");
+    add(true, kPlainPointSwatch, "contact point");
     add(true, kKeptSwatch, "kept, in order of choice");
-    add(triangle, kTriangleSwatch, grows ? "triangle so far" : "largest triangle");
+    add(triangle, kTriangleSwatch,
+        !grows         ? "largest triangle"
+        : choices_ > 4 ? "kept area"
+                       : "triangle so far");
     add(grows, kOutsideTriangleSwatch, "added outside");
     add(by_distance, kDecidingEdgesSwatch, "distance to the edge");
-    add(few && (triangle || by_rule("farthest")), kCandidateSwatch, "other candidates");
+    add(by_rule("farthest"), kCandidateSwatch, "other candidates");
+    add(choices_ > 3 &&
+            any_cell([](const ContactCell& cell) { return !deepest_points(cell.points).empty(); }),
+        kDeepestSwatch, "deepest");
     return entries;
   }
   const bool reduces =
@@ -125,7 +147,7 @@ std::vector<LegendEntry> ContactCells::legend() const {
   add(!reduces, kClipPolygonSwatch, "contact polygon");
   add(reduces, kReducedSwatch, "reduced away");
   add(true, kKeptSwatch, reduces ? "kept, in order of choice" : "kept");
-  add(any_cell([](const ContactCell& cell) { return !deepest_of(cell.points).empty(); }),
+  add(any_cell([](const ContactCell& cell) { return !deepest_points(cell.points).empty(); }),
       kDeepestSwatch, "deepest");
   add(reduces, kKeptAreaSwatch, "kept area, hatched: lost");
   add(has_best, kBestPolygonSwatch, "largest area");
@@ -184,12 +206,13 @@ void ContactCells::draw_cell(std::size_t number, std::size_t moment, const Pen& 
     draw_map(cell, {patch.axes, patch.center, grid_.pixels_per_metre, map, pen});
   }
   if (grid_.strip > 0) {
-    const double inset = pen.px(3), caption = pen.px(kStripCaption);
+    const double inset = pen.px(3), caption = pen.px(kStripCaption), axis = pen.px(axis_height());
     const double y = map.bottom() + inset;
-    pen.text(pen.fitted("points over time", Weight::Regular, width),
+    pen.text(pen.fitted("points over time, orange: kept", Weight::Regular, width),
              pixel(rect.x, y + 0.75 * caption), Align::Left, kQuietText);
-    ids_[number].draw_rows({rect.x, y + caption, rect.width, grid_.strip - 2 * inset - caption},
-                           moment, moments_.size(), pen);
+    const Rect strip{rect.x, y + caption, rect.width, grid_.strip - 2 * inset - caption - axis};
+    ids_[number].draw_rows(strip, moment, moments_.size(), pen);
+    if (axis > 0) draw_strip_axis(strip, moment, pen);
   }
   double baseline = map.bottom() + grid_.strip + 0.8 * pen.px(kNumberRow);
   for (const ContactCell::Row& row : shown_rows(cell)) {
@@ -200,6 +223,19 @@ void ContactCells::draw_cell(std::size_t number, std::size_t moment, const Pen& 
       pen.text(row.right, pixel(rect.right(), baseline), Align::Right, kQuietText);
     baseline += pen.px(kNumberRow);
   }
+}
+
+/// Both ends of the time, and between them which of it the picture is of.
+void ContactCells::draw_strip_axis(const Rect& strip, std::size_t moment, const Pen& pen) const {
+  const double baseline = strip.bottom() + pen.px(kStripAxis - 2);
+  const std::string end = spell_quantity(*moments_.back().time, "s");
+  pen.text("0", pixel(strip.x, baseline), Align::Left, kQuietText);
+  pen.text(end, pixel(strip.right(), baseline), Align::Right, kQuietText);
+  const double now = strip.x + strip.width * (static_cast<double>(moment) + 0.5) /
+                                   static_cast<double>(moments_.size());
+  const double half = 0.5 * pen.width_of("now") + pen.px(6);
+  if (now - half > strip.x + pen.width_of("0") && now + half < strip.right() - pen.width_of(end))
+    pen.text("now", pixel(now, baseline), Align::Center, kText);
 }
 
 void ContactCells::draw_map(const ContactCell& cell, const ContactPlane& plane) const {
@@ -225,14 +261,18 @@ void ContactCells::draw_map(const ContactCell& cell, const ContactPlane& plane) 
   plane.outline(pixels(all), 2, kClipPolygon);
   plane.outline(pixels(kept), 2, kContact);
   if (cell.best.size() > 2) plane.outline(pixels(polygon_of(cell.best)), 1.6, kNormal, 6);
-  if (by_extremes(cell)) plane.outline(axes_box(plane, cell), 1.8, kAxis, 6);
+  if (by_extremes(cell)) {
+    const std::vector<Point2> box = axes_box(plane, cell);
+    plane.outline(box, 1.8, kAxis, 6);
+    draw_axes(plane, box);
+  }
 
   for (const int i : every) {
     if (std::ranges::find(cell.kept, i) == cell.kept.end())
       draw_dropped_point(at(places, i), plane, grid_.mark);
   }
   for (const int i : cell.kept) draw_kept_point(at(places, i), plane, grid_.mark);
-  const std::vector<int> deepest = deepest_of(cell.points);
+  const std::vector<int> deepest = deepest_points(cell.points);
   for (const int i : deepest) draw_deepest_mark(at(places, i), plane, grid_.mark);
   if (cell.kept.size() < places.size()) plane.number_kept(places, cell.kept, grid_.mark, deepest);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -38,12 +39,16 @@ struct ContactMoment {
   int frame = 0;
   std::string caption;
   std::vector<ContactCell> cells;
-  std::string title{};  // empty: that of all
+  std::string title{};           // empty: that of all
+  std::optional<double> time{};  // seconds, where it has one
 };
 
 /// Metres: separations of the points of a patch that differ by less are equal, for more is lost in the
 /// float of their places.
 double separation_noise(const std::vector<trace::Point>& points);
+
+/// The points of least separation: all that tie within that noise. Empty where the patch is level.
+std::vector<int> deepest_points(const std::vector<trace::Point>& points);
 
 /// From explorations of one pair, frames in order: a cell a reducer, in `order`, with all measures.
 std::vector<ContactMoment> explored(const std::vector<trace::Exploration>& sequence,
@@ -100,7 +105,7 @@ class ContactCells {
   static constexpr double kName = 15;       // size of a cell's heading
   static constexpr double kNumber = 14;     // size of the numbers beneath
   static constexpr double kNumberRow = 17;  // height of a row of numbers
-  static constexpr double kStripCaption = 18;
+  static constexpr double kStripCaption = 18, kStripAxis = 14;
   static constexpr double kGap = 14;  // between cells
 
   /// How much larger text and marks of the cells are than those of the rest of the picture.
@@ -111,6 +116,8 @@ class ContactCells {
   double nearest_points() const;
   double name_height() const { return shows(Detail::Names) ? kName + 4 : 0; }
   double strip_height() const;
+  /// Of the line under the strip that says when; none where the moments have no time.
+  double axis_height() const { return moments_.back().time ? kStripAxis : 0; }
   std::size_t row_count() const;
   std::span<const ContactCell::Row> shown_rows(const ContactCell& cell) const;
   std::string left_of(const ContactCell::Row& row) const;
@@ -122,6 +129,7 @@ class ContactCells {
   void frame_patches(const Vec3d& above);
   void gather_ids();
   void draw_cell(std::size_t cell, std::size_t moment, const Pen& pen) const;
+  void draw_strip_axis(const Rect& strip, std::size_t moment, const Pen& pen) const;
   void draw_map(const ContactCell& cell, const ContactPlane& plane) const;
 
   std::string title_, source_;

@@ -14,6 +14,7 @@ constexpr double kRowGap = 6;      // between the left and the right of a row
 constexpr double kReserve = 20;    // around the patch in a map, for rings and digits
 constexpr double kMostStrip = 30;  // height of the strip of ids, more of few cells
 constexpr std::size_t kFewCells = 4;
+constexpr double kMostRows = 10;    // of ids; the eye follows no more of them
 constexpr double kStripRow = 4;     // of one id, at least where there is room
 constexpr double kWideRow = 16;     // of one id, at most
 constexpr double kCloseMarks = 30;  // between points, for marks of full size
@@ -135,8 +136,9 @@ void ContactCells::gather_ids() {
 double ContactCells::strip_height() const {
   if (!shows(Detail::Strip) || choices_ > 0 || ids_.empty()) return 0;
   const auto rows = static_cast<double>(ids_.front().row_count());
+  if (rows == 0 || rows > kMostRows) return 0;
   const double wide = cell_count() > kFewCells ? 1 : 1.75;
-  return rows == 0 ? 0 : wide * std::min(kMostStrip, kStripRow * rows) + kStripCaption + 6;
+  return wide * std::min(kMostStrip, kStripRow * rows) + kStripCaption + axis_height() + 6;
 }
 
 std::size_t ContactCells::row_count() const {
@@ -210,8 +212,8 @@ ContactCells::Grid ContactCells::best_grid() const {
   best.strip = px(strip_height());
   if (best.strip > 0) {
     const double used = reserve + best.pixels_per_metre * extent_.y();
-    const double wide =
-        px(kWideRow * static_cast<double>(ids_.front().row_count()) + kStripCaption + 6);
+    const double wide = px(kWideRow * static_cast<double>(ids_.front().row_count()) +
+                           kStripCaption + axis_height() + 6);
     const double more = std::clamp(wide - best.strip, 0.0, std::max(0.0, best.map_height - used));
     best.strip += more;
     best.map_height -= more;

@@ -45,15 +45,20 @@ std::vector<ContactCell::Row> rows_of(const trace::Reduction& reduction) {
   const std::string area = spell_area(reduction.area);
   const std::string share = has_best ? percent(reduction.area / reduction.best_area) : area;
   double deepest = 0, kept = 0;
+  std::vector<ContactCell::Row> rows = {
+      {has_best ? share + " of the largest area, " + area : "area " + area, "", "area " + share,
+       has_best}};
+  if (deepest_points(reduction.points).empty()) return rows;  // of a level patch it says nothing
   for (const trace::Point& point : reduction.points) deepest = std::min(deepest, point.separation);
   for (const int i : reduction.kept) kept = std::min(kept, at(reduction.points, i).separation);
   const bool has_deepest = kept - deepest <= separation_noise(reduction.points);
   const bool matters = kept - deepest > kLittle * -deepest;
-  return {
-      {"area " + area + (has_best ? ", " + share + " of the largest" : ""), "", "area " + share},
+  rows.push_back(
       {has_deepest ? "deepest kept, " + spell_length(-deepest)
-                   : "deepest lost by " + spell_length(kept - deepest),
-       "", has_deepest ? "deepest kept" : "deepest lost", !has_deepest && matters}};
+       : matters ? "deepest lost: " + spell_length(-deepest) + ", kept up to " + spell_length(-kept)
+                 : "deepest lost by " + spell_length(kept - deepest),
+       "", has_deepest ? "deepest kept" : "deepest lost", !has_deepest && matters});
+  return rows;
 }
 
 // Of the largest number among the places: sixteen last digits of a float.
@@ -67,6 +72,17 @@ double separation_noise(const std::vector<trace::Point>& points) {
     largest = std::max({largest, point.position.cwiseAbs().maxCoeff(),
                         (point.position - points.front().position).norm()});
   return kNoise * largest;
+}
+
+std::vector<int> deepest_points(const std::vector<trace::Point>& points) {
+  const auto [least, most] = std::ranges::minmax_element(points, {}, &trace::Point::separation);
+  if (least == points.end()) return {};
+  const double noise = separation_noise(points);
+  if (most->separation - least->separation <= noise) return {};
+  std::vector<int> deepest;
+  for (int i = 0; i < count_of(points); ++i)
+    if (at(points, i).separation - least->separation <= noise) deepest.push_back(i);
+  return deepest;
 }
 
 std::vector<ContactMoment> explored(const std::vector<trace::Exploration>& sequence,
@@ -114,7 +130,9 @@ std::vector<ContactMoment> reduced(const std::vector<trace::Frame>& frames,
   std::vector<ContactMoment> moments = mapped(frames, [&](const trace::Frame& frame) {
     // Points that belong to no shapes have no time either.
     const bool is_timeless = !frame.pairs.empty() && frame.pairs.front().a.empty();
-    return ContactMoment{frame.frame, is_timeless ? std::string() : telling.of(frame), {}};
+    ContactMoment moment{frame.frame, is_timeless ? std::string() : telling.of(frame), {}};
+    if (!is_timeless) moment.time = frame.time;
+    return moment;
   });
   for (const trace::Pair* known : cells) {
     const std::string& method = known->reduction->method;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "draw/layers/layer.h"
+#include "draw/scene/points.h"
 
 /// Where two meshes meet: the triangles that share a point, and what they share.
 namespace contactscope::draw {
@@ -105,6 +106,25 @@ void draw_open_edges(const PlacedShape* mesh, const std::string& containment, Sk
   }
 }
 
+// Not faint: that it is there is what the picture is about.
+constexpr LineStyle kInsideEdge{1.8f, kShapeEdge, true};
+constexpr Swatch kInsideSwatch{LegendGroup::Points, 27,
+                               [](auto& pen) { pen.dashes(kInsideEdge.width, kShapeEdge); }};
+
+/// What is wholly inside of another mesh, and so behind it: its edges that would be seen without that.
+void draw_inside(const Scene& scene, const PlacedShape* mesh, const std::string& containment,
+                 Sketch& sketch) {
+  if (mesh == nullptr || containment != "inside") return;
+  const auto seen = [&](int face) {
+    return face >= 0 && scene.camera.faces(mean_of(mesh->polygon(face)), mesh->normal(face));
+  };
+  for (const ShapeMesh::Edge& edge : mesh->mesh->edges) {
+    if (edge.smooth || (!seen(edge.left) && !seen(edge.right))) continue;
+    sketch.line(mesh->vertex(edge.from), mesh->vertex(edge.to), kInsideEdge);
+    sketch.explain(kInsideSwatch, "inside the other");
+  }
+}
+
 void draw_intersections(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const PlacedShape *a = scene.find(pair.a), *b = scene.find(pair.b);
   std::set<int> crossing_a, crossing_b, coplanar_a, coplanar_b;
@@ -132,6 +152,8 @@ void draw_intersections(const Scene& scene, const trace::Pair& pair, Sketch& ske
   if (!pair.query || !pair.query->containment) return;
   draw_open_edges(a, pair.query->containment->a, sketch);
   draw_open_edges(b, pair.query->containment->b, sketch);
+  draw_inside(scene, a, pair.query->containment->a, sketch);
+  draw_inside(scene, b, pair.query->containment->b, sketch);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "draw/layers/layer.h"
 #include "draw/scene/box_outline.h"
 #include "draw/scene/points.h"
+#include "draw/scene/quantity.h"
 
 /// How the triangles of a mesh were collected: Gregorius 2015, "Mesh Contacts".
 namespace contactscope::draw {
@@ -44,6 +45,24 @@ std::vector<Vec3d> widest_cut(const trace::Box& box, const PlacedShape& mesh) {
     corner = mesh.pose.transform(corner);
   }
   return corners;
+}
+
+/// The six sides of a box, in the world.
+std::vector<std::vector<Vec3d>> sides_of(const trace::Box& box, const Pose<double>& pose) {
+  std::vector<std::vector<Vec3d>> sides;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const Vec3d* end : {&box.lower, &box.upper}) {
+      std::vector<Vec3d>& side = sides.emplace_back(4, box.lower);
+      const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+      side[1][u] = side[2][u] = box.upper[u];
+      side[2][v] = side[3][v] = box.upper[v];
+      for (Vec3d& corner : side) {
+        corner[axis] = (*end)[axis];
+        corner = pose.transform(corner);
+      }
+    }
+  }
+  return sides;
 }
 
 const PlacedShape* mesh_of(const Scene& scene, const trace::Pair& pair) {
@@ -100,6 +119,20 @@ constexpr Swatch kDeformedSwatch{LegendGroup::Trees, 5, [](auto& pen) { pen.area
 // Boxes share faces, and lines that fall together add up: of a lighter tone, where they could let light through.
 constexpr Color kLightBox = {0.3f + 0.7f * kBox.r, 0.3f + 0.7f * kBox.g, 0.3f + 0.7f * kBox.b, 1};
 
+constexpr Swatch kLargestSwatch{LegendGroup::Trees, 6, [](auto& pen) { pen.area(kBox, 0.16f, 3); }};
+
+/// One of so many that lie over each other, by which it is seen how much they have swollen.
+void draw_largest(const std::vector<trace::Box>& boxes, const PlacedShape& mesh, Sketch& sketch) {
+  const auto volume = [](const trace::Box& box) { return (box.upper - box.lower).prod(); };
+  const trace::Box& largest = *std::ranges::max_element(boxes, {}, volume);
+  for (const std::vector<Vec3d>& side : sides_of(largest, mesh.pose))
+    sketch.surfaces.push_back({side, with_alpha(kBox, 0.16f)});
+  outline(largest, mesh.pose, {3.0f, kBox}, sketch);
+  sketch.explain(kLargestSwatch, "largest of them");
+  sketch.label(mesh.pose.transform(0.5 * (largest.lower + largest.upper)),
+               spell_number(volume(largest), 3) + " m³", kBox, 17, 10);
+}
+
 /// What the tree of a mesh that deforms is made of.
 void draw_deformed_trees(const Scene& scene, Sketch& sketch) {
   for (const trace::Deformed& deformed : scene.frame.deformed) {
@@ -108,6 +141,7 @@ void draw_deformed_trees(const Scene& scene, Sketch& sketch) {
     for (const trace::Box& box : deformed.boxes)
       outline(box, mesh->pose, {1.2f, kLightBox}, sketch);
     sketch.explain(kDeformedSwatch, "boxes of the tree, four levels down");
+    if (deformed.boxes.size() > 1) draw_largest(deformed.boxes, *mesh, sketch);
   }
 }
 

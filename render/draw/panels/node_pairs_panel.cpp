@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kMatrixCaption = 22;  // pixels at 720 lines, beside and under the matrix
 constexpr double kLeastMatrix = 150, kGoodMatrix = 300, kMostMatrix = 316;
-constexpr double kLeastBlock = 1.6;  // of a pair of leaves
+constexpr double kLeastBlock = 2.6;  // of a pair of leaves
 
 const trace::Pair* asked_pair(const trace::Frame& frame) {
   const auto found = std::ranges::find_if(frame.pairs, [](const trace::Pair& pair) {
