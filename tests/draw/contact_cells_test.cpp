@@ -172,10 +172,17 @@ TEST(ContactCells, StripsSayWhenAndHowOrangeIsMeant) {
   EXPECT_THAT(words(drawn(moments, 0)), Not(Contains("now"))) << "there is no room for it there";
 }
 
-TEST(ContactCells, MoreIdsThanTheEyeFollowsHaveNoStrip) {
-  std::vector<ContactMoment> moments = moments_of(1, 30);
-  for (ContactMoment& moment : moments) moment.cells[0].points = sliver();
-  EXPECT_THAT(words(drawn(moments, 0)), Not(Contains("points over time, orange: kept")));
+TEST(ContactCells, AScenarioWithoutWordsForTheStripHasNone) {
+  const auto bars = [](const FigureStyle& style) {
+    return all<Fill>(ContactCells("Title", "Source", "y", moments_of(1, 30), 0, 1280, 720, style)
+                         .frame(0))
+        .size();
+  };
+  Words none;
+  none.replace("points over time", "");
+  FigureStyle style;
+  style.words = std::make_shared<const Words>(none);
+  EXPECT_LT(bars(style), bars({}));
 }
 
 TEST(ContactCells, StripsTakeTheRoomThatAFlatPatchLeaves) {

@@ -115,6 +115,7 @@ class ContactCells {
   Grid best_grid() const;
   double nearest_points() const;
   double name_height() const { return shows(Detail::Names) ? kName + 4 : 0; }
+  bool is_named_away() const;
   double strip_height() const;
   /// Of the line under the strip that says when; none where the moments have no time.
   double axis_height() const { return moments_.back().time ? kStripAxis : 0; }

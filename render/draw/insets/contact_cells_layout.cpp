@@ -14,7 +14,6 @@ constexpr double kRowGap = 6;      // between the left and the right of a row
 constexpr double kReserve = 20;    // around the patch in a map, for rings and digits
 constexpr double kMostStrip = 30;  // height of the strip of ids, more of few cells
 constexpr std::size_t kFewCells = 4;
-constexpr double kMostRows = 10;    // of ids; the eye follows no more of them
 constexpr double kStripRow = 4;     // of one id, at least where there is room
 constexpr double kWideRow = 16;     // of one id, at most
 constexpr double kCloseMarks = 30;  // between points, for marks of full size
@@ -133,10 +132,15 @@ void ContactCells::gather_ids() {
   }
 }
 
+/// Where a scenario has no words for the strip it is about one frame alone.
+bool ContactCells::is_named_away() const {
+  return style_.words && style_.words->of("points over time").empty();
+}
+
 double ContactCells::strip_height() const {
   if (!shows(Detail::Strip) || choices_ > 0 || ids_.empty()) return 0;
   const auto rows = static_cast<double>(ids_.front().row_count());
-  if (rows == 0 || rows > kMostRows) return 0;
+  if (rows == 0 || is_named_away()) return 0;
   const double wide = cell_count() > kFewCells ? 1 : 1.75;
   return wide * std::min(kMostStrip, kStripRow * rows) + kStripCaption + axis_height() + 6;
 }
