@@ -19,6 +19,7 @@ struct ChoicePen : Pen {
     Color color;
     bool bold;
     bool centered = false;  // on its place, which has room for it
+    bool leader = true;     // where it is not near its place
   };
 
   const ContactPlane& plane;
@@ -204,7 +205,7 @@ struct ChoicePen : Pen {
     const bool fits = inscribed > 1.1 * width_of(spelled, Weight::Bold);
     // Beyond its number.
     const Vec2d beside = c + px(26) * way_out(middle, c);
-    return {fits ? Vec2d((a + b + c) / 3) : beside, spelled, kContact, true, fits};
+    return {fits ? Vec2d((a + b + c) / 3) : beside, spelled, kContact, true, fits, false};
   }
 
   void write(const Label& label) {
@@ -215,7 +216,7 @@ struct ChoicePen : Pen {
         placer.place(pixel(label.at), width_of(label.text, weight), 0.76f * ascent(size, weight),
                      descent(size, weight), {px(14), pixel(way)});
     if (!found) return;
-    if (found->needs_leader) {
+    if (found->needs_leader && label.leader) {
       stroke(label.at, flat(found->leader_end), 3.5, with_alpha(kWhite, 0.8f));
       stroke(label.at, flat(found->leader_end), 1, label.color);
     }
