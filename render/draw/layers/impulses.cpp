@@ -23,10 +23,12 @@ constexpr Swatch kPushedSwatch{LegendGroup::Points, 3,
                                [](auto& pen) { pen.dot(0, 4.0, kContact); }};
 constexpr Swatch kNormalImpulseSwatch{LegendGroup::Forces, 1,
                                       [](auto& pen) { pen.arrow(3, 10, kImpulse); }};
-constexpr Swatch kWarmStartSwatch{LegendGroup::Forces, 2, [](auto& pen) {
-                                    pen.level_line(0, 22, 9, kImpulse);
-                                    pen.level_line(1.5, 20.5, 6, kWhite);
-                                  }};
+// What was kept lies as a wide pale bar beneath the arrow: a thin frame round it closes up in a small
+// picture.
+constexpr Color kKept = rgb(0xEDB5BB);
+constexpr float kKeptWidth = 14;  // pixels
+constexpr Swatch kWarmStartSwatch{LegendGroup::Forces, 2,
+                                  [](auto& pen) { pen.level_line(0, 22, 13, kKept); }};
 constexpr Swatch kFrictionSwatch{LegendGroup::Forces, 3,
                                  [](auto& pen) { pen.open_arrow(2.5, kFriction); }};
 // Two strokes across a line that goes on.
@@ -75,7 +77,7 @@ void draw_normal_impulse(const Scene& scene, const trace::Point& point, const Ve
     const double shown = std::min(whole, scene.scales.longest_impulse);
     if (!(shown * scene.camera.pixels_per_metre(at) >= kLeastImpulse)) continue;
     if (warm) {
-      sketch.bordered_line(at, at + shown * out, {6.0f, kWhite}, 9.0f, kImpulse);
+      sketch.line(at, at + shown * out, {kKeptWidth, kKept});
       sketch.explain(kWarmStartSwatch, "kept from the step before");
     } else {
       sketch.arrows.push_back(arrow_to_scale(at, shown * out, 3, 12, kImpulse));
