@@ -17,6 +17,7 @@ namespace {
 
 constexpr double kUnmoved = 1e-4;  // of a body's radius, from frame to frame
 constexpr int kLeastRest = 2;      // frames: fewer is a turning point
+constexpr float kTint = 0.22f;     // of a body's fill
 
 constexpr Swatch kIslandSwatch{LegendGroup::Trees, 9,
                                [](auto& pen) {
@@ -78,6 +79,22 @@ int rest_of(const Scene& scene, const trace::Body& body) {
   return frames;
 }
 
+/// A body is tinted as its island is: the state is then seen before any line is.
+void tint(const Camera& camera, const PlacedShape& shape, const Color& color, Sketch& sketch) {
+  const Color fill = with_alpha(color, kTint);
+  if (shape.traced().radius > 0) {
+    const std::vector<Vec3d> outline =
+        RoundBody{shape.vertices, shape.traced().radius}.outline(camera);
+    if (outline.size() > 2) sketch.surfaces.push_back({outline, fill});
+    return;
+  }
+  for (int face = 0; face < count_of(shape.traced().faces); ++face) {
+    const std::vector<Vec3d> polygon = shape.polygon(face);
+    if (camera.faces(polygon.front(), shape.normal(face)))
+      sketch.surfaces.push_back({polygon, fill});
+  }
+}
+
 void draw_islands(const Scene& scene, Sketch& sketch) {
   const auto bodies = scene.bodies();
   const std::vector<std::size_t> island = islands_of(scene);
@@ -87,7 +104,7 @@ void draw_islands(const Scene& scene, Sketch& sketch) {
     const trace::Body* b = scene.body(pair.b);
     if (a == nullptr || b == nullptr || all_points(pair).empty()) continue;
     const Color color = a->asleep == true && b->asleep == true ? kQuietText : kBox;
-    sketch.bordered_line(a->center_of_mass, b->center_of_mass, {2.5f, color}, 5.0f);
+    sketch.bordered_line(a->center_of_mass, b->center_of_mass, {4.0f, color}, 7.0f);
   }
   int number = 0;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
@@ -103,6 +120,8 @@ void draw_islands(const Scene& scene, Sketch& sketch) {
       if (!asleep) rest = std::min(rest, rest_of(scene, body));
       if (up.dot(body.center_of_mass - highest->center_of_mass) > 0) highest = &body;
       sketch.mark(MarkKind::Node, body.center_of_mass, color);
+      if (const PlacedShape* shape = scene.find(body.name); shape != nullptr && !scene.crowded())
+        tint(scene.camera, *shape, color, sketch);
     }
     ++number;
     if (asleep)
