@@ -466,8 +466,7 @@ TEST(DynamicsPicture, OfTheRelativeVelocityThePartAlongTheNormalIsNamed) {
               0, 1e-12);
   EXPECT_NEAR((*sketch.arrows[1].to - sketch.arrows[1].from - scale * Vec3d(0, -2.5, 0)).norm(), 0,
               1e-12);
-  EXPECT_THAT(labels(sketch_frame(staging, scene.frames[1])),
-              ElementsAre("0 m/s along the normal"));
+  EXPECT_THAT(labels(sketch_frame(staging, scene.frames[1])), ElementsAre("slides at 0.500 m/s"));
 }
 
 TEST(DynamicsPicture, AheadIsWhereABodyWouldBeAFrameLaterAndTheGap) {

@@ -374,8 +374,8 @@ void draw_overlap(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const Vec3d shift = leftmost_of(pair, left) - point.position + aside;
   const Vec3d from = whisker.on_a + shift, to = whisker.on_b + shift;
   const std::string factor = spell_factor(scene.scales.overlap);
-  draw_measure(scene, Measured::Overlap, from, to, 2.5f, factor.empty() ? "" : "overlap" + factor,
-               sketch);
+  draw_measure(scene, Measured::Overlap, from, to, 2.5f,
+               factor.empty() ? "" : "bar = overlap" + factor, sketch);
   sketch.label(0.5 * (from + to), words, kAxisText, 17, 14, left);
 }
 

@@ -45,6 +45,11 @@ void draw_relative_velocity(const Scene& scene, const trace::Pair& pair, Sketch&
                                        spell_quantity(scales.velocity, "s", 1));
     }
     const std::string spelled = spell_closing(speed, scales.closing);
+    if (!is_seen(part) && is_seen(whole)) {
+      sketch.label(at + whole, "slides at " + spell_quantity(before.norm(), "m/s"), kMotion, 18, 12,
+                   whole.normalized());
+      continue;
+    }
     if (!is_seen(part)) {
       sketch.label(at, spelled + " along the normal", kMotion, 18, 12, scene.camera.right());
       continue;

@@ -50,7 +50,7 @@ class ApproachPanel : public PanelContent {
                                  ? ", at " + printed("%.1f", 100 * impact.time) + " % of the step"
                                  : ""));
     if (!impact.steps.empty())
-      sheet.line("pink: a lower bound of the distance, step by step", kAxisText);
+      sheet.line("pink: the distance falls no faster than this", kAxisText);
     if (!impact.distances.empty()) draw_chart(impact, sheet);
     const auto others = std::ranges::count_if(pairs, is_asked_when) - 1;
     return others == 0 ? "" : std::to_string(others) + (others == 1 ? " pair" : " pairs");
