@@ -15,6 +15,7 @@ constexpr LineStyle kTrailWay{1.5f, kDropped, true};
 // Where dashes are what is to come.
 constexpr LineStyle kSolidWay{1.2f, with_alpha(kDropped, 0.7f)};
 
+constexpr double kLeastOfBox = 30;    // pixels of the way of what is no ball
 constexpr double kLeastStep = 4;      // pixels: nearer to each other, outlines merge into bars
 constexpr double kLeastTurn = 0.005;  // half a turn's sine
 constexpr double kSpread = 1.1;       // of a shape's radius, between the skins of a long way
@@ -40,7 +41,7 @@ std::vector<Pose<double>> spread(const std::vector<Pose<double>>& past, const Pl
 
 void draw_trail(const Scene& scene, Sketch& sketch) {
   if (scene.sequence == nullptr) return;
-  const bool shows_future = scene.shows(Layer::Sweep);
+  const bool shows_future = scene.shows(Layer::Sweep) || scene.shows(Layer::Ahead);
   for (const PlacedShape& shape : scene.shapes) {
     if (shape.is_mesh() || shape.traced().half_space) continue;
     const Vec3d middle = shape.traced().center_of_mass;
@@ -63,8 +64,11 @@ void draw_trail(const Scene& scene, Sketch& sketch) {
       const Vec3d place = then.transform(middle), way = next.transform(middle) - place;
       const Quatd turn = then.rotation * shape.pose.rotation.conjugate();
       if (way.isZero(0) && then.rotation.coeffs() == next.rotation.coeffs()) continue;
-      draw_way(scene, place, place + way, border_of_ball(shape),
-               shows_future ? kSolidWay : kTrailWay, sketch);
+      // In the midst of a box a way too short for a head is a stroke that says nothing.
+      const auto seen = seen_distance(scene.camera, place, Vec3d(place + way));
+      if (border_of_ball(shape) > 0 || (seen && *seen >= kLeastOfBox * scene.scales.pixel))
+        draw_way(scene, place, place + way, border_of_ball(shape),
+                 shows_future ? kSolidWay : kTrailWay, sketch);
       const auto merges = [&](const Vec3d& other) {
         return (place - other).norm() * pixels_per_metre < kLeastStep;
       };
