@@ -149,8 +149,10 @@ TEST(MeshPictures, CornersOfTheTriangleThatMeetsFirstGoStraightOn) {
   impact.corners_a = {{-1, -1, 1}, {1, -1, 1}, {1, -1, -1}};
   const auto ways = [&] {
     return std::ranges::count_if(scene.sketch().arrows, [&](const Arrow& arrow) {
+      // Their heads end a little before the corners, which they would hide.
+      const auto ends_at = [&](const Vec3d& corner) { return (corner - *arrow.to).norm() < 0.2; };
       return crate_sample::same(arrow.color, kContact) &&
-             std::ranges::find(impact.corners_a, *arrow.to) != impact.corners_a.end() &&
+             std::ranges::any_of(impact.corners_a, ends_at) &&
              (*arrow.to - arrow.from).normalized().isApprox(Vec3d(0, -1, 0), 1e-9);
     });
   };

@@ -43,6 +43,7 @@ constexpr Swatch kTrueSwatch{LegendGroup::Motion, 8,
 
 constexpr double kLeastTurnShown = 0.5;  // radians: what turns less goes straight to the eye
 constexpr double kLeastCornerWay = 24;   // pixels
+constexpr double kCornerClear = 8;       // pixels: between the head of a way and the corner
 constexpr double kTurnHead = 12,
                  kTurnClear = 10;  // pixels: of an arrow, and between it and the dot
 
@@ -128,7 +129,7 @@ void draw_met_triangle(const Scene& scene, const PlacedShape* mesh, int triangle
     return;
   sketch.face(now, with_alpha(kContact, 0.15f), kMetTriangleNow);
   for (std::size_t i = 0; i < now.size(); ++i)
-    draw_way(scene, now[i], corners[i], 0, kCornerWay, sketch);
+    draw_way(scene, now[i], corners[i], kCornerClear / pixels, kCornerWay, sketch);
   sketch.explain(kCornerWaySwatch, "way of a corner");
 }
 
@@ -163,6 +164,14 @@ void draw_sweep(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const auto draw_at = [&](double time, const LineStyle& style, bool filled = false) {
     draw_turned(time, is_cast && time < 1 ? 0 : time, style, filled);
   };
+  const auto number_skins = [&](double time, std::size_t step) {
+    if (!scene.view.shows(Panel::Approach)) return;
+    for (const auto& [name, travel] :
+         {std::pair(pair.a, &impact.travel_a), std::pair(pair.b, &impact.travel_b)})
+      if (const PlacedShape* shape = scene.find(name))
+        number_skin(scene, *shape, *travel, time, step, sketch);
+  };
+  if (impact.status == "hit" && !impact.steps.empty()) number_skins(0, 1);
   double last = 0;
   for (std::size_t i = 0; i < impact.steps.size(); ++i) {
     const trace::ImpactStep& step = impact.steps[i];
@@ -172,12 +181,7 @@ void draw_sweep(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
     if (impact.status == "hit" && impact.time - step.safe < kLeastBetween) continue;
     last = step.safe;
     draw_at(step.safe, kSkin);
-    if (scene.view.shows(Panel::Approach)) {
-      for (const auto& [name, travel] :
-           {std::pair(pair.a, &impact.travel_a), std::pair(pair.b, &impact.travel_b)})
-        if (const PlacedShape* shape = scene.find(name))
-          number_skin(scene, *shape, *travel, step.safe, i + 2, sketch);
-    }
+    number_skins(step.safe, i + 2);
     sketch.explain(kSkinSwatch, "a step of the search: apart for certain until then");
   }
   const PlacedShape *a = scene.find(pair.a), *b = scene.find(pair.b);
