@@ -54,6 +54,10 @@ void draw_trail(const Scene& scene, Sketch& sketch) {
     }
     const bool is_long = past.size() > kMostSkins;
     past.push_back(shape.pose);
+    const std::size_t before = past.size() < 2 ? 0 : past.size() - 2;
+    const auto last_way =
+        seen_distance(scene.camera, past[before].transform(middle), shape.pose.transform(middle));
+    const bool rests = last_way && *last_way < kLeastStep * scene.scales.pixel;
     if (is_long) past = spread(past, shape);
     if (past.size() > kMostSkins + 1) past.erase(past.begin(), past.end() - kMostSkins - 1);
     const Vec3d now = shape.pose.transform(middle);
@@ -64,9 +68,11 @@ void draw_trail(const Scene& scene, Sketch& sketch) {
       const Vec3d place = then.transform(middle), way = next.transform(middle) - place;
       const Quatd turn = then.rotation * shape.pose.rotation.conjugate();
       if (way.isZero(0) && then.rotation.coeffs() == next.rotation.coeffs()) continue;
-      // In the midst of a box a way too short for a head is a stroke that says nothing.
+      // In the midst of a box a way too short for a head is a stroke that says nothing, and arrows
+      // would say that it still goes on where it has come to rest.
       const auto seen = seen_distance(scene.camera, place, Vec3d(place + way));
-      if (border_of_ball(shape) > 0 || (seen && *seen >= kLeastOfBox * scene.scales.pixel))
+      const bool has_head = seen && *seen >= kLeastOfBox * scene.scales.pixel;
+      if (border_of_ball(shape) > 0 || (has_head && !rests))
         draw_way(scene, place, place + way, border_of_ball(shape),
                  shows_future ? kSolidWay : kTrailWay, sketch);
       const auto merges = [&](const Vec3d& other) {
