@@ -81,7 +81,7 @@ void draw_persistent_point(const Scene& scene, const trace::Pair& pair,
   if (state == PointState::Broken) {
     sketch.explain(kStateSwatch<PointState::Broken>, "taken out, and why", at);
     sketch.mark(is_covered(scene, pair, at) ? MarkKind::WideRing : MarkKind::Hollow, at, kContact);
-    sketch.label(at, told_reason(scene, pair, point), kDropped, 16, 12).bold = false;
+    sketch.label(at, told_reason(scene, pair, point), kDropped, 16, 12);
     if (point.reason == "replaced") lead_to_successor(scene, pair, point, sketch);
     return;
   }
