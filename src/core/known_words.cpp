@@ -292,6 +292,8 @@ const std::vector<std::string_view>& known_words() {
       "{n} pairs end",
       "no pair begins",
       "{a} passes {b}",
+      "{a} overlaps {b}",
+      "{a} is apart from {b}",
       "ends pass along {axis}",
       "{n} pairs of triangles meet",
       "{n} pairs of triangles touch",

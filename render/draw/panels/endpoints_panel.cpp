@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include "draw/panels/panel.h"
 #include "draw/scene/pair_words.h"
@@ -66,7 +67,7 @@ class EndpointsPanel : public PanelContent {
     sheet.enlarge(
         std::clamp(row / static_cast<double>(sheet.pen().px(kMostBox)), 1.0, kLargerText));
     for (int axis = 0; axis < 3; ++axis)
-      draw_axis(*phase, axis, shown == 3 || passes(*phase, axis), row, sheet);
+      draw_axis(*phase, axis, shown == 3 || has_bars(*phase, axis), row, sheet);
     return {};
   }
 
@@ -76,10 +77,29 @@ class EndpointsPanel : public PanelContent {
         phase.end_swaps, [&](const trace::EndSwap& swap) { return swap.axis == kAxes[axis]; });
   }
 
-  /// Those on which something passes; all where nothing does.
+  /// Where ends of only two boxes pass in a frame, which on an axis on which nothing passes overlap or are apart.
+  static std::optional<bool> passing_boxes_overlap(const trace::BroadPhase& phase, int axis) {
+    if (phase.end_swaps.size() != 1) return std::nullopt;
+    const trace::EndSwap& swap = phase.end_swaps[0];
+    const auto lower = std::ranges::find(phase.bounds, swap.lower, &trace::Bounds::name),
+               upper = std::ranges::find(phase.bounds, swap.upper, &trace::Bounds::name);
+    if (lower == phase.bounds.end() || upper == phase.bounds.end()) return std::nullopt;
+    return lower->box.lower[axis] <= upper->box.upper[axis] &&
+           upper->box.lower[axis] <= lower->box.upper[axis];
+  }
+
+  /// Whether it is why boxes make no pair of which ends pass on another axis.
+  static bool parts(const trace::BroadPhase& phase, int axis) {
+    return !passes(phase, axis) && !passing_boxes_overlap(phase, axis).value_or(true);
+  }
+
+  static bool has_bars(const trace::BroadPhase& phase, int axis) {
+    return passes(phase, axis) || parts(phase, axis);
+  }
+
   static int axes_shown(const trace::BroadPhase& phase) {
     int shown = 0;
-    for (int axis = 0; axis < 3; ++axis) shown += passes(phase, axis);
+    for (int axis = 0; axis < 3; ++axis) shown += has_bars(phase, axis);
     return shown == 0 ? 3 : shown;
   }
 
@@ -93,7 +113,13 @@ class EndpointsPanel : public PanelContent {
       (swap.meets ? begun : ended) += swap.counts;
       last = &swap;
     }
-    if (swaps == 0) return "nothing passes";
+    if (swaps == 0) {
+      const std::optional<bool> overlap = passing_boxes_overlap(phase, axis);
+      if (!overlap) return "nothing passes";
+      const trace::EndSwap& swap = phase.end_swaps[0];
+      return in_words(swap.lower) + (*overlap ? " overlaps " : " is apart from ") +
+             in_words(swap.upper);
+    }
     const std::string outcome = begun + ended == 0 ? "no pair begins"
                                 : ended == 0       ? number_of(begun, "pair begins", "pairs begin")
                                 : begun == 0       ? number_of(ended, "pair ends", "pairs end")
@@ -141,32 +167,22 @@ class EndpointsPanel : public PanelContent {
       const double x = across(swap.place);
       const Color color = swap.counts ? kPairPasses : kOthersPass;
       pen.line(pixel(x, lower->second), pixel(x, upper->second), swap.counts ? 2.5 : 1.5, color);
-      spark(pen, x, 0.5 * (lower->second + upper->second), swap.counts ? 7 : 5, color);
     }
     sheet.skip_to(y + static_cast<double>(pen.px(kAfterAxis)));
   }
 
-  /// The strongest that the box's swaps on the axis give it; without any it is faint.
+  /// The strongest that the box's swaps on the axis give it, or that it is apart there from the one that it passes elsewhere;
+  /// without any it is faint.
   static Color color_of(const trace::BroadPhase& phase, int axis, const std::string& name) {
     Color color = with_alpha(kShapeEdge, 0.3f);
     for (const trace::EndSwap& swap : phase.end_swaps) {
-      if (swap.axis != kAxes[axis] || (swap.lower != name && swap.upper != name)) continue;
+      if (!(swap.axis == kAxes[axis] || parts(phase, axis)) ||
+          (swap.lower != name && swap.upper != name))
+        continue;
       if (swap.counts) return kPairPasses;
       color = with_alpha(kOthersPass, 0.75f);
     }
     return color;
-  }
-
-  /// A star of eight rays.
-  static void spark(const Pen& pen, double x, double y, double radius, const Color& color) {
-    for (const bool halo : {true, false}) {
-      for (int ray = 0; ray < 4; ++ray) {
-        const double angle = ray * 0.785398163397448, r = static_cast<double>(pen.px(radius));
-        const double dx = r * std::cos(angle), dy = r * std::sin(angle);
-        pen.line(pixel(x - dx, y - dy), pixel(x + dx, y + dy), halo ? 3.5 : 1.5,
-                 halo ? with_alpha(kWhite, 0.9f) : color);
-      }
-    }
   }
 
   const Frames& frames_;
