@@ -297,6 +297,16 @@ TEST_F(BroadPhasePicture, AnAxisOnWhichNothingPassesTakesNoRoomBesideOneOnWhichS
   EXPECT_EQ(rows(), 1);
 }
 
+TEST_F(BroadPhasePicture,
+       OfTheOnlyTwoBoxesThatPassThePanelTellsTheOtherAxesAndDrawsTheOneThatPartsThem) {
+  phase().bounds[1].box = {{2, -0.002, -0.5}, {3, 0.998, 0.5}};
+  phase().end_swaps = {{"y", 0, "crate", "slab", true, false}};
+  const std::vector<std::string> told = panel(Panel::Endpoints);
+  EXPECT_THAT(told,
+              IsSupersetOf({"along x: crate is apart from slab", "along z: crate overlaps slab"}));
+  EXPECT_EQ(std::ranges::count(told, "crate"), 2) << "along x and along y";
+}
+
 TEST_F(BroadPhasePicture, WhereEndsPassIsALineAcrossBothBoxes) {
   const auto passing = [&] {
     std::vector<Label> found = sketch(Layer::Bounds).labels;
