@@ -53,6 +53,7 @@ void draw_degenerate(const PlacedShape* mesh, int triangle, Sketch& sketch) {
   if (mesh == nullptr || triangle < 0 || triangle >= count_of(mesh->traced().faces)) return;
   sketch.outline(mesh->polygon(triangle),
                  {4.0f, with_alpha(kAxisText, 0.8f), false, LineStyle::Hidden::Faint});
+  for (const Vec3d& corner : mesh->polygon(triangle)) sketch.mark(MarkKind::Dot, corner, kAxisText);
   sketch.explain(kDegenerateSwatch, "triangle without an area", mesh->polygon(triangle)[0]);
 }
 
