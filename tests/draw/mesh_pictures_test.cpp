@@ -335,25 +335,25 @@ TEST_F(MeshPanels, TheMatrixHasABlockForEachPairOfNodesThatDecidedSomething) {
       {1, 1, 0, 1, false, true}, {1, 1, 1, 1, false, true},
   };
   const Drawing drawing = laid_out(Panel::NodePairs);
-  int red = 0, grey = 0;
+  int green = 0, grey = 0;
   float right = 0, bottom = 0;
   for (const Primitive& primitive : drawing.primitives) {
     const Fill* fill = std::get_if<Fill>(&primitive);
     if (fill == nullptr) continue;
-    red += crate_sample::same(fill->color, kContact);
+    green += crate_sample::same(fill->color, kClipPolygon);
     grey += crate_sample::same(fill->color, kDropped);
     for (const Point2& corner : fill->polygon) {
       right = std::max(right, corner.x);
       bottom = std::max(bottom, corner.y);
     }
   }
-  EXPECT_EQ(red, 1);
+  EXPECT_EQ(green, 1);
   EXPECT_EQ(grey, 3);
   EXPECT_LE(right, 1232.5);
   EXPECT_LE(bottom, 580);
   EXPECT_THAT(crate_sample::texts(drawing),
               AllOf(Contains("5 pairs of boxes"), Contains("75 % of 4 pairs, grey"),
-                    Contains("1 pairs of triangles, orange")));
+                    Contains("1 pairs of triangles, green")));
 }
 
 TEST_F(MeshPanels, WithoutTwoMeshesTheMatrixSaysSo) {

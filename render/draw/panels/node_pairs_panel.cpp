@@ -30,7 +30,7 @@ class NodePairsPanel : public PanelContent {
 
   PanelNeed need(const PanelMoment&) const override {
     const auto high = [&](double matrix) {
-      return Sheet::heading_height(scale_) + 3 * Sheet::line_height(scale_) +
+      return Sheet::heading_height(scale_) + 4 * Sheet::line_height(scale_) +
              static_cast<float>(matrix + kMatrixCaption) * scale_;
     };
     return {high(kLeastMatrix), high(kGoodMatrix), high(kMostMatrix), 0};
@@ -50,8 +50,9 @@ class NodePairsPanel : public PanelContent {
               spell_count(static_cast<std::int64_t>(visits.size())) + " pairs of boxes");
     sheet.row("spared", spell_number(100 * left_out / all) + " % of " +
                             spell_count(static_cast<std::int64_t>(all)) + " pairs, grey");
+    sheet.row("a grey block", "two boxes that are apart");
     sheet.row("left to test", spell_count(static_cast<std::int64_t>(all - left_out)) +
-                                  " pairs of triangles, orange");
+                                  " pairs of triangles, green");
     draw_matrix(visits, sheet);
     return {};
   }
@@ -73,9 +74,12 @@ class NodePairsPanel : public PanelContent {
     if (side <= 0) return;
     const Rect matrix{rest.x + caption, rest.y, side, side};
     const double cell_a = side / visits[0].count_a, cell_b = side / visits[0].count_b;
+    // Of the least size a block at the end begins before its place: it ends with the matrix.
     const auto block = [&](const trace::NodePair& visit, double least) -> Rect {
-      return {matrix.x + cell_b * visit.before_b, matrix.y + cell_a * visit.before_a,
-              std::max(least, cell_b * visit.count_b), std::max(least, cell_a * visit.count_a)};
+      const double wide = std::max(least, cell_b * visit.count_b),
+                   high = std::max(least, cell_a * visit.count_a);
+      return {std::min(matrix.x + cell_b * visit.before_b, matrix.right() - wide),
+              std::min(matrix.y + cell_a * visit.before_a, matrix.bottom() - high), wide, high};
     };
     for (const trace::NodePair& visit : visits) {
       if (visit.overlaps) continue;
@@ -84,7 +88,7 @@ class NodePairsPanel : public PanelContent {
       if (std::min(rect.width, rect.height) > pen.px(4)) pen.frame(rect, 0.8, kWhite);
     }
     for (const trace::NodePair& visit : visits)
-      if (visit.overlaps && visit.leaves) pen.fill(block(visit, pen.px(kLeastBlock)), kContact);
+      if (visit.overlaps && visit.leaves) pen.fill(block(visit, pen.px(kLeastBlock)), kClipPolygon);
     pen.frame(matrix, 1.2, kShapeEdge);
     // Each axis is named at its middle, on the side where it begins.
     const double below = matrix.bottom() + 0.75 * caption;
