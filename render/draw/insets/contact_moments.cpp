@@ -53,11 +53,11 @@ std::vector<ContactCell::Row> rows_of(const trace::Reduction& reduction) {
   for (const int i : reduction.kept) kept = std::min(kept, at(reduction.points, i).separation);
   const bool has_deepest = kept - deepest <= separation_noise(reduction.points);
   const bool matters = kept - deepest > kLittle * -deepest;
-  rows.push_back(
-      {has_deepest ? "deepest kept, " + spell_length(-deepest)
-       : matters ? "deepest lost: " + spell_length(-deepest) + ", kept up to " + spell_length(-kept)
-                 : "deepest lost by " + spell_length(kept - deepest),
-       "", has_deepest ? "deepest kept" : "deepest lost", !has_deepest && matters});
+  rows.push_back({has_deepest ? "deepest kept, " + spell_length(-deepest)
+                  : matters   ? "deepest lost: " + spell_length(-deepest) +
+                                  ", deepest kept: " + spell_length(-kept)
+                            : "deepest lost by " + spell_length(kept - deepest),
+                  "", has_deepest ? "deepest kept" : "deepest lost", !has_deepest && matters});
   return rows;
 }
 
