@@ -137,6 +137,7 @@ TEST(MeshPictures, CoplanarAndDegenerateTrianglesHaveSignsOfTheirOwn) {
     return crate_sample::same(line.style.color, kAxisText) &&
            line.style.hidden == LineStyle::Hidden::Faint;
   })) << "behind a wall it is seen to be behind it";
+  EXPECT_EQ(sketch.marks.size(), 3u) << "its corners: it is no line";
   EXPECT_THAT(legend_texts(sketch), AllOf(Contains("triangles that overlap in one plane"),
                                           Contains("triangle without an area")));
 }
