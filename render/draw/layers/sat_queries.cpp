@@ -9,8 +9,8 @@
 #include "draw/scene/solid.h"
 
 /// Gregorius 2015, "Hull vs Hull: The Separating Axis Test": its three queries side by side, each with
-/// the shapes again. Of each the best axis: the plane of the face, or those of the two edges, extended,
-/// the plane through the support point, and the separation between them. With a parallel projection all
+/// the shapes again. Of each the best axis: the plane of the face, extended, and that through the support
+/// point, or the plane of two edges, and the separation between them. With a parallel projection all
 /// columns are the same picture of the shapes.
 namespace contactscope::draw {
 namespace {
@@ -32,7 +32,7 @@ constexpr Swatch kSupportVertexSwatch{LegendGroup::Axes, 6,
 
 /// What one query found: from the plane to the support point runs separation times normal.
 struct BestAxis {
-  Vec3d on_plane = Vec3d::Zero(), support = Vec3d::Zero();
+  Vec3d support = Vec3d::Zero();
   Vec3d normal = Vec3d::Zero();  // unit, outward from the plane
   double separation = 0;         // metres
   std::vector<Vec3d> face{};     // the face whose plane it is; of edges none
@@ -46,8 +46,7 @@ std::array<std::optional<BestAxis>, 3> best_axes(const Scene& scene, const trace
     const PlacedShape* shape = scene.find(of_a ? pair.a : pair.b);
     if (!axis || shape == nullptr) continue;
     const Vec3d normal = of_a ? axis->normal : Vec3d(-axis->normal);
-    found[of_a ? 0 : 1] = BestAxis{.on_plane = axis->support - axis->separation * normal,
-                                   .support = axis->support,
+    found[of_a ? 0 : 1] = BestAxis{.support = axis->support,
                                    .normal = normal,
                                    .separation = axis->separation,
                                    .face = shape->polygon(axis->face)};
@@ -55,10 +54,7 @@ std::array<std::optional<BestAxis>, 3> best_axes(const Scene& scene, const trace
   if (pair.sat->edge) {
     const trace::EdgeAxis& edge = *pair.sat->edge;
     BestAxis& best = found[2].emplace();
-    best = {.on_plane = edge.point_b - edge.separation * edge.normal,
-            .support = edge.point_b,
-            .normal = edge.normal,
-            .separation = edge.separation};
+    best = {.support = edge.point_b, .normal = edge.normal, .separation = edge.separation};
     for (const auto& [name, index] : {std::pair{&pair.a, edge.a}, {&pair.b, edge.b}})
       if (const auto ends = scene.edge(*name, index)) best.edges.push_back(*ends);
   }
@@ -98,20 +94,25 @@ struct Column {
   Vec3d offset;
 
   void draw_best(const BestAxis& best, bool chosen, double size) const {
-    const Vec3d along = best.face.empty() ? Vec3d(best.edges[0][1] - best.edges[0][0])
-                                          : Vec3d(best.face[1] - best.face[0]);
-    const Vec3d middle = offset + (best.face.empty() ? best.on_plane : mean_of(best.face));
+    // The plane of two edges lies about that of A, so that it is seen whose it is. Beside the edge of B
+    // a parallel one through it would be dashes in the way.
+    const bool of_edges = best.face.empty();
+    const Vec3d along =
+        of_edges ? Vec3d(best.edges[0][1] - best.edges[0][0]) : Vec3d(best.face[1] - best.face[0]);
+    const Vec3d middle = offset + (of_edges ? mean_of(best.edges[0]) : mean_of(best.face));
     const Vec3d foot = offset + best.support - best.separation * best.normal;
     const float strength = chosen ? 1.0f : 0.6f;
-    const double reach = best.face.empty() ? kEdgePlaneReach : kPlaneReach;
-    sketch.face(plane_under(middle, best.normal, along, reach * size, foot, kBeyondFoot * size),
+    const double reach =
+        of_edges ? std::max(kEdgePlaneReach * size, 0.5 * along.norm()) : kPlaneReach * size;
+    sketch.face(plane_under(middle, best.normal, along, reach, foot, kBeyondFoot * size),
                 with_alpha(kAxis, 0.22f * strength), {1.5f, with_alpha(kAxis, strength)});
-    sketch.outline(square_about(offset + best.support, best.normal, along, 0.4 * reach * size),
-                   {1.5f, with_alpha(kAxis, strength), true});
-    if (!best.face.empty()) {
+    if (!of_edges) {
+      sketch.outline(square_about(offset + best.support, best.normal, along, 0.4 * reach),
+                     {1.5f, with_alpha(kAxis, strength), true});
       std::vector<Vec3d> face = best.face;
       for (Vec3d& corner : face) corner += offset;
       sketch.face(face, with_alpha(kAxis, chosen ? 0.45f : 0.3f), {chosen ? 3.5f : 2.0f, kAxis});
+      sketch.explain(kParallelPlaneSwatch, "parallel plane through the support point");
     }
     for (const auto& [from, to] : best.edges)
       sketch.line(from + offset, to + offset, {chosen ? 6.0f : 4.0f, kAxis});
@@ -123,7 +124,6 @@ struct Column {
                              .color = kAxisText});
     sketch.mark(MarkKind::Dot, offset + best.support, kAxisText);
     sketch.explain(kBestPlaneSwatch, "plane of the best face or edges, extended");
-    sketch.explain(kParallelPlaneSwatch, "parallel plane through the support point");
     sketch.explain(kSupportVertexSwatch, "support point of the other shape");
   }
 };
