@@ -309,7 +309,9 @@ Drawing illustrate(const Staging& staging, const trace::Frame& frame) {
         note = near_by.overlap == 1 ? ", overlap to scale"
                                     : ", overlap" + spell_factor(near_by.overlap);
       }
-      sketch->labels.clear();
+      // What is measured there is so long near by too.
+      std::erase_if(sketch->labels,
+                    [&](const Label& label) { return !label.at.isApprox(*middle, 1e-12); });
       if (is_told_near_by(shot)) label_told_depth(magnified, title, {}, *sketch);
       draw_magnified(*staging.magnifier, *middle, *sketch, note, camera, staging.layout, drawing);
     }

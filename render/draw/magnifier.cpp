@@ -50,6 +50,23 @@ double seen_size(const std::vector<Vec3d>& points, const Camera& camera) {
   return largest;
 }
 
+/// Two arrows that measure something narrow from outside are one between their tips, where there is room.
+void measure_within(const Camera& near, Sketch& sketch) {
+  const auto comes_in = [&](const Arrow& arrow) {
+    return arrow.to && !arrow.bars && !arrow.may_leave && near.sees(*arrow.to) &&
+           !near.sees(arrow.from);
+  };
+  std::vector<Arrow*> narrow;
+  for (Arrow& arrow : sketch.arrows)
+    if (comes_in(arrow)) narrow.push_back(&arrow);
+  if (narrow.size() != 2) return;
+  Arrow &one = *narrow[0], &other = *narrow[1];
+  one.from = *one.to;
+  one.to = *other.to;
+  one.double_headed = true;
+  other.to = other.from;  // of no length, not drawn
+}
+
 }  // namespace
 
 std::optional<Vec3d> magnified_middle(const View& view, const trace::Frame& frame) {
@@ -116,7 +133,7 @@ SequenceScales scales_within(const Magnifier& magnifier, const SequenceScales& s
   return within;
 }
 
-void draw_magnified(const Magnifier& magnifier, const Vec3d& middle, const Sketch& sketch,
+void draw_magnified(const Magnifier& magnifier, const Vec3d& middle, Sketch sketch,
                     const std::string& note, const Camera& camera, const Layout& layout,
                     Drawing& drawing) {
   const std::optional<Point2> at = camera.project(middle);
@@ -140,6 +157,7 @@ void draw_magnified(const Magnifier& magnifier, const Vec3d& middle, const Sketc
   const double away = (camera.eye() - middle).norm();
   const Camera near =
       Camera::orthographic(middle + away * back, middle, camera.up(), frame.height / pixels, frame);
+  measure_within(near, sketch);
   compose(sketch, near, inner, drawing);
   pen.frame(frame, 1.5, border);
   // Of a large one, which is round, its noughts rather than a power of ten.

@@ -29,8 +29,8 @@ std::optional<Vec3d> magnified_middle(const View& view, const trace::Frame& fram
 /// Those with which overlaps and gaps are about as long in its frame as in the view.
 SequenceScales scales_within(const Magnifier& magnifier, const SequenceScales& scales);
 
-/// The sketch again, without its words; `note` stands behind the factor.
-void draw_magnified(const Magnifier& magnifier, const Vec3d& middle, const Sketch& sketch,
+/// The sketch again, with the words that it has; `note` stands behind the factor.
+void draw_magnified(const Magnifier& magnifier, const Vec3d& middle, Sketch sketch,
                     const std::string& note, const Camera& camera, const Layout& layout,
                     Drawing& drawing);
 
