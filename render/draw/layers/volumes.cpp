@@ -23,7 +23,7 @@ constexpr Swatch kMissedSwatch{LegendGroup::Trees, 8, [](auto& pen) {
                                  pen.area(answer_color(AnswerKind::Missed), 0, 2.5, true);
                                }};
 
-constexpr double kAround = 5;  // pixels from an oriented box to others in its place
+constexpr float kOriented = 2.5f;  // pixels, of the box that lies on the edges of another one
 
 void explain(AnswerKind kind, Sketch& sketch) {
   switch (kind) {
@@ -89,12 +89,12 @@ bool is_aligned_box(const Scene& scene, const trace::Pair& pair, const trace::Vo
 void name_volume(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   if (pair.label.empty()) return;
   const trace::Volume& volume = *pair.query->bounds_a;
-  // Up and to the left, where axis-aligned boxes have a corner, oriented ones a side, balls neither.
+  // Up and to the left, where axis-aligned boxes have a corner and oriented ones a side; of balls below.
   const Vec3d way = scene.camera.up() - scene.camera.right();
   Vec3d at = volume.center;
   for (const Vec3d& corner : extent_points(volume))
     if (volume.half_extents && way.dot(corner) > way.dot(at)) at = corner;
-  if (volume.radius) at += *volume.radius * (scene.camera.up() + scene.camera.right()).normalized();
+  if (volume.radius) at -= *volume.radius * (scene.camera.up() + scene.camera.right()).normalized();
   sketch.label(at, label_with_answer(pair), answer_color(answer_kind(pair)), 16, 8,
                Vec3d(at - volume.center));
 }
@@ -105,20 +105,19 @@ void draw_volumes(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const bool no = kind == AnswerKind::No;
   const LineStyle style{no ? 1.5f : 2.5f, answer_color(kind), no || kind == AnswerKind::Missed};
   const bool several = is_one_of_several(scene, pair);
-  for (trace::Volume volume : {*pair.query->bounds_a, *pair.query->bounds_b}) {
+  for (const trace::Volume& volume : {*pair.query->bounds_a, *pair.query->bounds_b}) {
     const bool oriented = several && volume.half_extents && pair.query->bounds == "obb";
     if (oriented && is_aligned_box(scene, pair, volume)) continue;
-    // The oriented box of a box lies on its edges, from which it could not be told.
-    if (oriented)
-      *volume.half_extents += Vec3d::Constant(kAround * scene.scales.pixel /
-                                              scene.camera.pixels_per_metre(volume.center));
-    // Between dashes the edges of a box would show that its own oriented box lies on.
+    LineStyle outlined = style;
+    // The oriented box of a box lies on its edges, and is to be seen on them.
+    if (oriented) outlined.width = kOriented;
+    // Between dashes the edges would show.
     if (style.dashed && volume.half_extents && pair.query->bounds == "obb")
-      draw_volume(scene, volume, {style.width + 1.5f, kWhite}, sketch);
-    draw_volume(scene, volume, style, sketch);
+      draw_volume(scene, volume, {outlined.width + 1.5f, kWhite}, sketch);
+    draw_volume(scene, volume, outlined, sketch);
   }
   explain(kind, sketch);
-  if (several) name_volume(scene, pair, sketch);
+  if (several || pair.query->bounds_a->radius) name_volume(scene, pair, sketch);
 }
 
 }  // namespace
