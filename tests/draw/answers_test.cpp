@@ -126,24 +126,28 @@ TEST(Answers, ColourTheBoundsThatWereAsked) {
   }
 }
 
-TEST(Answers, OrientedBoxesBesideOthersAreDrawnAroundThem) {
+TEST(Answers, OrientedBoxesBesideOthersAreDrawnBroaderInTheirPlace) {
   AskedCrate asked(false, false);
   asked.view.layers = {Layer::Volumes};
-  const auto reach = [&] {
-    double most = 0;
-    for (const Line& line : sketch_frame(asked.staged(), asked.frames[0]).lines)
-      most = std::max(most, line.from.x());
+  // How far the lines reach, and the width of the broadest that has the answer's colour.
+  const auto drawn = [&] {
+    std::pair<double, float> most{0, 0};
+    for (const Line& line : sketch_frame(asked.staged(), asked.frames[0]).lines) {
+      most.first = std::max(most.first, line.from.x());
+      if (line.style.color.r == answer_color(AnswerKind::No).r)
+        most.second = std::max(most.second, line.style.width);
+    }
     return most;
   };
-  const double alone = reach();
+  EXPECT_EQ(drawn(), std::pair(1.0, 1.5f));
   trace::Pair boxes = asked.pair();
   boxes.label = "axis-aligned boxes";
   boxes.query->bounds = "aabb";
   asked.frames[0].pairs.push_back(boxes);
-  EXPECT_DOUBLE_EQ(alone, 1);
-  EXPECT_DOUBLE_EQ(reach(), 1) << "a box that lies along the axes is both, and drawn once";
+  EXPECT_EQ(drawn(), std::pair(1.0, 1.5f))
+      << "a box that lies along the axes is both, and drawn once";
   asked.frames[0].pairs.back().query->bounds_a->half_extents = Vec3d(0.9, 0.3, 0.9);
-  EXPECT_GT(reach(), 1);
+  EXPECT_EQ(drawn(), std::pair(1.0, 2.5f));
 }
 
 TEST(Answers, WhatBoundsSayIsToldWhateverTheyWereAsked) {
