@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/at.h"
-#include "core/convex_polygon.h"
+#include "draw/scene/kept_area.h"
 #include "draw/scene/labels.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"
@@ -156,20 +156,6 @@ void draw_deepest_mark(const Point2& at, const Pen& pen, double size) {
   const std::vector<Point2> corners = corners_of({at.x - h, at.y - h, 2 * h, 2 * h});
   pen.outline(corners, 3.6 * size, with_alpha(kWhite, 0.8f));
   pen.outline(corners, 1.6 * size, kNormal);
-}
-
-std::vector<Vec3d> kept_polygon(const trace::Reduction& reduction, const Vec3d& normal) {
-  const Vec3d u = any_perpendicular(normal), v = normal.cross(u);
-  const auto flat = [&](int i) -> Vec2d {
-    const Vec3d& place = at(reduction.points, i).position;
-    return {u.dot(place), v.dot(place)};
-  };
-  std::vector<Vec3d> corners;
-  for (const Vec2d& corner : convex_polygon(mapped(reduction.kept, flat))) {
-    const auto found = std::ranges::find(reduction.kept, corner, flat);
-    corners.push_back(at(reduction.points, *found).position);
-  }
-  return corners;
 }
 
 const trace::Pair* pair_of_contact_plane(const trace::Frame& frame) {

@@ -87,19 +87,6 @@ void draw_deepest_mark(const Point2& at, const Pen& pen, double size);
 inline constexpr double kKeptReach = 8.2;
 inline constexpr double kDeepestReach = 12;
 
-/// The points that a reducer kept, around their border: what they hold up. Less than three where they have no area.
-std::vector<Vec3d> kept_polygon(const trace::Reduction& reduction, const Vec3d& normal);
-
-inline constexpr float kKeptFill = 0.22f;  // strength of that area
-/// A kept point, and the border of that area.
-inline constexpr Swatch kSpannedSwatch{LegendGroup::Points, 11, [](auto& pen) {
-                                         pen.level_line(-4, 26, 2, kContact);
-                                         pen.dot(0, 8.2, kWhite);
-                                         pen.dot(0, 3.6, kContact);
-                                         pen.dot(6.2, 8.2, kContact);
-                                       }};
-inline constexpr const char* kSpannedWords = "kept, in order of choice, and their area";
-
 /// The pair whose contact plane is shown, the first that touches; nullptr where none does.
 const trace::Pair* pair_of_contact_plane(const trace::Frame& frame);
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "draw/insets/contact_plane.h"
 #include "draw/layers/layer.h"
+#include "draw/scene/kept_area.h"
 
 namespace contactscope::draw {
 namespace {

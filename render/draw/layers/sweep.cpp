@@ -13,8 +13,8 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr double kLeastWay = 3;         // pixels of a shape through the step
-constexpr double kLeastBetween = 0.02;  // of the step: of skins that are nearer one is drawn
+constexpr double kLeastWay = 3;              // pixels of a shape through the step
+constexpr double kLeastBetweenSkins = 0.02;  // of the step: of skins that are nearer one is drawn
 
 constexpr LineStyle kSkin{1.2f, kDropped};
 constexpr LineStyle kEnd{2.0f, kDropped, true};
@@ -177,8 +177,8 @@ void draw_sweep(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
     const trace::ImpactStep& step = impact.steps[i];
     if (impact.method == "speculative") break;  // nobody searches; the answer judges ghosts alone
     if (impact.status == "separated") break;    // nothing is found: the way is drawn, and enough
-    if (step.safe - last < kLeastBetween || step.safe >= 1) continue;
-    if (impact.status == "hit" && impact.time - step.safe < kLeastBetween) continue;
+    if (step.safe - last < kLeastBetweenSkins || step.safe >= 1) continue;
+    if (impact.status == "hit" && impact.time - step.safe < kLeastBetweenSkins) continue;
     last = step.safe;
     draw_at(step.safe, kSkin);
     number_skins(step.safe, i + 2);

@@ -4,6 +4,7 @@
 
 #include "draw/insets/contact_plane.h"
 #include "draw/panels/panel.h"
+#include "draw/scene/kept_area.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/points.h"
 #include "draw/scene/quantity.h"
