@@ -109,9 +109,7 @@ const std::vector<std::string_view>& known_words() {
       "nearest point, its distance",
       "distance of its plane",
       "overlap of the cores",
-      "the contact's normal, its separation",
       "the origin's distance from the border",
-      "best axis of a query, its separation",
       "best axis of a query, its overlap",
       "distance",
       // GJK, EPA and the Gauss map.
@@ -369,7 +367,6 @@ const std::vector<std::string_view>& known_words() {
       "oriented boxes",
       "bounding spheres",
       "boxes a query is expected to test",
-      "closest points of the cores",
       "distance of the cores",
       "and the gap that the margins leave",
       "places that met",
