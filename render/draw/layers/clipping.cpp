@@ -54,7 +54,7 @@ void draw_clip_face(const Scene& scene, const trace::Pair& pair, Sketch& sketch)
   const trace::Polygon& polygon = (kReference ? pair.clip->reference : pair.clip->incident).polygon;
   const Color color = kReference ? kReferenceFace : kIncidentFace;
   const std::size_t shown = clip_steps_to_show(scene, pair);
-  const bool acts = kReference && static_cast<std::size_t>(scene.frame.frame) > shown;
+  const bool acts = kReference && all_planes_have_cut(scene, pair);
   const bool known = tells_clip_story(scene, pair) && shown > 0 && !acts;
   if (known)
     sketch.outline(polygon, {kReference ? 2.5f : 2.0f, color, !kReference});
@@ -109,7 +109,7 @@ void draw_side_planes(const Scene& scene, const trace::Pair& pair, Sketch& sketc
   const std::size_t shown = clip_steps_to_show(scene, pair);
   const bool story = tells_clip_story(scene, pair);
   // Once all have cut, the last step of a story is about the reference face alone.
-  if (story && static_cast<std::size_t>(scene.frame.frame) > shown) return;
+  if (all_planes_have_cut(scene, pair)) return;
   // Those that have cut before have left their corners, and would be a cage around them.
   for (std::size_t k = story && shown > 0 ? shown - 1 : 0; k < shown; ++k)
     draw_side_plane(pair.clip->reference.polygon, pair.clip->reference.normal,
@@ -138,7 +138,7 @@ void draw_clip_polygons(const Scene& scene, const trace::Pair& pair, Sketch& ske
     sketch.outline(polygon, {story ? 3.5f : 2.5f, kClipPolygon});
     sketch.surfaces.push_back({polygon, with_alpha(kClipPolygon, story ? 0.3f : 0.22f)});
     // While planes cut, other lines run along its sides, and the legend is full.
-    if (story && static_cast<std::size_t>(scene.frame.frame) <= shown)
+    if (story && !all_planes_have_cut(scene, pair))
       sketch.label(mean_of(polygon), "clip polygon", kClipPolygon, 17, 0);
     else
       sketch.explain(kClipPolygonSwatch, "clip polygon", middle_of_side(polygon));
@@ -148,9 +148,8 @@ void draw_clip_polygons(const Scene& scene, const trace::Pair& pair, Sketch& ske
 /// Points that the clipping took away for good, once all of its steps are shown.
 void draw_dropped(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   if (!pair.clip) return;
-  const bool over = static_cast<std::size_t>(scene.frame.frame) > pair.clip->steps.size();
   const bool story = tells_clip_story(scene, pair);
-  if (story && !over) return;
+  if (story && !all_planes_have_cut(scene, pair)) return;
   for (const trace::DroppedPoint& point : pair.clip->dropped) {
     if (is_kept(pair, point)) continue;
     sketch.mark(MarkKind::Cross, point.position, kDropped);

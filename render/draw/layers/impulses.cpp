@@ -292,6 +292,7 @@ void draw_impulses(const Scene& scene, const trace::Pair& pair, Sketch& sketch) 
   for (const trace::Pair& other : scene.frame.pairs) {
     for (const trace::Manifold& manifold : other.manifolds) points += manifold.points.size();
   }
+  const double largest = largest_friction(scene);
   for (const auto& [manifold, point] : all_points(pair)) {
     const Vec3d& at = point->position;
     if (!point->impulse || !scene.camera.sees(at)) continue;
@@ -305,7 +306,7 @@ void draw_impulses(const Scene& scene, const trace::Pair& pair, Sketch& sketch) 
     draw_normal_impulse(scene, *point, out, sketch);
     const bool pushes_both = moves_a && moves_b && points == 1;
     if (pushes_both) draw_normal_impulse(scene, *point, -out, sketch);
-    draw_friction(scene, *point, side, largest_friction(scene), sketch);
+    draw_friction(scene, *point, side, largest, sketch);
     const double length = scene.scales.impulse * point->impulse->normal;
     const double pixels = scene.camera.pixels_per_metre(at);
     if (shows_loads(scene) || points > kLabelledPoints || length * pixels < kLeastImpulse) continue;

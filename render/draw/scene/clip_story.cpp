@@ -68,6 +68,11 @@ std::size_t clip_steps_to_show(const Scene& scene, const trace::Pair& pair) {
   return std::min(pair.clip->steps.size(), static_cast<std::size_t>(scene.frame.frame));
 }
 
+bool all_planes_have_cut(const Scene& scene, const trace::Pair& pair) {
+  return tells_clip_story(scene, pair) &&
+         static_cast<std::size_t>(scene.frame.frame) > pair.clip->steps.size();
+}
+
 std::vector<NumberedCorner> numbered_corners(const trace::Clip& clip, std::size_t steps) {
   const double tolerance = kSameCorner * reach_of(clip.incident.polygon);
   std::vector<NumberedCorner> made;
@@ -128,7 +133,7 @@ void draw_clip_story(const Scene& scene, const trace::Pair& pair, Sketch& sketch
     sketch.heading = "The two faces before clipping";
     return;
   }
-  if (static_cast<std::size_t>(scene.frame.frame) > clip.steps.size()) {
+  if (all_planes_have_cut(scene, pair)) {
     sketch.heading = words_of_result(pair);
     return;
   }

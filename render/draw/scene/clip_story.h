@@ -12,6 +12,10 @@ bool tells_clip_story(const Scene& scene, const trace::Pair& pair);
 /// How many side planes have cut in this frame; of a view without the story all of them.
 std::size_t clip_steps_to_show(const Scene& scene, const trace::Pair& pair);
 
+/// Whether all side planes have cut before this frame: what is told is what the reference face takes away.
+/// Never of a view without the story.
+bool all_planes_have_cut(const Scene& scene, const trace::Pair& pair);
+
 /// A corner of the polygon with its number: corners are numbered in the order in which side planes made
 /// them, those of the incident face have none.
 struct NumberedCorner {
