@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "core/pose.h"
 #include "geometry/shape.h"
 #include "manifold/collide_options.h"
 #include "trace/decision.h"

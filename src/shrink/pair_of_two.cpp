@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/at.h"
+
 namespace contactscope::shrink {
 namespace {
 
