@@ -1,9 +1,13 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 #include "geometry/bounds.h"
 #include "manifold/collide_pairs.h"
 #include "manifold/field_contact.h"
+#include "manifold/field_gap.h"
 #include "manifold/in_double.h"
 
 // A field answers points, so the other shape comes as points: its vertices, and pieces of its faces,
@@ -113,9 +117,43 @@ Aabb<S> field_reach(const PlacedField& field, const Pose<double>& field_in, doub
   return Aabb<double>{reach.lower - out, reach.upper + out}.template cast<S>();
 }
 
+/// A corner of the surface of a mesh, or of the mesh that a field was made of.
+template <class S>
+Vec3<S> some_corner(const Mesh<S>& mesh) {
+  return mesh.corner(0, 0);
+}
+template <class S>
+Vec3<S> some_corner(const Field<S>& field) {
+  const auto* mesh = std::get_if<Mesh<S>>(&field.source->shape);
+  return mesh ? some_corner(*mesh) : Vec3<S>(Vec3<S>::Zero());
+}
+
+/// Distance between a shape that the field does not touch and the field's surface, metres. `near` are
+/// the pieces that the box around the surface reaches: all of a shape but of a mesh, of which others may
+/// be nearer to the surface.
+template <class S>
+double gap_of(const Shape<S>& a, const PlacedField& field, const Pose<double>& field_in_a,
+              const Pieces& near, double margin) {
+  constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+  const Pose<double> a_in_field = inverse(field_in_a);
+  double gap = field_gap(field, near.pieces, near.radius, kNoLimit);
+  const auto look_farther = [&](const auto& large) {
+    if (near.pieces.empty()) {
+      const Vec3d corner = a_in_field.transform(some_corner(large).template cast<double>());
+      gap = field_gap(field, std::array{FieldPiece{{corner, corner, corner}, 1, {}}}, 0, kNoLimit);
+    }
+    const Pieces all = PieceMaker<S>(a_in_field, field_reach<S>(field, field_in_a, gap)).of(a);
+    gap = field_gap(field, all.pieces, all.radius, gap);
+  };
+  if (const auto* mesh = std::get_if<Mesh<S>>(&a)) look_farther(*mesh);
+  if (const auto* other = std::get_if<Field<S>>(&a)) look_farther(*other);
+  // No contact is within the margin, so a field that has lost what is thin says no less.
+  return std::max(gap, margin);
+}
+
 template <class S>
 FieldTouches touches_of(const Shape<S>& a, const PlacedField& field, const Pose<double>& field_in_a,
-                        const CollideOptions& options, double& radius,
+                        const CollideOptions& options, double& radius, bool recorded,
                         std::vector<trace::FieldProbe>* probes = nullptr) {
   const Pose<double> a_in_field = inverse(field_in_a);
   const Pieces made =
@@ -129,14 +167,57 @@ FieldTouches touches_of(const Shape<S>& a, const PlacedField& field, const Pose<
   const double spacing = std::max(field.cell, std::min(side_a, side_b) / kMostPlaces);
   FieldTouches touches = find_touches(
       field, made.pieces, {options.field, made.radius, options.margin, spacing, probes});
-  if (std::isinf(touches.least)) {
-    // Nothing was near enough to be looked at: the gap of the boxes.
-    const Aabb<double> of_a = aabb_of(a)->template cast<double>();
-    const Aabb<double> of_field = field_reach<double>(field, field_in_a, 0);
-    touches.least =
-        (of_a.lower - of_field.upper).cwiseMax(of_field.lower - of_a.upper).cwiseMax(0.0).norm();
-  }
+  // Only for the record: nobody else reads how far shapes are from each other.
+  if (recorded && touches.found.empty())
+    touches.least = gap_of(a, field, field_in_a, made, options.margin);
   return touches;
+}
+
+/// Leaves no more touches of one direction than a manifold has room for. Vertices come first. Where there
+/// are too many, those stay that no other can stand for: the deepest, and the farthest along kDirections
+/// directions in the contact plane; then vertices before points inside faces, each kind evenly.
+void fit_manifold(std::vector<FieldTouch>& touches, const Vec3d& outward) {
+  constexpr int kDirections = 32;
+  const auto is_vertex = [](const FieldTouch& t) { return t.feature.kind == FeatureKind::Vertex; };
+  const auto deepest = std::ranges::min_element(touches, {}, &FieldTouch::separation);
+  const int deepest_at = static_cast<int>(deepest - touches.begin());
+  const int count = count_of(touches);
+  std::vector<int> order;  // places in `touches`
+  for (const bool vertices : {true, false})
+    for (int i = 0; i < count; ++i)
+      if (is_vertex(at(touches, i)) == vertices) order.push_back(i);
+
+  const int room = static_cast<int>(kMaxManifoldPoints);
+  if (count > room) {
+    std::vector<bool> keep(touches.size(), false);
+    int kept = 0;
+    const auto keep_it = [&](int i) {
+      if (kept == room || at(keep, i)) return;
+      at(keep, i) = true;
+      ++kept;
+    };
+    keep_it(deepest_at);
+    const Vec3d u = any_perpendicular(outward), v = outward.cross(u);
+    for (int d = 0; d < kDirections; ++d) {
+      const double angle = 2 * std::numbers::pi * d / kDirections;
+      const Vec3d along = std::cos(angle) * u + std::sin(angle) * v;
+      keep_it(*std::ranges::max_element(order, {},
+                                        [&](int i) { return along.dot(at(touches, i).point); }));
+    }
+    const int vertex_count = static_cast<int>(std::ranges::count_if(touches, is_vertex));
+    const auto keep_evenly = [&](int first, int end) {
+      std::vector<int> open;
+      for (int k = first; k < end; ++k)
+        if (!at(keep, at(order, k))) open.push_back(at(order, k));
+      const int fit = std::min(room - kept, count_of(open));
+      for (int k = 0; k < fit; ++k)
+        keep_it(at(open, static_cast<int>(std::int64_t{k} * count_of(open) / fit)));
+    };
+    keep_evenly(0, vertex_count);
+    keep_evenly(vertex_count, count);
+    std::erase_if(order, [&](int i) { return !at(keep, i); });
+  }
+  touches = mapped(order, [&](int i) { return at(touches, i); });
 }
 
 /// Gives the touches to the sink, deepest first, those of one direction together. `in_a` places the
@@ -150,17 +231,12 @@ void add_manifolds(std::vector<FieldTouch> touches, double radius, const Pose<do
     std::vector<FieldTouch> rest, same;
     for (const FieldTouch& touch : touches)
       (touch.outward.dot(outward) >= kSameDirection ? same : rest).push_back(touch);
-    // Vertices first, so that what does not fit is from inside of a face; then evenly.
-    std::stable_partition(same.begin(), same.end(), [](const FieldTouch& t) {
-      return t.feature.kind == FeatureKind::Vertex;
-    });
+    fit_manifold(same, outward);
     Contact<S> contact;
     contact.axis = AxisKind::ClosestPoints;
     const Vec3d normal = in_a.rotate(outward) * (flipped ? 1.0 : -1.0);
     contact.normal = normal.template cast<S>().normalized();
-    const std::size_t stride = (same.size() + kMaxManifoldPoints - 1) / kMaxManifoldPoints;
-    for (std::size_t i = 0; i < same.size(); i += stride) {
-      const FieldTouch& touch = same[i];
+    for (const FieldTouch& touch : same) {
       // On the field's surface, as points of a face contact are on the reference face.
       const Vec3d on_field = touch.point - (radius + touch.separation) * touch.outward;
       const FeatureRef other = face_ref(Owner::B, 0);
@@ -225,11 +301,6 @@ S collide_plane_field(const HalfSpace<S>& plane, const Field<S>& field, const Po
     if (separation <= options.margin)
       touches.found.push_back({piece.corners[0], separation, ground.normal, piece.feature});
   }
-  if (touches.found.size() > kMaxManifoldPoints) {
-    std::ranges::nth_element(touches.found, touches.found.begin() + kMaxManifoldPoints, {},
-                             &FieldTouch::separation);
-    touches.found.resize(kMaxManifoldPoints);
-  }
   add_manifolds(std::move(touches.found), pieces.radius, {}, true, sink);
   return static_cast<S>(touches.least);
 }
@@ -246,7 +317,9 @@ S collide_with_field(const Shape<S>& a, const Field<S>& b, const Pose<S>& b_in_a
   const bool conservative = options.field == FieldSearch::Conservative;
   std::vector<trace::FieldProbe>* const probes =
       sink.recorder ? sink.recorder->field_probes() : nullptr;
-  FieldTouches touches = touches_of(a, PlacedField::of(b), field_in_a, options, radius, probes);
+  const bool recorded = sink.recorder != nullptr;
+  FieldTouches touches =
+      touches_of(a, PlacedField::of(b), field_in_a, options, radius, recorded, probes);
   if (probes != nullptr) [[unlikely]]
     sink.recorder->field_search(options.field, field_in_a);
   if (touches.found.empty() && conservative) {
@@ -255,7 +328,8 @@ S collide_with_field(const Shape<S>& a, const Field<S>& b, const Pose<S>& b_in_a
       // B may be inside A: then its surface is.
       const Shape<S> other = b;
       const Pose<double> a_in_b = inverse(field_in_a);
-      FieldTouches inside = touches_of(other, PlacedField::of(*field), a_in_b, options, radius);
+      FieldTouches inside =
+          touches_of(other, PlacedField::of(*field), a_in_b, options, radius, recorded);
       add_manifolds(std::move(inside.found), radius, {}, true, sink);
       return static_cast<S>(std::min(touches.least, inside.least));
     }

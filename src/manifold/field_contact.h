@@ -27,7 +27,7 @@ struct FieldTouch {
 
 struct FieldTouches {
   std::vector<FieldTouch> found;
-  double least;  // separation, or the least bound where no point was found; infinite: none was near
+  double least;  // separation; where no point was found a lower bound, infinite where none was near
 };
 
 /// How the search goes about it. Lengths in metres.

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numbers>
+#include <set>
 
 #include "field/distance_field.h"
 #include "field/surface_of.h"
@@ -10,6 +12,7 @@
 #include "manifold/placed_shapes.h"
 #include "query/mesh_overlap.h"
 #include "query/winding.h"
+#include "support/brute_force_distance.h"
 #include "support/builders.h"
 #include "support/sphere_mesh.h"
 
@@ -166,6 +169,146 @@ TEST(FieldPairs, WhatIsWhollyInsideIsFound) {
   EXPECT_LE(way_out(small, large, test::at(-0.5, 0, 0)), -0.5);
   // The distance of the ball's centre from the small box, less its radius.
   EXPECT_NEAR(way_out(Sphere<double>{2}, small, inside), 0.4 - 2, 1e-12);
+}
+
+/// What a trace says of the separation.
+template <class S = double>
+double recorded_separation(const PlacedShapes& pair, const CollideOptions& options = {}) {
+  Manifolds<S> manifolds;
+  trace::Pair record;
+  collide(shape_cast<S>(pair.a), pair.pose_a.cast<S>(), shape_cast<S>(pair.b),
+          pair.pose_b.cast<S>(), options, manifolds, nullptr, &record);
+  EXPECT_EQ(record.state == "separated", manifolds.empty());
+  return record.separation;
+}
+
+TEST(FieldPairs, ABoxOnAFieldKeepsItsFourCornersAmongManySamples) {
+  // The side of the upper box is a fraction of the lower one's: 256 samples and more, and four corners.
+  for (const double height : {1.49, 1.5 - 1e-9}) {
+    const PlacedShapes pair{field_of(make_box(Vec3d(1, 1, 1))),
+                            {},
+                            make_box(Vec3d(0.5, 0.5, 0.5)),
+                            test::at(0, height, 0)};
+    const Manifolds<double> found = manifolds_of(pair);
+    ASSERT_EQ(found.size(), 1U);
+    std::set<std::pair<double, double>> corners;
+    for (const ContactPoint<double>& point : found[0].points)
+      if (std::abs(std::abs(point.position.x()) - 0.5) < 1e-12 &&
+          std::abs(std::abs(point.position.z()) - 0.5) < 1e-12)
+        corners.insert({std::round(2 * point.position.x()), std::round(2 * point.position.z())});
+    EXPECT_EQ(corners.size(), 4U) << height;
+  }
+}
+
+TEST(FieldPairs, NoLimitOfPointsDropsTheOutlineOrTheDeepestPoint) {
+  // A cap of a wheel with more vertices than a manifold has room for, and a plane or a field below it.
+  Random random(11);
+  constexpr int kRing = 3 * static_cast<int>(kMaxManifoldPoints);
+  for (int i = 0; i < 20; ++i) {
+    const double size = random.decade(-4, 4);
+    const double radius = 0.9 * size;
+    Mesh<double> wheel;
+    wheel.vertices = {Vec3d(0, -0.011 * size, 0), Vec3d(0, 0.3 * size, 0)};  // the hub is deepest
+    for (int k = 0; k < kRing; ++k) {
+      const double angle = 2 * std::numbers::pi * k / kRing;
+      wheel.vertices.push_back({radius * std::cos(angle), -0.01 * size, radius * std::sin(angle)});
+    }
+    for (int k = 0; k < kRing; ++k) {
+      const int from = 2 + k, to = 2 + (k + 1) % kRing;
+      wheel.triangles.push_back({0, from, to});
+      wheel.triangles.push_back({1, to, from});
+    }
+    const Mesh<double> mesh = build_mesh(wheel.vertices, wheel.triangles);
+    const Pose<double> frame = random.pose(3 * size);
+    const Shape<double> floor = field_of(make_box(size * Vec3d(1, 0.5, 1)), {.cells = 16});
+    const PlacedShapes on_field{mesh, {}, floor, test::at(0, -0.5 * size, 0)};
+    const PlacedShapes on_plane{field_of(mesh, {.cells = 16}), {}, test::ground(), {}};
+    for (const PlacedShapes& pair : {on_field, on_plane}) {
+      const PlacedShapes placed = test::moved(pair, frame);
+      const Manifolds<double> found = manifolds_of(placed);
+      ASSERT_FALSE(found.empty());
+      EXPECT_NEAR(deepest_of(found), -0.011 * size, 1e-9 * size);
+      // The points reach as far as the ring in every direction.
+      double least_reach = std::numeric_limits<double>::infinity();
+      for (int k = 0; k < 64; ++k) {
+        const double angle = 2 * std::numbers::pi * k / 64;
+        const Vec3d along = frame.rotate(Vec3d(std::cos(angle), 0, std::sin(angle)));
+        double reach = 0;
+        for (const ContactPoint<double>& point : found[0].points)
+          reach = std::max(reach, along.dot(Vec3d(point.position - frame.position)));
+        least_reach = std::min(least_reach, reach);
+      }
+      EXPECT_GT(least_reach, 0.99 * radius);
+    }
+  }
+}
+
+TEST(FieldPairs, ASeparatedSphereIsAsFarAsFromTheBoxItself) {
+  const PlacedShapes near{Sphere<double>{0.2},
+                          test::at(-0.8126, 0.83614, 0.04694),
+                          field_of(make_box(Vec3d(1, 0.6, 0.8)), {.cells = 24}),
+                          {}};
+  EXPECT_NEAR(recorded_separation(near), 0.83614 - 0.6 - 0.2, 1e-15);
+  Random random(12);
+  for (const int cells : {12, 24, 48}) {
+    const Vec3d half(1, 0.6, 0.8);
+    const Shape<double> field = field_of(make_box(half), {.cells = cells});
+    for (int i = 0; i < 5000; ++i) {
+      const Vec3d centre = random.vector(-1, 1).cwiseProduct(Vec3d(2, 1.6, 1.8));
+      const double gap = (centre.cwiseAbs() - half).cwiseMax(0.0).norm();
+      if (gap == 0) continue;
+      const double radius = gap * random.uniform(0.05, 0.98);
+      const PlacedShapes pair = test::moved(
+          {Sphere<double>{radius}, {Quatd::Identity(), centre}, field, {}}, random.pose(1));
+      ASSERT_NEAR(recorded_separation(pair), gap - radius, 1e-14) << cells << ", " << i;
+    }
+  }
+}
+
+TEST(FieldPairs, SlowASeparatedHullIsAsFarAsFromTheHullThatTheFieldIsMadeOf) {
+  Random random(13);
+  int separated = 0;
+  for (int i = 0; i < 300; ++i) {
+    const double size = random.decade(-4, 4);
+    const Hull<double> source = test::random_hull(random, 10, size, 5);
+    const Shape<double> field = field_of(source, {.cells = 12});
+    for (int k = 0; k < 5; ++k) {
+      const Hull<double> hull = test::random_hull(random, 8, size * random.uniform(0.1, 1), 10);
+      PlacedShapes pair{hull, random.pose(1.5 * size), field, random.pose(1.5 * size)};
+      const test::Features features = test::features_of(hull, pair.pose_a);
+      const test::Features features_of_source = test::features_of(source, pair.pose_b);
+      const auto truth =
+          static_cast<double>(test::brute_force_distance(features, features_of_source).distance);
+      if (truth < 1e-9 * size) continue;
+      ++separated;
+      if (k % 2 == 1) {
+        std::swap(pair.a, pair.b);
+        std::swap(pair.pose_a, pair.pose_b);
+      }
+      ASSERT_NEAR(recorded_separation(pair), truth, 1e-12 * size) << i;
+    }
+  }
+  EXPECT_GT(separated, 300);
+}
+
+TEST(FieldPairs, ASeparatedMeshIsAsFarAsItsNearestTriangle) {
+  // A triangle beside a corner of the field's box is near its surface's box, and another one is nearer.
+  Random random(14);
+  for (int i = 0; i < 100; ++i) {
+    const double size = random.decade(-4, 4), gap = size * random.uniform(0.01, 0.5);
+    Mesh<double> two;
+    const auto add = [&](const Vec3d& corner) {
+      const int first = count_of(two.vertices);
+      for (const Vec3d& to : {Vec3d(0, 0, 0), Vec3d(0.1, 0, 0), Vec3d(0, 0, 0.1)})
+        two.vertices.push_back(size * (corner + to));
+      two.triangles.push_back({first, first + 2, first + 1});
+    };
+    add({0.9, 0.9, 0.9});
+    add({0.0, 1 + gap / size, 0.0});
+    const PlacedShapes pair{
+        build_mesh(two.vertices, two.triangles), {}, field_of(Sphere<double>{size}, {.cells = 16}), {}};
+    EXPECT_NEAR(recorded_separation(test::moved(pair, random.pose(size))), gap, 1e-13 * size);
+  }
 }
 
 TEST(FieldPairs, TradingTheArgumentsMirrorsTheContact) {
