@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "core/at.h"
-#include "query/minkowski_difference.h"
+#include "query/penetration_bounds.h"
 #include "query/simplex.h"
 #include "query/tolerance.h"
 
@@ -89,12 +89,26 @@ GjkResult<S> finish(GjkStatus status, int iterations, const Simplex<S>& simplex,
   result.simplex = to_result(simplex, difference);
   result.on_a = weighted(result.simplex, &GjkVertex<S>::a);
   result.on_b = weighted(result.simplex, &GjkVertex<S>::b);
-  result.distance = difference.unit() * std::sqrt(simplex.nearest.squared_distance);
+  if (status != GjkStatus::Overlap)
+    result.distance = difference.unit() * std::sqrt(simplex.nearest.squared_distance);
   const S length = simplex.nearest.direction.norm();
   if (length > S(0)) result.normal = simplex.nearest.direction / length;
   if (run != nullptr) [[unlikely]]
     run->result = result;
   return result;
+}
+
+/// Whether a point, edge or triangle of the difference that passes through the origin lies inside of
+/// the difference, by more than rounding, and not on its border: two prisms that are seen along their
+/// edges overlap, and all support points that GJK meets are in one plane with the origin. The ray
+/// from the middle of the difference through the origin leaves it farther on, and a support plane
+/// there is farther from the origin than the border is.
+template <class S>
+bool holds_origin_inside(const SupportSet<S>& a, const SupportSet<S>& b, const Pose<S>& b_in_a) {
+  const PenetrationResult<S> left = mpr<S>(a, b, b_in_a, {}, nullptr);
+  const bool has_volume = has_depth(left.status) && left.status != PenetrationStatus::Flat;
+  return has_volume &&
+         left.depth > clip_thickness(reach_of(a) + reach_of(b) + b_in_a.position.norm());
 }
 
 }  // namespace
@@ -112,9 +126,10 @@ GjkResult<S> finish(GjkStatus status, int iterations, const Simplex<S>& simplex,
 /// whose digits cancel. The simplex: see simplex.cpp.
 ///
 /// Steps: 1. the simplex is one support point, or the earlier one; 2. its point nearest to the
-/// origin, and the face that carries it; 3. the origin is inside: overlap; or nearer than rounding:
-/// touching; 4. the support point of the difference against that direction; 5. none farther than
-/// the simplex itself: separated; 6. add it and go on at 2.
+/// origin, and the face that carries it; 3. the origin is inside: overlap; or nearer to that face than
+/// rounding: overlap where the face lies inside of the difference, else touching; 4. the support point
+/// of the difference against that direction; 5. none farther than the simplex itself: separated; 6.
+/// add it and go on at 2.
 template <class S>
 GjkResult<S> gjk(const SupportSet<S>& a, const SupportSet<S>& b, const Pose<S>& b_in_a,
                  const GjkSimplex<S>* warm_start, GjkRun<S>* run) {
@@ -137,8 +152,10 @@ GjkResult<S> gjk(const SupportSet<S>& a, const SupportSet<S>& b, const Pose<S>& 
       run->steps.push_back(to_result(*simplex, difference));
     const NearestOnSimplex<S>& nearest = simplex->nearest;
     if (nearest.count == 4) return ended(GjkStatus::Overlap, iteration);
-    if (nearest.squared_distance <= rounding * rounding)
-      return ended(GjkStatus::Touching, iteration);
+    if (nearest.squared_distance <= rounding * rounding) {
+      const bool is_inside = holds_origin_inside(a, b, b_in_a);
+      return ended(is_inside ? GjkStatus::Overlap : GjkStatus::Touching, iteration);
+    }
 
     const IndexPair support = difference.support_against(nearest.direction);
     if (simplex->has(support)) return ended(GjkStatus::Separated, iteration);

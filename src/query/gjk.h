@@ -12,9 +12,9 @@ namespace contactscope {
 
 enum class GjkStatus {
   Separated,        // a distance > 0 and the closest points were found
-  Touching,         // the simplex passes through the origin within rounding: the shapes touch or
-                    // overlap; how deep it does not say
-  Overlap,          // the origin lies inside the simplex, a tetrahedron, by more than rounding
+  Touching,         // the origin is on the border of the difference within rounding
+  Overlap,          // the origin is inside of the difference by more than rounding: in the last
+                    // simplex, a tetrahedron, or on a lesser one that itself lies inside
   OutOfIterations,  // kMaxGjkIterations; the result is an upper bound of the distance. Not seen
 };
 
