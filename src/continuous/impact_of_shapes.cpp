@@ -1,40 +1,97 @@
 #include "continuous/impact_of_shapes.h"
 
 #include <algorithm>
-#include <cmath>
+#include <optional>
+#include <type_traits>
 #include <utility>
 
 #include "continuous/approach_to_plane.h"
 #include "continuous/impact_with_mesh.h"
+#include "continuous/rounded_down.h"
 #include "field/distance_field.h"
 
 namespace contactscope {
 namespace {
 
-/// The core of a convex shape, or of a mesh as a plane meets it: by its vertices. A sphere's centre
-/// is `centre`, which must outlive the result.
+/// The core of a convex shape, or of a mesh as a plane meets it: by its vertices. In double, whatever
+/// the shape is in: next to a floor of a kilometre a float says of a ball's height no more than a few
+/// tenths of a millimetre. Refers to the shape.
 template <class S>
-MovingShape<S> moving(const Shape<S>& shape, const Sweep<S>& motion, const Vec3<S>& centre) {
-  switch (kind_of(shape)) {
-    case ShapeKind::Sphere:
-      return {support_set(centre), motion, std::get<Sphere<S>>(shape).radius};
-    case ShapeKind::Capsule: {
-      const auto& capsule = std::get<Capsule<S>>(shape);
-      return {{capsule.points.data(), 2, nullptr}, motion, capsule.radius};
-    }
-    case ShapeKind::Hull:
-      return {support_set(std::get<Hull<S>>(shape)), motion, 0};
-    default: {
+class DoubleCore {
+ public:
+  DoubleCore(const Shape<S>& shape, const Sweep<double>& motion) {
+    moving_.motion = motion;
+    if (const auto* sphere = std::get_if<Sphere<S>>(&shape)) {
+      moving_.core = support_set(ends_[0]);
+      moving_.radius = static_cast<double>(sphere->radius);
+    } else if (const auto* capsule = std::get_if<Capsule<S>>(&shape)) {
+      ends_ = {capsule->points[0].template cast<double>(),
+               capsule->points[1].template cast<double>()};
+      moving_.core = {ends_.data(), 2, nullptr};
+      moving_.radius = static_cast<double>(capsule->radius);
+    } else if (const auto* hull = std::get_if<Hull<S>>(&shape)) {
+      if constexpr (std::is_same_v<S, float>) {
+        moving_.core = support_set(hull_.emplace(hull_cast<double>(*hull)));
+      } else {
+        moving_.core = support_set(*hull);
+      }
+    } else {
       const auto& vertices = std::get<Mesh<S>>(shape).vertices;
-      return {{vertices.data(), static_cast<int>(vertices.size()), nullptr}, motion, 0};
+      if constexpr (std::is_same_v<S, float>) {
+        for (const Vec3<S>& vertex : vertices) vertices_.push_back(vertex.template cast<double>());
+        moving_.core = {vertices_.data(), count_of(vertices_), nullptr};
+      } else {
+        moving_.core = {vertices.data(), count_of(vertices), nullptr};
+      }
     }
   }
+  DoubleCore(const DoubleCore&) = delete;
+  DoubleCore& operator=(const DoubleCore&) = delete;
+
+  const MovingShape<double>& moving() const { return moving_; }
+
+ private:
+  std::array<Vec3d, 2> ends_ = {Vec3d::Zero(),
+                                Vec3d::Zero()};  // of a segment, or a sphere's centre
+  std::optional<Hull<double>> hull_;
+  std::vector<Vec3d> vertices_;
+  MovingShape<double> moving_;
+};
+
+/// The rotation is made unit to double's precision, so that a long lever keeps its length.
+template <class S>
+Sweep<double> in_double(const Sweep<S>& sweep) {
+  Sweep<double> wide = sweep.template cast<double>();
+  if constexpr (std::is_same_v<S, float>) wide.start.rotation.normalize();
+  return wide;
 }
 
 template <class S>
 void swap_sides(ImpactResult<S>& result) {
   result.normal = -result.normal;
   std::swap(result.on_a, result.on_b);
+}
+
+template <class S>
+ImpactResult<S> narrowed(const ImpactResult<double>& wide) {
+  return {.status = wide.status,
+          .time = rounded_down<S>(wide.time),
+          .distance = static_cast<S>(wide.distance),
+          .normal = wide.normal.cast<S>(),
+          .on_a = wide.on_a.cast<S>(),
+          .on_b = wide.on_b.cast<S>(),
+          .steps = wide.steps,
+          .bounds = wide.bounds};
+}
+
+template <class S>
+ImpactStep<S> narrowed(const ImpactStep<double>& wide) {
+  return {.time = static_cast<S>(wide.time),
+          .distance = static_cast<S>(wide.distance),
+          .axis = wide.axis.cast<S>(),
+          .bracket_end = static_cast<S>(wide.bracket_end),
+          .bracket_separation = static_cast<S>(wide.bracket_separation),
+          .safe = rounded_down<S>(wide.safe)};
 }
 
 }  // namespace
@@ -79,13 +136,10 @@ bool starts_inside(const Shape<S>& shape, const Sweep<S>& of_field, const Shape<
                    const Sweep<S>& of_other) {
   const auto* field = std::get_if<Field<S>>(&shape);
   if (field == nullptr || kind_of(other) == ShapeKind::Plane) return false;
-  const Vec3<S> centre = Vec3<S>::Zero();
-  const MovingShape<S> moved = moving(surface_of(other), of_other, centre);
-  const Vec3<S> point = moved.motion.start.transform(moved.core.points[0]);
-  const Vec3<S> arm = point - of_field.start.position;
-  const Vec3<S> own = of_field.start.rotation.conjugate() * arm;
+  const DoubleCore<S> core(surface_of(other), in_double(of_other));
+  const Vec3d point = core.moving().motion.start.transform(core.moving().core.points[0]);
   const PlacedField placed{field->values, field->origin, field->cell};
-  return placed.sample(own.template cast<double>()).distance < 0;
+  return placed.sample(in_double(of_field).start.inverse_transform(point)).distance < 0;
 }
 
 template <class S>
@@ -97,28 +151,65 @@ Sweep<S> without_turn(Sweep<S> sweep) {
 /// Two shapes in the order in which they are worked on: a plane first, or else a mesh.
 template <class S>
 struct Ordered {
-  Ordered(const Shape<S>& a, const Sweep<S>& sweep_a, const Shape<S>& b, const Sweep<S>& sweep_b)
+  Ordered(const Shape<S>& a, const Sweep<double>& sweep_a, const Shape<S>& b,
+          const Sweep<double>& sweep_b)
       : swapped(kind_of(b) == ShapeKind::Plane ||
                 (kind_of(b) == ShapeKind::Mesh && kind_of(a) != ShapeKind::Plane)),
         first(swapped ? b : a),
         of_first(swapped ? sweep_b : sweep_a),
-        second(swapped ? moving(a, sweep_a, centre) : moving(b, sweep_b, centre)) {}
+        second(swapped ? a : b, swapped ? sweep_a : sweep_b) {}
 
-  Vec3<S> centre = Vec3<S>::Zero();  // of a sphere
+  std::optional<MovingPlane<double>> plane() const {
+    const auto* half_space = std::get_if<HalfSpace<S>>(&first);
+    if (half_space == nullptr) return std::nullopt;
+    return MovingPlane<double>{half_space->plane.template cast<double>(), of_first};
+  }
+
   bool swapped;
   const Shape<S>& first;
-  const Sweep<S>& of_first;
-  MovingShape<S> second;
+  const Sweep<double>& of_first;
+  DoubleCore<S> second;
 };
 
 template <class S, class Approach>
-std::vector<S> measured(Approach&& approach, S radii, int count) {
+std::vector<S> measured(Approach&& approach, double radii, int count) {
   std::vector<S> distances;
   for (int i = 0; i < count; ++i) {
-    const S time = static_cast<S>(i) / static_cast<S>(count - 1);
-    distances.push_back(std::max(approach.measure(time).distance - radii, S(0)));
+    const double time = static_cast<double>(i) / (count - 1);
+    const double distance = std::max(approach.measure(time).distance - radii, 0.0);
+    distances.push_back(static_cast<S>(distance));
   }
   return distances;
+}
+
+/// Of any two shapes but fields, and but two planes.
+template <class S>
+ShapeImpact<double> impact_of_solids(const Shape<S>& a, const Sweep<double>& sweep_a,
+                                     const Shape<S>& b, const Sweep<double>& sweep_b,
+                                     ImpactMethod method, const ImpactLimits<double>& allowed,
+                                     ImpactRun<double>* run) {
+  const auto *mesh_a = std::get_if<Mesh<S>>(&a), *mesh_b = std::get_if<Mesh<S>>(&b);
+  if (mesh_a != nullptr && mesh_b != nullptr)
+    return impact_of_rigid_meshes(*mesh_a, sweep_a, *mesh_b, sweep_b, method, allowed, run);
+  const Ordered<S> pair(a, sweep_a, b, sweep_b);
+  const MovingShape<double>& second = pair.second.moving();
+  ShapeImpact<double> found;
+  if (const auto plane = pair.plane()) {
+    found.result = impact_by(method, *plane, second, allowed, run);
+  } else if (const auto* mesh = std::get_if<Mesh<S>>(&pair.first)) {
+    found = impact_with_mesh(*mesh, pair.of_first, second, method, allowed, run);
+  } else {
+    const DoubleCore<S> first(pair.first, pair.of_first);
+    found.result = impact_by(method, first.moving(), second, allowed, run);
+  }
+  if (pair.swapped) {
+    swap_sides(found.result);
+    if (run != nullptr) {
+      swap_sides(run->result);
+      for (ImpactStep<double>& step : run->steps) step.axis = -step.axis;
+    }
+  }
+  return found;
 }
 
 }  // namespace
@@ -142,59 +233,48 @@ ShapeImpact<S> impact_of_shapes(const Shape<S>& a, const Sweep<S>& sweep_a, cons
     }
     return found;
   }
-  const auto *mesh_a = std::get_if<Mesh<S>>(&a), *mesh_b = std::get_if<Mesh<S>>(&b);
-  if (mesh_a != nullptr && mesh_b != nullptr)
-    return impact_of_rigid_meshes(*mesh_a, sweep_a, *mesh_b, sweep_b, method, allowed, run);
-  const Ordered<S> pair(a, sweep_a, b, sweep_b);
-  ShapeImpact<S> found;
-  if (const auto* plane = std::get_if<HalfSpace<S>>(&pair.first)) {
-    found.result =
-        impact_by(method, MovingPlane<S>{plane->plane, pair.of_first}, pair.second, allowed, run);
-  } else if (const auto* mesh = std::get_if<Mesh<S>>(&pair.first)) {
-    found = impact_with_mesh(*mesh, pair.of_first, pair.second, method, allowed, run);
-  } else {
-    found.result = impact_by(method, moving(pair.first, pair.of_first, pair.centre), pair.second,
-                             allowed, run);
-  }
-  if (pair.swapped) {
-    swap_sides(found.result);
-    if (run != nullptr) {
-      swap_sides(run->result);
-      for (ImpactStep<S>& step : run->steps) step.axis = -step.axis;
-    }
-  }
-  return found;
+  ImpactRun<double> wide_run;
+  const ShapeImpact<double> wide =
+      impact_of_solids(a, in_double(sweep_a), b, in_double(sweep_b), method,
+                       {.gap = static_cast<double>(allowed.gap),
+                        .of_motion = static_cast<double>(allowed.of_motion),
+                        .until = static_cast<double>(allowed.until),
+                        .passes_overlaps = allowed.passes_overlaps},
+                       run != nullptr ? &wide_run : nullptr);
+  if (run != nullptr) [[unlikely]]
+    *run = {narrowed<S>(wide_run.result),
+            mapped(wide_run.steps, [](const auto& step) { return narrowed<S>(step); })};
+  return {narrowed<S>(wide.result), wide.triangle, wide.triangle_of_b, wide.triangles};
 }
 
 template <class S>
 std::vector<S> distances_through(const Shape<S>& a, const Sweep<S>& sweep_a, const Shape<S>& b,
                                  const Sweep<S>& sweep_b, const ShapeImpact<S>& found, int count) {
+  const Shape<S>&surface_a = surface_of(a), &surface_b = surface_of(b);
+  const Sweep<double> of_a = in_double(sweep_a), of_b = in_double(sweep_b);
   const auto triangle_of = [](const Shape<S>& shape, int triangle) {
     return corners_of(std::get<Mesh<S>>(shape), triangle);
   };
   if (found.triangle_of_b >= 0) {
-    const auto first = triangle_of(surface_of(a), found.triangle),
-               second = triangle_of(surface_of(b), found.triangle_of_b);
+    const auto first = triangle_of(surface_a, found.triangle),
+               second = triangle_of(surface_b, found.triangle_of_b);
     return measured<S>(
-        Approach<S>(moving_triangle(first, sweep_a), moving_triangle(second, sweep_b)), S(0),
-        count);
+        Approach<double>(moving_triangle(first, of_a), moving_triangle(second, of_b)), 0, count);
   }
-  if (kind_of(surface_of(a)) == ShapeKind::Mesh && kind_of(surface_of(b)) == ShapeKind::Mesh)
-    return {};
-  const Ordered<S> pair(surface_of(a), sweep_a, surface_of(b), sweep_b);
-  if (const auto* plane = std::get_if<HalfSpace<S>>(&pair.first))
-    return measured<S>(ApproachToPlane<S>({plane->plane, pair.of_first}, pair.second),
-                       pair.second.radius, count);
-  std::array<Vec3<S>, 3> corners;
-  MovingShape<S> first;
+  if (kind_of(surface_a) == ShapeKind::Mesh && kind_of(surface_b) == ShapeKind::Mesh) return {};
+  const Ordered<S> pair(surface_a, of_a, surface_b, of_b);
+  const MovingShape<double>& second = pair.second.moving();
+  if (const auto plane = pair.plane())
+    return measured<S>(ApproachToPlane<double>(*plane, second), second.radius, count);
   if (kind_of(pair.first) == ShapeKind::Mesh) {
     if (found.triangle < 0) return {};
-    corners = triangle_of(pair.first, found.triangle);
-    first = moving_triangle(corners, pair.of_first);
-  } else {
-    first = moving(pair.first, pair.of_first, pair.centre);
+    const auto corners = triangle_of(pair.first, found.triangle);
+    return measured<S>(Approach<double>(moving_triangle(corners, pair.of_first), second),
+                       second.radius, count);
   }
-  return measured<S>(Approach<S>(first, pair.second), first.radius + pair.second.radius, count);
+  const DoubleCore<S> first(pair.first, pair.of_first);
+  return measured<S>(Approach<double>(first.moving(), second),
+                     first.moving().radius + second.radius, count);
 }
 
 template decltype(impact_of_shapes<float>) impact_of_shapes<float>;

@@ -49,6 +49,9 @@ std::optional<std::string> impact_refusal(ShapeKind a, ShapeKind b);
 /// that does not meet one that turns meets it exactly (sweep_sphere_triangle), where no gap is asked
 /// for. A mesh that overlaps at the start by one triangle is Overlapping, whatever comes later.
 ///
+/// Searched in double, also of shapes in float, so that the rounding of a large shape's far corners makes
+/// no impact early. In float the time is rounded down.
+///
 /// Of a distance field the surface that it was made of is asked, whatever its lattice makes of that; what
 /// is inside of it at the start is Overlapping.
 ///

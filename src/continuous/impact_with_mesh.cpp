@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
+#include "broadphase/broad_phase.h"
 #include "continuous/approach.h"
 #include "continuous/swept_sphere.h"
 
@@ -14,75 +16,80 @@ namespace {
 /// A box in the mesh's frame around everything that the shape sweeps. Between two of the times at
 /// which it is looked at, a point that is accelerated by no more than k is off the straight line by
 /// no more than k / 8 times the square of the time between.
-template <class S>
-Aabb<S> swept_box(const MovingShape<S>& shape, const Sweep<S>& of_mesh) {
-  const Turning<S> turning(shape);
-  const bool turns = !of_mesh.turn.isZero(S(0)) || !shape.motion.turn.isZero(S(0));
-  const Vec3<S> between = between_pivots(of_mesh, shape.motion);
-  const Vec3<S> way = shape.motion.displacement - of_mesh.displacement;
-  const S angle = of_mesh.turn.norm();
-  const S reach = std::max(between.norm(), Vec3<S>(between + way).norm()) + turning.reach();
-  const S acceleration = turning.acceleration() + S(2) * angle * (way.norm() + turning.speed()) +
-                         angle * angle * reach;
+Aabb<double> swept_box(const MovingShape<double>& shape, const Sweep<double>& of_mesh) {
+  const Turning<double> turning(shape);
+  const bool turns = !of_mesh.turn.isZero(0) || !shape.motion.turn.isZero(0);
+  const Vec3d between = between_pivots(of_mesh, shape.motion);
+  const Vec3d way = shape.motion.displacement - of_mesh.displacement;
+  const double angle = of_mesh.turn.norm();
+  const double reach = std::max(between.norm(), Vec3d(between + way).norm()) + turning.reach();
+  const double acceleration =
+      turning.acceleration() + 2 * angle * (way.norm() + turning.speed()) + angle * angle * reach;
   // As many looks as keep the box from growing by more than about a tenth of the shape.
   constexpr int kMostLooks = 32;
-  const S wanted = std::sqrt(acceleration / std::max(S(0.8) * turning.reach(), S(1e-30)));
-  const int looks = turns ? static_cast<int>(std::clamp(wanted, S(1), S(kMostLooks))) : 1;
-  Aabb<S> box;
+  const double wanted = std::sqrt(acceleration / std::max(0.8 * turning.reach(), 1e-30));
+  const int looks = turns ? static_cast<int>(std::clamp<double>(wanted, 1, kMostLooks)) : 1;
+  Aabb<double> box;
   for (int i = 0; i <= looks; ++i) {
-    const S time = static_cast<S>(i) / static_cast<S>(looks);
-    Sweep<S> turning_mesh;
+    const double time = static_cast<double>(i) / static_cast<double>(looks);
+    Sweep<double> turning_mesh;
     turning_mesh.start.rotation = of_mesh.start.rotation;
     turning_mesh.turn = of_mesh.turn;
-    const Quat<S> to_mesh = turning_mesh.at(time).rotation.conjugate();
-    const Quat<S> rotation = to_mesh * turning.rotation(time);
-    const Vec3<S> pivot = to_mesh * Vec3<S>(between + time * way) + of_mesh.pivot;
+    const Quatd to_mesh = turning_mesh.at(time).rotation.conjugate();
+    const Quatd rotation = to_mesh * turning.rotation(time);
+    const Vec3d pivot = to_mesh * Vec3d(between + time * way) + of_mesh.pivot;
     for (int p = 0; p < shape.core.count; ++p)
-      box.include(pivot + rotation * Vec3<S>(shape.core.points[p] - turning.pivot()));
+      box.include(pivot + rotation * Vec3d(shape.core.points[p] - turning.pivot()));
   }
-  const S rounding = tie_tolerance(reach + of_mesh.pivot.norm());
-  const Vec3<S> grown =
-      Vec3<S>::Constant(shape.radius + rounding + acceleration / static_cast<S>(8 * looks * looks));
+  const double rounding = tie_tolerance(reach + of_mesh.pivot.norm());
+  const Vec3d grown = Vec3d::Constant(shape.radius + rounding +
+                                      acceleration / static_cast<double>(8 * looks * looks));
   return {box.lower - grown, box.upper + grown};
 }
 
 /// A ball against one triangle of a mesh, neither of which turns the other's way: exactly.
-template <class S>
-ImpactResult<S> ball_against(const std::array<Vec3<S>, 3>& corners, const Sweep<S>& of_mesh,
-                             const MovingShape<S>& ball) {
+ImpactResult<double> ball_against(const std::array<Vec3d, 3>& corners, const Sweep<double>& of_mesh,
+                                  const MovingShape<double>& ball) {
   // In a frame that goes with the mesh's origin. Its axes are the world's.
-  const Vec3<S> start = (ball.motion.start.position - of_mesh.start.position) +
-                        ball.motion.start.rotate(ball.core.points[0]);
-  std::array<Vec3<S>, 3> placed;
+  const Vec3d start = (ball.motion.start.position - of_mesh.start.position) +
+                      ball.motion.start.rotate(ball.core.points[0]);
+  std::array<Vec3d, 3> placed;
   for (std::size_t i = 0; i < 3; ++i) placed[i] = of_mesh.start.rotate(corners[i]);
-  const Vec3<S> way = ball.motion.displacement - of_mesh.displacement;
+  const Vec3d way = ball.motion.displacement - of_mesh.displacement;
   const SweptSphereHit hit = sweep_sphere_triangle(start, way, ball.radius, placed);
-  ImpactResult<S> result;
+  ImpactResult<double> result;
   result.steps = 1;
-  result.time = static_cast<S>(hit.time);
+  result.time = hit.time;
   result.status = hit.status == SweptStatus::Hit           ? ImpactStatus::Hit
                   : hit.status == SweptStatus::Overlapping ? ImpactStatus::Overlapping
                                                            : ImpactStatus::Separated;
   if (hit.status != SweptStatus::Hit) return result;
-  // Rounded towards the start: never late.
-  if (static_cast<double>(result.time) > hit.time) result.time = std::nextafter(result.time, S(0));
-  const Vec3<S> origin = of_mesh.start.position + result.time * of_mesh.displacement;
-  result.normal = hit.normal.template cast<S>();
-  result.on_a = origin + placed[0] + hit.point.template cast<S>();
+  const Vec3d origin = of_mesh.start.position + result.time * of_mesh.displacement;
+  result.normal = hit.normal;
+  result.on_a = origin + placed[0] + hit.point;
   result.on_b = result.on_a;
   return result;
 }
 
+/// In the scalar of the tree that is asked, rounded outwards.
+template <class S>
+Aabb<S> tree_box(const Aabb<double>& box) {
+  if constexpr (std::is_same_v<S, float>)
+    return outward_box(box);
+  else
+    return box;
+}
+
 /// Calls visit(triangle) for each triangle of `b` that may come near one of `a`, until it returns true.
 template <class S, class Visit>
-void visit_near(const Mesh<S>& a, const Sweep<S>& of_a, const Mesh<S>& b, const Sweep<S>& of_b,
-                S gap, const Visit& visit) {
-  const auto may_meet = [&](const MovingShape<S>& part) {
-    return a.tree.any_of(swept_box(part, of_a), [](int) { return true; });
+void visit_near(const Mesh<S>& a, const Sweep<double>& of_a, const Mesh<S>& b,
+                const Sweep<double>& of_b, double gap, const Visit& visit) {
+  const auto may_meet = [&](const MovingShape<double>& part) {
+    return a.tree.any_of(tree_box<S>(swept_box(part, of_a)), [](int) { return true; });
   };
   for (int i = 0; i < count_of(b.tree.nodes);) {
     const typename AabbTree<S>::Node& node = at(b.tree.nodes, i);
-    std::array<Vec3<S>, 8> corners;
+    std::array<Vec3d, 8> corners;
     for (int k = 0; k < 8; ++k)
       for (int axis = 0; axis < 3; ++axis)
         at(corners, k)[axis] = (k >> axis & 1) != 0 ? node.box.upper[axis] : node.box.lower[axis];
@@ -98,23 +105,22 @@ void visit_near(const Mesh<S>& a, const Sweep<S>& of_a, const Mesh<S>& b, const 
 }  // namespace
 
 template <class S>
-ShapeImpact<S> impact_with_mesh(const Mesh<S>& mesh, const Sweep<S>& of_mesh,
-                                const MovingShape<S>& shape, ImpactMethod method,
-                                ImpactLimits<S> allowed, ImpactRun<S>* run) {
-  ShapeImpact<S> found;
+ShapeImpact<double> impact_with_mesh(const Mesh<S>& mesh, const Sweep<double>& of_mesh,
+                                     const MovingShape<double>& shape, ImpactMethod method,
+                                     ImpactLimits<double> allowed, ImpactRun<double>* run) {
+  ShapeImpact<double> found;
   found.result.status = ImpactStatus::Separated;
   found.result.time = allowed.until;
   // A ball turns as it likes where its centre is the pivot.
-  const bool exact =
-      shape.core.count == 1 && shape.radius > S(0) && of_mesh.turn.isZero(S(0)) &&
-      (shape.motion.turn.isZero(S(0)) || shape.core.points[0] == shape.motion.pivot) &&
-      allowed.gap == S(0);
-  mesh.tree.any_of(swept_box(shape, of_mesh), [&](int triangle) {
-    const std::array<Vec3<S>, 3> corners = corners_of(mesh, triangle);
+  const bool exact = shape.core.count == 1 && shape.radius > 0 && of_mesh.turn.isZero(0) &&
+                     (shape.motion.turn.isZero(0) || shape.core.points[0] == shape.motion.pivot) &&
+                     allowed.gap == 0;
+  mesh.tree.any_of(tree_box<S>(swept_box(shape, of_mesh)), [&](int triangle) {
+    const std::array<Vec3d, 3> corners = corners_of(mesh, triangle);
     ++found.triangles;
-    const ImpactResult<S> one = exact ? ball_against(corners, of_mesh, shape)
-                                      : impact_by(method, moving_triangle(corners, of_mesh), shape,
-                                                  allowed, static_cast<ImpactRun<S>*>(nullptr));
+    const ImpactResult<double> one =
+        exact ? ball_against(corners, of_mesh, shape)
+              : impact_by(method, moving_triangle(corners, of_mesh), shape, allowed, nullptr);
     if (one.status == ImpactStatus::Separated ||
         (one.status == ImpactStatus::Overlapping && allowed.passes_overlaps))
       return false;
@@ -123,14 +129,14 @@ ShapeImpact<S> impact_with_mesh(const Mesh<S>& mesh, const Sweep<S>& of_mesh,
     if (first) {
       found.result = one;
       found.triangle = triangle;
-      allowed.until = std::max(one.time, std::numeric_limits<S>::min());
+      allowed.until = std::max(one.time, std::numeric_limits<double>::min());
     }
     return one.status == ImpactStatus::Overlapping;
   });
   if (run != nullptr) [[unlikely]] {
     run->result = found.result;
     if (found.triangle >= 0 && !exact) {
-      const std::array<Vec3<S>, 3> corners = corners_of(mesh, found.triangle);
+      const std::array<Vec3d, 3> corners = corners_of(mesh, found.triangle);
       allowed.until = 1;
       impact_by(method, moving_triangle(corners, of_mesh), shape, allowed, run);
     }
@@ -139,29 +145,30 @@ ShapeImpact<S> impact_with_mesh(const Mesh<S>& mesh, const Sweep<S>& of_mesh,
 }
 
 template <class S>
-ShapeImpact<S> impact_of_rigid_meshes(const Mesh<S>& a, const Sweep<S>& of_a, const Mesh<S>& b,
-                                      const Sweep<S>& of_b, ImpactMethod method,
-                                      ImpactLimits<S> allowed, ImpactRun<S>* run) {
-  ShapeImpact<S> found;
+ShapeImpact<double> impact_of_rigid_meshes(const Mesh<S>& a, const Sweep<double>& of_a,
+                                           const Mesh<S>& b, const Sweep<double>& of_b,
+                                           ImpactMethod method, ImpactLimits<double> allowed,
+                                           ImpactRun<double>* run) {
+  ShapeImpact<double> found;
   found.result.status = ImpactStatus::Separated;
   found.result.time = allowed.until;
   visit_near(a, of_a, b, of_b, allowed.gap, [&](int triangle) {
-    const std::array<Vec3<S>, 3> corners = corners_of(b, triangle);
-    const ShapeImpact<S> one = impact_with_mesh(a, of_a, moving_triangle(corners, of_b), method,
-                                                allowed, static_cast<ImpactRun<S>*>(nullptr));
+    const std::array<Vec3d, 3> corners = corners_of(b, triangle);
+    const ShapeImpact<double> one =
+        impact_with_mesh(a, of_a, moving_triangle(corners, of_b), method, allowed, nullptr);
     found.triangles += one.triangles;
     if (one.triangle < 0) return false;
     found.result = one.result;
     found.triangle = one.triangle;
     found.triangle_of_b = triangle;
-    allowed.until = std::max(one.result.time, std::numeric_limits<S>::min());
+    allowed.until = std::max(one.result.time, std::numeric_limits<double>::min());
     return one.result.status == ImpactStatus::Overlapping;
   });
   if (run != nullptr) [[unlikely]] {
     run->result = found.result;
     if (found.triangle >= 0) {
-      const std::array<Vec3<S>, 3> first = corners_of(a, found.triangle),
-                                   second = corners_of(b, found.triangle_of_b);
+      const std::array<Vec3d, 3> first = corners_of(a, found.triangle),
+                                 second = corners_of(b, found.triangle_of_b);
       allowed.until = 1;
       impact_by(method, moving_triangle(first, of_a), moving_triangle(second, of_b), allowed, run);
     }

@@ -8,6 +8,7 @@
 
 #include "broadphase/broad_phase.h"
 #include "continuous/motion_bounds.h"
+#include "continuous/rounded_down.h"
 #include "core/at.h"
 #include "dynamics/solver.h"
 #include "geometry/core_hull.h"
@@ -57,13 +58,6 @@ Sweep<S> sweep_of_step(const Body<S>& before, const Body<S>& after, S dt) {
   constexpr S kWholeTurn = S(6.283185307179586);
   sweep.turn = (angle + kWholeTurn * std::round((spin.dot(axis) - angle) / kWholeTurn)) * axis;
   return sweep;
-}
-
-/// Of a time that nothing is met before.
-template <class S>
-S rounded_down(double time) {
-  const S near = static_cast<S>(time);
-  return static_cast<double>(near) > time ? std::nextafter(near, S(0)) : near;
 }
 
 /// The next impact of two bodies, or where the search came to no end: up to there they are apart for
@@ -298,8 +292,6 @@ const Shape<double>& widened(const Shape<double>& shape) {
 
 /// The same numbers; of a field those of what it was made of.
 Shape<double> widened(const Shape<float>& shape) {
-  if (const auto* plane = std::get_if<HalfSpace<float>>(&shape))
-    return HalfSpace<double>{plane->plane.cast<double>()};
   if (const auto* field = std::get_if<Field<float>>(&shape)) return widened(field->source->shape);
   const auto* mesh = std::get_if<Mesh<float>>(&shape);
   if (mesh == nullptr) return in_double(shape);

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <cmath>
+
+namespace contactscope {
+
+/// A time >= 0 before which nothing is met, in another scalar.
+template <class S>
+S rounded_down(double time) {
+  const S near = static_cast<S>(time);
+  return static_cast<double>(near) > time ? std::nextafter(near, S(0)) : near;
+}
+
+}  // namespace contactscope
