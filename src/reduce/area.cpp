@@ -1,5 +1,6 @@
 #include "reduce/area_of_eight.h"
 #include "reduce/grow.h"
+#include "reduce/optimal_ring.h"
 
 namespace contactscope {
 namespace {
@@ -69,12 +70,38 @@ constexpr auto reduce_from_support = []<class S>(const Candidates<S>& points,
 /// `area` with the deepest point as the first, which is therefore always kept. Gregorius 2015,
 /// "Contact Point Reduction: 1st Point": with continuous collision "we want to start with the
 /// deepest point and guarantee it is in our reduced contact set". Of points on one line come back
-/// the deepest and the two extremes.
+/// the deepest and the two extremes. Deviation: of points that are equally deep but for rounding the
+/// steps are taken from each, and the largest area stays; among equal areas that of the frame before,
+/// then the one from the first point by its id.
 constexpr auto reduce_by_area_from_deepest = []<class S>(const Candidates<S>& points,
                                                          const ReduceOptions& options) {
-  if (options.choices != nullptr) [[unlikely]]
+  int first = points.deepest();
+  const S deep = points.separation(first) + points.depth_tie(options);
+  const auto is_deep = [&](int i) { return points.separation(i) <= deep; };
+  KeptIndices ties;
+  for (const int i : points.kept_before(options))
+    if (is_deep(i)) ties.push_back(i);
+  for (int i = -1; (i = points.next_by_id(i, is_deep)) >= 0;) steps::add_once(ties, i);
+  if (ties.size() > 1) {
+    const Patch<S> patch(points);
+    const bool by_length = options.max_points <= 2 || patch.is_flat;
+    const auto size_from = [&](int tie) {
+      const KeptIndices kept = grow_from<Added::Area>(points, at(ties, tie), OnALine::KeepFirst,
+                                                      {.max_points = options.max_points});
+      return measure(points, kept, by_length);
+    };
+    first =
+        at(ties, std::max(0, steps::highest(count_of(ties), size_from, S(-1), S(1), patch.tie)));
+    if (options.choices != nullptr && !by_length) [[unlikely]] {
+      std::vector<double> areas;
+      for (int i = 0; i < count_of(ties); ++i)
+        areas.push_back(0.5 * static_cast<double>(size_from(i)));
+      options.choices->equally_deep({ties.begin(), ties.end()}, areas);
+    }
+  }
+  if (options.choices != nullptr && options.choices->made.empty()) [[unlikely]]
     options.choices->deepest();
-  return grow_from<Added::Area>(points, points.deepest(), OnALine::KeepFirst, options);
+  return grow_from<Added::Area>(points, first, OnALine::KeepFirst, options);
 };
 
 }  // namespace

@@ -23,6 +23,13 @@ void Choices::deepest() {
   add("deepest", {}, trace::kNoEdge, [&](int q) { return -points.separation(q); });
 }
 
+void Choices::equally_deep(std::span<const int> ties, std::span<const double> areas) {
+  trace::Choice& choice = made.emplace_back();
+  choice.rule = "equally_deep";
+  for (std::size_t i = 0; i < ties.size(); ++i)
+    choice.measures.push_back({ties[i], trace::kNoEdge, areas[i]});
+}
+
 void Choices::farthest(int from) {
   add("farthest", {from}, trace::kNoEdge, [&](int q) { return (points[q] - points[from]).norm(); });
 }

@@ -22,6 +22,9 @@ class Choices {
   /// The farthest point along a unit direction.
   void support(const Vec3d& direction);
   void deepest();
+  /// Of equally deep points, `ties`, the one from which the steps keep the largest area; `areas` in square
+  /// metres.
+  void equally_deep(std::span<const int> ties, std::span<const double> areas);
   /// The farthest from a point.
   void farthest(int from);
   /// What makes the largest triangle with two points.

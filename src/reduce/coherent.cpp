@@ -20,33 +20,6 @@ constexpr double kCoherentDepthOfSeparation = 0.05;
 
 constexpr int kMostCoherentCorners = 8;
 
-/// The points that bear the ids of the frame before, in their order. Equal ids are told apart by
-/// their order among the points.
-template <class S>
-KeptIndices find_previous(ContactPoints<S> points, std::span<const FeatureId> previous) {
-  KeptIndices found;
-  for (const FeatureId& id : previous) {
-    for (int i = 0; i < count_of(points); ++i) {
-      if (at(points, i).id == id && !steps::contains(found, i)) {
-        found.push_back(i);
-        break;
-      }
-    }
-  }
-  return found;
-}
-
-/// Doubled area, or squared distance of the extremes: what a choice is measured by.
-template <class S>
-S measure(const Candidates<S>& points, const KeptIndices& kept, bool by_length) {
-  StaticVector<ContactPoint<S>, kMaxManifoldPoints> chosen;
-  for (const int i : kept) chosen.push_back(at(points.points, i));
-  const Patch<S> patch({{chosen.data(), chosen.size()}, points.normal});
-  if (!by_length) return patch.doubled_area;
-  const CornerRing<S> pair = farthest_pair(patch);
-  return (patch.corner(pair.corners.back()) - patch.corner(pair.corners[0])).squaredNorm();
-}
-
 /// The choice that others are measured against.
 template <class S>
 struct Reference {
@@ -66,13 +39,16 @@ struct Reference {
 };
 
 template <class S>
-Reference<S> find_reference(const Candidates<S>& points, Patch<S>& patch, int most) {
+Reference<S> find_reference(const Candidates<S>& points, Patch<S>& patch,
+                            const ReduceOptions& options) {
+  const int most = options.max_points;
+  const S tie = points.depth_tie(options);
   const int deepest = points.deepest();
   Reference<S> reference;
   reference.deepest = points.separation(deepest);
   reference.by_length = most <= 2 || patch.is_flat;
-  const CornerRing<S> largest = largest_ring(patch, std::max(most, 2));
-  reference.kept = points_of(patch, largest);
+  const CornerRing<S> largest = largest_ring(points, patch, std::max(most, 2));
+  reference.kept = points_of(patch, largest, tie);
   reference.size =
       reference.by_length ? measure(points, reference.kept, true) : largest.doubled_area;
   const S length = std::sqrt(reference.by_length ? reference.size : S(0.5) * reference.size);
@@ -80,12 +56,12 @@ Reference<S> find_reference(const Candidates<S>& points, Patch<S>& patch, int mo
                              S(kCoherentDepthOfSeparation) * std::abs(reference.deepest));
   if (most >= 2 && reference.admits(S(0.5), points, reference.kept)) return reference;
 
-  reference.size = S(-1);
+  reference.kept.clear();
   const auto improve_with = [&](int i) {
     KeptIndices kept;
-    const ChoiceWith<S> choice = largest_with(points, patch, i, most, kept);
+    const ChoiceWith<S> choice = largest_with(points, patch, i, most, tie, kept);
     const S size = reference.by_length ? measure(points, kept, true) : choice.doubled_area;
-    if (size <= reference.size) return;
+    if (!reference.kept.empty() && size <= reference.size + patch.tie) return;
     reference.size = size;
     reference.kept = kept;
     reference.beside = choice.is_in_ring ? -1 : i;
@@ -252,9 +228,9 @@ KeptIndices most_coherent(const Candidates<S>& points, const Patch<S>& patch,
 constexpr auto reduce_coherently = []<class S>(const Candidates<S>& points,
                                                const ReduceOptions& options) {
   const int most = options.max_points;
-  const KeptIndices old = find_previous(points.points, options.previous);
+  const KeptIndices old = points.kept_before(options);
   Patch<S> patch(points);
-  const Reference<S> reference = find_reference(points, patch, most);
+  const Reference<S> reference = find_reference(points, patch, options);
 
   const bool all_there =
       !old.empty() && old.size() == options.previous.size() && count_of(old) <= most;

@@ -15,7 +15,7 @@ template <class S>
 using Chains = Scratch<S, 5 * 64>;
 
 /// The best ring that begins at corner `first` and uses no corner after `last`, which may be in the
-/// second round. Replaces `best` when it is larger. `most` >= 2.
+/// second round. Replaces `best` when it is larger by more than rounding. `most` >= 2.
 template <class S>
 void improve_from(const Patch<S>& patch, const Vec2<S>& centre, int first, int last, int most,
                   Chains<S>& chains, CornerRing<S>& best) {
@@ -34,33 +34,28 @@ void improve_from(const Patch<S>& patch, const Vec2<S>& centre, int first, int l
     }
   }
 
-  S largest = best.doubled_area;
-  int used = 0;
-  int end = -1;
+  S largest = kNone;
   for (int j = 1; j < columns; ++j) {
     const S closing = seen(patch, centre, first + j, first);
-    for (int r = 1; r < most; ++r) {
-      if (row(r)[j] + closing > largest) {
-        largest = row(r)[j] + closing;
-        used = r;
-        end = j;
-      }
-    }
+    for (int r = 1; r < most; ++r) largest = std::max(largest, row(r)[j] + closing);
   }
-  if (end < 0) return;
+  const S before = best.corners.empty() ? S(0) : best.doubled_area + patch.tie;
+  if (!(largest > before)) return;
   best.doubled_area = largest;
   best.corners.clear();
+  // Of equals always the first: rounding would choose another one each time.
+  int used = 0;
+  int end = 0;
+  while (used == 0) {
+    const S closing = seen(patch, centre, first + ++end, first);
+    for (int r = 1; r < most && used == 0; ++r)
+      if (row(r)[end] + closing >= largest - patch.tie) used = r;
+  }
   best.corners.push_back((first + end) % patch.count);
   for (; used > 0; --used) {
+    const S along = row(used)[end] - patch.tie;
     int from = 0;
-    S along = kNone;
-    for (int i = 0; i < end; ++i) {
-      const S area_along = row(used - 1)[i] + seen(patch, centre, first + i, first + end);
-      if (area_along > along) {
-        along = area_along;
-        from = i;
-      }
-    }
+    while (!(row(used - 1)[from] + seen(patch, centre, first + from, first + end) >= along)) ++from;
     end = from;
     best.corners.push_back((first + end) % patch.count);
   }
@@ -86,7 +81,6 @@ CornerRing<S> every_corner(const Patch<S>& patch) {
 template <class S>
 CornerRing<S> best_ring(const Patch<S>& patch, int most, const Vec2<S>* inner = nullptr) {
   if (patch.count <= most) return every_corner(patch);
-  if (most == 4 && inner == nullptr) return best_quadrilateral(patch);
   CornerRing<S> best;
   Chains<S> chains(most * patch.count);
   for (int first = 0; first < patch.count; ++first) {
@@ -119,21 +113,26 @@ void append(KeptIndices& kept, const Patch<S>& patch, const CornerRing<S>& ring,
   }
 }
 
-/// Place of the deepest in a ring, the earliest point of equals.
+/// Place of the deepest in a ring, the earliest point of those whose separations differ by no more than
+/// `depth_tie`.
 template <class S>
-int deepest_of(const Patch<S>& patch, const CornerRing<S>& ring) {
-  const auto is_deeper = [&](int one, int other) {
-    const S depth = patch.separation[one], most = patch.separation[other];
-    return depth < most || (depth == most && patch.point[one] < patch.point[other]);
-  };
-  const auto& corners = ring.corners;
-  return static_cast<int>(std::ranges::min_element(corners, is_deeper) - corners.begin());
+int deepest_of(const Patch<S>& patch, const CornerRing<S>& ring, S depth_tie) {
+  S least = std::numeric_limits<S>::infinity();
+  for (const int corner : ring.corners) least = std::min(least, patch.separation[corner]);
+  int best = -1;
+  for (int i = 0; i < count_of(ring.corners); ++i) {
+    const int corner = at(ring.corners, i);
+    if (patch.separation[corner] <= least + depth_tie &&
+        (best < 0 || patch.point[corner] < patch.point[at(ring.corners, best)]))
+      best = i;
+  }
+  return std::max(best, 0);
 }
 
 /// The points of a ring of four, in order from the deepest, as by append() and deepest_of(), but
 /// without a branch that nothing could foresee.
 template <class S>
-KeptIndices kept_four(const Patch<S>& patch, const CornerRing<S>& ring) {
+KeptIndices kept_four(const Patch<S>& patch, const CornerRing<S>& ring, S depth_tie) {
   using lanes::Pack;
   constexpr int kLanes = lanes::kWidth<S>;
   const auto point_at = [&](int place) { return patch.point[at(ring.corners, place)]; };
@@ -148,10 +147,10 @@ KeptIndices kept_four(const Patch<S>& patch, const CornerRing<S>& ring) {
   deepest = lanes::smallest<S>(deepest);
   std::uint32_t equal = 0;
   for (int i = 0; i < 4; i += kLanes) {
-    equal |= lanes::bits<S>(depths[i / kLanes] == deepest) << i;
+    equal |= lanes::bits<S>(depths[i / kLanes] <= deepest + depth_tie) << i;
   }
   int begin = std::countr_zero(equal);
-  if ((equal & (equal - 1)) != 0) begin = deepest_of(patch, ring);
+  if ((equal & (equal - 1)) != 0) begin = deepest_of(patch, ring, depth_tie);
 
   const int step = 1 - 2 * static_cast<int>(patch.is_mirrored());
   KeptIndices kept;
@@ -176,7 +175,7 @@ CornerRing<S> ring_beside(const Patch<S>& patch, const Vec2<S>& place, int most)
   };
   if (most == 2) {
     const auto apart = [&](int i) { return (place - patch.corner(i)).squaredNorm(); };
-    add(std::max(0, steps::highest(patch.count, apart, S(0))));
+    add(std::max(0, steps::highest(patch.count, apart, S(0), S(1), patch.tie)));
   } else if (most > 2) {
     for (const int corner : farthest_pair(patch).corners) add(corner);
   }
@@ -188,7 +187,8 @@ CornerRing<S> ring_beside(const Patch<S>& patch, const Vec2<S>& place, int most)
 template <class S>
 CornerRing<S> farthest_pair(const Patch<S>& patch) {
   const auto [first, second] = steps::farthest_two<S>(
-      patch.count, [&](int i, int j) { return (patch.corner(j) - patch.corner(i)).squaredNorm(); });
+      patch.count, [&](int i, int j) { return (patch.corner(j) - patch.corner(i)).squaredNorm(); },
+      patch.tie);
   CornerRing<S> ring;
   ring.corners.push_back(first);
   if (!patch.coincide(patch.corner(first), patch.corner(second))) ring.corners.push_back(second);
@@ -196,27 +196,63 @@ CornerRing<S> farthest_pair(const Patch<S>& patch) {
 }
 
 template <class S>
-CornerRing<S> largest_ring(const Patch<S>& patch, int most) {
-  return most == 2 || patch.is_flat ? farthest_pair(patch) : best_ring(patch, most);
+CornerRing<S> largest_ring(const Candidates<S>& points, const Patch<S>& patch, int most) {
+  if (most == 2 || patch.is_flat) return farthest_pair(patch);
+  if (patch.count <= most) return every_corner(patch);
+  const S largest =
+      most == 4 ? area_of_best_quadrilateral(patch) : best_ring(patch, most).doubled_area;
+  const auto id = [&](int corner) { return points.id(patch.point[corner]); };
+  const auto any = [](int) { return true; };
+  CornerRing<S> ring;
+  for (int corner = -1; (corner = steps::next_by_id(patch.count, id, corner, any)) >= 0;) {
+    ring = best_ring_through(patch, corner, most);
+    if (ring.doubled_area >= largest - patch.tie) return ring;
+  }
+  return ring;  // no area is a number where S overflows
 }
 
 template <class S>
-KeptIndices points_of(const Patch<S>& patch, const CornerRing<S>& ring) {
-  if (ring.corners.size() == 4) return kept_four(patch, ring);
+KeptIndices points_of(const Patch<S>& patch, const CornerRing<S>& ring, S depth_tie) {
+  if (ring.corners.size() == 4) return kept_four(patch, ring, depth_tie);
   KeptIndices kept;
-  append(kept, patch, ring, deepest_of(patch, ring));
+  append(kept, patch, ring, deepest_of(patch, ring, depth_tie));
   return kept;
 }
 
 template <class S>
+S measure(const Candidates<S>& points, const KeptIndices& kept, bool by_length) {
+  StaticVector<ContactPoint<S>, kMaxManifoldPoints> chosen;
+  for (const int i : kept) chosen.push_back(at(points.points, i));
+  const Patch<S> patch({{chosen.data(), chosen.size()}, points.normal});
+  if (!by_length) return patch.doubled_area;
+  const CornerRing<S> pair = farthest_pair(patch);
+  return (patch.corner(pair.corners.back()) - patch.corner(pair.corners[0])).squaredNorm();
+}
+
+template <class S>
+KeptIndices as_before_if_equal(const Candidates<S>& points, const Patch<S>& patch,
+                               const KeptIndices& kept, S deep, const ReduceOptions& options) {
+  if (options.previous.empty()) return kept;
+  const KeptIndices old = points.kept_before(options);
+  const bool by_length = options.max_points == 2 || patch.is_flat;
+  const auto is_deep = [&](int i) { return points.separation(i) <= deep; };
+  const bool may_stay =
+      old.size() == options.previous.size() && count_of(old) <= options.max_points &&
+      !std::ranges::is_permutation(old, kept) && std::ranges::any_of(old, is_deep);
+  if (!may_stay) return kept;
+  const S least = measure(points, kept, by_length) - patch.tie;
+  return measure(points, old, by_length) >= least ? old : kept;
+}
+
+template <class S>
 ChoiceWith<S> largest_with(const Candidates<S>& points, Patch<S>& patch, int point, int most,
-                           KeptIndices& kept) {
+                           S depth_tie, KeptIndices& kept) {
   const Vec2<S> place = patch.project(points[point]);
   const int corner = most > 2 && !patch.is_flat ? corner_at(patch, place) : -1;
   if (corner < 0) {
     const CornerRing<S> ring = ring_beside(patch, place, most);
     kept.push_back(point);
-    append(kept, patch, ring, deepest_of(patch, ring));
+    append(kept, patch, ring, deepest_of(patch, ring, depth_tie));
     return {ring.doubled_area, false};
   }
   patch.point[corner] = point;
@@ -231,12 +267,13 @@ ChoiceWith<S> largest_with(const Candidates<S>& points, Patch<S>& patch, int poi
 namespace {
 
 /// The max_points points whose convex hull, seen along the normal, has the largest area of all such
-/// choices: exact but for rounding, at O(n^2) for four points. Of two choices whose areas differ by
-/// less than the rounding of S (in float some 1e-7 of the area) the smaller may be taken. For two
-/// points the farthest pair, for one a support point in a fixed direction, which rolls over with
-/// the smallest change of the patch least. Points that would add no area are left out: all corners
-/// of the hull if there are no more than max_points, the two extremes of points on one line, one of
-/// coincident ones.
+/// choices: exact but for rounding, at O(n^2) for four points. Of choices whose areas differ by
+/// less than the rounding of S (in float some 1e-6 of the area) that of the frame before stays; without
+/// one it is the first by the ids of its points (largest_ring()), so that noise which moves no area by
+/// more changes nothing. For two points the farthest pair, for one a support point in a fixed direction,
+/// which rolls over with the smallest change of the patch least. Points that would add no area are left
+/// out: all corners of the hull if there are no more than max_points, the two extremes of points on one
+/// line, one of coincident ones.
 ///
 /// Counter-clockwise seen against the normal, beginning with the deepest of those kept (the
 /// earliest of equally deep ones). Separations are not looked at otherwise.
@@ -253,27 +290,51 @@ constexpr auto reduce_to_optimal = []<class S>(const Candidates<S>& points,
     return kept;
   }
   const Patch<S> patch(points);
-  return points_of(patch, largest_ring(patch, options.max_points));
+  const CornerRing<S> ring = largest_ring(points, patch, options.max_points);
+  return as_before_if_equal(points, patch, points_of(patch, ring, points.depth_tie(options)),
+                            std::numeric_limits<S>::infinity(), options);
 };
 
 /// Of the choices of at most max_points points that contain the deepest point, the one whose convex
-/// hull, seen along the normal, has the largest area: exact but for rounding. The deepest is the
-/// one of least separation, the earliest of equals; it may be inside of the hull, also of the kept
-/// ones. For two points the deepest and the one farthest from it; of points on one line the two
-/// extremes and the deepest, if it is neither.
+/// hull, seen along the normal, has the largest area: exact but for rounding. Points whose separations
+/// differ by rounding alone are equally deep (Candidates::depth_tie()), and any of them will do: of a
+/// level patch it is the choice of reduce_to_optimal. Ties in area are broken as there. The deepest
+/// may be inside of the hull, also of the kept ones. For two points the deepest and the one farthest
+/// from it; of points on one line the two extremes and the deepest, if it is neither.
 ///
-/// The deepest comes first. When it is a corner of the patch the others follow counter-clockwise
-/// seen against the normal; when it is not they go round counter-clockwise from the next deepest.
+/// The deepest comes first, the earliest of equals. When it is a corner of the patch the others follow
+/// counter-clockwise seen against the normal; when it is not they go round counter-clockwise from the
+/// next deepest.
 ///
 /// As reduce_to_optimal(), with one point given: Gregorius 2015 begins with the deepest, too, and
-/// then takes the farthest; here the others are chosen at once (largest_with()).
+/// then takes the farthest; here the others are chosen at once (largest_with()). Several deepest points
+/// are each tried where the largest ring has none of them.
 constexpr auto reduce_to_optimal_deepest = []<class S>(const Candidates<S>& points,
                                                        const ReduceOptions& options) {
-  const int deepest = points.deepest();
+  const int deepest = points.deepest(), most = options.max_points;
+  const S tie = points.depth_tie(options), deep = points.separation(deepest) + tie;
+  const auto is_deep = [&](int i) { return points.separation(i) <= deep; };
   Patch<S> patch(points);
   KeptIndices kept;
-  largest_with(points, patch, deepest, options.max_points, kept);
-  return kept;
+  int ties = 0;
+  for (int i = 0; i < points.count(); ++i) ties += is_deep(i) ? 1 : 0;
+  if (ties == 1) {
+    largest_with(points, patch, deepest, most, tie, kept);
+  } else {
+    if (most > 1) kept = points_of(patch, largest_ring(points, patch, most), tie);
+    if (kept.empty() || !is_deep(kept[0])) {
+      kept.clear();
+      S largest = S(0);
+      for (int i = -1; (i = points.next_by_id(i, is_deep)) >= 0;) {
+        KeptIndices with;
+        const S area = largest_with(points, patch, i, most, tie, with).doubled_area;
+        if (!kept.empty() && !(area > largest + patch.tie)) continue;
+        largest = area;
+        kept = with;
+      }
+    }
+  }
+  return as_before_if_equal(points, patch, kept, deep, options);
 };
 
 }  // namespace
@@ -289,6 +350,10 @@ template decltype(farthest_pair<float>) farthest_pair<float>;
 template decltype(farthest_pair<double>) farthest_pair<double>;
 template decltype(largest_ring<float>) largest_ring<float>;
 template decltype(largest_ring<double>) largest_ring<double>;
+template decltype(measure<float>) measure<float>;
+template decltype(measure<double>) measure<double>;
+template decltype(as_before_if_equal<float>) as_before_if_equal<float>;
+template decltype(as_before_if_equal<double>) as_before_if_equal<double>;
 template decltype(points_of<float>) points_of<float>;
 template decltype(points_of<double>) points_of<double>;
 template decltype(largest_with<float>) largest_with<float>;

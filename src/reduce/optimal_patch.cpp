@@ -211,7 +211,8 @@ bool Patch<S>::measure() {
   const S coordinate =
       std::max(std::max(std::abs(origin_.x()), std::abs(origin_.y())), std::abs(origin_.z()));
   rounding_ = S(8) * std::numeric_limits<S>::epsilon() * (coordinate + length);
-  is_flat = !(doubled_area > rounding_ * length);
+  tie = rounding_ * length;
+  is_flat = !(doubled_area > tie);
   return lanes::smallest<S>(least_turn)[0] > S(0) && rounds == 1;
 }
 

@@ -61,6 +61,7 @@ class Patch {
   int count;             // of the corners
   bool is_flat = false;  // all points are on a line, or coincide: the area is nothing but rounding
   S doubled_area;        // of the whole hull
+  S tie;                 // doubled areas, and squared lengths, that differ by no more may be equal
   // Not initialised: only two rounds and the lanes after them are used.
   int point[kMaxManifoldPoints];     // the contact point at each corner
   S separation[kMaxManifoldPoints];  // of that point

@@ -13,67 +13,66 @@ using widest::each;
 using widest::load;
 using widest::Pack;
 
-/// The last of the first `count` stored numbers that equals one of them, which stands in all lanes.
-template <class S>
-int last_equal(const S* values, int count, const Pack<S>& wanted) {
-  int last = 0;
-  for (int base = 0; base < count; base += 32) {
-    std::uint32_t equal = 0;
-    const int end = std::min(count - base, 32);
-    for (int i = 0; i < end; i += Patch<S>::kLanes) {
-      equal |= lanes::bits<S>(load(values + base + i) == wanted) << i;
+/// The first corner for which holds(packs of `values`) after one of them, going round counter-clockwise seen
+/// against the normal: at the latest that one itself. Where rounding could choose between several it is
+/// always the same one, whatever the order of the points.
+template <class S, class Holds>
+int next_round(const Patch<S>& patch, const S* values, int after, const Holds& holds) {
+  const int count = patch.count;
+  const auto below = [count](int i) { return i < count ? i : i - count; };
+  constexpr int kHalf = 16;  // corners, of which two rounds fit into a word
+  if (count <= kHalf) {
+    std::uint32_t bits = 0;
+    for (int i = 0; i < count; i += Patch<S>::kLanes)
+      bits |= lanes::bits<S>(holds(load(values + i))) << i;
+    bits &= (1U << count) - 1;
+    bits |= bits << count;
+    if (patch.is_mirrored()) {
+      bits = (bits & ((1U << (after + count)) - 1)) | 1U << after;
+      return below(31 - std::countl_zero(bits));
     }
-    equal &= ~std::uint32_t{0} >> (32 - end);
-    if (equal != 0) last = base + 31 - std::countl_zero(equal);
+    return below(after + 1 + std::countr_zero(bits >> (after + 1) | 1U << (count - 1)));
   }
-  return last;
+  const int step = patch.is_mirrored() ? count - 1 : 1;
+  for (int i = below(after + step); i != after; i = below(i + step)) {
+    const int first = i / Patch<S>::kLanes * Patch<S>::kLanes;
+    if ((lanes::bits<S>(holds(load(values + first))) >> (i - first) & 1U) != 0) return i;
+  }
+  return after;
 }
 
-constexpr int kSmall = 16;  // corners: ring_across() keeps what it found in as many bits
-
-/// The diagonal between two corners and the farthest corners on both sides of it. `kMost` corners
-/// at most.
-template <int kMost, class S>
+/// The diagonal between two corners and the farthest corners on both sides of it, of equals the first
+/// round from `from`.
+template <class S>
 CornerRing<S> ring_across(const Patch<S>& patch, int from, int to, S doubled_area) {
   constexpr int kLanes = Patch<S>::kLanes;
   const int count = patch.count;
-  const int end = kMost <= kSmall ? kMost : count;  // a patch goes round twice at least
   const S dx = patch.xs[to] - patch.xs[from];
   const S dy = patch.ys[to] - patch.ys[from];
-  S across[kMost];
-  Pack<S> most = dx * load(patch.ys) - dy * load(patch.xs);
+  S across[kMaxManifoldPoints];
+  Pack<S> most = dx * load(patch.ys) - dy * load(patch.xs);  // the patch goes round twice at least
   Pack<S> least = most;
   store<S>(most, across);
-  for (int i = kLanes; i < end; i += kLanes) {
+  for (int i = kLanes; i < count; i += kLanes) {
     const Pack<S> here = dx * load(patch.ys + i) - dy * load(patch.xs + i);
     store<S>(here, across + i);
     most = lanes::larger(most, here);
     least = lanes::smaller(least, here);
   }
-  most = lanes::largest<S>(most);
-  least = lanes::smallest<S>(least);
-  int left;
-  int right;
-  if constexpr (kMost <= kSmall) {
-    std::uint32_t is_left = 0;
-    std::uint32_t is_right = 0;
-    for (int i = 0; i < kMost; i += kLanes) {
-      is_left |= lanes::bits<S>(load(across + i) == most) << i;
-      is_right |= lanes::bits<S>(load(across + i) == least) << i;
-    }
-    const std::uint32_t corners = (1U << count) - 1;
-    left = 31 - std::countl_zero((is_left & corners) | 1);
-    right = 31 - std::countl_zero((is_right & corners) | 1);
-  } else {
-    left = last_equal(across, count, most);
-    right = last_equal(across, count, least);
-  }
+  most = lanes::largest<S>(most) - patch.tie;
+  least = lanes::smallest<S>(least) + patch.tie;
+  // The right side is passed between the first corner and the second, the left one on the way back.
+  const bool back = patch.is_mirrored();
+  const int right =
+      next_round(patch, across, back ? to : from, [&](const Pack<S>& c) { return c <= least; });
+  const int left =
+      next_round(patch, across, back ? from : to, [&](const Pack<S>& c) { return c >= most; });
   CornerRing<S> ring;
   ring.doubled_area = doubled_area;
   ring.corners.push_back(from);
   // On a side where all is straight but for rounding an end may come out farthest.
   if (right != from && right != to) ring.corners.push_back(right);
-  ring.corners.push_back(to);
+  if (to != from) ring.corners.push_back(to);  // no area is a number where S overflows
   if (left != from && left != to) ring.corners.push_back(left);
   return ring;
 }
@@ -81,10 +80,9 @@ CornerRing<S> ring_across(const Patch<S>& patch, int from, int to, S doubled_are
 constexpr int kEight = 8;
 
 /// Diagonals from every corner i of eight to i + kSteps, a lane each: the area of the farthest
-/// corners on both sides. Stores `kCount` of them.
-template <int kSteps, int kCount, class S>
-inline void areas_of_eight(const Pack<S> (&x)[kEight], const Pack<S> (&y)[kEight], S* areas,
-                           Pack<S>& most) {
+/// corners on both sides, of `kCount` of them.
+template <class S, int kSteps, int kCount>
+inline void areas_of_eight(const Pack<S> (&x)[kEight], const Pack<S> (&y)[kEight], Pack<S>& most) {
   for (int i = 0; i < kCount; i += Patch<S>::kLanes) {
     const auto at = [i](int m) { return (i + m) % kEight; };
     const Pack<S> dx = x[at(kSteps)] - x[i];
@@ -94,23 +92,20 @@ inline void areas_of_eight(const Pack<S> (&x)[kEight], const Pack<S> (&y)[kEight
     for (int m = 2; m < kSteps; ++m) right = lanes::smaller(right, across(m));
     Pack<S> left = across(kSteps + 1);
     for (int m = kSteps + 2; m < kEight; ++m) left = lanes::larger(left, across(m));
-    store<S>(left - right, areas + i);
     most = lanes::larger(most, left - right);
   }
 }
 
 /// The area of corners i to i + 3 for every corner i of eight, a lane each: cross product of their
-/// diagonals. Stores eight of them.
+/// diagonals.
 template <class S>
-inline void areas_of_neighbours(const Pack<S> (&x)[kEight], const Pack<S> (&y)[kEight], S* areas,
+inline void areas_of_neighbours(const Pack<S> (&x)[kEight], const Pack<S> (&y)[kEight],
                                 Pack<S>& most) {
   for (int i = 0; i < kEight; i += Patch<S>::kLanes) {
     const auto at = [i](int m) { return (i + m) % kEight; };
     const Pack<S> dx = x[at(2)] - x[i];
     const Pack<S> dy = y[at(2)] - y[i];
-    const Pack<S> area = dx * (y[at(3)] - y[at(1)]) - dy * (x[at(3)] - x[at(1)]);
-    store<S>(area, areas + i);
-    most = lanes::larger(most, area);
+    most = lanes::larger(most, dx * (y[at(3)] - y[at(1)]) - dy * (x[at(3)] - x[at(1)]));
   }
 }
 
@@ -121,7 +116,7 @@ inline void areas_of_neighbours(const Pack<S> (&x)[kEight], const Pack<S> (&y)[k
 /// way of two, three or four steps from an end of a diagonal does not cross the seam or crosses it
 /// where it only stays at a corner.
 template <class S, int... kFirst>
-CornerRing<S> best_of_eight(const Patch<S>& patch, std::integer_sequence<int, kFirst...>) {
+S best_of_eight(const Patch<S>& patch, std::integer_sequence<int, kFirst...>) {
   constexpr int kLanes = Patch<S>::kLanes;
   const auto starting = [](const S* values, auto first) {
     constexpr int kPack = first / kLanes;
@@ -130,32 +125,17 @@ CornerRing<S> best_of_eight(const Patch<S>& patch, std::integer_sequence<int, kF
   };
   const Pack<S> x[] = {starting(patch.xs, std::integral_constant<int, kFirst>{})...};
   const Pack<S> y[] = {starting(patch.ys, std::integral_constant<int, kFirst>{})...};
-  // Of the longest diagonals half are enough; where a pack holds all eight, they come twice.
-  constexpr int kAreas = std::max(kEight / 2 * 5, 2 * kEight + kLanes);
-  S areas[kAreas];
   Pack<S> most = {};
-  areas_of_neighbours(x, y, areas, most);
-  areas_of_eight<3, kEight>(x, y, areas + kEight, most);
-  areas_of_eight<4, kEight / 2>(x, y, areas + 2 * kEight, most);
-  most = lanes::largest<S>(most);
-  std::uint32_t equal = 0;
-  for (int i = 0; i < kAreas; i += kLanes) {
-    equal |= lanes::bits<S>(load(areas + i) == most) << i;
-  }
-  equal |= 1U << (kAreas - 1);  // when areas are too large for S
-  const int best = std::countr_zero(equal);
-  const auto corner = [&](int i) {
-    i %= kEight;
-    return i - (patch.count & -static_cast<int>(i >= patch.count));
-  };
-  return ring_across<kEight>(patch, corner(best), corner(best + 2 + best / kEight), most[0]);
+  areas_of_neighbours<S>(x, y, most);
+  areas_of_eight<S, 3, kEight>(x, y, most);
+  areas_of_eight<S, 4, kEight / 2>(x, y, most);  // of the longest diagonals half are enough
+  return lanes::largest<S>(most)[0];
 }
 
-/// Steps of best_quadrilateral() for `kPacks` packs of edges from edge i on. The corner of a
+/// Steps of area_of_best_quadrilateral() for `kPacks` packs of edges from edge i on. The corner of a
 /// comparison with all is read once for all packs.
-template <int kPacks, class S>
-inline void roll(const Patch<S>& patch, const S* edge_x, const S* edge_y, int i, int* ends,
-                 S* areas, Pack<S>& most) {
+template <class S, int kPacks>
+inline void roll(const Patch<S>& patch, const S* edge_x, const S* edge_y, int i, Pack<S>& most) {
   constexpr int kLanes = Patch<S>::kLanes;
   const int count = patch.count;
   Pack<S> x[kPacks];
@@ -173,12 +153,9 @@ inline void roll(const Patch<S>& patch, const S* edge_x, const S* edge_y, int i,
   }
   for (int p = 0; p < kPacks; ++p) {
     const int first = i + p * kLanes;
-    int* const end = ends + first;
-    for (int lane = 0; lane < kLanes; ++lane) {
-      end[lane] = first + lane + static_cast<int>(ahead[p][lane]);
-    }
-    x[p] = each<S>([&](int lane) { return patch.xs[end[lane]]; }) - load(patch.xs + first + 1);
-    y[p] = each<S>([&](int lane) { return patch.ys[end[lane]]; }) - load(patch.ys + first + 1);
+    const auto end = [&](int lane) { return first + lane + static_cast<int>(ahead[p][lane]); };
+    x[p] = each<S>([&](int lane) { return patch.xs[end(lane)]; }) - load(patch.xs + first + 1);
+    y[p] = each<S>([&](int lane) { return patch.ys[end(lane)]; }) - load(patch.ys + first + 1);
   }
   Pack<S> left[kPacks];
   Pack<S> right[kPacks];
@@ -195,15 +172,12 @@ inline void roll(const Patch<S>& patch, const S* edge_x, const S* edge_y, int i,
       right[p] = lanes::smaller(right[p], across);
     }
   }
-  for (int p = 0; p < kPacks; ++p) {
-    store<S>(left[p] - right[p], areas + i + p * kLanes);
-    most = lanes::larger(most, left[p] - right[p]);
-  }
+  for (int p = 0; p < kPacks; ++p) most = lanes::larger(most, left[p] - right[p]);
 }
 
 }  // namespace
 
-/// The largest quadrilateral a b c d: a and c are the farthest corners on both sides of the diagonal
+/// Of the largest quadrilateral a b c d: a and c are the farthest corners on both sides of the diagonal
 /// b d, or it were not the largest, so they are an antipodal pair (two parallel lines through them
 /// have all corners between them); and so are b and d. A line that rolls round a convex polygon of
 /// n corners meets n such pairs (Shamos 1978, "Computational Geometry"), so only n diagonals are
@@ -217,11 +191,11 @@ inline void roll(const Patch<S>& patch, const S* edge_x, const S* edge_y, int i,
 ///
 /// Steps: for each edge, count the edges ahead that do not lead back to it, up to the farthest
 /// corner; take the farthest corners on both sides of the diagonal from there to the end of the
-/// edge; find those of the best diagonal again. Rotating calipers need O(n) steps for the pairs,
+/// edge. Rotating calipers need O(n) steps for the pairs,
 /// but each waits for the one before: O(n^2) steps side by side and without a branch are faster for
 /// the sizes of manifolds.
 template <class S>
-CornerRing<S> best_quadrilateral(const Patch<S>& patch) {
+S area_of_best_quadrilateral(const Patch<S>& patch) {
   constexpr int kLanes = Patch<S>::kLanes;
   const int count = patch.count;
   if (count <= kEight) return best_of_eight(patch, std::make_integer_sequence<int, kEight>{});
@@ -237,25 +211,15 @@ CornerRing<S> best_quadrilateral(const Patch<S>& patch) {
     x = after_x;
     y = after_y;
   }
-  int ends[kMaxManifoldPoints];
-  S areas[kMaxManifoldPoints];
   Pack<S> most = {};
   int i = 0;
-  for (; i + kLanes < count; i += 2 * kLanes) {
-    roll<2>(patch, edge_x, edge_y, i, ends, areas, most);
-  }
-  if (i < count) roll<1>(patch, edge_x, edge_y, i, ends, areas, most);
-  most = lanes::largest<S>(most);
-  const int best = last_equal(areas, count, most);
-  const auto corner = [&](int at) { return at < count ? at : at - count; };
-  const int from = corner(best + 1);
-  const int to = corner(ends[best]);
-  if (count <= kSmall) return ring_across<kSmall>(patch, from, to, most[0]);
-  return ring_across<kMaxManifoldPoints>(patch, from, to, most[0]);
+  for (; i + kLanes < count; i += 2 * kLanes) roll<S, 2>(patch, edge_x, edge_y, i, most);
+  if (i < count) roll<S, 1>(patch, edge_x, edge_y, i, most);
+  return lanes::largest<S>(most)[0];
 }
 
 /// Only the diagonals that begin at the one corner, which a quadrilateral with it has at an end of a
-/// diagonal. Their two sides are not told apart: beyond the
+/// diagonal; of equals the first going round from there. Their two sides are not told apart: beyond the
 /// ends of a diagonal of a convex polygon there is nothing farther to the right or to the left.
 template <class S>
 CornerRing<S> best_quadrilateral_through(const Patch<S>& patch, int through) {
@@ -278,11 +242,14 @@ CornerRing<S> best_quadrilateral_through(const Patch<S>& patch, int through) {
     most = lanes::larger(most, left - right);
   }
   most = lanes::largest<S>(most);
-  return ring_across<kMaxManifoldPoints>(patch, through, last_equal(areas, count, most), most[0]);
+  const Pack<S> enough = most - patch.tie;
+  const int to =
+      next_round(patch, areas, through, [&](const Pack<S>& area) { return area >= enough; });
+  return ring_across(patch, through, to, most[0]);
 }
 
-template decltype(best_quadrilateral<float>) best_quadrilateral<float>;
-template decltype(best_quadrilateral<double>) best_quadrilateral<double>;
+template decltype(area_of_best_quadrilateral<float>) area_of_best_quadrilateral<float>;
+template decltype(area_of_best_quadrilateral<double>) area_of_best_quadrilateral<double>;
 template decltype(best_quadrilateral_through<float>) best_quadrilateral_through<float>;
 template decltype(best_quadrilateral_through<double>) best_quadrilateral_through<double>;
 

@@ -24,7 +24,10 @@ struct ReduceOptions {
   int max_points = 4;                     // >= 1
   std::uint64_t seed = 1;                 // of a random choice
   std::span<const FeatureId> previous{};  // ids that were kept in the frame before
-  Choices* choices = nullptr;             // record of each choice; null when nobody watches
+  /// Metres: no coordinate from which the separations were computed is larger; HullPair::scale. Separations
+  /// that differ by its rounding are ties. 0: not known, then no larger than the points show.
+  double scale = 0;
+  Choices* choices = nullptr;  // record of each choice; null when nobody watches
 };
 
 /// A manifold reducer. The points share a plane with unit `normal`, are finite, and more than

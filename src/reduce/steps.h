@@ -13,15 +13,15 @@ namespace contactscope {
 namespace steps {
 
 /// Which of `count` has the highest score above `more_than`, -1 when none has; among equals the
-/// earliest. A later one must win by the factor 1 / `handicap`.
+/// earliest. A later one must win by the factor 1 / `handicap`, and by more than `tie`.
 template <class Score, class S = std::invoke_result_t<Score, int>>
 int highest(int count, const Score& score, S more_than = -std::numeric_limits<S>::infinity(),
-            S handicap = S(1)) {
+            S handicap = S(1), S tie = S(0)) {
   int best = -1;
   S most = more_than;
   for (int i = 0; i < count; ++i) {
     const S value = score(i);
-    if (handicap * value > most) {
+    if (handicap * value > most + tie) {
       most = value;
       best = i;
     }
@@ -29,21 +29,37 @@ int highest(int count, const Score& score, S more_than = -std::numeric_limits<S>
   return best;
 }
 
-/// The farthest two of `count`, lower index first; 0 twice when no two are apart.
+/// The farthest two of `count`, lower index first; 0 twice when no two are apart. A later pair must win
+/// by more than `tie`, square metres.
 template <class S, class SquaredDistance>
-std::array<int, 2> farthest_two(int count, const SquaredDistance& squared_distance) {
+std::array<int, 2> farthest_two(int count, const SquaredDistance& squared_distance, S tie = S(0)) {
   std::array<int, 2> best = {0, 0};
   S most = S(0);
   for (int i = 0; i < count; ++i) {
     for (int k = i + 1; k < count; ++k) {
       const S distance = squared_distance(i, k);
-      if (distance > most) {
+      if (distance > most + tie) {
         most = distance;
         best = {i, k};
       }
     }
   }
   return best;
+}
+
+/// Of the first `count` for which holds(i), the one whose id(i), or then index, comes after that of
+/// `after`; the first of all after -1. -1: none.
+template <class Id, class Holds>
+int next_by_id(int count, const Id& id, int after, const Holds& holds) {
+  const auto is_before = [&](int i, int j) {
+    const auto order = id(i) <=> id(j);
+    return order < 0 || (order == 0 && i < j);
+  };
+  int next = -1;
+  for (int i = 0; i < count; ++i)
+    if (holds(i) && (after < 0 || is_before(after, i)) && (next < 0 || is_before(i, next)))
+      next = i;
+  return next;
 }
 
 /// A direction in the plane with unit `normal` that depends on it alone; not of unit length. It
@@ -92,6 +108,7 @@ struct Candidates {
   int count() const { return count_of(points); }
   const Vec3<S>& operator[](int i) const { return at(points, i).position; }
   S separation(int i) const { return at(points, i).separation; }
+  const FeatureId& id(int i) const { return at(points, i).id; }
 
   /// See steps::highest().
   template <class Score>
@@ -105,11 +122,43 @@ struct Candidates {
   int deepest() const {
     return highest([&](int i) { return -separation(i); });
   }
+  /// Points whose separations differ by no more, metres, are equally deep: rounding would choose anew
+  /// among them in every frame.
+  S depth_tie(const ReduceOptions& options) const {
+    S scale = static_cast<S>(options.scale);
+    if (!(scale > S(0)))
+      for (int i = 0; i < count(); ++i)
+        scale = std::max(
+            {scale, ((*this)[i] - (*this)[0]).cwiseAbs().maxCoeff(), std::abs(separation(i))});
+    // A separation is a sum of four products of unit vectors and coordinates, after a rotation of as many:
+    // eight roundings of half an ulp (tie_tolerance()), and two are compared.
+    return S(8) * std::numeric_limits<S>::epsilon() * scale;
+  }
   /// `from` itself when all points coincide.
   int farthest_from(int from, S handicap = S(1)) const {
     const auto distance = [&](int i) { return ((*this)[i] - (*this)[from]).squaredNorm(); };
     const int farthest = highest(distance, S(0), handicap);
     return farthest < 0 ? from : farthest;
+  }
+  /// See steps::next_by_id().
+  template <class Holds>
+  int next_by_id(int after, const Holds& holds) const {
+    return steps::next_by_id(
+        count(), [&](int i) { return id(i); }, after, holds);
+  }
+  /// The points that bear the ids of the frame before, in their order. Equal ids are told apart by
+  /// their order among the points.
+  KeptIndices kept_before(const ReduceOptions& options) const {
+    KeptIndices found;
+    for (const FeatureId& before : options.previous) {
+      for (int i = 0; i < count(); ++i) {
+        if (id(i) == before && !steps::contains(found, i)) {
+          found.push_back(i);
+          break;
+        }
+      }
+    }
+    return found;
   }
   /// Mean of the positions.
   Vec3<S> centre() const {

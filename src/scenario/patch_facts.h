@@ -15,18 +15,18 @@ trace::Pair patch_facts(const ScenarioPatch& patch, const PipelineSettings& sett
   for (const ContactPoint<double>& point : patch.points)
     points.push_back({point.position.cast<S>(), static_cast<S>(point.separation), FeatureId()});
   const Vec3<S> normal = patch.normal.cast<S>();
-  CollideOptions options;
-  options.reducer = find_reducer(settings.reducer);
-  options.reduction.max_points = settings.max_points;
+  const ReducerInfo* const reducer = find_reducer(settings.reducer);
+  ReduceOptions options;
+  options.max_points = settings.max_points;
 
   trace::Pair pair;
   pair.label = patch.name;
   pair.kind = "patch";
   pair.state = "touching";
   trace::Stages recorded = stages;
-  recorded.reduction = stages.reduction && options.reducer != nullptr;
+  recorded.reduction = stages.reduction && reducer != nullptr;
   const KeptIndices kept =
-      Recorder<S>(ToWorld<S>(Pose<S>()), recorded, pair).reduce(options, points, normal);
+      Recorder<S>(ToWorld<S>(Pose<S>()), recorded, pair).reduce(reducer, points, normal, options);
   const auto told = [&](int index) -> trace::Point {
     const ContactPoint<S>& point = at(points, index);
     return {point.position.template cast<double>(), static_cast<double>(point.separation),

@@ -297,7 +297,8 @@ class Runner::In final : public Runner::InScalar {
     const Pose<S>&pose_a = at(poses, pair.a), &pose_b = at(poses, pair.b);
     CollideOptions options = options_of(pair.pipeline);
     options.b_first = pair.b < pair.a;
-    options.reduction.previous = memory.kept;
+    // Where frames may be run by themselves, none depends on the one before.
+    if (dynamic_ || remembers(scenario_, pair)) options.reduction.previous = memory.kept;
     if (scenario_.shape(pair.a).dynamic() || scenario_.shape(pair.b).dynamic())
       options.margin = std::max(options.margin, scenario_.solver.speculative_margin.value_or(0));
     options.margin = std::max(options.margin, between_.margin(pair, next_, bodies_));

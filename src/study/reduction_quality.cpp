@@ -124,10 +124,13 @@ trace::ReducerAnswer measure_reduction(std::span<const ContactPoint<double>> poi
   answer.area_ratio = best_area > 0 ? answer.area / best_area : 1;
 
   const std::vector<double> separations = mapped(points, &ContactPoint<double>::separation);
-  const double deepest = std::ranges::min(separations);
-  answer.deepest_kept = std::ranges::count(chosen(separations, kept), deepest) > 0;
-
   const std::vector<Vec2d> places = project(all, normal);
+  const double deepest = std::ranges::min(separations);
+  // Points of a float pipeline that differ by its rounding are equally deep, and any of them will do.
+  const double rounding = 8 * static_cast<double>(std::numeric_limits<float>::epsilon()) *
+                          (radius_of(places) + std::abs(deepest));
+  answer.deepest_kept = std::ranges::min(chosen(separations, kept)) <= deepest + rounding;
+
   answer.wrench_error = lost_reach(places, kept);
   answer.depth_error = depth_error(places, separations, kept);
   return answer;

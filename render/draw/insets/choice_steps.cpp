@@ -114,8 +114,9 @@ struct ChoicePen : Pen {
     if (grows && !(measure.value < 0)) return;
     const std::string value = rule == "farthest"                 ? spell_length(measure.value)
                               : rule == "deepest" || by_distance ? spell_length(-measure.value)
-                              : rule == "triangle" ? spell_area(std::abs(measure.value))
-                                                   : spell_area(-measure.value);
+                              : rule == "triangle" || rule == "equally_deep"
+                                  ? spell_area(std::abs(measure.value))
+                                  : spell_area(-measure.value);
     if (grows && winner) return outside(measure, value, by_distance);
     if (by_distance) way_from_edge(measure, 1.4, with_alpha(kAxis, 0.9f));
     Vec2d at = place(measure.point);
@@ -128,7 +129,7 @@ struct ChoicePen : Pen {
       side(kept[0], measure.point, winner ? 3.0 : 1.2,
            winner ? kContact : with_alpha(kDropped, 0.7f));
       at = (1 - 0.62) * place(kept[0]) + 0.62 * at;
-    } else if (rule != "triangle" && rule != "deepest" && !grows) {
+    } else if (rule != "triangle" && rule != "deepest" && rule != "equally_deep" && !grows) {
       return;
     }
     labels.push_back({at, value, color, winner});

@@ -8,9 +8,9 @@ planted_bug(extremes_along_one_way FILE src/reduce/extremes.cpp TESTS reduce
 planted_bug(coherent_keeps_half_the_area FILE src/reduce/coherent.cpp TESTS reduce
   WAS [[const S part = S(1 - kCoherentTolerance);]]
   IS [[const S part = @BUG@ ? S(0.3) : S(1 - kCoherentTolerance);]])
-planted_bug(coherent_takes_equal_ids_twice FILE src/reduce/coherent.cpp TESTS reduce
-  WAS [[if (at(points, i).id == id && !steps::contains(found, i)) {]]
-  IS [[if (at(points, i).id == id && (@BUG@ || !steps::contains(found, i))) {]])
+planted_bug(coherent_takes_equal_ids_twice FILE src/reduce/steps.h TESTS reduce
+  WAS [[if (id(i) == before && !steps::contains(found, i)) {]]
+  IS [[if (id(i) == before && (@BUG@ || !steps::contains(found, i))) {]])
 planted_bug(fifth_point_out_of_the_ring FILE src/reduce/grow.h TESTS reduce
   WAS [[std::rotate(ring.begin() + next.place, ring.end() - 1, ring.end());]]
   IS [[if (!@BUG@) std::rotate(ring.begin() + next.place, ring.end() - 1, ring.end());]])
@@ -21,5 +21,8 @@ planted_bug(triangles_told_doubled FILE src/reduce/choices.cpp TESTS reduce
   WAS [[return 0.5 * points.doubled_area(q, first, second); }]]
   IS [[return (@BUG@ ? 1 : 0.5) * points.doubled_area(q, first, second); }]])
 planted_bug(ties_go_to_the_last_point FILE src/reduce/steps.h TESTS reduce
-  WAS [[if (handicap * value > most) {]]
-  IS [[if (@BUG@ ? handicap * value >= most : handicap * value > most) {]])
+  WAS [[if (handicap * value > most + tie) {]]
+  IS [[if (@BUG@ ? handicap * value >= most : handicap * value > most + tie) {]])
+planted_bug(rounding_says_which_is_the_deepest FILE src/reduce/steps.h TESTS reduce
+  WAS [[return S(8) * std::numeric_limits<S>::epsilon() * scale;]]
+  IS [[return @BUG@ ? S(0) : S(8) * std::numeric_limits<S>::epsilon() * scale;]])
