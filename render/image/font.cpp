@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <deque>
+#include <filesystem>
 #include <optional>
 
 #include "image/glyph_coverage.h"
@@ -193,7 +194,14 @@ float descent(float size, FontWeight weight) {
 void add_font(const std::string& regular, const std::string& bold) {
   Font& added = fonts().emplace_back();
   const auto read = [](const std::string& path, std::vector<unsigned char>& bytes) {
-    bytes = read_whole_file(path);
+    try {
+      bytes = read_whole_file(path);
+    } catch (const std::filesystem::filesystem_error& error) {
+      throw FontError(path + ": " + error.code().message() +
+                      "; give a .ttf, as of fonts-noto-core");
+    } catch (const std::runtime_error& error) {
+      throw FontError(std::string(error.what()) + "; give a .ttf, as of fonts-noto-core");
+    }
     const std::optional<Face> face = load(bytes);
     if (!face)
       throw FontError(path + ": this is no TrueType font; give a .ttf, as of fonts-noto-core");

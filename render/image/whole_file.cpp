@@ -1,6 +1,7 @@
 #include "image/whole_file.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -9,6 +10,7 @@
 #include <filesystem>
 #include <memory>
 #include <sstream>
+#include <stdexcept>
 #include <system_error>
 
 namespace contactscope {
@@ -53,9 +55,14 @@ void write_whole_file(const std::string& path, std::span<const std::uint8_t> byt
 }
 
 std::vector<std::uint8_t> read_whole_file(const std::string& path) {
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
-                                                             std::fclose);
+  // Without waiting for whoever writes into a pipe.
+  const int opened = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+  if (opened < 0) fail(path, errno, "cannot read");
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(::fdopen(opened, "rb"), std::fclose);
   if (!file) fail(path, errno, "cannot read");
+  struct stat status {};
+  if (::fstat(opened, &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode))
+    throw std::runtime_error(path + ": this is not a regular file");
   std::vector<std::uint8_t> bytes;
   std::uint8_t block[65536];
   while (const std::size_t count = std::fread(block, 1, sizeof block, file.get()))

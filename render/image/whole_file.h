@@ -12,7 +12,8 @@ namespace contactscope {
 /// Throws std::filesystem::filesystem_error with the path and the system's reason.
 void write_whole_file(const std::string& path, std::span<const std::uint8_t> bytes);
 
-/// All bytes of a file. Throws std::filesystem::filesystem_error.
+/// All bytes of a regular file. Throws std::filesystem::filesystem_error, and std::runtime_error of a pipe or
+/// a device, which may have no end.
 std::vector<std::uint8_t> read_whole_file(const std::string& path);
 
 }  // namespace contactscope

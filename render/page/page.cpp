@@ -129,13 +129,6 @@ std::string filled(std::string_view markup, const std::map<std::string_view, std
   return text;
 }
 
-/// JSON that may stand in a script: "</" would end it.
-std::string in_script(std::string json) {
-  for (std::size_t at = json.find("</"); at != std::string::npos; at = json.find("</", at + 3))
-    json.insert(at + 1, "\\");
-  return json;
-}
-
 void add_words(const std::string& words, vector::UsedCharacters& used) {
   for (const char32_t code_point : code_points(words))
     for (const FontWeight weight : {FontWeight::Regular, FontWeight::Bold})
@@ -303,7 +296,7 @@ std::string Page::html() const {
        {"SOURCE", vector::escaped(source)},
        {"MADE", made},
        {"GROUPS", texts_of(others)},
-       {"DATA", in_script(json)},
+       {"DATA", vector::in_script(json)},
        {"SCRIPT", std::string(page_script())}});
 }
 

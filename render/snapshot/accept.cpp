@@ -27,10 +27,21 @@ bool names(const std::string& pattern, const Finding& finding) {
   }
 }
 
+std::string pattern_of(const std::string& key) {
+  std::string pattern = key.starts_with('-') ? "\\" : "";
+  for (const char c : key) {
+    if (std::string_view("*?[\\").find(c) != std::string_view::npos) pattern += '\\';
+    pattern += c;
+  }
+  return pattern;
+}
+
 std::string accept(const fs::path& report, const fs::path& snapshots, Finding& finding,
                    const Acceptance& how) {
   if (finding.done != Done::Nothing || finding.review == Review::Accepted)
     return finding.key() + " is done already";
+  if (finding.kind == FindingKind::UnreadableScenario)
+    return finding.key() + " could not be read; fix the file, and run check again";
   if (finding.file.empty())
     return finding.key() + " is an expectation; mend it in the scenario, or what fails it";
   if (finding.kind == FindingKind::KnownBad && how.word.empty())

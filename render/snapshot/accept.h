@@ -11,6 +11,10 @@ namespace contactscope::snapshot {
 /// was held against, a folder above it ("hull", "hull/face_contact"), or either with * for any letters and ? for one.
 bool names(const std::string& pattern, const Finding& finding);
 
+/// The pattern that names this key alone: what is a mark to names(), or to a command line the beginning of an option, has a
+/// backslash before it.
+std::string pattern_of(const std::string& key);
+
 /// As what a candidate is stored.
 struct Acceptance {
   std::string word{};  // "osmesa": as frame_0012.osmesa.png, beside what is stored

@@ -77,14 +77,4 @@ TakenDecisions take_decisions(const std::vector<int>& stored, const std::vector<
   return taken;
 }
 
-void note_brittle(const std::vector<std::string>& sentences, bool all,
-                  std::vector<std::string>& notes) {
-  for (std::size_t i = 0; i < sentences.size() && (all || i == 0); ++i) {
-    const bool more = !all && sentences.size() > 1;
-    notes.push_back(
-        sentences[i] +
-        (more ? "; " + std::to_string(sentences.size() - 1) + " more, --verbose names them" : ""));
-  }
-}
-
 }  // namespace contactscope::snapshot

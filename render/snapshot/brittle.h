@@ -25,8 +25,4 @@ struct TakenDecisions {
 TakenDecisions take_decisions(const std::vector<int>& stored, const std::vector<View>& views,
                               const trace::Header& header, std::vector<trace::Frame>& frames);
 
-/// Adds them to what is told beside a verdict: the first one and how many more there are, or all.
-void note_brittle(const std::vector<std::string>& sentences, bool all,
-                  std::vector<std::string>& notes);
-
 }  // namespace contactscope::snapshot

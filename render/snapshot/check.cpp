@@ -6,6 +6,7 @@
 #include "image/compare.h"
 #include "image/png.h"
 #include "snapshot/meshes.h"
+#include "snapshot/spelling.h"
 
 namespace contactscope::snapshot {
 namespace fs = std::filesystem;

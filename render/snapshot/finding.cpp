@@ -9,7 +9,9 @@ namespace {
 
 /// What is told first: an expectation, then facts, then pictures by the size of their difference.
 int weight(const Finding& finding) {
-  if (finding.kind == FindingKind::UnmetExpectation) return 1 << 30;
+  if (finding.kind == FindingKind::UnmetExpectation ||
+      finding.kind == FindingKind::UnreadableScenario)
+    return 1 << 30;
   if (!finding.is_picture()) return 1 << 29;
   return finding.pixels ? finding.pixels->found.differing : 0;
 }
@@ -76,9 +78,11 @@ std::string summary(const Tally& tally) {
   if (tally.failing > 0) {
     std::string kinds;
     for (std::size_t kind = 0; kind < kFindingKinds.size(); ++kind) {
+      const bool is_rare = kind == static_cast<std::size_t>(FindingKind::UnreadableScenario);
+      if (is_rare && tally.kinds[kind] == 0) continue;
       std::string name(kFindingKinds[kind]);
       std::ranges::replace(name, '_', ' ');
-      if (name == "unmet expectation" && tally.kinds[kind] != 1) name += "s";
+      if ((is_rare || name == "unmet expectation") && tally.kinds[kind] != 1) name += "s";
       kinds += (kinds.empty() ? "" : ", ") + std::to_string(tally.kinds[kind]) + " " + name;
     }
     text += " (" + kinds + ")";

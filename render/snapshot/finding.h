@@ -21,9 +21,11 @@ enum class FindingKind {
   UnmetExpectation,
   Unreadable,
   KnownBad,
+  UnreadableScenario,  // its file cannot be read, parsed or run, so nothing was compared
 };
-inline constexpr std::array<std::string_view, 7> kFindingKinds = {
-    "changed", "new", "missing", "orphaned", "unmet_expectation", "unreadable", "known_bad"};
+inline constexpr std::array<std::string_view, 8> kFindingKinds = {
+    "changed",           "new",        "missing",   "orphaned",
+    "unmet_expectation", "unreadable", "known_bad", "unreadable_scenario"};
 inline constexpr std::string_view name_of(FindingKind kind) {
   return kFindingKinds[static_cast<std::size_t>(kind)];
 }
@@ -70,8 +72,9 @@ struct Finding {
   Review review = Review::Open;
 
   /// What a command line calls it: "hull/face_contact/side/frame_0012", "hull/face_contact/trace",
-  /// "hull/face_contact/expectations".
+  /// "hull/face_contact/expectations", "hull/face_contact/scenario" of one that cannot be read.
   std::string key() const {
+    if (kind == FindingKind::UnreadableScenario) return scenario + "/scenario";
     if (file.empty()) return scenario + "/expectations";
     return file.substr(0, file.rfind('.'));
   }
@@ -85,12 +88,13 @@ struct Finding {
 /// What came of one scenario.
 struct ScenarioOutcome {
   std::string scenario;
-  std::string file{};                // that describes it; empty where none does any more
-  int frames = 0;                    // whose facts were compared
-  int pictures = 0;                  // that were
-  int written = 0;                   // stored files that were written, rewritten or removed
-  bool is_known_same = false;        // nothing that it is made of changed since it was the same
-  std::vector<std::string> notes{};  // what a reader should know though nothing is wrong
+  std::string file{};                  // that describes it; empty where none does any more
+  int frames = 0;                      // whose facts were compared
+  int pictures = 0;                    // that were
+  int written = 0;                     // stored files that were written, rewritten or removed
+  bool is_known_same = false;          // nothing that it is made of changed since it was the same
+  std::vector<std::string> notes{};    // what a reader should know though nothing is wrong
+  std::vector<std::string> brittle{};  // decisions within rounding, see brittle.h
   std::vector<Finding> findings{};
 
   bool fails() const {

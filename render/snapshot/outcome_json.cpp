@@ -58,6 +58,7 @@ Json to_json(const ScenarioOutcome& scenario) {
   json["pictures"] = scenario.pictures;
   json["written"] = scenario.written;
   if (!scenario.notes.empty()) json["notes"] = scenario.notes;
+  if (!scenario.brittle.empty()) json["brittle"] = scenario.brittle;
   json["findings"] = Json::array();
   for (const Finding& finding : scenario.findings) json["findings"].push_back(to_json(finding));
   return json;
@@ -116,6 +117,8 @@ ScenarioOutcome scenario_of(const Json& json) {
   scenario.pictures = json.at("pictures");
   scenario.written = json.at("written");
   if (json.contains("notes")) scenario.notes = json.at("notes").get<std::vector<std::string>>();
+  if (json.contains("brittle"))
+    scenario.brittle = json.at("brittle").get<std::vector<std::string>>();
   for (const Json& finding : json.at("findings"))
     scenario.findings.push_back(finding_of(finding, scenario.scenario));
   return scenario;

@@ -11,6 +11,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "core/input_file.h"
 #include "image/sha256.h"
 #include "image/whole_file.h"
 #include "snapshot/meshes.h"
@@ -178,6 +179,7 @@ std::vector<fs::path> stale_files(const fs::path& root, const std::string& scena
 
 std::optional<std::string> read_text_file(const fs::path& path) {
   if (!fs::exists(path)) return {};
+  require_regular_file(path.string(), "give one that can be read more than once");
   std::ifstream stream(path, std::ios::binary);
   if (!stream) {
     throw fs::filesystem_error("cannot read", path,

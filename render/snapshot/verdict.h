@@ -40,6 +40,7 @@ constexpr Done decide(FindingKind kind, const Policy& policy) {
       return update >= Update::Failed ? Done::Removed : Done::Nothing;
     case FindingKind::UnmetExpectation:
     case FindingKind::KnownBad:
+    case FindingKind::UnreadableScenario:
       return Done::Nothing;  // that is for whoever wrote the scenario, or knows the bug
     case FindingKind::Changed:
     case FindingKind::Unreadable:

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/plain_text.h"
+
 namespace contactscope::vector {
 
 void add_number(double value, std::string& out) {
@@ -39,9 +41,19 @@ std::string hex(const draw::Color& color) {
 }
 
 std::string escaped(std::string_view text) {
+  constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
   std::string out;
   out.reserve(text.size());
-  for (const char c : text) {
+  for (std::size_t i = 0; i < text.size();) {
+    const char c = text[i];
+    const std::size_t length = utf8_length(text, i);
+    const std::string_view one = text.substr(i, length);
+    i += std::max<std::size_t>(length, 1);
+    if (length != 1) {
+      const bool is_known = length > 0 && one != "\xEF\xBF\xBE" && one != "\xEF\xBF\xBF";
+      out += is_known ? one : kReplacement;
+      continue;
+    }
     switch (c) {
       case '&':
         out += "&amp;";
@@ -58,6 +70,26 @@ std::string escaped(std::string_view text) {
       default:
         out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
     }
+  }
+  return out;
+}
+
+std::string in_script(std::string_view json) {
+  std::string out;
+  out.reserve(json.size() + json.size() / 8);
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    const std::string_view line_end = json.substr(i, 3);
+    if (json[i] == '<')
+      out += "\\u003c";
+    else if (json[i] == '>')
+      out += "\\u003e";
+    else if (json[i] == '&')
+      out += "\\u0026";
+    else if (line_end == "\xE2\x80\xA8" || line_end == "\xE2\x80\xA9") {
+      out += line_end.back() == '\xA8' ? "\\u2028" : "\\u2029";
+      i += 2;
+    } else
+      out += json[i];
   }
   return out;
 }

@@ -10,33 +10,59 @@
 #include "app/narrow.h"
 #include "core/at.h"
 #include "core/input_error.h"
+#include "core/input_file.h"
+#include "core/plain_text.h"
 #include "reduce/reducer.h"
 #include "scenario/nearest_word.h"
+#include "scenario/scenario_name.h"
 
 namespace contactscope::app {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<std::string> files_named(const std::string& argument, const std::string& root) {
-  if (fs::is_directory(argument)) {
-    std::vector<std::string> files = scenario_files(argument);
-    if (files.empty()) throw InputError(argument, 0, 0, "no scenario (*.toml) in this folder");
-    return files;
-  }
+/// What a name stands for below a folder: a file, or all that are in a group. Empty where nothing is.
+std::vector<std::string> files_in(const std::string& root, const std::string& name) {
+  std::error_code unknown;
+  const fs::path named = fs::path(root) / (name + ".toml");
+  if (fs::is_regular_file(named, unknown)) return {named.string()};
+  const fs::path group = fs::path(root) / name;
+  return fs::is_directory(group, unknown) ? scenario_files(group.string())
+                                          : std::vector<std::string>();
+}
+
+/// Where names are looked up: what --scenarios says, or ./scenarios and then those that were installed.
+std::vector<std::string> roots_of(const Options& options) {
+  std::vector<std::string> roots = {options.scenario_root};
+  if (options.scenario_root == Options{}.scenario_root) roots.push_back(installed_scenarios());
+  std::erase(roots, "");
+  return roots;
+}
+
+/// Files come before names: a regular file, or a folder that has scenarios; else a name under the
+/// root; else one of those that were installed.
+std::vector<std::string> files_named(const std::string& argument, const Options& options) {
   if (is_trace_file(argument)) {
+    const std::string what = foreign_in(argument);
+    if (!what.empty()) throw InputError(argument, 1, 1, what);
     throw InputError(argument, 0, 0,
                      "this is a trace, which `render` draws and `doctor` looks through; a scenario "
                      "is needed here");
   }
-  if (fs::exists(argument)) return {argument};
-  const fs::path named = fs::path(root) / (argument + ".toml");
-  if (fs::exists(named)) return {named.string()};
-  if (fs::is_directory(fs::path(root) / argument)) {
-    return scenario_files((fs::path(root) / argument).string());
-  }
+  std::error_code unknown;
+  if (fs::is_regular_file(argument, unknown)) return {argument};
+  const bool is_folder = fs::is_directory(argument, unknown);
+  std::vector<std::string> files =
+      is_folder ? scenario_files(argument) : std::vector<std::string>();
+  const std::vector<std::string> roots = roots_of(options);
+  for (const std::string& root : roots)
+    if (files.empty()) files = files_in(root, argument);
+  if (!files.empty()) return files;
+  if (is_folder) throw InputError(argument, 0, 0, "no scenario (*.toml) in this folder");
+  require_regular_file(argument, "give the path of a scenario (.toml)");
   std::vector<std::string> names;
-  if (fs::is_directory(root)) {
+  for (const std::string& root : roots) {
+    if (!fs::is_directory(root, unknown)) continue;
     for (const std::string& file : scenario_files(root))
       names.push_back(fs::path(file).lexically_relative(root).replace_extension().string());
   }
@@ -75,6 +101,14 @@ bool is_new(const std::string& name, const std::string& file, Paths& paths) {
                    "its name " + name + " is also that of " + known->second +
                        ", and their pictures would overwrite each other; move one to another "
                        "folder, which is the first part of the name");
+}
+
+Input unreadable_input(const std::string& file, const InputError& error) {
+  Input input;
+  input.scenario.name = printable(scenario_name(file));
+  input.scenario.path = file;
+  input.unreadable = error.what();
+  return input;
 }
 
 Input input_of(Sequence&& trace, const Options& options) {
@@ -125,6 +159,24 @@ void override_views(std::vector<View>& views, const Options& options) {
 
 }  // namespace
 
+std::string installed_scenarios() {
+  std::error_code unknown;
+  const fs::path program = fs::read_symlink("/proc/self/exe", unknown);
+  const fs::path installed =
+      program.parent_path().parent_path() / "share" / "contactscope" / "scenarios";
+  return fs::is_directory(installed, unknown) ? installed.string() : "";
+}
+
+bool is_found_by_name(const Scenario& scenario, const Options& options) {
+  for (const std::string& root : roots_of(options)) {
+    const std::vector<std::string> files = files_in(root, scenario.name);
+    if (!files.empty())
+      return fs::path(scenario.path).lexically_normal() ==
+             fs::path(files.front()).lexically_normal();
+  }
+  return false;
+}
+
 std::vector<View> selected_views(const Scenario& scenario, const Options& options) {
   std::vector<View> views = scenario.views;
   std::erase_if(views, [&](const View& view) {
@@ -134,7 +186,10 @@ std::vector<View> selected_views(const Scenario& scenario, const Options& option
   return views;
 }
 
-std::vector<Scenario> load_scenarios(const Options& options) {
+namespace {
+
+/// Those that cannot be read are told of in `unreadable`, or thrown where that is null.
+std::vector<Scenario> read_scenarios(const Options& options, std::vector<Input>* unreadable) {
   std::vector<std::string> files;
   if (options.scenarios.empty()) {
     files = scenario_files(options.scenario_root);
@@ -144,7 +199,7 @@ std::vector<Scenario> load_scenarios(const Options& options) {
     }
   }
   for (const std::string& argument : options.scenarios) {
-    const std::vector<std::string> named = files_named(argument, options.scenario_root);
+    const std::vector<std::string> named = files_named(argument, options);
     files.insert(files.end(), named.begin(), named.end());
   }
   std::vector<Scenario> scenarios;
@@ -155,6 +210,11 @@ std::vector<Scenario> load_scenarios(const Options& options) {
     try {
       scenario = load_scenario(file);
     } catch (const InputError& error) {
+      if (unreadable != nullptr) {
+        Input input = unreadable_input(file, error);
+        if (is_new(input.scenario.name, file, paths)) unreadable->push_back(std::move(input));
+        continue;
+      }
       if (refused) std::fprintf(stderr, "%s\n", refused->what());
       refused = error;  // and on, to tell what is wrong with the others in the same run
       continue;
@@ -176,7 +236,13 @@ std::vector<Scenario> load_scenarios(const Options& options) {
   return scenarios;
 }
 
-std::vector<Input> load_inputs(const Options& options, Hold hold) {
+}  // namespace
+
+std::vector<Scenario> load_scenarios(const Options& options) {
+  return read_scenarios(options, nullptr);
+}
+
+std::vector<Input> load_inputs(const Options& options, Hold hold, Unreadable unreadable) {
   std::vector<std::string> traces;
   Options others = options;
   std::erase_if(others.scenarios, [&](const std::string& argument) {
@@ -186,7 +252,8 @@ std::vector<Input> load_inputs(const Options& options, Hold hold) {
   std::vector<Input> inputs;
   Paths paths;
   if (traces.empty() || !others.scenarios.empty()) {
-    for (Scenario& scenario : load_scenarios(others)) {
+    const bool is_kept = unreadable == Unreadable::Kept;
+    for (Scenario& scenario : read_scenarios(others, is_kept ? &inputs : nullptr)) {
       paths.emplace(scenario.name, scenario.path);
       const std::vector<int> frames = options.selected(scenario.frames);
       inputs.push_back({std::move(scenario), frames});
@@ -198,10 +265,15 @@ std::vector<Input> load_inputs(const Options& options, Hold hold) {
                        " runs the pipeline, and " + file +
                        " is a trace of what it decided; leave it out, or name a scenario");
     }
-    Sequence trace = read_sequence(file, hold);
-    if (is_new(trace.header.scenario, file, paths))
-      inputs.push_back(input_of(std::move(trace), options));
-    inputs.back().file = file == "-" ? "standard input" : file;
+    try {
+      Sequence trace = read_sequence(file, hold);
+      if (is_new(trace.header.scenario, file, paths))
+        inputs.push_back(input_of(std::move(trace), options));
+      inputs.back().file = file == "-" ? "standard input" : file;
+    } catch (const InputError& error) {
+      if (unreadable != Unreadable::Kept) throw;
+      inputs.push_back(unreadable_input(file, error));
+    }
   }
   for (Input& input : inputs) override_views(input.scenario.views, options);
   return inputs;

@@ -15,7 +15,7 @@ namespace {
 ExitCode run_check_verb(const Options& options) {
   note_interrupts();
   if (options.accept) return run_accept(options);
-  std::vector<Input> inputs = load_inputs(options, Hold::Sample);
+  std::vector<Input> inputs = load_inputs(options, Hold::Sample, Unreadable::Kept);
   if (options.update != snapshot::Update::None && snapshot::is_ci(std::getenv("CI")))
     std::cerr << "CI=true: nothing is written; unset CI to accept what changed\n";
   const snapshot::Outcome outcome = [&] {
@@ -28,28 +28,30 @@ ExitCode run_check_verb(const Options& options) {
     }
   }();
   tell_all({outcome, report_folder(options), options});
-  return snapshot::tally(outcome).failing == 0 ? ExitCode::Same : ExitCode::Different;
+  return exit_code(outcome);
 }
 
 }  // namespace
 
 Verb check_verb() {
-  return {"check",
-          "Compare with the stored snapshots",
-          &run_check_verb,
-          "[SCENARIO...] --snapshots --write-missing --update --accept --as --note --facts-only "
-          "--json --junit --markdown --github --shard --times --fresh --out --backend --view",
-          {{"SCENARIO",
-            "Scenarios, or traces of any engine; default: all scenarios. With --accept: what to "
-            "accept"},
-           {"--json", "Print what was found as JSON, as OUT/check/findings.json has it"}},
-          "Examples:\n"
-          "  contactscope check                              all scenarios against snapshots/\n"
-          "  contactscope check hull --facts-only            one group, without drawing\n"
-          "  contactscope check my/crate.toml --write-missing\n"
-          "  contactscope check --accept hull/face_contact/frame_0012\n"
-          "  contactscope check --shard 2/5 --out /tmp/shards --junit junit.xml\n"
-          "Exit codes: 0 the same, 1 something is not, 2 trouble."};
+  return {
+      "check",
+      "Compare with the stored snapshots",
+      &run_check_verb,
+      "[SCENARIO...] --snapshots --write-missing --update --accept --as --note --facts-only "
+      "--json --junit --markdown --github --shard --times --fresh --out --backend --view",
+      {{"SCENARIO",
+        "Scenarios, or traces of any engine; default: all scenarios. With --accept: what to "
+        "accept"},
+       {"--json", "Print what was found as JSON, as OUT/check/findings.json has it"}},
+      "Examples:\n"
+      "  contactscope check                              all scenarios against snapshots/\n"
+      "  contactscope check hull --facts-only            one group, without drawing\n"
+      "  contactscope check my/crate.toml --write-missing\n"
+      "  contactscope check --accept hull/face_contact/frame_0012\n"
+      "  contactscope check --shard 2/5 --out /tmp/shards --junit junit.xml\n"
+      "Exit codes: 0 the same, 1 something is not, 2 trouble, such as a scenario that cannot be "
+      "read; the\nothers are checked all the same."};
 }
 
 }  // namespace contactscope::app

@@ -7,6 +7,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <stdexcept>
 
 #include "app/figure_canvas.h"
 #include "app/known_same.h"
@@ -200,7 +201,7 @@ class Checker {
     Sequence sequence = run_sequence(scenario, stages, false, ledger_);
     snapshot::TakenDecisions decisions = snapshot::take_decisions(
         scenario.snapshots.frames, scenario.views, sequence.header, sequence.frames);
-    snapshot::note_brittle(decisions.brittle, options_.verbose, outcome.notes);
+    outcome.brittle = std::move(decisions.brittle);
     margins = std::move(decisions.margins);
     const std::vector<std::string> unmet = unmet_expectations(scenario, sequence.frames);
     if (!unmet.empty()) {
@@ -307,6 +308,32 @@ class Checker {
   snapshot::Policy policy_;
 };
 
+/// Nothing of it was compared; `why` begins with the place in its file.
+ScenarioOutcome unreadable(const Input& input, const std::string& why) {
+  ScenarioOutcome outcome{input.scenario.name,
+                          input.file.empty() ? input.scenario.path : input.file};
+  Finding finding{FindingKind::UnreadableScenario, input.scenario.name};
+  finding.sentence = why;
+  finding.cause = "unreadable scenario " + input.scenario.name;
+  outcome.findings.push_back(std::move(finding));
+  return outcome;
+}
+
+/// What is wrong with one scenario, already as it is read or only as it runs, does not stop the others.
+ScenarioOutcome checked(Checker& checker, Input& input) {
+  if (!input.unreadable.empty()) return unreadable(input, input.unreadable);
+  const std::string file = input.scenario.path;
+  try {
+    return checker.check(input);
+  } catch (const InputError& error) {
+    return unreadable(input, error.what());
+  } catch (const ShapeError& error) {
+    return unreadable(input, InputError(file, 0, 0, error.what()).what());
+  } catch (const std::domain_error& error) {
+    return unreadable(input, InputError(file, 0, 0, error.what()).what());
+  }
+}
+
 void require_folder(const Options& options) {
   if (fs::is_directory(options.snapshot_root) || options.update != snapshot::Update::None) return;
   throw InputError(options.snapshot_root, 0, 0,
@@ -319,7 +346,9 @@ void require_folder(const Options& options) {
 std::string made_of(const std::vector<Input>& inputs) {
   std::string all = program_id();
   for (const Input& input : inputs)
-    all += "\n" + input.scenario.name + " " + snapshot::sha256_of_file(input.scenario.path);
+    all += "\n" + input.scenario.name + " " +
+           (input.unreadable.empty() ? snapshot::sha256_of_file(input.scenario.path)
+                                     : input.unreadable);
   return sha256(all);
 }
 
@@ -368,7 +397,7 @@ snapshot::Outcome run_check(std::vector<Input>& inputs, const Options& options) 
       stop_if_interrupted();
       Input& input = inputs[i];
       const std::string name = input.scenario.name;
-      const bool is_file = known && !input.trace;
+      const bool is_file = known && !input.trace && input.unreadable.empty();
       progress.advance(name);
       if (is_file && !options.fresh) {
         if (auto same = known->find(name, contents[i])) {
@@ -378,7 +407,7 @@ snapshot::Outcome run_check(std::vector<Input>& inputs, const Options& options) 
         }
       }
       const auto begin = std::chrono::steady_clock::now();
-      outcome.scenarios.push_back(checker.check(input));
+      outcome.scenarios.push_back(checked(checker, input));
       const std::chrono::duration<double, std::milli> time =
           std::chrono::steady_clock::now() - begin;
       times[name] = std::round(time.count() * 10) / 10;

@@ -8,7 +8,7 @@ namespace {
 using Kind = Completion::Kind;
 
 // Names of scenarios are asked of the program, which knows the folder.
-constexpr const char* kNames = "contactscope list scenarios 2>/dev/null | cut -d ' ' -f 1";
+constexpr const char* kNames = "contactscope list scenarios 2>/dev/null | sed 's/  .*//'";
 
 std::string spaced(const std::vector<std::string>& words) {
   std::string text;
@@ -73,8 +73,7 @@ std::string bash_reply(const Completion& completion) {
     case Kind::List:
       return "_contactscope_list '" + spaced(completion.words) + "'";
     case Kind::Scenario:
-      return std::string("COMPREPLY=($(compgen -W \"$(") + kNames +
-             ")\" -- \"$cur\") $(compgen -f -- \"$cur\"))";
+      return std::string("_contactscope_words < <(") + kNames + "; compgen -f -- \"$cur\")";
     case Kind::File:
       return "COMPREPLY=($(compgen -f -- \"$cur\"))";
     case Kind::Folder:
@@ -136,6 +135,16 @@ _contactscope_list() {
   case $cur in *,*) before=${cur%,*}, ;; esac
   COMPREPLY=($(compgen -P "$before" -W "$1" -- "${cur##*,}"))
   compopt -o nospace 2>/dev/null || true
+}
+
+# Lines of the standard input that begin with what is typed. Not by compgen -W, which would run a name such as $(this).
+_contactscope_words() {
+  local word
+  while IFS= read -r word; do
+    [[ $word == "$cur"* ]] || continue
+    [[ $word == *[!A-Za-z0-9_./+@%:,=~-]* ]] && word=$(printf %q "$word")
+    COMPREPLY+=("$word")
+  done
 }
 
 _contactscope() {

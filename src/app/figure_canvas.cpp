@@ -99,12 +99,13 @@ void tell_left_out(const trace::Header& header, const std::vector<trace::Frame>&
 
 std::string words_path(const std::string& named) {
   namespace fs = std::filesystem;
-  if (fs::exists(named)) return named;
   std::error_code unknown;
+  if (fs::is_regular_file(named, unknown)) return named;
   const fs::path program = fs::read_symlink("/proc/self/exe", unknown);
   const fs::path installed =
       program.parent_path().parent_path() / "share" / "contactscope" / "words" / (named + ".toml");
-  if (fs::exists(installed, unknown)) return installed.string();
+  if (fs::is_regular_file(installed, unknown)) return installed.string();
+  if (fs::exists(named, unknown)) return named;  // a folder or a pipe, which is refused as one
   throw UsageError("--words '" + named +
                    "': there is no such file; name a TOML file with a [words] table, whose keys "
                    "`contactscope list words` prints");

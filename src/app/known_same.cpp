@@ -60,7 +60,8 @@ KnownSame::KnownSame(const fs::path& folder, std::string surroundings)
   if (json.is_discarded() || json.value("surroundings", "") != surroundings_) return;
   for (const auto& [name, entry] : json.at("scenarios").items())
     entries_[name] = {entry.at("content"), entry.at("frames"), entry.at("pictures"),
-                      entry.at("notes").get<std::vector<std::string>>()};
+                      entry.at("notes").get<std::vector<std::string>>(),
+                      entry.at("brittle").get<std::vector<std::string>>()};
 }
 
 std::optional<snapshot::ScenarioOutcome> KnownSame::find(const std::string& scenario,
@@ -71,6 +72,7 @@ std::optional<snapshot::ScenarioOutcome> KnownSame::find(const std::string& scen
   outcome.frames = found->second.frames;
   outcome.pictures = found->second.pictures;
   outcome.notes = found->second.notes;
+  outcome.brittle = found->second.brittle;
   outcome.is_known_same = true;
   return outcome;
 }
@@ -79,7 +81,8 @@ void KnownSame::add(const snapshot::ScenarioOutcome& outcome, const std::string&
   if (!outcome.findings.empty() || outcome.written > 0)
     entries_.erase(outcome.scenario);
   else
-    entries_[outcome.scenario] = {content, outcome.frames, outcome.pictures, outcome.notes};
+    entries_[outcome.scenario] = {content, outcome.frames, outcome.pictures, outcome.notes,
+                                  outcome.brittle};
 }
 
 std::string KnownSame::text() const {
@@ -88,7 +91,8 @@ std::string KnownSame::text() const {
     json["scenarios"][name] = {{"content", entry.content},
                                {"frames", entry.frames},
                                {"pictures", entry.pictures},
-                               {"notes", entry.notes}};
+                               {"notes", entry.notes},
+                               {"brittle", entry.brittle}};
   return json.dump(1) + "\n";
 }
 
@@ -97,7 +101,8 @@ std::vector<std::string> contents_of(const std::vector<Input>& inputs, const fs:
   std::atomic<std::size_t> next{0};
   const auto work = [&] {
     for (std::size_t i = next++; i < inputs.size(); i = next++)
-      if (!inputs[i].trace) contents[i] = content_of(inputs[i], snapshots);
+      if (!inputs[i].trace && inputs[i].unreadable.empty())
+        contents[i] = content_of(inputs[i], snapshots);
   };
   std::vector<std::future<void>> helpers;
   for (unsigned i = 1; i < std::thread::hardware_concurrency(); ++i)

@@ -31,7 +31,7 @@ class KnownSame {
   struct Entry {
     std::string content;
     int frames = 0, pictures = 0;
-    std::vector<std::string> notes{};
+    std::vector<std::string> notes{}, brittle{};
   };
   std::string surroundings_;
   std::map<std::string, Entry> entries_;

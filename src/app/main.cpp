@@ -9,6 +9,7 @@
 #include <malloc.h>
 #endif
 
+#include "app/catalogue.h"
 #include "app/check_arguments.h"
 #include "app/formats/format.h"
 #include "app/manual.h"
@@ -249,16 +250,14 @@ void add_argument(CLI::App& app, const Verb& verb, std::string word, Command& co
   if (is_one) option->expected(1);
 }
 
-/// Where scenario names are looked up: where the program was installed with some, they stand in for a folder
-/// that is not here.
+/// Where scenario names are looked up first: those that were installed stand in for a folder that is not
+/// here.
 std::string scenario_root(const std::string& named) {
-  namespace fs = std::filesystem;
-  if (named != Options{}.scenario_root || fs::exists(named)) return named;
   std::error_code unknown;
-  const fs::path program = fs::read_symlink("/proc/self/exe", unknown);
-  const fs::path installed =
-      program.parent_path().parent_path() / "share" / "contactscope" / "scenarios";
-  return fs::is_directory(installed, unknown) ? installed.string() : named;
+  if (named != Options{}.scenario_root || std::filesystem::is_directory(named, unknown))
+    return named;
+  const std::string installed = installed_scenarios();
+  return installed.empty() ? named : installed;
 }
 
 void finish(Command& command) {
@@ -289,7 +288,10 @@ std::string given_options(const CLI::App& verb) {
     std::string values;
     for (const std::string& value : option->results())
       values += (values.empty() ? "" : ",") + value;
-    all += " " + for_shell(values);
+    // A word that begins with a dash would be taken for an option; a number is none.
+    const bool is_dashed = values.size() > 1 && values[0] == '-' && values[1] != '.' &&
+                           (values[1] < '0' || values[1] > '9');
+    all += (is_dashed ? "=" : " ") + for_shell(values);
   }
   return all;
 }

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "app/origin.h"
 #include "app/reports/report.h"
 #include "app/review.h"
 #include "app/soak.h"
@@ -36,7 +37,7 @@ std::vector<fs::path> reports_in(const std::string& name) {
   if (folders.empty())
     throw InputError(name, 0, 0,
                      "there is no report of a shard here; contactscope check --shard 1/4 --out " +
-                         name + " leaves one");
+                         for_shell(name) + " leaves one");
   std::ranges::sort(folders);
   return folders;
 }
@@ -113,7 +114,7 @@ ExitCode merge_checks(const Options& options) {
   retell_page(report.aside(), outcome, options);
   report.publish(outcome);
   tell_all({outcome, report_folder(options), options});
-  return snapshot::tally(outcome).failing == 0 ? ExitCode::Same : ExitCode::Different;
+  return exit_code(outcome);
 }
 
 ExitCode run_merge(const Options& options) {

@@ -22,13 +22,18 @@ std::string hash_of_file(const std::string& path) {
   return file ? sha256(bytes) : "";
 }
 
+/// A path that begins with a dash, so that no option is seen in it.
+std::string no_option(const std::string& path) {
+  return path.starts_with('-') ? "./" + path : path;
+}
+
 /// As the command line names it, wherever the program is: by its name where it is one of the root.
 std::string argument_of(const Input& input, const Options& options) {
-  if (input.trace || !input.file.empty()) return input.file == "standard input" ? "-" : input.file;
+  if (input.trace || !input.file.empty())
+    return input.file == "standard input" ? "-" : no_option(input.file);
   const Scenario& scenario = input.scenario;
-  const fs::path named = fs::path(options.scenario_root) / (scenario.name + ".toml");
-  return fs::path(scenario.path).lexically_normal() == named.lexically_normal() ? scenario.name
-                                                                                : scenario.path;
+  return is_found_by_name(scenario, options) && scenario.name[0] != '-' ? scenario.name
+                                                                        : no_option(scenario.path);
 }
 
 }  // namespace
@@ -36,7 +41,8 @@ std::string argument_of(const Input& input, const Options& options) {
 std::string for_shell(const std::string& word) {
   constexpr std::string_view kPlain =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_=+:,./@%";
-  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
+  const bool is_plain = word.find_first_not_of(kPlain) == std::string::npos;
+  if (is_plain && !word.empty() && word[0] != '=') return word;  // zsh makes a path of "=ls"
   std::string quoted = "'";
   for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return quoted + "'";

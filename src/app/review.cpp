@@ -240,28 +240,25 @@ ExitCode run_decisions(const Options& options, snapshot::Outcome& outcome) {
     std::cerr << snapshot::counted(accepted, "finding") << " accepted, " << turned_down
               << " rejected, " << refused << " refused; "
               << snapshot::summary(snapshot::tally(outcome)) << '\n';
-  return snapshot::tally(outcome).failing == 0 ? ExitCode::Same : ExitCode::Different;
+  return exit_code(outcome);
 }
 
 ExitCode run_review(const Options& options) {
   snapshot::Outcome outcome = snapshot::read_outcome(report_folder(options));
-  const auto code = [&] {
-    return snapshot::tally(outcome).failing == 0 ? ExitCode::Same : ExitCode::Different;
-  };
   if (options.json) {
     std::cout << snapshot::to_json(outcome);
-    return code();
+    return exit_code(outcome);
   }
   if (options.list_only) {
     print_list(outcome);
-    return code();
+    return exit_code(outcome);
   }
   refuse_in_ci();
   if (!options.from.empty()) return run_decisions(options, outcome);
   ReviewSession(options, outcome).run();
   retell_page(report_folder(options), outcome, options);
   std::cout << snapshot::summary(snapshot::tally(outcome)) << '\n';
-  return code();
+  return exit_code(outcome);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "core/at.h"
 #include "core/input_error.h"
 #include "core/newell_normal.h"
+#include "core/plain_text.h"
 #include "geometry/hull_builder.h"
 #include "scenario/nearest_word.h"
 #include "snapshot/store.h"
@@ -63,6 +64,12 @@ void check_winding(const trace::Shape& shape) {
       "shape '" + shape.name + "': " +
       (all ? std::string("all faces are") : "face " + std::to_string(wrong.front()) + " is") +
       " wound inside out; list the vertices of a face counter-clockwise as seen from outside"};
+}
+
+/// Names and texts go to terminals, shells and pictures.
+void require_plain(const char* what, const std::string& text) {
+  if (const std::string wrong = not_plain(text); !wrong.empty())
+    throw Wrong{std::string(what) + " has " + wrong + "; write plain text on one line"};
 }
 
 void check_shape(const trace::Shape& shape) {
@@ -140,6 +147,10 @@ TraceChecks::TraceChecks(trace::Header& header) : header_(header) {
     throw Wrong{"'scenario' is '" + header.scenario +
                 "'; write it as GROUP/IDEA, which is where its pictures go"};
   }
+  require_plain("'scenario'", header.scenario);
+  require_plain("'title'", header.title);
+  require_plain("'source'", header.source);
+  require_plain("'engine'", header.engine);
   require(header.poses_at.empty() || header.poses_at == "before_step" ||
               header.poses_at == "after_step",
           "'poses_at' is '" + header.poses_at + "'; it may be 'before_step' or 'after_step'");
@@ -160,6 +171,7 @@ TraceChecks::TraceChecks(trace::Header& header) : header_(header) {
 }
 
 void TraceChecks::add(trace::Shape shape) {
+  require_plain("the name of a shape", shape.name);
   give_faces(shape);
   check_shape(shape);
   const bool is_new = places_.emplace(shape.name, header_.shapes.size()).second;
@@ -203,6 +215,7 @@ void TraceChecks::pair(std::size_t index, const trace::Pair& pair) const {
   };
   const trace::Shape& a = named(pair.a, [&] { return place(".a"); });
   const trace::Shape& b = named(pair.b, [&] { return place(".b"); });
+  require_plain("the label of a pair", pair.label);
   require(&a != &b, [&] { return place(": 'a' and 'b' are the same shape; a pair needs two"); });
   require(pair.state == "touching" || pair.state == "separated", [&] {
     return place(".state is '") + pair.state + "'; it may be 'touching' or 'separated'";

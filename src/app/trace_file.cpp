@@ -10,6 +10,8 @@
 #include <sstream>
 
 #include "core/input_error.h"
+#include "core/input_file.h"
+#include "core/plain_text.h"
 #include "snapshot/meshes.h"
 #include "snapshot/store.h"
 
@@ -43,6 +45,7 @@ std::unique_ptr<std::istream> spooled(std::istream& in) {
 std::unique_ptr<std::istream> opened(const std::string& path, TraceFile::Passes passes) {
   if (path == kStandardInput)
     return passes == TraceFile::Passes::Several ? spooled(std::cin) : nullptr;
+  require_regular_file(path, "give a trace (.jsonl), or pipe it in and write - for its name");
   auto in = std::make_unique<std::ifstream>(path, std::ios::binary);
   if (!*in) throw InputError(path, 0, 0, "this file cannot be read; check its permissions");
   if (!fs::is_regular_file(path)) return in;
@@ -70,12 +73,23 @@ trace::Trace read_whole(TraceFile& file) {
 
 bool is_trace_file(const std::string& path) {
   if (path == kStandardInput) return true;
-  if (!fs::is_regular_file(path)) return false;
+  std::error_code unknown;
+  if (!fs::is_regular_file(path, unknown)) return false;
   if (fs::path(path).extension() == ".jsonl") return true;
   std::ifstream in(path, std::ios::binary);
   char first = ' ';
   while (kBlank.find(first) != std::string_view::npos && in.get(first)) continue;
   return in && first == '{';
+}
+
+std::string foreign_in(const std::string& path) {
+  std::error_code unknown;
+  if (!fs::is_regular_file(path, unknown)) return {};
+  std::string begin(1 << 16, '\0');
+  std::ifstream in(path, std::ios::binary);
+  in.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  begin.resize(static_cast<std::size_t>(in.gcount()));
+  return foreign_format_remedy(begin, fs::file_size(path));
 }
 
 TraceFile::TraceFile(const std::string& path, Passes passes)
@@ -89,13 +103,19 @@ TraceFile::TraceFile(std::unique_ptr<std::istream> text, const std::string& name
 }
 
 void TraceFile::begin() {
-  reader_.emplace(own_ ? *own_ : std::cin, name_);
+  try {
+    reader_.emplace(own_ ? *own_ : std::cin, name_);
+  } catch (const InputError&) {
+    if (const std::string what = foreign_in(name_); !what.empty())
+      throw InputError(name_, 1, 1, what);
+    throw;
+  }
   header_ = reader_->header();
   try {
     checks_.emplace(header_);
     header_.impulses.reset();
   } catch (const TraceChecks::Wrong& wrong) {
-    throw InputError(name_, reader_->line(), 1, wrong.text);
+    throw InputError(name_, reader_->line(), 1, printable(wrong.text));
   }
 }
 
@@ -114,7 +134,7 @@ std::optional<trace::Frame> TraceFile::next() {
       if (header_.frames == 0) header_.frames = checks_->last_frame() + 1;
     }
   } catch (const TraceChecks::Wrong& wrong) {
-    throw InputError(name_, frame ? frame->line : last_line, 1, wrong.text);
+    throw InputError(name_, frame ? frame->line : last_line, 1, printable(wrong.text));
   }
   return frame;
 }

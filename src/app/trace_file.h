@@ -13,6 +13,9 @@ namespace contactscope::app {
 /// does; "-", the standard input, is one. False where there is no such file.
 bool is_trace_file(const std::string& path);
 
+/// What to say of a file in a known format that is not read, as foreign_format_remedy() has it; else empty.
+std::string foreign_in(const std::string& path);
+
 /// A trace, ours or another engine's, that is read and checked a frame at a time; "-" is the standard input.
 /// Every function throws InputError, with the line and what would be right, where the trace cannot be read or does
 /// not fit together: a shape without vertices, a frame without a pose for each shape, a pair of shapes

@@ -42,9 +42,9 @@ constexpr AxisKind mirrored(AxisKind kind) {
 enum class Preference {
   /// Faces of A before faces of B before edge pairs, on meshes the triangle's face first, as long as
   /// the preferred axis is deeper by at most 5% of the depth or 0.2% of the smaller hull's radius,
-  /// whichever is larger. An edge contact has one point, and features that change between frames
-  /// break warm starting. Catto 2007, "Feature Flip-Flop"; Gregorius 2015, "Hull vs Hull: Feature
-  /// Flip-Flop".
+  /// whichever is larger, and its deepest point is at least 95% as deep as the hulls overlap. An
+  /// edge contact has one point, and features that change between frames break warm starting. Catto
+  /// 2007, "Feature Flip-Flop"; Gregorius 2015, "Hull vs Hull: Feature Flip-Flop".
   Relative,
   /// The axis of true minimum penetration.
   None,

@@ -32,6 +32,9 @@ constexpr std::array<std::string_view, 46> kStatements = {
     "d_interp", "lod",  "shadow_obj", "trace_obj", "ctech",  "stech",  "call",   "csh",
     "bsp",      "bzp",  "cdc",        "cdp",       "res",    "vw"};
 
+/// More corners of one face would take minutes to cut into triangles.
+constexpr std::size_t kMaxCorners = 10'000;
+
 /// What a file has.
 struct Contents {
   std::vector<Vec3d> vertices;
@@ -45,7 +48,10 @@ struct Contents {
 /// depends on where the origin is, which loses part of concave faces.
 class Checker {
  public:
-  Checker(const std::string& path, std::string_view text) : path_(path), text_(text) {}
+  /// `text`: with its continued lines joined by join_lines(), which leaves every byte at its place;
+  /// `written`: as the file has it, for line and column.
+  Checker(const std::string& path, std::string_view text, std::string_view written)
+      : path_(path), text_(text), written_(written) {}
 
   /// Throws InputError with line and column, or returns the faces and their lines.
   Contents run() {
@@ -53,7 +59,6 @@ class Checker {
       const std::string_view statement = next_word();
       if (statement.empty() || statement[0] == '#') continue;
       if (std::ranges::find(kStatements, statement) == kStatements.end()) {
-        if (continued_) continue;
         fail(quoted(statement) +
              " opens no statement of the .obj format; expected v, f or another keyword of it");
       }
@@ -72,25 +77,35 @@ class Checker {
   }
 
  private:
+  /// At the word that was read last.
   [[noreturn]] void fail(const std::string& message) const {
-    throw InputError(path_, line_number_, column_, message);
+    int line = line_number_;
+    std::size_t begin = line_begin_;
+    for (std::size_t end = begin; (end = end_of_line(end)) <= word_; begin = end) ++line;
+    throw InputError(path_, line, static_cast<int>(word_ - begin) + 1, message);
+  }
+
+  /// Where the line of the file that `at` is in ends, its line break included.
+  std::size_t end_of_line(std::size_t at) const {
+    const std::size_t end = std::min(written_.find_first_of("\r\n", at), written_.size());
+    return end + (written_.substr(end, 2) == "\r\n" ? 2 : 1);
   }
 
   bool next_line() {
+    // Lines that were joined count as well.
+    for (; line_begin_ < at_; line_begin_ = end_of_line(line_begin_)) ++line_number_;
     if (at_ >= text_.size()) return false;
     const std::size_t end = std::min(text_.find_first_of("\r\n", at_), text_.size());
-    continued_ = !line_.empty() && line_.back() == '\\';
     line_ = text_.substr(at_, end - at_);
     at_ = end + (text_.substr(end, 2) == "\r\n" ? 2 : 1);
     in_line_ = 0;
-    ++line_number_;
     return true;
   }
 
   std::string_view next_word() {
     const std::size_t begin = std::min(line_.find_first_not_of(" \t", in_line_), line_.size());
     in_line_ = std::min(line_.find_first_of(" \t", begin), line_.size());
-    column_ = static_cast<int>(begin) + 1;
+    word_ = line_begin_ + begin;
     return line_.substr(begin, in_line_ - begin);
   }
 
@@ -115,13 +130,15 @@ class Checker {
     std::string_view word = next_word();
     if (word.empty()) fail("the face has no vertex; a face is 'f' and at least three of them");
     for (; !word.empty(); word = next_word()) {
-      if (word == "\\") fail("the face goes on on the next line; put it on one line");
       long index = 0;
       const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), index);
       const bool number_ends = end == word.data() + word.size() || *end == '/';
       if (error != std::errc{} || !number_ends || index == 0 || index < -vertices_) {
         fail(quoted(word) + " names no vertex; vertices count from 1, or from -1 backwards");
       }
+      if (face.size() == kMaxCorners)
+        fail("the face has more than " + std::to_string(kMaxCorners) +
+             " corners; cut it into faces");
       face.push_back(static_cast<int>(index > 0 ? index - 1 : vertices_ + index));
       if (index > largest_index_) {
         largest_index_ = index;
@@ -140,31 +157,49 @@ class Checker {
   }
 
   std::string path_;
-  std::string_view text_;
+  std::string_view text_, written_;
   std::size_t at_ = 0;
   std::string_view line_;
   std::size_t in_line_ = 0;
-  int line_number_ = 0;
-  int column_ = 1;
-  bool continued_ = false;
+  std::size_t line_begin_ = 0, word_ = 0;  // in the text
+  int line_number_ = 1;                    // of line_begin_
   long vertices_ = 0;
   long largest_index_ = 0;
   int line_of_largest_ = 0;
   Contents contents_;
 };
 
+/// A backslash at the end of a line joins it with the next one: both become blanks. A comment ends
+/// with its line, whatever path of Windows it names.
+std::string join_lines(std::string text) {
+  for (std::size_t line = 0; line < text.size();) {
+    const std::size_t first = std::min(text.find_first_not_of(" \t", line), text.size() - 1);
+    std::size_t end = text.find_first_of("\r\n", line);
+    while (end != std::string::npos && end > line && text[end - 1] == '\\' && text[first] != '#') {
+      const std::size_t width = text.compare(end, 2, "\r\n") == 0 ? 3 : 2;
+      text.replace(end - 1, width, width, ' ');
+      end = text.find_first_of("\r\n", end);
+    }
+    line = std::max(end, end + 1);  // npos stays npos
+  }
+  return text;
+}
+
 Contents read(const std::string& path) {
   const auto refuse = [&](const std::string& message) { throw InputError(path, 0, 0, message); };
-  // A folder opens like a file and fails only when read.
   std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored))
-    refuse("this is a folder; expected a Wavefront .obj file");
+  const std::filesystem::file_status status = std::filesystem::status(path, ignored);
+  // A folder opens like a file and fails only when read; a pipe waits for someone who writes.
+  if (is_directory(status)) refuse("this is a folder; expected a Wavefront .obj file");
+  if (exists(status) && !is_regular_file(status))
+    refuse("this is not a regular file; expected a Wavefront .obj file");
   std::ifstream file(path, std::ios::binary);
   if (!file) refuse("the file cannot be opened; is its name right?");
-  const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  if (text.empty()) refuse("the file is empty; expected a Wavefront .obj");
+  const std::string written{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  if (written.empty()) refuse("the file is empty; expected a Wavefront .obj");
 
-  Contents contents = Checker(path, text).run();
+  const std::string text = join_lines(written);
+  Contents contents = Checker(path, text, written).run();
   tinyobj::callback_t callbacks;
   callbacks.vertex_cb = [](void* to, double x, double y, double z, double) {
     static_cast<Contents*>(to)->vertices.emplace_back(x, y, z);

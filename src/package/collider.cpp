@@ -53,7 +53,8 @@ Inside inside(const Box& box) {
 
 Inside inside(const Hull& hull) {
   for (const Vec3& vertex : hull.vertices) require_finite(vertex, "a vertex of a hull");
-  if (hull.faces.empty()) return build_hull(places(hull.vertices), {.weld_duplicates = true});
+  if (hull.faces.empty())
+    return build_hull(places(hull.vertices), {.weld_duplicates = true, .for_float = true});
   require_indices(hull.faces, hull.vertices.size(), "a face of a hull");
   return hull_from_polygons(places(hull.vertices), hull.faces);
 }

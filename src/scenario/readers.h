@@ -125,6 +125,7 @@ Motion read_motion(const Value& value, const Pose<double>& start, double end_tim
 /// What a shape is read in.
 struct Surroundings {
   std::filesystem::path folder;        // that names of files are relative to
+  Scalar scalar;                       // of the pipeline
   std::vector<std::string>& warnings;  // what a reader should know though nothing is wrong
 };
 

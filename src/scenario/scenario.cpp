@@ -8,8 +8,11 @@
 #include <system_error>
 
 #include "core/at.h"
+#include "core/input_file.h"
+#include "core/plain_text.h"
 #include "core/shape_name.h"
 #include "scenario/readers.h"
+#include "scenario/scenario_name.h"
 #include "scenario/words_file.h"
 
 namespace contactscope {
@@ -35,25 +38,6 @@ constexpr int kMaxDottedNames = 16;
   const auto line = 1 + std::count(before.begin(), before.end(), '\n');
   throw InputError(path, static_cast<int>(line), static_cast<int>(offset - line_start + 1),
                    message);
-}
-
-/// Length of the UTF-8 sequence that begins at `offset`, 0 when it is malformed. The table is
-/// Unicode 15, section 3.9, table 3-7, "Well-Formed UTF-8 Byte Sequences".
-std::size_t utf8_length(std::string_view text, std::size_t offset) {
-  const auto byte = [&](std::size_t i) {
-    return offset + i < text.size() ? static_cast<unsigned char>(text[offset + i]) : 0u;
-  };
-  const auto within = [&](std::size_t i, unsigned low, unsigned high) {
-    return byte(i) >= low && byte(i) <= high;
-  };
-  const unsigned lead = byte(0);
-  if (lead <= 0x7F) return 1;
-  const std::size_t length = lead < 0xC2 || lead > 0xF4 ? 0 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4;
-  const unsigned low = lead == 0xE0 ? 0xA0 : lead == 0xF0 ? 0x90 : 0x80;
-  const unsigned high = lead == 0xED ? 0x9F : lead == 0xF4 ? 0x8F : 0xBF;
-  bool well_formed = within(1, low, high);
-  for (std::size_t i = 2; i < length; ++i) well_formed = well_formed && within(i, 0x80, 0xBF);
-  return well_formed ? length : 0;
 }
 
 /// Offset just behind the string that opens at `start`, where a quote stands; the end of the text
@@ -99,8 +83,14 @@ void check_dotted_keys(const std::string& text, const std::string& path) {
   }
 }
 
-/// Reads a whole scenario file. Throws InputError when it is missing, no plain file, cannot be
-/// read, or is too large, in which case nothing of it is read.
+/// Throws InputError where a file is in a format that is known and not read.
+void refuse_foreign(const std::string& path, std::string_view begin, std::uintmax_t size) {
+  const std::string remedy = foreign_format_remedy(begin, size);
+  if (!remedy.empty()) throw InputError(path, 1, 1, remedy);
+}
+
+/// Reads a whole scenario file. Throws InputError when it is missing, not a regular file, cannot be
+/// read, or is too large, in which case only its beginning is read.
 std::string read_text(const std::string& path) {
   const auto refuse = [&](const std::string& message) { throw InputError(path, 0, 0, message); };
   std::error_code error;
@@ -112,14 +102,17 @@ std::string read_text(const std::string& path) {
            "); give the path of a scenario (.toml) that can be read");
   if (status.type() == fs::file_type::directory)
     refuse("this is a folder; give the path of a scenario (.toml) in it");
-  if (status.type() != fs::file_type::regular)
-    refuse("this is no plain file; give the path of a scenario (.toml)");
+  require_regular_file(path, "give the path of a scenario (.toml)");
 
   const std::uintmax_t size = fs::file_size(path, error);
-  if (!error && size > kMaxScenarioBytes)
+  std::ifstream in(path, std::ios::binary);
+  if (!error && size > kMaxScenarioBytes) {
+    std::string begin(4096, '\0');
+    in.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+    refuse_foreign(path, begin, size);
     refuse("the file has " + std::to_string(size) + " bytes; a scenario may have " +
            std::to_string(kMaxScenarioBytes) + ", and large meshes belong into an .obj file");
-  std::ifstream in(path, std::ios::binary);
+  }
   std::string text(error ? 0 : static_cast<std::size_t>(size), '\0');
   in.read(text.data(), static_cast<std::streamsize>(text.size()));
   if (error || !in || in.gcount() != static_cast<std::streamsize>(text.size()))
@@ -148,15 +141,15 @@ void check_text(const std::string& text, const std::string& path) {
   check_dotted_keys(text, path);
 }
 
-/// "<group>/<idea>": the file and the folder that it is in.
-std::string name_of(const std::string& path) {
-  std::error_code error;
-  fs::path whole = fs::absolute(path, error);
-  if (error) whole = path;
-  whole = whole.lexically_normal();
-  const std::string group = whole.parent_path().filename().string();
-  const std::string idea = whole.stem().string();
-  return group.empty() ? idea : group + "/" + idea;
+/// Throws InputError. What is no TOML may be something else that is known.
+toml::table document_of(const std::string& text, const std::string& path) {
+  try {
+    check_text(text, path);
+    return scenario_file::parse_document(text, path);
+  } catch (const InputError&) {
+    refuse_foreign(path, text, text.size());
+    throw;
+  }
 }
 
 double read_step(const Value& value) {
@@ -167,17 +160,30 @@ double read_step(const Value& value) {
 
 }  // namespace
 
+std::string scenario_name(const std::string& path) {
+  std::error_code error;
+  fs::path whole = fs::absolute(path, error);
+  if (error) whole = path;
+  whole = whole.lexically_normal();
+  const std::string group = whole.parent_path().filename().string();
+  const std::string idea = whole.stem().string();
+  return group.empty() ? idea : group + "/" + idea;
+}
+
 Scenario parse_scenario(const std::string& text, const std::string& path) {
   using namespace scenario_file;
-  check_text(text, path);
-  const toml::table document = parse_document(text, path);
+  const toml::table document = document_of(text, path);
   const Value file =
       Value(path, document, "")
           .table({"title", "source", "tags", "up", "time", "shapes", "pairs", "pipeline", "world",
                   "solver", "views", "words", "expect", "snapshots", "patch"});
 
   Scenario scenario;
-  scenario.name = name_of(path);
+  scenario.name = scenario_name(path);
+  if (const std::string wrong = not_plain(scenario.name); !wrong.empty())
+    throw InputError(printable(path), 0, 0,
+                     "the name of a scenario is that of its file and folder, and this one has " +
+                         wrong + "; rename it");
   scenario.path = path;
   const auto patch = file.find("patch");
   std::optional<Value> title = file.find("title");
@@ -203,10 +209,11 @@ Scenario parse_scenario(const std::string& text, const std::string& path) {
   }
 
   const Value shapes = file.require("shapes", "a shape as [shapes.NAME]");
-  scenario.shapes = read_shapes(shapes, {fs::path(path).parent_path(), scenario.warnings},
-                                (scenario.frames - 1) * scenario.dt);
   PipelineSettings settings;
   file.read("pipeline", settings, read_pipeline);
+  scenario.shapes =
+      read_shapes(shapes, {fs::path(path).parent_path(), settings.scalar, scenario.warnings},
+                  (scenario.frames - 1) * scenario.dt);
   const auto pairs = file.find("pairs"), world = file.find("world");
   scenario.broad_phase = read_broad_phase(world, pairs);
   scenario.pairs = pairs ? read_pairs(*pairs, scenario.shapes, settings)
@@ -240,9 +247,7 @@ Scenario parse_scenario(const std::string& text, const std::string& path) {
 }
 
 toml::table scenario_file::read_document(const std::string& path) {
-  const std::string text = read_text(path);
-  check_text(text, path);
-  return parse_document(text, path);
+  return document_of(read_text(path), path);
 }
 
 std::vector<std::string_view> names_in_pictures(const Scenario& scenario) {

@@ -40,18 +40,20 @@ Hull<double> build_merged(const Value& at, const Value& table, const Build& buil
 
 /// Points of a list or file: a hull that can be computed with, within the lengths of a scenario.
 Hull<double> hull_of_points(const std::vector<Vec3d>& points, const Value& at, const Value& shape,
-                            std::vector<std::string>& warnings) {
+                            const Surroundings& surroundings) {
   if (points.size() > kMaxHullPoints)
     at.fail("'" + at.name() + "' has " + std::to_string(points.size()) +
             " points; a hull may be built from up to " + std::to_string(kMaxHullPoints));
   check_reach(points, at);
-  const HullOptions options{.allow_flat = true};
+  HullOptions options{.allow_flat = true, .for_float = surroundings.scalar == Scalar::Float};
+  if (!options.for_float) options.epsilon = epsilon_of_digits(points);
   Hull<double> hull = build_merged(at, shape, [&] { return build_hull(points, options); });
   check_radius(hull.radius, at);
   if (hull.flat())
-    warnings.push_back("line " + std::to_string(at.line()) + ": the hull '" + shape.name() +
-                       "' is flat: its points lie on one plane, and it is taken as a polygon with "
-                       "two sides; give a point off the plane if it is to have a volume");
+    surroundings.warnings.push_back(
+        "line " + std::to_string(at.line()) + ": the hull '" + shape.name() +
+        "' is flat: its points lie on one plane, and it is taken as a polygon with "
+        "two sides; give a point off the plane if it is to have a volume");
   return hull;
 }
 
@@ -62,10 +64,9 @@ Shape<double> read_hull(const Value& table, const Surroundings& surroundings) {
   if (!vertices && !file)
     table.fail("the hull '" + table.name() +
                "' has no points; add vertices = [[x, y, z], ..] or file = \"NAME.obj\"");
-  std::vector<std::string>& warnings = surroundings.warnings;
-  if (vertices) return hull_of_points(read_points(*vertices), *vertices, table, warnings);
+  if (vertices) return hull_of_points(read_points(*vertices), *vertices, table, surroundings);
   return hull_of_points(load_obj(*file, surroundings.folder, load_obj_vertices), *file, table,
-                        warnings);
+                        surroundings);
 }
 
 Shape<double> read_box(const Value& table, const Surroundings&) {
@@ -257,7 +258,10 @@ void check_radius(double radius, const Value& at) {
 fs::path existing_obj_file(const Value& value, const fs::path& folder) {
   const std::string name = value.non_empty_string();
   if (name.find('\0') != std::string::npos) value.fail("'file' contains a NUL character");
-  if (fs::path(name).extension() != ".obj")
+  std::string extension = fs::path(name).extension().string();
+  for (char& c : extension)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  if (extension != ".obj")
     value.fail("'file' is '" + name + "', which is no .obj file; give a Wavefront .obj");
   const fs::path path = folder / name;
   std::error_code error;
@@ -266,7 +270,7 @@ fs::path existing_obj_file(const Value& value, const fs::path& folder) {
     value.fail("there is no file '" + path.string() +
                "'; names are relative to the scenario's folder");
   if (status.type() != fs::file_type::regular)
-    value.fail("'" + path.string() + "' is no plain file; give a Wavefront .obj");
+    value.fail("'" + path.string() + "' is not a regular file; give a Wavefront .obj");
   return path;
 }
 

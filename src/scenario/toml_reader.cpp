@@ -5,6 +5,7 @@
 
 #include "core/at.h"
 #include "core/input_error.h"
+#include "core/plain_text.h"
 
 namespace contactscope::scenario_file {
 namespace {
@@ -31,6 +32,13 @@ std::string printable(std::string message) {
                           const std::string& message) {
   throw InputError(file, static_cast<int>(where.line), static_cast<int>(where.column),
                    printable(message));
+}
+
+/// Names and texts go to terminals, shells and pictures.
+void require_plain(const std::string& file, const toml::source_position& where,
+                   const std::string& what, const std::string& text) {
+  if (const std::string wrong = not_plain(text); !wrong.empty())
+    fail_at(file, where, what + " has " + wrong + "; write plain text on one line");
 }
 
 /// "a string", "an array of two values", for messages.
@@ -120,6 +128,7 @@ bool Value::boolean() const {
 
 std::string Value::string() const {
   if (!node_->is_string()) wrong_type("a string");
+  require_plain(*file_, node_->source().begin, "'" + name_ + "'", node_->as_string()->get());
   return node_->as_string()->get();
 }
 
@@ -194,8 +203,10 @@ std::vector<Value> Value::members() const {
   if (table == nullptr) wrong_type("a table");
   // The library sorts keys by name; where each was written first gives the file's order back.
   std::vector<std::pair<toml::source_position, Value>> found;
-  for (auto&& [key, node] : *table)
+  for (auto&& [key, node] : *table) {
+    require_plain(*file_, key.source().begin, "this name", std::string(key.str()));
     found.emplace_back(key.source().begin, Value(*file_, node, std::string(key.str())));
+  }
   std::ranges::stable_sort(found, std::less(), [](const auto& member) { return member.first; });
   return mapped(found, [](const auto& member) { return member.second; });
 }

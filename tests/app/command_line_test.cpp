@@ -130,15 +130,38 @@ TEST(CommandLine, OneBadScenarioAmongGoodOnesLeavesNothingWritten) {
 
 TEST(CommandLine, EveryBadScenarioIsToldInOneRun) {
   const TemporaryFolder folder;
+  const std::string one = folder.write("scenarios/a/first.toml", "title = 3\n");
+  const std::string two = folder.write("scenarios/a/second.toml", "titel = \"x\"\n");
+  const ProgramRun result = run("trace '" + (folder / "scenarios") + "'");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, HasSubstr(one + ":1:"));
+  EXPECT_THAT(result.err, HasSubstr(two + ":1:1: "));
+}
+
+TEST(CommandLine, BadScenariosAreFindingsOfACheckThatRunsTheOthers) {
+  const TemporaryFolder folder;
   folder.write("scenarios/a/first.toml", "title = 3\n");
   folder.write("scenarios/a/good.toml", small_scenario());
   folder.write("scenarios/a/second.toml", "titel = \"x\"\n");
+  folder.write("snapshots/a/second/trace.jsonl", "");
   const std::string root = folder / "scenarios";
-  const ProgramRun result =
-      run("check --facts-only --scenarios '" + root + "' --out '" + (folder / "out") + "'");
-  EXPECT_EQ(result.exit_code, 2);
-  EXPECT_THAT(result.err, HasSubstr(root + "/a/first.toml:1:"));
-  EXPECT_THAT(result.err, HasSubstr(root + "/a/second.toml:1:1: "));
+  const std::string check = "check --facts-only --scenarios '" + root + "' --snapshots '" +
+                            (folder / "snapshots") + "' --out '" + (folder / "out") + "' ";
+  for (const char* arguments : {"--write-missing", "--update", ""}) {
+    const ProgramRun result = run(check + arguments, "CI=");
+    EXPECT_EQ(result.exit_code, 2) << arguments;
+    EXPECT_THAT(result.out, HasSubstr("unreadable  " + root + "/a/first.toml:1:")) << arguments;
+    EXPECT_THAT(result.out, HasSubstr(root + "/a/second.toml:1:1: ")) << arguments;
+    EXPECT_THAT(result.err, HasSubstr("3 scenarios: 1 the same, 2 fail")) << arguments;
+    EXPECT_THAT(result.err, HasSubstr("2 unreadable scenarios)")) << arguments;
+  }
+  EXPECT_TRUE(std::filesystem::exists(folder / "snapshots/a/second/trace.jsonl"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "out/check/report.html"));
+  for (const char* part : {"1/2", "2/2"}) run(check + "--shard " + part, "CI=");
+  const ProgramRun merged =
+      run("merge '" + (folder / "out") + "' --out '" + (folder / "out") + "'");
+  EXPECT_EQ(merged.exit_code, 2);
+  EXPECT_THAT(merged.out, HasSubstr("unreadable  " + root + "/a/first.toml:1:"));
 }
 
 TEST(CommandLine, TwoScenariosOfOneNameAreRefusedAndOneNamedTwiceIsTakenOnce) {

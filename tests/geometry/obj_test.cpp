@@ -2,12 +2,14 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <filesystem>
 #include <fstream>
 
 #include "core/input_error.h"
 #include "geometry/hull_builder.h"
+#include "support/random_geometry.h"
 
 namespace contactscope::test {
 namespace {
@@ -127,9 +129,57 @@ TEST_F(Obj, AFaceThatNamesNoVertexIsRefusedAtItsLine) {
   EXPECT_THAT(refusal_of(vertices + "f 1 2 99999999999999999999\n"), StartsWith(":4:7:"));
 }
 
-TEST_F(Obj, AContinuedFaceIsRefusedAndNotReadInPart) {
-  EXPECT_THAT(refusal_of("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 \\\n3\n"),
-              AllOf(StartsWith(":4:"), HasSubstr("one line")));
+TEST_F(Obj, AFaceOfMoreThanTenThousandCornersIsRefusedAtItsLine) {
+  std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf";
+  for (int i = 0; i <= 10'000; ++i) text += " " + std::to_string(1 + i % 3);
+  EXPECT_THAT(refusal_of(text), AllOf(StartsWith(":4:"), HasSubstr("cut it into faces")));
+}
+
+TEST_F(Obj, ABackslashJoinsALineWithTheNext) {
+  const std::string vertices = "v 0 0 \\\n 0\nv 1 0\\\r\n0\nv 0 1 0\n# a path: c:\\cubes\\\n";
+  EXPECT_EQ(load(vertices + "f 1 \\\n 2\\\n\\\n3\n").size(), 3u);
+  EXPECT_THAT(refusal_of(vertices + "f 1 2 \\\n\\\n  x\n"),
+              AllOf(StartsWith(":9:3:"), HasSubstr("'x'")));
+  EXPECT_THAT(refusal_of(vertices + "f 1 2 3\nw\n"), StartsWith(":8:1: 'w'"));
+}
+
+// Blanks and line ends may be split by a backslash wherever words are.
+TEST_F(Obj, RandomContinuedLinesReadAsTheWholeOnes) {
+  Random random(17);
+  for (int i = 0; i < 200; ++i) {
+    std::string whole, split;
+    const auto put = [&](const std::string& word, char end) {
+      whole += word + end;
+      split += word;
+      while (end == ' ' && random.chance(0.3)) split += random.chance(0.5) ? "\\\n" : " \\\r\n\t";
+      split += end;
+    };
+    for (int v = 0; v < 6; ++v) {
+      if (random.chance(0.2)) put("# c:\\", '\n');
+      put("v", ' ');
+      for (int axis = 0; axis < 3; ++axis)
+        put(std::to_string(random.uniform(-9, 9)), axis < 2 ? ' ' : '\n');
+    }
+    put("f", ' ');
+    for (int corner = 0; corner < 4; ++corner)
+      put(std::to_string(1 + random.index(6)), corner < 3 ? ' ' : '\n');
+    ASSERT_EQ(load(split), load(whole)) << split;
+  }
+}
+
+TEST_F(Obj, APipeOrADeviceIsRefusedAtOnce) {
+  const std::string pipe = write("") + ".pipe";
+  std::filesystem::remove(pipe);
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  for (const std::string& path : {pipe, std::string("/dev/zero")}) {
+    try {
+      load_obj_vertices(path);
+      ADD_FAILURE() << path;
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), HasSubstr("not a regular file")) << path;
+    }
+  }
+  std::filesystem::remove(pipe);
 }
 
 TEST_F(Obj, SomethingElseIsRefusedAtItsFirstLine) {

@@ -38,7 +38,7 @@ TEST(BrokenPath, Folder) {
 }
 
 TEST(BrokenPath, Device) {
-  EXPECT_THAT(load_complaint("/dev/zero"), HasSubstr("no plain file"));
+  EXPECT_THAT(load_complaint("/dev/zero"), HasSubstr("not a regular file"));
 }
 
 TEST(BrokenPath, NameTooLongForTheSystem) {
@@ -130,7 +130,7 @@ TEST(BrokenPath, ObjFileThatIsAFolder) {
   fs::create_directory(folder.path() / "rock.obj");
   const std::string path =
       folder.write("a.toml", one_shape("type = \"hull\"\nfile = \"rock.obj\""));
-  EXPECT_THAT(load_complaint(path), AllOf(StartsWith(path + ":4:8: "), HasSubstr("no plain file")));
+  EXPECT_THAT(load_complaint(path), AllOf(StartsWith(path + ":4:8: "), HasSubstr("not a regular file")));
 }
 
 TEST(BrokenPath, ManyShapesNeedAListOfPairs) {

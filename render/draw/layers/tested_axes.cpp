@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "draw/layers/layer.h"
 #include "draw/scene/answers.h"
@@ -26,13 +27,24 @@ bool is_short(const trace::TestedAxis& axis) {
   return axis.kind == "edges" && axis.length < kShort && !axis.direction.isZero(0);
 }
 
+/// By how much the gap along a cross product has to be larger than that along a face, as a part of what
+/// both boxes reach: it may be the same axis, rounded.
+constexpr double kRounding = 16 * std::numeric_limits<float>::epsilon();
+
+bool is_larger(const trace::TestedAxis& axis, const trace::TestedAxis& than) {
+  const bool is_edge_over_face = axis.kind == "edges" && than.kind != "edges";
+  const double reach = axis.interval_b[1] - axis.interval_a[0];
+  return axis.gap > than.gap + (is_edge_over_face ? kRounding * reach : 0);
+}
+
 /// The axis that separates; else of the short cross products the one that came nearest to it; else of
 /// all that were not skipped. Null where there is none.
 const trace::TestedAxis* worth_a_look(const trace::Query& query) {
   const auto largest = [&](auto&& counts) {
     const trace::TestedAxis* found = nullptr;
     for (const trace::TestedAxis& axis : query.axes)
-      if (!axis.direction.isZero(0) && counts(axis) && (found == nullptr || axis.gap > found->gap))
+      if (!axis.direction.isZero(0) && counts(axis) &&
+          (found == nullptr || is_larger(axis, *found)))
         found = &axis;
     return found;
   };

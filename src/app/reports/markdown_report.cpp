@@ -35,6 +35,14 @@ std::string plain(const std::string& text) {
   return all;
 }
 
+/// A name as code: between more backticks than stand in it.
+std::string code(const std::string& text) {
+  std::string fence = "`";
+  while (text.find(fence) != std::string::npos) fence += '`';
+  const std::string pad = fence.size() > 1 ? " " : "";
+  return fence + pad + text + pad + fence;
+}
+
 void tell_markdown(const Told& told) {
   std::ostringstream out;
   const std::vector<Cause> causes = snapshot::causes(told.outcome);
@@ -45,7 +53,7 @@ void tell_markdown(const Told& told) {
     out << "\n### " << plain(first.key()) << "\n\n" << plain(first.sentence) << "\n\n";
     if (cause.scenarios.size() > 1) {
       out << "One cause in " << cause.scenarios.size() << " scenarios:";
-      for (const std::string& scenario : cause.scenarios) out << " `" << scenario << "`";
+      for (const std::string& scenario : cause.scenarios) out << " " << code(scenario);
       out << "\n\n";
     }
     for (const Finding* finding : cause.findings) {

@@ -6,6 +6,7 @@
 #include "app/reports/rows.h"
 #include "image/base64.h"
 #include "snapshot/store.h"
+#include "vector/markup.h"
 
 namespace contactscope::app {
 namespace {
@@ -66,7 +67,7 @@ Json finding_json(const Told& told, const Finding& finding, Pictures& pictures) 
             {"details", finding.details},
             {"review", snapshot::kReviews[static_cast<std::size_t>(finding.review)]}};
   if (finding.is_acceptable())
-    json["accept"] = accept_command(told, finding.key());
+    json["accept"] = accept_command(told, {finding.key()});
   else
     json["remedy"] = remedy(told, finding);
   if (!finding.is_picture()) return json;
@@ -88,15 +89,12 @@ void tell_page(const Told& told) {
   for (const Cause& cause : snapshot::causes(told.outcome)) {
     std::string kind(snapshot::name_of(cause.findings.front()->kind));
     std::ranges::replace(kind, '_', ' ');
-    std::string scenarios;
-    for (const std::string& scenario : cause.scenarios)
-      scenarios += (scenarios.empty() ? "" : " ") + scenario;
     Json one{{"kind", kind},
              {"scenarios", cause.scenarios},
              {"pictures", std::ranges::count_if(cause.findings, &Finding::is_picture)},
              {"findings", Json::array()}};
     if (cause.scenarios.size() > 1 && cause.findings.front()->is_acceptable())
-      one["accept"] = accept_command(told, scenarios);
+      one["accept"] = accept_command(told, cause.scenarios);
     // What is told by its first finding is looked at in the pictures.
     std::vector<const Finding*> shown = cause.findings;
     std::stable_partition(shown.begin() + 1, shown.end(),
@@ -105,10 +103,8 @@ void tell_page(const Told& told) {
       one["findings"].push_back(finding_json(told, *finding, pictures));
     json["causes"].push_back(std::move(one));
   }
-  std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
-  // What would end the script that holds it.
-  for (std::size_t at = 0; (at = text.find('<', at)) != std::string::npos;)
-    text.replace(at, 1, "\\u003c");
+  const std::string text =
+      vector::in_script(json.dump(-1, ' ', false, Json::error_handler_t::replace));
   std::string page(check_page());
   const std::string_view mark = "@REPORT@";
   page.replace(page.find(mark), mark.size(), text);

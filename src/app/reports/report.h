@@ -27,6 +27,9 @@ struct Report {
 
 const std::vector<Report>& reports();
 
+/// Of a verb that ran or read a check: Trouble where a scenario could not be read, whatever else differs.
+ExitCode exit_code(const snapshot::Outcome& outcome);
+
 /// Tells everybody who asked.
 void tell_all(const Told& told);
 
@@ -36,8 +39,8 @@ std::string path_in(const Told& told, const std::string& file);
 /// " --out DIR" where commands on this report need it, else nothing.
 std::string out_argument(const Told& told);
 
-/// The shell command that accepts findings, or all of some folders: keys with blanks between them.
-std::string accept_command(const Told& told, const std::string& keys);
+/// The shell command that accepts findings by their keys, or all of some folders.
+std::string accept_command(const Told& told, const std::vector<std::string>& keys);
 
 /// What to do about one finding: the command that accepts it, or a sentence where none does.
 std::string remedy(const Told& told, const snapshot::Finding& finding);

@@ -21,7 +21,9 @@ void put_line(const std::string& begin, const std::string& text) {
 std::string kind_in_words(const Finding& finding) {
   std::string name(snapshot::name_of(finding.kind));
   std::ranges::replace(name, '_', ' ');
-  return name == "unmet expectation" ? "unmet" : name;
+  return name == "unmet expectation" || name == "unreadable scenario"
+             ? name.substr(0, name.find(' '))
+             : name;
 }
 
 std::string list_of(const std::vector<std::string>& names, std::size_t most) {
@@ -93,8 +95,24 @@ std::string what_to_do(const Told& told, const snapshot::Tally& counts) {
   for (const Cause& cause : causes) all += static_cast<int>(cause.findings.size());
   const std::string store = "contactscope check --write-missing stores what is not there yet";
   const std::string review = "contactscope review goes through it, " +
-                             accept_command(told, scenario) + " takes one of them";
+                             accept_command(told, {scenario}) + " takes one of them";
   return absent == 0 ? review : absent == all ? store : review + ", " + store;
+}
+
+/// One line, or where it is verbose one for each.
+void print_brittle(const snapshot::Outcome& outcome, bool is_verbose) {
+  int decisions = 0, scenarios = 0;
+  for (const ScenarioOutcome& scenario : outcome.scenarios) {
+    decisions += static_cast<int>(scenario.brittle.size());
+    scenarios += !scenario.brittle.empty();
+    for (const std::string& sentence : scenario.brittle)
+      if (is_verbose) std::cerr << scenario.scenario << ": " << sentence << '\n';
+  }
+  if (decisions == 0 || is_verbose) return;
+  std::cerr << snapshot::counted(decisions, "decision") << " in "
+            << snapshot::counted(scenarios, "scenario") << (decisions == 1 ? " is" : " are")
+            << " within rounding: another machine may choose otherwise; --verbose names "
+            << (decisions == 1 ? "it" : "them") << '\n';
 }
 
 void tell_terminal(const Told& told) {
@@ -111,6 +129,7 @@ void tell_terminal(const Told& told) {
   const snapshot::Tally counts = snapshot::tally(outcome);
   std::cout.flush();
   if (options.quiet) return;
+  print_brittle(outcome, options.verbose);
   std::vector<std::string> notes;
   for (const ScenarioOutcome& scenario : outcome.scenarios)
     for (const std::string& note : scenario.notes) notes.push_back(scenario.scenario + ": " + note);
