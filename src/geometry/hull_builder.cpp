@@ -2,17 +2,22 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <tuple>
+#include <utility>
 
 #include "core/at.h"
 #include "core/convex_polygon.h"
 #include "geometry/aabb.h"
 #include "geometry/quickhull.h"
+#include "geometry/shape.h"
 
 namespace contactscope {
 namespace {
@@ -25,7 +30,6 @@ namespace {
 // 3 (max|x| + max|y| + max|z|) epsilon, with the epsilon of the data instead of that of the
 // arithmetic. Sizes are those of the points about their own middle, so that moving a shape does not
 // change it; what the arithmetic itself loses far from the origin is the second term.
-constexpr double kDataEpsilon = std::numeric_limits<float>::epsilon();
 constexpr double kArithmeticEpsilon = std::numeric_limits<double>::epsilon();
 constexpr double kTolerancePerEpsilon = 3;
 
@@ -33,6 +37,9 @@ constexpr double kTolerancePerEpsilon = 3;
 // and in the end nothing but what the arithmetic makes coplanar, which always works on exact
 // points.
 constexpr std::array<double, 5> kAttempts = {1, 1.0 / 8, 1.0 / 64, 1.0 / 4096, 1.0 / 262144};
+
+// In double: coordinates that were turned and moved have lost a few bits.
+constexpr double kFinestEpsilon = 16 * kArithmeticEpsilon;
 
 Vec3d half_extents_of(const Aabb<double>& box) {
   // Halved before subtracting: the extent of large coordinates may overflow.
@@ -153,13 +160,94 @@ Hull<double> compact(std::span<const Vec3d> points, std::vector<std::vector<int>
   return hull_from_polygons(std::move(vertices), faces);
 }
 
+/// Points as quickhull takes them: about the middle and at size 1. The factor is a power of two, so that
+/// it costs nothing and the outcome is the same at every scale.
+struct UnitPoints {
+  explicit UnitPoints(std::span<const Vec3d> points) {
+    const Aabb<double> box = box_around(points);
+    const Vec3d center = box.center();
+    exponent = std::ilogb(half_extents_of(box).maxCoeff());
+    local = mapped(points, [&](const Vec3d& point) -> Vec3d {
+      return (point - center).unaryExpr([&](double x) { return std::ldexp(x, -exponent); });
+    });
+  }
+
+  std::vector<Vec3d> local;
+  int exponent;
+};
+
+/// Whether every edge goes along its faces, also once its ends are off by `rounding`.
+bool has_true_edges(const quickhull::Result& result, double rounding) {
+  return result.steepest_edge <= quickhull::kSteepest &&
+         rounding <= quickhull::kSteepest * result.shortest_edge;
+}
+
+/// The points as float has them about the origin that it will have them about (see moved_origin).
+std::vector<Vec3d> rounded_to_float(std::vector<Vec3d> points) {
+  const Vec3d origin = middle_where_far(box_around(points), 0);
+  for (Vec3d& point : points) {
+    for (int axis = 0; axis < 3; ++axis) {
+      // Stored, as in middle_where_far().
+      const volatile float rounded = static_cast<float>(point[axis] - origin[axis]);
+      point[axis] = origin[axis] + static_cast<double>(rounded);
+    }
+  }
+  return points;
+}
+
+/// How far that moves a point at most.
+double rounding_to_float(std::span<const Vec3d> points) {
+  const Aabb<double> box = box_around(points);
+  const Vec3d origin = middle_where_far(box, 0);
+  const Vec3d lower = box.lower - origin, upper = box.upper - origin;
+  return 0.5 * std::numeric_limits<float>::epsilon() *
+         lower.cwiseAbs().cwiseMax(upper.cwiseAbs()).sum();
+}
+
+/// By quickhull::run_with_near_points; none where that finds none.
+std::optional<Hull<double>> hull_with_near_points(std::vector<Vec3d> points, double tolerance,
+                                                  bool for_float) {
+  if (for_float) {
+    points = rounded_to_float(std::move(points));
+    points = mapped(distinct_points(points, true), [&](int i) { return at(points, i); });
+  }
+  const auto [local, exponent] = UnitPoints(points);
+  quickhull::Result result =
+      quickhull::run_with_near_points(local, std::ldexp(tolerance, -exponent));
+  if (result.status != quickhull::Status::Done) return std::nullopt;
+  return compact(points, std::move(result.faces));
+}
+
+/// How many digits the shortest text has that gives this number.
+int digits_of(double number) {
+  char text[32];
+  char* const end =
+      std::to_chars(text, text + sizeof text, std::abs(number), std::chars_format::scientific).ptr;
+  char* const mantissa_end = std::find(text, end, 'e');
+  return static_cast<int>(mantissa_end - text - std::count(text, mantissa_end, '.'));
+}
+
 }  // namespace
 
-double hull_tolerance(std::span<const Vec3d> points) {
+double epsilon_of_digits(std::span<const Vec3d> points) {
+  int digits = 0;
+  bool are_floats = true;
+  for (const Vec3d& point : points) {
+    for (const double x : point) {
+      are_floats = are_floats && std::equal_to<double>()(static_cast<float>(x), x);
+      digits = std::max(digits, digits_of(x));
+    }
+  }
+  constexpr double kFloat = std::numeric_limits<float>::epsilon();
+  if (are_floats || digits <= std::numeric_limits<float>::max_digits10) return kFloat;
+  return std::max(kFinestEpsilon, std::pow(10.0, 1 - digits));
+}
+
+double hull_tolerance(std::span<const Vec3d> points, double epsilon) {
   const Aabb<double> box = box_around(points);
   const Vec3d magnitude = box.lower.cwiseAbs().cwiseMax(box.upper.cwiseAbs());
   return kTolerancePerEpsilon *
-         (kDataEpsilon * half_extents_of(box).sum() + kArithmeticEpsilon * magnitude.sum());
+         (epsilon * half_extents_of(box).sum() + kArithmeticEpsilon * magnitude.sum());
 }
 
 Hull<double> build_hull(std::span<const Vec3d> points, const HullOptions& options) {
@@ -178,19 +266,22 @@ Hull<double> build_hull(std::span<const Vec3d> points, const HullOptions& option
   }
   const std::vector<Vec3d> kept = mapped(distinct, [&](int i) { return at(points, i); });
 
-  // Quickhull runs about the middle and at size 1; the factor is a power of two, so that it costs
-  // nothing and the outcome is the same at every scale.
-  const Aabb<double> box = box_around(kept);
-  const Vec3d center = box.center();
-  const int exponent = std::ilogb(half_extents_of(box).maxCoeff());
-  const std::vector<Vec3d> local = mapped(kept, [&](const Vec3d& point) -> Vec3d {
-    return (point - center).unaryExpr([&](double x) { return std::ldexp(x, -exponent); });
-  });
-  const double tolerance = hull_tolerance(kept);
-  for (const double factor : kAttempts) {
+  const auto [local, exponent] = UnitPoints(kept);
+  const double tolerance = hull_tolerance(kept, options.epsilon);
+  std::vector<double> attempts(kAttempts.begin(), kAttempts.end());
+  // Finer coordinates may be merged as float's are before the hull is given up.
+  for (double factor = 8; factor * options.epsilon <= HullOptions().epsilon; factor *= 8)
+    attempts.push_back(factor);
+  for (const double factor : attempts) {
     const double scaled = std::ldexp(factor * tolerance, -exponent);
     quickhull::Result result = quickhull::run(local, scaled);
-    if (result.status == quickhull::Status::Done) return compact(kept, std::move(result.faces));
+    if (result.status == quickhull::Status::Done) {
+      const double off = options.for_float ? rounding_to_float(kept) : 0;
+      if (!has_true_edges(result, std::ldexp(off, -exponent))) {
+        if (auto hull = hull_with_near_points(kept, tolerance, options.for_float)) return *hull;
+      }
+      return compact(kept, std::move(result.faces));
+    }
     if (result.status == quickhull::Status::Coplanar && options.allow_flat) {
       const std::vector<int> front = flat_outline(local, scaled);
       return compact(kept, {front, {front.rbegin(), front.rend()}});

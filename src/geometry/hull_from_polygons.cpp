@@ -9,6 +9,7 @@
 
 #include "core/at.h"
 #include "core/manifold.h"
+#include "geometry/area_vector.h"
 
 namespace contactscope {
 namespace {
@@ -149,18 +150,11 @@ Vec3d centroid_by_area(const Hull<double>& hull) {
 /// Unit normal of a polygon and the plane through the mean of its vertices, in order, at least three
 /// and not all on one line.
 Plane<double> newell_plane(const std::vector<Vec3d>& vertices) {
-  // Newell's method sums what every edge adds to the area vector, so that no three corners, perhaps
-  // nearly on a line, decide alone. Coordinates about the mean and in units of the polygon's size
-  // keep the products accurate far from the origin and at every scale.
   const Vec3d mean = mean_of(vertices);
-  const double scale = largest_offset(vertices, mean);
-  Vec3d area = Vec3d::Zero();
-  Vec3d from = (vertices.back() - mean) / scale;
-  for (const Vec3d& vertex : vertices) {
-    const Vec3d to = (vertex - mean) / scale;
-    area += from.cross(to);
-    from = to;
-  }
+  const int exponent = std::ilogb(largest_offset(vertices, mean));
+  const Vec3d area = doubled_area(count_of(vertices), [&](int i) -> Vec3d {
+    return at(vertices, i).unaryExpr([&](double x) { return std::ldexp(x, -exponent); });
+  });
   const Vec3d normal = area / area.norm();
   return {normal, normal.dot(mean)};
 }

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <queue>
 #include <tuple>
@@ -97,7 +98,9 @@ class Builder {
     deal_out(others, faces);
   }
 
-  void grow() {
+  /// Merges faces that are coplanar within `merging` in the end, unless that leaves an edge steeper than
+  /// `steepest`.
+  void grow(double merging, double steepest) {
     while (!queue_.empty() && !mesh_.broken()) {
       const auto [distance, minus_face, eye] = queue_.top();
       queue_.pop();
@@ -105,7 +108,8 @@ class Builder {
       if (!mesh_.face(face).gone && mesh_.face(face).farthest == eye) add_point(eye, face);
     }
     if (!mesh_.broken()) merge_all(mesh_, tolerance_);
-    if (!mesh_.broken()) split_notched_faces(mesh_, tolerance_);
+    if (!mesh_.broken() && merging > tolerance_) merge_all(mesh_, merging, steepest);
+    if (!mesh_.broken()) split_notched_faces(mesh_, merging);
   }
 
   const Mesh& mesh() const { return mesh_; }
@@ -216,6 +220,9 @@ bool is_convex(const Mesh& mesh, double slack) {
 /// tolerance that is fair to the extent would cut the rim back.
 constexpr double kPartOfThickness = 1.0 / 100;
 
+/// What double arithmetic loses of coordinates of magnitude 1, as in hull_builder.cpp.
+constexpr double kRounding = 9 * std::numeric_limits<double>::epsilon();
+
 }  // namespace
 
 Simplex initial_simplex(std::span<const Vec3d> points, double tolerance) {
@@ -262,16 +269,40 @@ Simplex initial_simplex(std::span<const Vec3d> points, double tolerance) {
   return simplex;
 }
 
-Result run(std::span<const Vec3d> points, double tolerance) {
-  const Simplex simplex = initial_simplex(points, tolerance);
-  if (simplex.status != Status::Done) return {simplex.status, {}};
-  tolerance = std::min(tolerance, kPartOfThickness * simplex.thickness);
-  Builder builder(points, tolerance);
+namespace {
+
+/// `growing`: the tolerance until all points are in, no more than `tolerance`.
+Result run(std::span<const Vec3d> points, double growing, double tolerance, double steepest) {
+  const Simplex simplex = initial_simplex(points, growing);
+  if (simplex.status != Status::Done) return {.status = simplex.status};
+  const double most = kPartOfThickness * simplex.thickness;
+  Builder builder(points, std::min(growing, most));
   builder.start(simplex.points);
-  builder.grow();
+  builder.grow(std::min(tolerance, most), steepest);
   const Mesh& mesh = builder.mesh();
-  if (mesh.broken() || !is_convex(mesh, kSlack * tolerance)) return {Status::Unresolved, {}};
-  return {Status::Done, mapped(mesh.faces(), [&](int face) { return mesh.loop(face); })};
+  if (mesh.broken() || !is_convex(mesh, kSlack * std::min(tolerance, most)))
+    return {.status = Status::Unresolved};
+  Result result{.shortest_edge = std::numeric_limits<double>::infinity()};
+  for (const int face : mesh.faces()) {
+    result.faces.push_back(mesh.loop(face));
+    for (const int e : mesh.around(face)) {
+      const double length = (mesh.point(mesh.target(e)) - mesh.point(mesh.edge(e).origin)).norm();
+      result.shortest_edge = std::min(result.shortest_edge, length);
+      result.steepest_edge =
+          std::max(result.steepest_edge, mesh.slope(e, mesh.face(face).plane.normal));
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+Result run(std::span<const Vec3d> points, double tolerance) {
+  return run(points, tolerance, tolerance, 1);
+}
+
+Result run_with_near_points(std::span<const Vec3d> points, double tolerance) {
+  return run(points, std::min(tolerance, kRounding), tolerance, kSteepest);
 }
 
 }  // namespace contactscope::quickhull

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <span>
 #include <vector>
 
@@ -26,12 +27,23 @@ inline constexpr double kSlack = 10;
 
 struct Result {
   Status status = Status::Done;
-  std::vector<std::vector<int>> faces;  // point indices, counter-clockwise seen from outside
+  std::vector<std::vector<int>> faces{};  // point indices, counter-clockwise seen from outside
+  double shortest_edge = 0;
+  double steepest_edge = 0;  // the largest sine of an edge against the plane of a face of its own
 };
 
 /// Quickhull. `points` are about the origin with coordinates of magnitude 1, no two equal;
 /// `tolerance` in the same unit.
 Result run(std::span<const Vec3d> points, double tolerance);
+
+/// An edge steeper than this says another direction than its faces do, and a crossing of the Gauss map
+/// that is off by as much is none. Where points lie closer to each other than some thousand tolerances,
+/// merging can leave such an edge.
+inline constexpr double kSteepest = 1.0 / 4096;
+
+/// The same with points as close as that: nothing but rounding is merged while the hull grows, and in the
+/// end neighbours that are coplanar within `tolerance`, where no edge becomes steeper than kSteepest.
+Result run_with_near_points(std::span<const Vec3d> points, double tolerance);
 
 // Its steps.
 
@@ -85,6 +97,7 @@ class Mesh {
   Face& face(int i) { return at(faces_, i); }
   const Face& face(int i) const { return at(faces_, i); }
   const Edge& edge(int i) const { return at(edges_, i); }
+  int target(int i) const { return edge(edge(i).next).origin; }
   /// The face across an edge.
   int neighbour(int i) const { return edge(edge(i).twin).face; }
   /// Vertices of a face in order.
@@ -94,6 +107,11 @@ class Mesh {
     return EdgeRing{first, [this](int e) { return edge(e).next; }};
   }
   auto around(int face_index) const { return ring_from(face(face_index).edge); }
+  /// The sine of an edge against a plane.
+  double slope(int i, const Vec3d& normal) const {
+    const Vec3d along = point(target(i)) - point(edge(i).origin);
+    return std::abs(normal.dot(along)) / along.norm();
+  }
   double distance(int face_index, int point_index) const {
     return face(face_index).plane.distance(point(point_index));
   }
@@ -144,8 +162,9 @@ class Mesh {
 void merge_cone(Mesh& mesh, const std::vector<int>& fresh, double tolerance,
                 std::vector<int>& touched);
 
-/// The same over the whole mesh: a face that was settled may have a neighbour that changed later.
-void merge_all(Mesh& mesh, double tolerance);
+/// The same over the whole mesh: a face that was settled may have a neighbour that changed later. Leaves
+/// faces as they are whose union would have an edge steeper than `steepest`.
+void merge_all(Mesh& mesh, double tolerance, double steepest = 1);
 
 /// A corner of a face that turns inwards.
 struct Notch {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "geometry/area_vector.h"
+
 namespace contactscope::quickhull {
 
 Mesh::Mesh(std::span<const Vec3d> points) : points_(points), leaving_(points.size(), -1) {}
@@ -45,22 +47,11 @@ void Mesh::follow(int first, int second) {
 
 void Mesh::measure(int face_index) {
   Face& measured = face(face_index);
-  // Newell's method about the mean of the vertices: every edge adds its share to the area vector,
-  // so that the normal of a merged face does not hang on three of its vertices.
-  int count = 0;
+  const std::vector<int> corners = loop(face_index);
   measured.centroid = Vec3d::Zero();
-  for (const int e : around(face_index)) {
-    measured.centroid += point(edge(e).origin);
-    ++count;
-  }
-  measured.centroid /= count;
-
-  Vec3d area = Vec3d::Zero();
-  for (const int e : around(face_index)) {
-    const Vec3d from = point(edge(e).origin) - measured.centroid;
-    const Vec3d to = point(edge(edge(e).next).origin) - measured.centroid;
-    area += from.cross(to);
-  }
+  for (const int corner : corners) measured.centroid += point(corner);
+  measured.centroid /= count_of(corners);
+  const Vec3d area = doubled_area(count_of(corners), [&](int i) { return point(at(corners, i)); });
   const double length = area.norm();
   measured.area = 0.5 * length;
   // A face without area has no normal. Zero puts every point on its plane, so that it merges.

@@ -10,19 +10,6 @@ namespace {
 /// A ratio, so that it holds at every scale.
 constexpr double kFarthestMiddle = 4;
 
-Vec3d middle_where_far(const Aabb<double>& box, double margin) {
-  const Vec3d middle = box.center();
-  const double radius = 0.5 * box.extent().norm() + margin;
-  if (middle.norm() <= kFarthestMiddle * radius) return Vec3d::Zero();
-  // GCC 12 folds the casts of a whole vector there and back into nothing, so each number is stored.
-  Vec3d origin;
-  for (int axis = 0; axis < 3; ++axis) {
-    const volatile float rounded = static_cast<float>(middle[axis]);
-    origin[axis] = static_cast<double>(rounded);
-  }
-  return origin;
-}
-
 /// Spheres have their centre at the origin, and planes have no size.
 template <class Other>
 Vec3d origin_for(const Other&) {
@@ -106,6 +93,19 @@ void scale(Field<double>& field, double factor) {
 }
 
 }  // namespace
+
+Vec3d middle_where_far(const Aabb<double>& box, double margin) {
+  const Vec3d middle = box.center();
+  const double radius = 0.5 * box.extent().norm() + margin;
+  if (middle.norm() <= kFarthestMiddle * radius) return Vec3d::Zero();
+  // GCC 12 folds the casts of a whole vector there and back into nothing, so each number is stored.
+  Vec3d origin;
+  for (int axis = 0; axis < 3; ++axis) {
+    const volatile float rounded = static_cast<float>(middle[axis]);
+    origin[axis] = static_cast<double>(rounded);
+  }
+  return origin;
+}
 
 template <class T>
 Shape<T> shape_cast(const Shape<double>& shape) {

@@ -86,6 +86,8 @@ Shape<T> shape_cast(const Shape<double>& shape);
 /// rounded; its pose makes up for it. The middle of its box, each coordinate a float, so that a pose
 /// that stands still at the world's origin stays exact; zero where the shape is left as it is.
 Vec3d moved_origin(const Shape<double>& shape);
+/// Likewise of a shape that reaches `margin` metres beyond this box.
+Vec3d middle_where_far(const Aabb<double>& box, double margin);
 
 /// The same shape in a frame with the same axes whose origin is at `origin` of the shape's own
 /// frame, metres.

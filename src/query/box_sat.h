@@ -154,6 +154,7 @@ template <class S>
     return result;
   }
   const S floor = std::max(face_a.separation, face_b.separation);
+  const S handicap = edge_handicap(pair.scale, preference);  // as sat() has it
   if (!(face_a.unique && face_b.unique && floor <= margin)) return result;
 
   // Some ten roundings here and as many there, of products of lengths up to `scale`, with a rotation
@@ -168,9 +169,9 @@ template <class S>
   const S spare = relative ? S(0.9) * preference_tolerance(floor, pair.min_radius) : S(0);
   S most = floor;  // of all axes
   bool has_edge = false;
-  if (!(most_upper < floor)) {
+  if (!(most_upper < floor + handicap)) {
     const S most_lower = largest_of<S>(nine[0].lower, nine[1].lower, nine[2].lower);
-    if (most_lower > margin + tie) {
+    if (most_lower > margin + tie + handicap) {
       result.verdict = Verdict::Separated;
       return result;
     }
@@ -183,7 +184,8 @@ template <class S>
           nine_bits<S>(nine[0].upper >= rival, nine[1].upper >= rival, nine[2].upper >= rival);
       const std::uint32_t best = nine_bits<S>(
           nine[0].lower == most_lower, nine[1].lower == most_lower, nine[2].lower == most_lower);
-      if (near != best || (best & (best - 1)) != 0 || !(most_lower > floor + tie)) return result;
+      if (near != best || (best & (best - 1)) != 0 || !(most_lower > floor + tie + handicap))
+        return result;
       const int bit = std::countr_zero(best | 0x1000U), i = bit & 3, j = bit >> 2;
       const S way = nine[j].way[i];
       if (!(nine[j].sine[i] > S(1.1) * kNoisySine<S> && std::abs(way) > off)) return result;

@@ -157,8 +157,7 @@ struct BoxTriangleAxis {
   int face = 0;
   EdgeQuery<S> edge{};
   MetEdge<S> edge_a{}, edge_b{};
-  S deepest = 0;    // metres: the largest separation of any axis, or less where that is no matter
-  S tolerance = 0;  // metres: of the preference at that depth
+  S deepest = 0;  // metres: the largest separation of any axis, or less where that is no matter
 };
 
 /// sat() of a box of half extents `half` and a triangle whose face is preferred. Metres; `margin` >= 0.
@@ -205,7 +204,8 @@ template <class S>
                               edge_axes(triangle, 1, half, off, floor),
                               edge_axes(triangle, 2, half, off, floor)};
   const S most_lower = largest_of_nine<S>(axes[0].lower, axes[1].lower, axes[2].lower);
-  if (most_lower > margin + tie) {
+  const S handicap = edge_handicap(triangle.scale, preference);  // as sat() has it
+  if (most_lower > margin + tie + handicap) {
     result.verdict = Axis::Separated;
     return result;
   }
@@ -226,7 +226,8 @@ template <class S>
         bits_of_nine<S>(axes[0].upper >= rival, axes[1].upper >= rival, axes[2].upper >= rival);
     const std::uint32_t best = bits_of_nine<S>(
         axes[0].lower == most_lower, axes[1].lower == most_lower, axes[2].lower == most_lower);
-    if (near != best || (best & (best - 1)) != 0 || !(most_lower > floor + tie)) return result;
+    if (near != best || (best & (best - 1)) != 0 || !(most_lower > floor + tie + handicap))
+      return result;
     const int bit = std::countr_zero(best | 0x1000U), i = bit % 4, k = bit / 4;
     const S way = axes[k].way[i], sine = axes[k].sine[i];
     if (!(sine > S(1.1) * kNoisySine<S> && std::abs(way) > off)) return result;
@@ -251,7 +252,6 @@ template <class S>
     result.deepest = result.edge.separation;
     chosen = choose(result.deepest);
   }
-  result.tolerance = tolerance(result.deepest);
   result.verdict = chosen == AxisKind::EdgeEdge ? Axis::Edge : Axis::Face;
   if (chosen == AxisKind::FaceA) {
     const int lane = std::countr_zero(best_faces | 0x80U);

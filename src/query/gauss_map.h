@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <limits>
+
 #include "core/at.h"
 #include "geometry/hull.h"
 
@@ -35,24 +38,33 @@ namespace contactscope {
 template <class S, class Visit>
 void walk_arc(const Hull<S>& b, const Vec3<S>& a1, const Vec3<S>& a2, int start, int end,
               const Visit& visit) {
+  constexpr S kTie = S(16) * std::numeric_limits<S>::epsilon();
   int vertex = start;
-  for (int step = 0; step < b.vertex_count() && vertex != end; ++step) {
-    int leaving = -1;
+  S reached = 0;  // t
+  for (int step = 0; step < 2 * b.vertex_count() && vertex != end; ++step) {
+    int leaving = -1, deeper = -1;
     S leaving_t = S(2);
     for (const int edge : b.around_vertex(vertex)) {
       const Vec3<S> along = b.target(edge) - b.origin(edge);
-      const S f2 = a2.dot(along);
+      const S f1 = a1.dot(along), f2 = a2.dot(along);
       if (f2 < S(0)) {
-        const S f1 = a1.dot(along);
         const S t = f1 > S(0) ? f1 / (f1 - f2) : S(0);
         if (t < leaving_t) {
           leaving_t = t;
           leaving = edge;
         }
+      } else if (f1 + (reached + kTie) * (f2 - f1) < S(0)) {
+        deeper = edge;
       }
     }
-    if (leaving < 0) return;  // as deep as `end`
-    visit(leaving);
+    if (deeper >= 0) [[unlikely]] {
+      leaving = deeper;
+    } else if (leaving < 0) {
+      return;  // as deep as `end`
+    } else if (leaving_t > S(0) && leaving_t >= reached - kTie) {
+      visit(leaving);
+      reached = std::max(reached, leaving_t);
+    }
     vertex = at(b.half_edges, Hull<S>::twin(leaving)).origin;
   }
 }

@@ -46,15 +46,16 @@ bool is_apart(SatResult<S>& result, const EdgeQuery<S>& query, S margin) {
 
 /// What an edge pair has to beat.
 template <class S>
-S floor_of(const SatResult<S>& faces) {
-  return std::max(faces.face_a.separation, faces.face_b.separation);
+S floor_of(const HullPair<S>& pair, Preference preference, const SatResult<S>& faces) {
+  return std::max(faces.face_a.separation, faces.face_b.separation) +
+         edge_handicap(pair.scale, preference);
 }
 
 /// No separating axis: the hulls overlap, or are within the margin of each other.
 template <class S>
 void touch(const HullPair<S>& pair, Preference preference, Owner preferred, SatResult<S>& result) {
   result.status = SatStatus::Touching;
-  if (result.edge.edge_a < 0 || !(result.edge.separation > floor_of(result))) {
+  if (result.edge.edge_a < 0 || !(result.edge.separation > floor_of(pair, preference, result))) {
     const bool is_of_b = result.face_b.separation > result.face_a.separation;
     result.deepest = is_of_b ? AxisKind::FaceB : AxisKind::FaceA;
   }
@@ -106,7 +107,8 @@ bool sat_by_bounds(const HullPair<S>& pair, S margin, Preference preference, Own
   if (!faces_b.find_best(result.tie)) return false;
   if (is_apart(result, AxisKind::FaceB, faces_b.best(), margin)) return true;
 
-  if (!is_apart(result, query_edges(pair, faces_a, floor_of(result), result.tie), margin))
+  if (!is_apart(result, query_edges(pair, faces_a, floor_of(pair, preference, result), result.tie),
+                margin))
     touch(pair, preference, preferred, result);
   return true;
 }
@@ -122,7 +124,7 @@ SatResult<S> sat(const HullPair<S>& pair, S margin, Preference preference,
   if (is_apart(result, AxisKind::FaceA, face_a, margin)) return result;
   const FaceQuery<S> face_b = query_faces(pair.b, pair.a, tie, faces_b);
   if (is_apart(result, AxisKind::FaceB, face_b, margin)) return result;
-  const EdgeQuery<S> edge = query_edges(pair, faces_a, floor_of(result), tie);
+  const EdgeQuery<S> edge = query_edges(pair, faces_a, floor_of(pair, preference, result), tie);
   if (is_apart(result, edge, margin)) return result;
 
   if (pair.a.hull.flat() && pair.b.hull.flat()) [[unlikely]] {

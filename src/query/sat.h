@@ -50,7 +50,7 @@ enum class SatStatus {
 
 /// What the queries found. Queries run in the order face A, face B, edges and stop at the first
 /// whose best axis separates; the results of those that did not run keep their initial values. The
-/// edge query looks only for what beats both face queries.
+/// edge query looks only for what beats both face queries by edge_handicap() (tolerance.h).
 template <class S>
 struct SatResult {
   SatStatus status = SatStatus::Separated;

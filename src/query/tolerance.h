@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/manifold.h"
+
 /// The tolerances of the separating axis test and of what is built on it. Every one is relative: to
 /// the coordinates of the pair where it stands for rounding, to the hulls' size or the depth where
 /// it stands for a preference. A test repeats one contact from 0.1 mm to 10 km.
@@ -38,6 +40,15 @@ S depth_rounding(S scale) {
 template <class S>
 S preference_tolerance(S best, S min_radius) {
   return std::max(S(0.05) * std::abs(best), S(0.002) * min_radius);
+}
+
+/// By how much an edge pair has to beat the faces, as rounding may not choose it: where faces lie in
+/// parallel planes the edges around them give the same axis once more, but one point, and not on either
+/// shape. The cross product of edges at kNoisySine is off by some 32 roundings over a length of `scale`. A
+/// preference for faces is wider, and leaves nothing to do.
+template <class S>
+S edge_handicap(S scale, Preference preference) {
+  return preference == Preference::None ? S(32) * std::numeric_limits<S>::epsilon() * scale : S(0);
 }
 
 /// Edges whose sine of the angle between them is less than this give no axis of their own. The
