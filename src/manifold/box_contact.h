@@ -25,6 +25,7 @@ struct BoxContact {
   ContactType type;
   int count = 0;
   Three<S> normal;  // unit, from A to B
+  S scale;          // metres, as in Contact
   ContactPoint<S> points[kMostPoints];
 
   /// `first` and `second` are places in kEdgeRefs, in this order.
@@ -131,7 +132,9 @@ template <class S>
     for (const ContactPoint<S>& point : points) manifold.points.push_back(point);
     return;
   }
-  for (const int index : reduce(options.reducer, points, manifold.normal, options.reduction))
+  ReduceOptions reduction = options.reduction;
+  reduction.scale = static_cast<double>(contact.scale);
+  for (const int index : reduce(options.reducer, points, manifold.normal, reduction))
     manifold.points.push_back(at(points, index));
 }
 

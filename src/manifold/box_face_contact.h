@@ -10,6 +10,7 @@
 #include "core/plane.h"
 #include "manifold/box_contact.h"
 #include "manifold/clip_rectangle.h"
+#include "manifold/contact_depth.h"
 #include "query/box_pair.h"
 #include "query/tolerance.h"
 
@@ -194,8 +195,8 @@ template <class S>
 /// create_face_contact() for two boxes. False where it is to be asked.
 template <class S>
 [[gnu::always_inline]] inline bool face_contact(const FacePair<S>& faces, Owner owner, int face,
-                                                const RectanglePair<S>& rectangles, S margin,
-                                                BoxContact<S>& contact, S& deepest) {
+                                                const RectanglePair<S>& rectangles, S scale,
+                                                S margin, BoxContact<S>& contact, S& deepest) {
   ClippedRectangle<S> clipped;
   if (!clip_rectangle(rectangles, clipped)) [[unlikely]]
     return false;
@@ -210,15 +211,17 @@ template <class S>
   const Three<S> normal = three(faces.plane.normal);
   contact.normal = of_a ? normal : -normal;
   deepest = std::numeric_limits<S>::infinity();
+  const S highest = highest_kept(margin, scale);
   std::uint64_t list = clipped.list;
   for (int i = 0; i < clipped.count; ++i, list >>= 8) {
     const std::size_t place = list & 15U;
     const Three<S>& position = clipped.positions[place];
-    const S separation = dot<S>(normal, position) - faces.plane.offset;
-    if (!(separation <= margin)) continue;
+    const S distance = dot<S>(normal, position) - faces.plane.offset;
+    if (!(distance <= highest)) continue;
+    const S separation = std::min(distance, margin);
     const unsigned crossing = clipped.crossings[place];
     const std::uint8_t one = edges[crossing & 7U], two = edges[crossing >> 4];
-    contact.put(position - separation * normal, separation, std::min(one, two), std::max(one, two));
+    contact.put(position - distance * normal, separation, std::min(one, two), std::max(one, two));
     deepest = separation < deepest ? separation : deepest;
   }
   contact.type = face_contact_type(static_cast<std::size_t>(contact.count));

@@ -9,6 +9,7 @@
 
 #include "core/at.h"
 #include "manifold/clip_rectangle.h"
+#include "manifold/contact_depth.h"
 #include "manifold/edge_contact.h"
 #include "query/box_triangle_sat.h"
 
@@ -98,19 +99,21 @@ constexpr std::array<FaceSides<S>, 6> kFaceSides = [] {
 template <class S>
 [[gnu::always_inline]] inline void add_points(const boxes::ClippedRectangle<S>& clipped,
                                               const EdgePlaces& incident, const EdgePlaces& sides,
-                                              const Three<S>& normal, S offset, S margin,
+                                              const Three<S>& normal, S offset, S margin, S scale,
                                               Contact<S>& contact) {
+  const S highest = highest_kept(margin, scale);
   for (int i = 0; i < clipped.count; ++i) {
     const int place = clipped.place(i);
     const Three<S>& position = clipped.positions[place];
-    const S separation = boxes::sum_of<S>(position * normal) - offset;
-    if (!(separation <= margin)) continue;
+    const S distance = boxes::sum_of<S>(position * normal) - offset;
+    if (!(distance <= highest)) continue;
     const unsigned crossing = clipped.crossings[place];
     const auto edge = [&](unsigned number) {
       return number < 4 ? incident[number] : sides[number & 3U];
     };
     const std::uint8_t one = edge(crossing & 7U), two = edge(crossing >> 4);
-    contact.points.push_back({boxes::vector<S>(position - separation * normal), separation, {}});
+    contact.points.push_back(
+        {boxes::vector<S>(position - distance * normal), std::min(distance, margin), {}});
     contact.points.back().id.first = kEdgeRefs[std::min(one, two)];
     contact.points.back().id.second = kEdgeRefs[std::max(one, two)];
   }
@@ -149,7 +152,7 @@ template <class S>
                         ? face_of_triangle(triangle, axis.face, kAsFaceQuery<S>, contact)
                         : face_of_box(triangle, axis.face, contact);
   // As in create_contact(). Where the contact is not as deep as the axis, that takes another.
-  if (done && contact.deepest() <= axis.deepest + axis.tolerance + depth_rounding(triangle.scale))
+  if (done && is_deep_enough(contact.deepest(), axis.deepest, preference_, triangle.scale))
     return true;
   contact.points.clear();
   return false;
@@ -200,9 +203,11 @@ template <class Sum>
     return false;
   contact.axis = AxisKind::FaceB;
   contact.normal = boxes::vector<S>(-normal);
+  contact.scale = triangle.scale;
   contact.points.clear();
   add_points(clipped, kBoxRings[static_cast<std::size_t>(incident)],
-             kTriangleRings[static_cast<std::size_t>(face)], normal, offset, margin_, contact);
+             kTriangleRings[static_cast<std::size_t>(face)], normal, offset, margin_,
+             triangle.scale, contact);
   return true;
 }
 
@@ -231,10 +236,11 @@ template <class S>
     return false;
   contact.axis = AxisKind::FaceA;
   contact.normal = Vec3<S>::Unit(axis) * sign;
+  contact.scale = triangle.scale;
   contact.points.clear();
   add_points(clipped, kTriangleRings[static_cast<std::size_t>(incident)],
              kBoxRings[static_cast<std::size_t>(face)], boxes::three(contact.normal), half_[axis],
-             margin_, contact);
+             margin_, triangle.scale, contact);
   return true;
 }
 

@@ -53,11 +53,13 @@ template <class S>
   const S far_bound = cache.far + moved_since(cache, pair, turn) + depth_rounding(pair.scale);
   if (!preferred(separation, far_bound, margin, pair.min_radius)) return false;
   S deepest;
-  if (!boxes::face_contact(faces, owner, cache.first, rectangles, margin, contact, deepest))
+  if (!boxes::face_contact(faces, owner, cache.first, rectangles, pair.scale, margin, contact,
+                           deepest))
     return false;
   const S near_bound = deepest < S(0) ? deepest * (cache.near_cosine - turn) : deepest;
   const S bound = std::max(far_bound, near_bound);
-  return contact.count > 0 && preferred(separation, bound, margin, pair.min_radius);
+  return contact.count > 0 && preferred(separation, bound, margin, pair.min_radius) &&
+         is_still_deep(deepest, separation, pair.scale);
 }
 
 }  // namespace
@@ -79,6 +81,7 @@ template <class S>
     return false;
   const BoxPair<S> pair(a, b, b_in_a);
   BoxContact<S> contact;
+  contact.scale = pair.scale;
   if (!from_cache(pair, b_in_a.rotation, cache, options, contact)) return false;
   if (contact.count > 0) boxes::finish(pose_a, options, contact, manifolds.emplace_back());
   return true;

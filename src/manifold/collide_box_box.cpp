@@ -36,6 +36,7 @@ template <class S>
   if (!(std::abs(b_in_a.rotation.squaredNorm() - S(1)) <= S(8) * std::numeric_limits<S>::epsilon()))
     return false;
   const BoxPair<S> pair(a, b, b_in_a);
+  contact.scale = pair.scale;
   const S margin = static_cast<S>(options.margin);
   const BoxAxis<S> axis = boxes::box_sat(pair, margin, options.preference);
   if (axis.verdict == Verdict::Separated) return true;
@@ -48,15 +49,12 @@ template <class S>
   const FacePair<S> faces =
       boxes::face_pair(pair, axis.reference, axis.face.face, axis.directions, S(0), rectangles);
   S deepest;
-  if (!boxes::face_contact(faces, axis.reference, axis.face.face, rectangles, margin, contact,
-                           deepest))
+  if (!boxes::face_contact(faces, axis.reference, axis.face.face, rectangles, pair.scale, margin,
+                           contact, deepest))
     return false;
   // As in create_contact(). Where the contact is not as deep as the axis, that takes another.
-  if (axis.deepest > S(0)) return true;
-  const S preferred = options.preference == Preference::Relative
-                          ? preference_tolerance(axis.deepest, pair.min_radius)
-                          : S(0);
-  return deepest <= axis.deepest + preferred + depth_rounding(pair.scale);
+  return axis.deepest > S(0) ||
+         is_deep_enough(deepest, axis.deepest, options.preference, pair.scale);
 }
 
 }  // namespace

@@ -96,7 +96,8 @@ SatResult<S> axes_of_normal(const HullPair<S>& pair, const Vec3<S>& normal, S de
 
   axes.deepest = AxisKind::FaceA;
   if (axes.face_b.separation > axes.face_a.separation) axes.deepest = AxisKind::FaceB;
-  if (axes.edge.edge_a >= 0 && axes.edge.separation > axes.separation(axes.deepest)) {
+  if (axes.edge.edge_a >= 0 && axes.edge.separation > axes.separation(axes.deepest) +
+                                                          edge_handicap(pair.scale, preference)) {
     axes.deepest = AxisKind::EdgeEdge;
   }
   const S best = axes.separation(axes.deepest);

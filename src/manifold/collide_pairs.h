@@ -39,9 +39,11 @@ void finish_contact(const ToWorld<S>& to_world, const CollideOptions& options, C
     manifold.points = contact.points;
     return;
   }
+  ReduceOptions reduction = options.reduction;
+  reduction.scale = static_cast<double>(contact.scale);
   const KeptIndices kept =
-      recorder ? recorder->reduce(options, points, manifold.normal)
-               : reduce(options.reducer, points, manifold.normal, options.reduction);
+      recorder ? recorder->reduce(options.reducer, points, manifold.normal, reduction)
+               : reduce(options.reducer, points, manifold.normal, reduction);
   for (const int index : kept) manifold.points.push_back(at(points, index));
 }
 

@@ -122,6 +122,7 @@ S collide_hull_plane(const Hull<S>& a, const HalfSpace<S>& b, const Pose<S>& b_i
   if (is_heap) std::ranges::sort(contact.points, {}, &ContactPoint<S>::id);
 
   const S scale = a.centroid.cwiseAbs().maxCoeff() + a.radius + std::abs(plane.offset);
+  contact.scale = scale;
   const S tolerance =
       options.preference == Preference::Relative ? kLevel<S> * a.radius : tie_tolerance(scale);
   const auto as_low = std::ranges::count_if(a.vertices, [&](const Vec3<S>& vertex) {

@@ -16,7 +16,8 @@ template <class S>
 struct Contact {
   AxisKind axis = AxisKind::FaceA;
   ContactType type = ContactType::FaceFace;
-  Vec3<S> normal = Vec3<S>::UnitX();                         // unit, from A to B
+  Vec3<S> normal = Vec3<S>::UnitX();  // unit, from A to B
+  S scale = S(0);  // metres: no coordinate that made the points is larger; see ReduceOptions
   StaticVector<ContactPoint<S>, kMaxManifoldPoints> points;  // as in Manifold, but in A's frame
 
   /// Separation of the deepest point, metres; +infinity without points.

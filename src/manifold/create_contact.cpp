@@ -1,8 +1,8 @@
 #include "manifold/create_contact.h"
 
+#include "manifold/contact_depth.h"
 #include "manifold/edge_contact.h"
 #include "manifold/recorder.h"
-#include "query/tolerance.h"
 
 namespace contactscope {
 
@@ -17,14 +17,11 @@ void create_contact(const HullPair<S>& pair, const SatResult<S>& axes,
     const S deepest = create_face_contact(pair, reference, query, static_cast<S>(options.margin),
                                           contact, recorder);
     const S deepest_axis = axes.separation(axes.deepest);
-    const S preferred = options.preference == Preference::Relative
-                            ? preference_tolerance(deepest_axis, pair.min_radius)
-                            : S(0);
     const bool overlap = deepest_axis <= S(0);
-    if (!overlap || deepest <= deepest_axis + preferred + depth_rounding(pair.scale)) return;
+    if (!overlap || is_deep_enough(deepest, deepest_axis, options.preference, pair.scale)) return;
 
     // The face's support vertex hangs over its side, which only a face that is not the deepest axis
-    // allows beyond rounding.
+    // allows beyond rounding, or the clipped face is not the one that reaches under the other.
     if (axis == axes.deepest) {
       const ContactPoint<S> support = support_contact(pair, reference, query, recorder);
       if (contact.points.size() < contact.points.capacity()) contact.points.push_back(support);

@@ -14,10 +14,10 @@ class Recorder;
 /// axis that the separating axis test chose. `axes` must be touching.
 ///
 /// An overlapping pair gets at least one point, and its deepest point is as deep as the deepest
-/// axis less the preference tolerance (with Preference::None, less rounding). Where clipping falls
-/// short of that, a preferred face gives way to the deepest axis; if that is a face itself, its
-/// support vertex joins the points. The record says so: a dropped point "cut off by the side
-/// planes; kept as the deepest point". Pairs apart by no more than the margin may get no point.
+/// axis less 5% (with Preference::None, less rounding). Where clipping falls short of that, a
+/// preferred face gives way to the deepest axis; if that is a face itself, support_contact() joins
+/// the points. The record says so: a dropped point "cut off by the side planes; kept as the deepest
+/// point". Pairs apart by no more than the margin may get no point.
 template <class S>
 void create_contact(const HullPair<S>& pair, const SatResult<S>& axes,
                     const CollideOptions& options, Contact<S>& contact, Recorder<S>* recorder);
@@ -26,7 +26,8 @@ void create_contact(const HullPair<S>& pair, const SatResult<S>& axes,
 
 /// Gregorius 2015, "Hull vs Hull: Face Contact", "Face Contact Clipping", "Coherent Points". The
 /// incident face, clipped against the side planes of the reference face but not against the
-/// reference face itself; points up to `margin` (metres) above it are kept and moved onto it.
+/// reference face itself; points up to `margin` (metres) above it are kept and moved onto it. Those
+/// above the margin by no more than rounding count as at the margin.
 /// `reference` says whose face `query.face` is. Fills `contact` anew and returns the separation of
 /// the deepest point in metres; +infinity when nothing is left.
 template <class S>
@@ -48,9 +49,9 @@ S create_face_contact(const Reference& hull, const Other& other_hull, Owner refe
 template <class Placed, class S = typename Placed::Scalar>
 int incident_face(const Placed& hull, int support, const Vec3<S>& reference_normal);
 
-/// The contact point of the support vertex of `query`: moved onto the reference face, its id from
-/// the two edges of the incident face that meet there. For overlaps whose deepest point the
-/// clipping lost.
+/// The point of the reference face where the other hull is as deep below it as `query` says, for
+/// overlaps whose deepest point the clipping lost. Its id is the reference face, and of the other
+/// hull the vertex that is there or the incident face. Never outside of the reference face.
 template <class S>
 ContactPoint<S> support_contact(const HullPair<S>& pair, Owner reference, const FaceQuery<S>& query,
                                 Recorder<S>* recorder);

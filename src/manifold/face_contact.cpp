@@ -1,8 +1,11 @@
+#include <algorithm>
 #include <limits>
 #include <utility>
 
+#include "manifold/contact_depth.h"
 #include "manifold/create_contact.h"
 #include "manifold/recorder.h"
+#include "query/gjk.h"
 #include "query/tolerance.h"
 
 namespace contactscope {
@@ -11,17 +14,6 @@ namespace {
 template <class S>
 const PlacedHull<S>& hull_of(const HullPair<S>& pair, Owner owner) {
   return owner == Owner::A ? pair.a : pair.b;
-}
-
-/// The two edges of a face that meet at one of its vertices.
-template <class S>
-FeatureId corner_id(const PlacedHull<S>& hull, Owner owner, int face, int vertex) {
-  int arriving = at(hull.hull.face_edges, face);
-  while (hull.half_edge(Hull<S>::twin(arriving)).origin != vertex) {
-    arriving = hull.half_edge(arriving).next;
-  }
-  const int leaving = hull.half_edge(arriving).next;
-  return Crossing::of(edge_key(owner, arriving), edge_key(owner, leaving)).id();
 }
 
 }  // namespace
@@ -75,12 +67,15 @@ S create_face_contact(const Reference& hull, const Other& other_hull, Owner refe
 
   contact.axis = reference == Owner::A ? AxisKind::FaceA : AxisKind::FaceB;
   contact.normal = reference == Owner::A ? plane.normal : Vec3<S>(-plane.normal);
+  contact.scale = scale;
   contact.points.clear();
   S deepest = std::numeric_limits<S>::infinity();
+  const S highest = highest_kept(margin, scale);
   for (const ClipVertex<S>& vertex : *clipped) {
-    const S separation = plane.distance(vertex.position);
-    if (separation <= margin) {
-      const Vec3<S> moved = vertex.position - separation * plane.normal;
+    const S distance = plane.distance(vertex.position);
+    if (distance <= highest) {
+      const S separation = std::min(distance, margin);
+      const Vec3<S> moved = vertex.position - distance * plane.normal;
       contact.points.push_back({moved, separation, vertex.crossing.id()});
       deepest = separation < deepest ? separation : deepest;
     } else if (recorder) [[unlikely]] {
@@ -101,19 +96,34 @@ S create_face_contact(const HullPair<S>& pair, Owner reference, const FaceQuery<
                              contact, recorder);
 }
 
+/// With the hulls pulled apart along the axis, by what they overlap and the smaller radius, their
+/// closest points (GJK) are those where the axis's separation is measured: inside the reference face,
+/// or of a face whose axis is not the deepest, on its border.
 template <class S>
 ContactPoint<S> support_contact(const HullPair<S>& pair, Owner reference, const FaceQuery<S>& query,
                                 Recorder<S>* recorder) {
   const PlacedHull<S>& other_hull = hull_of(pair, other(reference));
   const Plane<S> plane = hull_of(pair, reference).plane(query.face);
-  const int incident = incident_face(other_hull, query.support, plane.normal);
-  const Vec3<S> support = other_hull.vertices[query.support];
+  const bool of_a = reference == Owner::A;
+  const Vec3<S> pull =
+      (of_a ? plane.normal : Vec3<S>(-plane.normal)) * (pair.min_radius - query.separation);
+  const Vec3<S> position = pair.b.vertices[0] - pair.b.rotation * pair.b.hull.vertices[0];
+  const GjkResult<S> apart = gjk(support_set(pair.a.hull), support_set(pair.b.hull),
+                                 {Quat<S>(pair.b.rotation), Vec3<S>(position + pull)});
+  const Vec3<S> on_face = of_a ? apart.on_a : Vec3<S>(apart.on_b - pull);
   if (recorder) [[unlikely]]
-    recorder->dropped(support, "cut off by the side planes; kept as the deepest point");
+    recorder->dropped(of_a ? Vec3<S>(apart.on_b - pull) : apart.on_a,
+                      "cut off by the side planes; kept as the deepest point");
 
-  const Owner owner = other(reference);
-  const FeatureId id = corner_id(other_hull, owner, incident, query.support);
-  return {support - query.separation * plane.normal, query.separation, id};
+  int vertex = of_a ? apart.simplex.vertices[0].index_b : apart.simplex.vertices[0].index_a;
+  for (const GjkVertex<S>& corner : apart.simplex.vertices)
+    if ((of_a ? corner.index_b : corner.index_a) != vertex) vertex = -1;
+  const FeatureRef feature =
+      vertex >= 0
+          ? vertex_ref(other(reference), vertex)
+          : face_ref(other(reference), incident_face(other_hull, query.support, plane.normal));
+  return {plane.project(on_face), query.separation,
+          FeatureId::of(face_ref(reference, query.face), feature)};
 }
 
 #define CONTACTSCOPE_INSTANTIATE(S)                                                               \

@@ -61,15 +61,17 @@ ContactType type_of(const IncrementalStep<S>& step) {
   return contact_type(only.of_a.kind, only.of_b.kind);
 }
 
-/// Step 4, in the world. Points that stay keep their order.
+/// Step 4, in the world. Points that stay keep their order. `scale` as in CoreQuery.
 template <class S>
-void reduce_points(const CollideOptions& options, Manifold<S>& manifold, IncrementalStep<S>& step,
-                   Recorder<S>* recorder) {
+void reduce_points(const CollideOptions& options, S scale, Manifold<S>& manifold,
+                   IncrementalStep<S>& step, Recorder<S>* recorder) {
   const ContactPoints<S> points(manifold.points.data(), manifold.points.size());
+  ReduceOptions reduction = options.reduction;
+  reduction.scale = static_cast<double>(scale);
   KeptIndices kept;
   if (options.reducer != nullptr) {
-    kept = recorder ? recorder->reduce(options, points, manifold.normal)
-                    : reduce(options.reducer, points, manifold.normal, options.reduction);
+    kept = recorder ? recorder->reduce(options.reducer, points, manifold.normal, reduction)
+                    : reduce(options.reducer, points, manifold.normal, reduction);
   } else {
     const int oldest = std::max(0, count_of(points) - static_cast<int>(kMaxPersistentPoints));
     for (int i = oldest; i < count_of(points); ++i) kept.push_back(i);
@@ -131,7 +133,7 @@ void step_in_order(const PlacedPair<S>& pair, const CollideOptions& options,
     for (const StandingPoint<S>& point : step.points)
       manifold.points.push_back(
           {to_world.point(point.position()), point.separation, point.kept.id});
-    reduce_points(options, manifold, step, recorder);
+    reduce_points(options, query->scale, manifold, step, recorder);
     if (!step.points.empty()) manifold.type = type_of(step);
   }
   persistent.points.clear();

@@ -223,8 +223,8 @@ CacheAnswer<S> collide_from_cache(const Hull<S>& a, const Hull<S>& b, const Pose
   const S near_bound = rebuild(pair, cache, axis, motion.turn, cache.near_cosine - swing, scale,
                                margin, contact, recorder);
   const S bound = std::max(far_bound, near_bound);
-  // The bound is not below the deepest point, which is thus deep enough as well.
-  answer.hit = !contact.points.empty() && preferred(axis.separation, bound, margin, min_radius);
+  answer.hit = !contact.points.empty() && preferred(axis.separation, bound, margin, min_radius) &&
+               is_still_deep(contact.deepest(), axis.separation, scale);
   if (recorder && !answer.hit) [[unlikely]]
     recorder->clip_abandoned();
   return answer;

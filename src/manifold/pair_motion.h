@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "manifold/contact_depth.h"
 #include "manifold/pair_cache.h"
 #include "query/tolerance.h"
 
@@ -26,6 +27,13 @@ template <class S>
 bool preferred(S separation, S bound, S margin, S min_radius) {
   const S tolerance = preference_tolerance(std::min(bound, S(0)), min_radius);
   return bound <= margin && bound - separation <= tolerance;
+}
+
+/// Whether points whose deepest one has this separation are deep enough, whichever axis the best is
+/// now: it is no deeper than the kept one.
+template <class S>
+bool is_still_deep(S deepest, S separation, S scale) {
+  return separation > S(0) || is_deep_enough(deepest, separation, Preference::Relative, scale);
 }
 
 }  // namespace contactscope

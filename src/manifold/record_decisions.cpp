@@ -71,7 +71,9 @@ void Recorder<S>::axis_decisions(const HullPair<S>& pair, const FaceSeparations<
   if (edge.edge_a < 0)
     edge = query_edges(pair, faces_a, -std::numeric_limits<S>::infinity(), axes.tie);
   const S of_a = axes.face_a.separation, of_b = axes.face_b.separation;
-  const S of_edge = edge.edge_a < 0 ? -std::numeric_limits<S>::infinity() : edge.separation;
+  const S of_edge = edge.edge_a < 0
+                        ? -std::numeric_limits<S>::infinity()
+                        : edge.separation - edge_handicap(pair.scale, options.preference);
   const S tolerance = options.preference == Preference::Relative
                           ? preference_tolerance(axes.separation(axes.deepest), pair.min_radius)
                           : S(0);
@@ -94,7 +96,8 @@ void Recorder<S>::axis_decisions(const HullPair<S>& pair, const FaceSeparations<
 }
 
 template <class S>
-void Recorder<S>::reduction_decisions(const trace::Reduction& reduction, const Vec3d& normal) {
+void Recorder<S>::reduction_decisions(const trace::Reduction& reduction, const Vec3d& normal,
+                                      double depth_tie) {
   if (!stages_.decisions || reduction.points.size() == reduction.kept.size()) return;
   for (std::size_t step = 0; step < reduction.choices.size() && step < reduction.kept.size();
        ++step) {
@@ -109,17 +112,19 @@ void Recorder<S>::reduction_decisions(const trace::Reduction& reduction, const V
     if (over < 0) continue;
     trace::Decision& told = decide("point " + std::to_string(step), "point " + std::to_string(took),
                                    "point " + std::to_string(over));
-    const bool is_area = choice.rule == "outside" || choice.rule == "triangle";
+    const bool is_area =
+        choice.rule == "outside" || choice.rule == "triangle" || choice.rule == "equally_deep";
     (is_area ? told.margin_area : told.margin) = worth(choice, took) - next;
   }
   const std::string& method = reduction.method;
   const std::size_t count = reduction.points.size(), kept = reduction.kept.size();
   if (!method.starts_with("optimal") || count > kMostPoints || kept < 3) return;
-  // All other subsets of as many points, of which the deepest is one where that is a rule.
+  // All other subsets of as many points, of which one of the deepest is one where that is a rule.
   const auto depth = [&](int point) { return at(reduction.points, point).separation; };
-  int deepest = 0;
+  double deep = depth(0);
   for (int point = 1; point < count_of(reduction.points); ++point)
-    if (depth(point) < depth(deepest)) deepest = point;
+    deep = std::min(deep, depth(point));
+  const auto is_deep = [&](int point) { return depth(point) <= deep + depth_tie; };
   std::vector<int> took = reduction.kept, over;
   std::ranges::sort(took);
   double next = -1;
@@ -133,8 +138,7 @@ void Recorder<S>::reduction_decisions(const trace::Reduction& reduction, const V
       subset.push_back(static_cast<int>(i));
       places.push_back(reduction.points[i].position);
     }
-    if (subset == took || (method != "optimal" && std::ranges::count(subset, deepest) == 0))
-      continue;
+    if (subset == took || (method != "optimal" && std::ranges::none_of(subset, is_deep))) continue;
     const double area = convex_area(places, normal);
     if (area > next) next = area, over = subset;
   } while (std::prev_permutation(is_in.begin(), is_in.end()));
@@ -147,7 +151,7 @@ void Recorder<S>::reduction_decisions(const trace::Reduction& reduction, const V
   template void Recorder<S>::axis_decisions(const HullPair<S>&, const FaceSeparations<S>&,       \
                                             const FaceSeparations<S>&, const SatResult<S>&,      \
                                             const CollideOptions&);                              \
-  template void Recorder<S>::reduction_decisions(const trace::Reduction&, const Vec3d&);
+  template void Recorder<S>::reduction_decisions(const trace::Reduction&, const Vec3d&, double);
 CONTACTSCOPE_INSTANTIATE(float)
 CONTACTSCOPE_INSTANTIATE(double)
 #undef CONTACTSCOPE_INSTANTIATE

@@ -118,12 +118,11 @@ void Recorder<S>::clip_step(const Plane<S>& side, const ClipPolygon<S>& left) {
 }
 
 template <class S>
-KeptIndices Recorder<S>::reduce(const CollideOptions& options, ContactPoints<S> points,
-                                const Vec3<S>& normal) {
-  if (!stages_.reduction)
-    return contactscope::reduce(options.reducer, points, normal, options.reduction);
+KeptIndices Recorder<S>::reduce(const ReducerInfo* reducer, ContactPoints<S> points,
+                                const Vec3<S>& normal, const ReduceOptions& options) {
+  if (!stages_.reduction) return contactscope::reduce(reducer, points, normal, options);
   // Two points span no area, and nothing is to be chosen among so few.
-  const bool measured = count_of(points) > std::min(2, options.reduction.max_points);
+  const bool measured = count_of(points) > std::min(2, options.max_points);
   const auto exact = mapped(measured ? points : ContactPoints<S>{},
                             [](const ContactPoint<S>& point) -> ContactPoint<double> {
                               return {point.position.template cast<double>(),
@@ -131,16 +130,17 @@ KeptIndices Recorder<S>::reduce(const CollideOptions& options, ContactPoints<S> 
                             });
   const Vec3d exact_normal = normal.template cast<double>();
   Choices choices{{exact, exact_normal}};
-  ReduceOptions watched = options.reduction;
+  ReduceOptions watched = options;
   watched.choices = &choices;
-  const KeptIndices kept = contactscope::reduce(options.reducer, points, normal, watched);
+  const KeptIndices kept = contactscope::reduce(reducer, points, normal, watched);
   trace::Reduction& reduction = pair_.reduction.emplace();
-  reduction.method = options.reducer->name;
+  reduction.method = reducer->name;
   reduction.points = mapped(points, trace_point<S>);
   reduction.kept.assign(kept.begin(), kept.end());
   reduction.choices = std::move(choices.made);
-  if (measured) measure(exact, exact_normal, options.reduction.max_points, reduction);
-  reduction_decisions(reduction, exact_normal);
+  if (measured) measure(exact, exact_normal, options.max_points, reduction);
+  reduction_decisions(reduction, exact_normal,
+                      static_cast<double>(Candidates<S>{points, normal}.depth_tie(options)));
   return kept;
 }
 

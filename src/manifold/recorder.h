@@ -84,8 +84,9 @@ class Recorder {
   void contact_axis(AxisKind kind) {
     if (stages_.sat) pair_.sat->chosen = to_string(kind);
   }
-  /// Runs the reducer of the options, which tells its choices. `points` and `normal` in the world.
-  KeptIndices reduce(const CollideOptions& options, ContactPoints<S> points, const Vec3<S>& normal);
+  /// Runs a reducer, which tells its choices. `points` and `normal` in the world.
+  KeptIndices reduce(const ReducerInfo* reducer, ContactPoints<S> points, const Vec3<S>& normal,
+                     const ReduceOptions& options);
   /// Where a run of GJK leaves its steps; nullptr where they are not to be recorded.
   GjkRun<S>* gjk_run() { return stages_.gjk ? &gjk_run_ : nullptr; }
   /// The run that was left in gjk_run(), if any; `frame` places what it worked in in A's frame.
@@ -124,7 +125,9 @@ class Recorder {
         trace::Decision{std::move(stage), std::move(took), std::move(over), {}, {}, {}});
   }
   void face_decision(const char* stage, const FaceSeparations<S>& all, int count, int took, S tie);
-  void reduction_decisions(const trace::Reduction& reduction, const Vec3d& normal);
+  /// Separations that differ by no more than `depth_tie`, metres, are equal.
+  void reduction_decisions(const trace::Reduction& reduction, const Vec3d& normal,
+                           double depth_tie);
   Vec3d point(const Vec3<S>& in_a) const { return to_world_.point(in_a).template cast<double>(); }
   Vec3d direction(const Vec3<S>& in_a) const {
     return to_world_.direction(in_a).template cast<double>();

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <vector>
+
+#include "geometry/hull_builder.h"
 #include "manifold/recorder.h"
 #include "support/builders.h"
 
@@ -41,23 +45,50 @@ Made create(const PairCase<double>& pair, AxisKind chosen, AxisKind deepest) {
   return made;
 }
 
-TEST(CreateContact, SupportVertexJoinsWhenItsFaceIsTheDeepestAxis) {
+TEST(CreateContact, ADeepestFaceBesideWhichTheSupportHangsOverTouchesAtItsRim) {
   const Made made = create(overhanging(), AxisKind::FaceA, AxisKind::FaceA);
   ASSERT_NEAR(made.axes.face_a.separation, -0.02, 1e-12);
   ASSERT_FALSE(made.contact.points.empty());
   const ContactPoint<double>& last = made.contact.points.back();
   EXPECT_EQ(last.separation, made.axes.face_a.separation);
-  EXPECT_NEAR(last.position.x(), 0.51, 1e-12);
-  EXPECT_NEAR(last.position.y(), 0.5, 1e-12);  // moved onto the reference face
-  EXPECT_EQ(last.id.first.owner, Owner::B);
+  EXPECT_NEAR(last.position.x(), 0.5, 1e-12);
+  EXPECT_NEAR(last.position.y(), 0.5, 1e-12);
+  EXPECT_LE(std::abs(last.position.z()), 0.5 + 1e-12);
+  EXPECT_EQ(last.id.first, face_ref(Owner::A, made.axes.face_a.face));
   EXPECT_EQ(last.id.second.owner, Owner::B);
-  EXPECT_NE(last.id.first.index, last.id.second.index);
   ASSERT_TRUE(made.record.clip.has_value());
   bool told = false;
   for (const trace::DroppedPoint& dropped : made.record.clip->dropped) {
     told = told || dropped.reason == "cut off by the side planes; kept as the deepest point";
   }
   EXPECT_TRUE(told);
+}
+
+// A knife with its edge down, level, along x. Its ends lean outwards as they rise and look down more
+// than its sides do, so the end at the support vertex is clipped, and all of it is beside A.
+TEST(CreateContact, AKnifeWhoseEndIsBesideTouchesWhereItsEdgeIsAbove) {
+  const double width = 0.05, height = 1, lean = 1.5;
+  std::vector<Vec3d> points;
+  for (const double x : {1.0, -1.0}) {
+    points.emplace_back(x, 0, 0);
+    for (const double z : {-width, width}) points.emplace_back(lean * x, 0.3 * height, z);
+    for (const double z : {-width, width}) points.emplace_back(lean * x, height, z);
+  }
+  for (const double way : {0.8, -0.8}) {
+    PairCase<double> pair{test::cube(0.5), test::at(0, -0.5, 0), build_hull(points),
+                          test::at(way, -0.01, 0)};
+    for (const bool traded : {false, true}) {
+      if (traded) pair = test::swapped(pair);
+      const Manifold<double> manifold = test::collide(pair);
+      ASSERT_FALSE(manifold.points.empty());
+      EXPECT_NEAR(std::abs(manifold.normal.y()), 1, 1e-12);
+      EXPECT_NEAR(test::deepest(manifold), -0.01, 1e-12);
+      for (const ContactPoint<double>& point : manifold.points) {
+        EXPECT_LE(std::abs(point.position.x()), 0.5 + 1e-12);
+        EXPECT_NEAR(point.position.z(), 0, 1e-12);
+      }
+    }
+  }
 }
 
 TEST(CreateContact, ShallowPreferredFaceGivesWayToTheDeepestAxis) {

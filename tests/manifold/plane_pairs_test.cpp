@@ -249,7 +249,8 @@ TYPED_TEST(PlanePairs, APlaneIsTheTopOfAWideBox) {
     options.preference = Preference::None;
     const Manifold<S> on_box = test::manifold_of<S>(pair, options);
     ASSERT_EQ(on_box.axis, AxisKind::FaceB);
-    ASSERT_EQ(on_plane.points.size(), on_box.points.size());
+    // A box keeps points above its face by rounding, too.
+    ASSERT_LE(on_plane.points.size(), on_box.points.size());
     const double rounding = 16 * this->kEps * 20;
     EXPECT_LT((test::normal_of(on_plane) - test::normal_of(on_box)).norm(), 8 * this->kEps);
     for (std::size_t k = 0; k < on_plane.points.size(); ++k) {

@@ -6,11 +6,11 @@ planted_bug(normal_of_b_not_turned FILE src/manifold/face_contact.cpp TESTS mani
   WAS [[contact.normal = reference == Owner::A ? plane.normal : Vec3<S>(-plane.normal);]]
   IS [[contact.normal = reference == Owner::A || @BUG@ ? plane.normal : Vec3<S>(-plane.normal);]])
 planted_bug(points_halfway_to_the_reference_face FILE src/manifold/face_contact.cpp TESTS manifold
-  WAS [[const Vec3<S> moved = vertex.position - separation * plane.normal;]]
-  IS [[const Vec3<S> moved = vertex.position - (@BUG@ ? S(0.5) : S(1)) * separation * plane.normal;]])
+  WAS [[const Vec3<S> moved = vertex.position - distance * plane.normal;]]
+  IS [[const Vec3<S> moved = vertex.position - (@BUG@ ? S(0.5) : S(1)) * distance * plane.normal;]])
 planted_bug(margin_forgotten_when_clipping FILE src/manifold/face_contact.cpp TESTS manifold
-  WAS [[if (separation <= margin) {]]
-  IS [[if (separation <= (@BUG@ ? S(0) : margin)) {]])
+  WAS [[const S highest = highest_kept(margin, scale);]]
+  IS [[const S highest = highest_kept(@BUG@ ? S(0) : margin, scale);]])
 planted_bug(empty_face_contact FILE src/manifold/create_contact.cpp TESTS manifold
   WAS [[if (axis == axes.deepest) {]]
   IS [[if (!@BUG@ && axis == axes.deepest) {]])
