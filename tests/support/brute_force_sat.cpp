@@ -90,6 +90,56 @@ BruteForceAxis brute_force_sat(const Hull<double>& a, const Pose<double>& pose_a
   return best;
 }
 
+BruteForceAxis brute_force_sat(const std::vector<Vec3d>& a, const std::vector<Vec3d>& b,
+                               const Pose<double>& b_in_a) {
+  const Mat3<double> rotation = b_in_a.rotation.toRotationMatrix();
+  const auto cloud_of = [](const std::vector<Vec3d>& points, const Pose<double>& pose) {
+    Cloud cloud(static_cast<Eigen::Index>(points.size()), 3);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      cloud.row(static_cast<Eigen::Index>(i)) = pose.transform(points[i]).transpose();
+    return cloud;
+  };
+  const Cloud cloud_a = cloud_of(a, {}), cloud_b = cloud_of(b, b_in_a);
+  Eigen::VectorXd on_a(cloud_a.rows()), on_b(cloud_b.rows());
+  BruteForceAxis best{-std::numeric_limits<double>::infinity(), Vec3d::UnitX()};
+  const auto try_cross = [&](const Vec3d& one, const Vec3d& other) {
+    const Vec3d cross = one.cross(other);
+    const double length = cross.norm();
+    if (length > 1e-13 * one.norm() * other.norm())
+      try_axis(cross / length, cloud_a, cloud_b, on_a, on_b, best);
+  };
+  const auto differences = [](const std::vector<Vec3d>& points, const Mat3<double>& turn) {
+    std::vector<Vec3d> result;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      for (std::size_t j = i + 1; j < points.size(); ++j)
+        result.push_back(turn * Vec3d(points[j] - points[i]));
+    return result;
+  };
+  const auto try_triples = [&](const std::vector<Vec3d>& points, const Mat3<double>& turn) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      for (std::size_t j = i + 1; j < points.size(); ++j) {
+        for (std::size_t k = j + 1; k < points.size(); ++k) {
+          const Vec3d x = turn * Vec3d(points[j] - points[i]);
+          const Vec3d y = turn * Vec3d(points[k] - points[j]);
+          const Vec3d z = turn * Vec3d(points[i] - points[k]);
+          // The two shorter sides: of the others a short one would be left only as rounding has it.
+          const double longest = std::max({x.norm(), y.norm(), z.norm()});
+          if (x.norm() == longest)
+            try_cross(y, z);
+          else
+            try_cross(x, y.norm() == longest ? z : y);
+        }
+      }
+    }
+  };
+  try_triples(a, Mat3<double>::Identity());
+  try_triples(b, rotation);
+  const std::vector<Vec3d> of_b = differences(b, rotation);
+  for (const Vec3d& of_a : differences(a, Mat3<double>::Identity()))
+    for (const Vec3d& edge : of_b) try_cross(of_a, edge);
+  return best;
+}
+
 double separation_along(const Vec3d& direction, const Hull<double>& a, const Pose<double>& pose_a,
                         const Hull<double>& b, const Pose<double>& pose_b) {
   const Cloud cloud_a = world_vertices(a, {pose_a.rotation, Vec3d::Zero()});

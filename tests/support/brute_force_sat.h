@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "core/pose.h"
 #include "geometry/hull.h"
 
@@ -15,6 +17,13 @@ struct BruteForceAxis {
 
 BruteForceAxis brute_force_sat(const Hull<double>& a, const Pose<double>& pose_a,
                                const Hull<double>& b, const Pose<double>& pose_b);
+
+/// The same from points alone, no faces or edges: every normal of three points of one hull and the cross
+/// product of any two points of each, of which all that are no face or edge only measure less. Differences
+/// are taken in the hulls' own frames, where near points keep their digits. `b` is placed by `b_in_a`, and
+/// so is the normal, in A's frame. For few points: takes time with the fourth power.
+BruteForceAxis brute_force_sat(const std::vector<Vec3d>& a, const std::vector<Vec3d>& b,
+                               const Pose<double>& b_in_a);
 
 /// The gap between the projections of both hulls on a unit direction (world frame) that points from
 /// A to B; negative in overlap.
