@@ -44,11 +44,11 @@ S preference_tolerance(S best, S min_radius) {
 
 /// By how much an edge pair has to beat the faces, as rounding may not choose it: where faces lie in
 /// parallel planes the edges around them give the same axis once more, but one point, and not on either
-/// shape. The cross product of edges at kNoisySine is off by some 32 roundings over a length of `scale`. A
-/// preference for faces is wider, and leaves nothing to do.
+/// shape. The cross product of edges at kNoisySine is off by some ten roundings over a length of `scale`, and
+/// the faces by two more. A preference for faces is wider, and leaves nothing to do.
 template <class S>
 S edge_handicap(S scale, Preference preference) {
-  return preference == Preference::None ? S(32) * std::numeric_limits<S>::epsilon() * scale : S(0);
+  return preference == Preference::None ? S(12) * std::numeric_limits<S>::epsilon() * scale : S(0);
 }
 
 /// Edges whose sine of the angle between them is less than this give no axis of their own. The
