@@ -188,7 +188,7 @@ std::vector<View> selected_views(const Scenario& scenario, const Options& option
 
 namespace {
 
-/// Those that cannot be read are told of in `unreadable`, or thrown where that is null.
+/// Those that cannot be read are added to `unreadable`, or thrown where that is null.
 std::vector<Scenario> read_scenarios(const Options& options, std::vector<Input>* unreadable) {
   std::vector<std::string> files;
   if (options.scenarios.empty()) {

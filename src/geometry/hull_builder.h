@@ -45,7 +45,8 @@ struct HullOptions {
 /// the points, less for a hull thinner than a hundred of those. A vertex lies on its faces' planes,
 /// and no point above any plane, within ten times that. Where points lie so close together that merging
 /// would turn the edges between them, only faces are merged that do not (see quickhull::kSteepest).
-/// Every face's outline is convex; for the sake of that, points whose noise is about the tolerance can leave coplanar neighbours unmerged.
+/// Every face's outline is convex; for the sake of that, points whose noise is about the tolerance
+/// can leave coplanar neighbours unmerged.
 /// Vertices keep their coordinates and their order; the same points always give the same hull.
 ///
 /// Throws ShapeError for too few points, as given or when welded; a coordinate that is not finite; a

@@ -17,6 +17,7 @@
 
 #include "core/at.h"
 #include "core/input_error.h"
+#include "core/input_file.h"
 #include "geometry/triangulate.h"
 
 namespace contactscope {
@@ -187,12 +188,11 @@ std::string join_lines(std::string text) {
 
 Contents read(const std::string& path) {
   const auto refuse = [&](const std::string& message) { throw InputError(path, 0, 0, message); };
+  // A folder opens like a file and fails only when read.
   std::error_code ignored;
-  const std::filesystem::file_status status = std::filesystem::status(path, ignored);
-  // A folder opens like a file and fails only when read; a pipe waits for someone who writes.
-  if (is_directory(status)) refuse("this is a folder; expected a Wavefront .obj file");
-  if (exists(status) && !is_regular_file(status))
-    refuse("this is not a regular file; expected a Wavefront .obj file");
+  if (std::filesystem::is_directory(path, ignored))
+    refuse("this is a folder; expected a Wavefront .obj file");
+  require_regular_file(path, "expected a Wavefront .obj file");
   std::ifstream file(path, std::ios::binary);
   if (!file) refuse("the file cannot be opened; is its name right?");
   const std::string written{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};

@@ -132,8 +132,7 @@ template <class S>
     for (const ContactPoint<S>& point : points) manifold.points.push_back(point);
     return;
   }
-  ReduceOptions reduction = options.reduction;
-  reduction.scale = static_cast<double>(contact.scale);
+  const ReduceOptions reduction = options.reduction_at(contact.scale);
   for (const int index : reduce(options.reducer, points, manifold.normal, reduction))
     manifold.points.push_back(at(points, index));
 }

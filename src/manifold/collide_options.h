@@ -39,6 +39,14 @@ struct CollideOptions {
   bool b_first = false;
   const ReducerInfo* reducer = nullptr;  // nullptr keeps all points
   ReduceOptions reduction{};             // `previous` in the order of the arguments, as results are
+
+  /// `reduction` of points from coordinates up to `scale`, metres (ReduceOptions::scale).
+  template <class S>
+  ReduceOptions reduction_at(S scale) const {
+    ReduceOptions scaled = reduction;
+    scaled.scale = static_cast<double>(scale);
+    return scaled;
+  }
 };
 
 /// How points of an incremental manifold are confirmed in the next frame.

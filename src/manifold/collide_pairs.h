@@ -39,8 +39,7 @@ void finish_contact(const ToWorld<S>& to_world, const CollideOptions& options, C
     manifold.points = contact.points;
     return;
   }
-  ReduceOptions reduction = options.reduction;
-  reduction.scale = static_cast<double>(contact.scale);
+  const ReduceOptions reduction = options.reduction_at(contact.scale);
   const KeptIndices kept =
       recorder ? recorder->reduce(options.reducer, points, manifold.normal, reduction)
                : reduce(options.reducer, points, manifold.normal, reduction);

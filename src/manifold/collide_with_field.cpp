@@ -117,17 +117,6 @@ Aabb<S> field_reach(const PlacedField& field, const Pose<double>& field_in, doub
   return Aabb<double>{reach.lower - out, reach.upper + out}.template cast<S>();
 }
 
-/// A corner of the surface of a mesh, or of the mesh that a field was made of.
-template <class S>
-Vec3<S> some_corner(const Mesh<S>& mesh) {
-  return mesh.corner(0, 0);
-}
-template <class S>
-Vec3<S> some_corner(const Field<S>& field) {
-  const auto* mesh = std::get_if<Mesh<S>>(&field.source->shape);
-  return mesh ? some_corner(*mesh) : Vec3<S>(Vec3<S>::Zero());
-}
-
 /// Distance between a shape that the field does not touch and the field's surface, metres. `near` are
 /// the pieces that the box around the surface reaches: all of a shape but of a mesh, of which others may
 /// be nearer to the surface.
@@ -137,16 +126,15 @@ double gap_of(const Shape<S>& a, const PlacedField& field, const Pose<double>& f
   constexpr double kNoLimit = std::numeric_limits<double>::infinity();
   const Pose<double> a_in_field = inverse(field_in_a);
   double gap = field_gap(field, near.pieces, near.radius, kNoLimit);
-  const auto look_farther = [&](const auto& large) {
+  const auto* other = std::get_if<Field<S>>(&a);
+  if (const auto* mesh = std::get_if<Mesh<S>>(other ? &other->source->shape : &a)) {
     if (near.pieces.empty()) {
-      const Vec3d corner = a_in_field.transform(some_corner(large).template cast<double>());
+      const Vec3d corner = a_in_field.transform(mesh->corner(0, 0).template cast<double>());
       gap = field_gap(field, std::array{FieldPiece{{corner, corner, corner}, 1, {}}}, 0, kNoLimit);
     }
     const Pieces all = PieceMaker<S>(a_in_field, field_reach<S>(field, field_in_a, gap)).of(a);
     gap = field_gap(field, all.pieces, all.radius, gap);
-  };
-  if (const auto* mesh = std::get_if<Mesh<S>>(&a)) look_farther(*mesh);
-  if (const auto* other = std::get_if<Field<S>>(&a)) look_farther(*other);
+  }
   // No contact is within the margin, so a field that has lost what is thin says no less.
   return std::max(gap, margin);
 }

@@ -17,7 +17,7 @@ class Recorder;
 /// axis less 5% (with Preference::None, less rounding). Where clipping falls short of that, a
 /// preferred face gives way to the deepest axis; if that is a face itself, support_contact() joins
 /// the points. The record says so: a dropped point "cut off by the side planes; kept as the deepest
-/// point". Pairs apart by no more than the margin may get no point.
+/// point". Pairs that are separated by no more than the margin may get no point.
 template <class S>
 void create_contact(const HullPair<S>& pair, const SatResult<S>& axes,
                     const CollideOptions& options, Contact<S>& contact, Recorder<S>* recorder);

@@ -96,8 +96,8 @@ S create_face_contact(const HullPair<S>& pair, Owner reference, const FaceQuery<
                              contact, recorder);
 }
 
-/// With the hulls pulled apart along the axis, by what they overlap and the smaller radius, their
-/// closest points (GJK) are those where the axis's separation is measured: inside the reference face,
+/// Moves the hulls along the axis by their overlap and the smaller radius, so that they are separated.
+/// Their closest points (GJK) are then those where the axis's separation is measured: inside the reference face,
 /// or of a face whose axis is not the deepest, on its border.
 template <class S>
 ContactPoint<S> support_contact(const HullPair<S>& pair, Owner reference, const FaceQuery<S>& query,

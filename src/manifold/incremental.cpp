@@ -66,8 +66,7 @@ template <class S>
 void reduce_points(const CollideOptions& options, S scale, Manifold<S>& manifold,
                    IncrementalStep<S>& step, Recorder<S>* recorder) {
   const ContactPoints<S> points(manifold.points.data(), manifold.points.size());
-  ReduceOptions reduction = options.reduction;
-  reduction.scale = static_cast<double>(scale);
+  const ReduceOptions reduction = options.reduction_at(scale);
   KeptIndices kept;
   if (options.reducer != nullptr) {
     kept = recorder ? recorder->reduce(options.reducer, points, manifold.normal, reduction)

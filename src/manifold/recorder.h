@@ -84,7 +84,7 @@ class Recorder {
   void contact_axis(AxisKind kind) {
     if (stages_.sat) pair_.sat->chosen = to_string(kind);
   }
-  /// Runs a reducer, which tells its choices. `points` and `normal` in the world.
+  /// Runs a reducer, and records its choices where the stages ask for them. `points` and `normal` in the world.
   KeptIndices reduce(const ReducerInfo* reducer, ContactPoints<S> points, const Vec3<S>& normal,
                      const ReduceOptions& options);
   /// Where a run of GJK leaves its steps; nullptr where they are not to be recorded.

@@ -219,7 +219,7 @@ S area_of_best_quadrilateral(const Patch<S>& patch) {
 }
 
 /// Only the diagonals that begin at the one corner, which a quadrilateral with it has at an end of a
-/// diagonal; of equals the first going round from there. Their two sides are not told apart: beyond the
+/// diagonal; of equals the first going round from there. Their two sides need not be distinguished: beyond the
 /// ends of a diagonal of a convex polygon there is nothing farther to the right or to the left.
 template <class S>
 CornerRing<S> best_quadrilateral_through(const Patch<S>& patch, int through) {

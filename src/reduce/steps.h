@@ -29,7 +29,7 @@ int highest(int count, const Score& score, S more_than = -std::numeric_limits<S>
   return best;
 }
 
-/// The farthest two of `count`, lower index first; 0 twice when no two are apart. A later pair must win
+/// The farthest two of `count`, lower index first; 0 twice when all coincide. A later pair must win
 /// by more than `tie`, square metres.
 template <class S, class SquaredDistance>
 std::array<int, 2> farthest_two(int count, const SquaredDistance& squared_distance, S tie = S(0)) {
@@ -122,8 +122,8 @@ struct Candidates {
   int deepest() const {
     return highest([&](int i) { return -separation(i); });
   }
-  /// Points whose separations differ by no more, metres, are equally deep: rounding would choose anew
-  /// among them in every frame.
+  /// Points whose separations differ by no more, metres, are equally deep: rounding would choose another
+  /// one of them in every frame.
   S depth_tie(const ReduceOptions& options) const {
     S scale = static_cast<S>(options.scale);
     if (!(scale > S(0)))
@@ -146,7 +146,7 @@ struct Candidates {
     return steps::next_by_id(
         count(), [&](int i) { return id(i); }, after, holds);
   }
-  /// The points that bear the ids of the frame before, in their order. Equal ids are told apart by
+  /// The points that bear the ids of the frame before, in their order. Equal ids are distinguished by
   /// their order among the points.
   KeptIndices kept_before(const ReduceOptions& options) const {
     KeptIndices found;

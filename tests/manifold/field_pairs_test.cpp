@@ -292,7 +292,7 @@ TEST(FieldPairs, SlowASeparatedHullIsAsFarAsFromTheHullThatTheFieldIsMadeOf) {
 }
 
 TEST(FieldPairs, ASeparatedMeshIsAsFarAsItsNearestTriangle) {
-  // A triangle beside a corner of the field's box is near its surface's box, and another one is nearer.
+  // One triangle is near a corner of the field's box; the other one is nearer to its surface.
   Random random(14);
   for (int i = 0; i < 100; ++i) {
     const double size = random.decade(-4, 4), gap = size * random.uniform(0.01, 0.5);
@@ -305,8 +305,10 @@ TEST(FieldPairs, ASeparatedMeshIsAsFarAsItsNearestTriangle) {
     };
     add({0.9, 0.9, 0.9});
     add({0.0, 1 + gap / size, 0.0});
-    const PlacedShapes pair{
-        build_mesh(two.vertices, two.triangles), {}, field_of(Sphere<double>{size}, {.cells = 16}), {}};
+    const PlacedShapes pair{build_mesh(two.vertices, two.triangles),
+                            {},
+                            field_of(Sphere<double>{size}, {.cells = 16}),
+                            {}};
     EXPECT_NEAR(recorded_separation(test::moved(pair, random.pose(size))), gap, 1e-13 * size);
   }
 }

@@ -146,11 +146,14 @@ TYPED_TEST(KissingFaces, AQuarterTurnLeavesAllFourCorners) {
                     test::at(3, 1, 2)};
   pair.pose_a.rotation = about(Vec3d::UnitX(), 90 * kDegree);
   pair.pose_b.rotation = about(Vec3d::UnitZ(), 90 * kDegree);
-  const Manifold<S> manifold = test::manifold_of<S>(pair);
-  if (manifold.points.empty()) return;  // rounding keeps them apart
-  EXPECT_EQ(manifold.points.size(), 4u);
-  EXPECT_LE(farthest_of(manifold, {{0, 0, 1}, {0, 2, 1}, {0, 2, 3}, {0, 0, 3}}),
-            64 * this->kEpsilon);
+  for (const double margin : {0.0, 512 * this->kEpsilon}) {
+    CollideOptions options;
+    options.margin = margin;
+    const Manifold<S> manifold = test::manifold_of<S>(pair, options);
+    EXPECT_EQ(manifold.points.size(), 4u) << margin;
+    EXPECT_LE(farthest_of(manifold, {{0, 0, 1}, {0, 2, 1}, {0, 2, 3}, {0, 0, 3}}),
+              64 * this->kEpsilon);
+  }
 }
 
 TYPED_TEST(KissingFaces, SlowHaveTheCornersOfWhatTheyShareAndNoOtherPoint) {
@@ -183,7 +186,7 @@ TYPED_TEST(KissingFaces, SlowHaveTheCornersOfWhatTheyShareAndNoOtherPoint) {
       if (margin > 0) {
         ASSERT_FALSE(manifold.points.empty());
       }
-      if (manifold.points.empty()) continue;  // rounding keeps them apart
+      if (manifold.points.empty()) continue;  // separated by rounding
       if (margin == 0) ++(is_moved ? moved_and_touching : touching);
       ASSERT_EQ(manifold.points.size(), corners.size());
       ASSERT_LE(farthest_of(manifold, corners), rounding);

@@ -249,9 +249,15 @@ TYPED_TEST(PlanePairs, APlaneIsTheTopOfAWideBox) {
     options.preference = Preference::None;
     const Manifold<S> on_box = test::manifold_of<S>(pair, options);
     ASSERT_EQ(on_box.axis, AxisKind::FaceB);
-    // A box keeps points above its face by rounding, too.
-    ASSERT_LE(on_plane.points.size(), on_box.points.size());
     const double rounding = 16 * this->kEps * 20;
+    // A box keeps corners that are above its face by rounding, too: depth_rounding() of both extents.
+    const std::vector<Vec3d>& corners = std::get<Hull<double>>(pair.a).vertices;
+    const bool is_uncertain = std::ranges::any_of(corners, [&](const Vec3d& corner) {
+      return std::abs(pair.pose_a.transform(corner).y()) < 8 * rounding;
+    });
+    if (!is_uncertain) {
+      ASSERT_EQ(on_plane.points.size(), on_box.points.size());
+    }
     EXPECT_LT((test::normal_of(on_plane) - test::normal_of(on_box)).norm(), 8 * this->kEps);
     for (std::size_t k = 0; k < on_plane.points.size(); ++k) {
       EXPECT_LT(test::distance_to_nearest(on_box, test::position_of(on_plane, k)), rounding);
