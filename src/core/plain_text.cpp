@@ -36,8 +36,9 @@ std::string not_plain(std::string_view text) {
     const std::size_t length = utf8_length(text, i);
     if (length == 0) return "bytes that are not UTF-8";
     if (is_control(text, i)) {
-      std::array<char, 40> what{};
       const auto code = static_cast<unsigned char>(text[i + length - 1]);
+      if (code == 0) return "a NUL character";
+      std::array<char, 40> what{};
       std::snprintf(what.data(), what.size(), "the control character U+%04X", code);
       return what.data();
     }

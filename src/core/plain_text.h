@@ -10,7 +10,7 @@ namespace contactscope {
 std::size_t utf8_length(std::string_view text, std::size_t offset);
 
 /// What a name must not contain, because terminals, shells and file formats obey it: "the control
-/// character U+001B", or "bytes that are not UTF-8". Empty where the text is plain.
+/// character U+001B", "a NUL character", or "bytes that are not UTF-8". Empty where the text is plain.
 std::string not_plain(std::string_view text);
 
 /// The text with each byte that not_plain() refuses as "\x1b".

@@ -257,7 +257,6 @@ void check_radius(double radius, const Value& at) {
 
 fs::path existing_obj_file(const Value& value, const fs::path& folder) {
   const std::string name = value.non_empty_string();
-  if (name.find('\0') != std::string::npos) value.fail("'file' contains a NUL character");
   std::string extension = fs::path(name).extension().string();
   for (char& c : extension)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');

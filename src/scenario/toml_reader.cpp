@@ -38,7 +38,14 @@ std::string printable(std::string message) {
 void require_plain(const std::string& file, const toml::source_position& where,
                    const std::string& what, const std::string& text) {
   if (const std::string wrong = not_plain(text); !wrong.empty())
-    fail_at(file, where, what + " has " + wrong + "; write plain text on one line");
+    fail_at(file, where, what + " contains " + wrong + "; write plain text");
+}
+
+/// Line breaks and tabs of a text of several lines as blanks.
+std::string on_one_line(std::string text) {
+  std::ranges::replace_if(
+      text, [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
+  return text;
 }
 
 /// "a string", "an array of two values", for messages.
@@ -128,8 +135,9 @@ bool Value::boolean() const {
 
 std::string Value::string() const {
   if (!node_->is_string()) wrong_type("a string");
-  require_plain(*file_, node_->source().begin, "'" + name_ + "'", node_->as_string()->get());
-  return node_->as_string()->get();
+  const std::string& text = node_->as_string()->get();
+  require_plain(*file_, node_->source().begin, "'" + name_ + "'", on_one_line(text));
+  return text;
 }
 
 std::string Value::non_empty_string() const {

@@ -360,7 +360,9 @@ TEST(RunPairs, ASceneOfOneShapeHasAPoseAndNoPairs) {
 }
 
 TEST(RunPairs, ThePenetrationMethodOfThePipelineOrThePairIsUsedAndTold) {
-  const std::string deep = "position = [0, -0.95, 0]\n[pipeline]\npenetration = \"epa\"\n";
+  const std::string deep =
+      "position = [0, -0.95, 0]\nrotation = { axis = [0, 1, 0], degrees = 20 }\n"
+      "[pipeline]\npenetration = \"epa\"\n";
   const std::string pairs =
       "[[pairs]]\na = \"crate\"\nb = \"floor\"\n[[pairs]]\na = \"crate\"\nb = \"floor\"\nlabel = "
       "\"by sampling\"\n"
