@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <exception>
 
+#include "core/input_error.h"
 #include "image/compare.h"
 #include "image/png.h"
 #include "snapshot/meshes.h"
@@ -268,8 +269,15 @@ std::vector<Checked> check_stale_scenarios(const fs::path& root,
   std::vector<Checked> all;
   for (const std::string& scenario : stored_scenarios(root)) {
     if (std::ranges::find(scenarios, scenario) != scenarios.end()) continue;
-    std::ranges::move(found_stale({root, scenario}, stored_files(root, scenario), policy),
-                      std::back_inserter(all));
+    try {
+      if (is_of_an_engine(root, scenario)) continue;
+      std::ranges::move(found_stale({root, scenario}, stored_files(root, scenario), policy),
+                        std::back_inserter(all));
+    } catch (const InputError& error) {
+      Finding finding{FindingKind::Unreadable, scenario};
+      finding.sentence = scenario + ": " + error.what();
+      all.push_back(Checked{std::move(finding)});
+    }
   }
   return all;
 }

@@ -65,7 +65,8 @@ CheckedFrames check_frames(const Shelf& shelf, const FrameHashes& actual, const 
 std::vector<Checked> check_stale(const Shelf& shelf, std::span<const std::string> views,
                                  std::span<const int> frames, const Policy& policy);
 
-/// The same for every file of scenarios that are stored but not in `scenarios`; for a check of all.
+/// The same for every file of scenarios that are stored but not in `scenarios` and not of another engine; for a
+/// check of all. A trace that cannot be read is a finding too, and stays.
 std::vector<Checked> check_stale_scenarios(const std::filesystem::path& root,
                                            std::span<const std::string> scenarios,
                                            const Policy& policy);

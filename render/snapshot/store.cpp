@@ -141,16 +141,13 @@ std::vector<std::string> stored_scenarios(const fs::path& root) {
   return {found.begin(), found.end()};
 }
 
-std::vector<std::string> stored_of_engines(const fs::path& root) {
-  std::vector<std::string> names = stored_scenarios(root);
-  std::erase_if(names, [&](const std::string& name) {
-    // Its meshes are nobody's concern here.
-    const std::optional<std::string> text = read_text_file(trace_path(root, name));
-    if (!text) return true;
-    std::istringstream header(text->substr(0, text->find('\n')));
-    return trace::read_trace(header, trace_path(root, name).string()).header.engine.empty();
-  });
-  return names;
+bool is_of_an_engine(const fs::path& root, const std::string& scenario) {
+  // Its meshes are nobody's concern here.
+  const fs::path path = trace_path(root, scenario);
+  const std::optional<std::string> text = read_text_file(path);
+  if (!text) return false;
+  std::istringstream header(text->substr(0, text->find('\n')));
+  return !trace::read_trace(header, path.string()).header.engine.empty();
 }
 
 std::vector<fs::path> stale_files(const fs::path& root, const std::string& scenario,

@@ -58,8 +58,9 @@ void remove_stored(const std::filesystem::path& file);
 /// Scenarios that have a folder with a trace or a picture in it, sorted: "<group>/<idea>".
 std::vector<std::string> stored_scenarios(const std::filesystem::path& root);
 
-/// Those of them that are another engine's: no scenario file describes them.
-std::vector<std::string> stored_of_engines(const std::filesystem::path& root);
+/// Whether its stored trace is another engine's, which no scenario file describes. Throws InputError where the
+/// trace cannot be read.
+bool is_of_an_engine(const std::filesystem::path& root, const std::string& scenario);
 
 /// Stored pictures below the scenario's folder that it does not store any more, sorted: frames not
 /// in `frames`, views not in `views` (empty where the scenario has a single view), and pictures

@@ -146,11 +146,8 @@ class Checker {
     return outcome;
   }
 
-  /// Stored scenarios that no file describes any more. What was stored of another engine's trace has no
-  /// such file.
-  std::vector<ScenarioOutcome> check_orphans(std::vector<std::string> names) {
-    for (const std::string& name : snapshot::stored_of_engines(options_.snapshot_root))
-      names.push_back(name);
+  /// Stored scenarios that no file describes any more.
+  std::vector<ScenarioOutcome> check_orphans(const std::vector<std::string>& names) {
     std::vector<ScenarioOutcome> outcomes;
     std::vector<snapshot::Checked> files =
         snapshot::check_stale_scenarios(options_.snapshot_root, names, policy_);

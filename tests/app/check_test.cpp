@@ -234,5 +234,22 @@ TEST_F(Check, QuietPrintsNothingWhenAllIsTheSame) {
   EXPECT_THAT(result.err, IsEmpty());
 }
 
+int lines_with(const std::string& text, const std::string& words) {
+  int count = 0;
+  for (std::size_t at = text.find(words); at != std::string::npos; at = text.find(words, at + 1))
+    ++count;
+  return count;
+}
+
+TEST(CheckOfWhatIsWithinRounding, IsOneLineOrAllOfThem) {
+  const TemporaryFolder folder;
+  const std::string check = "check classes/four_classes coplanar/never_empty --facts-only --out '" +
+                            (folder / "out") + "' ";
+  const ProgramRun one = run(check);
+  EXPECT_THAT(one.err, HasSubstr("4 decisions in 2 scenarios are within rounding"));
+  EXPECT_EQ(lines_with(one.out + one.err, "within rounding"), 1);
+  EXPECT_EQ(lines_with(run(check + "--verbose").err, "which is within rounding"), 4);
+}
+
 }  // namespace
 }  // namespace contactscope::test

@@ -69,5 +69,37 @@ TEST(PageFormat, HasPanelsBesideTheView) {
   EXPECT_THAT(numbers, ElementsAre(0, 6, 12));
 }
 
+/// A small scenario whose title, label and name of a shape hold `text`, TOML's escapes and all.
+std::string scenario_that_says(const std::string& text) {
+  std::string scenario = small_scenario();
+  scenario.replace(scenario.find("A box on a slab"), 15, text);
+  scenario.replace(scenario.find("[shapes.crate]"), 14, "[shapes.\"" + text + "\"]");
+  return scenario + "[[pairs]]\na = \"slab\"\nb = \"" + text + "\"\nlabel = \"" + text +
+         "\"\n[[views]]\nlayers = [\"shapes\", \"contacts\", \"names\"]\n";
+}
+
+TEST(PageFormat, NoTextOfAScenarioIsMarkup) {
+  const TemporaryFolder folder;
+  const auto page_of = [&](const std::string& text) {
+    const std::string file = folder.write("nasty/idea.toml", scenario_that_says(text));
+    const ProgramRun result =
+        run("render '" + file + "' --format html --quiet --out '" + (folder / "out") + "'");
+    EXPECT_EQ(result.exit_code, 0) << text << result.err;
+    return read_text(folder / "out/nasty/idea/sequence.html");
+  };
+  const auto markup = [](const std::string& html) {
+    return std::ranges::count(html, '<') + std::ranges::count(html, '>');
+  };
+  const std::string plain = page_of("crate");
+  for (const char* text :
+       {"<!--<script>", "</script><script>document.title='run'</script>", "]]><svg onload='x'>",
+        "&lt;b&gt;", "\\u003cscript>", "<img src=x onerror='x'>"}) {
+    const std::string html = page_of(text);
+    EXPECT_EQ(markup(html), markup(plain)) << text;
+    const std::string said = nlohmann::json::parse("\"" + std::string(text) + "\"");
+    EXPECT_THAT(page_data(html).dump(), HasSubstr(nlohmann::json(said).dump().substr(1, 8)));
+  }
+}
+
 }  // namespace
 }  // namespace contactscope::test

@@ -129,6 +129,18 @@ TEST_F(ReviewTest, AnUnmetExpectationIsMendedWhoeverIsTold) {
   }
 }
 
+TEST_F(ReviewTest, AnUnreadableScenarioIsInEveryReport) {
+  folder_.write("scenarios/group/bad.toml", "title = \"x\"\n titel = 3\n");
+  const std::string junit = folder_ / "junit.xml", summary = folder_ / "summary.md";
+  const ProgramRun result = check("--github --junit '" + junit + "' --markdown '" + summary + "'");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.out, testing::ContainsRegex("::error file=[^,]*group/bad\\.toml,line=2,"));
+  EXPECT_THAT(read_text(junit), testing::ContainsRegex("<testcase [^>]*name=\"bad\""));
+  for (const std::string& told : {result.out + result.err, read_text(junit), read_text(summary),
+                                  read_text(folder_ / "out/check/report.html")})
+    EXPECT_THAT(told, HasSubstr("unknown key 'titel'"));
+}
+
 TEST_F(ReviewTest, WithoutATerminalItSaysWhatElseThereIs) {
   const ProgramRun result = run("review " + out(), "CI=");
   EXPECT_EQ(result.exit_code, 2);

@@ -4,11 +4,13 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
 #include "core/input_error.h"
 #include "geometry/hull_builder.h"
+#include "support/damaged_text.h"
 #include "support/random_geometry.h"
 
 namespace contactscope::test {
@@ -187,6 +189,26 @@ TEST_F(Obj, SomethingElseIsRefusedAtItsFirstLine) {
               AllOf(StartsWith(":1:1:"), HasSubstr("'solid'")));
   EXPECT_THAT(refusal_of(std::string("\x89PNG\r\n\x1a\n\0\xff", 10)), HasSubstr(":1:1: '?PNG'"));
   EXPECT_THAT(refusal_of(std::string(100000, 'x')), AllOf(HasSubstr("..."), HasSubstr(":1:1:")));
+}
+
+TEST_F(Obj, SlowDamagedTextIsAMeshOrRefusedInOneLineWithItsPlace) {
+  const std::string text =
+      "# a wedge\no wedge\nv -0.5 -0.5 -0.5\nv 0.5 -0.5 -0.5\nv -0.5 0.5 -0.5\nv 0.5 0.5 -0.5\n"
+      "v -0.5 -0.5 0.5\nv .5 -5e-1 +0.5 1.0\nvt 0 0\nvn 0 0 1\nusemtl none\ns off\n"
+      "f 1/1/1 2/1/1 4/1/1 \\\n3/1/1\nf 5//1 6//1 4//1 3//1\nf -6 -5 -2\n";
+  Random random(20);
+  int refused = 0;
+  constexpr int kTexts = 5'000;
+  for (int i = 0; i < kTexts; ++i) {
+    const std::string message = refusal_of(damaged(text, text, random));
+    if (message == "no error") continue;
+    ++refused;
+    EXPECT_THAT(message, StartsWith(":"));
+    EXPECT_LT(message.size(), 3'000u) << message;
+    EXPECT_TRUE(std::ranges::none_of(message, [](char c) { return c >= 0 && c < ' '; })) << message;
+  }
+  EXPECT_GT(refused, kTexts / 10);
+  EXPECT_LT(refused, kTexts);
 }
 
 }  // namespace

@@ -283,6 +283,18 @@ TEST_F(Check, WhatIsLeftOfARemovedScenarioIsOrphaned) {
   EXPECT_THAT(folder_.files(), IsEmpty());
 }
 
+TEST_F(Check, AnUnreadableTraceOfARemovedScenarioIsSaidAndStays) {
+  store_picture(kKey, dot_picture(80, 45));
+  folder_.write("hull/face_contact/trace.jsonl", "");
+  for (const Policy& policy : {kLocal, kUpdate}) {
+    const std::vector<Checked> found = check_stale_scenarios(root(), {}, policy);
+    ASSERT_THAT(found, SizeIs(1));
+    EXPECT_THAT(found[0].finding, Tells(FindingKind::Unreadable, "the trace is empty"));
+    EXPECT_FALSE(found[0].is_written);
+  }
+  EXPECT_THAT(folder_.files(), SizeIs(2));
+}
+
 TEST_F(Check, FramesThatAreNotStoredAreHeldByTheirHashes) {
   const FrameHashes hashes{"r", {{1, "a"}, {2, "b"}, {3, "c"}}};
   EXPECT_THAT(check_frames(shelf(), hashes, kLocal).finding, Tells(FindingKind::New, ""));

@@ -1,9 +1,11 @@
+#include <algorithm>
 #include <sstream>
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
 #include "core/input_error.h"
+#include "support/damaged_text.h"
 #include "trace/json.h"
 #include "trace/read_trace.h"
 #include "trace/sample_trace.h"
@@ -273,6 +275,23 @@ TEST(ReadTrace, FramesKeepTheirOrder) {
   EXPECT_EQ(trace.frames[0].frame, 7);
   EXPECT_EQ(trace.frames[1].frame, 3);
   EXPECT_EQ(trace.frames[2].frame, 5);
+}
+
+TEST(ReadTrace, SlowDamagedTextIsATraceOrRefusedInOneLineWithItsPlace) {
+  const std::string text = header_line() + to_json_line(sample_frame()) + "\n";
+  test::Random random(19);
+  int refused = 0;
+  constexpr int kTexts = 20'000;
+  for (int i = 0; i < kTexts; ++i) {
+    const std::string message = complaint(test::damaged(text, text, random));
+    if (message == "no complaint") continue;
+    ++refused;
+    EXPECT_THAT(message, StartsWith("run.jsonl:"));
+    EXPECT_LT(message.size(), 3'000u) << message;
+    EXPECT_TRUE(std::ranges::none_of(message, [](char c) { return c >= 0 && c < ' '; })) << message;
+  }
+  EXPECT_GT(refused, kTexts / 4);
+  EXPECT_LT(refused, kTexts);
 }
 
 }  // namespace
