@@ -6,6 +6,7 @@
 
 #include "app/origin.h"
 #include "snapshot/accept.h"
+#include "support/cases.h"
 #include "support/random_geometry.h"
 #include "support/temporary_folder.h"
 
@@ -25,12 +26,12 @@ std::string nasty_name(Random& random) {
 }
 
 TEST(PastedCommand, AShellTakesEachWordAsItIs) {
-  constexpr int kNames = 20'000;
+  const int names = cases(20'000);
   Random random(16);
   const TemporaryFolder folder;
   std::string script = "contactscope() { for word; do printf '%s\\0' \"$word\"; done; }\n",
               expected;
-  for (int i = 0; i < kNames; ++i) {
+  for (int i = 0; i < names; ++i) {
     const std::string name = nasty_name(random);
     script += "contactscope " + for_shell(name) + "\n";
     expected += name + '\0';
@@ -51,7 +52,7 @@ TEST(PastedCommand, APlainWordStaysAsItIs) {
 
 TEST(PastedCommand, APatternNamesItsKeyAndNoOther) {
   Random random(17);
-  for (int i = 0; i < 20'000; ++i) {
+  for (int i = 0; i < cases(20'000); ++i) {
     snapshot::Finding own, other;
     own.file = "g/" + nasty_name(random) + "/trace.jsonl";
     other.file = "g/" + nasty_name(random) + "/trace.jsonl";

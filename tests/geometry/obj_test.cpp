@@ -10,6 +10,7 @@
 
 #include "core/input_error.h"
 #include "geometry/hull_builder.h"
+#include "support/cases.h"
 #include "support/damaged_text.h"
 #include "support/random_geometry.h"
 
@@ -198,8 +199,8 @@ TEST_F(Obj, SlowDamagedTextIsAMeshOrRefusedInOneLineWithItsPlace) {
       "f 1/1/1 2/1/1 4/1/1 \\\n3/1/1\nf 5//1 6//1 4//1 3//1\nf -6 -5 -2\n";
   Random random(20);
   int refused = 0;
-  constexpr int kTexts = 5'000;
-  for (int i = 0; i < kTexts; ++i) {
+  const int texts = cases(5'000);
+  for (int i = 0; i < texts; ++i) {
     const std::string message = refusal_of(damaged(text, text, random));
     if (message == "no error") continue;
     ++refused;
@@ -207,8 +208,8 @@ TEST_F(Obj, SlowDamagedTextIsAMeshOrRefusedInOneLineWithItsPlace) {
     EXPECT_LT(message.size(), 3'000u) << message;
     EXPECT_TRUE(std::ranges::none_of(message, [](char c) { return c >= 0 && c < ' '; })) << message;
   }
-  EXPECT_GT(refused, kTexts / 10);
-  EXPECT_LT(refused, kTexts);
+  EXPECT_GT(refused, texts / 10);
+  EXPECT_LT(refused, texts);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "manifold/collide_pairs.h"
 #include "manifold/dispatch.h"
 #include "support/builders.h"
+#include "support/cases.h"
 #include "support/random_geometry.h"
 
 // Where faces lie in parallel planes, the edges around them cross along the same axis. Rounding must not
@@ -106,7 +107,7 @@ TurnedBox random_turned_box(Random& random) {
 TYPED_TEST(FaceOverEdge, SlowNoPointIsOffTwoLevelBoxesThatOverlap) {
   Random random(34);
   int overlapping = 0;
-  for (int i = 0; overlapping < 20000; ++i) {
+  for (int i = 0; overlapping < test::cases(20'000); ++i) {
     SCOPED_TRACE("pair " + std::to_string(i));
     const TurnedBox a = random_turned_box(random);
     TurnedBox b = random_turned_box(random);

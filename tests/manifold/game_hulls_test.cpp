@@ -11,6 +11,7 @@
 #include "query/sat.h"
 #include "support/brute_force_sat.h"
 #include "support/builders.h"
+#include "support/cases.h"
 
 // Hulls as games have them, resting on each other with a tilt or falling into each other. Whatever
 // face is preferred: the manifold is as deep as the hulls overlap, and the points of faces lie in both.
@@ -171,7 +172,7 @@ TYPED_TEST(GameHulls, SlowAreAsDeepAsTheyOverlapAndTouchWithinBoth) {
   using S = TypeParam;
   Random random(20150305);
   int touching = 0;
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < test::cases(2'000); ++i) {
     SCOPED_TRACE("pair " + std::to_string(i));
     const PairCase<S> pair = resting_pair(random).template cast<S>();
     const PairCase<double> exact = pair.template cast<double>();

@@ -9,6 +9,7 @@
 #include "core/convex_polygon.h"
 #include "manifold/placed_shapes.h"
 #include "support/builders.h"
+#include "support/cases.h"
 
 // Shapes that share a part of a face and do not overlap. Rounding puts the corners of the one a few
 // ulps above or below the other: it may take the contact, but no corner of it.
@@ -160,7 +161,7 @@ TYPED_TEST(KissingFaces, SlowHaveTheCornersOfWhatTheyShareAndNoOtherPoint) {
   using S = TypeParam;
   Random random(20150304);
   int touching = 0, moved_and_touching = 0;
-  for (int i = 0; i < 5000; ++i) {
+  for (int i = 0; i < test::cases(5'000); ++i) {
     SCOPED_TRACE("pair " + std::to_string(i));
     const double size = random.decade(-4, 4);
     const bool is_moved = random.chance(0.7);

@@ -12,6 +12,7 @@
 #include "support/brute_force_distance.h"
 #include "support/brute_force_sat.h"
 #include "support/builders.h"
+#include "support/cases.h"
 #include "support/random_geometry.h"
 
 /// How GJK ends: apart, overlapping, or on the border between the two and then by no more than
@@ -137,8 +138,8 @@ TEST(GjkStatus, RandomPairsEndAsTheyStand) {
 }
 
 TEST(GjkStatus, SlowRandomPairs) {
-  judge_endings<double>(10000, 343);
-  judge_endings<float>(10000, 344);
+  judge_endings<double>(test::cases(10'000), 343);
+  judge_endings<float>(test::cases(10'000), 344);
 }
 
 }  // namespace

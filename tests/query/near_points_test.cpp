@@ -12,6 +12,7 @@
 #include "query/sat.h"
 #include "support/brute_force_sat.h"
 #include "support/builders.h"
+#include "support/cases.h"
 #include "support/random_geometry.h"
 
 // Hulls with vertices that nearly coincide. Their edges are short, so that an error that is small beside
@@ -105,7 +106,7 @@ TYPED_TEST(NearPoints, TwoVerticesOfATipGiveTheDepthOfEveryAxis) {
 TYPED_TEST(NearPoints, SlowDepthsAreWithin64RoundingsOfEveryAxis) {
   Random random(34);
   int overlapping = 0;
-  for (int i = 0; overlapping < 4000; ++i) {
+  for (int i = 0; overlapping < test::cases(4'000); ++i) {
     SCOPED_TRACE("pair " + std::to_string(i));
     const std::vector<Vec3d> a = near_points(random), b = near_points(random);
     Pose<double> b_in_a{random.rotation(), random.vector(-4, 4)};

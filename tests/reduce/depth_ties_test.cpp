@@ -5,6 +5,7 @@
 
 #include "reduce/brute_force.h"
 #include "reduce/reducer.h"
+#include "support/cases.h"
 
 // Points of a level patch are equally deep but for rounding: none of them is the deepest, and area decides.
 // The oracle is every choice of points, in double (brute_force.h).
@@ -115,14 +116,14 @@ class DepthTies : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(DepthTies, Scalars);
 
-constexpr int kCases = 3000;
+const int kPatches = test::cases(3'000);
 
 // And noise of rounding in depths, another order of the points and another place change no choice.
 TYPED_TEST(DepthTies, SlowTheLargestAreaIsKeptAndNoRoundingChangesIt) {
   using S = TypeParam;
   test::Random random(51);
   double of_steps = 0, least = 1;
-  for (int i = 0; i < kCases; ++i) {
+  for (int i = 0; i < kPatches; ++i) {
     SCOPED_TRACE("case " + std::to_string(i));
     const std::vector<Place> flat = level_patch(random, i % 3);
     LevelPatch<S> patch = place<S>(random, flat);
@@ -149,14 +150,14 @@ TYPED_TEST(DepthTies, SlowTheLargestAreaIsKeptAndNoRoundingChangesIt) {
     ASSERT_EQ(ids_of(moved, reduced("optimal_deepest", moved)),
               ids_of(patch, reduced("optimal_deepest", patch)));
   }
-  EXPECT_GT(of_steps / kCases, 0.995);
+  EXPECT_GT(of_steps / kPatches, 0.995);
   EXPECT_GT(least, 0.8);
 }
 
 TYPED_TEST(DepthTies, SlowOfSomeEquallyDeepPointsThatWithTheLargestAreaIsKept) {
   using S = TypeParam;
   test::Random random(52);
-  for (int i = 0; i < kCases; ++i) {
+  for (int i = 0; i < kPatches; ++i) {
     SCOPED_TRACE("case " + std::to_string(i));
     LevelPatch<S> patch = place<S>(random, level_patch(random, i % 3));
     std::vector<bool> shallow;

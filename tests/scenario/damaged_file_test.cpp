@@ -6,6 +6,7 @@
 
 #include "core/input_error.h"
 #include "scenario/scenario.h"
+#include "support/cases.h"
 #include "support/damaged_text.h"
 #include "support/random_geometry.h"
 #include "support/temporary_folder.h"
@@ -22,8 +23,8 @@ TEST(DamagedFile, SlowIsAScenarioOrRefusedInOneLineWithItsPlace) {
     texts.push_back(read_text(folder + name));
   Random random(18);
   int refused = 0;
-  constexpr int kFiles = 20'000;
-  for (int i = 0; i < kFiles; ++i) {
+  const int files = cases(10'000);
+  for (int i = 0; i < files; ++i) {
     const auto& one = texts[static_cast<std::size_t>(random.index(int(texts.size())))];
     const auto& other = texts[static_cast<std::size_t>(random.index(int(texts.size())))];
     const std::string text = damaged(one, other, random);
@@ -38,8 +39,8 @@ TEST(DamagedFile, SlowIsAScenarioOrRefusedInOneLineWithItsPlace) {
           << message;
     }
   }
-  EXPECT_GT(refused, kFiles / 4);
-  EXPECT_LT(refused, kFiles);
+  EXPECT_GT(refused, files / 4);
+  EXPECT_LT(refused, files);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/input_error.h"
+#include "support/cases.h"
 #include "support/damaged_text.h"
 #include "trace/json.h"
 #include "trace/read_trace.h"
@@ -281,8 +282,8 @@ TEST(ReadTrace, SlowDamagedTextIsATraceOrRefusedInOneLineWithItsPlace) {
   const std::string text = header_line() + to_json_line(sample_frame()) + "\n";
   test::Random random(19);
   int refused = 0;
-  constexpr int kTexts = 20'000;
-  for (int i = 0; i < kTexts; ++i) {
+  const int texts = test::cases(10'000);
+  for (int i = 0; i < texts; ++i) {
     const std::string message = complaint(test::damaged(text, text, random));
     if (message == "no complaint") continue;
     ++refused;
@@ -290,8 +291,8 @@ TEST(ReadTrace, SlowDamagedTextIsATraceOrRefusedInOneLineWithItsPlace) {
     EXPECT_LT(message.size(), 3'000u) << message;
     EXPECT_TRUE(std::ranges::none_of(message, [](char c) { return c >= 0 && c < ' '; })) << message;
   }
-  EXPECT_GT(refused, kTexts / 4);
-  EXPECT_LT(refused, kTexts);
+  EXPECT_GT(refused, texts / 4);
+  EXPECT_LT(refused, texts);
 }
 
 }  // namespace
