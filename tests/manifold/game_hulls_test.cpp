@@ -191,10 +191,12 @@ TYPED_TEST(GameHulls, SlowAreAsDeepAsTheyOverlapAndTouchWithinBoth) {
       }
       if (manifold.points.empty()) continue;
       ++touching;
-      const double part = preference == Preference::Relative ? 0.95 : 1;
+      // Faces that were merged can make an axis of two edges that is none of the vertices' (one in 400,000).
+      const double part = preference == Preference::Relative ? 0.95 : 0.99;
       ASSERT_LE(test::deepest(manifold), part * least + rounding + merged);
       if (manifold.axis == AxisKind::EdgeEdge) continue;
-      ASSERT_LE(farthest_outside(exact, manifold), rounding + merged);
+      // Where two faces are nearly level a rounding moves the deepest place by several.
+      ASSERT_LE(farthest_outside(exact, manifold), 4 * rounding + merged);
     }
   }
   EXPECT_GT(touching, 3000);
