@@ -292,8 +292,6 @@ const Shape<double>& widened(const Shape<double>& shape) {
 
 /// The same numbers; of a field those of what it was made of.
 Shape<double> widened(const Shape<float>& shape) {
-  if (const auto* plane = std::get_if<HalfSpace<float>>(&shape))
-    return HalfSpace<double>{plane->plane.cast<double>()};
   if (const auto* field = std::get_if<Field<float>>(&shape)) return widened(field->source->shape);
   const auto* mesh = std::get_if<Mesh<float>>(&shape);
   if (mesh == nullptr) return in_double(shape);

@@ -37,9 +37,14 @@ struct TriangleHull {
   }
 
   void set(const Mesh<S>& mesh, int triangle) {
-    origin = mesh.corner(triangle, 0);
-    for (int k = 1; k < 3; ++k) at(hull.vertices, k) = mesh.corner(triangle, k) - origin;
-    const Vec3<S>& normal = mesh.normal(triangle);
+    set(mesh.corner(triangle, 0), mesh.corner(triangle, 1), mesh.corner(triangle, 2),
+        mesh.normal(triangle));
+  }
+  /// `normal` is unit, to the side from which the corners run counter-clockwise.
+  void set(const Vec3<S>& v0, const Vec3<S>& v1, const Vec3<S>& v2, const Vec3<S>& normal) {
+    origin = v0;
+    hull.vertices[1] = v1 - v0;
+    hull.vertices[2] = v2 - v0;
     hull.planes[0] = {normal, S(0)};
     hull.planes[1] = {Vec3<S>(-normal), S(0)};
     hull.centroid = (hull.vertices[1] + hull.vertices[2]) / S(3);

@@ -1,7 +1,6 @@
 #include "manifold/ask.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "manifold/asked_pair.h"
@@ -22,68 +21,134 @@ void record_question(const Question& question, trace::Pair& record) {
   told.skip_up_to = question.test.skip_up_to;
 }
 
+/// The same numbers, in double.
 template <class S>
-void record_gap(const Gap<S>& gap, const Pose<S>& pose_a, trace::Query& told) {
-  if (!gap.gap || gap.normal.isZero(0)) return;
-  const ToWorld<S> to_world(pose_a);
-  told.normal = to_world.direction(gap.normal).template cast<double>();
-  told.point_a = to_world.point(gap.on_a).template cast<double>();
-  told.point_b = to_world.point(gap.on_b).template cast<double>();
+Pose<double> wide(const Pose<S>& pose) {
+  if constexpr (std::is_same_v<S, float>)
+    return in_double(pose);
+  else
+    return pose;
+}
+const Shape<double>& wide(const Shape<double>& shape) {
+  return shape;
+}
+Shape<double> wide(const Shape<float>& shape) {
+  return in_double(shape);
 }
 
-/// In the order of the table, without a plane or a mesh.
+/// Of a convex shape, which outlives the result.
+PlacedCore core_of(const Shape<double>& shape, const Pose<double>& pose) {
+  static const Vec3d kMiddle = Vec3d::Zero();
+  if (const auto* sphere = std::get_if<Sphere<double>>(&shape))
+    return {support_set(kMiddle), sphere->radius, pose};
+  if (const auto* capsule = std::get_if<Capsule<double>>(&shape))
+    return {{capsule->points.data(), 2, nullptr}, capsule->radius, pose};
+  return {support_set(std::get<Hull<double>>(shape)), 0, pose};
+}
+
+void record_gap(const Gap& gap, const Pose<double>& pose_a, trace::Pair* record) {
+  if (record == nullptr || !gap.gap || gap.normal.isZero(0)) return;
+  const ToWorld<double> to_world(pose_a);
+  record->query->normal = to_world.direction(gap.normal);
+  record->query->point_a = to_world.point(gap.on_a);
+  record->query->point_b = to_world.point(gap.on_b);
+}
+
+/// Two convex shapes, or a convex one and a plane.
 template <class S>
-Answer<S> ask_convex(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b,
+Answer<S> ask_solids(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b,
                      const Pose<S>& pose_b, const Question& question, trace::Pair* record,
                      const trace::Stages& stages) {
-  const Pose<S> b_in_a = relative_pose(pose_a, pose_b);
-  if (record == nullptr)
-    return answer_of(gap_of_cores<S>(a, b, b_in_a, question, nullptr), question);
-  Recorder<S> recorder(ToWorld<S>(pose_a), stages, *record);
-  const Gap<S> gap = gap_of_cores(a, b, b_in_a, question, &recorder);
-  record_gap(gap, pose_a, *record->query);
-  return answer_of(gap, question);
+  const Shape<double>&wide_a = wide(a), &wide_b = wide(b);
+  const PlacedCore core_a = core_of(wide_a, wide(pose_a));
+  Gap gap;
+  if (const auto* plane = std::get_if<HalfSpace<double>>(&wide_b)) {
+    gap = gap_to_plane(core_a, *plane, wide(pose_b), kEpsilon<S>);
+  } else {
+    std::optional<Recorder<double>> recorder;
+    if (record) [[unlikely]]
+      recorder.emplace(ToWorld<double>(core_a.given), stages, *record);
+    gap = gap_of_cores(core_a, core_of(wide_b, wide(pose_b)), question, kEpsilon<S>,
+                       recorder ? &*recorder : nullptr);
+  }
+  record_gap(gap, core_a.given, record);
+  return answer_of<S>(gap, question);
 }
 
-/// A convex shape and the surface of a mesh, or any shape and a field: their contacts, which are not
-/// kept.
 template <class S>
-Answer<S> ask_contacts(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b,
-                       const Pose<S>& pose_b, const Question& question, trace::Pair* record,
-                       const trace::Stages& stages) {
-  // Of coordinates in the frame of the mesh, where triangles are compared each in a frame of its
-  // own: a rotation and a sum.
-  constexpr int kRounding = 8;
-  Gap<S> gap;
-  gap.method = QueryMethod::Contacts;
-  gap.rounding = S(kRounding) * std::numeric_limits<S>::epsilon() *
-                 relative_pose(pose_b, pose_a).position.norm();
+Answer<S> answer_where_near(const std::optional<Gap>& gap, const Question& question) {
+  if (gap) return answer_of<S>(*gap, question);
+  Answer<S> apart;
+  apart.method = QueryMethod::Contacts;
+  if (question.kind == QueryKind::Touching) apart.touching = false;
+  return apart;
+}
+
+/// All contacts with a mesh or a field that `question` may count, which are not kept.
+template <class S>
+Manifolds<S> contacts_within(double margin, const Shape<S>& a, const Pose<S>& pose_a,
+                             const Shape<S>& b, const Pose<S>& pose_b, trace::Pair* record,
+                             const trace::Stages& stages) {
   CollideOptions options;
-  options.margin = question.tolerance + static_cast<double>(gap.rounding);
+  options.margin = margin;
   options.preference = Preference::None;
   options.internal_edges = false;
   Manifolds<S> manifolds;
   collide(a, pose_a, b, pose_b, options, manifolds, nullptr, record, stages);
-  for (const Manifold<S>& manifold : manifolds)
-    for (const ContactPoint<S>& point : manifold.points)
-      if (!gap.gap || point.separation < *gap.gap) {
-        gap.gap = point.separation;
-        gap.normal = manifold.normal;
-        gap.on_b = point.position;
-      }
   if (record) [[unlikely]] {
     record->manifolds.clear();
     record->separation = 0;
-    if (gap.gap) {
-      record->query->normal = gap.normal.template cast<double>();
-      record->query->point_b = gap.on_b.template cast<double>();
-    }
   }
-  if (gap.gap) return answer_of(gap, question);
-  Answer<S> apart;
-  apart.method = gap.method;
-  if (question.kind == QueryKind::Touching) apart.touching = false;
-  return apart;
+  return manifolds;
+}
+
+/// A convex shape and the surface of a mesh.
+template <class S>
+Answer<S> ask_mesh(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b,
+                   const Pose<S>& pose_b, const Question& question, trace::Pair* record,
+                   const trace::Stages& stages) {
+  const Shape<double>& wide_a = wide(a);
+  const PlacedCore core = core_of(wide_a, wide(pose_a));
+  std::optional<Gap> gap = gap_to_mesh(core, std::get<Mesh<S>>(b), wide(pose_b), question);
+  if (gap) gap->method = QueryMethod::Contacts;
+  if (record) [[unlikely]]
+    contacts_within(question.tolerance, a, pose_a, b, pose_b, record, stages);
+  if (gap) record_gap(*gap, core.given, record);
+  return answer_where_near<S>(gap, question);
+}
+
+/// Any shape and a field: their contacts.
+template <class S>
+Answer<S> ask_field(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b,
+                    const Pose<S>& pose_b, const Question& question, trace::Pair* record,
+                    const trace::Stages& stages) {
+  const Pose<double> wide_a = wide(pose_a), wide_b = wide(pose_b);
+  const Aabb<double> box = aabb_of(b)->template cast<double>();
+  const double reach = box.lower.cwiseAbs().cwiseMax(box.upper.cwiseAbs()).norm();
+  const double bound =
+      bound_of_rounding(wide_a.position.norm() + wide_b.position.norm() + 2 * reach, kEpsilon<S>);
+  std::optional<Gap> gap;
+  for (const Manifold<S>& manifold :
+       contacts_within(question.tolerance + bound, a, pose_a, b, pose_b, record, stages))
+    for (const ContactPoint<S>& point : manifold.points)
+      if (!gap || static_cast<double>(point.separation) < *gap->gap) {
+        gap = {.gap = static_cast<double>(point.separation),
+               .method = QueryMethod::Contacts,
+               .normal = manifold.normal.template cast<double>(),
+               .on_b = point.position.template cast<double>()};
+      }
+  if (gap) {
+    const auto along = [&](const Pose<double>& pose) {
+      return rounding_along(gap->normal, pose, pose.inverse_transform(gap->on_b), kEpsilon<S>);
+    };
+    gap->rounding = bound_of_rounding(reach, 0) + along(wide_a) + along(wide_b);
+    if (*gap->gap > question.tolerance + gap->rounding) gap.reset();
+  }
+  if (gap && record) [[unlikely]] {
+    record->query->normal = gap->normal;
+    record->query->point_b = gap->on_b;
+  }
+  return answer_where_near<S>(gap, question);
 }
 
 /// Of the shapes themselves, in the order of the table.
@@ -92,28 +157,13 @@ Answer<S> ask_shapes(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b
                      const Pose<S>& pose_b, const Question& question, trace::Pair* record,
                      const trace::Stages& stages, MeshFront* front) {
   if (kind_of(b) == ShapeKind::Field)
-    return ask_contacts(a, pose_a, b, pose_b, question, record, stages);
+    return ask_field(a, pose_a, b, pose_b, question, record, stages);
   if (const auto* mesh = std::get_if<Mesh<S>>(&a))
     return ask_meshes(*mesh, pose_a, std::get<Mesh<S>>(b), pose_b, question,
                       stages.query ? record : nullptr, stages, front);
   if (kind_of(b) == ShapeKind::Mesh)
-    return ask_contacts(a, pose_a, b, pose_b, question, record, stages);
-  if (const auto* plane = std::get_if<HalfSpace<S>>(&b)) {
-    const Gap<S> gap = gap_to_plane(a, *plane, relative_pose(pose_a, pose_b));
-    if (record) [[unlikely]]
-      record_gap(gap, pose_a, *record->query);
-    return answer_of(gap, question);
-  }
-  if constexpr (std::is_same_v<S, float>) {
-    if (belongs_in_double(a, b)) [[unlikely]] {
-      const Answer<double> wide = ask_convex(in_double(a), in_double(pose_a), in_double(b),
-                                             in_double(pose_b), question, record, stages);
-      Answer<float> answer{wide.overlap, wide.touching, {}, wide.method, {}};
-      if (wide.gap) answer.gap = static_cast<float>(*wide.gap);
-      return answer;
-    }
-  }
-  return ask_convex(a, pose_a, b, pose_b, question, record, stages);
+    return ask_mesh(a, pose_a, b, pose_b, question, record, stages);
+  return ask_solids(a, pose_a, b, pose_b, question, record, stages);
 }
 
 /// What the shapes say where their bounds are asked.

@@ -79,15 +79,15 @@ struct AskedShape {
 /// wholly inside a closed mesh does not touch it. Of two meshes: triangles that share a point, or,
 /// where there are none and both are watertight, one inside the other.
 ///
-/// What lies within rounding of touching counts as touching: R = 64 epsilon (distance of the frames'
-/// origins, and how far each core reaches from its own). So, inclusive, no shapes that overlap are
+/// What lies within rounding of touching counts as touching: by how much the gap changes where each number
+/// that places the closest points changes by two roundings, in the scalar of the shapes, see
+/// rounding_along() in asked_pair.h. All is computed in double. So, inclusive, no shapes that overlap are
 /// called apart, and exclusive, none that are apart are called overlapping. Two meshes are compared
 /// exactly, see mesh_overlap.h; bounds have bounds of their own, see overlap.h.
 ///
 /// `b_first`, `record` and `stages` are those of collide(): the record is in the order of the
-/// arguments, and changes no bit of the answer. Convex shapes that float cannot hold together are
-/// worked on in double. `front` is of two meshes, see mesh_overlap(): where the last call for this
-/// pair ended; nullptr: their trees are gone through from the roots.
+/// arguments, and changes no bit of the answer. `front` is of two meshes, see mesh_overlap(): where the
+/// last call for this pair ended; nullptr: their trees are gone through from the roots.
 template <class S>
 Answer<S> ask(const AskedShape<S>& a, const AskedShape<S>& b, const Question& question,
               bool b_first = false, trace::Pair* record = nullptr,

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "geometry/triangle_hull.h"
 #include "manifold/asked_pair.h"
 #include "query/penetration.h"
 #include "query/tolerance.h"
@@ -7,45 +8,28 @@
 namespace contactscope {
 namespace {
 
-/// A convex shape as the points within `radius` of its core.
-template <class S>
-struct RoundedCore {
-  SupportSet<S> set;
-  S radius = 0;
-
-  bool has_volume() const { return set.hull != nullptr; }
-};
-
-template <class S>
-RoundedCore<S> rounded_core(const Shape<S>& shape) {
-  static const Vec3<S> kMiddle = Vec3<S>::Zero();
-  if (const auto* sphere = std::get_if<Sphere<S>>(&shape))
-    return {support_set(kMiddle), sphere->radius};
-  if (const auto* capsule = std::get_if<Capsule<S>>(&shape))
-    return {{capsule->points.data(), 2, nullptr}, capsule->radius};
-  return {support_set(std::get<Hull<S>>(shape)), S(0)};
-}
-
-/// See ask(): 64 epsilon. GJK and the separating axis test have been seen 36 epsilon apart, see
+/// Of what is computed in double. GJK and the separating axis test have been seen 36 epsilon apart, see
 /// may_overlap().
-template <class S>
-S rounding_of(S lengths) {
-  return depth_rounding(S(2) * lengths);
+double rounding_of_double(double lengths) {
+  return depth_rounding(2 * lengths);
 }
 
-/// Whether it matters how deep cores are in each other that may overlap.
-template <class S>
-bool needs_depth(const Question& question, const GjkResult<S>& cores, S radii, S rounding) {
-  switch (question.kind) {
-    case QueryKind::Penetration:
-      return true;
-    case QueryKind::Touching:
-      return radii <= static_cast<S>(question.tolerance) + rounding;
-    case QueryKind::Overlap:  // Overlap of GJK is more than rounding
-      return !question.inclusive && radii <= rounding && cores.status != GjkStatus::Overlap;
-    default:
-      return false;
-  }
+double rounding_along(const Vec3d& normal, const PlacedCore& core, const Vec3d& in_set,
+                      Epsilon epsilon) {
+  return rounding_along(normal, core.given, core.origin + in_set, epsilon) + epsilon * core.radius;
+}
+
+/// From the world's origin.
+double reach_of(const PlacedCore& core) {
+  return reach_of(core.set) + core.radius + core.origin.norm() + core.given.position.norm();
+}
+
+/// Whether it matters how deep cores are in each other that may overlap: also where it may be no more
+/// than rounding.
+bool needs_depth(const Question& question, double radii, double rounding) {
+  if (question.kind == QueryKind::Penetration) return true;
+  const bool compares = question.kind == QueryKind::Touching || !question.inclusive;
+  return compares && radii <= question.tolerance + rounding;
 }
 
 constexpr QueryMethod query_method(PenetrationMethod method) {
@@ -55,69 +39,132 @@ static_assert(query_method(PenetrationMethod::Sampling) == QueryMethod::Sampling
 
 }  // namespace
 
-template <class S>
-Gap<S> gap_of_cores(const Shape<S>& a, const Shape<S>& b, const Pose<S>& b_in_a,
-                    const Question& question, Recorder<S>* recorder) {
-  const RoundedCore<S> core_a = rounded_core(a), core_b = rounded_core(b);
-  const S radii = core_a.radius + core_b.radius;
-  Gap<S> found;
-  found.rounding =
-      rounding_of(reach_of(core_a.set) + reach_of(core_b.set) + b_in_a.position.norm() + radii);
-  const GjkResult<S> cores = gjk<S>(core_a.set, core_b.set, b_in_a, nullptr, gjk_run(recorder));
+double rounding_along(const Vec3d& normal, const Pose<double>& pose, const Vec3d& in_frame,
+                      Epsilon epsilon) {
+  const Vec3d local = pose.inverse_rotate(normal);
+  // The derivatives of normal . (q x q*) / |q|^2 with respect to the four numbers of q, halved; x is the
+  // point.
+  const double w = pose.rotation.w();
+  const Vec3d v = pose.rotation.vec(), &x = in_frame;
+  const double along = local.dot(x);
+  const double by_w = w * (normal.dot(x) - along) + normal.dot(v.cross(x));
+  const Vec3d by_v =
+      v.dot(x) * normal + v.dot(normal) * x + w * x.cross(normal) - (normal.dot(x) + along) * v;
+  const double turned = 2 * (std::abs(w * by_w) + v.cwiseAbs().dot(by_v.cwiseAbs()));
+  const double moved = normal.cwiseAbs().dot(pose.position.cwiseAbs());
+  return epsilon * (moved + turned + local.cwiseAbs().dot(x.cwiseAbs()));
+}
+
+double bound_of_rounding(double lengths, Epsilon epsilon) {
+  return 4 * epsilon * lengths + rounding_of_double(lengths);
+}
+
+Gap gap_of_cores(const PlacedCore& a, const PlacedCore& b, const Question& question,
+                 Epsilon epsilon, Recorder<double>* recorder) {
+  const Pose<double> pose_a = a.pose(), b_in_a = relative_pose(pose_a, b.pose());
+  const double radii = a.radius + b.radius;
+  const double computed =
+      rounding_of_double(reach_of(a.set) + reach_of(b.set) + b_in_a.position.norm() + radii);
+  const GjkResult<double> cores = gjk<double>(a.set, b.set, b_in_a, nullptr, gjk_run(recorder));
   if (recorder) [[unlikely]]
-    recorder->gjk(Pose<S>());
-  const auto from_cores = [&](S distance, const Vec3<S>& normal, const Vec3<S>& on_a,
-                              const Vec3<S>& on_b) {
+    recorder->gjk(Pose<double>());
+  Gap found;
+  const auto from_cores = [&](double distance, const Vec3d& normal, const Vec3d& on_a,
+                              const Vec3d& on_b) {
+    const Vec3d axis = pose_a.rotate(normal);
     found.gap = distance - radii;
+    found.rounding = computed + rounding_along(axis, a, on_a, epsilon) +
+                     rounding_along(axis, b, b_in_a.inverse_transform(on_b), epsilon);
     found.normal = normal;
-    found.on_a = on_a + core_a.radius * normal;
-    found.on_b = on_b - core_b.radius * normal;
+    found.on_a = on_a + a.radius * normal;
+    found.on_b = on_b - b.radius * normal;
   };
-  const bool any_volume = core_a.has_volume() || core_b.has_volume();
-  if (any_volume && may_overlap(cores, core_a.set, core_b.set, b_in_a) &&
-      needs_depth(question, cores, radii, found.rounding)) {
-    const PenetrationMethod method =
+  const bool any_volume = a.has_volume() || b.has_volume();
+  const double bound = bound_of_rounding(reach_of(a) + reach_of(b), epsilon);
+  if (any_volume && may_overlap(cores, a.set, b.set, b_in_a) &&
+      needs_depth(question, radii, bound)) {
+    const auto by = [&](PenetrationMethod method, PenetrationSteps<double>* steps) {
+      return penetration<double>(method, a.set, b.set, b_in_a, {}, &cores.simplex, steps);
+    };
+    PenetrationMethod method =
         question.kind == QueryKind::Penetration ? question.penetration : PenetrationMethod::Sat;
-    const PenetrationResult<S> deep = penetration<S>(method, core_a.set, core_b.set, b_in_a, {},
-                                                     &cores.simplex, penetration_steps(recorder));
+    PenetrationResult<double> deep = by(method, penetration_steps(recorder));
     if (recorder) [[unlikely]]
       recorder->penetration(method, deep, nullptr);
+    // Others give more than the depth, which may be no more than rounding.
+    if (method != PenetrationMethod::Sat && !question.inclusive && radii <= bound) {
+      const PenetrationResult<double> least = by(PenetrationMethod::Sat, nullptr);
+      if (!has_depth(least.status) || least.depth <= bound) {
+        method = PenetrationMethod::Sat;
+        deep = least;
+      }
+    }
     if (has_depth(deep.status)) {
       found.method = query_method(method);
       from_cores(-deep.depth, deep.normal, deep.on_a, deep.on_b);
       return found;
     }
     // GJK has them touch, the other apart by a hair: within rounding of each other either way.
-    found.gap = cores.distance - radii;
+    from_cores(cores.distance, deep.normal, cores.on_a, cores.on_b);
   }
   if (cores.status == GjkStatus::Separated) {
     from_cores(cores.distance, cores.normal, cores.on_a, cores.on_b);
   } else if (!any_volume) {
     found.gap = -radii;
+    found.rounding = computed + epsilon * radii;
   }
   return found;
 }
 
-template <class S>
-Gap<S> gap_to_plane(const Shape<S>& a, const HalfSpace<S>& b, const Pose<S>& b_in_a) {
-  const RoundedCore<S> core = rounded_core(a);
-  const Vec3<S> outward = b_in_a.rotate(b.plane.normal);
-  const Vec3<S>& lowest = at(core.set.points, support_index<S>(core.set, -outward));
-  Gap<S> found;
+Gap gap_to_plane(const PlacedCore& a, const HalfSpace<double>& b, const Pose<double>& pose_b,
+                 Epsilon epsilon) {
+  const Pose<double> b_in_a = relative_pose(a.pose(), pose_b);
+  const Vec3d outward = b_in_a.rotate(b.plane.normal);
+  const Vec3d& lowest = at(a.set.points, support_index<double>(a.set, -outward));
+  Gap found;
   found.method = QueryMethod::Support;
-  found.rounding = rounding_of(reach_of(core.set) + b_in_a.position.norm() +
-                               std::abs(b.plane.offset) + core.radius);
   found.normal = -outward;
-  found.on_a = lowest - core.radius * outward;
-  found.gap = outward.dot(found.on_a - b_in_a.position) - b.plane.offset;
-  found.on_b = found.on_a - *found.gap * outward;
+  found.on_a = lowest - a.radius * outward;
+  const double gap = outward.dot(found.on_a - b_in_a.position) - b.plane.offset;
+  found.gap = gap;
+  found.on_b = found.on_a - gap * outward;
+  const Vec3d axis = pose_b.rotate(b.plane.normal);
+  found.rounding = rounding_of_double(reach_of(a.set) + b_in_a.position.norm() +
+                                      std::abs(b.plane.offset) + a.radius) +
+                   rounding_along(axis, a, lowest, epsilon) +
+                   rounding_along(axis, pose_b, b_in_a.inverse_transform(found.on_b), epsilon);
   return found;
 }
 
+template <class S>
+std::optional<Gap> gap_to_mesh(const PlacedCore& a, const Mesh<S>& b, const Pose<double>& pose_b,
+                               const Question& question) {
+  const Pose<double> a_in_b = relative_pose(pose_b, a.pose());
+  Aabb<double> box;
+  for (int i = 0; i < a.set.count; ++i) box.include(a_in_b.transform(a.set.points[i]));
+  const double lengths = reach_of(a) + a.radius + a_in_b.position.norm() + pose_b.position.norm();
+  const Vec3d grown =
+      Vec3d::Constant(a.radius + question.tolerance + 2 * bound_of_rounding(lengths, kEpsilon<S>));
+  box = {box.lower - grown, box.upper + grown};
+  TriangleHull<double> triangle;
+  std::optional<Gap> least;
+  b.tree.query(box.template cast<S>(), [&](int index) {
+    const auto corner = [&](int k) -> Vec3d { return b.corner(index, k).template cast<double>(); };
+    const Vec3d v0 = corner(0), v1 = corner(1), v2 = corner(2);
+    Vec3d normal = triangle_normal(v0, v1, v2);
+    if (normal.isZero(0)) normal = b.normal(index).template cast<double>();
+    triangle.set(v0, v1, v2, normal);
+    const PlacedCore flat{support_set(triangle.hull), 0, pose_b, triangle.origin};
+    const Gap gap = gap_of_cores(a, flat, {.kind = QueryKind::Penetration}, kEpsilon<S>, nullptr);
+    if (!least || *gap.gap < *least->gap) least = gap;
+  });
+  if (least && *least->gap > question.tolerance + least->rounding) return std::nullopt;
+  return least;
+}
+
 #define CONTACTSCOPE_INSTANTIATE(S)                                                               \
-  template Gap<S> gap_of_cores(const Shape<S>&, const Shape<S>&, const Pose<S>&, const Question&, \
-                               Recorder<S>*);                                                     \
-  template Gap<S> gap_to_plane(const Shape<S>&, const HalfSpace<S>&, const Pose<S>&);
+  template std::optional<Gap> gap_to_mesh(const PlacedCore&, const Mesh<S>&, const Pose<double>&, \
+                                          const Question&);
 CONTACTSCOPE_INSTANTIATE(float)
 CONTACTSCOPE_INSTANTIATE(double)
 #undef CONTACTSCOPE_INSTANTIATE

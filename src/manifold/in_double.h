@@ -39,13 +39,15 @@ inline bool belongs_in_double(const Shape<float>& a, const Shape<float>& b) {
   return rounding > preference_tolerance(0.0F, std::min(of_a.size, of_b.size));
 }
 
-/// The same numbers; of shapes that belong_in_double only.
+/// The same numbers; of convex shapes and planes.
 inline Shape<double> in_double(const Shape<float>& shape) {
   if (const auto* sphere = std::get_if<Sphere<float>>(&shape))
     return Sphere<double>{sphere->radius};
   if (const auto* capsule = std::get_if<Capsule<float>>(&shape))
     return Capsule<double>{{capsule->points[0].cast<double>(), capsule->points[1].cast<double>()},
                            capsule->radius};
+  if (const auto* half_space = std::get_if<HalfSpace<float>>(&shape))
+    return HalfSpace<double>{half_space->plane.cast<double>()};
   return hull_cast<double>(std::get<Hull<float>>(shape));
 }
 
