@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "geometry/hull_builder.h"
@@ -88,6 +89,21 @@ ContactPolygon neighbouring_frame(const ContactPolygon& polygon, double part,
     const double around = uniform(engine, -0.7 * part, 0.7 * part);
     point.position = Vec3d(middle + (1 + outwards) * arm + around * across).cast<float>();
     point.separation *= static_cast<float>(1 + uniform(engine, -part, part));
+  }
+  return result;
+}
+
+ContactPolygon levelled(const ContactPolygon& polygon, std::mt19937_64& engine) {
+  constexpr double kRoundings = 1.5;
+  double mean = 0;
+  for (const ContactPoint<float>& point : polygon.points)
+    mean += static_cast<double>(point.separation) / static_cast<double>(polygon.points.size());
+  ContactPolygon result = polygon;
+  for (ContactPoint<float>& point : result.points) {
+    const double rounding = static_cast<double>(std::numeric_limits<float>::epsilon()) *
+                            static_cast<double>(point.position.norm());
+    point.separation =
+        static_cast<float>(mean + rounding * uniform(engine, -kRoundings, kRoundings));
   }
   return result;
 }

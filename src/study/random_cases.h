@@ -38,6 +38,10 @@ ContactPolygon elliptical_polygon(std::mt19937_64& engine, int count);
 ContactPolygon neighbouring_frame(const ContactPolygon& polygon, double part,
                                   std::mt19937_64& engine);
 
+/// The same contacts where two faces lie flat on each other: all as deep as the mean, but for some roundings
+/// of the places, in float.
+ContactPolygon levelled(const ContactPolygon& polygon, std::mt19937_64& engine);
+
 struct OverlappingHulls {
   Hull<double> a, b;
   Pose<double> b_in_a;

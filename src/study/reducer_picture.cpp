@@ -29,7 +29,7 @@ std::vector<Named> first_of(const std::vector<Named>& named, std::size_t count) 
 
 trace::Study picture_reducers(const trace::Study& measured) {
   trace::Study study = measured;
-  const bool is_of_area = study.measure == "area";
+  const bool is_of_area = study.measure == "area", is_flat = study.measure == "flat";
   std::vector<Named> all = first_of(kOwn, is_of_area ? kOwnWithDeepest : kOwn.size());
   const std::vector<Named> engines =
       first_of(kOfEngines, is_of_area ? kEnginesWithDeepest : kOfEngines.size());
@@ -43,8 +43,10 @@ trace::Study picture_reducers(const trace::Study& measured) {
   }
   show_least_times(study);
   study.shown = "Four points kept of eight. Grey: as engines choose.";
-  if (!is_of_area) return study;
-  study.shown = "All keep the deepest of eight points and three more. Grey: as engines choose.";
+  if (!is_of_area && !is_flat) return study;
+  study.shown =
+      is_flat ? "Four points kept of eight that are equally deep. Grey: as engines choose."
+              : "All keep the deepest of eight points and three more. Grey: as engines choose.";
   drop_resolution(study);
   study.unit = trace::kShare;
   study.error = "share of the area that is lost";
@@ -58,7 +60,7 @@ trace::Study picture_reducers(const trace::Study& measured) {
     std::vector<std::string> names;
     for (const Named& engine : by_loss) names.push_back(engine.second);
     const double least = of(by_loss.front()), most = of(by_loss.back());
-    const double own = lost("optimal_deepest");
+    const double own = error_at(series_of(study, kOwn[0].second), kUsualPoints);
     for (trace::StudySeries& series : study.series) {
       const std::string told = series.method + ": " + percent(error_at(series, kUsualPoints));
       if (series.method != kOwn[0].second) {
@@ -68,9 +70,10 @@ trace::Study picture_reducers(const trace::Study& measured) {
       mark(study, series.method, "", kUsualPoints, told);
       series.method.clear();  // the mark has it
     }
-    return "The best four points with the deepest lose " + percent(own) +
-           " of the area, the choices of " + listed(names) + " " + percent(least) + " to " +
-           percent(most);
+    const std::string best = is_flat ? "Where all points are equally deep, the default loses "
+                                     : "The best four points with the deepest lose ";
+    return best + percent(own) + " of the area, the choices of " + listed(names) + " " +
+           percent(least) + " to " + percent(most);
   });
   return study;
 }

@@ -52,21 +52,36 @@ ReduceOptions reduce_options(int index) {
 }
 
 /// A manifold to reduce, and before it the frames that led to it, the oldest first.
-using Case = std::vector<ContactPolygon>;
+using Frames = std::vector<ContactPolygon>;
+struct Case {
+  Frames frames;
+  Frames flat;         // the same, levelled()
+  double largest = 0;  // metres: no coordinate of them is larger
+};
 
 Case make_case(std::mt19937_64& engine, std::mt19937_64& motion, int count) {
-  Case frames = {elliptical_polygon(engine, count)};
+  Case made{{elliptical_polygon(engine, count)}, {}};
   for (int i = 0; i < kFramesBefore; ++i)
-    frames.push_back(neighbouring_frame(frames.back(), kMoveOfFrame, motion));
-  std::ranges::reverse(frames);
-  return frames;
+    made.frames.push_back(neighbouring_frame(made.frames.back(), kMoveOfFrame, motion));
+  std::ranges::reverse(made.frames);
+  return made;
+}
+
+/// By another generator, so that the other cases stay the same.
+void add_flat(Case& made, std::mt19937_64& engine) {
+  for (const ContactPolygon& frame : made.frames) {
+    made.flat.push_back(levelled(frame, engine));
+    for (const ContactPoint<float>& point : frame.points)
+      made.largest = std::max(made.largest, static_cast<double>(point.position.norm()));
+  }
 }
 
 /// What a method that remembers kept in the last of the frames before.
-std::vector<FeatureId> remembered(const Method& method, const Case& frames) {
+std::vector<FeatureId> remembered(const Method& method, const Frames& frames, double scale) {
   std::vector<FeatureId> ids;
   for (const ContactPolygon& frame : std::span(frames).first(kFramesBefore)) {
     ReduceOptions options = reduce_options(0);
+    options.scale = scale;
     options.previous = ids;
     const KeptIndices kept = reduce<float>(method.reducer, frame.points, frame.normal, options);
     ids = mapped(kept, [&](int i) { return at(frame.points, i).id; });
@@ -85,7 +100,8 @@ trace::ReducerAnswer judge(const KeptIndices& kept, const ContactPolygon& polygo
 }  // namespace
 
 /// Every registered reducer but "none", on 5, 6, 8, 12, 16 and 32 points of elliptical polygons
-/// (random_cases.h) in float, four points kept. Three results from the same runs:
+/// (random_cases.h) in float, four points kept. Three results from the same runs, and one, "flat", from the
+/// same polygons where all points are equally deep but for rounding (levelled()):
 ///
 /// A reducer that goes by the frame before (coherent) has two lines: one that has seen eight frames
 /// before, each a hundredth of the patch away from the next (neighbouring_frame()), and "..., first
@@ -95,8 +111,8 @@ trace::ReducerAnswer judge(const KeptIndices& kept, const ContactPolygon& polygo
 /// corners of the hull, by dynamic programming in double (best_convex_area()), exact but for
 /// rounding. What float takes for the larger of two can be smaller by its own rounding, some 1e-7
 /// of the area. "wrench": the largest shortfall of the resisted moment (exploration.h), in
-/// [0, 2]. "deepest": the share of the polygons whose deepest point was lost, in [0, 1]; it has no
-/// worst. A call has failed when it kept no area at all; its errors count, as the largest there
+/// [0, 2]. "flat": as "area". "deepest": the share of the polygons whose deepest point was lost, in
+/// [0, 1]; it has no worst. A call has failed when it kept no area at all; its errors count, as the largest there
 /// are.
 std::vector<trace::Study> study_reducers(const StudyOptions& options,
                                          const StudyProgress& progress) {
@@ -113,36 +129,55 @@ std::vector<trace::Study> study_reducers(const StudyOptions& options,
                   {"wrench", "What each reducer loses of the resisted moment",
                    "lost moment arm / patch radius, worst axis", "", kResolution},
                   {"deepest", "How often each reducer loses the deepest point",
-                   "share of the patches whose deepest point is lost"}});
-  results[0].reference = "the largest quadrilateral, exact in double, " + cases_spelled;
+                   "share of the patches whose deepest point is lost"},
+                  {"flat", "What each reducer loses of the contact area where faces lie flat",
+                   "lost area of equally deep points, 1 − area / best", "", kResolution}});
+  for (const std::size_t of_area : {0U, 3U})
+    results[of_area].reference = "the largest quadrilateral, exact in double, " + cases_spelled;
 
   std::vector<std::vector<Case>> cases(grid.parameters.size());
   using Memory = std::vector<std::vector<FeatureId>>;  // of each case
   std::vector<std::vector<Memory>> memory(all.size(), std::vector<Memory>(cases.size()));
   std::mt19937_64 engine(options.seed);
-  std::mt19937_64 motion(~options.seed);  // its own: the polygons are the same whatever moves them
+  // Of their own: the polygons are the same whatever moves and levels them.
+  std::mt19937_64 motion(~options.seed), level(options.seed ^ 0x666c6174);
   const auto without_rounding = [](double error) { return error < kRounding ? 0 : error; };
   const auto reduced = [&](std::size_t m, std::size_t p, std::size_t i) {
     ReduceOptions reduce_by = reduce_options(static_cast<int>(i));
     if (all[m].remembers) reduce_by.previous = memory[m][p][i];
-    const ContactPolygon& polygon = cases[p][i].back();
+    const ContactPolygon& polygon = cases[p][i].frames.back();
     return reduce<float>(all[m].reducer, polygon.points, polygon.normal, reduce_by);
+  };
+  const auto lost_of_flat = [&](const Method& method, const Case& made, std::size_t i) {
+    ReduceOptions reduce_by = reduce_options(static_cast<int>(i));
+    reduce_by.scale = made.largest;
+    std::vector<FeatureId> before;
+    if (method.remembers) before = remembered(method, made.flat, made.largest);
+    reduce_by.previous = before;
+    const ContactPolygon& polygon = made.flat.back();
+    const KeptIndices kept =
+        reduce<float>(method.reducer, polygon.points, polygon.normal, reduce_by);
+    return without_rounding(1 - judge(kept, polygon).area_ratio);
   };
   measure_grid(
       grid, results, progress,
       [&](std::size_t p) {
-        for (int i = 0; i < grid.cases; ++i)
+        for (int i = 0; i < grid.cases; ++i) {
           cases[p].push_back(make_case(engine, motion, kPointCounts[p]));
+          add_flat(cases[p].back(), level);
+        }
       },
       // Who keeps no area has failed, and the error of that is all there is to lose.
       [&](std::size_t m, std::size_t p, Measurement& measured) {
         for (std::size_t i = 0; i < cases[p].size(); ++i) {
-          if (all[m].remembers) memory[m][p].push_back(remembered(all[m], cases[p][i]));
-          const trace::ReducerAnswer quality = judge(reduced(m, p, i), cases[p][i].back());
+          const Frames& frames = cases[p][i].frames;
+          if (all[m].remembers) memory[m][p].push_back(remembered(all[m], frames, 0));
+          const trace::ReducerAnswer quality = judge(reduced(m, p, i), frames.back());
           measured.failed += quality.area > 0 ? 0 : 1;
           measured.errors[0].add(without_rounding(1 - quality.area_ratio));
           measured.errors[1].add(without_rounding(quality.wrench_error));
           measured.errors[2].add(quality.deepest_kept ? 0 : 1);
+          measured.errors[3].add(lost_of_flat(all[m], cases[p][i], i));
         }
       },
       [&](std::size_t m, std::size_t p, std::size_t i) {

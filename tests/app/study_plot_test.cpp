@@ -15,10 +15,11 @@ TEST(StudyPlot, IsAPictureOfTheSizeAskedForWithInkInIt) {
       run("study reducers --cases 20 --size 640x360 --quiet --out '" + (folder / "out") + "'");
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(files_below(folder / "out/study/reducers"),
-              testing::ElementsAre("plot.png", "plot_deepest.png", "plot_wrench.png", "results.csv",
-                                   "results.json", "results_deepest.csv", "results_deepest.json",
-                                   "results_wrench.csv", "results_wrench.json"));
-  for (const char* name : {"plot.png", "plot_deepest.png", "plot_wrench.png"}) {
+              testing::ElementsAre(
+                  "plot.png", "plot_deepest.png", "plot_flat.png", "plot_wrench.png", "results.csv",
+                  "results.json", "results_deepest.csv", "results_deepest.json", "results_flat.csv",
+                  "results_flat.json", "results_wrench.csv", "results_wrench.json"));
+  for (const char* name : {"plot.png", "plot_deepest.png", "plot_flat.png", "plot_wrench.png"}) {
     const Image image = read_png(folder / ("out/study/reducers/" + std::string(name)));
     EXPECT_EQ(image.width, 640);
     EXPECT_EQ(image.height, 360);

@@ -36,6 +36,7 @@ TEST(Study, WritesJsonAndCsvForEachMeasureAndOpensNoOpenGlForATable) {
       files_below(folder / "out"),
       ElementsAre("study/reducers/results.csv", "study/reducers/results.json",
                   "study/reducers/results_deepest.csv", "study/reducers/results_deepest.json",
+                  "study/reducers/results_flat.csv", "study/reducers/results_flat.json",
                   "study/reducers/results_wrench.csv", "study/reducers/results_wrench.json"));
   const auto json = nlohmann::json::parse(read_text(folder / "out/study/reducers/results.json"));
   EXPECT_EQ(json["schema"], "contactscope.study/1");
@@ -70,11 +71,12 @@ TEST(Study, PrintsATableForEachMeasureAndOneOfTimes) {
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(result.err, IsEmpty());
   const std::vector<std::vector<std::string>> tables = tables_of(result.out);
-  ASSERT_EQ(tables.size(), 4u);
+  ASSERT_EQ(tables.size(), 5u);
   EXPECT_THAT(tables[0][0], StartsWith("lost area, 1 − area / best: mean / worst, by points"));
   EXPECT_THAT(tables[1][0], StartsWith("lost moment arm"));
   EXPECT_THAT(tables[2][0], StartsWith("share of the patches whose deepest point is lost: mean, "));
-  EXPECT_THAT(tables[3][0], StartsWith("nanoseconds a call: median / least, by points"));
+  EXPECT_THAT(tables[3][0], StartsWith("lost area of equally deep points"));
+  EXPECT_THAT(tables[4][0], StartsWith("nanoseconds a call: median / least, by points"));
   const auto json = nlohmann::json::parse(read_text(folder / "out/study/reducers/results.json"));
   for (const std::vector<std::string>& table : tables) {
     ASSERT_EQ(table.size(), 2 + json["series"].size());
@@ -112,10 +114,11 @@ TEST(Study, JsonPrintsTheResultsOneALineAndQuietSilencesTheRest) {
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(result.err, IsEmpty());
   const std::vector<nlohmann::json> lines = json_lines(result.out);
-  ASSERT_EQ(lines.size(), 3u);
+  ASSERT_EQ(lines.size(), 4u);
   EXPECT_EQ(lines[0]["measure"], "area");
   EXPECT_EQ(lines[1]["measure"], "wrench");
   EXPECT_EQ(lines[2]["measure"], "deepest");
+  EXPECT_EQ(lines[3]["measure"], "flat");
   EXPECT_EQ(lines[1],
             nlohmann::json::parse(read_text(folder / "out/study/reducers/results_wrench.json")));
 }
