@@ -123,20 +123,13 @@ std::optional<std::string> impact_refusal(ShapeKind a, ShapeKind b) {
 
 namespace {
 
-/// What is asked of a field: what it was made of.
-template <class S>
-const Shape<S>& surface_of(const Shape<S>& shape) {
-  const auto* field = std::get_if<Field<S>>(&shape);
-  return field == nullptr ? shape : field->source->shape;
-}
-
 /// Whether a shape, which touches nothing of what a field was made of, is inside of it.
 template <class S>
 bool starts_inside(const Shape<S>& shape, const Sweep<S>& of_field, const Shape<S>& other,
                    const Sweep<S>& of_other) {
   const auto* field = std::get_if<Field<S>>(&shape);
   if (field == nullptr || kind_of(other) == ShapeKind::Plane) return false;
-  const DoubleCore<S> core(surface_of(other), in_double(of_other));
+  const DoubleCore<S> core(made_of(other), in_double(of_other));
   const Vec3d point = core.moving().motion.start.transform(core.moving().core.points[0]);
   const PlacedField placed{field->values, field->origin, field->cell};
   return placed.sample(in_double(of_field).start.inverse_transform(point)).distance < 0;
@@ -223,7 +216,7 @@ ShapeImpact<S> impact_of_shapes(const Shape<S>& a, const Sweep<S>& sweep_a, cons
                             run);
   if (kind_of(a) == ShapeKind::Field || kind_of(b) == ShapeKind::Field) {
     ShapeImpact<S> found =
-        impact_of_shapes(surface_of(a), sweep_a, surface_of(b), sweep_b, method, allowed, run);
+        impact_of_shapes(made_of(a), sweep_a, made_of(b), sweep_b, method, allowed, run);
     const bool inside =
         starts_inside(a, sweep_a, b, sweep_b) || starts_inside(b, sweep_b, a, sweep_a);
     if (inside && found.result.status != ImpactStatus::Overlapping) {
@@ -250,7 +243,7 @@ ShapeImpact<S> impact_of_shapes(const Shape<S>& a, const Sweep<S>& sweep_a, cons
 template <class S>
 std::vector<S> distances_through(const Shape<S>& a, const Sweep<S>& sweep_a, const Shape<S>& b,
                                  const Sweep<S>& sweep_b, const ShapeImpact<S>& found, int count) {
-  const Shape<S>&surface_a = surface_of(a), &surface_b = surface_of(b);
+  const Shape<S>&surface_a = made_of(a), &surface_b = made_of(b);
   const Sweep<double> of_a = in_double(sweep_a), of_b = in_double(sweep_b);
   const auto triangle_of = [](const Shape<S>& shape, int triangle) {
     return corners_of(std::get<Mesh<S>>(shape), triangle);

@@ -56,6 +56,13 @@ struct FieldSource {
   Shape<S> shape;
 };
 
+/// What a field was made of; any other shape is itself.
+template <class S>
+const Shape<S>& made_of(const Shape<S>& shape) {
+  const auto* field = std::get_if<Field<S>>(&shape);
+  return field == nullptr ? shape : field->source->shape;
+}
+
 /// Position of a type in `Shape`.
 enum class ShapeKind { Sphere, Capsule, Hull, Plane, Mesh, Field };
 inline constexpr int kShapeKinds = 6;

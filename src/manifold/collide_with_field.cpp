@@ -126,8 +126,7 @@ double gap_of(const Shape<S>& a, const PlacedField& field, const Pose<double>& f
   constexpr double kNoLimit = std::numeric_limits<double>::infinity();
   const Pose<double> a_in_field = inverse(field_in_a);
   double gap = field_gap(field, near.pieces, near.radius, kNoLimit);
-  const auto* other = std::get_if<Field<S>>(&a);
-  if (const auto* mesh = std::get_if<Mesh<S>>(other ? &other->source->shape : &a)) {
+  if (const auto* mesh = std::get_if<Mesh<S>>(&made_of(a))) {
     if (near.pieces.empty()) {
       const Vec3d corner = a_in_field.transform(mesh->corner(0, 0).template cast<double>());
       gap = field_gap(field, std::array{FieldPiece{{corner, corner, corner}, 1, {}}}, 0, kNoLimit);
