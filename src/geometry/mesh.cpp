@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/at.h"
+#include "geometry/flat_triangle.h"
 
 namespace contactscope {
 namespace {
@@ -19,6 +20,9 @@ namespace {
 // its height over the longest edge by at most sqrt(3) of them. With 128 of them left, its normal
 // turns by less than 0.8 degrees; kFlatEdgeAngle is one.
 constexpr double kLeastHeight = 128 * std::numeric_limits<double>::epsilon();
+
+// In lengths of the longest edge. The normal of a lower triangle leans by more than some 30 roundings.
+constexpr double kSliverHeight = 1.0 / 16;
 
 using Triangles = std::span<const std::array<int, 3>>;
 
@@ -77,7 +81,7 @@ std::vector<Side> sides_of(Triangles triangles, const std::vector<int>& welded) 
     for (int k = 0; k < 3; ++k) {
       const int from = at(welded, at(at(triangles, t), k));
       const int to = at(welded, at(at(triangles, t), (k + 1) % 3));
-      sides.push_back({std::min(from, to), std::max(from, to), t, k, from < to});
+      if (from != to) sides.push_back({std::min(from, to), std::max(from, to), t, k, from < to});
     }
   }
   std::ranges::sort(sides);
@@ -96,6 +100,8 @@ std::vector<std::array<int, 3>> find_neighbours(std::span<const Vec3d> vertices,
     }
     const std::span<const Side> shared = std::span(sides).subspan(begin, end - begin);
     if (shared.size() == 1) continue;
+    // There and back again along one without an area.
+    if (shared.size() == 2 && shared[0].triangle == shared[1].triangle) continue;
     if (shared.size() > 2) {
       report.non_manifold_edges.push_back(mapped(shared, &Side::triangle));
     } else if (shared[0].upwards == shared[1].upwards) {
@@ -151,10 +157,17 @@ Vec3d triangle_normal(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
   // is. One scale for both keeps squares from under- and overflowing.
   const Vec3d before = edges[(longest + 1) % 3] / length;
   const Vec3d after = edges[(longest + 2) % 3] / length;
-  const Vec3d normal = before.cross(after);
+  Vec3d normal = before.cross(after);
   const double height = normal.norm();  // over the longest edge, in lengths of it
   if (!(height * length > kLeastHeight * largest)) return Vec3d::Zero();
-  return normal / height;
+  normal /= height;
+  // A sliver's normal leans by a rounding over its height, along the edge too: a plane through one end
+  // would miss the other one. What is left of it is at right angles to the edge, as far as numbers go.
+  if (height < kSliverHeight) {
+    const Vec3d along = edges[longest] / length;
+    normal = (normal - normal.dot(along) * along).normalized();
+  }
+  return normal;
 }
 
 /// The angle from one normal to the other about the edge: its sine is the triple product of both
@@ -175,10 +188,10 @@ double bend_angle(const Mesh<S>& mesh, int triangle, int edge) {
   return angle < kFlatEdgeAngle - std::numbers::pi ? angle + 2 * std::numbers::pi : angle;
 }
 
-Mesh<double> build_mesh(std::vector<Vec3d> vertices, std::vector<std::array<int, 3>> triangles,
-                        MeshReport* report) {
-  MeshReport ignored;
-  MeshReport& found = report != nullptr ? *report : ignored;
+namespace {
+
+Mesh<double> build(std::vector<Vec3d> vertices, std::vector<std::array<int, 3>> triangles,
+                   bool keeps_flat, MeshReport& found) {
   found = {};
   require_finite(vertices);
   require_vertices(triangles, count_of(vertices));
@@ -189,7 +202,7 @@ Mesh<double> build_mesh(std::vector<Vec3d> vertices, std::vector<std::array<int,
   std::size_t kept = 0;
   for (int i = 0; i < mesh.triangle_count(); ++i) {
     const Vec3d normal = normal_of(mesh, i);
-    if (normal.isZero(0)) {
+    if (!keeps_flat && normal.isZero(0)) {
       found.zero_area_triangles.push_back(i);
       continue;
     }
@@ -208,6 +221,23 @@ Mesh<double> build_mesh(std::vector<Vec3d> vertices, std::vector<std::array<int,
   return mesh;
 }
 
+}  // namespace
+
+Mesh<double> build_mesh(std::vector<Vec3d> vertices, std::vector<std::array<int, 3>> triangles,
+                        MeshReport* report) {
+  MeshReport ignored;
+  return build(std::move(vertices), std::move(triangles), false,
+               report != nullptr ? *report : ignored);
+}
+
+Mesh<double> build_mesh_with_flat_triangles(std::vector<Vec3d> vertices,
+                                            std::vector<std::array<int, 3>> triangles,
+                                            MeshReport* report) {
+  MeshReport ignored;
+  return build(std::move(vertices), std::move(triangles), true,
+               report != nullptr ? *report : ignored);
+}
+
 template <class T>
 Mesh<T> mesh_cast(const Mesh<double>& mesh) {
   Mesh<T> cast;
@@ -218,8 +248,8 @@ Mesh<T> mesh_cast(const Mesh<double>& mesh) {
   cast.normals.reserve(mesh.normals.size());
   for (int i = 0; i < mesh.triangle_count(); ++i) {
     const Vec3d normal = normal_of(cast, i);
-    const bool agrees = normal.dot(mesh.normal(i)) > 0;
-    cast.normals.push_back((agrees ? normal : mesh.normal(i)).template cast<T>());
+    const bool turned_over = normal.dot(mesh.normal(i)) < 0;
+    cast.normals.push_back((turned_over ? mesh.normal(i) : normal).template cast<T>());
   }
   cast.tree = aabb_tree_cast<T>(mesh.tree);
   return cast;
@@ -228,8 +258,7 @@ Mesh<T> mesh_cast(const Mesh<double>& mesh) {
 template <class S>
 void update_surface(Mesh<S>& mesh) {
   for (int i = 0; i < mesh.triangle_count(); ++i) {
-    const Vec3d normal = normal_of(mesh, i);
-    if (!normal.isZero(0)) at(mesh.normals, i) = normal.template cast<S>();
+    at(mesh.normals, i) = normal_of(mesh, i).template cast<S>();
   }
   classify_edges(mesh);
 }

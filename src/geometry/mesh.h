@@ -26,9 +26,9 @@ enum class EdgeClass : std::uint8_t {
 /// triangles ten thousand times thinner than the floor is long.
 inline constexpr double kFlatEdgeAngle = 0.017453292519943295;
 
-/// Triangles with one front side and shared edges, local frame, metres. Made by build_mesh only,
-/// which keeps these promises: every triangle has an area, all vectors with an entry for each
-/// triangle have the same size, neighbours are mutual.
+/// Triangles with one front side and shared edges, local frame, metres. Made by build_mesh, or by that
+/// of flat_triangle.h, which keeps triangles without an area; both promise that vectors with an entry
+/// for each triangle have the same size, and that neighbours are mutual.
 ///
 ///          v[2]
 ///         /    |        counter-clockwise seen from the front; edge k runs from v[k] to
@@ -42,7 +42,7 @@ struct Mesh {
   std::vector<std::array<int, 3>> neighbours;  // triangle across edge k. -1 on a boundary, where
                                                // more than two triangles share the edge, and where
                                                // the windings of two disagree
-  std::vector<Vec3<S>> normals;                // unit, to the front
+  std::vector<Vec3<S>> normals;                // unit, to the front; zero without an area
   std::vector<std::array<EdgeClass, 3>> edges;
   AabbTree<S> tree;
 
@@ -79,15 +79,15 @@ Mesh<double> build_mesh(std::vector<Vec3d> vertices, std::vector<std::array<int,
                         MeshReport* report = nullptr);
 
 /// The same mesh in another scalar: vertices are rounded once each. Normals are those of the
-/// rounded triangles, so that plane and corners agree, but for triangles that lose their area by
-/// rounding, or are turned over: those keep what they had. Neighbours and classes of edges are
+/// rounded triangles, so that plane and corners agree, but for those that rounding turns over, which
+/// keep what they had; one that it takes the area has none. Neighbours and classes of edges are
 /// those of the original, so that a flat floor far from the origin stays one. The tree's boxes are
 /// those of the rounded triangles.
 template <class T>
 Mesh<T> mesh_cast(const Mesh<double>& mesh);
 
-/// Brings a mesh up to date whose vertices were moved: normals (triangles without an area keep
-/// theirs), classes of edges, boxes of the tree. Neighbours stay what they were.
+/// Brings a mesh up to date whose vertices were moved: normals (zero for triangles without an area),
+/// classes of edges, boxes of the tree. Neighbours stay what they were.
 template <class S>
 void refit(Mesh<S>& mesh);
 

@@ -2,6 +2,7 @@
 #include <limits>
 #include <optional>
 
+#include "geometry/flat_triangle.h"
 #include "manifold/box_on_triangles.h"
 #include "manifold/clear_of_triangle.h"
 #include "manifold/collide_pairs.h"
@@ -124,9 +125,11 @@ S collide_sphere_mesh(const Sphere<S>& a, const Mesh<S>& b, const Pose<S>& b_in_
                       const CollideOptions& options, ContactSink<S>& sink, Recorder<S>* recorder) {
   const Vec3<S> center = b_in_a.inverse_transform(Vec3<S>(Vec3<S>::Zero()));
   const Vec3<S> reach = Vec3<S>::Constant(a.radius);
-  const SeenFromMesh<S> seen{{center - reach, center + reach}, center};
+  const SeenFromMesh<S> seen{{center - reach, center + reach}, center, a.radius};
 
   const auto collide = [&](const PlacedTriangle<S>& triangle, Contact<S>& contact) {
+    if (!has_area(b, triangle.index)) [[unlikely]]
+      return collide_flat_triangle(a, b, triangle.index, b_in_a, options, contact, recorder);
     const Vec3<S> in_triangle = center - b.corner(triangle.index, 0);
     const S touching = touching_distance(length_scale(triangle.hull(), triangle.in_a(), S(0)));
     const S height = triangle.hull().planes[0].distance(in_triangle);
@@ -171,10 +174,13 @@ S collide_capsule_mesh(const Capsule<S>& a, const Mesh<S>& b, const Pose<S>& b_i
                            b_in_a.inverse_transform(a.points[1])};
   const Vec3<S> reach = Vec3<S>::Constant(a.radius);
   const SeenFromMesh<S> seen{{ends[0].cwiseMin(ends[1]) - reach, ends[0].cwiseMax(ends[1]) + reach},
-                             S(0.5) * (ends[0] + ends[1])};
+                             S(0.5) * (ends[0] + ends[1]),
+                             a.radius};
   const S core_reach = std::max(a.points[0].norm(), a.points[1].norm());
 
   const auto collide = [&](const PlacedTriangle<S>& triangle, Contact<S>& contact) {
+    if (!has_area(b, triangle.index)) [[unlikely]]
+      return collide_flat_triangle(a, b, triangle.index, b_in_a, options, contact, recorder);
     const Vec3<S>& origin = b.corner(triangle.index, 0);
     const Vec3<S> in_triangle[2] = {ends[0] - origin, ends[1] - origin};
     const S scale = length_scale(triangle.hull(), triangle.in_a(), core_reach);
@@ -221,6 +227,8 @@ S collide_hull_mesh(const Hull<S>& a, const Mesh<S>& b, const Pose<S>& b_in_a,
   std::optional<BoxOnTriangles<S>> as_box;
   if (a.is_box() && recorder == nullptr) as_box.emplace(a, b, b_in_a, options);
   const auto collide = [&](const PlacedTriangle<S>& triangle, Contact<S>& contact) {
+    if (!has_area(b, triangle.index)) [[unlikely]]
+      return collide_flat_triangle(a, b, triangle.index, b_in_a, options, contact, recorder);
     const Owner preferred = preferred_face(b, triangle.index);
     if (as_box && preferred == Owner::B && as_box->collide(triangle.index, contact))
       return S(0);  // only a record, or a contact that was skipped, has use of it

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "geometry/triangle_hull.h"
+#include "manifold/collide_flat_triangle.h"
 #include "manifold/collide_pairs.h"
 #include "manifold/internal_edges.h"
 #include "query/tolerance.h"
@@ -16,6 +17,7 @@ template <class S>
 struct SeenFromMesh {
   Aabb<S> box;
   Vec3<S> center;  // a point inside
+  S radius = 0;    // of a round shape: so far is its surface from its core
 };
 
 /// How far from the origin of either frame anything of the shape gets: a bound on what rounds.
@@ -98,12 +100,41 @@ void drop_detours(const NearTriangles<S>& near, int triangle, const Pose<S>& b_i
   });
 }
 
+/// A contact of a round shape with its closest points on a triangle. Where its depth is more than the
+/// radius, the core has come through.
+template <class S>
+bool is_closest_of_round(const SeenFromMesh<S>& shape, S depth) {
+  return shape.radius > S(0) && depth > -shape.radius;
+}
+
+/// By how much rounding may have turned the normal between closest points, radians: either point is off by
+/// up to four roundings of coordinates about the triangle's corner, which counts for more the closer the
+/// two are. `deepest`: of the contact.
+template <class S>
+S normal_tolerance(const SeenFromMesh<S>& shape, const Mesh<S>& mesh, int triangle, S deepest) {
+  if (!is_closest_of_round(shape, deepest)) return kNormalTolerance<S>;
+  const Vec3<S>& corner = mesh.corner(triangle, 0);
+  S squared = std::max(Vec3<S>(shape.box.lower - corner).squaredNorm(),
+                       Vec3<S>(shape.box.upper - corner).squaredNorm());
+  for (int k = 1; k < 3; ++k)
+    squared = std::max(squared, Vec3<S>(mesh.corner(triangle, k) - corner).squaredNorm());
+  const S distance = deepest + shape.radius;
+  return std::max(kNormalTolerance<S>, tie_tolerance(std::sqrt(squared)) / distance);
+}
+
+/// Takes out the points that are deeper than this separation.
+template <class S>
+void drop_deeper(S separation, Contact<S>& contact) {
+  remove_points(contact,
+                [&](const ContactPoint<S>& point) { return point.separation < separation; });
+}
+
 /// The deepest contact of those that were left out.
 template <class S>
 struct LeftOut {
   Contact<S> contact;
   int triangle = -1;
-  S depth = 0;  // negative if there is one
+  S depth = std::numeric_limits<S>::infinity();
 
   void add(const Contact<S>& given, int index) {
     const S given_depth = given.deepest();
@@ -113,19 +144,31 @@ struct LeftOut {
     depth = given_depth;
   }
 
-  /// Makes the contact what comes back of it beside others that are as deep as `kept` (<= 0): all
+  /// Makes the contact what comes back of it beside others that are as deep as `kept`: all
   /// of it while they are no more than a third as deep, nothing from two thirds on, and in between
   /// moved out, three times as fast as they get deeper. So nothing jumps, and what is deepest is at
   /// least half as deep as this.
-  void ease(S kept, S margin) {
-    const S lifted = std::max(S(0), depth - S(3) * kept);
-    const bool is_needed = lifted < -depth;
+  ///
+  /// The closest point of the whole mesh is on its surface, and nothing is between it and the core. So
+  /// where the closest points of a round shape are deeper than all that were kept, but for `rounding`, it was
+  /// rounding that left them out, and all of them come back.
+  void ease(S kept, S margin, bool is_closest, S rounding) {
+    const S lifted = is_closest ? S(0) : std::max(S(0), depth - S(3) * std::min(kept, S(0)));
+    const bool is_needed = is_closest ? depth < kept - rounding : lifted < -depth;
     for (ContactPoint<S>& point : contact.points) point.separation += lifted;
     remove_points(contact, [&](const ContactPoint<S>& point) {
       return !is_needed || !(point.separation <= margin);
     });
   }
 };
+
+/// The triangle's edge that made a contact with an edge of a hull; -1 of others.
+template <class S>
+int edge_of_triangle(const Contact<S>& contact) {
+  const FeatureRef& of_triangle = contact.points[0].id.second;
+  const bool is_edge = contact.axis == AxisKind::EdgeEdge && of_triangle.kind == FeatureKind::Edge;
+  return is_edge ? static_cast<int>(of_triangle.index) : -1;
+}
 
 /// Whether the surface falls off from an edge of a triangle.
 template <class S>
@@ -177,6 +220,8 @@ void mend(const SeenFromMesh<S>& shape, const NearTriangles<S>& near, const Pose
 ///    nothing that was kept is about half as deep, see LeftOut::ease. To part from the whole mesh the
 ///    shape has to part from that triangle, so this is never deeper than the mesh.
 ///
+/// A triangle without an area is a segment or a point. It has no face, so step 3 leaves its contact out.
+///
 /// collide(triangle, contact) returns the separation, and no points above the margin or where
 /// degenerate geometry is to be skipped: then nothing comes back in its place; on_face(triangle,
 /// face, contact) gets the face of the triangle on the side of the shape's centre. Both work in A's
@@ -197,7 +242,7 @@ S collide_with_triangles(const SeenFromMesh<S>& shape, const Mesh<S>& b, const P
   const NearTriangles<S> near(b, box);
   std::optional<TriangleHull<S>> hull;
   S least = std::numeric_limits<S>::infinity();
-  S kept = 0;  // depth of what was added or skipped, negative
+  S kept = std::numeric_limits<S>::infinity();  // separation of what was added or skipped
   LeftOut<S> left_out;
   const auto collide_triangle = [&](int index) {
     if (is_clear(index)) return;
@@ -210,13 +255,28 @@ S collide_with_triangles(const SeenFromMesh<S>& shape, const Mesh<S>& b, const P
       return;
     }
     if (options.internal_edges) {
-      const Vec3<S> normal = -b_in_a.inverse_rotate(contact.normal);
-      const bool belongs = belongs_to_surface(b, index, normal);
-      const bool is_back = normal.dot(b.normal(index)) < S(-0.99);
+      const S given_depth = contact.deepest();
+      const ContactNormal<S> normal{-b_in_a.inverse_rotate(contact.normal),
+                                    normal_tolerance(shape, b, index, given_depth)};
+      const bool flat = !has_area(b, index);
+      const auto flat_belongs = [&] {
+        const Vec3<S> place = b_in_a.inverse_transform(contact.points[0].position);
+        return flat_belongs_to_surface(b, index, normal, place);
+      };
+      const bool belongs =
+          flat ? flat_belongs() : belongs_to_surface(b, index, normal, edge_of_triangle(contact));
+      const bool is_back = normal.direction.dot(b.normal(index)) < S(-0.99);
       if (!belongs || is_back) {
         const Contact<S> given = contact;
-        mend(shape, near, b_in_a, placed, normal, belongs, on_face, contact);
-        if (contact.points.empty()) left_out.add(given, index);
+        if (flat)
+          contact.points.clear();
+        else
+          mend(shape, near, b_in_a, placed, normal.direction, belongs, on_face, contact);
+        const bool is_closest = is_closest_of_round(shape, given_depth);
+        // Behind the face: a core that does not cross the triangle has come around its edge.
+        if (is_closest) drop_deeper(given_depth - depth_rounding(reach), contact);
+        if (contact.points.empty() || (is_closest && contact.deepest() > given_depth))
+          left_out.add(given, index);
       }
     }
     kept = std::min(kept, contact.deepest());
@@ -227,7 +287,7 @@ S collide_with_triangles(const SeenFromMesh<S>& shape, const Mesh<S>& b, const P
   } else {
     near.each(collide_triangle);
   }
-  left_out.ease(kept, margin);
+  left_out.ease(kept, margin, is_closest_of_round(shape, left_out.depth), depth_rounding(reach));
   sink.add(left_out.contact, left_out.triangle);
   if (recorder && least == std::numeric_limits<S>::infinity()) {
     for (const Aabb<S>& leaf : b.tree.boxes) {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "geometry/mesh.h"
+#include "geometry/flat_triangle.h"
 #include "manifold/near_triangles.h"
 #include "query/closest_points.h"
 
@@ -13,8 +13,7 @@ namespace contactscope {
 /// Radians. A normal so near to the limit of what a feature can give counts as given by it: what
 /// rounds a face's normal that is turned into the frame of the other shape and back. Any more, and
 /// a ball beside an edge of a flat floor would feel that edge, leaning by as much. Normals between
-/// close points are less exact, but where one of those is refused wrongly, a face stands for it, or
-/// it comes back because nothing does.
+/// close points are less exact, see normal_tolerance() in collide_with_triangles.h.
 template <class S>
 constexpr S kNormalTolerance = S(16) * std::numeric_limits<S>::epsilon();
 
@@ -31,16 +30,21 @@ int corner_of(const Mesh<S>& mesh, int triangle, int vertex_of, int k) {
   return -1;
 }
 
-/// Whether what lies that way from a feature is farther along `normal` by more than the tolerance.
+/// The normal of a contact, unit, from the mesh to the other shape, mesh frame; and by how many radians
+/// rounding may have turned it.
 template <class S>
-bool rises(const Vec3<S>& normal, const Vec3<S>& way) {
-  return normal.dot(way) > kNormalTolerance<S> * way.norm();
-}
+struct ContactNormal {
+  Vec3<S> direction;
+  S tolerance = kNormalTolerance<S>;
+
+  /// Whether what lies that way from a feature is farther along the normal by more than the tolerance.
+  bool rises(const Vec3<S>& way) const { return direction.dot(way) > tolerance * way.norm(); }
+};
 
 /// Walks around corner k of `triangle`, first across the edges that leave it, then, where that does
 /// not lead back, across those that arrive, and asks every triangle met.
 template <class S>
-bool supports_around(const Mesh<S>& mesh, int triangle, int k, const Vec3<S>& normal) {
+bool supports_around(const Mesh<S>& mesh, int triangle, int k, const ContactNormal<S>& normal) {
   const Vec3<S>& vertex = mesh.corner(triangle, k);
   for (const bool leaving : {true, false}) {
     int corner = k;
@@ -51,21 +55,52 @@ bool supports_around(const Mesh<S>& mesh, int triangle, int k, const Vec3<S>& no
       corner = next < 0 ? -1 : corner_of(mesh, next, triangle, k);
       if (corner < 0) break;
       for (int i = 1; i < 3; ++i)
-        if (rises(normal, Vec3<S>(mesh.corner(next, (corner + i) % 3) - vertex))) return false;
+        if (normal.rises(mesh.corner(next, (corner + i) % 3) - vertex)) return false;
     }
   }
   return true;
+}
+
+/// As many triangles without an area lie next to each other at most where the surface is followed
+/// across them; ends the walk where they make a ring.
+inline constexpr int kMaxFlatNeighbours = 16;
+
+/// Whether the surface beyond edge k of a triangle rises from it along the normal, so that the edge is
+/// none of the surface. A neighbour without an area is crossed: from one of its short edges the surface
+/// goes on beyond its longest, and from its longest beyond both of the others.
+template <class S>
+bool rises_across(const Mesh<S>& mesh, int triangle, int k, const ContactNormal<S>& normal,
+                  int crossed = 0) {
+  const int across = mesh.neighbour(triangle, k);
+  if (across < 0 || crossed > kMaxFlatNeighbours) return false;
+  int shared = 0;
+  while (shared < 3 && mesh.neighbour(across, shared) != triangle) ++shared;
+  if (shared == 3) return false;
+  if (!has_area(mesh, across)) {
+    const int longest = longest_edge(mesh, across);
+    if (shared != longest) return rises_across(mesh, across, longest, normal, crossed + 1);
+    for (int i = 1; i < 3; ++i) {
+      const int other = (shared + i) % 3;
+      if (mesh.corner(across, other) == mesh.corner(across, (other + 1) % 3)) continue;
+      if (!rises_across(mesh, across, other, normal, crossed + 1)) return false;
+    }
+    return true;
+  }
+  // At right angles to the edge, by the normal: on a sliver the way to the apex is nearly along the edge,
+  // and what rounding leaves of the rest of it may point anywhere.
+  const Vec3<S> along = mesh.corner(across, (shared + 1) % 3) - mesh.corner(across, shared);
+  return normal.rises(mesh.normal(across).cross(along));
 }
 
 /// Whether a contact normal can come from a mesh, or only from one of its triangles alone. A
 /// triangle that is looked at by itself has edges and corners that the surface does not have: a box
 /// that slides over a flat floor trips over them. Source: Terdiman, "Contact generation for meshes".
 ///
-/// `normal` (unit, from the mesh to the other shape, mesh frame) touches the feature of the triangle
-/// that lies farthest along it: the face, an edge or a corner. The surface has that feature when no
-/// vertex of the triangles around it lies farther along the normal. That is so for the face; never
-/// for an edge in a flat or hollow place; for a ridge or a peak where the normal lies between those
-/// of its faces. Where the surface ends, the edge is its own.
+/// `normal` touches the feature of the triangle that lies farthest along it: the face, an edge or a
+/// corner. `edge` is the one that is known to have made the contact, or -1. The surface has that
+/// feature when no vertex of the triangles around it lies farther along the normal. That is so for the
+/// face; never for an edge in a flat or hollow place; for a ridge or a peak where the normal lies
+/// between those of its faces. Where the surface ends, the edge is its own.
 ///
 /// We ask the vertices and not, as is usual, the angles between the faces: that serves corners as
 /// well as edges, and both sides of a triangle.
@@ -73,38 +108,52 @@ bool supports_around(const Mesh<S>& mesh, int triangle, int k, const Vec3<S>& no
 /// Steps: 1. the face itself; 2. an edge of which both ends are the farthest corners of the triangle:
 /// the triangle across must not rise from it; 3. the one farthest corner: none around it must.
 template <class S>
-bool belongs_to_surface(const Mesh<S>& mesh, int triangle, const Vec3<S>& normal) {
-  const Vec3<S> sine = normal.cross(mesh.normal(triangle));
-  if (sine.squaredNorm() <= kNormalTolerance<S> * kNormalTolerance<S>) return true;
+bool belongs_to_surface(const Mesh<S>& mesh, int triangle, const ContactNormal<S>& normal,
+                        int edge = -1) {
+  const Vec3<S> sine = normal.direction.cross(mesh.normal(triangle));
+  if (sine.squaredNorm() <= normal.tolerance * normal.tolerance) return true;
+  if (edge >= 0) return !rises_across(mesh, triangle, edge, normal);
   int top = 0;
-  for (int k = 1; k < 3; ++k)
-    if (normal.dot(Vec3<S>(mesh.corner(triangle, k) - mesh.corner(triangle, top))) > S(0)) top = k;
+  for (int k = 1; k < 3; ++k) {
+    const Vec3<S> way = mesh.corner(triangle, k) - mesh.corner(triangle, top);
+    if (normal.direction.dot(way) > S(0)) top = k;
+  }
   const auto fall = [&](int k) {
     const Vec3<S> way = mesh.corner(triangle, top) - mesh.corner(triangle, k);
-    return normal.dot(way) / way.norm();
+    return normal.direction.dot(way) / way.norm();
   };
   const int one = (top + 1) % 3;
   const int other = (top + 2) % 3;
   const int next = fall(one) <= fall(other) ? one : other;
-  if (fall(next) <= kNormalTolerance<S>) {
-    const int edge = next == one ? top : other;
-    const int across = mesh.neighbour(triangle, edge);
-    if (across < 0) return true;
-    for (int i = 0; i < 3; ++i) {
-      if (mesh.neighbour(across, i) != triangle) continue;
-      // At right angles to the edge: on a sliver the way to the apex is nearly along it.
-      const Vec3<S> along = mesh.corner(across, (i + 1) % 3) - mesh.corner(across, i);
-      const Vec3<S> way = mesh.corner(across, (i + 2) % 3) - mesh.corner(across, i);
-      return !rises(normal, Vec3<S>(way - (way.dot(along) / along.squaredNorm()) * along));
-    }
-    return true;
-  }
+  if (fall(next) <= normal.tolerance)
+    return !rises_across(mesh, triangle, next == one ? top : other, normal);
   return supports_around(mesh, triangle, top, normal);
 }
 
-/// A point at or above one of the triangle's points, along its normal.
+/// The same for a triangle without an area, a segment or a point that is touched at `place`: where it
+/// closes a T-junction of a flat floor, the floor has no edge there.
+template <class S>
+bool flat_belongs_to_surface(const Mesh<S>& mesh, int triangle, const ContactNormal<S>& normal,
+                             const Vec3<S>& place) {
+  const int from = longest_edge(mesh, triangle), to = (from + 1) % 3;
+  const Vec3<S> along = mesh.corner(triangle, to) - mesh.corner(triangle, from);
+  const S rise = normal.direction.dot(along), reach = normal.tolerance * along.norm();
+  if (!(std::abs(rise) < reach))
+    return supports_around(mesh, triangle, rise > S(0) ? to : from, normal);
+  for (int k = 0; k < 3; ++k) {
+    const Vec3<S>& corner = mesh.corner(triangle, k);
+    const Vec3<S> edge = mesh.corner(triangle, (k + 1) % 3) - corner;
+    const S part = edge.dot(Vec3<S>(place - corner));
+    const bool is_touched = part >= S(0) && part <= edge.squaredNorm();
+    if (is_touched && rises_across(mesh, triangle, k, normal)) return false;
+  }
+  return true;
+}
+
+/// A point at or above one of the triangle's points, along its normal. None is without an area.
 template <class S>
 bool over_triangle(const Mesh<S>& mesh, int triangle, const Vec3<S>& point) {
+  if (!has_area(mesh, triangle)) return false;
   for (int k = 0; k < 3; ++k) {
     const Vec3<S>& from = mesh.corner(triangle, k);
     const Vec3<S> along = mesh.corner(triangle, (k + 1) % 3) - from;

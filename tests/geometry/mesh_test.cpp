@@ -8,6 +8,7 @@
 #include <limits>
 #include <string>
 
+#include "geometry/flat_triangle.h"
 #include "mesh_shapes.h"
 
 namespace contactscope::test {
@@ -46,6 +47,22 @@ TEST(Mesh, TrianglesWithoutAnAreaAreDroppedAndReported) {
   EXPECT_EQ(mesh.tree.triangles.size(), 1u);
   EXPECT_EQ(mesh.vertices.size(), 5u);
   EXPECT_THAT(report.zero_area_triangles, ElementsAre(0, 2, 3));
+}
+
+TEST(Mesh, TrianglesWithoutAnAreaAreKeptWhereThatIsAsked) {
+  const Mesh<double> mesh = build_mesh_with_flat_triangles(
+      {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}, {3, 3, 0}, {3, 3, 3}});
+  ASSERT_EQ(mesh.triangle_count(), 4);
+  EXPECT_FALSE(has_area(mesh, 0));
+  EXPECT_TRUE(has_area(mesh, 1));
+  EXPECT_EQ(longest_edge(mesh, 0), 2);
+  EXPECT_EQ(mesh.corner(2, longest_edge(mesh, 2)), Vec3d(0, 1, 0));
+  EXPECT_EQ(mesh.neighbour(0, 2), 1);
+  EXPECT_EQ(mesh.edge_class(0, 2), Internal);
+  // A side of no length has no neighbour, and a segment there and back again is none of its own.
+  EXPECT_EQ(mesh.neighbours[3], (std::array{-1, -1, -1}));
+  EXPECT_EQ(build_mesh_with_flat_triangles({{0, 0, 0}, {1, 0, 0}}, {{0, 1, 0}}).neighbours[0],
+            (std::array{-1, -1, -1}));
 }
 
 TEST(Mesh, PointsOnALineButForRoundingHaveNoArea) {
@@ -211,12 +228,12 @@ TEST(MeshCast, NormalsAreThoseOfTheRoundedTriangles) {
   }
 }
 
-TEST(MeshCast, ATriangleThatRoundingFlattensKeepsItsNormal) {
+TEST(MeshCast, ATriangleThatRoundingFlattensHasNoNormal) {
   const Mesh<double> mesh =
       build_mesh({{1e6, 1, 0}, {1e6 + 1e-3, 1, 0}, {1e6, 1, -1e-3}}, {{0, 1, 2}});
   const Mesh<float> cast = mesh_cast<float>(mesh);
   EXPECT_EQ(cast.corner(0, 0), cast.corner(0, 1));
-  EXPECT_EQ(cast.normal(0), Vec3f::UnitY());
+  EXPECT_FALSE(has_area(cast, 0));
 }
 
 TEST(MeshRefit, FollowsVerticesThatMoved) {
@@ -231,9 +248,14 @@ TEST(MeshRefit, FollowsVerticesThatMoved) {
   EXPECT_EQ(mesh.neighbour(0, 0), 1);
 }
 
-TEST(MeshRefit, ATriangleThatCollapsesKeepsItsNormal) {
+TEST(MeshRefit, ATriangleThatCollapsesHasNoNormalUntilItRises) {
   Mesh<float> mesh = mesh_cast<float>(build_mesh(hinge(0).vertices, hinge(0).triangles));
+  const Vec3f apex = mesh.vertices[3];
   mesh.vertices[3] = Vec3f(0, 0, -0.5f);
+  refit(mesh);
+  EXPECT_FALSE(has_area(mesh, 1));
+  EXPECT_EQ(longest_edge(mesh, 1), 0);
+  mesh.vertices[3] = apex;
   refit(mesh);
   EXPECT_EQ(mesh.normal(1), Vec3f::UnitY());
 }

@@ -21,11 +21,21 @@ Real squared_to_segment(const Point& p, const Point& a, const Point& b) {
 Real squared_to_triangle(const Point& p, const std::array<Point, 3>& t) {
   Real least = std::min({squared_to_segment(p, t[0], t[1]), squared_to_segment(p, t[1], t[2]),
                          squared_to_segment(p, t[2], t[0])});
-  const Point u = t[1] - t[0], v = t[2] - t[0], w = p - t[0];
-  const Real uu = u.dot(u), uv = u.dot(v), vv = v.dot(v), uw = u.dot(w), vw = v.dot(w);
-  const Real det = uu * vv - uv * uv;
-  const Real s = (vv * uw - uv * vw) / det, r = (uu * vw - uv * uw) / det;
-  if (s >= 0 && r >= 0 && s + r <= 1) least = std::min(least, (w - s * u - r * v).squaredNorm());
+  // Axes in the plane, along the longest side and across it: no square of a sliver's height is needed.
+  std::size_t k = 0;
+  for (std::size_t i = 1; i < 3; ++i)
+    if ((t[(i + 1) % 3] - t[i]).squaredNorm() > (t[(k + 1) % 3] - t[k]).squaredNorm()) k = i;
+  const Point side = t[(k + 1) % 3] - t[k], apex = t[(k + 2) % 3] - t[k], w = p - t[k];
+  const Real length = side.norm();
+  const Point along = side / length;
+  Point across = apex;
+  for (int i = 0; i < 2; ++i) across -= along.dot(across) * along;
+  const Real height = across.norm();
+  if (!(height > 0)) return least;
+  across /= height;
+  const Real foot = along.dot(apex), x = along.dot(w), y = across.dot(w);
+  if (y >= 0 && x * height >= y * foot && (length - x) * height >= y * (length - foot))
+    least = std::min(least, (w - x * along - y * across).squaredNorm());
   return least;
 }
 
