@@ -12,6 +12,7 @@
 #include "core/at.h"
 #include "dynamics/solver.h"
 #include "geometry/core_hull.h"
+#include "geometry/flat_triangle.h"
 #include "manifold/in_double.h"
 
 namespace contactscope {
@@ -295,7 +296,7 @@ Shape<double> widened(const Shape<float>& shape) {
   if (const auto* field = std::get_if<Field<float>>(&shape)) return widened(field->source->shape);
   const auto* mesh = std::get_if<Mesh<float>>(&shape);
   if (mesh == nullptr) return in_double(shape);
-  return build_mesh(
+  return build_mesh_with_flat_triangles(
       mapped(mesh->vertices, [](const Vec3<float>& v) -> Vec3d { return v.cast<double>(); }),
       mesh->triangles);
 }

@@ -52,8 +52,8 @@ std::vector<Vec3d> read_vertices(const Value& file, const Mesh<double>& mesh,
     if (of_file != of_mesh)
       file.fail(std::string("the number of ") + what + " is " + std::to_string(of_file) + " in '" +
                 file.string() + "', and " + std::to_string(of_mesh) +
-                " in the mesh that it deforms, where those without an area are left out; a "
-                "keyframe has the same triangles, with their vertices elsewhere");
+                " in the mesh that it deforms; a keyframe has the same triangles, with their "
+                "vertices elsewhere");
   };
   differs("vertices", obj.vertices.size(), mesh.vertices.size());
   differs("triangles", obj.triangles.size(), mesh.triangles.size());

@@ -5,6 +5,7 @@
 #include "continuous/impact_of_meshes.h"
 #include "continuous/impact_of_shapes.h"
 #include "core/at.h"
+#include "geometry/flat_triangle.h"
 #include "scenario/deform.h"
 
 namespace contactscope {
@@ -16,7 +17,8 @@ struct ScriptedMesh {
   std::vector<Vec3d> end;
 
   ScriptedMesh(const ScenarioShape& shape, double from, double to)
-      : start(build_mesh(placed(shape, from), original(shape).triangles)), end(placed(shape, to)) {}
+      : start(build_mesh_with_flat_triangles(placed(shape, from), original(shape).triangles)),
+        end(placed(shape, to)) {}
 
   static const Mesh<double>& original(const ScenarioShape& shape) {
     return std::get<Mesh<double>>(*shape.geometry);

@@ -1,3 +1,4 @@
+#include "geometry/flat_triangle.h"
 #include "geometry/obj.h"
 #include "geometry/primitives.h"
 #include "scenario/readers.h"
@@ -34,16 +35,19 @@ void warn(const std::string& name, const MeshReport& report, std::vector<std::st
                        "as a border");
 }
 
+/// What is left out of a mesh that keeps its form, one that deforms may give an area.
+using MeshBuilder = decltype(build_mesh);
+
 /// A mesh of vertices that `place` gives and triangles that `at` gives.
 Mesh<double> mesh_from(const std::vector<Vec3d>& points,
                        const std::vector<std::array<int, 3>>& triangles, const Value& at,
-                       const Value& place, MeshReport& report) {
-  Mesh<double> mesh = build_at(at, "mesh", [&] { return build_mesh(points, triangles, &report); });
+                       const Value& place, MeshBuilder& build, MeshReport& report) {
+  Mesh<double> mesh = build_at(at, "mesh", [&] { return build(points, triangles, &report); });
   check_radius(0.5 * mesh.tree.bounds().extent().norm(), place);
   return mesh;
 }
 
-Mesh<double> read_listed(const Value& table, MeshReport& report) {
+Mesh<double> read_listed(const Value& table, MeshBuilder& build, MeshReport& report) {
   const Value vertices = table.require("vertices", "vertices = [[x, y, z], ..]");
   const Value triangles = table.require("triangles", "triangles = [[0, 1, 2]]");
   const std::vector<Vec3d> points = read_points(vertices);
@@ -56,16 +60,17 @@ Mesh<double> read_listed(const Value& table, MeshReport& report) {
     const auto corner = [&](std::size_t k) { return indices[k].integer(0, count_of(points) - 1); };
     corners.push_back({corner(0), corner(1), corner(2)});
   }
-  return mesh_from(points, corners, triangles, vertices, report);
+  return mesh_from(points, corners, triangles, vertices, build, report);
 }
 
-Mesh<double> read_file(const Value& file, const std::filesystem::path& folder, MeshReport& report) {
+Mesh<double> read_file(const Value& file, const std::filesystem::path& folder, MeshBuilder& build,
+                       MeshReport& report) {
   const ObjMesh obj = load_obj(file, folder, load_obj_mesh);
   if (obj.triangles.size() > kMaxTriangles)
     file.fail("'file' has " + std::to_string(obj.triangles.size()) +
               " triangles; a mesh may have up to " + std::to_string(kMaxTriangles));
   check_reach(obj.vertices, file);
-  return mesh_from(obj.vertices, obj.triangles, file, file, report);
+  return mesh_from(obj.vertices, obj.triangles, file, file, build, report);
 }
 
 /// One number for both directions, or one for each.
@@ -105,10 +110,13 @@ Shape<double> read_mesh(const Value& table, const Surroundings& surroundings) {
   const bool listed = vertices || triangles;
   if (listed + file.has_value() + grid.has_value() != 1)
     table.fail("a mesh needs one of 'vertices' with 'triangles', 'file', or 'grid'");
+  const auto motion = table.find("motion");
+  MeshBuilder& build =
+      motion && motion->find("deform") ? build_mesh_with_flat_triangles : build_mesh;
   MeshReport report;
   Mesh<double> mesh;
-  if (listed) mesh = read_listed(table, report);
-  if (file) mesh = read_file(*file, surroundings.folder, report);
+  if (listed) mesh = read_listed(table, build, report);
+  if (file) mesh = read_file(*file, surroundings.folder, build, report);
   if (grid) mesh = read_grid(*grid);
   warn(table.name(), report, surroundings.warnings);
   return mesh;

@@ -129,7 +129,8 @@ void shapes_are_as_near_as_the_segment(int cases) {
     deep += overlaps;
     ASSERT_NEAR(deepest_of(manifolds), separation, tolerance) << i << ", kind " << kind;
     ASSERT_EQ(manifolds[0].triangle, 0);
-    ASSERT_NEAR(test::normal_of(manifolds[0]).norm(), 1, 1e-6);
+    ASSERT_NEAR(test::normal_of(manifolds[0]).norm(), 1,
+                64 * static_cast<double>(std::numeric_limits<S>::epsilon()));
   }
   EXPECT_GT(touching, cases / 3);
   EXPECT_GT(deep, cases / 20);

@@ -129,6 +129,67 @@ TEST_F(DeformFiles, AnotherTopologyIsRefusedWithItsLine) {
               is_told("write the file with the same faces in the same order"));
 }
 
+/// A triangle that goes from a.obj to b.obj, and a wall in the x-z plane.
+const char* const kNeedleAndWall = R"(title = "A needle and a wall"
+[time]
+frames = 2
+dt = 1
+[pipeline]
+scalar = "double"
+query = "overlap"
+continuous = "time_of_impact"
+[shapes.needle]
+type = "mesh"
+file = "a.obj"
+motion.deform = { keyframes = [ { time = 0, file = "a.obj" }, { time = 1, file = "b.obj" } ] }
+[shapes.wall]
+type = "mesh"
+vertices = [[0, 0, 0], [1, 0, 0], [0, 0, 1]]
+triangles = [[0, 1, 2]]
+)";
+
+TEST_F(DeformFiles, ATriangleWithoutAnAreaMeetsAWallBetweenTwoFrames) {
+  // First among two, and the only one; beside the wall it would be met by nothing.
+  for (const std::string other : {"v 9 9 9\nv 10 9 9\nv 9 9 10\nf 4 5 6\n", ""}) {
+    write("a.obj", "v 0.2 1 0.2\nv 0.2 1.5 0.2\nv 0.2 1.25 0.2\nf 1 2 3\n" + other);
+    write("b.obj", "v 0.2 -1 0.2\nv 0.2 -0.5 0.2\nv 0.2 -0.75 0.2\nf 1 2 3\n" + other);
+    const Scenario scenario = parse_scenario(kNeedleAndWall, path());
+    EXPECT_THAT(scenario.warnings, IsEmpty());
+    const trace::Frame frame = Runner(scenario).frame(0);
+    ASSERT_TRUE(frame.pairs.at(0).impact);
+    const trace::Impact& impact = *frame.pairs[0].impact;
+    EXPECT_EQ(impact.status, "hit");
+    EXPECT_NEAR(impact.time, 0.5, 1e-13);
+    EXPECT_LE(impact.time, 0.5);
+    EXPECT_EQ(impact.triangle_a, 0);
+    EXPECT_EQ(impact.triangle_b, 0);
+    EXPECT_NEAR((impact.point_b - Vec3d(0.2, 0, 0.2)).norm(), 0, 1e-12);
+    EXPECT_NEAR(std::abs(impact.normal.y()), 1, 1e-12);
+  }
+}
+
+TEST_F(DeformFiles, AMeshOfATriangleWithoutAnAreaOverlapsAndIsTouched) {
+  write("a.obj", "v 0.2 -1 0.2\nv 0.2 1 0.2\nv 0.2 0.5 0.2\nf 1 2 3\n");
+  write("b.obj", "v 0.2 1 0.2\nv 0.2 1 0.2\nv 0.2 1 0.2\nf 1 2 3\n");
+  const Scenario overlap = parse_scenario(kNeedleAndWall, path());
+  Runner runner(overlap);
+  EXPECT_EQ(runner.frame(0).pairs.at(0).intersections.size(), 1u);
+  EXPECT_TRUE(runner.frame(1).pairs.at(0).intersections.empty());
+  std::string text = kNeedleAndWall;
+  text.replace(text.find("query = \"overlap\"\ncontinuous = \"time_of_impact\"\n"), 44, "");
+  text.resize(text.find("[shapes.wall]"));
+  text += "[shapes.ball]\ntype = \"sphere\"\nradius = 0.5\nposition = [0.5, 1.4, 0.2]\n";
+  const Scenario contacts = parse_scenario(text, path());
+  Runner touched(contacts);
+  for (const int frame : {0, 1}) {  // the end of the segment, and the point
+    const trace::Pair pair = touched.frame(frame).pairs.at(0);
+    ASSERT_EQ(pair.manifolds.size(), 1u);
+    ASSERT_EQ(pair.manifolds[0].points.size(), 1u);
+    EXPECT_NEAR(pair.manifolds[0].points[0].separation, 0, 1e-15);
+    EXPECT_NEAR((pair.manifolds[0].normal - Vec3d(0.6, 0.8, 0)).norm(), 0, 1e-15);
+  }
+}
+
 class BrokenDeform : public ::testing::TestWithParam<Broken> {};
 
 TEST_P(BrokenDeform, IsNamedByPlaceAndRemedy) {
