@@ -122,20 +122,20 @@ Aabb<S> field_reach(const PlacedField& field, const Pose<double>& field_in, doub
 /// be nearer to the surface.
 template <class S>
 double gap_of(const Shape<S>& a, const PlacedField& field, const Pose<double>& field_in_a,
-              const Pieces& near, double margin) {
+              const Pieces& near) {
   constexpr double kNoLimit = std::numeric_limits<double>::infinity();
   const Pose<double> a_in_field = inverse(field_in_a);
-  double gap = field_gap(field, near.pieces, near.radius, kNoLimit);
+  double gap = field_gap(field, near.pieces, kNoLimit).distance;
   if (const auto* mesh = std::get_if<Mesh<S>>(&made_of(a))) {
     if (near.pieces.empty()) {
       const Vec3d corner = a_in_field.transform(mesh->corner(0, 0).template cast<double>());
-      gap = field_gap(field, std::array{FieldPiece{{corner, corner, corner}, 1, {}}}, 0, kNoLimit);
+      const FieldPiece piece{{corner, corner, corner}, 1, {}};
+      gap = field_gap(field, std::array{piece}, kNoLimit).distance;
     }
     const Pieces all = PieceMaker<S>(a_in_field, field_reach<S>(field, field_in_a, gap)).of(a);
-    gap = field_gap(field, all.pieces, all.radius, gap);
+    gap = field_gap(field, all.pieces, gap).distance;
   }
-  // No contact is within the margin, so a field that has lost what is thin says no less.
-  return std::max(gap, margin);
+  return std::max(gap - near.radius, 0.0);
 }
 
 template <class S>
@@ -155,8 +155,7 @@ FieldTouches touches_of(const Shape<S>& a, const PlacedField& field, const Pose<
   FieldTouches touches = find_touches(
       field, made.pieces, {options.field, made.radius, options.margin, spacing, probes});
   // Only for the record: nobody else reads how far shapes are from each other.
-  if (recorded && touches.found.empty())
-    touches.least = gap_of(a, field, field_in_a, made, options.margin);
+  if (recorded && touches.found.empty()) touches.least = gap_of(a, field, field_in_a, made);
   return touches;
 }
 

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <queue>
 
 #include "core/at.h"
+#include "manifold/field_gap.h"
 
 namespace contactscope {
 namespace {
@@ -13,6 +15,8 @@ namespace {
 /// So many cuts settle any pair that is not all along at the distance of the margin; then the nearest
 /// piece counts as a touch.
 constexpr int kMostCuts = 1 << 14;
+/// So many settle the deepest touch but where one that lies flat has as many.
+constexpr int kMostDeepeningCuts = 1 << 11;
 /// A record is no longer than this: more points are not told apart in a picture.
 constexpr std::size_t kMostProbes = 4096;
 
@@ -27,6 +31,12 @@ struct Part {
     if (count == 1) return corners[0];
     if (count == 2) return 0.5 * (corners[0] + corners[1]);
     return (corners[0] + corners[1] + corners[2]) / 3;
+  }
+  /// The least that a linear function is on it, of which the value at the middle is 0.
+  double lowest(const Vec3d& gradient, const Vec3d& from) const {
+    double least = 0;
+    for (int k = 0; k < count; ++k) least = std::min(least, gradient.dot(at(corners, k) - from));
+    return least;
   }
   double reach(const Vec3d& from) const {
     double squared = 0;
@@ -89,7 +99,7 @@ class Search {
       undecided_.pop();
       const Vec3d middle = part.middle();
       if (part.reach(middle) <= kFieldTolerance * field_.cell || cuts == kMostCuts) {
-        add(part, middle, value(middle));
+        add(touch_at(part, middle, value(middle)));
         return;
       }
       for (const Part& half : part.cut()) {
@@ -101,6 +111,47 @@ class Search {
     }
   }
 
+  /// Step 4.
+  void deepen(std::span<const FieldPiece> pieces) {
+    if (touches_.found.empty()) return;
+    std::optional<FieldTouch> deepest;
+    double least = touches_.least;
+    if (least + limits_.radius > 0 && field_.field->settings().exact) {
+      const FieldGap gap = field_gap(field_, pieces, least + limits_.radius);
+      const FieldTouch nearest{gap.on_piece, gap.distance - limits_.radius, gap.outward,
+                               gap.feature};
+      if (nearest.separation < least - DistanceField::kExactSlack * field_.cell) {
+        least = nearest.separation;
+        deepest = nearest;
+      }
+      if (gap.distance > 0) {
+        if (deepest) add(*deepest);
+        return;
+      }
+      if (deepest) deepest->outward = outward_of(value(gap.on_piece));
+    }
+    const auto is_less = [&](double bound) {
+      return bound < least - kFieldTolerance * field_.cell;
+    };
+    for (int cuts = 0; !shallow_.empty() && cuts < kMostDeepeningCuts; ++cuts) {
+      const auto [bound, part] = shallow_.top();
+      if (!is_less(bound)) break;
+      shallow_.pop();
+      for (const Part& half : part.cut()) {
+        const Vec3d middle = half.middle();
+        const FieldSample sample = value(middle);
+        const FieldTouch touch = touch_at(half, middle, sample);
+        if (touch.separation < least) {
+          least = touch.separation;
+          deepest = touch;
+        }
+        const double deeper = slope_bound(half, middle, sample);
+        if (is_less(deeper)) shallow_.push({deeper, half});
+      }
+    }
+    if (deepest) add(*deepest);
+  }
+
   FieldTouches&& touches() { return std::move(touches_); }
 
  private:
@@ -109,6 +160,12 @@ class Search {
     Part part;
     bool operator<(const Undecided& other) const { return bound > other.bound; }
   };
+
+  /// Of the separation of all points of a part: by the slope at its middle, as the distance from a convex
+  /// shape is above its tangent.
+  double slope_bound(const Part& part, const Vec3d& middle, const FieldSample& sample) const {
+    return sample.distance - limits_.radius + part.lowest(sample.gradient, middle);
+  }
 
   bool conservative() const { return limits_.search == FieldSearch::Conservative; }
 
@@ -139,29 +196,39 @@ class Search {
     const double separation = sample.distance - limits_.radius;
     if (limits_.probes != nullptr && limits_.probes->size() < kMostProbes) [[unlikely]]
       limits_.probes->push_back({middle, separation});
-    if (separation <= limits_.margin) return add(part, middle, sample);
+    if (conservative()) {
+      const double deeper = slope_bound(part, middle, sample);
+      if (deeper < touches_.least) shallow_.push({deeper, part});
+    }
+    if (separation <= limits_.margin) return add(touch_at(part, middle, sample));
     touches_.least = std::min(touches_.least, separation);
     if (sample.source == FieldSample::Source::Exact)
       bound = std::max(bound, separation - DistanceField::kExactSlack * field_.cell - reach);
     if (reach > 0 && bound <= limits_.margin) undecided_.push({bound, part});
   }
 
-  void add(const Part& part, const Vec3d& middle, const FieldSample& sample) {
+  static Vec3d outward_of(const FieldSample& sample) {
     const double length = sample.gradient.norm();
-    const double separation = sample.distance - limits_.radius;
-    FeatureRef feature = part.feature;
+    return length > 0 ? Vec3d(sample.gradient / length) : Vec3d(Vec3d::UnitY());
+  }
+
+  FieldTouch touch_at(const Part& part, const Vec3d& middle, const FieldSample& sample) const {
+    FieldTouch touch{middle, sample.distance - limits_.radius, outward_of(sample), part.feature};
     // As many cuts as one can tell apart in a name: 2^10 parts of each of four million triangles.
-    if (part.path > 0) feature.index = (feature.index << 10U) + 1 + part.path % 1023;
-    touches_.found.push_back({middle, separation,
-                              length > 0 ? Vec3d(sample.gradient / length) : Vec3d(Vec3d::UnitY()),
-                              feature});
-    touches_.least = std::min(touches_.least, separation);
+    if (part.path > 0) touch.feature.index = (touch.feature.index << 10U) + 1 + part.path % 1023;
+    return touch;
+  }
+
+  void add(const FieldTouch& touch) {
+    touches_.found.push_back(touch);
+    touches_.least = std::min(touches_.least, touch.separation);
   }
 
   const PlacedField& field_;
   const FieldSearchLimits& limits_;
   Aabb<double> box_;
   std::priority_queue<Undecided> undecided_;
+  std::priority_queue<Undecided> shallow_;  // looked at, and may be deeper elsewhere than any touch
   FieldTouches touches_{{}, std::numeric_limits<double>::infinity()};
 };
 
@@ -171,7 +238,10 @@ FieldTouches find_touches(const PlacedField& field, std::span<const FieldPiece> 
                           const FieldSearchLimits& limits) {
   Search search(field, limits);
   for (const FieldPiece& piece : pieces) search.look_through(piece);
-  if (limits.search == FieldSearch::Conservative) search.decide();
+  if (limits.search == FieldSearch::Conservative) {
+    search.decide();
+    search.deepen(pieces);
+  }
   return search.touches();
 }
 

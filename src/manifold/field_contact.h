@@ -47,10 +47,15 @@ struct FieldSearchLimits {
 /// looked at; 3. conservative, and none was found: the piece of the least bound is cut, again and again,
 /// until a point is inside, or all bounds are larger than the margin, or a piece is so small that the
 /// surfaces are within kFieldTolerance: it counts as a touch, with what its middle has for a separation.
-/// So an overlap is never missed, and what is apart by less than the tolerance may be called touching.
+/// So an overlap is never missed, and what is apart by less than the tolerance may be called touching;
+/// 4. conservative: the deepest point of all is added. Where the pieces do not cross the surface, it is
+/// the nearest, exactly (field_gap.h). Where they do, parts are cut as in 3 while they may be deeper than
+/// the deepest touch by more than kFieldTolerance, by a tangent at their middles: that holds for fields
+/// of convex shapes, and where pieces are small beside the field's hollows.
 /// Sampled: only 2, of all pieces that the box around the field's surface reaches.
 ///
-/// Source of the search: Piyavskii 1972 and Shubert 1972 for functions of bounded slope.
+/// Source of the search: Piyavskii 1972 and Shubert 1972 for functions of bounded slope; 4 Kelley 1960, "The
+/// Cutting-Plane Method for Solving Convex Programs", for convex ones.
 FieldTouches find_touches(const PlacedField& field, std::span<const FieldPiece> pieces,
                           const FieldSearchLimits& limits);
 

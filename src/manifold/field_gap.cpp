@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
+#include <optional>
 #include <utility>
 
 #include "core/at.h"
@@ -15,13 +15,14 @@ namespace {
 struct Core {
   std::array<Vec3d, 3> corners;
   int count;
+  FeatureRef feature;
   Aabb<double> box;
 
   SupportSet<double> set() const { return {corners.data(), count, nullptr}; }
 };
 
 Core core_of(const PlacedField& field, const FieldPiece& piece) {
-  Core core{{}, piece.count, {}};
+  Core core{{}, piece.count, piece.feature, {}};
   for (int k = 0; k < piece.count; ++k) {
     at(core.corners, k) = field.in_lattice(at(piece.corners, k));
     core.box.include(at(core.corners, k));
@@ -40,17 +41,26 @@ class GapSearch {
 
   void look_at(const Core& core) {
     if (const auto& round = field_.core()) {
-      const SupportSet<double> axis{round->points.data(), 2, nullptr};
-      best_ = std::min(best_, std::max(distance(core, axis) - round->radius, 0.0));
+      offer(core, {round->points.data(), 2, nullptr}, round->radius);
     } else {
       look_at(core, *field_.surface());
     }
   }
   double best() const { return best_; }
+  /// Of the best; null where none is nearer than the limit.
+  const FeatureRef* feature() const { return core_ ? &core_->feature : nullptr; }
+  const Vec3d& on_core() const { return on_core_; }
+  const Vec3d& outward() const { return outward_; }
 
  private:
-  static double distance(const Core& core, const SupportSet<double>& other) {
-    return gjk<double>(core.set(), other, Pose<double>{}).distance;
+  void offer(const Core& core, const SupportSet<double>& other, double radius) {
+    const GjkResult<double> nearest = gjk<double>(core.set(), other, Pose<double>{});
+    const double distance = std::max(nearest.distance - radius, 0.0);
+    if (!(distance < best_)) return;
+    best_ = distance;
+    core_ = core;
+    on_core_ = nearest.on_a;
+    outward_ = -nearest.normal;
   }
 
   void look_at(const Core& core, const Mesh<double>& surface) {
@@ -64,9 +74,14 @@ class GapSearch {
       if (near >= best_) continue;
       const AabbTree<double>::Node& node = at(tree.nodes, index);
       if (node.leaf()) {
-        for (int k = node.next; k < node.next + node.count; ++k)
-          if (distance_of(core.box, at(tree.boxes, k)) < best_)
-            best_ = std::min(best_, distance_to(core, surface, at(tree.triangles, k)));
+        for (int k = node.next; k < node.next + node.count; ++k) {
+          if (!(distance_of(core.box, at(tree.boxes, k)) < best_)) continue;
+          const int triangle = at(tree.triangles, k);
+          const std::array<Vec3d, 3> corners = {surface.corner(triangle, 0),
+                                                surface.corner(triangle, 1),
+                                                surface.corner(triangle, 2)};
+          offer(core, {corners.data(), 3, nullptr}, 0);
+        }
         continue;
       }
       Waiting left{0, index + 1}, right{0, tree.right_of(index)};
@@ -77,24 +92,20 @@ class GapSearch {
     }
   }
 
-  static double distance_to(const Core& core, const Mesh<double>& surface, int triangle) {
-    const std::array<Vec3d, 3> corners = {surface.corner(triangle, 0), surface.corner(triangle, 1),
-                                          surface.corner(triangle, 2)};
-    return distance(core, {corners.data(), 3, nullptr});
-  }
-
   const DistanceField& field_;
   double best_;
+  std::optional<Core> core_;
+  Vec3d on_core_, outward_;
 };
 
 }  // namespace
 
-double field_gap(const PlacedField& field, std::span<const FieldPiece> pieces, double radius,
-                 double limit) {
-  if (pieces.empty()) return std::numeric_limits<double>::infinity();
-  GapSearch search(*field.field, (limit + radius) * field.per_cell);
+FieldGap field_gap(const PlacedField& field, std::span<const FieldPiece> pieces, double limit) {
+  GapSearch search(*field.field, limit * field.per_cell);
   for (const FieldPiece& piece : pieces) search.look_at(core_of(field, piece));
-  return std::max(search.best() * field.cell - radius, 0.0);
+  if (search.feature() == nullptr) return {limit};
+  return {search.best() * field.cell, field.origin + field.cell * search.on_core(),
+          search.outward(), *search.feature()};
 }
 
 }  // namespace contactscope

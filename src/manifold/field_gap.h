@@ -7,15 +7,23 @@
 
 namespace contactscope {
 
-/// Distance, metres, between pieces of a shape and the surface that a field was made of, caps
-/// included: exact up to rounding, where the field itself has only bounds. `radius` (metres) lies
-/// around each piece. 0 where the pieces cross the surface; pieces wholly inside are as far as
-/// outside. No more than `limit` (metres), which ends the search early; infinite without a piece.
+/// The closest points of a shape's pieces and of the surface that a field was made of.
+struct FieldGap {
+  double distance;                 // metres, of the pieces without their radius
+  Vec3d on_piece = Vec3d::Zero();  // the field's frame, metres
+  Vec3d outward =
+      Vec3d::UnitY();  // unit, from the surface to the piece; of meaning if distance > 0
+  FeatureRef feature;  // of the piece
+};
+
+/// Distance between pieces of a shape and the surface that a field was made of, caps included: exact up
+/// to rounding, where the field itself has only bounds. 0 where the pieces cross the surface; pieces
+/// wholly inside are as far as outside. `limit` (metres) ends the search early: where nothing is nearer,
+/// it is the distance, and the rest has no meaning; so with an infinite one and without a piece.
 ///
 /// Steps: 1. the pieces in turn, each against the tree over the surface's triangles, near nodes first;
 /// nodes whose box is farther than the best distance are left out; 2. GJK between the piece and each
 /// triangle that is left.
-double field_gap(const PlacedField& field, std::span<const FieldPiece> pieces, double radius,
-                 double limit);
+FieldGap field_gap(const PlacedField& field, std::span<const FieldPiece> pieces, double limit);
 
 }  // namespace contactscope
