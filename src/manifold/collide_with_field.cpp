@@ -236,10 +236,21 @@ void add_manifolds(std::vector<FieldTouch> touches, double radius, const Pose<do
   }
 }
 
+/// A point of the surface that a field was made of, or of its core. The field's frame, metres.
+Vec3d any_point_of(const PlacedField& placed) {
+  const DistanceField& field = *placed.field;
+  return placed.origin +
+         placed.cell * (field.core() ? field.core()->points[0] : field.surface()->vertices[0]);
+}
+
 /// A hull around all of the field, which none of its faces meets: out by the face that is least deep.
 template <class S>
 void add_contained(const Hull<S>& hull, const Field<S>& field, const Pose<double>& field_in_a,
                    FieldTouches& touches) {
+  const Vec3<S> first =
+      field_in_a.transform(any_point_of(PlacedField::of(field))).template cast<S>();
+  for (const Plane<S>& plane : hull.planes)
+    if (plane.distance(first) > S(0)) return;
   const Pose<double> a_in_field = inverse(field_in_a);
   const Aabb<S> everywhere{Vec3<S>::Constant(-std::numeric_limits<S>::infinity()),
                            Vec3<S>::Constant(std::numeric_limits<S>::infinity())};
@@ -267,8 +278,7 @@ void add_contained(const Hull<S>& hull, const Field<S>& field, const Pose<double
               a_in_field.rotate(Vec3d(-plane.normal)), face_ref(Owner::A, face)};
     }
   }
-  touches.found.push_back(best);
-  touches.least = best.separation;
+  touches = {{best}, best.separation};
 }
 
 /// The plane is A. The points of the surface that the field was made of, deepest first.
@@ -308,16 +318,24 @@ S collide_with_field(const Shape<S>& a, const Field<S>& b, const Pose<S>& b_in_a
       touches_of(a, PlacedField::of(b), field_in_a, options, radius, recorded, probes);
   if (probes != nullptr) [[unlikely]]
     sink.recorder->field_search(options.field, field_in_a);
-  if (touches.found.empty() && conservative) {
+  // Outside of the field, or around it: then what is within the margin is no way out.
+  if (conservative && (touches.found.empty() || touches.least > 0)) {
     if (const auto* hull = std::get_if<Hull<S>>(&a)) add_contained(*hull, b, field_in_a, touches);
-    if (const auto* field = std::get_if<Field<S>>(&a)) {
+    const auto* field = std::get_if<Field<S>>(&a);
+    const auto is_around = [&] {
+      const Vec3d first = field_in_a.transform(any_point_of(PlacedField::of(b)));
+      return PlacedField::of(*field).bounds(first).lower < 0;
+    };
+    if (field != nullptr && (touches.found.empty() || is_around())) {
       // B may be inside A: then its surface is.
       const Shape<S> other = b;
       const Pose<double> a_in_b = inverse(field_in_a);
       FieldTouches inside =
           touches_of(other, PlacedField::of(*field), a_in_b, options, radius, recorded);
-      add_manifolds(std::move(inside.found), radius, {}, true, sink);
-      return static_cast<S>(std::min(touches.least, inside.least));
+      if (touches.found.empty() || inside.least < 0) {
+        add_manifolds(std::move(inside.found), radius, {}, true, sink);
+        return static_cast<S>(std::min(touches.least, inside.least));
+      }
     }
   }
   const S least = static_cast<S>(touches.least);

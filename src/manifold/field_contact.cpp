@@ -94,6 +94,7 @@ class Search {
 
   /// Step 3.
   void decide() {
+    none_sampled_ = touches_.found.empty();
     for (int cuts = 0; touches_.found.empty() && !undecided_.empty(); ++cuts) {
       const Part part = undecided_.top().part;
       undecided_.pop();
@@ -115,7 +116,9 @@ class Search {
   void deepen(std::span<const FieldPiece> pieces) {
     if (touches_.found.empty()) return;
     std::optional<FieldTouch> deepest;
-    double least = touches_.least;
+    // Not touches_.least, which may be a bound where step 3 ended at its tolerance.
+    double least =
+        std::ranges::min_element(touches_.found, {}, &FieldTouch::separation)->separation;
     if (least + limits_.radius > 0 && field_.field->settings().exact) {
       const FieldGap gap = field_gap(field_, pieces, least + limits_.radius);
       const FieldTouch nearest{gap.on_piece, gap.distance - limits_.radius, gap.outward,
@@ -125,7 +128,7 @@ class Search {
         deepest = nearest;
       }
       if (gap.distance > 0) {
-        if (deepest) add(*deepest);
+        if (deepest) replace_by(*deepest);
         return;
       }
       if (deepest) deepest->outward = outward_of(value(gap.on_piece));
@@ -149,7 +152,7 @@ class Search {
         if (is_less(deeper)) shallow_.push({deeper, half});
       }
     }
-    if (deepest) add(*deepest);
+    if (deepest) replace_by(*deepest);
   }
 
   FieldTouches&& touches() { return std::move(touches_); }
@@ -219,6 +222,12 @@ class Search {
     return touch;
   }
 
+  /// What step 3 ended at shows only that there is a touch.
+  void replace_by(const FieldTouch& deepest) {
+    if (none_sampled_) touches_.found.clear();
+    add(deepest);
+  }
+
   void add(const FieldTouch& touch) {
     touches_.found.push_back(touch);
     touches_.least = std::min(touches_.least, touch.separation);
@@ -227,6 +236,7 @@ class Search {
   const PlacedField& field_;
   const FieldSearchLimits& limits_;
   Aabb<double> box_;
+  bool none_sampled_ = false;  // step 2 found no touch
   std::priority_queue<Undecided> undecided_;
   std::priority_queue<Undecided> shallow_;  // looked at, and may be deeper elsewhere than any touch
   FieldTouches touches_{{}, std::numeric_limits<double>::infinity()};

@@ -48,7 +48,7 @@ struct FieldSearchLimits {
 /// until a point is inside, or all bounds are larger than the margin, or a piece is so small that the
 /// surfaces are within kFieldTolerance: it counts as a touch, with what its middle has for a separation.
 /// So an overlap is never missed, and what is apart by less than the tolerance may be called touching;
-/// 4. conservative: the deepest point of all is added. Where the pieces do not cross the surface, it is
+/// 4. conservative: the deepest point of all is added, in the place of what 3 found. Where the pieces do not cross the surface, it is
 /// the nearest, exactly (field_gap.h). Where they do, parts are cut as in 3 while they may be deeper than
 /// the deepest touch by more than kFieldTolerance, by a tangent at their middles: that holds for fields
 /// of convex shapes, and where pieces are small beside the field's hollows.

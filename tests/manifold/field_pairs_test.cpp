@@ -229,18 +229,23 @@ TEST(FieldPairs, WhatIsWhollyInsideIsFound) {
   const Shape<double> small = field_of(make_box(Vec3d(0.1, 0.1, 0.1)), {.cells = 8});
   const Shape<double> large = field_of(make_box(Vec3d(1, 1, 1)), {.cells = 8});
   const Pose<double> inside = test::at(0.5, 0, 0);
-  const auto way_out = [&](const Shape<double>& a, const Shape<double>& b,
-                           const Pose<double>& b_in_a) {
-    const Manifolds<double> found = manifolds_of({a, {}, b, b_in_a});
-    EXPECT_FALSE(found.empty());
-    return deepest_of(found);
-  };
-  // By its far corner, and of two fields by that of the surface's points which is deepest.
-  EXPECT_NEAR(way_out(make_box(Vec3d(1, 1, 1)), small, inside), -0.6, 1e-12);
-  EXPECT_LE(way_out(large, small, inside), -0.5);
-  EXPECT_LE(way_out(small, large, test::at(-0.5, 0, 0)), -0.5);
-  // The distance of the ball's centre from the small box, less its radius.
-  EXPECT_NEAR(way_out(Sphere<double>{2}, small, inside), 0.4 - 2, 1e-12);
+  // With a margin the wall is within reach.
+  for (const double margin : {0.0, 0.45}) {
+    const auto way_out = [&](const Shape<double>& a, const Shape<double>& b,
+                             const Pose<double>& b_in_a) {
+      CollideOptions options;
+      options.margin = margin;
+      const Manifolds<double> found = manifolds_of({a, {}, b, b_in_a}, options);
+      EXPECT_FALSE(found.empty());
+      return deepest_of(found);
+    };
+    // By its far corner, and of two fields by that of the surface's points which is deepest.
+    EXPECT_NEAR(way_out(make_box(Vec3d(1, 1, 1)), small, inside), -0.6, 1e-12);
+    EXPECT_LE(way_out(large, small, inside), -0.5);
+    EXPECT_LE(way_out(small, large, test::at(-0.5, 0, 0)), -0.5);
+    // The distance of the ball's centre from the small box, less its radius.
+    EXPECT_NEAR(way_out(Sphere<double>{2}, small, inside), 0.4 - 2, 1e-12);
+  }
 }
 
 /// What a trace says of the separation.
