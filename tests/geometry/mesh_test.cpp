@@ -58,7 +58,7 @@ TEST(Mesh, TrianglesWithoutAnAreaAreKeptWhereThatIsAsked) {
   EXPECT_EQ(longest_edge(mesh, 0), 2);
   EXPECT_EQ(mesh.corner(2, longest_edge(mesh, 2)), Vec3d(0, 1, 0));
   EXPECT_EQ(mesh.neighbour(0, 2), 1);
-  EXPECT_EQ(mesh.edge_class(0, 2), Internal);
+  EXPECT_EQ(mesh.edge_class(0, 2), EdgeClass::Internal);
   // A side of no length has no neighbour, and a segment there and back again is none of its own.
   EXPECT_EQ(mesh.neighbours[3], (std::array{-1, -1, -1}));
   EXPECT_EQ(build_mesh_with_flat_triangles({{0, 0, 0}, {1, 0, 0}}, {{0, 1, 0}}).neighbours[0],

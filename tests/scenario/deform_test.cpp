@@ -176,7 +176,8 @@ TEST_F(DeformFiles, AMeshOfATriangleWithoutAnAreaOverlapsAndIsTouched) {
   EXPECT_EQ(runner.frame(0).pairs.at(0).intersections.size(), 1u);
   EXPECT_TRUE(runner.frame(1).pairs.at(0).intersections.empty());
   std::string text = kNeedleAndWall;
-  text.replace(text.find("query = \"overlap\"\ncontinuous = \"time_of_impact\"\n"), 44, "");
+  const std::string asked = "query = \"overlap\"\ncontinuous = \"time_of_impact\"\n";
+  text.erase(text.find(asked), asked.size());
   text.resize(text.find("[shapes.wall]"));
   text += "[shapes.ball]\ntype = \"sphere\"\nradius = 0.5\nposition = [0.5, 1.4, 0.2]\n";
   const Scenario contacts = parse_scenario(text, path());
