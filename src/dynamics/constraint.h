@@ -20,6 +20,7 @@ struct SolverBody {
   Body<S> body;                                     // `center` is that of the beginning
   Vec3<S> moved = Vec3<S>::Zero();                  // of the centre since then, metres
   Mat3<S> inverse_inertia_world = Mat3<S>::Zero();  // at the rotation of the moment
+  bool stirred = false;                             // by a bounce of this sub-step
 
   /// Brings the world's inertia up to the rotation.
   void turn_inertia() {
@@ -39,27 +40,43 @@ struct SolverBody {
     body.rotation = Quat<S>(S(1), half_turn.x(), half_turn.y(), half_turn.z()) * body.rotation;
     body.rotation.normalize();
   }
+  /// Moves a dynamic body by `offset`, metres, and turns it by `turned`, radians, both world. Its
+  /// momenta about its centre stay what they are.
+  void displace(const Vec3<S>& offset, const Vec3<S>& turned) {
+    if (!body.dynamic()) return;
+    moved += offset;
+    if (turned.isZero(S(0))) return;
+    const Vec3<S> local = body.rotation.conjugate() * body.angular_velocity;
+    const Vec3<S> spin = body.rotation * Vec3<S>(body.inertia * local);
+    turn(Vec3<S>(S(0.5) * turned));
+    turn_inertia();
+    body.angular_velocity = inverse_inertia_world * spin;
+  }
 };
 
 /// What the solver keeps of one contact point during a step. Impulses are newton seconds on b; a has
 /// the opposite.
 template <class S>
 struct ConstraintPoint {
-  // From the centres of mass to the point when the step began, world. Impulses act there for the
-  // whole step (Catto 2024, "Solver2D": arms of the Jacobian are fixed): two arms that met in one
-  // point keep angular momentum, arms that drift apart do not.
-  Vec3<S> arm_a, arm_b;
-  Vec3<S> anchor_a, anchor_b;  // the same places in the bodies' own axes, from the centres of mass
-  S separation_began = 0;      // metres along the normal, when the step began
-  S separation = 0;            // where the bodies are now; see update_separations
-  S normal_mass = 0;           // kg
-  S tangent_mass = 0;          // kg, along the tangent that yields most
-  S approach = 0;              // relative velocity along the normal that restitution goes by, m/s
+  Vec3<S> arm_a, arm_b;  // from the centres of mass to where impulses act, world; see follow()
+  // When the step began: from the centres of mass to the cores (the centre of a ball, the axis of a
+  // capsule, of hulls the point itself), world, and in the bodies' own axes; and from there on to the
+  // point, metres along the normal.
+  Vec3<S> core_a, core_b;
+  Vec3<S> anchor_a, anchor_b;
+  S reach_a = 0, reach_b = 0;
+  S separation_began = 0;  // metres along the normal, when the step began
+  S separation = 0;        // where the bodies are now; see update_separations
+  S normal_mass = 0;       // kg
+  S tangent_mass = 0;      // kg, along the tangent that yields most
+  S approach = 0;          // relative velocity along the normal when the sub-step began, m/s
+  S bounce = 0;            // velocity that it leaves with, m/s, or may close with (< 0); see bounce()
+  S position_target = 0;   // separation that position correction leaves, metres
 
   S normal_impulse = 0;  // of this sub-step, never negative
   S friction_u = 0;      // along the tangents
   S friction_v = 0;
-  S position_impulse = 0;  // kg m, of the projection of this sub-step
+  S position_impulse = 0;  // kg m, of the position correction of this sub-step
 
   S warm_start = 0;    // along the normal, over the whole step, if nothing had changed
   S total_normal = 0;  // over the whole step
@@ -77,6 +94,10 @@ struct ContactConstraint {
   int pair = 0;                                                        // whose manifold it is
   Vec3<S> normal = Vec3<S>::UnitY();                                   // unit, from a to b
   Vec3<S> tangent_u = Vec3<S>::UnitX(), tangent_v = Vec3<S>::UnitZ();  // unit, at right angles
+  Vec3<S> normal_began = Vec3<S>::UnitY();                             // when the step began
+  Vec3<S> moved = Vec3<S>::Zero();  // of b against a, at follow()
+  S share_a = 0;        // of what parts the ends of two arms, that a's arm makes up; see follow()
+  S core_distance = 0;  // of two round shapes when the step began, metres; 0 of others
   S friction = 0;
   S restitution = 0;
   std::vector<ConstraintPoint<S>> points;
@@ -181,15 +202,34 @@ S most_yielding(const BodyPair<S>& bodies, const ConstraintPoint<S>& point, cons
   return mean + std::sqrt(half * half + uv * uv);
 }
 
+/// Whether a point ahead is reached before the bodies have slid past each other by a few times
+/// `margin` (metres). Otherwise its plane may not be there any more, and would stop a ball that flies
+/// past an edge.
+template <class S>
+bool is_met_head_on(const BodyPair<S>& bodies, const ConstraintPoint<S>& point,
+                    const Vec3<S>& normal, S margin) {
+  constexpr S kMaxSlides = 5;
+  const Vec3<S> velocity = bodies.velocity_at(point);
+  const S closing = -velocity.dot(normal);
+  const Vec3<S> sliding = velocity + closing * normal;
+  return closing > S(0) && sliding.norm() * point.separation <= kMaxSlides * margin * closing;
+}
+
 template <class S>
 ConstraintPoint<S> prepare_point(const BodyPair<S>& bodies, const ContactConstraint<S>& contact,
-                                 const ContactPoint<S>& found) {
+                                 const PairContacts<S>& pair, const ContactPoint<S>& found) {
   const Body<S>&a = bodies.a.body, &b = bodies.b.body;
   ConstraintPoint<S> point;
   point.arm_a = found.position - a.center;
   point.arm_b = found.position - b.center;
-  point.anchor_a = a.rotation.conjugate() * point.arm_a;
-  point.anchor_b = b.rotation.conjugate() * point.arm_b;
+  // Points of two round shapes lie midway between the surfaces; of one, where they lie along the
+  // normal does not matter.
+  if (pair.round_a > S(0)) point.reach_a = pair.round_a + S(0.5) * found.separation;
+  if (pair.round_b > S(0)) point.reach_b = -pair.round_b - S(0.5) * found.separation;
+  point.core_a = point.arm_a - point.reach_a * contact.normal;
+  point.core_b = point.arm_b - point.reach_b * contact.normal;
+  point.anchor_a = a.rotation.conjugate() * point.core_a;
+  point.anchor_b = b.rotation.conjugate() * point.core_b;
   point.separation_began = point.separation = found.separation;
   point.normal_mass = S(1) / inverse_effective_mass(bodies, point, contact.normal);
   point.tangent_mass = S(1) / most_yielding(bodies, point, contact.tangent_u, contact.tangent_v);
@@ -197,9 +237,21 @@ ConstraintPoint<S> prepare_point(const BodyPair<S>& bodies, const ContactConstra
   return point;
 }
 
+/// Which share of what parts the ends of both arms a's makes up, see follow(). A point stays where it is
+/// on what is round, for an arm beside the normal would set a ball spinning, and on the lighter of other
+/// bodies, for that is mostly the one whose corner it is.
+template <class S>
+S share_of_a(const BodyPair<S>& bodies, const PairContacts<S>& pair) {
+  const bool round_a = pair.round_a > S(0), round_b = pair.round_b > S(0);
+  if (round_a != round_b && bodies.a.body.dynamic() && bodies.b.body.dynamic())
+    return round_a ? S(0) : S(1);
+  return bodies.b.body.inverse_mass / bodies.inverse_mass();
+}
+
 /// Constraints from contacts: arms, tangents, effective masses, and where warm starting is on what
-/// `kept` (one a pair) holds of the step before. Pairs without a dynamic body, and points of which
-/// the geometry made no numbers, are left out. In the order of pairs, manifolds, points.
+/// `kept` (one a pair) holds of the step before. Pairs without a dynamic body, points that are not
+/// finite, and points ahead that are not met head-on are left out. In the order of pairs, manifolds,
+/// points.
 template <class S>
 std::vector<ContactConstraint<S>> prepare_contacts(std::span<SolverBody<S>> bodies,
                                                    std::span<const PairContacts<S>> pairs,
@@ -215,16 +267,23 @@ std::vector<ContactConstraint<S>> prepare_contacts(std::span<SolverBody<S>> bodi
       contact.a = pair.a;
       contact.b = pair.b;
       contact.pair = static_cast<int>(p);
-      contact.normal = manifold.normal;
+      contact.normal = contact.normal_began = manifold.normal;
       contact.tangent_u = any_perpendicular(manifold.normal);
       contact.tangent_v = manifold.normal.cross(contact.tangent_u);
       contact.friction = pair.friction;
       contact.restitution = pair.restitution;
+      contact.share_a = share_of_a(both, pair);
+      if (pair.round_a > S(0) && pair.round_b > S(0) && !manifold.points.empty())
+        contact.core_distance =
+            std::max(pair.round_a + pair.round_b + manifold.points[0].separation, S(0));
       for (const ContactPoint<S>& found : manifold.points) {
-        ConstraintPoint<S> point = prepare_point(both, contact, found);
+        ConstraintPoint<S> point = prepare_point(both, contact, pair, found);
         point.triangle = manifold.triangle;
-        if (std::isfinite(point.normal_mass) && std::isfinite(point.separation))
-          contact.points.push_back(point);
+        if (!std::isfinite(point.normal_mass) || !std::isfinite(point.separation)) continue;
+        if (point.separation > pair.margin &&
+            !is_met_head_on(both, point, contact.normal, pair.margin))
+          continue;
+        contact.points.push_back(point);
       }
       if (settings.warm_start) recall_impulses(kept[p], contact, settings.substeps);
       if (!contact.points.empty()) contacts.push_back(std::move(contact));
@@ -233,23 +292,79 @@ std::vector<ContactConstraint<S>> prepare_contacts(std::span<SolverBody<S>> bodi
   return contacts;
 }
 
-/// How far apart a point is where the bodies are now: what it was, and how far the anchors have come
+/// Takes the angular momentum (kg m^2 / s, world) back that two dynamic bodies have gained because their
+/// centres were moved: the larger their distance, the slower they turn about each other.
+/// Opposite impulses at the centres, across the line between these, do most of it, and set nothing
+/// spinning; what is left, along that line, turns what is not round.
+template <class S>
+void take_back(const BodyPair<S>& bodies, const ContactConstraint<S>& contact,
+               const Vec3<S>& gained) {
+  Body<S>&a = bodies.a.body, &b = bodies.b.body;
+  if (gained.isZero(S(0)) || !a.dynamic() || !b.dynamic()) return;
+  const ConstraintPoint<S>& point = contact.points.front();
+  const Vec3<S> began =
+      (point.core_a - point.core_b) + (point.reach_a - point.reach_b) * contact.normal_began;
+  const Vec3<S> line = began + (bodies.b.moved - bodies.a.moved);  // from a's centre to b's
+  const S squared = line.squaredNorm();
+  if (!(squared > S(0))) return;
+  const Vec3<S> back = line.cross(gained) / squared;
+  a.velocity -= a.inverse_mass * back;
+  b.velocity += b.inverse_mass * back;
+  const Vec3<S> along = gained.dot(line) / squared * line;
+  bodies.a.body.angular_velocity -= contact.share_a * (bodies.a.inverse_inertia_world * along);
+  bodies.b.body.angular_velocity -=
+      (S(1) - contact.share_a) * (bodies.b.inverse_inertia_world * along);
+}
+
+/// How far apart a point is where the bodies are now: what it was, and how far the cores have come
 /// apart along the normal since.
 template <class S>
-S separation_now(const BodyPair<S>& bodies, const ConstraintPoint<S>& point,
-                 const Vec3<S>& normal) {
+S separation_now(const BodyPair<S>& bodies, const ContactConstraint<S>& contact,
+                 const ConstraintPoint<S>& point) {
   const SolverBody<S>&a = bodies.a, &b = bodies.b;
   // Each is how far the anchor has come; differences of small ways, never of places.
-  const Vec3<S> of_a = a.moved + (a.body.rotation * point.anchor_a - point.arm_a);
-  const Vec3<S> of_b = b.moved + (b.body.rotation * point.anchor_b - point.arm_b);
-  return point.separation_began + (of_b - of_a).dot(normal);
+  const Vec3<S> of_a = a.moved + (a.body.rotation * point.anchor_a - point.core_a);
+  const Vec3<S> of_b = b.moved + (b.body.rotation * point.anchor_b - point.core_b);
+  S separation = point.separation_began + (of_b - of_a).dot(contact.normal);
+  if (contact.core_distance > S(0))
+    separation += contact.core_distance * (contact.normal_began.dot(contact.normal) - S(1));
+  return separation;
+}
+
+/// Turns the normal of two round shapes with the line through their cores, and lets the arms meet in
+/// one point again after the bodies have slid past each other: only so do an impulse and its opposite
+/// keep angular momentum. Arms do not turn with the bodies within a step (Catto 2024, "Solver2D": arms
+/// of the Jacobian are fixed), so a ball rolls on its lowest point.
+template <class S>
+void follow(const BodyPair<S>& bodies, ContactConstraint<S>& contact) {
+  const Vec3<S> moved = bodies.b.moved - bodies.a.moved;
+  if (moved.isZero(S(0))) return;
+  contact.moved = moved;
+  const Vec3<S> cores = contact.core_distance * contact.normal_began + moved;
+  const S distance = cores.norm();
+  // Cores that have come much nearer, or past each other, have lost the direction they had.
+  if (contact.core_distance > S(0) && distance > S(0.5) * contact.core_distance) {
+    const Vec3<S> before = contact.normal;
+    contact.normal = cores / distance;
+    const Vec3<S> both = (before + contact.normal) / (S(1) + before.dot(contact.normal));
+    contact.tangent_u -= contact.normal.dot(contact.tangent_u) * both;
+    contact.tangent_v -= contact.normal.dot(contact.tangent_v) * both;
+  }
+  for (ConstraintPoint<S>& point : contact.points) {
+    point.arm_a = point.core_a + point.reach_a * contact.normal;
+    point.arm_b = point.core_b + point.reach_b * contact.normal;
+    const Vec3<S> apart =
+        moved + (point.reach_b - point.reach_a) * (contact.normal - contact.normal_began);
+    point.arm_a += contact.share_a * apart;
+    point.arm_b -= (S(1) - contact.share_a) * apart;
+  }
 }
 
 template <class S>
 void update_separations(std::span<SolverBody<S>> bodies,
                         std::vector<ContactConstraint<S>>& contacts) {
   for_each_point(bodies, contacts, [](const auto& pair, const auto& contact, auto& point) {
-    point.separation = separation_now(pair, point, contact.normal);
+    point.separation = separation_now(pair, contact, point);
   });
 }
 

@@ -100,17 +100,13 @@ class Stopper {
     std::vector<ImpactStop<S>> stops;
     while (!meetings_.empty()) {
       const auto first = std::ranges::min_element(meetings_, {}, &Meeting<S>::key);
-      stops.push_back(stop(*first));
-      const int a = stops.back().a, b = stops.back().b;
-      std::erase_if(meetings_, [&](const Meeting<S>& one) {
-        return one.a == a || one.b == a || one.a == b || one.b == b;
-      });
-      for (int other = 0; other < count_of(bodies_); ++other) {
-        if (other == a || other == b) continue;
-        look(a, other);
-        look(b, other);
-      }
-      look(a, b);
+      std::vector<int> turned;  // bodies that go on otherwise, in order
+      stops.push_back(stop(*first, turned));
+      const auto turns = [&](int i) { return std::ranges::binary_search(turned, i); };
+      std::erase_if(meetings_, [&](const Meeting<S>& one) { return turns(one.a) || turns(one.b); });
+      for (const int i : turned)
+        for (int other = 0; other < count_of(bodies_); ++other)
+          if (other > i || (other != i && !turns(other))) look(i, other);
     }
     for (int i = 0; i < count_of(bodies_); ++i)
       if (at(bodies_, i).dynamic() && at(paths_, i).from > S(0))
@@ -176,29 +172,34 @@ class Stopper {
     meetings_.push_back(meeting);
   }
 
-  ImpactStop<S> stop(const Meeting<S>& meeting) {
+  ImpactStop<S> stop(const Meeting<S>& meeting, std::vector<int>& turned) {
     const int a = meeting.a, b = meeting.b;
     const S time = meeting.time;
     const bool for_good = ++stops_of_[{a, b}] >= kMostStopsOfAPair;
-    for (const int i : {a, b}) {
-      if (!at(bodies_, i).dynamic()) continue;
-      Path<S>& path = at(paths_, i);
-      path.rest = path.since(time);
-      path.from = time;
-    }
+    cut(a, time);
+    cut(b, time);
     move_apart(meeting);
-    push_apart(a, b, time);
-    for (const int i : {a, b}) {
-      Body<S>& body = at(bodies_, i);
+    turned = push_apart(a, b, time);
+    for (const int i : turned) {
+      const Body<S>& body = at(bodies_, i);
       if (!body.dynamic()) continue;
+      cut(i, time);
       Path<S>& path = at(paths_, i);
-      path.stays = path.stays || for_good;
+      path.stays = path.stays || (for_good && (i == a || i == b));
       const S left = path.stays ? S(0) : (S(1) - time) * dt_;
       path.rest.displacement = left * body.velocity;
       path.rest.turn = left * body.angular_velocity;
       at(boxes_, i) = box_of(i);
     }
     return {a, b, time, meeting.normal, meeting.point, for_good};
+  }
+
+  /// What is left of a body's path begins at `time`.
+  void cut(int i, S time) {
+    Path<S>& path = at(paths_, i);
+    if (!at(bodies_, i).dynamic() || !(path.from < time)) return;
+    path.rest = path.since(time);
+    path.from = time;
   }
 
   /// Cores that turn come nearer with each stop, until rounding says that they overlap and nobody
@@ -214,9 +215,10 @@ class Stopper {
     at(paths_, meeting.b).rest.start.position += at(bodies_, meeting.b).inverse_mass * way;
   }
 
-  /// The contacts of both bodies where they are at `time`, with all that is near them, change their
-  /// velocities. Nothing else is moved by it.
-  void push_apart(int a, int b, S time) {
+  /// The contacts of both bodies and of all that is near them, where they are at `time`, change their
+  /// velocities. Returns both and whose velocity has changed, in order. (A body that is only near must
+  /// give way like any other: taken for infinitely heavy, it would drive them on at its velocity.)
+  std::vector<int> push_apart(int a, int b, S time) {
     std::vector<int> who{a, b};
     for (int other = 0; other < count_of(bodies_); ++other)
       if (other != a && other != b && (near_pair(a, other) || near_pair(b, other)))
@@ -226,18 +228,14 @@ class Stopper {
       Body<S> body = at(bodies_, i);
       const Path<S>& path = at(paths_, i);
       body.place(path.from < time ? path.since(time).start : path.rest.start);
-      if (i != a && i != b) {
-        body.inverse_mass = body.mass = S(0);
-        body.inverse_inertia.setZero();
-      }
       local.push_back(body);
     }
     CollideOptions options;
     options.margin = static_cast<S>(settings_.speculative_margin.value_or(0));
     std::vector<Manifolds<S>> contacts;
     std::vector<PairContacts<S>> pairs;
-    contacts.reserve(2 * who.size());  // pairs point into it
-    for (int i = 0; i < 2; ++i) {
+    contacts.reserve(who.size() * who.size());  // pairs point into it
+    for (int i = 0; i < count_of(who); ++i) {
       for (int j = i + 1; j < count_of(who); ++j) {
         const auto pair = near_pair(at(who, i), at(who, j));
         if (!pair) continue;
@@ -250,12 +248,18 @@ class Stopper {
       }
     }
     solve_impact<S>(local, pairs, settings_, dt_);
-    for (int i = 0; i < 2; ++i) {
+    std::vector<int> turned;
+    for (int i = 0; i < count_of(who); ++i) {
       Body<S>& body = at(bodies_, at(who, i));
-      if (!body.dynamic()) continue;
-      body.velocity = at(local, i).velocity;
-      body.angular_velocity = at(local, i).angular_velocity;
+      const Body<S>& after = at(local, i);
+      if (i < 2 || body.velocity != after.velocity ||
+          body.angular_velocity != after.angular_velocity)
+        turned.push_back(at(who, i));
+      body.velocity = after.velocity;
+      body.angular_velocity = after.angular_velocity;
     }
+    std::ranges::sort(turned);
+    return turned;
   }
 
   std::vector<Body<S>>& bodies_;

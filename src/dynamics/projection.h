@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "dynamics/constraint.h"
+#include "dynamics/solve_velocities.h"
 
 namespace contactscope {
 
@@ -38,8 +39,9 @@ struct ProjectedPoint {
 
 template <class S>
 ProjectedPoint<S> projected(const BodyPair<S>& bodies, const ConstraintPoint<S>& point,
-                            const Vec3<S>& normal) {
+                            const ContactConstraint<S>& contact) {
   const SolverBody<S>&a = bodies.a, &b = bodies.b;
+  const Vec3<S>& normal = contact.normal;
   const Vec3<S> arm_a = a.body.rotation * point.anchor_a, arm_b = b.body.rotation * point.anchor_b;
   const Vec3<S> lever_a = arm_a.cross(normal), lever_b = arm_b.cross(normal);
   const Vec3<S> turned_a = a.inverse_inertia_world * lever_a;
@@ -48,34 +50,25 @@ ProjectedPoint<S> projected(const BodyPair<S>& bodies, const ConstraintPoint<S>&
           lever_b,
           turned_a,
           turned_b,
-          separation_now(bodies, point, normal),
+          separation_now(bodies, contact, point),
           bodies.inverse_mass() + (lever_a.dot(turned_a) + lever_b.dot(turned_b))};
 }
 
-/// Moves a dynamic body by `way`, metres, and turns it by `turn`, radians; both world.
 template <class S>
-void displace(SolverBody<S>& moving, const Vec3<S>& way, const Vec3<S>& turn) {
-  if (!moving.body.dynamic()) return;
-  moving.moved += way;
-  // Velocities stay as they are: so small a turn hardly changes the angular momentum.
-  moving.turn(Vec3<S>(S(0.5) * turn));
-  moving.turn_inertia();
-}
-
-template <class S>
-void project_manifold(const BodyPair<S>& bodies, ContactConstraint<S>& contact, S slop,
+void project_manifold(const BodyPair<S>& bodies, ContactConstraint<S>& contact,
                       std::vector<ProjectedPoint<S>>& points) {
   points.clear();
   for (const ConstraintPoint<S>& point : contact.points)
-    points.push_back(projected(bodies, point, contact.normal));
+    points.push_back(projected(bodies, point, contact));
 
   Displacement<S> way;
   S sum = 0;
+  bool pushed = false;
   for (int sweep = 0; sweep < kManifoldSweeps; ++sweep) {
     bool changed = false;
     for (std::size_t i = 0; i < points.size(); ++i) {
       ProjectedPoint<S>& point = points[i];
-      const S error = point.separation_after(way) + slop;
+      const S error = point.separation_after(way) - contact.points[i].position_target;
       const S least = -contact.points[i].position_impulse;
       const S impulse = std::max(point.impulse - error / point.inverse_mass, least);
       const S change = impulse - point.impulse;
@@ -88,24 +81,28 @@ void project_manifold(const BodyPair<S>& bodies, ContactConstraint<S>& contact, 
       way.turn_b += change * point.turned_b;
     }
     if (!changed) break;
+    pushed = true;
   }
+  if (!pushed) return;
   const S turn = std::max(way.turn_a.norm(), way.turn_b.norm());
   const S share = turn > static_cast<S>(kMostTurn) ? static_cast<S>(kMostTurn) / turn : S(1);
   for (std::size_t i = 0; i < points.size(); ++i)
     contact.points[i].position_impulse += share * points[i].impulse;
   const Vec3<S> impulse = share * sum * contact.normal;
-  displace(bodies.a, Vec3<S>(-bodies.a.body.inverse_mass * impulse), Vec3<S>(share * way.turn_a));
-  displace(bodies.b, Vec3<S>(bodies.b.body.inverse_mass * impulse), Vec3<S>(share * way.turn_b));
+  bodies.a.displace(-bodies.a.body.inverse_mass * impulse, share * way.turn_a);
+  bodies.b.displace(bodies.b.body.inverse_mass * impulse, share * way.turn_b);
+  take_back(bodies, contact,
+            impulse.cross(Vec3<S>(bodies.b.body.velocity - bodies.a.body.velocity)));
 }
 
 /// Position projection: Gregorius 2015, "Recap: Solving Contact (4)": "run a full solver sweep over
-/// the contacts again, but now solving the position error directly". Velocities are untouched, so
-/// that nothing that is pushed out flies on.
+/// the contacts again, but now solving the position error directly". Nothing that is pushed out flies
+/// on: velocities change only as angular momentum demands.
 ///
-/// One sweep; a nonlinear Gauss-Seidel step (Catto 2006, "Nonlinear position correction"), manifold
+/// Sweeps; each a nonlinear Gauss-Seidel step (Catto 2006, "Nonlinear position correction"), manifold
 /// by manifold. Steps of each:
 ///   1. where its points are now, and their effective masses there;
-///   2. pushes that leave each point an overlap of the slop, by sweeps over the points with what they
+///   2. pushes that leave each point its target, by sweeps over the points with what they
 ///      do to each other taken as linear. What a point has pushed so far is summed and held at zero,
 ///      so that a later point that lifts the body too lets an earlier one take back its share;
 ///   3. the bodies are moved and turned once, by what all points come to, and by no more than a tenth
@@ -116,11 +113,36 @@ void project_manifold(const BodyPair<S>& bodies, ContactConstraint<S>& contact, 
 /// a limit of the turn has no length in it.
 template <class S>
 void project_positions(std::span<SolverBody<S>> bodies, std::vector<ContactConstraint<S>>& contacts,
-                       const SolverSettings& settings) {
-  const S slop = static_cast<S>(settings.slop.value_or(0));
+                       int iterations) {
   std::vector<ProjectedPoint<S>> points;
-  for (ContactConstraint<S>& contact : contacts)
-    project_manifold(BodyPair<S>(bodies, contact), contact, slop, points);
+  for (int i = 0; i < iterations; ++i)
+    for (ContactConstraint<S>& contact : contacts)
+      project_manifold(BodyPair<S>(bodies, contact), contact, points);
+}
+
+/// After the velocities have moved the bodies for a sub-step of `h` seconds: works overlaps off as the
+/// settings say. Projection leaves every point the slop. Of Baumgarte's share it moves the bodies by
+/// what the push speed kept from the velocities (Catto 2006, "Split Impulses": it is no momentum), and
+/// all points that want less are held where the velocities have brought them.
+template <class S>
+void correct_positions(std::span<SolverBody<S>> bodies, std::vector<ContactConstraint<S>>& contacts,
+                       const SolverSettings& settings, S h) {
+  const S slop = static_cast<S>(settings.slop.value_or(0));
+  if (settings.position_correction == PositionCorrection::Projection) {
+    for_each_point(bodies, contacts,
+                   [&](const auto&, const auto&, auto& point) { point.position_target = -slop; });
+    return project_positions(bodies, contacts, settings.iterations);
+  }
+  if (settings.position_correction != PositionCorrection::Baumgarte) return;
+  bool wants_more = false;
+  for_each_point(bodies, contacts, [&](const auto& pair, const auto& contact, auto& point) {
+    const S share = -baumgarte(point.separation, settings, h);
+    const bool held_back = share > static_cast<S>(settings.push_speed);
+    point.position_target = held_back ? point.separation + h * share
+                                      : std::min(separation_now(pair, contact, point), -slop);
+    wants_more = wants_more || held_back;
+  });
+  if (wants_more) project_positions(bodies, contacts, settings.iterations);
 }
 
 }  // namespace contactscope

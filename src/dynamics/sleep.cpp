@@ -127,8 +127,9 @@ void solve_awake(std::vector<Body<S>>& bodies, std::span<const PairContacts<S>> 
     // A body that sleeps touches nobody who is awake: it would be awake too.
     if (at(place, pair.a) < 0 || at(place, pair.b) < 0) continue;
     acting.push_back(p);
-    contacts.push_back(
-        {at(place, pair.a), at(place, pair.b), pair.manifolds, pair.friction, pair.restitution});
+    contacts.push_back(pair);
+    contacts.back().a = at(place, pair.a);
+    contacts.back().b = at(place, pair.b);
     given.push_back(std::move(impulses[p]));
   }
   solve_step<S>(moving, contacts, given, gravity, of_all, dt);

@@ -27,23 +27,21 @@ struct PositionBias {
   S impulse_scale = 0;
 };
 
-/// Gregorius 2015, "Recap: Solving Contact (4)": v_rel = -0.1 / dt * d. Overlap up to the slop is let
-/// be, else contacts would come and go.
+/// Gregorius 2015, "Recap: Solving Contact (4)": v_rel = -0.1 / dt * d, metres a second. Overlap up to
+/// the slop is let be, else contacts would come and go.
 ///
-/// Warm starting makes the push late, and a late spring pumps. Of one slow motion of a stack let p be
+/// As a velocity that bodies keep it has no limit: of n sub-steps each asks for n times that of a frame.
+/// And warm starting makes the push late, and a late spring pumps. Of one slow motion of a stack let p be
 /// the overlap, y its change in a frame, and e' = g e - (1 - g)(y + b p) what the impulses lack after
 /// the sweeps of a frame, which leave the share g of an error: y' = y + e', p' = p + y'. The
 /// characteristic polynomial (z^2 - 2 g z + g)(z - 1) + (1 - g) b z^2 has its roots within the unit
-/// circle while 1 - g > b / (1 + b) (Jury): 9 % for 0.1.
-///
-/// The slowest motion is a sway of the whole stack, and each box more slows it down. Measured on equal
-/// cubes that begin touching, at default settings: four come to rest (1e-13 J after ten seconds), six
-/// sway for twenty seconds, ten fall within twenty. With four sub-steps eight come to rest; ten sway
-/// for ever with a hundred sweeps, and come to rest with three hundred.
+/// circle while 1 - g > b / (1 + b) (Jury): 9 % for 0.1. Ten sweeps do less for ten boxes, or for one
+/// under a hundred times its mass. So bodies keep no more of it than the push speed, and are moved by the
+/// rest; see correct_positions().
 template <class S>
-PositionBias<S> baumgarte(S separation, const SolverSettings& settings, S h) {
+S baumgarte(S separation, const SolverSettings& settings, S h) {
   const S overlap = std::min(separation + static_cast<S>(settings.slop.value_or(0)), S(0));
-  return {static_cast<S>(settings.baumgarte) / h * overlap, S(1), S(0)};
+  return static_cast<S>(settings.baumgarte) / h * overlap;
 }
 
 /// Catto 2024, "Solver2D", soft step: a damped spring of `hertz` and `damping_ratio`, which the step
@@ -61,18 +59,18 @@ PositionBias<S> soft(S separation, const SolverSettings& settings, bool against_
   return {omega / a1 * overlap, a2 * a3, a3};
 }
 
-/// Of a point at `separation` in a sub-step of `h` seconds. Off, overlap is let be. `settings` are
-/// settled().
+/// Of a point in a sub-step of `h` seconds. Off, overlap is let be. `settings` are settled().
 template <class S>
-PositionBias<S> position_bias(S separation, bool on, bool against_static,
+PositionBias<S> position_bias(const ConstraintPoint<S>& point, bool on, bool against_static,
                               const SolverSettings& settings, S h) {
   // Points that are apart may close, but not by more than what there is between them (Catto 2013,
   // "Continuous Collision", speculative contacts).
-  if (separation > 0) return {separation / h, S(1), S(0)};
+  if (point.separation > 0) return {point.separation / h, S(1), S(0)};
   if (!on || settings.position_correction == PositionCorrection::Projection) return {};
   if (settings.position_correction == PositionCorrection::Baumgarte)
-    return baumgarte(separation, settings, h);
-  return soft(separation, settings, against_static, h);
+    return {
+        std::max(baumgarte(point.separation, settings, h), -static_cast<S>(settings.push_speed))};
+  return soft(point.separation, settings, against_static, h);
 }
 
 /// Impulses that the points begin with.
@@ -117,63 +115,128 @@ void solve_normal(const BodyPair<S>& bodies, const Vec3<S>& normal, const Positi
 }
 
 /// One sweep over all contacts: of each its friction, then its normal impulses, which matter more
-/// and so have the last word. `push`: overlaps are worked off as the settings say; false: they are
-/// let be (relaxation). `h` is the sub-step in seconds.
+/// and so have the last word. `push`: overlaps are worked off as the settings say; false: relaxation,
+/// which takes that push back and lets bounces and points that have not been met be. `h` is the
+/// sub-step in seconds.
 template <class S>
 void solve_velocities(std::span<SolverBody<S>> bodies, std::vector<ContactConstraint<S>>& contacts,
                       const SolverSettings& settings, bool push, S h) {
+  const auto solved = [&](const ConstraintPoint<S>& point) {
+    return push || (point.bounce == 0 && (point.separation <= 0 || point.normal_impulse > 0));
+  };
   for (ContactConstraint<S>& contact : contacts) {
     const BodyPair<S> pair(bodies, contact);
     const bool against_static = !(pair.a.body.dynamic() && pair.b.body.dynamic());
-    for (ConstraintPoint<S>& point : contact.points) solve_friction(pair, contact, point);
     for (ConstraintPoint<S>& point : contact.points)
-      solve_normal(pair, contact.normal,
-                   position_bias(point.separation, push, against_static, settings, h), point);
+      if (solved(point)) solve_friction(pair, contact, point);
+    for (ConstraintPoint<S>& point : contact.points)
+      if (solved(point))
+        solve_normal(pair, contact.normal, position_bias(point, push, against_static, settings, h),
+                     point);
   }
+}
+
+/// Soft contacts, after their spring's velocity has moved the bodies: takes back what is left of it, which
+/// would carry them on. It is taken back at the arms where it was given, else it would leave a spin;
+/// what angular momentum the bodies gain, because they have moved since, is taken back as well.
+template <class S>
+void relax(std::span<SolverBody<S>> bodies, std::vector<ContactConstraint<S>>& contacts,
+           const SolverSettings& settings, S h) {
+  update_separations(bodies, contacts);
+  const auto impulse_of = [](const ContactConstraint<S>& contact) {
+    Vec3<S> sum = Vec3<S>::Zero();
+    for (const ConstraintPoint<S>& point : contact.points)
+      sum += point.normal_impulse * contact.normal + point.friction_u * contact.tangent_u +
+             point.friction_v * contact.tangent_v;
+    return sum;
+  };
+  std::vector<Vec3<S>> before;
+  for (const ContactConstraint<S>& contact : contacts) before.push_back(impulse_of(contact));
+  for (int i = 0; i < settings.iterations; ++i)
+    solve_velocities(bodies, contacts, settings, false, h);
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const BodyPair<S> pair(bodies, contacts[i]);
+    const Vec3<S> since = pair.b.moved - pair.a.moved - contacts[i].moved;
+    const Vec3<S> change = impulse_of(contacts[i]) - before[i];
+    take_back(pair, contacts[i], since.cross(change));
+  }
+}
+
+/// At the beginning of a sub-step: how fast points close.
+template <class S>
+void note_approach(std::span<SolverBody<S>> bodies, std::vector<ContactConstraint<S>>& contacts) {
+  for_each_point(bodies, contacts, [](const auto& pair, const auto& contact, auto& point) {
+    point.approach = pair.velocity_at(point).dot(contact.normal);
+  });
 }
 
 // Bodies at rest meet with what gravity adds in one sub-step, and must not bounce from that; as much
 // again for what the sweeps leave over.
 inline constexpr double kRestitutionThreshold = 2;  // times gravity times the sub-step
 
-/// How fast the bodies would meet where they are now, see apply_restitution; `closing` in metres a
-/// second, a second.
+/// The velocity with which a point that came with `point.approach` leaves. Semi-implicit Euler moves
+/// along a parabola whose velocity where the bodies are now lies midway between the ones before and
+/// after gravity's share of the sub-step: of that one the restitution is taken, so that an elastic
+/// ball keeps its energy. `closing`: gravity's relative acceleration, metres a second, a second.
 template <class S>
-S met_velocity(const ConstraintPoint<S>& point, S closing, S h) {
+S leaving_velocity(const ConstraintPoint<S>& point, S restitution, S closing, S h) {
   const S half_step = S(0.5) * closing * h;
-  const S began = -point.approach - half_step;
-  const S lift = point.separation - point.separation_began;
-  return std::sqrt(std::max(began * began - 2 * closing * lift, S(0))) + half_step;
+  return restitution * (-point.approach - half_step) - half_step;
 }
 
-/// One sweep over points that were hit faster than bodies at rest are, and pushed back: they leave
-/// with their share of the velocity that they would have met with where they are now.
+/// After the sweeps of a sub-step, and before the bodies move: points that were met faster than bodies
+/// at rest are, and had to push, get their bounce (Newton's restitution); as many sweeps again, of
+/// normal impulses alone, go over them and over all that they stir. So impulses of the bounce act where
+/// those of the stop did, and keep angular momentum.
 ///
-/// A step meets late, deep inside, or by a speculative point early; and then it lifts what overlaps.
-/// With the share of the approaching velocity itself the bodies would keep that lift as height: each
-/// bounce of an elastic ball would end higher. So let u close a contact, c be the acceleration that
-/// closes it and l the way that the step has opened it by: sqrt(u^2 - 2 c l) is what free motion
-/// would leave of u there. Semi-implicit Euler moves along a parabola whose velocity at the ends of
-/// a sub-step is c h / 2 beside the one that it holds, and that much is taken off before and added
-/// after: an elastic bounce keeps the energy of a ball, whatever worked its overlap off.
+/// The first sweeps have left no more energy than there was; these give back no more than the stop of
+/// the normal velocities took. For that, a stirred point that was opening before must be free to close
+/// as fast, as all of a blow's points are reflected alike (Moreau 1988, "Unilateral Contact and Dry
+/// Friction in Finite Freedom Dynamics"): held at zero, the far end of a spinning rod would gain a
+/// third. It is met in a later sub-step.
 ///
-/// `gravity` in metres a second, a second, `h` the sub-step in seconds; separations are up to date.
+/// `gravity` in metres a second, a second, `h` the sub-step in seconds.
 template <class S>
-void apply_restitution(std::span<SolverBody<S>> bodies, std::vector<ContactConstraint<S>>& contacts,
-                       const Vec3<S>& gravity, S h) {
+void bounce(std::span<SolverBody<S>> bodies, std::vector<ContactConstraint<S>>& contacts,
+            const SolverSettings& settings, const Vec3<S>& gravity, S h) {
   const S threshold = static_cast<S>(kRestitutionThreshold) * gravity.norm() * h;
+  bool any = false;
   for_each_point(bodies, contacts, [&](const auto& pair, const auto& contact, auto& point) {
-    if (contact.restitution == 0 || !(point.approach < -threshold) || point.total_normal == 0)
+    if (contact.restitution == 0 || !(point.approach < -threshold) || point.normal_impulse == 0)
       return;
     const S closing =
         (static_cast<S>(pair.a.body.dynamic()) - static_cast<S>(pair.b.body.dynamic())) *
         gravity.dot(contact.normal);
-    const S velocity = pair.velocity_at(point).dot(contact.normal);
-    const S target = contact.restitution * met_velocity(point, closing, h);
-    const S change = point.normal_mass * (target - velocity);
-    const S total = std::max(point.total_normal + change, S(0));
-    pair.push(point, Vec3<S>((total - point.total_normal) * contact.normal));
-    point.total_normal = total;
+    point.bounce = std::max(leaving_velocity(point, contact.restitution, closing, h), S(0));
+    if (point.bounce > 0) any = pair.a.stirred = pair.b.stirred = true;
+  });
+  if (!any) return;
+  for (int i = 0; i < settings.iterations; ++i) {
+    for (ContactConstraint<S>& contact : contacts) {
+      const BodyPair<S> pair(bodies, contact);
+      const bool against_static = !(pair.a.body.dynamic() && pair.b.body.dynamic());
+      if (!(pair.a.body.dynamic() && pair.a.stirred) && !(pair.b.body.dynamic() && pair.b.stirred))
+        continue;
+      for (ConstraintPoint<S>& point : contact.points) {
+        if (point.bounce == 0 && point.approach > 0) point.bounce = -point.approach;
+        PositionBias<S> bias = position_bias(point, true, against_static, settings, h);
+        if (point.bounce > 0) bias = {-point.bounce};
+        if (point.bounce < 0) bias = {std::max(bias.velocity, -point.bounce)};
+        const S before = point.normal_impulse;
+        solve_normal(pair, contact.normal, bias, point);
+        if (point.normal_impulse != before) pair.a.stirred = pair.b.stirred = true;
+      }
+    }
+  }
+  for (SolverBody<S>& body : bodies) body.stirred = false;
+}
+
+/// Bounces are over when the bodies have moved: nothing of them warms the next sub-step.
+template <class S>
+void end_bounces(std::span<SolverBody<S>> bodies, std::vector<ContactConstraint<S>>& contacts) {
+  for_each_point(bodies, contacts, [](const auto&, const auto&, auto& point) {
+    if (point.bounce > 0) point.normal_impulse = point.friction_u = point.friction_v = 0;
+    point.bounce = 0;
   });
 }
 

@@ -31,33 +31,28 @@ void solve_step(std::vector<Body<S>>& bodies, std::span<const PairContacts<S>> p
   for (int substep = 0; substep < settings.substeps; ++substep) {
     for (SolverBody<S>& moved : moving)
       if (moved.body.dynamic()) moved.body.velocity += h * gravity;
-    for_each_point(all, contacts, [&](const auto& pair, const auto& contact, auto& point) {
-      if (substep == 0) point.approach = pair.velocity_at(point).dot(contact.normal);
+    for_each_point(all, contacts, [&](const auto&, const auto&, auto& point) {
       /// A sub-step begins without what the last one gave, unless that warms it.
       point.position_impulse = 0;
       if (!settings.warm_start) point.normal_impulse = point.friction_u = point.friction_v = 0;
     });
+    for (ContactConstraint<S>& contact : contacts) follow(BodyPair<S>(all, contact), contact);
     update_separations(all, contacts);
+    note_approach(all, contacts);
     warm_start(all, contacts);
     for (int i = 0; i < settings.iterations; ++i)
       solve_velocities(all, contacts, settings, true, h);
+    bounce(all, contacts, settings, gravity, h);
     for (SolverBody<S>& body : moving) integrate_position(body, h);
-    if (settings.position_correction == PositionCorrection::Soft) {
-      // The spring's velocity has moved the bodies; what is left of it would carry them on.
-      update_separations(all, contacts);
-      for (int i = 0; i < settings.iterations; ++i)
-        solve_velocities(all, contacts, settings, false, h);
-    }
-    if (settings.position_correction == PositionCorrection::Projection)
-      for (int i = 0; i < settings.iterations; ++i) project_positions(all, contacts, settings);
+    if (settings.position_correction == PositionCorrection::Soft) relax(all, contacts, settings, h);
+    correct_positions(all, contacts, settings, h);
     for_each_point(all, contacts, [](const auto&, const auto&, auto& point) {
       point.total_normal += point.normal_impulse;
       point.total_u += point.friction_u;
       point.total_v += point.friction_v;
     });
+    end_bounces(all, contacts);
   }
-  update_separations(all, contacts);
-  for (int i = 0; i < settings.iterations; ++i) apply_restitution(all, contacts, gravity, h);
 
   for (PairImpulses<S>& kept : impulses) kept.clear();
   for (const ContactConstraint<S>& contact : contacts)
@@ -73,24 +68,14 @@ void solve_impact(std::vector<Body<S>>& bodies, std::span<const PairContacts<S>>
                   const SolverSettings& given, S dt) {
   SolverSettings settings = settled(given, bodies);
   settings.substeps = 1;
+  settings.position_correction = PositionCorrection::Projection;  // velocities work nothing off
   std::vector<SolverBody<S>> moving = solver_bodies(bodies);
   const std::span<SolverBody<S>> all(moving);
   const std::vector<PairImpulses<S>> none(pairs.size());
   std::vector<ContactConstraint<S>> contacts = prepare_contacts<S>(all, pairs, none, settings);
-  for_each_point(all, contacts, [](const auto& pair, const auto& contact, auto& point) {
-    point.approach = pair.velocity_at(point).dot(contact.normal);
-  });
-  update_separations(all, contacts);
-  for (const bool pushes_out : {true, false}) {
-    if (!pushes_out && settings.position_correction != PositionCorrection::Soft) break;
-    for (int i = 0; i < settings.iterations; ++i)
-      solve_velocities(all, contacts, settings, pushes_out, dt);
-  }
-  for_each_point(all, contacts, [](const auto&, const auto&, auto& point) {
-    point.total_normal += point.normal_impulse;
-  });
-  for (int i = 0; i < settings.iterations; ++i)
-    apply_restitution<S>(all, contacts, Vec3<S>::Zero(), dt);
+  note_approach(all, contacts);
+  for (int i = 0; i < settings.iterations; ++i) solve_velocities(all, contacts, settings, true, dt);
+  bounce<S>(all, contacts, settings, Vec3<S>::Zero(), dt);
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     bodies[i].velocity = moving[i].body.velocity;
     bodies[i].angular_velocity = moving[i].body.angular_velocity;

@@ -8,7 +8,8 @@ namespace contactscope {
 
 /// How an overlap that is there already is worked off.
 enum class PositionCorrection {
-  Baumgarte,   // a share of it as a velocity (Gregorius 2015, "Recap: Solving Contact (4)")
+  Baumgarte,  // a share of it as a velocity (Gregorius 2015, "Recap: Solving Contact (4)"), of which
+              // bodies keep no more than the push speed
   Projection,  // a sweep over the positions after the velocities (the same slide)
   Soft,        // a damped spring in sub-steps, then relaxed (Catto 2024, "Solver2D", soft step)
 };
@@ -30,7 +31,10 @@ struct SolverSettings {
   int substeps = 1;     // of each frame
   PositionCorrection position_correction = PositionCorrection::Baumgarte;
   bool warm_start = true;
-  double baumgarte = 0.1;     // share of the overlap that a (sub-)step works off
+  double baumgarte = 0.1;  // share of the overlap that a (sub-)step works off
+  // Metres a second that Baumgarte's push may leave to what it pushes. What its share takes beyond that
+  // moves the bodies and is no momentum (Catto 2006, "Split Impulses").
+  double push_speed = 0;
   double hertz = 30;          // of soft contacts
   double damping_ratio = 10;  // of soft contacts
   // Metres of overlap that are let be. A point that is pushed out all the way is lost in the next

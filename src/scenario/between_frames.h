@@ -58,7 +58,14 @@ class BetweenFrames {
 
   /// Metres up to which contacts of a speculative pair are looked for; 0 of others.
   double margin(const ScenarioPair& pair, int frame, const Bodies& bodies) const {
-    if (pair.pipeline.continuous != ImpactMethod::Speculative || !asks(pair)) return 0;
+    return is_speculative(pair) ? approach(pair, frame, bodies) : 0;
+  }
+  bool is_speculative(const ScenarioPair& pair) const {
+    return pair.pipeline.continuous == ImpactMethod::Speculative && asks(pair);
+  }
+
+  /// Metres by which two shapes that keep their form can come nearer in the step.
+  double approach(const ScenarioPair& pair, int frame, const Bodies& bodies) const {
     return static_cast<double>(largest_approach(at(*shapes_, pair.a), sweep(pair.a, frame, bodies),
                                                 at(*shapes_, pair.b),
                                                 sweep(pair.b, frame, bodies)));

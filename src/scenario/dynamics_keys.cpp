@@ -57,7 +57,7 @@ auto at_most(double most, const char* unit = nullptr) {
 
 SolverSettings read_solver_keys(const Value& value) {
   const Value& table = value.table({"iterations", "substeps", "position_correction", "warm_start",
-                                    "baumgarte", "slop", "hertz", "damping_ratio",
+                                    "baumgarte", "push_speed", "slop", "hertz", "damping_ratio",
                                     "speculative_margin", "sleep_after", "sleep_speed"});
   SolverSettings solver;
   table.read("iterations", solver.iterations, integer_in(1, kMostIterations));
@@ -67,6 +67,7 @@ SolverSettings read_solver_keys(const Value& value) {
       word_of<PositionCorrection>({"baumgarte", "projection", "soft"}, "position correction"));
   table.read("warm_start", solver.warm_start, &Value::boolean);
   table.read("baumgarte", solver.baumgarte, read_share);
+  table.read("push_speed", solver.push_speed, at_most(kLargestLength, "metres a second"));
   table.read("slop", solver.slop, at_most(kLargestLength, "metres"));
   table.read("hertz", solver.hertz, [](const Value& hertz) {
     hertz.positive("hertz");

@@ -115,6 +115,7 @@ void tell_solver_keys(const Value& table, PositionCorrection correction, Sentenc
     const char* key;
     PositionCorrection of;
   } kKeys[] = {{"baumgarte", PositionCorrection::Baumgarte},
+               {"push_speed", PositionCorrection::Baumgarte},
                {"hertz", PositionCorrection::Soft},
                {"damping_ratio", PositionCorrection::Soft}};
   for (const auto& [key, of] : kKeys)

@@ -268,7 +268,9 @@ class Runner::In final : public Runner::InScalar {
     const double margin = 0.5 * chooser_.reach();
     boxes_.resize(poses.size());
     for (int i = 0; i < count_of(poses); ++i) {
-      if (scenario_.pipeline.continuous && !scenario_.shape(i).deforms())
+      const bool looks_ahead =
+          scenario_.pipeline.continuous || (dynamic_ && scenario_.solver.substeps > 1);
+      if (looks_ahead && !scenario_.shape(i).deforms() && !sleepers_.asleep(i))
         at(boxes_, i) = between_.swept_box(i, next_, bodies_, margin);
       else if (!sleepers_.may_sleep() || !at(unmoved_, i))
         at(boxes_, i) = world_box(shape(i), at(poses, i), margin);
@@ -299,8 +301,13 @@ class Runner::In final : public Runner::InScalar {
     options.b_first = pair.b < pair.a;
     // Where frames may be run by themselves, none depends on the one before.
     if (dynamic_ || remembers(scenario_, pair)) options.reduction.previous = memory.kept;
-    if (scenario_.shape(pair.a).dynamic() || scenario_.shape(pair.b).dynamic())
-      options.margin = std::max(options.margin, scenario_.solver.speculative_margin.value_or(0));
+    const ScenarioShape &shape_a = scenario_.shape(pair.a), &shape_b = scenario_.shape(pair.b);
+    if (shape_a.dynamic() || shape_b.dynamic()) {
+      const auto reach = [&] {
+        return shape_a.deforms() || shape_b.deforms() ? 0 : between_.approach(pair, next_, bodies_);
+      };
+      options.margin = std::max(options.margin, contact_margin(scenario_.solver, reach));
+    }
     options.margin = std::max(options.margin, between_.margin(pair, next_, bodies_));
     options.margin = static_cast<S>(options.margin);  // a length as the pipeline has it
 
@@ -343,8 +350,11 @@ class Runner::In final : public Runner::InScalar {
       const ScenarioPair& pair = pairs_[i].pair;
       const auto [friction, restitution] = surfaces_of<S>(scenario_, pair.a, pair.b);
       impulses.push_back(std::move(pairs_[i].impulses));
-      pairs.push_back(
-          {pair.a, pair.b, pairs_[i].acts ? &contacts[i] : nullptr, friction, restitution});
+      pairs.push_back({pair.a, pair.b, pairs_[i].acts ? &contacts[i] : nullptr, friction,
+                       restitution, round_radius(shape(pair.a)), round_radius(shape(pair.b))});
+      if (!between_.is_speculative(pair))
+        pairs.back().margin = static_cast<S>(
+            std::max(pair.pipeline.margin, scenario_.solver.speculative_margin.value_or(0)));
     }
     solve_awake<S>(bodies_, pairs, impulses, scenario_.world.gravity.cast<S>(), scenario_.solver,
                    static_cast<S>(scenario_.dt), sleepers_);

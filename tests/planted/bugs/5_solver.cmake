@@ -6,8 +6,8 @@ planted_bug(friction_twice_as_much FILE src/dynamics/solve_velocities.h TESTS dy
   WAS [[const S most = contact.friction * point.normal_impulse;]]
   IS [[const S most = (@BUG@ ? S(2) : S(1)) * contact.friction * point.normal_impulse;]])
 planted_bug(slop_pushed_out FILE src/dynamics/solve_velocities.h TESTS dynamics
-  WAS [[return {static_cast<S>(settings.baumgarte) / h * overlap, S(1), S(0)};]]
-  IS [[return {static_cast<S>(settings.baumgarte) / h * (@BUG@ ? std::min(separation, S(0)) : overlap), S(1), S(0)};]])
+  WAS [[return static_cast<S>(settings.baumgarte) / h * overlap;]]
+  IS [[return static_cast<S>(settings.baumgarte) / h * (@BUG@ ? std::min(separation, S(0)) : overlap);]])
 planted_bug(change_of_an_impulse_held_at_zero FILE src/dynamics/solve_velocities.h TESTS dynamics
   WAS [[const S impulse = std::max(point.normal_impulse + change, S(0));]]
   IS [[const S impulse = @BUG@ ? point.normal_impulse + std::max(change, S(0)) : std::max(point.normal_impulse + change, S(0));]])
@@ -27,8 +27,14 @@ planted_bug(pyramid_of_friction FILE src/dynamics/solve_velocities.h TESTS dynam
   WAS [[const S length = std::sqrt(u * u + v * v);]]
   IS [[const S length = @BUG@ ? std::max(std::abs(u), std::abs(v)) : std::sqrt(u * u + v * v);]])
 planted_bug(points_apart_may_not_close FILE src/dynamics/solve_velocities.h TESTS dynamics
-  WAS [[if (separation > 0) return {separation / h, S(1), S(0)};]]
-  IS [[if (separation > 0) return {@BUG@ ? S(0) : separation / h, S(1), S(0)};]])
-planted_bug(lift_of_a_bounce_kept FILE src/dynamics/solve_velocities.h TESTS dynamics
-  WAS [[const S lift = point.separation - point.separation_began;]]
-  IS [[const S lift = @BUG@ ? S(0) : point.separation - point.separation_began;]])
+  WAS [[if (point.separation > 0) return {point.separation / h, S(1), S(0)};]]
+  IS [[if (point.separation > 0) return {@BUG@ ? S(0) : point.separation / h, S(1), S(0)};]])
+planted_bug(gravity_bounces_too FILE src/dynamics/solve_velocities.h TESTS dynamics
+  WAS [[return restitution * (-point.approach - half_step) - half_step;]]
+  IS [[return @BUG@ ? -restitution * point.approach : restitution * (-point.approach - half_step) - half_step;]])
+planted_bug(arms_stay_behind FILE src/dynamics/solver.cpp TESTS dynamics
+  WAS [[follow(BodyPair<S>(all, contact), contact);]]
+  IS [[if (!@BUG@) follow(BodyPair<S>(all, contact), contact);]])
+planted_bug(push_gains_angular_momentum FILE src/dynamics/projection.h TESTS dynamics
+  WAS [[  take_back(bodies, contact,]]
+  IS [[  if (!@BUG@) take_back(bodies, contact,]])

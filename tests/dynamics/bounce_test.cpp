@@ -1,0 +1,182 @@
+// Two bodies that hit each other, without gravity: both momenta, the energy and the spin of balls. The
+// oracle works them out by itself, in double: of each body its mass, centre, rotation, velocity and
+// spin, and the principal moments of its form in closed form.
+
+#include <gtest/gtest.h>
+
+#include "dynamics/scene.h"
+#include "support/random_geometry.h"
+
+namespace contactscope::test {
+namespace {
+
+/// A ball or a box, for the oracle.
+struct Form {
+  double mass = 1;
+  Vec3d moments = Vec3d::Zero();  // kg m^2, along the shape's axes
+  bool is_ball = false;
+};
+
+struct Motion {
+  Vec3d linear = Vec3d::Zero();                // kg m / s
+  Vec3d angular = Vec3d::Zero();               // kg m^2 / s, about the origin
+  double energy = 0;                           // J
+  double linear_scale = 0, angular_scale = 0;  // sums of the lengths of what the vectors sum up
+};
+
+template <class S>
+Motion motion_of(const std::vector<Body<S>>& bodies, const std::vector<Form>& forms) {
+  Motion sum;
+  for (std::size_t i = 0; i < forms.size(); ++i) {
+    const Vec3d center = bodies[i].center.template cast<double>();
+    const Vec3d velocity = bodies[i].velocity.template cast<double>();
+    const Vec3d spin = bodies[i].angular_velocity.template cast<double>();
+    const Mat3<double> axes =
+        bodies[i].rotation.template cast<double>().normalized().toRotationMatrix();
+    const Vec3d local = axes.transpose() * spin;
+    const Vec3d own = axes * Vec3d(forms[i].moments.cwiseProduct(local));
+    sum.linear += forms[i].mass * velocity;
+    sum.angular += forms[i].mass * center.cross(velocity) + own;
+    sum.energy += 0.5 * forms[i].mass * velocity.squaredNorm() + 0.5 * spin.dot(own);
+    sum.linear_scale += forms[i].mass * velocity.norm();
+    sum.angular_scale += forms[i].mass * center.norm() * velocity.norm() + own.norm();
+  }
+  return sum;
+}
+
+/// What two bodies' encounter has changed.
+struct Change {
+  bool hit = false;
+  double linear = 0, angular = 0;  // of the scales
+  double gained = 0;               // of the energy at the start
+  double spin = 0;                 // of balls, times the size, of the speed
+};
+
+/// Two balls or boxes at random that fly at each other, past the middle, by up to a fifth of their size
+/// in a frame: from the frame before they meet to three frames after.
+template <class S>
+Change random_encounter(Random& random, const SolverSettings& settings, double restitution,
+                        double friction) {
+  Scene<S> scene;
+  scene.settings = settings;
+  scene.restitution = restitution;
+  scene.friction = friction;
+  scene.world.gravity.setZero();
+  const double size = random.decade(-4, 4);  // metres
+  std::vector<Form> forms;
+  for (int i = 0; i < 2; ++i) {
+    const double mass = random.decade(-1, 1);
+    const double extent = size * random.uniform(0.4, 1);
+    const Quatd rotation = random.rotation();
+    const Vec3d center = i == 0 ? Vec3d(Vec3d::Zero()) : Vec3d(2.2 * size * random.unit_vector());
+    if (random.chance(0.4)) {
+      scene.add_sphere(extent, center, mass);
+      forms.push_back({mass, Vec3d::Constant(0.4 * mass * extent * extent), true});
+    } else {
+      const Vec3d half = 0.57 * extent * random.vector(0.3, 1);
+      scene.add_box(half, {rotation, center}, mass);
+      const Vec3d squares = half.cwiseProduct(half);
+      forms.push_back({mass, mass / 3 * (Vec3d::Constant(squares.sum()) - squares)});
+    }
+    const double spin = random.uniform(0, 6);
+    scene.body(i).angular_velocity = (spin * random.unit_vector()).template cast<S>();
+  }
+  const Vec3d between = scene.body(1).center.template cast<double>();
+  const Vec3d aim = between + 0.8 * size * random.unit_vector();
+  const double speed = random.uniform(1, 12) * size;
+  const Vec3d drift = random.uniform(0, 1) * size * random.unit_vector();
+  scene.body(0).velocity = (speed * aim.normalized() + drift).template cast<S>();
+  scene.body(1).velocity = drift.cast<S>();
+
+  Change change;
+  const auto spin_of = [&](int i) { return scene.body(i).angular_velocity.template cast<double>(); };
+  const Vec3d spins[] = {spin_of(0), spin_of(1)};
+  const Motion before = motion_of(scene.world.bodies, forms);
+  for (int frame = 0, after = 0; frame < 200 && after < 4; ++frame) {
+    scene.advance();
+    change.hit = change.hit || scene.load(0, 1) > 0;
+    after += change.hit;
+    const Vec3<S> apart = scene.body(1).center - scene.body(0).center;
+    if (!change.hit && apart.norm() > static_cast<S>(4 * size)) break;
+  }
+  const Motion after = motion_of(scene.world.bodies, forms);
+  change.linear = (after.linear - before.linear).norm() / before.linear_scale;
+  change.angular = (after.angular - before.angular).norm() / before.angular_scale;
+  change.gained = after.energy / before.energy - 1;
+  for (int i = 0; i < 2; ++i)
+    if (forms[static_cast<std::size_t>(i)].is_ball)
+      change.spin =
+          std::max(change.spin, Vec3d(spin_of(i) - spins[i]).norm() * size / speed);
+  return change;
+}
+
+/// Every correction, 1, 4 and 32 sub-steps, with and without friction and restitution, in turn.
+template <class S>
+void expect_momenta_kept(int count, double tolerance) {
+  Random random(7);
+  int hits = 0;
+  for (int i = 0; i < count; ++i) {
+    constexpr int kSubsteps[] = {1, 4, 32};
+    SolverSettings settings;
+    settings.position_correction = static_cast<PositionCorrection>(i % 3);
+    settings.substeps = kSubsteps[i / 3 % 3];
+    settings.iterations = 30;
+    const double restitution = i / 9 % 4 == 0 ? 0.5 : 1.0, friction = i / 36 % 2 == 0 ? 0.0 : 0.6;
+    const Change change = random_encounter<S>(random, settings, restitution, friction);
+    hits += change.hit;
+    ASSERT_LE(change.linear, tolerance) << i;
+    ASSERT_LE(change.angular, tolerance) << i;
+    ASSERT_LE(change.gained, 0.01) << i;
+    if (friction == 0) ASSERT_LE(change.spin, tolerance) << i;
+  }
+  EXPECT_GT(hits, count / 2);
+}
+
+TEST(SlowBounce, RandomBallsAndBoxesKeepBothMomentaAndNoFrictionlessBallSpins) {
+  expect_momenta_kept<double>(2000, 1e-9);
+  expect_momenta_kept<float>(500, 1e-3);
+}
+
+// Off-centre and elastic, with all sub-steps in which they could meet.
+TEST(Bounce, TwoElasticBallsThatGlanceKeepMomentaAndEnergyAndDoNotSpin) {
+  for (const PositionCorrection correction :
+       {PositionCorrection::Baumgarte, PositionCorrection::Projection, PositionCorrection::Soft}) {
+    for (const int substeps : {1, 4, 32}) {
+      Scene<double> scene;
+      scene.settings.position_correction = correction;
+      scene.settings.substeps = substeps;
+      scene.restitution = 1;
+      scene.friction = 0;
+      scene.world.gravity.setZero();
+      scene.add_sphere(0.5, {-1.3, 0, 0}, 1);
+      scene.add_sphere(0.5, {0, 0.6, 0}, 3);
+      scene.body(0).velocity = {9, 0, 0};
+      const std::vector<Form> forms{{1, Vec3d::Constant(0.1)}, {3, Vec3d::Constant(0.3)}};
+      const Motion before = motion_of(scene.world.bodies, forms);
+      scene.advance(20);
+      const Motion after = motion_of(scene.world.bodies, forms);
+      EXPECT_GT(scene.body(1).velocity.norm(), 1) << "they have met";
+      EXPECT_LT((after.linear - before.linear).norm(), 1e-12);
+      EXPECT_LT((after.angular - before.angular).norm(), 1e-12);
+      EXPECT_NEAR(after.energy, before.energy, 1e-9);
+      for (const int i : {0, 1}) EXPECT_LT(scene.body(i).angular_velocity.norm(), 1e-12);
+    }
+  }
+}
+
+TEST(Bounce, AFallingBallIsNotDeepBeforeItsFirstContactInFourOrMoreSubsteps) {
+  for (const int substeps : {4, 8, 16, 32}) {
+    Scene<double> scene;
+    scene.settings.substeps = substeps;
+    scene.add_plane();
+    const int ball = scene.add_sphere(0.5, {0, 2.5, 0}, 1);
+    for (int frame = 0; frame < 70; ++frame) {
+      scene.advance();
+      EXPECT_GT(scene.body(ball).center.y(), 0.5 - 0.004) << substeps << ", frame " << frame;
+      if (scene.load(0, ball) > 0) EXPECT_LT(scene.body(ball).velocity.y(), 1e-9);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace contactscope::test
