@@ -70,8 +70,8 @@ struct ConstraintPoint {
   S normal_mass = 0;       // kg
   S tangent_mass = 0;      // kg, along the tangent that yields most
   S approach = 0;          // relative velocity along the normal when the sub-step began, m/s
-  S bounce = 0;            // velocity that it leaves with, m/s, or may close with (< 0); see bounce()
-  S position_target = 0;   // separation that position correction leaves, metres
+  S bounce = 0;  // velocity that it leaves with, m/s, or may close with (< 0); see bounce()
+  S position_target = 0;  // separation that position correction leaves, metres
 
   S normal_impulse = 0;  // of this sub-step, never negative
   S friction_u = 0;      // along the tangents

@@ -177,11 +177,16 @@ inline constexpr double kRestitutionThreshold = 2;  // times gravity times the s
 /// The velocity with which a point that came with `point.approach` leaves. Semi-implicit Euler moves
 /// along a parabola whose velocity where the bodies are now lies midway between the ones before and
 /// after gravity's share of the sub-step: of that one the restitution is taken, so that an elastic
-/// ball keeps its energy. `closing`: gravity's relative acceleration, metres a second, a second.
+/// ball keeps its energy. Points that are apart are met early: they go the rest of the way and back
+/// under gravity. `closing`: gravity's relative acceleration, metres a second, a second.
 template <class S>
 S leaving_velocity(const ConstraintPoint<S>& point, S restitution, S closing, S h) {
   const S half_step = S(0.5) * closing * h;
-  return restitution * (-point.approach - half_step) - half_step;
+  const S middle = -point.approach - half_step;
+  const S fall = 2 * closing * std::max(point.separation, S(0));
+  const S met = std::max(middle * middle + fall, S(0));
+  const S squared = std::clamp(restitution * restitution * met - fall, S(0), middle * middle);
+  return std::sqrt(squared) - half_step;
 }
 
 /// After the sweeps of a sub-step, and before the bodies move: points that were met faster than bodies

@@ -30,8 +30,8 @@ planted_bug(points_apart_may_not_close FILE src/dynamics/solve_velocities.h TEST
   WAS [[if (point.separation > 0) return {point.separation / h, S(1), S(0)};]]
   IS [[if (point.separation > 0) return {@BUG@ ? S(0) : point.separation / h, S(1), S(0)};]])
 planted_bug(gravity_bounces_too FILE src/dynamics/solve_velocities.h TESTS dynamics
-  WAS [[return restitution * (-point.approach - half_step) - half_step;]]
-  IS [[return @BUG@ ? -restitution * point.approach : restitution * (-point.approach - half_step) - half_step;]])
+  WAS [[return std::sqrt(squared) - half_step;]]
+  IS [[return std::sqrt(squared) - (@BUG@ ? S(0) : half_step);]])
 planted_bug(arms_stay_behind FILE src/dynamics/solver.cpp TESTS dynamics
   WAS [[follow(BodyPair<S>(all, contact), contact);]]
   IS [[if (!@BUG@) follow(BodyPair<S>(all, contact), contact);]])
