@@ -6,12 +6,14 @@
 
 #include "core/workers.h"
 #include "study/random_cases.h"
+#include "study/solver_energy.h"
 #include "study/solver_stack.h"
 #include "study/study.h"
 
 namespace contactscope {
 namespace {
 
+constexpr double kAllOfItsPush = 1e6;  // metres a second: Baumgarte as the talk has it
 constexpr int kCounts[] = {1, 2, 4, 8, 16, 32, 64};  // iterations, or sub-steps
 constexpr int kHeights[] = {20, 14, 9, 6, 4, 3, 2};  // boxes; the tallest is the upper row of a map
 constexpr int kRatioSteps = 13;                      // two a decade, from 1 to 10^6
@@ -112,6 +114,7 @@ class StackResults {
     SolverSettings settings;
     settings.position_correction = method.correction;
     settings.warm_start = method.warm_start;
+    settings.push_speed = kAllOfItsPush;
     settings.iterations = iterations;
     settings.substeps = substeps;
     Measurement measured(values_.size(), cases_);
@@ -226,6 +229,49 @@ std::vector<trace::Study> maps(const StudyOptions& options, const StudyStep& ste
   return stacks.finished();
 }
 
+struct EnergyMethod {
+  const char* name;
+  PositionCorrection correction;
+  double push_speed = 0;  // m/s
+};
+constexpr EnergyMethod kEnergyMethods[] = {
+    {"Baumgarte", PositionCorrection::Baumgarte, 0},
+    {"projection", PositionCorrection::Projection, 0},
+    {"soft contacts", PositionCorrection::Soft, 0},
+    {"Baumgarte, all of its push kept", PositionCorrection::Baumgarte, kAllOfItsPush},
+};
+constexpr int kEnergySubsteps[] = {1, 2, 4, 8, 16, 32};
+constexpr double kEnergyResolution = 1e-4;  // of the energy at the start
+
+trace::Study energies(const StudyOptions& options, const StudyStep& step) {
+  std::vector<trace::Study> results =
+      results_of("solver", "double", "sub-steps of a frame",
+                 "energy at the start and the work of taking out its overlaps; twenty scenes",
+                 {{"energy", "How much energy a solver adds", "energy gained", trace::kShare,
+                   kEnergyResolution}});
+  results.front().form = trace::StudyForm::Curves;
+  const std::vector<EnergyScene> scenes = energy_scenes();
+  for (const EnergyMethod& method : kEnergyMethods) {
+    add_line(results, {method.name, {}}, kEnergySubsteps, [&](int substeps) {
+      SolverSettings settings;
+      settings.position_correction = method.correction;
+      settings.push_speed = method.push_speed;
+      settings.substeps = substeps;
+      Measurement measured(1, count_of(scenes));
+      measured.times.measure(count_of(scenes), [&](int i) {
+        EnergyScene scene = at(scenes, i);
+        scene.frames = std::min(scene.frames, options.frames.value_or(scene.frames));
+        const double gained = std::max(energy_gained(std::move(scene), settings), 0.0);
+        measured.errors[0].add(gained);
+        return gained;
+      });
+      return measured;
+    });
+    step(method.name);
+  }
+  return results.front();
+}
+
 }  // namespace
 
 /// How stacks of boxes stand, by position method (Baumgarte, projection, soft), with and without warm
@@ -241,15 +287,21 @@ std::vector<trace::Study> maps(const StudyOptions& options, const StudyStep& ste
 ///
 /// "map", "drift_map", "jitter_map": stacks of 2 to 20 boxes, the highest of 1 to 10^6 times the
 /// others' mass, at sixteen sweeps a frame for every method.
+///
+/// "energy": how much more than at its start any frame of a scene has, over sub-steps, mean and worst of
+/// the twenty scenes of solver_energy.h; beside Baumgarte itself, what it adds where its whole push is
+/// kept as velocity.
 std::vector<trace::Study> study_solver(const StudyOptions& options, const StudyProgress& progress) {
   constexpr int kSteps =
       static_cast<int>(std::size(kCurveStacks) * std::size(kCurvePanels) + std::size(kHeights)) *
-      static_cast<int>(std::size(kSolverMethods));
+          static_cast<int>(std::size(kSolverMethods)) +
+      static_cast<int>(std::size(kEnergyMethods));
   const StudyStep step = counted(progress, kSteps);
   std::vector<trace::Study> result;
   for (const CurveStack& stack : kCurveStacks)
     std::ranges::move(curves(stack, options, step), std::back_inserter(result));
   std::ranges::move(maps(options, step), std::back_inserter(result));
+  result.push_back(energies(options, step));
   return result;
 }
 

@@ -114,6 +114,7 @@ TEST(SolverStudy, HasCurvesInTwoPanelsAndMaps) {
   for (const trace::Study& study : short_study()) {
     measures.push_back(study.measure);
     EXPECT_EQ(study.study, "solver");
+    if (study.measure == "energy") continue;
     const bool is_map = study.measure.find("map") != std::string::npos;
     EXPECT_EQ(study.form, is_map ? trace::StudyForm::Map : trace::StudyForm::WorkPrecision);
     std::set<std::string> panels;
@@ -121,15 +122,16 @@ TEST(SolverStudy, HasCurvesInTwoPanelsAndMaps) {
     EXPECT_EQ(panels.size(), is_map ? 6u : 2u) << study.measure;
     EXPECT_TRUE(trace::has_panels(study));
   }
-  EXPECT_THAT(measures, testing::ElementsAre("penetration", "worst", "drift", "jitter", "load",
-                                             "ids", "penetration_heavy", "drift_heavy",
-                                             "jitter_heavy", "penetration_two", "drift_two",
-                                             "jitter_two", "penetration_twenty", "drift_twenty",
-                                             "jitter_twenty", "map", "drift_map", "jitter_map"));
+  EXPECT_THAT(measures, testing::ElementsAre(
+                            "penetration", "worst", "drift", "jitter", "load", "ids",
+                            "penetration_heavy", "drift_heavy", "jitter_heavy", "penetration_two",
+                            "drift_two", "jitter_two", "penetration_twenty", "drift_twenty",
+                            "jitter_twenty", "map", "drift_map", "jitter_map", "energy"));
 }
 
 TEST(SolverStudy, NoStackIsLostFromTheCount) {
   for (const trace::Study& study : short_study()) {
+    if (study.measure == "energy") continue;
     int failed = 0, all = 0;
     for (const trace::StudySeries& series : study.series) {
       double before = 0;

@@ -1,0 +1,38 @@
+#include "study/solver_energy.h"
+
+#include <gtest/gtest.h>
+
+namespace contactscope {
+namespace {
+
+constexpr PositionCorrection kCorrections[] = {
+    PositionCorrection::Baumgarte, PositionCorrection::Projection, PositionCorrection::Soft};
+
+// `study solver` has 16 and 32 sub-steps as well.
+TEST(SlowSolverEnergy, NoSceneGainsMoreThanAHundredthOfItsEnergy) {
+  const std::vector<EnergyScene> scenes = energy_scenes();
+  ASSERT_EQ(scenes.size(), 20u);
+  for (const EnergyScene& scene : scenes) {
+    for (const PositionCorrection correction : kCorrections) {
+      for (const int substeps : {1, 2, 4, 8}) {
+        SolverSettings settings;
+        settings.position_correction = correction;
+        settings.substeps = substeps;
+        EXPECT_LE(energy_gained(scene, settings), 0.01)
+            << scene.name << ", " << to_string(correction) << ", " << substeps;
+      }
+    }
+  }
+}
+
+// The table can fail: Baumgarte that keeps all of its push throws what starts deep.
+TEST(SolverEnergy, BaumgarteWithAllOfItsPushGainsMore) {
+  SolverSettings settings;
+  settings.substeps = 8;
+  settings.push_speed = 1e6;
+  for (const EnergyScene& scene : energy_scenes())
+    if (scene.name == "deep box") EXPECT_GT(energy_gained(scene, settings), 1);
+}
+
+}  // namespace
+}  // namespace contactscope
