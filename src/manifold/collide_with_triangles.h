@@ -256,15 +256,16 @@ S collide_with_triangles(const SeenFromMesh<S>& shape, const Mesh<S>& b, const P
     }
     if (options.internal_edges) {
       const S given_depth = contact.deepest();
-      const ContactNormal<S> normal{-b_in_a.inverse_rotate(contact.normal),
-                                    normal_tolerance(shape, b, index, given_depth)};
+      ContactNormal<S> normal{-b_in_a.inverse_rotate(contact.normal)};
       const bool flat = !has_area(b, index);
-      const auto flat_belongs = [&] {
+      const auto belongs_to_mesh = [&] {
+        if (!flat && is_along_face(b, index, normal)) return true;  // most, and seen at little cost
+        normal.tolerance = normal_tolerance(shape, b, index, given_depth);
+        if (!flat) return belongs_to_surface(b, index, normal, edge_of_triangle(contact));
         const Vec3<S> place = b_in_a.inverse_transform(contact.points[0].position);
         return flat_belongs_to_surface(b, index, normal, place);
       };
-      const bool belongs =
-          flat ? flat_belongs() : belongs_to_surface(b, index, normal, edge_of_triangle(contact));
+      const bool belongs = belongs_to_mesh();
       const bool is_back = normal.direction.dot(b.normal(index)) < S(-0.99);
       if (!belongs || is_back) {
         const Contact<S> given = contact;

@@ -41,6 +41,13 @@ struct ContactNormal {
   bool rises(const Vec3<S>& way) const { return direction.dot(way) > tolerance * way.norm(); }
 };
 
+/// Whether the normal is that of a triangle with an area, or opposite to it.
+template <class S>
+bool is_along_face(const Mesh<S>& mesh, int triangle, const ContactNormal<S>& normal) {
+  const Vec3<S> sine = normal.direction.cross(mesh.normal(triangle));
+  return sine.squaredNorm() <= normal.tolerance * normal.tolerance;
+}
+
 /// Walks around corner k of `triangle`, first across the edges that leave it, then, where that does
 /// not lead back, across those that arrive, and asks every triangle met.
 template <class S>
@@ -110,8 +117,7 @@ bool rises_across(const Mesh<S>& mesh, int triangle, int k, const ContactNormal<
 template <class S>
 bool belongs_to_surface(const Mesh<S>& mesh, int triangle, const ContactNormal<S>& normal,
                         int edge = -1) {
-  const Vec3<S> sine = normal.direction.cross(mesh.normal(triangle));
-  if (sine.squaredNorm() <= normal.tolerance * normal.tolerance) return true;
+  if (is_along_face(mesh, triangle, normal)) return true;
   if (edge >= 0) return !rises_across(mesh, triangle, edge, normal);
   int top = 0;
   for (int k = 1; k < 3; ++k) {
