@@ -95,7 +95,7 @@ class GapSearch {
   const DistanceField& field_;
   double best_;
   std::optional<Core> core_;
-  Vec3d on_core_, outward_;
+  Vec3d on_core_ = Vec3d::Zero(), outward_ = Vec3d::UnitY();
 };
 
 }  // namespace

@@ -12,8 +12,8 @@ struct FieldGap {
   double distance;                 // metres, of the pieces without their radius
   Vec3d on_piece = Vec3d::Zero();  // the field's frame, metres
   Vec3d outward =
-      Vec3d::UnitY();  // unit, from the surface to the piece; of meaning if distance > 0
-  FeatureRef feature;  // of the piece
+      Vec3d::UnitY();    // unit, from the surface to the piece; of meaning if distance > 0
+  FeatureRef feature{};  // of the piece
 };
 
 /// Distance between pieces of a shape and the surface that a field was made of, caps included: exact up

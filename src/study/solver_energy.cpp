@@ -8,8 +8,8 @@
 namespace contactscope {
 namespace {
 
-constexpr double kGravity = 9.81;  // metres a second, a second
-constexpr double kFrame = 1.0 / 60;
+constexpr double kPull = 9.81;  // metres a second, a second
+constexpr double kStep = 1.0 / 60;
 
 class SceneBuilder {
  public:
@@ -75,7 +75,7 @@ EnergyScene stack(const char* name, const std::vector<double>& masses, double ov
   for (std::size_t i = 0; i < masses.size(); ++i) {
     const double level = static_cast<double>(i), sunk = (level + 1) * overlap;
     builder.cube(0.5 + level - sunk, masses[i]);
-    lift += masses[i] * kGravity * sunk;
+    lift += masses[i] * kPull * sunk;
   }
   return builder.lifted_by(lift).made();
 }
@@ -101,17 +101,17 @@ std::vector<EnergyScene> energy_scenes() {
   scenes.push_back(
       SceneBuilder("lively brick", 0.8).floor().box(brick, {0, 2.5, 0}, 1, 0.7).made());
   scenes.push_back(SceneBuilder("elastic box", 1).floor().cube(2.5, 1).made());
-  scenes.push_back(SceneBuilder("deep box").floor().cube(0.1, 1).lifted_by(kGravity * 0.4).made());
+  scenes.push_back(SceneBuilder("deep box").floor().cube(0.1, 1).lifted_by(kPull * 0.4).made());
   scenes.push_back(SceneBuilder("deep brick")
                        .floor()
                        .box(brick, {0, 0.1, 0}, 1, 0.7)
-                       .lifted_by(kGravity * 0.5)
+                       .lifted_by(kPull * 0.5)
                        .made());
   scenes.push_back(SceneBuilder("deep on a box")
                        .floor()
                        .cube(0.5, 1)
                        .cube(1.1, 1)
-                       .lifted_by(kGravity * 0.4)
+                       .lifted_by(kPull * 0.4)
                        .made());
   scenes.push_back(SceneBuilder("deep side by side").floor().cube(0.5, 1).cube(0.5, 1, 0.6).made());
   scenes.push_back(SceneBuilder("deep and weightless")
@@ -141,7 +141,7 @@ std::vector<EnergyScene> energy_scenes() {
 }
 
 double energy_gained(EnergyScene scene, const SolverSettings& settings) {
-  const Vec3d half_step = kFrame / settings.substeps / 2 * scene.world.gravity;
+  const Vec3d half_step = kStep / settings.substeps / 2 * scene.world.gravity;
   const auto energy = [&] {
     double sum = 0;
     for (Body<double> body : scene.world.bodies) {
@@ -154,7 +154,7 @@ double energy_gained(EnergyScene scene, const SolverSettings& settings) {
   double most = 0;
   std::vector<Manifolds<double>> contacts;
   for (int frame = 0; frame < scene.frames; ++frame) {
-    step(scene.world, scene.shapes, settings, kFrame, contacts);
+    step(scene.world, scene.shapes, settings, kStep, contacts);
     most = std::max(most, energy());
   }
   return most / allowed - 1;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kBullets = 200;
 constexpr int kBulletRepetitions = 3;
-constexpr double kFrame = 1.0 / 60;                                              // seconds a step
+constexpr double kStepTime = 1.0 / 60;                                           // seconds a step
 constexpr std::array<double, 8> kSpeeds = {5, 10, 20, 60, 100, 200, 500, 1000};  // m/s
 constexpr std::array<double, 6> kThicknesses = {1, 3, 10, 30, 100, 300};         // mm
 constexpr double kUsualThickness = 10, kUsualSpeed = 20;
@@ -83,7 +83,7 @@ Flight::Flight(BulletKind kind, double speed, double millimetres, std::mt19937_6
   }
   wall =
       shape_cast<float>(Shape<double>(make_box(Vec3d(0.5e-3 * millimetres, kWallSide, kWallSide))));
-  const double way = speed * kFrame;
+  const double way = speed * kStepTime;
   // Anywhere in its step when it meets the wall.
   const double before = static_cast<double>(reach) + 0.5e-3 * millimetres + 0.01;
   const double start = -before - way * uniform(engine, 0, 1);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "draw/scene/sketch.h"
+#include "support/random_geometry.h"
 
 namespace contactscope::draw {
 namespace {
@@ -18,6 +19,21 @@ double hidden_length(const std::vector<Span>& spans) {
   double sum = 0;
   for (const Span& span : spans) sum += span.hidden ? span.to - span.from : 0;
   return sum;
+}
+
+TEST(HiddenLines, ASquareSeenEdgeOnHidesNothing) {
+  test::Random random(41);
+  for (int i = 0; i < 2000; ++i) {
+    const Quatd turn(Eigen::AngleAxisd(random.uniform(0, 6), Vec3d::UnitZ()));
+    Quatd noise = Quatd::Identity();  // what a step of a solver leaves
+    noise.vec() = random.vector(-3e-17, 3e-17);
+    std::vector<Vec3d> side;
+    for (const Vec3d& corner : kSquare)
+      side.push_back(noise * (turn * Vec3d(corner.x(), 0.6, corner.y() - 0.5)));
+    const HiddenLines lines(from_front(), {side});
+    const Vec3d from = turn * random.vector(-2, 2), to = turn * random.vector(-2, 2);
+    ASSERT_EQ(hidden_length(lines.split(from, to)), 0) << "square " << i;
+  }
 }
 
 TEST(HiddenLines, MiddleOfALineBehindASquareIsHidden) {

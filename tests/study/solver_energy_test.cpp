@@ -7,7 +7,7 @@
 namespace contactscope {
 namespace {
 
-constexpr PositionCorrection kCorrections[] = {
+constexpr PositionCorrection kEveryCorrection[] = {
     PositionCorrection::Baumgarte, PositionCorrection::Projection, PositionCorrection::Soft};
 
 // `study solver` has 16 and 32 sub-steps as well.
@@ -15,7 +15,7 @@ TEST(SlowSolverEnergy, NoSceneGainsMoreThanAHundredthOfItsEnergy) {
   const std::vector<EnergyScene> scenes = energy_scenes();
   ASSERT_EQ(scenes.size(), 20u);
   for (const EnergyScene& scene : scenes) {
-    for (const PositionCorrection correction : kCorrections) {
+    for (const PositionCorrection correction : kEveryCorrection) {
       for (const int substeps : {1, 2, 4, 8}) {
         SolverSettings settings;
         settings.position_correction = correction;

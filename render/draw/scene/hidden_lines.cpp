@@ -14,6 +14,8 @@ namespace {
 // the occluder itself, or touches it, and rounding must not decide. Of an occluder that is larger than the view
 // the view's size counts: what is sunk into a floor is hidden as far as it is seen to be, however wide the floor is.
 constexpr double kBorder = 2e-4;
+// Cosine: a polygon that is seen edge-on hides nothing, and rounding would say on which side of its edges it is.
+constexpr double kEdgeOn = 1e-12;
 // Widest gap between two shadows, in borders, that counts as their seam: two borders seen at a
 // slant.
 constexpr double kSeam = 8;
@@ -47,7 +49,10 @@ HiddenLines::HiddenLines(const Camera& camera, const Occluders& occluders,
       if (seen.empty()) continue;  // no line that is seen is near it
     }
     Vec3d normal = newell_normal(polygon).normalized();
-    if (normal.dot(camera.to_eye(middle)) < 0) normal = -normal;
+    const Vec3d to_eye = camera.to_eye(middle);
+    const double facing = normal.dot(to_eye);
+    if (std::abs(facing) <= kEdgeOn * to_eye.norm()) continue;
+    if (facing < 0) normal = -normal;
 
     bounds_.push_back({normal, normal.dot(middle) - border});  // behind the polygon
     for (std::size_t i = 0; i < polygon.size(); ++i) {
