@@ -77,6 +77,7 @@ void poses_of_the_step_before(Trace& trace) {
 void poses_of_the_center_of_mass(Trace& trace) {
   const Vec3d offset(0.3, 0.1, -0.2);
   for (trace::Shape& shape : trace.header.shapes) {
+    if (shape.half_space) continue;  // it has no centre
     for (Vec3d& vertex : shape.vertices) vertex += offset;
     shape.center_of_mass += offset;
   }
