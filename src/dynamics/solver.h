@@ -162,7 +162,8 @@ std::vector<ImpactStop<S>> step(World<S>& world, const std::vector<Shape<S>>& sh
     const WorldPair<S>& pair = world.pairs[i];
     pairs.push_back({pair.a, pair.b, &contacts[i], pair.friction, pair.restitution,
                      round_radius(at(shapes, pair.a)), round_radius(at(shapes, pair.b))});
-    if (pair.continuous != ImpactMethod::Speculative) pairs.back().margin = margin;
+    if (settings.substeps > 1 && pair.continuous != ImpactMethod::Speculative)
+      pairs.back().margin = margin;
   }
   const bool looks = std::ranges::any_of(
       world.pairs, [](const auto& pair) { return pair.continuous.has_value(); });

@@ -352,7 +352,7 @@ class Runner::In final : public Runner::InScalar {
       impulses.push_back(std::move(pairs_[i].impulses));
       pairs.push_back({pair.a, pair.b, pairs_[i].acts ? &contacts[i] : nullptr, friction,
                        restitution, round_radius(shape(pair.a)), round_radius(shape(pair.b))});
-      if (!between_.is_speculative(pair))
+      if (scenario_.solver.substeps > 1 && !between_.is_speculative(pair))
         pairs.back().margin = static_cast<S>(
             std::max(pair.pipeline.margin, scenario_.solver.speculative_margin.value_or(0)));
     }
