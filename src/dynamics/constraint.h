@@ -96,7 +96,7 @@ struct ContactConstraint {
   Vec3<S> tangent_u = Vec3<S>::UnitX(), tangent_v = Vec3<S>::UnitZ();  // unit, at right angles
   Vec3<S> normal_began = Vec3<S>::UnitY();                             // when the step began
   Vec3<S> moved = Vec3<S>::Zero();  // of b against a, at follow()
-  S share_a = 0;        // of what parts the ends of two arms, that a's arm makes up; see follow()
+  S share_a = 0;        // of the gap between the ends of two arms, closed by a's; see follow()
   S core_distance = 0;  // of two round shapes when the step began, metres; 0 of others
   S friction = 0;
   S restitution = 0;
@@ -237,9 +237,9 @@ ConstraintPoint<S> prepare_point(const BodyPair<S>& bodies, const ContactConstra
   return point;
 }
 
-/// Which share of what parts the ends of both arms a's makes up, see follow(). A point stays where it is
-/// on what is round, for an arm beside the normal would set a ball spinning, and on the lighter of other
-/// bodies, for that is mostly the one whose corner it is.
+/// The share of the gap between the ends of two arms that a's arm closes, see follow(). A point stays where
+/// it is on a round shape, for an arm off the normal would set a ball spinning, and on the lighter of other
+/// bodies, whose corner it mostly is.
 template <class S>
 S share_of_a(const BodyPair<S>& bodies, const PairContacts<S>& pair) {
   const bool round_a = pair.round_a > S(0), round_b = pair.round_b > S(0);
@@ -316,8 +316,8 @@ void take_back(const BodyPair<S>& bodies, const ContactConstraint<S>& contact,
       (S(1) - contact.share_a) * (bodies.b.inverse_inertia_world * along);
 }
 
-/// How far apart a point is where the bodies are now: what it was, and how far the cores have come
-/// apart along the normal since.
+/// The separation of a point where the bodies are now: what it was, and by how much that of the cores has grown
+/// along the normal since.
 template <class S>
 S separation_now(const BodyPair<S>& bodies, const ContactConstraint<S>& contact,
                  const ConstraintPoint<S>& point) {

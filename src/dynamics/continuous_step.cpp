@@ -100,7 +100,7 @@ class Stopper {
     std::vector<ImpactStop<S>> stops;
     while (!meetings_.empty()) {
       const auto first = std::ranges::min_element(meetings_, {}, &Meeting<S>::key);
-      std::vector<int> turned;  // bodies that go on otherwise, in order
+      std::vector<int> turned;  // bodies whose motion changes, in order
       stops.push_back(stop(*first, turned));
       const auto turns = [&](int i) { return std::ranges::binary_search(turned, i); };
       std::erase_if(meetings_, [&](const Meeting<S>& one) { return turns(one.a) || turns(one.b); });

@@ -177,7 +177,7 @@ inline constexpr double kRestitutionThreshold = 2;  // times gravity times the s
 /// The velocity with which a point that came with `point.approach` leaves. Semi-implicit Euler moves
 /// along a parabola whose velocity where the bodies are now lies midway between the ones before and
 /// after gravity's share of the sub-step: of that one the restitution is taken, so that an elastic
-/// ball keeps its energy. Points that are apart are met early: they go the rest of the way and back
+/// ball keeps its energy. Points that are still separated are met early: they go the rest of the way and back
 /// under gravity. `closing`: gravity's relative acceleration, metres a second, a second.
 template <class S>
 S leaving_velocity(const ConstraintPoint<S>& point, S restitution, S closing, S h) {

@@ -23,7 +23,7 @@ struct PairContacts {
   S restitution = 0;                        // of the pair
   // Metres: radius of a sphere or capsule, whose surface goes round its core; 0 of others.
   S round_a = 0, round_b = 0;
-  // Metres: points that are farther apart count only if they are met head-on.
+  // Metres: points of a larger separation count only if they are met head-on.
   S margin = std::numeric_limits<S>::infinity();
 };
 
@@ -129,6 +129,14 @@ double contact_margin(const SolverSettings& settings, const Reach& reach) {
   return std::clamp(static_cast<double>(reach()), margin, kMaxMargins * margin);
 }
 
+/// The PairContacts::margin of the points that are found within contact_margin(), of which `margin` (metres) would have
+/// been enough without sub-steps.
+template <class S>
+S head_on_margin(const SolverSettings& settings, bool is_speculative, double margin) {
+  const bool looks_farther = settings.substeps > 1 && !is_speculative;
+  return looks_farther ? static_cast<S>(margin) : std::numeric_limits<S>::infinity();
+}
+
 /// Contacts where the bodies are now, one entry a pair; `shapes` has one a body. Points up to the
 /// contact_margin() are kept; of a speculative pair those that `dt` seconds can close.
 template <class S>
@@ -140,9 +148,9 @@ void find_contacts(World<S>& world, const std::vector<Shape<S>>& shapes,
   for (std::size_t i = 0; i < world.pairs.size(); ++i) {
     WorldPair<S>& pair = world.pairs[i];
     const auto reach = [&] { return speculative_reach(world, shapes, pair, dt); };
-    options.margin = contact_margin(all, reach);
-    if (pair.continuous == ImpactMethod::Speculative)
-      options.margin = std::max(*all.speculative_margin, reach());
+    options.margin = pair.continuous == ImpactMethod::Speculative
+                         ? std::max(*all.speculative_margin, reach())
+                         : contact_margin(all, reach);
     options.margin = static_cast<S>(options.margin);
     collide(at(shapes, pair.a), at(world.bodies, pair.a).pose(), at(shapes, pair.b),
             at(world.bodies, pair.b).pose(), options, contacts[i], &pair.cache);
@@ -156,14 +164,14 @@ std::vector<ImpactStop<S>> step(World<S>& world, const std::vector<Shape<S>>& sh
                                 const SolverSettings& settings, S dt,
                                 std::vector<Manifolds<S>>& contacts) {
   find_contacts(world, shapes, settings, contacts, dt);
-  const S margin = static_cast<S>(*settled(settings, world.bodies).speculative_margin);
+  const double margin = *settled(settings, world.bodies).speculative_margin;
   std::vector<PairContacts<S>> pairs;
   for (std::size_t i = 0; i < world.pairs.size(); ++i) {
     const WorldPair<S>& pair = world.pairs[i];
-    pairs.push_back({pair.a, pair.b, &contacts[i], pair.friction, pair.restitution,
-                     round_radius(at(shapes, pair.a)), round_radius(at(shapes, pair.b))});
-    if (settings.substeps > 1 && pair.continuous != ImpactMethod::Speculative)
-      pairs.back().margin = margin;
+    pairs.push_back(
+        {pair.a, pair.b, &contacts[i], pair.friction, pair.restitution,
+         round_radius(at(shapes, pair.a)), round_radius(at(shapes, pair.b)),
+         head_on_margin<S>(settings, pair.continuous == ImpactMethod::Speculative, margin)});
   }
   const bool looks = std::ranges::any_of(
       world.pairs, [](const auto& pair) { return pair.continuous.has_value(); });

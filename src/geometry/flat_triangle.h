@@ -21,7 +21,7 @@ int longest_edge(const Mesh<S>& mesh, int triangle) {
   return squared(2) > squared(of_two) ? 2 : of_two;
 }
 
-/// build_mesh(), but that it keeps them, so that every triangle has the index that it was given with.
+/// Like build_mesh(), but triangles without an area are kept: every triangle has the index that it was given with.
 Mesh<double> build_mesh_with_flat_triangles(std::vector<Vec3d> vertices,
                                             std::vector<std::array<int, 3>> triangles,
                                             MeshReport* report = nullptr);

@@ -100,7 +100,7 @@ std::vector<std::array<int, 3>> find_neighbours(std::span<const Vec3d> vertices,
     }
     const std::span<const Side> shared = std::span(sides).subspan(begin, end - begin);
     if (shared.size() == 1) continue;
-    // There and back again along one without an area.
+    // Two sides of one triangle without an area.
     if (shared.size() == 2 && shared[0].triangle == shared[1].triangle) continue;
     if (shared.size() > 2) {
       report.non_manifold_edges.push_back(mapped(shared, &Side::triangle));

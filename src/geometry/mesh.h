@@ -80,7 +80,7 @@ Mesh<double> build_mesh(std::vector<Vec3d> vertices, std::vector<std::array<int,
 
 /// The same mesh in another scalar: vertices are rounded once each. Normals are those of the
 /// rounded triangles, so that plane and corners agree, but for those that rounding turns over, which
-/// keep what they had; one that it takes the area has none. Neighbours and classes of edges are
+/// keep what they had; a triangle that loses its area by rounding has none. Neighbours and classes of edges are
 /// those of the original, so that a flat floor far from the origin stays one. The tree's boxes are
 /// those of the rounded triangles.
 template <class T>

@@ -8,7 +8,7 @@
 namespace contactscope {
 namespace {
 
-/// Of what is computed in double. GJK and the separating axis test have been seen 36 epsilon apart, see
+/// Of what is computed in double. GJK and the separating axis test have differed by up to 36 epsilon, see
 /// may_overlap().
 double rounding_of_double(double lengths) {
   return depth_rounding(2 * lengths);

@@ -17,7 +17,7 @@ struct FlatTriangle {
     in_a = {mesh_in_a.rotation, mesh_in_a.transform(from)};
   }
 
-  /// The triangle's feature that is this one of the capsule; features of A stay what they are.
+  /// The triangle's feature for a feature of the capsule; features of A stay what they are.
   FeatureRef named(const FeatureRef& ref) const {
     if (ref.owner == Owner::A) return ref;
     if (ref.kind == FeatureKind::Edge) return edge_ref(Owner::B, edge);

@@ -144,7 +144,7 @@ struct LeftOut {
     depth = given_depth;
   }
 
-  /// Makes the contact what comes back of it beside others that are as deep as `kept`: all
+  /// Makes the contact what comes back of it next to others that are as deep as `kept`: all
   /// of it while they are no more than a third as deep, nothing from two thirds on, and in between
   /// moved out, three times as fast as they get deeper. So nothing jumps, and what is deepest is at
   /// least half as deep as this.

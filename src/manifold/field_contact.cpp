@@ -15,8 +15,8 @@ namespace {
 /// So many cuts settle any pair that is not all along at the distance of the margin; then the nearest
 /// piece counts as a touch.
 constexpr int kMostCuts = 1 << 14;
-/// So many settle the deepest touch but where one that lies flat has as many.
-constexpr int kMostDeepeningCuts = 1 << 11;
+/// Enough to settle the deepest touch, except where the shapes lie flat on each other.
+constexpr int kMaxDeepeningCuts = 1 << 11;
 /// A record is no longer than this: more points are not told apart in a picture.
 constexpr std::size_t kMostProbes = 4096;
 
@@ -32,7 +32,7 @@ struct Part {
     if (count == 2) return 0.5 * (corners[0] + corners[1]);
     return (corners[0] + corners[1] + corners[2]) / 3;
   }
-  /// The least that a linear function is on it, of which the value at the middle is 0.
+  /// The least value on the part of the linear function of this gradient that is 0 at `from`; at most 0.
   double lowest(const Vec3d& gradient, const Vec3d& from) const {
     double least = 0;
     for (int k = 0; k < count; ++k) least = std::min(least, gradient.dot(at(corners, k) - from));
@@ -136,7 +136,7 @@ class Search {
     const auto is_less = [&](double bound) {
       return bound < least - kFieldTolerance * field_.cell;
     };
-    for (int cuts = 0; !shallow_.empty() && cuts < kMostDeepeningCuts; ++cuts) {
+    for (int cuts = 0; !shallow_.empty() && cuts < kMaxDeepeningCuts; ++cuts) {
       const auto [bound, part] = shallow_.top();
       if (!is_less(bound)) break;
       shallow_.pop();

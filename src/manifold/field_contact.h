@@ -51,7 +51,7 @@ struct FieldSearchLimits {
 /// 4. conservative: the deepest point of all is added, in the place of what 3 found. Where the pieces do not cross the surface, it is
 /// the nearest, exactly (field_gap.h). Where they do, parts are cut as in 3 while they may be deeper than
 /// the deepest touch by more than kFieldTolerance, by a tangent at their middles: that holds for fields
-/// of convex shapes, and where pieces are small beside the field's hollows.
+/// of convex shapes, and where pieces are small compared with the field's hollows.
 /// Sampled: only 2, of all pieces that the box around the field's surface reaches.
 ///
 /// Source of the search: Piyavskii 1972 and Shubert 1972 for functions of bounded slope; 4 Kelley 1960, "The

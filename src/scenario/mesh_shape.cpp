@@ -35,7 +35,7 @@ void warn(const std::string& name, const MeshReport& report, std::vector<std::st
                        "as a border");
 }
 
-/// What is left out of a mesh that keeps its form, one that deforms may give an area.
+/// A mesh that keeps its form leaves triangles without an area out; one that deforms may give them an area.
 using MeshBuilder = decltype(build_mesh);
 
 /// A mesh of vertices that `place` gives and triangles that `at` gives.

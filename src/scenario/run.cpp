@@ -350,11 +350,12 @@ class Runner::In final : public Runner::InScalar {
       const ScenarioPair& pair = pairs_[i].pair;
       const auto [friction, restitution] = surfaces_of<S>(scenario_, pair.a, pair.b);
       impulses.push_back(std::move(pairs_[i].impulses));
-      pairs.push_back({pair.a, pair.b, pairs_[i].acts ? &contacts[i] : nullptr, friction,
-                       restitution, round_radius(shape(pair.a)), round_radius(shape(pair.b))});
-      if (scenario_.solver.substeps > 1 && !between_.is_speculative(pair))
-        pairs.back().margin = static_cast<S>(
-            std::max(pair.pipeline.margin, scenario_.solver.speculative_margin.value_or(0)));
+      pairs.push_back(
+          {pair.a, pair.b, pairs_[i].acts ? &contacts[i] : nullptr, friction, restitution,
+           round_radius(shape(pair.a)), round_radius(shape(pair.b)),
+           head_on_margin<S>(
+               scenario_.solver, between_.is_speculative(pair),
+               std::max(pair.pipeline.margin, scenario_.solver.speculative_margin.value_or(0)))});
     }
     solve_awake<S>(bodies_, pairs, impulses, scenario_.world.gravity.cast<S>(), scenario_.solver,
                    static_cast<S>(scenario_.dt), sleepers_);

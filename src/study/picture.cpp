@@ -75,15 +75,6 @@ double error_at(const trace::StudySeries& series, double parameter) {
   return *point.error;
 }
 
-double failed_share(const trace::StudySeries& series) {
-  double failed = 0, of = 0;
-  for (const trace::StudyPoint& point : series.points) {
-    failed += point.failed;
-    of += point.of;
-  }
-  return of > 0 ? failed / of : 0;
-}
-
 void keep_methods(trace::Study& study, const std::vector<Named>& named) {
   std::vector<trace::StudySeries> kept;
   for (const Named& one : named) {

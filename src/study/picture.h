@@ -31,8 +31,6 @@ const trace::StudySeries& series_of(const trace::Study& study, const std::string
 const trace::StudyPoint& point_at(const trace::StudySeries& series, double parameter);
 /// Its error there. Throws likewise, also where all cases failed.
 double error_at(const trace::StudySeries& series, double parameter);
-/// What failed at all of its points, of all cases.
-double failed_share(const trace::StudySeries& series);
 
 /// A method of a study, and how a picture calls it.
 using Named = std::pair<std::string, std::string>;

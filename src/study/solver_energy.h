@@ -7,6 +7,9 @@
 
 namespace contactscope {
 
+/// The method of `study solver` that is there to gain energy, and may.
+inline constexpr const char* kAllPushKept = "Baumgarte, all of its push kept";
+
 /// A scene whose energy no solver may raise.
 struct EnergyScene {
   std::string name;

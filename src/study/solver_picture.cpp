@@ -3,6 +3,7 @@
 
 #include "core/at.h"
 #include "study/picture.h"
+#include "study/solver_energy.h"
 
 namespace contactscope {
 namespace {
@@ -142,7 +143,7 @@ trace::Study picture_energy(const trace::Study& measured) {
   const double most = 0.01;
   bool holds = true;
   for (trace::StudySeries& series : study.series) {
-    const bool all_kept = series.method.find(',') != std::string::npos;
+    const bool all_kept = series.method == kAllPushKept;
     for (trace::StudyPoint& point : series.points) {
       point.error = point.error_worst;
       point.error_worst.reset();

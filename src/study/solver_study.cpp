@@ -238,7 +238,7 @@ constexpr EnergyMethod kEnergyMethods[] = {
     {"Baumgarte", PositionCorrection::Baumgarte, 0},
     {"projection", PositionCorrection::Projection, 0},
     {"soft contacts", PositionCorrection::Soft, 0},
-    {"Baumgarte, all of its push kept", PositionCorrection::Baumgarte, kAllOfItsPush},
+    {kAllPushKept, PositionCorrection::Baumgarte, kAllOfItsPush},
 };
 constexpr int kEnergySubsteps[] = {1, 2, 4, 8, 16, 32};
 constexpr double kEnergyResolution = 1e-4;  // of the energy at the start
@@ -289,7 +289,7 @@ trace::Study energies(const StudyOptions& options, const StudyStep& step) {
 /// others' mass, at sixteen sweeps a frame for every method.
 ///
 /// "energy": how much more than at its start any frame of a scene has, over sub-steps, mean and worst of
-/// the twenty scenes of solver_energy.h; beside Baumgarte itself, what it adds where its whole push is
+/// the twenty scenes of solver_energy.h; next to Baumgarte itself what it adds where its whole push is
 /// kept as velocity.
 std::vector<trace::Study> study_solver(const StudyOptions& options, const StudyProgress& progress) {
   constexpr int kSteps =

@@ -22,7 +22,7 @@ using Corners = Triangle<double>;
 
 constexpr int kLooks = 32;
 
-/// Multiples of kLooks, so that corners are integers at so many times of the step, evenly apart.
+/// Multiples of kLooks, so that corners are integers at so many times of the step, evenly spaced.
 Vec3d integers(Random& random, double reach) {
   return kLooks * Vec3d(random.vector(-reach, reach).array().round());
 }

@@ -171,7 +171,7 @@ TYPED_TEST_SUITE(GameHulls, Scalars);
 TYPED_TEST(GameHulls, SlowAreAsDeepAsTheyOverlapAndTouchWithinBoth) {
   using S = TypeParam;
   Random random(20150305);
-  int touching = 0;
+  int touching = 0, rare = 0;
   for (int i = 0; i < test::cases(2'000); ++i) {
     SCOPED_TRACE("pair " + std::to_string(i));
     const PairCase<S> pair = resting_pair(random).template cast<S>();
@@ -191,14 +191,18 @@ TYPED_TEST(GameHulls, SlowAreAsDeepAsTheyOverlapAndTouchWithinBoth) {
       }
       if (manifold.points.empty()) continue;
       ++touching;
-      // Faces that were merged can make an axis of two edges that is none of the vertices' (one in 400,000).
-      const double part = preference == Preference::Relative ? 0.95 : 0.99;
-      ASSERT_LE(test::deepest(manifold), part * least + rounding + merged);
-      if (manifold.axis == AxisKind::EdgeEdge) continue;
-      // Where two faces are nearly level a rounding moves the deepest place by several.
-      ASSERT_LE(farthest_outside(exact, manifold), 4 * rounding + merged);
+      const double depth = test::deepest(manifold);
+      ASSERT_LE(depth, 0.95 * least + rounding + merged);
+      const double part = preference == Preference::Relative ? 0.95 : 1;
+      const double outside =
+          manifold.axis == AxisKind::EdgeEdge ? 0 : farthest_outside(exact, manifold);
+      ASSERT_LE(outside, 4 * rounding + merged);
+      if (depth > part * least + rounding + merged || outside > rounding + merged) ++rare;
     }
   }
+  // An axis of two edges around merged faces that is not one of their vertices; a place on nearly level
+  // faces, which a rounding moves by several.
+  EXPECT_LE(rare, touching / 100'000);
   EXPECT_GT(touching, 3000);
 }
 
