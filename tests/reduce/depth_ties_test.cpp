@@ -111,6 +111,17 @@ std::set<FeatureId> ids_of(const LevelPatch<S>& patch, const std::vector<int>& k
   return ids;
 }
 
+/// Area spanned by the points of `ids`, in units of the patch's size, where no coordinate is rounded
+/// to S. Point k of `patch` lies at flat[k].
+template <class S>
+double area_before_rounding(const std::vector<Place>& flat, const LevelPatch<S>& patch,
+                            const std::set<FeatureId>& ids) {
+  std::vector<Place> kept;
+  for (std::size_t k = 0; k < flat.size(); ++k)
+    if (ids.contains(patch.points[k].id)) kept.push_back(flat[k]);
+  return test::hull_area(kept);
+}
+
 template <class S>
 class DepthTies : public testing::Test {};
 using Scalars = testing::Types<float, double>;
@@ -123,6 +134,7 @@ TYPED_TEST(DepthTies, SlowTheLargestAreaIsKeptAndNoRoundingChangesIt) {
   using S = TypeParam;
   test::Random random(51);
   double of_steps = 0, least = 1;
+  int swapped = 0;
   for (int i = 0; i < kPatches; ++i) {
     SCOPED_TRACE("case " + std::to_string(i));
     const std::vector<Place> flat = level_patch(random, i % 3);
@@ -147,9 +159,19 @@ TYPED_TEST(DepthTies, SlowTheLargestAreaIsKeptAndNoRoundingChangesIt) {
     moved.lay(random);
     for (std::size_t k = 0; k < moved.points.size(); ++k) moved.points[k].id = patch.points[k].id;
     if (i % 6 < 3) std::ranges::reverse(moved.points);
-    ASSERT_EQ(ids_of(moved, reduced("optimal_deepest", moved)),
-              ids_of(patch, reduced("optimal_deepest", patch)));
+    // Another place rounds the coordinates otherwise. Where two areas differ by about that rounding
+    // either choice is right; where they are equal before rounding the choice must not change.
+    const std::set<FeatureId> ids = ids_of(patch, reduced("optimal_deepest", patch));
+    const std::set<FeatureId> moved_ids = ids_of(moved, reduced("optimal_deepest", moved));
+    if (moved_ids == ids) continue;
+    ++swapped;
+    const double difference = std::abs(area_before_rounding(flat, patch, moved_ids) -
+                                       area_before_rounding(flat, patch, ids));
+    const double size = patch.options.scale / 4;
+    ASSERT_GT(difference, 64 * std::numeric_limits<double>::epsilon());
+    ASSERT_LT(difference, rounding / (size * size));
   }
+  EXPECT_LE(swapped, kPatches / 10'000);
   EXPECT_GT(of_steps / kPatches, 0.995);
   EXPECT_GT(least, 0.8);
 }
