@@ -7,24 +7,26 @@
 
 namespace contactscope::snapshot {
 
-/// Whether a pattern of the command line names a finding: its key, with or without the word of the baseline that it
-/// was held against, a folder above it ("hull", "hull/face_contact"), or either with * for any letters and ? for one.
+/// Matches a finding against a pattern of the command line: its key, with or without the word of
+/// the compared baseline, a folder above it ("hull", "hull/face_contact"), or either with the
+/// wildcards * and ?.
 bool names(const std::string& pattern, const Finding& finding);
 
-/// The pattern that names this key alone: what is a mark to names(), or to a command line the beginning of an option, has a
-/// backslash before it.
+/// A pattern that matches only this key: wildcards and a leading option dash are escaped with a
+/// backslash.
 std::string pattern_of(const std::string& key);
 
-/// As what a candidate is stored.
+/// How a candidate is stored.
 struct Acceptance {
-  std::string word{};  // "osmesa": as frame_0012.osmesa.png, beside what is stored
-  std::string note{};  // of a word that begins with "bad_": what frame_0012.bad_31.txt says
+  std::string word{};  // "osmesa": next to the stored file, as frame_0012.osmesa.png
+  std::string note{};  // for a word that starts with "bad_": text of frame_0012.bad_31.txt
 };
 
-/// Stores the candidate of a finding, as `check --update` would have: nothing is run or drawn for it. What nobody asks
-/// for any more is removed. What is kept under a word that begins with "bad_" is rejected by that, and fails as before. Returns why that was refused, empty where it was done: the stored file, or the
-/// candidate, is not the one any more that the report tells of, or there is nothing to store.
-/// `report` is the folder of findings.json. Throws std::filesystem::filesystem_error.
+/// Stores the candidate of a finding as `check --update` does, without running or drawing anything,
+/// and removes obsolete files. A candidate under a word that starts with "bad_" is recorded as
+/// known bad and still fails. Returns the reason for a refusal, or an empty text: the stored file
+/// or the candidate has changed since the report, or there is nothing to store. `report` is the
+/// folder of findings.json. Throws std::filesystem::filesystem_error.
 std::string accept(const std::filesystem::path& report, const std::filesystem::path& snapshots,
                    Finding& finding, const Acceptance& how = {});
 

@@ -14,38 +14,37 @@
 
 namespace contactscope::snapshot {
 
-/// How far two numbers of one trace may lie apart and still count as equal.
+/// Largest difference of two numbers of one trace that count as equal.
 struct Tolerance {
   double length = 0;    // metres
   double relative = 0;  // of a component of a unit vector or quaternion, and of a magnitude
   double area = 0;      // square metres
-  /// The largest impulse, velocity, spin and energy about, which such quantities are held against,
-  /// in the units of the trace and by their Kind; 0 of other kinds.
+  /// Approximate largest impulse, velocity, spin and energy, as the scale of such quantities: by
+  /// Kind, in the trace's units; 0 for other kinds.
   std::array<double, trace::kKinds> magnitudes{};
 
   double& magnitude(trace::Kind kind) { return magnitudes[static_cast<std::size_t>(kind)]; }
-  /// Of a value of this kind.
+  /// For a value of this kind.
   double of(trace::Kind kind, double value) const;
 };
 
-/// Equal within the tolerance; never when either is no number.
+/// Equal within the tolerance; never if one is NaN.
 bool same(double expected, double actual, double tolerance);
 bool same(const Vec3d& expected, const Vec3d& actual, double tolerance);
 
-/// A field as a sentence speaks of it.
+/// A field in a sentence.
 struct Wording {
-  std::string words;  // empty, or with a blank at its end
+  std::string words;  // empty, or with a trailing space
   trace::Kind kind = trace::Kind::Exact;
-  std::array<const char*, 2> states{};  // what false and true are called
+  std::array<const char*, 2> states{};  // names of false and true
   bool is_first = false;
   bool is_last = false;
 };
 
-/// Collects what changed of one thing and makes a part of a sentence of it:
-/// "sat face_a: face 1 -> 3, separation -0.0050 -> -0.0037". Names, indices and texts compare
-/// exactly, numbers within the tolerance of their kind. A number that is within it without being
-/// equal is settled: the actual one is set to the expected one. So what still differs afterwards,
-/// down to the bytes that it is written as, is what was told, or was not compared.
+/// Collects the changes of one object as part of a sentence: "sat face_a: face 1 -> 3, separation
+/// -0.0050 -> -0.0037". Names, indices and texts compare exactly, numbers within the tolerance of
+/// their kind. Numbers within tolerance are settled: the actual one is set to the expected one.
+/// Bytes that still differ afterwards are either reported or not compared.
 class Changes {
  public:
   Changes(std::string subject, const Tolerance& tolerance)
@@ -56,13 +55,13 @@ class Changes {
   void compare(const Wording& field, const Vec3d& expected, Vec3d& actual);
   /// q and -q are the same rotation.
   void compare(const Wording& field, const Quatd& expected, Quatd& actual);
-  /// The ends of a line.
+  /// End points of a line.
   void compare(const Wording& field, const std::array<Vec3d, 2>& expected,
                std::array<Vec3d, 2>& actual);
   /// An interval.
   void compare(const Wording& field, const std::array<double, 2>& expected,
                std::array<double, 2>& actual);
-  /// "120 -> 100 distances", or "distance 7 0.5 -> 0.6, 2 more".
+  /// "120 -> 100 distances" or "distance 7 0.5 -> 0.6, 2 more".
   void compare(const Wording& field, const std::vector<double>& expected,
                std::vector<double>& actual);
   /// An index, a name or a list of indices: "3 -> 4".
@@ -71,12 +70,12 @@ class Changes {
   void compare(const Wording& field, const T& expected, T& actual) {
     if (expected != actual) add(field, spell_change(expected, actual));
   }
-  /// "5 -> 4 vertices", or "vertex 3 moved 1.3 mm along x, 2 more moved". A vertex of a simplex is two
-  /// points.
+  /// "5 -> 4 vertices" or "vertex 3 moved 1.3 mm along x, 2 more moved". A vertex of a simplex is
+  /// two points.
   template <class Points>
   requires std::same_as<Points, std::vector<Vec3d>> || std::same_as<Points, trace::Simplex>
   void compare(const Wording& field, const Points& expected, Points& actual);
-  /// "20 -> 24 faces", or "face 7 (0 1 3) -> (0 3 1)" of the first that differs.
+  /// "20 -> 24 faces" or, for the first that differs, "face 7 (0 1 3) -> (0 3 1)".
   template <class Face>
   requires std::same_as<typename Face::value_type, int>
   void compare(const Wording& field, const std::vector<Face>& expected, std::vector<Face>& actual);
@@ -85,21 +84,21 @@ class Changes {
     if (both_there(field, expected.has_value(), actual.has_value()))
       compare(field, *expected, *actual);
   }
-  /// Says "axis gone" or "axis added" where one is; true when both are there.
+  /// Adds "axis gone" or "axis added" if only one exists; true if both exist.
   bool both_there(const Wording& field, bool expected, bool actual);
-  /// Says "number of steps 3 -> 4" where the counts differ.
+  /// Adds "number of steps 3 -> 4" if the counts differ.
   void count(const std::string& plural, std::size_t expected, std::size_t actual);
 
-  /// What kinds of values changed, exact ones with their words: "id ", of those of a point.
+  /// A kind of value that changed; exact ones with their words: "id " for that of a point.
   struct What {
     trace::Kind kind = trace::Kind::Exact;
     std::string words{};
   };
   const std::vector<What>& what() const { return what_; }
 
-  /// The part of a sentence; empty when nothing changed.
+  /// Part of a sentence; empty if nothing changed.
   std::string text() const { return text_.empty() ? std::string() : subject_ + text_; }
-  /// All that changed is what should be told last.
+  /// All changes are of fields that are reported last.
   bool is_last() const { return !has_more_; }
 
  private:

@@ -12,18 +12,18 @@
 #include "snapshot/stage.h"
 #include "trace/pair.h"
 
-/// Compares any two facts by the lists of their fields.
+/// Compares any two facts through their lists of fields.
 namespace contactscope::snapshot {
 
-/// What differs of one thing, a part of a sentence.
+/// Difference of one object, as part of a sentence.
 struct Difference {
-  std::string subject;  // "crate-floor", or a shape; empty: of the frame or the header as a whole
+  std::string subject;  // "crate-floor", or a shape; empty: the frame or the header
   std::string text;     // "point 2 moved 1.3 mm along x"
   Stage stage = Stage::Words;
-  std::vector<Changes::What> what{};  // values that changed; empty where it came or went
+  std::vector<Changes::What> what{};  // changed values; empty if the object came or went
 };
 
-/// Where a fact stands.
+/// Position of a fact in the trace.
 struct Place {
   std::string subject;
   std::string prefix;  // "manifold of triangle 4: "
@@ -31,7 +31,7 @@ struct Place {
   Stage stage = Stage::Words;
 };
 
-/// Of what belongs to one shape, or a pair of two.
+/// Tolerance for facts of one shape (a == b) or of a pair.
 using ToleranceOf = std::function<Tolerance(const std::string& a, const std::string& b)>;
 
 template <class T>
@@ -43,7 +43,7 @@ inline constexpr bool kIsList<trace::Simplex> = false;  // read as a polygon
 template <>
 inline constexpr bool kIsList<std::vector<trace::Simplex>> = true;
 
-/// Whether sentences have such entries as their subject.
+/// Entries that are subjects of sentences.
 template <class Entry>
 constexpr bool is_subject() {
   if constexpr (trace::Listed<Entry>) return trace::has_name<Entry>();
@@ -54,7 +54,7 @@ constexpr bool is_subject<trace::Pair>() {
   return true;
 }
 
-/// How the entries of a list belong together: by a field of theirs, or of what is merged into them.
+/// How the entries of two lists are matched: by a field of theirs or of a merged struct.
 template <class Entry>
 constexpr trace::Match match_of() {
   trace::Match match = trace::Match::None;
@@ -79,7 +79,7 @@ inline std::string spell_key(const std::string& key) {
   return key;
 }
 
-/// The values of those fields: "3-7".
+/// Values of the matching fields: "3-7".
 template <class Entry>
 std::string key_of(const Entry& entry) {
   std::string key;
@@ -97,7 +97,7 @@ inline std::string key_of(const trace::Pair& pair) {
   return pair.a + "-" + pair.b + (pair.label.empty() ? "" : " (" + pair.label + ")");
 }
 
-/// Where an entry is that is no more than a point with facts of it; null of any other.
+/// Position of an entry that is a point with attributes; null for other entries.
 template <class Entry>
 const Vec3d* place_of(const Entry& entry) {
   const Vec3d* place = nullptr;
@@ -115,7 +115,7 @@ const Vec3d* place_of(const Entry& entry) {
   return place;
 }
 
-/// Gives `take` every magnitude in a fact, with its kind.
+/// Calls `take` with the kind and value of every magnitude in a fact.
 template <class T, class Take>
 void each_magnitude(const T& fact, const Take& take) {
   if constexpr (trace::Listed<T>) {
@@ -136,13 +136,13 @@ void each_magnitude(const T& fact, const Take& take) {
   }
 }
 
-/// Compares facts, and settles what is within its tolerance; see Changes.
+/// Compares facts and settles numbers within tolerance; see Changes.
 class Comparison {
  public:
   explicit Comparison(ToleranceOf tolerance_of) : tolerance_of_(std::move(tolerance_of)) {}
 
-  /// `own` begins the sentence of the fact's own fields: "sat face_a: ". Facts in it have sentences
-  /// of their own after that.
+  /// `own` starts the sentence of the fact's own fields: "sat face_a: ". Inner facts with a noun
+  /// get their own sentences.
   template <trace::Listed T>
   void compare(const T& expected, T& actual, const Place& place, const std::string& own,
                std::vector<Difference>& differences) const {
@@ -177,7 +177,7 @@ class Comparison {
     trace::each_field<T>([&]<class Value>(const trace::Field<T, Value>& field) {
       const Value& before = expected.*field.member;
       Value& after = actual.*field.member;
-      if (field.match == trace::Match::Names) return;  // equal, or these were no pair
+      if (field.match == trace::Match::Names) return;  // equal, because entries are matched by it
       using Inner = typename trace::Unwrapped<Value>::type;
       if constexpr (trace::Listed<Value>) {
         fact(field, before, after, inside<T>(field, place), changes, inner);
@@ -203,7 +203,7 @@ class Comparison {
     return place;
   }
 
-  /// A fact inside of another one: in its sentence, or in one of its own.
+  /// An inner fact: part of the outer sentence, or with a noun its own sentence.
   template <class Field, class T>
   void fact(const Field& field, const T& expected, T& actual, const Place& place, Changes& changes,
             std::vector<Difference>& inner) const {
@@ -281,7 +281,7 @@ class Comparison {
     }
     Match match = match_keys(before, after);
     if (kMatch == trace::Match::Finds) match_rest_by_index(match);
-    if (kMatch == trace::Match::None) match.gone = match.added = {};  // told by their number
+    if (kMatch == trace::Match::None) match.gone = match.added = {};  // the count reports them
     return match;
   }
 

@@ -8,28 +8,28 @@
 
 namespace contactscope::snapshot {
 
-/// A frame tells no more than this many differences, then "and N more".
+/// Limit of sentences per frame; "and N more" follows.
 inline constexpr int kMostSentences = 8;
 
-/// What differs between a stored trace and the one a run just made: sentences such as
+/// Differences between a stored trace and the one of this run, as sentences such as
 /// "hull/face_contact frame 12, crate-floor: point 2 moved 1.3 mm along x, separation -0.0050 ->
-/// -0.0037". Empty when they say the same.
+/// -0.0037". Empty if they are the same.
 ///
-/// Every field that trace.h lists is compared. Names, ids, indices and counts compare exactly; so do
-/// which frames, pairs and stages there are. Numbers compare within a few units in the last place of
-/// the expected trace's scalar (what of a pair is recorded in single precision carries no more), at
-/// the size and place of the two shapes. A number that is not finite always differs. Frames belong
-/// together by number, shapes by name, pairs by their names and label, points by id.
+/// Every field listed in trace.h is compared. Names, ids, indices and counts compare exactly, and
+/// so does the presence of frames, pairs and stages. Numbers compare within a few ulps of the
+/// expected trace's scalar at the size and position of the two shapes (some facts of a pair are
+/// recorded in single precision only). A number that is not finite always differs. Frames match by
+/// number, shapes by name, pairs by names and label, points by id.
 std::vector<std::string> compare_traces(const trace::Trace& expected, const trace::Trace& actual);
 
-/// What differs, and what it began with.
+/// Differences and their first cause.
 struct TraceDifferences {
-  std::vector<std::string> sentences{};  // as compare_traces() tells them
-  std::string cause{};                   // the first of them that the others may follow from
-  std::string signature{};               // of that cause; see FirstCause
-  bool is_input = false;                 // likewise
-  std::vector<int> frames{};             // in which something differs
-  bool is_setup = false;                 // the header differs, in more than its words
+  std::vector<std::string> sentences{};  // from compare_traces()
+  std::string cause{};                   // the first difference that may explain the others
+  std::string signature{};               // of the cause; see FirstCause
+  bool is_input = false;                 // see FirstCause
+  std::vector<int> frames{};             // numbers of frames with differences
+  bool is_setup = false;                 // the header differs in more than its title and source
   bool is_words = false;                 // title or source differ
 };
 

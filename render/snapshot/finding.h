@@ -9,19 +9,19 @@
 
 #include "image/compare.h"
 
-/// What a check found, as data: whoever tells of it, in a terminal, on a page or to another program,
-/// and whoever accepts some of it later, reads this and nothing else.
+/// Results of a check as data. Reports (terminal, page, other programs) and later reviews read only
+/// these structs.
 namespace contactscope::snapshot {
 
 enum class FindingKind {
   Changed,
-  New,      // nothing at all is stored of the scenario
-  Missing,  // something is, but not this file
+  New,      // nothing is stored for the scenario
+  Missing,  // other files of the scenario are stored
   Orphaned,
   UnmetExpectation,
   Unreadable,
   KnownBad,
-  UnreadableScenario,  // its file cannot be read, parsed or run, so nothing was compared
+  UnreadableScenario,  // its file cannot be read, parsed or run; nothing was compared
 };
 inline constexpr std::array<std::string_view, 8> kFindingKinds = {
     "changed",           "new",        "missing",   "orphaned",
@@ -30,70 +30,70 @@ inline constexpr std::string_view name_of(FindingKind kind) {
   return kFindingKinds[static_cast<std::size_t>(kind)];
 }
 
-/// What the cause begins with where what the scenario's file says is another: a shape, a setting, where it starts.
+/// Prefix of a cause in the scenario's file: a shape, a setting or a start pose.
 inline constexpr std::string_view kInputCause = "scenario: ";
 
-/// What became of the stored file.
+/// Action on the stored file.
 enum class Done { Nothing, Written, Updated, Removed };
 inline constexpr std::array<std::string_view, 4> kDone = {"nothing", "written", "updated",
                                                           "removed"};
 
-/// What somebody said of it since.
+/// Decision of a reviewer.
 enum class Review { Open, Accepted, Rejected };
 inline constexpr std::array<std::string_view, 3> kReviews = {"open", "accepted", "rejected"};
 
-/// How two pictures differ, and what they may differ by.
+/// Measured difference of two pictures and the limits.
 struct PixelMeasures {
   PixelComparison found{};
   PixelLimits limits{};
 };
 
-/// One thing that is not as it is stored, or not as it was expected.
+/// A stored file or an expectation that the run did not match.
 struct Finding {
   FindingKind kind = FindingKind::Changed;
   std::string scenario;
-  std::string view{};          // empty: the scenario has one, or it is of no picture
-  std::optional<int> frame{};  // of a picture
-  std::string file{};      // below the folder of snapshots, with slashes; of an expectation empty
-  std::string sentence{};  // what to know first
-  std::vector<std::string> details{};  // all that differs, one a line
-  std::string cause{};                 // equal for findings that may have one cause; never empty
+  std::string view{};          // empty: a single view, or not a picture
+  std::optional<int> frame{};  // set for pictures
+  std::string file{};      // relative to the snapshot folder, with slashes; empty: expectation
+  std::string sentence{};  // summary
+  std::vector<std::string> details{};  // all differences, one per line
+  std::string cause{};                 // equal for findings that may share a cause; never empty
   std::optional<PixelMeasures> pixels{};
   std::vector<std::string>
-      layers{};  // of a picture whose facts changed: those that are drawn otherwise
-  // Below the folder of the report; empty where there is none.
-  std::string candidate{};       // what the run made, to be stored where it is accepted
-  std::string expected{};        // what is stored
-  std::string difference{};      // a picture of both
-  std::string layers_picture{};  // an SVG of the layers, as expected and as they are
-  // Of the file as the run found it, and of the candidate; empty where there is none.
+      layers{};  // for pictures with changed facts: layers that changed
+  // Paths relative to the report folder; empty: no such file.
+  std::string candidate{};       // result of the run, stored when accepted
+  std::string expected{};        // stored file
+  std::string difference{};      // a picture of the differences
+  std::string layers_picture{};  // SVG of the layers, expected and actual
+  // Hashes of the stored file during the run, and of the candidate; empty: no such file.
   std::string stored_sha256{}, candidate_sha256{};
   Done done = Done::Nothing;
   Review review = Review::Open;
 
-  /// What a command line calls it: "hull/face_contact/side/frame_0012", "hull/face_contact/trace",
-  /// "hull/face_contact/expectations", "hull/face_contact/scenario" of one that cannot be read.
+  /// Name on the command line: "hull/face_contact/side/frame_0012", "hull/face_contact/trace",
+  /// "hull/face_contact/expectations", or "hull/face_contact/scenario" if it is unreadable.
   std::string key() const {
     if (kind == FindingKind::UnreadableScenario) return scenario + "/scenario";
     if (file.empty()) return scenario + "/expectations";
     return file.substr(0, file.rfind('.'));
   }
-  /// The check exits with 1.
+  /// The check exits with status 1.
   bool fails() const { return done == Done::Nothing && review != Review::Accepted; }
   bool is_picture() const { return frame.has_value(); }
-  /// There is a candidate, or a file to remove. An expectation is mended instead, and so is what is known to be bad.
+  /// There is a candidate, or a file to remove. Expectations and known bugs need a fix instead.
   bool is_acceptable() const { return !file.empty() && kind != FindingKind::KnownBad; }
 };
 
-/// What came of one scenario.
+/// Result of one scenario.
 struct ScenarioOutcome {
   std::string scenario;
-  std::string file{};                  // that describes it; empty where none does any more
-  int frames = 0;                      // whose facts were compared
-  int pictures = 0;                    // that were
-  int written = 0;                     // stored files that were written, rewritten or removed
-  bool is_known_same = false;          // nothing that it is made of changed since it was the same
-  std::vector<std::string> notes{};    // what a reader should know though nothing is wrong
+  std::string file{};                  // scenario file; empty: there is none any more
+  int frames = 0;                      // with compared facts
+  int pictures = 0;                    // compared
+  int written = 0;                     // files written, rewritten or removed
+  bool is_known_same = false;          // nothing that it depends on changed since it was the same
+  std::vector<std::string> notes{};    // remarks that are not errors
   std::vector<std::string> brittle{};  // decisions within rounding, see brittle.h
   std::vector<Finding> findings{};
 
@@ -104,30 +104,30 @@ struct ScenarioOutcome {
   }
 };
 
-/// Which part of all scenarios a run looked at.
+/// Part of all scenarios in a run.
 struct Shard {
   int part = 1, of = 1;
   friend bool operator==(const Shard&, const Shard&) = default;
 };
 
-/// What came of a run.
+/// Result of a run.
 struct Outcome {
-  std::string snapshots;  // the folder, as it was named
+  std::string snapshots;  // folder as given by the user
   bool facts_only = false;
   std::optional<Shard> shard{};
-  std::vector<std::string> all{};  // of a shard: the names of all scenarios, sorted
-  std::string made_of{};           // of a shard: the program and all scenario files, as a hash
-  std::vector<ScenarioOutcome> scenarios{};  // by name
+  std::vector<std::string> all{};  // for a shard: names of all scenarios, sorted
+  std::string made_of{};           // for a shard: hash of the program and all scenario files
+  std::vector<ScenarioOutcome> scenarios{};  // sorted by name
 };
 
-/// How many of what.
+/// Counts of a run.
 struct Tally {
   int scenarios = 0, same = 0, failing = 0, known_same = 0;
   int without_file =
-      0;  // of those that fail: stored, but no scenario any more, or no mesh that a trace is of
+      0;  // failing ones that are stored but have no scenario file (or meshes without a trace)
   int frames = 0, pictures = 0, written = 0;
-  std::array<int, kFindingKinds.size()> kinds{};  // of those that fail
-  int rejected = 0, accepted = 0;                 // in a review
+  std::array<int, kFindingKinds.size()> kinds{};  // failing findings by kind
+  int rejected = 0, accepted = 0;                 // by reviewers
 };
 Tally tally(const Outcome& outcome);
 
@@ -138,15 +138,15 @@ std::string summary(const Tally& tally);
 /// "1 frame", "2 frames".
 std::string counted(int count, const std::string& one, const std::string& many = "");
 
-/// Findings of one cause, told once.
+/// Findings with the same cause.
 struct Cause {
-  std::vector<const Finding*> findings;  // the one that tells it best first
-  std::vector<std::string> scenarios;    // by name
+  std::vector<const Finding*> findings;  // the most informative one first
+  std::vector<std::string> scenarios;    // sorted by name
 };
 
-/// Those that fail, by cause: what concerns most scenarios first, then the largest difference. Within one the traces
-/// before pictures, which follow from them, and the largest difference first. Where a few scenarios say something else
-/// now, somebody edited each of them, and each is a cause of its own.
+/// Failing findings by cause, most scenarios first, then the largest difference. Within a cause
+/// traces come before pictures, which follow from them, then the largest difference first. If only
+/// a few scenarios have an input change, each was edited on its own and is its own cause.
 std::vector<Cause> causes(const Outcome& outcome);
 
 }  // namespace contactscope::snapshot

@@ -9,15 +9,15 @@
 
 namespace contactscope::snapshot {
 
-/// What differs of one frame, or of the header, whose number is -1.
+/// Differences of one frame, or of the header (frame -1).
 struct FrameDifferences {
   int frame = -1;
-  const trace::Frame* expected = nullptr;  // null of the header
+  const trace::Frame* expected = nullptr;  // null for the header
   const trace::Frame* actual = nullptr;
   std::vector<Difference> differences;
 };
 
-/// What a changed trace is told by.
+/// Summary of a changed trace.
 struct FirstCause {
   /// "hull/face_contact frame 12, table-crate: the separating axis test now prefers face b: -19.98 mm against
   /// -20.01 mm of face a, a tie of 0.03 mm; so the reference face, 4 clip steps and 3 of 4 ids changed".
@@ -25,13 +25,15 @@ struct FirstCause {
   /// Where and how in the pipeline, without a number or a name: equal for traces that one edit of the
   /// program may have changed.
   std::string signature;
-  /// It stands in the scenario's file: a shape, a setting, or a pose that no solver has moved yet.
+  /// The change is in the scenario's file: a shape, a setting, or a pose before the solver moved
+  /// it.
   bool is_input = false;
 };
 
-/// The first frame in which anything differs, and in it what the pipeline decides first: all else may follow
-/// from it. Where that is a number that moved, also the first choice that came out otherwise after it. `frames`
-/// is not empty, in their order, the header first; `margins` are of the actual ones.
+/// Finds the first frame with a difference and in it the earliest stage of the pipeline; later
+/// differences may follow from it. If that stage is a moved number, also finds the next choice that
+/// flipped. `frames` is not empty and sorted, the header first; `margins` are those of the actual
+/// frames.
 FirstCause first_cause(const std::string& scenario, const std::vector<FrameDifferences>& frames,
                        const Margins& margins = {});
 

@@ -8,7 +8,7 @@
 
 namespace contactscope::snapshot {
 
-/// While it is there no other process holds one of the same folder; whoever comes later waits. Nothing where the
+/// Exclusive lock of a folder between processes; waits for the current holder. Does nothing if the
 /// folder cannot be opened.
 class FolderLock {
  public:

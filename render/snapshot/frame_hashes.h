@@ -5,34 +5,34 @@
 
 #include "trace/trace.h"
 
-/// The facts of every frame, as 16 digits each: those of frames that are not stored are held by these, in a
-/// file beside the trace, so that no frame changes unnoticed.
+/// Hashes of the facts of every frame, 16 digits each. They detect changes in frames that are not
+/// stored. They are in a file next to the trace:
 ///
 ///     rounding 3f2b5c0d9a7e6f14
 ///     0 9b1c...
 ///     1 04aa...
 ///
-/// A hash tells nothing of how much a number changed, and the last digit of a sine is not the same on
-/// all processors. So the file says how the machine that wrote it rounds; where another one rounds in another
-/// way, its hashes are not compared, and that is told.
+/// Hashes are exact, and the last digit of a sine differs between processors. The file therefore
+/// records how its machine rounds. On a machine that rounds differently, hashes are not compared,
+/// and the check says so.
 namespace contactscope::snapshot {
 
-/// Of every value in the frame, down to its bits, but for the sign of zero. What is not there counts for nothing, so
-/// that a new optional fact leaves the hashes of frames without it alone.
+/// Hash of the bits of every value in the frame, ignoring the sign of zero. Absent values do not
+/// count, so a new optional fact does not change the hashes of frames without it.
 std::string hash_of(const trace::Frame& frame);
 
-/// How this machine, with this C library and these compiler's options, rounds what the pipeline computes with:
-/// sines, square roots, sums of products. Worked out once.
+/// How this machine, C library and compiler options round the pipeline's operations: sines, square
+/// roots, sums of products. Computed once.
 const std::string& rounding();
 
 struct FrameHashes {
   std::string rounding;
-  std::map<int, std::string> hashes;  // by the frame's number
+  std::map<int, std::string> hashes;  // by frame number
   friend bool operator==(const FrameHashes&, const FrameHashes&) = default;
 };
 
 std::string to_text(const FrameHashes& hashes);
-/// Throws std::runtime_error where the text is none of the above. `path` is for the message.
+/// Throws std::runtime_error for invalid text. `path` is for the message.
 FrameHashes parse_hashes(const std::string& text, const std::string& path);
 
 }  // namespace contactscope::snapshot

@@ -9,8 +9,8 @@
 
 namespace contactscope::snapshot {
 
-/// By which margins the pipeline chose, by frame and pair ("crate-floor"). Stored traces do not hold them: a run works
-/// them out for itself, and what changed is told with those of now.
+/// Margins of the pipeline's decisions, by frame and pair ("crate-floor"). They are not stored:
+/// each run computes them, and changes are reported with the current ones.
 using Margins = std::map<std::pair<int, std::string>, std::vector<trace::Decision>>;
 
 }  // namespace contactscope::snapshot

@@ -7,20 +7,20 @@
 
 namespace contactscope::snapshot {
 
-/// Which entries of two lists belong together: indices (expected, actual), in expected order.
+/// Matching entries of two lists as indices (expected, actual), in expected order.
 struct Match {
   std::vector<std::pair<std::size_t, std::size_t>> both;
-  std::vector<std::size_t> gone;   // expected alone
-  std::vector<std::size_t> added;  // actual alone
+  std::vector<std::size_t> gone;   // only in expected
+  std::vector<std::size_t> added;  // only in actual
 
-  /// The entries that are in both lists do not stand in the same order.
+  /// The common entries are in a different order.
   bool reordered() const;
 };
 
-/// Matches equal keys, the first with the first where a key repeats.
+/// Matches equal keys; repeated keys in order.
 Match match_keys(const std::vector<std::string>& expected, const std::vector<std::string>& actual);
 
-/// Also takes what is gone and what is added at the same index for the same entry.
+/// Also matches a gone and an added entry with the same index.
 void match_rest_by_index(Match& match);
 
 }  // namespace contactscope::snapshot

@@ -4,36 +4,36 @@
 #include <set>
 #include <string>
 
-/// Large meshes of stored traces: each stands once in a file that is named by its content, whoever names it.
+/// Stores each large mesh of traces once, in a file named by a hash of its content:
 ///
 ///     root/meshes/<32 hexadecimal digits>.json.gz
 ///
-/// holds `vertices`, `faces`, and `edges` where they do not follow from the faces, as src/trace/README.md has
-/// them. The trace has empty lists instead, and its `geometry` is the name.
+/// The file has `vertices`, `faces`, and `edges` unless they follow from the faces, as in
+/// src/trace/README.md. The trace has empty lists instead, and its `geometry` is the name.
 namespace contactscope::snapshot {
 
-/// Lists of a shape that are shorter than this, as JSON, stay in the trace.
+/// Shorter lists of a shape, as JSON, stay in the trace.
 inline constexpr std::size_t kLargeMesh = 64 << 10;
 
 std::filesystem::path mesh_path(const std::filesystem::path& root, const std::string& name);
 
-/// The meshes that a trace names, by its text or its header's line alone.
+/// Names of the meshes in a trace, from its text or its header line alone.
 std::set<std::string> meshes_named(const std::string& text);
 
-/// The same trace with every mesh in it again, byte for byte as it was before it was stored; a text that names
-/// none is returned as it is. They are looked for in `meshes/` beside `path` and above it. Throws core's InputError where one is
-/// not there, or is not what its name says.
+/// Restores every mesh of a trace, byte for byte; text without mesh names is returned unchanged.
+/// Searches `meshes/` next to `path` and in parent folders. Throws core's InputError if a mesh is
+/// missing or does not match its name.
 std::string with_meshes(const std::string& text, const std::filesystem::path& path);
 
-/// Stores a trace: first its large meshes below `root`, but for those that are there, then itself. Removes what it
-/// replaces, with meshes that nothing names any more. Throws std::filesystem::filesystem_error.
+/// Stores a trace after its new large meshes (below `root`). Removes the files that it replaces and
+/// unused meshes. Throws std::filesystem::filesystem_error.
 void write_stored_trace(const std::filesystem::path& root, const std::filesystem::path& path,
                         const std::string& text);
 
-/// Removes a stored file, as remove_stored() does, with meshes that only it named.
+/// Removes a stored file like remove_stored(), with meshes that only it used.
 void remove_with_meshes(const std::filesystem::path& root, const std::filesystem::path& file);
 
-/// Files below root/meshes that no stored trace names, sorted.
+/// Files below root/meshes that no stored trace uses, sorted.
 std::set<std::filesystem::path> unnamed_meshes(const std::filesystem::path& root);
 
 }  // namespace contactscope::snapshot

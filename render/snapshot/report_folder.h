@@ -11,49 +11,49 @@
 
 namespace contactscope::snapshot {
 
-/// What a check leaves for people and programs, under OUT/check:
+/// Files of a check for people and programs, under OUT/check:
 ///
 ///     findings.json                                     the Outcome
 ///     <group>/<idea>/[<view>/]frame_0012.actual.png     a candidate
 ///     <group>/<idea>/[<view>/]frame_0012.expected.png, .difference.png
 ///     <group>/<idea>/trace.actual.jsonl, frames.actual.txt
 ///
-/// Nobody sees half of it, nor that of two runs mixed: files are made aside, and take their places
-/// when all are there. Not for several threads at once. Writing throws std::filesystem::filesystem_error.
+/// Readers never see a partial or mixed report: files are written to a temporary folder and moved
+/// when complete. Not thread-safe. Writing throws std::filesystem::filesystem_error.
 class ReportFolder {
  public:
-  /// `name`: of the folder in `out`; a shard has one of its own.
+  /// `name` is the folder in `out`; each shard has its own.
   explicit ReportFolder(const std::filesystem::path& out, const std::string& name = "check");
   ~ReportFolder();
   ReportFolder(const ReportFolder&) = delete;
   ReportFolder& operator=(const ReportFolder&) = delete;
 
-  /// Each keeps what a finding that fails is about, and says in it where. `actual`: what the run made.
+  /// Each stores the files of a failing finding and sets their paths in it. `actual` is the run's.
   void add_picture(Finding& finding, const CheckedPicture& checked, const Image& actual);
-  /// What of a picture moved, as SVG; nothing where that is empty.
+  /// SVG of the moved parts of a picture; does nothing if `svg` is empty.
   void add_layers(Finding& finding, const std::string& svg);
   void add_text(Finding& finding, const std::string& actual);
-  /// A file of another kind: a path below the folder, and its text.
+  /// Another file: its path relative to the folder, and its text.
   void add_file(const std::string& path, const std::string& text);
 
-  /// One of another report.
+  /// Copies a file of another report.
   void copy_file(const std::filesystem::path& from, const std::string& path);
 
-  /// Puts all in their places, where the files of an older report go and any others stay. Returns the
-  /// path of findings.json.
+  /// Moves all files into place. Files of an older report are removed, other files stay. Returns
+  /// the path of findings.json.
   std::filesystem::path publish(const Outcome& outcome);
 
   const std::filesystem::path& folder() const { return folder_; }
-  /// Where files are made.
+  /// The temporary folder.
   const std::filesystem::path& aside() const { return aside_; }
 
  private:
   std::filesystem::path out_, folder_, aside_;
 };
 
-/// Reads OUT/check/findings.json. Throws core's InputError where there is none, with what would make one.
+/// Reads OUT/check/findings.json. Throws core's InputError with a remedy if it is missing.
 Outcome read_outcome(const std::filesystem::path& folder);
-/// Writes it again, after a review.
+/// Rewrites it after a review.
 void write_outcome(const std::filesystem::path& folder, const Outcome& outcome);
 
 }  // namespace contactscope::snapshot

@@ -8,31 +8,31 @@
 
 namespace contactscope::snapshot {
 
-/// Where in the pipeline a fact is decided. What stands first is the cause of what follows: a face
-/// that is not chosen is not clipped against, and its points are not there.
+/// Stage of the pipeline that decides a fact. Earlier stages cause changes in later ones: a face
+/// that is not chosen is not clipped against and has no points.
 enum class Stage {
   Setup,   // shapes, settings
   Motion,  // poses, meshes that deform
   BroadPhase,
-  Pairs,       // which there are
-  Cache,       // what the frame before is asked first
+  Pairs,       // which pairs exist
+  Cache,       // queried first in the next frame
   Candidates,  // triangles of a mesh
-  Axes,        // how deep along each axis; GJK, EPA
-  Decision,    // which of them
+  Axes,        // depth along each axis; GJK, EPA
+  Decision,    // the chosen axis
   Faces,       // reference and incident face
   Clipping,
   Reduction,
-  Manifold,  // normal, features that touch
+  Manifold,  // normal, features in contact
   Points,
   Ids,
-  Answers,  // separation of the pair, and what else it was asked
+  Answers,  // separation of the pair, other queries
   Solver,
   Sums,
   Words,   // title and source
-  Frames,  // which are stored
+  Frames,  // which frames are stored
 };
 
-/// Of what stands under a key of a struct T, which itself is of `within`.
+/// Stage of the value under a key of a struct T; `within` is the stage of the struct.
 template <class T>
 constexpr Stage stage_of(std::string_view key, Stage within) {
   struct Row {
@@ -74,7 +74,7 @@ constexpr Stage stage_of(std::string_view key, Stage within) {
   return within;
 }
 
-/// Of the values of T itself that changed.
+/// Stage of the changed values of T itself.
 template <class T, class Changed>
 constexpr Stage stage_of_own(Stage within, const Changed& what) {
   if constexpr (std::same_as<T, trace::Header>) {
@@ -86,7 +86,7 @@ constexpr Stage stage_of_own(Stage within, const Changed& what) {
   if constexpr (std::same_as<T, trace::Sat>) return Stage::Decision;
   if constexpr (std::same_as<T, trace::Pair>) return Stage::Answers;
   if constexpr (std::same_as<T, trace::Point>) {
-    if (within != Stage::Points) return within;  // of the reduction, before and after it
+    if (within != Stage::Points) return within;  // points before and after reduction
     Stage first = Stage::Solver;
     for (const auto& one : what) {
       if (one.kind == trace::Kind::Position || one.kind == trace::Kind::Length)

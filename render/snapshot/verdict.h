@@ -4,32 +4,32 @@
 
 #include "snapshot/finding.h"
 
-/// What follows from a comparison. Pure: the environment and the command line come in as a policy.
+/// Decides the action after a comparison. Pure: environment and command line are in the policy.
 namespace contactscope::snapshot {
 
-/// What a check may write into the folder of snapshots.
+/// Files that a check may write into the snapshot folder.
 enum class Update {
   None,
-  Missing,  // what nothing is stored of, by --write-missing
-  Failed,   // also what differs or is orphaned, by --update
-  All,      // also what is the same: after a change of the file format or the compression
+  Missing,  // files that are missing, by --write-missing
+  Failed,   // also changed and orphaned files, by --update
+  All,      // also unchanged ones, after a change of the file format or compression
 };
 
 struct Policy {
-  bool ci = false;  // nothing is ever written or removed, whatever `update` says
+  bool ci = false;  // never write or remove anything, whatever `update` is
   Update update = Update::None;
 
   constexpr Update allowed() const { return ci ? Update::None : update; }
 };
 
-/// Of the environment variable CI: "true" or "1". Null where it is not set.
+/// Tests the environment variable CI for "true" or "1"; null if it is not set.
 inline bool is_ci(const char* value) {
   const std::string_view text = value ? value : "";
   return text == "true" || text == "1";
 }
 
-/// What becomes of the stored file. Nothing is written where nobody asked for it: a snapshot is not
-/// agreed on until somebody has looked at it.
+/// Action on the stored file. Nothing is written without a request: a snapshot must be reviewed
+/// before it is accepted.
 constexpr Done decide(FindingKind kind, const Policy& policy) {
   const Update update = policy.allowed();
   switch (kind) {
@@ -41,7 +41,7 @@ constexpr Done decide(FindingKind kind, const Policy& policy) {
     case FindingKind::UnmetExpectation:
     case FindingKind::KnownBad:
     case FindingKind::UnreadableScenario:
-      return Done::Nothing;  // that is for whoever wrote the scenario, or knows the bug
+      return Done::Nothing;  // fix the scenario or the bug instead
     case FindingKind::Changed:
     case FindingKind::Unreadable:
       break;

@@ -1,14 +1,13 @@
-/// Records what Bullet 3, in float or double, finds and solves, for contactscope:
+/// Records the contacts and impulses of Bullet 3 (float or double) for contactscope:
 ///
 ///     contactscope::BulletRecorder recorder(world, "stack.jsonl");
 ///
-/// after the world has its own tick callbacks; from then on each step is a frame. One source file of the program
-/// defines CONTACTSCOPE_IMPLEMENTATION before this include. C++11. README.md says what is turned and why.
+/// Create it after the world has its own tick callbacks; each later step becomes a frame. C++11.
+/// Define CONTACTSCOPE_IMPLEMENTATION before this include in one source file. README.md explains
+/// the conversions. Poses are from before the step, as contacts are: Bullet detects,
+/// solves and integrates in this order, so after the step the bodies have moved on.
 ///
-/// A frame has the poses from before the step, which are those of its contacts: Bullet detects, solves and
-/// integrates, in this order, and at the end of the step the bodies have left the points behind.
-///
-/// MIT License, as recorder/contactscope.h, which has its text.
+/// MIT License; the text is in recorder/contactscope.h.
 #pragma once
 
 #include <btBulletDynamicsCommon.h>
@@ -28,8 +27,8 @@ namespace contactscope {
 
 class BulletRecorder {
  public:
-  /// Writes to `path`; `scenario` is GROUP/IDEA, where pictures go. The world must outlive the recorder, and
-  /// callbacks that it gets later displace the recorder's.
+  /// `scenario` is GROUP/IDEA, the folder of the pictures. The world must outlive the recorder.
+  /// Tick callbacks that are set later replace the recorder's.
   BulletRecorder(btDynamicsWorld& world, const char* path, const char* scenario = "bullet/run")
       : world_(world),
         path_(path),
@@ -51,14 +50,14 @@ class BulletRecorder {
   BulletRecorder(const BulletRecorder&) = delete;
   BulletRecorder& operator=(const BulletRecorder&) = delete;
 
-  /// Before the first step that has the object; without a name it is called by the kind of its shape and a number.
+  /// Call it before the first step with the object. The default is the shape's kind and a number.
   void name(const btCollisionObject* object, const std::string& name) { names_[object] = name; }
 
-  /// What it writes with: null before the first step, and where the file cannot be made.
+  /// Null before the first step and if the file cannot be created.
   cs_recorder* recorder() const { return recorder_; }
 
  private:
-  /// The world's callbacks are protected, and its setter overwrites the user's pointer, which theirs need.
+  /// The callbacks are protected, and their setter would overwrite the user pointer of the program.
   struct Callbacks : btDynamicsWorld {
     static btInternalTickCallback btDynamicsWorld::*before() {
       return &Callbacks::m_internalPreTickCallback;
@@ -73,16 +72,16 @@ class BulletRecorder {
   }
   static void begin_step(btDynamicsWorld* world, btScalar step) {
     BulletRecorder* self = recorders()[world];
-    if (self->before_) self->before_(world, step);  // it may move bodies: first
+    if (self->before_) self->before_(world, step);  // first: it may move bodies
     self->record_bodies();
   }
   static void end_step(btDynamicsWorld* world, btScalar step) {
     BulletRecorder* self = recorders()[world];
     self->record_contacts(step);
-    if (self->after_) self->after_(world, step);  // it may remove bodies: last
+    if (self->after_) self->after_(world, step);  // last: it may remove bodies
   }
 
-  /// Differs where it is another body, or has another shape.
+  /// Changes if the memory holds another body, or if the body has another shape.
   struct Signature {
     int proxy, type, revision;
     const btCollisionShape* form;
@@ -95,10 +94,10 @@ class BulletRecorder {
   struct Body {
     Signature signature;
     bool is_there;
-    int shape;  // its compound, or its only leaf; -1: nothing of it can be told
+    int shape;  // its compound, or its only leaf; -1: nothing of it is recorded
     std::vector<bullet::Leaf> leaves;
   };
-  /// Points with one normal, on one triangle: Bullet's own manifold may have several of either.
+  /// Points with the same normal and triangle. One Bullet manifold may have several of both.
   struct Found {
     int a, b, triangle;
     bullet::Vector normal;
@@ -116,7 +115,7 @@ class BulletRecorder {
     const btVector3& scale = form->getLocalScaling();
     const int revision =
         form->isCompound() ? static_cast<const btCompoundShape*>(form)->getUpdateRevision() : 0;
-    // The number of its proxy tells a body from a later one in the same memory.
+    // The proxy's unique id distinguishes a body from a later one in the same memory.
     return {proxy ? proxy->getUid() : -1,
             form->getShapeType(),
             revision,
@@ -198,7 +197,7 @@ class BulletRecorder {
     const auto body_a = bodies_.find(a), body_b = bodies_.find(b);
     if (body_a == bodies_.end() || body_b == bodies_.end()) return;
     const bool is_sensor = !a->hasContactResponse() || !b->hasContactResponse();
-    // Points of a pair that sleeps keep the impulses of its last step.
+    // Points of a sleeping pair keep the impulses of their last step.
     const bool is_solved = !is_sensor && (is_moved_by_solver(a) || is_moved_by_solver(b));
     std::vector<Found> groups;
     for (int i = 0; i < manifold.getNumContacts(); ++i) {
@@ -240,7 +239,7 @@ class BulletRecorder {
     return {leaf->shape, bullet::triangle_at(*leaf, pose, part, index, point)};
   }
 
-  /// Its impulses act on a; ours on b.
+  /// Bullet's impulses act on a, recorded ones on b.
   static cs_point point_of(const btManifoldPoint& found) {
     const btVector3 friction = -(found.m_appliedImpulseLateral1 * found.m_lateralFrictionDir1 +
                                  found.m_appliedImpulseLateral2 * found.m_lateralFrictionDir2);

@@ -1,6 +1,6 @@
-/// What bullet.h records of Bullet's collision shapes, and which of them a point is on.
+/// Records Bullet's collision shapes for bullet.h, and finds the shape that a point is on.
 ///
-/// MIT License, as recorder/contactscope.h, which has its text.
+/// MIT License; the text is in recorder/contactscope.h.
 #pragma once
 
 #include <BulletCollision/CollisionShapes/btHeightfieldTerrainShape.h>
@@ -36,22 +36,22 @@ struct Triangle {
   int number;                        // in the recorded mesh
 };
 
-/// A shape that is no compound, somewhere in a body.
+/// A shape that is not a compound, as a part of a body.
 struct Leaf {
   const btCollisionShape* form;
   btTransform in_body;
-  int child;  // its number in the compound that holds it; -1: in none
-  int shape;  // of the recorder
+  int child;  // its index in the parent compound, or -1
+  int shape;  // its id in the recorder
   std::map<std::pair<int, int>, std::vector<Triangle>> triangles;  // by Bullet's part and index
 };
 
-/// Writes the shapes of bodies. What cannot be told is left out, and said so.
+/// Writes the shapes of bodies. Shapes that cannot be recorded are left out with a note.
 class ShapeWriter {
  public:
   explicit ShapeWriter(cs_recorder* recorder) : recorder_(recorder) {}
 
-  /// Writes a shape and what is in it; returns the leaves that could be told. `shape` becomes what stands for the
-  /// whole: its only leaf, or a compound. Without a name it gets its kind and a number.
+  /// Writes a shape with its children and returns the recorded leaves. `shape` becomes the only
+  /// leaf, or a compound. The default name is the shape's kind and a number.
   std::vector<Leaf> write(const btCollisionShape* form, const std::string& name, int& shape) {
     std::vector<Leaf> leaves;
     if (!form->isCompound()) {
@@ -108,7 +108,7 @@ class ShapeWriter {
     if (leaf.shape >= 0) leaves.push_back(leaf);
   }
 
-  /// A box and a cylinder have their margin inside; what else has one is larger by it than its points.
+  /// Boxes and cylinders include their margin; other shapes extend beyond their points by it.
   int add_convex(const btConvexShape& form, const std::string& name) {
     switch (form.getShapeType()) {
       case BOX_SHAPE_PROXYTYPE: {
@@ -160,7 +160,7 @@ class ShapeWriter {
     std::set<Vector> points;
   };
 
-  /// Without the margin: its vertices; of what tells none, and may be curved, support points in many directions.
+  /// Points without the margin: vertices, or for curved shapes support points in many directions.
   std::vector<double> hull_points(const btConvexShape& form) {
     AllCorners all;
     const btVector3 far = everywhere();
@@ -177,7 +177,7 @@ class ShapeWriter {
       }
     } else {
       const int count = 1000;
-      for (int i = 0; i < count; ++i) {  // a spiral over the sphere, evenly spread
+      for (int i = 0; i < count; ++i) {  // a spiral that covers the sphere evenly
         const double height = 1 - (2 * i + 1) / double(count), turn = 2.39996322972865332 * i;
         const double across = std::sqrt(1 - height * height);
         const btVector3 direction(btScalar(across * std::cos(turn)), btScalar(height),
@@ -199,7 +199,7 @@ class ShapeWriter {
   struct AllTriangles : btTriangleCallback {
     void processTriangle(btVector3* corners, int part, int index) override {
       std::array<btVector3, 3> v = {{corners[0], corners[1], corners[2]}};
-      // Of a height field, whichever way Bullet lists them.
+      // Turn height field triangles upwards, whatever their order in Bullet.
       if (up_axis >= 0 && (v[1] - v[0]).cross(v[2] - v[0])[up_axis] < 0) std::swap(v[1], v[2]);
       for (const btVector3& corner : v) {
         const Vector place = vector_of(corner);
@@ -233,8 +233,8 @@ class ShapeWriter {
   int count_ = 0;
 };
 
-/// The leaf of a body at `pose` that a point of a manifold is on: by the number that the point has of it, else
-/// the nearest one. Null where there is none.
+/// The leaf under a point of a manifold: the one with the point's index, else the nearest one. Null
+/// if the body has no leaves. `pose` is the body's.
 inline const Leaf* leaf_at(const std::vector<Leaf>& leaves, const btTransform& pose, int part,
                            int index, const btVector3& point) {
   if (leaves.size() < 2) return leaves.empty() ? nullptr : &leaves[0];
@@ -260,8 +260,8 @@ inline const Leaf* leaf_at(const std::vector<Leaf>& leaves, const btTransform& p
   return nearest;
 }
 
-/// The triangle of a point, in the recorded mesh; -1 of a shape without. Bullet has one number for both triangles
-/// of a height field's cell.
+/// Triangle of the recorded mesh under a point; -1 for shapes without triangles. Bullet uses one
+/// index for both triangles of a height field's cell.
 inline int triangle_at(const Leaf& leaf, const btTransform& pose, int part, int index,
                        const btVector3& point) {
   const auto found = leaf.triangles.find({part, index});

@@ -1,14 +1,14 @@
-/// Records what FCL 0.6 or later finds, in float or double, for contactscope:
+/// Records the contacts of FCL 0.6 or later (float or double) for contactscope:
 ///
 ///     contactscope::FclRecorder<double> recorder("pairs.jsonl");
 ///     recorder.begin_frame(time);
 ///     fcl::collide(&a, &b, request, result);
-///     recorder.pair(a, b, result);             // of each pair, with what fcl::collide said of it
+///     recorder.pair(a, b, result);             // for each pair, after fcl::collide
 ///
-/// One source file of the program defines CONTACTSCOPE_IMPLEMENTATION before this include. C++11. README.md says
-/// what is turned and why. The poses are those of the contacts; there is no solver, and so no impulse.
+/// C++11. Define CONTACTSCOPE_IMPLEMENTATION before this include in one source file. README.md
+/// explains the conversions. FCL has no solver, so there are no impulses.
 ///
-/// MIT License, as recorder/contactscope.h, which has its text.
+/// MIT License; the text is in recorder/contactscope.h.
 #pragma once
 
 #include <fcl/config.h>
@@ -39,7 +39,7 @@ namespace contactscope {
 template <class S>
 class FclRecorder {
  public:
-  /// Writes to `path`; `scenario` is GROUP/IDEA, where pictures go.
+  /// `scenario` is GROUP/IDEA, the folder of the pictures.
   explicit FclRecorder(const char* path, const char* scenario = "fcl/run", bool z_up = true) {
     cs_settings settings = cs_settings();
     settings.doubles = sizeof(S) == sizeof(double);
@@ -51,18 +51,18 @@ class FclRecorder {
   FclRecorder(const FclRecorder&) = delete;
   FclRecorder& operator=(const FclRecorder&) = delete;
 
-  /// Before the first frame that has the object; otherwise it is called by its kind and a number.
+  /// Call it before the first frame with the object. The default is the shape's kind and a number.
   void name(const fcl::CollisionObject<S>& object, const std::string& name) {
     names_[&object] = name;
   }
 
-  /// The frame before ends.
+  /// Ends the previous frame.
   void begin_frame(double time) { cs_begin_frame(recorder_, time); }
 
-  /// An object that is there, also where it touches nothing.
+  /// Records an object that may have no contacts.
   void object(const fcl::CollisionObject<S>& object) { placed(object); }
 
-  /// What fcl::collide(&a, &b, request, result) found, with contacts asked for (enable_contact).
+  /// `result` is that of fcl::collide(&a, &b, request, result), with enable_contact in the request.
   void pair(const fcl::CollisionObject<S>& a, const fcl::CollisionObject<S>& b,
             const fcl::CollisionResult<S>& result) {
     const int shape_a = placed(a), shape_b = placed(b);
@@ -70,7 +70,7 @@ class FclRecorder {
     std::map<std::array<double, 4>, std::vector<cs_point>> found;  // by triangle and normal
     for (std::size_t i = 0; i < result.numContacts(); ++i) {
       const fcl::Contact<S>& contact = result.getContact(i);
-      // FCL trades the two where it has a pair in one order only, and says so.
+      // FCL swaps pairs that it implements in one order only; o1 and o2 show it.
       const bool is_traded =
           contact.o1 != a.collisionGeometry().get() && contact.o1 == b.collisionGeometry().get();
       const double sign = is_traded ? -1 : 1;
@@ -89,14 +89,14 @@ class FclRecorder {
                   entry.second.data(), int(entry.second.size()));
   }
 
-  /// What it writes with; null where the file cannot be made.
+  /// Null if the file cannot be created.
   cs_recorder* recorder() const { return recorder_; }
 
  private:
   struct Known {
     const fcl::CollisionGeometry<S>* geometry;
-    fcl::Vector3<S> low, high;  // of its box, which change with its size
-    int shape;                  // -1: it cannot be told
+    fcl::Vector3<S> low, high;  // corners of its local box, which change with its size
+    int shape;                  // -1: not recorded
   };
 
   int placed(const fcl::CollisionObject<S>& object) {
@@ -220,7 +220,7 @@ class FclRecorder {
   static std::vector<double> points_of(const fcl::Vector3<S>& radii) {
     std::vector<double> points;
     const int count = 1000;
-    for (int i = 0; i < count; ++i) {  // a spiral over the sphere, evenly spread
+    for (int i = 0; i < count; ++i) {  // a spiral that covers the sphere evenly
       const double height = 1 - (2 * i + 1) / double(count), turn = 2.39996322972865332 * i;
       const double across = std::sqrt(1 - height * height);
       points.push_back(double(radii[0]) * across * std::cos(turn));

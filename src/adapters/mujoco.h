@@ -1,13 +1,13 @@
-/// Records what MuJoCo (2.2 or later) finds and solves, for contactscope:
+/// Records the contacts and forces of MuJoCo (2.2 or later) for contactscope:
 ///
 ///     contactscope::MujocoRecorder recorder(model, "stack.jsonl");
 ///     recorder.record(data);   // after each mj_step
 ///
-/// One source file of the program defines CONTACTSCOPE_IMPLEMENTATION before this include. C++11. README.md says
-/// what is turned and why. A frame has the poses of its contacts: mj_step works out both before it integrates, and
-/// leaves them in mjData as they were.
+/// C++11. Define CONTACTSCOPE_IMPLEMENTATION before this include in one source file. README.md
+/// explains the conversions. Poses are those of the contacts: mj_step computes both before it
+/// integrates, and keeps them in mjData.
 ///
-/// MIT License, as recorder/contactscope.h, which has its text.
+/// MIT License; the text is in recorder/contactscope.h.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -26,7 +26,7 @@ namespace contactscope {
 
 class MujocoRecorder {
  public:
-  /// Writes to `path`; `scenario` is GROUP/IDEA, where pictures go. The model must outlive the recorder.
+  /// `scenario` is GROUP/IDEA, the folder of the pictures. The model must outlive the recorder.
   MujocoRecorder(const mjModel* model, const char* path, const char* scenario = "mujoco/run")
       : model_(model) {
     cs_settings settings = cs_settings();
@@ -41,8 +41,8 @@ class MujocoRecorder {
   MujocoRecorder(const MujocoRecorder&) = delete;
   MujocoRecorder& operator=(const MujocoRecorder&) = delete;
 
-  /// A frame of what the last mj_step, or mj_forward with `integrated` false, found. Not after mj_step1, which solves
-  /// nothing.
+  /// Records the last mj_step as a frame, or the last mj_forward if `integrated` is false. Do not
+  /// call it after mj_step1, which solves nothing.
   void record(const mjData* data, bool integrated = true) {
     if (!recorder_) return;
     cs_begin_frame(recorder_, double(data->time - (integrated ? model_->opt.timestep : 0)));
@@ -60,7 +60,7 @@ class MujocoRecorder {
     cs_end_frame(recorder_);
   }
 
-  /// What it writes with; null where the file cannot be made.
+  /// Null if the file cannot be created.
   cs_recorder* recorder() const { return recorder_; }
 
  private:
@@ -83,7 +83,7 @@ class MujocoRecorder {
     return name && *name ? name : otherwise + " " + std::to_string(id);
   }
 
-  /// Geoms that only are seen are left out.
+  /// Leaves out geoms that are only visual.
   void add_geoms() {
     std::vector<int> parts(std::size_t(model_->nbody), 0);
     for (int geom = 0; geom < model_->ngeom; ++geom)
@@ -92,7 +92,7 @@ class MujocoRecorder {
     for (int geom = 0; geom < model_->ngeom; ++geom) {
       const int body = model_->geom_bodyid[geom];
       const bool is_whole = body > 0 && parts[std::size_t(body)] == 1;
-      // A geom without a name that is all of its body has that one's.
+      // The only geom of a body takes the body's name if it has none.
       const std::string own = name_of(mjOBJ_GEOM, geom, "geom");
       const bool has_own = mj_id2name(model_, mjOBJ_GEOM, geom) != nullptr;
       const int shape =
@@ -107,7 +107,7 @@ class MujocoRecorder {
       }
       if (whole < 0) whole = cs_compound(recorder_, name_of(mjOBJ_BODY, body, "body").c_str());
       const double place[3] = {0, 0, 0},
-                   unturned[4] = {1, 0, 0, 0};  // geoms have poses of their own
+                   unturned[4] = {1, 0, 0, 0};  // geoms have their own poses
       cs_part(recorder_, whole, shape, place, unturned);
     }
   }
@@ -142,7 +142,7 @@ class MujocoRecorder {
   int add_ellipsoid(const std::string& name, const Vector& radii) {
     std::vector<double> points;
     const int count = 1000;
-    for (int i = 0; i < count; ++i) {  // a spiral over the sphere, evenly spread
+    for (int i = 0; i < count; ++i) {  // a spiral that covers the sphere evenly
       const double height = 1 - (2 * i + 1) / double(count), turn = 2.39996322972865332 * i;
       const double across = std::sqrt(1 - height * height);
       points.insert(points.end(), {radii[0] * across * std::cos(turn),
@@ -152,7 +152,7 @@ class MujocoRecorder {
     return cs_hull(recorder_, name.c_str(), points.data(), count);
   }
 
-  /// A mesh collides as its convex hull, whose vertices are listed in its graph.
+  /// MuJoCo collides meshes as convex hulls. The mesh's graph lists the vertices of its hull.
   int add_hull(const std::string& name, int mesh) {
     const float* vertices = model_->mesh_vert + 3 * model_->mesh_vertadr[mesh];
     std::vector<double> points;
@@ -160,7 +160,7 @@ class MujocoRecorder {
       for (int k = 0; k < 3; ++k) points.push_back(double(vertices[3 * vertex + k]));
     };
     if (model_->mesh_graphadr[mesh] >= 0) {
-      // Counts of vertices and faces, an address for each vertex, and its number in the mesh.
+      // The graph: counts of vertices and faces, an address per vertex, a mesh index per vertex.
       const int* graph = model_->mesh_graph + model_->mesh_graphadr[mesh];
       for (int i = 0; i < graph[0]; ++i) add(graph[2 + graph[0] + i]);
     } else {
@@ -169,7 +169,7 @@ class MujocoRecorder {
     return cs_hull(recorder_, name.c_str(), points.data(), int(points.size() / 3));
   }
 
-  /// Its upper side; each cell is cut from its corner of least x and y to that of most.
+  /// The upper surface. The diagonal of each cell goes from its least x and y to its greatest.
   int add_height_field(const std::string& name, int field) {
     const int rows = model_->hfield_nrow[field], columns = model_->hfield_ncol[field];
     const mjtNum* size = model_->hfield_size + 4 * field;
@@ -193,7 +193,7 @@ class MujocoRecorder {
   void record_bodies(const mjData* data) {
     for (int body = 1; body < model_->nbody; ++body) {
       if (bodies_[std::size_t(body)] < 0 || model_->body_weldid[body] == 0) continue;
-      mjtNum velocity[6];  // angular, linear; of the centre of mass, in the world
+      mjtNum velocity[6];  // angular, then linear; of the centre of mass, world frame
       mj_objectVelocity(model_, data, mjOBJ_BODY, body, velocity, 0);
       cs_body(recorder_, bodies_[std::size_t(body)], double(model_->body_mass[body]),
               vector_of(data->xipos + 3 * body).data(), vector_of(velocity + 3).data(),
@@ -217,11 +217,11 @@ class MujocoRecorder {
                   entry.second.data(), int(entry.second.size()));
   }
 
-  /// Whether the point is halfway between both surfaces, as MuJoCo says of all. It is where there is a formula; of two
-  /// boxes, and of what libccd works out, it is anywhere in the overlap.
+  /// MuJoCo documents every point as halfway between the surfaces. Only its analytic cases are:
+  /// points of two boxes and of libccd are anywhere in the overlap.
   static bool is_halfway(int one, int other) {
     const auto is_round = [](int type) { return type == mjGEOM_SPHERE || type == mjGEOM_CAPSULE; };
-    if (one == mjGEOM_PLANE) return true;  // geoms are in the order of their types
+    if (one == mjGEOM_PLANE) return true;  // geom1 has the lower type
     return is_round(one) && (is_round(other) || other == mjGEOM_BOX);
   }
 
@@ -231,7 +231,7 @@ class MujocoRecorder {
     point.separation = double(contact.dist);
     point.has_impulse = contact.efc_address >= 0;
     point.idle = !point.has_impulse;
-    mjtNum force[6] = {0, 0, 0, 0, 0, 0};  // newtons on geom2, in the contact's frame; then moments
+    mjtNum force[6] = {0, 0, 0, 0, 0, 0};  // newtons on geom2, contact frame; then moments
     if (point.has_impulse) mj_contactForce(model_, data, i, force);
     const double step = double(model_->opt.timestep);
     point.impulse = double(force[0]) * step;
@@ -250,8 +250,8 @@ class MujocoRecorder {
 
   const mjModel* model_;
   cs_recorder* recorder_;
-  std::vector<int> shapes_;  // of each geom; -1: not recorded
-  std::vector<int> bodies_;  // what stands for each body: a compound, or its only geom; -1: nothing
+  std::vector<int> shapes_;  // by geom; -1: not recorded
+  std::vector<int> bodies_;  // by body: a compound or its only geom; -1: not recorded
 };
 
 }  // namespace contactscope

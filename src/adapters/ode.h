@@ -1,13 +1,13 @@
-/// Records what ODE (0.13 or later) finds and solves, for contactscope:
+/// Records the contacts and forces of ODE (0.13 or later) for contactscope:
 ///
 ///     contactscope::OdeRecorder recorder(world, space, "stack.jsonl");
 ///     recorder.contact(joint, contact.geom);   // in the near callback, for each contact joint
-///     recorder.step(dWorldQuickStep, 0.01);    // in place of dWorldQuickStep(world, 0.01)
+///     recorder.step(dWorldQuickStep, 0.01);    // instead of dWorldQuickStep(world, 0.01)
 ///
-/// One source file of the program defines CONTACTSCOPE_IMPLEMENTATION before this include. C++11. README.md says
-/// what is turned and why. A frame has the poses from before the step, which are those of its contacts.
+/// C++11. Define CONTACTSCOPE_IMPLEMENTATION before this include in one source file. README.md
+/// explains the conversions. Poses are those of the contacts, from before the step.
 ///
-/// MIT License, as recorder/contactscope.h, which has its text.
+/// MIT License; the text is in recorder/contactscope.h.
 #pragma once
 
 #include <ode/ode.h>
@@ -28,8 +28,8 @@ namespace contactscope {
 
 class OdeRecorder {
  public:
-  /// Writes to `path`; `scenario` is GROUP/IDEA, where pictures go. What is in the space, and in spaces in it, is
-  /// recorded. World and space must outlive the steps, not the recorder.
+  /// `scenario` is GROUP/IDEA, the folder of the pictures. Records the geoms of the space and of
+  /// spaces in it. World and space must exist during the steps, but may die before the recorder.
   OdeRecorder(dWorldID world, dSpaceID space, const char* path, const char* scenario = "ode/run")
       : world_(world), space_(space) {
     dVector3 down;
@@ -45,19 +45,19 @@ class OdeRecorder {
   OdeRecorder(const OdeRecorder&) = delete;
   OdeRecorder& operator=(const OdeRecorder&) = delete;
 
-  /// Before the first step that has it; otherwise it is called by its kind and a number. A body with several geoms
-  /// has a name, and each of them.
+  /// Call it before the first step with the geom or body. The default is its kind and a number. A
+  /// body with several geoms has a name, and each of its geoms has one.
   void name(dGeomID geom, const std::string& name) { geom_names_[geom] = name; }
   void name(dBodyID body, const std::string& name) { body_names_[body] = name; }
 
-  /// The form, in its own frame, of a geom that ODE does not tell: a height field, or a class of the program's own.
-  /// Three numbers a vertex, three indices a triangle, counter-clockwise seen from outside.
+  /// Surface, in the geom's frame, of a geom that ODE cannot export: a height field or user class.
+  /// Three numbers per vertex; three indices per triangle, counter-clockwise seen from outside.
   void form(dGeomID geom, const std::vector<double>& vertices, const std::vector<int>& triangles) {
     forms_[geom] = {vertices, triangles};
   }
 
-  /// A contact of the next step. `joint` is what was made of it, 0 where it was not. It must live until the step is
-  /// over.
+  /// Adds a contact of the next step. `joint` is its contact joint, or 0 if it has none. The joint
+  /// must exist until the step is over.
   void contact(dJointID joint, const dContactGeom& geom) {
     if (!recorder_) return;
     contacts_.push_back({geom, joint, dJointFeedback(), nullptr});
@@ -77,7 +77,7 @@ class OdeRecorder {
     return result;
   }
 
-  /// What it writes with; null where the file cannot be made.
+  /// Null if the file cannot be created.
   cs_recorder* recorder() const { return recorder_; }
 
  private:
@@ -92,7 +92,7 @@ class OdeRecorder {
     std::vector<double> vertices;
     std::vector<int> triangles;
   };
-  /// Differs where another geom is in the same memory, or its form was changed.
+  /// Changes if the memory holds another geom, or if the geom's form changed.
   struct Signature {
     int type, count, siblings;
     dBodyID body;
@@ -105,11 +105,11 @@ class OdeRecorder {
   };
   struct Geom {
     Signature signature;
-    int shape;  // -1: it cannot be told
+    int shape;  // -1: not recorded
     bool is_there;
   };
   struct Body {
-    int geoms, shape;  // a compound, or its only geom's
+    int geoms, shape;  // shape: a compound, or that of its only geom
     bool is_there;
   };
 
@@ -202,7 +202,7 @@ class OdeRecorder {
     }
   }
 
-  /// ODE does not tell the vertices of a convex geom, but a plane that cuts it collides with all of them below it.
+  /// ODE hides the vertices of convex geoms, but a plane collides with every vertex below it.
   static std::vector<double> vertices_of(dGeomID convex) {
     dReal box[6];
     dGeomGetAABB(convex, box);
@@ -264,7 +264,7 @@ class OdeRecorder {
     }
   }
 
-  /// Makes a geom stand for its body, or a part of it where that has several.
+  /// Adds a geom to its body: as the body's shape if it is the only geom, else as a part.
   void join(dGeomID geom, const Geom& made) {
     const dBodyID body = made.signature.body;
     if (!body) return;
@@ -279,7 +279,7 @@ class OdeRecorder {
           name != body_names_.end() ? name->second : "body " + std::to_string(++count_);
       whole = {made.signature.siblings, cs_compound(recorder_, word.c_str()), true};
     }
-    // Geoms have poses of their own.
+    // Geoms have their own poses.
     const Vector place = vector_of(dGeomGetOffsetPosition(geom));
     const double unturned[4] = {1, 0, 0, 0};
     cs_part(recorder_, whole.shape, made.shape, place.data(), unturned);
@@ -331,7 +331,7 @@ class OdeRecorder {
       const int triangle = triangle_of(a->second, contact.geom.side1) >= 0
                                ? triangle_of(a->second, contact.geom.side1)
                                : triangle_of(b->second, contact.geom.side2);
-      const dReal* n = contact.geom.normal;  // into g1
+      const dReal* n = contact.geom.normal;  // points into g1
       found[{{double(a->second.shape), double(b->second.shape), double(triangle), -double(n[0]),
               -double(n[1]), -double(n[2])}}]
           .push_back(point_of(contact, size));
@@ -363,11 +363,11 @@ class OdeRecorder {
     return point;
   }
 
-  /// False where the step did not solve it: without a joint, or where both bodies are disabled.
+  /// False if the step did not solve the contact: no joint, or both bodies are disabled.
   static bool force_on_b(const Contact& contact, double* force) {
     for (int k = 0; k < 3; ++k) force[k] = 0;
     if (!contact.joint) return false;
-    // ODE turns a joint round whose first body is the world: what it calls the first force is on the only one.
+    // ODE swaps the bodies of a joint whose first body is the world; f1 acts on the only body.
     const dBodyID first = dJointGetBody(contact.joint, 0), second = dJointGetBody(contact.joint, 1);
     if (!(first && dBodyIsEnabled(first)) && !(second && dBodyIsEnabled(second))) return false;
     const dJointFeedback& told = *contact.feedback;
@@ -389,7 +389,7 @@ class OdeRecorder {
   std::map<dGeomID, Form> forms_;
   std::map<dGeomID, Geom> geoms_;
   std::map<dBodyID, Body> bodies_;
-  std::deque<Contact> contacts_;  // their addresses stay
+  std::deque<Contact> contacts_;  // a deque keeps their addresses valid
 };
 
 }  // namespace contactscope

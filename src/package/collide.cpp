@@ -108,7 +108,7 @@ const char* to_string(ContactStatus status) {
 
 Contacts collide(const Collider& a, const Pose& pose_a, const Collider& b, const Pose& pose_b,
                  const CollideOptions& options) {
-  inside(options);  // what is wrong with them does not depend on the shapes
+  inside(options);  // validate options even if the shapes are invalid
   Contacts none;
   const contactscope::Pose<double> placed_a = to_inside(pose_a), placed_b = to_inside(pose_b);
   if (!is_placed(placed_a) || !is_placed(placed_b)) {

@@ -10,19 +10,19 @@
 namespace contactscope::package {
 namespace {
 
-/// A point that was expected, and the one that is nearest to it.
+/// An expected point and the actual point nearest to it.
 struct Nearest {
   int expected = -1, actual = -1;
   double distance = 0;
 };
 
-/// What is no place is far from all.
+/// NaN counts as infinitely far.
 double distance_of(const Vec3d& one, const Vec3d& other) {
   const double distance = (one - other).norm();
   return std::isnan(distance) ? std::numeric_limits<double>::infinity() : distance;
 }
 
-/// Pairs points off, the nearest two first, so that one that moved does not take another's partner.
+/// Pairs points greedily by distance, so that a moved point does not take another's partner.
 std::vector<Nearest> paired_off(const std::vector<Vec3d>& expected,
                                 const std::vector<Vec3d>& actual) {
   std::vector<Nearest> all;

@@ -74,7 +74,7 @@ contactscope::Pose<double> to_inside(const Pose& pose) {
   const auto& [w, x, y, z] = pose.rotation;
   Quatd rotation(w, x, y, z);
   const double length = rotation.norm();
-  // A unit quaternion is left as it is, to the bit.
+  // Keep unit quaternions bit for bit.
   constexpr double kRounding = 1e-15;
   if (length > 0 && std::isfinite(length) && std::abs(length - 1) > kRounding)
     rotation.coeffs() /= length;

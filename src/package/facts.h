@@ -11,19 +11,19 @@
 #include "package/contactscope/trace.h"
 #include "trace/json.h"
 
-/// From the package's plain data to the library's types, and back. Inside of the package the library's
-/// types are named in full, contactscope::Manifold<double>.
+/// Conversions between the package's plain data and the library's types. In the package, the
+/// library's types have qualified names: contactscope::Manifold<double>.
 namespace contactscope::package {
 
 struct Trace::Facts {
   contactscope::trace::Trace trace;
-  int cut_off_in = 0;  // line of the file; 0: it is whole
+  int cut_off_in = 0;  // line of the file; 0: the file is complete
 };
 
 struct Collider::Built {
   contactscope::Shape<double> in_double;
   contactscope::Shape<float> in_float;  // each coordinate rounded once
-  const char* type;                     // "box", "hull", ... as traces call it
+  const char* type;                     // "box", "hull", ... as in traces
 };
 
 template <class S>
@@ -35,22 +35,22 @@ const contactscope::Shape<S>& shape_in(const Collider::Built& built) {
 Vec3d to_inside(const Vec3& vector);
 Vec3 to_outside(const Vec3d& vector);
 
-/// The quaternion is made unit; one of zero length, or that is not finite, stays.
+/// Normalizes the quaternion, unless its length is zero or not finite.
 contactscope::Pose<double> to_inside(const Pose& pose);
 Pose to_outside(const contactscope::Pose<double>& pose);
 
 contactscope::trace::Manifold to_inside(const Manifold& manifold);
 Manifold to_outside(const contactscope::trace::Manifold& manifold);
 
-/// Metres of the deepest point of all, negative in overlap; 0 without points.
+/// Separation of the deepest point of all in metres, negative = overlap; 0 without points.
 double separation_of(const std::vector<Manifold>& manifolds);
 
-/// A shape as a trace has it, with the vertices that a pipeline in this scalar sees.
+/// A shape as in traces, with the vertices that a pipeline with this scalar sees.
 contactscope::trace::Shape traced(const std::string& name, const Collider& collider, Scalar scalar);
 
 Trace trace_of(contactscope::trace::Trace facts);
 
-/// "float", "double", as traces spell it.
+/// "float" or "double", as in traces.
 const char* name_of(Scalar scalar);
 
 /// Throws std::invalid_argument: "there is no layer 'shape'; did you mean 'shapes'? there is ...".

@@ -1,4 +1,4 @@
-# What `cmake --install` puts where. Nothing in it knows the prefix: the tree may be moved.
+# Rules of `cmake --install`. The installed tree does not contain the prefix and may be moved.
 include(CMakePackageConfigHelpers)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/contactscope)
@@ -8,7 +8,7 @@ install(EXPORT contactscope FILE contactscopeTargets.cmake NAMESPACE contactscop
   DESTINATION ${package_dir} COMPONENT development)
 configure_package_config_file(config.cmake.in contactscopeConfig.cmake
   INSTALL_DESTINATION ${package_dir} NO_SET_AND_CHECK_MACRO NO_CHECK_REQUIRED_COMPONENTS_MACRO)
-# While the first number is 0, the second one counts changes that break programs.
+# While the major version is 0, the minor one counts breaking changes.
 write_basic_package_version_file(contactscopeConfigVersion.cmake
   COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/contactscopeConfig.cmake
@@ -16,12 +16,12 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/contactscopeConfig.cmake
   DESTINATION ${package_dir} COMPONENT development)
 
 install(DIRECTORY contactscope DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
-# Side by side, as the adapters look for the recorder.
+# In sibling folders, because the adapters include the recorder by a relative path.
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/recorder ${PROJECT_SOURCE_DIR}/src/adapters
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/contactscope COMPONENT development
   FILES_MATCHING PATTERN "*.h")
 
-# Archives are all that there is, so that plain `pkg-config --libs` names what they need.
+# The library is static, so `pkg-config --libs` without --static must list its dependencies.
 set(pc_dir ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 file(RELATIVE_PATH up_to_prefix /prefix/${pc_dir} /prefix)
 string(REGEX REPLACE "/$" "" up_to_prefix "${up_to_prefix}")
@@ -40,14 +40,14 @@ endif()
 install(TARGETS contactscope COMPONENT program)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE NOTICE DESTINATION ${doc_dir}/contactscope
   COMPONENT program)
-# The program looks for scenarios there, from where it lies itself.
+# The program finds scenarios there relative to its own location.
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/scenarios
   DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/contactscope COMPONENT program)
 install(FILES ${PROJECT_SOURCE_DIR}/src/trace/findings.schema.json
   DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/contactscope COMPONENT program)
 install(DIRECTORY words DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/contactscope COMPONENT program)
 
-# The man page and what shells complete, as the program prints them.
+# The man page and shell completions, as printed by the program.
 #   contactscope_manual(WHAT FILE FOLDER...)
 set(manuals)
 function(contactscope_manual what file)
@@ -63,7 +63,7 @@ function(contactscope_manual what file)
 endfunction()
 contactscope_manual(man contactscope.1 ${CMAKE_INSTALL_MANDIR}/man1)
 contactscope_manual(bash contactscope ${CMAKE_INSTALL_DATAROOTDIR}/bash-completion/completions)
-# Debian's zsh looks into the second folder, others' into the first.
+# Debian's zsh reads the second folder, other systems the first.
 contactscope_manual(zsh _contactscope ${CMAKE_INSTALL_DATAROOTDIR}/zsh/site-functions
   ${CMAKE_INSTALL_DATAROOTDIR}/zsh/vendor-completions)
 contactscope_manual(fish contactscope.fish ${CMAKE_INSTALL_DATAROOTDIR}/fish/vendor_completions.d)

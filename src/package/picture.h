@@ -9,8 +9,8 @@
 
 namespace contactscope::package {
 
-/// Draws `frames` whose indices are `which`, with the camera fitted to the frames `fitted`, and hands each
-/// to `take`. Throws as render() does.
+/// Draws the frames with the indices `which`, with the camera fitted to the frames `fitted`, and
+/// passes each picture to `take`. Throws as render() does.
 void draw_frames(const contactscope::trace::Header& header,
                  const std::vector<contactscope::trace::Frame>& fitted,
                  const std::vector<contactscope::trace::Frame>& frames,

@@ -14,7 +14,7 @@ std::vector<int> kept_in(const Manifold& manifold, const ReducerInfo* reducer,
                          const ReduceOptions& options) {
   std::vector<contactscope::ContactPoint<S>> points;
   for (const ContactPoint& point : manifold.points) {
-    // Ids are opaque here; reducers that go by them are given no earlier ones.
+    // Ids are opaque here. Reducers that use ids get no points of an earlier frame.
     const FeatureRef number = vertex_ref(Owner::A, count_of(points));
     points.push_back({to_inside(point.position).cast<S>(), static_cast<S>(point.separation),
                       FeatureId::of(number, number)});

@@ -37,7 +37,7 @@ std::string joined(const std::vector<std::string>& sentences) {
   return text;
 }
 
-/// The first frame that a sentence speaks of; else the first one that both have.
+/// The first frame that a sentence mentions, else the first frame.
 std::optional<std::size_t> frame_told(const std::string& name, const Facts& facts,
                                       const std::vector<std::string>& sentences) {
   for (std::size_t i = 0; i < facts.frames.size(); ++i) {
@@ -48,8 +48,8 @@ std::optional<std::size_t> frame_told(const std::string& name, const Facts& fact
   return facts.frames.empty() ? std::nullopt : std::optional<std::size_t>(0);
 }
 
-/// What is told of one frame: as it is stored and as it is now, in pictures that lie on each other where
-/// the shapes are the same.
+/// Pictures of one frame as stored and as it is now. They have the same camera if the shapes are
+/// the same.
 std::array<Image, 2> both_drawn(const Facts& expected, std::size_t i, const Facts& actual,
                                 std::size_t j) {
   std::array<Image, 2> drawn;
@@ -67,7 +67,7 @@ std::array<Image, 2> both_drawn(const Facts& expected, std::size_t i, const Fact
   return drawn;
 }
 
-/// Writes pictures of what differs; where they are, or why there are none.
+/// Draws the differences; returns where the pictures are, or why there are none.
 std::string pictures_of(const std::string& name, const Facts& expected, const Facts& actual,
                         const std::vector<std::string>& sentences, const fs::path& out) {
   const auto i = frame_told(name, expected, sentences), j = frame_told(name, actual, sentences);
@@ -92,7 +92,7 @@ std::string pictures_of(const std::string& name, const Facts& expected, const Fa
   }
 }
 
-/// Holds `actual` against what is stored. Stand-ins take the form of those that are stored.
+/// Compares `actual` with the stored facts. Stand-ins take the form of the stored ones.
 Comparison compare(Facts actual, const std::string& name, const SnapshotOptions& options,
                    bool has_stand_ins) {
   const fs::path folder = given_or(options.folder, "CONTACTSCOPE_SNAPSHOTS", "snapshots");

@@ -10,8 +10,8 @@ namespace {
 
 constexpr const char* kA = "a";
 constexpr const char* kB = "b";
-constexpr double kBall = 0.05;  // metres: of a single point nobody knows how large its shapes are
-constexpr double kThickness = 0.05;  // of a capsule, of the distance of its ends
+constexpr double kBall = 0.05;  // metres: the shapes of a single point have no known size
+constexpr double kThickness = 0.05;  // of a capsule, relative to the distance of its ends
 
 contactscope::trace::Shape plane_of(const contactscope::trace::Manifold* manifold) {
   contactscope::trace::Shape shape;

@@ -6,9 +6,9 @@
 
 namespace contactscope::package {
 
-/// A trace of one frame that has these manifolds, and for their shapes stand-ins, so that a picture can
-/// be drawn where nobody told the shapes: "a" is the plane of the first manifold, through the middle of its points,
-/// and "b" the outline of all points on that plane, or a thin capsule or small ball about one or two.
+/// A trace of one frame with these manifolds and stand-ins for unknown shapes, to be drawn. "a" is
+/// the plane of the first manifold through the mean of its points. "b" is the outline of all points
+/// on that plane; for two points a thin capsule, for one a small ball.
 contactscope::trace::Trace with_stand_ins(const std::vector<Manifold>& manifolds, Scalar scalar);
 
 }  // namespace contactscope::package

@@ -14,7 +14,7 @@
 namespace contactscope::package {
 namespace {
 
-/// The number at `at`, which a colon ends; 0, with `at` where it was, of anything else.
+/// The number at `at`, followed by a colon; otherwise 0, and `at` does not change.
 int number_before_colon(const std::string& text, std::size_t& at) {
   const std::size_t end = text.find(':', at);
   if (end == std::string::npos || end == at) return 0;
@@ -24,7 +24,7 @@ int number_before_colon(const std::string& text, std::size_t& at) {
   return number;
 }
 
-/// "FILE:LINE:COLUMN: what is wrong; what would be right" taken apart.
+/// Splits "FILE:LINE:COLUMN: problem; remedy".
 InputError outside(const std::string& what, const std::string& file) {
   std::size_t at = what.starts_with(file + ":") ? file.size() + 1 : 0;
   const int line = number_before_colon(what, at), column = number_before_colon(what, at);
@@ -33,7 +33,7 @@ InputError outside(const std::string& what, const std::string& file) {
           remedy == std::string::npos ? std::string() : what.substr(remedy + 2)};
 }
 
-/// All of a file. What frames bring is in the header then.
+/// Reads the whole file. Shapes that frames add are moved to the header.
 Trace read_whole(app::TraceFile& file) {
   Trace::Facts facts;
   while (std::optional<contactscope::trace::Frame> frame = file.next()) {
@@ -45,7 +45,7 @@ Trace read_whole(app::TraceFile& file) {
   return Trace(std::make_shared<const Trace::Facts>(std::move(facts)));
 }
 
-/// `arguments`: of a TraceFile. `name`: of the file in its messages.
+/// `arguments` are those of TraceFile; `name` is the file name in messages.
 template <class... Arguments>
 Trace read_by_name(const std::string& name, Arguments&&... arguments) {
   try {
@@ -90,7 +90,7 @@ Trace::Trace(const TraceInfo& info, const std::vector<NamedShape>& shapes,
   for (const NamedShape& shape : shapes)
     header.shapes.push_back(traced(shape.name, shape.shape, Scalar::Double));
   for (const Frame& frame : frames) trace.frames.push_back(inside(frame));
-  // What follows from the rest is filled in, and all is checked, as of a file.
+  // Parsing derives the remaining facts and validates them, as for a file.
   *this = parse_trace(snapshot::to_json_lines(trace));
 }
 

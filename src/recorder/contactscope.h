@@ -1,33 +1,33 @@
-/* contactscope.h: records what a physics engine decides about contacts, for contactscope to draw, check and
- * compare. C99 or C++11, nothing but the standard library; x86, ARM or whatever has IEEE doubles.
+/* contactscope.h: records the contacts of a physics engine as a trace for contactscope.
+ * C99 or C++11, standard library only; needs IEEE doubles (x86, ARM and most others).
  *
  * In one source file of the engine:
  *
  *     #define CONTACTSCOPE_IMPLEMENTATION
  *     #include "contactscope.h"
  *
- * and around its step:
+ * Around its step:
  *
  *     cs_recorder* r = cs_start("run.jsonl", "mine/stack", "my engine", "1.0", NULL);
  *     int floor = cs_plane(r, "floor", up, 0.0), crate = cs_box(r, "crate", 0.5, 0.5, 0.5);
  *     while (running) {
  *       cs_begin_frame(r, time);
- *       cs_pose(r, crate, position, quaternion_wxyz);           // and of each shape that is there
- *       cs_manifold(r, floor, crate, normal, -1, points, count);  // of each pair that has contacts
+ *       cs_pose(r, crate, position, quaternion_wxyz);           // every shape in this frame
+ *       cs_manifold(r, floor, crate, normal, -1, points, count);  // every pair in contact
  *       cs_end_frame(r);
  *     }
  *     cs_stop(r);
  *
- * Then: contactscope render run.jsonl; contactscope doctor run.jsonl says what does not fit together.
+ * `contactscope render run.jsonl` draws the trace, `contactscope doctor run.jsonl` checks it.
  *
- * Lengths in metres, world space; quaternions are w, x, y, z and unit; a normal is unit and points from a to b;
- * a separation is negative where the shapes overlap; impulses are newton seconds on b, unless the settings say
- * otherwise.
+ * Conventions: metres, world space. Quaternions are unit, in the order w, x, y, z. Normals are unit
+ * and point from a to b. A negative separation is an overlap. Impulses are newton seconds and act
+ * on b, unless the settings say otherwise.
  *
- * Every function takes a recorder of NULL, which records nothing: it costs a comparison. cs_pose, cs_manifold
- * and cs_body may be called by several threads at once; the file does not depend on their order. Each frame
- * is written when it ends, so that a process that dies leaves all frames before. A recorder that runs out of memory
- * or disk stops recording, keeps what it has, and cs_failure() says why.
+ * Every function accepts a NULL recorder and then does nothing. cs_pose, cs_manifold and cs_body
+ * are thread-safe; the file does not depend on the order of their calls. Each frame is written when
+ * it ends, so a crash loses no earlier frame. When memory or disk runs out, recording stops, the
+ * frames so far remain, and cs_failure() returns the reason.
  *
  * MIT License
  *
@@ -59,76 +59,76 @@ extern "C" {
 typedef struct cs_recorder cs_recorder;
 
 typedef struct cs_settings {
-  int doubles; /* 1: numbers with 17 digits, of an engine that computes in double; 0: with 9, of one in float */
-  int z_up; /* 1: z points up; 0: y does */
-  int poses_at; /* the moment of the poses: 0 that of the contacts, 1 before the step that made them, 2 after */
-  double force_step; /* above 0: what points have for impulses are forces, in newtons, over a step of so many seconds */
-  int friction_on_a; /* 1: their friction acts on a, not on b */
+  int doubles; /* 1: the engine computes in double, write 17 digits; 0: in float, write 9 */
+  int z_up; /* 1: z points up; 0: y points up */
+  int poses_at; /* time of the poses: 0 same as the contacts, 1 before their step, 2 after it */
+  double force_step; /* above 0: impulses are forces in newtons, over a step of this many seconds */
+  int friction_on_a; /* 1: friction acts on a, not on b */
 } cs_settings;
 
-/* Set all to 0 first: cs_point p = {0}; or memset. */
+/* Zero it first: cs_point p = {0}; or memset. */
 typedef struct cs_point {
   double position[3];
   double separation;
-  int has_sides; /* 1: the engine tells the point on the surface of either shape */
+  int has_sides; /* 1: on_a and on_b are set: the points on the two surfaces */
   double on_a[3], on_b[3];
-  int has_impulse;    /* 1: of a solver, over the whole step */
+  int has_impulse;    /* 1: impulse and friction are set: the solver's, over the step */
   double impulse;     /* along the normal */
-  double friction[3]; /* a vector across it */
+  double friction[3]; /* a vector perpendicular to the normal */
   int has_id;
-  uint64_t id; /* whatever names the point from frame to frame */
+  uint64_t id; /* identifies the point across frames */
   int idle;    /* 1: a speculative point that the solver did not act on */
 } cs_point;
 
-/* Begins a file. `scenario` is GROUP/IDEA, where its pictures go. NULL where the file cannot be made. */
+/* Creates the file; NULL on failure. `scenario` is GROUP/IDEA, the folder of its pictures. */
 cs_recorder* cs_start(const char* path, const char* scenario, const char* engine,
                       const char* version, const cs_settings* settings);
 void cs_stop(cs_recorder* r);
-/* NULL while all is well. */
+/* Reason for which recording stopped; NULL while there is none. */
 const char* cs_failure(const cs_recorder* r);
 
-/* Shapes, in frames of their own; at any time. Each returns a number that stands for the shape, -1 on failure.
- * A name that is taken gets a number; one of NULL is made up. */
+/* Shapes, in local coordinates. Add them at any time. Returns the id of the shape, -1 on failure.
+ * Duplicate names get a numeric suffix; NULL generates a name. */
 int cs_box(cs_recorder* r, const char* name, double half_x, double half_y, double half_z);
 int cs_sphere(cs_recorder* r, const char* name, double radius);
 int cs_capsule(cs_recorder* r, const char* name, const double from[3], const double to[3],
                double radius);
-/* Its faces are made by the reader: those of the convex hull. Three doubles a vertex. */
+/* Three doubles per vertex. Readers compute the faces of the convex hull. */
 int cs_hull(cs_recorder* r, const char* name, const double* vertices, int vertex_count);
-/* Along axis 0, 1 or 2 (x, y, z), around the origin; a cone's tip is at +half_length. Written as hulls whose rings have
- * 64 corners on the round surface: the middle of a side is up to 0.12 % of the radius inside of it. */
+/* Centred on the origin, along axis 0, 1 or 2 (x, y, z); a cone's tip is at +half_length. Written
+ * as 64-sided hulls with corners on the round surface; the error is at most 0.12 % of the radius. */
 int cs_cylinder(cs_recorder* r, const char* name, int axis, double half_length, double radius);
 int cs_cone(cs_recorder* r, const char* name, int axis, double half_length, double radius);
-/* Three indices a triangle, counter-clockwise seen from outside. */
+/* Three indices per triangle, counter-clockwise seen from outside. */
 int cs_mesh(cs_recorder* r, const char* name, const double* vertices, int vertex_count,
             const int* triangles, int triangle_count);
 /* Solid where normal . x <= offset. */
 int cs_plane(cs_recorder* r, const char* name, const double normal[3], double offset);
-/* columns x rows heights, row by row; the first is at the origin, rows follow along -z where y is up and along y
- * where z is, each corner `spacing` from the next. */
+/* columns x rows heights, row by row; the first is at the origin, neighbours are `spacing` metres
+ * from each other. Columns run along +x, rows along -z if y is up and along +y if z is up. */
 int cs_height_field(cs_recorder* r, const char* name, const double* heights, int columns, int rows,
                     double spacing);
-/* Of a hull, cylinder or cone, before the frame that has it first: its surface is so far outside of what was told, and
- * round where that has edges, as that of an engine is that adds a margin to its hulls. */
+/* For engines that add a margin to convex shapes: moves the surface of a hull, cylinder or cone
+ * outwards by `margin` and rounds its edges. Call it before the first frame with the shape. */
 void cs_margin(cs_recorder* r, int shape, double margin);
-/* A body without a form, of whose parts each is a shape that stands still in it; pose the whole. */
+/* A body made of shapes at fixed poses. Call cs_pose for the compound, not for its parts. */
 int cs_compound(cs_recorder* r, const char* name);
 void cs_part(cs_recorder* r, int compound, int shape, const double position[3],
              const double quat_wxyz[4]);
 
-/* Says on the standard error what is not recorded, and why: each text once. */
+/* Prints to stderr what is not recorded, and why. Repeated texts are printed once. */
 void cs_note(cs_recorder* r, const char* text);
 
 void cs_begin_frame(cs_recorder* r, double time);
-/* A shape without a pose is not there in this frame. */
+/* A shape without a pose is absent from this frame. */
 void cs_pose(cs_recorder* r, int shape, const double position[3], const double quat_wxyz[4]);
-/* `triangle` of a mesh, or -1; several of a pair are several manifolds. Pairs are written with the shape that was
- * made first as a, normals and impulses turned with them. */
+/* `triangle`: its index in the mesh, or -1. A pair may have several manifolds. If b was created
+ * before a, the pair is written swapped, with normal and impulses reversed. */
 void cs_manifold(cs_recorder* r, int a, int b, const double normal[3], int triangle,
                  const cs_point* points, int count);
 void cs_body(cs_recorder* r, int shape, double mass, const double center_of_mass[3],
              const double velocity[3], const double angular_velocity[3]);
-/* Of the engine's step, where bodies are told; 0 where it has no such thing. */
+/* Solver settings of this step, for frames with cs_body; 0 for those the engine does not have. */
 void cs_solver(cs_recorder* r, int iterations, int substeps, int warm_start);
 void cs_end_frame(cs_recorder* r);
 
@@ -164,18 +164,18 @@ typedef struct cs__pose {
 } cs__pose;
 
 typedef struct cs__shape {
-  char* name;   /* as JSON, quotes and all */
-  char* json;   /* what the trace says of it; NULL of a compound, and once it is written */
-  int compound; /* whose part it is; -1: nobody's */
+  char* name;   /* as JSON, with quotes */
+  char* json;   /* its entry in the trace; NULL for compounds, and once written */
+  int compound; /* that it is part of, or -1 */
   cs__pose in_compound, pose;
-  int posed_in; /* the last frame that has its pose; -1 */
+  int posed_in; /* last frame with its pose, or -1 */
   int is_compound;
-  double margin; /* how far its surface is outside of what its JSON says */
+  double margin; /* distance from the shape in `json` out to the surface */
 } cs__shape;
 
 typedef struct cs__manifold {
   int a, b, triangle, count;
-  size_t first; /* of its points */
+  size_t first; /* index of its first point */
   double normal[3], place[3];
 } cs__manifold;
 
@@ -189,8 +189,8 @@ struct cs_recorder {
   cs_settings settings;
   const char* failure;
   volatile long lock;
-  cs__text line, head; /* of the frame; of the header, up to the shapes */
-  cs__text notes;      /* those that were said, each with a line feed before it and one behind */
+  cs__text line, head; /* the current frame; the header up to the shapes */
+  cs__text notes;      /* printed so far, each between two line feeds */
   int frame, in_frame, has_header, has_solver, solver[3];
   double time;
   cs__shape* shapes;
@@ -211,7 +211,7 @@ static void cs__leave(cs_recorder* r) {
   CS__GIVE(r->lock);
 }
 
-/* Makes room for `more` of something. 0 where there is no memory, or recording has failed before. */
+/* Reserves room for `more` elements. Returns 0 if out of memory or after an earlier failure. */
 static int cs__grow(cs_recorder* r, void** data, size_t* room, size_t count, size_t more,
                     size_t size) {
   void* larger;
@@ -244,9 +244,9 @@ static void cs__int(cs_recorder* r, cs__text* text, int value) {
   cs__put(r, text, digits);
 }
 
-/* The decimal digits of a number that read back to it: `count` of them, rounded from what it is exactly. A double is
- * m 2^e, and m 5^k of 117 bits, shifted, is the number times 10^k. Without dividing, and some ten times as fast
- * as printf. Returns how many characters, 0 where the number is out of the range of that. */
+/* Writes `value` with `count` decimal digits, correctly rounded. A double is m 2^e; the product
+ * m 5^k (117 bits), shifted, is the value times 10^k. Needs no division, about ten times as fast as
+ * printf. Returns the number of characters, or 0 if the value is out of range. */
 static int cs__digits(double value, int count, char* out) {
   static const double kTens[] = {1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1,
                                  1e0,   1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9};
@@ -264,9 +264,9 @@ static int cs__digits(double value, int count, char* out) {
   char digits[24], *begin = out;
   if (!(value >= 1e-10 && value < 1e9)) return 0;
   memcpy(&bits, &value, sizeof bits);
-  exponent = (int)(bits >> 52) - 1022; /* value < 2^exponent; there is no subnormal number here */
+  exponent = (int)(bits >> 52) - 1022; /* value < 2^exponent; the range excludes subnormals */
   mantissa = (bits & 0xfffffffffffffull) | 0x10000000000000ull;
-  /* Digits before the point; 0 or less: zeros after it. A power of two says them within one. */
+  /* Digits before the point; 0 or less: zeros after it. The estimate from log2 is at most 1 low. */
   before = (int)((exponent - 1) * 1233 >> 12) + 1;
   if (before < 9 && value >= kTens[before + 10]) ++before;
   k = count - before;
@@ -290,7 +290,7 @@ static int cs__digits(double value, int count, char* out) {
       high += 1;
     whole = shift > 64 ? high >> (shift - 64) : high;
   }
-  /* Least digits first, by 32-bit halves, which divide faster. */
+  /* Least significant digit first, in parts of 9 digits: 32-bit division is faster. */
   for (part = (uint32_t)(whole % 1000000000u), i = 0; i < 9 && (part || whole >= 1000000000u);
        ++i) {
     digits[length++] = (char)('0' + part % 10);
@@ -298,10 +298,10 @@ static int cs__digits(double value, int count, char* out) {
   }
   for (part = (uint32_t)(whole / 1000000000u); part; part /= 10)
     digits[length++] = (char)('0' + part % 10);
-  if (length > count) ++before; /* it was rounded up to the next power of ten */
+  if (length > count) ++before; /* rounding reached the next power of ten */
   i = 0;
   while (i < length - 1 && digits[i] == '0')
-    ++i; /* zeros at the end, those of the fraction alone */
+    ++i; /* drop trailing zeros of the fraction */
   if (i > length - before) i = length - before > 0 ? length - before : 0;
   if (before <= 0) {
     *out++ = '0';
@@ -324,7 +324,7 @@ static void cs__number(cs_recorder* r, cs__text* text, double value) {
   if (!cs__grow(r, (void**)&text->data, &text->room, text->size, 48, 1)) return;
   out = text->data + text->size;
   if (!(value - value == 0)) {
-    length = sprintf(out, "null"); /* JSON has no nan and no infinity; the reader names the place */
+    length = sprintf(out, "null"); /* JSON has no nan or infinity; readers report where it is */
   } else if (value == 0) {
     length = sprintf(out, "0");
   } else {
@@ -347,7 +347,7 @@ static void cs__numbers(cs_recorder* r, cs__text* text, const char* key, const d
   cs__put(r, text, count ? "]" : "[]");
 }
 
-/* As JSON. What is no UTF-8 becomes question marks. */
+/* Appends a JSON string. Invalid UTF-8 becomes question marks. */
 static void cs__quoted(cs_recorder* r, cs__text* text, const char* words) {
   const unsigned char* c = (const unsigned char*)words;
   char one[8];
@@ -378,7 +378,7 @@ static void cs__quoted(cs_recorder* r, cs__text* text, const char* words) {
   cs__put(r, text, "\"");
 }
 
-/* Takes the text. A name that is taken gets a number. */
+/* Takes ownership of json->data. A duplicate name gets a numeric suffix. */
 static int cs__add(cs_recorder* r, const char* name, cs__text* json) {
   cs__text quoted = {NULL, 0, 0};
   cs__shape shape = {NULL, NULL, -1, {{0, 0, 0}, {1, 0, 0, 0}}, {{0, 0, 0}, {1, 0, 0, 0}},
@@ -412,7 +412,7 @@ static int cs__add(cs_recorder* r, const char* name, cs__text* json) {
   return id;
 }
 
-/* Vertices, and what follows them. The closing brace comes when it is written: parts of a compound have more. */
+/* cs__new_shapes() writes the closing brace, after the margin and the compound. */
 static int cs__solid(cs_recorder* r, const char* name, const char* type, const double* vertices,
                      int count, const char* rest) {
   cs__text json = {NULL, 0, 0};
@@ -462,11 +462,11 @@ int cs_hull(cs_recorder* r, const char* name, const double* vertices, int vertex
   return r ? cs__solid(r, name, "hull", vertices, vertex_count, "") : -1;
 }
 
-/* A ring of corners around the axis at -half_length, and one of radius `top` at the other end, or the tip. */
+/* A ring of corners at -half_length, and at +half_length one of radius `top`, or the tip. */
 static int cs__turned(cs_recorder* r, const char* name, const char* type, int axis,
                       double half_length, double radius, double top) {
   enum { kCorners = 64 };
-  const double c = 0.99518472667219688624, s = 0.09801714032956060199; /* of a turn by 1/64 */
+  const double c = 0.99518472667219688624, s = 0.09801714032956060199; /* of 1/64 turn */
   double v[6 * kCorners], x = 1, y = 0;
   const int rings = top > 0 ? 2 : 1;
   int i, k;
@@ -640,7 +640,7 @@ const char* cs_failure(const cs_recorder* r) {
   return r ? r->failure : NULL;
 }
 
-/* The shapes that no line has told yet. */
+/* Shapes that are not in the file yet. */
 static void cs__new_shapes(cs_recorder* r, cs__text* text) {
   const char* comma = "";
   size_t i;
@@ -782,7 +782,7 @@ static void cs__turn(const double q[4], const double v[3], double out[3]) {
              q[1 + (k + 2) % 3] * t[(k + 1) % 3];
 }
 
-/* Where a part of a compound is. */
+/* World pose of a part of a compound. */
 static void cs__compose(const cs__pose* whole, const cs__pose* part, cs__pose* out) {
   const double *p = whole->rotation, *q = part->rotation;
   int k;

@@ -12,22 +12,22 @@ namespace contactscope::package {
 struct CollideOptions {
   Scalar scalar = Scalar::Double;
   double margin = 0;  // metres; points up to this separation are kept
-  /// As `contactscope list reducers` has them, see reduce.h; "none" keeps every point.
+  /// A name from `contactscope list reducers`, see reduce.h; "none" keeps every point.
   std::string reducer = "optimal_deepest";
-  int max_points = 4;  // of a manifold, >= 1
-  /// How deep two hulls that overlap are is found by: "sat", "epa", "mpr" or "sampling".
+  int max_points = 4;  // per manifold, >= 1
+  /// Penetration depth of overlapping hulls: "sat", "epa", "mpr" or "sampling".
   std::string penetration = "sat";
-  /// What each stage decided is told too, in Contacts::trace. It changes no bit of the result.
+  /// Records the decision of each stage in Contacts::trace. Does not change the result.
   bool record = false;
-  std::string name_a = "a", name_b = "b";  // in that trace; not empty, and not the same
+  std::string name_a = "a", name_b = "b";  // in that trace; not empty, different
 };
 
 enum class ContactStatus {
   Touching,
   Separated,  // by more than the margin
-  /// Two planes, a plane and a mesh, or two meshes: they make no contacts.
+  /// No contacts are defined for two planes, a plane and a mesh, or two meshes.
   NoSuchPair,
-  /// A pose with a number that is not finite, or a quaternion of zero length.
+  /// A pose has a number that is not finite or a quaternion of zero length.
   NotFinite,
 };
 
@@ -36,16 +36,16 @@ const char* to_string(ContactStatus status);
 
 struct Contacts {
   ContactStatus status = ContactStatus::Separated;
-  std::vector<Manifold> manifolds{};  // one for convex shapes, one a triangle for meshes
-  /// Metres of the deepest point. Where they are apart: along the best axis when it was recorded,
-  /// else 0.
+  std::vector<Manifold> manifolds{};  // one for convex shapes, one per triangle for meshes
+  /// Separation of the deepest point, metres. For separated shapes: along the best axis if it was
+  /// recorded, else 0.
   double separation = 0;
-  Trace trace{};  // of one frame, where it was recorded; else empty
+  Trace trace{};  // one frame if `record` was set, else empty
 };
 
-/// Contacts of two shapes placed in the world; normals point from a to b. Geometry without a normal of
-/// its own, as spheres about one place, gets one that is as good as any other. Throws std::invalid_argument
-/// for an option that there is not, with those that there are.
+/// Contacts of two shapes in world space; normals point from a to b. Degenerate cases without a
+/// unique normal, such as concentric spheres, get an arbitrary one. Throws std::invalid_argument
+/// for an invalid option; the message lists the valid ones.
 Contacts collide(const Collider& a, const Pose& pose_a, const Collider& b, const Pose& pose_b,
                  const CollideOptions& options = {});
 

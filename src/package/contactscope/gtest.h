@@ -9,11 +9,10 @@
 
 #include "snapshot.h"
 
-/// Matchers for GoogleTest. Nothing of them is in the library: this needs gmock, of any version that has
-/// EXPECT_THAT, and links nothing more.
+/// Matchers for GoogleTest, header only. They need gmock in a version with EXPECT_THAT.
 namespace contactscope::package {
 
-/// How GoogleTest prints them.
+/// Printers for GoogleTest.
 inline void PrintTo(const Manifold& manifold, std::ostream* out) {
   *out << to_string(manifold);
 }
@@ -46,8 +45,8 @@ class SnapshotMatcher {
   SnapshotOptions options_;
 };
 
-/// EXPECT_THAT(manifold, contactscope::MatchesSnapshot("stack/frame_12")): of a Manifold, a vector of them,
-/// Contacts or a Trace; see compare_with_snapshot().
+/// EXPECT_THAT(manifold, contactscope::MatchesSnapshot("stack/frame_12")). Accepts a Manifold, a
+/// vector of them, Contacts or a Trace; see compare_with_snapshot().
 inline testing::PolymorphicMatcher<SnapshotMatcher> MatchesSnapshot(std::string name,
                                                                     SnapshotOptions options = {}) {
   return testing::MakePolymorphicMatcher(SnapshotMatcher(std::move(name), std::move(options)));
@@ -85,8 +84,8 @@ class ManifoldMatcher {
   double tolerance_;
 };
 
-/// EXPECT_THAT(manifold, contactscope::IsManifold({0, 1, 0}, 0.02, {{1, 0, 1}, {-1, 0, 1}}, 1e-6)); see
-/// compare_manifold().
+/// EXPECT_THAT(manifold, contactscope::IsManifold({0, 1, 0}, 0.02, {{1, 0, 1}, {-1, 0, 1}}, 1e-6)).
+/// See compare_manifold().
 inline testing::PolymorphicMatcher<ManifoldMatcher> IsManifold(Vec3 normal, double depth,
                                                                std::vector<Vec3> points,
                                                                double tolerance) {

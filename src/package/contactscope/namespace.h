@@ -1,10 +1,10 @@
 #pragma once
 
-/// Programs write contactscope::NAME of all that this package has. It stands in a namespace of its own
-/// because the library has types of the same names inside, which are others.
+/// Programs write contactscope::NAME. The namespace of the package avoids clashes with internal
+/// types of the library that have the same names.
 namespace contactscope::package {}
 
-#ifndef CONTACTSCOPE_INSIDE  // set where the package itself is built
+#ifndef CONTACTSCOPE_INSIDE  // defined when the package itself is built
 namespace contactscope {
 using namespace package;
 }

@@ -11,13 +11,13 @@
 
 namespace contactscope::package {
 
-/// Four bytes a pixel (sRGB red, green, blue, and alpha, which is 255), rows from the top, no padding.
+/// sRGB red, green, blue and alpha (always 255), one byte each. Rows from the top, no padding.
 struct Picture {
   int width = 0, height = 0;
   std::vector<std::uint8_t> rgba{};  // 4 * width * height
 };
 
-/// No way to OpenGL: what() lists each that was tried, why it failed, and what to do.
+/// No OpenGL context: what() lists each backend with its error and a remedy.
 class RenderError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -25,27 +25,28 @@ class RenderError : public std::runtime_error {
 
 struct RenderOptions {
   int width = 1280, height = 720;  // pixels, 64 to 8192
-  /// As `contactscope list layers` and `list panels` have them; nothing: the usual ones.
+  /// Names from `contactscope list layers` and `list panels`; nullopt: the defaults.
   std::optional<std::vector<std::string>> layers{}, panels{};
-  std::optional<Vec3> eye{}, target{};  // metres, of the camera; nothing: fitted to all frames
-  double fov_degrees = 0;               // 1 to 150; 0: the usual one
+  std::optional<Vec3> eye{}, target{};  // camera, metres; nullopt: fitted to all frames
+  double fov_degrees = 0;               // 1 to 150; 0: the default
   std::string backend = "auto";         // or "egl", "osmesa"
 };
 
-/// Draws one frame, 0 <= index < trace.frame_count(). The camera is fitted to all frames, as the program
-/// has it, so that pictures of one trace belong together. Opens OpenGL through EGL or OSMesa, without a
-/// display, on the calling thread, and leaves none current there; one thread at a time may draw, for Dear ImGui
+/// Draws one frame, 0 <= index < trace.frame_count(). The camera is fitted to all frames, so that
+/// pictures of one trace match. Opens OpenGL through EGL or OSMesa without a display on the calling
+/// thread, and leaves no context current. Only one thread at a time may draw, because Dear ImGui
 /// has one current context.
 ///
-/// Throws RenderError, and std::invalid_argument for a frame, layer or option that there is not.
+/// Throws RenderError, and std::invalid_argument for an invalid frame, layer or option.
 Picture render(const Trace& trace, int index, const RenderOptions& options = {});
 
-/// All frames in order, each handed to `take` as it is drawn, with OpenGL opened once.
+/// Draws all frames in order with one OpenGL context, and passes each to `take`.
 void render_all(const Trace& trace, const RenderOptions& options,
                 const std::function<void(int index, const Picture& picture)>& take);
 
-/// Writes a PNG, without alpha, that is whole or absent. Throws std::filesystem::filesystem_error, and
-/// std::invalid_argument of a picture whose bytes are not as many as its size says.
+/// Writes a PNG without alpha; the file is complete or absent. Throws
+/// std::filesystem::filesystem_error, and std::invalid_argument if the number of bytes does not
+/// match the size.
 void write_png(const std::string& path, const Picture& picture);
 
 }  // namespace contactscope::package

@@ -9,40 +9,40 @@
 
 #include "manifold.h"
 
-/// Shapes as plain data, each in its own frame, metres.
+/// Shapes as plain data, each in its local frame, metres.
 namespace contactscope::package {
 
-/// Ball about the origin.
+/// Centred on the origin.
 struct Sphere {
   double radius = 0;  // > 0
 };
 
-/// All points within `radius` of a segment, whose ends may be one place.
+/// All points within `radius` of a segment. The segment may have length zero.
 struct Capsule {
   Vec3 from{}, to{};
   double radius = 0;  // > 0
 };
 
-/// About the origin, along the axes.
+/// Centred on the origin, axis-aligned.
 struct Box {
   Vec3 half_extents{};  // each > 0
 };
 
-/// The convex hull of its vertices. With `faces`, vertex indices counter-clockwise as seen from outside,
-/// vertices and faces keep their numbers, and that they are convex is the caller's promise; without
-/// them the hull is built, and leaves out what lies inside.
+/// Convex hull of vertices. `faces` are vertex indices, counter-clockwise seen from outside. With
+/// them, indices are kept and the caller guarantees convexity; without them the hull is built, and
+/// interior vertices are dropped.
 struct Hull {
   std::vector<Vec3> vertices{};
   std::vector<std::vector<int>> faces{};
 };
 
-/// Everything below: the points x with normal . x <= offset.
+/// Half-space of the points x with normal . x <= offset.
 struct Plane {
-  Vec3 normal{0, 1, 0};  // outward; made unit, with the offset
-  double offset = 0;     // metres, along it
+  Vec3 normal{0, 1, 0};  // outward; normalized together with the offset
+  double offset = 0;     // metres along the normal
 };
 
-/// Triangles with their front to the side from which the vertices run counter-clockwise.
+/// A triangle's front is the side from which its vertices run counter-clockwise.
 struct Mesh {
   std::vector<Vec3> vertices{};
   std::vector<std::array<int, 3>> triangles{};
@@ -50,21 +50,21 @@ struct Mesh {
 
 using Shape = std::variant<Sphere, Capsule, Box, Hull, Plane, Mesh>;
 
-/// A shape cannot be made of what was given: what() says why, and what would be right.
+/// Invalid shape data: what() gives the reason and the remedy.
 class ShapeError : public std::invalid_argument {
  public:
   using std::invalid_argument::invalid_argument;
 };
 
-/// A shape made ready to collide: hulls and trees of boxes are built once, here. Copies share them;
-/// several threads may use one.
+/// A shape prepared for collision: builds its hull and its bounding tree once. Copies share them;
+/// threads may share one.
 class Collider {
  public:
-  /// Throws ShapeError: a length that is not positive and finite, a coordinate that is not finite,
-  /// vertices that bound nothing, an index of no vertex, triangles none of which has an area.
+  /// Throws ShapeError: a length that is not positive, a number that is not finite, vertices
+  /// without volume, an invalid index, or only triangles without area.
   template <class Kind>
   requires std::constructible_from<Shape, const Kind&> Collider(const Kind& shape)
-      : Collider(Shape(shape), 0) {}  // so that collide() takes shapes too
+      : Collider(Shape(shape), 0) {}  // implicit, so that collide() also takes shapes
 
   struct Built;
   const Built& built() const { return *built_; }

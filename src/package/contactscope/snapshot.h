@@ -8,8 +8,8 @@
 #include "manifold.h"
 #include "trace.h"
 
-/// Contacts held against stored ones, for any test framework: `contactscope/gtest.h` has matchers for
-/// GoogleTest; with Catch2 and doctest
+/// Compares contacts with stored ones in any test framework. GoogleTest has matchers in
+/// `contactscope/gtest.h`; with Catch2 and doctest:
 ///
 ///     const auto same = contactscope::compare_with_snapshot(manifold, "stack/frame_12");
 ///     INFO(same.message);
@@ -18,51 +18,52 @@ namespace contactscope::package {
 
 struct Comparison {
   bool ok = false;
-  /// Which point moved and how far, where the pictures are, and what to do; of one that is ok empty, but
-  /// for a snapshot that was written.
+  /// Which point moved and how far, where the pictures are, and the remedy. If ok, empty unless a
+  /// snapshot was written.
   std::string message{};
 
   explicit operator bool() const { return ok; }
 };
 
 struct SnapshotOptions {
-  /// Where snapshots lie: FOLDER/GROUP/IDEA/trace.jsonl. Empty: $CONTACTSCOPE_SNAPSHOTS, and without it
-  /// "snapshots", in the working directory of the test.
+  /// Folder of snapshots FOLDER/GROUP/IDEA/trace.jsonl. Empty: $CONTACTSCOPE_SNAPSHOTS, or else
+  /// "snapshots" in the working directory of the test.
   std::string folder{};
-  /// Where a failure leaves pictures: OUT/check/GROUP/IDEA/. Empty: $CONTACTSCOPE_OUT, and without it "out".
+  /// Folder of pictures of failures, OUT/check/GROUP/IDEA/. Empty: $CONTACTSCOPE_OUT, or else
+  /// "out".
   std::string out{};
-  /// Whether a snapshot is written that is missing or differs. Nothing: where $CONTACTSCOPE_UPDATE is 1 or
-  /// true. With CI=true or 1 in the environment nothing is ever written.
+  /// Writes missing and changed snapshots. Nullopt: if $CONTACTSCOPE_UPDATE is 1 or true. Never
+  /// writes if CI is 1 or true in the environment.
   std::optional<bool> update{};
-  bool pictures = true;  // false: a failure opens no OpenGL
-  /// Of manifolds alone: what the engine computed them with, which says how exactly they are compared.
+  bool pictures = true;  // false: failures do not open OpenGL
+  /// For manifolds without a trace: the precision of the engine, which determines tolerances.
   Scalar scalar = Scalar::Float;
 };
 
-/// Compares with the trace that is stored under a name, GROUP/IDEA, by the rules of `contactscope check`:
-/// ids, counts and names exactly, numbers within a few roundings of the scalar at the size and place of
-/// the shapes. Pictures are drawn of the facts where these differ; none are stored.
+/// Compares with the stored trace GROUP/IDEA by the rules of `contactscope check`: ids, counts and
+/// names exactly, numbers within a few roundings of the scalar at the shapes' size and position.
+/// Pictures are drawn from the facts when these differ; none are stored.
 ///
-/// A snapshot is written when that is asked for, and then it is ok. A missing one is a failure that says
-/// how to write it. Throws InputError of a stored file that is no trace, std::invalid_argument for a name
-/// that is not GROUP/IDEA, and std::filesystem::filesystem_error.
+/// Returns ok after writing a snapshot on request. A missing snapshot is a failure; the message
+/// explains how to write it. Throws InputError for an invalid stored trace, std::invalid_argument
+/// if the name is not GROUP/IDEA, and std::filesystem::filesystem_error.
 Comparison compare_with_snapshot(const Trace& trace, const std::string& name,
                                  const SnapshotOptions& options = {});
 
-/// The same of manifolds alone, as any engine gives them. Pictures have stand-ins for the shapes, which
-/// are not compared: the plane of the first manifold, and on it the outline of all points.
+/// For manifolds without a trace, from any engine. Pictures show stand-ins for the shapes: the
+/// plane of the first manifold and the outline of all points on it. Stand-ins are not compared.
 Comparison compare_with_snapshot(const std::vector<Manifold>& manifolds, const std::string& name,
                                  const SnapshotOptions& options = {});
 Comparison compare_with_snapshot(const Manifold& manifold, const std::string& name,
                                  const SnapshotOptions& options = {});
 
-/// The same of a whole trace where they were recorded, else of the manifolds.
+/// Compares the trace if it was recorded, else the manifolds.
 Comparison compare_with_snapshot(const Contacts& contacts, const std::string& name,
                                  const SnapshotOptions& options = {});
 
-/// Whether a manifold has this normal, this depth (metres that its deepest point overlaps by; negative:
-/// apart) and these points in any order, world, metres: each coordinate and length within `tolerance`,
-/// metres, and each component of the normal within the same number.
+/// Compares a manifold with a normal, a depth (metres, positive = overlap of the deepest point) and
+/// points in any order (world, metres). Each coordinate and length may differ by `tolerance`
+/// metres, each component of the normal by the same number.
 Comparison compare_manifold(const Manifold& manifold, const Vec3& normal, double depth,
                             const std::vector<Vec3>& points, double tolerance);
 

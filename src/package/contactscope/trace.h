@@ -8,11 +8,10 @@
 #include "manifold.h"
 #include "shape.h"
 
-/// Traces: JSON lines with the facts of each frame, ours or another engine's.
+/// Traces: JSON lines with the facts of each frame, from contactscope or another engine.
 namespace contactscope::package {
 
-/// A file, or a text that was given as one, is wrong. what() is "FILE:LINE:COLUMN: what is wrong, and what
-/// would be right".
+/// Invalid file or text. what() is "FILE:LINE:COLUMN: problem; remedy".
 class InputError : public std::runtime_error {
  public:
   InputError(const std::string& what, std::string file, int line, int column, std::string remedy)
@@ -23,9 +22,9 @@ class InputError : public std::runtime_error {
         column_(column) {}
 
   const std::string& file() const { return file_; }
-  int line() const { return line_; }      // from 1; 0: of the file as a whole
-  int column() const { return column_; }  // likewise
-  /// What would be right; empty where the message has it among its words.
+  int line() const { return line_; }      // from 1; 0: the whole file
+  int column() const { return column_; }  // as line()
+  /// Empty if the message does not separate it.
   const std::string& remedy() const { return remedy_; }
 
  private:
@@ -33,13 +32,13 @@ class InputError : public std::runtime_error {
   int line_, column_;
 };
 
-/// The head of a trace.
+/// The header of a trace.
 struct TraceInfo {
-  std::string scenario = "mine/contacts";  // GROUP/IDEA: where pictures and snapshots go
-  std::string title{}, source{};           // above and below each picture
-  Scalar scalar = Scalar::Double;          // what the pipeline computed with
+  std::string scenario = "mine/contacts";  // GROUP/IDEA: folder of pictures and snapshots
+  std::string title{}, source{};           // text above and below each picture
+  Scalar scalar = Scalar::Double;          // precision of the pipeline
   std::string up = "y";                    // or "z"
-  std::string engine{}, version{};         // who made the contacts; empty: this library
+  std::string engine{}, version{};         // source of the contacts; empty: this library
 };
 
 struct NamedShape {
@@ -48,41 +47,40 @@ struct NamedShape {
 };
 
 struct NamedPose {
-  std::string name;  // of a shape
+  std::string name;  // name of a shape
   Pose pose{};
 };
 
-/// Two shapes, and their contacts.
 struct Pair {
-  std::string a{}, b{};  // names of shapes
+  std::string a{}, b{};  // names of the shapes
   std::vector<Manifold> manifolds{};
 };
 
 struct Frame {
   int number = 0;
   double time = 0;                 // seconds
-  std::vector<NamedPose> poses{};  // of each shape that is there
+  std::vector<NamedPose> poses{};  // of each shape in the frame
   std::vector<Pair> pairs{};
 };
 
-/// A trace, whole. It holds all facts of its file, of which Frame tells the contacts alone. Copies share
+/// A complete trace with all facts of its file; Frame contains only the contacts. Copies share
 /// them.
 class Trace {
  public:
-  Trace();  // without shapes and frames
+  Trace();  // no shapes, no frames
 
-  /// From plain data. Throws InputError, of a file "trace", where it does not fit together: a pair of
-  /// shapes that are not there, a normal that is no unit vector, frames that do not rise.
+  /// Throws InputError with the file name "trace" if the data is inconsistent: unknown shapes in a
+  /// pair, a normal that is not unit, frame numbers that do not increase.
   Trace(const TraceInfo& info, const std::vector<NamedShape>& shapes,
         const std::vector<Frame>& frames);
 
   TraceInfo info() const;
-  std::vector<std::string> shapes() const;  // their names
+  std::vector<std::string> shapes() const;  // names
   int frame_count() const;
   Frame frame(int index) const;  // 0 <= index < frame_count()
 
-  /// The line of its file that is cut off, because the process that wrote it died: all before it was read. 0 where
-  /// the file is whole.
+  /// Line at which the file breaks off because its writer died; all lines before it were read. 0 if
+  /// the file is complete.
   int cut_off_in() const;
 
   struct Facts;
@@ -93,16 +91,17 @@ class Trace {
   std::shared_ptr<const Facts> facts_;
 };
 
-/// Reads a file, ours or another engine's; "-" is the standard input. Throws InputError.
+/// Reads a file of contactscope or another engine; "-" is standard input. Throws InputError.
 Trace read_trace(const std::string& path);
 
-/// The same of text. `name` stands for the file in messages.
+/// Reads from text. `name` replaces the file name in messages.
 Trace parse_trace(const std::string& text, const std::string& name = "trace");
 
-/// One line for the head, one a frame. Throws std::domain_error of a number that is not finite.
+/// One line for the header, one per frame. Throws std::domain_error for a number that is not
+/// finite.
 std::string to_json_lines(const Trace& trace);
 
-/// Writes a file that is whole or absent, and the folders above it. Throws
+/// Creates missing folders; the file is complete or absent. Throws
 /// std::filesystem::filesystem_error, and std::domain_error as above.
 void write_trace(const std::string& path, const Trace& trace);
 
