@@ -14,7 +14,7 @@ bool names(const std::string& pattern, const Finding& finding) {
   std::string wanted = pattern;
   while (wanted.size() > 1 && wanted.back() == '/') wanted.pop_back();
   std::string key = finding.key();
-  // What is held against frame_0012.osmesa.png is the picture frame_0012 all the same.
+  // A candidate compared with frame_0012.osmesa.png is still the picture frame_0012.
   if (const std::size_t dot = key.rfind('.');
       dot != std::string::npos && dot > key.rfind('/') &&
       fnmatch(wanted.c_str(), key.substr(0, dot).c_str(), 0) == 0)

@@ -9,10 +9,10 @@
 namespace contactscope::snapshot {
 namespace {
 
-// As traces are compared, see compare_trace.cpp: what each stage rounds, of the larger shape.
+// As in compare_trace.cpp: rounding of all stages, relative to the larger shape.
 constexpr double kRoundings = 16;
 
-/// The largest coordinate of a pair's shapes and places, metres.
+/// Largest coordinate of a pair's shapes and positions, metres.
 double extent_of(const trace::Header& header, const trace::Frame& frame, const trace::Pair& pair) {
   double extent = 0;
   for (const trace::Shape& shape : header.shapes) {
@@ -38,7 +38,7 @@ std::vector<std::string> brittle_decisions(const trace::Header& header, const tr
     const double least = kRoundings * ulp;
     const auto axis = std::ranges::find(pair.decisions, "axis", &trace::Decision::stage);
     for (const trace::Decision& decision : pair.decisions) {
-      // Which face of a hull is its best one says nothing where another axis made the contact.
+      // The best face of a hull does not matter if another axis made the contact.
       if (decision.stage.starts_with("face_") &&
           (axis == pair.decisions.end() || axis->took != decision.stage))
         continue;

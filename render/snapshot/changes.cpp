@@ -35,8 +35,8 @@ bool same(const Vec3d& expected, const Vec3d& actual, double tolerance) {
 
 namespace {
 
-/// Whether a number is within its tolerance; it is settled then. What must be exact is left as it
-/// is: -0.0 is equal to 0.0 and is written otherwise.
+/// True if a number is within tolerance; settles it. Exact values are not settled: -0.0 equals 0.0
+/// but is written differently.
 template <class T>
 bool settle(Kind kind, const T& expected, T& actual, double tolerance) {
   if (!same(expected, actual, tolerance)) return false;
@@ -172,7 +172,7 @@ void Changes::compare(const Wording& field, const Points& expected, Points& actu
     if (same(before[i], after[i], tolerance_.length)) continue;
     ++moved;
     const double d = (after[i] - before[i]).norm();
-    // One that is no number outranks every distance.
+    // NaN outranks every distance.
     if (d <= distance || std::isnan(distance)) continue;
     distance = d;
     farthest = i;

@@ -17,7 +17,7 @@ std::string size_of(const Image& image) {
   return std::to_string(image.width) + "x" + std::to_string(image.height);
 }
 
-/// What is different, for people: "picture differs in 19 pixels, ...".
+/// Description for people: "picture differs in 19 pixels, ...".
 std::string describe(const PixelComparison& comparison, const Image& expected,
                      const Image& actual) {
   if (comparison.verdict == PixelVerdict::SizeDiffers) {
@@ -38,7 +38,7 @@ std::string spell(const PixelLimits& limits) {
          std::to_string(limits.channel);
 }
 
-/// A finding about a file, with what there is to do where that is not plain.
+/// A finding about a file, with a remedy unless it is obvious.
 Finding found(FindingKind kind, const Shelf& shelf, const fs::path& stored,
               const std::string& subject, const Policy& policy) {
   Finding finding{kind, shelf.scenario};
@@ -72,7 +72,7 @@ std::vector<Checked> found_stale(const Shelf& shelf, const std::vector<fs::path>
   return all;
 }
 
-/// What stands beside a known-bad baseline.
+/// Note next to a known-bad baseline.
 std::string note_of(const fs::path& baseline) {
   fs::path note = baseline;
   std::string text = read_text_file(note.replace_extension(".txt")).value_or("");
@@ -89,9 +89,8 @@ Shelf shelf_of(const fs::path& root, const std::string& scenario) {
 
 void write_stored_picture(const fs::path& path, const Image& image) {
   fs::create_directories(path.parent_path());
-  // The smallest level that stays fast. Without a word of its origin: its path and the trace beside it say
-  // that, and a version or a hash would rewrite every stored file with each release, or with a comment
-  // in a scenario.
+  // The smallest level that is still fast. No origin metadata: path and trace identify the picture,
+  // and a version or hash would rewrite every file with each release or scenario comment.
   constexpr int kStoredLevel = 9;
   write_png(path.string(), image, kStoredLevel);
 }
@@ -139,7 +138,7 @@ CheckedPicture check_picture(const Shelf& shelf, const PictureKey& key, const Im
   if (is_same) {
     checked.expected.reset();
   } else if (checked.finding) {
-    // It is known.
+    // known bad
   } else if (nearest) {
     Finding& changed = finding(FindingKind::Changed, checked.nearest);
     changed.pixels = PixelMeasures{*nearest, limits};

@@ -74,7 +74,7 @@ std::vector<Checked> check_stale_scenarios(const std::filesystem::path& root,
 /// Meshes without a stored trace, as scenarios "meshes/<name>". For a check of all, at the end.
 std::vector<Checked> check_stale_meshes(const std::filesystem::path& root, const Policy& policy);
 
-/// Compresses well: the file is written once and read by every clone.
+/// Writes a stored picture: compressed well, without metadata.
 void write_stored_picture(const std::filesystem::path& path, const Image& image);
 
 }  // namespace contactscope::snapshot

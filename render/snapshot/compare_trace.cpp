@@ -15,13 +15,13 @@ namespace {
 
 using trace::Trace;
 
-// The C library's sine and cosine differ in the last place between processors. Such a pose moves by
-// up to one unit of its coordinates; two of them and the way back to world space make four.
+// Sine and cosine of C libraries differ by one ulp between processors. Such a pose moves by up to
+// one ulp of its coordinates; two poses and the transform back to world space make four.
 constexpr double kPlaceUlps = 4;
 // The same unit in a quaternion turns a shape by up to two units of its extent, and each stage
 // after that (query, clip, area) rounds anew. Twice the largest sum of those we could count.
 constexpr double kExtentUlps = 16;
-// A polygon within the extent has a perimeter of at most eight, and so many lengths' worth of area.
+// A polygon within the extent has a perimeter of at most 8 extents, which scales area errors.
 constexpr double kPerimeter = 8;
 
 double largest_coordinate(const std::vector<Vec3d>& points) {
@@ -30,14 +30,14 @@ double largest_coordinate(const std::vector<Vec3d>& points) {
   return largest;
 }
 
-/// Largest local coordinate of a shape. A plane reaches everywhere; what rounds there is its offset.
+/// Largest local coordinate of a shape. A plane is unbounded; its offset is what rounds.
 double extent(const trace::Shape& shape) {
   if (shape.half_space) return std::abs(shape.half_space->offset);
   return largest_coordinate(shape.vertices) + shape.radius;
 }
 
-/// What tolerances are derived from: the expected trace alone, so that nothing wild in the actual
-/// one can excuse itself.
+/// Scale of the tolerances, from the expected trace alone, so that wild values in the actual one do
+/// not widen them.
 class Scale {
  public:
   explicit Scale(const trace::Header& header)
@@ -45,7 +45,7 @@ class Scale {
     for (const trace::Shape& shape : header.shapes) extents_[shape.name] = extent(shape);
   }
 
-  /// For one shape, or the larger of two, in a frame.
+  /// For one shape or a pair in a frame.
   Tolerance of(const trace::Frame& frame, const std::string& a, const std::string& b) const {
     const double extent = std::max(extent_of(a), extent_of(b));
     double place = 0;
@@ -55,10 +55,10 @@ class Scale {
     }
     return make(place, extent);
   }
-  /// For a shape in its own frame.
+  /// For a shape in its local frame.
   Tolerance of(const std::string& shape) const { return make(0, extent_of(shape)); }
-  /// For sums over a frame: what its largest pair may differ by, and of impulses and energies the
-  /// part of all of them together.
+  /// For sums over a frame: lengths as for the largest pair, impulses and energies as for all pairs
+  /// together.
   Tolerance of(const trace::Frame& frame) const {
     Tolerance tolerance = make(0, 0);
     for (const trace::Pair& pair : frame.pairs)
@@ -83,7 +83,7 @@ class Scale {
   std::map<std::string, double> extents_;  // metres, largest local coordinate
 };
 
-/// The sentences of the header or of one frame.
+/// Adds the sentences of the header or of one frame.
 void tell(const std::string& place, const std::vector<Difference>& differences,
           std::vector<std::string>& sentences) {
   for (std::size_t i = 0; i < differences.size() && i < kMostSentences; ++i) {
@@ -96,7 +96,7 @@ void tell(const std::string& place, const std::vector<Difference>& differences,
   }
 }
 
-/// Settles `actual`, see Changes.
+/// Settles `actual`; see Changes.
 TraceDifferences compare_and_settle(const Trace& expected, Trace& actual,
                                     const Margins& margins = {}) {
   TraceDifferences told;
@@ -149,7 +149,7 @@ TraceDifferences compare_and_settle(const Trace& expected, Trace& actual,
   return told;
 }
 
-/// A few letters about a place in a line.
+/// Characters around a position of a line.
 std::string about(const std::string& line, std::size_t at) {
   constexpr std::size_t kBefore = 24, kLength = 48;
   return at < line.size() ? line.substr(at - std::min(at, kBefore), kLength) : "(the end)";

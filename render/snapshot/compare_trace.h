@@ -33,11 +33,11 @@ struct TraceDifferences {
   bool is_words = false;                 // title or source differ
 };
 
-/// The same for the text of a stored file, down to its bytes: where no fact differs by more than its
-/// tolerance, the file must be what this program would write of `actual`, with each number that is
-/// within its tolerance as it is stored. What is not tells the first line that differs. So nothing
-/// in a file goes unnoticed, be it listed, compared and read or not. `path` is for messages; `margins` are of
-/// `actual`, for its cause. Throws core's InputError where the text is no trace.
+/// Compares with the text of a stored file down to its bytes. If all facts agree within tolerance,
+/// the file must equal what this program would write for `actual`, numbers within tolerance as
+/// stored; otherwise the first different line is reported. So even keys that are not read are
+/// compared. `path` is for messages; `margins` are those of `actual`, for the cause. Throws core's
+/// InputError if the text is not a trace.
 TraceDifferences compare_with_stored(const std::string& text, const std::string& path,
                                      const trace::Trace& actual, const Margins& margins = {});
 

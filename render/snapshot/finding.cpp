@@ -7,7 +7,7 @@
 namespace contactscope::snapshot {
 namespace {
 
-/// What is told first: an expectation, then facts, then pictures by the size of their difference.
+/// Order of reports: expectations, then facts, then pictures by the size of their difference.
 int weight(const Finding& finding) {
   if (finding.kind == FindingKind::UnmetExpectation ||
       finding.kind == FindingKind::UnreadableScenario)
@@ -23,10 +23,10 @@ int largest(const Cause& cause) {
   return most;
 }
 
-/// More scenarios than somebody edits by hand: the program reads or builds them otherwise.
+/// More scenarios than an author edits by hand: then the program reads or builds them differently.
 constexpr std::size_t kMostEdited = 5;
 
-/// A cause for each of its scenarios.
+/// Splits a cause by scenario.
 std::vector<Cause> by_scenario(const Cause& cause) {
   std::vector<Cause> all;
   for (const std::string& scenario : cause.scenarios) {

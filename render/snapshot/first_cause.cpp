@@ -19,7 +19,7 @@ const trace::Pair* find_pair(const trace::Frame* frame, const std::string& subje
   return found == frame->pairs.end() ? nullptr : &*found;
 }
 
-/// What follows, as things that people count.
+/// A consequence, as a countable noun.
 struct Thing {
   const char* one;
   const char* many;
@@ -64,8 +64,8 @@ std::optional<Thing> thing_of(const Difference& difference) {
                  : Thing{"point", "points"};
     case Stage::Solver:
       return Thing{"fact of the solver", "facts of the solver"};
-    case Stage::Ids:      // counted beside the points
-    case Stage::Answers:  // mostly repeats what a point says
+    case Stage::Ids:      // counted with the points
+    case Stage::Answers:  // mostly repeat facts of the points
     case Stage::Sums:
     case Stage::Words:
     case Stage::Frames:
@@ -93,16 +93,16 @@ int count_points(const FrameDifferences& frame, const std::string& subject) {
   return count;
 }
 
-/// What the effects are counted from: a difference, or a choice that came out otherwise.
+/// Cause of the counted effects: a difference or a flipped choice.
 struct Origin {
   std::string subject;
   Stage stage;
-  const Difference* told = nullptr;  // is no effect of itself
+  const Difference* told = nullptr;  // not an effect of itself
   const Flipped* flip = nullptr;     // likewise
 };
 
-/// "the reference face, 4 clip steps and 3 of 4 ids changed": of what the cause is of, or of the whole frame
-/// where that is no pair. Empty where nothing follows.
+/// "the reference face, 4 clip steps and 3 of 4 ids changed": effects in the pair of the cause, or
+/// in the whole frame if it is not in a pair. Empty without effects.
 std::string spell_effects(const FrameDifferences& frame, const Origin& origin) {
   struct Effect {
     Stage stage;
@@ -149,7 +149,7 @@ std::string spell_effects(const FrameDifferences& frame, const Origin& origin) {
   return text.empty() ? text : text + " changed";
 }
 
-/// The first choice that came out otherwise in a frame: of the pair that is told of, where it is of one.
+/// The first flipped choice in a frame; of the pair of `first`, if that is a pair.
 std::optional<Flipped> flip_in(const FrameDifferences& frame, const Difference& first,
                                const Margins& margins) {
   std::optional<Flipped> earliest;
@@ -170,8 +170,9 @@ std::optional<Flipped> flip_in(const FrameDifferences& frame, const Difference& 
   return earliest;
 }
 
-/// ": the separating axis test now prefers face b: ..., a tie of 0.03 mm; so 4 clip steps changed". What only
-/// moved a little is told with the choice that it turned: in this frame, or in the next one where it did.
+/// ": the separating axis test now prefers face b: ..., a tie of 0.03 mm; so 4 clip steps changed".
+/// A small move is reported with the choice that it flipped, in this frame or the next one with a
+/// flip.
 std::string spell_chain(const std::vector<FrameDifferences>& frames, const FrameDifferences& frame,
                         const Difference& first, const Margins& margins) {
   const FrameDifferences* at = &frame;
@@ -199,7 +200,7 @@ std::string spell_chain(const std::vector<FrameDifferences>& frames, const Frame
   return text + (effects.empty() ? "" : "; with it " + effects);
 }
 
-/// Names of stages, values and what came or went, but no number, no name of a shape.
+/// Names of stages and values, without numbers or shape names.
 std::string signature_of(const Difference& first) {
   std::string text = std::to_string(static_cast<int>(first.stage));
   std::set<std::string> words;
@@ -219,7 +220,7 @@ bool is_input(const Difference& first, const FrameDifferences& frame) {
 
 FirstCause first_cause(const std::string& scenario, const std::vector<FrameDifferences>& frames,
                        const Margins& margins) {
-  // A title, or which frames are stored, is nobody's cause while anything else differs.
+  // A title or the list of stored frames is not a cause while anything else differs.
   const FrameDifferences* frame = &frames.front();
   const Difference* first = &frame->differences.front();
   for (const FrameDifferences& one : frames) {

@@ -22,18 +22,16 @@ struct FirstCause {
   /// "hull/face_contact frame 12, table-crate: the separating axis test now prefers face b: -19.98 mm against
   /// -20.01 mm of face a, a tie of 0.03 mm; so the reference face, 4 clip steps and 3 of 4 ids changed".
   std::string sentence;
-  /// Where and how in the pipeline, without a number or a name: equal for traces that one edit of the
-  /// program may have changed.
+  /// Place and kind of the change in the pipeline, without numbers or names: equal for traces that
+  /// one edit of the program may have changed.
   std::string signature;
-  /// The change is in the scenario's file: a shape, a setting, or a pose before the solver moved
-  /// it.
+  /// The scenario's file changed: a shape, a setting, or a pose that no solver has moved yet.
   bool is_input = false;
 };
 
-/// Finds the first frame with a difference and in it the earliest stage of the pipeline; later
-/// differences may follow from it. If that stage is a moved number, also finds the next choice that
-/// flipped. `frames` is not empty and sorted, the header first; `margins` are those of the actual
-/// frames.
+/// Finds the first frame with a difference and in it the earliest stage of the pipeline; the rest
+/// may follow from it. If a number moved, also finds the next choice that flipped. `frames` is
+/// sorted, header first, and not empty; `margins` belong to the actual frames.
 FirstCause first_cause(const std::string& scenario, const std::vector<FrameDifferences>& frames,
                        const Margins& margins = {});
 

@@ -10,7 +10,7 @@
 namespace contactscope::snapshot {
 namespace {
 
-/// Two axes are a tie where their separations differ by less than this part of the larger one.
+/// Two axes tie if their separations differ by less than this fraction of the larger one.
 constexpr double kTie = 0.01;
 
 const trace::Decision* find_decision(const std::vector<trace::Decision>& margins,
@@ -25,19 +25,19 @@ std::string spell(const char* format, double value) {
   return text.data();
 }
 
-/// Of a margin: "3 um", "0.2 mm^2", "1e-06 of a cosine".
+/// A margin as text: "3 um", "0.2 mm^2", "1e-06 of a cosine".
 std::string spell_margin(const trace::Decision& decision) {
   if (decision.margin) return spell_length(std::max(*decision.margin, 0.0));
   if (decision.margin_area) return spell("%.2g mm^2", std::max(*decision.margin_area, 0.0) * 1e6);
   return spell("%.2g of a cosine", std::max(decision.margin_cosine.value_or(0), 0.0));
 }
 
-/// ", with 3 um to spare": how little would have chosen as before, or anything else.
+/// ", with 3 um to spare": the margin of the decision.
 std::string to_spare(const trace::Decision* decision) {
   return decision == nullptr ? "" : ", with " + spell_margin(*decision) + " to spare";
 }
 
-/// "face_a" in words.
+/// "face_a" as text.
 std::string spell_axis(const std::string& axis) {
   if (axis == "face_a") return "face a";
   if (axis == "face_b") return "face b";
@@ -51,8 +51,8 @@ std::optional<double> separation_along(const trace::Sat& sat, const std::string&
   return {};
 }
 
-/// The test took another axis: both with their numbers, and by how much one was nearer. A preference may decide
-/// against the nearer one; what it left to spare is told where that is another number.
+/// The test chose another axis: both with their separations and the difference. A preference may
+/// overrule the larger separation; its margin is added if it is a different number.
 std::string spell_chosen(const trace::Sat& before, const trace::Sat& now,
                          const trace::Decision* margin) {
   std::string text = "the separating axis test now prefers " + spell_axis(now.chosen);
@@ -65,7 +65,7 @@ std::string spell_chosen(const trace::Sat& before, const trace::Sat& now,
   else
     text += " to " + spell_axis(before.chosen) + ": " + spell("%.4g mm", *taken * 1e3) + " both";
   const bool is_tie = between <= kTie * std::max(std::abs(*taken), std::abs(*left));
-  // In the unit of both, as long as that has few digits.
+  // In mm as the separations, unless that needs many digits.
   const std::string way =
       between >= 1e-5 && between < 1 ? spell("%.2g mm", between * 1e3) : spell_length(between);
   if (is_tie)
@@ -84,7 +84,7 @@ std::string face(int number) {
   return "face " + std::to_string(number);
 }
 
-/// The points of a reduction, whatever the order in which they were kept.
+/// Points of a reduction, in canonical order.
 std::vector<int> sorted(std::vector<int> points) {
   std::ranges::sort(points);
   return points;
@@ -93,7 +93,7 @@ std::vector<int> sorted(std::vector<int> points) {
 std::optional<Flipped> find_flipped_points(const trace::Reduction& before,
                                            const trace::Reduction& now,
                                            const std::vector<trace::Decision>& margins) {
-  // Of other points their numbers say nothing.
+  // If the points differ, their indices cannot be compared.
   if (before.points.size() != now.points.size() || before.method != now.method ||
       sorted(before.kept) == sorted(now.kept))
     return {};

@@ -14,8 +14,8 @@
 namespace contactscope::snapshot {
 namespace {
 
-/// 64 bits of everything that it was given, in order: a multiplication and a fold of its 128 bits for each
-/// eight bytes, as wyhash mixes. Not against people who look for collisions.
+/// A 64-bit hash of a sequence: per eight bytes one multiplication and a fold of its 128 bits, as
+/// wyhash mixes. Not collision-resistant against attackers.
 class Mixer {
  public:
   void add(std::uint64_t value) {
@@ -89,7 +89,7 @@ class Mixer {
 
 template <class S>
 void add_rounding(Mixer& mixer) {
-  // What the compiler must not work out by itself, which would round as its own machine does.
+  // volatile: a constant folded by the compiler would round as on the build machine.
   volatile S start = S(0.1);
   S angle = start;
   Vec3<S> sum = Vec3<S>::Zero();

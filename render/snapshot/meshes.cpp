@@ -20,7 +20,7 @@ using Json = nlohmann::ordered_json;
 constexpr const char* kFolder = "meshes";
 constexpr const char* kEnding = ".json.gz";
 constexpr const char* kKey = "geometry";
-constexpr std::size_t kDigits = 32;  // of SHA-256: no two meshes of anybody share them
+constexpr std::size_t kDigits = 32;  // of SHA-256: no collisions in practice
 
 bool is_name(const std::string& name) {
   return name.size() == kDigits && name.find_first_not_of("0123456789abcdef") == std::string::npos;
@@ -30,7 +30,7 @@ std::string header_of(const std::string& text) {
   return text.substr(0, text.find('\n'));
 }
 
-/// As a reader of a trace without `edges` has them.
+/// The default of readers of a trace without `edges`.
 Json edges_of(const Json& faces) {
   trace::Shape shape;
   shape.faces = faces.get<std::vector<std::vector<int>>>();
@@ -38,7 +38,7 @@ Json edges_of(const Json& faces) {
   return shape.edges;
 }
 
-/// What the file of a shape's mesh holds; empty where it is small, or no mesh.
+/// Content of the file of a shape's mesh; empty if it is small or not a mesh.
 std::string mesh_of(const Json& shape) {
   if (!shape.contains("vertices") || !shape.contains("faces") || !shape.contains("edges"))
     return {};
@@ -48,7 +48,7 @@ std::string mesh_of(const Json& shape) {
   return text.size() < kLargeMesh ? "" : text + "\n";
 }
 
-/// The mesh itself. Throws InputError.
+/// Throws InputError.
 Json read_mesh(const fs::path& trace, const std::string& name) {
   fs::path file;
   for (fs::path folder = fs::absolute(trace).lexically_normal().parent_path();;
@@ -73,7 +73,7 @@ Json read_mesh(const fs::path& trace, const std::string& name) {
   }
 }
 
-/// Names of all stored traces below a folder, those of other drivers and known bugs too.
+/// Mesh names in all stored traces below a folder, including variants.
 std::set<std::string> meshes_in_use(const fs::path& root) {
   std::set<std::string> names;
   if (!fs::is_directory(root)) return names;
@@ -118,7 +118,7 @@ std::string with_meshes(const std::string& text, const fs::path& path) {
   if (meshes_named(line).empty()) return text;
   Json header = Json::parse(line, nullptr, false);
   if (header.is_discarded() || !header.contains("shapes"))
-    return text;  // its reader says what is wrong
+    return text;  // the trace reader reports the error
   for (auto& [shape_name, shape] : header["shapes"].items()) {
     const bool is_elsewhere = shape.contains(kKey) && shape[kKey].is_string() &&
                               shape.contains("vertices") && shape["vertices"].empty();
@@ -133,7 +133,7 @@ std::string with_meshes(const std::string& text, const fs::path& path) {
 }
 
 void write_stored_trace(const fs::path& root, const fs::path& path, const std::string& text) {
-  // A mesh that another process has just stored is named by its trace a moment later.
+  // Another process may have stored a mesh whose trace is not written yet.
   fs::create_directories(root);
   const FolderLock lock(root);
   const std::set<std::string> before = meshes_named(read_text_file(path).value_or(""));

@@ -145,7 +145,7 @@ std::string to_json(const Outcome& outcome) {
   json["scenarios"] = Json::array();
   for (const ScenarioOutcome& scenario : outcome.scenarios)
     json["scenarios"].push_back(to_json(scenario));
-  // A file name may be any bytes; what is no UTF-8 is shown as such.
+  // File names may be any bytes; invalid UTF-8 is replaced.
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

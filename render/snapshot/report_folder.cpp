@@ -18,7 +18,7 @@ namespace {
 constexpr std::string_view kFindings = "findings.json";
 constexpr std::string_view kWords[] = {".actual", ".expected", ".difference", ".layers"};
 
-/// Whether a file of an older report goes.
+/// True for files of an older report, which are replaced.
 bool is_ours(const fs::path& file) {
   const std::string name = file.filename().string();
   if (name == kFindings || name == "report.html" || name == "times.json" ||
@@ -36,7 +36,7 @@ void remove_old_report(const fs::path& folder) {
     if (is_ours(entry.path())) files.push_back(entry.path());
   }
   for (const fs::path& file : files) fs::remove(file);
-  // Folders that hold nothing else go as well, the deepest first.
+  // Remove empty folders too, deepest first.
   std::sort(folders.rbegin(), folders.rend());
   for (const fs::path& empty : folders) {
     std::error_code not_empty;
@@ -44,7 +44,7 @@ void remove_old_report(const fs::path& folder) {
   }
 }
 
-/// What runs that were killed left aside.
+/// Removes temporary folders of killed runs.
 void remove_abandoned(const fs::path& out, const std::string& prefix) {
   for (const fs::directory_entry& entry : fs::directory_iterator(out)) {
     const std::string name = entry.path().filename().string();

@@ -15,14 +15,14 @@ std::string format(const char* pattern, int digits, double value) {
   return text.data();
 }
 
-/// `value` rounded to `digits` significant digits, without exponent where that is readable.
+/// `value` with `digits` significant digits, without an exponent if that is readable.
 std::string significant(double value, int digits) {
   const bool plain = std::abs(value) >= std::pow(10.0, digits) && std::abs(value) < 1e7;
   const std::string text = plain ? format("%.*f", 0, value) : format("%.*g", digits, value);
   return text == "-0" ? "0" : text;
 }
 
-/// Of the first significant digit: -3 for 0.0013.
+/// Exponent of the first significant digit: -3 for 0.0013.
 int exponent(double positive) {
   return static_cast<int>(std::floor(std::log10(positive)));
 }
@@ -43,7 +43,7 @@ std::string spell_length(double metres) {
   constexpr Unit units[] = {{" m", 1}, {" mm", 1e-3}, {" um", 1e-6}, {" nm", 1e-9}};
   const double length = std::abs(metres);
   for (const Unit& unit : units) {
-    // 999.6 um reads 1 mm: three digits would round it up to four.
+    // 999.6 um would round to 1000 um, so it reads 1 mm.
     if (!(length < 0.9995 * unit.metres)) return significant(length / unit.metres, 3) + unit.name;
   }
   return significant(length / 1e-9, 3) + " nm";
@@ -81,11 +81,11 @@ std::string spell_numbers(std::span<const int> numbers) {
 
 std::array<std::string, 2> spell_both(double expected, double actual) {
   const double difference = std::abs(actual - expected);
-  constexpr int kMostDecimals = 15;  // more say nothing about numbers near one
+  constexpr int kMostDecimals = 15;  // more digits are noise for numbers near one
   int decimals = kMostDecimals + 1;
   if (std::isfinite(difference) && difference > 0) {
     decimals = std::max(0, 1 - exponent(difference));
-    // -0.005 beside -0.25 should not read 0.00; what is smaller still is as good as zero.
+    // -0.005 next to -0.25 must not read 0.00; much smaller numbers may.
     const double smaller = std::min(std::abs(expected), std::abs(actual));
     if (smaller > 0 && -exponent(smaller) <= decimals + 2) {
       decimals = std::max(decimals, -exponent(smaller));
@@ -124,7 +124,7 @@ std::string spell_move(const Vec3d& expected, const Vec3d& actual) {
   }
   const Vec3d direction = move / distance;
   std::string along = spell_vector(direction);
-  // Within about a degree of an axis.
+  // within about a degree of an axis
   constexpr double kAlongAxis = 0.9998;
   for (int axis = 0; axis < 3; ++axis) {
     if (std::abs(direction[axis]) < kAlongAxis) continue;

@@ -25,12 +25,12 @@ constexpr const char* kHashesName = "frames.txt";
 constexpr const char* kPictureExtension = ".png";
 constexpr const char* kNoteExtension = ".txt";
 
-/// Of "frame_0012.osmesa.png": "osmesa"; empty of "frame_0012.png".
+/// "osmesa" for "frame_0012.osmesa.png"; empty for "frame_0012.png".
 std::string word_of(const fs::path& file) {
   return fs::path(file).stem().extension().string();
 }
 
-/// "frame_0012.png" of "frame_0012.osmesa.png", and of the text that tells of it.
+/// "frame_0012.png" for "frame_0012.osmesa.png" and for its note.
 fs::path without_word(const fs::path& file) {
   return file.parent_path() / (fs::path(file).stem().stem().string() + kPictureExtension);
 }
@@ -142,7 +142,7 @@ std::vector<std::string> stored_scenarios(const fs::path& root) {
 }
 
 bool is_of_an_engine(const fs::path& root, const std::string& scenario) {
-  // Its meshes are nobody's concern here.
+  // Skip the meshes: only the header matters.
   const fs::path path = trace_path(root, scenario);
   const std::optional<std::string> text = read_text_file(path);
   if (!text) return false;

@@ -96,7 +96,7 @@ int cs_capsule(cs_recorder* r, const char* name, const double from[3], const dou
 /* Three doubles per vertex. Readers compute the faces of the convex hull. */
 int cs_hull(cs_recorder* r, const char* name, const double* vertices, int vertex_count);
 /* Centred on the origin, along axis 0, 1 or 2 (x, y, z); a cone's tip is at +half_length. Written
- * as 64-sided hulls with corners on the round surface; the error is at most 0.12 % of the radius. */
+ * as 64-sided hulls with corners on the round surface; the error is up to 0.12 % of the radius. */
 int cs_cylinder(cs_recorder* r, const char* name, int axis, double half_length, double radius);
 int cs_cone(cs_recorder* r, const char* name, int axis, double half_length, double radius);
 /* Three indices per triangle, counter-clockwise seen from outside. */
