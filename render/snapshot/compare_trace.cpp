@@ -18,8 +18,8 @@ using trace::Trace;
 // Sine and cosine of C libraries differ by one ulp between processors. Such a pose moves by up to
 // one ulp of its coordinates; two poses and the transform back to world space make four.
 constexpr double kPlaceUlps = 4;
-// The same unit in a quaternion turns a shape by up to two units of its extent, and each stage
-// after that (query, clip, area) rounds anew. Twice the largest sum of those we could count.
+// One ulp in a quaternion moves a shape by up to two ulps of its extent; each later stage (query,
+// clip, area) rounds again. Twice the largest sum of those that we could count.
 constexpr double kExtentUlps = 16;
 // A polygon within the extent has a perimeter of at most 8 extents, which scales area errors.
 constexpr double kPerimeter = 8;

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a name stands for below a folder: a file, or all that are in a group. Empty where nothing is.
+/// Scenario file of a name below a folder, or all files of a group; empty if neither exists.
 std::vector<std::string> files_in(const std::string& root, const std::string& name) {
   std::error_code unknown;
   const fs::path named = fs::path(root) / (name + ".toml");
@@ -31,7 +31,7 @@ std::vector<std::string> files_in(const std::string& root, const std::string& na
                                           : std::vector<std::string>();
 }
 
-/// Where names are looked up: what --scenarios says, or ./scenarios and then those that were installed.
+/// Search path of names: --scenarios, or ./scenarios and then the installed scenarios.
 std::vector<std::string> roots_of(const Options& options) {
   std::vector<std::string> roots = {options.scenario_root};
   if (options.scenario_root == Options{}.scenario_root) roots.push_back(installed_scenarios());
@@ -39,8 +39,8 @@ std::vector<std::string> roots_of(const Options& options) {
   return roots;
 }
 
-/// Files come before names: a regular file, or a folder that has scenarios; else a name under the
-/// root; else one of those that were installed.
+/// Search order: a regular file or a folder with scenarios, a name below the root, an installed
+/// name.
 std::vector<std::string> files_named(const std::string& argument, const Options& options) {
   if (is_trace_file(argument)) {
     const std::string what = foreign_in(argument);
@@ -89,10 +89,10 @@ void require_view(const Scenario& scenario, const std::string& view) {
                    names_of(views));
 }
 
-/// Which file each name is of.
+/// Scenario name to file.
 using Paths = std::map<std::string, std::string>;
 
-/// Whether a file was not named before; throws where another one has its name.
+/// True if the file is new; throws if another file has the same scenario name.
 bool is_new(const std::string& name, const std::string& file, Paths& paths) {
   const auto [known, added] = paths.emplace(name, file);
   if (added) return true;
@@ -112,12 +112,12 @@ Input unreadable_input(const std::string& file, const InputError& error) {
 }
 
 Input input_of(Sequence&& trace, const Options& options) {
-  // What an author of traces sees without having said what.
+  // Defaults for traces.
   Input input;
   input.scenario.name = trace.header.scenario;
   input.scenario.views = {default_view()};
   input.scenario.views.front().panels = {Panel::Summary};
-  // Two shapes the legend names; names of a heap would cover it.
+  // The legend names two shapes; names of very many shapes would hide them.
   constexpr std::size_t kFewest = 3, kMost = 24;
   const std::size_t shapes = trace.header.shapes.size();
   if (shapes >= kFewest && shapes <= kMost)
@@ -147,7 +147,7 @@ Input input_of(Sequence&& trace, const Options& options) {
   return input;
 }
 
-/// A contact plane has layers of its own, and no panels.
+/// Contact plane views keep their own layers and have no panels.
 void override_views(std::vector<View>& views, const Options& options) {
   for (View& view : views) {
     if (view.kind == ViewKind::ContactPlane) continue;
@@ -188,7 +188,7 @@ std::vector<View> selected_views(const Scenario& scenario, const Options& option
 
 namespace {
 
-/// Those that cannot be read are added to `unreadable`, or thrown where that is null.
+/// Adds unreadable ones to `unreadable`, or throws if that is null.
 std::vector<Scenario> read_scenarios(const Options& options, std::vector<Input>* unreadable) {
   std::vector<std::string> files;
   if (options.scenarios.empty()) {
@@ -216,7 +216,7 @@ std::vector<Scenario> read_scenarios(const Options& options, std::vector<Input>*
         continue;
       }
       if (refused) std::fprintf(stderr, "%s\n", refused->what());
-      refused = error;  // and on, to tell what is wrong with the others in the same run
+      refused = error;  // go on, to report all errors in one run
       continue;
     }
     if (!is_new(scenario.name, file, paths)) continue;

@@ -12,50 +12,49 @@
 
 namespace contactscope::app {
 
-/// Loads the scenarios that a command names: a file, a folder with all that is in it, or a name
-/// such as "hull/face_contact" under options.scenario_root, or else one that was installed. No name means all
-/// under the root.
-/// Settings of the command line that override a scenario's are applied. All files are read before
-/// anything is returned, so that a bad one leaves nothing half done. Throws InputError and
-/// UsageError.
+/// Loads the scenarios that a command names: a file, a folder, or a name such as
+/// "hull/face_contact" below options.scenario_root or the installed scenarios. Without names, all
+/// below the root. Settings of the command line override those of the scenarios. All files are read
+/// before anything is returned, so a bad one does not leave half the work done. Throws InputError
+/// and UsageError.
 std::vector<Scenario> load_scenarios(const Options& options);
 
-/// What `render` draws: a scenario, which is run first, or a trace as it stands. Of a trace the scenario
-/// has a name and views alone.
+/// Input of `render`: a scenario to run, or a trace. For a trace the scenario has only a name and
+/// views.
 struct Input {
   Scenario scenario;
-  std::vector<int> frames{};        // to draw, by number
-  std::optional<Sequence> trace{};  // else the scenario is run
-  std::string file{};               // of a trace, as messages name it
-  std::string unreadable{};  // why there is nothing but a name and a path; empty where all is well
+  std::vector<int> frames{};        // numbers of the frames to draw
+  std::optional<Sequence> trace{};  // unset: run the scenario
+  std::string file{};               // file name of a trace for messages
+  std::string unreadable{};  // error, with only name and path set; empty if readable
 };
 
-/// What becomes of a file that cannot be read or parsed.
+/// Handling of files that cannot be read or parsed.
 enum class Unreadable {
-  Thrown,  // as InputError, and the messages of the others on the standard error
-  Kept,    // as an Input that says so
+  Thrown,  // as InputError; further errors are printed to stderr
+  Kept,    // as an Input with the error
 };
 
-/// The folder of scenarios that the program was installed with; empty where it was with none.
+/// Folder of the installed scenarios; empty if there is none.
 std::string installed_scenarios();
 
-/// Whether its name on a command line stands for this scenario's file.
+/// True if its name on a command line finds this scenario's file.
 bool is_found_by_name(const Scenario& scenario, const Options& options);
 
-/// The same of files that may be traces too, which have one view: fitted, with the default layers
-/// and the summary. Throws UsageError also where an option has no meaning for a trace.
+/// Like load_scenarios(), but files may be traces, which have one fitted view with the default
+/// layers and the summary. Also throws UsageError for an option that does not apply to traces.
 std::vector<Input> load_inputs(const Options& options, Hold hold = Hold::Whole,
                                Unreadable unreadable = Unreadable::Thrown);
 
-/// Each argument by itself, in their order, where nothing is written, so that traces of one name are no mistake:
-/// scenarios as load_inputs() has them, and traces of any length, from which only the header was read.
+/// Visits the arguments in order, for verbs that write no files: several traces may share a name.
+/// Scenarios are loaded as by load_inputs(); of a trace only the header has been read.
 void each_input(const Options& options, const std::function<void(const Input&)>& scenario,
                 const std::function<void(TraceFile&)>& trace);
 
-/// The views that --view leaves.
+/// Views selected by --view.
 std::vector<View> selected_views(const Scenario& scenario, const Options& options);
 
-/// The names of a list of things, for a complaint: "a, b, c".
+/// Names of a list for error messages: "a, b, c".
 template <class List>
 std::string names_of(const List& list) {
   std::string names;

@@ -24,7 +24,7 @@ snapshot::Shard parse_shard(const std::string& text) {
   throw UsageError("--shard '" + text + "' is no part; write K/N with 1 <= K <= N, as 2/5");
 }
 
-/// A word more in a file's name.
+/// Validates the extra word of a file name.
 void check_word(const Options& options) {
   const std::string& word = options.accept_as;
   if ((!word.empty() || !options.note.empty()) && !options.accept)
@@ -47,7 +47,7 @@ CLI::Option* add_check_option(CLI::App& verb, const std::string& name, Options& 
   const auto flag = [&](bool& target, const char* help) {
     return verb.add_flag(name, target, help);
   };
-  // A flag that may carry a value: a scenario that follows a bare --update is not taken for it.
+  // A flag with optional value: `--update SCENARIO` does not take the scenario as its value.
   if (name == "--update")
     return verb.add_flag("--update{failed}", texts.update,
                          "Rewrite what failed, or with --update=all everything");

@@ -11,17 +11,17 @@ class Option;
 
 namespace contactscope::app {
 
-/// Options of `check` and of the verbs about its report, as they are written.
+/// Options of `check` and of the verbs for its report, as text.
 struct CheckTexts {
   std::string update = "never", shard;
   bool write_missing = false;
 };
 
-/// Adds the option of that name, with its help; null where it is none of these.
+/// Adds the option of this name with its help; null if it is not one of these.
 CLI::Option* add_check_option(CLI::App& verb, const std::string& name, Options& to,
                               CheckTexts& texts);
 
-/// Reads them. Throws UsageError.
+/// Parses the texts. Throws UsageError.
 void finish_check(const CheckTexts& texts, Options& options);
 
 }  // namespace contactscope::app

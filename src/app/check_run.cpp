@@ -36,10 +36,10 @@ using snapshot::Finding;
 using snapshot::FindingKind;
 using snapshot::ScenarioOutcome;
 
-/// What the facts of a scenario explain about its pictures.
+/// How a scenario's facts explain differences of its pictures.
 struct Explanation {
   const snapshot::TraceDifferences* trace = nullptr;
-  const snapshot::CheckedFrames* frames = nullptr;  // null where every frame is stored
+  const snapshot::CheckedFrames* frames = nullptr;  // null if every frame is stored
   std::string cause;                                // of the trace
 };
 
@@ -47,7 +47,7 @@ bool contains(const std::vector<int>& numbers, int number) {
   return std::ranges::find(numbers, number) != numbers.end();
 }
 
-/// Why a picture differs, as far as its facts say; sets its cause.
+/// Explains a changed picture by its facts, and sets its cause.
 void explain(Finding& picture, const Explanation& facts) {
   if (picture.kind != FindingKind::Changed) return;
   const auto follow = [&](const std::string& why) {
@@ -111,7 +111,7 @@ class Checker {
     trace::Trace stored{sequence.header, {}};
     sequence.each(scenario.snapshots.frames,
                   [&](std::size_t index) { stored.frames.push_back(sequence.frames[index]); });
-    // While its pictures are drawn.
+    // Runs while the pictures are drawn.
     std::future<snapshot::CheckedTrace> pending = std::async(
         std::launch::async, [&] { return snapshot::check_trace(shelf, stored, policy_, margins); });
     std::vector<Finding> pictures;
@@ -146,7 +146,7 @@ class Checker {
     return outcome;
   }
 
-  /// Stored scenarios that no file describes any more.
+  /// Stored scenarios that have no file any more.
   std::vector<ScenarioOutcome> check_orphans(const std::vector<std::string>& names) {
     std::vector<ScenarioOutcome> outcomes;
     std::vector<snapshot::Checked> files =
@@ -164,7 +164,7 @@ class Checker {
 
   const Ledger& ledger() const { return ledger_; }
 
-  /// All that findings depend on and that is of no scenario. Opens OpenGL where pictures are drawn.
+  /// Content that all findings depend on. Opens OpenGL unless pictures are off.
   std::string surroundings() {
     return program_id() + " " + snapshot::rounding() + " " +
            (options_.facts_only ? "facts" : studio_.driver());
@@ -186,7 +186,7 @@ class Checker {
     if (checked.finding) outcome.findings.push_back(std::move(*checked.finding));
   }
 
-  /// Runs the scenario, and asks it what its file expects. `margins` are set to those of stored frames.
+  /// Runs the scenario and checks its expectations. Sets `margins` to those of stored frames.
   Sequence facts_of(Input& input, ScenarioOutcome& outcome, snapshot::Margins& margins) {
     if (input.trace) {
       outcome.file = input.file;
@@ -241,7 +241,7 @@ class Checker {
     studio_.render(
         staging, sequence, scenario.snapshots.frames, [&](const trace::Frame& shown, Image image) {
           const Timed timed(ledger_, "compare");
-          // A view chosen on the command line stays where it would be among the others.
+          // With --view the path still has the view's folder if there are several.
           const snapshot::PictureKey key{
               scenario.name, scenario.views.size() > 1 ? std::optional(view.name) : std::nullopt,
               shown.frame};
@@ -256,10 +256,10 @@ class Checker {
         });
   }
 
-  /// Which layers of a picture are drawn otherwise of the stored facts.
+  /// Finds the layers of pictures that the stored facts draw differently.
   void name_layers(const snapshot::Shelf& shelf, const Scenario& scenario, const Sequence& sequence,
                    const snapshot::TraceDifferences& differences, std::vector<Finding>& pictures) {
-    constexpr int kMost = 4;  // each takes as long as to draw it twice
+    constexpr int kMost = 4;  // each takes as long as drawing the picture twice
     const Timed timed(ledger_, "compare layers");
     std::istringstream text(*snapshot::read_stored_trace(shelf.root, shelf.scenario));
     const trace::Trace stored = trace::read_trace(text, "stored");
@@ -305,7 +305,7 @@ class Checker {
   snapshot::Policy policy_;
 };
 
-/// Nothing of it was compared; `why` begins with the place in its file.
+/// Outcome of a scenario that could not be compared; `why` starts with the place in its file.
 ScenarioOutcome unreadable(const Input& input, const std::string& why) {
   ScenarioOutcome outcome{input.scenario.name,
                           input.file.empty() ? input.scenario.path : input.file};
@@ -316,7 +316,7 @@ ScenarioOutcome unreadable(const Input& input, const std::string& why) {
   return outcome;
 }
 
-/// What is wrong with one scenario, already as it is read or only as it runs, does not stop the others.
+/// An error in one scenario, at load or run time, does not stop the others.
 ScenarioOutcome checked(Checker& checker, Input& input) {
   if (!input.unreadable.empty()) return unreadable(input, input.unreadable);
   const std::string file = input.scenario.path;
@@ -338,8 +338,8 @@ void require_folder(const Options& options) {
                    "DIR, or let check --write-missing make it with the first ones");
 }
 
-/// What parts of one run have in common. Snapshots are not in it: a part with --update may have written some before the
-/// next one begins.
+/// Hash input common to the shards of one run. Excludes snapshots: a shard with --update may write
+/// some before the next shard starts.
 std::string made_of(const std::vector<Input>& inputs) {
   std::string all = program_id();
   for (const Input& input : inputs)
@@ -349,7 +349,7 @@ std::string made_of(const std::vector<Input>& inputs) {
   return sha256(all);
 }
 
-/// With the times of scenarios that did not run this time.
+/// Keeps the times of scenarios that did not run.
 std::string merged_times(const fs::path& folder, const nlohmann::ordered_json& times) {
   nlohmann::ordered_json all = nlohmann::ordered_json::object();
   if (const auto text = snapshot::read_text_file(folder / "times.json")) {
@@ -371,7 +371,7 @@ snapshot::Outcome run_check(std::vector<Input>& inputs, const Options& options) 
   const std::vector<std::string> all =
       mapped(inputs, [](const Input& input) { return input.scenario.name; });
   if (options.shard) outcome.made_of = made_of(inputs);
-  // Without times: a picture costs about as much as ten frames of facts.
+  // Default costs: a picture costs about as much as ten frames of facts.
   if (options.shard)
     outcome.all = keep_shard(inputs, options, [](const Input& input) {
       const SnapshotSettings& stored = input.scenario.snapshots;
@@ -379,7 +379,7 @@ snapshot::Outcome run_check(std::vector<Input>& inputs, const Options& options) 
       return 1.0 + 0.1 * input.scenario.frames + pictures;
     });
 
-  // What changes every file, or looks at a part of each scenario, is no case for it.
+  // Skip the cache for runs that rewrite every file or check only some views.
   const bool can_be_known = options.view.empty() && options.update != snapshot::Update::All;
   std::optional<KnownSame> known;
   std::vector<std::string> contents(inputs.size());

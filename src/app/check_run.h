@@ -7,9 +7,9 @@
 
 namespace contactscope::app {
 
-/// Runs and draws scenarios, and holds them against what is stored. What came of it is in the folder of the report, and is
-/// returned; who is told of it is not known here. Of a trace, which expects nothing, its first, middle and last
-/// frame are stored. Throws InputError where there is no folder of snapshots and none is to be written.
+/// Runs and draws scenarios, compares them with snapshots, writes the report folder and returns the
+/// outcome; the caller prints it. The first, middle and last frames of a trace are stored. Throws
+/// InputError if there is no snapshot folder and none is to be written.
 snapshot::Outcome run_check(std::vector<Input>& inputs, const Options& options);
 
 }  // namespace contactscope::app

@@ -7,7 +7,7 @@ namespace {
 
 using Kind = Completion::Kind;
 
-// Names of scenarios are asked of the program, which knows the folder.
+// Scenario names come from the program, which knows the folder.
 constexpr const char* kNames = "contactscope list scenarios 2>/dev/null | sed 's/  .*//'";
 
 std::string spaced(const std::vector<std::string>& words) {
@@ -16,14 +16,14 @@ std::string spaced(const std::vector<std::string>& words) {
   return text;
 }
 
-/// For a string between single quotes, in every shell: the quote by itself as `quote`.
+/// Single-quotes a string for a shell; `quote` is the escaped quote.
 std::string quoted(const std::string& text, const std::string& quote) {
   std::string escaped = "'";
   for (const char c : text) escaped += c == '\'' ? quote : std::string(1, c);
   return escaped + "'";
 }
 
-/// `before` in front of each of these.
+/// Puts a backslash before each character of `special`.
 std::string escaped(const std::string& text, std::string_view special) {
   std::string all;
   for (const char c : text) {
@@ -33,7 +33,7 @@ std::string escaped(const std::string& text, std::string_view special) {
   return all;
 }
 
-/// The argument that stands by itself, of which each verb has at most one.
+/// The positional argument; each verb has at most one.
 const ManualArgument* positional(const ManualVerb& verb) {
   for (const ManualArgument& argument : verb.arguments)
     if (!argument.is_option()) return &argument;
@@ -53,7 +53,7 @@ std::vector<std::string> names_of_verbs(const std::vector<ManualVerb>& verbs) {
   return names;
 }
 
-/// The options that some verb has, each once.
+/// Options of all verbs, each once.
 std::vector<ManualArgument> all_options(const std::vector<ManualVerb>& verbs) {
   std::vector<ManualArgument> all;
   for (const ManualVerb& verb : verbs)
@@ -65,7 +65,7 @@ std::vector<ManualArgument> all_options(const std::vector<ManualVerb>& verbs) {
   return all;
 }
 
-/// A line of bash that fills COMPREPLY; empty where there is nothing to say.
+/// A line of bash that sets COMPREPLY; empty if there is nothing to complete.
 std::string bash_reply(const Completion& completion) {
   switch (completion.kind) {
     case Kind::Words:
@@ -84,7 +84,7 @@ std::string bash_reply(const Completion& completion) {
   return {};
 }
 
-/// What _arguments of zsh does with a value.
+/// Action of zsh's _arguments for a value.
 std::string zsh_action(const Completion& completion) {
   switch (completion.kind) {
     case Kind::Words:
@@ -103,7 +103,7 @@ std::string zsh_action(const Completion& completion) {
   return " ";
 }
 
-/// The end of a line of fish.
+/// End of a fish `complete` line.
 std::string fish_values(const Completion& completion) {
   switch (completion.kind) {
     case Kind::Words:

@@ -11,9 +11,9 @@
 namespace contactscope::app {
 namespace {
 
-constexpr int kMostNotes = 5;  // lines of an engine's own words
+constexpr int kMostNotes = 5;  // lines of an engine's messages
 
-/// Of an answer that is broken somewhere, the frames before; its shapes are not read.
+/// Reads the frames before the first error; ignores shapes.
 trace::Trace read_answer(std::string text, const std::string& name, std::string& failure) {
   trace::Trace answer;
   try {
@@ -29,7 +29,7 @@ trace::Trace read_answer(std::string text, const std::string& name, std::string&
   return answer.frames.empty() ? trace::Trace{} : answer;
 }
 
-/// What a program says of why it steps nothing.
+/// The reason that a program gives for not stepping.
 std::string last_words(const std::string& said) {
   std::istringstream lines(said);
   std::string last = "no rollout";
@@ -74,14 +74,14 @@ versus::Contender ask(const std::string& name, const std::string& program,
     contender.refusal = last_words(answer.said);
     return contender;
   }
-  // Of a program that died, the frames that it got to.
+  // Drop the incomplete line of a crashed program.
   if (!answer.failure.empty() && !answer.out.empty())
     answer.out.erase(answer.out.find_last_of('\n') + 1);
   if (answer.failure.empty() || !answer.out.empty())
     contender.trace = read_answer(answer.out, name + "'s answer", contender.failure);
   contender.engine = contender.trace.header.engine;
   contender.version = contender.trace.header.version;
-  // What it says of the shapes is not what it was asked about.
+  // The shapes are those of the request, whatever the engine wrote.
   contender.trace.header.shapes = request.header.shapes;
   const std::size_t asked = request.frames.size(), told = contender.trace.frames.size();
   if (contender.failure.empty() && told < asked)

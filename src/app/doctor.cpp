@@ -24,14 +24,14 @@ std::string eigen_version() {
          std::to_string(EIGEN_MINOR_VERSION);
 }
 
-/// One line on what a scenario holds; what is wrong with one has thrown InputError.
+/// One-line summary of a valid scenario; an invalid one has thrown InputError.
 std::string looked_through(const Scenario& scenario) {
   return scenario.path + ": scenario " + scenario.name + ", frames " +
          std::to_string(scenario.frames) + ", shapes " + std::to_string(scenario.shapes.size()) +
          ", pairs " + std::to_string(scenario.pairs.size());
 }
 
-/// What the frames of a trace hold, counted.
+/// Counts the contents of a trace's frames.
 class Inventory {
  public:
   void add(const trace::Frame& frame) {
@@ -60,7 +60,7 @@ class Inventory {
   std::map<std::string, int> found_;
 };
 
-// What each route to OpenGL answers, and what to do where one does not.
+// Probes each OpenGL backend, with a remedy if it fails, and validates files.
 ExitCode run_doctor(const Options& options) {
   std::vector<std::string> files, wrong;
   nlohmann::ordered_json findings = nlohmann::ordered_json::array();
@@ -74,7 +74,7 @@ ExitCode run_doctor(const Options& options) {
       findings.push_back(to_json(finding));
     }
   };
-  // Of a scenario nothing is known until it is run.
+  // Scenarios are not run, only parsed.
   each_input(
       options, [&](const Input& input) { files.push_back(looked_through(input.scenario)); },
       look_through);

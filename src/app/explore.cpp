@@ -40,19 +40,19 @@ void print_table(const Explorations& explorations, std::ostream& out) {
   print(table, out);
 }
 
-/// Of any; there is at least one.
+/// Largest number of points; there is at least one exploration.
 int most_points(const Explorations& explorations) {
   return std::ranges::max(
       mapped(explorations, [](const trace::Exploration& one) { return count_of(one.points); }));
 }
 
-/// How many points are kept of each manifold.
+/// Limit of points per manifold.
 int most_kept(const Scenario& scenario) {
   return scenario.pairs.empty() ? scenario.pipeline.max_points
                                 : scenario.pairs.front().pipeline.max_points;
 }
 
-// What a reader must know about the numbers, once and on standard error.
+// Explains the numbers once, on stderr.
 void print_note(const Explorations& explorations, const Scenario& scenario) {
   if (explorations.empty()) {
     std::cerr << scenario.name
@@ -67,7 +67,7 @@ void print_note(const Explorations& explorations, const Scenario& scenario) {
   std::cerr << '\n';
 }
 
-/// The explorations of each pair, and of each triangle of a mesh, frames in order.
+/// Groups explorations by pair and mesh triangle, with frames in order.
 std::vector<Explorations> by_manifold(const Explorations& explorations) {
   std::vector<Explorations> sequences;
   for (const trace::Exploration& one : explorations) {
@@ -88,7 +88,7 @@ std::filesystem::path folder_of(const Options& options, const trace::Exploration
                                 bool several) {
   std::filesystem::path folder = std::filesystem::path(options.out) / "explore" / first.scenario;
   if (several && first.a.empty()) {
-    std::string name = first.label;  // free text, which may not lead elsewhere
+    std::string name = first.label;  // free text: must not change the path
     std::ranges::replace_if(
         name, [](char c) { return c == '/' || c == '\\' || c == ' ' || c == '.'; }, '_');
     folder /= name;
@@ -107,8 +107,7 @@ void write_pictures(const Scenario& scenario, const Explorations& explorations,
       {}, {}, plane, options, roomy_size(explorations.front().reducers.size()), std::move(words));
   std::vector<Explorations> sequences = by_manifold(explorations);
   const bool several = sequences.size() > 1;
-  // Of a mesh those triangles alone have a picture from which some reducer takes points: most of a
-  // large mesh's are kept whole by all.
+  // Skip mesh triangles whose points no reducer drops: in a large mesh, that is most of them.
   std::erase_if(sequences, [&](const Explorations& sequence) {
     return sequence.front().triangle && most_points(sequence) <= most_kept(scenario);
   });
@@ -160,7 +159,7 @@ void write_pictures(const Scenario& scenario, const Explorations& explorations,
   std::cerr << "; a larger --size has room for it\n";
 }
 
-/// Of a trace a reducer is not what made it, but what is tried on it.
+/// On a trace, --reducer names one to try, not the one that made it.
 Options without_reducer(Options options) {
   options.reducer.clear();
   return options;
@@ -211,7 +210,7 @@ ExitCode run_explore(const Options& options) {
                             explore_options)
                   : explore(scenario, frames.back(), explore_options);
   progress.reset();
-  // Frames before the first one asked for ran too: some reducers go by what they kept there.
+  // Earlier frames ran too, because some reducers depend on the points that they kept before.
   std::erase_if(explorations, [&](const trace::Exploration& exploration) {
     return std::ranges::find(frames, exploration.frame) == frames.end();
   });

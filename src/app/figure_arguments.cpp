@@ -2,7 +2,7 @@
 
 #include "app/figure_options.h"
 
-/// Kept apart from what reads the values: the program alone knows CLI11, the library does not.
+/// In its own file because only the program depends on CLI11, not the library.
 namespace contactscope::app {
 
 CLI::Option* add_figure_option(CLI::App& verb, const std::string& name, FigureOptions& to) {

@@ -13,9 +13,10 @@
 namespace contactscope::app {
 namespace {
 
-constexpr int kLeastSide = 64, kMostSide = 8192;          // pixels, as of --size
-constexpr double kViewShape = 0.7;                        // height of a view by its width
-constexpr double kChartShape = 0.5;                       // of a chart or map
+constexpr int kLeastSide = 64, kMostSide = 8192;          // pixels, as for --size
+constexpr double kViewShape = 0.7;                        // height of a view relative to its width
+constexpr double kChartShape = 0.5;                       // of a chart or map, relative to its
+                                                          // width
 constexpr double kAroundPanel = 20, kBetweenPanels = 12;  // pixels at 720 lines
 
 int side_of(const char* option, double pixels) {
@@ -25,14 +26,14 @@ int side_of(const char* option, double pixels) {
                    " pixels, and a picture has 64 to 8192; another --dpi changes that");
 }
 
-/// Pixels in which panels leave nothing out.
+/// Height in pixels at which panels are complete.
 double height_of_panels(const draw::Staging& staging, const std::vector<trace::Frame>& frames) {
   if (frames.empty()) return 0;
   const std::vector<draw::FilledPanel> panels = draw::make_panels(staging, frames);
   double height = 0;
   for (const draw::FilledPanel& panel : panels) {
     const draw::PanelNeed need = panel.content->need({frames.size() - 1, {}});
-    // A chart or map that takes what it gets is well read at half its width.
+    // Flexible charts and maps are legible at half their width.
     const double wanted =
         need.wanted > 0 ? double(need.wanted) : kChartShape * staging.layout.panels.width;
     height +=
@@ -41,14 +42,14 @@ double height_of_panels(const draw::Staging& staging, const std::vector<trace::F
   return height;
 }
 
-/// Where the lowest of view, insets and panels ends.
+/// Lower end of view, insets and panels.
 double end_of(const draw::Layout& layout) {
   double end = layout.view.bottom();
   for (const draw::Rect& inset : layout.insets) end = std::max(end, inset.bottom());
   return layout.panels.width > 0 ? std::max(end, layout.panels.bottom()) : end;
 }
 
-/// Sets the height of a canvas by what a first layout shows of its parts.
+/// Sets the height of a canvas from a trial layout.
 void fit_height(const trace::Header& header, const std::vector<trace::Frame>& frames,
                 const View& view, FigureCanvas& canvas) {
   if (view.kind == ViewKind::ContactPlane) {
@@ -71,7 +72,7 @@ void fit_height(const trace::Header& header, const std::vector<trace::Frame>& fr
   canvas.size.height = side_of("--width", height);
 }
 
-/// An author who tells a height is told what has no room in it.
+/// Warns about content that does not fit into a requested height.
 void tell_left_out(const trace::Header& header, const std::vector<trace::Frame>& frames,
                    const View& view, const FigureCanvas& canvas) {
   if (view.kind == ViewKind::ContactPlane || frames.empty()) return;
@@ -105,7 +106,7 @@ std::string words_path(const std::string& named) {
   const fs::path installed =
       program.parent_path().parent_path() / "share" / "contactscope" / "words" / (named + ".toml");
   if (fs::is_regular_file(installed, unknown)) return installed.string();
-  if (fs::exists(named, unknown)) return named;  // a folder or a pipe, which is refused as one
+  if (fs::exists(named, unknown)) return named;  // a folder or a pipe: reading it gives the error
   throw UsageError("--words '" + named +
                    "': there is no such file; name a TOML file with a [words] table, whose keys "
                    "`contactscope list words` prints");

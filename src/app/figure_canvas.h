@@ -12,23 +12,23 @@
 
 namespace contactscope::app {
 
-/// How large a picture of a view is, and its style.
+/// Size and style of a picture.
 struct FigureCanvas {
   Size size;
   draw::FigureStyle style;
 };
 
-/// As the command line says; else `otherwise`. Of a figure whose width alone is told the height is what
-/// its view, legend and panels need. Throws UsageError where no canvas is so large or so small.
+/// Size from the command line, else `otherwise`. If only the width of a figure is set, its height
+/// fits view, legend and panels. Throws UsageError for a size out of range.
 FigureCanvas canvas_of(const trace::Header& header, const std::vector<trace::Frame>& frames,
                        const View& view, const Options& options, Size otherwise,
                        std::shared_ptr<const Words> words);
 
-/// What stands in place of the words in pictures of an input: those of --words before those of the
-/// scenario itself. Null where both say nothing. Throws InputError and UsageError.
+/// Replacement texts for the pictures of an input: those of --words take precedence over the
+/// scenario's. Null if there are none. Throws InputError and UsageError.
 std::shared_ptr<const Words> words_of(const Input& input, const Options& options);
 
-/// Those of the scenario alone, as `check` has its pictures. Throws InputError.
+/// Only the scenario's, as `check` uses them. Throws InputError.
 std::shared_ptr<const Words> words_of(const Scenario& scenario);
 
 }  // namespace contactscope::app

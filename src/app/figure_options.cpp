@@ -15,13 +15,13 @@
 namespace contactscope::app {
 namespace {
 
-// What a picture of a paper has where its author says how wide it is and no more.
+// Type size of a paper figure if only its width is set.
 constexpr double kUsualType = 8;  // points
-// A figure has the white of its page around it; pixels at 720 lines.
+// The page already has margins; pixels at 720 lines.
 constexpr double kFigureMargin = 2;
-// On paper, beside type of 8 points, lines are 0.5 to 1 point wide, as printers have them.
+// Printed lines next to 8 point type are 0.5 to 1 point wide.
 constexpr double kPaperLines = 0.65;
-constexpr double kLeastContrast = 4.5;  // of text with what it stands on (WCAG 2.2, 1.4.3)
+constexpr double kLeastContrast = 4.5;  // of text with its background (WCAG 2.2, 1.4.3)
 
 FigureLength parse_length(const std::string& option, const std::string& text) {
   struct Unit {

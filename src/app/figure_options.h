@@ -14,10 +14,10 @@ class App;
 class Option;
 }  // namespace CLI
 
-/// What authors of talks and papers set of their figures, the same for every verb that draws.
+/// Options of figures for talks and papers, shared by all verbs that draw.
 namespace contactscope::app {
 
-/// A length as an author writes it: "84mm", "8pt", "992px".
+/// A length as text: "84mm", "8pt", "992px".
 struct FigureLength {
   double value = 0;  // points of 1/72 inch, or pixels
   bool in_pixels = false;
@@ -25,35 +25,35 @@ struct FigureLength {
   double pixels(double dpi) const { return in_pixels ? value : value * dpi / 72; }
 };
 
-/// The options as they were written, and what they say.
+/// The options as text, and their values.
 struct FigureOptions {
   std::string width_text, height_text, font_size_text, background_text, theme_text;
-  std::string words;               // file, or the name of one that is installed
-  std::vector<std::string> fonts;  // regular, and bold where there is one
-  double dpi = 300;                // pixels an inch of what has a size on paper
+  std::string words;               // a file, or the name of an installed one
+  std::vector<std::string> fonts;  // regular, and optionally bold
+  double dpi = 300;                // pixels per inch for physical sizes
   double scale = 1, line_width = 1;
   bool bare = false, no_title = false, no_legend = false, no_footer = false;
 
   std::optional<FigureLength> width{}, height{}, font_size{};
-  draw::FigureStyle style{};  // without words, which a scenario has a part in
+  draw::FigureStyle style{};  // without `words`, which also depend on the scenario
 };
 
-/// The options of all figures, as a verb lists its arguments.
+/// Options of all figures, in the format of Verb::arguments.
 inline constexpr const char* kFigureArguments =
     "--width --height --font-size --dpi --scale --line-width --bare --no-title --no-legend "
     "--no-footer --background --theme --words --font";
 
-/// Adds the option of that name, with its help; null where it is none of a figure.
+/// Adds the option of this name with its help; null if it is not one of a figure.
 CLI::Option* add_figure_option(CLI::App& verb, const std::string& name, FigureOptions& to);
 
-/// Reads what was written, and opens the fonts. Throws UsageError, FontError.
+/// Parses the texts and opens the fonts. Throws UsageError, FontError.
 void finish_figure(FigureOptions& figure, bool has_size);
 
-/// Characters that no font has, over all drawings of a run.
+/// Characters without a glyph in any font, over all drawings of a run.
 class MissingGlyphs {
  public:
   void look(const draw::Drawing& drawing);
-  /// Names the characters and the remedy, once; nothing where none is missing.
+  /// Prints the characters and a remedy once; nothing if none is missing.
   void tell(std::ostream& out) const;
 
  private:

@@ -10,21 +10,21 @@
 
 namespace contactscope::app {
 
-/// Which scenarios were the same in an earlier run with the same --out, and of what content: the scenario's file and
-/// those that it names, all that is stored of it, this program, and the driver. Where all of it is as it
-/// was, running it again would find nothing.
+/// Cache of scenarios that matched in an earlier run with the same --out, keyed by content: the
+/// scenario's file with the files it names, its snapshots, this program, and the driver. If none of
+/// them changed, a new run would find nothing.
 class KnownSame {
  public:
-  /// Reads what the report in `folder` knows. `surroundings`: all that is not of one scenario.
+  /// Reads the cache of the report in `folder`. `surroundings` is the content common to all.
   KnownSame(const std::filesystem::path& folder, std::string surroundings);
 
-  /// What came of it then; nothing where anything changed since.
+  /// Earlier outcome; nullopt if anything changed since.
   std::optional<snapshot::ScenarioOutcome> find(const std::string& scenario,
                                                 const std::string& content) const;
-  /// After a run of it.
+  /// Stores the outcome of a run.
   void add(const snapshot::ScenarioOutcome& outcome, const std::string& content);
 
-  /// For known_same.json, with those that were not asked for in this run.
+  /// Text of known_same.json, including scenarios that were not part of this run.
   std::string text() const;
 
  private:
@@ -37,7 +37,7 @@ class KnownSame {
   std::map<std::string, Entry> entries_;
 };
 
-/// Hashes of what each scenario is made of, in their order; on several threads.
+/// Content hashes of scenarios, in order; computed on several threads.
 std::vector<std::string> contents_of(const std::vector<Input>& inputs,
                                      const std::filesystem::path& snapshots);
 

@@ -3,14 +3,13 @@
 #include <string>
 #include <vector>
 
-/// The program's man page and what shells complete, from the same arguments as its help.
+/// The man page and shell completions, generated from the same arguments as the help.
 namespace contactscope::app {
 
-/// An argument of a verb.
 struct ManualArgument {
   std::string name;  // "--size", or "SCENARIO"
   std::string help;
-  std::string otherwise{};  // its default; empty: none
+  std::string otherwise{};  // default value; empty: none
   bool takes_value = true;
   bool is_optional = true;
   bool repeats = false;
@@ -25,14 +24,14 @@ struct ManualVerb {
   std::string footer{};
 };
 
-/// How a shell completes a value.
+/// Completion of a value in a shell.
 struct Completion {
   enum class Kind { Words, List, Scenario, File, Folder, Free };
   Kind kind = Kind::Free;
-  std::vector<std::string> words{};  // of Words, and of List, where a comma is between them
+  std::vector<std::string> words{};  // for Words, and for List, which separates them by commas
 };
 
-/// By the name of the argument: words come from the tables that the program itself goes by.
+/// By name of the argument; the words are from the program's own tables.
 Completion completion_of(const ManualArgument& argument);
 
 /// roff, section 1.
@@ -42,7 +41,7 @@ std::string bash_completion(const std::vector<ManualVerb>& verbs);
 std::string zsh_completion(const std::vector<ManualVerb>& verbs);
 std::string fish_completion(const std::vector<ManualVerb>& verbs);
 
-/// What `--manual WHAT` prints: "man", "bash", "zsh" or "fish". Throws UsageError.
+/// Output of `--manual WHAT`: "man", "bash", "zsh" or "fish". Throws UsageError.
 std::string manual(const std::string& what, const std::string& version,
                    const std::vector<ManualVerb>& verbs);
 

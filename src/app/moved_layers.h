@@ -8,15 +8,15 @@
 
 namespace contactscope::app {
 
-/// What in a picture moved because the facts did.
+/// Parts of a picture that moved with the facts.
 struct MovedLayers {
-  std::vector<std::string> names;  // of layers, panels and insets, in the order of the drawing
-  /// An SVG of them as large as the picture: for each a group of class "expected", and one of class "actual", with
-  /// its name as another class. Empty where none moved.
+  std::vector<std::string> names;  // layers, panels and insets, in drawing order
+  /// SVG in the size of the picture. Each name has groups of class "expected" and "actual", with
+  /// the name as second class. Empty if nothing moved.
   std::string svg;
 };
 
-/// Of two versions of a frame, both drawn by this program with one camera.
+/// Compares two versions of a frame, both drawn by this program with the same camera.
 MovedLayers moved_layers(const draw::Staging& staging, const trace::Frame& expected,
                          const trace::Frame& actual);
 

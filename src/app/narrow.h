@@ -5,23 +5,21 @@
 
 namespace contactscope::app {
 
-/// Leaves in a sequence what --pair and --shapes name: shapes that are not shown are not there. Throws
-/// UsageError where it has no such shape.
+/// Reduces a sequence to the shapes of --pair and --shapes. Throws UsageError for an unknown shape.
 void narrow(Sequence& sequence, const Options& options);
 
-/// Puts what the command line says of the camera into all views of a scene. Throws UsageError of a place that
-/// is not three numbers.
+/// Applies the camera options of the command line to all views. Throws UsageError if a position is
+/// not three numbers.
 void place_camera(std::vector<View>& views, const Options& options);
 
-/// Whether --view names a file.
+/// True if --view names a file.
 bool views_are_of_file(const Options& options);
 
-/// The views that --view names by a TOML file, alone or with a colon and the name of one; empty where it names none.
-/// Throws InputError and UsageError.
+/// Views of --view FILE.toml or FILE.toml:NAME; empty if it names no file. Throws InputError and
+/// UsageError.
 std::vector<View> views_of_file(const Options& options);
 
-/// Of the layers of a staged view those that add nothing to any frame, by name: the sequence has no data for
-/// them. Of long sequences some frames are looked at.
+/// Names of a staged view's layers for which the frames have no data. Long sequences are sampled.
 std::vector<std::string> idle_layers(const draw::Staging& staging,
                                      const std::vector<trace::Frame>& frames);
 

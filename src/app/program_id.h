@@ -4,9 +4,9 @@
 
 namespace contactscope::app {
 
-/// What tells this build of the program from every other one, as 64 hexadecimal digits: a hash of the build
-/// id that the linker made of its bytes, or where it has none, of its file; empty where the system tells neither.
-/// To hash the file of a sanitized build takes ten seconds, to read its note nothing.
+/// Identifies this build by 64 hexadecimal digits: a hash of the linker's build id, or without one
+/// of the program file; empty if neither is available. Hashing the file of a sanitized build takes
+/// ten seconds, reading the build id almost none.
 std::string program_id();
 
 }  // namespace contactscope::app

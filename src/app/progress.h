@@ -6,11 +6,10 @@
 #include <string>
 #include <vector>
 
-/// What a run tells of itself: how far it is, and for --verbose what ran.
+/// Progress of a run, and for --verbose a log of its stages.
 namespace contactscope::app {
 
-/// A progress bar on standard error, shown only where that is a terminal and nobody asked for
-/// quiet.
+/// Progress bar on stderr; hidden with --quiet or if stderr is not a terminal.
 class Progress {
  public:
   Progress(int total, bool quiet);
@@ -19,7 +18,7 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
 
   void advance(const std::string& what);
-  /// Takes the bar off the line, before something else is printed.
+  /// Clears the bar before other output.
   void clear() const;
 
  private:
@@ -28,31 +27,30 @@ class Progress {
   bool shown_;
 };
 
-/// From now on a request to stop (SIGINT, SIGTERM, SIGHUP) is only noted, so that files under way
-/// are finished.
+/// From now on SIGINT, SIGTERM and SIGHUP are only noted, so that files in progress are completed.
 void note_interrupts();
 
-/// Somebody asked to stop.
+/// The user asked the program to stop.
 class Interrupted : public std::runtime_error {
  public:
   explicit Interrupted(int signal)
       : std::runtime_error("interrupted; what was written is whole"), signal_(signal) {}
-  /// As a shell has it of a program that a signal ended: 130 after Ctrl-C.
+  /// Shell convention for a program ended by a signal: 130 after Ctrl-C.
   int exit_code() const { return 128 + signal_; }
 
  private:
   int signal_;
 };
 
-/// Throws Interrupted when a request was noted.
+/// Throws Interrupted if a signal was noted.
 void stop_if_interrupted();
 
-/// What ran, how long it took, and what was left out, for --verbose.
+/// Stages of a run with their times, and omitted work, for --verbose.
 class Ledger {
  public:
-  /// Adds to the time of a stage; `count` is how many times it ran.
+  /// Adds to the time of a stage; `count` is the number of calls.
   void add(const std::string& stage, std::chrono::nanoseconds time, int count = 1);
-  /// Something that a scene did not need, and why.
+  /// Work that a scene did not need, and why.
   void left_out(const std::string& what);
   void note(const std::string& text);
   void print(std::ostream& out, const std::string& heading) const;
@@ -68,7 +66,7 @@ class Ledger {
   std::vector<std::string> left_out_;
 };
 
-/// Adds the time between its making and its end to a stage.
+/// Adds the time of its lifetime to a stage.
 class Timed {
  public:
   Timed(Ledger& ledger, std::string stage)

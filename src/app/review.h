@@ -8,10 +8,10 @@
 
 namespace contactscope::app {
 
-/// Where a check leaves its report.
+/// Folder of a check's report.
 std::filesystem::path report_folder(const Options& options);
 
-/// Those that any of the patterns names, each once. Throws UsageError for a pattern that names none.
+/// Findings that match the patterns, each once. Throws UsageError if a pattern matches none.
 std::vector<snapshot::Finding*> findings_named(snapshot::Outcome& outcome,
                                                const std::vector<std::string>& patterns);
 

@@ -13,16 +13,16 @@ namespace contactscope::app {
 class Studio;
 struct Size;
 
-/// One scenario, as every engine steps it.
+/// One scenario stepped by every engine.
 struct Rollout {
   std::string name;  // "group/idea"
   trace::Trace request;
   std::vector<versus::Contender> contenders{};
-  std::vector<versus::RolloutScore> scores{};  // one a contender
+  std::vector<versus::RolloutScore> scores{};  // one per contender
 };
 
-/// Height, penetration and, where nothing falls, energy over time, a line an engine, and under them the scene of each in frame `shown` of
-/// the request, or the last that it told before. Engines that step nothing are named, and not drawn.
+/// Height, penetration and, if nothing falls, energy over time with a line per engine, above each
+/// engine's scene at frame `shown` or its last before. Engines without frames are only named.
 Image rollout_picture(const Rollout& rollout, int shown, const std::optional<Size>& size,
                       Studio& studio);
 

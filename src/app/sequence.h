@@ -9,33 +9,33 @@
 
 namespace contactscope::app {
 
-/// The frames that pictures are of, with what they have in common: of a scenario all; of a trace that is too long to be
-/// held, some, which stand for the others where a camera is fitted or a curve is drawn.
+/// Frames to draw and their common data. A scenario keeps all frames; a trace too long for memory
+/// keeps a sample that represents the others for camera fitting and curves.
 struct Sequence {
   trace::Header header;
-  std::vector<trace::Frame> frames;  // those that are held, one of each `every`
+  std::vector<trace::Frame> frames;  // in memory, one of each `every`
   std::vector<double>
-      nanoseconds{};           // measured pipeline time of each frame; empty unless asked for
-  std::vector<int> numbers{};  // of a trace: those of all frames, in order
+      nanoseconds{};           // measured pipeline time per frame; empty unless requested
+  std::vector<int> numbers{};  // for a trace: numbers of all frames, in order
   std::size_t every = 1;
-  std::shared_ptr<TraceFile> file{};  // of a long one: where the others are read from
+  std::shared_ptr<TraceFile> file{};  // for a long trace: source of the other frames
   std::function<void(trace::Frame&)>
-      trim{};  // what --pair and --shapes leave of one, where they leave out any
+      trim{};  // applies --pair and --shapes to a frame; empty without them
 
-  /// Shows each frame that is named, `numbers` rising: with its place among those that are held, where it stands in
-  /// for the held one as long as it is shown. Throws InputError.
+  /// Shows each frame of `wanted` (increasing) by its index in `frames`. A frame that is not in
+  /// memory temporarily replaces the sampled one. Throws InputError.
   void each(const std::vector<int>& wanted, const std::function<void(std::size_t)>& show);
 };
 
-/// How much of a trace is wanted at once.
+/// Amount of a trace to keep in memory.
 enum class Hold {
   Whole,
-  Sample,  // what fits, of a long one
+  Sample,  // a sample of a long trace
 };
 
-/// A trace as a sequence. Of a long one those frames are held that are as much text as `budget` says, in bytes: the
-/// first, the last, and of each so many between them the one with the deepest overlap, so that no curve loses its
-/// peaks. Points of engines that tell no ids get some that are made up from geometry. Torn files are told of. Throws
+/// Reads a trace. A long one is sampled to `budget` bytes of text: the first and last frame, and
+/// from each interval between them the frame with the deepest overlap, so that curves keep their
+/// peaks. Points without engine ids get ids from geometry. Truncated files are reported. Throws
 /// InputError.
 Sequence read_sequence(const std::string& path, Hold hold, std::size_t budget = 16 << 20);
 

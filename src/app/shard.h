@@ -10,26 +10,26 @@
 
 namespace contactscope::app {
 
-/// A scenario and how long its check takes, in any unit.
+/// A scenario and the cost of its check, in any unit.
 struct Costed {
   std::string name;
   double cost = 1;
 };
 
-/// Times of an earlier run, as OUT/check/times.json has them: milliseconds. Those that it does not know cost as
-/// much as the middle one that it does. Throws InputError.
+/// Reads OUT/check/times.json of an earlier run, in milliseconds. Unknown scenarios get the median
+/// cost. Throws InputError.
 void read_times(const std::string& path, std::vector<Costed>& scenarios);
 
-/// The names that are in one part: the longest first, each goes to the part that has least. The same on every machine
-/// for the same names and costs, and whatever the parts are, each name is in one of them.
+/// Names in one shard: the costliest first, each to the shard with the least cost so far.
+/// Deterministic on every machine for the same names and costs; each name is in exactly one shard.
 std::vector<std::string> names_in_shard(std::vector<Costed> scenarios,
                                         const snapshot::Shard& shard);
 
-/// Leaves those of the part that was asked for, by --times or what each is said to cost; returns the names of all.
+/// Keeps the inputs of the requested shard, by --times or `cost`; returns the names of all.
 std::vector<std::string> keep_shard(std::vector<Input>& inputs, const Options& options,
                                     const std::function<double(const Input&)>& cost);
 
-/// Of the folder of its report: "check_2_of_5", so that parts with one --out do not meet.
+/// Name of the shard's report folder: "check_2_of_5", so that shards with one --out do not collide.
 std::string folder_of(const snapshot::Shard& shard);
 
 }  // namespace contactscope::app

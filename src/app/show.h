@@ -8,13 +8,12 @@
 
 namespace contactscope::app {
 
-/// How pictures are shown in a terminal.
 enum class TerminalPictures { None, HalfBlocks, Sixel, Kitty };
 
-/// What the terminal of the standard output can, as far as its environment says; None where it is no terminal.
+/// Capability of the terminal on standard output, by its environment; None without a terminal.
 TerminalPictures terminal_pictures();
 
-/// What a finding is, its details, and where there are some its pictures, or where they lie.
+/// Prints a finding with its details, and its pictures or their paths.
 void show(const snapshot::Finding& finding, const std::string& folder, TerminalPictures how,
           std::ostream& out);
 

@@ -6,20 +6,20 @@
 #include "app/verbs.h"
 #include "study/soak.h"
 
-/// `study stability --shard K/N` and what `merge` makes of its parts.
+/// `study stability --shard K/N`, and merging of the shards.
 namespace contactscope::app {
 
-/// Runs a part, writes OUT/soak_K_of_N.json, and prints what it came to. Different where an answer is wrong.
+/// Runs a shard, writes OUT/soak_K_of_N.json, prints a summary. Different: wrong answers.
 ExitCode run_soak(const Options& options);
 
-/// The files of parts in folders that --out named, or that are named themselves; sorted, none where there is none.
+/// Shard files named directly or in folders of --out; sorted, empty if there are none.
 std::vector<std::string> soak_parts(const std::vector<std::string>& names);
 
-/// Puts parts together: OUT/study/stability/soak.json is the same, byte for byte, for any number of them. Throws
-/// InputError where one cannot be read, UsageError where one is missing, there twice, or of another whole.
+/// Merges shards. OUT/study/stability/soak.json is identical for any number of shards. Throws
+/// InputError if one is unreadable, UsageError if one is missing, duplicate, or of another run.
 ExitCode merge_soak(const std::vector<std::string>& files, const Options& options);
 
-/// As a file has it; `shard` of a part.
+/// JSON of the file; `shard` is set for a part.
 std::string to_json(const Soak& soak, const std::optional<snapshot::Shard>& shard);
 Soak parse_soak(const std::string& text, const std::string& path,
                 std::optional<snapshot::Shard>& shard);

@@ -29,37 +29,37 @@ namespace contactscope::app {
 Sequence run_sequence(const Scenario& scenario, const trace::Stages& stages, bool timing,
                       Ledger& ledger);
 
-/// Turns drawings into pictures. OpenGL is opened with the first one, so that a run without
-/// pictures does not.
+/// Turns drawings into pictures. OpenGL is opened with the first picture, so a run without pictures
+/// does not need it.
 class Studio {
  public:
   Studio(gl::Backend backend, Ledger& ledger) : backend_(backend), ledger_(ledger) {}
 
-  /// Opens OpenGL for pictures of this size, which the first of them would do otherwise: a machine
-  /// without it says so before anything is made.
+  /// Opens OpenGL early for pictures of this size, so that a machine without it fails before any
+  /// work.
   void open(int width, int height) { canvas(width, height); }
 
-  /// Which route, driver and version draw; opens OpenGL.
+  /// Backend, driver and version of OpenGL; opens it.
   std::string driver();
 
-  /// The first half of pictures: draws the frames of a staged sequence whose numbers are given, panels
-  /// included, and hands each drawing to `sink`. Opens no OpenGL; Dear ImGui where the view has panels.
-  /// Measured pipeline times go to the summary panel. Of a sequence that is held whole another thread draws the
-  /// next frame while `sink` has this one; `sink` is always called in the caller's.
+  /// Draws the given frames of a staged sequence, with panels, and passes each drawing to `sink`.
+  /// Opens no OpenGL, but Dear ImGui for panels. The summary panel shows measured pipeline times.
+  /// If the sequence is all in memory, another thread draws the next frame meanwhile; `sink` is
+  /// always called on the caller's thread.
   void each_drawing(const draw::Staging& staging, Sequence& sequence,
                     const std::vector<int>& numbers,
                     const std::function<void(const trace::Frame&, draw::Drawing)>& sink);
 
-  /// Both halves: each_drawing(), and each of them painted.
+  /// each_drawing(), then paints each drawing.
   void render(const draw::Staging& staging, Sequence& sequence, const std::vector<int>& numbers,
               const std::function<void(const trace::Frame&, Image)>& sink);
 
-  /// Does what a style leaves to do with a complete drawing.
+  /// Applies the remaining settings of a style to a complete drawing.
   void finish(const draw::FigureStyle& style, draw::Drawing& drawing);
-  /// Characters of all drawings so far that no font has.
+  /// Characters without a glyph in all drawings so far.
   const MissingGlyphs& missing_glyphs() const { return missing_glyphs_; }
 
-  /// A drawing by itself, as large as it says.
+  /// Paints one drawing in its own size.
   Image paint(const draw::Drawing& drawing);
 
  private:
@@ -74,23 +74,23 @@ class Studio {
   int width_ = 0, height_ = 0;  // of the rasterizer
 };
 
-/// Writes files on threads of its own, while the caller renders the next picture. No picture waits
-/// for a thread, so that memory stays small when encoding is the slower part. Its end waits for what
-/// is under way; errors are lost there, so call finish() first.
+/// Writes files on its own threads while the caller renders the next picture. Pictures never queue,
+/// so memory stays small if encoding is slower. The destructor waits for running tasks but drops
+/// errors; call finish() first.
 class EncoderPool {
  public:
-  /// `jobs` threads; 0 means one less than there are processors, at least one.
+  /// `jobs` threads; 0: one less than the number of processors, at least one.
   explicit EncoderPool(int jobs)
       : threads_(jobs > 0
                      ? jobs
                      : std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1)) {}
 
-  /// Begins to write a picture; blocks while every thread has one. Throws the error of an earlier
+  /// Starts writing a picture; blocks while all threads are busy. Throws the error of an earlier
   /// picture.
   void submit(std::string path, Image image) {
     submit([path = std::move(path), image = std::move(image)] { write_png(path, image); });
   }
-  /// The same of a file of any format, that `write` makes.
+  /// Runs `write` for a file of any format.
   void submit(std::function<void()> write) {
     if (count_of(under_way_) == threads_) wait_for_first();
     auto timed = [write = std::move(write)] {
@@ -104,7 +104,7 @@ class EncoderPool {
   void finish() {
     while (!under_way_.empty()) wait_for_first();
   }
-  /// Time that the threads spent encoding and writing, summed over the pictures that are finished.
+  /// Total encoding and writing time of all threads for finished pictures.
   std::chrono::nanoseconds busy() const { return busy_; }
   int threads() const { return threads_; }
 

@@ -7,18 +7,18 @@
 
 namespace contactscope::app {
 
-/// Whether the parts of a trace fit together: what a reader of JSON does not know. Sees a frame at a time.
+/// Validates the consistency of a trace, one frame at a time.
 class TraceChecks {
  public:
-  /// What is wrong, and what would be right.
+  /// Problem and remedy.
   struct Wrong {
     std::string text;
   };
 
-  /// Hulls without faces get those of the convex hull of their vertices. The header outlives the checks. Throws Wrong.
+  /// Adds convex hull faces to hulls without faces. Keeps a reference to header. Throws Wrong.
   explicit TraceChecks(trace::Header& header);
 
-  /// The frames in their order; the shapes that one brings are added to the header. Throws Wrong.
+  /// Checks the next frame and adds its shapes to the header. Throws Wrong.
   void frame(trace::Frame& frame);
 
   int last_frame() const { return last_; }
@@ -27,13 +27,13 @@ class TraceChecks {
   void add(trace::Shape shape);
   void facts(const trace::Frame& frame) const;
   void pair(std::size_t index, const trace::Pair& pair) const;
-  /// `place` makes the words for where it is named.
+  /// `place` returns a text for where the name is used.
   template <class Place>
   const trace::Shape& named(const std::string& name, const Place& place) const;
 
   trace::Header& header_;
-  std::unordered_map<std::string, std::size_t> places_;  // of the shapes in the header
-  int last_ = -1;                                        // frame
+  std::unordered_map<std::string, std::size_t> places_;  // index of each shape in the header
+  int last_ = -1;                                        // frame number
 };
 
 }  // namespace contactscope::app

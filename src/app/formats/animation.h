@@ -6,13 +6,13 @@
 
 namespace contactscope::app {
 
-/// How long a picture is shown. The milliseconds of a sequence add up to its time, rounded.
+/// Display time of a picture. Milliseconds of a sequence add up to its rounded duration.
 struct Duration {
   double seconds = 0;
   int milliseconds = 0;
 };
 
-/// An animated file of pixels in the making.
+/// An animated raster file being written.
 class Animation {
  public:
   Animation() = default;
@@ -24,8 +24,8 @@ class Animation {
   virtual void finish() = 0;
 };
 
-/// Shows pictures to an animation on a thread of its own, one behind the caller, each as long as it is
-/// until the next frame's time; the last as long as the one before it.
+/// Feeds pictures to an animation on another thread, one behind the caller. Each is shown until the
+/// time of the next frame; the last as long as the one before it.
 std::unique_ptr<Reel> reel_of(const ReelPlan& plan, std::unique_ptr<Animation> animation);
 
 }  // namespace contactscope::app

@@ -14,28 +14,28 @@
 #include "image/picture_origin.h"
 #include "trace/trace.h"
 
-/// What `render --format` knows: a row a format in formats.cpp, a file a format beside it.
+/// Formats of `render --format`: a row in formats.cpp and a file per format.
 namespace contactscope::app {
 
-/// One picture on its way into files. A copy shares drawing and pixels.
+/// A picture to be encoded. Copies share drawing and pixels.
 struct Shot {
   std::shared_ptr<const draw::Drawing> drawing;
-  std::shared_ptr<const Image> image{};  // null where no format that was asked for needs pixels
+  std::shared_ptr<const Image> image{};  // null if no requested format needs pixels
   PictureOrigin origin{};
 };
 
-/// What one file of a whole sequence is to be, known before its first picture. The staging and the
-/// sequence outlive the file's making.
+/// Description of a file of a whole sequence, before its first picture. Staging and sequence
+/// outlive it.
 struct ReelPlan {
   std::string path;
-  PictureOrigin origin;  // of all of it: `frames` names them
+  PictureOrigin origin;  // of the whole file: `frames` lists them
   const draw::Staging* staging = nullptr;
   const Sequence* sequence = nullptr;
-  std::vector<int> frames{};    // their numbers, rising
-  std::optional<double> fps{};  // pictures a second; none: as far apart as the frames' times
+  std::vector<int> frames{};    // frame numbers, increasing
+  std::optional<double> fps{};  // pictures per second; nullopt: by frame times
 };
 
-/// One file of a whole sequence, made a picture at a time.
+/// A file of a whole sequence, written picture by picture.
 class Reel {
  public:
   Reel() = default;
@@ -43,33 +43,32 @@ class Reel {
   Reel(const Reel&) = delete;
   Reel& operator=(const Reel&) = delete;
 
-  /// The next picture, and the frame that it shows, which is there during the call alone.
+  /// Adds the next picture; `frame` is valid only during the call.
   virtual void add(const Shot& shot, const trace::Frame& frame) = 0;
-  /// After the last one: writes the file, which is whole or absent.
+  /// Writes the file, which is complete or absent.
   virtual void finish() = 0;
 };
 
-/// How pictures become files. `encode`, `begin` or both: with both, a single picture is encoded and
-/// several are a reel.
+/// A file format. It has `encode`, `begin` or both: `encode` for a single picture, `begin` for
+/// several.
 struct Format {
   std::string_view name;
   std::string_view extension;  // ".png"
-  std::string_view what;       // in a few words, for people
-  bool needs_pixels = false;   // else OpenGL is not opened for it
-  /// One picture as the bytes of one file. Called on several threads at once.
+  std::string_view what;       // short description
+  bool needs_pixels = false;   // false: OpenGL is not opened for it
+  /// Encodes one picture as a file. Must be thread-safe.
   std::vector<std::uint8_t> (*encode)(const Shot& shot) = nullptr;
-  /// Begins one file of a whole sequence.
+  /// Begins a file of a whole sequence.
   std::unique_ptr<Reel> (*begin)(const ReelPlan& plan) = nullptr;
-  /// Throws UsageError, with the remedy, where what it needs is not on this machine. Called before
-  /// anything is rendered.
+  /// Throws UsageError with a remedy if a dependency is missing. Called before rendering.
   void (*require)() = nullptr;
 };
 
-/// In the order in which to list them; the first is the default.
+/// In listing order; the first is the default.
 const std::vector<Format>& formats();
 
-/// Those of the table that are named, each once, in their order there. Throws UsageError for a name that
-/// is not there, which it answers with those that are.
+/// Named formats, each once, in table order. Throws UsageError for an unknown name; the message
+/// lists the known ones.
 std::vector<const Format*> formats_named(const std::vector<std::string>& names);
 
 }  // namespace contactscope::app

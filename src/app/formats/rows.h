@@ -4,7 +4,7 @@
 
 namespace contactscope::app {
 
-// Each is in the file of its name.
+// Each is defined in the file of its name.
 extern const Format kPngFormat, kSvgFormat, kPdfFormat, kHtmlFormat, kApngFormat, kWebpFormat,
     kMp4Format;
 

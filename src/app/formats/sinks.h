@@ -12,29 +12,29 @@
 
 namespace contactscope::app {
 
-/// Where a sequence's pictures go.
+/// Destination of a sequence's pictures.
 struct Series {
   std::string scenario;             // "hull/face_contact"
-  std::optional<std::string> view;  // its folder, where the scenario has several
-  PictureOrigin origin{};           // without frame and format, which its command ends in
+  std::optional<std::string> view;  // its folder, if the scenario has several
+  PictureOrigin origin{};           // without frame and format, which complete its command
   const draw::Staging* staging = nullptr;
   const Sequence* sequence = nullptr;
   std::vector<int> frames{};
 };
 
-/// Turns drawings into the files of all formats that were asked for. Pixels are painted once for all of
-/// them, and OpenGL is opened where one needs some.
+/// Writes drawings in all requested formats. Pixels are painted once for all formats, and only if
+/// one needs them.
 class Sinks {
  public:
   Sinks(std::vector<const Format*> formats, const Options& options, Studio& studio);
 
-  /// Opens the files of a sequence. A machine without OpenGL says so here.
+  /// Opens the files of a sequence. Fails here on a machine without OpenGL.
   void begin(const Series& series);
   void add(const trace::Frame& frame, draw::Drawing drawing);
-  /// After the last picture of the sequence.
+  /// Ends a sequence after its last picture.
   void end();
 
-  /// A picture that is of no single frame: OUT/`stem`.EXTENSION in each format.
+  /// A picture of several frames: OUT/`stem`.EXTENSION in each format.
   void add_alone(const std::string& stem, const std::string& scenario, const PictureOrigin& origin,
                  draw::Drawing drawing);
 
@@ -42,7 +42,7 @@ class Sinks {
   void finish() { encoders_.finish(); }
 
   const EncoderPool& encoders() const { return encoders_; }
-  /// By scenario, in the order in which they were begun.
+  /// By scenario, in order of begin().
   const std::vector<std::pair<std::string, std::vector<std::string>>>& written() const {
     return written_;
   }

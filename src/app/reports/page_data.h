@@ -4,7 +4,7 @@
 
 namespace contactscope::app {
 
-/// page.html as the build embedded it.
+/// page.html, embedded by the build.
 std::string_view check_page();
 
 }  // namespace contactscope::app

@@ -4,7 +4,7 @@
 
 namespace contactscope::app {
 
-// Each is in the file of its name.
+// Each is defined in the file of its name.
 extern const Report kPageReport, kTerminalReport, kJsonReport, kJunitReport, kGithubReport,
     kMarkdownReport;
 
