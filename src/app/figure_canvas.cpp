@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kLeastSide = 64, kMostSide = 8192;          // pixels, as for --size
 constexpr double kViewShape = 0.7;                        // height of a view relative to its width
-constexpr double kChartShape = 0.5;                       // of a chart or map, relative to its
+constexpr double kChartShape = 0.5;                       // of a chart or map
                                                           // width
 constexpr double kAroundPanel = 20, kBetweenPanels = 12;  // pixels at 720 lines
 

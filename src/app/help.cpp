@@ -2,7 +2,7 @@
 
 namespace contactscope::app {
 
-/// `help render` is `render --help`, which main.cpp makes of it: only the parser knows what each option takes.
+/// main.cpp turns `help render` into `render --help`: only the parser knows the options of a verb.
 Verb help_verb() {
   return {"help",
           "Print what a verb takes, with examples; or the verbs",

@@ -22,7 +22,7 @@ std::string sha256_of(const fs::path& file) {
   return sha256({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
-/// The files that a scenario names: whatever stands in quotes and is one, beside it.
+/// Adds files that a scenario names: any quoted string that is a file relative to its folder.
 void add_named_files(const std::string& text, const fs::path& folder, std::string& all) {
   for (std::size_t begin = text.find('"'); begin != std::string::npos;) {
     const std::size_t end = text.find('"', begin + 1);

@@ -12,7 +12,7 @@ namespace contactscope::app {
 
 std::vector<lint::Finding> lint_scenario(const Input& input) {
   trace::Stages stages = trace::Stages::none();
-  stages.reduction = true;  // whether a point was dropped on purpose
+  stages.reduction = true;  // shows which points were dropped on purpose
   Runner runner(input.scenario, stages);
   lint::Linter linter(runner.header());
   for (const int frame : input.frames) {

@@ -23,7 +23,7 @@
 namespace contactscope::app {
 namespace {
 
-// All of `text` as a whole number, or nothing.
+// Parses all of `text` as an integer; nullopt if it is not one.
 std::optional<int> whole_number(std::string_view text) {
   int value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -41,7 +41,7 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   }
 }
 
-/// None given is nothing, "none" alone is an empty list.
+/// Nullopt if not given; "none" alone is an empty list.
 template <class Word, std::size_t N>
 std::optional<std::vector<Word>> parse_words(const std::string& option,
                                              const std::vector<std::string>& names,
@@ -79,7 +79,7 @@ FrameRange parse_frame_range(const std::string& text) {
 }
 
 Size parse_size(const std::string& text) {
-  constexpr int kLeast = 64, kMost = 8192;  // what every OpenGL 3.3 driver can hold
+  constexpr int kLeast = 64, kMost = 8192;  // supported by every OpenGL 3.3 driver
   const auto side = [](std::string_view part) {
     const int pixels = whole_number(part).value_or(0);
     return pixels >= kLeast && pixels <= kMost ? pixels : 0;
@@ -103,7 +103,7 @@ std::optional<double> parse_orthographic(const std::string& text) {
                    " is no height; write --orthographic, or metres as --orthographic=1.5");
 }
 
-/// `where` is the option or variable that gave it.
+/// `where` is the option or variable with the value.
 gl::Backend parse_backend(const std::string& where, const std::string& text) {
   if (text == "auto") return gl::Backend::Auto;
   if (text == "egl") return gl::Backend::Egl;
@@ -118,8 +118,8 @@ struct Command : Options {
   std::string orthographic_text;
 };
 
-/// Adds an argument to a verb: where its value goes, and its help where the verb has no words of its
-/// own.
+/// Adds an argument to a verb with the target of its value, and a default help text if the verb has
+/// none of its own.
 CLI::Option* add_named(CLI::App& verb, const std::string& name, const std::string& own_help,
                        Command& to) {
   const auto value = [&](auto& target, const char* help = "") {
@@ -213,7 +213,7 @@ CLI::Option* add_named(CLI::App& verb, const std::string& name, const std::strin
     return value(to.camera, "Eye, target and field of view at once, as 4,2,4,0,0,0,30")
         ->allow_extra_args(false)
         ->delimiter(',');
-  // As --update: a scenario that follows is not taken for the height.
+  // A flag with optional value, like --update: a scenario that follows is not its value.
   if (name == "--orthographic")
     return verb.add_flag("--orthographic{fitted}", to.orthographic_text,
                          "Without perspective; --orthographic=1.5 shows so many metres of height");
@@ -250,8 +250,7 @@ void add_argument(CLI::App& app, const Verb& verb, std::string word, Command& co
   if (is_one) option->expected(1);
 }
 
-/// Where scenario names are looked up first: those that were installed stand in for a folder that is not
-/// here.
+/// Default root for scenario names: the installed scenarios replace a missing ./scenarios.
 std::string scenario_root(const std::string& named) {
   std::error_code unknown;
   if (named != Options{}.scenario_root || std::filesystem::is_directory(named, unknown))
@@ -272,8 +271,8 @@ void finish(Command& command) {
   finish_check(command.check, command);
 }
 
-/// The options that were given, as they are given again, but for those on which no picture depends and
-/// those that each picture has for itself.
+/// The given options in command line form, except those that do not change pictures and those that
+/// each picture adds itself.
 std::string given_options(const CLI::App& verb) {
   constexpr std::array<std::string_view, 12> kOwn = {
       "--anchors", "--frames", "--format",  "--out",       "--jobs", "--quiet",
@@ -288,7 +287,7 @@ std::string given_options(const CLI::App& verb) {
     std::string values;
     for (const std::string& value : option->results())
       values += (values.empty() ? "" : ",") + value;
-    // A word that begins with a dash would be taken for an option; a number is none.
+    // A value with a leading dash looks like an option, unless it is a number.
     const bool is_dashed = values.size() > 1 && values[0] == '-' && values[1] != '.' &&
                            (values[1] < '0' || values[1] > '9');
     all += (is_dashed ? "=" : " ") + for_shell(values);
@@ -296,7 +295,7 @@ std::string given_options(const CLI::App& verb) {
   return all;
 }
 
-// Only for verbs that draw: a bad variable must not stop the others.
+// Only for verbs that draw: an invalid variable must not stop the others.
 void choose_backend(Command& command) {
   const char* variable = std::getenv("CONTACTSCOPE_BACKEND");
   if (!command.backend_text.empty()) {
@@ -306,7 +305,7 @@ void choose_backend(Command& command) {
   }
 }
 
-/// What a verb takes, as its help has it.
+/// Arguments of a verb, from its help.
 ManualVerb manual_of(const Verb& verb, const CLI::App& parsed) {
   ManualVerb manual{verb.name, verb.summary, {}, verb.footer};
   for (const CLI::Option* option : parsed.get_options()) {
@@ -320,13 +319,13 @@ ManualVerb manual_of(const Verb& verb, const CLI::App& parsed) {
   return manual;
 }
 
-/// What was printed must have arrived, help and version too.
+/// Detects failed output, also after help and version.
 void flush_output() {
   std::cout.flush();
   if (!std::cout) throw UsageError("standard output could not be written; is the disk full?");
 }
 
-/// `help render` is `render --help`.
+/// `help render` becomes `render --help`.
 void ask_for_help(std::vector<std::string>& arguments) {
   if (arguments.empty() || arguments.front() != "help") return;
   arguments.erase(arguments.begin());
@@ -366,10 +365,10 @@ int run(int argc, char** argv) {
   ask_for_help(arguments);
   check_usage(arguments);
   try {
-    std::ranges::reverse(arguments);  // as CLI11 takes them
+    std::ranges::reverse(arguments);  // CLI11 expects them reversed
     program.parse(arguments);
   } catch (const CLI::ParseError& error) {
-    // Help and version come through here too, with code 0.
+    // Help and version also arrive here, with code 0.
     if (program.exit(error) != 0) return static_cast<int>(ExitCode::Trouble);
     flush_output();
     return static_cast<int>(ExitCode::Same);
@@ -383,12 +382,12 @@ int run(int argc, char** argv) {
   return static_cast<int>(code);
 }
 
-/// Each picture takes and gives back some megabytes at a time. Given back to the kernel, every one of their
-/// pages is asked for anew with the next picture, a sixth of its time; so they are kept.
+/// Each picture allocates and frees some megabytes. Returning them to the kernel causes new page
+/// faults with every picture, a sixth of its time, so malloc keeps them.
 void keep_freed_memory() {
 #ifdef __GLIBC__
   constexpr int kMegabyte = 1 << 20;
-  mallopt(M_MMAP_THRESHOLD, 32 * kMegabyte);  // the most that it takes
+  mallopt(M_MMAP_THRESHOLD, 32 * kMegabyte);  // the maximum
   mallopt(M_TRIM_THRESHOLD, 1024 * kMegabyte);
   mallopt(M_TOP_PAD, 16 * kMegabyte);
 #endif
@@ -406,7 +405,7 @@ int main(int argc, char** argv) {
     std::cerr << "contactscope: " << interrupted.what() << '\n';
     return interrupted.exit_code();
   } catch (const InputError& error) {
-    std::cerr << error.what() << '\n';  // begins with the file, so that editors can jump to it
+    std::cerr << error.what() << '\n';  // starts with the file name, so that editors can jump to it
   } catch (const std::filesystem::filesystem_error& error) {
     std::cerr << "contactscope: " << error.path1().string() << ": " << error.code().message()
               << "; nothing torn is left, name a folder that can be written\n";

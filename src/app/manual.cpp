@@ -14,7 +14,7 @@
 namespace contactscope::app {
 namespace {
 
-/// Text for roff: hyphens that can be copied, nothing that begins a request.
+/// Escapes text for roff: hyphens that can be copied, and no line that looks like a request.
 std::string roff(const std::string& text) {
   std::string escaped;
   bool begins_line = true;

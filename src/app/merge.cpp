@@ -24,7 +24,7 @@ struct Part {
   snapshot::Outcome outcome;
 };
 
-/// The reports of shards in a folder that --out named, or that is one itself.
+/// Shard reports in an --out folder, or the folder itself if it is a report.
 std::vector<fs::path> reports_in(const std::string& name) {
   if (fs::exists(fs::path(name) / "findings.json")) return {name};
   std::vector<fs::path> folders;
@@ -56,7 +56,7 @@ std::vector<Part> read_parts(const std::vector<std::string>& names) {
   return parts;
 }
 
-/// All parts of one whole, each once, and with them each scenario once. Throws UsageError.
+/// Checks that all shards of one run are present, each shard and scenario once. Throws UsageError.
 void require_whole(const std::vector<Part>& parts) {
   const snapshot::Outcome& first = parts.front().outcome;
   std::set<int> there;

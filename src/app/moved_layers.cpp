@@ -10,9 +10,9 @@
 namespace contactscope::app {
 namespace {
 
-using Parts = std::vector<std::pair<std::string, std::string>>;  // what each shows, by layer
+using Parts = std::vector<std::pair<std::string, std::string>>;  // layer name and its SVG
 
-/// An SVG of a drawing by its groups; runs of one layer count together.
+/// Splits an SVG of a drawing by layer; separate groups of one layer are joined.
 Parts parts_of(const std::string& svg) {
   constexpr std::string_view kBegin = "<g id=\"";
   Parts parts;
@@ -26,14 +26,15 @@ Parts parts_of(const std::string& svg) {
     auto part = std::ranges::find(parts, name, &Parts::value_type::first);
     if (part == parts.end()) part = parts.insert(parts.end(), {name, {}});
     const std::size_t end = next == std::string::npos ? svg.rfind("</svg>") : next;
-    const std::size_t rest = svg.find('"', begin) + 1;  // its id is that of a whole drawing
+    const std::size_t rest = svg.find('"', begin) + 1;  // drop the id, which is unique only within
+                                                        // a drawing
     part->second += "<g" + svg.substr(rest, end - rest);
     at = next;
   }
   return parts;
 }
 
-/// What a drawing shows of a layer; empty where it has none.
+/// SVG of a layer; empty if the drawing does not have it.
 std::string part_of(const Parts& parts, const std::string& name) {
   const auto part = std::ranges::find(parts, name, &Parts::value_type::first);
   return part == parts.end() ? "" : part->second;

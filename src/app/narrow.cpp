@@ -27,7 +27,7 @@ std::optional<Vec3d> place_named(const std::string& option, const std::vector<do
   return Vec3d(numbers[0], numbers[1], numbers[2]);
 }
 
-/// What --camera says in place of --eye, --target and --fov, which come first where they are told too.
+/// Expands --camera into --eye, --target and --fov, which take precedence.
 Options with_camera(Options options) {
   const std::vector<double>& all = options.camera;
   if (all.empty()) return options;
@@ -43,7 +43,7 @@ Options with_camera(Options options) {
   return options;
 }
 
-/// What a layer put into a picture.
+/// Number of items that a layer added to a picture.
 std::size_t drawn_by(const draw::Sketch& sketch) {
   return sketch.surfaces.size() + sketch.curves.size() + sketch.lines.size() +
          sketch.arrows.size() + sketch.marks.size() + sketch.labels.size() + sketch.bodies.size();
@@ -130,7 +130,7 @@ std::vector<View> views_of_file(const Options& options) {
 std::vector<std::string> idle_layers(const draw::Staging& staging,
                                      const std::vector<trace::Frame>& frames) {
   constexpr std::size_t kMostFrames = 50;
-  if (staging.cells != nullptr) return {};  // a contact plane has no layers
+  if (staging.cells != nullptr) return {};  // contact planes have no layers
   const std::size_t step = std::max<std::size_t>(1, frames.size() / kMostFrames);
   draw::Staging none = staging;
   none.view.layers.clear();

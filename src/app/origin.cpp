@@ -22,12 +22,12 @@ std::string hash_of_file(const std::string& path) {
   return file ? sha256(bytes) : "";
 }
 
-/// A path that begins with a dash, so that no option is seen in it.
+/// Prevents a path with a leading dash from being taken for an option.
 std::string no_option(const std::string& path) {
   return path.starts_with('-') ? "./" + path : path;
 }
 
-/// As the command line names it, wherever the program is: by its name where it is one of the root.
+/// Argument for a command line: the name of a scenario if it is below the root, else its path.
 std::string argument_of(const Input& input, const Options& options) {
   if (input.trace || !input.file.empty())
     return input.file == "standard input" ? "-" : no_option(input.file);
@@ -42,7 +42,7 @@ std::string for_shell(const std::string& word) {
   constexpr std::string_view kPlain =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_=+:,./@%";
   const bool is_plain = word.find_first_not_of(kPlain) == std::string::npos;
-  if (is_plain && !word.empty() && word[0] != '=') return word;  // zsh makes a path of "=ls"
+  if (is_plain && !word.empty() && word[0] != '=') return word;  // zsh expands "=ls" to a path
   std::string quoted = "'";
   for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return quoted + "'";

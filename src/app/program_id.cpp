@@ -14,8 +14,8 @@
 namespace contactscope::app {
 namespace {
 
-/// Notes stand one behind the other: a header, a name and the data, the latter two each filled up to
-/// four bytes (System V ABI, "Note Section").
+/// Notes are consecutive: header, name, data. Name and data are padded to four bytes (System V ABI,
+/// "Note Section").
 std::string build_id_in(std::string_view notes) {
   const auto padded = [](std::size_t size) { return (size + 3) / 4 * 4; };
   ElfW(Nhdr) note;
@@ -32,7 +32,7 @@ std::string build_id_in(std::string_view notes) {
   return {};
 }
 
-/// The first object that is loaded is the program.
+/// The first loaded object is the program.
 int find_in_program(dl_phdr_info* program, std::size_t, void* result) {
   for (int i = 0; i < program->dlpi_phnum; ++i) {
     const ElfW(Phdr)& segment = program->dlpi_phdr[i];
@@ -41,7 +41,7 @@ int find_in_program(dl_phdr_info* program, std::size_t, void* result) {
     const std::string id = build_id_in({notes, segment.p_memsz});
     if (!id.empty()) *static_cast<std::string*>(result) = id;
   }
-  return 1;  // none of its libraries
+  return 1;  // skip its libraries
 }
 
 }  // namespace

@@ -19,7 +19,7 @@
 namespace contactscope::app {
 namespace {
 
-// Which stages left facts, and which panels were drawn, for --verbose.
+// Logs which stages recorded facts and which panels were drawn, for --verbose.
 void account_facts(const std::string& name, const std::vector<View>& views,
                    const Sequence& sequence, Ledger& ledger) {
   int sat = 0, clip = 0, reduction = 0;
@@ -45,7 +45,7 @@ void account_facts(const std::string& name, const std::vector<View>& views,
   }
 }
 
-// What this scenario did without, for --verbose.
+// Logs the stages that were not needed, for --verbose.
 void account_stages(const Scenario& scenario, const trace::Stages& stages, Ledger& ledger) {
   for (const auto& [recorded, stage] : {std::pair{stages.sat, "sat"},
                                         {stages.clip, "clip"},
@@ -63,7 +63,7 @@ void account_stages(const Scenario& scenario, const trace::Stages& stages, Ledge
     ledger.left_out("solver, for no shape is dynamic");
 }
 
-/// An engine's trace has no data for most layers; who asks for one is told.
+/// Warns about requested layers without data: most traces of engines lack data for many layers.
 void tell_idle(const std::string& file, const std::vector<std::string>& layers) {
   std::string names;
   for (const std::string& layer : layers) names += (names.empty() ? "" : ", ") + layer;
@@ -71,7 +71,7 @@ void tell_idle(const std::string& file, const std::vector<std::string>& layers) 
             << "; src/trace/README.md says what a trace needs for it\n";
 }
 
-/// Of an engine's trace that has none: whose contacts these are, and what they come to in each frame.
+/// Default title of an engine's trace: its engine, and the contacts of each frame.
 std::string title_of(const trace::Header& header) {
   const std::string engine =
       header.engine + (header.version.empty() ? "" : " " + header.version) + ": ";
@@ -79,13 +79,13 @@ std::string title_of(const trace::Header& header) {
          engine + "nothing touches";
 }
 
-// Runs the scenario, or takes the trace.
+// Runs the scenario or takes the trace.
 Sequence sequence_of(Input& input, const std::vector<View>& views, const Options& options,
                      Ledger& ledger) {
   Sequence sequence;
   if (input.trace) {
     sequence = std::move(*input.trace);
-    // A trace of this program has no title where its author wanted none.
+    // Traces of this program may have an empty title on purpose.
     if (sequence.header.title.empty() && !sequence.header.engine.empty())
       sequence.header.title = title_of(sequence.header);
     ledger.left_out(input.scenario.name + ": the pipeline, for its trace is drawn as it stands");
@@ -99,7 +99,7 @@ Sequence sequence_of(Input& input, const std::vector<View>& views, const Options
   return sequence;
 }
 
-/// What a view's staging leaves empty of what was asked for by name.
+/// Warns about requested layers that stay empty.
 void tell_idle_layers(const Input& input, const draw::Staging& staging, const Sequence& sequence,
                       const Options& options) {
   const bool asked = options.layers || views_are_of_file(options);

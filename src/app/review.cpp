@@ -31,7 +31,7 @@ namespace {
 using snapshot::Finding;
 using snapshot::Review;
 
-/// All findings of a run, in its order.
+/// All findings of a run, in order.
 std::vector<Finding*> findings_of(snapshot::Outcome& outcome) {
   std::vector<Finding*> all;
   for (snapshot::ScenarioOutcome& scenario : outcome.scenarios)
@@ -44,7 +44,7 @@ void refuse_in_ci() {
     throw UsageError("CI=true: nothing is accepted; unset CI to accept what changed");
 }
 
-/// One key at a time from the terminal, which shows none of them.
+/// Reads single keys from the terminal without echo.
 class Keys {
  public:
   Keys() {
@@ -60,9 +60,9 @@ class Keys {
   Keys(const Keys&) = delete;
   Keys& operator=(const Keys&) = delete;
 
-  /// 'q' too where the terminal is gone.
+  /// Also 'q' if the terminal is closed.
   char next() const {
-    // A read() would go on waiting after Ctrl-C, and a poll() without end would where it comes just before.
+    // A blocking read() resumes after Ctrl-C, and an endless poll() would miss one just before it.
     constexpr int kMilliseconds = 50;
     pollfd terminal{STDIN_FILENO, POLLIN, 0};
     int ready = 0;
@@ -78,7 +78,7 @@ class Keys {
   termios before_{};
 };
 
-/// Goes through what fails, cause by cause.
+/// Steps through failing findings by cause.
 class ReviewSession {
  public:
   ReviewSession(const Options& options, snapshot::Outcome& outcome)
@@ -97,12 +97,12 @@ class ReviewSession {
       std::cout << "nothing waits for a review\n";
       return;
     }
-    note_interrupts();  // so that the terminal is left as it was
+    note_interrupts();  // so that the terminal is restored
     const Keys keys;
     std::cout << "a accept, c accept all of its cause, r reject, s skip, w show, q quit\n";
     for (std::size_t i = 0; i < open_.size(); ++i) {
       Finding& finding = *open_[i].finding;
-      if (finding.review != Review::Open) continue;  // with its cause
+      if (finding.review != Review::Open) continue;  // reviewed with its cause
       std::cout << "\n[" << i + 1 << "/" << open_.size() << "] " << finding.key() << "  "
                 << snapshot::name_of(finding.kind) << '\n'
                 << finding.sentence << '\n';
@@ -154,7 +154,7 @@ class ReviewSession {
     return true;
   }
 
-  /// After each key, so that nothing is lost where the terminal is.
+  /// Saves after each key, so that a lost terminal loses nothing.
   void keep() const { snapshot::write_outcome(report_folder(options_), outcome_); }
 
   const Options& options_;
@@ -163,7 +163,7 @@ class ReviewSession {
   int causes_ = 0;
 };
 
-/// A line each: its state, its key, its sentence.
+/// One line per finding: state, key, sentence.
 void print_list(snapshot::Outcome& outcome) {
   for (const Finding* finding : findings_of(outcome)) {
     const std::string state =
@@ -175,7 +175,7 @@ void print_list(snapshot::Outcome& outcome) {
   }
 }
 
-/// Accepts one, and says what became of it; false where it is refused.
+/// Accepts a finding and prints the result; false if refused.
 bool accept_one(const Options& options, const snapshot::Outcome& outcome, Finding& finding) {
   const std::string why = snapshot::accept(report_folder(options), outcome.snapshots, finding,
                                            {options.accept_as, options.note});
@@ -191,7 +191,7 @@ bool accept_one(const Options& options, const snapshot::Outcome& outcome, Findin
   return true;
 }
 
-/// {"accept": [...], "reject": [...]}, as report.html saves it; "-" is the standard input.
+/// {"accept": [...], "reject": [...]}, as saved by report.html; "-" is standard input.
 std::map<std::string, std::vector<std::string>> read_decisions(const std::string& file) {
   const auto refuse = [&](const std::string& what) -> InputError {
     return InputError(file == "-" ? "standard input" : file, 0, 0,
@@ -217,10 +217,10 @@ std::map<std::string, std::vector<std::string>> read_decisions(const std::string
   return decisions;
 }
 
-/// What somebody chose on the page.
+/// Applies the choices made on the page.
 ExitCode run_decisions(const Options& options, snapshot::Outcome& outcome) {
   std::map<std::string, std::vector<std::string>> decisions = read_decisions(options.from);
-  // Names are looked up before anything is stored.
+  // Validate all names before anything is stored.
   const std::vector<Finding*> rejected = findings_named(outcome, decisions["reject"]);
   int refused = 0, accepted = 0, turned_down = 0;
   for (Finding* finding : findings_named(outcome, decisions["accept"])) {

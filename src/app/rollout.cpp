@@ -25,9 +25,9 @@ using versus::Contender;
 using versus::RolloutScore;
 using Json = nlohmann::ordered_json;
 
-constexpr int kMostFindings = 2;  // of an engine, in the table and beneath it; JSON has all
+constexpr int kMostFindings = 2;  // per engine, in the table and below it; JSON has all
 
-/// This program's solver, as the scenario has it run.
+/// This program's solver with the scenario's settings.
 Contender own_rollout(const Scenario& scenario) {
   Contender own{kOwn, kOwn, CONTACTSCOPE_VERSION, "", "", {}};
   Runner runner(scenario, trace::Stages::none());
@@ -35,7 +35,7 @@ Contender own_rollout(const Scenario& scenario) {
   for (int frame = 0; frame < scenario.frames; ++frame) {
     stop_if_interrupted();
     own.trace.frames.push_back(runner.frame(frame));
-    // What is asked something else than its contacts claims none.
+    // Other queries than contacts claim none.
     std::erase_if(own.trace.frames.back().pairs,
                   [](const trace::Pair& pair) { return pair.query.has_value(); });
   }
@@ -55,7 +55,7 @@ Rollout rollout_of(const Scenario& scenario, const std::vector<std::string>& eng
   return rollout;
 }
 
-/// The most frequent ones come first.
+/// The most frequent causes.
 std::string causes_of(const RolloutScore& score) {
   std::string causes;
   for (int i = 0; i < std::min(kMostFindings, count_of(score.findings)); ++i)
@@ -117,7 +117,7 @@ Json json_of(const RolloutScore& score, const Contender& contender) {
   return json;
 }
 
-/// What the table has no room for.
+/// Details that do not fit into the table.
 void print_notes(const Rollout& rollout, std::ostream& out) {
   for (std::size_t i = 0; i < rollout.scores.size(); ++i) {
     const RolloutScore& score = rollout.scores[i];
@@ -143,7 +143,7 @@ void print_notes(const Rollout& rollout, std::ostream& out) {
   }
 }
 
-/// Whether all got to the end, and what stands or is stopped in one is so in all.
+/// True if all engines finished and agree on whether bodies stand or are stopped.
 bool agree(const Rollout& rollout) {
   int standing = 0, falling = 0;
   for (const RolloutScore& score : rollout.scores) {
@@ -154,7 +154,7 @@ bool agree(const Rollout& rollout) {
   return standing == 0 || falling == 0;
 }
 
-/// Scenarios alone: a trace tells what was, and not what else would be.
+/// Only scenarios: a trace records one result and cannot be stepped.
 std::vector<Scenario> scenarios_of(const Options& options) {
   for (const std::string& argument : options.scenarios)
     if (is_trace_file(argument))

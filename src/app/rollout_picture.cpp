@@ -17,7 +17,7 @@ namespace {
 
 using versus::RolloutScore;
 
-/// "bullet, ode and jolt"
+/// "bullet, ode and jolt".
 std::string listed(const std::vector<std::string>& names) {
   std::string text;
   for (std::size_t i = 0; i < names.size(); ++i)
@@ -25,13 +25,13 @@ std::string listed(const std::vector<std::string>& names) {
   return text;
 }
 
-/// As its own program spells it; one that told nothing has the name by which it was asked.
+/// Name in the engine's own spelling; the requested name if it returned nothing.
 std::string name_of(const Rollout& rollout, std::size_t i) {
   const std::string& engine = rollout.contenders[i].engine;
   return engine.empty() ? rollout.scores[i].name : engine;
 }
 
-/// Of scenes in which nothing rests, for the heading: who keeps bodies apart.
+/// Heading for scenes without resting bodies: engines that keep bodies separated.
 std::string overlaps_of(const Rollout& rollout) {
   std::vector<std::size_t> engines;
   for (std::size_t i = 0; i < rollout.scores.size(); ++i)
@@ -53,7 +53,7 @@ std::string overlaps_of(const Rollout& rollout) {
   return "Overlaps of up to " + told(engines.front()) + ", and " + told(engines.back());
 }
 
-/// Engines that told a frame: those in which something fell first, then those that stand with the least drift.
+/// Engines with frames: first those in which a body fell, by time, then by increasing drift.
 std::vector<std::size_t> by_outcome(const Rollout& rollout) {
   std::vector<std::size_t> engines;
   for (std::size_t i = 0; i < rollout.scores.size(); ++i)
@@ -65,7 +65,7 @@ std::vector<std::size_t> by_outcome(const Rollout& rollout) {
   return engines;
 }
 
-/// Few bodies that differ in it: what falls may be for that.
+/// True for a few bodies of different masses: the mass may be why a body falls.
 bool are_masses_told(const std::vector<versus::RolloutBody>& bodies) {
   constexpr std::size_t kMostBodies = 4;
   return bodies.size() <= kMostBodies &&
@@ -74,7 +74,7 @@ bool are_masses_told(const std::vector<versus::RolloutBody>& bodies) {
          });
 }
 
-/// The body that falls, by its mass where that tells it and is the same one with every engine.
+/// The body that falls: by mass, if that is unique and the same for all engines.
 std::string fallen_body(const Rollout& rollout) {
   const std::vector<versus::RolloutBody> bodies = versus::rollout_bodies(rollout.request);
   std::vector<std::string> names;
@@ -91,7 +91,7 @@ std::string fallen_body(const Rollout& rollout) {
   return "The body of " + draw::spell_number(body->mass) + " kg";
 }
 
-/// What became of the bodies that rest, for the heading.
+/// Heading for resting bodies: the engines in which they fell or stood.
 std::string result_of(const Rollout& rollout) {
   std::vector<std::string> fallen, standing;
   int resting = 0;
@@ -101,7 +101,7 @@ std::string result_of(const Rollout& rollout) {
     resting = score.resting;
     if (score.fell_at)
       fallen.push_back(name_of(rollout, i) + " (" + spelled("%.2f", *score.fell_at) + " s)");
-    else if (score.failure.empty())  // who broke off does not know
+    else if (score.failure.empty())  // a failed engine has no result
       standing.push_back(name_of(rollout, i));
   }
   const std::string bodies = resting == 1   ? "The body"
@@ -116,7 +116,7 @@ std::string result_of(const Rollout& rollout) {
                                          : listed(standing));
   const std::string falls = fallen_body(rollout) + " falls in " + listed(fallen);
   if (standing.empty()) return falls;
-  // Those that fall are named each, with their times; the others where there is room.
+  // Engines with falls are always named with times; the others if there is room.
   const std::string others =
       standing.size() > 3 ? std::to_string(standing.size()) + " others" : listed(standing);
   return falls + "; " +
@@ -126,8 +126,8 @@ std::string result_of(const Rollout& rollout) {
          others;
 }
 
-/// Of more engines than stand in a row, those in which a body falls, and of the others the one that is farthest off its
-/// place: the chart has them all.
+/// Limit of scenes in a row: prefers engines in which a body falls, and adds the one with the
+/// largest drift of the others. The chart shows all engines.
 constexpr std::size_t kMostScenes = 5;
 
 bool stands(const RolloutScore& score) {
@@ -159,7 +159,7 @@ std::string note_of(const RolloutScore& score) {
   return "stands, " + millimetres(score.worst_drift) + " mm off its place";
 }
 
-/// Of the request: who is there, how heavy, and how long.
+/// Bodies, masses and duration of a request.
 std::string scene_of(const trace::Trace& request) {
   const std::vector<versus::RolloutBody> bodies = versus::rollout_bodies(request);
   if (bodies.empty() || request.frames.empty()) return plain_title(request.header.title);
@@ -173,8 +173,8 @@ std::string scene_of(const trace::Trace& request) {
          " s; other engines have the settings that they come with";
 }
 
-/// How an engine's line and name look: by their outcome, so that neighbours differ. Of more engines than have a scene each
-/// those that let something fall have a colour each, and the others are grey.
+/// Style of an engine's line and name, by outcome, so that neighbours differ. With more engines
+/// than scenes, those with falls have a colour each and the others are grey.
 struct Look {
   std::size_t style = 0;
   bool quiet = false;
@@ -188,7 +188,7 @@ std::vector<Look> looks_of(const Rollout& rollout) {
   return looks;
 }
 
-/// Where something falls, the height alone tells it, with a mark where it does.
+/// If a body falls, only the height is plotted, with a mark at the fall.
 std::vector<draw::TimeChart> charts_of(const Rollout& rollout, const std::vector<Look>& looks) {
   draw::TimeChart height{"Height of the highest body", "m"}, energy{"Energy since the start", "J"},
       overlap{"Deepest overlap", "m"};
@@ -213,7 +213,7 @@ std::vector<draw::TimeChart> charts_of(const Rollout& rollout, const std::vector
   return {height, energy, overlap};
 }
 
-/// Where each body is in a frame, for a picture that says how heavy they are.
+/// Adds the masses at the bodies' positions, for a picture with masses.
 void place_masses(const trace::Trace& request, trace::Frame& frame) {
   if (frame.solver) return;
   frame.solver.emplace();
@@ -227,7 +227,7 @@ void place_masses(const trace::Trace& request, trace::Frame& frame) {
   }
 }
 
-/// The frame of an engine to draw, with all poses: what it leaves out is where the request has it.
+/// The frame of an engine to draw; poses that it omits are those of the request.
 trace::Frame frame_of(const Rollout& rollout, std::size_t engine, int shown) {
   const std::vector<trace::Frame>& told = rollout.contenders[engine].trace.frames;
   const std::size_t judged = rollout.scores[engine].time.size();
@@ -249,7 +249,7 @@ trace::Frame frame_of(const Rollout& rollout, std::size_t engine, int shown) {
   return frame;
 }
 
-/// Whether all bodies are where a picture of the others can show them.
+/// True if no body is too far away for a picture of the others.
 bool is_near(const trace::Frame& frame, const trace::Frame& start) {
   double reach = 1;
   for (const auto& [name, pose] : start.poses) reach = std::max(reach, pose.position.norm());
@@ -258,11 +258,11 @@ bool is_near(const trace::Frame& frame, const trace::Frame& start) {
   });
 }
 
-/// A canvas whose view, without captions and legend, is as large as a cell.
+/// A canvas with a view, without captions and legend, in the size of a cell.
 draw::Staging staged(const trace::Header& header, const std::vector<trace::Frame>& frames,
                      const View& view, const draw::Rect& cell) {
   draw::FigureStyle on_page;
-  on_page.scale = 1.4;  // a canvas is small, and what is written on it is read on a page
+  on_page.scale = 1.4;  // text on a small canvas must be legible on the page
   int width = static_cast<int>(1.2 * cell.width), height = static_cast<int>(1.5 * cell.height);
   for (int round = 0; round < 2; ++round) {
     const draw::Rect room = draw::stage(header, frames, view, width, height, on_page).layout.view;
@@ -272,7 +272,7 @@ draw::Staging staged(const trace::Header& header, const std::vector<trace::Frame
   return draw::stage(header, frames, view, width, height, on_page);
 }
 
-/// Where the bodies are in any of the frames, pixels of a canvas. All of the view where there is none.
+/// Bounds of the bodies over the frames, in pixels of a canvas; the whole view without bodies.
 draw::Rect reach_of_bodies(const draw::Staging& staging, const std::vector<trace::Frame>& frames,
                            const trace::Trace& request) {
   const std::vector<versus::RolloutBody> bodies = versus::rollout_bodies(request);
@@ -297,7 +297,7 @@ draw::Rect reach_of_bodies(const draw::Staging& staging, const std::vector<trace
   return reach.value_or(staging.layout.view);
 }
 
-/// A part of a view, as large as a cell and as near as it can be to having the bodies in its middle.
+/// Crop of a view in the size of a cell, centred on the bodies as well as possible.
 draw::Rect part_about(const draw::Rect& bodies, const draw::Rect& view, const draw::Rect& cell) {
   const double width = std::min(cell.width, view.width);
   const double height = std::min(cell.height, view.height);
@@ -307,7 +307,7 @@ draw::Rect part_about(const draw::Rect& bodies, const draw::Rect& view, const dr
           std::clamp(y, view.y, view.bottom() - height), width, height};
 }
 
-/// The middle of a part of a picture, into the middle of a cell of another one.
+/// Copies the centre of a crop to the centre of a cell.
 void paste(const Image& from, const draw::Rect& part, const draw::Rect& cell, Image& to) {
   const int columns = static_cast<int>(std::min(part.width, cell.width));
   const int rows = static_cast<int>(std::min(part.height, cell.height));
@@ -358,14 +358,14 @@ Image rollout_picture(const Rollout& rollout, int shown, const std::optional<Siz
   view.layers = {Layer::Shapes};
   const bool with_masses = are_masses_told(versus::rollout_bodies(rollout.request));
   if (with_masses) view.layers.push_back(Layer::Masses);
-  // One camera for all, which holds those that are still there.
+  // One camera for all engines; ignores bodies that flew away.
   std::vector<trace::Frame> frames = {rollout.request.frames.front()};
   frames.front().pairs.clear();
   for (const std::size_t i : drawn) {
     trace::Frame frame = frame_of(rollout, i, shown);
     if (is_near(frame, frames.front())) frames.push_back(std::move(frame));
   }
-  // As near to the bodies as the cell has room for: of the ground a part is enough.
+  // Zoom in on the bodies as far as the cell allows; the ground may be cut off.
   constexpr double kMostNearer = 1.6, kOfCell = 0.88;
   const draw::Rect& cell = page.cells.front();
   draw::Staging staging = staged(header, frames, view, cell);

@@ -9,7 +9,7 @@
 namespace contactscope::app {
 namespace {
 
-/// As a run has it, rounded to the scenario's scalar.
+/// Pose as in a run, rounded to the scenario's scalar.
 Pose<double> scripted_pose(const Scenario& scenario, const ScenarioShape& shape, double time) {
   Pose<double> pose = collider_pose_at(shape, time);
   if (scenario.scalar == Scalar::Float) pose = pose.cast<float>().cast<double>();

@@ -8,7 +8,7 @@
 namespace contactscope::app {
 namespace {
 
-/// Metres, of the deepest point of a frame.
+/// Deepest penetration of a frame, metres.
 double penetration(const trace::Frame& frame) {
   double deepest = 0;
   for (const trace::Pair& pair : frame.pairs)
@@ -18,12 +18,12 @@ double penetration(const trace::Frame& frame) {
   return deepest;
 }
 
-/// Holds one of each so many frames that come by, of the more the more there are.
+/// Keeps an evenly spaced sample of the frames seen so far; the spacing grows with their number.
 class Sampler {
  public:
   explicit Sampler(std::size_t budget) : budget_(budget) {}
 
-  /// `bytes`: how much text it was.
+  /// `bytes` is the length of its text.
   void add(trace::Frame frame, std::size_t bytes) {
     const std::size_t place = seen_++ / every_;
     Held held{std::move(frame), bytes, 0};
@@ -43,7 +43,7 @@ class Sampler {
 
   std::size_t every() const { return every_; }
 
-  /// After the last one, which takes the place of the one that stands for it.
+  /// The sample; the last frame of all replaces the one that represents it.
   std::vector<trace::Frame> frames() {
     if (last_ && held_.size() > 1) held_.back().frame = std::move(*last_);
     std::vector<trace::Frame> frames;
@@ -73,7 +73,7 @@ class Sampler {
   std::size_t budget_, bytes_ = 0;
   std::size_t every_ = 1, seen_ = 0;
   std::vector<Held> held_;
-  std::optional<trace::Frame> last_;  // where another one stands for it
+  std::optional<trace::Frame> last_;  // if another frame represents it
 };
 
 }  // namespace
@@ -91,7 +91,7 @@ void Sequence::each(const std::vector<int>& wanted, const std::function<void(std
       continue;
     }
     std::optional<trace::Frame> frame = file->next();
-    if (!frame) return;  // the file became shorter in the meantime
+    if (!frame) return;  // the file was truncated meanwhile
     frame->shapes.clear();
     trace::name_points(header.shapes, *frame);
     if (trim) trim(*frame);

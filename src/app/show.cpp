@@ -31,7 +31,7 @@ int columns() {
 
 std::string drawn(const std::string& path, TerminalPictures how) {
   const Image image = read_png(path);
-  constexpr int kPixels = 900;  // wide, what a terminal has room for
+  constexpr int kPixels = 900;  // width that fits into a terminal
   switch (how) {
     case TerminalPictures::Kitty: {
       const std::vector<std::uint8_t> png = encode_png(shrunk(image, kPixels));

@@ -20,10 +20,10 @@ namespace {
 namespace fs = std::filesystem;
 using shrink::PairOfTwo;
 
-/// What a pair is looked for in: frames of a scenario that was run, or of a trace.
+/// Where to search for a pair: the frames of a scenario or trace.
 struct Source {
-  std::string name;                    // "hull/face_contact", or the file of a trace
-  std::optional<Scenario> scenario{};  // none of a trace
+  std::string name;                    // "hull/face_contact", or the file name of a trace
+  std::optional<Scenario> scenario{};  // unset for a trace
   trace::Trace trace{};
 };
 
@@ -59,7 +59,7 @@ shrink::Expression read_expression(const Options& options, const Source& source)
   }
 }
 
-/// The engines among the sides of an expression.
+/// Engines among the sides of an expression.
 std::map<std::string, shrink::Engine> engines_of(const shrink::Expression& expression,
                                                  const Options& options) {
   std::vector<std::string> names;
@@ -86,7 +86,7 @@ struct Found {
   std::string a, b;
 };
 
-/// The first pair of the first frame for which it holds by itself.
+/// The first pair of the first frame for which the expression holds in isolation.
 std::optional<Found> find(const Source& source, const Options& options, shrink::Judge& judge) {
   for (const trace::Frame& frame : source.trace.frames) {
     if (options.frames && !options.frames->names(frame.frame)) continue;
@@ -103,7 +103,7 @@ std::optional<Found> find(const Source& source, const Options& options, shrink::
   return std::nullopt;
 }
 
-/// Where nobody has said what is right: what double has.
+/// Without expectations, expects the result of double precision.
 void expect_what_double_has(PairOfTwo& pair) {
   if (!pair.expectation.empty()) return;
   const std::optional<trace::Pair> right = shrink::Judge::in_double(pair);
@@ -126,7 +126,7 @@ void write(const fs::path& path, const std::string& text) {
   write_whole_file(path.string(), std::vector<std::uint8_t>(text.begin(), text.end()));
 }
 
-/// "hull_face_contact" of "hull/face_contact" or "runs/hull_face_contact.jsonl".
+/// "hull_face_contact" for "hull/face_contact" or "runs/hull_face_contact.jsonl".
 std::string stem_of(const Source& source) {
   std::string stem = source.scenario ? source.name : fs::path(source.name).stem().string();
   std::ranges::replace(stem, '/', '_');

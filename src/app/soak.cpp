@@ -15,13 +15,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kCases = 100000;  // of a soak of which nobody says how long
+constexpr int kCases = 100000;  // default
 
 std::string file_of(const snapshot::Shard& shard) {
   return "soak_" + std::to_string(shard.part) + "_of_" + std::to_string(shard.of) + ".json";
 }
 
-/// All kinds of pairs of a sweep and scalar together.
+/// Sums over all kinds of pairs for each sweep and scalar.
 std::vector<SoakLine> by_sweep(const Soak& soak) {
   std::vector<SoakLine> sums;
   for (const SoakLine& line : soak.lines) {
@@ -44,7 +44,7 @@ std::vector<SoakLine> by_sweep(const Soak& soak) {
   return sums;
 }
 
-/// Ulps that so large a share of the pairs without a fault stay within: a power of two.
+/// Error in ulps that this share of the pairs without a fault stays within: a power of two.
 std::string within(const SoakLine& line, double share) {
   std::int64_t all = line.exact, seen = line.exact;
   for (const auto& [exponent, count] : line.errors) all += count;

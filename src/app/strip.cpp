@@ -13,7 +13,7 @@
 namespace contactscope::app {
 namespace {
 
-/// Pixels, where nobody says.
+/// Default width in pixels.
 int page_width(int columns) {
   constexpr int kCell = 400, kLeast = 960, kMost = 8192;
   return std::clamp(columns * kCell, kLeast, kMost);
@@ -23,12 +23,12 @@ std::string group_of(const std::string& scenario) {
   return scenario.substr(0, scenario.find('/'));
 }
 
-/// A view of a scene: a contact plane has captions of its own, and stands in no cell.
+/// Only scenes: a contact plane has its own captions and no cells.
 bool has_cells(const View& view) {
   return view.kind == ViewKind::Scene;
 }
 
-/// Size and style of a page of cells; a height of 0 is as high as they need.
+/// Size and style of a page of cells; height 0: as needed.
 FigureCanvas page_canvas(const trace::Header& header, const std::vector<trace::Frame>& frames,
                          const View& view, const Options& options, int width,
                          const std::shared_ptr<const Words>& words) {
@@ -124,7 +124,7 @@ void draw_sheet(std::vector<Input>& inputs, const std::function<Sequence(Input&)
   const int count = count_of(inputs);
   const int columns = options.columns.value_or(draw::usual_columns(count));
   const std::shared_ptr<const Words> words = words_of(inputs.front(), options);
-  View none;  // of no scene: its height follows from the thumbnails
+  View none;  // not a scene: thumbnails determine the height
   none.kind = ViewKind::ContactPlane;
   const FigureCanvas canvas = page_canvas({}, {}, none, options, page_width(columns), words);
   const draw::ContactSheet sheet((group.empty() ? "" : group + ": ") + std::to_string(count) +

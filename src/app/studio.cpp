@@ -10,8 +10,7 @@
 namespace contactscope::app {
 namespace {
 
-// Shortest of a few unrecorded runs of a runner's next frame: what the pipeline costs without being
-// watched.
+// Pipeline time without recording: the minimum of several runs of a runner's next frame.
 double measure(const Runner& before, int frame) {
   constexpr int kRuns = 25;
   double best = std::numeric_limits<double>::max();
@@ -81,7 +80,7 @@ void Studio::each_drawing(const draw::Staging& staging, Sequence& sequence,
                           const std::function<void(const trace::Frame&, draw::Drawing)>& sink) {
   const int width = staging.layout.width;
   const int height = staging.layout.height;
-  // A fresh Dear ImGui for each sequence: its windows remember earlier frames.
+  // New Dear ImGui windows for each sequence, because they remember earlier frames.
   std::optional<overlay::PanelColumn> panels;
   const auto start_panels = [&] {
     if (staging.view.panels.empty()) return;
@@ -109,7 +108,7 @@ void Studio::each_drawing(const draw::Staging& staging, Sequence& sequence,
     sequence.each(numbers, [&](std::size_t index) {
       stop_if_interrupted();
       const trace::Frame& frame = sequence.frames[index];
-      // What looked through all frames did not see one that was read for its picture.
+      // The frame was read just now, so panels that scanned all frames have not seen it.
       start_panels();
       complete(index, timed_drawing([&] {
                  return staging.cells ? draw::illustrate(
@@ -124,7 +123,7 @@ void Studio::each_drawing(const draw::Staging& staging, Sequence& sequence,
   start_panels();
   std::vector<std::size_t> places;
   sequence.each(numbers, [&](std::size_t index) { places.push_back(index); });
-  // Each frame is drawn while the one before is painted and read back, which leaves a core idle.
+  // Draws each frame while the previous one is painted and read back, which leaves a core idle.
   const auto begin = [&](std::size_t i) {
     return std::async(i == 0 ? std::launch::deferred : std::launch::async, [&, i] {
       return timed_drawing([&] { return draw::illustrate(staging, sequence.frames[places[i]]); });

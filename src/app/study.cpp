@@ -29,7 +29,7 @@ const StudyInfo& find_study(const std::string& name) {
                    "there is " + names_of(studies()));
 }
 
-/// The scenarios that a study is of; none of others.
+/// Scenarios of a study; empty if it makes its own cases.
 std::vector<Scenario> scenarios_of(const StudyInfo& info, const Options& options) {
   if (!info.of_scenarios && (!options.scenarios.empty() || options.frames))
     throw UsageError("study " + info.name +
@@ -57,7 +57,7 @@ std::vector<trace::Study> run_study(const StudyInfo& info, const Options& option
   });
 }
 
-/// Lines of many methods in one panel need room; where each panel has its own, there is.
+/// A panel with many methods needs a larger picture.
 Size size_of(const trace::Study& result) {
   const bool one_panel =
       result.form == trace::StudyForm::WorkPrecision && !trace::has_panels(result);
@@ -67,8 +67,8 @@ Size size_of(const trace::Study& result) {
              : Size{};
 }
 
-// All is computed before the first file is written: a study that fails leaves those of an earlier
-// run as they are.
+// Computes everything before writing the first file, so that a failed study leaves the files of an
+// earlier run intact.
 ExitCode run_study(const Options& options) {
   note_interrupts();
   const StudyInfo& info = find_study(options.study);
@@ -95,7 +95,7 @@ ExitCode run_study(const Options& options) {
   };
   Studio studio(options.backend, ledger);
   for (const trace::Study& result : results) {
-    // The main measure has the plain names.
+    // The main measure has no suffix.
     const std::string suffix = &result == &results.front() ? "" : "_" + result.measure;
     keep("results" + suffix + ".json", trace::to_json(result));
     keep("results" + suffix + ".csv", trace::to_csv(result));

@@ -19,7 +19,7 @@ struct Range {
 constexpr Range kWide[] = {{0x1100, 0x115f}, {0x2e80, 0xa4cf},   {0xac00, 0xd7a3},
                            {0xf900, 0xfaff}, {0xfe30, 0xfe6f},   {0xff00, 0xff60},
                            {0xffe0, 0xffe6}, {0x1f300, 0x1faff}, {0x20000, 0x3fffd}};
-/// Accents, what joins characters, and what chooses their form.
+/// Combining marks, joiners and variation selectors.
 constexpr Range kNone[] = {{0x0300, 0x036f}, {0x0483, 0x0489}, {0x0591, 0x05bd}, {0x064b, 0x065f},
                            {0x200b, 0x200f}, {0x20d0, 0x20ff}, {0xfe00, 0xfe0f}, {0xfe20, 0xfe2f}};
 
@@ -36,7 +36,7 @@ std::size_t columns_of(std::string_view text) {
   std::size_t columns = 0;
   for (std::size_t i = 0; i < text.size();) {
     const auto lead = static_cast<unsigned char>(text[i++]);
-    // The bits of the first byte, and six of each that goes on.
+    // Payload of the first byte, then six bits of each continuation byte.
     char32_t character = lead < 0xc0 ? lead
                                      : lead & (lead < 0xe0   ? 0x1f
                                                : lead < 0xf0 ? 0x0f
@@ -71,14 +71,14 @@ std::string spelled(const char* format, double value) {
 
 namespace {
 
-/// Whether both fit into one table, which has a column for each parameter.
+/// True if both fit into one table, which has a column per parameter.
 bool share_table(const trace::StudySeries& one, const trace::StudySeries& other) {
   return one.panel == other.panel &&
          std::ranges::equal(one.points, other.points, {}, &trace::StudyPoint::parameter,
                             &trace::StudyPoint::parameter);
 }
 
-/// Series of one panel stand together; without panels all are one.
+/// Groups series by panel; without panels all are one group.
 using SeriesRange = std::span<const trace::StudySeries>;
 std::vector<SeriesRange> by_panel(const trace::Study& result) {
   std::vector<SeriesRange> panels;
@@ -90,8 +90,8 @@ std::vector<SeriesRange> by_panel(const trace::Study& result) {
   return panels;
 }
 
-/// Which parameters have a column: all of few; of many whole decades, or where those are less than three each so
-/// many-th, the last one too.
+/// Columns to print: all if there are few, else whole decades, or if those are fewer than three,
+/// evenly spaced ones and the last.
 std::vector<bool> columns_shown(const SeriesRange& panel) {
   constexpr std::size_t kMost = 8, kLeast = 3;
   const std::vector<trace::StudyPoint>& points = panel.front().points;
@@ -107,8 +107,8 @@ std::vector<bool> columns_shown(const SeriesRange& panel) {
   return shown;
 }
 
-/// A row a series: a cell for each parameter, or some of them where they are many, and what `sum` says of all
-/// its points, under the head "failed"; null where nothing is to be said.
+/// One row per series with a cell per parameter (or a selection of many). `sum` formats the
+/// failures of all points for the column "failed"; null without such a column.
 void print_panel(const SeriesRange& panel, std::ostream& out, bool may_leave_out,
                  const std::function<std::string(const trace::StudyPoint&)>& cell,
                  std::string (*sum)(int failed, int of)) {
@@ -216,7 +216,7 @@ void print_tables(const std::vector<trace::Study>& results, std::ostream& out) {
     }
   }
   if (results.front().form != trace::StudyForm::WorkPrecision) return;
-  // Times are those of the same runs in all results of a study.
+  // Times are of the same runs in all results of a study.
   const std::vector<SeriesRange> panels = by_panel(results.front());
   for (const SeriesRange& panel : panels) {
     print_times(results.front(), panel, out);

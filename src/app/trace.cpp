@@ -8,7 +8,7 @@
 namespace contactscope::app {
 namespace {
 
-// Prints the facts and opens no OpenGL library.
+// Prints the facts without opening OpenGL.
 ExitCode run_trace(const Options& options) {
   const std::vector<Scenario> scenarios = load_scenarios(options);
   if (scenarios.size() != 1) throw UsageError("trace takes one scenario");

@@ -20,7 +20,7 @@ namespace {
 
 using Wrong = TraceChecks::Wrong;
 
-// Of lengths that should be one: numbers written with three digits pass.
+// For unit lengths: accepts numbers written with three digits.
 constexpr double kUnitTolerance = 2e-3;
 
 bool is_unit(double length) {
@@ -30,13 +30,13 @@ bool is_unit(double length) {
 void require(bool is_right, const std::string& otherwise) {
   if (!is_right) throw Wrong{otherwise};
 }
-/// The same where it is asked often: the words are made where they are needed alone.
+/// For frequent checks: builds the message only on failure.
 template <std::invocable Words>
 void require(bool is_right, const Words& otherwise) {
   if (!is_right) throw Wrong{otherwise()};
 }
 
-/// Faces of a convex shape that are listed clockwise: all other vertices are in front of them.
+/// Faces of a convex shape listed clockwise have all other vertices in front of them.
 void check_winding(const trace::Shape& shape) {
   if (shape.type == "mesh" || shape.type == "sdf" || shape.radius > 0) return;
   double size = 0;
@@ -55,7 +55,7 @@ void check_winding(const trace::Shape& shape) {
       above = std::max(above, height);
       below = std::max(below, -height);
     }
-    constexpr double kFlat = 1e-3;  // of the size: what is in front of a face by less lies on it
+    constexpr double kFlat = 1e-3;  // relative to the size: closer vertices count as coplanar
     if (above > kFlat * size && below <= kFlat * size) wrong.push_back(f);
   }
   if (wrong.empty()) return;
@@ -66,7 +66,7 @@ void check_winding(const trace::Shape& shape) {
       " wound inside out; list the vertices of a face counter-clockwise as seen from outside"};
 }
 
-/// Names and texts go to terminals, shells and pictures.
+/// Names and texts are printed to terminals, shells and pictures.
 void require_plain(const char* what, const std::string& text) {
   if (const std::string wrong = not_plain(text); !wrong.empty())
     throw Wrong{std::string(what) + " has " + wrong + "; write plain text on one line"};
@@ -89,8 +89,7 @@ void check_shape(const trace::Shape& shape) {
   check_winding(shape);
 }
 
-/// Faces of a convex shape that was written without them: those of the hull of its vertices, which may
-/// leave some of them inside.
+/// Gives a convex shape without faces those of its hull, which may leave some vertices inside.
 void give_faces(trace::Shape& shape) {
   const bool is_round = shape.type == "sphere" || shape.type == "capsule" || shape.radius > 0;
   if (!shape.faces.empty() || is_round || shape.half_space || shape.vertices.empty()) return;
@@ -115,7 +114,7 @@ void give_faces(trace::Shape& shape) {
   if (shape.edges.empty()) trace::Shape::edges_from_faces(shape);
 }
 
-/// Whether a shape is told again as it was, with its faces or without those that were made for it.
+/// True if a shape is repeated unchanged, with its faces or without generated ones.
 bool is_same(const trace::Shape& known, const trace::Shape& again) {
   const auto plane = [](const trace::Shape& shape) {
     return shape.half_space.value_or(trace::HalfSpace{});
@@ -127,7 +126,7 @@ bool is_same(const trace::Shape& known, const trace::Shape& again) {
          plane(known) == plane(again);
 }
 
-/// "hull-mesh": two words for shapes.
+/// "hull-mesh": two kinds of shapes.
 bool is_kind(const std::string& kind) {
   const std::size_t dash = kind.find('-');
   const auto is_shape = [](const std::string& word) {
@@ -181,14 +180,14 @@ void TraceChecks::add(trace::Shape shape) {
 }
 
 void TraceChecks::frame(trace::Frame& frame) {
-  // Some writers tell all shapes in each frame.
+  // Some writers repeat all shapes in each frame.
   std::erase_if(frame.shapes, [&](const trace::Shape& shape) {
     const auto known = places_.find(shape.name);
     return known != places_.end() && is_same(header_.shapes[known->second], shape);
   });
   for (trace::Shape& shape : frame.shapes) {
     add(shape);
-    shape = header_.shapes.back();  // with faces
+    shape = header_.shapes.back();  // with generated faces
   }
   require(!header_.shapes.empty(),
           "there is no shape yet, here or in the header; name in 'shapes' what there is");
@@ -255,7 +254,7 @@ void TraceChecks::pair(std::size_t index, const trace::Pair& pair) const {
   const auto check_face = [&](const char* key, const std::string& name, int face, int least = 0) {
     check_index(key, name, face, &trace::Shape::faces, "faces", least);
   };
-  if (pair.clip) {  // -1 stands for none
+  if (pair.clip) {  // -1: no face
     check_face(".clip.reference.face", pair.clip->reference.shape, pair.clip->reference.face, -1);
     check_face(".clip.incident.face", pair.clip->incident.shape, pair.clip->incident.face, -1);
   }

@@ -23,8 +23,8 @@ namespace fs = std::filesystem;
 constexpr const char* kStandardInput = "-";
 constexpr std::string_view kBlank = " \t\r\n";
 
-/// What comes through a pipe, to be read more than once: a file that has no name any more, so that it
-/// is gone with the process.
+/// Copies a pipe to a temporary file for repeated reading. The file has no name, so it disappears
+/// with the process.
 std::unique_ptr<std::istream> spooled(std::istream& in) {
   std::string path = (fs::temp_directory_path() / "contactscope-XXXXXX").string();
   const int file = mkstemp(path.data());
@@ -51,7 +51,7 @@ std::unique_ptr<std::istream> opened(const std::string& path, TraceFile::Passes 
   if (!fs::is_regular_file(path)) return in;
   std::string header;
   std::getline(*in, header);
-  if (!snapshot::meshes_named(header).empty())  // stored by check, which keeps few frames
+  if (!snapshot::meshes_named(header).empty())  // stored by `check`, so it has few frames
     return std::make_unique<std::istringstream>(
         snapshot::with_meshes(snapshot::read_text_file(path).value_or(""), path));
   in->clear();

@@ -9,14 +9,14 @@
 
 namespace contactscope::app {
 
-// Each is in the file of its name.
+// Each is defined in the file of its name.
 Verb render_verb(), trace_verb(), check_verb(), explore_verb(), study_verb(), doctor_verb(),
     list_verb(), lint_verb(), versus_verb(), shrink_verb(), review_verb(), show_verb(),
     merge_verb(), help_verb();
 
 namespace {
 
-/// What stands below the options of a verb that has no examples of its own there.
+/// Examples below the options of a verb that has none of its own.
 const char* examples_of(const std::string& verb) {
   if (verb == "render")
     return "Examples:\n"
@@ -111,7 +111,7 @@ bool has_option(const Verb& verb, const std::string& option) {
   return std::ranges::count(options_of(verb), option) > 0;
 }
 
-/// "--out" of "--out=DIR", "-h"; empty of what is no option, as "-1".
+/// "--out" for "--out=DIR", "-h"; empty for arguments that are not options, such as "-1".
 std::string option_name(const std::string& argument) {
   const bool longer = argument.starts_with("--");
   const std::size_t first = longer ? 2 : 1;
@@ -154,7 +154,7 @@ void check_usage(const std::vector<std::string>& arguments) {
     return;
   }
   for (std::size_t i = 1; i < arguments.size(); ++i) {
-    if (arguments[i] == "--") return;  // all after it is positional
+    if (arguments[i] == "--") return;  // the rest is positional
     const std::string option = option_name(arguments[i]);
     if (!option.empty() && !has_option(*verb, option)) refuse_option(option, *verb);
   }

@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 using versus::Contender;
 using versus::Score;
 
-/// What is asked, and what stands beforehand.
+/// A request and its context.
 struct Match {
   std::string name;  // "group/idea"
   std::string title, source;
@@ -46,8 +46,7 @@ trace::Trace run_whole(const Input& input) {
   return whole;
 }
 
-/// The trace's own contacts, or this program's for a scenario, are the first contender where they
-/// are asked.
+/// The first contender is the trace's own contacts, or this program's for a scenario, if requested.
 Match match_of(Input input, const std::vector<std::string>& engines) {
   const bool wants_own = std::ranges::count(engines, kOwn) > 0;
   trace::Trace whole =
@@ -116,8 +115,7 @@ nlohmann::ordered_json json_of(const Score& score, const Contender& contender) {
   return json;
 }
 
-/// What the table has no room for: why an engine did not answer, where it was off most, what lint
-/// says.
+/// Prints what does not fit into the table: failures, the largest error, lint findings.
 void print_notes(const Match& match, const std::vector<Score>& scores, std::ostream& out) {
   for (const Score& score : scores) {
     const Contender& contender = *std::ranges::find(match.contenders, score.name, &Contender::name);
@@ -129,7 +127,7 @@ void print_notes(const Match& match, const std::vector<Score>& scores, std::ostr
 
 using Names = std::pair<std::string, std::string>;
 
-/// Pairs of which any contender has contacts, in their order.
+/// Pairs with contacts of any contender, in order.
 std::vector<Names> touching_pairs(const Match& match) {
   std::vector<Names> pairs;
   for (const Contender& contender : match.contenders)

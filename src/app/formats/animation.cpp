@@ -7,7 +7,7 @@
 namespace contactscope::app {
 namespace {
 
-/// Where the frames' times do not rise.
+/// For frames whose times do not increase.
 constexpr double kNoTime = 1.0 / 25;
 
 class AnimationReel : public Reel {
@@ -28,7 +28,7 @@ class AnimationReel : public Reel {
   }
 
  private:
-  /// The held picture, for so many seconds by the frames' times.
+  /// Adds the held picture for a number of seconds of frame time.
   void show(double seconds) {
     last_ = seconds > 0 ? seconds : kNoTime;
     const double shown = fps_ ? 1 / *fps_ : last_;
@@ -51,7 +51,7 @@ class AnimationReel : public Reel {
   std::unique_ptr<Animation> animation_;
   std::shared_ptr<const Image> held_{};
   double time_ = 0, last_ = kNoTime, begin_ = 0;  // seconds
-  std::future<void> under_way_{};                 // its end waits, so that it goes first
+  std::future<void> under_way_{};                 // last member: its destructor waits
 };
 
 }  // namespace

@@ -27,10 +27,10 @@ std::string ffmpeg() {
       "install ffmpeg), or choose apng or webp");
 }
 
-/// Players stumble over fewer pictures a second, so that slower ones are told several times.
+/// Some players fail at lower rates, so slower pictures are repeated.
 constexpr double kLeastRate = 10;
 
-/// Raw pictures, piped to ffmpeg.
+/// Pipes raw pictures to ffmpeg.
 class Mp4Animation : public Animation {
  public:
   explicit Mp4Animation(const ReelPlan& plan) : path_(plan.path), program_(ffmpeg()) {
@@ -78,7 +78,7 @@ class Mp4Animation : public Animation {
                              "; what it said stands above, and no file is left");
   }
 
-  /// In yuv420p a colour is of two by two pixels: an odd picture's last column and row come twice.
+  /// yuv420p stores one colour per 2 x 2 pixels: repeats the last column and row of odd sizes.
   static std::vector<std::uint8_t> even(const Image& image) {
     const auto size = [](int n) { return static_cast<std::size_t>(n); };
     const std::size_t row = 3 * size(image.width);
@@ -143,7 +143,7 @@ class Mp4Animation : public Animation {
     child_ = fork();
     if (child_ == 0) {
       dup2(ends[0], STDIN_FILENO);
-      dup2(STDERR_FILENO, STDOUT_FILENO);  // the standard output is ours alone
+      dup2(STDERR_FILENO, STDOUT_FILENO);  // standard output is for our results
       execv(program_.c_str(), arguments.data());
       _exit(127);
     }
@@ -154,7 +154,7 @@ class Mp4Animation : public Animation {
   }
 
   void send(std::span<const std::uint8_t> bytes) {
-    // An ffmpeg that died is told by its end, and not by a signal to this thread.
+    // Report a crashed ffmpeg by its exit status, not by SIGPIPE in this thread.
     sigset_t broken;
     sigemptyset(&broken);
     sigaddset(&broken, SIGPIPE);
@@ -168,7 +168,7 @@ class Mp4Animation : public Animation {
   }
 
   std::string path_, program_, aside_, title_, about_;
-  double rate_ = 0;  // pictures a second
+  double rate_ = 0;  // pictures per second
   pid_t child_ = -1;
   int pipe_ = -1;
 };

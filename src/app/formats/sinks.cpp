@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// With what makes this file of it: its frames, as an option or nothing, and its format.
+/// Completes the command for one file: with the option for its frames (or "") and its format.
 PictureOrigin completed(PictureOrigin origin, const std::string& frames, const Format& format) {
   origin.command += frames;
   if (&format != &formats().front()) origin.command += " --format " + std::string(format.name);

@@ -10,7 +10,7 @@ const Format kSvgFormat{
     .what = "vectors with live text, a file a frame",
     .encode =
         [](const Shot& shot) {
-          static vector::FontFaces faces;  // a run's pictures use the same letters
+          static vector::FontFaces faces;  // shared: pictures of a run use the same glyphs
           const std::string svg =
               vector::svg_of(*shot.drawing, {.origin = &shot.origin, .fonts = &faces});
           return std::vector<std::uint8_t>(svg.begin(), svg.end());

@@ -7,8 +7,7 @@
 namespace contactscope::app {
 namespace {
 
-/// What a picture says of itself, as XMP (ISO 16684-1): a line each in the description, which viewers
-/// show.
+/// Origin metadata as XMP (ISO 16684-1), one line per entry in the description, which viewers show.
 std::string xmp_of(const PictureOrigin& origin) {
   std::string all =
       "<x:xmpmeta xmlns:x=\"adobe:ns:meta/\">"

@@ -5,7 +5,7 @@
 namespace contactscope::app {
 namespace {
 
-/// As workflow commands want it: "docs.github.com, Workflow commands for GitHub Actions".
+/// Escapes for workflow commands: "docs.github.com, Workflow commands for GitHub Actions".
 std::string escaped(const std::string& text, bool is_property) {
   std::string all;
   for (const char c : text) {
@@ -25,7 +25,7 @@ std::string escaped(const std::string& text, bool is_property) {
   return all;
 }
 
-/// "line=22,": an expectation begins with its place, "FILE:22: ...".
+/// "line=22,": sentences of expectations start with "FILE:22: ".
 std::string line_in(const std::string& file, const snapshot::Finding& finding) {
   const std::string begin = file + ":";
   if (!finding.sentence.starts_with(begin)) return {};
@@ -34,7 +34,7 @@ std::string line_in(const std::string& file, const snapshot::Finding& finding) {
   return line.empty() ? "" : "line=" + line + ",";
 }
 
-/// An annotation a cause, at the file of the first scenario that has it: a pull request shows ten.
+/// One annotation per cause at its first scenario's file: a pull request shows only ten.
 void tell_github(const Told& told) {
   for (const snapshot::Cause& cause : snapshot::causes(told.outcome)) {
     const snapshot::Finding& first = *cause.findings.front();

@@ -5,7 +5,7 @@
 
 namespace contactscope::app {
 
-/// The file findings.json, on standard output.
+/// Prints findings.json to standard output.
 const Report kJsonReport{"json", [](const Told& told) { return told.options.json; },
                          [](const Told& told) { std::cout << snapshot::to_json(told.outcome); }};
 

@@ -11,8 +11,8 @@ namespace {
 using snapshot::Finding;
 using snapshot::ScenarioOutcome;
 
-/// The file that Jenkins, GitLab and others read: a suite a group, a case a scenario. Pictures are attachments as
-/// the JUnit attachments plugin and GitLab find them.
+/// JUnit XML for Jenkins, GitLab and others: a suite per group, a case per scenario. Attachments
+/// have the form that the JUnit attachments plugin and GitLab expect.
 void tell_junit(const Told& told) {
   std::ostringstream out;
   const snapshot::Tally counts = snapshot::tally(told.outcome);
@@ -39,7 +39,7 @@ void tell_junit(const Told& told) {
         << vector::escaped(scenario.scenario.substr(slash + 1)) << "\"";
     if (!scenario.file.empty()) out << " file=\"" << vector::escaped(scenario.file) << "\"";
     out << ">\n";
-    std::string pictures, others;  // a line each; GitLab shows the first
+    std::string pictures, others;  // one per line; GitLab shows the first
     for (const Finding& finding : scenario.findings) {
       if (!finding.fails()) continue;
       out << "   <failure type=\"" << snapshot::name_of(finding.kind) << "\" message=\""

@@ -12,10 +12,10 @@ namespace {
 using snapshot::Cause;
 using snapshot::Finding;
 
-// $GITHUB_STEP_SUMMARY takes a mebibyte.
+// $GITHUB_STEP_SUMMARY is limited to one MiB.
 constexpr std::size_t kMostBytes = 900000;
 
-/// A small picture inside of the text.
+/// A small picture embedded in the text.
 std::string inline_picture(const Told& told, const char* what, const std::string& file) {
   if (file.empty() || !file.ends_with(".png")) return "| ";
   constexpr int kWidth = 320;
@@ -25,7 +25,7 @@ std::string inline_picture(const Told& told, const char* what, const std::string
          base64({reinterpret_cast<const char*>(png.data()), png.size()}) + ") ";
 }
 
-/// Text in which nothing is a mark.
+/// Escapes Markdown characters.
 std::string plain(const std::string& text) {
   std::string all;
   for (const char c : text) {
@@ -35,7 +35,7 @@ std::string plain(const std::string& text) {
   return all;
 }
 
-/// A name as code: between more backticks than stand in it.
+/// A name as code, fenced by more backticks than it contains.
 std::string code(const std::string& text) {
   std::string fence = "`";
   while (text.find(fence) != std::string::npos) fence += '`';

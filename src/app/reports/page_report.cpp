@@ -15,8 +15,8 @@ using Json = nlohmann::ordered_json;
 using snapshot::Cause;
 using snapshot::Finding;
 
-/// Pictures stand in the page itself, so that it can be sent to somebody, up to what a browser opens with ease; the rest
-/// is linked.
+/// Embeds pictures so that the page can be sent as one file, up to a size that browsers handle
+/// well; the rest is linked.
 class Pictures {
  public:
   explicit Pictures(std::filesystem::path folder) : folder_(std::move(folder)) {}
@@ -29,7 +29,7 @@ class Pictures {
     return "data:image/png;base64," + base64(*png);
   }
 
-  /// Of a file that stands in the page or nowhere.
+  /// Text of an embedded file; empty if it is too large to embed.
   std::string text(const std::string& file) {
     constexpr std::uintmax_t kMost = 32 << 20, kMostEach = 1 << 20;
     const std::optional<std::string> all = snapshot::read_text_file(folder_ / file);
@@ -43,7 +43,7 @@ class Pictures {
   std::uintmax_t bytes_ = 0, text_bytes_ = 0;
 };
 
-/// What of a scenario's trace differs in one frame.
+/// Differences of a scenario's trace in one frame.
 std::vector<std::string> facts_of(const snapshot::Outcome& outcome, const Finding& picture) {
   const auto scenario =
       std::ranges::find(outcome.scenarios, picture.scenario, &snapshot::ScenarioOutcome::scenario);
@@ -95,7 +95,7 @@ void tell_page(const Told& told) {
              {"findings", Json::array()}};
     if (cause.scenarios.size() > 1 && cause.findings.front()->is_acceptable())
       one["accept"] = accept_command(told, cause.scenarios);
-    // What is told by its first finding is looked at in the pictures.
+    // The first finding describes the cause; pictures follow for review.
     std::vector<const Finding*> shown = cause.findings;
     std::stable_partition(shown.begin() + 1, shown.end(),
                           [](const Finding* finding) { return finding->is_picture(); });

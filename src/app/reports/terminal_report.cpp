@@ -34,7 +34,7 @@ std::string list_of(const std::vector<std::string>& names, std::size_t most) {
   return text;
 }
 
-/// One cause: its sentence, and who else is concerned.
+/// Prints a cause: its sentence and the other affected scenarios.
 void put_cause(const Cause& cause, bool is_verbose) {
   constexpr std::size_t kMostSentences = 5, kMostNames = 12;
   const Finding& first = *cause.findings.front();
@@ -47,7 +47,7 @@ void put_cause(const Cause& cause, bool is_verbose) {
                      (pictures > 0 ? " and " + snapshot::counted(pictures, "picture") : "") + ": " +
                      list_of(cause.scenarios, is_verbose ? cause.scenarios.size() : kMostNames));
   }
-  // What nothing is stored of, or nobody asks for, says the same of each of its files.
+  // New, missing and orphaned files all have the same message.
   const bool is_of_files = first.kind == FindingKind::New || first.kind == FindingKind::Missing ||
                            first.kind == FindingKind::Orphaned;
   const bool is_told_once = is_of_files || cause.scenarios.size() > 1;
@@ -64,7 +64,8 @@ void put_cause(const Cause& cause, bool is_verbose) {
     put_line("", "and " + std::to_string(cause.findings.size() - most) + " more of it");
 }
 
-/// "stored      crates/beam, 6 files", "updated     crates/beam, 6 files, 1 of them new and 2 removed".
+/// "stored      crates/beam, 6 files" or "updated     crates/beam, 6 files, 1 of them new and 2
+/// removed".
 void print_written(const ScenarioOutcome& scenario) {
   using snapshot::Done;
   const auto count = [&](Done done) {
@@ -79,7 +80,7 @@ void print_written(const ScenarioOutcome& scenario) {
   put_line(!is_one ? "updated" : stored > 0 ? "stored" : "removed", text);
 }
 
-/// What to do about all of it.
+/// Commands that accept or fix everything.
 std::string what_to_do(const Told& told, const snapshot::Tally& counts) {
   const std::vector<Cause> causes = snapshot::causes(told.outcome);
   const auto count = [&](FindingKind kind) { return counts.kinds[static_cast<std::size_t>(kind)]; };
@@ -99,7 +100,7 @@ std::string what_to_do(const Told& told, const snapshot::Tally& counts) {
   return absent == 0 ? review : absent == all ? store : review + ", " + store;
 }
 
-/// One line, or where it is verbose one for each.
+/// One line, or with --verbose one per decision.
 void print_brittle(const snapshot::Outcome& outcome, bool is_verbose) {
   int decisions = 0, scenarios = 0;
   for (const ScenarioOutcome& scenario : outcome.scenarios) {
