@@ -11,33 +11,32 @@ namespace contactscope::gl {
 
 enum class Backend { Auto, Egl, Osmesa };
 
-/// No route gave a context. what() lists each route tried, why it failed, and what to do.
+/// No backend gave a context. what() lists each one tried with its error and a remedy.
 class ContextError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// What one route to OpenGL answers, for `doctor` and for the message of ContextError.
+/// Result of probing a backend, for `doctor` and the message of ContextError.
 struct RouteReport {
   std::string route;  // "EGL surfaceless", "EGL device 0", "OSMesa"
   bool works = false;
   std::string version;   // GL_VERSION when it works
   std::string renderer;  // GL_RENDERER
-  std::string failure;   // why not, and the remedy
+  std::string failure;   // error and remedy
 };
 
-/// The shared objects that are opened at run time, as dlopen() takes them.
+/// Library names for dlopen().
 struct Libraries {
   std::string egl = "libEGL.so.1";
   std::string osmesa = "libOSMesa.so.8";
 };
 
-/// An OpenGL 3.3 core context without a display, current on the thread that made it. The library is
-/// opened at run time; it is closed no earlier than the process ends, for drivers leave threads in
-/// it.
+/// An OpenGL 3.3 core context without a display, current on the thread that created it. Its library
+/// is opened at run time and never closed, because drivers leave threads in it.
 ///
-/// A thread has one current context. make_current() first releases the thread's other one, for
-/// two routes share Mesa's dispatch table and mix up otherwise; it costs nothing where the context
-/// is current already. Destroy a context on the thread where it is current, or after release().
+/// A thread has one current context. make_current() first releases another one of the thread,
+/// because two routes share Mesa's dispatch table and interfere otherwise; it is free if the
+/// context is already current. Destroy a context on its current thread or after release().
 class Context {
  public:
   virtual ~Context() = default;
@@ -52,7 +51,7 @@ class Context {
  protected:
   explicit Context(std::string route) : route_(std::move(route)) {}
 
-  /// The route's own calls. bind() throws ContextError.
+  /// Calls of the route. bind() throws ContextError.
   virtual void bind() = 0;
   virtual void unbind() = 0;
 
@@ -65,11 +64,11 @@ class Context {
 };
 
 /// Opens a context and makes it current. Auto tries EGL (surfaceless, then each device), then
-/// OSMesa. Throws ContextError; then no context is current on this thread.
+/// OSMesa. Throws ContextError and leaves no context current on this thread.
 std::unique_ptr<Context> open_context(Backend backend, const Libraries& libraries = {});
 
-/// Tries every route, one after the other: a route works when a cleared pixel reads back. Leaves no
-/// context current on this thread.
+/// Tries each route: it works if a cleared pixel can be read back. Leaves no context current on
+/// this thread.
 std::vector<RouteReport> probe_routes(const Libraries& libraries = {});
 
 }  // namespace contactscope::gl

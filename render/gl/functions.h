@@ -1,13 +1,13 @@
 #pragma once
 
-#define GL_GLEXT_PROTOTYPES  // for the types of the functions alone: nothing links libGL
+#define GL_GLEXT_PROTOTYPES  // only for function types: nothing links libGL
 #include <GL/glcorearb.h>
 
 #include <functional>
 
 namespace contactscope::gl {
 
-// Every OpenGL 3.3 function that render/gl calls, without its "gl".
+// OpenGL 3.3 functions that render/gl uses, without the prefix "gl".
 // clang-format off
 #define CONTACTSCOPE_GL_FUNCTIONS(X)                                                            \
   X(ActiveTexture) X(AttachShader) X(BindAttribLocation) X(BindBuffer) X(BindFramebuffer)       \
@@ -23,14 +23,14 @@ namespace contactscope::gl {
   X(Uniform2f) X(UseProgram) X(VertexAttribPointer) X(Viewport)
 // clang-format on
 
-/// OpenGL's functions as the current context's route gave them.
+/// OpenGL functions from the route of the current context.
 struct Functions {
 #define CONTACTSCOPE_DECLARE(name) decltype(&::gl##name) name = nullptr;
   CONTACTSCOPE_GL_FUNCTIONS(CONTACTSCOPE_DECLARE)
 #undef CONTACTSCOPE_DECLARE
 };
 
-/// How a route finds a function by its name ("glClear").
+/// Looks up a function by name ("glClear").
 using ProcAddress = std::function<void*(const char*)>;
 
 }  // namespace contactscope::gl

@@ -9,7 +9,7 @@
 
 namespace contactscope::gl {
 
-/// What makes one bitmap of a glyph differ from another.
+/// Identifies a bitmap of a glyph.
 struct GlyphKey {
   char32_t code_point = 0;
   float size = 0;  // pixels
@@ -19,28 +19,27 @@ struct GlyphKey {
   friend auto operator<=>(const GlyphKey&, const GlyphKey&) = default;
 };
 
-/// Where a glyph's bitmap lies in its page, and where it goes in the picture.
+/// Position of a glyph's bitmap in its page and relative to the pen.
 struct GlyphPlace {
   int page = 0;
   int x = 0, y = 0;           // of the bitmap's top left texel
   int width = 0, height = 0;  // 0 for a space
-  int left = 0, top = 0;      // of the bitmap from the pen's pixel on the baseline
+  int left = 0, top = 0;      // of the bitmap, from the pen's pixel on the baseline
 };
 
-/// Coverage bitmaps of glyphs in square pages, rasterized when first asked for; never dropped, and
-/// a page is added when one is full. No OpenGL here: the rasterizer copies changed rows to
-/// textures.
+/// Coverage bitmaps of glyphs in square pages, rasterized on first use and never dropped. A page is
+/// added when one is full. The rasterizer copies changed rows to OpenGL textures.
 class GlyphAtlas {
  public:
   static constexpr int kSide = 1024;
 
   struct Page {
     std::vector<std::uint8_t> coverage = std::vector<std::uint8_t>(kSide * kSide);  // from the top
-    int changed_from = 0, changed_to = 0;  // rows that a texture has not seen yet
+    int changed_from = 0, changed_to = 0;  // rows to upload to the texture
     int shelf_top = 0, shelf_height = 0, shelf_x = 0;
   };
 
-  /// The place stays valid as long as the atlas. Throws std::length_error for a glyph larger than a
+  /// The result is valid as long as the atlas. Throws std::length_error if a glyph is larger than a
   /// page.
   const GlyphPlace& find(const GlyphKey& key);
   std::vector<Page>& pages() { return pages_; }

@@ -10,7 +10,7 @@
 
 namespace contactscope::gl {
 
-/// One corner of a triangle; shaders.h says what each program makes of `line`, `form` and `run`.
+/// A triangle corner; shaders.h documents `line`, `form` and `run` for each program.
 struct Vertex {
   float position[2];
   float line[4];
@@ -21,7 +21,7 @@ struct Vertex {
 
 enum class Painter { Fill, Shape, Glyph };
 
-/// Triangles in a row that one draw call paints.
+/// Consecutive triangles of one draw call.
 struct Batch {
   Painter painter = Painter::Fill;
   int page = 0;                        // of the glyph atlas
@@ -36,12 +36,12 @@ struct PrimitiveVertices {
 
   GlyphAtlas atlas;
 
-  /// Forgets all but the atlas.
+  /// Clears all except the atlas.
   void clear();
-  /// Appends what a primitive consists of: a fan for a fill, one quad for a stroke or a disc, and
-  /// two quads a glyph for text with a halo, all halos before all letters. Glyphs stand on whole
-  /// rows and quarter columns of pixels. Appends nothing for what would not be seen: no width, no
-  /// length with butt caps, less than three corners. Coordinates are finite.
+  /// Appends the triangles of a primitive: a fan for a fill, a quad for a stroke or disc, and two
+  /// quads per glyph for text with a halo, all halos before all letters. Glyphs are on whole rows
+  /// and quarter columns of pixels. Skips invisible primitives: no width, no length with butt caps,
+  /// less than three corners. Coordinates must be finite.
   void append(const draw::Primitive& primitive);
 
  private:

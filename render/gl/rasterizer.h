@@ -11,13 +11,13 @@
 
 namespace contactscope::gl {
 
-/// Paints drawings into an off-screen framebuffer of a fixed size and reads it back. Everything is
-/// screen-space triangles with coverage computed in the fragment shader, so pixels do not depend on
-/// a driver's wide lines or sample patterns. Colours mix in sRGB as the bytes stand. The
-/// framebuffer's row 0 is the picture's top.
+/// Paints drawings into an off-screen framebuffer of fixed size and reads it back. All primitives
+/// are screen-space triangles with coverage computed in the fragment shader, so pixels do not
+/// depend on a driver's wide lines or sample patterns. Colours blend in sRGB without linearization.
+/// The framebuffer's row 0 is the picture's top.
 ///
-/// The context outlives the rasterizer and is made current on each call. The constructor throws
-/// std::runtime_error where the driver refuses the size or a shader; read() where drawing failed.
+/// The context must outlive the rasterizer; each call makes it current. The constructor throws
+/// std::runtime_error if the driver rejects the size or a shader, read() if drawing failed.
 class Rasterizer {
  public:
   Rasterizer(Context& context, int width, int height);
@@ -28,8 +28,7 @@ class Rasterizer {
   /// Clears to the drawing's background and paints its primitives in order, with as few draw calls
   /// as the glyph atlas allows.
   void paint(const draw::Drawing& drawing);
-  /// Copies out, top row first; with alpha where the drawing had a background that let something
-  /// through.
+  /// Reads the picture, top row first, with alpha if the background was not opaque.
   Image read();
 
  private:
@@ -47,7 +46,7 @@ class Rasterizer {
   std::vector<GLuint> pages_;         // textures of the glyph atlas
   PrimitiveVertices triangles_;
   std::vector<std::uint8_t> rgba_;
-  bool opaque_ = true;  // what was painted last
+  bool opaque_ = true;  // the last background
 };
 
 }  // namespace contactscope::gl

@@ -7,22 +7,22 @@
 
 #include "gl/context.h"
 
-/// What context.cpp shares with the routes; no part of the interface of this folder.
+/// Shared by context.cpp and the routes; not part of this folder's interface.
 namespace contactscope::gl {
 
-/// A way to a context. `open` returns it current with its functions loaded, or throws ContextError
-/// with the reason and the remedy.
+/// A method to open a context. `open` returns it current with its functions loaded, or throws
+/// ContextError with the reason and a remedy.
 struct Route {
   std::string name;
   std::function<std::unique_ptr<Context>()> open;
 };
 
 /// Makes a new context current and loads its functions. Throws ContextError with the name of the
-/// first that is missing.
+/// first missing one.
 std::unique_ptr<Context> started(std::unique_ptr<Context> context,
                                  const ProcAddress& get_proc_address);
 
-/// An address that becomes a pointer to whatever function is asked for.
+/// An address that converts to any function pointer.
 struct Symbol {
   void* address;
 
@@ -32,12 +32,12 @@ struct Symbol {
   }
 };
 
-/// A library that is opened at run time, and never closed.
+/// A library opened at run time and never closed.
 struct Library {
   /// Throws ContextError with the loader's reason and `remedy`.
   Library(const std::string& library_name, const std::string& remedy);
 
-  /// Throws ContextError where the library has no symbol of that name.
+  /// Throws ContextError if the symbol is missing.
   Symbol find(const char* symbol) const;
 
   std::string name;
@@ -45,7 +45,7 @@ struct Library {
 };
 
 Route egl_surfaceless_route(const std::string& library);
-/// One route a device that EGL lists; empty where it cannot list them.
+/// One route per EGL device; empty if EGL cannot list them.
 std::vector<Route> egl_device_routes(const std::string& library);
 Route osmesa_route(const std::string& library);
 

@@ -1,8 +1,8 @@
 #pragma once
 
-/// GLSL of the rasterizer. Fragments compute coverage from gl_FragCoord and flat attributes alone:
-/// nothing is interpolated, so drivers agree to the bit or to rounding. The framebuffer's row 0 is
-/// the picture's top row, so that gl_FragCoord is in the drawing's own pixels.
+/// GLSL of the rasterizer. Fragments compute coverage only from gl_FragCoord and flat attributes:
+/// nothing is interpolated, so drivers agree exactly or up to rounding. The framebuffer's row 0 is
+/// the picture's top row, so gl_FragCoord is in pixels of the drawing.
 namespace contactscope::gl {
 
 inline constexpr const char* kVertexShader = R"(#version 330 core
@@ -31,13 +31,13 @@ out vec4 fragment;
 void main() { fragment = frag_color; }
 )";
 
-// A stroke or a disc. In the stroke's own frame, with s across and t along,
-//   butt caps    coverage = (share of the pixel within the width) * (share within a dash)
-//   round caps   coverage = share of the pixel within half a width of the nearest dash
+// A stroke or a disc. In the stroke's frame, with s across and t along,
+// \v  butt caps    coverage = (share of the pixel within the width) * (share within a dash)
+// \v  round caps   coverage = share of the pixel within half a width of the nearest dash
 // A disc is a round cap of length 0, and a ring the same around its middle radius. Across an edge
-// the share is the exact area of the square pixel, whose profile along the edge's normal is a
-// trapezoid: the coverage of a line then adds up to its width at every angle, where a plain ramp of
-// one pixel makes thin lines at 45 degrees bead. Along the line a plain ramp will do.
+// the share is the exact area of the square pixel; its profile along the edge's normal is a
+// trapezoid. The coverage of a line then sums to its width at every angle. A linear ramp of one
+// pixel would make thin lines at 45 degrees bead; along the line it is good enough.
 inline constexpr const char* kShapeFragmentShader = R"(#version 330 core
 flat in vec4 frag_color;
 flat in vec4 frag_line;
@@ -107,7 +107,7 @@ void main() {
 }
 )";
 
-// A glyph: one texel a pixel, no filter.
+// A glyph: one texel per pixel, no filter.
 inline constexpr const char* kGlyphFragmentShader = R"(#version 330 core
 flat in vec4 frag_color;
 flat in vec4 frag_line;

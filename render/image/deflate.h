@@ -8,12 +8,12 @@ namespace contactscope {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// The level of zlib_stream() that takes the least time.
+/// Fastest level of zlib_stream().
 inline constexpr int kFastestDeflate = 1;
 
-/// A zlib stream (RFC 1950) of bytes. `level` is 0 (stored) to 12 (smallest); 1 is the fastest one that
-/// compresses. Equal bytes give equal streams on one machine; level 1 may find other matches on another
-/// kind of processor. May be called from several threads at once.
+/// Compresses to a zlib stream (RFC 1950). `level` is 0 (stored) to 12 (smallest); 1 is the fastest
+/// that compresses. Deterministic on one machine; level 1 may find other matches on another type of
+/// processor. Thread-safe.
 Bytes zlib_stream(std::span<const std::uint8_t> bytes, int level);
 
 }  // namespace contactscope

@@ -6,13 +6,13 @@
 
 namespace contactscope {
 
-/// Pixels, three bytes each (sRGB red, green, blue), rows from the top, no padding; and
-/// where what lies beneath is to be seen, how much of it they cover.
+/// sRGB red, green and blue, one byte each, rows from the top, no padding; optionally alpha for a
+/// transparent background.
 struct Image {
   int width = 0;
   int height = 0;
   std::vector<std::uint8_t> rgb;      // 3 * width * height
-  std::vector<std::uint8_t> alpha{};  // width * height, straight; empty: opaque
+  std::vector<std::uint8_t> alpha{};  // width * height, not premultiplied; empty: opaque
 
   Image() = default;
   Image(int w, int h)

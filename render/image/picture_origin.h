@@ -6,21 +6,20 @@
 
 namespace contactscope {
 
-/// Where a picture comes from, written into it so that it can be made again: SVG and PDF as metadata,
-/// PNG as text chunks.
+/// Origin of a picture, embedded so that it can be reproduced: metadata in SVG and PDF, text chunks
+/// in PNG.
 struct PictureOrigin {
   std::string version;   // of the program, "1.2.3"
   std::string scenario;  // "hull/face_contact"
-  std::string title;     // what the scenario is called
+  std::string title;     // of the scenario
   int frame = 0;
-  std::string frames{};  // where it is of several, "0, 8, 16"; the one of a sequence is then not told
-  std::string view;     // its name
-  std::string sha256;   // of the scenario's text, as sha256() gives it
+  std::string frames{};  // for several frames: "0, 8, 16"; `frame` is ignored then
+  std::string view;
+  std::string sha256;   // sha256() of the scenario's text
   std::string command;  // "contactscope render hull/face_contact --frames 3 --format svg"
 };
 
-/// The same as keys and values, in a fixed order; what is empty is left out. Keys are Latin letters,
-/// as PNG wants them.
+/// Non-empty entries as keys and values, in a fixed order. Keys are Latin letters, as PNG requires.
 std::vector<std::pair<std::string, std::string>> entries_of(const PictureOrigin& origin);
 
 }  // namespace contactscope

@@ -12,30 +12,29 @@
 
 namespace contactscope {
 
-/// Bytes that are no PNG, or one that cannot be decoded. what() carries the path.
+/// Invalid PNG data. what() has the path.
 class PngError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A PNG of 8 bits a channel, RGB, with alpha where the picture has some. `level` is that
-/// of zlib_stream(), 0 (stored) to 12 (smallest); level 1 takes 1 to 2.5 ms for 1280x720. The picture has at
-/// least one pixel. Equal pictures with equal texts give equal bytes on one machine. May be called from
-/// several threads at once.
+/// Encodes a PNG of 8 bits per channel, RGB, or RGBA if the picture has alpha. `level` is that of
+/// zlib_stream(), 0 (stored) to 12 (smallest); level 1 takes 1 to 2.5 ms for 1280x720. The picture
+/// must not be empty. Deterministic on one machine. Thread-safe.
 std::vector<std::uint8_t> encode_png(const Image& image, int level = kFastestDeflate,
                                      const PngText& text = {});
 
-/// encode_png() into a file that is whole or absent. Throws std::filesystem::filesystem_error.
+/// Writes encode_png(); the file is complete or absent. Throws std::filesystem::filesystem_error.
 void write_png(const std::string& path, const Image& image, int level = kFastestDeflate,
                const PngText& text = {});
 
-/// Reads any PNG as 8-bit RGB; alpha is dropped. Throws std::filesystem::filesystem_error when the
-/// file cannot be read and PngError when it is no PNG.
+/// Reads any PNG as 8-bit RGB without alpha. Throws std::filesystem::filesystem_error if the file
+/// is unreadable, PngError if it is not a PNG.
 Image read_png(const std::string& path);
 
-/// The same of bytes; `name` is what they are called in the PngError.
+/// Decodes bytes; `name` identifies them in a PngError.
 Image decode_png(std::span<const std::uint8_t> bytes, const std::string& name);
 
-/// What a PNG says of itself, without looking at its pixels. Throws as read_png() does.
+/// Reads the text chunks without decoding pixels. Throws like read_png().
 PngText read_png_text(const std::string& path);
 
 }  // namespace contactscope

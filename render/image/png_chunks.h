@@ -11,28 +11,28 @@
 #include "image/deflate.h"
 #include "image/image.h"
 
-/// What PNG files and animated ones consist of. PNG specification, third edition, W3C 2025.
+/// Parts of PNG and APNG files. PNG specification, third edition, W3C 2025.
 namespace contactscope {
 
-/// What a picture says of itself: keyword, of 1 to 79 letters, and value, UTF-8.
+/// Keywords (1 to 79 letters) and values (UTF-8).
 using PngText = std::vector<std::pair<std::string, std::string>>;
 
 inline constexpr std::string_view kPngSignature = "\x89PNG\r\n\x1a\n";
 
-/// Four bytes, the most significant one first.
+/// Big-endian.
 void append_be32(std::uint32_t value, Bytes& to);
 void append_be16(std::uint16_t value, Bytes& to);
 
-/// A chunk: length, type of four letters, what is in it, checksum.
+/// A chunk: length, four-letter type, data, checksum.
 void append_chunk(std::string_view type, std::span<const std::uint8_t> data, Bytes& to);
 
-/// Signature and header of a picture of 8 bits a channel: RGB, and alpha where it has some.
+/// Signature and header for 8 bits per channel: RGB, or RGBA if the picture has alpha.
 void append_png_begin(const Image& image, Bytes& to);
-/// A chunk for each text: tEXt where it is plain ASCII, else iTXt.
+/// One chunk per text: tEXt for ASCII, else iTXt.
 void append_png_text(const PngText& text, Bytes& to);
 
-/// Rows of part of a picture, each behind the byte that names its filter (none), as a zlib stream: what
-/// IDAT and fdAT hold. The box has at least one pixel; `level` is that of zlib_stream().
+/// Compressed rows of a part of a picture, unfiltered: the data of IDAT and fdAT. The box has at
+/// least one pixel; `level` is that of zlib_stream().
 Bytes deflated_rows(const Image& image, const PixelBox& box, int level);
 
 }  // namespace contactscope

@@ -5,8 +5,7 @@
 
 namespace contactscope {
 
-/// SHA-256 (FIPS 180-4) of bytes, as 64 hexadecimal digits: what `sha256sum` prints of a file that
-/// holds them.
+/// SHA-256 (FIPS 180-4) as 64 hexadecimal digits, like `sha256sum`.
 std::string sha256(std::string_view bytes);
 
 }  // namespace contactscope

@@ -5,20 +5,20 @@
 
 #include "image/image.h"
 
-/// A picture as text that a terminal turns back into one, with the line's end.
+/// Encodes pictures for display in a terminal, with a final newline.
 namespace contactscope {
 
-/// The graphics protocol of kitty, which others know too: the PNG itself, in pieces.
+/// Kitty graphics protocol, also supported by other terminals: the PNG itself, in pieces.
 std::string to_kitty(std::string_view png);
 
 /// Sixel graphics, DEC STD 070 of 1990: 216 colours, six rows at a time.
 std::string to_sixel(const Image& image);
 
-/// Two pixels a character, in 24-bit colours: what every terminal of today can. The picture is made as wide as
-/// `columns`, each pixel the mean of those that it stands for.
+/// Two pixels per character in 24-bit colours, for any modern terminal. Scales the picture to
+/// `columns` by averaging pixels.
 std::string to_half_blocks(const Image& image, int columns);
 
-/// A picture of at most this width, each pixel the mean of those that it stands for; a smaller one as it is.
+/// Reduces a picture to at most this width by averaging pixels.
 Image shrunk(const Image& image, int width);
 
 }  // namespace contactscope

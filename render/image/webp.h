@@ -9,25 +9,25 @@
 
 namespace contactscope {
 
-/// libwebp refused a picture: larger than 16383 pixels, or no memory is left.
+/// libwebp failed: a side over 16383 pixels, or out of memory.
 class WebpError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A lossless WebP, with alpha where the picture has some. `about`: XMP that is put in, where there is
-/// some. Throws WebpError. Equal pictures give equal bytes.
+/// Encodes lossless WebP, with alpha if the picture has it. `about` is optional XMP. Equal pictures
+/// give equal bytes. Throws WebpError.
 Bytes encode_webp(const Image& image, const std::string& about = {});
 
-/// A lossless animated WebP that plays forever, made a picture at a time. Throws WebpError.
+/// Encodes an endlessly looping lossless animation picture by picture. Throws WebpError.
 class WebpAnimation {
  public:
   WebpAnimation();
   ~WebpAnimation();
 
-  /// The next picture, as large as the first one. `milliseconds`: how long it is shown.
+  /// Adds a picture of the first one's size, shown for `milliseconds`.
   void add(const Image& image, int milliseconds);
 
-  /// The whole file, after the last picture; there was at least one.
+  /// Returns the whole file; at least one picture was added.
   Bytes finish(const std::string& about = {});
 
  private:

@@ -7,13 +7,13 @@
 
 namespace contactscope {
 
-/// Writes a file that is whole or absent, whoever reads meanwhile and wherever we are stopped: the
-/// bytes go to a hidden name in the same folder, which is then renamed. Replaces an existing file.
-/// Throws std::filesystem::filesystem_error with the path and the system's reason.
+/// Writes a file atomically: the bytes go to a hidden file in the same folder, which is then
+/// renamed. Readers never see a partial file. Replaces an existing file. Throws
+/// std::filesystem::filesystem_error with path and reason.
 void write_whole_file(const std::string& path, std::span<const std::uint8_t> bytes);
 
-/// All bytes of a regular file. Throws std::filesystem::filesystem_error, and std::runtime_error of a pipe or
-/// a device, which may have no end.
+/// Reads a regular file. Throws std::filesystem::filesystem_error, and std::runtime_error for a
+/// pipe or device, which may be endless.
 std::vector<std::uint8_t> read_whole_file(const std::string& path);
 
 }  // namespace contactscope

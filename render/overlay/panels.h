@@ -12,39 +12,39 @@ struct ImGuiContext;
 
 namespace contactscope::overlay {
 
-/// Dear ImGui for the windows of panels: a context of its own that knows no input, clock or file, so
-/// that equal calls give equal windows. It says where windows stand, how their padding and stacking
-/// are, and what they are painted with; the painting itself becomes primitives as everything else,
-/// so that no pixel depends on the version of Dear ImGui.
+/// A Dear ImGui context for the windows of panels, without input, clock or files, so that equal
+/// calls give equal windows. It determines position, padding, stacking and background of windows.
+/// They are painted as primitives, so pixels do not depend on the version of Dear ImGui.
 ///
-/// Shapes of one colour are supported; text and images are not: what stands in a window is a
-/// draw::Drawing of its own. Use one object for one sequence, on one thread (Dear ImGui's current
-/// context is global).
+/// Supports shapes of one colour, but no text or images: content of a window is a separate
+/// draw::Drawing. Use one object per sequence, on one thread (Dear ImGui's current context is
+/// global).
 class Windows {
  public:
-  /// White, without borders, on a canvas of this size. `scale` multiplies padding; 1 suits 720 lines.
+  /// White, without borders, on a canvas of this size. `scale` multiplies padding; 1 is for 720
+  /// lines.
   Windows(int width, int height, float scale);
   ~Windows();
   Windows(const Windows&) = delete;
   Windows& operator=(const Windows&) = delete;
 
-  /// Makes this ImGui context the current one and opens a frame of 1/60 s.
+  /// Makes this ImGui context current and starts a frame of 1/60 s.
   void begin_frame();
-  /// Closes the frame and adds its windows, those in the back first.
+  /// Ends the frame and adds its windows, back to front.
   void end_frame(draw::Drawing& drawing);
 
  private:
   ImGuiContext* imgui_;
 };
 
-/// The panels of one sequence, stacked in the layout's column: each in a Dear ImGui window, which
-/// says where its content goes. Staging and frames outlive it.
+/// Panels of a sequence, stacked in the layout's column. Dear ImGui windows determine the position
+/// of their contents. Staging and frames must outlive it.
 class PanelColumn {
  public:
   PanelColumn(const draw::Staging& staging, const std::vector<trace::Frame>& frames);
 
-  /// Adds the panels of one picture. Returns what the column has no room for, "panel plots" or "2
-  /// pairs of panel summary"; the picture says it too.
+  /// Adds the panels of one picture. Returns what does not fit, "panel plots" or "2 pairs of panel
+  /// summary"; the picture notes it too.
   std::vector<std::string> add(const draw::PanelMoment& moment, draw::Drawing& drawing);
 
  private:

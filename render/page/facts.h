@@ -6,24 +6,24 @@
 
 #include "draw/staging.h"
 
-/// What a page says of the things in a picture, in words: from the trace alone.
+/// Text about objects in a picture, from the trace alone.
 namespace contactscope::page {
 
 /// "overlap", "2.00 mm", and so on.
 using FactRows = std::vector<std::pair<std::string, std::string>>;
 
-/// A contact point, and where it is in the picture.
+/// A contact point and its position in the picture.
 struct PointFacts {
-  std::string key;                    // the same in every frame that has it
+  std::string key;                    // the same in every frame with the point
   std::string name;                   // "point 2"
   std::string of;                     // "crate and table"
   draw::Point2 at;                    // pixels
-  bool is_contact = false;            // not one that was dropped
-  std::vector<std::string> layers{};  // that show it
+  bool is_contact = false;            // false: dropped in reduction
+  std::vector<std::string> layers{};  // that show the point
   FactRows rows{};
 };
 
-/// A part of the picture that has a border: a face, or the outline of a shape.
+/// An area of the picture: a face, or the outline of a shape.
 struct AreaFacts {
   std::string key, name, of;
   std::string layer;
@@ -37,24 +37,24 @@ struct PairFacts {
   FactRows rows{};
 };
 
-/// "overlap" and its length, or "gap": of a separation in metres.
+/// "overlap" or "gap" and its length, for a separation in metres.
 std::pair<std::string, std::string> gap_row(double separation);
-/// "(0.5, 0, −1)", of metres or without a unit.
+/// "(0.5, 0, −1)", in metres or without a unit.
 std::string spell_vector(const Vec3d& vector);
-/// "edge 3 of crate, edge 7 of table" of an id as "a:e3 b:e7"; another engine's as it stands.
+/// "edge 3 of crate, edge 7 of table" for the id "a:e3 b:e7"; other ids are returned unchanged.
 std::string feature_words(const std::string& id, const trace::Pair& pair);
 
-/// Of a picture with a camera: the points that layers of it show, where it shows any of that pair.
+/// Points of a picture with a camera, for pairs that the picture shows.
 std::vector<PointFacts> point_facts(const draw::Staging& staging, const trace::Frame& frame,
                                     const draw::Drawing& drawing);
-/// Reference and incident faces, clip polygons and shapes, the one to be found first before the others.
+/// Reference and incident faces, clip polygons and shapes, in order of hit testing.
 std::vector<AreaFacts> area_facts(const draw::Staging& staging, const trace::Frame& frame,
                                   const draw::Drawing& drawing);
 std::vector<PairFacts> pair_facts(const trace::Frame& frame);
 
-/// Whether the drawing shows a layer, of that pair where one is given.
+/// True if the drawing shows a layer, for the pair if one is given.
 bool shows_layer(const draw::Drawing& drawing, std::string_view layer, std::string_view pair = {});
-/// How parts of a drawing name a pair.
+/// Name of a pair in parts of a drawing.
 std::string parts_of(const trace::Pair& pair);
 
 }  // namespace contactscope::page

@@ -7,24 +7,24 @@
 
 namespace contactscope::page {
 
-/// A group of a picture in SVG: what one part of the drawing shows.
+/// A group of a picture in SVG: one part of the drawing.
 struct SvgGroup {
   std::string layer, pair, role;  // as in draw::Part, escaped as in SVG
-  std::string markup;             // what is inside
+  std::string markup;             // its content
 
   friend auto operator<=>(const SvgGroup&, const SvgGroup&) = default;
 };
 
-/// The groups of a picture that svg_of() wrote, those without content left out.
+/// Non-empty groups of a picture written by svg_of().
 std::vector<SvgGroup> groups_in(std::string_view svg);
 
-/// The groups of many pictures, each distinct one once. One that a picture has several times is told
-/// apart by how often it was there before: a picture hangs each number in one place.
+/// Distinct groups of many pictures. Repeated groups in one picture get different numbers, because
+/// the page inserts each number at one place.
 class GroupStore {
  public:
-  /// Their numbers, in the same order.
+  /// Returns the groups' numbers, in order.
   std::vector<int> add(const std::vector<SvgGroup>& groups);
-  /// `<g id="g7" ...>...</g>`, one a line.
+  /// `<g id="g7" ...>...</g>`, one per line.
   std::string text(int number) const;
   int size() const { return static_cast<int>(in_order_.size()); }
 

@@ -9,26 +9,25 @@
 #include "page/groups.h"
 #include "vector/font_subset.h"
 
-/// One file of HTML with all frames of a sequence, which opens from disk and asks for nothing else:
-/// pictures as SVG, a slider, keys, switches of the layers, and the trace's facts of what is pointed
-/// at.
+/// A self-contained HTML file with all frames of a sequence: SVG pictures, a slider, keyboard
+/// control, layer switches, and facts of the trace about the object under the pointer.
 namespace contactscope::page {
 
 class Page {
  public:
-  /// `origin`: version, scenario, title and command are told in the page; what it is of a frame is
-  /// not. Staging outlives the page.
+  /// The page shows version, scenario, title and command of `origin`, but not its frame. Staging
+  /// must outlive the page.
   Page(const draw::Staging& staging, const PictureOrigin& origin);
 
-  /// The next frame, drawn with its panels.
+  /// Adds the next frame, drawn with its panels.
   void add(const trace::Frame& frame, const draw::Drawing& drawing);
 
-  /// All of it. At least one frame was added. Throws vector::MissingLibrary where the font cannot be
-  /// embedded.
+  /// The whole page; at least one frame was added. Throws vector::MissingLibrary if the font cannot
+  /// be embedded.
   std::string html() const;
 
  private:
-  /// Parts of the pictures, pixels.
+  /// Regions of the pictures, pixels.
   struct Areas {
     draw::Rect view, panels;
   };
@@ -41,7 +40,7 @@ class Page {
   GroupStore groups_;
   vector::UsedCharacters used_;
   std::vector<std::string> frames_;                          // as JSON
-  std::vector<std::pair<std::string, std::string>> legend_;  // signs and texts
+  std::vector<std::pair<std::string, std::string>> legend_;  // symbols and texts
   std::set<std::string> layers_;
   std::vector<int> first_view_, first_panels_;
   std::string first_moment_, title_;

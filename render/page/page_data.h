@@ -4,7 +4,7 @@
 
 namespace contactscope::page {
 
-/// page.html, page.css and page.js as the build embedded them.
+/// page.html, page.css and page.js, embedded by the build.
 std::string_view page_markup();
 std::string_view page_style();
 std::string_view page_script();

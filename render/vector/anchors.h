@@ -8,10 +8,9 @@
 
 namespace contactscope::vector {
 
-/// Where the things of a picture are in it, as JSON: contact points, normals, faces, shapes, labels and
-/// rectangles, in pixels and as fractions of width and height. README.md of this folder lists the keys.
-/// What is behind the eye or outside of the view is left out. `drawing` is of this frame, with its
-/// panels.
+/// Positions of contact points, normals, faces, shapes, labels and rectangles in a picture, as
+/// JSON: in pixels and as fractions of its size. README.md of this folder lists the keys. Omits
+/// objects behind the eye or outside the view. `drawing` is that of the frame, with panels.
 std::string anchors_of(const draw::Staging& staging, const trace::Frame& frame,
                        const draw::Drawing& drawing);
 

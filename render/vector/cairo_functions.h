@@ -7,7 +7,7 @@
 
 namespace contactscope::vector {
 
-// The functions of cairo and of FreeType, which it brings along, that pdf.cpp uses.
+// Functions of cairo and its dependency FreeType that pdf.cpp uses.
 #define CONTACTSCOPE_CAIRO(ROW)              \
   ROW(cairo_arc)                             \
   ROW(cairo_close_path)                      \

@@ -15,12 +15,12 @@
 
 namespace contactscope::vector {
 
-/// A library that a format needs is not installed. what() says which package has it.
+/// A library that a format needs is missing. what() names its package.
 class MissingLibrary : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A font by its weight and number (image/font.h): 0 is the embedded one, others came with --font.
+/// A font by weight and number (image/font.h): 0 is embedded, others are from --font.
 struct FontKey {
   FontWeight weight = FontWeight::Regular;
   std::size_t number = 0;
@@ -29,10 +29,10 @@ struct FontKey {
   friend auto operator<=>(const FontKey&, const FontKey&) = default;
 };
 
-/// The characters that texts use, of each font.
+/// Characters of texts by font.
 using UsedCharacters = std::map<FontKey, std::set<char32_t>>;
 
-/// Adds those of a drawing's texts.
+/// Adds the characters of a drawing's texts.
 void add_characters(const draw::Drawing& drawing, UsedCharacters& used);
 
 /// A font with the glyphs of these characters alone, as a TrueType file without kerning and
@@ -40,12 +40,11 @@ void add_characters(const draw::Drawing& drawing, UsedCharacters& used);
 /// which is opened at the first call; throws MissingLibrary where there is none.
 std::string font_subset(const FontKey& font, const std::set<char32_t>& characters);
 
-/// Opens libharfbuzz-subset, which font_subset() would do at its first call; throws MissingLibrary.
+/// Opens libharfbuzz-subset ahead of font_subset(); throws MissingLibrary.
 void require_font_subsets();
 
-/// CSS that embeds subsets of fonts: @font-face rules with data URLs, for the families of families(). A
-/// sequence's pictures use the same letters again and again: rules are kept. Several threads may ask at
-/// once.
+/// CSS with subsets of fonts for families(): @font-face rules with data URLs. Rules are cached,
+/// because the pictures of a sequence share most characters. Thread-safe.
 class FontFaces {
  public:
   std::string css(const UsedCharacters& used);
@@ -55,8 +54,7 @@ class FontFaces {
   std::map<std::pair<FontKey, std::set<char32_t>>, std::string> rules_;
 };
 
-/// What texts ask for, as CSS lists it: the embedded font, those that stand in for it, else what looks
-/// most like it.
+/// CSS font-family list: the embedded font, added fonts, then similar system fonts.
 std::string families(const UsedCharacters& used);
 
 }  // namespace contactscope::vector

@@ -11,15 +11,13 @@ struct PdfOptions {
   const PictureOrigin* origin = nullptr;  // written as metadata
 };
 
-/// Opens libcairo, which pdf_of() would do at its first call; throws MissingLibrary (font_subset.h) where
-/// there is none.
+/// Opens libcairo ahead of pdf_of(); throws MissingLibrary (font_subset.h).
 void require_pdf();
 
-/// The drawing as one page of PDF, written by libcairo: the same pieces as in SVG (pieces.h), text that
-/// can be searched and copied in embedded subsets of the font. The page is as large as the drawing says. The date of creation is that of
-/// SOURCE_DATE_EPOCH (seconds since 1970), or 1970 where that is not set: equal drawings give equal bytes,
-/// as long as cairo is the same.
-/// Throws MissingLibrary as require_pdf() does.
+/// One PDF page, written by libcairo with the same pieces as SVG (pieces.h), in the drawing's size.
+/// Text is searchable and uses embedded font subsets. The creation date is SOURCE_DATE_EPOCH
+/// (seconds since 1970), or 1970 if unset, so equal drawings give equal bytes with the same version
+/// of cairo. Throws MissingLibrary like require_pdf().
 std::string pdf_of(const draw::Drawing& drawing, const PdfOptions& options = {});
 
 }  // namespace contactscope::vector

@@ -6,7 +6,7 @@
 
 #include "draw/scene/drawing.h"
 
-/// A Drawing as vector files want it: what is seen, in as few paths as give the same picture.
+/// Converts a Drawing for vector files: visible parts only, in as few paths as possible.
 namespace contactscope::vector {
 
 using draw::Cap;
@@ -17,28 +17,28 @@ using draw::Point2;
 using draw::Rect;
 using draw::Text;
 
-/// Polygons of one colour, painted as one shape, so that no seam shows between neighbours.
+/// Polygons of one colour painted as one shape, without seams between neighbours.
 struct FillPath {
   std::vector<std::vector<Point2>> polygons;
   Color color{};
 };
 
-/// A line through some points. A closed one ends where it began, which is not listed twice.
+/// A closed line ends at its first point, which is not repeated.
 struct Polyline {
   std::vector<Point2> points;
   bool closed = false;
 };
 
-/// Lines of one style, each with its dashes from the beginning.
+/// Lines of one style; the dash pattern restarts for each line.
 struct StrokePath {
   std::vector<Polyline> lines;
   float width = 1;  // pixels
   Color color{};
   Cap cap = Cap::Butt;
-  float dash = 0, gap = 0, phase = 0;  // as of a draw::Stroke
+  float dash = 0, gap = 0, phase = 0;  // as in draw::Stroke
 };
 
-/// Text with its left end and baseline where the rasterizer puts them: on a quarter of a column and on
+/// Text with the position of the rasterizer: its left end on a quarter of a column, its baseline on
 /// a row of pixels.
 struct PlacedText {
   const Text* text = nullptr;
@@ -48,19 +48,19 @@ struct PlacedText {
 
 using Piece = std::variant<FillPath, StrokePath, Disc, PlacedText>;
 
-/// The pieces of one part of the drawing, in the order of painting.
+/// Pieces of one part of the drawing, in painting order.
 struct Group {
   const Part* part = nullptr;  // null before the first part
   std::vector<Piece> pieces;
 };
 
-/// All that is seen of a drawing, which outlives them: without what has no colour, no size or no place
-/// on the canvas, and without what later opaque fills cover whole (visible.h). Neighbouring fills of one
-/// colour are one path where they do not overlap, or are opaque; strokes of one style are one path, and
-/// one line where an end meets a beginning.
+/// Visible pieces of a drawing, which must outlive them. Omits primitives without colour, size or a
+/// place on the canvas, and those that later opaque fills cover (visible.h). Adjacent fills of one
+/// colour share a path if they are opaque or do not overlap. Strokes of one style share a path, and
+/// are joined end to end into lines.
 std::vector<Group> groups_of(const draw::Drawing& drawing);
 
-/// Where the rasterizer puts a text.
+/// Position of a text in the rasterizer.
 PlacedText placed(const Text& text);
 
 }  // namespace contactscope::vector

@@ -4,14 +4,14 @@
 
 namespace contactscope::vector {
 
-/// A shared library that is opened when a format first needs it: what it brings along (fonts, X11) would
-/// cost every start of the program. It stays open.
+/// A shared library opened when a format first needs it, because its dependencies (fonts, X11)
+/// would slow down every start of the program. It is never closed.
 class SharedLibrary {
  public:
-  /// `name` as the linker calls it, "libcairo.so.2"; `package` has it. Throws MissingLibrary.
+  /// `name` is for the loader, "libcairo.so.2"; `package` provides it. Throws MissingLibrary.
   SharedLibrary(const std::string& name, const std::string& package, const std::string& purpose);
 
-  /// Sets a pointer to the function of that name, which may be one of a library that this one needs.
+  /// Looks up a function, also in the library's dependencies.
   template <class Function>
   void find(const char* name, Function*& function) const {
     function = reinterpret_cast<Function*>(address(name));

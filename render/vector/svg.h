@@ -10,25 +10,26 @@ namespace contactscope::vector {
 
 struct SvgOptions {
   const PictureOrigin* origin = nullptr;  // written as metadata
-  FontFaces* fonts = nullptr;             // of the sequence; null: of this picture alone
-  bool embed_font = true;                 // false: in a page that has the font once
-  std::string id_prefix{};                // before every id, where several stand in one page
-  /// Of the whole picture, as SVG spells lengths; empty: as large as its pixels are on paper.
+  FontFaces* fonts = nullptr;             // shared by a sequence; null: for this picture only
+  bool embed_font = true;                 // false: for a page that embeds the font once
+  std::string id_prefix{};                // for every id, if a page has several pictures
+  /// Size of the picture as SVG lengths; empty: the size of its pixels on paper.
   std::string width{}, height{};
 };
 
-/// The drawing as a file of SVG 1.1 with what browsers, Inkscape and librsvg know of SVG 2:
+/// Writes SVG 1.1, with features of SVG 2 that browsers, Inkscape and librsvg support:
 ///
-/// - A group for each run of primitives of one part:
-///   <g id="contacts" class="layer contacts" data-pair="table crate" data-role="mark">. An id is the
-///   layer's name, of a panel or inset "panel-summary"; the second run has "contacts-2", and so on.
-/// - Live text in the embedded font, of which it holds the letters that it uses, each weight by itself.
-/// - Nothing that is not seen (pieces.h). Neighbouring polygons of surfaces are painted without soft
-///   edges, as in pixels, so that no seam shows.
-/// - Places with two decimals; equal drawings give equal bytes. It is as large as the drawing's pixels
-///   are on paper: in pixels of CSS, or in points where they are of another size.
-///
-/// Throws MissingLibrary where the font is to be embedded and libharfbuzz-subset is not installed.
+/// - Each run of primitives of one part is a group:
+/// \v  <g id="contacts" class="layer contacts" data-pair="table crate" data-role="mark">. Its id is
+/// the
+/// \v  name of the layer, or "panel-summary" for panels and insets; later runs get "contacts-2",
+/// ...
+/// - Text is live, in subsets of the embedded font for each weight.
+/// - Invisible primitives are omitted (pieces.h). Neighbouring polygons of surfaces have no soft
+/// edges, as in pixels, to avoid seams.
+/// - Positions have two decimals; equal drawings give equal bytes. The size is that of the pixels
+/// on paper: CSS pixels, or points if they are of another size.
+/// Throws MissingLibrary if the font is to be embedded and libharfbuzz-subset is missing.
 std::string svg_of(const draw::Drawing& drawing, const SvgOptions& options = {});
 
 }  // namespace contactscope::vector

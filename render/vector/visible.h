@@ -6,12 +6,11 @@
 
 namespace contactscope::vector {
 
-/// For each primitive whether any of it is seen: it has a colour and a size, it reaches into the
-/// canvas, and opaque fills painted later do not cover all of the pixels that it touches and those
-/// around them.
+/// For each primitive, true if it is visible: it has a colour and a size, reaches into the canvas,
+/// and later opaque fills do not cover all its pixels and their neighbours.
 ///
-/// Steps: from the last primitive to the first; a fill without alpha covers the pixels whose middle it
-/// holds, as it does when it is rasterized; who touches covered pixels alone is hidden.
+/// Goes from the last primitive to the first. A fill without alpha covers the pixels with their
+/// centres inside, as in rasterization. A primitive that touches only covered pixels is hidden.
 std::vector<bool> visible(const draw::Drawing& drawing);
 
 }  // namespace contactscope::vector
