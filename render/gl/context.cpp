@@ -17,8 +17,8 @@ void release_current() {
   if (current) current->release();
 }
 
-/// Clears one pixel off screen and reads it: a context can open and still draw nothing, as OSMesa
-/// does in a process that linked libGL first.
+/// Clears one pixel off screen and reads it back. A context may open and still draw nothing, like
+/// OSMesa in a process that linked libGL first.
 bool draws(const Functions& gl) {
   GLuint framebuffer = 0, renderbuffer = 0;
   gl.GenFramebuffers(1, &framebuffer);
@@ -92,7 +92,7 @@ std::unique_ptr<Context> started(std::unique_ptr<Context> context,
 }
 
 Library::Library(const std::string& library_name, const std::string& remedy)
-    // RTLD_LOCAL keeps one route's symbols from standing in for the other's.
+    // RTLD_LOCAL: symbols of one route must not replace those of another.
     : name(library_name), handle(dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL)) {
   if (!handle) throw ContextError(std::string(dlerror()) + "; " + remedy);
 }

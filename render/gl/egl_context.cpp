@@ -1,5 +1,5 @@
-// EGL without a window system: Mesa's surfaceless platform, and the devices that EGL lists.
-#define EGL_EGL_PROTOTYPES 0  // everything comes out of the opened library
+// EGL without a window system: Mesa's surfaceless platform, and EGL devices.
+#define EGL_EGL_PROTOTYPES 0  // all functions are from the opened library
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 
@@ -24,7 +24,7 @@ struct Egl {
     }
     return false;
   }
-  /// Null where EGL has no such function.
+  /// Null if EGL does not have the function.
   Symbol extension(const char* name) const {
     return {reinterpret_cast<void*>(get_proc_address(name))};
   }
@@ -71,7 +71,7 @@ class EglContext final : public Context {
     context_ = egl_.create_context(display_, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, wanted);
     if (context_ == EGL_NO_CONTEXT) fail(egl_, "eglCreateContext for OpenGL 3.3 core");
   }
-  // The display stays initialized: EGL has one a process, and other contexts may live in it.
+  // The display stays initialized: it is shared by the process, and other contexts may use it.
   ~EglContext() override {
     release();
     egl_.destroy_context(display_, context_);
@@ -132,7 +132,7 @@ std::vector<Route> egl_device_routes(const std::string& library) {
                         }});
     }
   } catch (const ContextError&) {
-    // The surfaceless route has reported why the library does not open.
+    // the surfaceless route has reported the error
   }
   return routes;
 }

@@ -1,4 +1,4 @@
-// Mesa's off-screen interface: no window system and no EGL. It left Mesa in 25.1.
+// Mesa's off-screen interface, without a window system or EGL. Mesa 25.1 removed it.
 #include <array>
 #include <cstdint>
 
@@ -7,8 +7,8 @@
 namespace contactscope::gl {
 namespace {
 
-// Constants and types of GL/osmesa.h, which cannot be included: it brings GL/gl.h and its
-// prototypes along.
+// Constants and types of GL/osmesa.h, which cannot be included because it includes GL/gl.h with its
+// prototypes.
 constexpr int kFormat = 0x22, kProfile = 0x33, kCoreProfile = 0x34;
 constexpr int kMajorVersion = 0x36, kMinorVersion = 0x37;
 using OsmesaHandle = struct osmesa_context*;
@@ -47,7 +47,7 @@ class OsmesaContext final : public Context {
   }
   void unbind() override { osmesa_.make_current(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0); }
 
-  // OSMesa insists on a window; pictures go to framebuffer objects.
+  // OSMesa requires a window buffer; pictures use framebuffer objects.
   static constexpr int kSide = 4;
   Osmesa osmesa_;
   OsmesaHandle context_ = nullptr;

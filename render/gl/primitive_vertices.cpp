@@ -12,16 +12,16 @@ namespace {
 
 using draw::Point2;
 
-// A pixel whose centre is further than half a pixel's diagonal from a shape has no coverage. The
-// rest is for the driver's own rounding of corners, to 1/256 of a pixel.
+// A pixel farther than half its diagonal from a shape has no coverage. The extra margin is for the
+// driver's rounding of corners to 1/256 pixel.
 constexpr float kFringe = 0.7072f + 1.0f / 64;
 
 [[maybe_unused]] bool finite(const Point2& p) {
   return std::isfinite(p.x) && std::isfinite(p.y);
 }
 
-/// Corners of the rectangle that runs `back` behind `from`, `ahead` beyond it, and `side` to both
-/// sides of `direction`.
+/// Corners of a rectangle: `back` behind `from`, `ahead` before it, and `side` to both sides of
+/// `direction`.
 std::array<Point2, 4> oriented_quad(const Point2& from, const Point2& direction, float back,
                                     float ahead, float side) {
   const auto corner = [&](float along, float across) {
@@ -30,7 +30,7 @@ std::array<Point2, 4> oriented_quad(const Point2& from, const Point2& direction,
   return {corner(-back, -side), corner(ahead, -side), corner(ahead, side), corner(-back, side)};
 }
 
-/// Nearest of 256 steps a channel, as the framebuffer stores it.
+/// Rounds to 8 bits per channel, as the framebuffer does.
 std::array<std::uint8_t, 4> to_bytes(const draw::Color& color) {
   const auto byte = [](float channel) {
     return static_cast<std::uint8_t>(std::clamp(channel, 0.0f, 1.0f) * 255 + 0.5f);
@@ -95,9 +95,9 @@ void PrimitiveVertices::add(const draw::Text& text) {
   assert(finite(text.at));
   if (!(text.size > 0)) return;
   const float width = text_width(text.text, text.size, text.weight);
-  // Left, middle and right end are so many halves of the width away from the left end.
+  // Left, middle and right are 0, 1 and 2 half widths from the left end.
   const float anchor = text.at.x - 0.5f * static_cast<float>(text.align) * width;
-  // The run is put on a quarter as a whole, so that a label that moves keeps its spacing.
+  // Snap the whole text to a quarter pixel, so that a moving label keeps its spacing.
   const float start = std::floor(anchor * 4 + 0.5f) / 4;
   const int baseline = static_cast<int>(std::floor(text.at.y + 0.5f));
   const std::vector<char32_t> codes = code_points(text.text);
@@ -105,7 +105,7 @@ void PrimitiveVertices::add(const draw::Text& text) {
     float pen = start;
     for (const char32_t code : codes) {
       const int quarters = static_cast<int>(std::floor(pen * 4 + 0.5f));
-      const int pixel = quarters >> 2;  // floor, also left of the frame
+      const int pixel = quarters >> 2;  // floor, also for negative positions
       add_glyph(atlas.find({code, text.size, text.weight, quarters & 3, halo}), pixel, baseline,
                 color);
       pen += advance(code, text.size, text.weight);
@@ -128,7 +128,7 @@ void PrimitiveVertices::add_glyph(const GlyphPlace& glyph, int pen_x, int baseli
               std::array<Point2, 4>{{{left, top}, {right, top}, {right, bottom}, {left, bottom}}});
 }
 
-/// A fan of triangles, whose corners have all but their place in common with `vertex`.
+/// Adds a triangle fan; its corners share all attributes of `vertex` except the position.
 void PrimitiveVertices::add_polygon(Painter painter, int page, Vertex vertex,
                                     std::span<const Point2> corners) {
   if (batches.empty() || batches.back().painter != painter || batches.back().page != page)

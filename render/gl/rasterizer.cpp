@@ -11,7 +11,7 @@
 namespace contactscope::gl {
 namespace {
 
-/// An input of the vertex shader, at the location that is its place in the list.
+/// An input of the vertex shader; its location is its index in the list.
 struct Attribute {
   const char* name;
   GLint components;
@@ -27,7 +27,7 @@ constexpr Attribute kAttributes[] = {
     {"run", 3, GL_FLOAT, GL_FALSE, offsetof(Vertex, run)},
 };
 
-/// What `get_log` says of a shader or program. Throws it as a std::runtime_error.
+/// Throws std::runtime_error with the log of a shader or program.
 template <class GetLog>
 [[noreturn]] void reject(const std::string& what, GLuint object, const GetLog& get_log) {
   std::string log(4096, '\0');
@@ -44,7 +44,7 @@ void attach(const Functions& gl, GLuint program, GLenum kind, const char* source
   gl.GetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
   if (!compiled) reject("the driver rejects a shader: ", shader, gl.GetShaderInfoLog);
   gl.AttachShader(program, shader);
-  gl.DeleteShader(shader);  // goes with the program
+  gl.DeleteShader(shader);  // deleted with the program
 }
 
 /// Compiles and links GLSL 3.30. Throws std::runtime_error with the driver's log.
@@ -62,7 +62,7 @@ GLuint build_program(const Functions& gl, const char* fragment_source) {
   return program;
 }
 
-/// From colours that are premultiplied by alpha.
+/// Converts from colours premultiplied by alpha.
 Image straight(const std::vector<std::uint8_t>& rgba, int width, int height) {
   Image image(width, height);
   image.alpha.resize(rgba.size() / 4);
@@ -138,7 +138,7 @@ void Rasterizer::make_vertex_array() {
   }
 }
 
-/// Copies the rows of the atlas that changed since the last frame.
+/// Uploads the rows of the atlas that changed since the last frame.
 void Rasterizer::upload_glyphs() {
   gl_.ActiveTexture(GL_TEXTURE0);
   gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
@@ -172,15 +172,15 @@ void Rasterizer::paint(const draw::Drawing& drawing) {
   gl_.Viewport(0, 0, width_, height_);
   gl_.Disable(GL_SCISSOR_TEST);
   const draw::Color& background = drawing.background;
-  // Blending as below leaves colours premultiplied by what they cover, if it begins with such.
+  // The blending below keeps colours premultiplied by coverage if the background is.
   opaque_ = background.a >= 1;
   gl_.ClearColor(background.a * background.r, background.a * background.g,
                  background.a * background.b, background.a);
   gl_.Clear(GL_COLOR_BUFFER_BIT);
   gl_.Disable(GL_DEPTH_TEST);
   gl_.Disable(GL_CULL_FACE);
-  // Mixed as the bytes stand, without linearizing: a half transparent #0072B2 on white is what
-  // every other tool makes of it.
+  // Blends sRGB bytes without linearizing, so that half transparent #0072B2 on white looks as in
+  // other tools.
   gl_.Enable(GL_BLEND);
   gl_.BlendEquation(GL_FUNC_ADD);
   gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
@@ -208,14 +208,14 @@ Image Rasterizer::read() {
   rgba_.resize(4 * pixels);
   gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
   gl_.PixelStorei(GL_PACK_ALIGNMENT, 4);
-  // As stored, and packed below: drivers convert to GL_RGB pixel by pixel.
+  // Read RGBA and pack it below: drivers convert to GL_RGB pixel by pixel.
   gl_.ReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, rgba_.data());
   if (gl_.GetError() != GL_NO_ERROR) throw std::runtime_error("OpenGL failed to paint a picture");
   if (!opaque_) return straight(rgba_, width_, height_);
   Image image(width_, height_);
   const std::uint8_t* from = rgba_.data();
   std::uint8_t* to = image.rgb.data();
-  // Four bytes at once are one move each; the next pixel overwrites the fourth.
+  // Copy four bytes at once; the next pixel overwrites the fourth.
   for (std::size_t i = 1; i < pixels; ++i, from += 4, to += 3) std::memcpy(to, from, 4);
   std::memcpy(to, from, 3);
   return image;

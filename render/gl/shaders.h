@@ -32,8 +32,8 @@ void main() { fragment = frag_color; }
 )";
 
 // A stroke or a disc. In the stroke's frame, with s across and t along,
-// \v  butt caps    coverage = (share of the pixel within the width) * (share within a dash)
-// \v  round caps   coverage = share of the pixel within half a width of the nearest dash
+//   butt caps    coverage = (share of the pixel within the width) * (share within a dash)
+//   round caps   coverage = share of the pixel within half a width of the nearest dash
 // A disc is a round cap of length 0, and a ring the same around its middle radius. Across an edge
 // the share is the exact area of the square pixel; its profile along the edge's normal is a
 // trapezoid. The coverage of a line then sums to its width at every angle. A linear ramp of one

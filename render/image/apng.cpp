@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <cstring>
 
-// PNG specification, third edition, W3C 2025, section 11.3.6: acTL before the pixels says how many
-// pictures there are; each has an fcTL, and its pixels in an IDAT (the first) or an fdAT.
+// PNG specification, third edition, W3C 2025, section 11.3.6: acTL before the pixels has the number
+// of pictures. Each picture has an fcTL, and pixels in an IDAT (the first) or an fdAT.
 namespace contactscope {
 namespace {
 
@@ -32,7 +32,7 @@ PixelBox changed_box(const Image& before, const Image& after) {
     const std::size_t p = pixel_at(after, 0, y);
     if (after.alpha.empty() && std::memcmp(&before.rgb[3 * p], &after.rgb[3 * p], row) == 0)
       continue;
-    // From both ends, and no further than to what is in the box already.
+    // Search from both ends.
     int left = 0, right = after.width;
     while (left < right && !differ(left, y)) ++left;
     if (left == right) continue;
@@ -47,7 +47,7 @@ void ApngEncoder::append_control(const PixelBox& box, int milliseconds) {
   append_be32(numbers_++, control);
   for (const int number : {box.right - box.left, box.bottom - box.top, box.left, box.top})
     append_be32(static_cast<std::uint32_t>(number), control);
-  // A fraction of two times 16 bits: more than a minute in whole seconds.
+  // The delay is a fraction of two 16-bit numbers: in whole seconds if it is over 65 s.
   const bool is_long = milliseconds > 0xFFFF;
   append_be16(
       static_cast<std::uint16_t>(std::min(is_long ? milliseconds / 1000 : milliseconds, 0xFFFF)),
@@ -81,7 +81,7 @@ Bytes ApngEncoder::finish(const PngText& text) const {
   Bytes file = begin_;
   Bytes animation;
   append_be32(frames_, animation);
-  append_be32(0, animation);  // plays: forever
+  append_be32(0, animation);  // plays: endless
   append_chunk("acTL", animation, file);
   append_png_text(text, file);
   file.insert(file.end(), body_.begin(), body_.end());

@@ -12,7 +12,7 @@ std::size_t index(int width, int x, int y) {
          static_cast<std::size_t>(x);
 }
 
-/// Where two pictures differ, on a canvas that holds both.
+/// Differences of two pictures, on a canvas that holds both.
 struct DifferenceMask {
   int width, height;
   std::vector<std::uint8_t> differs = std::vector<std::uint8_t>(index(width, 0, height));
@@ -50,7 +50,7 @@ struct Cluster {
   PixelBox box;
 };
 
-/// Takes the 8-connected group of (x, y) out of the mask.
+/// Removes the 8-connected group of (x, y) from the mask.
 Cluster take_cluster(DifferenceMask& mask, int x, int y) {
   struct Pixel {
     int x, y;
@@ -77,7 +77,7 @@ Cluster take_cluster(DifferenceMask& mask, int x, int y) {
   return cluster;
 }
 
-/// The first of the largest groups in reading order.
+/// The largest group; the first in reading order if several are equal.
 Cluster largest_cluster(DifferenceMask mask) {
   Cluster largest;
   for (int y = 0; y < mask.height; ++y) {
@@ -95,7 +95,7 @@ void set_pixel(Image& image, int x, int y, const std::array<std::uint8_t, 3>& rg
   std::ranges::copy(rgb, &image.rgb[3 * index(image.width, x, y)]);
 }
 
-/// A frame of `thickness` pixels that leaves `gap` pixels free around the box.
+/// Draws a frame of `thickness` pixels at a distance of `gap` pixels around the box.
 void draw_frame(Image& image, const PixelBox& box, int gap, int thickness) {
   const int outer = gap + thickness;
   for (int y = box.top - outer; y < box.bottom + outer; ++y) {
@@ -131,7 +131,7 @@ Image difference_image(const Image& expected, const Image& actual) {
         continue;
       }
       const std::uint8_t* pixel = &expected.rgb[3 * index(expected.width, x, y)];
-      // Rec. 601 luma, then a third of the contrast on white.
+      // Rec. 601 luma, then one third of the contrast on white.
       const int luma = (299 * pixel[0] + 587 * pixel[1] + 114 * pixel[2] + 500) / 1000;
       const auto ghost = static_cast<std::uint8_t>(255 - (255 - luma) / 3);
       set_pixel(out, x, y, {ghost, ghost, ghost});

@@ -42,7 +42,7 @@ struct PixelComparison {
   }
 };
 
-/// True equality or tolerance: equal bytes pass; differing pixels fail by the size of their largest
+/// Compares two pictures. Equal bytes pass. Differing pixels fail by the size of their largest
 /// group or by their number; different sizes fail. The mean error is not used, because it ranks a
 /// driver's rounding far above a lost dot.
 PixelComparison compare_pixels(const Image& expected, const Image& actual,

@@ -17,7 +17,7 @@ std::uint32_t as_u32(std::size_t size) {
   return static_cast<std::uint32_t>(size);
 }
 
-// For what is stored, where a small file is worth the time.
+// For stored files, which justify the time.
 Bytes small_stream(std::span<const std::uint8_t> bytes, int level) {
   const std::unique_ptr<libdeflate_compressor, void (*)(libdeflate_compressor*)> compressor(
       libdeflate_alloc_compressor(level), libdeflate_free_compressor);
@@ -29,10 +29,10 @@ Bytes small_stream(std::span<const std::uint8_t> bytes, int level) {
   return {out.get(), out.get() + length};
 }
 
-// Sequences are bound by how fast a picture becomes a file: ISA-L compresses one of 1280x720 in 1 to 2.5 ms
-// where the first level of libdeflate takes 13 to 19, into a file that is 5 to 12 % larger.
+// Writing sequences is limited by encoding: ISA-L compresses 1280x720 in 1 to 2.5 ms, level 1 of
+// libdeflate in 13 to 19 ms. Its files are 5 to 12 % larger.
 Bytes fast_stream(std::span<const std::uint8_t> bytes) {
-  constexpr int kLevel = 2;  // as fast as its first one on pictures, and 1 % smaller
+  constexpr int kLevel = 2;  // as fast as level 1 on pictures, and 1 % smaller
   if (bytes.size() > std::numeric_limits<std::uint32_t>::max())
     throw std::length_error("more than 4 GB cannot be compressed at once");
   const auto work = std::make_unique_for_overwrite<std::uint8_t[]>(ISAL_DEF_LVL2_DEFAULT);
@@ -44,7 +44,7 @@ Bytes fast_stream(std::span<const std::uint8_t> bytes) {
   stream.gzip_flag = IGZIP_ZLIB;
   stream.end_of_stream = 1;
   stream.flush = NO_FLUSH;
-  // It is only read; the interface is one of C without const.
+  // Not modified; the C interface lacks const.
   stream.next_in = const_cast<std::uint8_t*>(bytes.data());
   stream.avail_in = as_u32(bytes.size());
 

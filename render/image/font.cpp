@@ -11,7 +11,7 @@
 #include "image/glyph_coverage.h"
 #include "image/whole_file.h"
 
-// For reading the font alone. Static, so that a shared object of another version cannot stand in.
+// Only reads the font. Static, so that no shared library of another version can replace it.
 #define STBTT_STATIC
 #define STB_TRUETYPE_IMPLEMENTATION
 #include <stb/stb_truetype.h>
@@ -19,21 +19,21 @@
 namespace contactscope {
 namespace {
 
-/// A file, and what stb_truetype knows of it.
+/// A font file, parsed by stb_truetype.
 struct Face {
   std::span<const unsigned char> data;
   stbtt_fontinfo info{};
 };
 
-/// Of one font in both weights.
+/// A font in both weights.
 struct Font {
-  std::vector<unsigned char> regular, bold;  // of an added one, what it was read from
+  std::vector<unsigned char> regular, bold;  // data of an added font
   Face faces[2];
 
   const Face& face(FontWeight weight) const { return faces[weight == FontWeight::Bold ? 1 : 0]; }
 };
 
-/// Nothing where the bytes are no font.
+/// Nullopt if the bytes are not a font.
 std::optional<Face> load(std::span<const unsigned char> data) {
   Face face{data};
   if (data.size() < 12) return std::nullopt;
@@ -45,11 +45,11 @@ std::optional<Face> load(std::span<const unsigned char> data) {
 Font embedded_font() {
   const std::optional<Face> regular = load(font_data(FontWeight::Regular));
   const std::optional<Face> bold = load(font_data(FontWeight::Bold));
-  if (!regular || !bold) std::abort();  // the build embedded something that is no font
+  if (!regular || !bold) std::abort();  // the build embedded an invalid font
   return {{}, {}, {*regular, *bold}};
 }
 
-/// The embedded one first.
+/// The embedded font comes first.
 std::deque<Font>& fonts() {
   static std::deque<Font> all{embedded_font()};
   return all;
@@ -63,7 +63,7 @@ float scale_of(float size, FontWeight weight) {
   return stbtt_ScaleForPixelHeight(&font(weight), size);
 }
 
-/// Where a character's outline is, and pixels for one of its font's units.
+/// The font and index of a glyph, and the scale from font units to pixels.
 struct GlyphSource {
   const stbtt_fontinfo* info;
   int glyph;
@@ -83,10 +83,10 @@ GlyphSource source_of(char32_t code_point, float size, FontWeight weight) {
           stbtt_ScaleForMappingEmToPixels(&info, em)};
 }
 
-/// How far a chord may be from its curve, pixels.
+/// largest distance of a chord from its curve, pixels
 constexpr float kFlatness = 0.35f;
 
-/// Halves a quadratic curve until its chords are as near as `flatness`, and adds their ends.
+/// Bisects a quadratic curve until chords are within `flatness`, and adds their end points.
 void add_curve(const ContourPoint& from, const ContourPoint& control, const ContourPoint& to,
                double flatness, Contour& contour) {
   const ContourPoint middle{0.25 * (from.x + 2 * control.x + to.x),
@@ -101,8 +101,8 @@ void add_curve(const ContourPoint& from, const ContourPoint& control, const Cont
   add_curve(middle, {0.5 * (control.x + to.x), 0.5 * (control.y + to.y)}, to, flatness, contour);
 }
 
-/// The outline of a glyph whose pen stands at (left, top) in the bitmap, pixels. TrueType has lines
-/// and quadratic curves.
+/// Outline of a glyph with the pen at (left, top) of the bitmap, in pixels. TrueType outlines
+/// consist of lines and quadratic curves.
 std::vector<Contour> outline_of(const stbtt_fontinfo& info, int glyph, float scale, float left,
                                 float top) {
   stbtt_vertex* vertices = nullptr;
@@ -131,9 +131,9 @@ std::vector<Contour> outline_of(const stbtt_fontinfo& info, int glyph, float sca
   return outline;
 }
 
-/// Dilation of a coverage bitmap by a disc: each pixel takes the largest coverage within reach,
-/// faded over the pixel where the disc ends. Along a straight edge the result is exact: a pixel k
-/// places outwards of a covered one holds halo - (k - 1) of the halo, clamped.
+/// Dilates a coverage bitmap by a disc: each pixel takes the largest coverage within reach, faded
+/// over the last pixel of the disc. Exact along straight edges: a pixel k steps outside of a
+/// covered one gets halo - (k - 1), clamped.
 GlyphBitmap dilated(const GlyphBitmap& glyph, float halo) {
   const int reach = static_cast<int>(std::ceil(halo));
   GlyphBitmap out{glyph.width + 2 * reach, glyph.height + 2 * reach, glyph.left - reach,
@@ -162,10 +162,10 @@ GlyphBitmap dilated(const GlyphBitmap& glyph, float halo) {
 
 constexpr char32_t kReplacement = 0xFFFD;
 
-/// Bytes that a sequence starting with `lead` has; 0 when no sequence starts so.
+/// Length in bytes of a sequence that starts with `lead`; 0 if invalid.
 std::size_t sequence_length(unsigned char lead) {
   if (lead < 0x80) return 1;
-  if (lead >= 0xC2 && lead < 0xE0) return 2;  // 0xC0 and 0xC1 only start overlong forms
+  if (lead >= 0xC2 && lead < 0xE0) return 2;  // 0xC0 and 0xC1 would only start overlong forms
   if (lead >= 0xE0 && lead < 0xF0) return 3;
   if (lead >= 0xF0 && lead < 0xF5) return 4;
   return 0;

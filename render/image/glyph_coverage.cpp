@@ -7,9 +7,9 @@
 namespace contactscope {
 namespace {
 
-/// What the edges of an outline add to the pixels of a bitmap. Each edge covers what is on its
-/// right, downwards positive and upwards negative: the sum from the left is the coverage of a pixel.
-/// Two columns more take up what edges at the right border leave behind it.
+/// Accumulates the edges of an outline. Each edge covers the pixels on its right, positive if it
+/// goes down and negative if it goes up; the prefix sum of a row is its coverage. Two extra columns
+/// take the contributions of edges at the right border.
 struct CoverageSums {
   int width, height;
   std::vector<double> sums = std::vector<double>(index(height, 0));
@@ -35,13 +35,13 @@ struct CoverageSums {
     }
   }
 
-  /// Part of an edge within one row, `rise` high with its sign.
+  /// Adds a part of an edge within one row, with its signed height `rise`.
   void add_to_row(int row, double x0, double x1, double rise) {
     const auto [left, right] = std::minmax(x0, x1);
     const int first = static_cast<int>(std::floor(left));
     for (int column = first; column == first || column < right; ++column) {
-      // The part within this column. What is on its right covers the pixel to the mean of both
-      // ends, and all pixels after it whole.
+      // Split at columns: this part covers its pixel from the mean of its ends to the right, and
+      // all pixels to the right fully.
       const double from = std::max<double>(left, column), to = std::min<double>(right, column + 1);
       const double part = right > left ? rise * (to - from) / (right - left) : rise;
       const double uncovered = part * (0.5 * (from + to) - column);

@@ -8,7 +8,7 @@
 namespace contactscope {
 
 std::string gzip(std::string_view bytes) {
-  constexpr int kLevel = 9;  // written once, and read by every clone
+  constexpr int kLevel = 9;  // written once, read by every clone
   const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor(
       libdeflate_alloc_compressor(kLevel), &libdeflate_free_compressor);
   if (!compressor) throw std::bad_alloc();
@@ -22,11 +22,11 @@ std::string gunzip(std::string_view file) {
   constexpr std::size_t kLeast = 18, kMost = std::size_t{2} << 30;  // header and trailer
   const auto fail = [] { throw std::runtime_error("it is no whole gzip file"); };
   if (file.size() < kLeast) fail();
-  // The last four bytes are the size, the lowest first.
+  // The last four bytes are the size, little-endian.
   std::size_t size = 0;
   for (std::size_t i = 0; i < 4; ++i)
     size |= std::size_t{static_cast<unsigned char>(file[file.size() - 4 + i])} << (8 * i);
-  // Deflate makes no more than about a thousand bytes of one.
+  // Deflate expands by a factor of at most about a thousand.
   if (size > kMost || size / 1100 > file.size()) fail();
   const std::unique_ptr<libdeflate_decompressor, decltype(&libdeflate_free_decompressor)>
       decompressor(libdeflate_alloc_decompressor(), &libdeflate_free_decompressor);

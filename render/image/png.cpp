@@ -79,7 +79,7 @@ PngText read_png_text(const std::string& path) {
     const std::size_t end = std::min(all.find('\0'), length);
     const std::string key(all.substr(0, end));
     if (type == "tEXt" && end < length) text.emplace_back(key, all.substr(end + 1));
-    // Of others only those that are not compressed: two flags, a language and a translated keyword.
+    // Only uncompressed iTXt: two flags, a language and a translated keyword.
     if (type == "iTXt" && end + 2 < length && all[end + 1] == 0) {
       const std::size_t keyword = all.find('\0', end + 3);
       const std::size_t value = keyword == all.npos ? keyword : all.find('\0', keyword + 1);

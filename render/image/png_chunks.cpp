@@ -43,7 +43,7 @@ void append_png_begin(const Image& image, Bytes& to) {
   Bytes header;
   append_be32(static_cast<std::uint32_t>(image.width), header);
   append_be32(static_cast<std::uint32_t>(image.height), header);
-  // Bits a channel, colours; one method of compression and filters each, not interlaced.
+  // Bits per channel, colour type, compression, filter method, not interlaced.
   for (const std::uint8_t byte : {std::uint8_t{8}, image.alpha.empty() ? kRgb : kRgba,
                                   std::uint8_t{0}, std::uint8_t{0}, std::uint8_t{0}})
     header.push_back(byte);
@@ -56,7 +56,7 @@ void append_png_text(const PngText& text, Bytes& to) {
     Bytes data;
     append(key, data);
     data.push_back(0);
-    // Not compressed, of no language, and the keyword in no other.
+    // Not compressed, no language, no translated keyword.
     if (!is_plain(value)) data.insert(data.end(), 4, 0);
     append(value, data);
     append_chunk(is_plain(value) ? "tEXt" : "iTXt", data, to);
@@ -68,8 +68,8 @@ Bytes deflated_rows(const Image& image, const PixelBox& box, int level) {
   const auto index = [](int n) { return static_cast<std::size_t>(n); };
   const std::size_t channels = image.alpha.empty() ? 3 : 4;
   const std::size_t width = index(box.right - box.left), row = 1 + channels * width;
-  // Flat areas and thin lines compress as well unfiltered, and twice as fast.
-  // Megabytes that are written once: not cleared before.
+  // Flat areas and thin lines compress as well unfiltered, twice as fast. The buffer of some
+  // megabytes is written once, so it is not cleared before.
   const std::size_t size = row * index(box.bottom - box.top);
   const auto rows = std::make_unique_for_overwrite<std::uint8_t[]>(size);
   for (int y = box.top; y < box.bottom; ++y) {

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-/// FIPS 180-4, section 6.2, in its own names.
+/// FIPS 180-4, section 6.2, with its names.
 namespace contactscope {
 namespace {
 
@@ -58,7 +58,7 @@ void add_block(const unsigned char* block, Hash& hash) {
 std::string sha256(std::string_view bytes) {
   Hash hash = {0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a,
                0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
-  // A one bit, zeros, and the length in bits fill the last block.
+  // Pad the last block with a one bit, zeros, and the length in bits.
   std::string padded(bytes);
   padded += '\x80';
   while (padded.size() % 64 != 56) padded += '\0';

@@ -14,7 +14,7 @@ const std::uint8_t* pixel(const Image& image, int x, int y) {
                          static_cast<std::size_t>(x))];
 }
 
-constexpr int kLevels = 6;  // of each channel
+constexpr int kLevels = 6;  // per channel
 
 int palette_index(const std::uint8_t* rgb) {
   int index = 0;
@@ -30,7 +30,7 @@ void add_run(std::string& text, char what, int count) {
     text.append(static_cast<std::size_t>(count), what);
 }
 
-/// One colour of six rows: a character a column, whose bits are the rows.
+/// One colour of six rows: a character per column, with a bit per row.
 std::string band_of(const std::vector<std::array<int, 6>>& columns, int colour) {
   std::string text;
   char last = 0;
@@ -128,7 +128,7 @@ std::string to_half_blocks(const Image& image, int columns) {
       const std::string both = colour("38", x, y) + colour("48", x, y + 1);
       if (both != before) text += both;
       before = both;
-      text += "\xE2\x96\x80";  // the upper half of a block
+      text += "\xE2\x96\x80";  // upper half block
     }
     text += "\033[0m\n";
   }

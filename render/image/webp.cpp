@@ -8,7 +8,7 @@
 namespace contactscope {
 namespace {
 
-/// Effort, 0 to 9: what takes longer saves little on flat areas and thin lines.
+/// Effort, 0 to 9: higher values save little on flat areas and thin lines.
 constexpr int kEffort = 2;
 
 WebPConfig lossless() {
@@ -16,11 +16,11 @@ WebPConfig lossless() {
   if (!WebPConfigInit(&config) || !WebPConfigLosslessPreset(&config, kEffort))
     throw WebpError("libwebp is of another version than its headers");
   config.exact =
-      1;  // colours under transparent pixels too, so that what is read is what was written
+      1;  // keep colours of transparent pixels, so that decoding is exact
   return config;
 }
 
-/// A picture as libwebp holds it.
+/// A picture in libwebp's format.
 class Picture {
  public:
   explicit Picture(const Image& image) {
@@ -99,7 +99,7 @@ void WebpAnimation::add(const Image& image, int milliseconds) {
     WebPAnimEncoderOptions options;
     if (!WebPAnimEncoderOptionsInit(&options))
       throw WebpError("libwebpmux is of another version than its headers");
-    options.anim_params.loop_count = 0;  // forever
+    options.anim_params.loop_count = 0;  // endless
     encoder_->pictures.reset(WebPAnimEncoderNew(image.width, image.height, &options));
     if (!encoder_->pictures) throw WebpError("libwebpmux cannot begin an animation");
   }

@@ -21,7 +21,7 @@ namespace {
                                           std::error_code(error, std::generic_category()));
 }
 
-/// 0, or the errno of what failed.
+/// Returns 0, or the errno of a failure.
 int write_all(int file, std::span<const std::uint8_t> bytes) {
   while (!bytes.empty()) {
     const ssize_t written = ::write(file, bytes.data(), bytes.size());
@@ -37,7 +37,7 @@ int write_all(int file, std::span<const std::uint8_t> bytes) {
 }  // namespace
 
 void write_whole_file(const std::string& path, std::span<const std::uint8_t> bytes) {
-  static std::atomic<unsigned> counter{0};  // encoders write from several threads
+  static std::atomic<unsigned> counter{0};  // encoders run on several threads
   const std::filesystem::path target(path);
   std::ostringstream name;
   name << '.' << target.filename().string() << '.' << ::getpid() << '.' << counter++ << ".part";
@@ -55,7 +55,7 @@ void write_whole_file(const std::string& path, std::span<const std::uint8_t> byt
 }
 
 std::vector<std::uint8_t> read_whole_file(const std::string& path) {
-  // Without waiting for whoever writes into a pipe.
+  // Do not wait for the writer of a pipe.
   const int opened = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (opened < 0) fail(path, errno, "cannot read");
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(::fdopen(opened, "rb"), std::fclose);

@@ -18,7 +18,7 @@ void apply_style(ImGuiStyle& style, float scale) {
   style.Colors[ImGuiCol_WindowBg] = {draw::kWhite.r, draw::kWhite.g, draw::kWhite.b, 1};
   style.WindowPadding = {draw::kPanelPadding, 10};
   style.WindowRounding = 0;
-  style.ScaleAllSizes(scale);  // floors, so that contents begin on whole pixels
+  style.ScaleAllSizes(scale);  // rounds down, so that contents start on whole pixels
   style.WindowBorderSize = 0;
   style.WindowMinSize = {1, 1};
   style.AntiAliasedFill = false;  // soft borders would be triangles of two colours
@@ -50,10 +50,10 @@ void add_triangles(const ImDrawList& list, draw::Drawing& drawing) {
 }
 
 struct Window {
-  draw::Rect outer, inner;  // with and without its padding
+  draw::Rect outer, inner;  // with and without padding
 };
 
-/// `ground`: whether the window paints one.
+/// `ground`: paint a background.
 Window open_window(const std::string& name, const ImVec2& corner, const ImVec2& size, bool ground) {
   ImGui::SetNextWindowPos(corner);
   ImGui::SetNextWindowSize(size);
@@ -70,7 +70,7 @@ Window open_window(const std::string& name, const ImVec2& corner, const ImVec2& 
   return window;
 }
 
-/// A line one pixel wide, on the outermost pixels of a window.
+/// A line of one pixel along the inside of a window's edge.
 void draw_border(const draw::Rect& outer, const draw::Pen& pen) {
   const draw::Rect middle{outer.x + 0.5, outer.y + 0.5, outer.width - 1, outer.height - 1};
   pen.frame(middle, 1 / pen.scale(), draw::with_alpha(draw::kQuietText, 0.35f));
@@ -91,13 +91,13 @@ Windows::Windows(int width, int height, float scale) {
   imgui_ = ImGui::CreateContext();
   ImGui::SetCurrentContext(imgui_);
   ImGuiIO& io = ImGui::GetIO();
-  io.IniFilename = nullptr;  // neither read nor left behind
+  io.IniFilename = nullptr;  // no file access
   io.LogFilename = nullptr;
   io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
   io.DeltaTime = 1.0f / 60;
   io.BackendRendererName = "contactscope";
   io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
-  io.Fonts->Build();  // Dear ImGui opens no frame without a font
+  io.Fonts->Build();  // Dear ImGui requires a font
   apply_style(ImGui::GetStyle(), scale);
 }
 

@@ -21,8 +21,7 @@ namespace contactscope::overlay {
 /// global).
 class Windows {
  public:
-  /// White, without borders, on a canvas of this size. `scale` multiplies padding; 1 is for 720
-  /// lines.
+  /// White, without borders, on a canvas of this size. `scale` multiplies padding; 1: 720 lines.
   Windows(int width, int height, float scale);
   ~Windows();
   Windows(const Windows&) = delete;

@@ -5,7 +5,7 @@
 namespace contactscope::page {
 namespace {
 
-/// The value of an attribute of a tag; empty where it has none.
+/// Value of an attribute of a tag; empty if missing.
 std::string_view attribute_of(std::string_view tag, std::string_view name) {
   const std::string opening = " " + std::string(name) + "=\"";
   const std::size_t begin = tag.find(opening);
@@ -37,7 +37,7 @@ std::vector<SvgGroup> groups_in(std::string_view svg) {
 }
 
 std::vector<int> GroupStore::add(const std::vector<SvgGroup>& groups) {
-  std::map<const SvgGroup*, int> before;  // in this picture, by where the store has them
+  std::map<const SvgGroup*, int> before;  // number of uses in this picture
   std::vector<int> numbers;
   for (const SvgGroup& group : groups) {
     const auto first = numbers_.find({group, 0});

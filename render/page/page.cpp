@@ -17,13 +17,13 @@ namespace {
 using draw::Drawing;
 using nlohmann::ordered_json;
 
-constexpr int kPause = 160;                     // milliseconds from frame to frame
-constexpr double kSignWidth = 28;               // of a legend's sign, pixels at 720 lines
-constexpr double kSignToText = 32;              // from its left end to that of the text
-constexpr std::string_view kLabels = "labels";  // of the view, for which the legend has no row
+constexpr int kPause = 160;                     // milliseconds per frame
+constexpr double kSignWidth = 28;               // of a legend symbol, pixels at 720 lines
+constexpr double kSignToText = 32;              // from its left end to the text
+constexpr std::string_view kLabels = "labels";  // of the view; without a row in the legend
 constexpr double kBorder = 3;                   // around view and panels, pixels at 720 lines
 
-/// The primitives of the parts that `wanted` names, with these parts.
+/// Primitives and parts of a drawing for which `wanted` is true.
 template <class Wanted>
 Drawing taken_from(const Drawing& drawing, const Wanted& wanted) {
   Drawing taken{.width = drawing.width, .height = drawing.height, .background = {1, 1, 1, 0}};
@@ -44,13 +44,13 @@ Drawing part_of(const Drawing& drawing, std::string_view layer) {
   return taken_from(drawing, [&](const draw::Part& part) { return part.layer == layer; });
 }
 
-/// What the page says itself, in words that scale with it.
+/// Parts that the page shows as scalable text.
 bool is_said_by_page(const draw::Part& part) {
   return part.layer == draw::kTitlePart || part.layer == draw::kSourcePart ||
          part.layer == draw::kMomentPart || part.layer == draw::kLegendPart;
 }
 
-/// The texts of a part, which may be several lines; empty without any.
+/// The texts of a part, which may have several lines; empty without any.
 std::string words_of(const Drawing& drawing, std::string_view layer) {
   std::string words;
   for (const draw::Primitive& primitive : part_of(drawing, layer).primitives)
@@ -63,7 +63,7 @@ std::vector<SvgGroup> groups_of(const Drawing& drawing) {
   return groups_in(vector::svg_of(drawing, {.embed_font = false}));
 }
 
-/// "reference face" of the layer "reference_face".
+/// "reference face" for the layer "reference_face".
 std::string in_words(std::string name) {
   std::ranges::replace(name, '_', ' ');
   return name;
@@ -75,7 +75,7 @@ ordered_json rows_of(const FactRows& rows) {
   return list;
 }
 
-/// Tenths of a pixel are enough to be pointed at.
+/// A resolution of 0.1 pixel is enough for the pointer.
 double tenths(double value) {
   return std::round(10 * value) / 10;
 }
@@ -109,7 +109,7 @@ std::string view_box(const draw::Rect& rect) {
   return text;
 }
 
-/// A template with what its @NAMES@ stand for.
+/// Fills in a template's @NAMES@.
 std::string filled(std::string_view markup, const std::map<std::string_view, std::string>& values) {
   std::string text;
   while (!markup.empty()) {
@@ -144,9 +144,8 @@ Page::Page(const draw::Staging& staging, const PictureOrigin& origin)
   add_words(letters + origin.title + staging.header->source, used_);
 }
 
-// A sign and its text, one after the other; each sign becomes a picture of its own, so that the page
-// can break its lines.
-// What a legend has no row for is named in the view, which `view` gets.
+// Symbols and texts alternate. Each symbol becomes its own picture, so that the page can wrap the
+// legend. Entries outside of the legend are labels in the scene; they are appended to `view`.
 std::vector<int> Page::legend_of(const Drawing& drawing, Drawing& view) {
   const float scale = staging_.layout.scale;
   std::vector<int> numbers;
@@ -254,7 +253,7 @@ std::string Page::html() const {
   for (const auto& [sign, text] : legend_)
     data["legend"].push_back({{"sign", sign}, {"text", text}});
   std::string json = data.dump();
-  // Frames are lines of their own, so that the file can be read and compared.
+  // One line per frame, so that the file can be read and compared.
   std::string frames;
   for (const std::string& frame : frames_) frames += (frames.empty() ? "\n" : ",\n") + frame;
   json.insert(json.rfind("[]") + 1, frames + "\n");

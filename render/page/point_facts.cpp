@@ -10,7 +10,7 @@
 namespace contactscope::page {
 namespace {
 
-/// Layers whose signs stand at contact points.
+/// Layers with symbols at contact points.
 constexpr Layer kPointLayers[] = {
     Layer::Contacts, Layer::Reduced,  Layer::Ids,      Layer::Persistent,       Layer::Impulses,
     Layer::Loads,    Layer::Friction, Layer::Coherent, Layer::RelativeVelocity, Layer::Normals};
@@ -28,7 +28,7 @@ void add_impulse(const trace::Point& point, FactRows& rows) {
     rows.emplace_back("warm start", draw::spell_quantity(point.impulse->warm_start, "N s"));
 }
 
-/// "edge 3 of crate" of "a:e3"; empty where it says nothing of that form.
+/// "edge 3 of crate" for "a:e3"; empty for other forms.
 std::string feature_word(std::string_view feature, const trace::Pair& pair) {
   if (feature.size() < 4 || feature[1] != ':' || (feature[0] != 'a' && feature[0] != 'b'))
     return {};
@@ -42,14 +42,14 @@ std::string feature_word(std::string_view feature, const trace::Pair& pair) {
   return kind + std::string(number) + " of " + (feature[0] == 'a' ? pair.a : pair.b);
 }
 
-/// Points of one pair.
+/// Adds the points of one pair.
 struct PairPoints {
   const draw::Staging& staging;
   const trace::Pair& pair;
-  const std::vector<std::string>& layers;  // that show contact points of this pair
+  const std::vector<std::string>& layers;  // that show contact points of the pair
   std::vector<PointFacts>& all;
 
-  /// Null where the picture does not have it.
+  /// Null if the point is not in the picture.
   PointFacts* add(const Vec3d& position, const std::string& key, const std::string& name,
                   const std::vector<std::string>& by) const {
     const std::optional<draw::Point2> at = staging.camera.project(position);
@@ -59,7 +59,7 @@ struct PairPoints {
   }
 
   void add_contacts() const {
-    std::map<std::string, int> seen;  // ids, of which engines may give two points the same
+    std::map<std::string, int> seen;  // engines may give two points the same id
     int number = 0;
     for (const trace::Manifold& manifold : pair.manifolds) {
       for (const trace::Point& point : manifold.points) {
@@ -85,7 +85,7 @@ struct PairPoints {
     }
   }
 
-  /// Those that were found and are not in the manifold.
+  /// Candidates that are not in the manifold.
   void add_dropped(bool reduced, bool cut) const {
     if (pair.reduction && reduced) {
       for (int i = 0; i < count_of(pair.reduction->points); ++i) {
@@ -131,7 +131,7 @@ std::pair<std::string, std::string> gap_row(double separation) {
 }
 
 std::string spell_vector(const Vec3d& vector) {
-  // Nine digits of a direction end in noise.
+  // Beyond six digits, small components of a direction are noise.
   const double least = 1e-6 * vector.cwiseAbs().maxCoeff();
   std::string text;
   for (int i = 0; i < 3; ++i)

@@ -10,7 +10,7 @@
 namespace contactscope::page {
 namespace {
 
-/// Corners on the screen; empty where a corner is behind the eye.
+/// Projected corners; empty if one is behind the eye.
 std::vector<draw::Point2> seen(const draw::Staging& staging, const std::vector<Vec3d>& polygon) {
   std::vector<draw::Point2> corners;
   for (const Vec3d& corner : polygon) {
@@ -28,7 +28,7 @@ double area_on_screen(const std::vector<draw::Point2>& polygon) {
   return 0.5 * std::abs(twice);
 }
 
-/// The words of traces for what made a normal, as a sentence has them.
+/// The axis of a normal as part of a sentence.
 std::string axis_words(const std::string& axis, const trace::Pair& pair) {
   if (axis == "face_a") return "of a face of " + pair.a;
   if (axis == "face_b") return "of a face of " + pair.b;
@@ -97,7 +97,7 @@ void add_clip(const trace::Pair& pair, const draw::Staging& staging, const trace
     all.push_back(face_of(clip.reference, "reference face", Layer::ReferenceFace, pair, staging));
 }
 
-/// Their outlines, the nearest first; of meshes and planes, which mostly are the ground, none.
+/// Outlines of shapes, nearest first. Omits meshes and planes, which are mostly the ground.
 void add_shapes(const draw::Staging& staging, const trace::Frame& frame,
                 std::vector<AreaFacts>& all) {
   const draw::Scene scene = draw::scene_of(staging, frame);
@@ -141,7 +141,7 @@ std::vector<AreaFacts> area_facts(const draw::Staging& staging, const trace::Fra
   for (const trace::Pair& pair : frame.pairs)
     if (pair.clip) add_clip(pair, staging, frame, drawing, all);
   std::erase_if(all, [](const AreaFacts& area) { return area.polygon.size() < 3; });
-  // The smaller one lies on the larger.
+  // Smaller areas are on top.
   std::ranges::stable_sort(all, {},
                            [](const AreaFacts& area) { return area_on_screen(area.polygon); });
   if (shows_layer(drawing, name_of(Layer::Shapes))) add_shapes(staging, frame, all);

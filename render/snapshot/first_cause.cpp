@@ -171,8 +171,7 @@ std::optional<Flipped> flip_in(const FrameDifferences& frame, const Difference& 
 }
 
 /// ": the separating axis test now prefers face b: ..., a tie of 0.03 mm; so 4 clip steps changed".
-/// A small move is reported with the choice that it flipped, in this frame or the next one with a
-/// flip.
+/// A small move is reported with the choice that it flipped, in this frame or a later one.
 std::string spell_chain(const std::vector<FrameDifferences>& frames, const FrameDifferences& frame,
                         const Difference& first, const Margins& margins) {
   const FrameDifferences* at = &frame;

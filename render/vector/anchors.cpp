@@ -17,15 +17,15 @@ using draw::Point2;
 using draw::Rect;
 
 constexpr int kSchema = 1;
-// Pixels at 720 lines: as long as the arrows of normals are drawn.
+// Pixels at 720 lines: the length of drawn normals.
 constexpr double kNormalLength = 78;
 
-/// So many decimals, as a file needs and no more.
+/// Rounds to 1 / steps.
 double rounded(double value, double steps) {
   return std::round(value * steps) / steps;
 }
 
-/// What grows around points.
+/// A bounding box of points.
 struct Reach {
   double left = 1e30, top = 1e30, right = -1e30, bottom = -1e30;
 
@@ -85,7 +85,7 @@ struct Anchors {
     return json;
   }
 
-  /// Where a point is in the view; nothing where it is not in it.
+  /// Position of a point in the view; nullopt if it is outside.
   std::optional<Point2> seen(const Vec3d& at) const {
     const std::optional<Point2> found = camera.project(at);
     if (!found || !staging.layout.view.contains(*found)) return std::nullopt;
@@ -100,7 +100,7 @@ struct Anchors {
   Json points() const {
     Json all = Json::array();
     for (const trace::Pair& pair : frame.pairs) {
-      int number = 0;  // within the pair
+      int number = 0;  // index within the pair
       for (const trace::Manifold& manifold : pair.manifolds) {
         for (const trace::Point& point : manifold.points) {
           ++number;
@@ -204,7 +204,7 @@ struct Anchors {
     return all;
   }
 
-  /// The contact point or shape whose place this is; empty where there is none.
+  /// Name of the contact point or shape at a position; empty without one.
   std::string thing_at(const Point2& at) const {
     const auto is_there = [&](const Vec3d& position) {
       const std::optional<Point2> found = seen(position);
@@ -224,7 +224,7 @@ struct Anchors {
     return {};
   }
 
-  /// The view, and what the primitives of a caption, legend, panel, inset or cell fill.
+  /// The view, and bounds of captions, legend, panels, insets and cells.
   Json rectangles() const {
     Json all = Json::array();
     const auto add = [&](const std::string& name, const Rect& rect) {
@@ -239,7 +239,7 @@ struct Anchors {
       const draw::Part& part = drawing.parts[i];
       const bool named = part.layer == draw::kPanelPart || part.layer == draw::kInsetPart ||
                          part.layer == draw::kPlanePart;
-      // A label of the legend stands in the view, beside what it explains.
+      // A label of the legend is in the view, next to its object.
       const bool caption =
           part.role.empty() && (part.layer == draw::kTitlePart || part.layer == draw::kSourcePart ||
                                 part.layer == draw::kMomentPart || part.layer == draw::kLegendPart);
@@ -265,7 +265,7 @@ struct Anchors {
     json["frame"] = frame.frame;
     json["view"] = staging.view.name;
     json["size"] = {drawing.width, drawing.height};
-    // A contact plane shows its pairs in cells, which have no camera.
+    // A contact plane shows pairs in cells without a camera.
     const bool space = !staging.cells;
     json["points"] = space ? points() : Json::array();
     json["normals"] = space ? normals() : Json::array();

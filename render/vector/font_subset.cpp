@@ -11,7 +11,7 @@
 namespace contactscope::vector {
 namespace {
 
-/// The functions of HarfBuzz that are used here.
+/// Functions of HarfBuzz in use.
 struct HarfBuzz {
   SharedLibrary library{"libharfbuzz-subset.so.0", "libharfbuzz-subset0",
                         "the font in a vector picture"};
@@ -89,7 +89,7 @@ std::string font_subset(const FontKey& font, const std::set<char32_t>& character
   for (const hb_tag_t table : {HB_TAG('G', 'P', 'O', 'S'), HB_TAG('G', 'S', 'U', 'B'),
                                HB_TAG('G', 'D', 'E', 'F'), HB_TAG('k', 'e', 'r', 'n')})
     hb.hb_set_add(dropped, table);
-  // A character that the font lacks is a box, as in pixels.
+  // Missing characters are boxes, as in pixels.
   hb.hb_subset_input_set_flags(input.get(),
                                HB_SUBSET_FLAGS_NO_HINTING | HB_SUBSET_FLAGS_NOTDEF_OUTLINE);
   const auto subset = owned(hb.hb_subset_or_fail(whole.get(), input.get()), hb.hb_face_destroy);
@@ -105,7 +105,7 @@ void require_font_subsets() {
 }
 
 std::string FontFaces::css(const UsedCharacters& used) {
-  constexpr std::size_t kMostKept = 64;  // rules; a sequence has a few sets of letters
+  constexpr std::size_t kMostKept = 64;  // rules; a sequence uses few sets of characters
   const std::lock_guard lock(mutex_);
   if (rules_.size() > kMostKept) rules_.clear();
   std::string css;

@@ -35,9 +35,9 @@ using UsedCharacters = std::map<FontKey, std::set<char32_t>>;
 /// Adds the characters of a drawing's texts.
 void add_characters(const draw::Drawing& drawing, UsedCharacters& used);
 
-/// A font with the glyphs of these characters alone, as a TrueType file without kerning and
-/// ligatures: digits stay tabular, as in pixels. Equal sets give equal bytes. Uses libharfbuzz-subset,
-/// which is opened at the first call; throws MissingLibrary where there is none.
+/// A TrueType file with only the glyphs of these characters, without kerning and ligatures: digits
+/// stay tabular, as in pixels. Equal sets give equal bytes. The first call opens
+/// libharfbuzz-subset; throws MissingLibrary if there is none.
 std::string font_subset(const FontKey& font, const std::set<char32_t>& characters);
 
 /// Opens libharfbuzz-subset ahead of font_subset(); throws MissingLibrary.

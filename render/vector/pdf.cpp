@@ -19,7 +19,7 @@
 namespace contactscope::vector {
 namespace {
 
-// A line of this width, pixels, around opaque polygons of surfaces closes the seams that viewers leave
+// Width in pixels of a line around opaque surface polygons. It closes the seams that viewers show
 // between neighbours with soft edges.
 constexpr double kSeam = 0.3;
 
@@ -52,13 +52,13 @@ void check(cairo_status_t status) {
 template <class Object>
 using Owned = std::unique_ptr<Object, void (*)(Object*)>;
 
-/// A font for FreeType and for cairo, which keeps what it has read for longer than a picture lives.
+/// A font for FreeType and cairo. Cairo caches it beyond the lifetime of a picture.
 struct Typeface {
   FT_Face face = nullptr;
   cairo_font_face_t* for_cairo = nullptr;
 };
 
-/// All fonts of the program, each opened when it is first asked for.
+/// All fonts of the program, opened on first use.
 class Fonts {
  public:
   Fonts() {
@@ -82,8 +82,7 @@ class Fonts {
   std::map<FontKey, Typeface> typefaces_;
 };
 
-/// Letters in a row of one font, each told with the bytes of text that it stands for, so that a viewer
-/// copies the text.
+/// Consecutive glyphs of one font, with the text bytes of each, so that viewers can copy the text.
 struct GlyphRun {
   FontKey font;
   std::vector<cairo_glyph_t> glyphs{};
@@ -180,7 +179,7 @@ struct PdfWriter {
       const FontKey font{text.weight, font_for(code, text.weight)};
       if (runs.empty() || runs.back().font != font) runs.push_back({font});
       GlyphRun& run = runs.back();
-      // What no font has is a question mark, as in pixels.
+      // Characters without a glyph are question marks, as in pixels.
       const char32_t drawn = has_glyph(code, text.weight) ? code : U'?';
       run.glyphs.push_back({c.FT_Get_Char_Index(fonts.find(font).face, drawn), pen, placed.left.y});
       const std::size_t before = run.utf8.size();
@@ -225,7 +224,7 @@ void set_metadata(cairo_surface_t* surface, const PictureOrigin* origin) {
     keywords += (keywords.empty() ? "" : ", ") + key + ": " + value;
   }
   set(CAIRO_PDF_METADATA_TITLE, origin->title);
-  set(CAIRO_PDF_METADATA_SUBJECT, origin->command);  // makes it again
+  set(CAIRO_PDF_METADATA_SUBJECT, origin->command);  // command that reproduces it
   set(CAIRO_PDF_METADATA_KEYWORDS, keywords);
   set(CAIRO_PDF_METADATA_CREATOR, "contactscope " + origin->version);
 }
@@ -237,7 +236,7 @@ void require_pdf() {
 }
 
 std::string pdf_of(const draw::Drawing& drawing, const PdfOptions& options) {
-  // FreeType's faces are for one thread at a time.
+  // FreeType faces are not thread-safe.
   static std::mutex one_at_a_time;
   const std::lock_guard lock(one_at_a_time);
   const CairoFunctions& c = cairo();

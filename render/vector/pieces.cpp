@@ -12,14 +12,14 @@
 namespace contactscope::vector {
 namespace {
 
-// Ends this near to each other are one point, pixels: half of what a file's two decimals tell apart.
+// Ends within this distance are one point, pixels: half of the resolution of two decimals.
 constexpr float kSamePoint = 0.005f;
-// Flat ends of a curve's pieces overlap by half a pixel, see compose.cpp, where the curve turns little.
+// Pieces of a curve with butt caps overlap by half a pixel at small turns, see compose.cpp.
 constexpr float kLap = 0.6f;
 constexpr float kLapTurn = 0.9f;  // cosine
-// Neighbours whose common edge was rounded overlap by less, pixels.
+// Neighbours with a rounded common edge overlap by less, pixels.
 constexpr float kTouching = 0.02f;
-// Of translucent polygons in one path, for each is compared with all before it.
+// limit of translucent polygons per path: each is compared with all before it
 constexpr std::size_t kMostTranslucent = 256;
 
 bool same(const Color& a, const Color& b) {
@@ -51,7 +51,7 @@ struct PolygonExtent {
   }
 };
 
-/// A side of `a`, of positive area, has all of `b` beyond it.
+/// True if an edge of `a`, which has positive area, separates it from `b`.
 bool has_parting_side(const std::vector<Point2>& a, const std::vector<Point2>& b) {
   for (std::size_t i = 0; i < a.size(); ++i) {
     const Point2 edge = a[(i + 1) % a.size()] - a[i];
@@ -66,8 +66,8 @@ struct Grouping {
   Rect canvas;
   std::vector<Group> groups{};
   std::vector<PolygonExtent>
-      extents{};  // of the polygons of the path under way, where it is translucent
-  float run = 0;  // pixels of the line under way
+      extents{};  // of the current path's polygons, if it is translucent
+  float run = 0;  // length of the current line, pixels
 
   std::vector<Piece>& pieces() { return groups.back().pieces; }
   template <class Kind>
@@ -93,7 +93,7 @@ struct Grouping {
     path->polygons.push_back(std::move(polygon));
   }
 
-  // Where translucent polygons overlap, each is to be seen.
+  // Overlapping translucent polygons must stay distinct.
   bool may_join(const FillPath& path, const std::vector<Point2>& polygon) const {
     if (path.color.a >= 1) return true;
     if (path.polygons.size() >= kMostTranslucent) return false;
@@ -145,7 +145,7 @@ struct Grouping {
     return off < 0.05f;  // pixels
   }
 
-  // The stroke goes on where the line under way ends.
+  // True if the stroke continues the current line.
   bool continues(StrokePath& path, const Point2& from, const Point2& to, float phase) {
     Polyline& line = path.lines.back();
     if (line.closed) return false;
@@ -185,8 +185,8 @@ std::vector<Group> groups_of(const draw::Drawing& drawing) {
   Grouping grouping{
       {0, 0, static_cast<double>(drawing.width), static_cast<double>(drawing.height)}};
   const std::vector<bool> seen = visible(drawing);
-  std::size_t next = 0;  // part
-  bool begun = false;    // a group for the part under way
+  std::size_t next = 0;  // index of the next part
+  bool begun = false;    // the current part has a group
   for (std::size_t i = 0; i < drawing.primitives.size(); ++i) {
     while (next < drawing.parts.size() && drawing.parts[next].first <= i) {
       ++next;

@@ -15,8 +15,8 @@ namespace {
 
 constexpr double kPixelOfCss = 0.75;  // points
 
-/// The data of a path, with steps from point to point in whole hundredths of a pixel, so that nothing
-/// adds up.
+/// Path data with relative steps in whole hundredths of a pixel, so that rounding errors do not
+/// accumulate.
 class PathData {
  public:
   explicit PathData(std::string& out) : out_(out) {}
@@ -27,13 +27,13 @@ class PathData {
     add(place.x);
     separate(place.y);
     at_ = place;
-    last_ = 'L';  // what numbers after a move stand for
+    last_ = 'L';  // numbers after a move are lines
     begun_ = false;
   }
   void line_to(const Point2& to) {
     const Place place = rounded(to);
     const std::int64_t dx = place.x - at_.x, dy = place.y - at_.y;
-    if (dx == 0 && dy == 0 && begun_) return;  // nearer than a hundredth
+    if (dx == 0 && dy == 0 && begun_) return;  // less than 1/100 pixel
     begun_ = true;
     if (dy == 0) {
       command('h', dx);
@@ -68,7 +68,7 @@ class PathData {
     last_ = letter;
     add(value);
   }
-  // A minus sign parts numbers by itself.
+  // A minus sign also separates numbers.
   void separate(std::int64_t value) {
     if (value >= 0) out_ += ' ';
     add(value);
@@ -85,7 +85,7 @@ struct SvgWriter {
   const draw::Drawing& drawing;
   const SvgOptions& options;
   std::string out{};
-  std::map<std::string, int> ids{};  // how often each was given
+  std::map<std::string, int> ids{};  // uses of each id
   UsedCharacters used{};
 
   std::string write() {
@@ -154,14 +154,14 @@ struct SvgWriter {
     out += "<desc>" + escaped(told) + "</desc>\n<metadata>";
     out += "<picture xmlns=\"urn:contactscope:picture\"";
     for (const auto& [key, value] : entries) {
-      std::string name = key;  // "Scenario SHA-256" as "scenario-sha-256"
+      std::string name = key;  // "Scenario SHA-256" becomes "scenario-sha-256"
       for (char& c : name) c = c == ' ' ? '-' : static_cast<char>(std::tolower(c));
       attribute(name.c_str(), escaped(value));
     }
     out += "/></metadata>\n";
   }
 
-  // Digits keep their places: no kerning, and no ligatures.
+  // No kerning or ligatures, so that digits stay tabular.
   void add_style() {
     if (!options.embed_font) return;
     FontFaces own;
@@ -173,7 +173,7 @@ struct SvgWriter {
   void add(const Group& group) {
     const bool grouped = group.part != nullptr;
     if (grouped) begin_group(*group.part);
-    // Neighbours without soft edges, as the rasterizer paints them: else the ground shines through.
+    // No soft edges, as in the rasterizer: the background would shine through.
     const bool surface = grouped && group.part->role == "surface";
     for (const Piece& piece : group.pieces) {
       if (const auto* fill = std::get_if<FillPath>(&piece)) {
@@ -190,7 +190,7 @@ struct SvgWriter {
   }
 
   void begin_group(const Part& part) {
-    // A panel or inset has a name; a role is no part of an id.
+    // Panels and insets have a name; other roles are not part of the id.
     const bool named = part.layer == draw::kPanelPart || part.layer == draw::kInsetPart;
     std::string id = part.layer;
     if (named && !part.role.empty()) id += "-" + part.role;
@@ -205,7 +205,7 @@ struct SvgWriter {
     out += ">\n";
   }
 
-  // Ids and classes have no spaces.
+  // Ids and classes must not contain spaces.
   static std::string name_token(std::string name) {
     for (char& c : name) {
       if (static_cast<unsigned char>(c) <= ' ' || c == '"' || c == '<' || c == '&') c = '-';
@@ -266,7 +266,7 @@ struct SvgWriter {
   void add(const PlacedText& placed) {
     const Text& text = *placed.text;
     out += "<text";
-    // At the end that it is aligned by, so that it stands right in another font too.
+    // Anchor at the aligned end, so that other fonts fit too.
     attribute("x", placed.left.x + 0.5f * static_cast<float>(text.align) * placed.width);
     attribute("y", placed.left.y);
     if (text.align == draw::Align::Center) attribute("text-anchor", "middle");

@@ -19,16 +19,15 @@ struct SvgOptions {
 
 /// Writes SVG 1.1, with features of SVG 2 that browsers, Inkscape and librsvg support:
 ///
-/// - Each run of primitives of one part is a group:
-/// \v  <g id="contacts" class="layer contacts" data-pair="table crate" data-role="mark">. Its id is
-/// the
-/// \v  name of the layer, or "panel-summary" for panels and insets; later runs get "contacts-2",
-/// ...
-/// - Text is live, in subsets of the embedded font for each weight.
-/// - Invisible primitives are omitted (pieces.h). Neighbouring polygons of surfaces have no soft
-/// edges, as in pixels, to avoid seams.
-/// - Positions have two decimals; equal drawings give equal bytes. The size is that of the pixels
-/// on paper: CSS pixels, or points if they are of another size.
+/// - A group for each run of primitives of one part:
+///   <g id="contacts" class="layer contacts" data-pair="table crate" data-role="mark">. Its id is
+///   the layer's name, or "panel-summary" for panels and insets; later runs get "contacts-2", ...
+/// - Live text in the embedded font, with a subset for each weight.
+/// - Only visible primitives (pieces.h). Neighbouring polygons of surfaces have no soft edges, as
+///   in pixels, to avoid seams.
+/// - Two decimals; equal drawings give equal bytes. The size is that of the pixels on paper: CSS
+///   pixels, or points for pixels of another size.
+///
 /// Throws MissingLibrary if the font is to be embedded and libharfbuzz-subset is missing.
 std::string svg_of(const draw::Drawing& drawing, const SvgOptions& options = {});
 

@@ -13,16 +13,16 @@ namespace {
 
 using draw::Point2;
 
-// Fainter than half a step of eight bits changes no pixel.
+// Below half a step of eight bits, no pixel changes.
 constexpr float kFaintest = 0.5f / 255;
-// Soft borders reach so far beyond a shape, pixels.
+// Soft borders extend this far beyond a shape, pixels.
 constexpr float kSoftBorder = 1;
 
 bool has_color(const draw::Color& color) {
   return color.a >= kFaintest;
 }
 
-/// Rows of pixels, a bit each: whether something opaque is painted there later.
+/// Bitmap of the pixels that later primitives cover opaquely.
 class Covered {
  public:
   Covered(int width, int height)
@@ -31,7 +31,7 @@ class Covered {
         words_((static_cast<std::size_t>(width) + 63) / 64),
         bits_(words_ * static_cast<std::size_t>(height)) {}
 
-  /// Covers the pixels whose middle a convex polygon holds.
+  /// Covers the pixels with centres inside a convex polygon.
   void cover(std::span<const Point2> polygon) {
     each_row(polygon, 0, [&](int row, float left, float right) {
       const int first = std::max(0, static_cast<int>(std::ceil(left - 0.5f)));
@@ -45,7 +45,7 @@ class Covered {
     });
   }
 
-  /// All pixels that a convex polygon touches, and those within a pixel of them.
+  /// True if all pixels that a convex polygon touches and their neighbours are covered.
   bool hides(std::span<const Point2> polygon) {
     return each_row(polygon, kSoftBorder, [&](int row, float left, float right) {
       const int first = std::max(0, static_cast<int>(std::floor(left - kSoftBorder)));
@@ -71,8 +71,9 @@ class Covered {
   }
 
  private:
-  /// The polygon's extent in each row of the canvas: at the row's middle where `border` is 0, else in
-  /// all of the row and `border` pixels above and below it. Stops where `use` returns false.
+  /// Calls `use` with the polygon's extent in each row of the canvas: along the row's centre line
+  /// if `border` is 0, else over the whole row and `border` pixels above and below. Stops if `use`
+  /// returns false.
   template <class Use>
   bool each_row(std::span<const Point2> polygon, float border, const Use& use) const {
     float top = std::numeric_limits<float>::max(), bottom = -top;
@@ -116,7 +117,7 @@ class Covered {
   }
 
   int width_, height_;
-  std::size_t words_;  // of a row
+  std::size_t words_;  // per row
   std::vector<std::uint64_t> bits_;
 };
 
@@ -124,7 +125,7 @@ std::vector<Point2> box(float left, float top, float right, float bottom) {
   return {{left, top}, {right, top}, {right, bottom}, {left, bottom}};
 }
 
-/// A convex polygon around all that a primitive paints; empty where that is nothing.
+/// Convex polygon around all pixels of a primitive; empty if it paints nothing.
 std::vector<Point2> around(const draw::Fill& fill) {
   if (fill.polygon.size() < 3 || !has_color(fill.color)) return {};
   return fill.polygon;
@@ -150,7 +151,7 @@ std::vector<Point2> around(const draw::Text& text) {
   if (!(text.size > 0) || text.text.empty() || (!has_color(text.color) && !halo)) return {};
   const float width = text_width(text.text, text.size, text.weight);
   const float left = text.at.x - 0.5f * static_cast<float>(text.align) * width;
-  // Letters such as "j" reach a little to the left of their pen.
+  // Letters such as "j" extend a little to the left of the pen.
   const float border = 0.2f * text.size + std::max(0.0f, text.halo);
   return box(left - border, text.at.y - ascent(text.size, text.weight) - border,
              left + width + border, text.at.y + descent(text.size, text.weight) + border);

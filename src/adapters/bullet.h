@@ -4,8 +4,8 @@
 ///
 /// Create it after the world has its own tick callbacks; each later step becomes a frame. C++11.
 /// Define CONTACTSCOPE_IMPLEMENTATION before this include in one source file. README.md explains
-/// the conversions. Poses are from before the step, as contacts are: Bullet detects,
-/// solves and integrates in this order, so after the step the bodies have moved on.
+/// the conversions. Poses are from before the step, as contacts are: Bullet detects, solves and
+/// integrates in this order, so after the step the bodies have moved on.
 ///
 /// MIT License; the text is in recorder/contactscope.h.
 #pragma once

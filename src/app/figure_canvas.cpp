@@ -16,7 +16,6 @@ namespace {
 constexpr int kLeastSide = 64, kMostSide = 8192;          // pixels, as for --size
 constexpr double kViewShape = 0.7;                        // height of a view relative to its width
 constexpr double kChartShape = 0.5;                       // of a chart or map
-                                                          // width
 constexpr double kAroundPanel = 20, kBetweenPanels = 12;  // pixels at 720 lines
 
 int side_of(const char* option, double pixels) {

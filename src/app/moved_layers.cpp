@@ -26,8 +26,7 @@ Parts parts_of(const std::string& svg) {
     auto part = std::ranges::find(parts, name, &Parts::value_type::first);
     if (part == parts.end()) part = parts.insert(parts.end(), {name, {}});
     const std::size_t end = next == std::string::npos ? svg.rfind("</svg>") : next;
-    const std::size_t rest = svg.find('"', begin) + 1;  // drop the id, which is unique only within
-                                                        // a drawing
+    const std::size_t rest = svg.find('"', begin) + 1;  // drops the id of the whole drawing
     part->second += "<g" + svg.substr(rest, end - rest);
     at = next;
   }

@@ -126,8 +126,8 @@ std::string result_of(const Rollout& rollout) {
          others;
 }
 
-/// Limit of scenes in a row: prefers engines in which a body falls, and adds the one with the
-/// largest drift of the others. The chart shows all engines.
+/// Limit of scenes in a row. Beyond it, only engines in which a body falls get a scene, and the one
+/// with the largest drift of the others. The chart shows all engines.
 constexpr std::size_t kMostScenes = 5;
 
 bool stands(const RolloutScore& score) {

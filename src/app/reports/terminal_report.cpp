@@ -64,8 +64,7 @@ void put_cause(const Cause& cause, bool is_verbose) {
     put_line("", "and " + std::to_string(cause.findings.size() - most) + " more of it");
 }
 
-/// "stored      crates/beam, 6 files" or "updated     crates/beam, 6 files, 1 of them new and 2
-/// removed".
+/// "stored  crates/beam, 6 files" or "updated  crates/beam, 6 files, 1 of them new and 2 removed".
 void print_written(const ScenarioOutcome& scenario) {
   using snapshot::Done;
   const auto count = [&](Done done) {

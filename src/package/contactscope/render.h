@@ -44,9 +44,8 @@ Picture render(const Trace& trace, int index, const RenderOptions& options = {})
 void render_all(const Trace& trace, const RenderOptions& options,
                 const std::function<void(int index, const Picture& picture)>& take);
 
-/// Writes a PNG without alpha; the file is complete or absent. Throws
-/// std::filesystem::filesystem_error, and std::invalid_argument if the number of bytes does not
-/// match the size.
+/// Writes a PNG without alpha; the file is complete or absent. Throws std::invalid_argument if
+/// rgba.size() does not match the size, and std::filesystem::filesystem_error.
 void write_png(const std::string& path, const Picture& picture);
 
 }  // namespace contactscope::package

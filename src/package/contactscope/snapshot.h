@@ -29,8 +29,7 @@ struct SnapshotOptions {
   /// Folder of snapshots FOLDER/GROUP/IDEA/trace.jsonl. Empty: $CONTACTSCOPE_SNAPSHOTS, or else
   /// "snapshots" in the working directory of the test.
   std::string folder{};
-  /// Folder of pictures of failures, OUT/check/GROUP/IDEA/. Empty: $CONTACTSCOPE_OUT, or else
-  /// "out".
+  /// Pictures of failures are in OUT/check/GROUP/IDEA/. Empty: $CONTACTSCOPE_OUT, or else "out".
   std::string out{};
   /// Writes missing and changed snapshots. Nullopt: if $CONTACTSCOPE_UPDATE is 1 or true. Never
   /// writes if CI is 1 or true in the environment.
