@@ -15,8 +15,8 @@ const GlyphPlace& GlyphAtlas::find(const GlyphKey& key) {
   return places_.emplace(key, store(bitmap)).first->second;
 }
 
-/// Shelf packing: glyphs are in rows as high as their highest glyph; a full row is followed by a
-/// new one below. Labels have few sizes, so little space is wasted.
+/// Packs glyphs in rows as high as their highest glyph. A full row is followed by a new one below.
+/// Labels have few sizes, so little space is wasted.
 GlyphPlace GlyphAtlas::store(const GlyphBitmap& bitmap) {
   GlyphPlace place{
       .width = bitmap.width, .height = bitmap.height, .left = bitmap.left, .top = bitmap.top};

@@ -44,7 +44,7 @@ std::string spell_vector(const Vec3d& vector);
 /// "edge 3 of crate, edge 7 of table" for the id "a:e3 b:e7"; other ids are returned unchanged.
 std::string feature_words(const std::string& id, const trace::Pair& pair);
 
-/// Points of a picture with a camera, for pairs that the picture shows.
+/// Points that the layers of a picture with a camera show.
 std::vector<PointFacts> point_facts(const draw::Staging& staging, const trace::Frame& frame,
                                     const draw::Drawing& drawing);
 /// Reference and incident faces, clip polygons and shapes, in order of hit testing.

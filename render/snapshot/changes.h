@@ -89,7 +89,7 @@ class Changes {
   /// Adds "number of steps 3 -> 4" if the counts differ.
   void count(const std::string& plural, std::size_t expected, std::size_t actual);
 
-  /// A kind of value that changed; exact ones with their words: "id " for that of a point.
+  /// A kind of value that changed. Exact ones have words: "id " for the id of a point.
   struct What {
     trace::Kind kind = trace::Kind::Exact;
     std::string words{};

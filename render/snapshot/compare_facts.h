@@ -43,7 +43,7 @@ inline constexpr bool kIsList<trace::Simplex> = false;  // read as a polygon
 template <>
 inline constexpr bool kIsList<std::vector<trace::Simplex>> = true;
 
-/// Entries that are subjects of sentences.
+/// True if entries of this type are subjects of sentences.
 template <class Entry>
 constexpr bool is_subject() {
   if constexpr (trace::Listed<Entry>) return trace::has_name<Entry>();

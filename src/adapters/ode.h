@@ -109,7 +109,7 @@ class OdeRecorder {
     bool is_there;
   };
   struct Body {
-    int geoms, shape;  // shape: a compound, or that of its only geom
+    int geoms, shape;  // shape: a compound, or of its only geom
     bool is_there;
   };
 

@@ -15,8 +15,8 @@ void place_camera(std::vector<View>& views, const Options& options);
 /// True if --view names a file.
 bool views_are_of_file(const Options& options);
 
-/// Views of --view FILE.toml or FILE.toml:NAME; empty if it names no file. Throws InputError and
-/// UsageError.
+/// Views of the TOML file that --view names, or one of them (FILE:VIEW); empty if it names no file.
+/// Throws InputError and UsageError.
 std::vector<View> views_of_file(const Options& options);
 
 /// Names of a staged view's layers for which the frames have no data. Long sequences are sampled.

@@ -30,7 +30,7 @@ class Progress {
 /// From now on SIGINT, SIGTERM and SIGHUP are only noted, so that files in progress are completed.
 void note_interrupts();
 
-/// The user asked the program to stop.
+/// The user stopped the program with a signal.
 class Interrupted : public std::runtime_error {
  public:
   explicit Interrupted(int signal)

@@ -91,7 +91,7 @@ std::string fallen_body(const Rollout& rollout) {
   return "The body of " + draw::spell_number(body->mass) + " kg";
 }
 
-/// Heading for resting bodies: the engines in which they fell or stood.
+/// Heading for scenes with resting bodies: the engines in which bodies fell or stood.
 std::string result_of(const Rollout& rollout) {
   std::vector<std::string> fallen, standing;
   int resting = 0;

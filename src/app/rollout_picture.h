@@ -18,7 +18,7 @@ struct Rollout {
   std::string name;  // "group/idea"
   trace::Trace request;
   std::vector<versus::Contender> contenders{};
-  std::vector<versus::RolloutScore> scores{};  // one per contender
+  std::vector<versus::RolloutScore> scores{};  // one per engine
 };
 
 /// Height, penetration and, if nothing falls, energy over time with a line per engine, above each

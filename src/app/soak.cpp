@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kCases = 100000;  // default
+constexpr int kCases = 100000;  // default of --cases
 
 std::string file_of(const snapshot::Shard& shard) {
   return "soak_" + std::to_string(shard.part) + "_of_" + std::to_string(shard.of) + ".json";
@@ -44,7 +44,7 @@ std::vector<SoakLine> by_sweep(const Soak& soak) {
   return sums;
 }
 
-/// Error in ulps that this share of the pairs without a fault stays within: a power of two.
+/// Bound in ulps, a power of two, on the errors of this share of the pairs without a fault.
 std::string within(const SoakLine& line, double share) {
   std::int64_t all = line.exact, seen = line.exact;
   for (const auto& [exponent, count] : line.errors) all += count;

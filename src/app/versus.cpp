@@ -46,7 +46,7 @@ trace::Trace run_whole(const Input& input) {
   return whole;
 }
 
-/// The first contender is the trace's own contacts, or this program's for a scenario, if requested.
+/// The first engine is the trace's own, or this program for a scenario, if requested.
 Match match_of(Input input, const std::vector<std::string>& engines) {
   const bool wants_own = std::ranges::count(engines, kOwn) > 0;
   trace::Trace whole =
@@ -127,7 +127,7 @@ void print_notes(const Match& match, const std::vector<Score>& scores, std::ostr
 
 using Names = std::pair<std::string, std::string>;
 
-/// Pairs with contacts of any contender, in order.
+/// Pairs in which any engine has contacts, in order.
 std::vector<Names> touching_pairs(const Match& match) {
   std::vector<Names> pairs;
   for (const Contender& contender : match.contenders)

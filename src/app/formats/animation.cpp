@@ -51,7 +51,7 @@ class AnimationReel : public Reel {
   std::unique_ptr<Animation> animation_;
   std::shared_ptr<const Image> held_{};
   double time_ = 0, last_ = kNoTime, begin_ = 0;  // seconds
-  std::future<void> under_way_{};                 // last member: its destructor waits
+  std::future<void> under_way_{};                 // declared last: its destructor waits
 };
 
 }  // namespace

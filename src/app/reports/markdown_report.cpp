@@ -64,7 +64,7 @@ void tell_markdown(const Told& told) {
       if (bytes + row.size() > kMostBytes) break;
       bytes += row.size();
       out << "| expected | actual | difference |\n|---|---|---|\n" << row;
-      break;  // the largest of each cause
+      break;  // only the largest difference of each cause
     }
     out << (first.is_acceptable() ? "    " + remedy(told, cause) : plain(remedy(told, cause)))
         << "\n";
