@@ -71,7 +71,7 @@ std::vector<Checked> check_stale_scenarios(const std::filesystem::path& root,
                                            std::span<const std::string> scenarios,
                                            const Policy& policy);
 
-/// Meshes without a stored trace, as scenarios "meshes/<name>". For a check of all, at the end.
+/// Meshes that no stored trace uses, as scenarios "meshes/<name>". For a check of all, at the end.
 std::vector<Checked> check_stale_meshes(const std::filesystem::path& root, const Policy& policy);
 
 /// Writes a stored picture: compressed well, without metadata.

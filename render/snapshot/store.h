@@ -68,7 +68,7 @@ std::vector<std::filesystem::path> stale_files(const std::filesystem::path& root
                                                std::span<const std::string> views,
                                                std::span<const int> frames);
 
-/// nullopt if the file is missing.
+/// Nullopt if the file is missing.
 std::optional<std::string> read_text_file(const std::filesystem::path& path);
 /// sha256() of the file; empty if the file is missing.
 std::string sha256_of_file(const std::filesystem::path& path);

@@ -123,7 +123,7 @@ void cs_begin_frame(cs_recorder* r, double time);
 /* A shape without a pose is absent from this frame. */
 void cs_pose(cs_recorder* r, int shape, const double position[3], const double quat_wxyz[4]);
 /* `triangle`: its index in the mesh, or -1. A pair may have several manifolds. If b was created
- * before a, the pair is written swapped, with normal and impulses reversed. */
+ * before a, the pair is written swapped, with its normal, friction and sides. */
 void cs_manifold(cs_recorder* r, int a, int b, const double normal[3], int triangle,
                  const cs_point* points, int count);
 void cs_body(cs_recorder* r, int shape, double mass, const double center_of_mass[3],

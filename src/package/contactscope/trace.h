@@ -24,7 +24,7 @@ class InputError : public std::runtime_error {
   const std::string& file() const { return file_; }
   int line() const { return line_; }      // from 1; 0: the whole file
   int column() const { return column_; }  // as line()
-  /// Empty if the message does not separate it.
+  /// Empty if the message contains it without a separator.
   const std::string& remedy() const { return remedy_; }
 
  private:
@@ -63,8 +63,7 @@ struct Frame {
   std::vector<Pair> pairs{};
 };
 
-/// A complete trace with all facts of its file; Frame contains only the contacts. Copies share
-/// them.
+/// A complete trace with all facts of its file (Frame has only the contacts). Copies share them.
 class Trace {
  public:
   Trace();  // no shapes, no frames
@@ -97,8 +96,7 @@ Trace read_trace(const std::string& path);
 /// Reads from text. `name` replaces the file name in messages.
 Trace parse_trace(const std::string& text, const std::string& name = "trace");
 
-/// One line for the header, one per frame. Throws std::domain_error for a number that is not
-/// finite.
+/// One line for the header, one per frame. Throws std::domain_error for nan and infinity.
 std::string to_json_lines(const Trace& trace);
 
 /// Creates missing folders; the file is complete or absent. Throws
