@@ -71,9 +71,8 @@ class Covered {
   }
 
  private:
-  /// Calls `use` with the polygon's extent in each row of the canvas: along the row's centre line
-  /// if `border` is 0, else over the whole row and `border` pixels above and below. Stops if `use`
-  /// returns false.
+  /// Calls `use` with the polygon's extent in each row: on the row's centre line if `border` is 0,
+  /// else over the row and `border` pixels above and below. Stops if `use` returns false.
   template <class Use>
   bool each_row(std::span<const Point2> polygon, float border, const Use& use) const {
     float top = std::numeric_limits<float>::max(), bottom = -top;
