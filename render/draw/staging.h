@@ -28,18 +28,17 @@ struct Staging {
   Moments moments{};
   SequenceScales scales{};
   std::shared_ptr<const SequencePoses> sequence{};  // if a layer looks back
-  std::vector<Inset> insets{};                      // the view's insets; `view` lists the other
+  std::vector<Inset> insets{};                      // insets of the view; `view` has all other
                                                     // panels
   StagedTitle title{};
   std::vector<PairViewport> viewports{};  // if the view shows pairs side by side
   std::optional<Magnifier> magnifier{};
 };
 
-/// Prepares a sequence from all frames without drawing. The view's eye, target and lens are used if
-/// given. Otherwise the camera is fitted to the contact patches, from 30 degrees above the contact
-/// plane, with patches about half as wide as the view. It is fitted to all shapes if nothing
-/// touches or the view requests it. Views of pairs are fitted to the `stored` frames, if some of
-/// them exist. finish() applies the remaining style to complete drawings.
+/// Prepares a sequence from all frames, without drawing. Uses the view's eye, target and lens if
+/// given. Otherwise fits the camera to the contact patches (30 degrees above the contact plane,
+/// patches half as wide as the view), or to all shapes without contact or if the view requests it.
+/// Fits views of pairs to the `stored` frames, if any. finish() applies the rest of the style.
 Staging stage(const trace::Header& header, const std::vector<trace::Frame>& frames,
               const View& view, int width, int height, const FigureStyle& style = {},
               const LayerTable& layers = kLayers, const std::vector<int>& stored = {});

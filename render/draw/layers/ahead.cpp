@@ -54,8 +54,8 @@ void draw_ahead(const Scene& scene, Sketch& sketch) {
   }
   for (const trace::Pair& pair : scene.frame.pairs) {
     const PlacedShape* a = scene.find(pair.a);
-    const double side = a == nullptr || a->traced().radius == 0 ? 1 : -1;  // side of the point on
-                                                                           // which the gap is
+    const double side = a == nullptr || a->traced().radius == 0 ? 1 : -1;  // the point's side of
+                                                                           // the gap
     for (const auto& [manifold, point] : all_points(pair)) {
       if (!stands_off(*point, scene.scales)) continue;
       const Vec3d& from = point->position;

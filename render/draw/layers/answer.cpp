@@ -5,8 +5,7 @@
 #include "draw/scene/answers.h"
 #include "draw/scene/pair_words.h"
 
-/// Answer of a distance or depth query: the closest or deepest points and the distance between
-/// them.
+/// Answer of a distance or depth query: closest or deepest points and the distance between them.
 namespace contactscope::draw {
 namespace {
 
@@ -21,8 +20,7 @@ bool is_near(const std::optional<Vec3d>& p, const std::optional<Vec3d>& q) {
 /// Whether two queries have the same pair of points, in either order of shapes.
 bool is_same_measure(const trace::Pair& pair, const trace::Pair& other) {
   const trace::Query &one = *pair.query, &two = *other.query;
-  // Methods may find different points of faces that are equally deep all over. One measure
-  // suffices.
+  // If faces are equally deep all over, methods find different points. One measure suffices.
   const bool same_length = std::abs(*one.gap - *two.gap) <= 1e-5 * std::abs(*one.gap);
   if (other.a == pair.a && other.b == pair.b)
     return same_length || (is_near(one.point_a, two.point_a) && is_near(one.point_b, two.point_b));

@@ -11,8 +11,8 @@
 #include "image/font.h"
 
 /// Cells, columns or nodes of a broad phase as tiles on their floors; darker tiles cost more tests.
-/// Tones are opaque and few. Where tiles overlap, the darkest is on top, so each visible tone is one of
-/// the legend. Tones are the same in every picture, so that broad phases can be compared.
+/// Tones are opaque and few. Where tiles overlap, the darkest is on top, so each visible tone is in
+/// the legend. Tones are equal in all pictures, so that broad phases can be compared.
 namespace contactscope::draw {
 namespace {
 
@@ -239,9 +239,8 @@ std::optional<Vec2d> place_in_tile(const Eigen::AlignedBox2d& tile,
   return best;
 }
 
-/// Writes the number of tests into each tile, or nothing if one tile has no room, because a sum
-/// needs all numbers. `cells`: in drawing order of their tiles. Returns whether numbers were
-/// written.
+/// Writes the number of tests into each tile, or nothing if one has no room: a sum needs all
+/// numbers. `cells`: in drawing order of their tiles. Returns whether numbers were written.
 bool write_tests(const Scene& scene, const std::vector<trace::Cell>& cells, const Floor& floor,
                  Sketch& sketch) {
   const Vec3d right = scene.camera.right(), up = scene.camera.up();

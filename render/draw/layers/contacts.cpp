@@ -17,8 +17,7 @@ namespace {
 constexpr double kBesidePoint = 20;   // pixels from the point, clear of its arrows
 constexpr double kNumberBeside = 13;  // the same for a number
 constexpr double kLeastDepth = 2;     // pixels: smaller overlaps look like a touch
-constexpr double kLeastShare = 0.05;  // share of the largest visible overlap from which numbers are
-                                      // written
+constexpr double kLeastShare = 0.05;  // share of the largest visible overlap; more gets a number
 constexpr double kEqually = 1e-2;     // share of the overlap
 
 constexpr Swatch kOneShotSwatch{LegendGroup::Points, 4, [](auto& pen) {

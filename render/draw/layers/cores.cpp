@@ -57,14 +57,13 @@ const Vec3d& farthest_corner(const std::vector<Vec3d>& corners, const Vec3d& dir
   return *std::ranges::max_element(corners, {}, [&](const Vec3d& p) { return direction.dot(p); });
 }
 
-// Outline of all points within `radius` of the hull of `corners`, where view rays touch it: a
-// closed curve with round corners. Empty without corners, or if the eye is inside.
+// Outline of all points within `radius` of the hull of `corners`: a closed curve with round
+// corners. Empty without corners, or if the eye is inside.
 //
-// A surface point is p + radius n, where p is the corner that is farthest along the normal n. A
-// view ray touches it if n is perpendicular to the ray. For an eye e this means that the support
-// function h(n) + radius equals n . e. Each half-plane about the line of sight contains one such
-// normal, found by bisection. Rays of an orthographic camera are parallel, and n is perpendicular
-// to them.
+// A surface point is p + radius n, where p is the corner farthest along the normal n. View rays
+// touch it if n is perpendicular to the ray. For an eye e, the support function h(n) + radius then
+// equals n . e. Each half-plane about the line of sight contains one such normal, found by
+// bisection. Rays of an orthographic camera are parallel, and n is perpendicular to them.
 std::vector<Vec3d> rounded_outline(const std::vector<Vec3d>& corners, double radius,
                                    const Camera& camera) {
   if (corners.empty()) return {};

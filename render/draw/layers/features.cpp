@@ -39,8 +39,7 @@ std::optional<TouchingFeature> feature_on_face(const Scene& scene, const trace::
   // Closest points of a capsule may belong to two edges as well.
   if (manifold.points.empty() || manifold.axis == "edge_edge" || manifold.type == "edge-edge")
     return std::nullopt;
-  // The face is the reference. The type names the lesser feature first, which is on the other
-  // shape.
+  // The face is the reference. The type starts with the lesser feature, on the other shape.
   const bool of_b = manifold.axis != "face_b";
   const PlacedShape* shape = scene.find(of_b ? pair.b : pair.a);
   if (shape == nullptr || shape->vertices.empty() || shape->mesh->normals.empty())

@@ -87,8 +87,7 @@ class Cells {
 /// Draws the sides of cells, each once, as a few long lines.
 void draw_grid(const trace::FieldSlice& slice, Sketch& sketch) {
   const Cells cells(slice);
-  std::vector<std::array<int, 2>> below, beside;  // sides, indexed by the cell above or to the
-                                                  // right
+  std::vector<std::array<int, 2>> below, beside;  // sides, by the cell above or to the right
   for (const auto& [column, row] : slice.band) {
     below.insert(below.end(), {{column, row}, {column, row + 1}});
     beside.insert(beside.end(), {{row, column}, {row, column + 1}});
@@ -162,8 +161,7 @@ bool has_room_for_lines(const Scene& scene, const trace::FieldSlice& slice, doub
          kLeastLinesInView * spacing * scene.camera.pixels_per_metre(slice.origin);
 }
 
-/// `spacing`: metres. Returns whether there are lines inside. The first line on each side is
-/// labelled.
+/// `spacing`: metres. Labels the first line on each side. Returns whether there are lines inside.
 bool draw_contours(const Scene& scene, const trace::FieldSlice& slice, double spacing,
                    Sketch& sketch) {
   const auto [least, largest] = std::ranges::minmax(slice.distances);
@@ -218,8 +216,7 @@ void name_coarse_ground(const Scene& scene, const trace::FieldSlice& slice, Sket
   const int width = cells_along(slice, slice.columns, slice.next);
   const int height = cells_along(slice, slice.rows(), slice.next_row);
   if (slice.band.empty() || width < 1 || height < 1) return;
-  // Distance of each cell, in cells, to the nearest one with its own nodes or to the lattice's
-  // border.
+  // Distance of each cell, in cells, to the nearest with its own nodes or to the border.
   std::vector<int> away(static_cast<std::size_t>((width + 2) * (height + 2)), 0);
   const auto at = [&](int column, int row) -> int& {
     return away[static_cast<std::size_t>((row + 1) * (width + 2) + column + 1)];
@@ -245,8 +242,7 @@ void name_coarse_ground(const Scene& scene, const trace::FieldSlice& slice, Sket
     };
   };
   const Cells cells(slice);
-  // Of equally distant places, use the one nearest to the middle, because others may be at a
-  // border.
+  // Of equally distant places the one nearest to the middle: others may be at a border.
   const Vec3d slice_middle = 0.5 * (cells.corner(0, 0) + cells.corner(width, height));
   double least_off = 0;
   std::optional<Vec3d> middle;

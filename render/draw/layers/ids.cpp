@@ -46,9 +46,8 @@ std::optional<Vec3d> middle_of(const trace::Pair& pair, const PairEdge& edge) {
   return mean_of(on_edge);
 }
 
-// Catto 2007, "Feature-Based Contact Points": the ids, and a name on each edge in them. Edges of a
-// mesh are numbered within a triangle, and round shapes have no visible ones, so these are left
-// out.
+// Catto 2007, "Feature-Based Contact Points": the ids, and a name on each edge in them, except
+// edges of a mesh, which count within a triangle, and of round shapes, which have no visible ones.
 void draw_ids(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   for (const PairPoint& kept : kept_points(pair))
     sketch.label(kept.point->position, features_of(kept.point->id), kText, 18, 12);

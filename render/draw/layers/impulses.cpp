@@ -211,9 +211,8 @@ struct Bracket {
   Vec3d out;  // unit, away from the points
 };
 
-// On the screen, in the plane of the first point. For two points, parallel to the line through them
-// on the side without arrows. Otherwise vertical, to the right of all. Nothing if a point is behind
-// the eye.
+// On the screen, in the plane of the first point: for two points parallel to their line, on the
+// side without arrows; otherwise vertical, to the right of all. Nothing if one is behind the eye.
 std::optional<Bracket> bracket_beside(const Scene& scene, const PairLoad& load) {
   constexpr double kAway = 15, kArm = 7, kBeyond = 4, kLeast = 12;  // pixels
   const Camera& camera = scene.camera;

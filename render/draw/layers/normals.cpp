@@ -91,9 +91,8 @@ Vec3d innermost(const PlacedShape& hull, const std::vector<Vec3d>& core,
   return best;
 }
 
-// Gregorius 2015, "Sphere vs Hull" and "Capsule vs Hull", without a unique normal: a core on an
-// edge or in the middle of a hull. Numbers the normals of all equally near faces; the first is
-// chosen.
+// Gregorius 2015, "Sphere vs Hull" and "Capsule vs Hull", for a core on an edge or in the middle of
+// a hull: numbers the normals of all equally near faces. The first of them is chosen.
 void draw_rivals(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const PlacedShape *a = scene.find(pair.a), *b = scene.find(pair.b);
   if (!pair.degenerate || a == nullptr || b == nullptr) return;

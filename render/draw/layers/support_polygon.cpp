@@ -10,13 +10,11 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr double kFreeTurn = 0.9;         // share of a full turn, for the curved arrow of a free
-                                          // axis
+constexpr double kFreeTurn = 0.9;         // of a full turn, for the curved arrow of a free axis
 constexpr double kFreeTurnRadius = 30;    // pixels, or
 constexpr double kFreeTurnShare = 0.085;  // share of a small view
 constexpr double kClearTurns = 2.4;       // in radii of the curved arrow
-constexpr double kBeyondAxis = 0.35;      // extension of an axis beyond its points, in radii of the
-                                          // body
+constexpr double kBeyondAxis = 0.35;      // extension of an axis beyond its points, in body radii
 constexpr double kLeastMargin = 50;       // pixels: shorter margins are stated with the verdict
 
 constexpr Swatch kCenterOfMassSwatch{

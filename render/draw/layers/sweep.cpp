@@ -205,7 +205,7 @@ void draw_sweep(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
     for (const auto& [shape, travel] :
          {std::pair(a, &impact.travel_a), std::pair(b, &impact.travel_b)}) {
       if (shape == nullptr || !travel->turn.isZero(0) || !moves(scene, *shape, *travel)) continue;
-      // The middle of what is no ball is nowhere to be seen, and here it is not what matters.
+      // Centres of shapes other than balls are not visible, and here not important.
       if (impact.status == "hit" && border_of_ball(*shape) == 0) continue;
       const Vec3d middle = shape->pose.transform(shape->traced().center_of_mass);
       draw_way(scene, middle, middle + travel->displacement, border_of_ball(*shape),
@@ -231,7 +231,7 @@ void draw_sweep(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
     sketch.explain(kFirstMeetingSwatch, "where they first meet");
   }
   for (const trace::Travel* travel : {&impact.travel_a, &impact.travel_b}) {
-    // A cast leaves the shape as it is turned, so that its point goes straight.
+    // A cast does not rotate the shape, so its point moves straight.
     if (travel->turn.norm() > kLeastTurnShown)
       draw_turn_way(scene, *travel, is_cast ? Vec3d(Vec3d::Zero()) : travel->turn, impact.point_a,
                     impact.time, sketch);

@@ -20,8 +20,7 @@ inline constexpr float kPanelPadding = 12;
 /// shortened with an ellipsis or wrapped.
 class Sheet {
  public:
-  /// `rect`: the area inside the panel's padding; `scale`: canvas pixels for one pixel at 720
-  /// lines.
+  /// `rect`: the area inside the panel's padding; `scale`: pixels for one pixel at 720 lines.
   Sheet(const Rect& rect, float scale, Drawing& drawing);
 
   /// Bold text with a thin rule below.

@@ -52,8 +52,7 @@ struct TestedPair {
 /// if their number differs from the counts.
 std::vector<TestedPair> find_tests(const trace::BroadPhase& phase);
 
-/// Draws nodes as plates on the floor, deeper ones later, nodes with boxes last; returns that
-/// order.
+/// Draws nodes as plates on the floor, deeper later, nodes with boxes last; returns that order.
 std::vector<trace::Cell> draw_levels(const trace::BroadPhase& phase, const Floor& floor,
                                      Sketch& sketch);
 /// `counted`: nodes show their numbers of tests.
