@@ -102,8 +102,8 @@ std::optional<Magnifier> stage_magnifier(const View& view, const Camera& camera,
   for (const double larger : kLarger) {
     const double height = larger * kMagnifierHeight * view_rect.height;
     const double width = kMagnifierAspect * height;
-    // Choose the corner that covers the fewest shape points and is farthest from the subject; if
-    // equal, the right one.
+    // The corner that covers the fewest shape points and is farthest from the subject, right if
+    // equal.
     Magnifier magnifier{{}, round_down(larger * kMagnified * layout.scale / largest)};
     double farthest = -1;
     for (const bool right : {true, false}) {

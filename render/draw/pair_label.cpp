@@ -27,8 +27,8 @@ std::size_t other_labels_of(const std::string& body, const Scene& scene, const t
   return labels.size();
 }
 
-// The only moving body, even if it has fallen below the other. Otherwise the body with fewer other
-// labels; if equal, the upper one.
+// The only moving body, even if it has fallen below the other. Otherwise the body with fewer labels
+// of other pairs, or the upper one.
 const PlacedShape* labelled_body(const Scene& scene, const trace::Pair& pair) {
   const Vec3d up = up_axis(scene.header);
   const auto rests = [&](const std::string& name) { return scene.body(name) == nullptr; };
@@ -92,8 +92,8 @@ std::string pair_label_text(const Scene& scene, const trace::Pair& pair) {
 }  // namespace
 
 // Above the silhouette of its body, if that place is free; otherwise above both shapes, below or
-// next to the body, or a row or two farther out. If no place is free, above the body, as far as the
-// view allows.
+// next to the body, or a row or two farther out. If nothing is free, above the body inside the
+// view.
 void draw_pair_label(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   // Only bodies in the picture are labelled.
   const auto is_seen = [&](const std::string& name) {

@@ -43,8 +43,7 @@ struct Named {
   std::size_t copies = 0;
 };
 
-/// Outline of the shape on the screen, a convex polygon, y down. For a mesh with many vertices, the
-/// outline of its box.
+/// Convex outline of the shape on the screen, y down; of its box for a mesh with many vertices.
 std::vector<Vec2d> seen_outline(const Camera& camera, const PlacedShape& shape) {
   std::vector<Vec3d> points;
   if (shape.mesh->patch) {

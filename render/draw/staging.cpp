@@ -36,8 +36,7 @@ Vec3d default_direction(const trace::Header& header) {
                           : Vec3d(0.62, 0.5, 1.0).normalized();
 }
 
-/// Points of a sequence for fitting the view. Points that have not moved since the previous frame
-/// are skipped.
+/// Points of a sequence for fitting the view, without those that repeat the previous frame's.
 struct Cloud {
   std::vector<Vec3d> points, last;
 
@@ -58,8 +57,7 @@ struct Extent {
   Vec3d normal = Vec3d::Zero();  // of the contact, towards the viewer; zero without contact
 };
 
-// The contact's normal towards the viewer. The side is free, unless a half-space would hide
-// everything.
+// The contact's normal towards the viewer: any side, unless a half-space would hide everything.
 Vec3d seen_side(const std::vector<PlacedShape>& placed, const trace::Pair& pair,
                 const Vec3d& usual) {
   for (const PlacedShape& shape : placed) {
@@ -87,9 +85,9 @@ std::vector<Vec3d> swept_points(const std::vector<PlacedShape>& placed, const tr
   return points;
 }
 
-// Also gives every plane of `meshes` its patch. Round shapes must not be cropped, because only
-// their outline shows their form, nor must the ground with everything on it. Otherwise the subject
-// is all shapes except floors.
+// Also gives every plane of `meshes` its patch. Round shapes, known by their outline alone, must
+// not be cropped, nor the ground with everything on it. Otherwise the subject is all shapes except
+// floors.
 Extent gather(const trace::Header& header, const std::vector<trace::Frame>& frames,
               const View& view, ShapeMeshes& meshes, bool with_sweeps = false) {
   const Vec3d usual = default_direction(header);
@@ -202,8 +200,7 @@ Vec3d first_place(const std::vector<trace::Frame>& frames, const PairViewport& v
 }
 
 // All viewports have the same scale and direction; the one that needs the most room decides. Their
-// contents are centred in all frames. A target of the view is relative to the first pair, and the
-// other pairs use the same offset.
+// contents are centred in all frames. A target of the view applies to all pairs, relative to each.
 void fit_viewports(const trace::Header& header, const std::vector<trace::Frame>& frames,
                    const Extent& all, Staging& staging) {
   const View& view = staging.view;

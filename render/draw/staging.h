@@ -28,8 +28,7 @@ struct Staging {
   Moments moments{};
   SequenceScales scales{};
   std::shared_ptr<const SequencePoses> sequence{};  // if a layer looks back
-  std::vector<Inset> insets{};                      // insets of the view; `view` has all other
-                                                    // panels
+  std::vector<Inset> insets{};                      // insets of the view; `view` has the rest
   StagedTitle title{};
   std::vector<PairViewport> viewports{};  // if the view shows pairs side by side
   std::optional<Magnifier> magnifier{};
@@ -43,8 +42,8 @@ Staging stage(const trace::Header& header, const std::vector<trace::Frame>& fram
               const View& view, int width, int height, const FigureStyle& style = {},
               const LayerTable& layers = kLayers, const std::vector<int>& stored = {});
 
-/// Draws one frame from the trace alone; nothing of the pipeline is computed again. Equal frames
-/// give equal drawings.
+/// Draws one frame from the trace alone, without computing contacts. Equal frames give equal
+/// drawings.
 Drawing illustrate(const Staging& staging, const trace::Frame& frame);
 
 /// The result of the view's layers for this frame, in the world.
@@ -66,8 +65,7 @@ bool names_shapes(const Scene& scene);
 /// Names up to three shapes, copies once, on the shapes and away from the contact: "A: floor".
 void draw_shape_names(const Scene& scene, Sketch& sketch);
 
-/// Optional stages of the pipeline that the layers and panels of these views need. Manifolds are
-/// always recorded.
+/// Optional stages of the pipeline that the layers and panels of these views need.
 Stages stages_shown(const std::vector<View>& views);
 
 }  // namespace contactscope::draw

@@ -63,8 +63,7 @@ class Strip {
   std::optional<Staging> cell_{};
 };
 
-/// Style of a cell in a page with this style and text at `scale`: no captions, and text as large as
-/// the page's.
+/// Style of a cell on a page of this style with text at `scale`: no captions, text as on the page.
 FigureStyle cell_style(FigureStyle page, float scale);
 
 /// A page of thumbnails, each with a name and a title.

@@ -14,8 +14,7 @@ struct Staging;
 /// A title with placeholders, and their values over the whole sequence.
 struct StagedTitle {
   Title title;
-  /// For each placeholder over the sequence, in the order of the pieces, its text; empty if it has
-  /// no value.
+  /// Text of each placeholder over the sequence, in order of the pieces; empty without a value.
   std::vector<std::string> of_sequence;
 };
 
@@ -23,8 +22,8 @@ struct StagedTitle {
 StagedTitle stage_title(const std::string& text, const std::vector<trace::Frame>& frames,
                         const LengthUnit& unit = {});
 
-/// The first alternative for which this frame has all values; otherwise the last one, with "…" for
-/// missing values.
+/// The first alternative for which this frame has all values; otherwise the last, with "…" for
+/// others.
 std::string fill_title(const Staging& staging, const trace::Frame& frame);
 
 /// Optional stages of the pipeline that a title needs.

@@ -31,16 +31,15 @@ struct Axis {
     bool labelled = false;
   };
   /// For a logarithmic axis: all powers of ten on it, and 2 to 9 times each if a decade has at
-  /// least `least_decade` pixels, in ascending order. Decades are labelled; if there are fewer than
-  /// three, also 2 and 5.
+  /// least `least_decade` pixels, ascending. Decades are labelled; if fewer than three, also 2 and
+  /// 5.
   std::vector<Tick> ticks(float least_decade = 0) const;
 };
 
 /// "50 ns", "1 µs", "2 ms" for a tick at 1, 2 or 5 times a power of ten.
 std::string spell_tick_time(double nanoseconds);
 
-/// "0.01", "10⁻⁴" for a tick of a number without unit. With unit "m" as lengths; shares of 1
-/// (trace::kShare) in percent.
+/// "0.01", "10⁻⁴" for a tick without unit; with "m" a length, with trace::kShare percent.
 std::string spell_tick_error(double value, const std::string& unit);
 
 }  // namespace contactscope::draw

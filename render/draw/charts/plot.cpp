@@ -86,8 +86,7 @@ std::string subtitle(const trace::Study& study) {
          "or more nothing in the panel as fast is as close.";
 }
 
-/// Factor of text, lines and markers if few diagrams share the page, because a slide is read from a
-/// distance.
+/// Factor of text, lines and markers if few diagrams share the page, as on a slide.
 float enlarged(const trace::Study& study) {
   constexpr std::size_t kMostLines = 10;
   if (study.form == trace::StudyForm::WorkPrecision) {

@@ -60,8 +60,7 @@ struct PositiveRange {
   double high = 0;
 
   void include(double value);
-  /// With these pixels before and after, as in Axis::logarithmic. An axis about 1 if nothing was
-  /// included.
+  /// With these margins in pixels, as in Axis::logarithmic; about 1 if nothing was included.
   Axis axis(float from, float to, float before, float after) const;
 };
 
@@ -101,8 +100,7 @@ struct MethodStyle {
 
 MethodStyle method_style(std::size_t index);
 
-/// Draws a marker about `center`; `radius` in pixels is that of the circle. All shapes have similar
-/// visual weight.
+/// Draws a marker; `radius` in pixels is that of the circle. All shapes have similar visual weight.
 void draw_marker(Marker marker, const Point2& center, float radius, const Color& color,
                  Drawing& drawing);
 
@@ -122,12 +120,11 @@ struct PlotPage {
   Point2 legend;  // its left end, at half height
   Rect panels;
 };
-/// Draws a study's captions, and below the title a line about the contents. Reserves room for a
-/// legend if there is one.
+/// Draws a study's captions, and below the title a line about the contents; reserves a legend's
+/// room.
 PlotPage plot_page(const trace::Study& study, const std::string& shown, bool has_legend, int width,
                    int height);
 
-/// A panel of a study, and its place on a page of small multiples.
 struct PlotPanel {
   std::string name;
   std::string parameter;

@@ -36,8 +36,7 @@ struct CurveStyle {
   double dash() const { return dashed ? 5 : 0; }
 };
 
-/// One colour for all series whose names begin alike: the colour that the study's other plots use
-/// for the method with that number.
+/// One colour for all series whose names begin alike, equal to that of the study's other plots.
 CurveStyle style_of(const trace::Study& study, const trace::StudySeries& of) {
   const std::string& method = of.method;
   const bool dashed = method.find(',') != std::string::npos && !of.look;

@@ -130,8 +130,7 @@ struct Mapping {
     return places;
   }
 
-  /// Whether each count of failures, in all panels, has room before its first cross or after its
-  /// last.
+  /// Whether each count of failures, in all panels, fits before its first cross or after its last.
   bool failures_fit() const {
     return std::ranges::all_of(whole.series, [&](const trace::StudySeries& series) {
       const std::vector<float> failures = failures_of(series);

@@ -67,7 +67,7 @@ enum class IdState : std::uint8_t { Absent, Dropped, Kept };
 /// kept. Made once per sequence; the cost of a picture depends only on what it shows.
 class IdHistory {
  public:
-  /// `rows`: a state for every frame; `pairs`: the pair of each row. Rows of a pair need not be
+  /// `rows`: a state for every frame; `pairs`: pair of each row. Rows of a pair need not be
   /// adjacent.
   IdHistory(const std::vector<std::vector<IdState>>& rows, const std::vector<std::size_t>& pairs);
 
@@ -80,8 +80,8 @@ class IdHistory {
   void draw_rows(const Rect& strip, std::size_t moment, std::size_t until, const Pen& pen) const;
 
   /// For too many rows: one band for each of the first `count` pairs, up to frame `moment`. Its
-  /// height is the number of kept points relative to the pair's maximum so far. Cuts mark frames in
-  /// which a kept point is replaced.
+  /// height is the number of kept points relative to the pair's maximum. Cuts mark replaced kept
+  /// points.
   void draw_bands(const Rect& strip, std::size_t moment, std::size_t count, const Pen& pen) const;
 
  private:
@@ -122,8 +122,8 @@ struct TimeSeries : PairSeries {
   std::vector<std::string> deepest;
 };
 
-/// From a whole sequence: one series per label, or a single one without labels. Bodies without
-/// contacts count in every series.
+/// One series per label, or a single one without labels. Bodies without contacts count in all
+/// series.
 std::vector<TimeSeries> time_series(const std::vector<trace::Frame>& frames);
 
 }  // namespace contactscope::draw

@@ -176,7 +176,7 @@ struct ChoicePen : Pen {
       draw_kept_point(places[i], *this, 1);
       number(places[i], static_cast<int>(found - kept.begin()) + 1);
     }
-    // No mark on a level patch. Area alone may drop the deepest point.
+    // No mark on a level patch. Choice by area may drop the deepest point.
     if (shown > 3)
       for (const int i : deepest_points(cell.points)) draw_deepest_mark(at(places, i), *this, 1);
   }

@@ -33,8 +33,7 @@ struct ContactCell {
   std::vector<Row> rows;
 };
 
-/// One picture of a sequence, with the same cells in every moment. A cell without points has no
-/// contact.
+/// One picture of a sequence, always with the same cells. A cell without points has no contact.
 struct ContactMoment {
   int frame = 0;
   std::string caption;
@@ -54,8 +53,7 @@ std::vector<int> deepest_points(const std::vector<trace::Point>& points);
 std::vector<ContactMoment> explored(const std::vector<trace::Exploration>& sequence,
                                     const std::vector<std::string>& order);
 
-/// From recorded frames: a cell for each pair with a recorded reduction, named by its label, or by
-/// its reducer if it has no label.
+/// From recorded frames: a cell for each pair with a recorded reduction, named by label or reducer.
 std::vector<ContactMoment> reduced(const std::vector<trace::Frame>& frames,
                                    const Moments& telling = {});
 

@@ -11,10 +11,9 @@
 #include "draw/scene/quantity.h"
 #include "draw/scene/solid.h"
 
-/// The Gauss maps of A and of −B on one sphere: each face is a point, each edge an arc between its
-/// two faces. Two edges make a face of the Minkowski difference if their arcs cross. Gregorius
-/// 2013, "The Separating Axis Test". A capsule's edge is a full ring: Gregorius 2015, "Capsule vs
-/// Hull".
+/// The Gauss maps of A and −B on one sphere: each face is a point, each edge an arc between its two
+/// faces. Two edges make a face of the Minkowski difference if their arcs cross. Gregorius 2013,
+/// "The Separating Axis Test". A capsule's edge is a full ring: Gregorius 2015, "Capsule vs Hull".
 namespace contactscope::draw {
 namespace {
 

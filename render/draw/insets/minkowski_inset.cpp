@@ -55,8 +55,7 @@ Color step_color(const SimplexStep& step) {
   return step.of == SimplexStep::Of::Epa ? kPolytope : kClipPolygon;
 }
 
-/// Draws into a sketch of the difference. Points nearer to the origin than `smallest` (metres)
-/// count as on it.
+/// Draws into a sketch of the difference. Points within `smallest` (metres) count as on the origin.
 struct DifferencePen {
   const Camera& camera;
   float scale;  // canvas pixels for one pixel at 720 lines
@@ -72,8 +71,8 @@ struct DifferencePen {
         Badge::Support;
   }
 
-  /// Arrow from the origin to a point, with its length. If the number is longer than the arrow, it
-  /// is placed to the right.
+  /// Arrow from the origin to a point, with its length; the number is aside if longer than the
+  /// arrow.
   void distance(const Vec3d& to, double metres, const std::string& name) const {
     if (to.norm() <= smallest) return;
     // A halo would cover the origin.

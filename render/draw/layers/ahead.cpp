@@ -16,8 +16,7 @@ constexpr LineStyle kGhost{2.0f, kDropped, true};
 
 constexpr Swatch kAheadSwatch{LegendGroup::Motion, 4, [](auto& pen) { pen.dashes(2, kDropped); }};
 
-// The margin within which points become contacts: a dashed line, and its distance on the other side
-// of the point from the gap.
+// Distance within which points become contacts: a dashed line, and a measure opposite to the gap's.
 void draw_speculative_margin(const Scene& scene, const Vec3d& from, const Vec3d& out,
                              const Vec3d& aside, Sketch& sketch) {
   const double margin = scene.frame.solver->speculative_margin;
@@ -54,8 +53,7 @@ void draw_ahead(const Scene& scene, Sketch& sketch) {
   }
   for (const trace::Pair& pair : scene.frame.pairs) {
     const PlacedShape* a = scene.find(pair.a);
-    const double side = a == nullptr || a->traced().radius == 0 ? 1 : -1;  // the point's side of
-                                                                           // the gap
+    const double side = a == nullptr || a->traced().radius == 0 ? 1 : -1;  // to the other surface
     for (const auto& [manifold, point] : all_points(pair)) {
       if (!stands_off(*point, scene.scales)) continue;
       const Vec3d& from = point->position;

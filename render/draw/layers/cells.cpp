@@ -207,8 +207,7 @@ void draw_lattice(const trace::BroadPhase& phase, const Floor& floor, Sketch& sk
 }
 
 /// Best place for a number in a tile, along the view's right and up axes: not on the tiles `above`
-/// it, far enough from the outlines of boxes, and then as far to the lower left as possible.
-/// Nothing if there is no room.
+/// it, far from the outlines of boxes, and then at the lower left. Nothing if there is no room.
 std::optional<Vec2d> place_in_tile(const Eigen::AlignedBox2d& tile,
                                    std::span<const Eigen::AlignedBox2d> above,
                                    const std::vector<Eigen::AlignedBox2d>& boxes, double pixel) {

@@ -32,8 +32,8 @@ void draw_face_of_round(const Scene& scene, const trace::Pair& pair, Sketch& ske
   sketch.explain(kReferenceFaceSwatch, "reference face", face->polygon.front());
 }
 
-// Whether another pair has filled the same reference face. A second fill would be too strong. Pairs
-// differ by rounding.
+// Whether another pair has filled the same reference face, up to rounding: two fills are too
+// strong.
 bool is_marked_ground(const trace::Polygon& polygon, const Sketch& sketch) {
   const double same = 1e-5 * reach_of(polygon);
   return std::ranges::any_of(sketch.surfaces, [&](const Surface& surface) {

@@ -9,8 +9,7 @@
 #include "draw/scene/visibility.h"
 #include "image/font.h"
 
-/// Gregorius 2015, "Contact Points" and "Contact Manifolds". For separated shapes, the gap at the
-/// nearest points.
+/// Gregorius 2015, "Contact Points" and "Contact Manifolds"; the gap of separated shapes.
 namespace contactscope::draw {
 namespace {
 
@@ -76,8 +75,7 @@ struct Apart {
   const Camera& camera;
   double gap;  // metres
 
-  // Along a known normal the gap is the pair's separation. Measured from the shape whose vertex the
-  // test used.
+  // Along a known normal the gap is the pair's separation, from the shape whose vertex was used.
   std::optional<OnBoth> along(const Vec3d& normal, bool from_b) const {
     const std::optional<Vec3d> found =
         from_b ? farthest(a, normal, camera) : farthest(b, Vec3d(-normal), camera);

@@ -144,8 +144,7 @@ std::optional<CorePair> core_pair(const trace::Pair& pair) {
   if (pair.penetration)
     return CorePair{pair.penetration->point_a, pair.penetration->point_b, normal,
                     -pair.penetration->depth};
-  // The separating axis test records no points of the cores. They are inside the surface points by
-  // the margins.
+  // The separating axis test records surface points only. The cores are deeper by the margins.
   const trace::PersistentPoint* deepest = nullptr;
   for (const trace::PersistentPoint& point : incremental.points) {
     if (point.state == "broken") continue;
@@ -158,8 +157,7 @@ std::optional<CorePair> core_pair(const trace::Pair& pair) {
                   deepest->point.separation + margins};
 }
 
-// Lines of the sum in parallel columns, each in true length. Positions are along the normal from
-// A's core, metres.
+// Lines of the sum in parallel columns, in true length; positions along the normal from A's core.
 void draw_sum(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const std::optional<CorePair> cores = core_pair(pair);
   if (!cores) return;

@@ -186,8 +186,7 @@ int cells_along(const trace::FieldSlice& slice, int values, const Vec3d& step) {
   return static_cast<int>(std::lround((values - 1) * step.norm() / slice.cell));
 }
 
-/// Draws the blocks in which distances are interpolated between far nodes, as large cells. Returns
-/// whether there are any.
+/// Draws blocks whose distances are interpolated between far nodes. Returns whether there are any.
 bool draw_coarse_cells(const trace::FieldSlice& slice, Sketch& sketch) {
   const int width = cells_along(slice, slice.columns, slice.next);
   const int height = cells_along(slice, slice.rows(), slice.next_row);
@@ -333,8 +332,8 @@ bool is_in_slice(const Scene& scene, const trace::Pair& pair, const Vec3d& at) {
 }
 
 /// Draws one of the probes within kBetweenProbes of each other on the screen, and none on a
-/// whisker, which is their result. Probes in front of and behind the slice would seem to be inside
-/// the shape's section.
+/// whisker, their result. Probes before and behind the slice would seem to be inside the shape's
+/// section.
 void draw_probes(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   if (!pair.field_probes) return;
   const std::vector<Segment2> whiskers = seen_whiskers(scene, pair);

@@ -23,8 +23,7 @@ constexpr Swatch kPushedSwatch{LegendGroup::Points, 3,
                                [](auto& pen) { pen.dot(0, 4.0, kContact); }};
 constexpr Swatch kNormalImpulseSwatch{LegendGroup::Forces, 1,
                                       [](auto& pen) { pen.arrow(3, 10, kImpulse); }};
-// The warm start is a wide pale bar below the arrow. A thin frame around it would close up in a
-// small picture.
+// The warm start is a wide pale bar below the arrow; a frame would close up in small pictures.
 constexpr Color kKept = rgb(0xEDB5BB);
 constexpr float kKeptWidth = 14;  // pixels
 constexpr Swatch kWarmStartSwatch{LegendGroup::Forces, 2,

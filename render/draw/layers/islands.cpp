@@ -8,10 +8,10 @@
 #include "draw/layers/layer.h"
 #include "draw/scene/pairs.h"
 
-/// Bodies joined by contacts fall asleep and wake together: Catto 2010, "Islands". Islands are
-/// computed from the trace: bodies joined by contact points, except static ones. The trace records
-/// whether an island sleeps. Without sleeping, an island has rested for the number of frames in
-/// which none of its bodies moved.
+/// Bodies joined by contacts fall asleep and wake together: Catto 2010, "Islands". Islands follow
+/// from the trace: bodies joined by contact points, except static ones. The trace records whether
+/// an island sleeps. Without sleeping, it rests for the number of frames in which none of its
+/// bodies moved.
 namespace contactscope::draw {
 namespace {
 

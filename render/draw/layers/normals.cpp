@@ -25,8 +25,7 @@ constexpr Swatch kRivalSwatch{LegendGroup::Forces, 2,
 constexpr Swatch kUsualNormalSwatch{LegendGroup::Forces, 1,
                                     [](auto& pen) { pen.arrow(2, 8, kDropped); }};
 
-// Whether an arrow that starts here is long enough on the screen inside the view. An arrow towards
-// the eye is not.
+// Whether an arrow from here is long enough on the screen; an arrow towards the eye is not.
 bool has_room(const Camera& camera, const Arrow& arrow) {
   const std::optional<Point2> a = camera.project(arrow.from);
   const std::optional<Point2> b = camera.project(

@@ -3,8 +3,7 @@
 #include "draw/layers/layer.h"
 #include "draw/scene/quantity.h"
 
-/// Gregorius 2015, "Building Incremental Manifolds": the state of each point in this frame, and the
-/// drift of its anchors.
+/// Gregorius 2015, "Building Incremental Manifolds": state and drift of each point in this frame.
 namespace contactscope::draw {
 namespace {
 
@@ -64,8 +63,7 @@ void draw_persistent_point(const Scene& scene, const trace::Pair& pair,
                            const trace::PersistentPoint& point, PointState state, Sketch& sketch) {
   const Vec3d& at = point.point.position;
   const double factor = scene.scales.drift, pixels = scene.camera.pixels_per_metre(at);
-  // The current anchors of the point. They are left out if they are not farther from each other
-  // than the dot is wide.
+  // The current anchors, unless they are as close to each other as the dot is wide.
   if (factor * pixels * (point.on_b() - point.on_a()).norm() >=
       kLeastAnchors * scene.scales.pixel) {
     const Vec3d middle = 0.5 * (point.on_a() + point.on_b());

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::array<const char*, 3> kQueryNames = {"faces of A", "faces of B", "pairs of edges"};
 constexpr double kPlaneReach =
-    0.95;  // size of an extended plane in both directions, as a share of the shapes' size
+    0.95;  // half size of an extended plane, as a share of the shapes' size
 constexpr double kEdgePlaneReach = 0.6;  // the same for edges: it is oblique and would cover both
 constexpr double kBeyondFoot = 0.12;     // the same, beyond the end of the separation
 constexpr double kQueryName = 22;        // pixels

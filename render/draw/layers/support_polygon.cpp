@@ -123,8 +123,8 @@ std::string verdict_of(const trace::Stability& stability) {
   return balance + ": " + stability.verdict;
 }
 
-/// Margin of the centre of mass inside or outside its support: on an arrow if it is long enough,
-/// otherwise with the verdict.
+/// Margin inside or outside the support: on an arrow if it is long enough, otherwise with the
+/// verdict.
 void draw_verdict(const Scene& scene, const trace::Stability& stability, Sketch& sketch) {
   std::string verdict = verdict_of(stability);
   if (stability.support.size() > 2 && stability.margin == 0) {

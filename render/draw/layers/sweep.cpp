@@ -97,7 +97,7 @@ void draw_turn_way(const Scene& scene, const trace::Travel& travel, const Vec3d&
 /// Numbers an outline with the approach chart's step, at its highest end on the screen.
 void number_skin(const Scene& scene, const PlacedShape& shape, const trace::Travel& travel,
                  double time, std::size_t step, Sketch& sketch) {
-  constexpr double kEqually = 0.98;  // of the way from the pivot
+  constexpr double kEqually = 0.98;  // share of the largest distance from the pivot
   if (travel.turn.isZero(0) || shape.vertices.empty()) return;
   const PlacedShape skin =
       moved(shape, travel.pivot, time * travel.displacement, time * travel.turn);
@@ -115,8 +115,7 @@ void number_skin(const Scene& scene, const PlacedShape& shape, const trace::Trav
                Vec3d((*end - pivot).normalized()));
 }
 
-/// The triangle of a mesh at the first contact, and the straight paths of its corners from their
-/// positions now.
+/// The triangle of a mesh at the first contact, and the straight paths of its corners to there.
 void draw_met_triangle(const Scene& scene, const PlacedShape* mesh, int triangle,
                        const std::vector<Vec3d>& corners, Sketch& sketch) {
   if (corners.empty()) return;
@@ -191,7 +190,7 @@ void draw_sweep(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const bool is_seen_anyway =
       impact.status == "hit" && !impact.distances.empty() && impact.distances.back().distance <= 0;
   if (moved_any && !is_seen_anyway) {
-    // Where it is stopped, that is no place that it comes to: it steps back behind where they meet.
+    // A stopped shape does not get there, so its outline is weaker.
     draw_at(1, impact.status == "hit" ? kEndOfHit : kEnd);
     const auto ends_in_view = [&](const PlacedShape* shape, const trace::Travel& travel) {
       return shape != nullptr && moves(scene, *shape, travel) &&

@@ -3,8 +3,7 @@
 #include "draw/layers/layer.h"
 #include "draw/scene/ghost.h"
 
-/// Onion skins: outlines of moving shapes in earlier frames. A shape that jumps over something
-/// leaves no outline in between.
+/// Onion skins: outlines of moving shapes in earlier frames. A jump leaves no outlines in between.
 namespace contactscope::draw {
 namespace {
 
@@ -23,8 +22,8 @@ constexpr double kSpread = 1.1;       // radii of the shape between the outlines
 constexpr Swatch kPastSwatch{LegendGroup::Motion, 4,
                              [](auto& pen) { pen.level_line(0, 23, 1.2, kDropped); }};
 
-// Thins poses from the present one, which is last, back to the oldest, so that outlines can be
-// distinguished.
+// Thins poses, from the present one (last) back to the oldest, so that outlines are
+// distinguishable.
 std::vector<Pose<double>> spread(const std::vector<Pose<double>>& past, const PlacedShape& shape) {
   const Vec3d& middle = shape.traced().center_of_mass;
   const double radius = shape.mesh->radius;

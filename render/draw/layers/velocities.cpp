@@ -108,8 +108,7 @@ std::optional<Vec3d> seen_middle(const Camera& camera, const PlacedShape& shape)
 }
 
 // If scripted bodies have time of impact queries, draws their displacements in the step. These may
-// be far longer or shorter than the visible part of a shape, so the arrows have a common scale only
-// among themselves.
+// be far longer or shorter than the shapes, so the arrows are to scale only among themselves.
 void draw_ways(const Scene& scene, Sketch& sketch) {
   constexpr double kLongest = 110, kLeast = 30;  // pixels
   double longest = 0;

@@ -6,9 +6,9 @@
 #include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"
 
-/// Answers of each pair, frame by frame, and the share of wrong answers: the survey's "false
-/// positives" of bounds. If all queries are of shapes, yes or no is a cell, and a distance or depth
-/// a column of that height.
+/// Answers of each pair, frame by frame, and the share of wrong ones: the survey's "false
+/// positives" of bounds. Without bounds, yes or no is a cell, and a distance or depth a column of
+/// that height.
 namespace contactscope::draw {
 namespace {
 
@@ -27,8 +27,8 @@ bool is_measure(const trace::Query& query) {
   return query.asked == "distance" || query.asked == "penetration";
 }
 
-/// Distance or depth as the query requests it, metres. Separated shapes have depth 0, overlapping
-/// shapes distance 0.
+/// Distance or depth as queried, metres; 0 for the depth of separated and distance of overlapping
+/// shapes.
 double measured(const trace::Pair& pair) {
   const double gap = pair.query->gap.value_or(0);
   return std::max(0.0, pair.query->asked == "distance" ? gap : -gap);

@@ -59,8 +59,7 @@ std::string told(const AxisCounts& counts) {
 }
 
 /// Axis of the contact, frame by frame. A change of rows is a flip-flop; a mark within a row is a
-/// change of face or edge pair. With a cache, a row below shows the frames without a cache hit, in
-/// which all axes were tested.
+/// change of face or edge pair. With a cache, a row below shows the frames that tested all axes.
 class AxisHistoryPanel : public PanelContent {
  public:
   AxisHistoryPanel(const Staging& staging, const Frames& frames) : scale_(staging.layout.scale) {

@@ -21,8 +21,7 @@ constexpr int kRoundSteps = 96;
 constexpr double kProjectionRadius = 7.5;  // pixels at 720 lines
 
 /// Round shapes of the pair. Their outline along the normal is context for one or two points, which
-/// have no extent of their own. Their vertices are the centre of a sphere, or both ends of a
-/// capsule's core.
+/// have no extent. Their vertices are the centre of a sphere or the ends of a capsule's core.
 std::vector<PlacedShape> round_shapes(const ShapeMeshes& meshes, const trace::Frame& frame,
                                       const trace::Pair& pair) {
   const auto is_round = [&](const std::string& name) {

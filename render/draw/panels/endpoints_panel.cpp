@@ -20,8 +20,7 @@ constexpr double kAfterAxis = 8;
 constexpr double kBelowMiddle = 5.5;  // from the middle of a row to the baseline of a name
 constexpr const char* kAxes[] = {"x", "y", "z"};
 
-// For two boxes whose ends swap: a pair that begins or ends has the colour of overlapping boxes in
-// the view.
+// If two boxes swap ends: the colour of a pair that begins or ends is that of overlapping boxes.
 constexpr Color kPairPasses = kBox, kOthersPass = kShapeEdge;
 
 std::string number_of(int number, const char* one, const char* many) {

@@ -25,8 +25,7 @@ class Sheet {
 
   /// Bold text with a thin rule below.
   void heading(const std::string& text);
-  /// Enlarges the following rows by a factor. If a panel has room, its text is then legible on a
-  /// slide as well.
+  /// Enlarges the following rows, so that a panel with enough room is legible on a slide as well.
   void enlarge(double times);
   void line(const std::string& text, const Color& color) { lines({text}, color); }
   /// Lines without spacing between them.
@@ -67,8 +66,8 @@ class Sheet {
 /// Wraps text to this width.
 std::vector<std::string> wrapped(const std::string& text, float size, float width);
 
-/// One picture of a sequence. The pipeline's time is only set on request, because a measured time
-/// makes every picture differ.
+/// One picture of a sequence. Pipeline times are set on request only: they make every picture
+/// differ.
 struct PanelMoment {
   std::size_t frame = 0;  // index into the frames
   std::optional<double> pipeline_nanoseconds{};
@@ -109,8 +108,8 @@ std::vector<FilledPanel> make_panels(const Staging& staging, const Frames& frame
 /// room. All get their minimum. The remaining height first raises panels to `good` and then to
 /// `wanted`, in order; panels with `wanted` 0 divide the rest by their shares, and none shrinks. If
 /// the minimum heights do not fit, the last panels are left out, and `note` pixels are reserved
-/// below for a line that reports it. The first panel always gets room, cut to the column. `gap`:
-/// between two panels.
+/// below for a line about it. The first panel always gets room, cut to the column. `gap`: between
+/// two panels.
 std::vector<float> divide_column(const std::vector<PanelNeed>& needs, float height, float gap,
                                  float note);
 

@@ -141,7 +141,6 @@ class StabilityPanel : public PanelContent {
   }
 
  private:
-  /// One pair through the sequence.
   struct History {
     std::string name;
     std::vector<const trace::Pair*> pairs;  // in every frame; null without contact

@@ -71,8 +71,7 @@ ViewFit fit_view(const std::vector<Vec3d>& points, const Vec3d& towards_eye, con
                  const std::optional<Vec3d>& target, double half_height, double aspect,
                  double share);
 
-/// Part of a convex polygon in front of the near plane and inside the viewport, in pixels. May be
-/// empty.
+/// Part of a convex polygon in front of the near plane and inside the viewport, in pixels.
 std::vector<Point2> project_polygon(const Camera& camera, const std::vector<Vec3d>& polygon);
 
 /// The same for a segment.

@@ -17,8 +17,7 @@ struct FaceOfRound {
 /// The face of a pair whose trace has one manifold with a face axis; nothing for other pairs.
 std::optional<FaceOfRound> face_of_round(const Scene& scene, const trace::Pair& pair);
 
-/// Axis of a capsule, clipped against the side planes of a hull's face like a polygon with two
-/// corners. World, metres.
+/// Axis of a capsule, clipped against the side planes of a hull's face. World, metres.
 struct ClippedSegment {
   std::vector<Vec3d> face;   // of the hull
   Vec3d normal;              // of the face, outward, unit

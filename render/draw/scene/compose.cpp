@@ -66,8 +66,7 @@ struct Composer {
     each_of(&Sketch::labels, &SketchPart::labels, "label", &Composer::draw_label);
   }
 
-  // Assigns the following primitives to a part of the sketch. Does nothing if the sketch has no
-  // such part.
+  // Assigns the following primitives to a part of the sketch, if it exists.
   void begin(std::size_t part, std::string_view role) {
     if (part < sketch.parts.size())
       drawing.begin(sketch.parts[part].layer, sketch.parts[part].pair, role);
@@ -134,8 +133,7 @@ struct Composer {
     }
   }
 
-  // Marks cut-off bodies with a line of long dashes, as technical drawings do. A floor that fills
-  // the view needs none.
+  // Marks cut-off bodies with long dashes, as technical drawings do, except view-filling floors.
   void draw_breaks() {
     constexpr double kLeastCut = 12, kDash = 14, kGap = 5;  // pixels
     for (std::size_t side = 0; side < cuts.size(); ++side) {
@@ -228,8 +226,7 @@ struct Composer {
   }
 
   // Visibility is decided for each piece of the curve, because a longer chord would lie inside the
-  // body whose outline it is. Pieces are merged for drawing. Dashes and the run length are measured
-  // on the screen.
+  // body whose outline it is. Drawn pieces are longer. Dashes are measured on the screen.
   void draw_curve(const Curve& curve) {
     if (curve.points.empty()) return;
     float run = 0;
@@ -326,8 +323,7 @@ struct Composer {
     placer.block(*a, *b, px(arrow.width + 6));
   }
 
-  /// An arrow's head or a short arrow would be hidden by a node on top. A long arrow would hide the
-  /// node at its start.
+  /// A node on top would hide a short arrow or the head of an arrow; a long arrow would hide it.
   bool is_under_arrow(const Point2& node) const {
     constexpr float kSame = 3, kShort = 24;  // pixels
     return std::ranges::any_of(sketch.arrows, [&](const Arrow& arrow) {
@@ -340,8 +336,7 @@ struct Composer {
     });
   }
 
-  // Marks inside a shape are drawn below arrows. So are origins, and nodes under the head of an
-  // arrow or under a short one.
+  // Below arrows: marks inside a shape, origins, and nodes under short arrows or arrow heads.
   void draw_mark_inside(const Mark& mark) { draw_mark_if(true, mark); }
   void draw_mark_outside(const Mark& mark) { draw_mark_if(false, mark); }
   void draw_mark_if(bool inside, const Mark& mark) {

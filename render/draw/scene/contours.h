@@ -15,8 +15,8 @@ struct Contour {
 
 /// Contour lines at `level`: marching squares (after Lorensen and Cline 1987, in the plane), linear
 /// between neighbours, chained from square to square. In an ambiguous square the mean of its
-/// corners decides. `values`: row by row; `columns` divides their number. Fewer than two rows or
-/// columns give no lines.
+/// corners decides. `values`: row by row, `columns` each; fewer than two rows or columns give no
+/// lines.
 std::vector<Contour> contours_at(std::span<const double> values, int columns, double level);
 
 }  // namespace contactscope::draw

@@ -115,7 +115,7 @@ struct Text {
 
 using Primitive = std::variant<Fill, Stroke, Disc, Text>;
 
-/// Describes consecutive primitives of a drawing: from primitive `first` to the start of the next
+/// Describes consecutive primitives of a drawing, from primitive `first` to the start of the next
 /// part.
 struct Part {
   std::size_t first = 0;

@@ -29,8 +29,7 @@ struct FigureStyle {
   bool follows() const { return type > 0 || scale != 1 || margin; }
 };
 
-/// Final pass over a complete drawing, panels included: applies line widths, colours and the size
-/// of a pixel.
+/// Applies line widths, colours and the size of a pixel to a complete drawing, panels included.
 void finish(const FigureStyle& style, Drawing& drawing);
 
 }  // namespace contactscope::draw

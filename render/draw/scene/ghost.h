@@ -5,16 +5,16 @@
 /// Shapes drawn at poses that they do not have in this frame, such as predicted or corrected ones.
 namespace contactscope::draw {
 
-/// Turns the shape about `pivot` by `turn` (axis times radians), then moves it by `way`, metres.
-/// World space.
+/// Turns the shape about `pivot` by `turn` (axis times radians), then moves it by `way`. World,
+/// metres.
 PlacedShape moved(PlacedShape shape, const Vec3d& pivot, const Vec3d& way, const Vec3d& turn);
 
 /// Draws the silhouette; with a `fill` also the faces of a shape that has faces.
 void draw_ghost(const Camera& camera, const PlacedShape& shape, const LineStyle& style,
                 Sketch& sketch, const std::optional<Color>& fill = std::nullopt);
 
-/// Draws a displacement: a line with an arrow head if it is long enough. It ends `before` metres
-/// before `to`.
+/// Draws a displacement, with an arrow head if it is long enough. It ends `before` metres before
+/// `to`.
 void draw_way(const Scene& scene, const Vec3d& from, const Vec3d& to, double before,
               const LineStyle& style, Sketch& sketch);
 

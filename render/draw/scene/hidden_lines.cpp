@@ -16,11 +16,9 @@ namespace {
 constexpr double kBorder = 2e-4;
 // Cosine: a polygon seen edge-on hides nothing, because rounding would decide what is inside it.
 constexpr double kEdgeOn = 1e-12;
-// Widest gap between two shadows, in borders, that counts as a seam between neighbours. Two borders
-// may be seen at a slant.
+// Widest gap between two shadows, in borders, that counts as a seam: borders may be at a slant.
 constexpr double kSeam = 8;
-// A terrain has thousands of occluders, and only few are near a line. From this number on, a grid
-// on the screen finds them.
+// If there are more occluders, as in a terrain, a grid on the screen finds those near a line.
 constexpr std::size_t kManyOccluders = 96;
 constexpr int kColumns = 48, kRows = 32;
 
@@ -118,8 +116,7 @@ std::vector<Span> HiddenLines::split(const Vec3d& from, const Vec3d& to) const {
   }
   std::ranges::sort(hidden);
 
-  // Shadows of neighbours stop short of each other by their borders. The gap between them is hidden
-  // too.
+  // Shadows of neighbours stop short of each other by their borders; the gap is hidden too.
   const double length = (to - from).norm();
   const double seam = length > 0 ? kSeam * border_ / length : 0;
 

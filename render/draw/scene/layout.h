@@ -13,8 +13,8 @@ namespace contactscope::draw {
 inline constexpr double kLegendRow = 24;  // height, pixels at 720 lines
 inline constexpr double kEntryGap = 22;   // between neighbouring texts
 
-/// Places and sizes on a canvas. Sizes are given for 1280 x 720 and scale with the canvas, but text
-/// stays legible on small pictures.
+/// Places and sizes on a canvas. They scale from 1280 x 720, but text stays legible on small
+/// pictures.
 struct Layout {
   int width = 0, height = 0;
   float scale = 1;             // canvas pixels for one pixel at 720 lines
@@ -47,8 +47,7 @@ std::string fitted(const std::string& text, float size, FontWeight weight, float
 /// Scale of text and lines on a canvas; 1 at 720 lines, or as a style sets it.
 float interface_scale(int width, int height, const FigureStyle& style = {});
 
-/// Height from ascender to descender, in pixels, of text whose em has this size. Print gives font
-/// sizes as the em.
+/// Pixels from ascender to descender of text whose em has this size. Font sizes in print are ems.
 double type_of_em(double em_pixels);
 
 /// A title broken into lines.

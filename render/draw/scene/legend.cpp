@@ -35,8 +35,7 @@ std::vector<LegendEntry> Legend::sorted() const {
   };
   std::vector<LegendEntry> sorted;
   for (const LegendEntry& entry : entries_) {
-    // A narrow measure has the same meaning as a wide one. A point whose whisker is hidden by its
-    // dot is a contact point too.
+    // Measures mean the same, narrow or not; so do points whose whisker is hidden by the dot.
     if (entry.swatch == &kNarrowAxisSwatch &&
         has(kAxisSwatch, [&](const std::string& text) { return text == entry.text; }))
       continue;

@@ -30,8 +30,8 @@ enum class LegendGroup {
   Directions,
 };
 
-/// A sign of the legend. Each is a constant next to the code that draws the sign in the scene, and
-/// is identified by its address.
+/// A sign of the legend: a constant next to the code that draws the sign, identified by its
+/// address.
 struct Swatch {
   LegendGroup group;
   int place;  // order within the group
@@ -91,8 +91,7 @@ class Legend {
   std::vector<LegendEntry> entries_;
 };
 
-/// Draws a swatch. Lengths and places are in pixels at 720 lines. The origin is at the left end of
-/// the swatch, halfway up.
+/// Draws a swatch. Lengths and places are pixels at 720 lines from the middle of its left end.
 class SwatchPen : public Pen {
  public:
   SwatchPen(const Layout& layout, const Point2& left, Drawing& drawing)

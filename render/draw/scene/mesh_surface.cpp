@@ -42,8 +42,7 @@ float thin_alpha(const Scene& scene, const PlacedShape& shape) {
   return count == 0 ? 0 : kThinAlpha * share_between(kFaded, kFull, sum / count);
 }
 
-// Distances between two lines on the screen, pixels, between which lines fade. Closer ones make a
-// moiré.
+// Distances between lines on the screen, pixels, over which they fade, to avoid a moiré.
 constexpr double kTooClose = 3;
 constexpr double kFarAway = 11;
 

@@ -17,8 +17,8 @@ bool counts_frames(const std::vector<trace::Frame>& frames) {
   return frames.size() > 1;
 }
 
-/// Number of steps of the algorithm that the story shows, the maximum over all frames; 0 if no
-/// frame has recorded it.
+/// Number of steps of the story's algorithm, maximum over all frames; 0 if no frame has recorded
+/// it.
 int steps_told(const std::vector<trace::Frame>& frames, Story story) {
   View view;
   view.story = story;

@@ -29,7 +29,7 @@ std::vector<PairPoint> kept_points(const trace::Pair& pair);
 /// Its contact point is above it on the reference face.
 bool is_kept(const trace::Pair& pair, const trace::DroppedPoint& dropped);
 
-/// Whether the point is in the manifold because of its margin, although the shapes do not touch
+/// Whether the point is in the manifold only because of its margin, and the shapes do not touch
 /// there.
 inline bool stands_off(const trace::Point& point, const SequenceScales& scales) {
   return point.separation > scales.touching;
@@ -64,7 +64,6 @@ inline bool is_like(const Vec3d& normal, const Vec3d& other) {
 /// differ from it. Nothing if all agree, or if no normal is shared by more than half of them.
 std::optional<Vec3d> usual_normal(const trace::Frame& frame);
 
-/// An edge of A or of B.
 struct PairEdge {
   bool of_a = false;
   int index = 0;
@@ -82,8 +81,7 @@ const trace::Pair* first_pair(const trace::Frame& frame, bool (*holds)(const tra
 std::vector<const trace::Pair*> distinct_pairs(const std::vector<trace::Frame>& frames,
                                                bool (*holds)(const trace::Pair&));
 
-/// The pair in every frame; null if a frame does not have it. Traces of other engines may leave out
-/// distant pairs.
+/// The pair in every frame; null where it is missing. Other engines may leave out distant pairs.
 std::vector<const trace::Pair*> pair_history(const std::vector<trace::Frame>& frames,
                                              const trace::Pair& wanted);
 

@@ -16,9 +16,8 @@ constexpr float kOnALine = 0.1f;  // pixels
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Index of the first point after `first` that no straight line reaches within tolerance of all
-/// points between. Each point narrows the range of allowed slopes, so a path of n points takes n
-/// steps. Williams 1978, "An efficient algorithm for the piecewise linear approximation of planar
-/// curves".
+/// points between. Each point narrows the range of slopes, so a path of n points takes n steps.
+/// Williams 1978, "An efficient algorithm for the piecewise linear approximation of planar curves".
 std::size_t end_of_straight(const std::vector<Point2>& points, std::size_t first) {
   Point2 along;
   float reached = 0, least = -1, most = 1;

@@ -29,8 +29,7 @@ inline Vec3d mean_of(std::span<const Vec3d> points) {
   return sum / static_cast<double>(points.size());
 }
 
-/// A point inside a polygon near its first corner, and the middle of its first side. The polygon
-/// has at least two corners.
+/// A point inside a polygon near its first corner, and the middle of its first side.
 inline Vec3d near_corner(std::span<const Vec3d> polygon) {
   return 0.3 * mean_of(polygon) + 0.7 * polygon.front();
 }

@@ -34,8 +34,7 @@ struct Prefix {
 /// The prefix that suits a value; none for 0 and from 0.1 to 1000.
 Prefix prefix_for(double value);
 
-/// The unit of all lengths in a picture and its sequence. Without a value each length has the unit
-/// that fits it.
+/// Common unit of the lengths in a picture and its sequence; nothing: each length has its own.
 using LengthUnit = std::optional<Prefix>;
 /// Metres from 1 m on, then millimetres; µm and nm only if all lengths are that small.
 LengthUnit length_unit(double largest);
@@ -64,8 +63,7 @@ std::string spell_area(double square_metres);
 std::string spell_quantity(double value, const std::string& unit, int digits = 3,
                            const std::optional<Prefix>& of_all = {});
 
-/// "1 N s = 0.2 m", or "10 mN s = 50 mm" for small impulses; other units than newton seconds
-/// likewise.
+/// "1 N s = 0.2 m", or "10 mN s = 50 mm" for small impulses; other units likewise.
 std::string spell_impulse_scale(double metres_per_unit, const std::string& unit = "N s");
 
 /// The largest 1, 2 or 5 times a power of ten that is at most `value` > 0.

@@ -99,7 +99,6 @@ bool are_apart(const std::vector<Vec2d>& polygon, const Rect& box) {
   return false;
 }
 
-/// Whether a place is an end of a capsule's axis.
 bool is_end(const PlacedShape& pill, const Vec3d& place) {
   return std::ranges::any_of(pill.vertices, [&](const Vec3d& v) {
     return (v - place).norm() < kSame * pill.mesh->radius;

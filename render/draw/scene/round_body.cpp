@@ -15,8 +15,8 @@ constexpr double kPi = std::numbers::pi;
 // A chord of the outline deviates from its circle by 0.05% of the radius: a tenth of a pixel on a
 // sphere half as high as the picture.
 constexpr int kOutlineSteps = 96;
-// Share of the radius: points this near to a shadow's border are visible, like the chords of the
-// body's own outline.
+// Share of the radius: points this near to a shadow's border are visible, like the outline's
+// chords.
 constexpr double kBorder = 1.2e-3;
 constexpr int kLongitudes = 48;
 constexpr double kLatitudeStep = 7.5 * kPi / 180;

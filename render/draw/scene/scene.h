@@ -156,8 +156,8 @@ Vec3d up_axis(const trace::Header& header);
 enum class Measured { Gap, Overlap };
 
 /// Draws the distance between two points. A gap is a two-headed arrow, or two arrows from outside
-/// if it is too short. An overlap is a line between two bars. `text`: text of the legend; empty if
-/// a label explains it.
+/// if it is short. An overlap is a line between two bars. `text`: for the legend; empty with a
+/// label.
 void draw_measure(const Scene& scene, Measured what, const Vec3d& from, const Vec3d& to,
                   float width, const std::string& text, Sketch& sketch);
 
@@ -171,7 +171,7 @@ void draw_gap(const Scene& scene, const Vec3d& from, const Vec3d& to, double met
 void draw_curved_arrow(const Camera& camera, const Vec3d& center, const Vec3d& axis, double radius,
                        double angle, float width, const Color& color, Sketch& sketch);
 
-/// Points of the shape for fitting the view: vertices, points all around a round shape, none for a
+/// Points of the shape for fitting the view: vertices, points around a round shape, none for a
 /// plane.
 std::vector<Vec3d> extent_points(const PlacedShape& shape);
 

@@ -8,8 +8,7 @@
 /// Motion of shapes that are not moved by a solver.
 namespace contactscope::draw {
 
-/// Shapes whose pose differs `seconds` later, or earlier if negative, as bodies with the velocities
-/// of that motion.
+/// Shapes whose pose differs `seconds` later (earlier if negative), as bodies with that motion.
 std::vector<trace::Body> scripted_bodies(const ShapeMeshes& meshes,
                                          std::span<const trace::Placement> now,
                                          std::span<const trace::Placement> later, double seconds);

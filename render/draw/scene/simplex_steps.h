@@ -13,8 +13,7 @@ namespace contactscope::draw {
 struct SimplexStep {
   enum class Of { Gjk, Epa, Mpr } of = Of::Gjk;
   std::vector<trace::SimplexVertex> vertices;
-  /// For each vertex, its position in the order in which support points were found. A vertex keeps
-  /// its number from step to step.
+  /// For each vertex, its place in the order of discovery; it is constant from step to step.
   std::vector<int> numbers;
   const trace::Polytope* polytope = nullptr;  // of EPA
   std::optional<trace::SimplexVertex> next;   // support point that the next step adds

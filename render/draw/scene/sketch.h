@@ -11,8 +11,7 @@
 #include "draw/scene/visibility.h"
 
 /// The stages of the pipeline as marks in the world. Layers add to a Sketch, and compose() turns it
-/// into a Drawing. Lengths are in metres if they belong to the scene, in pixels at 720 lines if
-/// they belong to the picture.
+/// into a Drawing. Lengths of the scene are in metres, of the picture in pixels at 720 lines.
 namespace contactscope::draw {
 
 struct LineStyle {
@@ -75,8 +74,8 @@ enum class MarkKind {
   Core,
   Quartered,       // a centre of mass
   SmallQuartered,  // its projection
-  Origin,          // origin of the Minkowski difference or the Gauss map
-  HeldOrigin,      // origin inside the shown simplex or polytope
+  Origin,          // origin of the Minkowski difference
+  HeldOrigin,      // origin inside the difference
   Square,          // a contact point without an age
   Node,            // an end of lines
   Speck,           // a point among hundreds
@@ -174,8 +173,7 @@ struct Sketch {
   }
 };
 
-/// Draws a mark on the screen. Returns the radius that labels avoid, canvas pixels; 0: labels may
-/// cover it.
+/// Draws a mark. Returns the radius that labels avoid, canvas pixels; 0: labels may cover it.
 float draw_mark(MarkKind kind, const Point2& at, const Color& color, const Pen& pen);
 
 /// Symbol of a centre of mass: a disc quartered black and white, with a white halo; pixels.

@@ -5,8 +5,7 @@
 /// Drawing of shapes: polyhedra, round shapes, triangle meshes and planes.
 namespace contactscope::draw {
 
-/// Draws faces that show their outside, or all of them if `both_sides`. Returns for each face
-/// whether it shows its outside.
+/// Draws faces that show their outside, or all if `both_sides`. Returns which show their outside.
 std::vector<bool> draw_faces(const Camera& camera, const PlacedShape& shape, const Color& fill,
                              bool both_sides, Sketch& sketch);
 
@@ -35,8 +34,7 @@ void draw_touched_triangles(const Scene& scene, Sketch& sketch);
 void draw_plane(const Camera& camera, const PlacedShape& shape, const Color& fill, Sketch& sketch);
 
 /// Fits the patch of a plane to a sequence, frame by frame. It lies under the finite shapes of all
-/// frames with a margin, and its edges are level in the first frame. Without finite shapes it is a
-/// square of two metres.
+/// frames, with a margin and edges level in the first frame; two metres square without such shapes.
 struct PatchFit {
   PlanePatch square;            // centred at the foot of the origin, same directions
   Eigen::AlignedBox2d found{};  // of the points, along these directions

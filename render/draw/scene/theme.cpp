@@ -22,7 +22,7 @@ constexpr double kTinge = 0.008, kCoolShift = -0.06, kWarmShift = 0.02;
 constexpr double kLeastTint = 0.08, kLeastLine = 0.35;
 constexpr float kAlmostOpaque = 0.99f;
 
-/// Lightness, green to red, and blue to yellow. Ottosson 2020, "A perceptual color space for image
+/// Lightness, green to red, blue to yellow. Ottosson 2020, "A perceptual color space for image
 /// processing".
 struct Oklab {
   double l = 0, a = 0, b = 0;

@@ -8,33 +8,30 @@
 #include "core/vec3.h"
 #include "draw/scene/camera.h"
 
-/// Visibility: painting order of surfaces, hidden parts of lines, and round bodies, whose visible
-/// part both need.
+/// Visibility: painting order of surfaces, hidden parts of lines, and the visible part of round
+/// bodies.
 namespace contactscope::draw {
 
 /// A sphere or a capsule in the world: all points within a radius of a point or a segment. The
-/// surface point with outward normal n is p + radius n, where p is the end of the core that is
-/// farthest along n.
+/// surface point with outward normal n is p + radius n, where p is the core's end farthest along n.
 struct RoundBody {
   std::vector<Vec3d> core;  // one point or two, metres
   double radius = 0;
 
   /// Points where view rays touch the surface, in order: a circle for a sphere, two arcs joined by
-  /// straight lines for a capsule, or one circle for a capsule seen end-on. Empty if the eye is
-  /// inside the body.
+  /// straight lines for a capsule, or one circle for a capsule seen end-on. Empty for an eye
+  /// inside.
   std::vector<Vec3d> outline(const Camera& camera) const;
 
   struct Facet {
     std::vector<Vec3d> polygon;  // world; corners on the surface
     double lit = 0;              // cosine between its middle's normal and the key light
   };
-  /// The visible surface, in facets too small to notice. No facet crosses a border between two
-  /// tones or the outline.
+  /// The visible surface in tiny facets. No facet crosses a border of tones or the outline.
   std::vector<Facet> front(const Camera& camera) const;
 
-  /// The body hides all points behind all of these planes (normal . x <= offset). A convex body's
-  /// shadow is convex. It is bounded by the planes that touch the body on its front and along its
-  /// outline.
+  /// The body hides all points behind all of these planes (normal . x <= offset). They touch the
+  /// body on its front and along its outline; a convex body's shadow is convex.
   std::vector<Plane<double>> shadow(const Camera& camera) const;
 };
 
