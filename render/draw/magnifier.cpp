@@ -16,7 +16,7 @@ namespace {
 // Pixels at 720 lines.
 constexpr double kLargeEnough = 20;  // larger subjects need no magnifier
 constexpr double kLeastSubject = 0.002;
-constexpr double kMagnified = 105;  // of the subject, in the smallest magnifier
+constexpr double kMagnified = 105;         // of the subject, in the smallest magnifier
 constexpr double kMagnifierHeight = 0.3;   // share of the view's height, for the smallest magnifier
 constexpr double kMagnifierAspect = 1.25;  // width to height
 // Magnifiers are larger by these factors if a corner of the view has free space.

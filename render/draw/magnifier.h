@@ -17,7 +17,7 @@ struct Magnifier {
 
 /// Places a magnifier if the view's subject is smaller than 20 pixels in all frames, but not zero.
 /// The subject is the points of a pair, or the two ends of its axis or distance. `shapes`: points
-/// of the shapes in view, of which it covers as few as possible.
+/// of the shapes in view; the magnifier covers as few as possible.
 std::optional<Magnifier> stage_magnifier(const View& view, const Camera& camera,
                                          const Layout& layout,
                                          const std::vector<trace::Frame>& frames,

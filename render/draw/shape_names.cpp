@@ -14,10 +14,9 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr std::size_t kMostNamedShapes =
-    3;                                  // more names would crowd the picture
-constexpr std::size_t kMostCopies = 3;  // more copies are obviously a stack or a heap
-constexpr std::size_t kMostRoles = 12;  // shapes
+constexpr std::size_t kMostNamedShapes = 3;  // more names would crowd the picture
+constexpr std::size_t kMostCopies = 3;       // more copies are obviously a stack or a heap
+constexpr std::size_t kMostRoles = 12;       // shapes
 constexpr std::size_t kMostVertices = 5000;  // of a mesh whose exact outline is computed
 constexpr double kMostOfCore = 0.12;         // share of the outline's area, with visible cores
 constexpr double kMostOfMesh = 0.3;          // share of its width that a name may take
@@ -35,7 +34,7 @@ std::string kind_in_words(std::string_view name) {
   return name_in_words(kind_of_name(name));
 }
 
-/// Shapes with a common name, of which one is labelled.
+/// Shapes with a common name; one of them is labelled.
 struct Named {
   std::string words;
   const PlacedShape* shape = nullptr;

@@ -166,7 +166,7 @@ struct PlotGeometry {
 };
 
 /// Maps a study's points into `area`, with room to the right of the slowest for the widest label.
-/// Axes span the points of `whole`: the study itself, or the study of which it is a panel.
+/// Axes span the points of `whole`, which contains `study`.
 PlotGeometry plot_geometry(const trace::Study& study, ErrorKind kind, const Rect& area, float scale,
                            const trace::Study& whole);
 

@@ -29,8 +29,7 @@ struct CurveStyle {
   bool dashed = false;
   bool signal = false;
   bool quiet = false;
-  int covered =
-      0;  // number of later series at the same places; drawn wider to stay visible
+  int covered = 0;  // number of later series at the same places; drawn wider to stay visible
 
   double wider() const { return 2.0 * covered; }
   double dash() const { return dashed ? 5 : 0; }

@@ -14,7 +14,7 @@ constexpr float kFailureRow = 18;
 constexpr float kCross = 5;
 constexpr float kPlotMargin = 16;
 constexpr float kMostLabelShare = 0.2f;  // share of the width that is kept free on the right
-constexpr float kMostCountShare = 0.4f;  // the same, if counts of failures have no other place
+constexpr float kMostCountShare = 0.4f;  // if counts of failures have no other place
 
 using Stretch = std::array<float, 2>;  // from, to
 

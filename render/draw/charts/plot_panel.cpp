@@ -37,7 +37,7 @@ Rect area_in(const Rect& rect, float scale) {
 
 struct Diagram : Pen {
   const trace::Study& study;
-  const trace::Study& whole;  // `study`, or the study of which it is a panel
+  const trace::Study& whole;  // contains `study`
   ErrorKind kind;
   const Rect& rect;
 

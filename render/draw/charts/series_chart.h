@@ -23,11 +23,11 @@ struct SeriesChart {
   /// A category that differs from the previous frame's.
   struct Change {
     std::size_t frame = 0;
-    std::string before, after;  // what it was and what it is
+    std::string before, after;  // old and new state
   };
 
   std::string name;
-  std::string unit;  // "m", with a suitable prefix; empty: a plain number
+  std::string unit;                           // "m", with a suitable prefix; empty: a plain number
   std::vector<std::vector<double>> curves{};  // one value per frame of the sequence, NaN: none
   bool steps = false;                         // integers: drawn as stairs
   bool baseline = false;                      // values may be negative: strong zero line

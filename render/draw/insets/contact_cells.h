@@ -77,7 +77,7 @@ class ContactCells {
   /// The picture of the frame with this number.
   Drawing frame(int number) const;
 
-  /// What did not fit on the canvas: "the legend". Empty if everything is shown.
+  /// Details that did not fit on the canvas: "the legend". Empty if everything is shown.
   std::vector<std::string> left_out() const;
 
  private:

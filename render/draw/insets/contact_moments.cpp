@@ -61,7 +61,7 @@ std::vector<ContactCell::Row> rows_of(const trace::Reduction& reduction) {
   return rows;
 }
 
-// Of the largest coordinate: sixteen units in the last place of a float.
+// Relative to the largest coordinate: sixteen units in the last place of a float.
 constexpr double kNoise = 16 * 1.1920929e-7;
 
 }  // namespace

@@ -34,8 +34,7 @@ constexpr Swatch kFarthestSwatch{LegendGroup::Differences, 6,
 constexpr std::size_t kManyFaces = 120;
 constexpr double kSupportShare =
     0.3;  // of the difference's size, half the length of the line through a support point
-constexpr double kLeastSearch =
-    48;  // pixels, for the arrow of the search direction
+constexpr double kLeastSearch = 48;  // pixels, for the arrow of the search direction
 constexpr double kNumberAside = 46;  // pixels from a short arrow to its number
 
 bool has_difference(const trace::Pair& pair) {

@@ -14,7 +14,7 @@ namespace contactscope::draw {
 namespace {
 
 constexpr double kBesidePoint = 20;   // pixels from the point, clear of its arrows
-constexpr double kNumberBeside = 13;  // the same for a number
+constexpr double kNumberBeside = 13;  // pixels from the point to a number
 constexpr double kLeastDepth = 2;     // pixels: smaller overlaps look like a touch
 constexpr double kLeastShare = 0.05;  // share of the largest visible overlap; more gets a number
 constexpr double kEqually = 1e-2;     // share of the overlap

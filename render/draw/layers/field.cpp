@@ -20,9 +20,9 @@ constexpr double kFromWhisker = 8;     // pixels
 constexpr double kOffSlice = 0.81;     // cells
 constexpr double kBetweenProbes = 14;  // pixels
 constexpr float kLineText = 17;        // pixels
-constexpr double kBesideLine = 5;      // the same
-constexpr double kLeastNamed = 30;  // pixels from the middle of a labelled region to its border
-constexpr double kFromBorder = 0.12;  // share of the view, for a line's label
+constexpr double kBesideLine = 5;      // pixels
+constexpr double kLeastNamed = 30;     // pixels from the middle of a labelled region to its border
+constexpr double kFromBorder = 0.12;   // share of the view, for a line's label
 constexpr Color kOutside = rgb(0x5F6B78);
 constexpr Color kInside = rgb(0x6A4C93);
 constexpr LineStyle kOutsideLine{1.2f, kOutside};
@@ -241,7 +241,7 @@ void name_coarse_ground(const Scene& scene, const trace::FieldSlice& slice, Sket
     };
   };
   const Cells cells(slice);
-  // Of equally distant places the one nearest to the middle: others may be at a border.
+  // Ties go to the place nearest to the middle, because others may be at a border.
   const Vec3d slice_middle = 0.5 * (cells.corner(0, 0) + cells.corner(width, height));
   double least_off = 0;
   std::optional<Vec3d> middle;

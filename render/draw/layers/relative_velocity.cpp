@@ -14,7 +14,8 @@ constexpr Swatch kWholeSwatch{LegendGroup::Motion, 1,
                               [](auto& pen) { pen.open_arrow(2, kMotion); }};
 constexpr Swatch kPartSwatch{LegendGroup::Motion, 2, [](auto& pen) { pen.arrow(4, 11, kMotion); }};
 
-// Decimals as for three digits of the largest speed: what is left after a stop is shown as zero.
+// Decimals as for three digits of the largest speed, so that the rest after a stop is shown as
+// zero.
 std::string spell_closing(double speed, double fastest) {
   const int decimals =
       fastest > 0 ? std::clamp(2 - static_cast<int>(std::floor(std::log10(fastest))), 0, 9) : 0;

@@ -18,8 +18,8 @@ namespace {
 constexpr std::array<const char*, 3> kQueryNames = {"faces of A", "faces of B", "pairs of edges"};
 constexpr double kPlaneReach =
     0.95;  // half size of an extended plane, as a share of the shapes' size
-constexpr double kEdgePlaneReach = 0.6;  // the same for edges: it is oblique and would cover both
-constexpr double kBeyondFoot = 0.12;     // the same, beyond the end of the separation
+constexpr double kEdgePlaneReach = 0.6;  // half size for edges: this plane is oblique, hides more
+constexpr double kBeyondFoot = 0.12;     // extension beyond the end of the separation
 constexpr double kQueryName = 22;        // pixels
 constexpr float kShapeName = 18;         // pixels
 

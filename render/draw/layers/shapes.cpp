@@ -45,7 +45,7 @@ void hide_insides(std::size_t lines, std::size_t curves, std::size_t marks, Sket
 constexpr LineStyle kLostOutline{1.3f, kDropped, true, LineStyle::Hidden::Same};
 constexpr float kWithin = 1.2f;      // thinner lines are not outlines
 constexpr double kLeastLost = 0.15;  // cells from the field's surface, at some point
-constexpr double kOnSurface = 0.02;  // the same, at all points
+constexpr double kOnSurface = 0.02;  // cells from the surface, at all points
 constexpr int kOutlineSteps = 256;
 constexpr Swatch kLostSwatch{LegendGroup::Shapes, 3,
                              [](auto& pen) { pen.dashes(kLostOutline.width, kLostOutline.color); }};

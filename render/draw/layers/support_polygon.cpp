@@ -15,7 +15,7 @@ constexpr double kFreeTurnRadius = 30;    // pixels, or
 constexpr double kFreeTurnShare = 0.085;  // share of a small view
 constexpr double kClearTurns = 2.4;       // in radii of the curved arrow
 constexpr double kBeyondAxis = 0.35;      // extension of an axis beyond its points, in body radii
-constexpr double kLeastMargin = 50;       // pixels: shorter margins are stated with the verdict
+constexpr double kLeastMargin = 50;       // pixels: shorter margins are written with the verdict
 
 constexpr Swatch kCenterOfMassSwatch{
     LegendGroup::Masses, 0,

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kLeastVelocity = 12;       // pixels: a shorter one is only a head
 constexpr double kLeastShare = 0.05;        // share of the fastest: slower ones do not matter
-constexpr double kLeastSpin = 0.12;         // radians, the same
+constexpr double kLeastSpin = 0.12;         // radians: slower spins do not matter
 constexpr double kSpinRadius = 0.42;        // in radii of the body
 constexpr std::size_t kLabelledBodies = 4;  // bodies: more numbers would crowd the picture
 

@@ -13,9 +13,9 @@ namespace contactscope::draw {
 namespace {
 
 constexpr double kAnswerBar = 14;      // pixels at 720 lines, height of a row of cells
-constexpr double kColumn = 26;         // the same, for the tallest column
-constexpr double kBelowAnswerBar = 3;  // the same
-constexpr double kLeastBetween = 8;    // and between two rows
+constexpr double kColumn = 26;         // pixels at 720 lines, height of the tallest column
+constexpr double kBelowAnswerBar = 3;  // pixels at 720 lines
+constexpr double kLeastBetween = 8;    // pixels at 720 lines, between two rows
 constexpr double kMostBetween = 16;
 constexpr double kLargestAnswers = 1.25;  // factor of all sizes if there is room
 

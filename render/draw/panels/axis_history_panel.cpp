@@ -24,7 +24,7 @@ constexpr float kTestsRow = 3;          // frames without a cache hit
 constexpr float kLeastHistory = kAroundHistory + kLeastRow * static_cast<float>(kAxisRows.size());
 
 constexpr double kNameColumn = 78;    // pixels at 720 lines
-constexpr double kHeadlineSize = 30;  // likewise
+constexpr double kHeadlineSize = 30;  // pixels at 720 lines
 
 bool from_cache(const trace::Pair& pair) {
   return pair.cache && pair.cache->hit;

@@ -15,7 +15,7 @@ enum class PairState {
   Apart,         // a gap, no points
   WithinMargin,  // points and a gap, because of a margin
   Touching,      // points, and an overlap or no gap
-  Skipped,  // an overlap, no points: the geometry had no normal, and such pairs are skipped
+  Skipped,       // an overlap, no points: the geometry had no normal, and such pairs are skipped
 };
 
 /// `touching`: metres; a smaller gap counts as none, as in SequenceScales.

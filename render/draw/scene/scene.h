@@ -98,7 +98,7 @@ struct SequenceScales {
   double pixel = 1;              // canvas pixels for one pixel at 720 lines
   LengthUnit length{};           // unit of all lengths
   std::optional<Prefix> load{};  // common prefix of all impulses or forces
-  double touching = 0;  // metres: contact points with a larger separation do not touch
+  double touching = 0;           // metres: contact points with a larger separation do not touch
 };
 
 /// Camera of a pair that has its own viewport; null: the camera of the whole view.

@@ -23,7 +23,7 @@ enum class ColorUse { Fill, Line, Text, Halo };
 /// Background colour of a theme.
 Color ground_of(Theme theme);
 
-/// Converts a colour to a theme. White always becomes `ground`, because it stands for an empty
+/// Converts a colour to a theme. White always becomes `ground`, because it represents an empty
 /// background. Alpha changes only in the print theme, which strengthens faint colours.
 Color themed(const Color& color, ColorUse use, Theme theme, const Color& ground);
 
