@@ -101,8 +101,8 @@ class ContactCells {
 
   // Pixels at 720 lines.
   static constexpr double kName = 15;       // size of a cell's heading
-  static constexpr double kNumber = 14;     // size of a cell's heading
-  static constexpr double kNumberRow = 17;  // size of the numbers below
+  static constexpr double kNumber = 14;     // size of the numbers below
+  static constexpr double kNumberRow = 17;  // height of a row of numbers
   static constexpr double kStripCaption = 18, kStripAxis = 14;
   static constexpr double kGap = 14;  // between cells
 

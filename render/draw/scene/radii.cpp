@@ -110,7 +110,7 @@ struct RadiiSketch {
   const PlacedShape& a;
   const PlacedShape& b;
   Sketch& sketch;
-  std::optional<std::string> degenerate{};  // reason for a missing normal
+  std::optional<std::string> degenerate{};  // geometry without a normal
   double radius_a = a.traced().radius, radius_b = b.traced().radius;
 
   double metres(const Vec3d& at, double pixels) const {
@@ -246,7 +246,7 @@ struct RadiiSketch {
     constexpr double kRow = 26, kStep = 12, kFarthest = 480;  // pixels
     constexpr int kDirections = 24;
     constexpr float kAlong = 0.93f;   // cosine
-    constexpr double kSlanted = 1.5;  // cost of slanted lines against level ones
+    constexpr double kSlanted = 1.5;  // extra cost of a vertical leader
     const Camera& camera = scene.camera;
     const double pixel = scene.scales.pixel, height = kRow * pixel;
     const std::optional<Point2> at = camera.project(from);

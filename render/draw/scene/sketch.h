@@ -77,7 +77,7 @@ enum class MarkKind {
   Origin,          // origin of the Minkowski difference
   HeldOrigin,      // origin inside the difference
   Square,          // a contact point without an age
-  Node,            // an end of lines
+  Node,            // where lines meet
   Speck,           // a point among hundreds
 };
 
