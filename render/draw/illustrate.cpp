@@ -16,8 +16,8 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr float kInPlace = 15;  // size of a label that stands for an entry of the legend, pixels
-constexpr double kAway = 22;    // pixels of its leader at least
+constexpr float kInPlace = 15;  // pixels: size of a label that replaces an entry of the legend
+constexpr double kAway = 22;    // pixels: minimum length of its leader
 
 using Needs = std::array<bool Stages::*, 3>;
 
@@ -65,7 +65,7 @@ Needs needs_of(Story story) {
   return {};
 }
 
-// Labels stand away from the middle of what touches.
+// Labels are placed away from the middle of the contact.
 Vec3d center_of_contact(const Scene& scene) {
   std::vector<Vec3d> points;
   for (const trace::Pair& pair : scene.frame.pairs) append(points, positions_of(pair));
@@ -77,7 +77,7 @@ Vec3d center_of_contact(const Scene& scene) {
   return points.empty() ? Vec3d(Vec3d::Zero()) : mean_of(points);
 }
 
-// What the view's layers add; or for the legend alone, without those that explain apart.
+// Draws the view's layers; with `legend_alone` only those without explain() draw.
 Sketch sketched(const Staging& staging, const Scene& scene, bool legend_alone) {
   Sketch sketch;
   if (!legend_alone) sketch.center = center_of_contact(scene);
@@ -89,7 +89,7 @@ Sketch sketched(const Staging& staging, const Scene& scene, bool legend_alone) {
     if (!legend_alone || layer->explain == nullptr)
       layers.emplace_back(static_cast<Layer>(i), layer);
   }
-  std::string pair_name;  // of what is drawn now
+  std::string pair_name;  // of the pair that is being drawn
   const auto draw = [&](auto LayerDrawing::*part, const auto&... what) {
     for (const auto& [layer, drawn] : layers) {
       if (drawn->*part == nullptr) continue;
@@ -105,7 +105,7 @@ Sketch sketched(const Staging& staging, const Scene& scene, bool legend_alone) {
       sketch.begin(kPairLabelPart, pair_name);
       draw_pair_label(scene, pair, sketch);
     }
-    // A story of clipping comes last to the contacts of the pair.
+    // A story of clipping shows the pair's contacts in its last step.
     if (scene.view.story != Story::ClipSteps || !pair.clip ||
         scene.frame.frame > count_of(pair.clip->steps))
       draw(&LayerDrawing::result, pair);
@@ -115,7 +115,7 @@ Sketch sketched(const Staging& staging, const Scene& scene, bool legend_alone) {
   return sketch;
 }
 
-// Without the anchors that the camera does not see: a label there would not be drawn.
+// Removes anchors outside the view, because a label there would not be drawn.
 Legend seen_by(const Camera& camera, const Legend& legend) {
   Legend seen;
   for (LegendEntry entry : legend.entries()) {
@@ -125,7 +125,7 @@ Legend seen_by(const Camera& camera, const Legend& legend) {
   return seen;
 }
 
-// What panels show has no place in the view.
+// Signs of panels have no anchor in the view.
 void explain_beside(const View& view, const trace::Frame& frame, Legend& legend) {
   Legend of_panels;
   explain_panels(view, frame, of_panels);
@@ -133,7 +133,7 @@ void explain_beside(const View& view, const trace::Frame& frame, Legend& legend)
     legend.explain({entry.swatch, entry.text, std::nullopt, true});
 }
 
-// Says at the thing what the legend has no room for.
+// Labels the object itself if the legend has no room.
 void label_in_place(const LegendEntry& entry, Sketch& sketch) {
   sketch.begin(kLegendPart);
   Label& label = sketch.label(*entry.anchor, label_of(entry), entry.swatch->ink, kInPlace, kAway);
@@ -146,7 +146,7 @@ bool has_sign(const LegendEntry& entry, const Sketch& sketch) {
          sketch.legend.entries().end();
 }
 
-// Once is enough where the same is to be seen side by side: in the first shot that has it.
+// With views side by side, one label in the first view that has the sign is enough.
 void label_in_place(const LegendChoice& choice, std::vector<Sketch>& side_by_side) {
   for (const LegendEntry& entry : choice.labelled) {
     const auto sketch = std::ranges::find_if(
@@ -155,7 +155,7 @@ void label_in_place(const LegendChoice& choice, std::vector<Sketch>& side_by_sid
   }
 }
 
-/// Whether a text has this number in it, and not as a part of a longer one.
+/// Whether a text contains this number, not as part of a longer one.
 bool says(const std::string& text, const std::string& number) {
   const auto is_part = [&](std::size_t i) {
     return i < text.size() && (std::isalnum(static_cast<unsigned char>(text[i])) || text[i] == '.');
@@ -165,7 +165,7 @@ bool says(const std::string& text, const std::string& number) {
   return false;
 }
 
-// A depth that the title tells stands on what it is of: beside the deepest whisker, where no label says it.
+// If the title states a depth, writes it next to the deepest whisker, unless another label does.
 void label_told_depth(const Scene& scene, const std::string& title,
                       const std::vector<Sketch>& others, Sketch& sketch) {
   constexpr float kSize = 17;
@@ -179,7 +179,7 @@ void label_told_depth(const Scene& scene, const std::string& title,
   };
   for (const trace::Pair& pair : scene.frame.pairs) {
     const std::vector<PairPoint> kept = kept_points(pair);
-    // The sum of radii ends with the depth.
+    // Sketches of radii contain the depth already.
     if (kept.empty() || (scene.shows(Layer::Core) && !pair.incremental)) continue;
     const PairPoint deepest = *std::ranges::min_element(
         kept, {}, [](const PairPoint& at) { return at.point->separation; });
@@ -197,15 +197,15 @@ void label_told_depth(const Scene& scene, const std::string& title,
   }
 }
 
-// One view of the picture: that of all, or that of a pair that has one to itself.
+// One view of the picture: the whole scene, or a pair with its own viewport.
 struct Shot {
   const PairViewport* viewport = nullptr;
   Layout layout;
-  std::optional<trace::Frame> part{};  // what of the frame the scene is
+  std::optional<trace::Frame> part{};  // the part of the frame that the scene shows
   std::optional<Scene> scene{};
 };
 
-// Scenes refer to their frames, so that they stay where they are.
+// A list, because scenes hold references to their frames.
 std::list<Shot> shots_of(const Staging& staging, const trace::Frame& frame) {
   std::list<Shot> shots;
   if (staging.viewports.empty()) {
@@ -213,7 +213,7 @@ std::list<Shot> shots_of(const Staging& staging, const trace::Frame& frame) {
     shot.scene.emplace(scene_of(staging, frame));
     if (staging.magnifier) {
       shot.layout.insets.push_back(staging.magnifier->frame);
-      // Overlaps that are seen there as they are need not be exaggerated beside it.
+      // If the magnifier shows overlaps in true scale, the view does not exaggerate them.
       if (!staging.view.shows(Layer::Overlap) &&
           scales_within(*staging.magnifier, staging.scales).overlap == 1)
         shot.scene->scales.overlap = 1;
@@ -229,10 +229,10 @@ std::list<Shot> shots_of(const Staging& staging, const trace::Frame& frame) {
   return shots;
 }
 
-/// In the order of the legend, but for those whose words are not to be said.
+/// In legend order, without entries whose translation is empty.
 std::vector<LegendEntry> said_entries(const Legend& legend, const Staging& staging) {
   const Words* words = staging.layout.words;
-  Legend said;  // before what has one sign is joined
+  Legend said;  // before entries with the same sign are merged
   for (const LegendEntry& entry : legend.entries())
     if (words == nullptr || !words->of(entry.text).empty()) said.explain(entry);
   return said.sorted();
@@ -299,7 +299,7 @@ Drawing illustrate(const Staging& staging, const trace::Frame& frame) {
       draw_viewport_frame(*shot.viewport, frame, staging.layout, drawing);
     const auto middle = staging.magnifier ? magnified_middle(staging.view, frame) : std::nullopt;
     if (middle) {
-      // What is exaggerated to be seen from far need not be near by.
+      // Exaggeration for the view may not be necessary in the magnifier.
       const SequenceScales near_by = scales_within(*staging.magnifier, staging.scales);
       std::string note;
       Scene magnified = *shot.scene;
@@ -309,7 +309,7 @@ Drawing illustrate(const Staging& staging, const trace::Frame& frame) {
         note = near_by.overlap == 1 ? ", overlap to scale"
                                     : ", overlap" + spell_factor(near_by.overlap);
       }
-      // What is measured there is so long near by too.
+      // Only labels at the middle are repeated in the magnifier.
       std::erase_if(sketch->labels,
                     [&](const Label& label) { return !label.at.isApprox(*middle, 1e-12); });
       if (is_told_near_by(shot)) label_told_depth(magnified, title, {}, *sketch);
@@ -327,7 +327,7 @@ Drawing illustrate(const Staging& staging, const trace::Frame& frame) {
   return drawing;
 }
 
-// Those that a title may look at.
+// Stages that a title may need.
 constexpr std::array kTitleStages = {&Stages::reduction,   &Stages::clip,      &Stages::gjk,
                                      &Stages::penetration, &Stages::stability, &Stages::tree,
                                      &Stages::query};

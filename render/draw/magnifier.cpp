@@ -14,16 +14,16 @@ namespace contactscope::draw {
 namespace {
 
 // Pixels at 720 lines.
-constexpr double kLargeEnough = 20;  // a subject that is, needs no magnifier
+constexpr double kLargeEnough = 20;  // larger subjects need no magnifier
 constexpr double kLeastSubject = 0.002;
-constexpr double kMagnified = 105;  // that the subject gets at most, in the smallest magnifier
-constexpr double kMagnifierHeight = 0.3;   // of the view's, of the smallest magnifier
+constexpr double kMagnified = 105;         // of the subject, in the smallest magnifier
+constexpr double kMagnifierHeight = 0.3;   // share of the view's height, for the smallest magnifier
 constexpr double kMagnifierAspect = 1.25;  // width to height
-// A magnifier is so much larger where a corner of the view has room for it beside the shapes.
+// Magnifiers are larger by these factors if a corner of the view has free space.
 constexpr std::array<double, 4> kLarger = {1.7, 1.5, 1.3, 1.0};
 constexpr double kMagnifierText = 15;
 
-// What the picture is about: points that lie beside each other, or the two ends of a distance.
+// The subject of the picture: contact points of a pair, or the two ends of a distance.
 std::vector<Vec3d> subject_of(const View& view, const trace::Frame& frame) {
   std::vector<Vec3d> points;
   for (const trace::Pair& pair : frame.pairs) {
@@ -38,7 +38,7 @@ std::vector<Vec3d> subject_of(const View& view, const trace::Frame& frame) {
   return points;
 }
 
-/// Pixels of the canvas between the two that are farthest apart, as they are seen.
+/// Largest distance between two points on the screen, canvas pixels.
 double seen_size(const std::vector<Vec3d>& points, const Camera& camera) {
   double largest = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -50,7 +50,7 @@ double seen_size(const std::vector<Vec3d>& points, const Camera& camera) {
   return largest;
 }
 
-/// Two arrows that measure something narrow from outside are one between their tips, where there is room.
+/// If the magnifier has room, two arrows that measure from outside become one between their tips.
 void measure_within(const Camera& near, Sketch& sketch) {
   const auto comes_in = [&](const Arrow& arrow) {
     return arrow.to && !arrow.bars && !arrow.may_leave && near.sees(*arrow.to) &&
@@ -64,7 +64,7 @@ void measure_within(const Camera& near, Sketch& sketch) {
   one.from = *one.to;
   one.to = *other.to;
   one.double_headed = true;
-  other.to = other.from;  // of no length, not drawn
+  other.to = other.from;  // zero length: not drawn
 }
 
 }  // namespace
@@ -84,7 +84,7 @@ std::optional<Magnifier> stage_magnifier(const View& view, const Camera& camera,
   for (const trace::Frame& frame : frames) {
     const std::vector<Vec3d> points = subject_of(view, frame);
     if (points.empty()) continue;
-    if (points.size() > 64) return std::nullopt;  // a crowd, which is no one thing to look at
+    if (points.size() > 64) return std::nullopt;  // too many for one subject
     largest = std::max(largest, seen_size(points, camera));
     if (largest >= kLargeEnough * layout.scale) return std::nullopt;
     middles.push_back(center_of(points));
@@ -102,8 +102,8 @@ std::optional<Magnifier> stage_magnifier(const View& view, const Camera& camera,
   for (const double larger : kLarger) {
     const double height = larger * kMagnifierHeight * view_rect.height;
     const double width = kMagnifierAspect * height;
-    // The corner that covers least of the shapes and is farthest from what it magnifies; of two alike
-    // the one on the right.
+    // The corner that covers the fewest shape points and is farthest from the subject, right if
+    // equal.
     Magnifier magnifier{{}, round_down(larger * kMagnified * layout.scale / largest)};
     double farthest = -1;
     for (const bool right : {true, false}) {
@@ -140,7 +140,7 @@ void draw_magnified(const Magnifier& magnifier, const Vec3d& middle, Sketch sket
   if (!at) return;
   const Rect& frame = magnifier.frame;
   const Pen pen(drawing, layout.scale, kMagnifierText);
-  // Where it comes from: as large as what the magnifier shows of it, but to be seen.
+  // Frame of the source: the size of the magnified area, but large enough to be visible.
   const double half = std::max<double>(0.5 * frame.height / magnifier.factor, pen.px(7));
   const Rect source{at->x - kMagnifierAspect * half, at->y - half, 2 * kMagnifierAspect * half,
                     2 * half};
@@ -160,7 +160,7 @@ void draw_magnified(const Magnifier& magnifier, const Vec3d& middle, Sketch sket
   measure_within(near, sketch);
   compose(sketch, near, inner, drawing);
   pen.frame(frame, 1.5, border);
-  // Of a large one, which is round, its noughts rather than a power of ten.
+  // Large factors are round, so print their zeros rather than a power of ten.
   const std::string factor = magnifier.factor < 1e4
                                  ? spell_number(magnifier.factor)
                                  : std::to_string(std::llround(magnifier.factor));

@@ -14,10 +14,10 @@ namespace {
 
 constexpr float kPairLabelSize = 20;  // pixels
 constexpr double kPairLabelGap = 9;   // pixels between a silhouette and the label
-constexpr int kMostRows = 4;          // of labels that have one body
+constexpr int kMostRows = 4;          // for labels of pairs with a common body
 constexpr double kRowHeight = 24;     // pixels
 
-/// How many other labels are of a pair that this body is in.
+/// Number of labels of other pairs that contain this body.
 std::size_t other_labels_of(const std::string& body, const Scene& scene, const trace::Pair& pair) {
   std::set<std::string_view> labels;
   for (const trace::Pair& other : scene.frame.pairs)
@@ -27,8 +27,8 @@ std::size_t other_labels_of(const std::string& body, const Scene& scene, const t
   return labels.size();
 }
 
-// The body that moves where only one does, also when it has fallen below the other. Else the one that
-// fewer other labels are of, and of two alike the upper.
+// The only moving body, even if it has fallen below the other. Otherwise the body with fewer labels
+// of other pairs, or the upper one.
 const PlacedShape* labelled_body(const Scene& scene, const trace::Pair& pair) {
   const Vec3d up = up_axis(scene.header);
   const auto rests = [&](const std::string& name) { return scene.body(name) == nullptr; };
@@ -48,7 +48,7 @@ const PlacedShape* labelled_body(const Scene& scene, const trace::Pair& pair) {
   return best;
 }
 
-// Corners of the silhouette on the screen, y down.
+// Convex silhouette on the screen, y down.
 std::vector<Vec2d> silhouette(const Camera& camera, const PlacedShape& shape) {
   std::vector<Vec2d> points;
   for (const Vec3d& p : extent_points(shape)) {
@@ -58,7 +58,7 @@ std::vector<Vec2d> silhouette(const Camera& camera, const PlacedShape& shape) {
   return points.empty() ? points : convex_polygon(std::move(points));
 }
 
-// By a separating axis: both are convex, and the box's edges are level and upright.
+// Separating axis test: both are convex, and the box is axis-aligned.
 bool overlap(const std::vector<Vec2d>& polygon, const Eigen::AlignedBox2d& box) {
   if (polygon.size() < 3) return false;
   Eigen::AlignedBox2d around;
@@ -75,8 +75,8 @@ bool overlap(const std::vector<Vec2d>& polygon, const Eigen::AlignedBox2d& box) 
   return true;
 }
 
-// A pair without a name is called by what touches, where the view is about that: "edge on face: 2
-// points". Bounds give their answer with their name: what the picture is about is said in it.
+// An unnamed pair is named by its features if the view shows features: "edge on face: 2 points".
+// Queries of bounds add their answer, because it is the picture's subject.
 std::string pair_label_text(const Scene& scene, const trace::Pair& pair) {
   if (!pair.label.empty()) {
     return pair.query && !pair.query->bounds.empty() ? label_with_answer(pair) : pair.label;
@@ -91,24 +91,24 @@ std::string pair_label_text(const Scene& scene, const trace::Pair& pair) {
 
 }  // namespace
 
-// Above the silhouette of its body, if that is free ground; else above both shapes, beneath or
-// beside the body, or a row or two farther out. Where other shapes or labels are everywhere, above the
-// body, or as high as the view goes.
+// Above the silhouette of its body, if that place is free; otherwise above both shapes, below or
+// next to the body, or a row or two farther out. If nothing is free, above the body inside the
+// view.
 void draw_pair_label(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
-  // What is out of the picture is not named in it.
+  // Only bodies in the picture are labelled.
   const auto is_seen = [&](const std::string& name) {
     const PlacedShape* shape = scene.find(name);
     return shape != nullptr && in_view(scene.camera, *shape);
   };
   const std::string words = pair_label_text(scene, pair);
-  // The panel of intervals says what the bounds of this pair are.
+  // The panel of intervals names the bounds of each pair.
   if (std::ranges::find(scene.view.panels, Panel::AxisIntervals) != scene.view.panels.end()) return;
   if (words.empty() || (!is_seen(pair.a) && !is_seen(pair.b))) return;
   const trace::Pair* end = scene.frame.pairs.data() + scene.frame.pairs.size();
   if (!pair.label.empty() &&
       std::ranges::find(&pair + 1, end, pair.label, &trace::Pair::label) != end)
     return;
-  // Where the same two shapes are asked several things, no place in the picture is any one's.
+  // If several queries use the same two shapes, no place in the picture identifies one of them.
   const auto is_asked_beside = [&](const trace::Pair& other) {
     const bool same =
         (other.a == pair.a && other.b == pair.b) || (other.a == pair.b && other.b == pair.a);
@@ -123,7 +123,7 @@ void draw_pair_label(const Scene& scene, const trace::Pair& pair, Sketch& sketch
   };
   Vec3d middle = middle_of(*body);
   std::vector<Vec2d> own = silhouette(camera, *body);
-  // An answer of bounds is one of both.
+  // The answer of bounds belongs to both shapes.
   const PlacedShape* partner = scene.find(body->traced().name == pair.a ? pair.b : pair.a);
   if (pair.query && !pair.query->bounds.empty() && partner != nullptr) {
     middle = 0.5 * (middle + middle_of(*partner));
@@ -153,7 +153,7 @@ void draw_pair_label(const Scene& scene, const trace::Pair& pair, Sketch& sketch
   const Vec2d origin(at->x, at->y);
   const Rect& view = camera.viewport();
   const Vec2d low(view.x, view.y), high(view.right(), view.bottom());
-  // Where the label begins, at the border of a silhouette, and the way out.
+  // Where the label begins, at the border of a silhouette, and the outward direction.
   struct Place {
     Vec2d begin, out;
   };
@@ -179,7 +179,7 @@ void draw_pair_label(const Scene& scene, const trace::Pair& pair, Sketch& sketch
   for (int row = 0; row < kMostRows; ++row) {
     std::array<Place, 5> around = {border(own, up), border(both, up), border(own, -up),
                                    border(own, right), border(own, -right)};
-    if (on_plane) std::swap(around[2], around[4]);  // below it is the ground
+    if (on_plane) std::swap(around[2], around[4]);  // the ground is below
     for (const Place& place : around)
       places.push_back({place.begin + row * kRowHeight * pixel * place.out, place.out});
   }

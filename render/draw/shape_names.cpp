@@ -10,32 +10,31 @@
 #include "draw/staging.h"
 #include "image/font.h"
 
-/// What shapes are called, each on its own ground, so that no legend has to list them.
+/// Names of shapes, written on the shapes, so that the legend need not list them.
 namespace contactscope::draw {
 namespace {
 
-constexpr std::size_t kMostNamedShapes =
-    3;                                  // more names are a crowd, and the picture is about none
-constexpr std::size_t kMostCopies = 3;  // more of them are a stack or a heap, as anybody sees
-constexpr std::size_t kMostRoles = 12;  // shapes
-constexpr std::size_t kMostVertices = 5000;  // of a mesh whose outline is worked out
-constexpr double kMostOfCore = 0.12;         // of the outline's area
-constexpr double kMostOfMesh = 0.3;          // of its width, that a name on it takes
+constexpr std::size_t kMostNamedShapes = 3;  // more names would crowd the picture
+constexpr std::size_t kMostCopies = 3;       // more copies are obviously a stack or a heap
+constexpr std::size_t kMostRoles = 12;       // shapes
+constexpr std::size_t kMostVertices = 5000;  // of a mesh whose exact outline is computed
+constexpr double kMostOfCore = 0.12;         // share of the outline's area, with visible cores
+constexpr double kMostOfMesh = 0.3;          // share of its width that a name may take
 constexpr float kNameSize = 16;              // pixels
 constexpr int kColumns = 18, kRowsTried = 12;
-constexpr double kNameFarEnough = 260;  // pixels from the contact: farther is no better
+constexpr double kNameFarEnough = 260;  // pixels from the contact; more is no better
 constexpr double kLeastEdge = 0.5;      // pixels
 constexpr double kFromBorder = 5;       // pixels between letters and the border of the shape
 constexpr double kFromPairLabel = 10;   // pixels
 constexpr double kFromFrame = 8;        // pixels between letters and the border of the view
-constexpr double kInside = 16;          // pixels: so far inside of its shape a leader ends
+constexpr double kInside = 16;          // pixels from the border of its shape to a leader's end
 
-/// "small crate" of "small_crate_3".
+/// "small crate" for "small_crate_3".
 std::string kind_in_words(std::string_view name) {
   return name_in_words(kind_of_name(name));
 }
 
-/// Shapes of one name, of which one bears it.
+/// Shapes with a common name; one of them is labelled.
 struct Named {
   std::string words;
   const PlacedShape* shape = nullptr;
@@ -43,8 +42,7 @@ struct Named {
   std::size_t copies = 0;
 };
 
-/// Corners of the shape as it is seen, a convex polygon of the screen, y down. Of a mesh of many
-/// vertices those of its box.
+/// Convex outline of the shape on the screen, y down; of its box for a mesh with many vertices.
 std::vector<Vec2d> seen_outline(const Camera& camera, const PlacedShape& shape) {
   std::vector<Vec3d> points;
   if (shape.mesh->patch) {
@@ -66,20 +64,19 @@ std::vector<Vec2d> seen_outline(const Camera& camera, const PlacedShape& shape) 
   return seen.size() < 3 ? std::vector<Vec2d>() : convex_polygon(std::move(seen));
 }
 
-/// How far inside of a convex polygon, in the winding of convex_polygon(), a point is; negative
-/// outside.
+/// Depth of a point inside a convex polygon with the winding of convex_polygon(); negative outside.
 double depth_in(const std::vector<Vec2d>& polygon, const Vec2d& p) {
   double depth = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vec2d edge = polygon[(i + 1) % polygon.size()] - polygon[i];
     const double length = edge.norm();
-    // Shorter ones have a direction of rounding.
+    // The direction of shorter edges is rounding noise.
     if (length > kLeastEdge) depth = std::min(depth, cross(edge, Vec2d(p - polygon[i])) / length);
   }
   return polygon.size() < 3 ? -1 : depth;
 }
 
-/// Pixels, of corners on the screen.
+/// Width of an outline, pixels.
 double width_of(const std::vector<Vec2d>& outline) {
   if (outline.empty()) return 0;
   const auto [left, right] =
@@ -92,7 +89,7 @@ std::vector<Named> named_shapes(const Scene& scene) {
   for (const PlacedShape& shape : scene.shapes) {
     if (!in_view(scene.camera, shape)) continue;
     std::string words = kind_in_words(shape.traced().name);
-    // The label of a pair says it.
+    // The pair's label contains the name already.
     const auto says_so = [&](const trace::Pair& pair) {
       return kind_in_words(pair.label) == words;
     };
@@ -105,8 +102,8 @@ std::vector<Named> named_shapes(const Scene& scene) {
   return named;
 }
 
-/// Where a text box of this size is wholly on the shape, and on no smaller one that may stand
-/// before it; as far from `contact` as it needs to be.
+/// Place for a text box that is fully on the shape and not on a smaller one that may be in front of
+/// it. Prefers places far from `contact`.
 std::optional<Vec2d> place_on(const std::vector<Vec2d>& own,
                               const std::vector<std::vector<Vec2d>>& smaller, const Vec2d& half,
                               const Vec2d& contact, const Rect& view, const Sketch& sketch,
@@ -159,15 +156,15 @@ bool names_shapes(const Scene& scene) {
 void draw_shape_names(const Scene& scene, Sketch& sketch) {
   if (!names_shapes(scene)) return;
   const std::vector<Named> named = named_shapes(scene);
-  // Of more than a few the role alone, where a normal is from one to the other.
+  // With many names only roles are written, if normals show their direction.
   const bool roles_alone = named.size() > kMostNamedShapes;
   if (roles_alone && (scene.shapes.size() > kMostRoles || !scene.shows(Layer::Normals))) return;
-  // Where one is B of this pair and A of that one, letters would tell nothing.
+  // Letters are meaningless if a body is B of one pair and A of another,
   const bool trades_roles = std::ranges::any_of(scene.frame.pairs, [&](const trace::Pair& one) {
     return std::ranges::any_of(scene.frame.pairs,
                                [&](const trace::Pair& other) { return one.a == other.b; });
   });
-  // Nor where the solver moves bodies and no normal goes from one to the other.
+  // or if a solver moves the bodies and no normals are shown.
   const bool tells_roles = !trades_roles && (!scene.frame.solver || scene.shows(Layer::Normals));
   const Camera& camera = scene.camera;
   const Rect& view = camera.viewport();
@@ -183,7 +180,7 @@ void draw_shape_names(const Scene& scene, Sketch& sketch) {
     if (each.copies > kMostCopies) continue;
     const bool has_role = each.of_a != each.of_b && tells_roles;
     if (roles_alone && !has_role) continue;
-    // On one of several alike it would seem to be that one's own.
+    // A name on one of several copies would seem to belong to that copy alone.
     if (each.copies > 1 && !has_role) continue;
     const std::string role = !has_role ? "" : each.of_a ? "A" : "B";
     const std::string text = roles_alone ? role : role + (has_role ? ": " : "") + each.words;
@@ -197,7 +194,7 @@ void draw_shape_names(const Scene& scene, Sketch& sketch) {
     }
     const Vec2d half(0.5 * text_width(text, size, FontWeight::Bold) + 2 * pixel, 0.5 * size);
     const Color ink = each.shape->is_a ? kArcOfA : kArcOfB;
-    // A place in the world that is seen there, at the depth of the shape.
+    // World position behind a screen position, at the depth of the shape.
     const Vec3d at = each.shape->mesh->patch || each.shape->vertices.empty()
                          ? sketch.center
                          : Vec3d(each.shape->pose.transform(each.shape->traced().center_of_mass));
@@ -207,22 +204,21 @@ void draw_shape_names(const Scene& scene, Sketch& sketch) {
       const Vec2d way = (pixels - Vec2d(foot->x, foot->y)) / camera.pixels_per_metre(at);
       return at + way.x() * camera.right() - way.y() * camera.up();
     };
-    // On a small mesh it would cover the edges that are the mesh.
-    // Nor on a small body its core, where that is what is shown.
+    // On a small mesh a name would cover the edges, and on a small body the core.
     const bool is_small = scene.shows(Layer::Core) && 4 * half.prod() > kMostOfCore * area;
     const bool fits =
         !is_small && (!each.shape->is_mesh() || 2 * half.x() < kMostOfMesh * width_of(own->first));
     if (const auto place =
             !fits ? std::nullopt
                   : place_on(own->first, smaller, half, contact, view, sketch, pixel)) {
-      // The text's middle is there: it begins half of its height below, on the way down.
+      // The text is centred there, so it begins half its height lower and extends upwards.
       Label& label = sketch.label(in_world(*place + Vec2d(0, 0.5 * size)), text, ink, kNameSize, 0,
                                   camera.up());
       label.foot = true;
       label.ground = own->first;
       continue;
     }
-    // Beside it, at the corner that is farthest from the contact.
+    // Next to it, at the corner that is farthest from the contact.
     std::optional<Vec2d> corner;
     for (const Vec2d& p : own->first) {
       if (!view.contains(draw::pixel(p.x(), p.y()))) continue;

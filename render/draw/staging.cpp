@@ -16,14 +16,14 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr double kFieldOfView = 30;     // degrees; stronger perspective would bend right angles
-constexpr double kParallelField = 2;    // degrees of a lens that takes the place of none
+constexpr double kFieldOfView = 30;     // degrees; stronger perspective would distort right angles
+constexpr double kParallelField = 2;    // degrees; a narrow lens in place of a parallel projection
 constexpr double kElevation = 30;       // degrees above the contact plane
-constexpr double kPatchShare = 0.46;    // of the view's smaller side
-constexpr double kLeastPatch = 0.345;   // of it, where all shapes can be seen
-constexpr double kShapesShare = 0.92;   // of the view, when all shapes are to be seen
-constexpr double kLeastShapes = 0.72;   // of the distance from which all shapes are seen
-constexpr double kLargeShape = 2.2;     // radii of the smallest: a floor, which may be cropped
+constexpr double kPatchShare = 0.46;    // share of the view's smaller side
+constexpr double kLeastPatch = 0.345;   // smallest share with all shapes visible
+constexpr double kShapesShare = 0.92;   // share of the view if all shapes should be visible
+constexpr double kLeastShapes = 0.72;   // share of the distance from which all shapes are visible
+constexpr double kLargeShape = 2.2;     // radii of the smallest: a floor, may be cropped
 constexpr double kLeastContext = 0.45;  // of the smaller shape's radius: a point has no size
 
 double radians(double degrees) {
@@ -36,8 +36,7 @@ Vec3d default_direction(const trace::Header& header) {
                           : Vec3d(0.62, 0.5, 1.0).normalized();
 }
 
-/// Points of a sequence that a picture must hold. One that has not moved since the frame before
-/// stands there already.
+/// Points of a sequence for fitting the view, without those that repeat the previous frame's.
 struct Cloud {
   std::vector<Vec3d> points, last;
 
@@ -49,17 +48,16 @@ struct Cloud {
   }
 };
 
-/// What a sequence asks of a camera, gathered in one pass over its frames.
+/// Input for fitting a camera, gathered in one pass over the frames.
 struct Extent {
   std::vector<Vec3d> shapes;     // all of them
-  std::vector<Vec3d> subject;    // of them what a picture of the contact holds
-  bool croppable = true;         // where the contact would be too small otherwise
+  std::vector<Vec3d> subject;    // points of shapes that a picture of the contact must show
+  bool croppable = true;         // whether to crop the subject if the contact would be too small
   std::vector<Vec3d> contact;    // its patches
-  Vec3d normal = Vec3d::Zero();  // of the contact, to the viewer's side; zero when there is none
+  Vec3d normal = Vec3d::Zero();  // of the contact, towards the viewer; zero without contact
 };
 
-// The contact's normal, to the side from which it is looked at; either one, unless a half-space
-// would then hide everything.
+// The contact's normal towards the viewer: any side, unless a half-space would hide everything.
 Vec3d seen_side(const std::vector<PlacedShape>& placed, const trace::Pair& pair,
                 const Vec3d& usual) {
   for (const PlacedShape& shape : placed) {
@@ -71,7 +69,7 @@ Vec3d seen_side(const std::vector<PlacedShape>& placed, const trace::Pair& pair,
   return normal.dot(usual) < 0 ? Vec3d(-normal) : normal;
 }
 
-/// Where shapes are at the end of the step.
+/// Positions at the end of the step.
 std::vector<Vec3d> swept_points(const std::vector<PlacedShape>& placed, const trace::Frame& frame) {
   std::vector<Vec3d> points;
   for (const trace::Pair& pair : frame.pairs) {
@@ -87,14 +85,14 @@ std::vector<Vec3d> swept_points(const std::vector<PlacedShape>& placed, const tr
   return points;
 }
 
-// Also gives every plane of `meshes` its patch. Not to be cropped are round shapes, which are known
-// by their outline alone, and the ground with all that is on it; else the subject is all but
+// Also gives every plane of `meshes` its patch. Round shapes, known by their outline alone, must
+// not be cropped, nor the ground with everything on it. Otherwise the subject is all shapes except
 // floors.
 Extent gather(const trace::Header& header, const std::vector<trace::Frame>& frames,
               const View& view, ShapeMeshes& meshes, bool with_sweeps = false) {
   const Vec3d usual = default_direction(header);
   const double least = meshes.smallest_radius();
-  const double smallest = std::isfinite(least) ? least : 0;  // there may be no shapes
+  const double smallest = std::isfinite(least) ? least : 0;  // zero without shapes
   const auto is_round = [](const ShapeMesh& mesh) { return mesh.shape->radius > 0; };
   const bool any_round = std::ranges::any_of(meshes, is_round);
   std::map<std::size_t, PatchFit> planes;
@@ -137,7 +135,7 @@ Extent gather(const trace::Header& header, const std::vector<trace::Frame>& fram
   extent.subject = planes.empty() ? subject.points : extent.shapes;
   extent.croppable = planes.empty() && !any_round;
   if (extent.contact.empty()) return extent;
-  // A point contact has no size: what lies around it counts instead.
+  // A point contact has no size, so its surroundings count instead.
   const Vec3d center = center_of(extent.contact);
   for (int axis = 0; axis < 3; ++axis) {
     const Vec3d reach = kLeastContext * smallest * Vec3d::Unit(axis);
@@ -157,13 +155,13 @@ Vec3d viewing_direction(const trace::Header& header, const Vec3d& normal) {
 
 Camera fit_camera(const trace::Header& header, const Extent& extent, const View& view,
                   const Rect& viewport) {
-  // Of a parallel projection that is fitted the eye is so far away that its rays are parallel.
+  // A fitted parallel projection starts with a distant eye, whose rays are nearly parallel.
   const bool parallel = view.orthographic_height && !(*view.orthographic_height > 0);
   const double fov = radians(parallel ? kParallelField : view.fov_degrees.value_or(kFieldOfView));
   const double half_height = std::tan(0.5 * fov);
   const double aspect = viewport.width / viewport.height;
 
-  // Without a target of the view's own, the direction of its eye is from the middle of all.
+  // Without a target, the view's eye looks at the middle of all shapes.
   Vec3d direction = viewing_direction(header, extent.normal);
   if (view.eye) {
     direction = (*view.eye - view.target.value_or(center_of(extent.shapes))).normalized();
@@ -178,10 +176,10 @@ Camera fit_camera(const trace::Header& header, const Extent& extent, const View&
   if (view.focus == Focus::Contact && !extent.contact.empty()) {
     ViewFit close = fit(extent.contact, kPatchShare);
     const ViewFit around = fit(extent.subject, kShapesShare, extent.contact);
-    // What may be cropped is, where the patch would be less than a third of the view.
+    // Crop the subject if the patch would be smaller than a third of the view.
     if (!extent.croppable || around.distance <= fit(extent.contact, kLeastPatch).distance)
       close = {around.target, std::max(around.distance, close.distance)};
-    // Not so near that the shapes are lost.
+    // Not so near that the shapes are no longer visible.
     if (close.distance < best.distance)
       best = {close.target, std::max(close.distance, kLeastShapes * best.distance)};
   }
@@ -194,16 +192,15 @@ Camera fit_camera(const trace::Header& header, const Extent& extent, const View&
              : Camera::perspective(eye, best.target, up, fov, viewport);
 }
 
-/// Where the first shape of a viewport's pair is when the sequence begins.
+/// Position of the first shape of a viewport's pair at the start of the sequence.
 Vec3d first_place(const std::vector<trace::Frame>& frames, const PairViewport& viewport) {
   for (const trace::Placement& pose : frames.front().poses)
     if (pose.first == viewport.a) return pose.second.position;
   return Vec3d::Zero();
 }
 
-// All viewports of pairs show as many pixels of a metre, from the same side: the one that needs
-// most room decides. What each shows stands in its middle in all frames. A target of the view's own
-// is beside the first pair, and the others are looked at in the same place beside theirs.
+// All viewports have the same scale and direction; the one that needs the most room decides. Their
+// contents are centred in all frames. A target of the view applies to all pairs, relative to each.
 void fit_viewports(const trace::Header& header, const std::vector<trace::Frame>& frames,
                    const Extent& all, Staging& staging) {
   const View& view = staging.view;
@@ -246,7 +243,7 @@ void fit_viewports(const trace::Header& header, const std::vector<trace::Frame>&
   }
 }
 
-// For the legend of each frame the widths of its entries.
+// Widths of the legend's entries for each frame.
 std::vector<std::vector<float>> legend_widths(const Staging& staging,
                                               const std::vector<trace::Frame>& frames) {
   std::vector<std::vector<float>> widths;
@@ -273,8 +270,8 @@ Staging stage(const trace::Header& header, const std::vector<trace::Frame>& fram
     return make_layout(width, height, !view.panels.empty(), widths, count_of(insets), style,
                        plain_title(view.title.value_or(header.title)));
   };
-  // The camera needs the view's rectangle, that needs the rows of the legend, and these follow from
-  // what each frame shows: explain all frames with a camera that only has to exist.
+  // The camera needs the view's rectangle, which needs the legend's rows, which depend on the
+  // contents of the frames. Therefore the legend of all frames is made with a provisional camera.
   Staging staging{&header,           view,       &layers,
                   std::move(meshes), layout({}), fit_camera(header, extent, view, layout({}).view)};
   staging.style = style;
@@ -296,7 +293,7 @@ Staging stage(const trace::Header& header, const std::vector<trace::Frame>& fram
     for (const trace::Frame& frame : frames) sequence->push_back({frame.frame, frame.poses});
     staging.sequence = std::move(sequence);
   }
-  // What is on show decides how large the views of pairs are, not what happens in between.
+  // The size of pair views follows from the stored frames, not from the frames between.
   std::vector<trace::Frame> shown;
   if (view.side_by_side)
     std::ranges::copy_if(frames, std::back_inserter(shown), [&](const trace::Frame& frame) {

@@ -13,26 +13,26 @@ namespace {
 
 // Pixels at 720 lines.
 constexpr double kCaptionSize = 15, kCaptionLine = 18, kCaptionRoom = 24, kBetweenCells = 16;
-constexpr double kBodyType = 15;  // what a style's type is of
-// Type is as large as at 720 lines in a cell so wide, in pixels, and in others within these bounds.
+constexpr double kBodyType = 15;  // base size of a style's type
+// Text has its size at 720 lines in cells of this width, in pixels; limits for other widths.
 constexpr double kUsualCell = 360, kLeastType = 0.72, kMostType = 1.25;
 constexpr double kCellShape = 0.75;  // height by width
 constexpr double kThumbnailShape = 0.66;
 
-/// Where nobody sets the type, it follows the width of a cell: a row is not high.
+/// Without an author's text size, it follows the width of a cell, because rows are not high.
 FigureStyle with_type(FigureStyle style, double cell_width) {
   if (style.type > 0) return style;
   style.type = kBodyType * std::clamp(cell_width / kUsualCell, kLeastType, kMostType);
   return style;
 }
 
-/// A drawing without what stands in one of its parts.
+/// Copies a drawing without one layer.
 Drawing without_part(const Drawing& drawing, std::string_view layer) {
   Drawing left = drawing;
   left.primitives.clear();
   left.parts.clear();
   left.callouts.clear();
-  std::vector<std::size_t> moved(drawing.primitives.size());  // where each primitive is now
+  std::vector<std::size_t> moved(drawing.primitives.size());  // new index of each primitive
   std::size_t part = 0;
   bool is_left = true;
   for (std::size_t i = 0; i < drawing.primitives.size(); ++i) {
@@ -64,7 +64,7 @@ CellGrid grid_of(const Rect& room, int cells, int columns, double caption, doubl
   return grid;
 }
 
-/// The height of a page whose cells have the height that their grid says, `room` being what they had.
+/// Height of a page with this grid of cells; `room`: previous height for the cells.
 int height_with(const CellGrid& grid, int cells, double room, double gap, int height) {
   const int rows = (cells + grid.columns - 1) / grid.columns;
   return static_cast<int>(std::ceil(height - room + rows * grid.down - gap));
@@ -100,15 +100,15 @@ Strip::Strip(const trace::Header& header, const std::vector<trace::Frame>& frame
              const std::vector<trace::Frame>& shown, const View& view, int width, int height,
              int columns, const FigureStyle& style)
     : header_(&header), shown_(&shown), style_(with_type(style, double(width) / columns)) {
-  // Without numbers, which differ from cell to cell, where the author says it so; else the outcome.
-  // So do titles that change on the way.
+  // Use the author's title without numbers, which differ from cell to cell, if possible. Otherwise,
+  // or if the title changes over time, use the title of the last frame.
   const std::string asked = view.title.value_or(header.title);
   title_ = plain_title(asked);
   if (title_.find("…") != std::string::npos || asked.find("{from ") != std::string::npos) {
     lay_out(frames, view, width, height, columns);
     title_ = fill_title(*cell_, shown.back());
   }
-  // What the legend lists follows from the cells, and their size from its rows.
+  // The legend follows from the cells, and their size from the rows of the legend.
   lay_out(frames, view, width, height, columns);
   Legend legend;
   for (const trace::Frame& frame : shown) {
@@ -140,7 +140,7 @@ void Strip::lay_out(const std::vector<trace::Frame>& frames, const View& view, i
   };
   page_ = page_of(height > 0 ? height : width);
   const double gap = page_.px(kBetweenCells);
-  grid_ = grid_of(page_.view, cells, columns, 0, gap, kCellShape);  // for its width alone
+  grid_ = grid_of(page_.view, cells, columns, 0, gap, kCellShape);  // for its width only
   std::size_t lines = 0;
   for (int i = 0; i < count_of(headings_); ++i) lines = std::max(lines, heading_lines(i).size());
   const double caption = page_.px(kCaptionRoom + static_cast<double>(lines) * kCaptionLine);
@@ -186,7 +186,7 @@ ContactSheet::ContactSheet(std::string title, int cells, int width, int columns,
     return make_layout(width, high, false, {}, 0, style_, title_);
   };
   page_ = page_of(width);
-  // A name and two lines of a title.
+  // Room for a name and two lines of title.
   const double gap = page_.px(kBetweenCells), caption = page_.px(3.6 * kCaptionSize);
   const CellGrid trial = grid_of(page_.view, cells, columns, caption, gap, kThumbnailShape);
   page_ = page_of(height_with(trial, cells, page_.view.height, gap, width));

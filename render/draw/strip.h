@@ -6,51 +6,50 @@
 
 #include "draw/staging.h"
 
-/// Several pictures as one: frames of a sequence side by side, or thumbnails of many scenarios.
+/// Composite pictures: frames of a sequence side by side, or thumbnails of many scenarios.
 namespace contactscope::draw {
 
-/// Cells of one size in rows, each with room for a caption above it.
+/// Cells of one size in rows, each with a caption above.
 struct CellGrid {
   int columns = 1;
-  int width = 0, height = 0;    // of a cell without its caption, whole pixels
+  int width = 0, height = 0;    // of a cell without caption, whole pixels
   double x = 0, y = 0;          // of the first caption
   double caption = 0;           // its height
-  double across = 0, down = 0;  // from one cell to the next
+  double across = 0, down = 0;  // offset from one cell to the next
 
-  /// Where cell `i` is, on whole pixels.
+  /// Rectangle of cell `i`, on whole pixels.
   Rect cell(int i) const;
 };
 
-/// How many columns so many cells stand in where nobody says: up to four in a row, rows of about the
-/// same length.
+/// Default number of columns for this number of cells: up to four, with rows of similar length.
 int usual_columns(int cells);
 
-/// One picture of several frames: one camera, one title above, one legend below of what is seen in any
-/// of them; above each cell its moment, and what a story says of its step. Each cell is drawn for its own
-/// size, so that its type is as large as the page's.
+/// One picture of several frames with one camera, one title above, and one legend below for all of
+/// them. Above each cell are its moment and the step of a story. Each cell is drawn at its own
+/// size, so that its text is as large as the page's.
 class Strip {
  public:
-  /// `shown`: the frames of the cells, in order; `frames`: those of the sequence, to which the camera
-  /// is fitted. `height` 0: as high as cells of four to three need. The view's panels stand in each
-  /// cell. Header and frames outlive the strip. Of a view of a scene.
+  /// `shown`: frames of the cells, in order; `frames`: frames of the sequence, to which the camera
+  /// is fitted. `height` 0: height for cells in the ratio 4:3. The view's panels are in each cell.
+  /// Header and frames outlive the strip. The view must show a scene.
   Strip(const trace::Header& header, const std::vector<trace::Frame>& frames,
         const std::vector<trace::Frame>& shown, const View& view, int width, int height,
         int columns, const FigureStyle& style);
 
-  /// What each cell is drawn with.
+  /// Staging of the cells.
   const Staging& cell() const { return *cell_; }
   int width() const { return page_.width; }
   int height() const { return page_.height; }
 
-  /// All but the cells, unfinished.
+  /// The page without its cells, before finish().
   Drawing page() const;
-  /// Puts a finished cell into a finished page.
+  /// Adds a finished cell to a finished page.
   void place(int i, const Drawing& cell, Drawing& page) const;
 
  private:
   void lay_out(const std::vector<trace::Frame>& frames, const View& view, int width, int height,
                int columns);
-  /// The heading of a cell, in as many lines as it takes.
+  /// Heading of a cell, broken into lines.
   std::vector<std::string> heading_lines(int i) const;
 
   const trace::Header* header_;
@@ -58,17 +57,16 @@ class Strip {
   FigureStyle style_;
   std::string title_{};
   std::vector<LegendEntry> legend_{};
-  std::vector<std::string> headings_{};  // what stories say of their steps
+  std::vector<std::string> headings_{};  // step headings of stories
   Layout page_{};
   CellGrid grid_{};
   std::optional<Staging> cell_{};
 };
 
-/// The style of a cell in a page of this style whose text is at `scale`: no captions of its own, and type
-/// as large as the page's.
+/// Style of a cell on a page of this style with text at `scale`: no captions, text as on the page.
 FigureStyle cell_style(FigureStyle page, float scale);
 
-/// A page of thumbnails: each with a name and a title.
+/// A page of thumbnails, each with a name and a title.
 class ContactSheet {
  public:
   struct Entry {
@@ -83,7 +81,7 @@ class ContactSheet {
   int width() const { return page_.width; }
   int height() const { return page_.height; }
 
-  /// All but the thumbnails, unfinished.
+  /// The page without its thumbnails, before finish().
   Drawing page(const std::vector<Entry>& entries) const;
   void place(int i, const Drawing& thumbnail, Drawing& page) const;
 

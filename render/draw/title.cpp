@@ -17,7 +17,7 @@ namespace {
 using Words = std::optional<std::string>;
 using Pairs = std::vector<const trace::Pair*>;
 
-/// Pairs that a placeholder is about.
+/// Pairs that a placeholder refers to.
 Pairs pairs_of(const TitlePiece& piece, const trace::Frame& frame) {
   Pairs pairs;
   for (const trace::Pair& pair : frame.pairs) {
@@ -30,8 +30,7 @@ Pairs pairs_of(const TitlePiece& piece, const trace::Frame& frame) {
   return pairs;
 }
 
-/// What the pair says of how far it is apart or in: metres, negative in overlap; nothing where
-/// nobody knows.
+/// Separation of a pair, metres, negative for an overlap; nothing if it is unknown.
 std::optional<double> separation_of(const trace::Pair& pair) {
   if (pair.query) return pair.query->gap;
   const std::vector<PairPoint> points = all_points(pair);
@@ -64,7 +63,7 @@ const trace::Pair* reduced_one(const Pairs& pairs) {
   return first_of(pairs, [](const trace::Pair& pair) { return pair.reduction.has_value(); });
 }
 
-/// Points before and after the reduction of a pair.
+/// Number of points before the reduction of a pair.
 std::size_t candidates_of(const trace::Pair& pair) {
   const std::size_t kept = all_points(pair).size();
   return pair.reduction && pair.manifolds.size() < 2 ? std::max(kept, pair.reduction->points.size())
@@ -86,7 +85,7 @@ double impulse_of(const Pairs& pairs) {
   return total;
 }
 
-// What is about one frame.
+// Values for one frame.
 struct Filler {
   const Staging& staging;
   const trace::Frame& frame;
@@ -212,12 +211,12 @@ struct Filler {
       case TitleFact::Frames:
       case TitleFact::FalsePositives:
       case TitleFact::DeepestOverlap:
-        break;  // about the sequence
+        break;  // over the sequence
     }
     return {};
   }
 
-  // The largest overlap; or the smallest gap, where nothing overlaps or touches.
+  // The largest overlap, or the smallest gap if nothing overlaps or touches.
   Words gap(const Pairs& pairs, bool gaps) const {
     const trace::Pair* nearest = nullptr;
     double least = 0;
@@ -265,7 +264,7 @@ struct Filler {
   }
 };
 
-/// "0 points" is worth no title where another alternative follows; frame 0 is.
+/// "0 points" makes a title fall back to the next alternative; frame 0 does not.
 bool is_nothing(const TitlePiece& piece, const std::string& value) {
   return piece.fact != TitleFact::Frame && (value == "0" || value.starts_with("0 "));
 }
@@ -308,7 +307,7 @@ StagedTitle stage_title(const std::string& text, const std::vector<trace::Frame>
                         const LengthUnit& unit) {
   StagedTitle staged;
   ParsedTitle parsed = parse_title(text);
-  // A trace from elsewhere may hold braces that are none of ours.
+  // Traces of other programs may contain braces that are not placeholders.
   if (!parsed.problem.empty()) parsed.title = {{TitlePiece{.text = text}}};
   staged.title = std::move(parsed.title);
   for (const TitleAlternative& pieces : staged.title) {
@@ -323,7 +322,7 @@ StagedTitle stage_title(const std::string& text, const std::vector<trace::Frame>
 std::string fill_title(const Staging& staging, const trace::Frame& frame) {
   const StagedTitle& staged = staging.title;
   const Filler fill{staging, frame};
-  std::size_t next = 0;  // of those about the sequence
+  std::size_t next = 0;  // index of the next placeholder over the sequence
   std::string words;
   for (const TitleAlternative& pieces : staged.title) {
     const bool is_last = &pieces == &staged.title.back();

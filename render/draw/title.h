@@ -11,23 +11,22 @@ namespace contactscope::draw {
 
 struct Staging;
 
-/// A title that is filled in from frame to frame, with what it says of the whole sequence.
+/// A title with placeholders, and their values over the whole sequence.
 struct StagedTitle {
   Title title;
-  /// For each placeholder that is about the sequence, in the order of the pieces, what stands for
-  /// it; empty where it has no value.
+  /// Text of each placeholder over the sequence, in order of the pieces; empty without a value.
   std::vector<std::string> of_sequence;
 };
 
-/// Looks through the frames where a placeholder is about all of them.
+/// Examines the frames if a placeholder refers to all of them.
 StagedTitle stage_title(const std::string& text, const std::vector<trace::Frame>& frames,
                         const LengthUnit& unit = {});
 
-/// The first alternative of which this frame has all that its placeholders name; else the last one,
-/// with "…" for what there is not.
+/// The first alternative for which this frame has all values; otherwise the last, with "…" for
+/// others.
 std::string fill_title(const Staging& staging, const trace::Frame& frame);
 
-/// The optional stages of the pipeline that a title looks at.
+/// Optional stages of the pipeline that a title needs.
 trace::Stages stages_of(const Title& title);
 
 }  // namespace contactscope::draw

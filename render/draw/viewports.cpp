@@ -27,7 +27,7 @@ std::vector<PairViewport> split_view(const std::vector<trace::Frame>& frames,
                                      const Layout& layout) {
   std::vector<const trace::Pair*> pairs =
       distinct_pairs(frames, [](const trace::Pair&) { return true; });
-  // A pair that is not named beside others that are is there for something else than the comparison.
+  // An unlabelled pair next to labelled ones is not part of the comparison.
   const auto has_no_label = [](const trace::Pair* pair) { return pair->label.empty(); };
   if (!std::ranges::all_of(pairs, has_no_label)) std::erase_if(pairs, has_no_label);
   const std::size_t count = pairs.size();
@@ -78,7 +78,7 @@ trace::Frame part_of(const trace::Frame& frame, const PairViewport& viewport) {
   for (const trace::Pair& pair : frame.pairs) {
     if (!shows_pair(viewport, pair)) continue;
     part.pairs.push_back(pair);
-    part.pairs.back().label.clear();  // it stands over the viewport
+    part.pairs.back().label.clear();  // the viewport's heading contains it
   }
   for (const trace::Deformed& deformed : frame.deformed)
     if (has(deformed.name)) part.deformed.push_back(deformed);

@@ -15,19 +15,19 @@ namespace {
 // Pixels at 720 lines.
 constexpr std::size_t kMostObstacles = 60;
 constexpr float kRow = 17;
-constexpr float kBetweenNames = 5;  // where one of them has several rows
+constexpr float kBetweenNames = 5;  // if one of them has several rows
 constexpr float kLetters = 14;
-constexpr float kRing = 8;  // radius, about what is marked
+constexpr float kRing = 8;  // radius, around marked points
 constexpr float kLeader = 18;
 constexpr float kWidest = 150;   // of a row of a name
-constexpr float kAtBorder = 12;  // so near to it a line ends there
-constexpr float kOverhang = 12;  // of names, beyond the lower end of the chart
+constexpr float kAtBorder = 12;  // a line that ends this near to the border ends there
+constexpr float kOverhang = 12;  // of names, below the chart's lower border
 
 Weight weight_of(const NamedLine& line) {
   return line.quiet ? Weight::Regular : Weight::Bold;
 }
 
-/// The words of a name, a number and the unit after it as one.
+/// Splits a name into words; a number and its unit stay together.
 std::vector<std::string> words_of(const std::string& name) {
   constexpr std::array<const char*, 12> kUnits = {"%",  "×",  "ns", "µs", "ms", "s",
                                                   "µm", "mm", "cm", "m",  "km", "kg"};
@@ -66,7 +66,7 @@ struct Beside {
   float middle;  // y
 };
 
-/// Down where they crowd, and back up from the bottom.
+/// Moves crowded names down, then back up from the bottom.
 void spread_out(std::vector<Beside>& names, float row, float between, float top, float bottom) {
   std::ranges::stable_sort(names, {}, &Beside::middle);
   const bool any_wraps =
@@ -119,7 +119,7 @@ void name_near(const std::vector<const NamedLine*>& named,
                const Rect& area, const Pen& pen) {
   LabelObstacles obstacles;
   for (const NamedLine& line : lines) {
-    // Of a curve of many points some tell where it runs.
+    // A subset of a long curve's points represents it.
     const std::size_t step = 1 + line.points.size() / kMostObstacles;
     if (step == 1)
       obstacles.markers.insert(obstacles.markers.end(), line.points.begin(), line.points.end());
@@ -199,7 +199,7 @@ void name_inside(const std::vector<NamedLine>& lines, const Rect& area, const Pe
   for (const NamedLine& line : lines) {
     if (line.points.empty() || line.name.empty()) continue;
     named.push_back(&line);
-    // Where no other line is near, and nothing is marked.
+    // Prefer anchors far from other lines, and without marks.
     std::vector<Point2> own = line.points;
     const auto is_marked = [&](const Point2& point) {
       return std::ranges::any_of(line.marks,

@@ -9,7 +9,7 @@
 namespace contactscope::draw {
 namespace {
 
-// Okabe-Ito without yellow, which is lost on white.
+// Okabe-Ito without yellow, which is hard to see on white.
 constexpr std::array<Color, 7> kColors = {rgb(0x0072B2), rgb(0xD55E00), rgb(0x009E73),
                                           rgb(0xCC79A7), rgb(0xE69F00), rgb(0x56B4E9),
                                           rgb(0x000000)};
@@ -23,7 +23,7 @@ double luminance(const Color& color) {
   return 0.2126 * linear(color.r) + 0.7152 * linear(color.g) + 0.0722 * linear(color.b);
 }
 
-// Darkened until its contrast with white reaches 4.5, what the same guidelines ask of text.
+// Darkened until its contrast with white is 4.5, which the same guidelines require for text.
 Color legible(Color color) {
   while (1.05 / (luminance(color) + 0.05) < 4.5) {
     for (float* channel : {&color.r, &color.g, &color.b}) *channel *= 0.97f;
@@ -31,7 +31,7 @@ Color legible(Color color) {
   return color;
 }
 
-/// Corners of a marker of radius 1 that is a polygon.
+/// Corners of a polygonal marker of radius 1.
 std::vector<Point2> corners_of(Marker marker) {
   switch (marker) {
     case Marker::Square:
@@ -51,7 +51,7 @@ std::vector<Point2> corners_of(Marker marker) {
 
 }  // namespace
 
-// The strides are prime to the counts, so that colour, marker and dash change at different beats.
+// The periods are coprime, so that colour, marker and dash change at different indices.
 MethodStyle method_style(std::size_t index) {
   constexpr std::array<std::array<float, 2>, 3> kDashes = {{{0, 0}, {8, 4}, {2.5f, 3.5f}}};
   const Color& color = kColors[index % kColors.size()];
@@ -61,7 +61,7 @@ MethodStyle method_style(std::size_t index) {
 
 void draw_marker(Marker marker, const Point2& center, float radius, const Color& color,
                  Drawing& drawing) {
-  const Pen pen(drawing, 1, 0);  // lengths are pixels of the canvas
+  const Pen pen(drawing, 1, 0);  // lengths are canvas pixels
   const float line = 0.42f * radius;
   if (marker == Marker::Circle) {
     pen.disc(center, radius, color);
@@ -76,7 +76,7 @@ void draw_marker(Marker marker, const Point2& center, float radius, const Color&
     for (Point2& corner : corners) corner = center + radius * corner;
     const bool hollow = marker == Marker::HollowSquare || marker == Marker::HollowDiamond;
     pen.fill(corners, hollow ? kWhite : color);
-    // A thin line, for fills have no soft border of their own.
+    // A thin line, because fills have no anti-aliased border.
     pen.outline(corners, hollow ? line : 1, color);
   }
 }

@@ -15,18 +15,18 @@ namespace {
 
 // Pixels at 720 lines.
 constexpr double kHeading = 22;
-constexpr double kUnder = 42;  // labels, and the name of the axis
+constexpr double kUnder = 42;  // labels and the name of the axis
 constexpr double kBetween = 18;
-constexpr double kGutter = 22;  // between diagrams of work precision
+constexpr double kGutter = 22;  // between work precision diagrams
 constexpr double kTitle = 28;
 constexpr double kSubtitle = 15;
 constexpr double kLegend = 24;
 constexpr double kCaption = 20;
 
-/// The powers of ten on an axis and their places, pixels; labelled as often as labels have room. Where
-/// there are fewer than three of them, 2 and 5 times each as well.
+/// Powers of ten on an axis, in pixels, with as many labels as there is room for. If there are
+/// fewer than three, also 2 and 5 times each.
 std::vector<std::pair<float, std::string>> decades_of(const Axis& axis, float room) {
-  std::vector<Axis::Tick> ticks = axis.ticks(1e9f);  // decades alone: none is that long
+  std::vector<Axis::Tick> ticks = axis.ticks(1e9f);  // decades only: none is that long
   if (ticks.size() < 3) {
     ticks = axis.ticks();
     std::erase_if(ticks, [](const Axis::Tick& tick) { return !tick.labelled; });
@@ -50,7 +50,7 @@ std::vector<std::pair<float, std::string>> decades_of(const Axis& axis, float ro
   });
 }
 
-/// Round numbers on an axis that is not logarithmic, every label with so much room.
+/// Round numbers on a linear axis, with at least `room` pixels per label.
 std::vector<std::pair<float, std::string>> counts_of(const Axis& axis, float room) {
   const double pixel = (axis.high - axis.low) / std::max(1.0f, std::abs(axis.to - axis.from));
   double step = 1;
@@ -61,7 +61,7 @@ std::vector<std::pair<float, std::string>> counts_of(const Axis& axis, float roo
   return list;
 }
 
-/// "CPU · compiler · build · date", and if asked for the scalar.
+/// "CPU · compiler · build · date", optionally with the scalar.
 std::string spell_context(const trace::StudyContext& context, bool with_scalar) {
   std::string line;
   for (const std::string& part : {context.cpu, context.compiler, context.build_type,
@@ -81,13 +81,12 @@ std::string subtitle(const trace::Study& study) {
   along = "Along a line: " + along + " " + study.parameter + ". Strong: at half ";
   if (!trace::has_panels(study))
     return along + "of these or more, nothing else is both as fast and as close.";
-  // Panels are headed by what they are of, so the error is named here.
+  // Panels have their own headings, so the error is named here.
   return "Up: mean " + study.error + ". " + along +
          "or more nothing in the panel as fast is as close.";
 }
 
-/// How much larger letters, lines and markers are than where many diagrams share the page: a slide's
-/// plot is read from afar.
+/// Factor of text, lines and markers if few diagrams share the page, as on a slide.
 float enlarged(const trace::Study& study) {
   constexpr std::size_t kMostLines = 10;
   if (study.form == trace::StudyForm::WorkPrecision) {
@@ -100,14 +99,14 @@ float enlarged(const trace::Study& study) {
   return panels <= 1 ? 1.3f : panels <= 3 ? 1.15f : 1;
 }
 
-/// With names as they are read and not as options spell them: "sweep and prune".
+/// Replaces option names by readable names: "sweep and prune".
 trace::Study named_in_words(trace::Study study) {
   for (trace::StudySeries& series : study.series) series.method = in_words(series.method);
   study.signal = in_words(study.signal);
   return study;
 }
 
-/// One of so many equal cells of a page, row by row, with as much between them.
+/// One of equal cells of a page, row by row, with gaps between them.
 Rect cell_of(const Rect& space, std::size_t columns, std::size_t rows, std::size_t i, double across,
              double down) {
   const auto column = static_cast<double>(i % columns), row = static_cast<double>(i / columns);
@@ -174,7 +173,7 @@ std::string spell_failures(const trace::StudySeries& series) {
 PlotPage plot_page(const trace::Study& study, const std::string& shown, bool has_legend, int width,
                    int height) {
   const Layout layout = make_layout(width, height, false, {});
-  const bool is_small = study.form != trace::StudyForm::WorkPrecision;  // multiples
+  const bool is_small = study.form != trace::StudyForm::WorkPrecision;  // small multiples
   const float larger = enlarged(study);
   PlotPage page{{.width = width, .height = height}, larger * layout.scale, {}, {}};
   const std::string against = study.reference.empty() ? "" : "Against " + study.reference;
@@ -233,7 +232,7 @@ Drawing plot(const trace::Study& measured, int width, int height) {
   if (study.form == trace::StudyForm::Answers) return plot_answers(study, width, height);
 
   const bool in_panels = trace::has_panels(study);
-  std::vector<std::pair<ErrorKind, std::string>> parts;  // of which error, and in which panel
+  std::vector<std::pair<ErrorKind, std::string>> parts;  // error kind and panel
   if (in_panels) {
     for (const PlotPanel& panel : panels_of(study)) parts.emplace_back(ErrorKind::Mean, panel.name);
   } else {

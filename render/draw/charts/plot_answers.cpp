@@ -46,13 +46,13 @@ struct AnswerMaps : Pen {
     name("wrong");
   }
 
-  /// A square in the middle of a cell that leaves its colour to be seen.
+  /// A square in the middle of a cell that leaves the cell's colour visible.
   static Rect middle_of(const Rect& cell) {
     const double side = 0.5 * std::min(cell.width, cell.height);
     return {cell.x + 0.5 * (cell.width - side), cell.y + 0.5 * (cell.height - side), side, side};
   }
 
-  /// Rows from below; all have the same parameters.
+  /// Rows from bottom to top; all have the same parameters.
   void panel(const PlotPanel& panel, const std::string& row) const {
     const Rect& area = panel.area;
     const std::vector<trace::StudyPoint>& first = panel.series.front()->points;
@@ -62,7 +62,7 @@ struct AnswerMaps : Pen {
     for (std::size_t j = 0; j < panel.series.size(); ++j) {
       const std::vector<trace::StudyPoint>& points = panel.series[j]->points;
       const double top = area.bottom() - static_cast<double>(j + 1) * height;
-      // Neighbours of one colour are one rectangle, so that no seam shows between them.
+      // Neighbours of one colour are one rectangle, to avoid seams.
       for (std::size_t i = 0, end = 0; i < points.size(); i = end) {
         const NamedAnswer& answer = answer_at(points[i]);
         while (end < points.size() && &answer_at(points[end]) == &answer) ++end;
@@ -124,7 +124,7 @@ Drawing plot_answers(const trace::Study& study, int width, int height) {
       (page.panels.width - scale * (kLeftOfAnswers + (count - 1) * kBetweenAnswers)) / count;
   const double side = std::min(across, page.panels.height - scale * (kOverAnswers + kUnderAnswers));
   double x = page.panels.x + scale * kLeftOfAnswers;
-  // In the middle of the room that is left under the legend.
+  // In the middle of the room below the legend.
   const double spare = page.panels.height - scale * (kOverAnswers + kUnderAnswers) - side;
   for (PlotPanel& panel : panels) {
     panel.area = {x, page.panels.y + scale * kOverAnswers + 0.4 * spare, side, side};

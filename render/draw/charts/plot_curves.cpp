@@ -15,12 +15,12 @@ namespace {
 constexpr double kLeft = 52;
 constexpr double kFailureRow = 15;
 constexpr double kZeroRow = 18;            // below a logarithmic axis, which has no zero
-constexpr std::size_t kMostTicks = 8;      // where the points are; of more the axis has decades
+constexpr std::size_t kMostTicks = 8;      // with more points the axis shows decades
 constexpr double kBetweenTicks = 7;        // pixels between their labels
-constexpr double kFarFromZero = 0.7;       // of the highest: zero would take most of the room
-constexpr std::size_t kMostWithNames = 3;  // panels; of more the lines have a legend
+constexpr double kFarFromZero = 0.7;       // share of the maximum; above it zero would waste room
+constexpr std::size_t kMostWithNames = 3;  // panels; with more the lines have a legend
 
-/// Where the names of a panel's lines stand.
+/// Place of the line names of a panel.
 enum class Naming { None, Beside, Inside };
 
 struct CurveStyle {
@@ -29,15 +29,13 @@ struct CurveStyle {
   bool dashed = false;
   bool signal = false;
   bool quiet = false;
-  int covered =
-      0;  // by so many later ones at the same places: it is drawn wider, to be seen beside them
+  int covered = 0;  // number of later series at the same places; drawn wider to stay visible
 
   double wider() const { return 2.0 * covered; }
   double dash() const { return dashed ? 5 : 0; }
 };
 
-/// One colour for all series whose names begin alike: that which the study's other plots give the
-/// method of that number.
+/// One colour for all series whose names begin alike, equal to that of the study's other plots.
 CurveStyle style_of(const trace::Study& study, const trace::StudySeries& of) {
   const std::string& method = of.method;
   const bool dashed = method.find(',') != std::string::npos && !of.look;
@@ -60,7 +58,7 @@ CurveStyle style_of(const trace::Study& study, const trace::StudySeries& of) {
   return {look.color, look.text, dashed};
 }
 
-/// The parameter goes up by one from point to point.
+/// Whether the parameter increases by one from point to point.
 bool counts_up(const trace::StudySeries& series) {
   const std::vector<trace::StudyPoint>& points = series.points;
   for (std::size_t i = 1; i < points.size(); ++i)
@@ -68,7 +66,7 @@ bool counts_up(const trace::StudySeries& series) {
   return points.size() > 2;
 }
 
-/// All points of both are at the same places.
+/// Whether all points of both coincide.
 bool covers(const trace::StudySeries& upper, const trace::StudySeries& lower) {
   return std::ranges::equal(upper.points, lower.points,
                             [](const trace::StudyPoint& a, const trace::StudyPoint& b) {
@@ -85,7 +83,7 @@ bool has_zero(const PlotPanel& panel) {
   });
 }
 
-/// Of one panel, the most series that have failures.
+/// Maximum number of series with failures in a panel.
 int failing_series(const std::vector<PlotPanel>& panels) {
   std::ptrdiff_t most = 0;
   for (const PlotPanel& panel : panels)
@@ -96,7 +94,7 @@ int failing_series(const std::vector<PlotPanel>& panels) {
   return static_cast<int>(most);
 }
 
-/// Names beside the ends of lines would tell nothing apart where several end at zero.
+/// Names at the ends of lines would be ambiguous if several end at zero.
 bool several_end_at_zero(const std::vector<PlotPanel>& panels) {
   return std::ranges::any_of(panels, [](const PlotPanel& panel) {
     return std::ranges::count_if(panel.series, [](const trace::StudySeries* series) {
@@ -113,7 +111,7 @@ bool same_lines(const std::vector<PlotPanel>& panels) {
   });
 }
 
-/// Of errors that are drawn on a linear axis from zero: how a tick is spelled.
+/// Tick format of errors on a linear axis from zero.
 struct LinearUnit {
   const char* unit;
   double factor;
@@ -122,7 +120,7 @@ struct LinearUnit {
 constexpr std::array<LinearUnit, 3> kLinearUnits = {
     {{trace::kShare, 100, " %"}, {trace::kTimes, 1, " ×"}, {trace::kSum, 1, " ms"}}};
 
-/// Null where the axis is logarithmic.
+/// Null for a logarithmic axis.
 const LinearUnit* linear_unit(const trace::Study& study) {
   const auto found = std::ranges::find_if(
       kLinearUnits, [&](const LinearUnit& one) { return study.unit == one.unit; });
@@ -132,13 +130,13 @@ const LinearUnit* linear_unit(const trace::Study& study) {
 struct Curves : Pen {
   const trace::Study& study;
   PositiveRange errors;  // of all panels
-  double least_error;    // zero among them
+  double least_error;    // zero included
   int failure_rows;
   bool has_zero_row;
 
   bool is_linear() const { return linear_unit(study) != nullptr; }
 
-  /// The parameters of a panel, where ticks at each of them have room and short names; else none.
+  /// The parameters of a panel, if ticks at each of them have room and short names; otherwise none.
   std::vector<double> ticks_at_points(const PlotPanel& panel, const Axis& x) const {
     std::set<double> values;
     for (const trace::StudySeries* series : panel.series)
@@ -158,14 +156,14 @@ struct Curves : Pen {
   }
 
   double top_of_axis() const { return errors.high + 0.04 * (errors.high - bottom_of_axis()); }
-  /// Zero, but where all is far from it: a whole step below the least.
+  /// Zero, unless all values are far from it: then a whole step below the least.
   double bottom_of_axis() const {
     if (least_error < kFarFromZero * errors.high) return 0;
     const double step = linear_step(errors.high - least_error);
     return step * std::floor(least_error / step - 0.5);
   }
 
-  /// With names of lines where these have none of their own; and of failures.
+  /// Legend with names of lines if these are not named in the panels, and with failures.
   void legend(Point2 at, bool names) const {
     std::set<std::string> told;
     const auto name = [&](const std::string& what) {
@@ -197,7 +195,7 @@ struct Curves : Pen {
     const Rect& area = panel.area;
     const auto left = static_cast<float>(area.x), right = static_cast<float>(area.right());
     const auto above = static_cast<float>(area.y), bottom = static_cast<float>(area.bottom());
-    // Room for the rows of all panels alike, so that one height means one error everywhere.
+    // All panels have equal room for these rows, so that one height means one error everywhere.
     const float top = above + px(failure_rows * kFailureRow + 4);
     const Axis x = counts ? Axis{parameters.low, parameters.high, left + px(8), right - px(8)}
                           : parameters.axis(left, right, px(8), px(8));
@@ -216,7 +214,7 @@ struct Curves : Pen {
     else
       draw_decades_up(y, area, true, panel.begins_row, *this);
     frame(area, 1.2, kChartBorder);
-    // What is no error, or none that has a value, stands apart.
+    // Lines separate failures and zeros from the values.
     if (failure_rows > 0) line({left, top - px(1)}, {right, top - px(1)}, 1.2, kChartBorder);
     if (has_zero_row) line({left, floor}, {right, floor}, 1.2, kChartBorder);
     text(panel.name, {left, above - px(6)}, Align::Left, kText, Weight::Bold);
@@ -250,7 +248,7 @@ struct Curves : Pen {
     }
   }
 
-  /// It has no marker by which a legend could show it.
+  /// The signal has no marker for a legend.
   void name_signal(const PlotPanel& panel, const Axis& x, const Axis& y) const {
     for (const trace::StudySeries* series : panel.series) {
       if (series->method != study.signal || series->points.empty()) continue;
@@ -260,7 +258,7 @@ struct Curves : Pen {
     }
   }
 
-  /// Names are all that is known of them before they have places.
+  /// The named lines without points, which follow later.
   std::vector<NamedLine> named_lines(const PlotPanel& panel) const {
     std::vector<NamedLine> lines;
     for (const trace::StudySeries* series : panel.series) {
@@ -270,7 +268,7 @@ struct Curves : Pen {
     return lines;
   }
 
-  /// Round numbers of the linear unit, from zero on.
+  /// Round numbers of the linear unit from the bottom of the axis.
   void draw_linear_up(const Axis& y, const Rect& area, bool labels) const {
     const auto left = static_cast<float>(area.x), right = static_cast<float>(area.right());
     const LinearUnit& unit = *linear_unit(study);
@@ -287,7 +285,7 @@ struct Curves : Pen {
     }
   }
 
-  /// A fifth of so much or less, 1, 2 or 5 times a power of ten.
+  /// About a fifth of `high`: 1, 2 or 5 times a power of ten.
   static double linear_step(double high) {
     const double least = high / 6, decade = std::pow(10.0, std::floor(std::log10(least)));
     for (const double factor : {1.0, 2.0, 5.0})
@@ -301,7 +299,7 @@ struct Curves : Pen {
     if (style.dashed) draw_marker(Marker::Circle, at, px(1.9), kWhite, drawing());
   }
 
-  /// On the way to a zero that has no place on the axis it is dashed.
+  /// Dashed towards a zero that is below the axis.
   template <class Place>
   void curve(const trace::StudySeries& series, const CurveStyle& style, const Place& place) const {
     for (std::size_t i = 1; i < series.points.size(); ++i) {
@@ -318,7 +316,7 @@ struct Curves : Pen {
     }
   }
 
-  /// What is told before each cross, "64 samples: 1 of 200 hits missed" before the first; nothing where that has no room.
+  /// Text before each cross; for the first "64 samples: 1 of 200 hits missed". Empty without room.
   std::vector<std::string> failures_of_each(const trace::StudySeries& series, const Axis& x,
                                             float left) const {
     std::vector<std::string> words;
@@ -338,7 +336,7 @@ struct Curves : Pen {
     return series.method.substr(0, series.method.find(':'));
   }
 
-  /// Crosses, and their count at the end where fewer of them are. False where there are none.
+  /// Crosses, and their count at the end with fewer of them. False if there are none.
   bool failures(const trace::StudySeries& series, const Axis& x, float left, float right,
                 float row) const {
     int on_the_left = 0, crosses = 0;
@@ -359,7 +357,7 @@ struct Curves : Pen {
     if (crosses == 0) return false;
     if (!each.empty()) return true;
     if (!study.failed.empty()) {
-      // Of all in words, before the first cross where there is room, else after the last.
+      // Total as text, before the first cross if there is room, otherwise after the last.
       const std::string words =
           name_before_colon(series) + ": " + spell_failures(series) + " " + study.failed;
       const bool fits = first - px(10) - width_of(words) > left;
@@ -379,7 +377,7 @@ struct Curves : Pen {
 
 Drawing plot_curves(const trace::Study& study, int width, int height) {
   const auto points = points_of(study);
-  // What has one value a point, such as a time or a share, has no largest one.
+  // Quantities with a single value per point, such as a time or a share, have no largest one.
   const bool has_worst = std::ranges::any_of(points, [](const trace::StudyPoint& p) {
     return p.error && p.error_worst && *p.error_worst > *p.error;
   });
@@ -408,7 +406,7 @@ Drawing plot_curves(const trace::Study& study, int width, int height) {
   Curves curves{
       Pen(page.drawing, page.scale, kPlotText), study, errors, least, failure_rows, has_zero_row};
   if (has_legend) curves.legend(page.legend, naming == Naming::None);
-  // Where every panel has the same lines, these are named once.
+  // If all panels have the same lines, they are named once.
   const bool once = all.size() > 1 && same_lines(all);
   const auto room = [&](const PlotPanel& panel) {
     return naming == Naming::Beside ? room_beside(curves.named_lines(panel), curves) : 0;

@@ -13,8 +13,8 @@ constexpr float kZeroSlot = 12;
 constexpr float kFailureRow = 18;
 constexpr float kCross = 5;
 constexpr float kPlotMargin = 16;
-constexpr float kMostLabelShare = 0.2f;  // of the width, kept free on the right
-constexpr float kMostCountShare = 0.4f;  // likewise, where counts of failures have no place else
+constexpr float kMostLabelShare = 0.2f;  // share of the width that is kept free on the right
+constexpr float kMostCountShare = 0.4f;  // if counts of failures have no other place
 
 using Stretch = std::array<float, 2>;  // from, to
 
@@ -28,7 +28,7 @@ struct Mapping {
   float left = static_cast<float>(area.x), right = static_cast<float>(area.right());
   float top = static_cast<float>(area.y);
   Axis x{};
-  std::vector<std::vector<Stretch>> rows{};  // of failures: what is taken of each
+  std::vector<std::vector<Stretch>> rows{};  // of failures: occupied stretches of each row
 
   PlotGeometry run() {
     choose_time_axis();
@@ -49,7 +49,7 @@ struct Mapping {
 
     const auto bottom = static_cast<float>(area.bottom());
     const auto zero = [&](const trace::StudyPoint& point) { return is_zero(point); };
-    float slots = 0;  // a row for each series that has a zero
+    float slots = 0;  // one row for each series with a zero
     for (const trace::StudySeries& series : study.series)
       slots += std::ranges::any_of(series.points, zero) ? 1 : 0;
     const float zeros_begin = slots == 0 ? bottom : bottom - px(kZeroSlot) * (slots + 0.6f);
@@ -58,7 +58,7 @@ struct Mapping {
     float slot = 0;
     for (std::size_t i = 0; i < courses.size(); ++i) {
       courses[i].quiet = study.series[i].quiet;
-      // A method of one point that the title speaks of, too.
+      // Methods with a single point that the title mentions are strong too.
       const std::vector<trace::StudyPoint>& own = study.series[i].points;
       const bool is_told = own.size() == 1 && !own.front().mark.empty();
       courses[i].strong = (front[i] || is_told) && !courses[i].quiet;
@@ -117,7 +117,7 @@ struct Mapping {
     return errors.axis(from, to, px(kPlotMargin), px(kPlotMargin));
   }
 
-  /// The text beside crosses.
+  /// The text next to crosses.
   static std::string count_of(const trace::StudySeries& series) {
     return series.method + ": " + spell_failures(series);
   }
@@ -130,8 +130,7 @@ struct Mapping {
     return places;
   }
 
-  /// Whether each count of failures, in all panels, has room before its first cross or after its
-  /// last.
+  /// Whether each count of failures, in all panels, fits before its first cross or after its last.
   bool failures_fit() const {
     return std::ranges::all_of(whole.series, [&](const trace::StudySeries& series) {
       const std::vector<float> failures = failures_of(series);
@@ -142,7 +141,7 @@ struct Mapping {
     });
   }
 
-  // A row for each method that failed; two share one where they do not meet.
+  // One row for each method with failures; two share a row if they do not overlap.
   void place_failures(const trace::StudySeries& series, Course& course) {
     course.failure_text = count_of(series);
     const float width = width_of(course.failure_text);

@@ -16,24 +16,24 @@ constexpr double kLeftNumbers = 56;
 constexpr double kLeftNames = 132;
 constexpr double kBarCell = 58;  // of the legend's bar
 
-// From white over Okabe-Ito's sky blue and blue to near black: lightness alone tells the order.
+// From white over Okabe-Ito's sky blue and blue to near black: lightness alone shows the order.
 constexpr std::array<Color, 8> kDecades = {rgb(0xEAF5FC), rgb(0xC4E3F6), rgb(0x8FCBEE),
                                            rgb(0x56B4E9), rgb(0x1F88C4), rgb(0x005F96),
                                            rgb(0x003F66), rgb(0x001F33)};
 constexpr Color kFailure = rgb(0xD55E00);
 
-/// Errors up to 1 are the first, up to 10 the second, and so on; the last takes all above.
+/// Errors up to 1 are the first decade, up to 10 the second, and so on; the last is open.
 std::size_t decade_of(double error) {
   if (!(error > 1)) return 0;
   const double above = std::ceil(std::log10(error));
   return static_cast<std::size_t>(std::clamp(above, 0.0, double(kDecades.size() - 1)));
 }
 
-/// Of a share of cases that failed, up to `most`.
+/// A class of the share of failed cases, up to `most`.
 struct ShareStep {
   double most;
   const char* name;
-  std::size_t shade;  // of kDecades
+  std::size_t shade;  // index into kDecades
 };
 constexpr std::array<ShareStep, 5> kShares = {{{0, "none", 0},
                                                {0.1, "≤ 10 %", 2},
@@ -47,7 +47,7 @@ const ShareStep& share_of(const trace::StudyPoint& point) {
       kShares, [&](const ShareStep& step) { return share <= step.most || step.most == 1; });
 }
 
-/// Half a cell beyond the first and the last value.
+/// An axis that extends half a cell beyond the first and the last value.
 Axis axis_through(const std::vector<double>& values, double from, double to) {
   const double cell = std::abs(to - from) / static_cast<double>(values.size());
   const auto half = static_cast<float>(0.5 * cell);
@@ -57,15 +57,15 @@ Axis axis_through(const std::vector<double>& values, double from, double to) {
 
 struct Map : Pen {
   const trace::Study& study;
-  bool numbered;  // its rows
+  bool numbered;  // rows are numbers
 
   bool has_shares() const { return study.unit == trace::kShare; }
 
-  /// Cells with the same words beside them, by column and series.
+  /// Cells with the same mark, by column and series.
   using Marked = std::map<std::pair<std::size_t, std::size_t>, Rect>;
 
-  /// A line about all of them, and the words in its upper right corner, so that no column beside is named by them.
-  /// Where it has no room, or is no rectangle, they are to the right, or else to the left.
+  /// Outlines all of them, with the text in the upper right corner inside, so that it does not name
+  /// a neighbouring column. Without room, or if not a rectangle, it is to the right or left.
   void mark(const std::string& words, const Marked& cells, const Rect& area) const {
     Rect all = cells.begin()->second;
     for (const auto& [place, rect] : cells) {
@@ -79,7 +79,7 @@ struct Map : Pen {
     const double height = cells.begin()->second.height;
     const double area_of_cells =
         static_cast<double>(cells.size()) * cells.begin()->second.width * height;
-    // White about the line, to be seen on dark cells. That of a rectangle has no joints.
+    // A white border keeps the line visible on dark cells. A rectangle's outline has no joints.
     const bool is_rectangle = area_of_cells > 0.999 * all.width * all.height;
     for (const auto& [width, color] : {std::pair{5.0, kWhite}, std::pair{2.6, kText}})
       if (is_rectangle)
@@ -91,7 +91,7 @@ struct Map : Pen {
     const bool is_inside =
         is_rectangle && cells.size() > 1 && all.width > width + px(24) && height > px(28);
     const bool fits = all.right() + px(10) + width < area.right();
-    // On a plate: cells beside it may be of any shade.
+    // On a white plate, because cells may have any shade.
     const auto begin = static_cast<float>(is_inside ? all.right() - px(12) - width
                                           : fits    ? all.right() + px(8)
                                                     : all.x - px(8) - width);
@@ -109,7 +109,7 @@ struct Map : Pen {
         if (cells.contains({c, r})) return;
         const Point2 from = corners[i], to = corners[(i + 1) % 4];
         const Point2 end = (0.5f * px(width) / distance(from, to)) * (to - from);
-        line(from - end, to + end, width, color);  // so that corners and joints are whole
+        line(from - end, to + end, width, color);  // extended to close corners and joints
       };
       side(0, column, numbered ? row + 1 : row - 1);
       side(1, column + 1, row);
@@ -125,7 +125,7 @@ struct Map : Pen {
       at += aside + width_of(what) + px(18);
     };
     const auto box = [&](double width) { return Rect{at, begin.y - px(8), px(width), px(16)}; };
-    // One bar of all steps, each with its bound inside of it.
+    // One bar of all classes, each with its bound inside.
     const std::vector<std::pair<std::string, std::size_t>> steps = steps_of_bar();
     const auto bar = static_cast<double>(kBarCell);
     const Rect whole{at, begin.y - px(8), px(bar * static_cast<double>(steps.size())), px(16)};
@@ -145,7 +145,7 @@ struct Map : Pen {
     name("all " + (study.failed.empty() ? "failed" : study.failed), px(32));
   }
 
-  /// Words and shades of the legend's bar, the lightest first.
+  /// Texts and shades of the legend's bar, the lightest first.
   std::vector<std::pair<std::string, std::size_t>> steps_of_bar() const {
     std::vector<std::pair<std::string, std::size_t>> steps;
     if (has_shares()) {
@@ -168,7 +168,7 @@ struct Map : Pen {
     return steps;
   }
 
-  /// Each of a few columns' parameters, to two digits; of more the axis has decades.
+  /// The columns' parameters to two digits if there is room; otherwise the axis shows decades.
   std::vector<double> ticks_of(const std::vector<double>& parameters, double width) const {
     std::vector<double> ticks =
         mapped(parameters, [](double parameter) { return std::stod(printed("%.2g", parameter)); });
@@ -190,7 +190,7 @@ struct Map : Pen {
     const double height = area.height / static_cast<double>(panel.series.size());
     for (std::size_t i = 0; i < panel.series.size(); ++i) {
       const trace::StudySeries& series = *panel.series[i];
-      // Numbers grow upwards, names are read downwards.
+      // Numbers increase upwards, names are read downwards.
       const double row = static_cast<double>(numbered ? panel.series.size() - 1 - i : i);
       const double top = area.y + row * height;
       for (std::size_t j = 0; j < series.points.size(); ++j) {
@@ -224,7 +224,7 @@ struct Map : Pen {
     }
   }
 
-  /// A cell without a value is hatched: white alone would look like the smallest error.
+  /// A cell without a value is hatched, because white would look like the smallest error.
   void hatched(const Rect& rect) const {
     const double right = rect.right(), bottom = rect.bottom();
     hatch({{rect.x, rect.y}, {right, rect.y}, {right, bottom}, {rect.x, bottom}}, {}, 6, 1,

@@ -18,11 +18,11 @@ constexpr float kTickColumn = 54;
 constexpr float kStrongMarker = 5.0f;
 constexpr float kMutedMarker = 3.3f;
 constexpr float kCross = 4;
-constexpr float kLeastDecade = 70;  // shorter ones would be a grey of minor lines
+constexpr float kLeastDecade = 70;  // shorter ones would be crowded with minor lines
 
 constexpr Color kMinorGrid = rgb(0xEEF0F2);
 
-// Opaque, so that a marker on its line does not show the line.
+// Opaque, so that a marker hides the line below it.
 Color muted(const Color& color) {
   const auto mix = [](float channel) { return 0.68f * channel + 0.32f; };
   return {mix(color.r), mix(color.g), mix(color.b), color.a};
@@ -37,7 +37,7 @@ Rect area_in(const Rect& rect, float scale) {
 
 struct Diagram : Pen {
   const trace::Study& study;
-  const trace::Study& whole;  // that `study` is, or is a panel of
+  const trace::Study& whole;  // contains `study`
   ErrorKind kind;
   const Rect& rect;
 
@@ -77,7 +77,7 @@ struct Diagram : Pen {
     draw_error_ticks();
   }
 
-  /// Decades first: another tick is labelled where that leaves them free.
+  /// Decades first: other ticks are labelled if there is room next to them.
   std::vector<Axis::Tick> labelled_ticks(const Axis& axis) const {
     std::vector<Axis::Tick> ticks = axis.ticks(px(kLeastDecade));
     std::erase_if(ticks, [](const Axis::Tick& tick) { return !tick.labelled; });
@@ -116,7 +116,7 @@ struct Diagram : Pen {
   }
 
   void draw_headings() {
-    // A picture of least times alone has no other.
+    // Studies of least times have no median.
     const auto is_one = [](const trace::StudyPoint& point) {
       return point.nanoseconds.min == point.nanoseconds.max;
     };
@@ -179,12 +179,12 @@ struct Diagram : Pen {
     }
   }
 
-  // How much of the data a box would hide.
+  // Number of data points that a box would hide.
   int covered(const Rect& box) const {
     int count = 0;
     for (const Course& course : plot.courses) {
       for (std::size_t i = 0; i < course.points.size(); ++i) {
-        // Points along the way to the next, and the point itself.
+        // Points along the line to the next point, and the point itself.
         const Point2& at = course.points[i];
         const Point2& next = course.points[std::min(i + 1, course.points.size() - 1)];
         for (int step = 0; step < 10; ++step)
@@ -194,7 +194,7 @@ struct Diagram : Pen {
     return count;
   }
 
-  /// Says which way is better, from the lower left corner on where there is room. Returns its box.
+  /// Arrow towards better values, near the lower left corner if there is room. Returns its box.
   Rect draw_arrow() {
     const float reach = px(30);
     const std::string word = "better";
@@ -202,7 +202,7 @@ struct Diagram : Pen {
     const double floor = plot.zeros_begin - px(8) - height;
     const double rise = std::max(0.0, floor - plot.failures_end - px(8));
     const double run = std::max(0.0, right - px(8) - width - (left + px(8)));
-    // Shares of the way to the right, and up.
+    // Shares of the range to the right, and up.
     constexpr double kAlong[] = {0, 0, 0.15, 0, 0.3, 0, 0.5, 0, 0, 0.7, 1, 1};
     constexpr double kUp[] = {0, 0.15, 0, 0.3, 0, 0.5, 0, 0.7, 1, 0, 0, 1};
     std::vector<Rect> boxes;
@@ -220,7 +220,7 @@ struct Diagram : Pen {
   void draw_labels(const Rect& arrow) {
     LabelObstacles obstacles;
     obstacles.boxes.push_back(arrow);
-    std::vector<const Course*> order;  // the strong ones choose first
+    std::vector<const Course*> order;  // strong ones choose first
     for (const Course& course : plot.courses) {
       if (!course.points.empty() && !course.method.empty()) order.push_back(&course);
       for (std::size_t i = 0; i < course.points.size(); ++i) {
@@ -244,7 +244,7 @@ struct Diagram : Pen {
       const std::vector<Point2>& points = line_of_ends->points;
       labels.push_back({width_of(ends[i]), {i == 0 ? points.front() : points.back()}});
     }
-    // What is marked chooses before all.
+    // Marked points choose first.
     std::vector<LineLabel> marked_labels;
     std::vector<std::pair<MarkedPoint, Color>> marks;
     for (const Course& course : plot.courses) {
@@ -283,7 +283,7 @@ struct Diagram : Pen {
     }
   }
 
-  /// The first of the strong lines that is not on the row of zeros; null where there is none.
+  /// The first strong line that does not end on the row of zeros; null if there is none.
   const Course* marked(const std::vector<const Course*>& order) const {
     for (const Course* course : order)
       if (course->strong && course->points.size() > 1 && course->points.back().y < plot.zeros_begin)
@@ -291,7 +291,7 @@ struct Diagram : Pen {
     return nullptr;
   }
 
-  /// "5" and "32 points": where that line begins, and where it ends.
+  /// "5" and "32 points": parameters at the start and end of that line.
   std::vector<std::string> parameters_at_ends(const Course* course) const {
     if (course == nullptr || study.other_cases) return {};
     const std::string& counted =

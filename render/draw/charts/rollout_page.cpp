@@ -14,14 +14,14 @@ constexpr double kScene = 26;     // the line under the heading
 constexpr double kChartGap = 22;
 constexpr double kCellGap = 12;
 constexpr double kCellName = 40;   // name and note below a cell
-constexpr double kCellRow = 222;   // a row of cells with their names, where there is one
-constexpr double kCellRows = 172;  // each, where there are more
-constexpr double kLargeRow = 280;  // under one chart
-constexpr float kLarger = 1.2f;    // letters and lines of a page with one chart and one row
+constexpr double kCellRow = 222;   // a row of cells with their names, if there is only one
+constexpr double kCellRows = 172;  // each of several rows
+constexpr double kLargeRow = 280;  // below a single chart
+constexpr float kLarger = 1.2f;    // factor of text and lines on a page with one chart and one row
 constexpr int kPage = 720;         // height of a page with up to two rows of cells
 constexpr std::size_t kMostInRow = 5;
 
-/// The same number in each row, but for the last.
+/// Cells per row, equal in all rows except the last.
 std::size_t columns_of(std::size_t cells) {
   const std::size_t rows = (cells + kMostInRow - 1) / kMostInRow;
   return rows == 0 ? 1 : (cells + rows - 1) / rows;
@@ -42,7 +42,7 @@ RolloutPage rollout_page(const std::string& result, const std::string& title,
                          const std::string& source, const std::string& moment,
                          const std::vector<TimeChart>& charts,
                          const std::vector<RolloutCell>& cells, int width, int height) {
-  // Wide as usual, and higher where there are more rows: text is as large as on one that is not.
+  // Text size follows the usual aspect ratio, even if the page is higher for more rows.
   Layout layout = make_layout(width, height, false, {});
   layout.scale = std::min(layout.scale, interface_scale(width, width * 9 / 16));
   RolloutPage page{{.width = width, .height = height}, {}};

@@ -14,16 +14,16 @@ namespace contactscope::draw {
 namespace {
 
 constexpr double kChartHeading = 22;  // pixels at 720 lines, above the curves
-constexpr double kNothing = 1e-9;     // of any unit: what is left of zero by rounding
+constexpr double kNothing = 1e-9;     // of any unit: rounding noise around zero
 constexpr double kChartHeadroom = 1.08;
 
-/// Counts as titles have them.
+/// Formats counts as in titles.
 std::string plain_number(double value) {
   return value == std::round(value) ? spell_count(static_cast<std::int64_t>(value))
                                     : spell_number(value);
 }
 
-/// In the axis' unit: numbers that follow each other in one place should not change theirs.
+/// In the axis' unit, because successive numbers in one place should not change their unit.
 std::string newest_value(const SeriesChart& chart, double value, const Prefix& prefix) {
   if (std::isnan(value)) return "none";
   if (chart.unit.empty()) return plain_number(value);
@@ -31,11 +31,11 @@ std::string newest_value(const SeriesChart& chart, double value, const Prefix& p
   const int decimals = size >= 99.95 ? 0 : size >= 9.995 ? 1 : size < 0.0995 ? 3 : 2;
   std::string text = size < 0.0005 ? "0" : printed("%.*f", decimals, size);
   if (scaled <= -0.0005) text = "−" + text;
-  const bool crowded = chart.curves.size() > 2;  // the unit stands in the name
+  const bool crowded = chart.curves.size() > 2;  // the unit is in the name
   return crowded ? text : text + " " + prefix.name + chart.unit;
 }
 
-/// Lengths below a metre are millimetres, as overlaps and margins are spoken of.
+/// Lengths below a metre are in millimetres, as usual for overlaps and margins.
 Prefix axis_prefix(const std::string& unit, double largest) {
   if (unit.empty()) return {};
   return unit == "m" && largest < 1 && largest >= 1e-4 ? Prefix{1e-3, "m"} : prefix_for(largest);
@@ -81,7 +81,7 @@ struct ChartPen : Pen {
     const auto baseline = static_cast<float>(rect.y + px(kChartHeading - 8));
     std::string name = chart.name;
     if (!chart.unit.empty()) name += ", " + (prefix.name + chart.unit);
-    // The newest values stand above the newest end of the axis, each in its curve's colour.
+    // The newest values are at the right end, each in its curve's colour.
     auto right = static_cast<float>(area.right());
     for (std::size_t i = chart.curves.size(); i-- > 0;) {
       std::string value = newest_value(chart, chart.curves[i][moment], prefix);
@@ -98,12 +98,12 @@ struct ChartPen : Pen {
     const bool strong = value == 0 && chart.baseline;
     line(left, pixel(area.right(), left.y), strong ? 1.6 : 1.0, strong ? kText : kChartBorder);
     const float size = px(kChartText - 1);
-    if (value != 0 && std::abs(left.y - y.at(0)) < 0.9f * size) return;  // no room beside zero
+    if (value != 0 && std::abs(left.y - y.at(0)) < 0.9f * size) return;  // no room next to zero
     text(value == 0 ? "0" : plain_number(value / prefix.size), left + Point2{-px(6), 0.34f * size},
          Align::Right, kQuietText);
   }
 
-  // A thin line across, with what was on its left and what is on its right.
+  // A thin vertical line with the states on its left and right.
   void draw_change(const SeriesChart::Change& change) const {
     if (change.frame == 0 || change.frame > moment || change.frame >= frames) return;
     const float x = 0.5f * (place(change.frame - 1, 0).x + place(change.frame, 0).x);
@@ -142,15 +142,15 @@ void SeriesChart::fit() {
   low = high = 0;
   for (const std::vector<double>& curve : curves) {
     for (const double value : curve) {
-      low = std::fmin(low, value);  // passes over NaN
+      low = std::fmin(low, value);  // ignores NaN
       high = std::fmax(high, value);
     }
   }
   if (!unit.empty() && high < kNothing && low > -kNothing) low = high = 0;
-  if (high == low) high = 1;  // nothing but zeros
+  if (high == low) high = 1;  // only zeros
 }
 
-// None of the colours of what stands in a view beside charts.
+// None of these colours occurs in a view next to charts.
 SeriesStyle series_style(std::size_t index) {
   constexpr std::array<SeriesStyle, 4> kStyles{
       {{kBox, 0}, {kPolytope, 8}, {kArcOfA, 2.5f}, {kMargin, 14}}};
@@ -200,7 +200,7 @@ IdHistory::IdHistory(const std::vector<std::vector<IdState>>& rows,
   for (std::size_t row = 0; row < rows.size(); ++row) rows_of[pairs[row]].push_back(row);
   for (const auto& [pair, own] : rows_of) {
     std::vector<std::size_t> kept(frames_);  // points, in each frame
-    std::vector<bool> replaced(frames_);     // some are not those of the frame before
+    std::vector<bool> replaced(frames_);     // some differ from the previous frame's
     for (const std::size_t row : own) {
       std::vector<Run>& runs = rows_.emplace_back();
       IdState before = IdState::Absent;

@@ -7,125 +7,123 @@
 #include "draw/scene/pen.h"
 #include "trace/trace.h"
 
-/// What is drawn over the time of a sequence, and the series that it shows.
+/// Charts over the time of a sequence, and their series.
 namespace contactscope::draw {
 
-/// How one of a few curves of a chart looks.
+/// Style of one of a few curves of a chart.
 struct SeriesStyle {
   Color color;
   float dash = 0;  // pixels at 720 lines; solid when 0
 };
 SeriesStyle series_style(std::size_t index);
 
-/// A small chart of values over frames: what it shows and its newest value above it; to its left
-/// ticks at zero and at a round value on each side of zero that it reaches.
+/// A small chart of values over frames. Its name and newest value are above; to the left are ticks
+/// at zero and at a round value on each side of zero that it reaches.
 struct SeriesChart {
-  /// Something is another in a frame than in the one before it.
+  /// A category that differs from the previous frame's.
   struct Change {
     std::size_t frame = 0;
-    std::string before, after;  // what it was and what it is
+    std::string before, after;  // old and new state
   };
 
   std::string name;
-  std::string unit;  // "m", with a prefix that suits; empty: a plain number
-  std::vector<std::vector<double>> curves{};  // a value a frame of the whole sequence, NaN: none
-  bool steps = false;                         // whole numbers: drawn as stairs
-  bool baseline = false;                      // values go below zero: the zero line is drawn strong
+  std::string unit;                           // "m", with a suitable prefix; empty: a plain number
+  std::vector<std::vector<double>> curves{};  // one value per frame of the sequence, NaN: none
+  bool steps = false;                         // integers: drawn as stairs
+  bool baseline = false;                      // values may be negative: strong zero line
   std::vector<Change> changes{};
-  bool total = false;  // one curve of what other charts have several of: in the colour of text
-  std::vector<std::string> subjects{};  // of one curve: whose its value is, a name a frame
+  bool total = false;  // a single total, in the text colour, next to charts with several curves
+  std::vector<std::string> subjects{};  // for a single curve: the owner of each frame's value
 
-  /// Bounds of all values and zero, of a sequence in which nothing happens zero and one. fit() sets
-  /// them, once the curves are there.
+  /// Bounds of all values and zero; zero and one if nothing happens. Set by fit() after the curves.
   double low = 0, high = 1;
   void fit();
 };
 
-/// Sizes in pixels at 720 lines: of text, and of the room for ticks left of a chart.
+/// Pixels at 720 lines: text size, and width of the ticks to the left of a chart.
 inline constexpr double kChartText = 15;
 inline constexpr double kChartGutter = 46;
 
-/// What `rect` leaves for curves beside the ticks and under `heading` pixels at 720 lines.
+/// Area for the curves in `rect`, without the ticks and `heading` pixels at 720 lines.
 Rect chart_area(const Rect& rect, double heading, const Pen& pen);
 
-/// Draws frames 0 to `moment` on an axis that holds all frames. `rect` is all that the chart may
-/// use, its gutter and heading included.
+/// Draws frames 0 to `moment` on an axis for all frames. `rect` includes gutter and heading.
 void draw_series_chart(const SeriesChart& chart, std::size_t moment, const Rect& rect,
                        const Pen& pen);
 
-/// How the curve of this number looks, `length` pixels at 720 lines.
+/// Sample of the curve with this index, `length` pixels at 720 lines.
 void draw_series_swatch(std::size_t index, const Point2& left, double length, const Pen& pen);
 
-/// A line at a frame of so many, from a little above a chart to a little below it.
+/// Vertical line at a frame, slightly higher than the chart.
 void draw_moment(const Rect& chart, std::size_t frames, std::size_t moment, const Pen& pen);
 
-/// Under charts of the whole sequence: "0", "time", and how long it is in seconds.
+/// Below charts of a whole sequence: "0", "time", and the duration in seconds.
 void draw_time_axis(double duration, double left, double width, double baseline, const Pen& pen);
 
-/// What became of a contact id in one frame.
+/// State of a contact id in one frame.
 enum class IdState : std::uint8_t { Absent, Dropped, Kept };
 
-/// Ids over the time of a sequence: one row an id, grey while the point is there, vermilion while it
-/// is kept. Made once a sequence; a picture costs what it shows of it.
+/// Contact ids over a sequence: one row per id, grey while the point exists, vermilion while it is
+/// kept. Made once per sequence; the cost of a picture depends only on what it shows.
 class IdHistory {
  public:
-  /// `rows`: a state for every frame; `pairs`: of each row its pair, those of one pair need not be
-  /// next to each other.
+  /// `rows`: a state for every frame; `pairs`: pair of each row. Rows of a pair need not be
+  /// adjacent.
   IdHistory(const std::vector<std::vector<IdState>>& rows, const std::vector<std::size_t>& pairs);
 
   std::size_t row_count() const { return rows_.size(); }
   std::size_t pair_count() const { return bands_.size(); }
-  /// Each id is kept in every frame.
+  /// Whether each id is kept in every frame.
   bool is_constant() const;
 
-  /// Frames before `until`; a line marks frame `moment`.
+  /// Draws frames before `until`; a line marks frame `moment`.
   void draw_rows(const Rect& strip, std::size_t moment, std::size_t until, const Pen& pen) const;
 
-  /// The same where rows would be too many to tell apart: one band a pair, the first `count`, up to
-  /// `moment`, as high as it has kept points of the most that it has had until then, and cut where
-  /// one of them becomes another.
+  /// For too many rows: one band for each of the first `count` pairs, up to frame `moment`. Its
+  /// height is the number of kept points relative to the pair's maximum. Cuts mark replaced kept
+  /// points.
   void draw_bands(const Rect& strip, std::size_t moment, std::size_t count, const Pen& pen) const;
 
  private:
-  /// Frames in which nothing changes.
+  /// A run of frames without changes.
   struct Run {
     std::size_t from = 0, length = 0;
-    IdState state = IdState::Absent;  // of a row
-    std::size_t kept = 0;             // points of a band
+    IdState state = IdState::Absent;  // for a row
+    std::size_t kept = 0;             // number of points, for a band
   };
-  /// On the strip, as far as its frames are before `until`.
+  /// Rectangle of the frames before `until` on the strip.
   Rect place_of(const Run& run, const Rect& strip, std::size_t until) const;
 
   std::size_t frames_ = 0;
-  std::vector<std::vector<Run>> rows_;   // in the order of the pairs
-  std::vector<std::vector<Run>> bands_;  // a pair each
+  std::vector<std::vector<Run>> rows_;   // in order of the pairs
+  std::vector<std::vector<Run>> bands_;  // one per pair
 };
 
-/// What one pair did over a sequence; an entry a frame, NaN in frames without a contact.
+/// Values of one pair over a sequence; one entry per frame, NaN in frames without a contact.
 struct PairSeries {
   std::string name;                 // "floor–crate"
-  std::vector<double> penetration;  // metres, of the deepest point
-  std::vector<double> impulse;      // newton seconds; empty where no frame has a solver
+  std::vector<double> penetration;  // metres, at the deepest point
+  std::vector<double> impulse;      // newton seconds; empty if no frame has a solver
 };
 
-/// What one group of bodies did, named by the label of its pairs, empty where no pair has one. Without
-/// an overlap the penetration is 0; impulses are the sum of all normal ones of the step.
+/// Values of a group of bodies, named by the label of its pairs, empty without labels. Penetration
+/// is 0 without an overlap; impulses are the sum of the step's normal impulses.
 struct TimeSeries : PairSeries {
   std::vector<double> points;
   std::vector<double>
-      energy;  // joules, kinetic, of the bodies in these pairs; empty as `impulse`, and where nobody tells it
-  /// Of incremental manifolds: where something else measured the cores than before.
+      energy;  // joules, kinetic, of these pairs' bodies; empty like `impulse`, and if not recorded
+  /// For incremental manifolds: changes of the query that measured the cores.
   std::vector<SeriesChart::Change> queries;
-  std::vector<std::vector<IdState>> ids;  // a row an id, in the order of appearance
-  std::vector<std::size_t> id_pairs;      // of each row its pair, counted in the same order
-  /// Of two pairs that ever touch, up to as many as a chart can tell apart; else empty.
+  std::vector<std::vector<IdState>> ids;  // one row per id, in order of appearance
+  std::vector<std::size_t> id_pairs;      // pair of each row, numbered in order of appearance
+  /// For two or more touching pairs, as long as a chart can distinguish them; otherwise empty.
   std::vector<PairSeries> pairs;
-  /// Of more pairs than that: the one of the deepest point, empty in frames without a contact.
+  /// For more pairs: the pair with the deepest point, empty in frames without a contact.
   std::vector<std::string> deepest;
 };
 
-/// From a whole sequence: one series a label, or one of all pairs where none has a label. Bodies
-/// that touch nothing count in every series.
+/// One series per label, or a single one without labels. Bodies without contacts count in all
+/// series.
 std::vector<TimeSeries> time_series(const std::vector<trace::Frame>& frames);
 
 }  // namespace contactscope::draw

@@ -15,12 +15,12 @@ namespace {
 // Pixels at 720 lines.
 constexpr double kNameRow = 24;  // above the lines
 constexpr double kTicksLeft = 46;
-constexpr double kTicksBelow = 38;  // with the name of the axis
+constexpr double kTicksBelow = 38;  // including the axis' name
 constexpr double kLabelGap = 16;    // between the end of a line and its name
 constexpr double kLabelRow = 17;
-constexpr double kOnePlace = 14;           // ends so near to each other cannot be told apart
+constexpr double kOnePlace = 14;           // ends within this distance look like one
 constexpr std::size_t kLeastTogether = 4;  // lines
-constexpr double kFarOut = 5;              // times as far as the others: the axis leaves it out
+constexpr double kFarOut = 5;              // times the others' reach: the axis leaves the line out
 
 struct Range {
   double low = 0, high = 0;
@@ -35,8 +35,8 @@ Range range_of(const TimeLine& line) {
   return {low, high};
 }
 
-/// Of all lines, zero among them unless they are all far from it, but for those that go so far out that the others
-/// would lie on one another.
+/// Range of all lines, with zero unless all are far from it. Lines that reach too far are excluded,
+/// because the others would coincide.
 Range shown_range(const std::vector<TimeLine>& lines) {
   std::vector<Range> ranges;
   for (const TimeLine& line : lines)
@@ -55,7 +55,7 @@ Range shown_range(const std::vector<TimeLine>& lines) {
   if (all.span() == 0) all.high = 1;
   double least = all.high;
   for (const Range& range : ranges) least = std::min(least, range.low);
-  constexpr double kFarFromZero = 0.7;  // of the highest: zero would take most of the room
+  constexpr double kFarFromZero = 0.7;  // share of the maximum: zero would waste most of the room
   if (least > kFarFromZero * all.high) all.low = least;
   return all;
 }
@@ -71,12 +71,12 @@ std::vector<double> round_ticks(double low, double high, int most) {
   return ticks;
 }
 
-/// The colour's words and lines, one a curve, so that none lies on another.
+/// Moves label rows so that none overlap.
 std::vector<float> spread_out(std::vector<float> wanted, float row, float top, float bottom) {
   std::vector<std::size_t> order(wanted.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, {}, [&](std::size_t i) { return wanted[i]; });
-  // Down where they crowd, and back up from the bottom.
+  // Move crowded rows down, then back up from the bottom.
   float least = top;
   for (const std::size_t i : order) least = (wanted[i] = std::max(wanted[i], least)) + row;
   float most = bottom;
@@ -129,7 +129,7 @@ struct ChartOverTime : Pen {
   void run() const {
     draw_ticks();
     frame(area, 1.2, kChartBorder);
-    // The first one last, so that the others do not hide it.
+    // The first line last, so that the others do not hide it.
     for (const bool quiet : {true, false})
       for (std::size_t i = chart.lines.size(); i-- > 0;)
         if (chart.lines[i].quiet == quiet) draw_line(chart.lines[i]);
@@ -145,7 +145,7 @@ struct ChartOverTime : Pen {
          kText, Weight::Bold);
     const auto rows = std::max(2, static_cast<int>(area.height / px(34)));
     const std::vector<double> values = round_ticks(y.low, y.high, rows);
-    // Where the axis does not begin at zero neighbours may differ late: as many digits as tell them apart.
+    // If the axis does not begin at zero, use as many digits as distinguish neighbouring ticks.
     const double step = values.size() > 1 ? values[1] - values[0] : 1;
     const int digits = std::max(4, static_cast<int>(std::ceil(std::log10(largest / step))) + 1);
     for (const double value : values) {
@@ -192,7 +192,7 @@ struct ChartOverTime : Pen {
     return ends_early(i) || chart.lines[i].marked.has_value();
   }
 
-  /// Lines that end before the others are named where they do, marked ones at their marks.
+  /// Lines that end early are named at their end, marked ones at their mark.
   void draw_early_labels() const {
     std::vector<NamedLine> lines;
     for (std::size_t i = 0; i < chart.lines.size(); ++i) {
@@ -213,7 +213,7 @@ struct ChartOverTime : Pen {
     name_near(named, anchors, lines, area, *this);
   }
 
-  /// Lines by where they end, those together that end at the same place to less than a row.
+  /// Lines by their end. Those that end within a row of each other form a group.
   std::vector<std::vector<std::size_t>> crowds() const {
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < chart.lines.size(); ++i)
@@ -236,8 +236,8 @@ struct ChartOverTime : Pen {
                                        : "the " + std::to_string(count) + " others";
   }
 
-  /// Many that end at one place have one label, for which of them is which cannot be seen there. Quiet ones look
-  /// alike anyway: each has its name, and all of them have one bracket and one line to it.
+  /// Many lines that end at one place cannot be distinguished there and get a single label. Quiet
+  /// lines look alike anyway: each has its name, and they share a bracket and a leader.
   void draw_labels() const {
     std::vector<std::size_t> which;
     std::vector<float> wanted;

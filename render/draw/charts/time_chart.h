@@ -9,51 +9,50 @@
 
 namespace contactscope::draw {
 
-/// One method's course in a chart of several.
+/// One method's line in a chart of several.
 struct TimeLine {
   std::string name;
-  std::size_t style = 0;                // of method_style()
-  std::vector<double> time;             // seconds, rising
-  std::vector<double> values;           // as many; finite
-  bool breaks_off = false;              // its last value is not the end: a cross stands there
+  std::size_t style = 0;                // index for method_style()
+  std::vector<double> time;             // seconds, ascending
+  std::vector<double> values;           // one per time; finite
+  bool breaks_off = false;              // stops early: a cross marks its last value
   bool quiet = false;                   // grey, behind the others
-  std::optional<std::size_t> marked{};  // this value has a ring, with its name and these words
+  std::optional<std::size_t> marked{};  // index of a value with a ring, labelled `name` `mark`
   std::string mark{};
 };
 
-/// Several lines over the same time, each with its name at its end. Both axes are linear.
+/// Several lines over a common time, each named at its end. Both axes are linear.
 struct TimeChart {
   std::string name;
-  std::string unit;  // "m", "J"; the axis has a prefix that suits
+  std::string unit;  // "m", "J"; the axis has a suitable prefix
   std::vector<TimeLine> lines{};
 };
 
-/// Draws a chart into `rect`, with its name above it, ticks to the left and under it and names of lines to the right;
-/// one that ends early is named where it does, one that is marked at its mark, and several that end at one place are
-/// named together, unless they are quiet: those are told by their order.
-/// Where one line goes more than five times as far as the others do, the axis leaves it out, and its name says
-/// how far it went.
+/// Draws a chart into `rect`, with its name above, ticks to the left and below, and names of lines
+/// to the right. A line that ends early is named there, and a marked one at its mark. Several lines
+/// that end at one place are named together, unless they are quiet. A line that reaches more than
+/// five times as far as the others leaves the axis, and its name contains its largest value.
 void draw_time_chart(const TimeChart& chart, const Rect& rect, const Pen& pen);
 
-/// A page of several rollouts: what it found, charts side by side, and under them room for a picture of each.
+/// A page of several rollouts: a result, charts side by side, and below them room for pictures.
 struct RolloutPage {
   Drawing drawing;
   std::vector<Rect> cells;  // whole pixels
 };
 
-/// `result` is the heading, `title` says of what scene. As many cells as there are names; below each stands the
-/// name in its line's colour, with its `note`.
+/// A cell below the charts: its name in the colour of its line, and a `note`. On the page, `result`
+/// is the heading, and `title` names the scene.
 struct RolloutCell {
   std::string name, note;
   std::size_t style = 0;
-  bool quiet = false;  // as its line
+  bool quiet = false;  // like its line
 };
 RolloutPage rollout_page(const std::string& result, const std::string& title,
                          const std::string& source, const std::string& moment,
                          const std::vector<TimeChart>& charts,
                          const std::vector<RolloutCell>& cells, int width, int height);
 
-/// How high a page of the usual width is for so many cells.
+/// Height of a page of the usual width with this number of cells.
 int rollout_page_height(std::size_t cells);
 
 }  // namespace contactscope::draw

@@ -15,10 +15,10 @@
 namespace contactscope::draw {
 namespace {
 
-/// A chart can tell so many lines apart.
+/// Number of lines that a chart can distinguish.
 constexpr std::size_t kMostPairLines = 4;
 
-/// In one frame; the first of equals, empty where none touches.
+/// Name of the deepest pair in a frame; the first if equal, empty without contact.
 std::string deepest_of(const std::vector<PairSeries>& pairs, std::size_t frame) {
   const auto depth = [&](const PairSeries& series) { return series.penetration[frame]; };
   const auto most = std::ranges::max_element(
@@ -26,24 +26,24 @@ std::string deepest_of(const std::vector<PairSeries>& pairs, std::size_t frame) 
   return std::isnan(depth(*most)) ? "" : most->name;
 }
 
-/// A pair that touches in some frame: where its series is, and the rows of its ids.
+/// A pair that touches in some frame: index of its series, and rows of its ids.
 struct KnownPair {
   std::size_t index;
   std::map<std::string_view, std::size_t> rows{};
 };
 
-/// A label's series while the frames are looked through.
+/// Series of a label during the pass over the frames.
 struct Group {
   TimeSeries series;
-  std::vector<PairSeries> pairs;  // in the order of their first contact
+  std::vector<PairSeries> pairs;  // in order of their first contact
   std::map<std::pair<std::string_view, std::string_view>, KnownPair> known;
   std::set<std::string_view> bodies;
-  std::string query, last_query;  // of a frame and of the one before it
+  std::string query, last_query;  // of the current and the previous frame
 };
 
-/// What found how deep a pair is: the query of an incremental manifold's cores; of a round shape and a
-/// hull closest points, or where its core is inside an axis (Gregorius 2015, "Shallow and Deep
-/// Penetration"). Empty of others.
+/// Method that measured a pair's depth: the query of an incremental manifold's cores; for a round
+/// shape and a hull "shallow" for closest points, or "deep" if its core is inside (Gregorius 2015,
+/// "Shallow and Deep Penetration"). Empty for others.
 std::string measured_by(const trace::Pair& pair) {
   if (pair.incremental) return pair.incremental->query;
   const bool round = pair.kind == "hull-sphere" || pair.kind == "hull-capsule";
@@ -81,7 +81,7 @@ void add_pair(const trace::Pair& pair, std::size_t f, std::size_t frames, Group&
     series.impulse[f] += load;
     double& own_depth = group.pairs[own.index].penetration[f];
     double& own_impulse = group.pairs[own.index].impulse[f];
-    own_depth = std::fmax(own_depth, std::max(0.0, depth));  // of NaN and a number the number
+    own_depth = std::fmax(own_depth, std::max(0.0, depth));  // a number wins over NaN
     own_impulse = (std::isnan(own_impulse) ? 0.0 : own_impulse) + load;
     note_id(point, IdState::Kept);
   }
@@ -89,7 +89,7 @@ void add_pair(const trace::Pair& pair, std::size_t f, std::size_t frames, Group&
   for (const trace::Point& point : pair.reduction->points) note_id(point, IdState::Dropped);
 }
 
-/// Bodies move that have no kinetic energy: an engine's trace that does not tell it.
+/// Whether bodies move without kinetic energy: the trace does not record it.
 bool lacks_energies(const std::vector<trace::Frame>& frames) {
   bool moves = false;
   for (const trace::Frame& frame : frames) {
@@ -105,7 +105,7 @@ bool lacks_energies(const std::vector<trace::Frame>& frames) {
 }  // namespace
 
 std::vector<TimeSeries> time_series(const std::vector<trace::Frame>& frames) {
-  std::vector<Group> groups;  // by label, in the order of appearance
+  std::vector<Group> groups;  // by label, in order of appearance
   for (std::size_t f = 0; f < frames.size(); ++f) {
     for (const trace::Pair& pair : frames[f].pairs) {
       auto group = std::ranges::find(
@@ -148,7 +148,7 @@ std::vector<TimeSeries> time_series(const std::vector<trace::Frame>& frames) {
       series.pairs = std::move(group.pairs);
     }
     if (!has_energy) series.energy.clear();
-    // A ball that bounces would change too often.
+    // A bouncing ball would change too often.
     std::erase_if(series.queries, [&](const SeriesChart::Change& change) {
       return solved && (change.before == "shallow" || change.after == "shallow");
     });

@@ -18,8 +18,8 @@ struct ChoicePen : Pen {
     std::string text;
     Color color;
     bool bold;
-    bool centered = false;  // on its place, which has room for it
-    bool leader = true;     // where it is not near its place
+    bool centered = false;  // centred on its place, which has room
+    bool leader = true;     // if far from its place
   };
 
   const ContactPlane& plane;
@@ -64,11 +64,11 @@ struct ChoicePen : Pen {
   void side(int a, int b, double width, const Color& color) const {
     stroke(place(a), place(b), width, color);
   }
-  /// From both ends of the edge that a candidate was measured against.
+  /// Lines from both ends of the edge against which a candidate was measured.
   void sides(const trace::Measure& measure, double width, const Color& color) const {
     for (const int end : measure.edge) side(end, measure.point, width, color);
   }
-  /// What is kept before the choice that is shown.
+  /// Polygon of the points kept before the shown choice.
   void kept_before() const {
     std::vector<Vec2d> corners;
     for (std::size_t k = 0; k + 1 < shown; ++k) corners.push_back(place(kept[k]));
@@ -82,13 +82,13 @@ struct ChoicePen : Pen {
     for (const auto& [from, to] : {std::pair{a, b}, {b, c}, {c, a}}) side(from, to, 2, kContact);
   }
 
-  /// The fixed direction, and the line at right angles to it through the point that is farthest.
+  /// The fixed direction, and the perpendicular line through the farthest point.
   void support(const Vec3d& direction) {
     const Vec2d on_page(plane.axes.u.dot(direction), -plane.axes.v.dot(direction));
     if (on_page.norm() < 0.5) return;
     const Vec2d along = on_page.normalized(), across(-along.y(), along.x());
     const Vec2d at = place(chosen());
-    // The line is long enough for the arrow to end at it.
+    // The line is long enough to meet the arrow.
     const Vec2d foot = middle + (at - middle).dot(along) * along;
     const double reach = (foot - at).dot(across), past = px(40);
     const Vec2d from = at + (std::min(reach, 0.0) - past) * across,
@@ -110,7 +110,7 @@ struct ChoicePen : Pen {
     const Color color = winner ? kContact : kDropped;
     const bool by_distance = rule == "distance";
     const bool grows = rule == "outside" || by_distance;
-    // A measure of the talk is negative outside. Inside of all edges a point adds nothing.
+    // The talk's measures are negative outside. A point inside all edges adds nothing.
     if (grows && !(measure.value < 0)) return;
     const std::string value = rule == "farthest"                 ? spell_length(measure.value)
                               : rule == "deepest" || by_distance ? spell_length(-measure.value)
@@ -135,7 +135,7 @@ struct ChoicePen : Pen {
     labels.push_back({at, value, color, winner});
   }
 
-  /// The winner with the edge that sees it outside. Of the others the one that decides.
+  /// The winner with the edge that it is outside of; if several, the edge that decides.
   void outside(const trace::Measure& measure, const std::string& spelled, bool by_distance) {
     const Vec2d from = place(measure.edge[0]), to = place(measure.edge[1]);
     const Vec2d point = place(measure.point);
@@ -145,7 +145,7 @@ struct ChoicePen : Pen {
       labels.push_back(area_label(from, to, point, spelled));
       return;
     }
-    // What it went by, and what that gained.
+    // The measure that decided, and the area gained.
     const Vec2d foot = way_from_edge(measure, 2.2, kAxis);
     labels.push_back({0.5 * (foot + point), spelled, kAxisText, true});
     const double area = 0.5 * std::abs(contactscope::cross(to - from, point - from)) /
@@ -153,7 +153,7 @@ struct ChoicePen : Pen {
     labels.push_back(area_label(from, to, point, spell_area(area)));
   }
 
-  /// At right angles from the line of its edge to a point; gives the place on that line.
+  /// Perpendicular from the line of the edge to a point. Returns its foot.
   Vec2d way_from_edge(const trace::Measure& measure, double width, const Color& color) const {
     const Vec2d from = place(measure.edge[0]), to = place(measure.edge[1]);
     const Vec2d point = place(measure.point), edge = to - from;
@@ -176,12 +176,12 @@ struct ChoicePen : Pen {
       draw_kept_point(places[i], *this, 1);
       number(places[i], static_cast<int>(found - kept.begin()) + 1);
     }
-    // Of a level patch none. Area alone may leave it out.
+    // No mark on a level patch. Choice by area may drop the deepest point.
     if (shown > 3)
       for (const int i : deepest_points(cell.points)) draw_deepest_mark(at(places, i), *this, 1);
   }
 
-  /// Beside the point, away from the middle.
+  /// Next to the point, away from the middle.
   void number(const Point2& at, int number) {
     const Vec2d out = way_out(middle, flat(at));
     const double reach = px(kKeptReach + 0.5 * kDigit);
@@ -198,13 +198,13 @@ struct ChoicePen : Pen {
     placer.block(pixel(label.at - half), pixel(label.at + half), px(0.6 * kLabelSize));
   }
 
-  /// In the middle of a triangle where that has room for it, else beside its last corner.
+  /// In the middle of a triangle if there is room, otherwise next to its last corner.
   Label area_label(const Vec2d& a, const Vec2d& b, const Vec2d& c,
                    const std::string& spelled) const {
     const double twice = std::abs(contactscope::cross(b - a, c - a));
     const double inscribed = 2 * twice / ((b - a).norm() + (c - b).norm() + (a - c).norm());
     const bool fits = inscribed > 1.1 * width_of(spelled, Weight::Bold);
-    // Beyond its number.
+    // Beyond the point's number.
     const Vec2d beside = c + px(26) * way_out(middle, c);
     return {fits ? Vec2d((a + b + c) / 3) : beside, spelled, kContact, true, fits, false};
   }

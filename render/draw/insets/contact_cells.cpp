@@ -11,14 +11,14 @@ namespace contactscope::draw {
 namespace {
 
 constexpr double kHatchSpacing = 5;  // pixels between lines
-/// Chosen by nothing but how far they lie along directions.
+/// Whether all points were chosen as extremes along directions.
 bool by_extremes(const ContactCell& cell) {
   return cell.choices.size() > 1 &&
          std::ranges::all_of(cell.choices,
                              [](const trace::Choice& choice) { return choice.rule == "support"; });
 }
 
-/// Of extremes along axes: the smallest box with sides along them.
+/// Bounding box of the points, with sides along the first direction.
 std::vector<Point2> axes_box(const ContactPlane& plane, const ContactCell& cell) {
   const PlaneAxes axes{cell.choices.front().direction,
                        cell.normal.cross(cell.choices.front().direction)};
@@ -34,7 +34,7 @@ std::vector<Point2> axes_box(const ContactPlane& plane, const ContactCell& cell)
   return box;
 }
 
-/// Along two sides of that box, where the axes are those of the world, with their names.
+/// Labels two sides of that box with world axes, if they are parallel to these.
 void draw_axes(const ContactPlane& plane, const std::vector<Point2>& box) {
   double left = flat(box[0]).x(), bottom = flat(box[0]).y(), right = left, top = bottom;
   for (const Point2& corner : box) {
@@ -46,9 +46,9 @@ void draw_axes(const ContactPlane& plane, const std::vector<Point2>& box) {
   for (const auto& [name, axis] :
        {std::pair{"x", Vec3d::UnitX()}, {"y", Vec3d::UnitY()}, {"z", Vec3d::UnitZ()}}) {
     const Vec2d on_page(plane.axes.u.dot(axis), -plane.axes.v.dot(axis));
-    if (on_page.norm() < 0.99) continue;  // not in the plane, or askew in it
+    if (on_page.norm() < 0.99) continue;  // not in the plane, or oblique in it
     const bool level = std::abs(on_page.x()) > 0.5;
-    const bool back = level ? on_page.x() < 0 : on_page.y() > 0;  // it ends where the arrows meet
+    const bool back = level ? on_page.x() < 0 : on_page.y() > 0;  // the arrows meet at its end
     const Vec2d far = corner + long_side * (level ? Vec2d(1, 0) : Vec2d(0, -1));
     const Vec2d from = back ? far : corner, tip = back ? corner : far;
     const Vec2d along = (tip - from).normalized(), across(-along.y(), along.x());
@@ -63,12 +63,12 @@ void draw_axes(const ContactPlane& plane, const std::vector<Point2>& box) {
   }
 }
 
-// The signs of the contact plane alone. Its legend stands in the order in which it is made.
+// Signs that only the contact plane has. Its legend keeps the order of creation.
 constexpr Swatch kTriangleSwatch{LegendGroup::Points, 12, [](auto& pen) {
                                    pen.area(kClipPolygon, 0.10f, 0);
                                    pen.area(kContact, 0.16f, 2);
                                  }};
-// Over the contact polygon, as it is drawn, and what is left of that.
+// Over the contact polygon, as in the map, with the remaining part of it.
 constexpr Swatch kKeptAreaSwatch{
     LegendGroup::Points, 12, [](auto& pen) {
       pen.box(with_alpha(kClipPolygon, 0.10f), kClipPolygon, 1.2);
@@ -110,14 +110,14 @@ std::vector<LegendEntry> ContactCells::legend() const {
   if (cell_count() == 0 || !shows(Detail::Legend) || !style_.legend) return {};
   const auto any_cell = [&](const auto& holds) { return std::ranges::any_of(all_cells(), holds); };
   std::vector<LegendEntry> entries;
-  // Assigned, not moved in: GCC 12 takes the move of a short string for an overread.
+  // Assigned, not moved in: GCC 12 reports a false overread for the move of a short string.
   const auto add = [&entries](bool shown, const Swatch& swatch, const char* text) {
     if (!shown) return;
     LegendEntry& entry = entries.emplace_back();
     entry.swatch = &swatch;
     entry.text = text;
   };
-  if (choices_ > 0) {  // what the shown one was made by
+  if (choices_ > 0) {  // signs of the shown choice's rule
     const auto by_rule = [&](const char* rule) {
       return any_cell([&](const ContactCell& cell) {
         const std::size_t shown = std::min(static_cast<std::size_t>(choices_), cell.kept.size());
@@ -152,7 +152,7 @@ std::vector<LegendEntry> ContactCells::legend() const {
   add(reduces, kKeptAreaSwatch, "kept area, hatched: lost");
   add(has_best, kBestPolygonSwatch, "largest area");
   add(any_cell(by_extremes), kAxesBoxSwatch, "box along the axes");
-  // The rows beneath say as much of the deepest.
+  // The rows below contain the same information about the deepest point.
   if (entries.size() > kMostLegendEntries)
     std::erase_if(entries,
                   [](const LegendEntry& entry) { return entry.swatch == &kDeepestSwatch; });
@@ -225,7 +225,7 @@ void ContactCells::draw_cell(std::size_t number, std::size_t moment, const Pen& 
   }
 }
 
-/// Both ends of the time, and between them which of it the picture is of.
+/// Both ends of the time axis, and the current time between them.
 void ContactCells::draw_strip_axis(const Rect& strip, std::size_t moment, const Pen& pen) const {
   const double baseline = strip.bottom() + pen.px(kStripAxis - 2);
   const std::string end = spell_quantity(*moments_.back().time, "s");

@@ -13,73 +13,71 @@
 
 namespace contactscope::draw {
 
-/// One reduction, seen along the normal.
+/// A reduction, seen along the normal.
 struct ContactCell {
-  /// A line of text beneath the map.
+  /// A line of text below the map.
   struct Row {
     std::string left;
-    std::string right;  // quieter; left out where there is no room
-    std::string brief;  // what stands for both where there is none for `left`
+    std::string right;  // quieter; left out if there is no room
+    std::string brief;  // replaces both if there is no room for `left`
     bool strong = false;
   };
 
   std::string name;
-  std::string pair{};  // "slab crate"; empty of explorations
+  std::string pair{};  // "slab crate"; empty for explorations
   Vec3d normal = Vec3d::Zero();
-  std::vector<trace::Point> points;    // all, before
-  std::vector<int> kept;               // in the order of choice
-  std::vector<int> best;               // points of the best polygon; empty: not drawn
-  std::vector<trace::Choice> choices;  // how the kept ones were chosen, where that is known
+  std::vector<trace::Point> points;    // all, before reduction
+  std::vector<int> kept;               // in order of choice
+  std::vector<int> best;               // corners of the best polygon; empty: not drawn
+  std::vector<trace::Choice> choices;  // the steps of the choice, if known
   std::vector<Row> rows;
 };
 
-/// One picture of a sequence: the same cells in every moment. A cell without points is one in which
-/// nothing touches.
+/// One picture of a sequence, always with the same cells. A cell without points has no contact.
 struct ContactMoment {
   int frame = 0;
   std::string caption;
   std::vector<ContactCell> cells;
-  std::string title{};           // empty: that of all
-  std::optional<double> time{};  // seconds, where it has one
+  std::string title{};           // empty: the common title
+  std::optional<double> time{};  // seconds, if known
 };
 
-/// Metres: separations of the points of a patch that differ by less are equal, for more is lost in the
-/// float of their places.
+/// Metres: smaller differences between the separations of a patch's points count as equal, because
+/// the rounding of positions in float is as large.
 double separation_noise(const std::vector<trace::Point>& points);
 
-/// The points of least separation: all that tie within that noise. Empty where the patch is level.
+/// Points of least separation, with ties within that noise. Empty for a level patch.
 std::vector<int> deepest_points(const std::vector<trace::Point>& points);
 
-/// From explorations of one pair, frames in order: a cell a reducer, in `order`, with all measures.
+/// From explorations of a pair, frames in order: a cell for each reducer, in `order`.
 std::vector<ContactMoment> explored(const std::vector<trace::Exploration>& sequence,
                                     const std::vector<std::string>& order);
 
-/// From recorded frames: a cell for every pair whose reduction was recorded, named by its label, or
-/// by its reducer where it has none.
+/// From recorded frames: a cell for each pair with a recorded reduction, named by label or reducer.
 std::vector<ContactMoment> reduced(const std::vector<trace::Frame>& frames,
                                    const Moments& telling = {});
 
-/// Small multiples: the contact plane of each cell, at the same scale in all cells and frames. What
-/// a cell shows in any frame stands in the middle of its map, wherever in the world that is and
-/// however it lies, so that one patch seen in several cells has the same place in each. In a cell:
-/// all points, the kept ones with their order of choice, the deepest in squares where the patch is
-/// not level (more than one where they tie), the lost area hatched, the best polygon dashed, for extremes along axes the box that
-/// they span, and the rows beneath; for a sequence also a strip of which ids are kept over time,
-/// one row an id. On a canvas too small for all of it, all cells alike leave out the right of their
-/// rows, then the rest of them but their brief form, the strip, all rows but the first, that as
-/// well, the legend and the names. Where nothing touches in any frame, a line says so.
+/// Small multiples: the contact plane of each cell, with one scale for all cells and frames. The
+/// contents of a cell are centred over all frames, regardless of their pose in the world, so that a
+/// patch has the same place in several cells. A cell shows all points; the kept ones with their
+/// order of choice; squares around the deepest if the patch is not level (several if tied);
+/// hatching for the lost area; the best polygon dashed; for extremes along axes their bounding box;
+/// and rows of text below. A sequence also has a strip of the ids kept over time, one row per id.
+/// If the canvas is too small, all cells leave out the right of their rows, then use the brief
+/// rows, then leave out the strip, all rows but the first, that row, the legend and the names.
+/// Without any contact, a line reports it.
 class ContactCells {
  public:
-  /// `up`: "y" or "z". `choices` as in View: so many choices are shown, the last one with what made
-  /// it; 0: all, and the result.
+  /// `up`: "y" or "z". `choices` as in View: number of choices shown, the last one with its
+  /// candidates; 0: all, and the result.
   ContactCells(const std::string& title, const std::string& source, const std::string& up,
                std::vector<ContactMoment> moments, int choices, int width, int height,
                const FigureStyle& style = {});
 
-  /// The picture of the moment with this frame number.
+  /// The picture of the frame with this number.
   Drawing frame(int number) const;
 
-  /// What the canvas had no room for, in words: "the legend". Empty where all is shown.
+  /// Details that did not fit on the canvas: "the legend". Empty if everything is shown.
   std::vector<std::string> left_out() const;
 
  private:
@@ -87,28 +85,28 @@ class ContactCells {
     int columns = 1;
     double cell_width = 0, cell_height = 0;  // pixels
     double map_height = 0, strip = 0;
-    double pixels_per_metre = 0;  // where there is no room
-    double mark = 1;              // size of the marks of points, 1 where there is room
+    double pixels_per_metre = 0;  // 0 if there is no room
+    double mark = 1;              // size of the points' marks, 1 if there is room
   };
 
-  /// Where the contacts of one cell are in the world, in all frames.
+  /// Position of one cell's contacts in the world, over all frames.
   struct Patch {
     PlaneAxes axes;
-    Vec2d center = Vec2d::Zero();  // along them
+    Vec2d center = Vec2d::Zero();  // along the axes
   };
 
-  /// What beside the maps a canvas may have no room for, in the order in which it is given up.
+  /// Details other than the maps, in the order in which they are given up.
   enum class Detail { RowEnds, WholeRows, Strip, AllRows, Rows, Legend, Names, None };
   bool shows(Detail detail) const { return detail >= given_up_; }
 
   // Pixels at 720 lines.
   static constexpr double kName = 15;       // size of a cell's heading
-  static constexpr double kNumber = 14;     // size of the numbers beneath
+  static constexpr double kNumber = 14;     // size of the numbers below
   static constexpr double kNumberRow = 17;  // height of a row of numbers
   static constexpr double kStripCaption = 18, kStripAxis = 14;
   static constexpr double kGap = 14;  // between cells
 
-  /// How much larger text and marks of the cells are than those of the rest of the picture.
+  /// Factor of the text and marks in cells compared with the rest of the picture.
   double signs() const;
   double px(double at_720) const { return signs() * layout_.px(at_720); }
   void fit(int width, int height);
@@ -117,14 +115,14 @@ class ContactCells {
   double name_height() const { return shows(Detail::Names) ? kName + 4 : 0; }
   bool is_named_away() const;
   double strip_height() const;
-  /// Of the line under the strip that says when; none where the moments have no time.
+  /// Height of the time labels below the strip; 0 if the moments have no time.
   double axis_height() const { return moments_.back().time ? kStripAxis : 0; }
   std::size_t row_count() const;
   std::span<const ContactCell::Row> shown_rows(const ContactCell& cell) const;
   std::string left_of(const ContactCell::Row& row) const;
   double row_width() const;
   std::size_t cell_count() const { return moments_.empty() ? 0 : moments_.front().cells.size(); }
-  /// Of every moment.
+  /// Cells of all moments.
   auto all_cells() const { return joined(moments_, &ContactMoment::cells); }
   std::vector<LegendEntry> legend() const;
   void frame_patches(const Vec3d& above);
@@ -139,15 +137,15 @@ class ContactCells {
   FigureStyle style_;
   Layout layout_;
   std::vector<Patch> patches_;    // of each cell
-  Vec2d extent_ = Vec2d::Zero();  // metres that the largest of them fill
-  std::vector<IdHistory> ids_;    // of each cell, a row an id in order of appearance
-  Detail given_up_ = Detail{};    // all before this one
+  Vec2d extent_ = Vec2d::Zero();  // metres, of the largest patch
+  std::vector<IdHistory> ids_;    // for each cell, one row per id in order of appearance
+  Detail given_up_ = Detail{};    // all details before this one
   Grid grid_;
 };
 
-/// The first `shown` choices of a reducer, the last of them with its candidates. Gregorius 2015,
-/// "Contact Point Reduction: 1st Point" to "4th Point (4)": what each was worth, and why the last
-/// shown one won. `places`: of all points.
+/// Draws the first `shown` choices of a reducer, the last one with its candidates. Gregorius 2015,
+/// "Contact Point Reduction: 1st Point" to "4th Point (4)": the value of each candidate, and why
+/// the last choice won. `places`: of all points.
 void draw_choice(const ContactPlane& plane, const std::vector<Point2>& places,
                  const ContactCell& cell, int shown);
 

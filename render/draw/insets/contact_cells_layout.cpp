@@ -6,20 +6,20 @@
 #include "core/at.h"
 #include "draw/insets/contact_cells.h"
 
-// Where the parts of contact cells go, and what a canvas has no room for.
+// Layout of contact cells, and the details that a canvas has no room for.
 namespace contactscope::draw {
 namespace {
 
-constexpr double kRowGap = 6;      // between the left and the right of a row
+constexpr double kRowGap = 6;      // between the left and right text of a row
 constexpr double kReserve = 20;    // around the patch in a map, for rings and digits
-constexpr double kMostStrip = 30;  // height of the strip of ids, more of few cells
+constexpr double kMostStrip = 30;  // height of the strip of ids; more with few cells
 constexpr std::size_t kFewCells = 4;
-constexpr double kStripRow = 4;     // of one id, at least where there is room
-constexpr double kWideRow = 16;     // of one id, at most
-constexpr double kCloseMarks = 30;  // between points, for marks of full size
+constexpr double kStripRow = 4;     // per id, minimum if there is room
+constexpr double kWideRow = 16;     // per id, maximum
+constexpr double kCloseMarks = 30;  // distance between points from which marks have full size
 constexpr double kLeastMark = 0.6;
-constexpr double kLeastMap = 44;  // height of a map that shows anything
-// Few cells have room for text, rings and digits that are legible at half the size.
+constexpr double kLeastMap = 44;  // minimum useful height of a map
+// With few cells, text, rings and digits can be large enough to be legible at half size.
 constexpr double kLargeSigns = 1.5, kLargerSigns = 1.2;
 constexpr std::size_t kSomeCells = 6;
 
@@ -30,7 +30,7 @@ double ContactCells::signs() const {
   return cell_count() <= kFewCells ? kLargeSigns : cell_count() <= kSomeCells ? kLargerSigns : 1;
 }
 
-/// Gives up one thing after the other until the maps have room.
+/// Gives up one detail after the other until the maps have room.
 void ContactCells::fit(int width, int height) {
   for (int given_up = 0; given_up <= static_cast<int>(Detail::None); ++given_up) {
     given_up_ = static_cast<Detail>(given_up);
@@ -43,7 +43,7 @@ void ContactCells::fit(int width, int height) {
   }
 }
 
-/// How far apart neighbouring points are, metres: the median over all of them.
+/// Distance to the nearest other point, metres: median over all points.
 double ContactCells::nearest_points() const {
   std::vector<double> nearest;
   for (const ContactMoment& moment : moments_) {
@@ -55,7 +55,7 @@ double ContactCells::nearest_points() const {
         }
         nearest.push_back(least);
       }
-      if (!cell.points.empty()) break;  // the others have the same points, mostly
+      if (!cell.points.empty()) break;  // the others usually have the same points
     }
   }
   if (nearest.empty()) return std::numeric_limits<double>::infinity();
@@ -86,7 +86,7 @@ std::vector<std::string> ContactCells::left_out() const {
   return list;
 }
 
-/// Axes and middle of each cell's patch, and the extent of the largest.
+/// Axes and centre of each cell's patch, and the extent of the largest.
 void ContactCells::frame_patches(const Vec3d& above) {
   for (std::size_t cell = 0; cell < cell_count(); ++cell) {
     Patch& patch = patches_.emplace_back();
@@ -103,26 +103,26 @@ void ContactCells::frame_patches(const Vec3d& above) {
     patch.center = extent.center();
     extent_ = extent_.cwiseMax(extent.sizes());
   }
-  // A patch without size is drawn in the middle, at any scale.
+  // A patch of size zero is drawn in the middle, at any scale.
   const double least = 1e-3 * std::max(extent_.maxCoeff(), 1e-12);
   extent_ = extent_.cwiseMax(Vec2d::Constant(least));
 }
 
-/// Every cell has a row for every id of any cell, so that the same ids stand at the same height.
+/// Every cell has a row for every id of any cell, so that equal ids have equal heights.
 void ContactCells::gather_ids() {
   if (moments_.size() < 2) return;
-  std::map<std::string, std::size_t> known;  // rows, in the order of appearance
+  std::map<std::string, std::size_t> known;  // row of each id, in order of appearance
   for (const ContactCell& cell : all_cells()) {
     for (const trace::Point& point : cell.points)
       if (!point.id.empty()) known.try_emplace(point.id, known.size());
   }
-  if (known.empty()) return;  // an engine may have no names for its points
+  if (known.empty()) return;  // engines may record no ids
   const std::vector<IdState> absent(moments_.size(), IdState::Absent);
   for (std::size_t cell = 0; cell < cell_count(); ++cell) {
     std::vector<std::vector<IdState>> rows(known.size(), absent);
     for (std::size_t m = 0; m < moments_.size(); ++m) {
       const ContactCell& now = moments_[m].cells[cell];
-      for (std::size_t i = now.points.size(); i-- > 0;) {  // of equal ids the first one counts
+      for (std::size_t i = now.points.size(); i-- > 0;) {  // the first of equal ids wins
         if (now.points[i].id.empty()) continue;
         const bool kept = std::ranges::find(now.kept, static_cast<int>(i)) != now.kept.end();
         rows[known[now.points[i].id]][m] = kept ? IdState::Kept : IdState::Dropped;
@@ -132,7 +132,7 @@ void ContactCells::gather_ids() {
   }
 }
 
-/// Where a scenario has no words for the strip it is about one frame alone.
+/// Whether the scenario translates the strip's caption to nothing, because only one frame matters.
 bool ContactCells::is_named_away() const {
   return style_.words && style_.words->of("points over time").empty();
 }
@@ -146,7 +146,7 @@ double ContactCells::strip_height() const {
 }
 
 std::size_t ContactCells::row_count() const {
-  if (!shows(Detail::Rows) || choices_ > 0) return 0;  // the result of choices is another picture's
+  if (!shows(Detail::Rows) || choices_ > 0) return 0;  // pictures of choices do not show the result
   std::size_t most = 0;
   for (const ContactCell& cell : all_cells()) most = std::max(most, cell.rows.size());
   return shows(Detail::AllRows) ? most : std::min<std::size_t>(most, 1);
@@ -156,12 +156,12 @@ std::span<const ContactCell::Row> ContactCells::shown_rows(const ContactCell& ce
   return std::span(cell.rows).first(std::min(row_count(), cell.rows.size()));
 }
 
-/// What of a row there is room for on the left.
+/// The left text of a row, or its brief form if there is no room.
 std::string ContactCells::left_of(const ContactCell::Row& row) const {
   return shows(Detail::WholeRows) || row.brief.empty() ? row.left : row.brief;
 }
 
-/// Width that the widest row of any cell needs, pixels.
+/// Width of the widest row of any cell, pixels.
 double ContactCells::row_width() const {
   const auto size = static_cast<float>(px(kNumber));
   double widest = 0;
@@ -179,15 +179,15 @@ double ContactCells::row_width() const {
   return widest;
 }
 
-/// The number of columns that draws the patch largest, of those with room for the rows if there are
-/// such. What a patch leaves free above and below goes to the strip.
+/// The number of columns with the largest patches, among those with room for the rows, if there are
+/// any. The strip gets the height that a patch leaves free.
 ContactCells::Grid ContactCells::best_grid() const {
   const int count = static_cast<int>(cell_count());
   if (count == 0) return Grid{};
   const double gap = px(kGap);
   const double reserve = px(2 * kReserve);
   const double needed = row_width();
-  // What is beside the map in a cell.
+  // Height of everything except the map in a cell.
   const double furniture =
       px(name_height() + strip_height() + kNumberRow * static_cast<double>(row_count()));
   const auto grid_of = [&](int columns) {
@@ -196,7 +196,7 @@ ContactCells::Grid ContactCells::best_grid() const {
     grid.cell_width = (layout_.view.width - (columns - 1) * gap) / columns;
     grid.cell_height = (layout_.view.height - (rows - 1) * gap) / rows;
     grid.map_height = grid.cell_height - furniture;
-    // Without room at all 0.
+    // 0 if there is no room at all.
     grid.pixels_per_metre = std::max(0.0, std::min((grid.cell_width - reserve) / extent_.x(),
                                                    (grid.map_height - reserve) / extent_.y()));
     return grid;
@@ -210,7 +210,7 @@ ContactCells::Grid ContactCells::best_grid() const {
     const bool is_larger = grid.pixels_per_metre > best.pixels_per_metre;
     if (fits == best_fits ? is_larger : fits) best = grid;
   }
-  // No room at all: what a canvas this small shows is a dot in each cell.
+  // No room at all: a tiny canvas shows a dot in each cell.
   if (best.pixels_per_metre == 0) best = grid_of(static_cast<int>(std::ceil(std::sqrt(count))));
 
   best.strip = px(strip_height());

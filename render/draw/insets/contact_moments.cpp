@@ -13,11 +13,11 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr double kLittle = 0.01;  // of the depth
+constexpr double kLittle = 0.01;  // share of the depth
 
 std::string percent(double share) {
   const double value = 100 * share;
-  // Only what is whole may be called so.
+  // Only exactly whole shares are written as 100 %.
   if (value > 99.9995) return "100 %";
   const int decimals = value > 99.94 ? 3 : value < 0.995 ? 2 : 1;
   return printed("%.*f %%", decimals, value);
@@ -48,7 +48,7 @@ std::vector<ContactCell::Row> rows_of(const trace::Reduction& reduction) {
   std::vector<ContactCell::Row> rows = {
       {has_best ? share + " of the largest area, " + area : "area " + area, "", "area " + share,
        has_best}};
-  if (deepest_points(reduction.points).empty()) return rows;  // of a level patch it says nothing
+  if (deepest_points(reduction.points).empty()) return rows;  // no information for a level patch
   for (const trace::Point& point : reduction.points) deepest = std::min(deepest, point.separation);
   for (const int i : reduction.kept) kept = std::min(kept, at(reduction.points, i).separation);
   const bool has_deepest = kept - deepest <= separation_noise(reduction.points);
@@ -61,7 +61,7 @@ std::vector<ContactCell::Row> rows_of(const trace::Reduction& reduction) {
   return rows;
 }
 
-// Of the largest number among the places: sixteen last digits of a float.
+// Relative to the largest coordinate: sixteen units in the last place of a float.
 constexpr double kNoise = 16 * 1.1920929e-7;
 
 }  // namespace
@@ -91,7 +91,7 @@ std::vector<ContactMoment> explored(const std::vector<trace::Exploration>& seque
   for (const trace::Exploration& exploration : sequence) {
     ContactMoment& moment = moments.emplace_back();
     moment.frame = exploration.frame;
-    if (exploration.a.empty()) {  // points that belong to no shapes
+    if (exploration.a.empty()) {  // points without shapes
       moment.caption = std::to_string(exploration.points.size()) + " points";
     } else {
       moment.caption = name_in_words(exploration.a) + " and " + name_in_words(exploration.b);
@@ -118,7 +118,7 @@ std::vector<ContactMoment> explored(const std::vector<trace::Exploration>& seque
 
 std::vector<ContactMoment> reduced(const std::vector<trace::Frame>& frames,
                                    const Moments& telling) {
-  // A pair may touch in some frames only; its cell is there in all.
+  // A pair may touch in some frames only, but its cell is in all of them.
   const std::vector<const trace::Pair*> cells =
       distinct_pairs(frames, [](const trace::Pair& pair) { return pair.reduction.has_value(); });
   const bool several_bodies = std::ranges::any_of(cells, [&](const trace::Pair* pair) {
@@ -128,7 +128,7 @@ std::vector<ContactMoment> reduced(const std::vector<trace::Frame>& frames,
   for (const trace::Pair* pair : cells) labels.insert(pair->label);
   const bool labels_tell_apart = labels.size() == cells.size();
   std::vector<ContactMoment> moments = mapped(frames, [&](const trace::Frame& frame) {
-    // Points that belong to no shapes have no time either.
+    // Points without shapes have no time either.
     const bool is_timeless = !frame.pairs.empty() && frame.pairs.front().a.empty();
     ContactMoment moment{frame.frame, is_timeless ? std::string() : telling.of(frame), {}};
     if (!is_timeless) moment.time = frame.time;

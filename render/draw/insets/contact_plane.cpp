@@ -15,14 +15,13 @@ namespace {
 
 constexpr double kOrderDigit = 14;
 
-/// Right-handed about the normal.
 PlaneAxes axes_about(const Vec3d& normal, const Vec3d& right, double least) {
   const Vec3d along = right - right.dot(normal) * normal;
   const Vec3d u = along.norm() > least ? Vec3d(along.normalized()) : any_perpendicular(normal);
   return {u, normal.cross(u)};
 }
 
-constexpr double kShortMargin = 0.06;  // of the support: too short to be drawn
+constexpr double kShortMargin = 0.06;  // share of the support's size: too short to draw
 
 constexpr Swatch kMarginSwatch{LegendGroup::Masses, 2, [](auto& pen) {
                                  pen.level_line(0, 16, 2.2, kAxis);

@@ -11,10 +11,9 @@
 #include "draw/scene/quantity.h"
 #include "draw/scene/solid.h"
 
-/// The Gauss maps of A and of B turned inside out, on one sphere: each face is a point, each edge
-/// an arc between the faces that it joins. Two edges make a face of the Minkowski difference where
-/// their arcs cross. Gregorius 2013, "The Separating Axis Test"; a capsule's edge is a whole ring:
-/// Gregorius 2015, "Capsule vs Hull".
+/// The Gauss maps of A and −B on one sphere: each face is a point, each edge an arc between its two
+/// faces. Two edges make a face of the Minkowski difference if their arcs cross. Gregorius 2013,
+/// "The Separating Axis Test". A capsule's edge is a full ring: Gregorius 2015, "Capsule vs Hull".
 namespace contactscope::draw {
 namespace {
 
@@ -32,7 +31,7 @@ constexpr Swatch kBestAxisSwatch{LegendGroup::Directions, 3, [](auto& pen) {
 constexpr Color kSphere = rgb(0xF3F4F6);
 constexpr int kArcSteps = 48;
 constexpr int kRingSteps = 96;
-// The best axis is seen within this angle from the direction of the view.
+// Maximum angle between the best axis and the viewing direction.
 constexpr double kInFront = 42 * std::numbers::pi / 180;
 
 bool has_map(const trace::Pair& pair) {
@@ -48,7 +47,7 @@ std::vector<Vec3d> map_arc(const Vec3d& from, const Vec3d& to) {
   std::vector<Vec3d> points;
   for (int i = 0; i <= kArcSteps; ++i) {
     const double t = static_cast<double>(i) / kArcSteps;
-    // Spherical linear interpolation; of an arc without length both ends are the same.
+    // Spherical linear interpolation; both ends of an arc of length zero are equal.
     Vec3d point = (1 - t) * from + t * to;
     if (angle > 1e-6)
       point = (std::sin((1 - t) * angle) * from + std::sin(t * angle) * to) / std::sin(angle);
@@ -68,17 +67,17 @@ std::vector<Vec3d> map_ring(const Vec3d& axis) {
   return points;
 }
 
-/// Where an arc of A crosses one of B: the normal is a direction that both shapes share.
+/// Crossing of an arc of A with one of B: the normal is a direction that both shapes share.
 using MapCrossing = trace::EdgePair;
 
-/// One shape's map; that of B is turned inside out.
+/// One shape's Gauss map; B's is negated.
 class ShapeMap {
  public:
   ShapeMap(const PlacedShape& shape, bool is_a) : shape_(shape), is_a_(is_a) {
     const trace::Shape& solid = *shape.mesh->shape;
     if (solid.faces.empty() && solid.vertices.size() == 2)
       ring_axis_ = (shape.vertices[1] - shape.vertices[0]).normalized();
-    std::map<std::pair<int, int>, int> index;  // of the edges, as ids count them
+    std::map<std::pair<int, int>, int> index;  // of the edges, numbered as in ids
     for (std::size_t i = 0; i < solid.edges.size(); ++i)
       index[std::minmax(solid.edges[i][0], solid.edges[i][1])] = static_cast<int>(i);
     for (const ShapeMesh::Edge& edge : shape.mesh->edges) {
@@ -90,7 +89,7 @@ class ShapeMap {
 
   bool is_ring() const { return ring_axis_.has_value(); }
 
-  /// Gregorius 2015, appendix: a hull's arc crosses a capsule's ring where the normals of its two
+  /// Gregorius 2015, appendix: a hull's arc crosses a capsule's ring if the normals of its two
   /// faces are on different sides of the ring's plane.
   std::vector<MapCrossing> crossings(const ShapeMap& ring) const {
     std::vector<MapCrossing> found;
@@ -103,7 +102,7 @@ class ShapeMap {
     return found;
   }
 
-  /// What crosses an arc of the other shape stands out.
+  /// Draws arcs that cross arcs of the other shape strongly.
   void draw(const Camera& camera, const std::vector<MapCrossing>& crossings, Sketch& sketch) const {
     const std::string name = is_a_ ? "A" : "−B";
     if (is_ring()) {
@@ -132,12 +131,12 @@ class ShapeMap {
   Color ink() const { return is_a_ ? kArcOfA : kArcOfB; }
   const Swatch& swatch() const { return is_a_ ? kArcsOfASwatch : kArcsOfBSwatch; }
 
-  // On a sphere a point is seen where its own normal faces the eye. Dashes part B's arcs from A's
-  // where colour does not; what crosses nothing is faint, and what is behind fainter still.
+  // A point on a sphere is visible if its normal faces the eye. Dashes distinguish B's arcs from
+  // A's without colours. Arcs without crossings are faint, and hidden ones fainter still.
   void draw_curve(const Camera& camera, const std::vector<Vec3d>& points, bool lit,
                   Sketch& sketch) const {
     const LineStyle front{lit ? 3.0f : 1.5f, with_alpha(ink(), lit ? 1.0f : 0.6f), !is_a_};
-    // Half of a ring is always behind, without which it is none.
+    // Half of a ring is always hidden, but is needed to recognise it.
     const LineStyle back{is_ring() ? 2.0f : 1.0f, with_alpha(ink(), is_ring() ? 0.5f : 0.28f),
                          is_ring()};
     bool seen = false;
@@ -180,7 +179,7 @@ void draw_best_axes(const trace::Sat& sat, double noise, const LengthUnit& unit,
   sketch.explain(kBestAxisSwatch, "best axis of a query");
 }
 
-/// The direction that the picture is about; zero where there is none.
+/// The direction that the picture is about; zero if there is none.
 Vec3d best_direction(const trace::Pair& pair) {
   if (pair.sat && pair.sat->edge) return pair.sat->edge->normal;
   return pair.manifolds.empty() ? Vec3d(Vec3d::Zero()) : pair.manifolds.front().normal;

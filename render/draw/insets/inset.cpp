@@ -10,7 +10,7 @@ namespace contactscope::draw {
 namespace {
 
 constexpr double kInsetFieldOfView = 30 * std::numbers::pi / 180;
-constexpr double kInsetShare = 0.82;  // of the viewport: labels stand around what it shows
+constexpr double kInsetShare = 0.82;  // of the viewport: labels need room around the contents
 constexpr double kSphereShare = 0.9;
 constexpr double kInsetHeading = 17;  // pixels at 720 lines
 constexpr double kInsetNote = 15;
@@ -21,8 +21,8 @@ bool is_inset(Panel panel) {
   return panel == Panel::Minkowski || panel == Panel::GaussMap;
 }
 
-/// Without perspective, and to the same scale as `camera` where all the points find room at it: a gap
-/// is then as long as the origin's way to the difference.
+/// Orthographic camera, with the scale of `camera` if all points fit. A gap between the shapes then
+/// has the same length as the distance from the origin to the difference.
 Camera parallel_camera(const Camera& camera, const std::vector<Vec3d>& points,
                        const Vec3d& direction, const Vec3d& world_up, const Rect& viewport) {
   Eigen::AlignedBox3d seen;  // right, up and towards the eye
@@ -63,7 +63,7 @@ std::vector<Inset> stage_insets(const std::vector<Panel>& panels, const Vec3d& w
     if (sphere) direction = gauss_map_direction(frames, direction);
     const double half_height = std::tan(0.5 * kInsetFieldOfView);
     const double aspect = viewport.width / viewport.height;
-    // From so far the rays that touch the unit sphere make the wanted angle.
+    // At this distance the rays that touch the unit sphere make the desired angle.
     ViewFit fit{Vec3d::Zero(),
                 1 / std::sin(std::atan(kSphereShare * half_height * std::min(1.0, aspect)))};
     if (!sphere && !camera.is_perspective()) {
@@ -75,7 +75,7 @@ std::vector<Inset> stage_insets(const std::vector<Panel>& panels, const Vec3d& w
     if (!sphere) {
       fit = fit_view(minkowski_extent(frames), direction, world_up, std::nullopt, half_height,
                      aspect, kInsetShare);
-      if (!(fit.distance > 0)) fit.distance = 1;  // nothing but the origin
+      if (!(fit.distance > 0)) fit.distance = 1;  // only the origin
     }
     insets.push_back({panels[i], frame,
                       Camera::perspective(fit.target + fit.distance * direction, fit.target,
@@ -94,7 +94,7 @@ void draw_inset(const Inset& inset, const InsetPicture& picture, const Layout& l
   Layout inner = layout;
   inner.view = inset.camera.viewport();
   inner.framed = true;
-  inner.insets.clear();  // labels keep off other insets, not off their own
+  inner.insets.clear();  // labels avoid other insets, but not their own
   drawing.begin(kInsetPart, {}, name_of(inset.panel));
   compose(picture.sketch, inset.camera, inner, drawing);
 
@@ -106,7 +106,7 @@ void draw_inset(const Inset& inset, const InsetPicture& picture, const Layout& l
   const float baseline = static_cast<float>(inset.frame.y) + padding + 0.8f * size;
   const Said heading = pen.fitted(picture.heading, Weight::Bold, right - left, kInsetHeading);
   pen.text(heading, {left, baseline}, Align::Left, kText, Weight::Bold, kInsetHeading);
-  // A word that lost its end tells nothing.
+  // A shortened note would have no meaning.
   const float used = text_width(heading.text, size, Weight::Bold) + 2 * padding;
   if (pen.width_of(picture.note) <= right - left - used)
     pen.text(picture.note, {right, baseline}, Align::Right, kQuietText);

@@ -10,15 +10,15 @@
 #include "draw/scene/simplex_steps.h"
 #include "draw/scene/solid.h"
 
-/// The Minkowski difference B - A, and in it what walks towards the origin or away from it:
-/// van den Bergen 2003, chapter 4; Gregorius 2015, "Incremental Manifold".
+/// The Minkowski difference B - A, and in it the simplex or polytope of an algorithm: van den
+/// Bergen 2003, chapter 4; Gregorius 2015, "Incremental Manifold".
 namespace contactscope::draw {
 namespace {
 
 constexpr Color kDifference = rgb(0xE4E4E8);
 constexpr Swatch kSimplexSwatch{LegendGroup::Differences, 1,
                                 [](auto& pen) { pen.area(kClipPolygon, 0.16f, 2); }};
-// Of two points; one alone is a support point.
+// For two points; a single one is a support point.
 constexpr Swatch kSimplexLineSwatch{LegendGroup::Differences, 1,
                                     [](auto& pen) { pen.level_line(0, 22, 2.5, kClipPolygon); }};
 constexpr Swatch kPolytopeSwatch{LegendGroup::Differences, 2,
@@ -33,16 +33,15 @@ constexpr Swatch kFarthestSwatch{LegendGroup::Differences, 6,
 
 constexpr std::size_t kManyFaces = 120;
 constexpr double kSupportShare =
-    0.3;  // of the difference's size, half the line through a support point
-constexpr double kLeastSearch =
-    48;  // pixels, of the arrow along which the next point is looked for
+    0.3;  // of the difference's size, half the length of the line through a support point
+constexpr double kLeastSearch = 48;  // pixels, for the arrow of the search direction
 constexpr double kNumberAside = 46;  // pixels from a short arrow to its number
 
 bool has_difference(const trace::Pair& pair) {
   return pair.minkowski || pair.gjk || pair.penetration;
 }
 
-/// Of the cores, which is what a difference is made of.
+/// Overlap of the cores, which the difference is made of.
 bool holds_origin(const trace::Pair& pair) {
   return pair.gjk ? pair.gjk->status == "overlap" : pair.state == "touching";
 }
@@ -55,11 +54,10 @@ Color step_color(const SimplexStep& step) {
   return step.of == SimplexStep::Of::Epa ? kPolytope : kClipPolygon;
 }
 
-/// Adds to a sketch of the difference. Nearer to the origin than `smallest` (metres) is as good as
-/// in it.
+/// Draws into a sketch of the difference. Points within `smallest` (metres) count as on the origin.
 struct DifferencePen {
   const Camera& camera;
-  float scale;  // pixels for one at 720 lines
+  float scale;  // canvas pixels for one pixel at 720 lines
   double smallest;
   double size;  // of the difference, metres
   LengthUnit unit;
@@ -72,8 +70,8 @@ struct DifferencePen {
         Badge::Support;
   }
 
-  /// From the origin to a point, with its length. A number that is longer than its arrow would hide
-  /// it, and stands aside.
+  /// Arrow from the origin to a point, with its length; the number is aside if longer than the
+  /// arrow.
   void distance(const Vec3d& to, double metres, const std::string& name) const {
     if (to.norm() <= smallest) return;
     // A halo would cover the origin.
@@ -82,14 +80,14 @@ struct DifferencePen {
     Label& label = sketch.label(0.5 * to, name + spell_length(metres, 0, unit), kAxisText, 16, 14);
     const std::optional<float> seen = seen_distance(camera, Vec3d::Zero(), to);
     label.leader = seen && *seen < text_width(label.text, scale * label.size, Weight::Bold);
-    if (label.leader) {  // on the other side of the origin's name
+    if (label.leader) {  // opposite to the origin's name
       label.clearance = kNumberAside;
       label.direction = camera.right();
     }
   }
 
-  /// The support point that comes next, and why: `from` it is looked for along the unit `way`, and
-  /// all of the difference is on one side of the dashes through it, across that way.
+  /// The next support point: searched from `from` along the unit direction `way`. A dashed line
+  /// through it, perpendicular to that direction, has the whole difference on one side.
   void next(const SimplexStep& step, const Vec3d& from, const Vec3d& way) const {
     if (!step.next) return;
     const Vec3d at = difference(*step.next);
@@ -100,7 +98,7 @@ struct DifferencePen {
     sketch.arrows.push_back(
         {.from = from, .to = end, .width = 1.8f, .color = kText, .halo = false, .open = true});
     sketch.explain(kSearchSwatch, "search for the next point");
-    // Beyond both the point and where the way meets them.
+    // Long enough for the point and the foot of the arrow.
     const double reach = kSupportShare * size, shift = (from - at).dot(along);
     sketch.line(at + (std::min(shift, 0.0) - reach) * along,
                 at + (std::max(shift, 0.0) + reach) * along, {1.5f, kText, true});
@@ -109,7 +107,7 @@ struct DifferencePen {
     sketch.label(at, "next point", step_color(step), 16, 12);
   }
 
-  /// A simplex has all of its edges and triangles.
+  /// Draws all edges and triangles of a simplex.
   void simplex(const SimplexStep& step) const {
     const std::size_t count = step.vertices.size();
     const Color color = step_color(step);
@@ -142,7 +140,7 @@ struct DifferencePen {
       return mapped(face, [&](int vertex) { return at(points, vertex); });
     };
     std::set<std::pair<int, int>> edges;
-    std::set<int> corners;  // of faces: the others are inside by now
+    std::set<int> corners;  // of faces: other vertices are inside by now
     for (const std::array<int, 3>& face : polytope.faces) {
       sketch.surfaces.push_back({triangle_of(face), with_alpha(kPolytope, 0.06f)});
       for (std::size_t i = 0; i < 3; ++i) edges.insert(std::minmax(face[i], face[(i + 1) % 3]));
@@ -167,8 +165,8 @@ struct DifferencePen {
     sketch.explain(kAxisSwatch, "distance of its plane");
   }
 
-  /// Without steps of an algorithm the difference itself tells how far the origin is from its
-  /// border: outside the gap, inside the depth, along the normal of the nearest face.
+  /// Without recorded steps, shows the distance of the origin from the difference's border along
+  /// the normal of the nearest face: the gap outside, the depth inside.
   void border_distance(const trace::Minkowski& difference, bool held) const {
     std::optional<Vec3d> nearest;
     for (const std::vector<int>& face : difference.faces) {
@@ -224,7 +222,7 @@ InsetPicture sketch_minkowski(const Inset& inset, const Scene& scene) {
     solid.vertices = pair->minkowski->vertices;
     solid.faces = pair->minkowski->faces;
     ShapeMesh mesh = make_mesh(solid);
-    // Its facets are small because it has many, not because they stand for a curve.
+    // Many small facets are not the approximation of a curved surface here.
     if (solid.faces.size() <= kManyFaces) {
       for (ShapeMesh::Edge& edge : mesh.edges) edge.smooth = false;
     }
@@ -241,7 +239,7 @@ InsetPicture sketch_minkowski(const Inset& inset, const Scene& scene) {
   if (pair == nullptr) return picture;
   const std::optional<SimplexStep> step = simplex_step(scene.view, scene.frame, *pair);
   picture.note = note_of(*pair, step);
-  // Rounding in float leaves so much of nothing.
+  // Rounding errors in float have this size.
   const DifferencePen pen{inset.camera,        static_cast<float>(scene.scales.pixel),
                           1e-6 * size,         size,
                           scene.scales.length, sketch};

@@ -4,20 +4,19 @@
 #include "draw/scene/quantity.h"
 #include "draw/scene/solid.h"
 
-/// Catto 2013, "Continuous Collision": a contact of shapes that are still apart lets them close by
-/// no more than the gap. Where a body would be a frame later without it, and the gap.
+/// Catto 2013, "Continuous Collision": a contact of shapes that do not touch yet limits their
+/// approach to the gap. Draws each body's pose one frame later without contacts, and the gap.
 namespace contactscope::draw {
 namespace {
 
 constexpr double kLeastWay = 8;  // pixels
-constexpr double kAside = 44;    // pixels of the gap from the point, whose impulse runs along it
+constexpr double kAside = 44;    // pixels from the point, to avoid the impulse arrow
 
 constexpr LineStyle kGhost{2.0f, kDropped, true};
 
 constexpr Swatch kAheadSwatch{LegendGroup::Motion, 4, [](auto& pen) { pen.dashes(2, kDropped); }};
 
-// How far from the surface points are contacts: a dashed line there, and its distance on the other side
-// of the point than the gap.
+// Distance within which points become contacts: a dashed line, and a measure opposite to the gap's.
 void draw_speculative_margin(const Scene& scene, const Vec3d& from, const Vec3d& out,
                              const Vec3d& aside, Sketch& sketch) {
   const double margin = scene.frame.solver->speculative_margin;
@@ -54,7 +53,7 @@ void draw_ahead(const Scene& scene, Sketch& sketch) {
   }
   for (const trace::Pair& pair : scene.frame.pairs) {
     const PlacedShape* a = scene.find(pair.a);
-    const double side = a == nullptr || a->traced().radius == 0 ? 1 : -1;  // on which the point is
+    const double side = a == nullptr || a->traced().radius == 0 ? 1 : -1;  // to the other surface
     for (const auto& [manifold, point] : all_points(pair)) {
       if (!stands_off(*point, scene.scales)) continue;
       const Vec3d& from = point->position;

@@ -5,11 +5,11 @@
 #include "draw/scene/answers.h"
 #include "draw/scene/pair_words.h"
 
-/// The answer to what a pair was asked: the closest or deepest points and what lies between them.
+/// Answer of a distance or depth query: closest or deepest points and the distance between them.
 namespace contactscope::draw {
 namespace {
 
-constexpr double kLeastOfAnswer = 14;  // pixels: nearer to each other, dots hide what is measured
+constexpr double kLeastOfAnswer = 14;  // pixels: at less, dots hide the measure
 
 constexpr Swatch kPointsSwatch{LegendGroup::Axes, 4, [](auto& pen) { pen.dot(0, 4.0, kAxisText); }};
 
@@ -17,10 +17,10 @@ bool is_near(const std::optional<Vec3d>& p, const std::optional<Vec3d>& q) {
   return p && q && (*p - *q).norm() <= 1e-6 * (p->norm() + q->norm());
 }
 
-/// Between the same two points, whichever shape was named first.
+/// Whether two queries have the same pair of points, in either order of shapes.
 bool is_same_measure(const trace::Pair& pair, const trace::Pair& other) {
   const trace::Query &one = *pair.query, &two = *other.query;
-  // Methods may find different points of two faces that are equally deep all over: one measure says it.
+  // If faces are equally deep all over, methods find different points. One measure suffices.
   const bool same_length = std::abs(*one.gap - *two.gap) <= 1e-5 * std::abs(*one.gap);
   if (other.a == pair.a && other.b == pair.b)
     return same_length || (is_near(one.point_a, two.point_a) && is_near(one.point_b, two.point_b));
@@ -28,8 +28,8 @@ bool is_same_measure(const trace::Pair& pair, const trace::Pair& other) {
          is_near(one.point_b, two.point_a);
 }
 
-/// Whether another one of these shapes is nearer to one of them. Who asks how far a thing is from
-/// several looks for the nearest.
+/// Whether another query is shorter for one of these shapes. A user who queries several distances
+/// of a shape looks for the nearest.
 bool is_nearer_elsewhere(const Scene& scene, const trace::Pair& pair) {
   const double gap = *pair.query->gap;
   return std::ranges::any_of(scene.frame.pairs, [&](const trace::Pair& other) {
@@ -43,16 +43,16 @@ bool is_nearer_elsewhere(const Scene& scene, const trace::Pair& pair) {
 void draw_answer(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   if (!pair.query || !pair.query->gap || !pair.query->point_a || !pair.query->point_b) return;
   const trace::Query& query = *pair.query;
-  // Another question that has the same points for an answer has drawn them already.
+  // A query with the same points has drawn them already.
   for (const trace::Pair* other = scene.frame.pairs.data(); other != &pair; ++other)
     if (other->query && other->query->gap && is_same_measure(pair, *other)) return;
   const bool apart = *query.gap >= 0;
   const Vec3d &from = *query.point_a, &to = *query.point_b;
-  const bool touches = from == to || *query.gap == 0;  // else it would be a measure of rounding
+  const bool touches = from == to || *query.gap == 0;  // otherwise rounding would be measured
   const std::optional<float> pixels = seen_distance(scene.camera, from, to);
   if (touches || (pixels && *pixels >= kLeastOfAnswer * scene.scales.pixel)) {
     for (const Vec3d& point : {from, to}) sketch.mark(MarkKind::Node, point, kAxisText);
-    // Otherwise what measures between them covers them.
+    // Otherwise the arrow covers the points.
     if (touches) sketch.explain(kPointsSwatch, apart ? "closest points" : "deepest points", from);
   }
   if (touches) return;

@@ -6,33 +6,33 @@
 #include "draw/scene/pair_words.h"
 #include "draw/scene/points.h"
 
-/// The boxes by which a broad phase chose the pairs.
+/// The boxes that a broad phase used to find pairs.
 namespace contactscope::draw {
 namespace {
 
 constexpr std::size_t kMostNamed = 12;  // boxes
-constexpr double kNameRoom = 20;        // pixels that a name beside a box takes
+constexpr double kNameRoom = 20;        // pixels for a name next to a box
 constexpr double kAxisLength = 56;      // pixels, below the names of the lowest boxes
-constexpr double kBeyondBoxes = 12;     // pixels: how far a line at their ends goes on
+constexpr double kBeyondBoxes = 12;     // pixels: extension of a line at their ends
 
 constexpr Swatch kMeetingSwatch{LegendGroup::Trees, 3, [](auto& pen) { pen.area(kBox, 0, 2.5); }};
 constexpr Swatch kShapeBoxSwatch{LegendGroup::Trees, 5, [](auto& pen) { pen.area(kBox, 0, 1.5); },
                                  kBox};
-constexpr double kLeastShared = 6;  // pixels: what is smaller is not seen to be filled
+constexpr double kLeastShared = 6;  // pixels: a smaller fill is not visible
 constexpr Color kShared = with_alpha(kBox, 0.22f);
 constexpr Swatch kSharedSwatch{LegendGroup::Trees, 4,
                                [](auto& pen) { pen.box(kShared, kShared, 1); }};
-// Not dashed: of a small box dashes would leave corners, and of many in space a thicket.
+// Not dashed: a small box would lose its corners, and many boxes would be hard to read.
 constexpr LineStyle kAlone{1.2f, kDropped};
 constexpr Swatch kAloneSwatch{LegendGroup::Trees, 4,
                               [](auto& pen) { pen.area(kAlone.color, 0, kAlone.width); }};
 
-/// A place for a name, and the way from the box to it.
+/// Position of a name, and its direction from the box.
 struct NamePlace {
   Vec3d at, out;
 };
 
-/// Beneath the box as it is seen, above it or beside it: the first side at which no other box is.
+/// Below the box on the screen, above it or next to it: the first side without another box.
 NamePlace free_side(const Scene& scene, const trace::Bounds& bounds,
                     const std::vector<trace::Bounds>& all) {
   const Vec3d right = scene.camera.right(), up = scene.camera.up();
@@ -55,8 +55,8 @@ NamePlace free_side(const Scene& scene, const trace::Bounds& bounds,
   return place(-up);
 }
 
-// Cells and nodes have numbers and borders where names would stand; the box that differs from all
-// others, as a slab among crates does, is what the picture is about and needs one.
+// Cells and nodes have numbers and borders in the place of names. A box that differs from all
+// others, such as a slab among crates, is the picture's subject and gets a name.
 bool is_one_of_a_kind(const std::string& name, const std::vector<trace::Bounds>& all) {
   const std::string_view kind = kind_of_name(name);
   return kind == name && std::ranges::count_if(all, [&](const trace::Bounds& other) {
@@ -64,14 +64,14 @@ bool is_one_of_a_kind(const std::string& name, const std::vector<trace::Bounds>&
                          }) == 1;
 }
 
-// At the upper edge, inside: outside of it are the nodes.
+// At the upper edge, inside, because nodes are outside.
 void name_within(const Scene& scene, const trace::Bounds& bounds, Sketch& sketch) {
   const Vec3d up = scene.camera.up(), half = 0.5 * (bounds.box.upper - bounds.box.lower);
   sketch.label(bounds.box.lower + half + up.cwiseAbs().dot(half) * up, in_words(bounds.name), kText,
                16, 6, Vec3d(-up));
 }
 
-// What debuggers of engines draw first: the axis-aligned box of each shape.
+// Without a broad phase: the axis-aligned box of each shape, as in debuggers of engines.
 void draw_boxes_of_shapes(const Scene& scene, Sketch& sketch) {
   for (const PlacedShape& shape : scene.shapes) {
     if (shape.traced().half_space || shape.vertices.empty()) continue;
@@ -83,7 +83,7 @@ void draw_boxes_of_shapes(const Scene& scene, Sketch& sketch) {
   }
 }
 
-// The edges that the eye sees of a solid box; those behind it faint, for many wires are a thicket.
+// Edges of a solid box that face the viewer; hidden ones are faint, to keep many boxes readable.
 void outline_solid(const Scene& scene, const trace::Box& box, const LineStyle& style,
                    Sketch& sketch) {
   const Eigen::AlignedBox3d solid(box.lower, box.upper);
@@ -107,7 +107,7 @@ void outline_solid(const Scene& scene, const trace::Box& box, const LineStyle& s
   }
 }
 
-// What two boxes share, as the eye sees it.
+// Fills the intersection of two boxes.
 void draw_shared(const Scene& scene, const trace::Box& a, const trace::Box& b, Sketch& sketch) {
   const Eigen::AlignedBox3d shared =
       Eigen::AlignedBox3d(a.lower, a.upper).intersection(Eigen::AlignedBox3d(b.lower, b.upper));
@@ -130,7 +130,7 @@ void draw_shared(const Scene& scene, const trace::Box& a, const trace::Box& b, S
     sketch.explain(kSharedSwatch, "where two boxes overlap", shared.center());
 }
 
-// Which way the axes go along which sweep and prune sorts the ends.
+// Directions of the axes along which sweep and prune sorts the ends.
 void draw_swept_axes(const Scene& scene, const std::vector<trace::Bounds>& all, Sketch& sketch) {
   Eigen::AlignedBox3d around;
   for (const trace::Bounds& bounds : all) {
@@ -145,15 +145,15 @@ void draw_swept_axes(const Scene& scene, const std::vector<trace::Bounds>& all, 
   constexpr const char* kNames[] = {"x", "y", "z"};
   for (int axis = 0; axis < 3; ++axis) {
     const Vec3d way = length * Vec3d::Unit(axis);
-    // One that looks at the eye is a point.
+    // An axis along the view is a point.
     if (std::hypot(right.dot(way), up.dot(way)) < 0.3 * length) continue;
     sketch.arrows.push_back(arrow_to_scale(corner, way, 2, 9, kShapeEdge));
     sketch.label(corner + way, kNames[axis], kText, 16, 6, Vec3d::Unit(axis));
   }
 }
 
-// Where two ends pass each other, across both boxes: the places on an axis are the same, whatever
-// lies between the boxes along the others.
+// A line across both boxes at the place of an end swap. The place on the axis is the same, however
+// far the boxes are from each other along the other axes.
 void draw_passing_ends(const Scene& scene, const std::vector<trace::Bounds>& all, Sketch& sketch) {
   const auto box_of = [&](const std::string& name) {
     const auto found = std::ranges::find(all, name, &trace::Bounds::name);
@@ -216,7 +216,7 @@ void draw_bounds(const Scene& scene, Sketch& sketch) {
   };
   for (const trace::Pair& pair : scene.frame.pairs) {
     const trace::Box *a = box_of(pair.a), *b = box_of(pair.b);
-    // Of a body on a mesh it is most of the body's own box, and hides the triangles that are there.
+    // For a body on a mesh it is most of the body's own box, and would hide the triangles.
     if (a == nullptr || b == nullptr || is_mesh(pair.a) != is_mesh(pair.b)) continue;
     draw_shared(scene, *a, *b, sketch);
   }

@@ -10,25 +10,24 @@
 #include "draw/scene/tree_levels.h"
 #include "image/font.h"
 
-/// The cells, columns or nodes into which a broad phase sorts boxes, as tiles on their floors: the
-/// darker, the more tests they cost. Tones are opaque and few, and of tiles that lie over each other
-/// the darkest is seen, so that a tone is one of the legend's; the same in every picture, so that
-/// broad phases can be compared.
+/// Cells, columns or nodes of a broad phase as tiles on their floors; darker tiles cost more tests.
+/// Tones are opaque and few. Where tiles overlap, the darkest is on top, so each visible tone is in
+/// the legend. Tones are equal in all pictures, so that broad phases can be compared.
 namespace contactscope::draw {
 namespace {
 
 struct Tone {
-  int tests;  // from so many on
+  int tests;  // lower limit
   Color color;
 };
 constexpr std::array<Tone, 3> kTones = {
     {{1, rgb(0xECEEF1)}, {10, rgb(0xD5D9DE)}, {100, rgb(0xC2C8CF)}}};
 constexpr LineStyle kBorder{1.0f, rgb(0xB0B6BE)};
 constexpr LineStyle kAbove{1.0f, rgb(0xB4B9C0)};
-constexpr int kDeepest = 2;  // of nodes that only lie around others
+constexpr int kDeepest = 2;  // for nodes without boxes of their own
 constexpr Color kTooLarge = rgb(0xEDE2C9);
 
-/// White of a cell without tests.
+/// White for a cell without tests.
 Color tone_of(int tests) {
   Color tone = kWhite;
   for (const Tone& each : kTones)
@@ -36,7 +35,7 @@ Color tone_of(int tests) {
   return tone;
 }
 
-// So many tones as a picture has.
+// With the number of tones in the picture.
 template <int Tones>
 constexpr Swatch kTonesSwatch{
     LegendGroup::Trees, 5, [](auto& pen) {
@@ -69,23 +68,23 @@ constexpr Swatch kBeginsSwatch{
     LegendGroup::Trees, 7,
     [](auto& pen) { pen.line(pen.at(12, -7), pen.at(12, 7), kBegins.width, kBegins.color); }};
 constexpr float kCount = 18;          // size of the number in a tile, pixels
-constexpr double kCountClear = 13;    // from its middle to the outline of a box, likewise
-constexpr double kLeastCounted = 20;  // pixels: in a narrower tile no number stands
+constexpr double kCountClear = 13;    // from its middle to the outline of a box, pixels
+constexpr double kLeastCounted = 20;  // pixels: narrower tiles have no number
 constexpr double kSweptWay = 64, kBesideBox = 3.5, kBesideColumn = 16;  // pixels
 
 bool is_tree(const trace::BroadPhase& phase) {
   return phase.method == "tree" || phase.method == "octree";
 }
 
-/// Of the column that costs most: the box that is compared most often, and behind it those that it
-/// is compared with, which are all that begin along the axis before it ends.
+/// In the most expensive column: first the box that is compared most often, then the boxes that it
+/// is compared with, which begin along the axis before it ends.
 struct Sweep {
   int axis = 0;
   trace::Box column;
   std::vector<const trace::Bounds*> boxes;
 };
 
-/// Nothing where columns are not what is drawn, or are swept along the view.
+/// Nothing if the cells are not columns, or are swept along the up axis.
 std::optional<Sweep> find_sweep(const trace::BroadPhase& phase, const Floor& floor) {
   Sweep sweep;
   sweep.axis = phase.swept == "x" ? 0 : phase.swept == "y" ? 1 : 2;
@@ -120,7 +119,7 @@ void draw_span(const Sweep& sweep, const Floor& floor, Sketch& sketch) {
   sketch.explain(kSpanSwatch, "a box and its span");
 }
 
-/// Over the boxes: the ends at which those begin that the sweep compares.
+/// Above the boxes: marks the start of each box that the sweep compares.
 void mark_begins(const Scene& scene, const Sweep& sweep, const Floor& floor, Sketch& sketch) {
   const int compared = count_of(sweep.boxes) - 1, across = floor.across(sweep.axis);
   for (const trace::Bounds* bounds : sweep.boxes) {
@@ -135,7 +134,7 @@ void mark_begins(const Scene& scene, const Sweep& sweep, const Floor& floor, Ske
   sketch.explain(kBeginsSwatch, "begins in the span, so tested: " + std::to_string(compared));
 }
 
-/// Over the boxes: what was tested, or what one step of a sweep tests.
+/// Above the boxes: tested pairs, or the tests of one step of a sweep.
 void draw_begins(const Scene& scene, Sketch& sketch) {
   if (!scene.frame.broad_phase || scene.frame.broad_phase->cells.empty()) return;
   const trace::BroadPhase& phase = *scene.frame.broad_phase;
@@ -158,8 +157,8 @@ void draw_begins(const Scene& scene, Sketch& sketch) {
   sketch.label(from + metres * way, "swept along " + phase.swept, kBegins.color, 17, 8, way);
 }
 
-/// Cells of a grid that lie over each other are one tile with the tests of all: so the tiles' tests add
-/// up to what the frame cost. Nodes of a tree stay apart.
+/// Merges stacked cells of a grid into one tile with all their tests, so that the tiles add up to
+/// the frame's total. Nodes of a tree stay separate.
 std::vector<trace::Cell> stacked(const trace::BroadPhase& phase, const Floor& floor) {
   if (phase.method != "grid") return phase.cells;
   std::map<std::array<double, 4>, trace::Cell> stacks;
@@ -178,10 +177,10 @@ std::vector<trace::Cell> stacked(const trace::BroadPhase& phase, const Floor& fl
 }
 
 constexpr LineStyle kLattice{1.0f, with_alpha(kShapeEdge, 0.16f)};
-constexpr double kMostLattice = 40;  // cells along a side: more would be a grey ground
+constexpr double kMostLattice = 40;  // cells along a side; more would look like a grey area
 
-/// The cells between those that boxes are in, which nobody keeps: a grid goes on without end, and what
-/// is too large for its cells is seen to be.
+/// Empty cells of the grid between occupied ones, which are not stored. They show that the grid is
+/// unbounded, and which boxes are too large for its cells.
 void draw_lattice(const trace::BroadPhase& phase, const Floor& floor, Sketch& sketch) {
   const trace::Box& cell = phase.cells.front().box;
   const double side = cell.upper[floor.right()] - cell.lower[floor.right()];
@@ -207,9 +206,8 @@ void draw_lattice(const trace::BroadPhase& phase, const Floor& floor, Sketch& sk
   }
 }
 
-/// Where a number is read best in a tile along the view's right and up: on none of the tiles `above` it,
-/// off the outlines of boxes as far as it needs to be, and then as far to the lower left as it can.
-/// Nothing where those above leave no room.
+/// Best place for a number in a tile, along the view's right and up axes: not on the tiles `above`
+/// it, far from the outlines of boxes, and then at the lower left. Nothing if there is no room.
 std::optional<Vec2d> place_in_tile(const Eigen::AlignedBox2d& tile,
                                    std::span<const Eigen::AlignedBox2d> above,
                                    const std::vector<Eigen::AlignedBox2d>& boxes, double pixel) {
@@ -222,7 +220,7 @@ std::optional<Vec2d> place_in_tile(const Eigen::AlignedBox2d& tile,
     for (int column = 0; column <= kTried; ++column) {
       const Vec2d share(column / double(kTried), row / double(kTried));
       const Vec2d at = low + margin + share.cwiseProduct(high - low - 2 * margin);
-      // Tiles beside this one share its border, and do not cover what stands at it.
+      // Neighbouring tiles share the border and do not cover text next to it.
       const Eigen::AlignedBox2d text(at - 0.99 * margin, at + 0.99 * margin);
       if (std::ranges::any_of(above, [&](const auto& other) { return other.intersects(text); }))
         continue;
@@ -240,8 +238,8 @@ std::optional<Vec2d> place_in_tile(const Eigen::AlignedBox2d& tile,
   return best;
 }
 
-/// Writes into each tile how many tests it cost. Of none where one has no room: a sum needs all.
-/// `cells`: in the order in which their tiles are drawn. Returns whether the numbers stand there.
+/// Writes the number of tests into each tile, or nothing if one has no room: a sum needs all
+/// numbers. `cells`: in drawing order of their tiles. Returns whether numbers were written.
 bool write_tests(const Scene& scene, const std::vector<trace::Cell>& cells, const Floor& floor,
                  Sketch& sketch) {
   const Vec3d right = scene.camera.right(), up = scene.camera.up();
@@ -277,7 +275,7 @@ bool write_tests(const Scene& scene, const std::vector<trace::Cell>& cells, cons
   for (const auto& [at, tests] : numbers) {
     const std::string text = std::to_string(tests);
     const double half = 0.5 * static_cast<double>(text_width(text, kCount, Weight::Bold)) * pixel;
-    const Vec2d begin = at - Vec2d(half, 0) - flat(on_floor);  // the label goes on to the right
+    const Vec2d begin = at - Vec2d(half, 0) - flat(on_floor);  // the label extends to the right
     sketch.label(on_floor + begin.x() * right + begin.y() * up, text, kShapeEdge, kCount, 0, right);
   }
   return true;
@@ -289,9 +287,9 @@ void draw_cells(const Scene& scene, Sketch& sketch) {
   const Floor floor(scene);
   const auto tile_of = [&](const trace::Box& box) { return floor.tile_of(box); };
   const std::optional<Sweep> sweep = find_sweep(phase, floor);
-  // A single tone would tell nothing.
+  // A single tone has no information.
   if (phase.cells.size() == 1 && phase.cells.front().members > 0) {
-    // Of few boxes it would be one more of them.
+    // With few boxes the cell would look like another box.
     if (phase.bounds.size() > kFewBoxes || !sweep)
       sketch.outline(tile_of(phase.cells.front().box), kOnly);
     if (sweep)
@@ -310,7 +308,7 @@ void draw_cells(const Scene& scene, Sketch& sketch) {
   std::vector<trace::Cell> cells = stacked(phase, floor);
   std::ranges::stable_sort(cells, {}, &trace::Cell::tests);
   for (const trace::Cell& cell : cells) {
-    // Nodes without boxes of their own lie over each other, a dozen deep.
+    // Nodes without boxes of their own may overlap a dozen deep.
     if (cell.members == 0) {
       if (cell.depth > kDeepest) continue;
       sketch.outline(tile_of(cell.box), kAbove);
@@ -333,7 +331,7 @@ void draw_cells(const Scene& scene, Sketch& sketch) {
   }
   if (sweep) draw_span(*sweep, floor, sketch);
   const int most = cells.back().tests;
-  // What a query tests in a tree it tests at nodes all the way down, and one test counts at several.
+  // A tree query tests nodes on all levels, and one test counts at several nodes.
   const bool adds_up = phase.method == "grid" || phase.method == "octree";
   const bool in_words = !adds_up || !write_tests(scene, cells, floor, sketch);
   const auto explain = [&](const Swatch& swatch, const std::string& tones) {

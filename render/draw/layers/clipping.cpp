@@ -8,11 +8,11 @@
 #include "draw/scene/solid.h"
 
 /// Gregorius 2015, "Hull vs Hull: Face Contact Clipping": Sutherland-Hodgman, one side plane after
-/// the other. The polygon of the last shown step is at full strength, earlier ones fade; a story is told in clip_story.cpp.
+/// the other. Shows the polygon of the last step; clip_story.cpp draws the steps.
 namespace contactscope::draw {
 namespace {
 
-// Height of a drawn side plane, as a fraction of the reference face's size.
+// Height of a drawn side plane, as a share of the reference face's size.
 constexpr double kPlaneHeight = 0.22;
 
 constexpr LineStyle kAboveFace{1.5f, kDropped};
@@ -32,8 +32,8 @@ void draw_face_of_round(const Scene& scene, const trace::Pair& pair, Sketch& ske
   sketch.explain(kReferenceFaceSwatch, "reference face", face->polygon.front());
 }
 
-// Whether another pair has the same reference face: filled twice, it would be of a stronger blue. Each pair has its own
-// rounding.
+// Whether another pair has filled the same reference face, up to rounding: two fills are too
+// strong.
 bool is_marked_ground(const trace::Polygon& polygon, const Sketch& sketch) {
   const double same = 1e-5 * reach_of(polygon);
   return std::ranges::any_of(sketch.surfaces, [&](const Surface& surface) {
@@ -44,9 +44,9 @@ bool is_marked_ground(const trace::Polygon& polygon, const Sketch& sketch) {
   });
 }
 
-// Gregorius 2015, "Hull vs Hull: Face Contact". In a story the faces are what is known already once
-// the first side plane cuts: outlines alone, so that the polygon stands out. In the last step the reference face
-// takes away what is above it, and is filled again.
+// Gregorius 2015, "Hull vs Hull: Face Contact". In a story, the faces are outlines once the first
+// side plane cuts, so that the polygon stands out. In the last step the reference face drops the
+// points above it, and is filled again.
 template <bool kReference>
 void draw_clip_face(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   if (kReference && !pair.clip) draw_face_of_round(scene, pair, sketch);
@@ -78,7 +78,7 @@ Vec3d top_of_side_plane(const trace::Clip& clip, std::size_t step) {
   return middle + rise_of(face) * clip.reference.normal;
 }
 
-// Through an edge of a face with the normal `up`; `active`: it is the one that cuts.
+// Side plane through an edge of a face with the normal `up`; `active`: the plane that cuts now.
 void draw_side_plane(const trace::Polygon& face, const Vec3d& up, const Vec3d& outward,
                      std::size_t step, bool active, Sketch& sketch) {
   const Vec3d& from = face[step];
@@ -98,7 +98,7 @@ void draw_side_plane(const trace::Polygon& face, const Vec3d& up, const Vec3d& o
 
 void draw_side_planes(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   if (const auto segment = clipped_segment(scene, pair)) {
-    // Of a polygon nearly all planes cut, of a segment one or none: the others would be a cage around it.
+    // Nearly all planes cut a polygon, but one or none cuts a segment. Others would only hide it.
     for (std::size_t k = 0; k < segment->sides.size(); ++k) {
       if (!segment->cuts(k)) continue;
       draw_side_plane(segment->face, segment->normal, segment->sides[k], k, true, sketch);
@@ -108,9 +108,9 @@ void draw_side_planes(const Scene& scene, const trace::Pair& pair, Sketch& sketc
   }
   const std::size_t shown = clip_steps_to_show(scene, pair);
   const bool story = tells_clip_story(scene, pair);
-  // Once all have cut, the last step of a story is about the reference face alone.
+  // After all planes have cut, the last step is about the reference face alone.
   if (all_planes_have_cut(scene, pair)) return;
-  // Those that have cut before have left their corners, and would be a cage around them.
+  // Earlier planes are left out: their corners remain, and the planes would hide them.
   for (std::size_t k = story && shown > 0 ? shown - 1 : 0; k < shown; ++k)
     draw_side_plane(pair.clip->reference.polygon, pair.clip->reference.normal,
                     pair.clip->steps[k].normal, k, story, sketch);
@@ -137,7 +137,7 @@ void draw_clip_polygons(const Scene& scene, const trace::Pair& pair, Sketch& ske
     if (polygon.empty() || !last) continue;
     sketch.outline(polygon, {story ? 3.5f : 2.5f, kClipPolygon});
     sketch.surfaces.push_back({polygon, with_alpha(kClipPolygon, story ? 0.3f : 0.22f)});
-    // While planes cut, other lines run along its sides, and the legend is full.
+    // While planes cut, other lines cover its sides, and the legend is full.
     if (story && !all_planes_have_cut(scene, pair))
       sketch.label(mean_of(polygon), "clip polygon", kClipPolygon, 17, 0);
     else
@@ -145,7 +145,7 @@ void draw_clip_polygons(const Scene& scene, const trace::Pair& pair, Sketch& ske
   }
 }
 
-/// Points that the clipping took away for good, once all of its steps are shown.
+/// Points that clipping dropped, once all steps are shown.
 void draw_dropped(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   if (!pair.clip) return;
   const bool story = tells_clip_story(scene, pair);
@@ -153,7 +153,7 @@ void draw_dropped(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   for (const trace::DroppedPoint& point : pair.clip->dropped) {
     if (is_kept(pair, point)) continue;
     sketch.mark(MarkKind::Cross, point.position, kDropped);
-    // How far above the reference face it is, as whiskers tell how far below it the others were.
+    // Height above the reference face, like the whiskers of the points below it.
     const Vec3d& normal = pair.clip->reference.normal;
     const double above = normal.dot(point.position - pair.clip->reference.polygon.front());
     if (story || scene.shows(Layer::Coherent))

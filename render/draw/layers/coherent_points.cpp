@@ -6,8 +6,8 @@ namespace {
 constexpr Swatch kBeforeMoveSwatch{LegendGroup::Points, 2,
                                    [](auto& pen) { pen.dot(2.6, 4.8, kContact); }};
 
-// Gregorius 2015, "Hull vs Hull: Coherent Points": where clipping left a point, and where it went
-// on the reference face. Kept points were moved along the reference normal by their separation.
+// Gregorius 2015, "Hull vs Hull: Coherent Points": each point after clipping, and its position on
+// the reference face. Kept points were moved along the reference normal by their separation.
 void draw_coherent_points(const Scene&, const trace::Pair& pair, Sketch& sketch) {
   if (!pair.clip || pair.manifolds.empty()) return;
   sketch.explain(kBeforeMoveSwatch, "as clipped, on the incident face",

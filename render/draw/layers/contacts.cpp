@@ -9,16 +9,15 @@
 #include "draw/scene/visibility.h"
 #include "image/font.h"
 
-/// Gregorius 2015, "Contact Points" and "Contact Manifolds"; of shapes that are apart how far, and
-/// where.
+/// Gregorius 2015, "Contact Points" and "Contact Manifolds"; the gap of separated shapes.
 namespace contactscope::draw {
 namespace {
 
 constexpr double kBesidePoint = 20;   // pixels from the point, clear of its arrows
-constexpr double kNumberBeside = 13;  // likewise, of a number
-constexpr double kLeastDepth = 2;     // pixels: less looks like a touch
-constexpr double kLeastShare = 0.05;  // of the largest overlap that is seen: more has a number too
-constexpr double kEqually = 1e-2;     // of the overlap
+constexpr double kNumberBeside = 13;  // pixels from the point to a number
+constexpr double kLeastDepth = 2;     // pixels: smaller overlaps look like a touch
+constexpr double kLeastShare = 0.05;  // share of the largest visible overlap; more gets a number
+constexpr double kEqually = 1e-2;     // share of the overlap
 
 constexpr Swatch kOneShotSwatch{LegendGroup::Points, 4, [](auto& pen) {
                                   pen.whisker(2.5, kContact);
@@ -42,7 +41,7 @@ constexpr Swatch kOnePlaceSwatch{
 constexpr Swatch kLineOfCentersSwatch{LegendGroup::Axes, 4,
                                       [](auto& pen) { pen.dashes(1.2, kShapeEdge); }};
 
-/// The middle of what is seen of a face with these corners; of one that is seen nowhere its middle.
+/// Middle of the visible part of a face with these corners; its own middle if nothing is visible.
 Vec3d seen_middle(const std::vector<Vec3d>& corners, const Camera& camera) {
   constexpr int kSteps = 10;
   const Vec3d middle = mean_of(corners);
@@ -57,7 +56,7 @@ Vec3d seen_middle(const std::vector<Vec3d>& corners, const Camera& camera) {
   return seen.empty() ? middle : mean_of(seen);
 }
 
-// The middle of all vertices that are as far along `direction` as the farthest one.
+// Middle of the vertices that are farthest along `direction`.
 std::optional<Vec3d> farthest(const PlacedShape& shape, const Vec3d& direction,
                               const Camera& camera) {
   if (shape.vertices.empty()) return std::nullopt;
@@ -69,15 +68,14 @@ std::optional<Vec3d> farthest(const PlacedShape& shape, const Vec3d& direction,
   return seen_middle(front, camera) + shape.traced().radius * direction;
 }
 
-/// Two shapes that are apart, and who looks at them.
+/// Two separated shapes and the camera.
 struct Apart {
   const PlacedShape& a;
   const PlacedShape& b;
   const Camera& camera;
   double gap;  // metres
 
-  // Along a known normal the gap is the pair's separation: from the shape whose vertex it was
-  // measured to.
+  // Along a known normal the gap is the pair's separation, from the shape whose vertex was used.
   std::optional<OnBoth> along(const Vec3d& normal, bool from_b) const {
     const std::optional<Vec3d> found =
         from_b ? farthest(a, normal, camera) : farthest(b, Vec3d(-normal), camera);
@@ -90,7 +88,7 @@ bool is_sphere(const PlacedShape& shape) {
   return shape.traced().radius > 0 && shape.vertices.size() == 1;
 }
 
-// What the trace says about where the shapes are nearest to each other, or what kept them apart.
+// Nearest points of the shapes from the trace, or points along the separating axis.
 std::optional<OnBoth> gap_of(const trace::Pair& pair, const PlacedShape& a, const PlacedShape& b,
                              const Camera& camera) {
   const Apart apart{a, b, camera, pair.separation};
@@ -126,8 +124,8 @@ std::optional<OnBoth> gap_of(const trace::Pair& pair, const PlacedShape& a, cons
   return std::nullopt;
 }
 
-// Specks alone of points behind bodies would seem to lie on these. A point lies within the bodies that
-// touch there, so that one just behind their surface is where it is seen.
+// Specks of points behind bodies would seem to be in front of them. A contact point is inside both
+// bodies, so a point just behind their surface counts as visible.
 void draw_specks(const Scene& scene, Sketch& sketch) {
   constexpr double kWithin = 6;    // pixels
   constexpr float kBehind = 0.4f;  // alpha
@@ -155,7 +153,7 @@ void draw_specks(const Scene& scene, Sketch& sketch) {
 
 void draw_points(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const std::string factor = spell_factor(scene.scales.overlap);
-  // Where some normals are not those of the rest, the points of the rest step back.
+  // If some normals differ from the rest, the points of the rest are less prominent.
   const std::optional<Vec3d> usual =
       scene.shows(Layer::Normals) ? usual_normal(scene.frame) : std::nullopt;
   const bool any_whisker = std::ranges::any_of(
@@ -168,14 +166,14 @@ void draw_points(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
       sketch.mark(MarkKind::Speck, kept.point->position, kDropped);
       continue;
     }
-    // From the surface of A to that of B. Of a point that does not touch yet, the gap, thinner.
+    // From the surface of A to that of B. For a point that does not touch yet, the gap, thinner.
     const auto [from, to] = whisker_at(scene, pair, kept);
     const bool apart = stands_off(*kept.point, scene.scales);
-    // Points that have an age are drawn by it, with the way between the places that met. Beside
-    // them a filled dot means a new point, which those of a one-shot manifold all are and none is.
+    // Points with an age are drawn by layer Persistent, with the displacement between anchors. Next
+    // to them a filled dot would mean a new point, so points of one-shot manifolds are squares.
     const bool square = !apart && scene.shows(Layer::Persistent);
     const float width = apart ? 1.5f : 2.5f;
-    // The layer `ahead` has an arrow beside it that is as long.
+    // Layer Ahead draws an arrow of the same length next to it.
     const bool measured = apart && scene.shows(Layer::Ahead);
     if (!measured) sketch.bordered_line(from, to, {width, kContact}, 2 * width);
     sketch.mark(apart    ? MarkKind::Apart
@@ -190,7 +188,7 @@ void draw_points(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
     else if (square)
       sketch.explain(kOneShotSwatch, "one-shot point, whisker = overlap" + factor);
     else if (!any_whisker && all_ringed)
-      continue;  // the layer reduced says what a dot in a ring is
+      continue;  // layer Reduced explains a dot in a ring
     else if (!any_whisker)
       sketch.explain(kPlainPointSwatch, "contact point");
     else
@@ -198,8 +196,8 @@ void draw_points(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   }
 }
 
-// A corner that neighbouring triangles of a mesh share is told by each of them, and points of a sliver are side by side:
-// how many are where one is seen.
+// Neighbouring triangles of a mesh repeat a shared corner, and points of a sliver are close
+// together. Writes the number of coincident points.
 void count_shared(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   constexpr double kOneDot = 4;  // pixels
   std::vector<std::pair<PairPoint, int>> places;
@@ -214,7 +212,7 @@ void count_shared(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
     else
       ++same->second;
   }
-  // Seen from the side all are, of a box on a floor: then each stands for as many.
+  // If a box on a floor is seen from the side, all points coincide in equal numbers.
   const auto is_shared = [](const auto& place) { return place.second > 1; };
   if (pair.manifolds.size() <= kFewManifolds && std::ranges::all_of(places, is_shared)) return;
   for (const auto& [kept, count] : places) {
@@ -225,7 +223,7 @@ void count_shared(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   }
 }
 
-/// Pixels at 720 lines from a place to the right until both shapes are passed, if a text so wide has room there.
+/// Distance to the right until both shapes are passed, pixels at 720 lines, if the text fits there.
 std::optional<double> way_past(const Scene& scene, const PlacedShape& a, const PlacedShape& b,
                                const Vec3d& from, float width) {
   const std::optional<Point2> begin = scene.camera.project(from);
@@ -241,8 +239,8 @@ std::optional<double> way_past(const Scene& scene, const PlacedShape& a, const P
   return clearance;
 }
 
-// Shapes that overlap without a point would look like an oversight. Of a ball in a wall the ball is told of. Beside both
-// where there is room, for on them the label covers what has no normal.
+// Reports skipped contacts, because an overlap without points would look like a mistake. Labels the
+// round shape, next to both shapes if there is room, so that the geometry stays visible.
 void tell_skipped(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const PlacedShape *a = scene.find(pair.a), *b = scene.find(pair.b);
   if (!pair.degenerate || pair.degenerate->answer != "skip" || a == nullptr || b == nullptr) return;
@@ -260,14 +258,14 @@ void tell_skipped(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
 
 void draw_contacts(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   if (scene.crowded()) return;  // see draw_specks()
-  if (pair.query) return;       // it has no contacts; see the layer answer
+  if (pair.query) return;       // no contacts; see layer Answer
   tell_skipped(scene, pair, sketch);
   if (!pair.incremental || !scene.shows(Layer::Persistent)) draw_points(scene, pair, sketch);
-  constexpr std::size_t kFewPoints = 16;  // of more, the counts would be a crowd
+  constexpr std::size_t kFewPoints = 16;  // with more, counts would crowd the picture
   if (all_points(pair).size() <= kFewPoints && !scene.shows(Layer::Reduced) &&
       !scene.shows(Layer::Ids))
     count_shared(scene, pair, sketch);
-  // In a heap what is apart is not the point.
+  // In a heap, gaps are not the subject.
   constexpr std::size_t kFewPairs = 16;
   if (scene.frame.pairs.size() > kFewPairs) return;
   const bool measured_elsewhere =
@@ -275,7 +273,7 @@ void draw_contacts(const Scene& scene, const trace::Pair& pair, Sketch& sketch) 
   const PlacedShape* a = scene.find(pair.a);
   const PlacedShape* b = scene.find(pair.b);
   if (measured_elsewhere || a == nullptr || b == nullptr) return;
-  // Gregorius 2015, "Sphere vs Sphere": all follows from the line between the centres.
+  // Gregorius 2015, "Sphere vs Sphere": everything follows from the line between the centres.
   if (is_sphere(*a) && is_sphere(*b) && !scene.shows(Layer::Core) &&
       !a->vertices[0].isApprox(b->vertices[0], 1e-6)) {
     sketch.line(a->vertices[0], b->vertices[0], {1.2f, with_alpha(kShapeEdge, 0.8f), true});
@@ -287,14 +285,14 @@ void draw_contacts(const Scene& scene, const trace::Pair& pair, Sketch& sketch) 
   if (!gap) return;
   const bool is_round = a->traced().radius > 0 || b->traced().radius > 0;
   if (scene.shows(Layer::Core) && pair.incremental) return;  // its sum shows the gap
-  if (scene.shows(Layer::Core) && is_round)                  // and has the number
+  if (scene.shows(Layer::Core) && is_round)                  // and contains the number
     draw_measure(scene, Measured::Gap, gap->on_a, gap->on_b, 3, "", sketch);
   else
     draw_gap(scene, gap->on_a, gap->on_b, pair.separation, scene.noise(pair), 16,
              scene.camera.right(), sketch);
 }
 
-/// Of equally deep points the one that is farthest to the left; nothing where none overlaps.
+/// Deepest point; of equally deep ones the leftmost. Nothing without an overlap.
 std::optional<PairPoint> deepest_of(const Scene& scene, const trace::Pair& pair) {
   const Vec3d left = -scene.camera.right();
   std::optional<PairPoint> deepest;
@@ -309,7 +307,7 @@ std::optional<PairPoint> deepest_of(const Scene& scene, const trace::Pair& pair)
   return deepest && deepest->point->separation < 0 ? deepest : std::nullopt;
 }
 
-/// Of points within the margin the gap of the nearest, where its line is seen.
+/// Labels the smallest gap of points within the margin, if its line is drawn.
 void draw_least_gap(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const std::vector<PairPoint> points = all_points(pair);
   if (points.empty() || !scene.shows(Layer::Contacts)) return;
@@ -329,7 +327,7 @@ Vec3d leftmost_of(const trace::Pair& pair, const Vec3d& left) {
   return std::ranges::max_element(points, {}, how_far)->point->position;
 }
 
-/// Metres, of all pairs of the frame.
+/// Metres, over all pairs of the frame.
 double largest_overlap(const Scene& scene) {
   double largest = 0;
   for (const trace::Pair& pair : scene.frame.pairs)
@@ -343,7 +341,7 @@ double least_separation(const trace::Pair& pair) {
   return least;
 }
 
-/// How deep the pair is, beside its deepest point.
+/// Labels the pair's overlap at its deepest point.
 void draw_overlap(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const std::optional<PairPoint> deepest = deepest_of(scene, pair);
   if (!deepest) return draw_least_gap(scene, pair, sketch);
@@ -357,10 +355,10 @@ void draw_overlap(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
     if (largest < least || -point.separation < kLeastShare * largest) return;
   }
   const OnBoth whisker = whisker_at(scene, pair, *deepest);
-  // Equally deep points differ in their last digit: the number is that of the title and the charts.
+  // Equally deep points differ in the last digit. Use the number of the title and the charts.
   const std::string words =
       spell_separation(least_separation(pair), scene.noise(pair), scene.scales.length);
-  // One sign for one overlap: where whiskers are seen, their numbers stand beside them alone.
+  // One sign per overlap: with visible whiskers only the number is written next to them.
   const bool any_whisker = std::ranges::any_of(scene.frame.pairs, [&](const trace::Pair& other) {
     const std::optional<PairPoint> at = deepest_of(scene, other);
     return at && has_whisker(scene, other, *at);
@@ -370,7 +368,7 @@ void draw_overlap(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
     return;
   }
   const Vec3d aside = kBesidePoint * scene.scales.pixel / pixels * left;
-  // To the left of all of the pair's points, so that neither covers the bodies.
+  // To the left of all of the pair's points, so that the bodies stay visible.
   const Vec3d shift = leftmost_of(pair, left) - point.position + aside;
   const Vec3d from = whisker.on_a + shift, to = whisker.on_b + shift;
   const std::string factor = spell_factor(scene.scales.overlap);

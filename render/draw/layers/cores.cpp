@@ -14,8 +14,8 @@
 #include "draw/scene/radii.h"
 
 /// Gregorius 2015, "Building Incremental Manifolds (1)"; Catto 2007, "GJK Contact Margins": shapes
-/// are cores inflated by margins. The cores stay apart while the margins overlap, so that closest
-/// points are enough, and the depth is both margins less the distance of the cores.
+/// are cores inflated by margins. The cores stay separated while the margins overlap, so closest
+/// points suffice. The depth is the sum of the margins less the distance of the cores.
 namespace contactscope::draw {
 namespace {
 
@@ -29,13 +29,13 @@ constexpr Swatch kRoundedSwatch{LegendGroup::Cores, 1, [](auto& pen) { pen.area(
 
 constexpr int kRoundedSteps = 180;
 constexpr int kBisections = 40;
-constexpr double kColumn = 30;  // pixels between the lines of one sum
+constexpr double kColumn = 30;  // pixels between the lines of a sum
 constexpr double kBeyondColumn = 7;
 constexpr double kLeastOfSum = 6;
 
 struct CoreCorner {
   Vec3d at;  // world, metres
-  int side;  // the face beyond the edge that begins here
+  int side;  // the face across the edge that begins here
 };
 using CoreFace = std::vector<CoreCorner>;
 
@@ -57,13 +57,13 @@ const Vec3d& farthest_corner(const std::vector<Vec3d>& corners, const Vec3d& dir
   return *std::ranges::max_element(corners, {}, [&](const Vec3d& p) { return direction.dot(p); });
 }
 
-// Where view rays touch all that is within `radius` of the hull of `corners`: a closed curve, round
-// about the corners. Empty without corners, and for an eye inside.
+// Outline of all points within `radius` of the hull of `corners`: a closed curve with round
+// corners. Empty without corners, or if the eye is inside.
 //
-// A surface point is p + radius n, p being the corner that is farthest along the normal n. A view
-// ray touches it where n is at right angles to the ray: for an eye e, where the support function
-// h(n) + radius equals n . e. In every half-plane about the line of sight there is one such normal,
-// found by bisection; all rays of an orthographic camera are parallel, and n is across them.
+// A surface point is p + radius n, where p is the corner farthest along the normal n. View rays
+// touch it if n is perpendicular to the ray. For an eye e, the support function h(n) + radius then
+// equals n . e. Each half-plane about the line of sight contains one such normal, found by
+// bisection. Rays of an orthographic camera are parallel, and n is perpendicular to them.
 std::vector<Vec3d> rounded_outline(const std::vector<Vec3d>& corners, double radius,
                                    const Camera& camera) {
   if (corners.empty()) return {};
@@ -94,8 +94,8 @@ std::vector<Vec3d> rounded_outline(const std::vector<Vec3d>& corners, double rad
   return outline;
 }
 
-// What is left of a hull when a margin is taken off its faces: each face moved inwards, within all
-// other planes moved inwards; and what is within the margin of that.
+// Core of a hull after shrinking by a margin: each face moved inwards, clipped by all other planes
+// moved inwards. Also draws the rounded surface at the margin from the core.
 void draw_hull_core(const Scene& scene, const PlacedShape& shape, double margin, Sketch& sketch) {
   const int faces = count_of(shape.traced().faces);
   std::vector<Plane<double>> planes;
@@ -123,11 +123,11 @@ void draw_hull_core(const Scene& scene, const PlacedShape& shape, double margin,
   sketch.curves.push_back({rounded_outline(corners, margin, scene.camera), kRoundedSurface, true});
 }
 
-/// Where the cores are nearest to each other, or deepest in each other.
+/// Nearest, or deepest, points of the cores.
 struct CorePair {
   Vec3d on_a, on_b;
   Vec3d normal;         // unit, from A to B
-  double distance = 0;  // metres, negative in overlap
+  double distance = 0;  // metres, negative for an overlap
 };
 
 std::optional<CorePair> core_pair(const trace::Pair& pair) {
@@ -144,8 +144,7 @@ std::optional<CorePair> core_pair(const trace::Pair& pair) {
   if (pair.penetration)
     return CorePair{pair.penetration->point_a, pair.penetration->point_b, normal,
                     -pair.penetration->depth};
-  // The separating axis test leaves no points of the cores: they lie by the margins within the
-  // places on the surfaces.
+  // The separating axis test records surface points only. The cores are deeper by the margins.
   const trace::PersistentPoint* deepest = nullptr;
   for (const trace::PersistentPoint& point : incremental.points) {
     if (point.state == "broken") continue;
@@ -158,8 +157,7 @@ std::optional<CorePair> core_pair(const trace::Pair& pair) {
                   deepest->point.separation + margins};
 }
 
-// The lines of the sum stand side by side in columns, each as long as what it tells: from 0 at A's
-// core along the normal, metres.
+// Lines of the sum in parallel columns, in true length; positions along the normal from A's core.
 void draw_sum(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const std::optional<CorePair> cores = core_pair(pair);
   if (!cores) return;
@@ -194,7 +192,7 @@ void draw_sum(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const double margin_a = pair.incremental->margin_a, margin_b = pair.incremental->margin_b;
   const double a = margin_a, b = distance - margin_b;  // the surfaces
   if (distance < 0) {
-    // The three parts stand one below the other, beside the whole, which is the contact's whisker.
+    // The three parts are in one column, next to the contact's whisker, which is the whole.
     arrow(1, 0, distance, kAxis, true);
     label(1, 0.5 * distance,
           "cores overlap " + spell_margin(-distance) + ", by " + in_words(pair.incremental->query),
@@ -209,7 +207,7 @@ void draw_sum(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
     return;
   }
   arrow(0, 0, distance, kAxis, false);
-  // Thin lines from one column to another, and a bit beyond.
+  // Thin lines from one column to another and slightly beyond.
   for (const auto& [from, to, along] :
        {std::tuple(0, 1, 0.0), {0, 2, distance}, {1, 3, a}, {2, 3, b}})
     sketch.line(place(from, along), place(to, along) + kBeyondColumn * pixel * side, kExtension);
@@ -226,7 +224,7 @@ void draw_sum(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   arrow(3, a, b, apart ? kAxis : kContact, !apart);
   label(3, 0.5 * (a + b), (apart ? "gap " : "overlap ") + spell_margin(std::abs(b - a)),
         apart ? kAxisText : kContact, side);
-  // In A: about the middle are the contact and the corner of B without its margin.
+  // Inside A, because the contact and B's corner without margin are at the middle.
   label(0, 0.15 * distance, "cores " + spell_margin(distance) + " apart", kAxisText, -side);
 }
 

@@ -4,15 +4,15 @@
 #include "draw/scene/pairs.h"
 #include "draw/scene/points.h"
 
-/// What touches: a corner, an edge or a face of the one shape on a face of the other, or two edges.
-/// It names the contact, and says how many points it can have.
+/// The touching features: a corner, edge or face of one shape on a face of the other, or two edges.
+/// They name the contact and determine how many points it can have.
 namespace contactscope::draw {
 namespace {
 
 constexpr Swatch kTouchingFeatureSwatch{LegendGroup::Faces, 6,
                                         [](auto& pen) { pen.level_line(0, 22, 5, kIncidentFace); }};
 
-/// The edge of which both ends lie farthest along `way`.
+/// The edge with both ends farthest along `way`.
 std::optional<std::array<Vec3d, 2>> farthest_edge(const PlacedShape& shape, const Vec3d& way) {
   std::optional<std::array<Vec3d, 2>> best;
   double most = -1e300;
@@ -26,20 +26,20 @@ std::optional<std::array<Vec3d, 2>> farthest_edge(const PlacedShape& shape, cons
   return best;
 }
 
-/// A corner, an edge or a face of a hull, which touches a face of the other shape.
+/// A corner, edge or face of a hull that touches a face of the other shape.
 struct TouchingFeature {
   const PlacedShape* shape = nullptr;
   std::string_view kind;  // "point", "edge" or "face"
-  Vec3d way;              // unit, towards the face that it touches
+  Vec3d way;              // unit, towards the touched face
 };
 
-/// Nothing of crossed edges, and of round shapes.
+/// Nothing for crossed edges and round shapes.
 std::optional<TouchingFeature> feature_on_face(const Scene& scene, const trace::Pair& pair,
                                                const trace::Manifold& manifold) {
-  // Of a capsule the closest points may be those of two edges as well.
+  // Closest points of a capsule may belong to two edges as well.
   if (manifold.points.empty() || manifold.axis == "edge_edge" || manifold.type == "edge-edge")
     return std::nullopt;
-  // The face is the reference; its type names the lesser feature first, which is the other's.
+  // The face is the reference. The type starts with the lesser feature, on the other shape.
   const bool of_b = manifold.axis != "face_b";
   const PlacedShape* shape = scene.find(of_b ? pair.b : pair.a);
   if (shape == nullptr || shape->vertices.empty() || shape->mesh->normals.empty())
@@ -49,7 +49,7 @@ std::optional<TouchingFeature> feature_on_face(const Scene& scene, const trace::
                          of_b ? Vec3d(-manifold.normal) : manifold.normal};
 }
 
-/// "face that touches", or where the frame has others beside it what all of them are.
+/// "face that touches", or a list of kinds if the frame has several.
 std::string words_of(const Scene& scene, std::string_view kind) {
   for (const trace::Pair& pair : scene.frame.pairs)
     for (const trace::Manifold& manifold : pair.manifolds) {
@@ -59,7 +59,7 @@ std::string words_of(const Scene& scene, std::string_view kind) {
   return std::string(kind == "point" ? "corner" : kind) + " that touches";
 }
 
-// In the colour of the incident face, whose features they are.
+// In the colour of the incident face, to which the features belong.
 void draw_feature(const TouchingFeature& feature, const std::string& words, Sketch& sketch) {
   const auto& [placed, kind, way] = feature;
   const PlacedShape& shape = *placed;

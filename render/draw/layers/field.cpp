@@ -9,27 +9,27 @@
 #include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"
 
-/// A slice through a distance field: lines of equal distance, the surface among them strong, and the
-/// cells that have nodes or triangles of their own, faint. What contacts asked are dots.
+/// Slice through a distance field: contour lines, with a strong line for the surface, and faint
+/// cells with their own nodes or triangles. Dots are contact queries.
 namespace contactscope::draw {
 namespace {
 
 constexpr int kMostLines = 16;         // on each side of the surface
-constexpr double kCellsBetween = 3;    // from a line to the next
+constexpr double kCellsBetween = 3;    // cells between two lines
 constexpr double kFromWhisker = 8;     // pixels
 constexpr double kOffSlice = 0.81;     // cells
 constexpr double kBetweenProbes = 14;  // pixels
 constexpr float kLineText = 17;        // pixels
-constexpr double kBesideLine = 5;      // likewise
-constexpr double kLeastNamed = 30;  // pixels from the middle of ground that is named to its border
-constexpr double kFromBorder = 0.12;  // of the view, of a line's label
+constexpr double kBesideLine = 5;      // pixels
+constexpr double kLeastNamed = 30;     // pixels from the middle of a labelled region to its border
+constexpr double kFromBorder = 0.12;   // share of the view, for a line's label
 constexpr Color kOutside = rgb(0x5F6B78);
 constexpr Color kInside = rgb(0x6A4C93);
 constexpr LineStyle kOutsideLine{1.2f, kOutside};
 constexpr LineStyle kInsideLine{1.6f, kInside, true};
 constexpr LineStyle kSurface{3.2f, kNormal};
 constexpr LineStyle kGrid{0.9f, with_alpha(kDropped, 0.42f)};
-constexpr Color kExact = rgb(0xC4E6D2, 0.6f);  // not the grey of a shape, through which it is seen
+constexpr Color kExact = rgb(0xC4E6D2, 0.6f);  // differs from a shape's grey in front of it
 constexpr Color kProbe = rgb(0x3F4650);
 
 constexpr Swatch kSurfaceSwatch{LegendGroup::Trees, 19,
@@ -54,7 +54,7 @@ constexpr Swatch kExactSwatch{
     }};
 constexpr Swatch kProbeSwatch{LegendGroup::Trees, 25, [](auto& pen) { pen.dot(0, 4, kProbe); }};
 
-/// Where cells of a slice are.
+/// Positions of a slice's cells.
 class Cells {
  public:
   explicit Cells(const trace::FieldSlice& slice)
@@ -64,7 +64,7 @@ class Cells {
 
   Vec3d corner(int column, int row) const { return origin_ + column * along_ + row * across_; }
 
-  /// Calls `visit(row, begin, end)` for each run of cells beside each other.
+  /// Calls `visit(row, begin, end)` for each run of adjacent cells.
   template <class Visit>
   static void each_run(std::vector<std::array<int, 2>> cells, const Visit& visit) {
     std::ranges::sort(cells, [](const auto& a, const auto& b) {
@@ -84,10 +84,10 @@ class Cells {
   Vec3d origin_, along_, across_;
 };
 
-/// The sides of cells, each once, as few long lines.
+/// Draws the sides of cells, each once, as a few long lines.
 void draw_grid(const trace::FieldSlice& slice, Sketch& sketch) {
   const Cells cells(slice);
-  std::vector<std::array<int, 2>> below, beside;  // sides by the cell above or right of them
+  std::vector<std::array<int, 2>> below, beside;  // sides, by the cell above or to the right
   for (const auto& [column, row] : slice.band) {
     below.insert(below.end(), {{column, row}, {column, row + 1}});
     beside.insert(beside.end(), {{row, column}, {row, column + 1}});
@@ -124,7 +124,7 @@ void explain_cells(const std::vector<trace::FieldSlice>& slices, Sketch& sketch)
     sketch.explain(kBandSwatch, "cell with its own distances");
 }
 
-/// Where a label has room beside it.
+/// Whether a label has room next to the place.
 bool is_well_inside(const Camera& camera, const Vec3d& at) {
   const Rect& view = camera.viewport();
   const std::optional<Point2> seen = camera.project(at);
@@ -134,7 +134,7 @@ bool is_well_inside(const Camera& camera, const Vec3d& at) {
          seen->y < view.bottom() - kFromBorder * view.height;
 }
 
-/// Returns the place on the lines that lies lowest to the right in the view, where there is one.
+/// Draws contour lines. Returns their lowest rightmost place in the view, if there is one.
 std::optional<Vec3d> draw_level(const Scene& scene, const trace::FieldSlice& slice, double level,
                                 const LineStyle& style, Sketch& sketch) {
   std::optional<Vec3d> corner;
@@ -153,7 +153,7 @@ std::optional<Vec3d> draw_level(const Scene& scene, const trace::FieldSlice& sli
   return corner;
 }
 
-/// In a view that has room for fewer lines than this they tell nothing of the field.
+/// If the view has room for fewer lines, they show nothing of the field.
 constexpr double kLeastLinesInView = 5;
 
 bool has_room_for_lines(const Scene& scene, const trace::FieldSlice& slice, double spacing) {
@@ -161,7 +161,7 @@ bool has_room_for_lines(const Scene& scene, const trace::FieldSlice& slice, doub
          kLeastLinesInView * spacing * scene.camera.pixels_per_metre(slice.origin);
 }
 
-/// `spacing`: metres. Whether there are lines inside. The nearest line on each side says how far it is.
+/// `spacing`: metres. Labels the first line on each side. Returns whether there are lines inside.
 bool draw_contours(const Scene& scene, const trace::FieldSlice& slice, double spacing,
                    Sketch& sketch) {
   const auto [least, largest] = std::ranges::minmax(slice.distances);
@@ -179,15 +179,14 @@ bool draw_contours(const Scene& scene, const trace::FieldSlice& slice, double sp
   return -step > least;
 }
 
-constexpr int kCoarse = 4;  // cells along the side of a block without nodes of its own
+constexpr int kCoarse = 4;  // cells along the side of a block without its own nodes
 
-/// How many cells there are along a side of a slice that has so many values.
+/// Number of cells along a side of a slice with this number of values.
 int cells_along(const trace::FieldSlice& slice, int values, const Vec3d& step) {
   return static_cast<int>(std::lround((values - 1) * step.norm() / slice.cell));
 }
 
-/// The blocks of cells between whose far nodes distances are blended, as the large cells that they are.
-/// Returns whether there are any.
+/// Draws blocks whose distances are interpolated between far nodes. Returns whether there are any.
 bool draw_coarse_cells(const trace::FieldSlice& slice, Sketch& sketch) {
   const int width = cells_along(slice, slice.columns, slice.next);
   const int height = cells_along(slice, slice.rows(), slice.next_row);
@@ -210,13 +209,13 @@ bool draw_coarse_cells(const trace::FieldSlice& slice, Sketch& sketch) {
   return any;
 }
 
-/// Says where nodes are shared by many cells, in the middle of the largest such ground in sight:
-/// white that nothing names would be taken for no field at all.
+/// Labels the largest visible region in which many cells share nodes. Without a label, the white
+/// region would look as if it had no field.
 void name_coarse_ground(const Scene& scene, const trace::FieldSlice& slice, Sketch& sketch) {
   const int width = cells_along(slice, slice.columns, slice.next);
   const int height = cells_along(slice, slice.rows(), slice.next_row);
   if (slice.band.empty() || width < 1 || height < 1) return;
-  // Of each cell how many it is from the nearest with nodes of its own, or from the lattice's border.
+  // Distance of each cell, in cells, to the nearest with its own nodes or to the border.
   std::vector<int> away(static_cast<std::size_t>((width + 2) * (height + 2)), 0);
   const auto at = [&](int column, int row) -> int& {
     return away[static_cast<std::size_t>((row + 1) * (width + 2) + column + 1)];
@@ -234,7 +233,7 @@ void name_coarse_ground(const Scene& scene, const trace::FieldSlice& slice, Sket
                        at(column - way, row - way) + 1, at(column + way, row - way) + 1});
     }
   }
-  // On another shape it would be said of that.
+  // On another shape the label would seem to belong to it.
   const auto covers = [&](const Vec3d& place) {
     return [&, place](const PlacedShape& shape) {
       const Vec3d center = shape.pose.transform(shape.traced().center_of_mass);
@@ -242,7 +241,7 @@ void name_coarse_ground(const Scene& scene, const trace::FieldSlice& slice, Sket
     };
   };
   const Cells cells(slice);
-  // Of places that are as far, the one nearest to the middle: others may lie at a border of the ground.
+  // Ties go to the place nearest to the middle, because others may be at a border.
   const Vec3d slice_middle = 0.5 * (cells.corner(0, 0) + cells.corner(width, height));
   double least_off = 0;
   std::optional<Vec3d> middle;
@@ -264,7 +263,7 @@ void name_coarse_ground(const Scene& scene, const trace::FieldSlice& slice, Sket
   }
   const double pixels =
       middle ? (farthest - 0.5) * slice.cell * scene.camera.pixels_per_metre(*middle) : 0;
-  // Off the sides of the large cells.
+  // Away from the sides of the large cells.
   const Vec3d between = 0.5 * (cells.corner(block[0], block[1]) +
                                cells.corner(block[0] + kCoarse, block[1] + kCoarse));
   if (pixels >= kLeastNamed * scene.scales.pixel)
@@ -284,7 +283,7 @@ void draw_slices(const Scene& scene, Sketch& sketch) {
   for (const trace::FieldSlice& slice : scene.frame.field_slices) {
     draw_exact_cells(slice, sketch);
     draw_grid(slice, sketch);
-    // Lines across cells of two sizes would hide which is which.
+    // Contour lines would hide the sizes of the cells.
     if (!draw_coarse_cells(slice, sketch) && has_room_for_lines(scene, slice, spacing)) {
       any_lines = true;
       inside |= draw_contours(scene, slice, spacing, sketch);
@@ -302,7 +301,7 @@ void draw_slices(const Scene& scene, Sketch& sketch) {
       "surface, and lines every " + spell_quantity(spacing, "m", 1, scene.scales.length));
 }
 
-/// The whiskers of a pair as they are seen.
+/// Whiskers of a pair on the screen.
 std::vector<Segment2> seen_whiskers(const Scene& scene, const trace::Pair& pair) {
   std::vector<Segment2> whiskers;
   for (const PairPoint& point : kept_points(pair)) {
@@ -314,7 +313,7 @@ std::vector<Segment2> seen_whiskers(const Scene& scene, const trace::Pair& pair)
   return whiskers;
 }
 
-/// Pixels from the nearest place of a line.
+/// Distance to the nearest point of a segment, pixels.
 float distance_from(const Segment2& line, const Point2& at) {
   const Point2 way = line.to - line.from;
   const float squared = dot(way, way);
@@ -323,7 +322,7 @@ float distance_from(const Segment2& line, const Point2& at) {
   return distance(line.from + share * way, at);
 }
 
-/// Whether a place is in the slice through one of a pair's fields, as near as kOffSlice.
+/// Whether a place is within kOffSlice of the slice through one of the pair's fields.
 bool is_in_slice(const Scene& scene, const trace::Pair& pair, const Vec3d& at) {
   return std::ranges::any_of(scene.frame.field_slices, [&](const trace::FieldSlice& slice) {
     const Vec3d normal = slice.next.cross(slice.next_row).stableNormalized();
@@ -332,9 +331,9 @@ bool is_in_slice(const Scene& scene, const trace::Pair& pair, const Vec3d& at) {
   });
 }
 
-/// Of points that are nearer to each other on the screen than kBetweenProbes one is drawn, and none
-/// on a whisker, which is what they found. Those before and behind the slice would seem to lie inside
-/// of the section of the shape that asks.
+/// Draws one of the probes within kBetweenProbes of each other on the screen, and none on a
+/// whisker, their result. Probes before and behind the slice would seem to be inside the shape's
+/// section.
 void draw_probes(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   if (!pair.field_probes) return;
   const std::vector<Segment2> whiskers = seen_whiskers(scene, pair);

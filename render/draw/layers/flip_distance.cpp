@@ -3,7 +3,7 @@
 #include "draw/scene/points.h"
 #include "draw/scene/quantity.h"
 
-/// How little the second shape may move until the pair has other points, and which way.
+/// Smallest displacement of the second shape that changes the pair's points, and its direction.
 namespace contactscope::draw {
 namespace {
 

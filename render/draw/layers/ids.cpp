@@ -10,10 +10,10 @@
 namespace contactscope::draw {
 namespace {
 
-// More names than this would be a thicket.
+// More names would not be readable.
 constexpr std::size_t kMostEdgeNames = 12;
 
-/// "A5 × B9" of the edges "a:e5 b:e9", "corner B4" of "b:v4"; of other names these.
+/// "A5 × B9" for the edges "a:e5 b:e9", "corner B4" for "b:v4"; other names are not changed.
 std::string features_of(std::string_view id) {
   std::string text;
   int edges = 0;
@@ -35,7 +35,7 @@ std::string features_of(std::string_view id) {
   return text;
 }
 
-/// Between the points that an edge makes; nothing where these are less than two.
+/// Mean of the points on an edge; nothing for fewer than two.
 std::optional<Vec3d> middle_of(const trace::Pair& pair, const PairEdge& edge) {
   std::vector<Vec3d> on_edge;
   for (const PairPoint& any : all_points(pair)) {
@@ -46,8 +46,8 @@ std::optional<Vec3d> middle_of(const trace::Pair& pair, const PairEdge& edge) {
   return mean_of(on_edge);
 }
 
-// Catto 2007, "Feature-Based Contact Points": the ids, and the edges that they consist of, each
-// named beside it. Those of a mesh count within a triangle, and a round shape has none that is seen.
+// Catto 2007, "Feature-Based Contact Points": the ids, and a name on each edge in them, except
+// edges of a mesh, which count within a triangle, and of round shapes, which have no visible ones.
 void draw_ids(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   for (const PairPoint& kept : kept_points(pair))
     sketch.label(kept.point->position, features_of(kept.point->id), kText, 18, 12);

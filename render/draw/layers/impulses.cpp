@@ -6,32 +6,31 @@
 #include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"
 
-/// Gregorius 2015, "Recap: Solving Contact": what the solver gave each point in the step from here.
-/// Layers loads and friction are ways of layer impulses to show it.
+/// Gregorius 2015, "Recap: Solving Contact": impulses of the solver at each point in the step that
+/// follows. Layers Loads and Friction modify how this layer draws them.
 namespace contactscope::draw {
 namespace {
 
 constexpr double kLeastImpulse = 3;         // pixels
-constexpr double kLeastFriction = 10;       // pixels: shorter, an open head is only a blot
-constexpr double kLeastOfFriction = 0.35;   // of the largest: what holds is what is shown
-constexpr std::size_t kLabelledPoints = 8;  // points: more numbers than these would be a crowd
+constexpr double kLeastFriction = 10;       // pixels: shorter open heads are not legible
+constexpr double kLeastOfFriction = 0.35;   // share of the largest, to show only relevant friction
+constexpr std::size_t kLabelledPoints = 8;  // points: more numbers would crowd the picture
 
-// The colour of friction is too light for letters on white; the same hue, darkened.
+// The colour of friction is too light for text on white; the same hue, darkened.
 constexpr Color kFrictionText = rgb(0x8F4B3E);
 
 constexpr Swatch kPushedSwatch{LegendGroup::Points, 3,
                                [](auto& pen) { pen.dot(0, 4.0, kContact); }};
 constexpr Swatch kNormalImpulseSwatch{LegendGroup::Forces, 1,
                                       [](auto& pen) { pen.arrow(3, 10, kImpulse); }};
-// What was kept lies as a wide pale bar beneath the arrow: a thin frame round it closes up in a small
-// picture.
+// The warm start is a wide pale bar below the arrow; a frame would close up in small pictures.
 constexpr Color kKept = rgb(0xEDB5BB);
 constexpr float kKeptWidth = 14;  // pixels
 constexpr Swatch kWarmStartSwatch{LegendGroup::Forces, 2,
                                   [](auto& pen) { pen.level_line(0, 22, 13, kKept); }};
 constexpr Swatch kFrictionSwatch{LegendGroup::Forces, 3,
                                  [](auto& pen) { pen.open_arrow(2.5, kFriction); }};
-// Two strokes across a line that goes on.
+// Two strokes across a line that continues.
 constexpr Swatch kBreakSwatch{LegendGroup::Forces, 4, [](auto& pen) {
                                 pen.level_line(0, 8.5, 3, kImpulse);
                                 pen.level_line(14, 22, 3, kImpulse);
@@ -43,7 +42,7 @@ constexpr Swatch kBreakSwatch{LegendGroup::Forces, 4, [](auto& pen) {
                                 }
                               }};
 
-// Two strokes across an arrow that goes on.
+// Two strokes across an arrow that continues.
 void draw_break(const Scene& scene, const Vec3d& at, const Vec3d& along, const Color& color,
                 Sketch& sketch) {
   const Vec3d across = along.cross(scene.camera.to_eye(at));
@@ -66,8 +65,8 @@ std::string spell_scale(const Scene& scene, double metres) {
                             : spell_impulse_scale(metres);
 }
 
-// Along the way out of the other body what was kept from the step before, and over it the whole; both
-// cut where they would be too long.
+// Along the normal out of the other body: the part kept from the previous step, and the whole over
+// it. Both are cut if they are too long.
 void draw_normal_impulse(const Scene& scene, const trace::Point& point, const Vec3d& out,
                          Sketch& sketch) {
   const Vec3d& at = point.position;
@@ -92,7 +91,7 @@ void draw_normal_impulse(const Scene& scene, const trace::Point& point, const Ve
   }
 }
 
-/// Newton seconds, of all points of the frame.
+/// Newton seconds, over all points of the frame.
 double largest_friction(const Scene& scene) {
   double largest = 0;
   for (const trace::Pair& pair : scene.frame.pairs)
@@ -101,7 +100,7 @@ double largest_friction(const Scene& scene) {
   return largest;
 }
 
-/// Of all pairs, each of which is one sum.
+/// Sum over each pair, maximum over the pairs.
 double largest_friction_of_pairs(const Scene& scene) {
   double largest = 0;
   for (const trace::Pair& pair : scene.frame.pairs) {
@@ -113,18 +112,18 @@ double largest_friction_of_pairs(const Scene& scene) {
   return largest;
 }
 
-/// The way of its arrow; nothing where there is too little of it for one beside the `largest`.
+/// Displacement of its arrow; nothing if it is too small or small compared with `largest`.
 std::optional<Vec3d> draw_friction(const Scene& scene, const trace::Point& point, double side,
                                    double largest, Sketch& sketch) {
   const SequenceScales& scales = scene.scales;
   const Vec3d& at = point.position;
   const bool own_scale = scales.friction != scales.impulse;
   const double length = scales.impulse * point.impulse->normal;
-  // Cut as the normal's arrow is, so that the two still make the angle that they do.
+  // Cut like the arrow of the normal impulse, to keep their angle.
   const double share =
       own_scale ? 1.0 : std::min(1.0, scales.longest_impulse / std::max(length, 1e-300));
   const Vec3d way = side * share * scales.friction * point.impulse->friction;
-  // As it is seen: towards the eye it would be a blot too.
+  // Length on the screen, because an arrow towards the eye is not legible either.
   const auto seen = seen_distance(scene.camera, at, at + way);
   if (!seen || !(*seen >= kLeastFriction * scales.pixel)) return std::nullopt;
   if (point.impulse->friction.norm() < kLeastOfFriction * largest) return std::nullopt;
@@ -140,8 +139,8 @@ std::string spell_load(const Scene& scene, double newton_seconds) {
   return spell_quantity(newton_seconds / scene.scales.step, "N", 3, scene.scales.load);
 }
 
-// Points that are seen in one place, as those of an edge from its end, push as one; nothing where
-// they are seen apart, or push another way.
+// Sums points that coincide on the screen, such as those of an edge seen end-on. Nothing if points
+// are separate on the screen or their normals differ.
 std::optional<PairPoint> seen_as_one(const Scene& scene, const trace::Pair& pair,
                                      trace::Point& sum) {
   constexpr float kOnePlace = 4;     // pixels
@@ -152,7 +151,7 @@ std::optional<PairPoint> seen_as_one(const Scene& scene, const trace::Pair& pair
     if (!first) {
       first = {one.manifold, &sum};
       sum = *one.point;
-      sum.impulse->warm_start = 0;  // of each by itself
+      sum.impulse->warm_start = 0;  // drawn for single points only
       continue;
     }
     const auto apart = seen_distance(scene.camera, sum.position, one.point->position);
@@ -165,7 +164,7 @@ std::optional<PairPoint> seen_as_one(const Scene& scene, const trace::Pair& pair
   return first;
 }
 
-// What it pushes and holds one of the bodies with, as two arrows with their numbers.
+// Normal force and friction on one of the bodies, as two arrows with numbers.
 void draw_load_of_one(const Scene& scene, const PairPoint& at, double side, Sketch& sketch) {
   const trace::Point& point = *at.point;
   const Vec3d out = side * at.manifold->normal;
@@ -180,11 +179,11 @@ void draw_load_of_one(const Scene& scene, const PairPoint& at, double side, Sket
                  kFrictionText, 17, 8, scene.camera.up());
 }
 
-// What the pair's points carry together.
+// Total load over the pair's points.
 struct PairLoad {
-  std::vector<Vec3d> at;                    // where the solver pushes
+  std::vector<Vec3d> at;                    // points with impulses
   const trace::Point* outermost = nullptr;  // farthest to the right
-  Vec3d way = Vec3d::Zero();                // of the last one's normal, out of the other body
+  Vec3d way = Vec3d::Zero();                // normal of the last point, out of the other body
   double normal = 0;                        // newton seconds
   Vec3d friction = Vec3d::Zero();           // newton seconds
 };
@@ -204,15 +203,15 @@ PairLoad load_of(const Scene& scene, const trace::Pair& pair, double side) {
   return load;
 }
 
-// A sum is no arrow's: a bracket over the points that it is of, and the sum beside its tip.
+// The sum belongs to no single arrow: a bracket spans its points, with the sum at the tip.
 struct Bracket {
-  std::array<Vec3d, 4> line;  // from the end of one arm to that of the other
+  std::array<Vec3d, 4> line;  // from the end of one arm to the end of the other
   Vec3d middle, tip;
   Vec3d out;  // unit, away from the points
 };
 
-// On the screen, in the plane of the first point: along the line through two points, on the side that
-// their arrows leave free; else upright, to the right of all. Nothing where a point is behind the eye.
+// On the screen, in the plane of the first point: for two points parallel to their line, on the
+// side without arrows; otherwise vertical, to the right of all. Nothing if one is behind the eye.
 std::optional<Bracket> bracket_beside(const Scene& scene, const PairLoad& load) {
   constexpr double kAway = 15, kArm = 7, kBeyond = 4, kLeast = 12;  // pixels
   const Camera& camera = scene.camera;
@@ -272,7 +271,7 @@ void draw_load(const Scene& scene, const trace::Pair& pair, double side, Sketch&
 
 void draw_impulses(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   if (scene.scales.impulse == 0) return;
-  // Impulses are drawn on the body that they move: b, unless only a is moved.
+  // Impulses are drawn on the body that they move: b, or a if only a moves.
   const bool moves_a = scene.frame.solver && scene.body(pair.a) != nullptr;
   const bool moves_b = !scene.frame.solver || scene.body(pair.b) != nullptr;
   const double side = moves_a && !moves_b ? -1 : 1;
@@ -296,7 +295,7 @@ void draw_impulses(const Scene& scene, const trace::Pair& pair, Sketch& sketch) 
   for (const auto& [manifold, point] : all_points(pair)) {
     const Vec3d& at = point->position;
     if (!point->impulse || !scene.camera.sees(at)) continue;
-    // What is still apart and gets nothing is no place at which anything is pushed.
+    // A separated point without an impulse has no arrow.
     if (stands_off(*point, scene.scales) && point->impulse->normal == 0) continue;
     const Vec3d out = side * manifold->normal;
     if (!scene.shows(Layer::Contacts)) {

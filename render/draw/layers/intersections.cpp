@@ -7,7 +7,7 @@
 #include "draw/layers/layer.h"
 #include "draw/scene/points.h"
 
-/// Where two meshes meet: the triangles that share a point, and what they share.
+/// Intersection of two meshes: the triangles that share a point, and the shared points.
 namespace contactscope::draw {
 namespace {
 
@@ -19,7 +19,7 @@ constexpr Swatch kCrossingTriangleSwatch{LegendGroup::Points, 21,
                                          [](auto& pen) { pen.area(kContact, 0.22f, 1); }};
 constexpr Swatch kTouchSwatch{LegendGroup::Points, 22,
                               [](auto& pen) { pen.dot(0, 4.8, kContact); }};
-// Not faint where it is hidden: what is has no dashes where it is seen.
+// Not fainter if hidden, because faint hidden lines are dashed as well.
 constexpr LineStyle kUncounted{3.5f, kContact, true};
 constexpr Swatch kUncountedSwatch{LegendGroup::Points, 25,
                                   [](auto& pen) { pen.dashes(kUncounted.width, kContact); }};
@@ -30,10 +30,10 @@ constexpr Swatch kOpenEdgeSwatch{LegendGroup::Points, 26, [](auto& pen) {
                                    pen.level_line(0, 23, kOpenEdge.width, kOpenEdge.color);
                                  }};
 
-/// Of a mesh of which so many triangles cross, none is set off: all of it would be in their colour.
+/// If more than this share of a mesh crosses, no triangle is highlighted.
 constexpr double kMostOfMesh = 0.5;
 
-/// Whether there are any to be seen.
+/// Returns whether any is drawn.
 bool draw_triangles(const PlacedShape* mesh, const std::set<int>& triangles, const Color& color,
                     float fill, Sketch& sketch) {
   if (mesh == nullptr || triangles.empty()) return false;
@@ -48,7 +48,7 @@ bool draw_triangles(const PlacedShape* mesh, const std::set<int>& triangles, con
   return true;
 }
 
-/// An area that has become a line is drawn as one.
+/// A triangle without area is drawn as a line.
 void draw_degenerate(const PlacedShape* mesh, int triangle, Sketch& sketch) {
   if (mesh == nullptr || triangle < 0 || triangle >= count_of(mesh->traced().faces)) return;
   sketch.outline(mesh->polygon(triangle),
@@ -57,15 +57,15 @@ void draw_degenerate(const PlacedShape* mesh, int triangle, Sketch& sketch) {
   sketch.explain(kDegenerateSwatch, "triangle without an area", mesh->polygon(triangle)[0]);
 }
 
-/// What two triangles share; a lone point where it is no end of a line that is drawn anyway. Faint
-/// where the answer is no all the same, as of an exclusive comparison.
+/// Shared segments, and isolated points that end no segment. Different style if the answer is no
+/// nevertheless, as for an exclusive comparison.
 void draw_segments(const trace::Pair& pair, Sketch& sketch) {
   const bool counts = pair.overlap.value_or(true);
   const auto before = [](const Vec3d& p, const Vec3d& q) {
     return std::ranges::lexicographical_compare(p, q);
   };
   std::vector<Vec3d> ends, points;
-  std::set<std::array<double, 6>> dashed;  // each once: dashes would fill each other's gaps
+  std::set<std::array<double, 6>> dashed;  // each once: repeated dashes would fill the gaps
   for (const trace::Intersection& meeting : pair.intersections) {
     if (!meeting.segment) continue;
     auto [from, to] = *meeting.segment;
@@ -76,7 +76,7 @@ void draw_segments(const trace::Pair& pair, Sketch& sketch) {
     if (before(to, from)) std::swap(from, to);
     if (!counts && !dashed.insert({from.x(), from.y(), from.z(), to.x(), to.y(), to.z()}).second)
       continue;
-    // White between the dashes: an edge of a mesh lies there as well.
+    // White between the dashes, because an edge of a mesh is there as well.
     if (!counts) sketch.line(from, to, {kUncounted.width + 2, kWhite});
     sketch.line(from, to,
                 counts ? LineStyle{3.5f, kContact, false, LineStyle::Hidden::Faint} : kUncounted);
@@ -97,7 +97,7 @@ void draw_segments(const trace::Pair& pair, Sketch& sketch) {
   }
 }
 
-/// Of a mesh that was found to have no inside the edges at which its surface ends.
+/// Open edges of a mesh that has no inside.
 void draw_open_edges(const PlacedShape* mesh, const std::string& containment, Sketch& sketch) {
   if (mesh == nullptr || containment != "open") return;
   for (const ShapeMesh::Edge& edge : mesh->mesh->edges) {
@@ -107,12 +107,12 @@ void draw_open_edges(const PlacedShape* mesh, const std::string& containment, Sk
   }
 }
 
-// Not faint: that it is there is what the picture is about.
+// Not faint, because the picture is about this mesh.
 constexpr LineStyle kInsideEdge{1.8f, kShapeEdge, true};
 constexpr Swatch kInsideSwatch{LegendGroup::Points, 27,
                                [](auto& pen) { pen.dashes(kInsideEdge.width, kShapeEdge); }};
 
-/// What is wholly inside of another mesh, and so behind it: its edges that would be seen without that.
+/// Edges of a mesh that is inside another one: those that would be visible without it.
 void draw_inside(const Scene& scene, const PlacedShape* mesh, const std::string& containment,
                  Sketch& sketch) {
   if (mesh == nullptr || containment != "inside") return;
@@ -135,7 +135,7 @@ void draw_intersections(const Scene& scene, const trace::Pair& pair, Sketch& ske
     (coplanar ? coplanar_a : crossing_a).insert(meeting.a);
     (coplanar ? coplanar_b : crossing_b).insert(meeting.b);
   }
-  // Among the boxes of trees the line where they meet is enough.
+  // Next to the boxes of trees the line of intersection is enough.
   const bool set_off = !scene.shows(Layer::Tree);
   const bool crosses_a = set_off && draw_triangles(a, crossing_a, kContact, 0.22f, sketch);
   const bool crosses_b = set_off && draw_triangles(b, crossing_b, kContact, 0.22f, sketch);

@@ -8,16 +8,16 @@
 #include "draw/layers/layer.h"
 #include "draw/scene/pairs.h"
 
-/// Bodies that contacts join fall asleep, and wake, together: Catto 2010, "Islands". Islands are worked
-/// out from what is seen: the bodies that contact points join, but for those that nothing moves. That
-/// an island sleeps, the trace says; where nobody may sleep, it rests for as many frames as none of its
-/// bodies has moved.
+/// Bodies joined by contacts fall asleep and wake together: Catto 2010, "Islands". Islands follow
+/// from the trace: bodies joined by contact points, except static ones. The trace records whether
+/// an island sleeps. Without sleeping, it rests for the number of frames in which none of its
+/// bodies moved.
 namespace contactscope::draw {
 namespace {
 
-constexpr double kUnmoved = 1e-4;  // of a body's radius, from frame to frame
-constexpr int kLeastRest = 2;      // frames: fewer is a turning point
-constexpr float kTint = 0.22f;     // of a body's fill
+constexpr double kUnmoved = 1e-4;  // of a body's radius, per frame
+constexpr int kLeastRest = 2;      // frames: less may be a turning point
+constexpr float kTint = 0.22f;     // opacity over a body's fill
 
 constexpr Swatch kIslandSwatch{LegendGroup::Trees, 9,
                                [](auto& pen) {
@@ -33,7 +33,7 @@ constexpr Swatch kSleepingSwatch{LegendGroup::Trees, 9,
                                  },
                                  kQuietText};
 
-/// The bodies that the solver moves, and the number of each one's island.
+/// Island of each body of the solver.
 std::vector<std::size_t> islands_of(const Scene& scene) {
   const auto bodies = scene.bodies();
   std::vector<std::size_t> island(bodies.size());
@@ -57,7 +57,7 @@ std::vector<std::size_t> islands_of(const Scene& scene) {
   return island;
 }
 
-/// For how many frames up to this one the body has not moved.
+/// Number of frames up to this one in which the body has not moved.
 int rest_of(const Scene& scene, const trace::Body& body) {
   const PlacedShape* shape = scene.find(body.name);
   if (scene.sequence == nullptr || shape == nullptr || !std::isfinite(shape->mesh->radius))
@@ -79,7 +79,7 @@ int rest_of(const Scene& scene, const trace::Body& body) {
   return frames;
 }
 
-/// A body is tinted as its island is: the state is then seen before any line is.
+/// Tints a body in its island's colour, which is noticed before any line.
 void tint(const Camera& camera, const PlacedShape& shape, const Color& color, Sketch& sketch) {
   const Color fill = with_alpha(color, kTint);
   if (shape.traced().radius > 0) {
@@ -109,7 +109,7 @@ void draw_islands(const Scene& scene, Sketch& sketch) {
   int number = 0;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     if (island[i] != i) continue;
-    const bool asleep = bodies[i].asleep == true;  // as all of its island
+    const bool asleep = bodies[i].asleep == true;  // like all bodies of its island
     const Color color = asleep ? kQuietText : kBox;
     int members = 0, rest = std::numeric_limits<int>::max();
     const trace::Body* highest = &bodies[i];
@@ -137,7 +137,7 @@ void draw_islands(const Scene& scene, Sketch& sketch) {
       text += ", awake";
     else if (rest >= kLeastRest)
       text += ", unmoved for " + std::to_string(rest) + " frames";
-    // Over the bodies: as wide as one of them, it would cover its edges.
+    // Above the bodies: the text is as wide as a body and would cover its edges.
     Vec3d top = highest->center_of_mass;
     if (const PlacedShape* shape = scene.find(highest->name)) {
       double reach = 0;

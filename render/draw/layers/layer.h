@@ -9,25 +9,24 @@ namespace contactscope::draw {
 
 using trace::Stages;
 
-/// All of a layer but its name: what it needs recorded and what it draws, which it explains to the
-/// sketch's legend. It stands in the file of the layer.
+/// The parts of a layer except its name: the stages it needs, and its drawing functions, which add
+/// to the sketch's legend. It is defined in the layer's file.
 struct LayerDrawing {
   using OfFrame = void (*)(const Scene&, Sketch&);
   using OfPair = void (*)(const Scene&, const trace::Pair&, Sketch&);
 
   std::array<bool Stages::*, 3> needs{};
   OfFrame beneath = nullptr;  // once a frame, first
-  OfPair search = nullptr;    // pair by pair: how its contact was looked for
-  OfPair result = nullptr;    // pair by pair: its contact, which a story of steps tells last
+  OfPair search = nullptr;    // pair by pair: the search for its contact
+  OfPair result = nullptr;    // pair by pair: its contact, the last step of a story
   OfFrame above = nullptr;    // once a frame, last
 
-  /// Of a layer that costs much to draw: what the legend says of it, which drawing then leaves out.
-  /// The legends of a whole sequence are made to find room for the longest, where only the frames
-  /// that are shown are drawn.
+  /// For layers that are slow to draw: the layer's legend entries, which drawing then does not add.
+  /// Layout needs the legends of all frames of a sequence, but only the shown frames are drawn.
   void (*explain)(const Scene&, Legend&) = nullptr;
 };
 
-/// One for each Layer, in their order.
+/// One entry for each Layer, in order.
 using LayerTable = std::array<const LayerDrawing*, kLayerNames.size()>;
 
 #define CONTACTSCOPE_DECLARE(layer, name) extern const LayerDrawing k##layer##Layer;

@@ -4,13 +4,13 @@
 #include "draw/scene/points.h"
 #include "draw/scene/solid.h"
 
-/// What shapes are called, in the middle of each: in a heap the legend has no room for them.
+/// Names at the middle of each shape, because the legend has no room for them in a heap.
 namespace contactscope::draw {
 namespace {
 
-constexpr double kSmallName = 13;  // pixels, where there are many
+constexpr double kSmallName = 13;  // pixels, with many shapes
 
-// The ground, and what else is larger than the picture, is named at the corner that is nearest.
+// Shapes larger than the picture, such as the ground, are named at their nearest corner.
 Vec3d nearest_corner(const Camera& camera, const std::vector<Vec3d>& corners) {
   Vec3d nearest = corners.front();
   double least = std::numeric_limits<double>::infinity();

@@ -11,10 +11,10 @@
 namespace contactscope::draw {
 namespace {
 
-// Pixels. Shorter, an arrow would hide behind the dots of its contact.
+// Pixels. Shorter arrows would be hidden by the contact's dots.
 constexpr double kLeastArrow = 8;
-constexpr float kUsualLength = 78;  // of an arrow
-constexpr double kBeyondTip = 6;    // of the number of its face
+constexpr float kUsualLength = 78;  // length of an arrow
+constexpr double kBeyondTip = 6;    // distance of the face's number
 constexpr double kLeastLean = 3;    // degrees
 constexpr double kAsNear = 1e-5;    // of a hull's radius
 
@@ -25,8 +25,7 @@ constexpr Swatch kRivalSwatch{LegendGroup::Forces, 2,
 constexpr Swatch kUsualNormalSwatch{LegendGroup::Forces, 1,
                                     [](auto& pen) { pen.arrow(2, 8, kDropped); }};
 
-// Whether an arrow that starts here has room in the view for so many pixels, as it is seen: one
-// that points at the eye has not.
+// Whether an arrow from here is long enough on the screen; an arrow towards the eye is not.
 bool has_room(const Camera& camera, const Arrow& arrow) {
   const std::optional<Point2> a = camera.project(arrow.from);
   const std::optional<Point2> b = camera.project(
@@ -36,8 +35,8 @@ bool has_room(const Camera& camera, const Arrow& arrow) {
   return seen && distance(*a, seen->to) >= kLeastArrow;
 }
 
-// The middle of the points. Of a single one, the arrow begins where a whisker that runs the same
-// way ends, for it would cover it.
+// The middle of the points. The arrow of a single point starts at the end of a whisker in the same
+// direction, which it would cover otherwise.
 Vec3d start_of_normal(const Scene& scene, const trace::Pair& pair,
                       const trace::Manifold& manifold) {
   const Vec3d middle = mean_of(mapped(manifold.points, &trace::Point::position));
@@ -48,7 +47,7 @@ Vec3d start_of_normal(const Scene& scene, const trace::Pair& pair,
   return middle + std::max(0.0, ahead) * manifold.normal;
 }
 
-/// The mesh of the pair and a triangle of it: that triangle's own normal, unit, whichever way.
+/// Normal of a manifold's mesh triangle, unit, with either sign.
 std::optional<Vec3d> face_normal(const Scene& scene, const trace::Pair& pair,
                                  const trace::Manifold& manifold) {
   if (!manifold.triangle) return std::nullopt;
@@ -61,8 +60,8 @@ std::optional<Vec3d> face_normal(const Scene& scene, const trace::Pair& pair,
   return std::nullopt;
 }
 
-/// Degrees by which a contact of a mesh leans from the normal that its triangle shares with another one of
-/// the pair, whose contact has that normal: an edge that the surface lacks made it lean. 0 where none does.
+/// Angle in degrees between a mesh contact's normal and its triangle's. 0 unless another contact of
+/// the pair has that triangle's normal: then a missing internal edge caused the lean.
 double lean_of(const Scene& scene, const trace::Pair& pair, const trace::Manifold& manifold) {
   constexpr double kParallel = 0.9998;  // cosine
   const std::optional<Vec3d> own = face_normal(scene, pair, manifold);
@@ -76,7 +75,7 @@ double lean_of(const Scene& scene, const trace::Pair& pair, const trace::Manifol
   return any_upright && cosine < kParallel ? std::acos(cosine) * 180 / std::numbers::pi : 0;
 }
 
-/// The point of a round shape's core that is least outside of a hull; of equal ones the middle.
+/// Point of a round shape's core with the least distance outside a hull; the middle if equal.
 Vec3d innermost(const PlacedShape& hull, const std::vector<Vec3d>& core,
                 const std::vector<Vec3d>& normals) {
   const auto outside = [&](const Vec3d& p) {
@@ -91,8 +90,8 @@ Vec3d innermost(const PlacedShape& hull, const std::vector<Vec3d>& core,
   return best;
 }
 
-// Gregorius 2015, "Sphere vs Hull" and "Capsule vs Hull", where geometry has no normal: of a round shape's core on an edge
-// or in the middle of a hull, the normals of all faces that are just as near, by number: the first of them is taken.
+// Gregorius 2015, "Sphere vs Hull" and "Capsule vs Hull", for a core on an edge or in the middle of
+// a hull: numbers the normals of all equally near faces. The first of them is chosen.
 void draw_rivals(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const PlacedShape *a = scene.find(pair.a), *b = scene.find(pair.b);
   if (!pair.degenerate || a == nullptr || b == nullptr) return;
@@ -150,7 +149,7 @@ void draw_rivals(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
 
 void draw_normals(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   draw_rivals(scene, pair, sketch);
-  // A mesh's arrows, as long as elsewhere, would be a wood.
+  // Full-length arrows on a mesh would be too dense.
   const bool many = pair.manifolds.size() > kFewManifolds;
   const std::optional<Vec3d> usual = usual_normal(scene.frame);
   for (const trace::Manifold& manifold : pair.manifolds) {

@@ -3,15 +3,14 @@
 #include "draw/layers/layer.h"
 #include "draw/scene/quantity.h"
 
-/// Gregorius 2015, "Building Incremental Manifolds": what became of each point in this frame, and
-/// how far the places that met have drifted apart.
+/// Gregorius 2015, "Building Incremental Manifolds": state and drift of each point in this frame.
 namespace contactscope::draw {
 namespace {
 
 constexpr double kLeastAnchors = 12;  // pixels
 constexpr double kCovered = 8;        // pixels
 
-constexpr double kClearOfDot = 9;  // pixels of an arrow from the dot that it points at
+constexpr double kClearOfDot = 9;  // pixels between an arrow and the dot it points at
 
 template <PointState kState>
 constexpr Swatch kStateSwatch{
@@ -23,7 +22,7 @@ constexpr Swatch kAnchorsSwatch{LegendGroup::Points, 8, [](auto& pen) {
                                     pen.disc(pen.at(at), 2.4, kContact);
                                 }};
 
-// Whether a point that holds is drawn over this one.
+// Whether a current point is drawn over this one.
 bool is_covered(const Scene& scene, const trace::Pair& pair, const Vec3d& at) {
   return std::ranges::any_of(pair.incremental->points, [&](const auto& other) {
     const auto pixels = seen_distance(scene.camera, at, other.point.position);
@@ -31,7 +30,7 @@ bool is_covered(const Scene& scene, const trace::Pair& pair, const Vec3d& at) {
   });
 }
 
-// An arrow from a replaced point to the one that took its place, and how far that is.
+// Arrow from a replaced point to its successor, with the distance.
 void lead_to_successor(const Scene& scene, const trace::Pair& pair,
                        const trace::PersistentPoint& point, Sketch& sketch) {
   const trace::PersistentPoint* nearest = nullptr;
@@ -52,7 +51,7 @@ void lead_to_successor(const Scene& scene, const trace::Pair& pair,
                kDropped, 17, 9, scene.camera.up());
 }
 
-/// Why a point was taken out; of one whose places slid apart also how far.
+/// Reason for the removal of a point; for slid points with the distance.
 std::string told_reason(const Scene& scene, const trace::Pair& pair,
                         const trace::PersistentPoint& point) {
   if (point.reason != "slid") return point.reason;
@@ -64,8 +63,7 @@ void draw_persistent_point(const Scene& scene, const trace::Pair& pair,
                            const trace::PersistentPoint& point, PointState state, Sketch& sketch) {
   const Vec3d& at = point.point.position;
   const double factor = scene.scales.drift, pixels = scene.camera.pixels_per_metre(at);
-  // Where the two places that met when the point was found are now. As long as the dot is wide,
-  // they say nothing.
+  // The current anchors, unless they are as close to each other as the dot is wide.
   if (factor * pixels * (point.on_b() - point.on_a()).norm() >=
       kLeastAnchors * scene.scales.pixel) {
     const Vec3d middle = 0.5 * (point.on_a() + point.on_b());
@@ -89,15 +87,15 @@ void draw_persistent_point(const Scene& scene, const trace::Pair& pair,
   sketch.explain(is_new ? kStateSwatch<PointState::New> : kStateSwatch<PointState::Persisted>,
                  is_new ? "new point" : "kept point, its age in frames", at);
   sketch.mark(is_new ? MarkKind::Dot : MarkKind::Half, at, kContact);
-  if (scene.shows(Layer::Ids)) return;  // its id stands there
+  if (scene.shows(Layer::Ids)) return;  // its id is written there
   Label& label = sketch.label(at, is_new ? "new" : std::to_string(point.age), kContact, 17, 12);
   if (!is_new) label.badge = Badge::Age;
 }
 
 void draw_persistent_points(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   if (!pair.incremental) return;
-  // One that was taken out is often where the new one is: what holds now is drawn over it, and it
-  // is a ring around that.
+  // A removed point is often at the place of its successor. Current points are drawn last, and the
+  // removed one is a ring around them.
   for (const bool broken : {true, false}) {
     for (const trace::PersistentPoint& point : pair.incremental->points) {
       const PointState state = point_state(point.state);

@@ -6,23 +6,23 @@
 #include "draw/scene/ghost.h"
 #include "draw/scene/pairs.h"
 
-/// Where the centre of a ball is when the ball touches a triangle: a prism with rounded edges. Its
-/// flat sides belong to the face, its cylinders to the edges, its balls to the vertices. A ball
-/// that is swept meets the triangle where the way of its centre enters (Ericson 2005, "Real-Time
+/// Positions of a ball's centre at which it touches a triangle: a prism with rounded edges. Its
+/// flat sides belong to the face, its cylinders to the edges, its spheres to the vertices. A swept
+/// ball meets the triangle where the path of its centre enters the prism (Ericson 2005, "Real-Time
 /// Collision Detection", section 5.5.6).
 namespace contactscope::draw {
 namespace {
 
 constexpr int kMostTriangles =
-    8;  // of a mesh, of which all are drawn; of others the one that is met
+    8;  // meshes up to this size are drawn completely; of others only the hit triangle
 constexpr Color kFaceTint = rgb(0xBFC6D0);
 constexpr Color kEdgeTint = rgb(0xD9DEE5);
 constexpr Color kVertexTint = rgb(0xEFF2F5);
 constexpr LineStyle kThin{1.0f, kDropped};
 constexpr LineStyle kWay{1.8f, kContact, true};
-constexpr double kBeforeCross = 8;  // pixels between it and the tip of the way
+constexpr double kBeforeCross = 8;  // pixels between the cross and the tip of the path
 
-/// Its three tints beside each other, in the order of the words.
+/// The prism's three tints next to each other, in the order of the text.
 constexpr Swatch kPrismSwatch{
     LegendGroup::Motion, 9, [](auto& pen) {
       constexpr double kBand = 8;  // pixels
@@ -36,7 +36,7 @@ constexpr Swatch kPrismSwatch{
 constexpr Swatch kWaySwatch{LegendGroup::Motion, 12, [](auto& pen) { pen.dashes(1.5, kContact); }};
 constexpr Swatch kCenterSwatch{LegendGroup::Motion, 13, [](auto& pen) { pen.crossed(kContact); }};
 
-/// What the eye sees of a ball.
+/// Visible outline of a ball.
 std::vector<Vec3d> disc_of(const Camera& camera, const Vec3d& center, double radius) {
   constexpr int kPoints = 32;
   std::vector<Vec3d> points;
@@ -48,7 +48,7 @@ std::vector<Vec3d> disc_of(const Camera& camera, const Vec3d& center, double rad
   return points;
 }
 
-/// What the eye sees of the half of a cylinder about an edge that looks away from the triangle.
+/// Visible part of the half cylinder about an edge that faces away from the triangle.
 std::vector<Vec3d> half_cylinder(const Camera& camera, const Vec3d& from, const Vec3d& to,
                                  const Vec3d& normal, double radius) {
   constexpr int kSteps = 32;
@@ -74,7 +74,7 @@ void draw_triangle(const Scene& scene, const std::vector<Vec3d>& corners, double
     const Vec3d& corner = corners[i];
     const std::vector<Vec3d> disc = disc_of(camera, corner, radius);
     sketch.surfaces.push_back({disc, kVertexTint});
-    // Its rim where no cylinder goes on from it.
+    // The rim where no cylinder continues.
     for (std::size_t k = 0; k < disc.size(); ++k) {
       const Vec3d from = disc[k] - corner, to = disc[(k + 1) % disc.size()] - corner;
       const auto looks_away = [&](const Vec3d& other) {
@@ -93,7 +93,7 @@ void draw_triangle(const Scene& scene, const std::vector<Vec3d>& corners, double
   std::vector<Vec3d> flat;
   for (const Vec3d& corner : corners) flat.emplace_back(corner + side * normal);
   sketch.face(flat, kFaceTint, kThin);
-  // What it is about is seen through it.
+  // The triangle is visible through its prism.
   sketch.outline(corners, {5, with_alpha(kWhite, 0.85f)});
   sketch.outline(corners, {2.2f, kShapeEdge});
 }
@@ -114,7 +114,7 @@ void draw_prism(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
     return &other != &pair && other.impact &&
            (other.a == mesh->traced().name || other.b == mesh->traced().name);
   };
-  // Balls that meet one mesh share its prism: the first pair's.
+  // Balls that meet one mesh share the prism of the first pair.
   const auto first = std::ranges::find_if(
       scene.frame.pairs, [&](const trace::Pair& other) { return &other == &pair || same(other); });
   if (&*first == &pair) {
@@ -129,7 +129,7 @@ void draw_prism(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const double pixel = scene.scales.pixel / scene.camera.pixels_per_metre(touching);  // metres
   draw_way(scene, center, touching, hits ? kBeforeCross * pixel : 0, kWay, sketch);
   if (hits) {
-    // The contact is a dot, and this is none.
+    // A cross, because a dot is a contact point.
     sketch.mark(MarkKind::Cross, touching, kContact);
     sketch.explain(kCenterSwatch, "centre of the ball as it touches", touching);
     sketch.explain(kPlainPointSwatch, "contact point", pair.impact->point_a);

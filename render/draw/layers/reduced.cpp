@@ -6,10 +6,10 @@
 namespace contactscope::draw {
 namespace {
 
-// More crosses than this would hide the polygon on which they stand.
+// With more crosses than this the polygon would be hidden.
 constexpr std::size_t kCrowd = 24;
 
-// Gregorius 2015, "Contact Point Reduction": of a pair's one manifold, where it took points away.
+// Gregorius 2015, "Contact Point Reduction": for a pair with one manifold that was reduced.
 void draw_reduced(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   if (pair.manifolds.size() != 1 || pair.manifolds.front().points.empty() || !pair.reduction)
     return;

@@ -14,8 +14,8 @@ constexpr Swatch kWholeSwatch{LegendGroup::Motion, 1,
                               [](auto& pen) { pen.open_arrow(2, kMotion); }};
 constexpr Swatch kPartSwatch{LegendGroup::Motion, 2, [](auto& pen) { pen.arrow(4, 11, kMotion); }};
 
-// With the decimals that the fastest of the sequence has in three digits: what is left of it when
-// the contact has stopped it is then seen to be nothing.
+// Decimals as for three digits of the largest speed, so that the rest after a stop is shown as
+// zero.
 std::string spell_closing(double speed, double fastest) {
   const int decimals =
       fastest > 0 ? std::clamp(2 - static_cast<int>(std::floor(std::log10(fastest))), 0, 9) : 0;
@@ -23,8 +23,8 @@ std::string spell_closing(double speed, double fastest) {
   return (speed < 0 ? "−" : "") + printed("%.*f m/s", decimals, std::abs(speed));
 }
 
-// Gregorius 2015, "Recap: Solving Contact (2)": of the relative velocity at the point the part
-// along the normal, which is all that the contact sees.
+// Gregorius 2015, "Recap: Solving Contact (2)": of the relative velocity at the point, only the
+// part along the normal matters to the contact.
 void draw_relative_velocity(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const SequenceScales& scales = scene.scales;
   for (const auto& [manifold, point] : all_points(pair)) {

@@ -8,18 +8,18 @@
 #include "draw/scene/quantity.h"
 #include "draw/scene/solid.h"
 
-/// Gregorius 2015, "Hull vs Hull: The Separating Axis Test": its three queries side by side, each with
-/// the shapes again. Of each the best axis: the plane of the face, extended, and that through the support
-/// point, or the plane of two edges, and the separation between them. With a parallel projection all
-/// columns are the same picture of the shapes.
+/// Gregorius 2015, "Hull vs Hull: The Separating Axis Test": the three queries next to each other,
+/// each with its own copy of the shapes. For each the best axis: the plane of the face, extended,
+/// and the parallel plane through the support point, or the plane of two edges; and the separation.
+/// With a parallel projection all columns show the shapes in the same way.
 namespace contactscope::draw {
 namespace {
 
 constexpr std::array<const char*, 3> kQueryNames = {"faces of A", "faces of B", "pairs of edges"};
 constexpr double kPlaneReach =
-    0.95;  // of an extended plane beyond its middle, of both shapes' size
-constexpr double kEdgePlaneReach = 0.6;  // likewise, of edges: it leans, and would cover both
-constexpr double kBeyondFoot = 0.12;     // likewise, beyond where the separation ends on it
+    0.95;  // half size of an extended plane, as a share of the shapes' size
+constexpr double kEdgePlaneReach = 0.6;  // half size for edges: this plane is oblique, hides more
+constexpr double kBeyondFoot = 0.12;     // extension beyond the end of the separation
 constexpr double kQueryName = 22;        // pixels
 constexpr float kShapeName = 18;         // pixels
 
@@ -30,12 +30,12 @@ constexpr Swatch kParallelPlaneSwatch{LegendGroup::Axes, 7,
 constexpr Swatch kSupportVertexSwatch{LegendGroup::Axes, 6,
                                       [](auto& pen) { pen.dot(0, 5.0, kAxisText); }};
 
-/// What one query found: from the plane to the support point runs separation times normal.
+/// Result of one query: separation times normal is the offset from the plane to the support point.
 struct BestAxis {
   Vec3d support = Vec3d::Zero();
   Vec3d normal = Vec3d::Zero();  // unit, outward from the plane
   double separation = 0;         // metres
-  std::vector<Vec3d> face{};     // the face whose plane it is; of edges none
+  std::vector<Vec3d> face{};     // the face of the plane; empty for edges
   std::vector<std::array<Vec3d, 2>> edges{};
 };
 
@@ -68,7 +68,7 @@ trace::Polygon square_about(const Vec3d& middle, const Vec3d& normal, const Vec3
           middle - half * (u - v)};
 }
 
-/// The square about `middle`, wide enough to hold what is within `margin` of `foot` on its plane as well.
+/// Square about `middle`, enlarged to include all points of its plane within `margin` of `foot`.
 trace::Polygon plane_under(const Vec3d& middle, const Vec3d& normal, const Vec3d& along,
                            double half, const Vec3d& foot, double margin) {
   const Vec3d u = (along - along.dot(normal) * normal).normalized(), v = normal.cross(u);
@@ -87,15 +87,15 @@ PlacedShape moved(const PlacedShape& shape, const Vec3d& by) {
   return copy;
 }
 
-/// One column: the shapes and a query's best axis, moved there.
+/// One column: the shapes and a query's best axis, moved by an offset.
 struct Column {
   const Scene& scene;
   Sketch& sketch;
   Vec3d offset;
 
   void draw_best(const BestAxis& best, bool chosen, double size) const {
-    // The plane of two edges lies about that of A, so that it is seen whose it is. Beside the edge of B
-    // a parallel one through it would be dashes in the way.
+    // The plane of two edges is centred on A's edge, to show where it belongs. A parallel plane
+    // through B's edge would only be in the way.
     const bool of_edges = best.face.empty();
     const Vec3d along =
         of_edges ? Vec3d(best.edges[0][1] - best.edges[0][0]) : Vec3d(best.face[1] - best.face[0]);

@@ -4,18 +4,18 @@
 #include "draw/scene/quantity.h"
 
 /// Gregorius 2015, "Hull vs Hull: The Separating Axis Test": layer sat_axes shows the best axis of
-/// each query, layer contact_axis the one that was chosen, and the edges that it is made by.
+/// each query, layer contact_axis the chosen axis and the edges that define it.
 namespace contactscope::draw {
 namespace {
 
 constexpr double kBesideWhisker = 44;  // pixels
-constexpr double kLeastOfAxis = 14;    // pixels: nearer to each other, dots hide the gap
+constexpr double kLeastOfAxis = 14;    // pixels: at less, dots hide the gap
 
 constexpr Swatch kClosestPointsSwatch{LegendGroup::Axes, 3,
                                       [](auto& pen) { pen.dot(0, 4.0, kAxisText); }};
 
-/// What a query of the test found: the best axis of the faces of one shape, or of the edges. The
-/// separation runs along the normal from a plane to the support point.
+/// Result of a query: the best axis of one shape's faces, or of the edges. The separation runs
+/// along the normal from a plane to the support point.
 struct Query {
   const char* name;
   Vec3d support, normal;
@@ -32,7 +32,7 @@ std::string words(const Scene& scene, const trace::Pair& pair, bool all) {
          spell_factor(scene.scales.overlap);
 }
 
-/// The whisker that is as long as the axis says, where the contact shows it.
+/// The contact's whisker with the length of this separation, if there is one.
 std::optional<OnBoth> whisker_of(const Scene& scene, const trace::Pair& pair, double separation) {
   constexpr double kEqually = 1e-6;  // of the overlap
   for (const PairPoint& at : all_points(pair)) {
@@ -43,8 +43,8 @@ std::optional<OnBoth> whisker_of(const Scene& scene, const trace::Pair& pair, do
   return std::nullopt;
 }
 
-// From the support point towards the plane it is measured from, as long as the separation. Beside
-// that line where the contact's own whisker and normal are on it, as drawings put measures.
+// From the support point to the plane, in the length of the separation. Next to that line if the
+// contact's whisker and normal are on it, as in technical drawings.
 void draw_separation(const Scene& scene, const trace::Pair& pair, const Query& query, bool all,
                      Sketch& sketch) {
   const auto& [name, from, normal, metres, chosen] = query;
@@ -52,7 +52,7 @@ void draw_separation(const Scene& scene, const trace::Pair& pair, const Query& q
       std::string(name) + ": " + spell_separation(metres, scene.noise(pair), scene.scales.length);
   if (const auto whisker =
           chosen && !all && metres < 0 ? whisker_of(scene, pair, metres) : std::nullopt) {
-    // One sign for one overlap.
+    // One sign per overlap.
     sketch.label(0.5 * (whisker->on_a + whisker->on_b), measured, kContact, 18, 17,
                  Vec3d(-scene.camera.right()));
     return;
@@ -100,14 +100,14 @@ void draw_axes(const Scene& scene, const trace::Pair& pair, bool all, Sketch& sk
     if (const auto ends = scene.edge(*name, index))
       sketch.line((*ends)[0], (*ends)[1], {chosen ? 5.0f : 3.5f, kAxis});
   }
-  // With a Gauss map they are named, see below.
+  // With a Gauss map, draw_deciding_edges() names them.
   if (chosen && !all && sat.edge_pairs.empty())
     sketch.explain(kDecidingEdgesSwatch, "edges that cross");
   const std::optional<float> pixels = seen_distance(scene.camera, edge.point_a, edge.point_b);
   if (chosen && pixels && *pixels >= kLeastOfAxis * scene.scales.pixel) {
     for (const Vec3d& point : {edge.point_a, edge.point_b})
       sketch.mark(MarkKind::Node, point, kAxisText);
-    // The heads of a gap's arrow cover them.
+    // The heads of a gap's arrow cover the points.
     if (edge.separation < 0)
       sketch.explain(kClosestPointsSwatch, "closest points of the edges", edge.point_a);
   }
@@ -115,8 +115,8 @@ void draw_axes(const Scene& scene, const trace::Pair& pair, bool all, Sketch& sk
                   sketch);
 }
 
-/// The two edges of an edge contact: those of the separating axis test as far as the Gauss map is
-/// recorded, on which they are named; without that test those in the id of the point.
+/// The two edges of an edge contact. With a separating axis test they are the test's edges, if the
+/// Gauss map is recorded, which names them. Otherwise the edges in the point's id.
 std::vector<PairEdge> deciding_edges(const trace::Pair& pair) {
   if (pair.sat) {
     if (pair.sat->chosen != "edge_edge" || !pair.sat->edge || pair.sat->edge_pairs.empty())
@@ -136,8 +136,8 @@ void draw_deciding_edges(const Scene& scene, const trace::Pair& pair, Sketch& sk
     const auto ends = scene.edge(of_a ? pair.a : pair.b, edge);
     if (!ends) continue;
     const auto& [from, to] = *ends;
-    if (!pair.sat) sketch.line(from, to, {5.0f, kAxis});  // else drawn with the axis of the test
-    // At the end that is nearer to the eye, where the other edge is not.
+    if (!pair.sat) sketch.line(from, to, {5.0f, kAxis});  // otherwise drawn with the axis
+    // At the end nearer to the eye, away from the other edge.
     const bool first = scene.camera.to_camera(from).z() < scene.camera.to_camera(to).z();
     const Vec3d& near = first ? from : to;
     sketch.label(near, of_a ? "edge of A" : "edge of B", kAxisText, 16, 9,

@@ -12,7 +12,7 @@
 namespace contactscope::draw {
 namespace {
 
-// A margin narrower than this part of the shape is not seen, and its inside only in the way.
+// A margin narrower than this share of the shape is not visible, and its core is only in the way.
 constexpr double kSeenMargin = 0.02;
 constexpr Color kInside = with_alpha(kShapeEdge, 0.6f);
 constexpr Swatch kMarginSwatch{LegendGroup::Shapes, 2,
@@ -23,16 +23,16 @@ bool shows_margin(const PlacedShape& shape) {
   return core != nullptr && core->margin > kSeenMargin * shape.mesh->radius;
 }
 
-// As the segment in a capsule: what lies within the margin.
+// Edges of the core within the margin, like the segment in a capsule.
 void draw_core(const PlacedShape& shape, Sketch& sketch) {
   for (int e = 0; e < count_of(shape.mesh->core->edges); ++e)
     if (const auto ends = shape.edge(e)) sketch.line((*ends)[0], (*ends)[1], {1.0f, kInside, true});
 }
 
-// In a heap of so many shapes the hidden edges of all would lie over each other as noise.
+// With more shapes than this, hidden edges would only be noise.
 constexpr std::size_t kHeap = 100;
 
-// Of what was drawn since there were so many lines, curves and marks: no hidden edge, and no core.
+// Removes hidden edges and core marks that were added after these counts.
 void hide_insides(std::size_t lines, std::size_t curves, std::size_t marks, Sketch& sketch) {
   for (Line& line : std::span(sketch.lines).subspan(lines))
     line.style.hidden = LineStyle::Hidden::Gone;
@@ -41,11 +41,11 @@ void hide_insides(std::size_t lines, std::size_t curves, std::size_t marks, Sket
   sketch.marks.resize(marks);
 }
 
-// Of a field its own surface is what the picture is about: of what it is made of only what the field has lost.
+// With a field, its surface is the subject. The shape shows only what the field has lost.
 constexpr LineStyle kLostOutline{1.3f, kDropped, true, LineStyle::Hidden::Same};
-constexpr float kWithin = 1.2f;      // lines as thin as this are no outline
-constexpr double kLeastLost = 0.15;  // cells from the field's surface, somewhere
-constexpr double kOnSurface = 0.02;  // likewise, everywhere
+constexpr float kWithin = 1.2f;      // thinner lines are not outlines
+constexpr double kLeastLost = 0.15;  // cells from the field's surface, at some point
+constexpr double kOnSurface = 0.02;  // cells from the surface, at all points
 constexpr int kOutlineSteps = 256;
 constexpr Swatch kLostSwatch{LegendGroup::Shapes, 3,
                              [](auto& pen) { pen.dashes(kLostOutline.width, kLostOutline.color); }};
@@ -58,7 +58,7 @@ const trace::FieldSlice* slice_of(const Scene& scene, const PlacedShape& shape) 
   return found == slices.end() ? nullptr : &*found;
 }
 
-// Cells, of a place seen along the slice's normal; none beside the slice.
+// Distance in cells, for a place projected along the slice's normal; nothing outside the slice.
 std::optional<double> distance_at(const trace::FieldSlice& slice, const Vec3d& place) {
   const Vec3d way = place - slice.origin;
   const double column = way.dot(slice.next) / slice.next.squaredNorm();
@@ -71,11 +71,11 @@ std::optional<double> distance_at(const trace::FieldSlice& slice, const Vec3d& p
          v * ((1 - u) * value(left, below + 1) + u * value(left + 1, below + 1));
 }
 
-// Instead of the lines that were drawn since there were so many.
+// Replaces the lines that were added after this count.
 void draw_what_is_lost(const trace::FieldSlice& slice, std::size_t lines, Sketch& sketch) {
   const Vec3d normal = slice.next.cross(slice.next_row).normalized();
   const std::size_t first = sketch.curves.size();
-  // Edges behind each other are seen as one, and the dashes of one would fill the gaps of the other.
+  // Edges that coincide on the screen are drawn once, because their dashes would fill the gaps.
   const auto add_once = [&](const std::vector<Vec3d>& ends) {
     const auto seen_together = [&](const Vec3d& p, const Vec3d& q) {
       return normal.cross(p - q).norm() < kLeastLost * slice.cell;
@@ -91,7 +91,7 @@ void draw_what_is_lost(const trace::FieldSlice& slice, std::size_t lines, Sketch
   for (const Line& line : std::span(sketch.lines).subspan(lines)) {
     const Vec3d way = line.to - line.from;
     if (line.style.width < kWithin || normal.cross(way).norm() < kLeastLost * slice.cell) continue;
-    std::vector<Vec3d> outside;  // places of the line that follow each other
+    std::vector<Vec3d> outside;  // consecutive points of the line
     double farthest = 0;
     for (int i = 0; i <= kOutlineSteps + 1; ++i) {
       const Vec3d place = line.from + i * way / kOutlineSteps;
@@ -129,7 +129,7 @@ void draw_shapes(const Scene& scene, Sketch& sketch) {
     }
     if (const trace::FieldSlice* slice = slice_of(scene, shape)) {
       draw_what_is_lost(*slice, before, sketch);
-      // It is cut along the slice: what is before that is taken away, and hides nothing of the others.
+      // The shape is cut along the slice. The part in front is removed and hides nothing.
       sketch.occluders.resize(occluders);
     }
     if (shows_margin(shape)) draw_core(shape, sketch);
@@ -137,7 +137,7 @@ void draw_shapes(const Scene& scene, Sketch& sketch) {
   if (scene.shapes.size() > kHeap) hide_insides(lines, curves, marks, sketch);
 }
 
-// The widest: a wrong margin is the first thing to look for where bodies float.
+// The widest margin, because a wrong margin is the first suspect if bodies float.
 void explain_margin(const Scene& scene, Legend& legend) {
   const PlacedShape* widest = nullptr;
   for (const PlacedShape& shape : scene.shapes) {
@@ -146,12 +146,12 @@ void explain_margin(const Scene& scene, Legend& legend) {
   }
   if (widest == nullptr) return;
   const trace::Shape& core = *widest->mesh->core;
-  if (!scene.frame.field_slices.empty()) return;  // they have enough signs of their own
+  if (!scene.frame.field_slices.empty()) return;  // fields have enough signs of their own
   legend.explain(kMarginSwatch, "shape without its margin of " +
                                     spell_length(core.margin, 0, scene.scales.length));
 }
 
-// How far the inside of a shape is from what it touches, at the leftmost contact point, once for each shape.
+// Measures a shape's margin at its leftmost contact point, once for each shape.
 void measure_margin(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   constexpr double kLeastMeasured = 30;  // pixels
   if (scene.crowded() || !scene.shows(Layer::Contacts) || scene.shows(Layer::Core)) return;

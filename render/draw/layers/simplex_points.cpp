@@ -7,8 +7,8 @@
 #include "draw/scene/quantity.h"
 #include "draw/scene/simplex_steps.h"
 
-/// The support points on both shapes that a simplex, or the nearest face of a polytope, is the
-/// difference of. They bear the same numbers as its vertices.
+/// Support points on both shapes whose differences are the vertices of a simplex, or of the nearest
+/// face of a polytope. They have the same numbers as these vertices.
 namespace contactscope::draw {
 namespace {
 
@@ -17,7 +17,7 @@ constexpr Swatch kSimplexPointsSwatch{LegendGroup::Differences, 3,
 constexpr Swatch kFacePointsSwatch{LegendGroup::Differences, 4,
                                    [](auto& pen) { pen.dot(0, 4.8, kPolytope); }};
 
-/// A point of a shape, which may be in several vertices.
+/// A point of a shape, which may belong to several vertices.
 struct SupportPoint {
   Vec3d at;
   std::multiset<int> numbers;
@@ -39,7 +39,7 @@ void draw_simplex_points(const Scene& scene, const trace::Pair& pair, Sketch& sk
   const std::optional<SimplexStep> step = simplex_step(scene.view, scene.frame, pair);
   const bool epa = step && step->polytope != nullptr;
   if (!step || (epa && step->polytope->nearest < 0)) return;
-  std::vector<int> shown(step->vertices.size());  // vertices: all, or those of the nearest face
+  std::vector<int> shown(step->vertices.size());  // indices of all vertices, or of the nearest face
   std::iota(shown.begin(), shown.end(), 0);
   if (epa) {
     const std::array<int, 3>& nearest = at(step->polytope->faces, step->polytope->nearest);
@@ -54,7 +54,7 @@ void draw_simplex_points(const Scene& scene, const trace::Pair& pair, Sketch& sk
     const std::vector<SupportPoint> points = points_of(*step, shown, of_a);
     for (std::size_t i = 0; i < points.size(); ++i) {
       for (std::size_t j = i + 1; j < points.size(); ++j)
-        sketch.line(points[i].at, points[j].at, {2.5f, color, !of_a});  // those of B dashed
+        sketch.line(points[i].at, points[j].at, {2.5f, color, !of_a});  // dashed on B
       std::string text;
       for (const int number : points[i].numbers)
         text += (text.empty() ? "" : ", ") + std::to_string(number);

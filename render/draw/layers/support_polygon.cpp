@@ -10,19 +10,19 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr double kFreeTurn = 0.9;         // of a whole one, by the curved arrow of a free axis
+constexpr double kFreeTurn = 0.9;         // of a full turn, for the curved arrow of a free axis
 constexpr double kFreeTurnRadius = 30;    // pixels, or
-constexpr double kFreeTurnShare = 0.085;  // of a small view
-constexpr double kClearTurns = 2.4;       // of the curved arrow's radius
-constexpr double kBeyondAxis = 0.35;      // of an axis beyond its two points, of the body's radius
-constexpr double kLeastMargin = 50;       // pixels: a shorter one is told with the verdict
+constexpr double kFreeTurnShare = 0.085;  // share of a small view
+constexpr double kClearTurns = 2.4;       // in radii of the curved arrow
+constexpr double kBeyondAxis = 0.35;      // extension of an axis beyond its points, in body radii
+constexpr double kLeastMargin = 50;       // pixels: shorter margins are written with the verdict
 
 constexpr Swatch kCenterOfMassSwatch{
     LegendGroup::Masses, 0,
     [](auto& pen) { draw_quartered_disc(pen.middle(), pen.px(7.5), pen.px(1.4), pen.drawing()); }};
 
-// Quartered discs, as drawings have them, and where a body's centre of mass lies over its contact:
-// without one there is no plane to project into.
+// Quartered discs, as in technical drawings, and the projection of a body's centre of mass. It
+// needs a contact, which defines the plane.
 void draw_centers_of_mass(const Scene& scene, Sketch& sketch) {
   std::set<std::string_view> drawn;
   bool any_projected = false;
@@ -52,14 +52,14 @@ bool turns(const trace::Stability& stability) {
          (*stability.axis)[0] != (*stability.axis)[1];
 }
 
-/// Which way gravity, or whatever presses the bodies together, turns the body about a place.
+/// Torque direction about a place, of gravity or another force that presses the bodies together.
 Vec3d torque_about(const trace::Pair& pair, const Vec3d& place) {
   const Vec3d& normal = pair.manifolds.front().normal;
   const Vec3d down = pair.stability->shape == pair.a ? normal : Vec3d(-normal);
   return (pair.stability->center_of_mass - place).cross(down);
 }
 
-/// Two places on the line about which the body turns; about a point both are there.
+/// Two points on the axis about which the body turns; equal if it turns about a point.
 std::optional<std::array<Vec3d, 2>> free_axis(const trace::Pair& pair) {
   const trace::Stability& stability = *pair.stability;
   if (pair.manifolds.empty()) return std::nullopt;
@@ -76,20 +76,20 @@ void draw_free_axis(const Scene& scene, const trace::Pair& pair, const std::arra
   const PlacedShape* body = scene.find(pair.stability->shape);
   const double radius =
       body != nullptr && std::isfinite(body->mesh->radius) ? body->mesh->radius : between.norm();
-  // The curved arrow stands clear of the points.
+  // The curved arrow keeps clear of the points.
   const double pixels = std::min(kFreeTurnRadius, kFreeTurnShare * scene.camera.viewport().height);
   const double turn = pixels / scene.camera.pixels_per_metre(0.5 * (ends[0] + ends[1]));
   const double beyond = std::max({0.25 * between.norm(), kBeyondAxis * radius, kClearTurns * turn});
   const Vec3d from = ends[0] - beyond * along, to = ends[1] + beyond * along;
-  // Between its two points it is an edge of the support, which is drawn.
+  // Between its points the axis is a drawn edge of the support.
   sketch.bordered_line(ends[0], from, {2.5f, kNormal, true}, 5.5f);
   sketch.bordered_line(ends[1], to, {2.5f, kNormal, true}, 5.5f);
-  // At the end that is farther from what else is drawn, so that the points stay free.
+  // At the end nearer to the eye, so that the points stay visible.
   const bool last = scene.camera.to_camera(to).z() < scene.camera.to_camera(from).z();
   const double inset = std::min(0.3 * beyond, 0.5 * turn);
   const Vec3d place = last ? Vec3d(to - inset * along) : Vec3d(from + inset * along);
   const Vec3d axis = torque.dot(along) < 0 ? Vec3d(-along) : along;
-  // In balance on its axis it may turn either way: heads at both ends.
+  // A body in balance may turn either way: arrows in both directions.
   for (const double way : {1.0, -1.0}) {
     if (way < 0 && pair.stability->margin != 0) break;
     draw_curved_arrow(scene.camera, place, way * axis, turn, 2 * std::numbers::pi * kFreeTurn, 2.5f,
@@ -97,8 +97,8 @@ void draw_free_axis(const Scene& scene, const trace::Pair& pair, const std::arra
   }
 }
 
-/// The place of the support's border that is nearest to the projection; of several the rightmost,
-/// beside the words below the projection.
+/// Nearest point of the support's border to the projection. If several are equal, the rightmost,
+/// next to the text below the projection.
 std::optional<Vec3d> nearest_border(const Scene& scene, const trace::Stability& stability) {
   std::optional<Vec3d> nearest;
   const std::vector<Vec3d>& corners = stability.support;
@@ -119,12 +119,12 @@ std::optional<Vec3d> nearest_border(const Scene& scene, const trace::Stability& 
 std::string verdict_of(const trace::Stability& stability) {
   const std::string balance = spell_balance(balance_of(stability));
   if (stability.verdict == "no contact" || stability.verdict == "stable") return balance;
-  // How it turns is said where it does.
+  // The verdict contains how it turns.
   return balance + ": " + stability.verdict;
 }
 
-/// How far inside or outside of its support the centre of mass is: along the way, where that is long
-/// enough, else with the verdict.
+/// Margin inside or outside the support: on an arrow if it is long enough, otherwise with the
+/// verdict.
 void draw_verdict(const Scene& scene, const trace::Stability& stability, Sketch& sketch) {
   std::string verdict = verdict_of(stability);
   if (stability.support.size() > 2 && stability.margin == 0) {
@@ -148,8 +148,8 @@ void draw_verdict(const Scene& scene, const trace::Stability& stability, Sketch&
   sketch.label(stability.projection, verdict, kText, 18, 16, Vec3d(-scene.camera.up()));
 }
 
-// Gregorius 2015, "Incremental Manifold Stability": a body is stable while its centre of mass
-// projects into the manifold; before, it turns about what there is.
+// Gregorius 2015, "Incremental Manifold Stability": a body is stable if its centre of mass projects
+// into the manifold. Otherwise it turns about the support.
 void draw_support(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   if (!pair.stability) return;
   const trace::Stability& stability = *pair.stability;
@@ -159,7 +159,7 @@ void draw_support(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
     sketch.explain(kFreeAxisSwatch, "axis about which the body turns", (*axis)[1]);
   if (stability.support.size() > 2)
     sketch.surfaces.push_back({stability.support, with_alpha(kClipPolygon, 0.28f)});
-  // No label covers its edges: on which side of them the centre of mass is, is what one looks for.
+  // No label covers its edges, because they show on which side the centre of mass is.
   const std::size_t count = stability.support.size();
   for (std::size_t i = 0; count > 1 && i < count; ++i)
     sketch.lines.push_back(

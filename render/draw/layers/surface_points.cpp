@@ -2,8 +2,8 @@
 #include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"
 
-/// Engines store a contact as one point or as two: where it is on the surface of A, and where on
-/// that of B. Both, with the way between them, as debuggers of physics engines draw them.
+/// Engines store a contact as one point, or as two: on the surface of A and on the surface of B.
+/// Draws both and the line between them, as debuggers of physics engines do.
 namespace contactscope::draw {
 namespace {
 

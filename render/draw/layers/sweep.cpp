@@ -6,15 +6,15 @@
 #include "draw/scene/points.h"
 #include "draw/scene/solid.h"
 
-/// How two shapes go through the step, and where they first meet: Catto 2013, "Continuous
-/// Collision". Onion skins at the times up to which the search knew them apart; where they meet;
-/// and where they are at the end of the step, as somebody who looks at frames alone would have it. Of
-/// what turns also the way of the point that meets; of meshes that deform the ways of the corners.
+/// Motion of two shapes over the step, and their first contact: Catto 2013, "Continuous Collision".
+/// Draws outlines at the times up to which the search proved them separated, their first contact,
+/// and their poses at the end of the step, which a discrete engine would see. For rotations also
+/// the path of the contact point; for deforming meshes the paths of corners.
 namespace contactscope::draw {
 namespace {
 
-constexpr double kLeastWay = 3;              // pixels of a shape through the step
-constexpr double kLeastBetweenSkins = 0.02;  // of the step: of skins that are nearer one is drawn
+constexpr double kLeastWay = 3;              // pixels of a shape's displacement in the step
+constexpr double kLeastBetweenSkins = 0.02;  // share of the step: nearer outlines are merged
 
 constexpr LineStyle kSkin{1.2f, kDropped};
 constexpr LineStyle kEnd{2.0f, kDropped, true};
@@ -31,7 +31,7 @@ constexpr Swatch kEndOfHitSwatch{LegendGroup::Motion, 6,
 constexpr Swatch kMeetingSwatch{LegendGroup::Motion, 7,
                                 [](auto& pen) { pen.level_line(0, 23, 3, kContact); }};
 
-// With the point at which they do.
+// With the contact point.
 constexpr Swatch kFirstMeetingSwatch{LegendGroup::Motion, 7, [](auto& pen) {
                                        pen.level_line(0, 23, 3, kContact);
                                        pen.dot(0, 4.8, kContact);
@@ -41,11 +41,11 @@ constexpr LineStyle kTrue{2.2f, kShapeEdge};
 constexpr Swatch kTrueSwatch{LegendGroup::Motion, 8,
                              [](auto& pen) { pen.level_line(0, 23, 2.2, kShapeEdge); }};
 
-constexpr double kLeastTurnShown = 0.5;  // radians: what turns less goes straight to the eye
+constexpr double kLeastTurnShown = 0.5;  // radians: smaller rotations look like straight lines
 constexpr double kLeastCornerWay = 24;   // pixels
-constexpr double kCornerClear = 8;       // pixels: between the head of a way and the corner
+constexpr double kCornerClear = 8;       // pixels between the head of a path and the corner
 constexpr double kTurnHead = 12,
-                 kTurnClear = 10;  // pixels: of an arrow, and between it and the dot
+                 kTurnClear = 10;  // pixels: of the arrow head, and between it and the dot
 
 constexpr float kTurnWayWidth = 1.8f;
 constexpr Swatch kTurnWaySwatch{LegendGroup::Motion, 14,
@@ -57,13 +57,13 @@ constexpr Swatch kCornerWaySwatch{LegendGroup::Motion, 15,
 
 constexpr Swatch kGhostSwatch{LegendGroup::Motion, 9, [](auto& pen) { pen.dot(4.2, 6.2, kAxis); }};
 
-/// Whether a shape goes or turns so far that it is seen elsewhere: what rests would be drawn over itself.
+/// Whether the displacement or rotation of a shape is visible. A resting shape would cover itself.
 bool moves(const Scene& scene, const PlacedShape& shape, const trace::Travel& travel) {
   const double way = travel.displacement.norm() + travel.turn.norm() * shape.mesh->radius;
   return way * scene.camera.pixels_per_metre(travel.pivot) > kLeastWay * scene.scales.pixel;
 }
 
-/// From where the point that meets is now to where it does, as an arrow: which way the shape turns.
+/// Path of the contact point from its position now to the contact, as an arrow: shows the rotation.
 void draw_turn_way(const Scene& scene, const trace::Travel& travel, const Vec3d& turn,
                    const Vec3d& point, double time, Sketch& sketch) {
   constexpr int kSteps = 48;
@@ -73,7 +73,7 @@ void draw_turn_way(const Scene& scene, const trace::Travel& travel, const Vec3d&
   };
   const Vec3d arm = turned(time).conjugate() * (point - travel.pivot - time * travel.displacement);
   const double pixels = scene.camera.pixels_per_metre(point) / scene.scales.pixel;
-  std::vector<Vec3d> way;  // up to where the head begins
+  std::vector<Vec3d> way;  // up to the start of the head
   for (int i = 0; i <= kSteps; ++i) {
     const double part = time * i / kSteps;
     const Vec3d at = travel.pivot + part * travel.displacement + turned(part) * arm;
@@ -94,10 +94,10 @@ void draw_turn_way(const Scene& scene, const trace::Travel& travel, const Vec3d&
   sketch.explain(kTurnWaySwatch, "way of the point that meets");
 }
 
-/// Which step of the chart of the approach begins at a skin, at its end that is highest on the screen.
+/// Numbers an outline with the approach chart's step, at its highest end on the screen.
 void number_skin(const Scene& scene, const PlacedShape& shape, const trace::Travel& travel,
                  double time, std::size_t step, Sketch& sketch) {
-  constexpr double kEqually = 0.98;  // of the way from the pivot
+  constexpr double kEqually = 0.98;  // share of the largest distance from the pivot
   if (travel.turn.isZero(0) || shape.vertices.empty()) return;
   const PlacedShape skin =
       moved(shape, travel.pivot, time * travel.displacement, time * travel.turn);
@@ -115,8 +115,7 @@ void number_skin(const Scene& scene, const PlacedShape& shape, const trace::Trav
                Vec3d((*end - pivot).normalized()));
 }
 
-/// Of a mesh the triangle that meets the other one first, where it does; and how its corners get there
-/// from where they are now, each straight on.
+/// The triangle of a mesh at the first contact, and the straight paths of its corners to there.
 void draw_met_triangle(const Scene& scene, const PlacedShape* mesh, int triangle,
                        const std::vector<Vec3d>& corners, Sketch& sketch) {
   if (corners.empty()) return;
@@ -133,7 +132,7 @@ void draw_met_triangle(const Scene& scene, const PlacedShape* mesh, int triangle
   sketch.explain(kCornerWaySwatch, "way of a corner");
 }
 
-/// Whose triangle it is, at its corner that is farthest from the other one.
+/// Labels a triangle with its mesh's role, at its corner farthest from the other triangle.
 void name_met_triangle(const char* role, const Color& ink, const std::vector<Vec3d>& corners,
                        const std::vector<Vec3d>& others, Sketch& sketch) {
   if (corners.empty() || others.empty()) return;
@@ -146,7 +145,7 @@ void name_met_triangle(const char* role, const Color& ink, const std::vector<Vec
 void draw_sweep(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   if (!pair.impact) return;
   const trace::Impact& impact = *pair.impact;
-  // A cast moves shapes as they stand; where it meets shows how they are turned by then.
+  // A cast moves shapes without rotation. Only the contact shows their rotation at that time.
   const bool is_cast = impact.method == "swept";
   const auto draw_turned = [&](double time, double turned, const LineStyle& style,
                                bool filled = false) {
@@ -175,8 +174,8 @@ void draw_sweep(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   double last = 0;
   for (std::size_t i = 0; i < impact.steps.size(); ++i) {
     const trace::ImpactStep& step = impact.steps[i];
-    if (impact.method == "speculative") break;  // nobody searches; the answer judges ghosts alone
-    if (impact.status == "separated") break;    // nothing is found: the way is drawn, and enough
+    if (impact.method == "speculative") break;  // no search; the answer judges ghosts alone
+    if (impact.status == "separated") break;    // nothing found: the path is enough
     if (step.safe - last < kLeastBetweenSkins || step.safe >= 1) continue;
     if (impact.status == "hit" && impact.time - step.safe < kLeastBetweenSkins) continue;
     last = step.safe;
@@ -187,11 +186,11 @@ void draw_sweep(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const PlacedShape *a = scene.find(pair.a), *b = scene.find(pair.b);
   const bool moved_any = (a != nullptr && moves(scene, *a, impact.travel_a)) ||
                          (b != nullptr && moves(scene, *b, impact.travel_b));
-  // Shapes that still overlap at the end are seen there by whoever looks at frames alone: nothing is missed.
+  // If shapes still overlap at the end, a discrete engine would see it too: nothing is missed.
   const bool is_seen_anyway =
       impact.status == "hit" && !impact.distances.empty() && impact.distances.back().distance <= 0;
   if (moved_any && !is_seen_anyway) {
-    // Where it is stopped, that is no place that it comes to: it steps back behind where they meet.
+    // A stopped shape does not get there, so its outline is weaker.
     draw_at(1, impact.status == "hit" ? kEndOfHit : kEnd);
     const auto ends_in_view = [&](const PlacedShape* shape, const trace::Travel& travel) {
       return shape != nullptr && moves(scene, *shape, travel) &&
@@ -205,7 +204,7 @@ void draw_sweep(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
     for (const auto& [shape, travel] :
          {std::pair(a, &impact.travel_a), std::pair(b, &impact.travel_b)}) {
       if (shape == nullptr || !travel->turn.isZero(0) || !moves(scene, *shape, *travel)) continue;
-      // The middle of what is no ball is nowhere to be seen, and here it is not what matters.
+      // Centres of shapes other than balls are not visible, and here not important.
       if (impact.status == "hit" && border_of_ball(*shape) == 0) continue;
       const Vec3d middle = shape->pose.transform(shape->traced().center_of_mass);
       draw_way(scene, middle, middle + travel->displacement, border_of_ball(*shape),
@@ -231,7 +230,7 @@ void draw_sweep(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
     sketch.explain(kFirstMeetingSwatch, "where they first meet");
   }
   for (const trace::Travel* travel : {&impact.travel_a, &impact.travel_b}) {
-    // A cast leaves the shape as it is turned, so that its point goes straight.
+    // A cast does not rotate the shape, so its point moves straight.
     if (travel->turn.norm() > kLeastTurnShown)
       draw_turn_way(scene, *travel, is_cast ? Vec3d(Vec3d::Zero()) : travel->turn, impact.point_a,
                     impact.time, sketch);

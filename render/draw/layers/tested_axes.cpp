@@ -6,15 +6,15 @@
 #include "draw/scene/answers.h"
 #include "draw/scene/quantity.h"
 
-/// The axis of an overlap test that is worth a look, as an arrow from where both bounds meet, and of a
-/// cross product the two edges there: the one that separates, or a cross product so short that rounding gives it its direction, or the one
-/// with the largest gap (Gottschalk, Lin and Manocha 1996, "OBBTree"; the survey's "Oriented Bounding
-/// Box").
+/// The most informative axis of an overlap test, as an arrow between the bounds; for a cross
+/// product also the two edges. It is the axis that separates, or a cross product so short that
+/// rounding determines its direction, or the one with the largest gap (Gottschalk, Lin and Manocha
+/// 1996, "OBBTree"; the survey's "Oriented Bounding Box").
 namespace contactscope::draw {
 namespace {
 
 constexpr float kArrow = 90;     // pixels
-constexpr double kShort = 0.01;  // sine of the angle between two edges: shorter is noted
+constexpr double kShort = 0.01;  // sine of the angle between two edges; a smaller one is labelled
 
 constexpr Swatch kSeparatingSwatch{LegendGroup::Axes, 5,
                                    [](auto& pen) { pen.arrow(3.5, 9, kAxis); }};
@@ -27,8 +27,8 @@ bool is_short(const trace::TestedAxis& axis) {
   return axis.kind == "edges" && axis.length < kShort && !axis.direction.isZero(0);
 }
 
-/// By how much the gap along a cross product has to be larger than that along a face, as a part of what
-/// both boxes reach: it may be the same axis, rounded.
+/// Share of both boxes' reach by which the gap along a cross product must exceed the gap along a
+/// face: it may be the same axis with rounding.
 constexpr double kRounding = 16 * std::numeric_limits<float>::epsilon();
 
 bool is_larger(const trace::TestedAxis& axis, const trace::TestedAxis& than) {
@@ -37,8 +37,8 @@ bool is_larger(const trace::TestedAxis& axis, const trace::TestedAxis& than) {
   return axis.gap > than.gap + (is_edge_over_face ? kRounding * reach : 0);
 }
 
-/// The axis that separates; else of the short cross products the one that came nearest to it; else of
-/// all that were not skipped. Null where there is none.
+/// The separating axis; otherwise the short cross product with the largest gap; otherwise the
+/// largest gap of all axes that were not skipped. Null if there is none.
 const trace::TestedAxis* worth_a_look(const trace::Query& query) {
   const auto largest = [&](auto&& counts) {
     const trace::TestedAxis* found = nullptr;
@@ -53,14 +53,13 @@ const trace::TestedAxis* worth_a_look(const trace::Query& query) {
   return axis ? axis : largest([](const auto& one) { return !one.skipped; });
 }
 
-/// Of the places that stand for a volume's size the one nearest to the other's middle.
+/// The extent point of a volume that is nearest to the other's centre.
 Vec3d end_towards(const trace::Volume& volume, const trace::Volume& other) {
   const std::vector<Vec3d> ends = extent_points(volume);
   return *std::ranges::min_element(
       ends, {}, [&](const Vec3d& end) { return (end - other.center).squaredNorm(); });
 }
 
-/// The edge of a box at its corner `end` along its own axis k.
 void draw_edge(const trace::Volume& box, int k, const Vec3d& end, Sketch& sketch) {
   if (!box.half_extents || k < 0 || k > 2) return;
   const Vec3d way = box.rotation.value_or(Quatd::Identity()) * Vec3d::Unit(k);
@@ -74,7 +73,7 @@ void draw_tested_axes(const Scene& scene, const trace::Pair& pair, Sketch& sketc
   const Vec3d end_a = end_towards(*query.bounds_a, *query.bounds_b);
   const Vec3d end_b = end_towards(*query.bounds_b, *query.bounds_a);
   const Vec3d middle = 0.5 * (end_a + end_b);
-  if (!scene.camera.sees(middle)) return;  // nor does the legend speak of it
+  if (!scene.camera.sees(middle)) return;  // the legend omits it too
   if (const trace::TestedAxis* axis = worth_a_look(query)) {
     if (axis->kind == "edges") {
       draw_edge(*query.bounds_a, axis->a, end_a, sketch);

@@ -3,28 +3,27 @@
 #include "draw/layers/layer.h"
 #include "draw/scene/ghost.h"
 
-/// Onion skins: where the moving shapes have been in the frames before that are drawn. What jumps
-/// over something leaves no skin in between.
+/// Onion skins: outlines of moving shapes in earlier frames. A jump leaves no outlines in between.
 namespace contactscope::draw {
 namespace {
 
-constexpr std::size_t kMostSkins = 12;  // of one shape
+constexpr std::size_t kMostSkins = 12;  // per shape
 
 constexpr LineStyle kPast{1.2f, kDropped};
 constexpr LineStyle kTrailWay{1.5f, kDropped, true};
-// Where dashes are what is to come.
+// If dashes mark future positions.
 constexpr LineStyle kSolidWay{1.2f, with_alpha(kDropped, 0.7f)};
 
-constexpr double kLeastOfBox = 30;    // pixels of the way of what is no ball
-constexpr double kLeastStep = 4;      // pixels: nearer to each other, outlines merge into bars
-constexpr double kLeastTurn = 0.005;  // half a turn's sine
-constexpr double kSpread = 1.1;       // of a shape's radius, between the skins of a long way
+constexpr double kLeastOfBox = 30;    // pixels: shorter displacements are drawn for balls only
+constexpr double kLeastStep = 4;      // pixels: closer outlines would merge into bars
+constexpr double kLeastTurn = 0.005;  // sine of half the rotation
+constexpr double kSpread = 1.1;       // radii of the shape between the outlines of a long path
 
 constexpr Swatch kPastSwatch{LegendGroup::Motion, 4,
                              [](auto& pen) { pen.level_line(0, 23, 1.2, kDropped); }};
 
-// From the present place, which is last, back to the oldest: each as far from the one after it as outlines can be told
-// apart.
+// Thins poses, from the present one (last) back to the oldest, so that outlines are
+// distinguishable.
 std::vector<Pose<double>> spread(const std::vector<Pose<double>>& past, const PlacedShape& shape) {
   const Vec3d& middle = shape.traced().center_of_mass;
   const double radius = shape.mesh->radius;
@@ -62,14 +61,14 @@ void draw_trail(const Scene& scene, Sketch& sketch) {
     if (past.size() > kMostSkins + 1) past.erase(past.begin(), past.end() - kMostSkins - 1);
     const Vec3d now = shape.pose.transform(middle);
     const double pixels_per_metre = scene.camera.pixels_per_metre(now) / scene.scales.pixel;
-    std::optional<Vec3d> last;  // where the newest skin that is drawn was
+    std::optional<Vec3d> last;  // position of the newest drawn outline
     for (std::size_t k = 0; k + 1 < past.size(); ++k) {
       const Pose<double>&then = past[k], &next = past[k + 1];
       const Vec3d place = then.transform(middle), way = next.transform(middle) - place;
       const Quatd turn = then.rotation * shape.pose.rotation.conjugate();
       if (way.isZero(0) && then.rotation.coeffs() == next.rotation.coeffs()) continue;
-      // In the midst of a box a way too short for a head is a stroke that says nothing, and arrows
-      // would say that it still goes on where it has come to rest.
+      // Inside a box, a displacement too short for an arrow head has no meaning. If the shape rests
+      // now, arrows would suggest that it still moves.
       const auto seen = seen_distance(scene.camera, place, Vec3d(place + way));
       const bool has_head = seen && *seen >= kLeastOfBox * scene.scales.pixel;
       if (border_of_ball(shape) > 0 || (has_head && !rests))

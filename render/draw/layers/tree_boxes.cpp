@@ -5,20 +5,20 @@
 #include "draw/scene/points.h"
 #include "draw/scene/quantity.h"
 
-/// How the triangles of a mesh were collected: Gregorius 2015, "Mesh Contacts".
+/// Collection of a mesh's candidate triangles: Gregorius 2015, "Mesh Contacts".
 namespace contactscope::draw {
 namespace {
 
-constexpr float kLeftOut = 0.22f;  // alpha of what no query looks at
+constexpr float kLeftOut = 0.22f;  // opacity of skipped boxes
 
 constexpr Swatch kQuerySwatch{LegendGroup::Trees, 0, [](auto& pen) { pen.area(kNormal, 0, 2); }};
 constexpr Swatch kBoxSwatch{LegendGroup::Trees, 1, [](auto& pen) { pen.area(kBox, 0, 2.5); }};
 constexpr Swatch kMissSwatch{LegendGroup::Trees, 2,
                              [](auto& pen) { pen.area(kDropped, kLeftOut, 1.5); }};
 
-constexpr double kSeam = 3;  // pixels from a box's side to what is drawn of it
+constexpr double kSeam = 3;  // pixels between a box's side and its drawing
 
-/// Boxes of a tree share sides: each is drawn a little smaller, or it could not be told whose a side is.
+/// Boxes of a tree share sides. Each is drawn slightly smaller, so that sides can be distinguished.
 trace::Box drawn_box(const Scene& scene, const trace::Box& box, const PlacedShape& mesh) {
   const Vec3d middle = mesh.pose.transform(0.5 * (box.lower + box.upper));
   const double seam = kSeam * scene.scales.pixel / scene.camera.pixels_per_metre(middle);
@@ -31,7 +31,7 @@ trace::Box drawn_box(const Scene& scene, const trace::Box& box, const PlacedShap
   return drawn;
 }
 
-// The cut through the middle of a box across its shortest side: all of a box over a flat mesh.
+// Section through the middle of a box across its shortest side: the whole box on a flat mesh.
 std::vector<Vec3d> widest_cut(const trace::Box& box, const PlacedShape& mesh) {
   int shortest = 0;
   const Vec3d sizes = box.upper - box.lower;
@@ -47,7 +47,6 @@ std::vector<Vec3d> widest_cut(const trace::Box& box, const PlacedShape& mesh) {
   return corners;
 }
 
-/// The six sides of a box, in the world.
 std::vector<std::vector<Vec3d>> sides_of(const trace::Box& box, const Pose<double>& pose) {
   std::vector<std::vector<Vec3d>> sides;
   for (int axis = 0; axis < 3; ++axis) {
@@ -69,13 +68,13 @@ const PlacedShape* mesh_of(const Scene& scene, const trace::Pair& pair) {
   return pair.tree ? scene.find(pair.tree->shape) : nullptr;
 }
 
-/// What a query found; each of them is then asked for contacts.
+/// Triangles that a query found. Each is then tested for contacts.
 void draw_candidates(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const PlacedShape* mesh = mesh_of(scene, pair);
   if (mesh == nullptr) return;
   for (const int candidate : pair.tree->candidates) {
     if (candidate < 0 || candidate >= count_of(mesh->traced().faces)) continue;
-    // Within the boxes that led to them their sides are not the strongest lines.
+    // Inside boxes of the tree, their sides are weaker.
     const bool boxed = scene.shows(Layer::Tree);
     sketch.face(mesh->polygon(candidate), with_alpha(kClipPolygon, boxed ? 0.3f : 0.22f),
                 {boxed ? 1.0f : 1.5f, with_alpha(kClipPolygon, boxed ? 0.5f : 1), false,
@@ -84,7 +83,7 @@ void draw_candidates(const Scene& scene, const trace::Pair& pair, Sketch& sketch
   }
 }
 
-/// What met the boxes of the triangles that were found.
+/// The query box, which overlaps the boxes of the found triangles.
 void draw_query(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const PlacedShape* mesh = mesh_of(scene, pair);
   if (mesh == nullptr) return;
@@ -97,7 +96,7 @@ void draw_tree(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const PlacedShape* mesh = mesh_of(scene, pair);
   if (mesh == nullptr) return;
   if (!scene.shows(Layer::Candidates)) draw_candidates(scene, pair, sketch);
-  // What was left out beneath what was found. A box that was entered and is no leaf shows by those in it.
+  // Skipped boxes below found ones. An entered inner node is visible through its children.
   for (const bool found : {false, true}) {
     for (const trace::TreeVisit& visit : pair.tree->visits) {
       if (visit.overlaps != found || (found && !visit.leaf)) continue;
@@ -116,12 +115,12 @@ void draw_tree(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
 
 constexpr Swatch kDeformedSwatch{LegendGroup::Trees, 5, [](auto& pen) { pen.area(kBox, 0, 1.5); }};
 
-// Boxes share faces, and lines that fall together add up: of a lighter tone, where they could let light through.
+// Boxes share faces, and coincident lines add up, so they are lighter instead of translucent.
 constexpr Color kLightBox = {0.3f + 0.7f * kBox.r, 0.3f + 0.7f * kBox.g, 0.3f + 0.7f * kBox.b, 1};
 
 constexpr Swatch kLargestSwatch{LegendGroup::Trees, 6, [](auto& pen) { pen.area(kBox, 0.16f, 3); }};
 
-/// One of so many that lie over each other, by which it is seen how much they have swollen.
+/// Highlights one of many overlapping boxes, to show how much they have grown.
 void draw_largest(const std::vector<trace::Box>& boxes, const PlacedShape& mesh, Sketch& sketch) {
   const auto volume = [](const trace::Box& box) { return (box.upper - box.lower).prod(); };
   const trace::Box& largest = *std::ranges::max_element(boxes, {}, volume);
@@ -133,7 +132,7 @@ void draw_largest(const std::vector<trace::Box>& boxes, const PlacedShape& mesh,
                spell_number(volume(largest), 3) + " m³", kBox, 17, 10);
 }
 
-/// What the tree of a mesh that deforms is made of.
+/// The boxes in the tree of a deforming mesh.
 void draw_deformed_trees(const Scene& scene, Sketch& sketch) {
   for (const trace::Deformed& deformed : scene.frame.deformed) {
     const PlacedShape* mesh = scene.find(deformed.name);

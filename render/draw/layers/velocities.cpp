@@ -14,10 +14,10 @@ namespace contactscope::draw {
 namespace {
 
 constexpr double kLeastVelocity = 12;       // pixels: a shorter one is only a head
-constexpr double kLeastShare = 0.05;        // of the fastest: slower, it does not matter
-constexpr double kLeastSpin = 0.12;         // radians, likewise
-constexpr double kSpinRadius = 0.42;        // of the body's radius
-constexpr std::size_t kLabelledBodies = 4;  // bodies: more numbers than these would be a crowd
+constexpr double kLeastShare = 0.05;        // share of the fastest: slower ones do not matter
+constexpr double kLeastSpin = 0.12;         // radians: slower spins do not matter
+constexpr double kSpinRadius = 0.42;        // in radii of the body
+constexpr std::size_t kLabelledBodies = 4;  // bodies: more numbers would crowd the picture
 
 constexpr Swatch kVelocitySwatch{LegendGroup::Motion, 0,
                                  [](auto& pen) { pen.arrow(3.5, 11, kMotion); }};
@@ -40,8 +40,8 @@ constexpr Swatch kSpinSwatch{
           kMotion);
     }};
 
-// A velocity is drawn as the way of the centre of mass in a stated time, a spin as the turn. One that
-// is too short for an arrow has no number either, which nothing would bear.
+// A velocity is drawn as the displacement of the centre of mass in a stated time, a spin as the
+// rotation. A velocity too short for an arrow has no number either.
 void draw_velocity(const Scene& scene, const trace::Body& body, double fastest, bool numbered,
                    Sketch& sketch) {
   const Vec3d& center = body.center_of_mass;
@@ -69,7 +69,7 @@ void draw_spin(const Scene& scene, const trace::Body& body, bool numbered, Sketc
   draw_curved_arrow(scene.camera, center, axis, radius, spin * scene.scales.spin, 3, kMotion,
                     sketch);
   if (!numbered) return;
-  // At the arc: the ends of the axis are nearer to other things.
+  // At the arc, because the ends of the axis are closer to other objects.
   const Camera& camera = scene.camera;
   const Vec3d across = camera.right() - camera.right().dot(axis) * axis;
   const bool is_end_on = std::abs(camera.to_eye(center).dot(axis)) > 0.95;
@@ -79,8 +79,8 @@ void draw_spin(const Scene& scene, const trace::Body& body, bool numbered, Sketc
   sketch.label(center + radius * out, spell_quantity(spin, "rad/s"), kMotion, 16, 9, out);
 }
 
-// What the solver moves; without one what is moved by a script, as it goes on to the next frame, and at
-// the end as it came from the one before.
+// Bodies of the solver. Without a solver the scripted bodies, with velocities to the next frame, or
+// in the last frame from the previous one.
 std::vector<trace::Body> moving_bodies(const Scene& scene) {
   if (scene.frame.solver) return {scene.bodies().begin(), scene.bodies().end()};
   if (scene.sequence == nullptr || scene.sequence->size() < 2) return {};
@@ -88,12 +88,12 @@ std::vector<trace::Body> moving_bodies(const Scene& scene) {
   if (here == scene.sequence->end()) return {};
   const bool is_last = here + 1 == scene.sequence->end();
   const FramePoses& other = is_last ? *(here - 1) : *(here + 1);
-  // Backwards in time at the end: both the way and the seconds change their sign.
+  // Negative time step at the end: displacement and seconds both change their sign.
   return scripted_bodies(scene.meshes, scene.frame.poses, other.poses,
                          scene.scales.step * (other.frame - here->frame));
 }
 
-/// The middle of what is seen of a shape, as deep in the view as the shape itself.
+/// Middle of the visible part of a shape, at the shape's depth.
 std::optional<Vec3d> seen_middle(const Camera& camera, const PlacedShape& shape) {
   Eigen::AlignedBox2d seen;
   for (const Vec3d& corner : extent_points(shape))
@@ -107,9 +107,8 @@ std::optional<Vec3d> seen_middle(const Camera& camera, const PlacedShape& shape)
   return center + way.x() * camera.right() - way.y() * camera.up();
 }
 
-// Where what a script moves is asked what it meets on its way through the step, that way is told. It may be
-// far longer or shorter than what is seen of the shape, so that only arrows beside each other are to one
-// scale.
+// If scripted bodies have time of impact queries, draws their displacements in the step. These may
+// be far longer or shorter than the shapes, so the arrows are to scale only among themselves.
 void draw_ways(const Scene& scene, Sketch& sketch) {
   constexpr double kLongest = 110, kLeast = 30;  // pixels
   double longest = 0;
@@ -158,7 +157,7 @@ void draw_velocities(const Scene& scene, Sketch& sketch) {
   }
 }
 
-// Beside the centre of mass.
+// Next to the centre of mass.
 void draw_masses(const Scene& scene, Sketch& sketch) {
   for (const trace::Body& body : scene.bodies()) {
     Label& label = sketch.label(body.center_of_mass, spell_number(body.mass) + " kg", kText, 19, 0,

@@ -7,7 +7,7 @@
 #include "draw/scene/box_outline.h"
 #include "draw/scene/solid.h"
 
-/// The bounds that were asked instead of the shapes: boxes and balls, in the colour of the answer.
+/// Bounds that were queried instead of the shapes: boxes and balls in the colour of the answer.
 namespace contactscope::draw {
 namespace {
 
@@ -23,7 +23,7 @@ constexpr Swatch kMissedSwatch{LegendGroup::Trees, 8, [](auto& pen) {
                                  pen.area(answer_color(AnswerKind::Missed), 0, 2.5, true);
                                }};
 
-constexpr float kOriented = 2.5f;  // pixels, of the box that lies on the edges of another one
+constexpr float kOriented = 2.5f;  // pixels, for a box that coincides with edges of another one
 
 void explain(AnswerKind kind, Sketch& sketch) {
   switch (kind) {
@@ -47,7 +47,7 @@ void draw_volume(const Scene& scene, const trace::Volume& volume, const LineStyl
     return;
   }
   if (!volume.radius) return;
-  // The outline alone would be a disc; the horizon about the vertical makes a ball of it.
+  // The outline alone looks like a disc. A horizon makes it a ball.
   const RoundBody ball{{volume.center}, *volume.radius};
   sketch.curves.push_back({ball.outline(scene.camera), style, true});
   const Vec3d up = up_axis(scene.header), x = any_perpendicular(up), y = up.cross(x);
@@ -62,7 +62,7 @@ void draw_volume(const Scene& scene, const trace::Volume& volume, const LineStyl
   sketch.curves.push_back({horizon, faint, true});
 }
 
-/// Whether other pairs of the same shapes are asked of their bounds too.
+/// Whether other pairs of the same shapes have queries of bounds too.
 bool is_one_of_several(const Scene& scene, const trace::Pair& pair) {
   return std::ranges::any_of(scene.frame.pairs, [&](const trace::Pair& other) {
     return &other != &pair && other.a == pair.a && other.b == pair.b && other.query &&
@@ -70,8 +70,7 @@ bool is_one_of_several(const Scene& scene, const trace::Pair& pair) {
   });
 }
 
-/// Whether the axis-aligned boxes of the same shapes have this box too, which then need not be drawn
-/// twice.
+/// Whether this box equals an axis-aligned box of the same shapes, which is drawn already.
 bool is_aligned_box(const Scene& scene, const trace::Pair& pair, const trace::Volume& box) {
   const auto same = [&](const std::optional<trace::Volume>& other) {
     return other && other->half_extents &&
@@ -85,11 +84,11 @@ bool is_aligned_box(const Scene& scene, const trace::Pair& pair, const trace::Vo
   });
 }
 
-/// What the bounds are called.
+/// Labels the bounds.
 void name_volume(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   if (pair.label.empty()) return;
   const trace::Volume& volume = *pair.query->bounds_a;
-  // Up and to the left, where axis-aligned boxes have a corner and oriented ones a side; of balls below.
+  // At the upper left: a corner of axis-aligned boxes, a side of oriented ones; for balls below.
   const Vec3d way = scene.camera.up() - scene.camera.right();
   Vec3d at = volume.center;
   for (const Vec3d& corner : extent_points(volume))
@@ -109,9 +108,9 @@ void draw_volumes(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
     const bool oriented = several && volume.half_extents && pair.query->bounds == "obb";
     if (oriented && is_aligned_box(scene, pair, volume)) continue;
     LineStyle outlined = style;
-    // The oriented box of a box lies on its edges, and is to be seen on them.
+    // The oriented box of a box coincides with its edges and must stay visible.
     if (oriented) outlined.width = kOriented;
-    // Between dashes the edges would show.
+    // White between the dashes, because the edges would show there.
     if (style.dashed && volume.half_extents && pair.query->bounds == "obb")
       draw_volume(scene, volume, {outlined.width + 1.5f, kWhite}, sketch);
     draw_volume(scene, volume, outlined, sketch);

@@ -5,15 +5,15 @@
 #include "draw/scene/points.h"
 #include "draw/scene/quantity.h"
 
-/// Catto 2007, "Extreme Fuzziness": deep in each other, hulls have several ways out, and the shortest
-/// is the contact's normal. Each is drawn from the centre of B, as long as the overlap along it; where
-/// the one that is taken leads, B would just touch A.
+/// Catto 2007, "Extreme Fuzziness": deeply overlapping hulls have several ways out. The shortest is
+/// the contact's normal. Each is drawn from the centre of B, in the length of the overlap along it.
+/// At the end of the chosen one, B would just touch A.
 namespace contactscope::draw {
 namespace {
 
 constexpr std::size_t kMostWays = 3;
-constexpr double kSameWay = 0.951;  // cosine of 18 degrees: closer ones are one way to the eye
-constexpr double kTaken = 0.9999;   // cosine to the normal of the contact
+constexpr double kSameWay = 0.951;  // cosine of 18 degrees: closer directions look like one
+constexpr double kTaken = 0.9999;   // cosine to the contact's normal
 
 constexpr Swatch kWayTakenSwatch{LegendGroup::Axes, 5,
                                  [](auto& pen) { pen.arrow(4, 11, kAxisText); }};
@@ -35,7 +35,7 @@ double reach_along(const PlacedShape& shape, const Vec3d& way) {
   return reach;
 }
 
-// Along the normals of all faces, and along the best cross product of two edges that is recorded.
+// Along the normals of all faces, and along the best recorded cross product of two edges.
 std::vector<WayOut> ways_out(const trace::Pair& pair, const PlacedShape& a, const PlacedShape& b) {
   std::vector<WayOut> ways;
   const auto add = [&](const Vec3d& way, bool of_edges) {
@@ -65,13 +65,13 @@ void draw_ways_out(const Scene& scene, const trace::Pair& pair, Sketch& sketch) 
   const std::vector<WayOut> ways = ways_out(pair, *a, *b);
   const bool any_of_edges = std::ranges::any_of(ways, &WayOut::of_edges);
   for (const WayOut& way : ways) {
-    if (way.overlap <= 0) return;  // apart: there is nothing to get out of
+    if (way.overlap <= 0) return;  // separated: nothing to resolve
     const bool taken = normal.dot(way.direction) > kTaken;
     const Vec3d end = center + way.overlap * way.direction;
     const Color color = taken ? kAxisText : kAxis;
     sketch.arrows.push_back(
         arrow_to_scale(center, end - center, taken ? 5.0f : 2.5f, taken ? 16.0f : 12.0f, color));
-    // What it is a way over is said where there are both.
+    // The kind of feature is written if both kinds occur.
     const std::string name = way.of_edges ? "edges: " : any_of_edges ? "face: " : "";
     sketch
         .label(end, name + spell_length(way.overlap, 0, scene.scales.length), kAxisText,

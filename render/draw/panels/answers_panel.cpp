@@ -6,18 +6,18 @@
 #include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"
 
-/// What each pair answered, frame by frame, and which share of the answers was wrong: the survey's
-/// "false positives" of bounds. Where only shapes are asked, a question of yes or no is answered by
-/// that alone, and one of how far by a column of that height.
+/// Answers of each pair, frame by frame, and the share of wrong ones: the survey's "false
+/// positives" of bounds. Without bounds, yes or no is a cell, and a distance or depth a column of
+/// that height.
 namespace contactscope::draw {
 namespace {
 
-constexpr double kAnswerBar = 14;      // pixels at 720 lines, the height of a row of cells
-constexpr double kColumn = 26;         // likewise, of the tallest column
-constexpr double kBelowAnswerBar = 3;  // likewise
-constexpr double kLeastBetween = 8;    // and between two rows
+constexpr double kAnswerBar = 14;      // pixels at 720 lines, height of a row of cells
+constexpr double kColumn = 26;         // pixels at 720 lines, height of the tallest column
+constexpr double kBelowAnswerBar = 3;  // pixels at 720 lines
+constexpr double kLeastBetween = 8;    // pixels at 720 lines, between two rows
 constexpr double kMostBetween = 16;
-constexpr double kLargestAnswers = 1.25;  // times all of that, where there is room
+constexpr double kLargestAnswers = 1.25;  // factor of all sizes if there is room
 
 bool has_query(const trace::Pair& pair) {
   return pair.query.has_value();
@@ -27,8 +27,8 @@ bool is_measure(const trace::Query& query) {
   return query.asked == "distance" || query.asked == "penetration";
 }
 
-/// What a question of how far is answered by, metres: what is apart is not deep, and what overlaps not
-/// apart.
+/// Distance or depth as queried, metres; 0 for the depth of separated and distance of overlapping
+/// shapes.
 double measured(const trace::Pair& pair) {
   const double gap = pair.query->gap.value_or(0);
   return std::max(0.0, pair.query->asked == "distance" ? gap : -gap);
@@ -36,10 +36,10 @@ double measured(const trace::Pair& pair) {
 
 struct AnswerHistory {
   std::string name;
-  std::vector<const trace::Pair*> moments;  // one a frame; null where it has no such pair
+  std::vector<const trace::Pair*> moments;  // one per frame; null without such a pair
   bool of_bounds = false;
-  bool measures = false;                           // how far, and not whether
-  std::vector<std::optional<AnswerKind>> answers;  // one a frame
+  bool measures = false;                           // queries a distance or depth
+  std::vector<std::optional<AnswerKind>> answers;  // one per frame
 };
 
 class AnswersPanel : public PanelContent {
@@ -60,7 +60,7 @@ class AnswersPanel : public PanelContent {
       }
     }
     std::ranges::stable_sort(histories_, {}, &AnswerHistory::of_bounds);
-    // Beside bounds a distance stands for the truth that they are compared with.
+    // Next to bounds, a distance is the ground truth for comparison.
     if (std::ranges::any_of(histories_, &AnswerHistory::of_bounds)) return;
     for (AnswerHistory& history : histories_) {
       for (const trace::Pair* moment : history.moments) {
@@ -104,7 +104,7 @@ class AnswersPanel : public PanelContent {
  private:
   std::size_t rows() const { return std::max<std::size_t>(1, histories_.size()); }
 
-  /// Name and answer, the cells, and a line of words.
+  /// Height of name and answer, the cells, and a line of text.
   float row_height() const {
     const double bar = is_sequence() ? bar_height() + kBelowAnswerBar : 0;
     return Sheet::line_height(scale_) * (has_wrong_ ? 2.0f : 1.0f) +
@@ -113,13 +113,13 @@ class AnswersPanel : public PanelContent {
 
   double bar_height() const { return has_measure_ ? kColumn : kAnswerBar; }
 
-  /// With what is between it and the next one.
+  /// With the space before the next row.
   float most_of_row() const {
     const double row = row_height() + scale_ * static_cast<float>(kMostBetween);
     return static_cast<float>(kLargestAnswers * row);
   }
 
-  /// A frame alone has no history.
+  /// A single frame has no history.
   bool is_sequence() const {
     return std::ranges::any_of(
         histories_, [](const AnswerHistory& history) { return history.answers.size() > 1; });
@@ -143,7 +143,7 @@ class AnswersPanel : public PanelContent {
     if (has_wrong_) sheet.line(told(history, now), kQuietText);
   }
 
-  /// Of shapes what they are asked; of bounds whether that is so: "yes, falsely".
+  /// For shapes the answer itself; for bounds whether it is right: "yes, falsely".
   std::string answer_at(const AnswerHistory& history, std::size_t now) const {
     if (!history.answers[now]) return "not asked";
     const trace::Pair& moment = *history.moments[now];
@@ -163,7 +163,7 @@ class AnswersPanel : public PanelContent {
     return "no, falsely";
   }
 
-  /// Of bounds those up to a frame: "falsely in 5 of 24 frames". Nothing where none is wrong.
+  /// For bounds, the count up to a frame: "falsely in 5 of 24 frames". Empty if none is wrong.
   static std::string told(const AnswerHistory& history, std::size_t now) {
     int asked = 0, wrong = 0;
     for (std::size_t f = 0; f <= now; ++f) {
@@ -193,7 +193,7 @@ class AnswersPanel : public PanelContent {
       }
       const AnswerKind kind = *history.answers[f];
       const bool no = kind == AnswerKind::No;
-      // A wrong one is higher, so that it is told apart in grey as well.
+      // Wrong answers are taller, so that they also differ without colours.
       const double top = rest.y + (no ? 0.6 : kind == AnswerKind::Yes ? 0.3 : 0.0) * height;
       pen.fill({left, top, cell, rest.y + height - top},
                with_alpha(answer_color(kind), no ? 0.35f : 1.0f));
@@ -203,11 +203,11 @@ class AnswersPanel : public PanelContent {
   }
 
   float scale_;
-  double larger_ = 1;  // than at the least, as the sheet has room
+  double larger_ = 1;  // enlargement if the sheet has room
   LengthUnit unit_;
-  bool has_wrong_ = false;                // some bounds, in some frame
-  bool has_measure_ = false;              // some question of how far, where only shapes are asked
-  double farthest_ = 0;                   // metres, of all answers to such
+  bool has_wrong_ = false;                // some bounds answered wrongly in some frame
+  bool has_measure_ = false;              // some query of a distance or depth, and none of bounds
+  double farthest_ = 0;                   // metres, largest of these answers
   std::vector<AnswerHistory> histories_;  // shapes before bounds
 };
 

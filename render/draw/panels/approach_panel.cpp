@@ -6,21 +6,21 @@
 #include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"
 
-/// When two moving shapes first meet: Catto 2013, "Continuous Collision"; Mirtich 1996, section
+/// First contact of two moving shapes: Catto 2013, "Continuous Collision"; Mirtich 1996, section
 /// 2.3.
 namespace contactscope::draw {
 namespace {
 
 constexpr double kLeastApproach = 130, kGoodApproach = 220;  // pixels at 720 lines
-constexpr double kTogether = 22;  // pixels: dots whose numbers would cover each other
+constexpr double kTogether = 22;  // pixels: distance at which the numbers of dots would overlap
 constexpr double kApproachGutter = 52, kApproachAbove = 18, kApproachBelow = 36, kApproachDot = 3.5;
 
 bool is_asked_when(const trace::Pair& pair) {
   return pair.impact.has_value();
 }
 
-/// The distance of two shapes through a step. From each point where it was measured a straight line
-/// that lies below it leads to where they cannot meet before: the next point.
+/// Distance of two shapes over a step. From each measured point a straight lower bound leads to the
+/// time before which they cannot meet: the next point.
 class ApproachPanel : public PanelContent {
  public:
   ApproachPanel(const Staging& staging, const Frames& frames)
@@ -94,7 +94,7 @@ class ApproachPanel : public PanelContent {
     if (impact.status == "hit") pen.disc(place(impact.time, 0), 1.4 * kApproachDot, kContact);
   }
 
-  /// Dots where the distance was measured, with their numbers; those that fall together share one.
+  /// Dots at the measured distances, with their numbers; dots close together share one.
   template <class Place>
   static void number_steps(const trace::Impact& impact, const Place& place, const Pen& pen) {
     const std::size_t count = impact.steps.size();

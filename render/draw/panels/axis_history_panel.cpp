@@ -18,13 +18,13 @@ constexpr std::array<AxisRow, 3> kAxisRows{
 // Lines of text.
 constexpr float kMostRow = 3.6f, kMostRowOfOne = 6;
 constexpr float kLeastRow = 0.9f;
-constexpr float kAroundHistory = 2.8f;  // a title, the frames and space below
-constexpr float kHeadline = 2.4f;       // how often the cache answered, where one pair is shown
-constexpr float kTestsRow = 3;          // in which frames it did not
+constexpr float kAroundHistory = 2.8f;  // title, frame numbers and space below
+constexpr float kHeadline = 2.4f;       // number of cache hits, if one pair is shown
+constexpr float kTestsRow = 3;          // frames without a cache hit
 constexpr float kLeastHistory = kAroundHistory + kLeastRow * static_cast<float>(kAxisRows.size());
 
 constexpr double kNameColumn = 78;    // pixels at 720 lines
-constexpr double kHeadlineSize = 30;  // likewise
+constexpr double kHeadlineSize = 30;  // pixels at 720 lines
 
 bool from_cache(const trace::Pair& pair) {
   return pair.cache && pair.cache->hit;
@@ -34,7 +34,7 @@ std::string number_of(int number, const std::string& one, const char* plural) {
   return std::to_string(number) + " " + one + (number == 1 ? "" : plural);
 }
 
-/// What happened up to a frame.
+/// Counts up to a frame.
 struct AxisCounts {
   int switches = 0, hits = 0, tests = 0;
 };
@@ -49,7 +49,7 @@ AxisCounts counted(const std::vector<AxisMoment>& moments, std::size_t now) {
   return counts;
 }
 
-/// "2 switches", and where a cache is at work how often the full test ran.
+/// "2 switches", and with a cache the number of full tests.
 std::string told(const AxisCounts& counts) {
   std::string text = number_of(counts.switches, "switch", "es");
   if (counts.hits > 0)
@@ -58,9 +58,8 @@ std::string told(const AxisCounts& counts) {
   return text;
 }
 
-/// Which axis made the contact, frame by frame: a switch of rows is a flip-flop, and so is a gap in
-/// a row, where another face or another pair of edges took over. Where a cache is at work, a row below
-/// has the frames in which it had no answer, so that all axes were tested.
+/// Axis of the contact, frame by frame. A change of rows is a flip-flop; a mark within a row is a
+/// change of face or edge pair. With a cache, a row below shows the frames that tested all axes.
 class AxisHistoryPanel : public PanelContent {
  public:
   AxisHistoryPanel(const Staging& staging, const Frames& frames) : scale_(staging.layout.scale) {
@@ -69,7 +68,7 @@ class AxisHistoryPanel : public PanelContent {
     const std::vector<const trace::Pair*> pairs =
         distinct_pairs(frames, [](const trace::Pair& pair) { return !axis_of(pair).empty(); });
     count_ = pairs.size();
-    // No more than a column of their own would hold.
+    // No more than fit into the panel column.
     const double least = kLeastHistory * Sheet::line_height(scale_);
     const double most = std::max(1.0, staging.layout.panels.height / least);
     for (std::size_t i = 0; i < std::min(count_, static_cast<std::size_t>(most)); ++i)
@@ -95,7 +94,7 @@ class AxisHistoryPanel : public PanelContent {
     const float line = sheet.line_height();
     const float least = (kLeastHistory + tests_row()) * line;
     auto available = static_cast<float>(sheet.rest().height);
-    if (least * static_cast<float>(count_) > available) available -= line;  // for the words below
+    if (least * static_cast<float>(count_) > available) available -= line;  // for the note below
     const float fitting = std::max(1.0f, available / least);
     const std::size_t shown = std::min(pairs_.size(), static_cast<std::size_t>(fitting));
     const float row =
@@ -118,7 +117,7 @@ class AxisHistoryPanel : public PanelContent {
   }
 
  private:
-  /// Of a single pair whose answers came from the cache.
+  /// Height of the headline, for a single pair with cache hits.
   float headline_height() const {
     return cached_ && count_ == 1 ? kHeadline * Sheet::line_height(scale_) : 0;
   }
@@ -126,7 +125,7 @@ class AxisHistoryPanel : public PanelContent {
   /// Lines of text.
   float tests_row() const { return cached_ ? kTestsRow : 0; }
 
-  /// What the history comes to, large enough to be read on a thumbnail.
+  /// Summary of the history, large enough to be legible on a thumbnail.
   void draw_headline(const std::vector<AxisMoment>& moments, std::size_t now, Sheet& sheet) const {
     const AxisCounts counts = counted(moments, now);
     const Rect rest = sheet.rest();
@@ -139,7 +138,7 @@ class AxisHistoryPanel : public PanelContent {
     sheet.skip(headline_height());
   }
 
-  /// Under the rows: the first and the last frame of the sequence, and this one where it has room.
+  /// Below the rows: the first and the last frame number, and the current frame if there is room.
   static void draw_ends(std::size_t frames, std::size_t now, const Sheet& sheet) {
     const Pen& pen = sheet.pen();
     const Rect rest = sheet.rest();
@@ -188,7 +187,7 @@ class AxisHistoryPanel : public PanelContent {
     pen.frame({at(now), rest.y - pen.px(1), cell, most + pen.px(2)}, 1.5, kText);
   }
 
-  /// Below the rows: the frames in which the cache had no answer.
+  /// Below the rows: frames without a cache hit.
   static void draw_tests(const std::vector<AxisMoment>& moments, std::size_t now,
                          const Sheet& sheet) {
     const Pen& pen = sheet.pen();
@@ -207,9 +206,9 @@ class AxisHistoryPanel : public PanelContent {
   }
 
   float scale_;
-  bool cached_ = false;    // some answers came from the cache
-  std::size_t count_ = 0;  // pairs of which an axis is known
-  std::vector<std::pair<std::string, std::vector<AxisMoment>>> pairs_;  // of the first, by name
+  bool cached_ = false;    // some frame has a cache hit
+  std::size_t count_ = 0;  // pairs with a known axis
+  std::vector<std::pair<std::string, std::vector<AxisMoment>>> pairs_;  // the first pairs, by name
 };
 
 }  // namespace

@@ -7,8 +7,8 @@
 #include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"
 
-/// The separating axis test of two bounds as it is drawn on blackboards: on each axis the interval of A
-/// above that of B, and the gap between them where there is one.
+/// The separating axis test of two bounds as on a blackboard: on each axis the interval of A above
+/// the interval of B, and the gap between them.
 namespace contactscope::draw {
 namespace {
 
@@ -17,7 +17,7 @@ constexpr double kIntervalNames = 90, kGapColumn = 82;
 constexpr double kBar = 5;  // an interval
 constexpr float kBelowPair = 8;
 constexpr float kHeadRow = 4;
-constexpr double kLargestIntervals = 1.25;  // times all of that, where there is room
+constexpr double kLargestIntervals = 1.25;  // factor of all sizes if there is room
 
 bool has_axes(const trace::Pair& pair) {
   return pair.query && !pair.query->axes.empty();
@@ -79,7 +79,7 @@ class AxisIntervalsPanel : public PanelContent {
   }
 
  private:
-  /// What the camera does not see no row explains. Side by side each pair has a camera of its own.
+  /// Only pairs in view have rows. Side by side, each pair has its own camera.
   bool is_shown(const trace::Pair& pair) const {
     if (!has_axes(pair)) return false;
     if (!staging_.viewports.empty() || !pair.query->bounds_a || !pair.query->bounds_b) return true;
@@ -87,7 +87,7 @@ class AxisIntervalsPanel : public PanelContent {
                                 (pair.query->bounds_a->center + pair.query->bounds_b->center));
   }
 
-  /// Of the pair, and what its numbers are: overlaps, unless one says that it is a gap.
+  /// The pair's name, and the meaning of its numbers: overlaps, unless marked as gaps.
   void draw_head(const trace::Pair& pair, Sheet& sheet) const {
     const Pen& pen = sheet.pen();
     const Rect rest = sheet.rest();
@@ -145,8 +145,8 @@ class AxisIntervalsPanel : public PanelContent {
   float scale_;
   LengthUnit unit_;
   const Staging& staging_;
-  double larger_ = 1;  // than at the least, as the sheet has room
-  double reach_ = 0;   // metres: no end of an interval is farther from the middle
+  double larger_ = 1;  // enlargement if the sheet has room
+  double reach_ = 0;   // metres: largest distance of an interval's end from the middle
 };
 
 }  // namespace

@@ -12,17 +12,16 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr double kMapFree = 0.09;    // of the map's size, free on every side
-constexpr float kLeastMapLines = 5;  // lines of text that the map and its scale are high
+constexpr double kMapFree = 0.09;    // share of the map's size, free on each side
+constexpr float kLeastMapLines = 5;  // height of the map with its scale, lines of text
 constexpr float kCaptionLines = 2.8f;
-constexpr double kResult = 17;  // size of what the points come to, pixels at 720 lines
+constexpr double kResult = 17;  // text size of the result, pixels at 720 lines
 constexpr double kFlattest = 0.3;
 constexpr int kRoundSteps = 96;
 constexpr double kProjectionRadius = 7.5;  // pixels at 720 lines
 
-/// Shapes of the pair that are round: their outline along the normal is context for one or two
-/// points, which have no extent of their own. Their vertices are the centre of a sphere, or both ends
-/// of a capsule's core.
+/// Round shapes of the pair. Their outline along the normal is context for one or two points, which
+/// have no extent. Their vertices are the centre of a sphere or the ends of a capsule's core.
 std::vector<PlacedShape> round_shapes(const ShapeMeshes& meshes, const trace::Frame& frame,
                                       const trace::Pair& pair) {
   const auto is_round = [&](const std::string& name) {
@@ -39,7 +38,7 @@ std::vector<PlacedShape> round_shapes(const ShapeMeshes& meshes, const trace::Fr
   return shapes;
 }
 
-/// A sphere or capsule seen along the normal.
+/// Outline of a sphere or capsule along the normal.
 std::vector<Point2> outline_of(const std::vector<Point2>& core, float radius) {
   const Point2 &first = core.front(), &last = core.back();
   std::vector<Point2> points;
@@ -51,18 +50,18 @@ std::vector<Point2> outline_of(const std::vector<Point2>& core, float radius) {
   return points;
 }
 
-/// Half as strong, and opaque: the ends of a line's strokes lie over each other.
+/// Blended half with white. Opaque, because overlapping ends of strokes would show.
 constexpr Color pale(const Color& color) {
   return {0.5f + 0.5f * color.r, 0.5f + 0.5f * color.g, 0.5f + 0.5f * color.b, 1};
 }
 
-/// The contact plane of the first pair that touches, in one frame.
+/// Contact plane of the first touching pair in one frame.
 class ContactPlanePanel : public PanelContent {
  public:
   ContactPlanePanel(const Staging& staging, const Frames& frames)
       : staging_(staging), frames_(frames) {
-    // What must be seen whole: the patch and the incident face. The reference face may be a whole
-    // floor, and is cut off at the map's border; of round shapes the smaller one counts.
+    // The patch and the incident face must fit into the map. The reference face may be a whole
+    // floor, and is cut at the map's border; of two round shapes the smaller one counts.
     for (const trace::Frame& frame : frames) {
       const trace::Pair* pair = pair_of_contact_plane(frame);
       if (pair == nullptr) continue;
@@ -96,7 +95,7 @@ class ContactPlanePanel : public PanelContent {
     }
     const Rect rest = sheet.rest();
     const double line = sheet.line_height();
-    // No higher than what it shows: the words stand under that.
+    // The map is no higher than its contents; the text follows below.
     const double room = rest.height - (kCaptionLines + 1) * line;
     const Vec2d sizes = sizes_along(axes_as_seen(staging_.camera, pair->manifolds.front().normal));
     const double wanted = rest.width * sizes.y() / sizes.x();
@@ -120,7 +119,7 @@ class ContactPlanePanel : public PanelContent {
   }
 
  private:
-  /// Of what must be seen whole in any frame.
+  /// Extent of everything that must fit in any frame.
   PlaneExtent extent_along(const PlaneAxes& axes) const {
     PlaneExtent extent;
     for (const Vec3d& point : points_) extent.extend(axes.along(point));
@@ -131,13 +130,13 @@ class ContactPlanePanel : public PanelContent {
     }
     return extent;
   }
-  /// No map is so flat that its marks have no room.
+  /// Minimum height of the map, so that its marks have room.
   Vec2d sizes_along(const PlaneAxes& axes) const {
     const Vec2d sizes = extent_along(axes).sizes().cwiseMax(Vec2d::Constant(1e-12));
     return {sizes.x(), std::max(sizes.y(), kFlattest * sizes.x())};
   }
 
-  /// One scale for the sequence: the largest frame fits.
+  /// One scale for the whole sequence: the largest frame fits.
   ContactPlane plane_of(const trace::Pair& pair, const Rect& map, const Pen& pen) const {
     const PlaneAxes axes = axes_as_seen(staging_.camera, pair.manifolds.front().normal);
     const PlaneExtent extent = extent_along(axes);
@@ -170,14 +169,14 @@ class ContactPlanePanel : public PanelContent {
     };
     polygon(clip.reference.polygon, kReferenceFace, 0.18f, 0);
     if (!clip.steps.empty()) polygon(clip.steps.back().polygon, kClipPolygon, 0.25f, 0);
-    // Its dashes leave an equal clip polygon visible.
+    // Dashed, so that an equal clip polygon stays visible.
     polygon(clip.incident.polygon, kIncidentFace, 0.18f, 8);
     for (const trace::DroppedPoint& dropped : clip.dropped) {
       if (!is_kept(pair, dropped)) draw_dropped_point(plane.at(dropped.position), plane, 1);
     }
   }
 
-  /// Of the centre of mass, along the normal: within the points or not.
+  /// Projection of the centre of mass along the normal: inside the support or outside.
   static void draw_projection(const trace::Pair& pair, const ContactPlane& plane) {
     if (!pair.stability || pair.stability->verdict == "no contact") return;
     const Point2 at = plane.at(pair.stability->projection);
@@ -185,7 +184,7 @@ class ContactPlanePanel : public PanelContent {
       draw_quartered_disc(at, plane.px(kProjectionRadius), plane.px(1.4), plane.drawing());
   }
 
-  /// Returns what they come to.
+  /// Returns the result as text.
   std::vector<std::string> draw_points(const trace::Pair& pair, const ContactPlane& plane) const {
     if (reduction_in_contact_plane(pair))
       return draw_reduction(*pair.reduction, pair.manifolds.front().normal, plane);
@@ -193,7 +192,7 @@ class ContactPlanePanel : public PanelContent {
     for (const PairPoint& any : points) draw_point(*any.point, plane);
     const std::string text = std::to_string(points.size());
     if (pair.manifolds.size() > 1) {
-      // Each was reduced by itself, and the record holds one of these reductions.
+      // Each was reduced separately, and the record contains only one of these reductions.
       return {text + " points in " + std::to_string(pair.manifolds.size()) + " manifolds"};
     }
     if (points.size() < 3)
@@ -244,8 +243,8 @@ class ContactPlanePanel : public PanelContent {
 
   const Staging& staging_;
   const Frames& frames_;
-  std::vector<Vec3d> points_;                    // to be seen whole in some frame
-  std::vector<std::pair<Vec3d, double>> balls_;  // middle and radius, likewise
+  std::vector<Vec3d> points_;                    // must fit in all frames
+  std::vector<std::pair<Vec3d, double>> balls_;  // centre and radius; must fit too
 };
 
 }  // namespace

@@ -6,22 +6,21 @@
 #include "draw/panels/panel.h"
 #include "draw/scene/pair_words.h"
 
-/// What sweep and prune keeps in order: the ends of all boxes on each axis, and where two of them
-/// changed places since the frame before.
+/// State of sweep and prune: the ends of all boxes, sorted on each axis, and the ends that have
+/// swapped since the previous frame.
 namespace contactscope::draw {
 namespace {
 
-// Pixels at 720 lines: a box on an axis, and the same where axes leave room on which nothing passes, one of them or both others.
+// Pixels at 720 lines: height of a row; larger if one or two axes without swaps leave room.
 constexpr float kLeastBox = 3, kMostBox = 21, kLargestBox = 30, kLargestAlone = 44;
-constexpr float kNamed = 14;         // rows at least so high bear names
+constexpr float kNamed = 14;         // rows from this height on have names
 constexpr double kBoxNames = 74;     // pixels at 720 lines
-constexpr double kLargerText = 1.2;  // beside the largest boxes
+constexpr double kLargerText = 1.2;  // next to the largest boxes
 constexpr double kAfterAxis = 8;
-constexpr double kBelowMiddle = 5.5;  // of a row, the foot of a name
+constexpr double kBelowMiddle = 5.5;  // from the middle of a row to the baseline of a name
 constexpr const char* kAxes[] = {"x", "y", "z"};
 
-// Of two boxes whose ends pass each other: a pair that begins or ends as the boxes that meet are
-// drawn in the view.
+// If two boxes swap ends: the colour of a pair that begins or ends is that of overlapping boxes.
 constexpr Color kPairPasses = kBox, kOthersPass = kShapeEdge;
 
 std::string number_of(int number, const char* one, const char* many) {
@@ -77,7 +76,7 @@ class EndpointsPanel : public PanelContent {
         phase.end_swaps, [&](const trace::EndSwap& swap) { return swap.axis == kAxes[axis]; });
   }
 
-  /// Where ends of only two boxes pass in a frame, which on an axis on which nothing passes overlap or are apart.
+  /// If only two boxes swap ends in a frame: whether they overlap on an axis without swaps.
   static std::optional<bool> passing_boxes_overlap(const trace::BroadPhase& phase, int axis) {
     if (phase.end_swaps.size() != 1) return std::nullopt;
     const trace::EndSwap& swap = phase.end_swaps[0];
@@ -88,7 +87,7 @@ class EndpointsPanel : public PanelContent {
            upper->box.lower[axis] <= lower->box.upper[axis];
   }
 
-  /// Whether it is why boxes make no pair of which ends pass on another axis.
+  /// Whether boxes with swaps on another axis are no pair because of this axis.
   static bool parts(const trace::BroadPhase& phase, int axis) {
     return !passes(phase, axis) && !passing_boxes_overlap(phase, axis).value_or(true);
   }
@@ -103,7 +102,7 @@ class EndpointsPanel : public PanelContent {
     return shown == 0 ? 3 : shown;
   }
 
-  /// What the swaps on an axis come to: of a single one which two boxes passed each other.
+  /// Describes the swaps on an axis; for a single swap with the names of the two boxes.
   static std::string what_passes(const trace::BroadPhase& phase, int axis) {
     int swaps = 0, begun = 0, ended = 0;
     const trace::EndSwap* last = nullptr;
@@ -129,7 +128,7 @@ class EndpointsPanel : public PanelContent {
     return in_words(last->lower) + " passes " + in_words(last->upper) + ", " + outcome;
   }
 
-  /// A bar a box, in the order of their lower ends; of an axis without them the words alone.
+  /// One bar per box, in the order of their lower ends; without bars only the text.
   void draw_axis(const trace::BroadPhase& phase, int axis, bool with_bars, double row,
                  Sheet& sheet) const {
     sheet.line(std::string("along ") + kAxes[axis] + ": " + what_passes(phase, axis), kText);
@@ -171,8 +170,8 @@ class EndpointsPanel : public PanelContent {
     sheet.skip_to(y + static_cast<double>(pen.px(kAfterAxis)));
   }
 
-  /// The strongest that the box's swaps on the axis give it, or that it is apart there from the one that it passes elsewhere;
-  /// without any it is faint.
+  /// The strongest colour of the box's swaps on the axis, or of its separation there from the box
+  /// with which it swaps elsewhere; otherwise faint.
   static Color color_of(const trace::BroadPhase& phase, int axis, const std::string& name) {
     Color color = with_alpha(kShapeEdge, 0.3f);
     for (const trace::EndSwap& swap : phase.end_swaps) {

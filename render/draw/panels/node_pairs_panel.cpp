@@ -5,14 +5,14 @@
 #include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"
 
-/// How two trees of boxes were gone through together: Gottschalk, Lin and Manocha 1996, "OBBTree",
+/// Simultaneous traversal of two trees of boxes: Gottschalk, Lin and Manocha 1996, "OBBTree",
 /// section 5.
 namespace contactscope::draw {
 namespace {
 
-constexpr double kMatrixCaption = 22;  // pixels at 720 lines, beside and under the matrix
+constexpr double kMatrixCaption = 22;  // pixels at 720 lines, left of and below the matrix
 constexpr double kLeastMatrix = 150, kGoodMatrix = 300, kMostMatrix = 316;
-constexpr double kLeastBlock = 2.6;  // of a pair of leaves
+constexpr double kLeastBlock = 2.6;  // smallest size of a pair of leaves
 
 const trace::Pair* asked_pair(const trace::Frame& frame) {
   const auto found = std::ranges::find_if(frame.pairs, [](const trace::Pair& pair) {
@@ -21,8 +21,8 @@ const trace::Pair* asked_pair(const trace::Frame& frame) {
   return found == frame.pairs.end() ? nullptr : &*found;
 }
 
-/// All pairs of a triangle of a, downwards, with one of b, to the right, both in the order of the
-/// trees. A block that is left out is as large as what it spares.
+/// Matrix of all pairs of a triangle of A (rows) and one of B (columns), both in tree order. The
+/// area of a skipped block is the work that it saves.
 class NodePairsPanel : public PanelContent {
  public:
   NodePairsPanel(const Staging& staging, const Frames& frames)
@@ -58,7 +58,7 @@ class NodePairsPanel : public PanelContent {
   }
 
  private:
-  /// Pairs of triangles in blocks that were left out.
+  /// Number of triangle pairs in skipped blocks.
   static double spared(const std::vector<trace::NodePair>& visits) {
     double sum = 0;
     for (const trace::NodePair& visit : visits)
@@ -74,7 +74,7 @@ class NodePairsPanel : public PanelContent {
     if (side <= 0) return;
     const Rect matrix{rest.x + caption, rest.y, side, side};
     const double cell_a = side / visits[0].count_a, cell_b = side / visits[0].count_b;
-    // Of the least size a block at the end begins before its place: it ends with the matrix.
+    // A block of minimum size at the end is shifted, so that it ends with the matrix.
     const auto block = [&](const trace::NodePair& visit, double least) -> Rect {
       const double wide = std::max(least, cell_b * visit.count_b),
                    high = std::max(least, cell_a * visit.count_a);
@@ -90,7 +90,7 @@ class NodePairsPanel : public PanelContent {
     for (const trace::NodePair& visit : visits)
       if (visit.overlaps && visit.leaves) pen.fill(block(visit, pen.px(kLeastBlock)), kClipPolygon);
     pen.frame(matrix, 1.2, kShapeEdge);
-    // Each axis is named at its middle, on the side where it begins.
+    // Labels are at the middle of each axis, on the side of its start.
     const double below = matrix.bottom() + 0.75 * caption;
     pen.text("triangles of B, in tree order", pixel(matrix.x + 0.5 * side, below), Align::Center,
              kQuietText);

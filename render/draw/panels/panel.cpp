@@ -58,7 +58,7 @@ std::vector<float> divide_column(const std::vector<PanelNeed>& needs, float heig
       left -= more;
     }
   }
-  // The others divide the rest by their shares; who would get less than it has keeps that.
+  // The others divide the rest by their shares, but none shrinks.
   float rest = room;
   std::vector<float> shares(count);
   for (std::size_t i = 0; i < count; ++i) {

@@ -7,39 +7,39 @@
 #include "draw/scene/quantity.h"
 #include "image/font.h"
 
-/// How many pairs each stage of the pipeline let through: the survey's "Collision Pipeline",
+/// Number of pairs that pass each stage of the pipeline: the survey's "Collision Pipeline",
 /// Gregorius 2015, "Collision Pipeline".
 namespace contactscope::draw {
 namespace {
 
 // Pixels at 720 lines.
 constexpr double kCountText = 15, kBeforeBar = 4, kBarHeight = 14, kAfterBar = 14;
-constexpr double kLargest = 1.4;  // times that, where there is room
+constexpr double kLargest = 1.4;  // factor of these sizes if there is room
 
 struct StageCount {
   std::string name;
   std::int64_t count;
   Color color;
-  bool of_pairs = true;  // what bars compare; ends and points are other things
+  bool of_pairs = true;  // bars compare pairs only, not ends or points
 };
 
-/// What the narrow phase does with the pairs of a sequence.
+/// Use of pairs by the narrow phase in a sequence.
 struct PairUse {
-  bool asked = false;     // some are asked whether they overlap, or how far apart they are
-  bool collided = false;  // some are asked for their contacts
+  bool asked = false;     // some pairs have a query of overlap or distance
+  bool collided = false;  // some pairs compute contacts
 };
 
 PairUse use_of(const View& view, const Frames& frames) {
   PairUse use;
-  // Of the cells of a broad phase alone, what comes after it is not seen.
+  // A view of broad phase cells alone does not show later stages.
   if (view.shows(Layer::Cells) && !view.shows(Layer::Contacts)) return use;
   for (const trace::Frame& frame : frames)
     for (const trace::Pair& pair : frame.pairs) (pair.query ? use.asked : use.collided) = true;
-  if (!use.asked) use.collided = true;  // also where no pair comes so far
+  if (!use.asked) use.collided = true;  // even if no pair gets that far
   return use;
 }
 
-// A few boxes are one column, which is swept and nothing else: so the view calls it as well.
+// Few boxes make a single column that is only swept, so it is called a sweep, as in the view.
 std::string name_of(const trace::BroadPhase& phase) {
   return phase.method == "columns" && phase.cells.size() == 1 ? "sweep along " + phase.swept
                                                               : in_words(phase.method);
@@ -92,8 +92,8 @@ class PipelinePanel : public PanelContent {
     return {heading + rows, large, large, 0};
   }
 
-  /// A bar for each count of pairs, on the same scale in every frame, so that a bar that grows is a
-  /// count that does. All is larger where there is room.
+  /// One bar for each count of pairs, with one scale for all frames, so that bars can be compared
+  /// between frames. Everything is enlarged if there is room.
   std::string lay_out(const PanelMoment& moment, Sheet& sheet) override {
     const trace::Frame& frame = frames_[moment.frame];
     sheet.heading(frame.broad_phase ? "broad phase: " + name_of(*frame.broad_phase)
@@ -129,7 +129,7 @@ class PipelinePanel : public PanelContent {
   }
 
  private:
-  /// Of all rows at their least, pixels at 720 lines.
+  /// Minimum height of all rows, pixels at 720 lines.
   static float height_of(const std::vector<StageCount>& stages) {
     double height = 0;
     for (const StageCount& stage : stages)

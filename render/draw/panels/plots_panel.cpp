@@ -18,15 +18,15 @@ constexpr double kNamesRow = 20;
 constexpr double kCurveSwatch = 22;
 constexpr double kStripHeading = 19;
 constexpr double kMostIdStrip = 72;
-constexpr double kStripShare = 0.16;  // of the height of all charts
+constexpr double kStripShare = 0.16;  // share of the height of all charts
 constexpr double kIdRow = 9;
 constexpr double kLeastIdRow = 2.6;
-constexpr double kLegibleIdRow = 3.4;  // thinner rows are a solid block
+constexpr double kLegibleIdRow = 3.4;  // thinner rows look like a solid block
 
-/// What the solver made of it, up to the current frame: charts over each other, one time axis under
-/// them, and the strip of contact ids. Of two to four pairs each has lines of its own. Points and ids
-/// that are the same in every frame are a line of words. Where there is little room, the strip, then
-/// the last charts are left out. The series are gathered for the first picture that has room for them.
+/// Results of the solver up to the current frame: stacked charts with one time axis below, and a
+/// strip of contact ids. Two to four pairs have a line each. Points and ids that never change are a
+/// line of text. If room is short, the strip and then the last charts are left out. The series are
+/// gathered when a picture first needs them.
 class PlotsPanel : public PanelContent {
  public:
   PlotsPanel(const Staging& staging, const Frames& frames) : staging_(staging), frames_(frames) {
@@ -45,7 +45,7 @@ class PlotsPanel : public PanelContent {
     }
     charts = std::max(charts, 1);
     const float good = least + layout.px((charts - 1) * kLeastPlot);
-    // Without the strip it ends where its charts do.
+    // Without the strip, the panel ends with its charts.
     const bool has_strip = staging_.view.shows(Chart::Ids) || staging_.view.shows(Chart::Points);
     const float wanted = least + layout.px(charts * kMostPlot - kLeastPlot + kBelowCharts);
     return {least, good, has_strip ? 0 : std::max(good, wanted), 2};
@@ -62,7 +62,7 @@ class PlotsPanel : public PanelContent {
     double room = 0, strip = 0;
     std::size_t shown = 0;
     const double told = line * static_cast<double>(constants_.size());
-    for (const double below : {0.0, line}) {  // where some are missing, a line that says so
+    for (const double below : {0.0, line}) {  // if some are missing, a line reports it
       if (shown == charts_.size()) break;
       room = rect.height - below - pen.px(kTimeAxis) - named - told;
       strip = strip_height(room, pen);
@@ -85,10 +85,10 @@ class PlotsPanel : public PanelContent {
   }
 
  private:
-  /// Lines of pairs in the charts that have them; the other quantities belong to no pair.
+  /// Charts of pair quantities have a line for each pair; other quantities belong to no pair.
   void gather() {
     const std::vector<TimeSeries> all = time_series(frames_);
-    // With the time of a frame, impulses are shown as the forces that they are over it.
+    // If the view shows loads, impulses are divided by the time step and shown as forces.
     const double step = staging_.view.shows(Layer::Loads) ? staging_.scales.step : 0;
     SeriesChart penetration{"overlap", "m"}, energy{"kinetic energy", "J"},
         impulse{step > 0 ? "normal forces" : "normal impulses", step > 0 ? "N" : "N s"},
@@ -102,7 +102,7 @@ class PlotsPanel : public PanelContent {
       for (double& value : impulse.curves.back()) value /= step > 0 ? step : 1;
     };
     std::vector<std::vector<IdState>> ids;
-    std::vector<std::size_t> pairs;  // of each row; those of one series have numbers of their own
+    std::vector<std::size_t> pairs;  // pair of each row; each series continues the numbering
     for (const TimeSeries& one : all) {
       if (energy.total)
         std::ranges::for_each(one.pairs, add);
@@ -140,7 +140,7 @@ class PlotsPanel : public PanelContent {
     }
   }
 
-  /// Of many scattered copies, as crate 5 is one, a name says nothing.
+  /// The name of one of many scattered copies, such as crate 5, means nothing.
   static bool names_a_copy(const std::string& pair) {
     return pair.find_first_of("0123456789") != std::string::npos;
   }
@@ -150,7 +150,7 @@ class PlotsPanel : public PanelContent {
            std::ranges::adjacent_find(curve, std::not_equal_to<>()) == curve.end();
   }
 
-  /// The names of the curves, in as many rows as they take. Returns the height of these.
+  /// Draws the curves' names in as many rows as needed. Returns the height of the rows.
   double draw_names(const Rect& rect, const Pen& pen) const {
     if (names_.size() < 2) return 0;
     const float swatch = pen.px(kCurveSwatch + 6);
@@ -169,7 +169,7 @@ class PlotsPanel : public PanelContent {
     return y + pen.px(kNamesRow) - rect.y;
   }
 
-  /// 0 where the charts need all the room.
+  /// 0 if the charts need all the room.
   double strip_height(double room, const Pen& pen) const {
     if (!staging_.view.shows(Chart::Ids)) return 0;
     if (ids_->row_count() == 0 || (ids_->is_constant() && frames_.size() > 1)) return 0;
@@ -205,8 +205,8 @@ class PlotsPanel : public PanelContent {
   bool solved_ = false;
   std::vector<SeriesChart> charts_;
   std::vector<std::string> names_;      // of the curves
-  std::vector<std::string> constants_;  // what is the same in every frame, in words
-  std::optional<IdHistory> ids_;        // once gathered
+  std::vector<std::string> constants_;  // texts for quantities that never change
+  std::optional<IdHistory> ids_;        // set when gathered
 };
 
 }  // namespace

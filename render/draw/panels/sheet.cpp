@@ -23,12 +23,12 @@ float spacing_at(float scale) {
   return std::floor(kLineSpacing * scale);
 }
 
-/// From the left end of a row to its value.
+/// Offset of the value from the left end of a row.
 float value_column(float scale) {
   return std::floor(scale * static_cast<float>(kValueColumn));
 }
 
-/// Baseline of text whose top is at `top`, so that its letters stand on whole pixels.
+/// Baseline of text whose top is at `top`, rounded so that letters start on whole pixels.
 float baseline_below(float top, float size, Weight weight) {
   return std::floor(top) + std::floor(ascent(size, weight) + 1);
 }
@@ -72,7 +72,7 @@ void Sheet::heading(const std::string& text) {
             {left, baseline_below(y_, size, Weight::Bold)}, Align::Left, kText, Weight::Bold,
             size / scale);
   skip(size);
-  const float middle = y_ + 0.5f;  // of a row of pixels
+  const float middle = y_ + 0.5f;  // of a pixel row
   pen_.line({left, middle}, {left + width, middle}, std::max(1.0f, 1 / scale),
             with_alpha(kQuietText, 0.5f));
   skip(kUnderRule * scale);

@@ -17,9 +17,9 @@ namespace {
 
 // Pixels at 720 lines.
 constexpr double kWordsLine = 19;
-constexpr double kMapReserve = 15;  // around what a map shows
+constexpr double kMapReserve = 15;  // around a map's contents
 constexpr double kLeastStabilityMap = 70;
-constexpr double kWordsAndMap = 65 + kLeastStabilityMap;  // the words under the map, a name over it
+constexpr double kWordsAndMap = 65 + kLeastStabilityMap;  // text below the map, name above it
 constexpr double kStabilityOverTime = 64;
 constexpr double kLeastMarginChart = 58;
 constexpr double kMostMarginChart = 120;
@@ -31,7 +31,7 @@ constexpr double kMapSquare = 4.6;
 constexpr double kMapCenter = 7.5;
 constexpr std::size_t kMostMaps = 3;
 
-// A row each, named by the last word.
+// One row for each, labelled with the last word.
 constexpr std::array<std::string_view, 3> kVerdicts{"stable", "turns about a line",
                                                     "turns about a point"};
 
@@ -42,7 +42,7 @@ Point2 nearest_on(const Point2& from, const Point2& to, const Point2& p) {
   return from + std::clamp(dot(p - from, way) / squared, 0.0f, 1.0f) * way;
 }
 
-/// From the projection to the nearest place of the border.
+/// Arrow from the projection to the nearest point of the border.
 void draw_margin(const Point2& from, const std::vector<Point2>& border, const Pen& pen) {
   if (border.empty()) return;
   std::vector<Point2> places;
@@ -58,12 +58,12 @@ void draw_margin(const Point2& from, const std::vector<Point2>& border, const Pe
   pen.fill({nearest, nearest + back + aside, nearest + back - aside}, kAxis);
 }
 
-/// Whether the centre of mass projects into the manifold, by what margin, and over time. For each
-/// pair whose stability was recorded (the first three) the contact plane seen along the normal,
-/// right as in the camera's picture, with the points, the hull of them that a body can rest on, its
-/// projected centre of mass and how far that is from the border; what that means in words; then the
-/// margin over the time up to a moment, and in which row, one a verdict, each pair is. One scale in
-/// all frames and pairs. Without room for both, the map goes first.
+/// Whether the centre of mass projects into the manifold, its margin, and both over time. Shows up
+/// to three pairs with recorded stability. Each has a map of the contact plane, seen along the
+/// normal and with the camera's right: the points, their hull, which supports the body, the
+/// projected centre of mass and its distance from the border. Below are the verdict in words, the
+/// margin over time, and a row for each verdict that shows the pairs. All frames and pairs have one
+/// scale. Without room for everything, the map has priority.
 class StabilityPanel : public PanelContent {
  public:
   StabilityPanel(const Staging& staging, const Frames& frames)
@@ -111,7 +111,7 @@ class StabilityPanel : public PanelContent {
 
   std::string lay_out(const PanelMoment& moment, Sheet& sheet) override {
     sheet.heading("stability: centre of mass over the contact");
-    // Charts have a text size of their own, which is not a whole number of pixels everywhere.
+    // Charts have their own text size, which need not be a whole number of pixels.
     const Pen pen(sheet.pen().drawing(), sheet.pen().scale(), kChartText);
     const Rect rect = sheet.rest();
     if (histories_.empty()) {
@@ -124,7 +124,7 @@ class StabilityPanel : public PanelContent {
         std::clamp<double>(0.26 * rect.height, pen.px(kLeastMarginChart), pen.px(kMostMarginChart));
     double band =
         pen.px(kVerdictRow) * static_cast<double>(kVerdicts.size()) + pen.px(kTimeRow + 6);
-    // The map says most; over time comes next, and the verdicts' rows last.
+    // Priorities: the map, then the chart over time, then the rows of verdicts.
     const auto map_height = [&] { return rect.height - words - chart - band; };
     if (frames_.size() < 2) chart = band = 0;
     if (!staging_.view.shows(Chart::Margin)) chart = 0;
@@ -141,15 +141,14 @@ class StabilityPanel : public PanelContent {
   }
 
  private:
-  /// One pair through the sequence.
   struct History {
     std::string name;
-    std::vector<const trace::Pair*> pairs;  // in every frame; null where they do not touch
-    std::vector<const trace::Pair*> seen;   // the newest, or where there was none the first to come
-    std::vector<Vec3d> points;              // what must be in sight in any of them
+    std::vector<const trace::Pair*> pairs;  // in every frame; null without contact
+    std::vector<const trace::Pair*> seen;   // the latest pair, or the first one before there is any
+    std::vector<Vec3d> points;              // everything that must fit in any frame
   };
 
-  // One scale for all pairs and frames; each pair has a middle of its own.
+  // One scale for all pairs and frames; each pair has its own centre.
   void draw_maps(std::size_t moment, const Rect& rect, double height, const Pen& pen) const {
     const bool named = histories_.size() > 1;
     const double above = named ? pen.px(kWordsLine) : 0;
@@ -245,7 +244,7 @@ class StabilityPanel : public PanelContent {
           Weight::Regular);
   }
 
-  // A row a verdict, and in them a stepped line a pair, drawn as in the chart above.
+  // A row for each verdict, with a stepped line for each pair in the style of the chart above.
   void draw_verdicts(std::size_t moment, const Rect& rect, const Pen& pen) const {
     const double gutter = pen.px(kChartGutter), row = pen.px(kVerdictRow);
     const Rect rows{rect.x + gutter, rect.y, rect.width - gutter,
@@ -262,7 +261,7 @@ class StabilityPanel : public PanelContent {
     const double column = rows.width / static_cast<double>(frames_.size());
     for (std::size_t h = 0; h < histories_.size(); ++h) {
       const SeriesStyle style = series_style(h);
-      // Beside each other where verdicts are the same.
+      // Offset, so that equal verdicts do not overlap.
       const double aside =
           pen.px(4.5) * (static_cast<double>(h) - 0.5 * static_cast<double>(histories_.size() - 1));
       std::vector<Point2> corners;
@@ -283,7 +282,7 @@ class StabilityPanel : public PanelContent {
         const Point2 from = pixel(rows.x + column * static_cast<double>(f),
                                   rows.y + pen.px(kVerdictRow) * (level + 0.5) + aside);
         if (corners.size() > 1 && corners.back().y == from.y)
-          corners.pop_back();  // goes on
+          corners.pop_back();  // continue the line
         else
           corners.push_back(from);
         corners.push_back(from + Point2{static_cast<float>(column), 0});
@@ -298,7 +297,7 @@ class StabilityPanel : public PanelContent {
   const Frames& frames_;
   std::vector<History> histories_;
   SeriesChart margins_{"margin", "m"};
-  bool has_ages_ = false;  // the picture tells ages: points that have none are drawn as such
+  bool has_ages_ = false;  // the picture shows ages: points without an age look different
 };
 
 }  // namespace

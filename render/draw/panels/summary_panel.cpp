@@ -10,11 +10,11 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr std::size_t kUsualRows = 5;  // of two hulls that touch
-constexpr float kAroundRows = 2.2f;    // lines of text: a heading, and space below
-constexpr float kBetweenPairs = 0.4f;  // of the height of text
+constexpr std::size_t kUsualRows = 5;  // for two hulls in contact
+constexpr float kAroundRows = 2.2f;    // lines of text: heading and space below
+constexpr float kBetweenPairs = 0.4f;  // of the text height
 
-// "point on face", or of a mesh's many manifolds each type once.
+// "point on face"; for a mesh with many manifolds each type once.
 std::string types_of(const trace::Pair& pair) {
   std::vector<std::string> types;
   for (const trace::Manifold& manifold : pair.manifolds) {
@@ -25,7 +25,7 @@ std::string types_of(const trace::Pair& pair) {
   return text;
 }
 
-// "hull and hull" of "hull-hull".
+// "hull and hull" for "hull-hull".
 std::string kinds_in_words(std::string kind) {
   const std::size_t dash = kind.find('-');
   return dash == std::string::npos ? kind : kind.replace(dash, 1, " and ");
@@ -41,7 +41,7 @@ std::string counted(const trace::Pair& pair) {
          in_words(pair.reduction->method);
 }
 
-/// Calls `add` with the name of each row and with what spells its value.
+/// Calls `add` for each row with its name and a function that spells its value.
 template <class Add>
 void for_each_row(const Staging& staging, const trace::Frame& frame, const trace::Pair& pair,
                   Add&& add) {
@@ -54,7 +54,7 @@ void for_each_row(const Staging& staging, const trace::Frame& frame, const trace
   add("pair", [&] { return kinds_in_words(pair.kind); });
   add("state", [&] { return spell_state(state_of(pair, staging.scales.touching)); });
   if (pair.sat) add("axis", [&] { return spell_axis(pair.sat->chosen); });
-  if (!pair.manifolds.empty() && !types_of(pair).empty())  // other engines tell no types
+  if (!pair.manifolds.empty() && !types_of(pair).empty())  // other engines record no types
     add("contact", [&] { return types_of(pair); });
   add(gap_or_overlap(pair.separation), [&] {
     return spell_length(std::abs(pair.separation),
@@ -78,7 +78,7 @@ void for_each_row(const Staging& staging, const trace::Frame& frame, const trace
   }
 }
 
-// A degenerate geometry's name takes a second line. A question and its answer are sentences.
+// A degenerate geometry needs a second line. Queries and answers are sentences that may wrap.
 std::size_t lines_of(const Staging& staging, const trace::Frame& frame, const trace::Pair& pair) {
   const Layout& layout = staging.layout;
   const float width = static_cast<float>(layout.panels.width) - layout.px(2 * kPanelPadding);
@@ -89,11 +89,11 @@ std::size_t lines_of(const Staging& staging, const trace::Frame& frame, const tr
   return lines;
 }
 
-/// What the pipeline says of each pair, and when that is.
+/// Results of the pipeline for each pair, and the time.
 class SummaryPanel : public PanelContent {
  public:
-  // A pair has the rows of a touching one, so that panels below keep their place when it comes
-  // apart; and those of the frame that has most to say.
+  // A pair reserves the rows of a touching one, so that panels below do not move when it separates,
+  // and at least the rows of the longest frame.
   SummaryPanel(const Staging& staging, const Frames& frames)
       : staging_(staging), frames_(frames), scale_(staging.layout.scale) {
     std::size_t rows = 1;
@@ -112,10 +112,10 @@ class SummaryPanel : public PanelContent {
     return {least, least, height_of(all, moment), 0};
   }
 
-  // The first pairs, as many as have room whole, so that the same ones are there in every frame.
+  // The first pairs that fit completely, so that all frames show the same ones.
   std::string lay_out(const PanelMoment& moment, Sheet& sheet) override {
     const std::vector<trace::Pair>& pairs = frames_[moment.frame].pairs;
-    constexpr float kWholePixels = 1;  // pixels; the window of a panel is cut to whole ones
+    constexpr float kWholePixels = 1;  // pixels; a panel's area is cut to whole pixels
     const auto room = static_cast<float>(sheet.rest().height) + kWholePixels;
     std::size_t shown = pairs.size();
     if (shown > 1 && height_of(shown, moment) > room) {
@@ -148,7 +148,7 @@ class SummaryPanel : public PanelContent {
     return solver && solver->sleep_after;
   }
 
-  /// With so many of the frame's pairs, and a line that tells of the others.
+  /// Height for this number of pairs, and a line for the others.
   float height_of(std::size_t pairs, const PanelMoment& moment) const {
     const bool all = pairs == frames_[moment.frame].pairs.size();
     const std::size_t lines =

@@ -7,7 +7,7 @@
 #include "draw/panels/panel.h"
 #include "draw/scene/pairs.h"
 
-/// What refitting a tree costs a query, and what a rebuild gives back.
+/// Cost of queries in a refitted tree, and the effect of a rebuild.
 namespace contactscope::draw {
 namespace {
 
@@ -15,7 +15,7 @@ constexpr double kLeastChart = 70, kMostChart = 400, kAxisBelow = 20,
                  kNames = 20;  // px at 720 lines
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-/// A curve a name, in the order in which they first appear; NaN in frames that do not have it.
+/// One curve per name, in order of first appearance; NaN in frames without a value.
 class NamedCurves {
  public:
   explicit NamedCurves(std::size_t frames) : frames_(frames) {}
@@ -37,9 +37,9 @@ class NamedCurves {
   std::map<std::string, std::size_t> places_;
 };
 
-/// The node pairs that were compared by each pair of meshes. Where no meshes are asked it is the boxes
-/// that a small query is expected to test in the tree of each mesh that deforms, by the surfaces of its
-/// boxes. A rebuild is the tooth of a saw.
+/// Number of node pairs compared for each pair of meshes. Without such queries, the number of boxes
+/// that a small query is expected to test in the tree of each deforming mesh, from the surface
+/// areas of its boxes. A rebuild shows as a sawtooth.
 class TreeCostPanel : public PanelContent {
  public:
   TreeCostPanel(const Staging& staging, const Frames& frames)
@@ -76,7 +76,7 @@ class TreeCostPanel : public PanelContent {
   }
 
  private:
-  /// What the pair of a mesh is called.
+  /// Label of the pair with this mesh, or the mesh's name.
   static std::string name_of(const trace::Deformed& deformed,
                              const std::vector<trace::Pair>& pairs) {
     for (const trace::Pair& pair : pairs)
@@ -85,7 +85,7 @@ class TreeCostPanel : public PanelContent {
     return deformed.name;
   }
 
-  /// A pair has the name of its mesh that deforms: it is its tree that the picture is about.
+  /// A pair gets the name of its deforming mesh, because the picture is about that mesh's tree.
   static std::string name_of(const trace::Pair& pair,
                              const std::vector<trace::Deformed>& deformed) {
     if (!pair.label.empty()) return pair.label;

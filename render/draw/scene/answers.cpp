@@ -22,7 +22,7 @@ std::string spell_gap(double gap, const LengthUnit& unit) {
   return spell_separation(gap, 0, unit);
 }
 
-/// Where two meshes are that do not cross.
+/// Containment of two meshes whose surfaces do not cross.
 std::string spell_containment(const trace::Pair& pair, const trace::Containment& containment) {
   if (containment.a == "open" || containment.b == "open") {
     const std::string open = containment.a == "open" ? pair.a : pair.b;
@@ -33,7 +33,7 @@ std::string spell_containment(const trace::Pair& pair, const trace::Containment&
   return ": no triangles cross, and neither is inside the other";
 }
 
-/// What two meshes share that meet; without an overlap they only touch.
+/// Number of intersecting triangle pairs; without an overlap the meshes only touch.
 std::string spell_intersections(const trace::Pair& pair) {
   const std::size_t count = pair.intersections.size();
   const std::string text =

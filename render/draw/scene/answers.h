@@ -7,20 +7,20 @@
 #include "draw/scene/quantity.h"
 #include "trace/trace.h"
 
-/// What pictures say of pairs that were asked something else than their manifold.
+/// Texts and colours for pairs that answer a query instead of computing a manifold.
 namespace contactscope::draw {
 
 enum class AnswerKind {
   No,
   Yes,
-  FalsePositive,  // the bounds overlap, and the shapes in them do not
-  Missed,         // the shapes overlap, and the test of their bounds says no
+  FalsePositive,  // bounds overlap, shapes do not
+  Missed,         // shapes overlap, bounds do not
 };
 
-/// Of a pair with a query: whether it, or its bounds, overlap, or touch where that was asked.
+/// Answer of a pair with a query: do the shapes, or their bounds, overlap or touch?
 AnswerKind answer_kind(const trace::Pair& pair);
 
-/// The same colour for the same answer wherever it is seen.
+/// One colour for each answer, used in all drawings.
 Color answer_color(AnswerKind kind);
 
 /// "do the oriented boxes overlap, touching included?"
@@ -29,13 +29,13 @@ std::string spell_question(const trace::Query& query);
 /// "yes, though the shapes are 12.0 cm apart: a false positive"
 std::string spell_answer(const trace::Pair& pair, const LengthUnit& unit = {});
 
-/// Of a pair whose bounds were asked, its label with what they say: "spheres: yes, falsely".
+/// Label of a pair with a query of bounds, followed by the answer: "spheres: yes, falsely".
 std::string label_with_answer(const trace::Pair& pair);
 
-/// "A's y", "A's x × B's z", "middle to middle"; of axis-aligned boxes "x", an axis of the world.
+/// "A's y", "A's x × B's z", "middle to middle". For axis-aligned boxes "x", an axis of the world.
 std::string spell_axis(const trace::Query& query, const trace::TestedAxis& axis);
 
-/// Corners of a box, or six points of a ball: what a picture of it must hold.
+/// Corners of a box or six points of a ball, for fitting the view to it.
 std::vector<Vec3d> extent_points(const trace::Volume& volume);
 
 }  // namespace contactscope::draw

@@ -26,13 +26,13 @@ void draw_measure(const Scene& scene, Measured what, const Vec3d& from, const Ve
     sketch.arrows.push_back(arrow);
     return explain(kOverlapSwatch);
   }
-  // A length that is seen as a point has room too.
+  // A length seen end-on, which is a point on the screen, counts as long enough.
   if (*pixels >= kLeastMeasure * scene.scales.pixel || *pixels <= 0) {
     arrow.double_headed = true;
     sketch.arrows.push_back(arrow);
     return explain(kAxisSwatch);
   }
-  // As drawings measure what is narrow. The arrows are as long on the screen as if seen squarely.
+  // Narrow: arrows from outside, as in technical drawings. Their length on the screen is fixed.
   const Vec3d outward = (from - to) * (kOuterArrow * scene.scales.pixel / *pixels);
   for (const auto& [tip, way] : {std::pair{from, outward}, {to, Vec3d(-outward)}}) {
     arrow.from = tip + way;
@@ -62,7 +62,7 @@ void draw_curved_arrow(const Camera& camera, const Vec3d& center, const Vec3d& a
     const double a = turn - 0.5 * angle;
     return center + radius * (std::cos(a) * front + std::sin(a) * side);
   };
-  // The head is straight: the arc ends where it begins.
+  // The head is straight, so the arc ends at its base.
   const double head =
       std::min(0.6 * angle, kHead / std::max(1e-9, radius * camera.pixels_per_metre(center)));
   const int steps = std::max(2, static_cast<int>(std::ceil((angle - head) / kStep)));

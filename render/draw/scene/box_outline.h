@@ -6,7 +6,7 @@
 
 namespace contactscope::draw {
 
-/// The twelve edges; of a flat box each but once.
+/// The twelve edges; a flat box draws each edge once.
 inline void outline(const trace::Box& box, const Pose<double>& pose, const LineStyle& style,
                     Sketch& sketch) {
   int flat = 0;  // bits of the axes along which the box has no extent

@@ -10,18 +10,18 @@
 namespace contactscope::draw {
 namespace {
 
-// Nearest drawable distance, as a fraction of the distance from eye to target: near enough that a
-// floor under the camera is cropped by the picture and not by this plane.
+// Near plane, as a fraction of the distance from eye to target. It is close enough that the
+// picture's border crops a floor under the camera before this plane does.
 constexpr double kNearFraction = 0.02;
 
-// What is so far beside the picture is so for certain, however a cut at another border rounds; pixels.
+// Pixels outside the picture beyond which rounding of a cut at another border does not matter.
 constexpr double kBeside = 1;
 
 Point2 mix2(const Point2& a, const Point2& b, double t) {
   return pixel(a.x + t * (b.x - a.x), a.y + t * (b.y - a.y));
 }
 
-/// From the left, right, upper and lower border of a rectangle; negative outside.
+/// Distances to the left, right, upper and lower border of a rectangle; negative outside.
 std::array<double, 4> distances(const Rect& r, const Point2& p) {
   return {p.x - r.x, r.right() - p.x, p.y - r.y, r.bottom() - p.y};
 }
@@ -98,7 +98,7 @@ std::optional<float> seen_distance(const Camera& camera, const Vec3d& a, const V
   return from && to ? std::optional(distance(*from, *to)) : std::nullopt;
 }
 
-// A point at (x, y, z) in the camera's axes is seen at x / (distance - z), so each asks for
+// A point at (x, y, z) in the camera's axes is seen at x / (distance - z). Each point requires
 // distance >= z + |x| / (share * tangent of the half angle).
 ViewFit fit_view(const std::vector<Vec3d>& points, const Vec3d& towards_eye, const Vec3d& world_up,
                  const std::optional<Vec3d>& target, double half_height, double aspect,
@@ -131,7 +131,7 @@ ViewFit fit_view(const std::vector<Vec3d>& points, const Vec3d& towards_eye, con
 }
 
 std::vector<Point2> project_polygon(const Camera& camera, const std::vector<Vec3d>& polygon) {
-  // Of a mesh nearly every triangle is all in the picture, or all beside it: those are not cut.
+  // Nearly all triangles of a mesh are fully inside or fully outside the picture and need no cut.
   std::vector<Point2> whole;
   whole.reserve(polygon.size());
   std::array<double, 4> most{-kBeside, -kBeside, -kBeside, -kBeside};  // inside of each border

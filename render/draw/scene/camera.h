@@ -8,11 +8,11 @@
 
 namespace contactscope::draw {
 
-/// Looks from `eye` at `target`, both in metres, and maps world space to the pixels of `viewport`.
-/// Perspective with a vertical field of view, or orthographic with a height in metres.
+/// Camera at `eye` that looks at `target`, both in metres. Maps world space to the pixels of
+/// `viewport`. Perspective with a vertical field of view, or orthographic with a height in metres.
 class Camera {
  public:
-  /// `eye` and `target` differ. When the view direction is along `up`, another axis serves as up.
+  /// `eye` and `target` must differ. If the view is along `up`, another axis serves as up.
   static Camera perspective(const Vec3d& eye, const Vec3d& target, const Vec3d& up,
                             double fov_radians, const Rect& viewport);
   static Camera orthographic(const Vec3d& eye, const Vec3d& target, const Vec3d& up, double height,
@@ -23,7 +23,7 @@ class Camera {
   const Rect& viewport() const { return viewport_; }
   Vec3d right() const { return axes_.col(0); }
   Vec3d up() const { return axes_.col(1); }
-  /// From `point` to the eye, unit.
+  /// Unit vector from `point` to the eye.
   Vec3d to_eye(const Vec3d& point) const;
   /// Does a surface at `point` with this outward normal show its outside?
   bool faces(const Vec3d& point, const Vec3d& normal) const;
@@ -36,7 +36,7 @@ class Camera {
   Point2 to_pixels(const Vec3d& camera_space) const;
   /// World to pixels; nothing for points behind the near plane.
   std::optional<Point2> project(const Vec3d& point) const;
-  /// Whether a point is in front of the eye and inside of the viewport.
+  /// Whether a point is in front of the eye and inside the viewport.
   bool sees(const Vec3d& point) const;
   /// Pixels that one metre covers at right angles to the view at `point`.
   double pixels_per_metre(const Vec3d& point) const;
@@ -53,10 +53,10 @@ class Camera {
   double near_ = 0;
 };
 
-/// Towards a flat light from the upper left of the camera, unit.
+/// Unit vector towards a directional light at the upper left of the camera.
 Vec3d key_light(const Camera& camera);
 
-/// Pixels between two points as they are seen; nothing where one is behind the near plane.
+/// Distance of two points on the screen, pixels; nothing if one is behind the near plane.
 std::optional<float> seen_distance(const Camera& camera, const Vec3d& a, const Vec3d& b);
 
 struct ViewFit {
@@ -64,24 +64,21 @@ struct ViewFit {
   double distance;  // of the eye from the target, metres
 };
 
-/// The nearest eye in a direction from which the points fill at most `share` of the view both ways,
-/// with the points in the middle unless the target is given. `half_height`: tangent of half the field
-/// of view; `aspect`: width by height.
+/// Nearest eye in a direction from which the points fill at most `share` of the view's width and
+/// height. Centres the points unless the target is given. `half_height`: tangent of half the field
+/// of view; `aspect`: width / height.
 ViewFit fit_view(const std::vector<Vec3d>& points, const Vec3d& towards_eye, const Vec3d& world_up,
                  const std::optional<Vec3d>& target, double half_height, double aspect,
                  double share);
 
-/// Part of a convex polygon in front of the near plane, as pixels, clipped to the viewport. Empty
-/// when nothing is left.
+/// Part of a convex polygon in front of the near plane and inside the viewport, in pixels.
 std::vector<Point2> project_polygon(const Camera& camera, const std::vector<Vec3d>& polygon);
 
 /// The same for a segment.
 std::optional<Segment2> project_segment(const Camera& camera, const Vec3d& from, const Vec3d& to);
 
-/// Part of a convex polygon inside a rectangle.
 std::vector<Point2> clip_polygon(const Rect& rect, std::vector<Point2> polygon);
 
-/// Part of a segment inside a rectangle.
 std::optional<Segment2> clip_segment(const Rect& rect, const Point2& from, const Point2& to);
 
 }  // namespace contactscope::draw

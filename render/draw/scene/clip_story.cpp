@@ -10,8 +10,8 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr double kSameCorner = 1e-6;  // of the face's size: float leaves less
-constexpr double kHatchPixels = 9;    // between two lines, at 720 lines
+constexpr double kSameCorner = 1e-6;  // of the face's size; float errors are smaller
+constexpr double kHatchPixels = 9;    // line spacing at 720 lines
 constexpr double kHatchTurn = 0.7;    // radians from the polygon's first edge
 
 constexpr Swatch kCutAwaySwatch{LegendGroup::Faces, 5, [](auto& pen) { pen.hatched(kDropped); }};
@@ -95,7 +95,7 @@ trace::Polygon cut_away(const trace::Clip& clip, std::size_t step) {
   trace::Polygon outside = clipped(
       polygon_before(clip, step),
       [&](const Vec3d& p) { return plane.normal.dot(p) - plane.offset; }, zero_between, tolerance);
-  // A polygon that lies beneath the plane keeps what is on its border, which has no area.
+  // A polygon beneath the plane keeps only corners on the plane, which have no area.
   const bool any = std::ranges::any_of(
       outside, [&](const Vec3d& p) { return plane.normal.dot(p) - plane.offset > tolerance; });
   return any && outside.size() > 2 ? outside : trace::Polygon{};

@@ -19,7 +19,7 @@ bool ClippedSegment::cuts(std::size_t side) const {
 std::optional<FaceOfRound> face_of_round(const Scene& scene, const trace::Pair& pair) {
   if (pair.clip || pair.manifolds.size() != 1) return std::nullopt;
   const trace::Manifold& manifold = pair.manifolds.front();
-  // Of a core on a hull's vertex or edge the closest points coincide: the normal is that of a face that was chosen.
+  // A core on a vertex or edge has coinciding closest points; the normal is of a chosen face.
   const bool chosen = pair.degenerate && manifold.axis == "closest_points";
   const PlacedShape* shape_a = scene.find(pair.a);
   const bool of_a = manifold.axis == "face_a" ||
@@ -49,7 +49,7 @@ std::optional<ClippedSegment> clipped_segment(const Scene& scene, const trace::P
   result.face = found->polygon;
   result.normal = found->normal;
 
-  // Sutherland and Hodgman 1974, of a segment.
+  // Sutherland and Hodgman 1974, for a segment.
   result.axis_from = found->round->vertices[0];
   result.axis_to = found->round->vertices[1];
   const Vec3d way = result.axis_to - result.axis_from;

@@ -15,17 +15,17 @@ namespace contactscope::draw {
 namespace {
 
 constexpr float kJoin = 0.25f;            // pixels
-constexpr float kAvoided = 1.5f;          // pixels: labels keep off lines of this width
+constexpr float kAvoided = 1.5f;          // pixels: labels avoid lines of at least this width
 constexpr double kLabelHeadingSize = 21;  // pixels at 720 lines
-constexpr double kLeastHeading = 0.65;    // of that, in a narrow view
-constexpr double kWholeView = 0.9;        // of its width
-constexpr float kLeastPiece = 4;  // pixels of a curve: shorter ones have more ends than line
+constexpr double kLeastHeading = 0.65;    // smallest factor of it, in a narrow view
+constexpr double kWholeView = 0.9;        // share of the view's width
+constexpr float kLeastPiece = 4;  // pixels of a curve: shorter pieces would be mostly line ends
 
-// Of what is marked on the ground behind a body.
-constexpr float kFaintGround = 0.2f;  // of its opacity
-constexpr double kLeastSeen = 0.2;    // of its area: less to be seen, it shows through bodies
+// Marks on the ground behind a body.
+constexpr float kFaintGround = 0.2f;  // factor of the opacity
+constexpr double kLeastSeen = 0.2;    // share of the area; with less visible, it shows through
 
-/// Whether all of a box is on a convex polygon, in the winding of convex_polygon().
+/// Whether a box is inside a convex polygon with the winding of convex_polygon().
 bool lies_on(const std::vector<Vec2d>& polygon, const Rect& box) {
   if (polygon.size() < 3) return false;
   for (const Vec2d& corner : {Vec2d(box.x, box.y), Vec2d(box.right(), box.y),
@@ -44,12 +44,12 @@ struct Composer {
   Pen pen{drawing, layout.scale, 0};
   LabelPlacer placer{layout.view};
   HiddenLines hidden_lines{camera, sketch.occluders, sketch.shadows};
-  std::size_t current = 0;  // part of what is drawn now
-  // Where bodies are cut off above and below, left and right.
+  std::size_t current = 0;  // index of the sketch part that is being drawn
+  // Ranges of x where the upper and the lower border of the view cut off bodies.
   std::array<std::optional<std::pair<float, float>>, 2> cuts{};
 
   void run() {
-    // Drawn over the view afterwards: no label goes there.
+    // Insets are drawn over the view later, so labels keep off them.
     for (const Rect& inset : layout.insets) {
       const double half = 0.5 * inset.height, middle = inset.y + half;
       placer.block(pixel(inset.x + half, middle), pixel(inset.right() - half, middle),
@@ -66,14 +66,13 @@ struct Composer {
     each_of(&Sketch::labels, &SketchPart::labels, "label", &Composer::draw_label);
   }
 
-  // The primitives that follow show a part of the sketch; nothing of it where the sketch tells
-  // none.
+  // Assigns the following primitives to a part of the sketch, if it exists.
   void begin(std::size_t part, std::string_view role) {
     if (part < sketch.parts.size())
       drawing.begin(sketch.parts[part].layer, sketch.parts[part].pair, role);
   }
 
-  /// Draws one kind of what the sketch holds, each within its part.
+  /// Draws all elements of one kind, each within its part.
   template <class Kind>
   void each_of(std::vector<Kind> Sketch::*kind, std::size_t SketchPart::*begins,
                std::string_view role, void (Composer::*draw)(const Kind&)) {
@@ -89,7 +88,7 @@ struct Composer {
     }
   }
 
-  // They come back cut and in another order, so each carries the number of its part.
+  // Sorting cuts and reorders surfaces, so each carries the number of its part.
   void draw_surfaces() {
     std::vector<Surface> surfaces = sketch.surfaces;
     std::size_t next = 0;
@@ -116,7 +115,7 @@ struct Composer {
     return static_cast<float>(side == 0 ? layout.view.y : layout.view.bottom());
   }
 
-  // Where a body goes on above or below the view.
+  // Records where the upper or lower border of the view cuts off a body.
   void note_cut(const std::vector<Point2>& polygon) {
     constexpr float kAtBorder = 0.01f;  // pixels
     if (layout.framed) return;
@@ -134,8 +133,7 @@ struct Composer {
     }
   }
 
-  // What is cut off has no edge there: a line of long dashes says so, as in drawings. A floor that
-  // fills the view needs none.
+  // Marks cut-off bodies with long dashes, as technical drawings do, except view-filling floors.
   void draw_breaks() {
     constexpr double kLeastCut = 12, kDash = 14, kGap = 5;  // pixels
     for (std::size_t side = 0; side < cuts.size(); ++side) {
@@ -150,9 +148,8 @@ struct Composer {
 
   float px(double at_720) const { return layout.px(at_720); }
 
-  // What is marked on the ground: faint where one of the surfaces that are painted later covers it,
-  // so that the bodies there keep their colour. What is hardly to be seen otherwise shows through
-  // them all the same.
+  // Marks on the ground are faint where later surfaces cover them, so that bodies keep their
+  // colour. A mark that would be almost invisible shows through the bodies at full strength.
   void draw_ground(const std::vector<Point2>& polygon, const Color& color,
                    std::span<const Surface> later) {
     const std::vector<Outline> bodies = outlines_before(polygon, camera, later);
@@ -165,7 +162,7 @@ struct Composer {
     Color faint = color;
     faint.a *= kFaintGround;
     pen.fill(polygon, faint);
-    Color rest = color;  // over the faint one it is the whole
+    Color rest = color;  // adds up to the full colour over the faint one
     rest.a = (color.a - faint.a) / (1 - faint.a);
     for (const Outline& part : seen)
       pen.fill(mapped(part, [](const Vec2d& p) { return pixel(p.x(), p.y()); }), rest);
@@ -182,7 +179,7 @@ struct Composer {
     }
   }
 
-  // `run`: pixels of the line's dashes before `from`; `joined`: a piece of a curve.
+  // `run`: pixels of the dash pattern already drawn; `joined`: the span is a piece of a curve.
   void draw_span(const Vec3d& from, const Vec3d& to, bool hidden, const LineStyle& style, float run,
                  bool joined) {
     const std::optional<Segment2> seen = project_segment(camera, from, to);
@@ -201,11 +198,11 @@ struct Composer {
         result.gap = px(6);
       }
     }
-    // Translucent strokes end flat, for round ends would add up where they meet.
+    // Translucent strokes get flat ends, because overlapping round ends would add up.
     if (result.gap > 0 || result.color.a < 1) result.cap = Cap::Butt;
     const float length = distance(seen->from, seen->to);
     if (joined && result.cap == Cap::Round && length > 0) {
-      // So do pieces of a curve: round ends would bead it. They overlap by what two flat ends lack.
+      // Pieces of a curve get flat ends too, against beads. They overlap to close the joints.
       result.cap = Cap::Butt;
       const Point2 lap = kJoin / length * (seen->to - seen->from);
       result.from = seen->from - lap;
@@ -217,7 +214,7 @@ struct Composer {
   std::vector<Span> spans_of(const Vec3d& from, const Vec3d& to, const LineStyle& style) const {
     if (style.hidden == LineStyle::Hidden::Same) return {{0, 1, false}};
     std::vector<Span> spans = hidden_lines.split(from, to);
-    // Where an edge behind a shape ends in a corner of what hides it, a speck of it would be seen.
+    // Hides specks where a hidden edge ends at a corner of the occluder.
     if (spans.size() > 1) {
       for (Span& span : spans) {
         const Vec3d way = to - from;
@@ -228,9 +225,8 @@ struct Composer {
     return spans;
   }
 
-  // What is hidden is decided for each piece of the curve: a longer chord would lie inside the body
-  // whose outline it is. Drawn are longer pieces, with fewer ends. The lengths already run are
-  // measured on the screen, where dashes are.
+  // Visibility is decided for each piece of the curve, because a longer chord would lie inside the
+  // body whose outline it is. Drawn pieces are longer. Dashes are measured on the screen.
   void draw_curve(const Curve& curve) {
     if (curve.points.empty()) return;
     float run = 0;
@@ -260,13 +256,13 @@ struct Composer {
     draw();
   }
 
-  // Pixels; 0 behind the eye.
+  // Length on the screen, pixels; 0 behind the eye.
   float on_screen(const Vec3d& from, const Vec3d& to) const {
     const std::optional<Segment2> seen = project_segment(camera, from, to);
     return seen ? distance(seen->from, seen->to) : 0;
   }
 
-  // `along`: unit, the way of the arrow.
+  // `along`: unit direction of the arrow.
   void head(const Point2& tip, const Point2& along, double size, const Color& color) {
     const Point2 base = tip - px(size) * along;
     const Point2 aside = 0.42f * px(size) * perpendicular(along);
@@ -275,7 +271,7 @@ struct Composer {
     pen.outline(corners, 1, color);
   }
 
-  // A line between two strokes; where these would touch, it goes on beyond them.
+  // A line between two bars. It extends beyond them if they are close to each other.
   void draw_bars(const Point2& from, const Point2& to, const Arrow& arrow) {
     constexpr double kReach = 7, kTail = 13, kLeastLine = 14;  // pixels
     const float length = distance(from, to);
@@ -304,13 +300,13 @@ struct Composer {
       const std::optional<Segment2> inside = clip_segment(layout.view, *a, *b);
       if (!inside || (arrow.to && !arrow.may_leave)) return;
       if (arrow.may_leave) return pen.path({*a, inside->to}, arrow.width, arrow.color);
-      b = inside->to;  // its length says nothing
+      b = inside->to;  // the length of such an arrow has no meaning
     }
     const float length = distance(*a, *b);
     if (length < px(1)) return;
     const Point2 along = (*b - *a) / length;
     if (arrow.bars) return draw_bars(*a, *b, arrow);
-    // Short arrows keep their shape: the heads shrink before the shaft is lost.
+    // Short arrows keep their shape: the heads shrink before the shaft disappears.
     const double size = std::min<double>(arrow.head, arrow.head_share * length / layout.scale);
     const Point2 inset = (arrow.open ? 0 : px(0.9 * size)) * along;
     const Point2 shaft_begin = arrow.double_headed ? *a + inset : *a;
@@ -327,8 +323,7 @@ struct Composer {
     placer.block(*a, *b, px(arrow.width + 6));
   }
 
-  /// A node under the head of an arrow, or a short arrow, would be all that is seen of it; a long one that begins there
-  /// would hide it.
+  /// A node on top would hide a short arrow or the head of an arrow; a long arrow would hide it.
   bool is_under_arrow(const Point2& node) const {
     constexpr float kSame = 3, kShort = 24;  // pixels
     return std::ranges::any_of(sketch.arrows, [&](const Arrow& arrow) {
@@ -341,8 +336,7 @@ struct Composer {
     });
   }
 
-  // What is inside of a shape stays under what is said about it. So do an origin and most nodes under the
-  // arrow that begins or ends there, which may be no longer than they are wide.
+  // Below arrows: marks inside a shape, origins, and nodes under short arrows or arrow heads.
   void draw_mark_inside(const Mark& mark) { draw_mark_if(true, mark); }
   void draw_mark_outside(const Mark& mark) { draw_mark_if(false, mark); }
   void draw_mark_if(bool inside, const Mark& mark) {
@@ -356,12 +350,12 @@ struct Composer {
     if (reach > 0) placer.block(*at, reach);
   }
 
-  // Always at the same place, so that the steps of a story can be paged through.
+  // The heading has a fixed place, so that readers can page through the steps.
   void draw_heading() {
     if (sketch.heading.empty()) return;
     drawing.begin("heading", {}, "label");
     const float width = static_cast<float>(layout.view.width);
-    // A narrow view has it smaller, before it loses its end.
+    // In a narrow view the heading shrinks before it is shortened.
     const float natural =
         text_width(pen.said(sketch.heading).text, px(kLabelHeadingSize), Weight::Bold);
     const double shrunk = kLabelHeadingSize * std::clamp<double>(width / natural, kLeastHeading, 1);
@@ -384,7 +378,7 @@ struct Composer {
     return reach < 1 ? Point2{0, -1} : way / reach;
   }
 
-  // Thin and grey, so that it is taken for nothing of what it leads to.
+  // Thin and grey, so that a leader is not mistaken for part of the scene.
   void draw_leader(const Point2& at, const Point2& end, bool foot) {
     constexpr double kClear = 4, kFoot = 2.4;  // pixels
     const float length = distance(at, end);
@@ -401,7 +395,7 @@ struct Composer {
     if (!at || !layout.view.contains(*at)) return;
     const float size = px(label.size);
     const Weight weight = label.bold ? Weight::Bold : Weight::Regular;
-    const float up = 0.76f * ascent(size, weight);  // capitals and digits, not accents
+    const float up = 0.76f * ascent(size, weight);  // height of capitals and digits
     const Said text = pen.said(label.text);
     if (text.text.empty()) return;
     const bool has_badge = label.badge != Badge::None;

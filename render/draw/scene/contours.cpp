@@ -8,8 +8,8 @@
 namespace contactscope::draw {
 namespace {
 
-/// Where lines cross the sides of the grid's squares. A side has a number: twice that of the grid point
-/// at its lower end, and 1 more where it goes to the next row.
+/// Crossings of the contour lines with the sides of the grid's squares. The side from grid point i
+/// to the next column has number 2 i, the side to the next row 2 i + 1.
 class Crossings {
  public:
   Crossings(std::span<const double> values, int columns, double level)
@@ -24,7 +24,7 @@ class Crossings {
 
   std::vector<Contour> lines() {
     std::vector<Contour> found;
-    // Lines that end at the border begin there; what is left is closed.
+    // First the open lines, which end at the border. The remaining ones are closed.
     for (const bool closed : {false, true}) {
       for (int side = 0; side < count_of(next_); ++side) {
         const auto& [one, other] = at(next_, side);
@@ -39,7 +39,7 @@ class Crossings {
 
   void join_sides_of(int column, int row) {
     const int corner = row * columns_ + column;
-    // Below, right, above, left; side k is from corner k to the next, counter-clockwise.
+    // Below, right, above, left; side k runs from corner k to the next, counter-clockwise.
     const std::array<int, 4> sides{2 * corner, 2 * (corner + 1) + 1, 2 * (corner + columns_),
                                    2 * corner + 1};
     const std::array<bool, 4> high{above(column, row), above(column + 1, row),
@@ -53,7 +53,7 @@ class Crossings {
     const double mean = (at(values_, corner) + at(values_, corner + 1) +
                          at(values_, corner + columns_) + at(values_, corner + columns_ + 1)) /
                         4;
-    // Corners 0 and 2 are alike: they are one part where the middle is like them.
+    // Ambiguous: corners 0 and 2 are connected if the middle is on their side of the level.
     const bool joined = (mean > level_) == high[0];
     join(sides[0], sides[joined ? 1 : 3]);
     join(sides[2], sides[joined ? 3 : 1]);
@@ -76,8 +76,8 @@ class Crossings {
     return start + part * (side % 2 == 0 ? Vec3d::UnitX() : Vec3d::UnitY());
   }
 
-  /// From one point of the grid to another across a square that has a third corner on the level: the line goes by that one, or a
-  /// corner of a solid would be blunt where it lies on a point of the grid.
+  /// If the line connects two grid points across a square whose third corner is also on the level,
+  /// it passes through that corner. Otherwise corners of a solid on the grid would be cut off.
   void go_to(const Vec3d& to, std::vector<Vec3d>& points) const {
     if (!points.empty()) {
       const Vec3d from = points.back();
@@ -93,7 +93,7 @@ class Crossings {
     points.push_back(to);
   }
 
-  /// What is followed is taken away.
+  /// Removes the links that it follows.
   Contour follow(int start, bool closed) {
     Contour line{{}, closed};
     for (int side = start, before = -1; side >= 0;) {
@@ -114,7 +114,7 @@ class Crossings {
   std::span<const double> values_;
   int columns_, rows_;
   double level_;
-  std::vector<std::array<int, 2>> next_;  // of each side the sides that a line goes on to
+  std::vector<std::array<int, 2>> next_;  // for each side, the two sides to which lines continue
 };
 
 }  // namespace

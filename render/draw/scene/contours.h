@@ -7,16 +7,16 @@
 
 namespace contactscope::draw {
 
-/// A line along which a value on a grid is the same. Places in steps of the grid: column, row, 0.
+/// Contour line of a value on a grid. Points are in grid steps: column, row, 0.
 struct Contour {
   std::vector<Vec3d> points;
   bool closed = false;
 };
 
-/// Lines along which the values are `level`: marching squares (after Lorensen and Cline 1987, in the
-/// plane), linear between neighbours, chained from square to square. Two lines that could cross in a
-/// square are told apart by the mean of its corners. `values`: row by row, `columns` each, which divides
-/// them; fewer than two rows or columns have none.
+/// Contour lines at `level`: marching squares (after Lorensen and Cline 1987, in the plane), linear
+/// between neighbours, chained from square to square. In an ambiguous square the mean of its
+/// corners decides. `values`: row by row, `columns` each; fewer than two rows or columns give no
+/// lines.
 std::vector<Contour> contours_at(std::span<const double> values, int columns, double level);
 
 }  // namespace contactscope::draw

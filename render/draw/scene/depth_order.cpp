@@ -12,16 +12,16 @@
 namespace contactscope::draw {
 namespace {
 
-// A vertex this near to a plane, as a fraction of the scene, lies in it. Well above the rounding of
-// poses and clip points in float, well below a pixel.
+// A vertex within this distance of a plane, as a fraction of the scene, lies in it. It is well
+// above the rounding of poses and clip points in float, and well below a pixel.
 constexpr double kOnPlane = 2e-6;
 
 struct Item {
   Surface surface;
   Plane<double> plane;
-  double area = -1;  // twice, square metres; -1 where the plane must not part others
-  // Lies in the plane that parts now, for it is its own: also a polygon that is not flat, as a trace
-  // from elsewhere may hold. So both sides have fewer items than the whole.
+  double area = -1;  // twice the area, square metres; -1 if the plane must not split others
+  // Its own plane is the splitting plane. Such items are not cut even if the polygon is not flat,
+  // as in traces of other programs. Both sides then have fewer items than the whole.
   bool parts = false;
 };
 
@@ -29,18 +29,18 @@ bool is_small(const Item* item) {
   return item->surface.body == kSmallSurface;
 }
 
-/// Items are many and large: what is sorted to one side or the other is where they are.
+/// Items are large, so lists hold pointers to them.
 using Items = std::vector<Item*>;
 
-/// Paints into `result`, farthest first.
+/// Appends to `result` in painting order, farthest first.
 struct Painter {
   const Camera& camera;
   const std::vector<RoundBody>& bodies;
   double tolerance;
   std::vector<Surface>& result;
-  std::deque<Item> pieces{};  // what was cut; they stay where they are
+  std::deque<Item> pieces{};  // cut pieces, at stable addresses
 
-  // What is small and beyond one of the planes has nothing to do with the rest.
+  // Small surfaces outside of the box around all others are sorted separately.
   void paint_apart(Items items, std::span<const Plane<double>> box) {
     if (box.empty() || std::ranges::none_of(items, is_small)) {
       paint(std::move(items));
@@ -84,7 +84,7 @@ struct Painter {
     for (Item* item : items) result.push_back(std::move(item->surface));
   }
 
-  // By the middle of each.
+  // Sorts small surfaces by their middles.
   void paint_small(const Items& items) {
     std::vector<std::pair<double, Item*>> sorted;
     sorted.reserve(items.size());
@@ -100,7 +100,7 @@ struct Painter {
     for (const auto& [distance, item] : sorted) result.push_back(std::move(item->surface));
   }
 
-  // Facets of round bodies alone: parted by the planes of the pairs from (first, second) on. `won`
+  // Splits the facets of round bodies by the planes of the pairs from (first, second) on. `won`
   // counts for each body the pairs in which this region is on its side.
   void paint_bodies(Items items, std::size_t first, std::size_t second, std::vector<int> won) {
     std::vector<bool> present(bodies.size());
@@ -168,7 +168,7 @@ std::vector<Surface> depth_ordered(std::vector<Surface> surfaces, const Camera& 
                                    const std::vector<RoundBody>& bodies) {
   std::vector<Item> items;
   items.reserve(surfaces.size());
-  Eigen::AlignedBox3d whole, middle;  // of all, and of all that is not small
+  Eigen::AlignedBox3d whole, middle;  // around all surfaces, and without small ones
   for (Surface& surface : surfaces) {
     if (surface.polygon.size() < 3) continue;
     const Eigen::AlignedBox3d own = box_around(surface.polygon);

@@ -20,7 +20,7 @@ void move_by(const Point2& offset, Text& text) {
 }  // namespace
 
 void Drawing::begin(std::string_view layer, std::string_view pair, std::string_view role) {
-  // A part in which nothing was drawn leaves no trace.
+  // An empty part is removed.
   if (!parts.empty() && parts.back().first == primitives.size()) parts.pop_back();
   if (!parts.empty() && parts.back().layer == layer && parts.back().pair == pair &&
       parts.back().role == role)
@@ -31,7 +31,7 @@ void Drawing::begin(std::string_view layer, std::string_view pair, std::string_v
 void Drawing::append(const Drawing& other, const Point2& offset) {
   const std::size_t first = primitives.size();
   for (const Part& part : other.parts) {
-    // What `other` has before its first part belongs to the part that is under way here.
+    // Primitives before the first part of `other` belong to the current part.
     if (!parts.empty() && parts.back().first == first + part.first) parts.pop_back();
     parts.push_back({first + part.first, part.layer, part.pair, part.role});
   }

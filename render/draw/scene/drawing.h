@@ -14,8 +14,8 @@ namespace contactscope {
 class Words;
 }
 
-/// What a picture consists of, in pixels, in the order of painting. Perspective, depth order and
-/// hidden lines are already resolved, so that pixels and vector files come from one list.
+/// A picture as shapes in pixels, in painting order. Perspective, depth order and hidden lines are
+/// already resolved, so that pixels and vector files come from one list.
 namespace contactscope::draw {
 
 /// Straight (not premultiplied) sRGB colour, 0 to 1.
@@ -23,8 +23,8 @@ struct Color {
   float r = 0, g = 0, b = 0, a = 1;
 };
 
-/// Pixels from the top left corner of the canvas, y down; pixel centres at half-integers. Also a
-/// way from one point to another.
+/// Pixels from the top left corner of the canvas, y down; pixel centres at half-integers. Also used
+/// for the offset between two points.
 struct Point2 {
   float x = 0, y = 0;
 
@@ -37,21 +37,20 @@ struct Point2 {
   friend float cross(const Point2& a, const Point2& b) { return a.x * b.y - a.y * b.x; }
   friend float length(const Point2& p) { return std::hypot(p.x, p.y); }
   friend float distance(const Point2& a, const Point2& b) { return length(b - a); }
-  /// A quarter of a turn from `p`, clockwise on the screen.
+  /// `p` turned by 90 degrees, clockwise on the screen.
   friend Point2 perpendicular(const Point2& p) { return {-p.y, p.x}; }
 };
 
-/// A place that was computed in double.
+/// Converts from double.
 inline Point2 pixel(double x, double y) {
   return {static_cast<float>(x), static_cast<float>(y)};
 }
 
-/// Part of a straight line.
 struct Segment2 {
   Point2 from, to;
 };
 
-/// Part of the canvas, pixels.
+/// Rectangle on the canvas, pixels.
 struct Rect {
   double x = 0, y = 0, width = 0, height = 0;
 
@@ -66,9 +65,9 @@ struct Rect {
   bool overlaps(const Rect& other) const {
     return x < other.right() && other.x < right() && y < other.bottom() && other.y < bottom();
   }
-  /// So much larger on each side.
+  /// The rectangle with `by` pixels added on each side.
   Rect grown(double by) const { return {x - by, y - by, width + 2 * by, height + 2 * by}; }
-  /// The point of it that is nearest to `p`.
+  /// The point of the rectangle that is nearest to `p`.
   Point2 nearest(const Point2& p) const {
     return pixel(std::clamp<double>(p.x, x, right()), std::clamp<double>(p.y, y, bottom()));
   }
@@ -116,45 +115,45 @@ struct Text {
 
 using Primitive = std::variant<Fill, Stroke, Disc, Text>;
 
-/// What consecutive primitives of a drawing show. It begins at primitive `first` and lasts until
-/// the next part.
+/// Describes consecutive primitives of a drawing, from primitive `first` to the start of the next
+/// part.
 struct Part {
   std::size_t first = 0;
-  std::string layer;   // a layer of the view as scenarios spell it, or one of those below
-  std::string pair{};  // "table crate", A and B as the trace has them; empty where it is of none
+  std::string layer;   // a layer as scenarios spell it, or one of the names below
+  std::string pair{};  // "table crate", A and B as in the trace; empty if it shows no pair
   std::string
-      role{};  // "surface", "line", "arrow", "mark" or "label"; of a panel or inset its name
+      role{};  // "surface", "line", "arrow", "mark" or "label"; for a panel or inset its name
 };
 
-// What a picture consists of beside the view's layers.
+// Names of parts other than the view's layers.
 inline constexpr std::string_view kTitlePart = "title", kSourcePart = "source",
                                   kMomentPart = "moment", kLegendPart = "legend",
                                   kPanelPart = "panel", kInsetPart = "inset",
                                   kPairLabelPart = "pair_label", kShapeNamesPart = "shape_names",
                                   kPlanePart = "contact_plane", kBreakPart = "break";
 
-/// Text that names something, with the place of what it names.
+/// Text that names something, and the place of that thing.
 struct Callout {
   std::size_t text = 0;  // the primitive, a Text
-  Point2 at;             // what it names, pixels
+  Point2 at;             // the named place, pixels
   std::string layer{}, pair{};
-  std::string of{};  // "point b:v4"; empty where the layer does not say
+  std::string of{};  // "point b:v4"; empty if the layer does not record it
 };
 
 struct Drawing {
   int width = 0, height = 0;            // pixels
-  Color background{1, 1, 1, 1};         // alpha 0: none, what lies beneath is seen
+  Color background{1, 1, 1, 1};         // alpha 0: transparent
   std::vector<Primitive> primitives{};  // painted in this order
   std::vector<Part> parts{};            // in order of `first`
   std::vector<Callout> callouts{};      // in order of `text`
-  /// How large a pixel is where the picture has a size on paper; CSS has 96 pixels an inch.
+  /// Size of a pixel on paper; CSS has 96 pixels an inch.
   double points_per_pixel = 0.75;
-  /// What stands in place of the texts that a Pen writes; null: they stay. Outlives the drawing.
+  /// Translations of the texts that a Pen writes; null: none. Outlives the drawing.
   const Words* words = nullptr;
 
-  /// What is added from here on shows this.
+  /// Starts a new part: primitives added from here on belong to it.
   void begin(std::string_view layer, std::string_view pair = {}, std::string_view role = {});
-  /// Adds all that another drawing shows, so many pixels further right and down. The canvas stays.
+  /// Adds the contents of another drawing, moved by `offset` pixels. The canvas size stays.
   void append(const Drawing& other, const Point2& offset = {});
 };
 

@@ -9,7 +9,7 @@ void widen(Primitive& primitive, float factor) {
   if (Stroke* const stroke = std::get_if<Stroke>(&primitive)) {
     stroke->width *= factor;
   } else if (Disc* const disc = std::get_if<Disc>(&primitive); disc != nullptr && disc->inner > 0) {
-    // A ring is a line around its middle.
+    // A ring is a circular line, widened around its middle radius.
     const float middle = 0.5f * (disc->inner + disc->outer);
     const float half = 0.5f * factor * (disc->outer - disc->inner);
     disc->inner = std::max(0.0f, middle - half);

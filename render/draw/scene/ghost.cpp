@@ -43,7 +43,7 @@ void draw_ghost(const Camera& camera, const PlacedShape& shape, const LineStyle&
 
 void draw_way(const Scene& scene, const Vec3d& from, const Vec3d& to, double before,
               const LineStyle& style, Sketch& sketch) {
-  constexpr double kHead = 12, kLeast = 30;  // pixels: of a way that has a head
+  constexpr double kHead = 12, kLeast = 30;  // pixels; a shorter line has no head
   const double length = (to - from).norm();
   if (!(length > 0)) return;
   const Vec3d end = to - std::min(1.0, before / length) * (to - from);

@@ -10,17 +10,15 @@
 namespace contactscope::draw {
 namespace {
 
-// A line within this fraction of the occluders' size of a shadow's border is seen: it is an edge of
-// the occluder itself, or touches it, and rounding must not decide. Of an occluder that is larger than the view
-// the view's size counts: what is sunk into a floor is hidden as far as it is seen to be, however wide the floor is.
+// A line within this fraction of the occluder's size of a shadow's border is visible: it is an edge
+// of the occluder or touches it, and rounding must not decide. If the occluder is larger than the
+// view, the view's size counts, so that shapes sunk into a wide floor are hidden.
 constexpr double kBorder = 2e-4;
-// Cosine: a polygon that is seen edge-on hides nothing, and rounding would say on which side of its edges it is.
+// Cosine: a polygon seen edge-on hides nothing, because rounding would decide what is inside it.
 constexpr double kEdgeOn = 1e-12;
-// Widest gap between two shadows, in borders, that counts as their seam: two borders seen at a
-// slant.
+// Widest gap between two shadows, in borders, that counts as a seam: borders may be at a slant.
 constexpr double kSeam = 8;
-// A terrain has thousands of occluders, of which few are near a line: they are found by where they
-// are on the screen. Not worth it for fewer than these.
+// If there are more occluders, as in a terrain, a grid on the screen finds those near a line.
 constexpr std::size_t kManyOccluders = 96;
 constexpr int kColumns = 48, kRows = 32;
 
@@ -46,7 +44,7 @@ HiddenLines::HiddenLines(const Camera& camera, const Occluders& occluders,
     std::vector<Point2> seen;
     if (!few) {
       seen = project_polygon(camera, polygon);
-      if (seen.empty()) continue;  // no line that is seen is near it
+      if (seen.empty()) continue;  // no visible line is near it
     }
     Vec3d normal = newell_normal(polygon).normalized();
     const Vec3d to_eye = camera.to_eye(middle);
@@ -58,7 +56,7 @@ HiddenLines::HiddenLines(const Camera& camera, const Occluders& occluders,
     for (std::size_t i = 0; i < polygon.size(); ++i) {
       const Vec3d& p = polygon[i];
       const Vec3d& q = polygon[(i + 1) % polygon.size()];
-      // The plane through the eye and the edge, facing away from the polygon's middle.
+      // The plane through the eye and the edge; its normal points away from the polygon's middle.
       Vec3d side = (q - p).cross(camera.to_eye(p));
       const double length = side.norm();
       if (length <= kBorder * (q - p).norm()) continue;
@@ -111,15 +109,14 @@ std::vector<Span> HiddenLines::split(const Vec3d& from, const Vec3d& to) const {
   };
   std::ranges::for_each(everywhere_, look);
   if (everywhere_.size() + 1 < begins_.size()) {
-    // A shadow that is in several of the cells is looked at in each: its interval adds nothing twice.
+    // A shadow is examined in each of its cells. Its repeated interval changes nothing.
     if (const std::optional<Segment2> seen = project_segment(camera_, from, to))
       each_cell(std::array{seen->from, seen->to},
                 [&](std::size_t cell) { std::ranges::for_each(cells_[cell], look); });
   }
   std::ranges::sort(hidden);
 
-  // Shadows of neighbours stop short of each other by their borders; what is between them is
-  // hidden.
+  // Shadows of neighbours stop short of each other by their borders; the gap is hidden too.
   const double length = (to - from).norm();
   const double seam = length > 0 ? kSeam * border_ / length : 0;
 

@@ -10,13 +10,13 @@ namespace contactscope::draw {
 namespace {
 
 constexpr int kRings = 9;
-// Rings on which lines are kept off. A label that names what it stands at stays near to it.
+// Rings on which labels avoid lines. A label with a fixed direction stays closer to its anchor.
 constexpr int kUncrossedRings = 14;
 constexpr int kUncrossedNearby = 6;
 constexpr int kDirections = 16;
-// Space around a label's letters that stays free, pixels.
+// Free space around a label's letters, pixels.
 constexpr float kPadding = 2;
-// A leader that starts this near to a line, pixels, and turns off it by less, looks like more of it.
+// A leader looks like part of a line if it starts within this distance, pixels, at a smaller angle.
 constexpr float kBesideLine = 7;
 constexpr float kAlongLine = 0.9f;  // cosine
 
@@ -35,7 +35,7 @@ void LabelPlacer::block(const Point2& center, float radius) {
 
 void LabelPlacer::block(const Point2& from, const Point2& to, float width) {
   blocked_.push_back({from, to});
-  // A chain of squares follows a slanted line more closely than its bounding box.
+  // A chain of squares fits a slanted line better than its bounding box.
   const int wanted = static_cast<int>(distance(from, to) / std::max(width, 1.0f)) + 1;
   const int pieces = std::clamp(wanted, 1, 200);
   for (int i = 0; i <= pieces; ++i) {
@@ -74,7 +74,7 @@ std::optional<LabelPlacer::Place> LabelPlacer::place(const Point2& anchor, float
       return clip_segment(box, line.from, line.to).has_value();
     });
   };
-  // Rings off lines, then all rings, and then with any leader.
+  // First the rings off lines, then all rings, then all rings with any leader.
   const int uncrossed_rings = outwards ? kUncrossedNearby : kUncrossedRings;
   for (int attempt = 0; attempt < uncrossed_rings + 2 * kRings; ++attempt) {
     const bool uncrossed = attempt < uncrossed_rings;
@@ -88,7 +88,7 @@ std::optional<LabelPlacer::Place> LabelPlacer::place(const Point2& anchor, float
       const double angle = wanted + step * 2 * std::numbers::pi / kDirections;
       const double ux = std::cos(angle);
       const double uy = std::sin(angle);
-      // The box touches the ring with the side or corner that looks at the anchor.
+      // The box touches the ring with the side or corner that faces the anchor.
       const double cx =
           anchor.x + ux * (reach + 0.5 * width * std::abs(ux)) +
           (std::abs(ux) < 0.35 ? 0.0 : std::copysign(0.25 * width * (1 - std::abs(ux)), ux));

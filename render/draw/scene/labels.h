@@ -9,33 +9,33 @@ namespace contactscope::draw {
 
 /// Finds places for labels: never over a mark, another label or the border of the view.
 ///
-/// Places are tried on rings around the anchor, nearest ring first and on each ring from the wanted
-/// direction outwards; the first one is taken that is free and that no line crosses. Where there is
-/// none nearby, lines may cross it. A leader runs neither through another label nor along a line that
-/// labels keep off, unless there is no other place. A label that found no free place on any ring is
-/// left out rather than drawn over something.
+/// Places are tried on rings around the anchor, nearest ring first, and on each ring from the
+/// wanted direction outwards. The first place wins that is free and that no line crosses. If there
+/// is none nearby, lines may cross the label. A leader neither crosses another label nor runs along
+/// a blocked line, unless there is no other place. A label without a free place on any ring is left
+/// out.
 class LabelPlacer {
  public:
   explicit LabelPlacer(const Rect& view) : view_(view) {}
 
-  /// Keeps labels off a disc, or off a line of some width; pixels.
+  /// Keeps labels off a disc; pixels.
   void block(const Point2& center, float radius);
-  /// No leader runs on along such a line either: it would look like more of it.
+  /// Keeps labels off a line of some width, and leaders from running along it.
   void block(const Point2& from, const Point2& to, float width);
-  /// Keeps labels off a line where they can.
+  /// Keeps labels off a line if possible.
   void avoid(const Segment2& line) { lines_.push_back(line); }
 
   struct Place {
     Point2 left_baseline;  // where the text begins
     bool needs_leader = false;
-    Point2 leader_end;  // point of the label's box nearest to the anchor
+    Point2 leader_end;  // point of the label's box that is nearest to the anchor
   };
 
   struct Wish {
     float clearance = 0;      // between the anchor and the text, pixels
     Point2 direction;         // from the anchor; unit, y down
-    bool outwards = false;    // rather on a line than on the other side of the anchor
-    bool has_leader = false;  // also from near by
+    bool outwards = false;    // rather across a line than opposite to `direction`
+    bool has_leader = false;  // draws a leader even if near
   };
 
   /// `ascent`, `descent`, `width`: size of the text.
@@ -47,24 +47,23 @@ class LabelPlacer {
 
   Rect view_;
   std::vector<Rect> taken_;
-  std::vector<Rect> texts_;      // labels, which no leader crosses
-  std::vector<Segment2> lines_;  // that labels avoid
+  std::vector<Rect> texts_;      // placed labels; no leader crosses them
+  std::vector<Segment2> lines_;  // lines that labels avoid
   std::vector<Segment2> blocked_;
 };
 
-/// A label that belongs to an end of a line.
+/// A label for an end of a line.
 struct LineLabel {
   float width = 0;              // of the text, pixels
   std::vector<Point2> anchors;  // ends of the line, the preferred one first; not empty
-  float clearance = 0;          // pixels more between an anchor and the text
-  float height = 0;             // of the text; 0: that of all
+  float clearance = 0;          // extra distance of the text from an anchor, pixels
+  float height = 0;             // of the text; 0: the common height
 };
 
-/// What labels keep off.
 struct LabelObstacles {
   struct Line {
     Point2 from, to;
-    float weight = 1;  // how much it matters that a label leaves it free
+    float weight = 1;  // factor of the cost of covering it
   };
   std::vector<Line> lines;
   std::vector<Point2> markers;
@@ -73,18 +72,18 @@ struct LabelObstacles {
 
 struct PlacedLabel {
   Rect box;
-  Point2 anchor;      // of the request's anchors
+  Point2 anchor;      // one of the request's anchors
   Point2 leader_end;  // where a leader from the anchor meets the box
   bool needs_leader = false;
 };
 
-/// A place for each label, in the order given, earlier ones first served. No two overlap and all
-/// are inside `frame`, as long as the frame has room for all side by side; then later ones move
-/// onto lines and farther from their ends rather than onto each other.
+/// Places all labels; earlier ones have priority. Labels do not overlap and are inside `frame`, if
+/// it has enough room. Otherwise later labels move onto lines and farther from their ends rather
+/// than onto each other.
 ///
-/// Steps: candidates stand on rings about each anchor, and on a grid over the frame; each costs
-/// what it covers, its distance, and what its leader crosses. The cheapest is taken, label by
-/// label; some rounds more let each label choose again with all others in place.
+/// Steps: candidates are on rings about each anchor and on a grid over the frame. The cost of a
+/// candidate counts what it covers, its distance, and what its leader crosses. The cheapest wins,
+/// label by label. In further rounds each label chooses again with all others in place.
 std::vector<PlacedLabel> place_line_labels(const std::vector<LineLabel>& labels,
                                            const LabelObstacles& obstacles, const Rect& frame,
                                            float height, float scale);

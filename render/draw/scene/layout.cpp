@@ -13,22 +13,22 @@ namespace {
 
 constexpr double kPageMargin = 24;
 constexpr double kTitleSize = 28;
-constexpr double kLeastTitle = 22;  // smaller ones go on in a second line
+constexpr double kLeastTitle = 22;  // smaller titles get a second line
 constexpr double kTitleOfTwoLines = 19, kLeastTwoLines = 15;
 constexpr double kSourceSize = 15;
 constexpr double kPanelColumn = 356;
 constexpr double kGutter = 16;
-// Letters of 14 px at 720 lines are still 10 px high on the smallest pictures.
+// Text of 14 px at 720 lines is still 10 px high on the smallest pictures.
 constexpr float kLeastScale = 0.72f;
 constexpr double kBodySize = 15;  // of legends and panels
-// Of a figure whose type the author sets: a title has lines, and does not outshout the page's own.
+// In figures with an author's text size titles have lines, and are smaller than the page's.
 constexpr double kFigureTitle = 18;
 constexpr int kMostTitleLines = 3;
-// A view that is narrower than this, or than a panel, has panels and insets below and not beside it.
+// If the view would be narrower than this, or than a panel, panels and insets are below it.
 constexpr double kLeastView = 400;
-constexpr double kBelowShare = 0.45;  // of the room for both
+constexpr double kBelowShare = 0.45;  // share of the height
 
-/// Words of a title in as many lines as they take; the last one has what is left.
+/// Breaks a title into lines at spaces; the last allowed line contains the rest.
 std::vector<std::string> title_lines(const std::string& title, float size, float room, int most) {
   if (most == 1) return {title};
   std::vector<std::string> lines(1);
@@ -74,7 +74,7 @@ std::string fitted(const std::string& text, float size, FontWeight weight, float
   if (text_width(text, size, weight) <= available) return text;
   std::string shortened = text;
   while (!shortened.empty()) {
-    // Whole UTF-8 characters only: up to a byte that begins one.
+    // Remove whole UTF-8 characters: up to a byte that begins one.
     while (shortened.size() > 1 && (static_cast<unsigned char>(shortened.back()) & 0xC0) == 0x80)
       shortened.pop_back();
     shortened.pop_back();
@@ -132,7 +132,7 @@ Layout make_layout(int width, int height, bool has_panels,
     layout.panels = {width - margin - column, top, column, room};
   }
   if (insets > 0 && style.follows() && layout.view.width < layout.px(2 * kLeastView)) {
-    // One below the other, the view first, all as large.
+    // Stacked with equal heights, the view first.
     const double each = (layout.view.height - insets * gutter) / (insets + 1);
     layout.view.height = each;
     for (int i = 1; i <= insets; ++i)
@@ -153,11 +153,11 @@ FittedTitle fit_title(const std::string& title, float room, float scale) {
   };
   const double whole = width(title, kTitleSize);
   if (whole <= room) return {{title}, kTitleSize};
-  // A step of a pixel at a time, so that a longer number in the next frame seldom changes it.
+  // Shrink in steps of a pixel, so that a longer number in the next frame seldom changes the size.
   for (double size = kTitleSize - 1; size >= kLeastTitle; --size)
     if (width(title, size) <= room) return {{title}, size};
   for (double size = kTitleOfTwoLines; size >= kLeastTwoLines; --size) {
-    // The break that leaves both lines most alike.
+    // The break that makes both lines most alike in width.
     std::optional<std::size_t> best;
     double least = 0;
     for (std::size_t i = title.find(' '); i != std::string::npos; i = title.find(' ', i + 1)) {
@@ -183,7 +183,7 @@ void draw_captions(const std::string& title, const std::string& source, const st
   if (layout.title_lines > 0) {
     drawing.begin(kTitlePart);
     const std::string said = pen.said(title).text;
-    // At the size that an author asked for, in as many lines as the layout has room for; else as it fits.
+    // Use the author's size and the layout's number of lines. Otherwise fit the title to the room.
     FittedTitle fit = fit_title(said, room, layout.scale);
     if (layout.title_size != kTitleSize || layout.title_lines > 1)
       fit = {title_lines(said, pen.px(layout.title_size), room, layout.title_lines),

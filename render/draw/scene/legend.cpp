@@ -35,8 +35,7 @@ std::vector<LegendEntry> Legend::sorted() const {
   };
   std::vector<LegendEntry> sorted;
   for (const LegendEntry& entry : entries_) {
-    // A measure too narrow for its arrow means the same as one that is not; and a point whose whisker
-    // its dot hides is a contact point too.
+    // Measures mean the same, narrow or not; so do points whose whisker is hidden by the dot.
     if (entry.swatch == &kNarrowAxisSwatch &&
         has(kAxisSwatch, [&](const std::string& text) { return text == entry.text; }))
       continue;
@@ -48,7 +47,7 @@ std::vector<LegendEntry> Legend::sorted() const {
     } else if (entry.text.find(same->text) != std::string::npos) {
       same->text = entry.text;
     } else if (same->text.find(entry.text) == std::string::npos) {
-      // "distance, every 200 mm or 50 mm": what both begin with is said once.
+      // "distance, every 200 mm or 50 mm": the common beginning is written once.
       std::size_t alike = 0;
       while (alike < std::min(same->text.size(), entry.text.size()) &&
              same->text[alike] == entry.text[alike])
@@ -66,7 +65,7 @@ std::vector<LegendEntry> Legend::sorted() const {
 LegendChoice choose_legend(const std::vector<LegendEntry>& sorted) {
   LegendChoice choice;
   if (sorted.size() <= kMostLegendEntries) return {sorted, {}};
-  // Rank of each: smaller ones are listed.
+  // Entries with smaller ranks are listed.
   const auto rank = [](const LegendEntry& entry) {
     if (entry.beside) return 6;
     if (!entry.anchor) return 0;

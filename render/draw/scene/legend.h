@@ -10,12 +10,12 @@
 #include "draw/scene/pen.h"
 #include "trace/trace.h"
 
-/// The legend of a picture: what each sign in it means.
+/// Legend of a picture: the meaning of each sign.
 namespace contactscope::draw {
 
 class SwatchPen;
 
-/// What a legend explains, in its order.
+/// Sections of a legend, in order.
 enum class LegendGroup {
   Shapes,
   Cores,
@@ -30,71 +30,68 @@ enum class LegendGroup {
   Directions,
 };
 
-/// How a sign looks in the legend, and where it stands there. Each is a constant beside the code
-/// that draws the sign, and is known by its address.
+/// A sign of the legend: a constant next to the code that draws the sign, identified by its
+/// address.
 struct Swatch {
   LegendGroup group;
-  int place;  // within the group
+  int place;  // order within the group
   void (*draw)(const SwatchPen&);
-  Color ink = kText;  // of a label that stands at the thing in its place
+  Color ink = kText;  // of a label in the scene that replaces the entry
 };
 
 struct LegendEntry {
   const Swatch* swatch = nullptr;
   std::string text;
-  /// Where a label at the thing itself can say it, world; nothing: the legend alone can, because
-  /// the sign is everywhere, or because its scale stands there.
+  /// World position at which a label in the scene can replace the entry. Nothing if only the legend
+  /// can explain the sign, because it is everywhere or because the text states its scale.
   std::optional<Vec3d> anchor{};
-  bool beside = false;  // a panel shows it, and the view does not
+  bool beside = false;  // shown by a panel and not by the view
 
-  /// Whether both say the same.
   bool operator==(const LegendEntry& other) const {
     return swatch == other.swatch && text == other.text;
   }
 };
 
-/// So many at most stand in a legend, where the others can be labelled.
+/// Maximum number of entries in a legend if the others can be labelled in the scene.
 inline constexpr std::size_t kMostLegendEntries = 5;
 
-/// So many labels at most stand in for entries: more are a crowd.
+/// Maximum number of labels that replace entries; more would crowd the scene.
 inline constexpr std::size_t kMostInPlace = 2;
 
-/// Of a picture's signs those that its legend explains, and those that labels do.
+/// Splits a picture's signs into legend entries and labels in the scene.
 struct LegendChoice {
-  std::vector<LegendEntry> listed;    // in the order in which a picture lists them
+  std::vector<LegendEntry> listed;    // in legend order
   std::vector<LegendEntry> labelled;  // each with an anchor
 };
 
-/// Up to kMostLegendEntries are listed. Of more, those that have no place in the picture are listed
-/// first, then points, forces and motion, which are many in a picture, before faces, lines and
-/// bodies, of which each is one thing that can be pointed at, and what panels show alone last. Of the
-/// others two are labelled that are no points, forces or bodies: these bear a number or a word of
-/// their own.
+/// Lists up to kMostLegendEntries. If there are more, signs without an anchor are listed first,
+/// then points, forces and motion, which occur often. Next are faces, lines and bodies, which are
+/// single objects, and last the signs of panels. Two of the others are labelled in the scene, but
+/// no points, forces, motion or masses, because these have labels already.
 LegendChoice choose_legend(const std::vector<LegendEntry>& sorted);
 
-/// What a label at the thing says: the words before the first ", " or ": ".
+/// Text of a label in the scene: the words before the first ", " or ": ".
 std::string label_of(const LegendEntry& entry);
 
 class Legend {
  public:
-  /// Adds an entry unless it stands there already.
+  /// Adds an entry unless it is there already.
   void explain(const Swatch& swatch, const std::string& text,
                const std::optional<Vec3d>& anchor = std::nullopt) {
     explain(LegendEntry{&swatch, text, anchor});
   }
   void explain(const LegendEntry& entry);
-  /// Adds those of another that are new.
+  /// Adds the entries of another legend that are new.
   void explain(const Legend& other);
   const std::vector<LegendEntry>& entries() const { return entries_; }
-  /// In the order in which a picture lists them, signs that look alike once.
+  /// Entries in legend order; signs that look alike are merged.
   std::vector<LegendEntry> sorted() const;
 
  private:
   std::vector<LegendEntry> entries_;
 };
 
-/// Draws a swatch. Its own lengths and places are in pixels at 720 lines, places from the left end
-/// of the swatch, halfway up.
+/// Draws a swatch. Lengths and places are pixels at 720 lines from the middle of its left end.
 class SwatchPen : public Pen {
  public:
   SwatchPen(const Layout& layout, const Point2& left, Drawing& drawing)
@@ -118,24 +115,24 @@ class SwatchPen : public Pen {
     ring(middle(), inner, outer, color);
   }
   void box(const Color& fill_color, const Color& border, double width, bool dashed = false) const;
-  /// A box filled with so much of its border's colour.
+  /// A box filled with its border's colour at opacity `alpha`.
   void area(const Color& color, float alpha, double width, bool dashed = false) const {
     box(with_alpha(color, alpha), color, width, dashed);
   }
   void hatched(const Color& color) const;
   void crossed(const Color& color) const { cross(middle(), 4.5, 2, color, Cap::Round); }
-  /// Head of an arrow whose tip is there; `size` < 0: to the left.
+  /// Arrow head with its tip at `tip`; `size` < 0: to the left.
   void head(double tip, double size, const Color& color) const;
   void arrow(double width, double size, const Color& color) const {
     level_line(0, 14, width, color);
     head(22, size, color);
   }
-  /// Its head is two strokes.
+  /// An arrow whose head is two strokes.
   void open_arrow(double width, const Color& color) const {
     level_line(0, 21, width, color);
     for (const double side : {-4.5, 4.5}) path({at(21), at(12, side)}, width, color);
   }
-  /// Down from the middle.
+  /// A line down from the middle.
   void whisker(double width, const Color& color) const {
     line(middle(), {middle().x, at(0, 9).y}, width, color);
   }
@@ -144,8 +141,8 @@ class SwatchPen : public Pen {
   Point2 left_;
 };
 
-// Swatches of signs that several drawings share: the same thing looks the same in a view, in the
-// contact plane and in an inset. The others stand in the file of the one drawing that they are of.
+// Swatches that several drawings share: a sign looks the same in a view, in the contact plane and
+// in an inset. All others are in the file of their only drawing.
 
 inline constexpr Swatch kReferenceFaceSwatch{
     LegendGroup::Faces, 0, [](auto& pen) { pen.area(kReferenceFace, 0.35f, 2.5); }};
@@ -177,7 +174,7 @@ inline constexpr Swatch kKeptSwatch{LegendGroup::Points, 11, [](auto& pen) {
 inline constexpr Swatch kFreeAxisSwatch{LegendGroup::Masses, 1,
                                         [](auto& pen) { pen.dashes(2.5, kNormal); }};
 
-/// What a body stands on, and the axis about which it turns where it is not stable.
+/// Explains the support of a body, and the axis about which it turns if it is not stable.
 inline void explain_support(const trace::Stability& stability, bool turns, Legend& legend) {
   if (stability.support.size() > 2)
     legend.explain(kSupportSwatch, "support: hull of the contact points",
@@ -196,7 +193,7 @@ inline constexpr Swatch kAxisSwatch{LegendGroup::Axes, 1, [](auto& pen) {
                                       pen.head(22, 8, kAxis);
                                       pen.head(0, -8, kAxis);
                                     }};
-/// Of a measure that is too narrow for its arrow.
+/// For a measure that is too narrow for its arrow.
 inline constexpr Swatch kNarrowAxisSwatch{LegendGroup::Axes, 2, [](auto& pen) {
                                             pen.level_line(0, 3, 3, kAxis);
                                             pen.head(10, 8, kAxis);
@@ -210,11 +207,11 @@ inline constexpr Swatch kOverlapSwatch{LegendGroup::Axes, 1, [](auto& pen) {
                                            pen.line(pen.at(at, -6), pen.at(at, 6), 3, kAxis);
                                        }};
 
-/// Width of an entry's swatch and text in pixels, and the gap to the next. `words`: those of the
-/// picture's reader; null: the program's own.
+/// Width of an entry's swatch and text, and the gap to the next entry, in pixels. `words`:
+/// translations for the reader; null: none.
 float legend_entry_width(const LegendEntry& entry, float scale, const Words* words);
 
-/// Paints the legend into its rectangle.
+/// Draws the legend into its rectangle.
 void draw_legend(const std::vector<LegendEntry>& entries, const Layout& layout, Drawing& drawing);
 
 }  // namespace contactscope::draw

@@ -15,17 +15,17 @@ namespace {
 constexpr int kRounds = 4;
 constexpr int kDirections = 24;
 constexpr std::array<double, 11> kRings = {9, 13, 18, 25, 34, 46, 62, 84, 112, 150, 200};
-constexpr double kLeaderFrom = 15;  // pixels at 720 lines; nearer labels need none
+constexpr double kLeaderFrom = 15;  // pixels at 720 lines; nearer labels need no leader
 constexpr double kMarkerRadius = 6;
 constexpr double kPadding = 1.5;  // free space around a label
-constexpr double kBetween = 5;    // more of it beside another: two names must not read as one
-// What a pixel of a covered line, a covered marker and so on cost, in pixels of distance.
+constexpr double kBetween = 5;    // more between labels: two names must not read as one
+// Costs of a pixel of a covered line, a covered marker and so on, in pixels of distance.
 constexpr double kCoveredPixel = 1.2;
 constexpr double kCoveredMarker = 45;
 constexpr double kLeaderCrossesLine = 16;
 constexpr double kLeaderCrossesMarker = 30;
 constexpr double kOtherEnd = 10;
-constexpr double kAgainstTheLine = 8;  // not to the right of the preferred end
+constexpr double kAgainstTheLine = 8;  // label is not to the right of its anchor
 
 /// Length of the part of a segment inside a box. Liang and Barsky 1984.
 double length_inside(const Point2& from, const Point2& to, const Rect& box) {
@@ -150,7 +150,7 @@ struct Placement {
       for (double x = frame.x + 0.5 * width; x < frame.right(); x += height) consider(x, y, 0);
     }
     if (found) return *found;
-    // Nowhere free: at the anchor, pushed into the frame.
+    // No free place: at the anchor, pushed into the frame.
     const Point2& at = anchors.front();
     const double most_x = std::max(frame.x, frame.right() - width);
     const double most_y = std::max(frame.y, frame.bottom() - height);

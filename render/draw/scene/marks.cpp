@@ -8,7 +8,7 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr int kSteps = 12;  // of a quarter of a circle
+constexpr int kSteps = 12;  // for a quarter of a circle
 
 // Pixels at 720 lines.
 constexpr double kDotRadius = 5.5;
@@ -28,7 +28,7 @@ constexpr double kRingInner = 9.0;
 constexpr double kRingOuter = 11.2;
 constexpr double kCrossReach = 4.5;
 
-/// Part of a disc, angles in quarters of a turn, clockwise on the screen from the right.
+/// Sector of a disc; angles in quarters of a turn, clockwise on the screen from the right.
 Fill sector(const Point2& center, float radius, int from, int to, const Color& color) {
   Fill fill{{}, color};
   if (to - from < 2) fill.polygon.push_back(center);
@@ -40,7 +40,7 @@ Fill sector(const Point2& center, float radius, int from, int to, const Color& c
   return fill;
 }
 
-/// A ring filled on its left, pixels.
+/// A ring whose left half is filled; sizes in pixels.
 void draw_half_dot(const Point2& center, float radius, float border, const Color& color,
                    Drawing& drawing) {
   drawing.primitives.push_back(sector(center, radius - 0.5f * border, 1, 3, color));
@@ -137,13 +137,13 @@ void draw_badge(Badge badge, const Point2& middle, float width, float height, co
   }
   std::vector<Point2> outline;
   if (badge == Badge::Support) {
-    // Its corners are as far out as those of the number ask for.
+    // The corners extend as far as those of the number require.
     const float reach = std::max(x + 0.6f * y, 0.85f * width + room);
     outline = {{middle.x - reach, middle.y},
                {middle.x, middle.y - 1.5f * y},
                {middle.x + reach, middle.y},
                {middle.x, middle.y + 1.5f * y}};
-  } else if (badge == Badge::Choice) {  // of two digits: a circle that is drawn out
+  } else if (badge == Badge::Choice) {  // two digits: an elongated circle
     constexpr int kHalf = 8;
     for (int i = 0; i <= 2 * kHalf + 1; ++i) {
       const bool right = i <= kHalf;

@@ -12,20 +12,20 @@
 namespace contactscope::draw {
 namespace {
 
-// Lengths of an edge on the screen, pixels, between which the lines inside of a surface fade.
+// Edge lengths on the screen, pixels, between which the lines inside a surface fade.
 constexpr double kFaded = 5;
 constexpr double kFull = 60;
 constexpr float kThinAlpha = 0.45f;
-// A mesh of so few triangles is drawn like a hull: all are parted exactly, creases are strong.
+// A mesh with up to this many triangles is drawn like a hull: exact depth order, strong creases.
 constexpr std::size_t kFewTriangles = 120;
-constexpr std::size_t kSampled = 400;  // edges are enough to know how long they are
+constexpr std::size_t kSampled = 400;  // number of edges that suffices to estimate their length
 
-// A share that grows from 0 at `none` to 1 at `whole`.
+// Grows linearly from 0 at `none` to 1 at `whole`.
 float share_between(double none, double whole, double value) {
   return static_cast<float>(std::clamp((value - none) / (whole - none), 0.0, 1.0));
 }
 
-// How strong the lines between triangles are.
+// Opacity of the lines between triangles.
 float thin_alpha(const Scene& scene, const PlacedShape& shape) {
   const std::vector<ShapeMesh::Edge>& edges = shape.mesh->edges;
   const std::size_t step = std::max<std::size_t>(1, edges.size() / kSampled);
@@ -42,13 +42,12 @@ float thin_alpha(const Scene& scene, const PlacedShape& shape) {
   return count == 0 ? 0 : kThinAlpha * share_between(kFaded, kFull, sum / count);
 }
 
-// How far apart two lines at least are on the screen, pixels, that both stay: closer ones make a
-// moiré.
+// Distances between lines on the screen, pixels, over which they fade, to avoid a moiré.
 constexpr double kTooClose = 3;
 constexpr double kFarAway = 11;
 
-// The share that is left of a line between triangles which stand closer and closer on the screen
-// towards the horizon. `seen` is where each vertex is on the screen.
+// Remaining opacity of a line between triangles, which get narrower on the screen towards the
+// horizon. `seen`: each vertex on the screen.
 float distance_fade(const Scene& scene, const PlacedShape& shape, const ShapeMesh::Edge& edge,
                     const std::vector<std::optional<Point2>>& seen) {
   const std::optional<Point2>& from = at(seen, edge.from);
@@ -71,7 +70,7 @@ float distance_fade(const Scene& scene, const PlacedShape& shape, const ShapeMes
   return share_between(kTooClose, kFarAway, spacing / scene.scales.pixel);
 }
 
-// A triangle of a mesh with the strongest role that a manifold gives it.
+// A triangle of a mesh with the strongest role that a manifold assigns to it.
 struct Touched {
   const PlacedShape* mesh;
   int triangle;
@@ -108,7 +107,7 @@ void draw_mesh(const Scene& scene, const PlacedShape& shape, const Color& fill, 
   const bool many = shape.traced().faces.size() > kFewTriangles;
   const std::size_t before = sketch.surfaces.size();
   const std::vector<bool> front = draw_faces(scene.camera, shape, fill, open, sketch);
-  // What the other shapes reach: there triangles have to be parted exactly.
+  // Triangles in reach of other shapes need the exact depth order.
   Eigen::AlignedBox3d reach;
   for (const PlacedShape& other : scene.shapes) {
     if (&other != &shape && !other.is_mesh()) reach.extend(box_around(extent_points(other)));
@@ -119,7 +118,7 @@ void draw_mesh(const Scene& scene, const PlacedShape& shape, const Color& fill, 
 
   const auto hidden = many ? LineStyle::Hidden::Gone : LineStyle::Hidden::Faint;
   const LineStyle border{1.5f, with_alpha(kShapeEdge, 0.85f), false, LineStyle::Hidden::Faint};
-  // The hills of a landscape are not what it ends with.
+  // Hills are not the outline of a landscape.
   const bool landscape = many && open;
   const LineStyle silhouette{landscape ? 1.3f : 2.0f,
                              with_alpha(kShapeEdge, landscape ? 0.6f : 1.0f), false, hidden};
@@ -153,7 +152,7 @@ void draw_touched_triangles(const Scene& scene, Sketch& sketch) {
   const float width = touched.size() > 6 ? 1.5f : touched.size() > 2 ? 2.0f : 3.0f;
   for (const auto& [mesh, triangle, incident] : touched) {
     const Color color = incident ? kIncidentFace : kReferenceFace;
-    // On a landscape what stands before a triangle hides it.
+    // On a landscape, surfaces in front of a triangle hide it.
     const bool many = mesh->traced().faces.size() > kFewTriangles;
     sketch.face(
         mesh->polygon(triangle), with_alpha(color, 0.35f),

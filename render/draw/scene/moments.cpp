@@ -9,7 +9,7 @@
 namespace contactscope::draw {
 namespace {
 
-/// Whether the time of each frame is its number; of one frame alone it tells nothing.
+/// Whether the time of each frame is its number. False for a single frame, which proves nothing.
 bool counts_frames(const std::vector<trace::Frame>& frames) {
   for (const trace::Frame& frame : frames) {
     if (frame.time != frame.frame) return false;
@@ -17,8 +17,8 @@ bool counts_frames(const std::vector<trace::Frame>& frames) {
   return frames.size() > 1;
 }
 
-/// How many steps the algorithm takes whose story it is, of all frames the most; 0 where no frame has
-/// its facts.
+/// Number of steps of the story's algorithm, maximum over all frames; 0 if no frame has recorded
+/// it.
 int steps_told(const std::vector<trace::Frame>& frames, Story story) {
   View view;
   view.story = story;
@@ -26,7 +26,7 @@ int steps_told(const std::vector<trace::Frame>& frames, Story story) {
   for (const trace::Frame& frame : frames) {
     for (const trace::Pair& pair : frame.pairs) {
       if (story == Story::ClipSteps) {
-        // Behind the side planes: what is above the reference face goes.
+        // The step after the side planes drops points above the reference face.
         if (pair.clip) most = std::max(most, count_of(pair.clip->steps) + 1);
       } else if (const auto step = simplex_step(view, frame, pair)) {
         most = std::max(most, step->steps);

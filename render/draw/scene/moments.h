@@ -8,14 +8,14 @@
 
 namespace contactscope::draw {
 
-/// How a sequence says where it is: "frame 12, t = 0.200 s", or where it is told in steps, "step 3 of
-/// 5". Steps tell the stories of algorithms, whose frame k is what step k leaves, from 0, the start.
-/// Sequences whose time counts the frames, one a second, have pictures: the first is picture 1.
+/// Texts for the moment of a frame: "frame 12, t = 0.200 s", or "step 3 of 5" for an algorithm
+/// shown in steps. Frame k of an algorithm shows the result of step k; frame 0 is the start. If the
+/// time equals the frame number, frames are pictures, and the first is picture 1.
 class Moments {
  public:
-  /// As time passes.
+  /// Without frames: texts with frame and time.
   Moments() = default;
-  /// Frames of a whole sequence, or of a long one some of them, the first and the last among them.
+  /// All frames of a sequence, or a subset of a long one that includes the first and the last.
   Moments(const std::vector<trace::Frame>& frames, Story story);
 
   std::string of(const trace::Frame& frame) const;
@@ -23,8 +23,8 @@ class Moments {
  private:
   bool steps_ = false;
   const char* word_ = "step";
-  int before_first_ = 0;  // what is added to the number of a frame
-  int last_ = 0;          // step
+  int before_first_ = 0;  // added to the number of a frame
+  int last_ = 0;          // last step
 };
 
 }  // namespace contactscope::draw

@@ -10,9 +10,9 @@ namespace contactscope::draw {
 namespace {
 
 constexpr std::size_t kMostBodySides =
-    160;  // faces of bodies before it: of a landscape all counts as seen
+    160;  // faces of bodies; with more, as on a landscape, nothing counts as hidden
 
-/// The part of `polygon` on one side of the line through two points: on its left, or not.
+/// The part of `polygon` to the left of the line through two points, or to its right.
 Outline cut(const Outline& polygon, const Vec2d& from, const Vec2d& to, bool left) {
   const double sign = left ? 1 : -1;
   return clipped(

@@ -9,7 +9,7 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr double kMarginal = 0.05;  // of how far the corners of the support are apart
+constexpr double kMarginal = 0.05;  // share of the size of the support
 
 }  // namespace
 
@@ -56,7 +56,7 @@ std::string spell_features(const std::string& type) {
 }
 
 std::string in_words(std::string_view code) {
-  // Where a code says less than what it stands for.
+  // Phrases where the code alone is not clear enough.
   constexpr std::pair<std::string_view, std::string_view> kPhrases[] = {
       {"optimal", "best area"},
       {"optimal_deepest", "best area with the deepest"},

@@ -13,12 +13,12 @@
 namespace contactscope::draw {
 namespace {
 
-// The share of the overlap that lies behind the surface of A. A point of a face contact lies on the
-// reference face, one of an incremental manifold, of two edges or of two round shapes in the middle
-// of both surfaces. Where a round shape touches a flat one, the point is on the flat one; except
-// that of an edge which the capsule's axis has passed it is midway between edge and axis (Gregorius
-// 2015, "Capsule vs Hull: Deep Contact"), and the capsule's surface is a radius further. What a
-// distance field is asked by lies that far from its surface, and the point is there.
+// Share of the overlap that lies behind the surface of A. A point of a face contact lies on the
+// reference face. Points of incremental manifolds, of two edges or of two round shapes lie midway
+// between both surfaces. If a round shape touches a flat one, the point is on the flat one. One
+// exception: if the capsule's axis has passed an edge, the point is midway between edge and axis
+// (Gregorius 2015, "Capsule vs Hull: Deep Contact"), and the capsule's surface is a radius further.
+// For a distance field, the point is on the other shape, at the queried distance from the field.
 double share_behind_a(const trace::Pair& pair, const trace::Manifold& manifold,
                       const trace::Point& point, double radius_a, double radius_b) {
   if (pair.incremental) return 0.5;
@@ -36,7 +36,7 @@ double share_behind_a(const trace::Pair& pair, const trace::Manifold& manifold,
   return radius_a > 0 ? 1 : 0;
 }
 
-// The face, or the two edges, of the axis that the test chose.
+// Face, or two edges, of the axis that the test chose.
 std::array<int, 2> chosen_features(const trace::Sat& sat) {
   if (sat.chosen == "face_a" && sat.face_a) return {sat.face_a->face, -1};
   if (sat.chosen == "face_b" && sat.face_b) return {sat.face_b->face, -1};
@@ -107,13 +107,13 @@ OnBoth whisker_at(const Scene& scene, const trace::Pair& pair, const PairPoint& 
 }
 
 bool has_whisker(const Scene& scene, const trace::Pair& pair, const PairPoint& at) {
-  constexpr double kLeastWhisker = 6.5;  // pixels: a shorter one is hidden by its dot
+  constexpr double kLeastWhisker = 6.5;  // pixels: the dot hides shorter ones
   if (!scene.shows(Layer::Contacts) || pair.query ||
       (pair.incremental && scene.shows(Layer::Persistent)))
     return false;
   auto [from, to] = whisker_at(scene, pair, at);
   const Vec3d& middle = at.point->position;
-  // The arrow of its impulse covers the part on its side.
+  // The impulse arrow covers the part on its side.
   if (scene.shows(Layer::Impulses) && at.point->impulse) {
     const Vec3d out = (scene.body(pair.b) != nullptr ? 1 : -1) * at.manifold->normal;
     for (Vec3d* end : {&from, &to})
@@ -179,7 +179,7 @@ std::vector<const trace::Pair*> pair_history(const std::vector<trace::Frame>& fr
   const auto is_wanted = [&](const trace::Pair& pair) {
     return pair.a == wanted.a && pair.b == wanted.b && pair.label == wanted.label;
   };
-  std::size_t usual = 0;  // where it was: mostly each frame has all in the same order
+  std::size_t usual = 0;  // previous index: most traces keep the order of pairs
   for (const trace::Frame& frame : frames) {
     const std::vector<trace::Pair>& pairs = frame.pairs;
     if (usual >= pairs.size() || !is_wanted(pairs[usual]))

@@ -15,10 +15,9 @@ namespace {
 constexpr float kOnALine = 0.1f;  // pixels
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// The first of the points after `first` to which no straight way leads that passes all between. The
-/// slopes against the way's first direction that pass all points so far narrow with every point, so
-/// that a path of n points costs n steps. Williams 1978, "An efficient algorithm for the piecewise
-/// linear approximation of planar curves".
+/// Index of the first point after `first` that no straight line reaches within tolerance of all
+/// points between. Each point narrows the range of slopes, so a path of n points takes n steps.
+/// Williams 1978, "An efficient algorithm for the piecewise linear approximation of planar curves".
 std::size_t end_of_straight(const std::vector<Point2>& points, std::size_t first) {
   Point2 along;
   float reached = 0, least = -1, most = 1;
@@ -27,12 +26,12 @@ std::size_t end_of_straight(const std::vector<Point2>& points, std::size_t first
     const Point2 way = points[next] - points[first];
     if (reached == 0) {
       const float direct = length(way);
-      if (!(direct > 0)) continue;  // the same place
+      if (!(direct > 0)) continue;  // coincident points
       along = way / direct;
     }
     const float run = dot(along, way), aside = cross(along, way);
     const float slope = aside / run;
-    if (run < reached || slope < least || slope > most) break;  // it turns back, or aside
+    if (run < reached || slope < least || slope > most) break;  // it turns back or leaves the line
     reached = run;
     least = std::max(least, (aside - kOnALine) / run);
     most = std::min(most, (aside + kOnALine) / run);
@@ -40,7 +39,7 @@ std::size_t end_of_straight(const std::vector<Point2>& points, std::size_t first
   return next;
 }
 
-/// Without the points between which the way is straight.
+/// Removes points on straight stretches.
 std::vector<Point2> straightened(const std::vector<Point2>& points) {
   std::vector<Point2> corners;
   for (std::size_t i = 0; i < points.size();) {
@@ -55,7 +54,7 @@ std::vector<Point2> straightened(const std::vector<Point2>& points) {
   return corners;
 }
 
-/// Where a line runs inside a convex polygon, as parameters along it (Cyrus and Beck 1978).
+/// Part of a line inside a convex polygon, as parameters (Cyrus and Beck 1978).
 std::optional<std::pair<double, double>> inside(const std::vector<Vec2d>& polygon,
                                                 const Vec2d& origin, const Vec2d& direction) {
   if (polygon.size() < 3) return std::nullopt;

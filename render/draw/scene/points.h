@@ -7,30 +7,29 @@
 #include "core/newell_normal.h"
 #include "core/vec3.h"
 
-/// What follows from many points at once.
+/// Properties of point sets and polygons.
 namespace contactscope::draw {
 
-/// The box around points, metres; empty without any.
+/// Bounding box of points, metres; empty without points.
 inline Eigen::AlignedBox3d box_around(std::span<const Vec3d> points) {
   Eigen::AlignedBox3d box;
   for (const Vec3d& p : points) box.extend(p);
   return box;
 }
 
-/// The middle of that box; at least one point.
+/// Centre of the bounding box; needs at least one point.
 inline Vec3d center_of(std::span<const Vec3d> points) {
   return box_around(points).center();
 }
 
-/// Their mean; at least one.
+/// Mean of the points; at least one.
 inline Vec3d mean_of(std::span<const Vec3d> points) {
   Vec3d sum = Vec3d::Zero();
   for (const Vec3d& p : points) sum += p;
   return sum / static_cast<double>(points.size());
 }
 
-/// A place inside of a polygon, near to its first corner; and one on its border. At least two
-/// corners.
+/// A point inside a polygon near its first corner, and the middle of its first side.
 inline Vec3d near_corner(std::span<const Vec3d> polygon) {
   return 0.3 * mean_of(polygon) + 0.7 * polygon.front();
 }
@@ -38,7 +37,7 @@ inline Vec3d middle_of_side(std::span<const Vec3d> polygon) {
   return 0.5 * (polygon[0] + polygon[1]);
 }
 
-/// How far a corner of a polygon is at most from its first one, metres.
+/// Largest distance of a polygon's corner from its first one, metres.
 inline double reach_of(std::span<const Vec3d> polygon) {
   double reach = 0;
   for (const Vec3d& p : polygon) reach = std::max(reach, (p - polygon.front()).norm());
@@ -46,8 +45,8 @@ inline double reach_of(std::span<const Vec3d> polygon) {
 }
 
 /// The part of a convex polygon where the `value` of a corner is not negative (Sutherland and
-/// Hodgman 1974). New corners are mix(from, to, value there, value here). What is within
-/// `tolerance` of the border lies on it, stays, and makes no new corner.
+/// Hodgman 1974). New corners are mix(from, to, value there, value here). Points within `tolerance`
+/// of the border count as on it: they stay and make no new corner.
 template <class P, class Value, class Mix>
 std::vector<P> clipped(const std::vector<P>& polygon, const Value& value, const Mix& mix,
                        double tolerance = 0) {
@@ -64,8 +63,8 @@ std::vector<P> clipped(const std::vector<P>& polygon, const Value& value, const 
   return result;
 }
 
-/// Where a value that runs evenly from `at_p` to `at_q` is 0. Made from the lower to the higher
-/// end, so that neighbours that are cut there get the very same point.
+/// Zero of a value that changes linearly from `at_p` to `at_q`. Computed from the lower to the
+/// higher end, so that neighbours that share an edge get exactly the same point.
 inline Vec3d zero_between(const Vec3d& p, const Vec3d& q, double at_p, double at_q) {
   if (at_p > at_q) return zero_between(q, p, at_q, at_p);
   return p + at_p / (at_p - at_q) * (q - p);

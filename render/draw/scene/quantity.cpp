@@ -8,22 +8,22 @@
 namespace contactscope::draw {
 namespace {
 
-// What a length may be in a unit that is not its own.
+// Range of values for which a length uses a unit other than its own.
 constexpr double kLeastInUnit = 1e-2, kMostInUnit = 1e4;
-// Likewise of other quantities.
+// The same for other quantities.
 constexpr double kLeastInPrefix = 1e-2, kMostInPrefix = 1e4;
 
 std::string with_minus_sign(const std::string& text) {
   return !text.empty() && text[0] == '-' ? "−" + text.substr(1) : text;
 }
 
-/// `value` as it is with so many significant digits. Numbers are rounded first and then given a
-/// unit, so that 0.9999 mm is spelled as 1.00 mm and not as 1.000 mm.
+/// `value` rounded to `digits` significant digits. Numbers are rounded before they get a unit, so
+/// that 0.9999 mm is written as 1.00 mm and not as 1.000 mm.
 double rounded_to(int digits, double value) {
   return std::strtod(printed("%.*e", digits - 1, value).c_str(), nullptr);
 }
 
-/// With so many digits and a real minus sign; `value` is rounded to them.
+/// Writes `value`, which is rounded to `digits` digits, with a real minus sign.
 std::string spelled(double value, int digits, const std::string& unit) {
   const double size = std::abs(value);
   const int whole = size > 0 ? static_cast<int>(std::floor(std::log10(size) + 1e-9)) + 1 : 1;
@@ -43,7 +43,7 @@ std::string superscript(int exponent) {
 }
 
 std::string spell_number(double value, int digits) {
-  constexpr double kLeastPlain = 1e-3;  // smaller ones have zeros to be counted
+  constexpr double kLeastPlain = 1e-3;  // smaller ones would have zeros to count
   const bool small = value != 0 && std::abs(value) < kLeastPlain * (1 - 1e-9);
   std::string text =
       with_minus_sign(small ? printed("%.*e", digits - 1, value) : printed("%.*g", digits, value));
@@ -99,7 +99,7 @@ std::string spell_length(double metres, double noise, const LengthUnit& unit) {
 std::string spell_share(double share) {
   const double percent = 100 * share;
   if (percent == 0 || percent >= 100) return printed("%.0f %%", percent);
-  // Only what is whole may be called so.
+  // Only exactly whole shares are written as 100 %.
   if (percent > 99.5) return printed("%.1f %%", std::min(percent, 99.9));
   const int whole = static_cast<int>(std::floor(std::log10(std::abs(percent)))) + 1;
   return with_minus_sign(printed("%.*f %%", std::clamp(2 - whole, 0, 2), percent));
@@ -137,7 +137,7 @@ Prefix prefix_for(double value) {
       {{1e9, "G"}, {1e6, "M"}, {1e3, "k"}, {1, ""}, {1e-3, "m"}, {1e-6, "µ"}, {1e-9, "n"}}};
   if (value == 0) return {};
   for (const Prefix& prefix : kPrefixes) {
-    // From 0.1 of the plain unit on, what a person would say.
+    // From 0.1 of the plain unit on, as people write it.
     const double least = prefix.size == 1 ? 0.1 : prefix.size;
     if (std::abs(value) >= least * (1 - 1e-9)) return prefix;
   }
@@ -154,7 +154,7 @@ std::string spell_quantity(double value, const std::string& unit, int digits,
 }
 
 std::string spell_impulse_scale(double metres_per_unit, const std::string& unit) {
-  // As many units as give a length that a person can imagine beside the bodies.
+  // The power of ten of units whose length is easy to compare with the bodies.
   double units = 1;
   while (metres_per_unit * units > 1) units /= 10;
   while (metres_per_unit * units < 0.1) units *= 10;

@@ -17,21 +17,21 @@
 namespace contactscope::draw {
 namespace {
 
-// Pixels.
+// Pixels at 720 lines.
 constexpr double kColumn =
-    34;  // from the line between the cores to a length beside it, and to the next
-constexpr double kBeyondColumn = 6;  // a line from a core to its column goes on so far
+    34;  // from the line between the cores to the first length, and between lengths
+constexpr double kBeyondColumn = 6;  // a line from a core extends this far beyond its column
 constexpr double kLeastLength = 12;
-// Of a length: nearer to its core than to where both radii overlap.
+// Position of the text along a length: nearer to its core than to the overlap of both radii.
 constexpr double kLabelled = 0.4;
 constexpr float kLengthSize = 17;
 constexpr float kSumSize = 20;
 constexpr float kCoreSize = 16;
-constexpr double kBesideCore = 14;   // of its name
-constexpr double kBeneathAxis = 34;  // likewise, where the axis goes on
+constexpr double kBesideCore = 14;   // from a core to its name
+constexpr double kBeneathAxis = 34;  // from a core to its name, where the axis continues
 constexpr double kOnArrow = 45;
 constexpr double kSideOfRightAngle = 44;
-constexpr double kSame = 1e-4;  // of a shape's size: nearer than that is the same place
+constexpr double kSame = 1e-4;  // of a shape's size: nearer points count as the same
 
 constexpr LineStyle kVirtual{1.8f, kShapeEdge, true, LineStyle::Hidden::Same};
 constexpr LineStyle kToColumn{1.0f, with_alpha(kQuietText, 0.8f)};
@@ -42,11 +42,11 @@ constexpr Swatch kVirtualSwatch{LegendGroup::Cores, 4, [](auto& pen) {
                                     pen.level_line(from, from + 6, 1.8, kShapeEdge);
                                 }};
 
-/// Where the cores of two shapes are nearest to each other; of a hull its surface is its core.
+/// Nearest points of the cores of two shapes; the core of a hull is its surface.
 struct Cores {
   Vec3d a, b;
   Vec3d normal;           // unit, from A to B
-  double separation = 0;  // metres, of the surfaces
+  double separation = 0;  // metres, between the surfaces
 };
 
 bool is_ball(const PlacedShape& shape) {
@@ -56,7 +56,7 @@ bool is_pill(const PlacedShape& shape) {
   return shape.traced().radius > 0 && shape.vertices.size() == 2;
 }
 
-// At each contact point; of shapes that are apart where they are nearest, as far as the trace tells.
+// At each contact point. For separated shapes at their nearest points, if the trace contains them.
 std::vector<Cores> cores_of(const Scene& scene, const trace::Pair& pair, const PlacedShape& a,
                             const PlacedShape& b) {
   const double radius_a = a.traced().radius, radius_b = b.traced().radius;
@@ -76,13 +76,13 @@ std::vector<Cores> cores_of(const Scene& scene, const trace::Pair& pair, const P
            pair.separation}};
 }
 
-/// Millimetres in the digits that the least of the lengths asks for.
+/// Millimetres with the digits that the smallest of the lengths needs.
 std::string millimetres(double metres, double least) {
   const double digits = std::abs(least) >= 9.95e-3 ? 0 : std::abs(least) >= 0.995e-3 ? 1 : 2;
   return printed("%.*f", static_cast<int>(digits), 1e3 * metres);
 }
 
-/// By a separating axis: a convex polygon in the winding of convex_polygon(), and a box.
+/// Separating axis test of a convex polygon, with the winding of convex_polygon(), and a box.
 bool are_apart(const std::vector<Vec2d>& polygon, const Rect& box) {
   Eigen::AlignedBox2d around;
   for (const Vec2d& p : polygon) around.extend(p);
@@ -99,7 +99,6 @@ bool are_apart(const std::vector<Vec2d>& polygon, const Rect& box) {
   return false;
 }
 
-/// Whether a place is an end of a capsule's axis.
 bool is_end(const PlacedShape& pill, const Vec3d& place) {
   return std::ranges::any_of(pill.vertices, [&](const Vec3d& v) {
     return (v - place).norm() < kSame * pill.mesh->radius;
@@ -111,14 +110,14 @@ struct RadiiSketch {
   const PlacedShape& a;
   const PlacedShape& b;
   Sketch& sketch;
-  std::optional<std::string> degenerate{};  // what of it has no normal
+  std::optional<std::string> degenerate{};  // geometry without a normal
   double radius_a = a.traced().radius, radius_b = b.traced().radius;
 
   double metres(const Vec3d& at, double pixels) const {
     return pixels * scene.scales.pixel / scene.camera.pixels_per_metre(at);
   }
 
-  /// A ball about the point of a capsule's axis, as if that were all of it.
+  /// The virtual sphere: a ball about the contact's point of a capsule's axis.
   void virtual_sphere(const PlacedShape& shape, const Vec3d& center) {
     if (!is_pill(shape)) return;
     const RoundBody ball{{center}, shape.traced().radius};
@@ -143,8 +142,8 @@ struct RadiiSketch {
     sketch.label(at, name, kText, kCoreSize, clearance, away).bold = false;
   }
 
-  /// In which direction the name of B's core stands, and how far away. Of a capsule whose axis goes on both ways inside
-  /// of a hull off that axis, and off the length that is measured from there to the surface.
+  /// Direction and distance of the name of B's core. If a capsule's axis continues both ways inside
+  /// a hull, the name avoids that axis and the length measured to the surface.
   std::pair<Vec3d, double> beside_core(const Cores& at, const Vec3d& right) const {
     const bool passed =
         is_pill(b) && !(radius_a > 0) && (at.b - at.a).dot(at.normal) < 0 && !is_end(b, at.b);
@@ -152,14 +151,14 @@ struct RadiiSketch {
     return {at.normal + right, kBesideCore};
   }
 
-  /// Cores that are points or segments are apart; a hull is a solid, and the other core outside or inside.
+  /// Cores of two round shapes are "apart"; a hull is solid: the other core is in- or outside.
   const char* stands(double apart) const {
     if (radius_a > 0 && radius_b > 0) return "apart";
     return apart < 0 ? "inside" : "outside";
   }
 
-  /// A length along the line between the cores, measured in a column beside it: from the right of the line outwards
-  /// 1, 2, ..., and -1 on its left.
+  /// A length along the line between the cores, drawn in a column parallel to it. Columns are
+  /// numbered 1, 2, ... from the line to the right; -1 is on its left.
   void dimension(const Vec3d& from, const Vec3d& way, const Vec3d& right, int column,
                  const std::string& text, const Color& line, const Color& ink) {
     if (way.norm() < metres(from, kLeastLength)) return;
@@ -183,18 +182,18 @@ struct RadiiSketch {
               kText);
   }
 
-  /// Of axes that are parallel: on both of them the stretch at the ends of which the two contact points are.
+  /// Parallel axes: draws on both the stretch between the two contact points.
   void shared_stretch(const Cores& from, const Cores& to) {
     sketch.line(from.a, to.a, kAlongAxis);
     sketch.line(from.b, to.b, kAlongAxis);
-    if (degenerate) return;  // which is what the axes in one line are called after
+    if (degenerate) return;  // the label of collinear axes names that instead
     sketch
         .label(0.5 * (from.a + to.a), "shared stretch", kText, kCoreSize, kBesideCore, -from.normal)
         .bold = false;
   }
 
-  /// Of axes that cross in one place: that the normal is at right angles to both of them, which is what makes it their
-  /// cross product. In a picture of things that lean away from the eye no angle is seen as it is.
+  /// Crossing axes: shows that the normal is at right angles to both of them, so it is their cross
+  /// product. In perspective no angle is seen in its true size.
   void cross_product(const Cores& at, const Vec3d& aside) {
     if (scene.shows(Layer::Normals)) {
       const Vec3d on_arrow = at.a + (radius_a + metres(at.a, kOnArrow)) * at.normal;
@@ -203,7 +202,7 @@ struct RadiiSketch {
     const double side = metres(at.a, kSideOfRightAngle);
     for (const PlacedShape* shape : {&a, &b}) {
       const Vec3d axis = shape->vertices[1] - shape->vertices[0];
-      // One on each side, so that they are two.
+      // One on each side, so that both are visible.
       const bool is_right = axis.dot(scene.camera.right()) > 0;
       const Vec3d along = is_right == (shape == &b) ? axis : Vec3d(-axis);
       sketch.line(shape->vertices[0], shape->vertices[1], kAlongAxis);
@@ -213,7 +212,7 @@ struct RadiiSketch {
     }
   }
 
-  /// What the round shapes cover on the screen.
+  /// Convex outlines of the round shapes on the screen.
   std::vector<std::vector<Vec2d>> silhouettes() const {
     std::vector<std::vector<Vec2d>> list;
     for (const PlacedShape* shape : {&a, &b}) {
@@ -228,7 +227,7 @@ struct RadiiSketch {
     return list;
   }
 
-  /// The edges of a hull on the screen: its faces have room for a text, its edges have not.
+  /// Edges of a hull on the screen. Text may cover its faces, but not its edges.
   std::vector<Segment2> edges_of_hull() const {
     std::vector<Segment2> list;
     for (const PlacedShape* shape : {&a, &b}) {
@@ -241,13 +240,13 @@ struct RadiiSketch {
     return list;
   }
 
-  /// The box of a text as near to a point as there is room in the view beside the round shapes and off a hull's edges,
-  /// and not along the normal, on the left first; nothing where there is none.
+  /// Box for a text near a point, inside the view, off the round shapes and a hull's edges, and not
+  /// along the normal. Prefers the left; nothing if there is no room.
   std::optional<Rect> free_ground(const Vec3d& from, const Vec3d& normal, float width) const {
     constexpr double kRow = 26, kStep = 12, kFarthest = 480;  // pixels
     constexpr int kDirections = 24;
     constexpr float kAlong = 0.93f;   // cosine
-    constexpr double kSlanted = 1.5;  // how much farther away a level line may lead
+    constexpr double kSlanted = 1.5;  // extra cost of a vertical leader
     const Camera& camera = scene.camera;
     const double pixel = scene.scales.pixel, height = kRow * pixel;
     const std::optional<Point2> at = camera.project(from);
@@ -259,10 +258,10 @@ struct RadiiSketch {
     const std::vector<Segment2> edges = edges_of_hull();
     std::optional<Rect> best;
     double least = 0;
-    // No place costs less than its reach.
+    // The cost of a place is at least its reach.
     for (double reach = 3 * kStep; reach < kFarthest && !(best && reach >= least); reach += kStep) {
       for (int i = 0; i < kDirections; ++i) {
-        // From the left on, 0, +1, -1, +2, ...
+        // From the left: 0, +1, -1, +2, ...
         const int step = (i % 2 == 1 ? 1 : -1) * ((i + 1) / 2);
         const double angle = std::numbers::pi + step * 2 * std::numbers::pi / kDirections;
         const auto x = static_cast<float>(std::cos(angle)), y = static_cast<float>(std::sin(angle));
@@ -291,8 +290,8 @@ struct RadiiSketch {
     return best;
   }
 
-  /// The sum: overlap = radii less the distance of the cores, which is negative where the core of a
-  /// round shape is inside of a hull.
+  /// The sum: overlap = radii less the distance of the cores. That distance is negative if the core
+  /// of a round shape is inside a hull.
   void sum(const Cores& at, const Vec3d& aside) {
     const double apart = (at.b - at.a).dot(at.normal);
     const double least = std::abs(at.separation);
@@ -309,7 +308,7 @@ struct RadiiSketch {
            : overlaps   ? "overlap " + text + (apart < 0 ? " + " : " − ") + distance
                         : "gap " + distance + " − " + text;
     text += (is_sum ? " = " + millimetres(least, least) : "") + " mm";
-    // Of a hull the part of the whisker beside which no length is measured.
+    // For a hull, the part of the whisker next to which no length is measured.
     const double share = radius_a > 0 && radius_b > 0 ? 0.5 : radius_b > 0 ? 0.75 : 0.25;
     const Vec3d on_a = at.a + radius_a * at.normal, on_b = at.b - radius_b * at.normal;
     const Vec3d middle = (1 - share) * on_a + share * on_b;
@@ -321,7 +320,7 @@ struct RadiiSketch {
       sketch.label(middle, text, ink, kSumSize, 60, aside).leader = true;
       return;
     }
-    // A thin line to the side that is nearer, and the text beyond it.
+    // A thin line to the nearer side, and the text beyond it.
     const Camera& camera = scene.camera;
     const Point2 foot = *camera.project(middle);
     const bool is_right = box->x + 0.5 * box->width > foot.x;
@@ -337,7 +336,7 @@ struct RadiiSketch {
     if (is_pill(a) && is_pill(b) && all.size() == 2) shared_stretch(all[0], all[1]);
     bool first = true;
     for (const Cores& at : all) {
-      // About one place they are one in the other, and tell nothing that the radii do not.
+      // If both points coincide, the spheres are concentric and show nothing that the radii do not.
       const bool in_one_place = (at.b - at.a).norm() < kSame * (a.mesh->radius + b.mesh->radius);
       if (!(in_one_place && is_pill(a) && is_pill(b))) {
         virtual_sphere(a, at.a);
@@ -347,8 +346,8 @@ struct RadiiSketch {
       const bool end_on = across.norm() < 0.2;
       const Vec3d right = end_on ? scene.camera.right() : Vec3d(across.normalized());
       if (!(at.b - at.a).isZero(1e-9)) sketch.line(at.a, at.b, {1.6f, kAxisText, true});
-      if (first) sum(at, right);  // before the lengths: its line leads to where it is
-      // The normal is what is told of axes that meet; the sum names the radii.
+      if (first) sum(at, right);  // before the lengths, which then avoid its leader
+      // For crossing axes the normal is the subject; the sum names the radii.
       const bool axes_meet = degenerate == "crossing axes" && all.size() == 1;
       if (axes_meet) cross_product(at, right);
       if (first && !end_on && !axes_meet) {

@@ -4,10 +4,10 @@
 
 namespace contactscope::draw {
 
-/// Of a pair one of which is round: what its contact is measured from. A sphere is its centre with a
-/// radius, a capsule a segment with one: marked are the points of these cores that are nearest to each
-/// other, the ball about a capsule's (dashed: the virtual sphere), and at the first point the two radii,
-/// the distance of the cores, and the sum that the overlap or the gap is. Meshes and planes have none.
+/// Measures the contact of a pair with a round shape. A sphere is a centre with a radius, a capsule
+/// a segment with a radius. Marked are the nearest points of these cores and the ball about a
+/// capsule's point (dashed: the virtual sphere). At the first point also the two radii, the
+/// distance of the cores, and the sum that gives the overlap or gap. Meshes and planes have none.
 void draw_radii(const Scene& scene, const trace::Pair& pair, Sketch& sketch);
 
 }  // namespace contactscope::draw

@@ -12,16 +12,16 @@ namespace contactscope::draw {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-// A chord of the outline leaves its circle by 0.05% of the radius: a tenth of a pixel on a sphere
-// as high as half the picture.
+// A chord of the outline deviates from its circle by 0.05% of the radius: a tenth of a pixel on a
+// sphere half as high as the picture.
 constexpr int kOutlineSteps = 96;
-// Of the radius: what is so near to a shadow's border is seen, as the chords of the body's own
-// outline are.
+// Share of the radius: points this near to a shadow's border are visible, like the outline's
+// chords.
 constexpr double kBorder = 1.2e-3;
 constexpr int kLongitudes = 48;
 constexpr double kLatitudeStep = 7.5 * kPi / 180;
 
-// The outline is where a normal is at right angles to the view ray: n . towards = offset.
+// On the outline the normal is perpendicular to the view ray: n . towards = offset.
 struct Tangency {
   Vec3d towards;
   double offset;
@@ -41,7 +41,7 @@ struct Patch {
   double lit = 0;
 };
 
-// The sphere of directions, in bands around the light: no patch crosses a border of tones.
+// The sphere of directions in bands around the light, so that no patch crosses a tone border.
 std::vector<Patch> patches_around(const Vec3d& light) {
   std::vector<double> latitudes = {0};
   const auto reach = [&](double angle) {
@@ -100,9 +100,9 @@ std::vector<OutlinePoint> outline_of(const RoundBody& body, const Camera& camera
     const Vec3d outwards = core - (first ? body.core.back() : body.core.front());
     const Tangency tangency(camera, core, body.radius);
     const double distance = tangency.towards.norm();
-    if (distance <= tangency.offset) continue;  // beside the eye, which sees another part only
-    // The normals that touch a view ray are a circle about the direction to the eye; this end has
-    // those of them that point outwards from the segment.
+    if (distance <= tangency.offset) continue;  // next to the eye, which sees another part only
+    // The normals that are perpendicular to a view ray form a circle about the direction to the
+    // eye. This end has those that point outwards from the segment.
     const Vec3d axis = tangency.towards / distance;
     const double height = tangency.offset / distance;
     const double across = std::sqrt(1 - height * height);
@@ -147,7 +147,7 @@ std::vector<RoundBody::Facet> RoundBody::front(const Camera& camera) const {
   const Vec3d along = core.back() - core.front();
   const bool is_capsule = along.squaredNorm() > 0;
   for (const Patch& patch : patches_around(key_light(camera))) {
-    std::vector<Vec3d> seam;  // where the normals turn from one end of a capsule to the other
+    std::vector<Vec3d> seam;  // normals perpendicular to a capsule's axis, between its two ends
     for (std::size_t end = 0; end < (is_capsule ? 2u : 1u); ++end) {
       std::vector<Vec3d> normals = patch.normals;
       if (is_capsule) {
@@ -163,7 +163,7 @@ std::vector<RoundBody::Facet> RoundBody::front(const Camera& camera) const {
       for (Vec3d& n : normals) n = core[end] + radius * n;
       add(std::move(normals), patch.lit);
     }
-    // A capsule's cylinder is that seam, stretched from end to end.
+    // A capsule's cylinder is the seam, extruded from end to end.
     if (seam.size() != 2) continue;
     const Tangency tangency(camera, core.front(), radius);
     const double at_first = tangency.front(seam[0]), at_second = tangency.front(seam[1]);
@@ -182,7 +182,7 @@ std::vector<Plane<double>> RoundBody::shadow(const Camera& camera) const {
     planes.push_back({normal, std::max(normal.dot(core.front()), normal.dot(core.back())) +
                                   (1 - kBorder) * radius});
   };
-  // The outline first: most lines are beside the body.
+  // The outline first, because most lines are off the body.
   for (const OutlinePoint& point : outline_of(*this, camera)) touching(point.normal);
   if (planes.empty()) return planes;
   for (const Patch& patch : patches_around(camera.to_eye(core.front()))) {
@@ -196,7 +196,7 @@ std::vector<Plane<double>> RoundBody::shadow(const Camera& camera) const {
 
 Plane<double> power_plane(const RoundBody& a, const RoundBody& b) {
   // Closest points of the two cores, after Ericson 2005, "Real-Time Collision Detection", 5.1.9, by
-  // alternating projections: two segments need few, and a picture no more digits than pixels.
+  // alternating projections. Two segments need few, and pictures need only pixel precision.
   Vec3d on_a = nearest_in(a.core, 0.5 * (b.core.front() + b.core.back()));
   Vec3d on_b = nearest_in(b.core, on_a);
   for (int i = 0; i < 60; ++i) {

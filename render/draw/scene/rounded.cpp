@@ -12,10 +12,10 @@
 namespace contactscope::draw {
 namespace {
 
-/// Of a strip's polygons, around an edge: small enough that their common edges are drawn faintly.
+/// Angle of a strip's polygons around an edge: so small that their common edges are drawn faintly.
 constexpr double kTurn = std::numbers::pi / 8;
 
-/// Cosine from the middle of a cap to its corners, beyond which it is drawn flat.
+/// Cosine between the middle of a cap and its corners above which the cap is drawn flat.
 constexpr double kNarrow = 0.95;
 
 class Rounding {
@@ -57,14 +57,14 @@ class Rounding {
     result_.vertices.push_back(at(shape_.vertices, vertex) + shape_.margin * normal);
     return count_of(result_.vertices) - 1;
   }
-  /// A corner of a face that is moved out.
+  /// Corner of a face after it is moved outwards.
   int corner(int face, int vertex) {
     const auto [entry, is_new] = corners_.try_emplace({face, vertex}, 0);
     if (is_new) entry->second = add(vertex, at(normals_, face));
     return entry->second;
   }
 
-  /// Around the edge that runs from v to w in its `left` face, which is seen counter-clockwise.
+  /// Adds the strip around the edge from v to w in its `left` face (seen counter-clockwise).
   void add_strip(int v, int w, int left, int right) {
     const Vec3d& normal = at(normals_, left);
     const Vec3d along = at(shape_.vertices, w) - at(shape_.vertices, v);
@@ -86,11 +86,11 @@ class Rounding {
     }
   }
 
-  /// What the strips around a vertex leave open: triangles about a middle on the round surface. One polygon where its
-  /// neighbours are nearly coplanar: it is so thin that the normals of triangles in it would be noise.
+  /// Closes the hole between the strips around a vertex: triangles about a middle on the round
+  /// surface. A nearly flat cap is one polygon: the normals of its thin triangles would be noise.
   void add_cap(int vertex, const std::map<int, int>& border) {
     std::vector<int> polygon = {border.begin()->first};
-    // Faces of a trace need not fit together: it is left out where they do not.
+    // Faces of a trace need not fit together. Such a cap is left out.
     for (auto next = border.find(border.begin()->second);
          next != border.begin() && polygon.size() < border.size();
          next = border.find(next->second)) {
@@ -117,9 +117,9 @@ class Rounding {
   const trace::Shape& shape_;
   trace::Shape result_;
   std::vector<Vec3d> normals_;
-  std::map<std::pair<int, int>, int> face_of_edge_;  // by its ends, as they follow in the face
-  std::map<std::pair<int, int>, int> corners_;       // by face and vertex
-  std::map<int, std::map<int, int>> borders_;  // of the caps: the next corner, counter-clockwise
+  std::map<std::pair<int, int>, int> face_of_edge_;  // key: ends of the edge, in the face's order
+  std::map<std::pair<int, int>, int> corners_;       // key: face and vertex
+  std::map<int, std::map<int, int>> borders_;  // caps: corner to next corner, counter-clockwise
 };
 
 }  // namespace

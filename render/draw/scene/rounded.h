@@ -4,9 +4,9 @@
 
 namespace contactscope::draw {
 
-/// A convex shape that is rounded by a margin, as polygons: its faces, moved out, strips around its edges and caps,
-/// not quite flat, around its vertices. All corners are on the round surface; strips are inside of it by 2 % of the
-/// margin at most. The result has no margin.
+/// Polygons for a convex shape that is rounded by a margin: faces moved outwards, strips around
+/// edges and caps around vertices, which are not quite flat. All corners are on the round surface;
+/// strips are inside it by at most 2 % of the margin. The result has no margin.
 trace::Shape rounded(const trace::Shape& shape);
 
 }  // namespace contactscope::draw

@@ -11,14 +11,14 @@
 namespace contactscope::draw {
 namespace {
 
-// Facets of a tessellated round surface meet at small angles; their common edge is drawn faintly.
+// Facets of a tessellated round surface meet at small angles. Their common edge is drawn faintly.
 constexpr double kSmoothCosine = 0.90;  // 26 degrees
 
 std::vector<Vec3d> corners_of(const std::vector<int>& face, const std::vector<Vec3d>& vertices) {
   return mapped(face, [&](int v) { return at(vertices, v); });
 }
 
-/// Gives a shape the vertices of its frame, and the normals that follow.
+/// Sets the deformed vertices of a frame and recomputes the normals.
 void deform(const std::vector<Vec3d>& vertices, PlacedShape& placed) {
   trace::Shape shape = placed.traced();
   shape.vertices = vertices;
@@ -95,7 +95,7 @@ ShapeMeshes::ShapeMeshes(const std::vector<trace::Shape>& shapes) {
     push_back(make_mesh(*drawn));
     back().rounded = drawn;
     back().core = &shape;
-    for (ShapeMesh::Edge& edge : back().edges) edge.smooth = true;  // there are no others on it
+    for (ShapeMesh::Edge& edge : back().edges) edge.smooth = true;  // it has no other edges
   }
 }
 
@@ -183,7 +183,7 @@ std::vector<PlacedShape> place_shapes(const ShapeMeshes& meshes, const trace::Fr
   for (const trace::Pair& pair : frame.pairs) {
     for (const std::string* name : {&pair.a, &pair.b}) {
       const auto place = meshes.find(*name);
-      // Where a broad phase chooses pairs, a role would come and go from frame to frame.
+      // If a broad phase chooses pairs, a role would change from frame to frame.
       if (!place || has_role[*place] || frame.broad_phase) continue;
       placed[*place].is_a = name == &pair.a;
       has_role[*place] = true;

@@ -19,14 +19,14 @@
 
 namespace contactscope::draw {
 
-/// The part of a half-space's plane that is drawn, in the shape's frame.
+/// The drawn part of a half-space's plane, in the shape's frame.
 struct PlanePatch {
   Vec3d center = Vec3d::Zero();
-  Vec3d u = Vec3d::UnitX(), v = Vec3d::UnitZ();  // unit, at right angles to each other
+  Vec3d u = Vec3d::UnitX(), v = Vec3d::UnitZ();  // unit, perpendicular to each other
   double half_u = 1, half_v = 1;                 // metres
 };
 
-/// A shape of the trace with what drawing derives from it once: edges with their faces.
+/// A shape of the trace with derived data that is computed once: edges with their faces.
 struct ShapeMesh {
   struct Edge {
     int from = 0, to = 0;       // vertices
@@ -35,23 +35,23 @@ struct ShapeMesh {
   };
   const trace::Shape* shape = nullptr;
   std::vector<Edge> edges;
-  std::vector<Vec3d> normals;       // of the faces, local, outward, unit
+  std::vector<Vec3d> normals;       // of the faces: local, outward, unit
   double radius = 0;                // metres, about the centre of mass; infinite for a plane
-  std::optional<PlanePatch> patch;  // of a plane, once it is fitted to a sequence
-  std::shared_ptr<const trace::Shape> rounded{};  // of a shape with a margin: what `shape` is then
-  const trace::Shape* core = nullptr;  // of a shape with a margin: what the trace has, without it
+  std::optional<PlanePatch> patch;  // for a plane, after fitting to a sequence
+  std::shared_ptr<const trace::Shape> rounded{};  // for a shape with a margin: the rounded `shape`
+  const trace::Shape* core = nullptr;  // for a shape with a margin: the trace's shape without it
 };
 
 ShapeMesh make_mesh(const trace::Shape& shape);
 
-/// Those of a sequence, in the header's order, which outlives them.
+/// Meshes of a sequence, in the header's order. The header's shapes must outlive them.
 class ShapeMeshes : public std::vector<ShapeMesh> {
  public:
   explicit ShapeMeshes(const std::vector<trace::Shape>& shapes);
 
-  /// The place of the shape of that name; nothing where there is none.
+  /// Index of the shape with that name; nothing if there is none.
   std::optional<std::size_t> find(std::string_view name) const;
-  /// Metres, of the smallest shape; infinite where there is none, or nothing but planes.
+  /// Radius of the smallest shape, metres; infinite without finite shapes.
   double smallest_radius() const;
 
  private:
@@ -65,7 +65,7 @@ struct PlacedShape {
   std::vector<Vec3d> vertices;  // world
   bool is_a = true;             // colour: the role in the first pair that names it
   std::size_t place = 0;        // among the header's shapes
-  /// Of a shape that deforms: what `mesh` is made of, in this frame alone.
+  /// For a shape that deforms: its geometry in this frame; `mesh` points to it.
   std::shared_ptr<const trace::Shape> deformed{};
   std::shared_ptr<const ShapeMesh> deformed_mesh{};
 
@@ -74,50 +74,50 @@ struct PlacedShape {
   Vec3d normal(int face) const { return pose.rotate(at(mesh->normals, face)); }
   const Vec3d& vertex(int index) const { return at(vertices, index); }
   std::vector<Vec3d> polygon(int face) const;
-  /// Ends of an edge, numbered as in the trace; nothing where there is no such edge. Of a shape
-  /// with a margin the edge is inside, where the trace has it.
+  /// Ends of an edge, numbered as in the trace; nothing if there is no such edge. If the shape has
+  /// a margin, the edge is the one in the trace, below the rounded surface.
   std::optional<std::array<Vec3d, 2>> edge(int index) const;
 };
 
-/// The shapes that are there in one frame, in the header's order.
+/// The shapes that exist in one frame, in the header's order.
 std::vector<PlacedShape> place_shapes(const ShapeMeshes& meshes, const trace::Frame& frame);
 
-/// How long arrows and overlaps are drawn, the same in a whole sequence. The factors are 1, 2 or 5
-/// times a power of ten, so that a legend can state them.
+/// Scales of arrows and overlaps, constant over a sequence. The factors are 1, 2 or 5 times a power
+/// of ten, so that a legend can state them.
 struct SequenceScales {
-  double overlap = 1;            // overlaps are drawn this many times as long
-  double gap = 1;                // and gaps of points that do not touch yet
-  double impulse = 0;            // metres for one newton second; 0 where there are no impulses
-  double longest_impulse = 0;    // metres; longer arrows are cut there, and marked as such
-  double friction = 0;           // metres for one newton second of friction
-  double velocity = 0;           // seconds: an arrow is the way in this time; 0 where nothing moves
-  double spin = 0;               // seconds: a curved arrow is the turn in this time
-  double drift = 1;              // how far anchors are apart is drawn this many times as long
-  double closing = 0;            // metres a second: largest relative velocity along a normal
-  double step = 0;               // seconds from a frame to the next; 0 of one frame alone
-  double pixel = 1;              // pixels for one at 720 lines
-  LengthUnit length{};           // of all numbers
-  std::optional<Prefix> load{};  // of all impulses or forces, of the usual ones
-  double touching = 0;  // metres: a contact point whose separation is larger does not touch
+  double overlap = 1;            // factor of the drawn overlaps
+  double gap = 1;                // factor of the drawn gaps of points that do not touch
+  double impulse = 0;            // metres per newton second; 0 without impulses
+  double longest_impulse = 0;    // metres; longer arrows are cut and marked
+  double friction = 0;           // metres per newton second of friction
+  double velocity = 0;           // seconds: an arrow is the displacement in it; 0 without motion
+  double spin = 0;               // seconds: a curved arrow is the rotation in this time
+  double drift = 1;              // factor of the drawn distance between anchors
+  double closing = 0;            // metres per second: largest relative velocity along a normal
+  double step = 0;               // seconds between frames; 0 for a single frame
+  double pixel = 1;              // canvas pixels for one pixel at 720 lines
+  LengthUnit length{};           // unit of all lengths
+  std::optional<Prefix> load{};  // common prefix of all impulses or forces
+  double touching = 0;           // metres: contact points with a larger separation do not touch
 };
 
-/// By which camera a pair is seen that has a viewport of its own; null: by that of the whole view.
+/// Camera of a pair that has its own viewport; null: the camera of the whole view.
 using CameraOf = std::function<const Camera*(const trace::Pair&)>;
 
 SequenceScales fit_scales(const ShapeMeshes& meshes, const std::vector<trace::Frame>& frames,
                           const Camera& whole, const Layout& layout, const View& view,
                           const CameraOf& camera_of = {});
 
-inline constexpr std::size_t kCrowd = 24;  // shapes
+inline constexpr std::size_t kCrowd = 24;  // number of shapes
 
-/// Where the shapes are in each frame of a sequence, first to last.
+/// Poses of the shapes in one frame; a sequence has one for each frame, in order.
 struct FramePoses {
   int frame = 0;
   std::vector<std::pair<std::string, Pose<double>>> poses;
 };
 using SequencePoses = std::vector<FramePoses>;
 
-/// All that the layers look at in one frame.
+/// All inputs of the layers for one frame.
 struct Scene {
   const View& view;
   const trace::Header& header;
@@ -125,59 +125,58 @@ struct Scene {
   const ShapeMeshes& meshes;
   const Camera& camera;
   SequenceScales scales{};
-  const SequencePoses* sequence = nullptr;  // where the view shows where shapes have been
+  const SequencePoses* sequence = nullptr;  // if a layer of the view shows earlier or later poses
   std::vector<PlacedShape> shapes = place_shapes(meshes, frame);
 
   bool shows(Layer layer) const { return view.shows(layer); }
-  /// So many shapes that lengths, names and signs of each would cover all of them.
+  /// Whether there are so many shapes that lengths, names and signs of each would cover them.
   bool crowded() const { return header.shapes.size() > kCrowd; }
-  /// Null where there is none of that name.
+  /// Null if there is no shape of that name.
   const PlacedShape* find(std::string_view name) const;
-  /// Ends of an edge of the shape of that name; nothing where there is no such edge.
+  /// Ends of an edge of the shape with that name; nothing if there is no such edge.
   std::optional<std::array<Vec3d, 2>> edge(std::string_view name, int index) const {
     const PlacedShape* shape = find(name);
     return shape == nullptr ? std::nullopt : shape->edge(index);
   }
-  /// What the solver moves.
+  /// Bodies of the solver; empty without one.
   std::span<const trace::Body> bodies() const;
   const trace::Body* body(std::string_view name) const;
-  /// Metres: what the separation of this pair may be off by; see noise_of().
+  /// Uncertainty of this pair's separation, metres; see noise_of().
   double noise(const trace::Pair& pair) const;
 };
 
-/// Metres: half a last digit of the scalar at the pair's contact, or at the smaller shape where
-/// there is none, counted from the origin and with the smaller shape's size. 0 where the trace
-/// names no scalar.
+/// Half a unit in the last digit of the scalar type, in metres. Measured at the pair's contact, or
+/// at the smaller shape without one, for its distance from the origin and at least the shape's
+/// size. 0 if the trace names no scalar.
 double noise_of(const trace::Header& header, const ShapeMeshes& meshes, const trace::Frame& frame,
                 const trace::Pair& pair);
 
 Vec3d up_axis(const trace::Header& header);
 
-/// What lies between two points.
 enum class Measured { Gap, Overlap };
 
-/// Their distance. Of a gap a two-headed arrow, or where that would be too short to be one, two that
-/// point at it from outside; of an overlap a line between two bars. `text`: what it is in the legend;
-/// empty: a label says it.
+/// Draws the distance between two points. A gap is a two-headed arrow, or two arrows from outside
+/// if it is short. An overlap is a line between two bars. `text`: for the legend; empty with a
+/// label.
 void draw_measure(const Scene& scene, Measured what, const Vec3d& from, const Vec3d& to,
                   float width, const std::string& text, Sketch& sketch);
 
-/// A gap of `metres`, known to `noise` metres, between two points, with "gap" and its length
-/// `clearance` pixels away along `aside`.
+/// Draws a gap of `metres` with an uncertainty of `noise` metres between two points. The label
+/// "gap" with the length is `clearance` pixels away along `aside`.
 void draw_gap(const Scene& scene, const Vec3d& from, const Vec3d& to, double metres, double noise,
               double clearance, const Vec3d& aside, Sketch& sketch);
 
-/// Adds an arc of a circle about `axis` (unit) through `center` that ends in a head: a turn by
-/// `angle` radians > 0, counter-clockwise against the axis. Its middle is nearest to the eye.
+/// Draws a circular arc with an arrow head about `axis` (unit) through `center`: a rotation by
+/// `angle` > 0 radians, counter-clockwise about the axis. Its middle is nearest to the eye.
 void draw_curved_arrow(const Camera& camera, const Vec3d& center, const Vec3d& axis, double radius,
                        double angle, float width, const Color& color, Sketch& sketch);
 
-/// Points that a picture of the shape must hold: vertices, of a round shape points all around it,
-/// of a plane none.
+/// Points of the shape for fitting the view: vertices, points around a round shape, none for a
+/// plane.
 std::vector<Vec3d> extent_points(const PlacedShape& shape);
 
-/// What the shapes of one frame ask a picture to hold. A mesh may be a landscape: it counts as far
-/// as half the size of the other shapes around them, or whole where it is alone.
+/// Points of one frame's shapes for fitting the view. A mesh may be a landscape: it counts only up
+/// to half the size of the other shapes around them. It counts fully if there are no others.
 std::vector<Vec3d> extent_points(const std::vector<PlacedShape>& shapes);
 
 }  // namespace contactscope::draw

@@ -5,11 +5,10 @@
 
 #include "draw/scene/scene.h"
 
-/// How shapes move that no solver moves.
+/// Motion of shapes that are not moved by a solver.
 namespace contactscope::draw {
 
-/// The shapes that are elsewhere `seconds` later, or earlier where these are negative, as bodies with
-/// the velocities that take them there.
+/// Shapes whose pose differs `seconds` later (earlier if negative), as bodies with that motion.
 std::vector<trace::Body> scripted_bodies(const ShapeMeshes& meshes,
                                          std::span<const trace::Placement> now,
                                          std::span<const trace::Placement> later, double seconds);

@@ -9,25 +9,25 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr double kLegibleDepth = 13;      // pixels: six beyond the border of the dot
-constexpr double kExaggeratedDepth = 24;  // pixels that the deepest overlap of the sequence gets
+constexpr double kLegibleDepth = 13;      // pixels: six beyond the dot's border
+constexpr double kExaggeratedDepth = 24;  // pixels of the sequence's deepest overlap
 constexpr double kWidestGap = 150;        // pixels
-constexpr double kMostBesideGap = 20;     // times as long as it is, an overlap beside such a gap
+constexpr double kMostBesideGap = 20;     // largest factor of overlaps next to such a gap
 constexpr double kUsualImpulse = 0.20;    // of the view's height
 constexpr double kUsualOfBody = 1.1;      // and of the smallest body's radius
-constexpr double kLeastUsual = 0.08;      // but this much of the view's height
-constexpr double kUsualFriction = 0.5;    // of a usual impulse's length, at a scale of its own
-constexpr double kLongestImpulse = 2.2;   // of a usual one
-constexpr double kLongestStated = 0.45;   // of the view's height, at a scale of the view's own
+constexpr double kLeastUsual = 0.08;      // but at least this share of the view's height
+constexpr double kUsualFriction = 0.5;    // of a usual impulse's length, with its own scale
+constexpr double kLongestImpulse = 2.2;   // of a usual impulse
+constexpr double kLongestStated = 0.45;   // of the view's height, if the view sets the scale
 constexpr double kFastest = 0.26;         // of the view's height
 constexpr double kWidestTurn = 1.2;       // of half a turn
 constexpr double kWidestDrift = 46;       // pixels
-constexpr double kPlainDrift = 16;        // pixels that need no exaggeration
-constexpr double kStill = 1e-3;           // pixels a frame: no faster, it is rounding
+constexpr double kPlainDrift = 16;        // pixels from which no exaggeration is needed
+constexpr double kStill = 1e-3;           // pixels a frame: slower motion is rounding
 constexpr double kTouching = 1e-4;        // of the smallest body's radius
 constexpr double kSeenApart = 6;          // pixels
 
-// An impact is many times what a resting body needs: the usual frame sets the scale.
+// Median. An impact is many times the impulse of a resting body, so the usual frame sets the scale.
 double usual(std::vector<double> values) {
   if (values.empty()) return 0;
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -35,7 +35,7 @@ double usual(std::vector<double> values) {
   return *middle;
 }
 
-// 1, 2, 5, 10, 20, 50, ...: the least round factor that makes the deepest overlap legible. Pixels.
+// Smallest factor of 1, 2, 5, 10, 20, 50, ... that makes the deepest overlap legible. Pixels.
 double fit_overlap(double deepest, double pixel) {
   if (deepest <= 0 || deepest >= kLegibleDepth * pixel) return 1;
   const double wanted = kExaggeratedDepth * pixel / deepest;
@@ -47,8 +47,8 @@ double fit_overlap(double deepest, double pixel) {
   return factor;
 }
 
-// Gaps are drawn as many times as wide, by their own factor where nothing overlaps, but none so wide that it leaves its shapes. Beside such a wide
-// one an overlap that needs a large factor to be seen is none to speak of.
+// Gaps get the factor of the overlaps, or their own if nothing overlaps, limited so that a gap
+// stays near its shapes. Next to such a gap an overlap that needs a large factor is negligible.
 void fit_gap(double widest, bool any_overlap, SequenceScales& scales) {
   const double pixel = scales.pixel;
   scales.gap = any_overlap ? scales.overlap : fit_overlap(widest, pixel);
@@ -71,7 +71,7 @@ SequenceScales fit_scales(const ShapeMeshes& meshes, const std::vector<trace::Fr
   double speed = 0, spin = 0;               // on the screen at one pixel a metre; radians a second
   double drift = 0, deepest = 0, gap = 0;   // pixels
   double pixels_per_metre = 0;
-  double nearest = 0;                     // most pixels of a metre at a point
+  double nearest = 0;                     // largest scale at a point, pixels per metre
   double most_overlap = 0, most_gap = 0;  // metres
   const auto moves = [&](const trace::Body& body) {
     if (!whole.sees(body.center_of_mass)) return;
@@ -91,7 +91,7 @@ SequenceScales fit_scales(const ShapeMeshes& meshes, const std::vector<trace::Fr
         if (!camera.sees(point->position)) continue;
         const double here = camera.pixels_per_metre(point->position);
         nearest = std::max(nearest, here);
-        // Points that are drawn by their age have no whiskers.
+        // Points that show their age have no whiskers.
         if (!pair.incremental || !view.shows(Layer::Persistent))
           deepest = std::max(deepest, -point->separation * here);
         gap = std::max(gap, point->separation * here);
@@ -106,7 +106,7 @@ SequenceScales fit_scales(const ShapeMeshes& meshes, const std::vector<trace::Fr
       }
       if (!pair.incremental) continue;
       for (const trace::PersistentPoint& point : pair.incremental->points) {
-        if (point.state == "broken") continue;  // it may have come off at any speed
+        if (point.state == "broken") continue;  // its anchors may separate at any speed
         drift = std::max(drift, camera.pixels_per_metre(point.point.position) *
                                     (point.on_b() - point.on_a()).norm());
       }
@@ -128,9 +128,9 @@ SequenceScales fit_scales(const ShapeMeshes& meshes, const std::vector<trace::Fr
   fit_gap(gap, deepest > 0, scales);
   const double smallest = meshes.smallest_radius();
   if (std::isfinite(smallest)) scales.touching = kTouching * smallest;
-  // What is seen to be apart does not touch.
+  // Points with a visible gap do not touch.
   if (nearest > 0) scales.touching = std::min(scales.touching, kSeenApart * scales.pixel / nearest);
-  // What overlaps is what the pictures are about, unless it is a touch.
+  // An overlap determines the unit, unless it is only a touch.
   scales.length = length_unit(
       most_overlap > scales.touching || most_gap <= scales.touching ? most_overlap : most_gap);
   const double height = layout.view.height;
@@ -138,7 +138,7 @@ SequenceScales fit_scales(const ShapeMeshes& meshes, const std::vector<trace::Fr
     const double share = height / pixels_per_metre;
     const double length =
         std::max(kLeastUsual * share, std::min(kUsualImpulse * share, kUsualOfBody * smallest));
-    // What the legend's round numbers are of.
+    // The unit of the legend's round numbers: impulse, or force per step.
     const double unit = view.shows(Layer::Loads) && scales.step > 0 ? scales.step : 1;
     scales.impulse =
         view.impulse_scale.value_or(round_down(length / usual(impulses) * unit)) / unit;

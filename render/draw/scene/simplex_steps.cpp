@@ -14,15 +14,15 @@ using Vertices = std::vector<trace::SimplexVertex>;
 std::optional<SimplexStep> simplex_step(const View& view, const trace::Frame& frame,
                                         const trace::Pair& pair) {
   using Of = SimplexStep::Of;
-  // `lists`: of vertices, one for each step.
+  // `lists`: vertices of each step.
   const auto shown = [&](Of of, Story story, const std::vector<Vertices>& lists) {
-    // Polytope k is what k expansions made, simplex k what step k + 1 found.
+    // Polytope k is the state after k expansions, simplex k the state after step k + 1.
     const int before = of == Of::Epa ? 1 : 0;
     SimplexStep result;
     result.of = of;
     result.steps = count_of(lists) - before;
     result.step = view.story == story ? std::clamp(frame.frame, 0, result.steps) : result.steps;
-    Vertices known;  // support points in the order in which they were found
+    Vertices known;  // support points in the order of discovery
     for (int k = 0; k < result.step + before; ++k) {
       result.vertices = at(lists, k);
       result.numbers.clear();
@@ -54,9 +54,9 @@ std::optional<SimplexStep> simplex_step(const View& view, const trace::Frame& fr
   return shown(Of::Gjk, Story::GjkSteps, pair.gjk->steps);
 }
 
-// The nearest point lies inside of one of the parts, a vertex, an edge, a triangle or the whole, and
-// is there the foot of the origin: all parts whose foot is inside of them are looked at. The weights
-// of a part's corners follow from Gram-Schmidt; a flat part is left to its own parts.
+// The nearest point is in the interior of a vertex, edge, triangle or the whole, and is there the
+// origin's projection. All parts that contain their projection are compared. Weights of the corners
+// follow from Gram-Schmidt; a flat part is skipped, because its own parts cover it.
 Vec3d nearest_to_origin(const std::vector<Vec3d>& points) {
   Vec3d best = points.front();
   const unsigned parts = 1u << points.size();
@@ -65,7 +65,7 @@ Vec3d nearest_to_origin(const std::vector<Vec3d>& points) {
     for (std::size_t i = 0; i < points.size(); ++i) {
       if ((part >> i & 1u) != 0) corners.push_back(points[i]);
     }
-    std::vector<Vec3d> across;  // the way to each corner from the first, across the ways before it
+    std::vector<Vec3d> across;  // offsets from the first corner, orthogonalised
     bool flat = false;
     for (std::size_t i = 1; i < corners.size(); ++i) {
       const Vec3d way = corners[i] - corners[0];

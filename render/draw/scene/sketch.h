@@ -10,9 +10,8 @@
 #include "draw/scene/legend.h"
 #include "draw/scene/visibility.h"
 
-/// What the stages of the pipeline look like, still in the world: the layers add to a Sketch, and
-/// compose() turns it into a Drawing. Lengths in metres where they belong to the scene, in pixels
-/// at 720 lines where they belong to the picture.
+/// The stages of the pipeline as marks in the world. Layers add to a Sketch, and compose() turns it
+/// into a Drawing. Lengths of the scene are in metres, of the picture in pixels at 720 lines.
 namespace contactscope::draw {
 
 struct LineStyle {
@@ -28,31 +27,31 @@ struct Line {
   bool keep_clear = false;  // no label may cover it
 };
 
-/// A line through many points, whose dashes run on from one to the next.
+/// A polyline whose dashes continue across its points.
 struct Curve {
   std::vector<Vec3d> points;
   LineStyle style;
   bool closed = false;
 };
 
-/// Arrow of a length in pixels along a world direction, or between two points when `to` is set.
+/// Arrow with a length in pixels along a world direction, or between two points if `to` is set.
 struct Arrow {
   Vec3d from = Vec3d::Zero();
   Vec3d direction = Vec3d::Zero();  // unit
   float pixels = 0;
   std::optional<Vec3d> to{};
   bool double_headed = false;
-  bool bars = false;  // strokes across its ends, and no heads: what overlaps, measured
+  bool bars = false;  // strokes across the ends instead of heads: measure of an overlap
   float width = 2;
   float head = 9;  // pixels
   Color color{};
   bool halo = true;
   bool open = false;         // a head of two strokes
-  float head_share = 0.45f;  // largest share of the length that the head takes
-  bool may_leave = false;    // cut at the border of the view; others are left out there
+  float head_share = 0.45f;  // largest share of the length for the head
+  bool may_leave = false;    // clipped at the border of the view; other arrows are left out
 };
 
-/// For what is drawn to scale: as long as it is, also beyond the border of the view.
+/// An arrow in true scale, clipped at the border of the view.
 inline Arrow arrow_to_scale(const Vec3d& from, const Vec3d& way, float width, float head,
                             const Color& color) {
   return {.from = from,
@@ -65,39 +64,39 @@ inline Arrow arrow_to_scale(const Vec3d& from, const Vec3d& way, float width, fl
 
 enum class MarkKind {
   Dot,
-  Half,  // filled on its left
+  Half,  // left half filled
   Hollow,
   Ring,
-  WideRing,  // hollow, around what stands in the same place
+  WideRing,  // hollow, around another mark
   Apart,     // a point that does not touch yet
   Cross,
   SmallCross,
   Core,
   Quartered,       // a centre of mass
-  SmallQuartered,  // and where it is projected to
-  Origin,          // of a space that has one
-  HeldOrigin,      // within what the picture is about
-  Square,          // a contact point that has no age
+  SmallQuartered,  // its projection
+  Origin,          // origin of the Minkowski difference
+  HeldOrigin,      // origin inside the difference
+  Square,          // a contact point without an age
   Node,            // where lines meet
   Speck,           // a point among hundreds
 };
 
-/// Something of a fixed size on the screen.
+/// A mark of a fixed size on the screen.
 struct Mark {
   MarkKind kind = MarkKind::Dot;
   Vec3d at;
   Color color;
 };
 
-/// What a number beside a point counts: each has a form of its own around it, everywhere alike.
+/// Meaning of a number next to a point. Each meaning has its own shape around the number.
 enum class Badge {
   None,
-  Choice,   // the place in the order in which a reducer chose it: a circle
+  Choice,   // place in a reducer's order of choice: a circle
   Age,      // frames since it was found: a square
-  Support,  // which vertex of a simplex or polytope it is of: a diamond
+  Support,  // number of a vertex of a simplex or polytope: a diamond
 };
 
-/// Text that wants to stand near a point and finds its own place.
+/// Text near a point. Its place is found automatically.
 struct Label {
   Vec3d at;
   std::string text;
@@ -105,39 +104,39 @@ struct Label {
   float size = 14;
   bool bold = true;
   double clearance = 8;  // pixels between the point and the text
-  // Places are tried starting in this direction (world); none: away from the sketch's centre.
+  // World direction in which places are tried first; none: away from the sketch's centre.
   std::optional<Vec3d> direction;
-  bool leader = false;          // a line to the point also from near by
-  bool foot = false;            // its leader ends in a small dot
-  std::vector<Vec2d> ground{};  // convex, on the screen: on it the label needs no leader
-  std::string of{};             // what it names, "point b:v4", where another drawing may ask for it
+  bool leader = false;          // draw a line to the point even if near
+  bool foot = false;            // end the leader in a small dot
+  std::vector<Vec2d> ground{};  // convex, on the screen: needs no leader inside
+  std::string of{};             // identity of the point, "point b:v4", for other drawings
   Badge badge = Badge::None;
 };
 
-/// What is added to a sketch from here on shows this: a layer, and of which pair.
+/// Assigns following elements of a sketch to a layer and a pair.
 struct SketchPart {
   std::string layer, pair;
-  // How many of each kind the sketch had when it began.
+  // Numbers of elements of each kind at the start of the part.
   std::size_t surfaces = 0, curves = 0, lines = 0, arrows = 0, marks = 0, labels = 0;
 };
 
 struct Sketch {
-  std::vector<SketchPart> parts;  // in order; what stands before the first is of none
+  std::vector<SketchPart> parts;  // in order; elements before the first belong to no part
   std::vector<Surface> surfaces;
   Occluders occluders;
-  std::vector<RoundBody> bodies;      // that surfaces belong to
-  std::vector<ConvexShadow> shadows;  // of bodies
+  std::vector<RoundBody> bodies;      // round bodies of the surfaces
+  std::vector<ConvexShadow> shadows;  // of round bodies
   std::vector<Curve> curves;
   std::vector<Line> lines;
   std::vector<Arrow> arrows;
   std::vector<Mark> marks;
   std::vector<Label> labels;
-  std::vector<Eigen::AlignedBox2d> pair_labels;  // text on the screen that others keep clear of
-  std::string heading;                           // over the view: which step of a story this is
+  std::vector<Eigen::AlignedBox2d> pair_labels;  // label boxes on the screen, which others avoid
+  std::string heading;                           // above the view: step of a story
   Legend legend;
-  Vec3d center = Vec3d::Zero();  // labels stand away from it
+  Vec3d center = Vec3d::Zero();  // labels are placed away from it
 
-  /// What is added from here on belongs to this layer, and to that pair where one is given.
+  /// Assigns following elements to a layer, and to a pair if given.
   void begin(std::string_view layer, std::string_view pair = {}) {
     parts.push_back({std::string(layer), std::string(pair), surfaces.size(), curves.size(),
                      lines.size(), arrows.size(), marks.size(), labels.size()});
@@ -153,7 +152,7 @@ struct Sketch {
   void line(const Vec3d& from, const Vec3d& to, const LineStyle& style) {
     lines.push_back({from, to, style});
   }
-  /// A line that no label covers, on a wider one.
+  /// A line over a wider one, which no label covers.
   void bordered_line(const Vec3d& from, const Vec3d& to, const LineStyle& style, float border,
                      const Color& color = with_alpha(kWhite, 0.85f)) {
     lines.push_back({from, to, {border, color}});
@@ -167,42 +166,40 @@ struct Sketch {
     labels.push_back({at, text, color, size, true, clearance, direction});
     return labels.back();
   }
-  /// `anchor`: a place at the thing, where a label can say it in the legend's place.
+  /// `anchor`: a position at which a label can replace the legend's entry.
   void explain(const Swatch& swatch, const std::string& text,
                const std::optional<Vec3d>& anchor = std::nullopt) {
     legend.explain(swatch, text, anchor);
   }
 };
 
-/// A mark at its place on the screen. Returns the radius that labels keep off, pixels of the
-/// canvas; 0: they may cover it.
+/// Draws a mark. Returns the radius that labels avoid, canvas pixels; 0: labels may cover it.
 float draw_mark(MarkKind kind, const Point2& at, const Color& color, const Pen& pen);
 
-/// A disc quartered black and white, as drawings mark a centre of mass, with a white halo; pixels.
+/// Symbol of a centre of mass: a disc quartered black and white, with a white halo; pixels.
 void draw_quartered_disc(const Point2& center, float radius, float border, Drawing& drawing);
 
-/// A filled square with a white halo; `half`: of its width, pixels.
+/// A filled square with a white halo; `half`: half its width, pixels.
 void draw_square(const Point2& center, float half, const Color& color, Drawing& drawing);
 
-/// The form around a number, on white: `middle` of the number, `height` of its digits and `width`
-/// of all of them, pixels of the canvas.
+/// Draws the shape around a number, on white. `middle` of the number, `height` of its digits,
+/// `width` of the whole number, canvas pixels.
 void draw_badge(Badge badge, const Point2& middle, float width, float height, const Color& color,
                 const Pen& pen);
-/// How much wider and higher than its number a badge is, on each side, as shares of the digits'
-/// height.
+/// Extra size of a badge on each side of its number, as a share of the digits' height.
 inline constexpr float kBadgeRoom = 0.34f;
 
-/// What became of a point of an incremental manifold in a frame.
+/// State of a point of an incremental manifold in a frame.
 enum class PointState { New, Persisted, Broken };
-/// As a trace spells it.
+/// Converts from the spelling of traces.
 PointState point_state(const std::string& state);
 
-/// How such a point looks: new ones filled, persisted ones half-filled, broken ones hollow.
+/// Dot of a point's state: filled if new, half-filled if persisted, hollow if broken.
 void draw_state_dot(PointState state, const Point2& center, float radius, const Color& color,
                     Drawing& drawing);
 
-/// Resolves a sketch into pixels: surfaces in depth order, lines split into seen and hidden parts,
-/// arrows, marks, and labels where they find place. Adds to `drawing`.
+/// Resolves a sketch into pixels: surfaces in depth order, lines with visible and hidden parts,
+/// arrows, marks, and labels at free places. Adds to `drawing`.
 void compose(const Sketch& sketch, const Camera& camera, const Layout& layout, Drawing& drawing);
 
 }  // namespace contactscope::draw

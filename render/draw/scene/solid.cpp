@@ -5,7 +5,7 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr double kPatchMargin = 0.16;  // around the shapes, of their larger extent in the plane
+constexpr double kPatchMargin = 0.16;  // share of the shapes' larger extent in the plane
 constexpr double kTickSpacing = 15;    // pixels at 720 lines
 constexpr double kTickLength = 12;
 constexpr LineStyle kSilhouette{2.0f, kShapeEdge, false, LineStyle::Hidden::Faint};
@@ -72,7 +72,7 @@ void draw_round(const Camera& camera, const PlacedShape& shape, const Color& fil
 PatchFit::PatchFit(const trace::HalfSpace& plane, const Pose<double>& pose, const Vec3d& up) {
   const Vec3d normal = pose.rotate(plane.normal);
   const Vec3d across = up.cross(normal);
-  // On level ground along the x axis.
+  // On level ground, u is along the x axis.
   const Vec3d level = across.norm() > 1e-3
                           ? Vec3d(across.normalized())
                           : Vec3d((Vec3d::UnitX() - normal.x() * normal).normalized());
@@ -129,7 +129,7 @@ void draw_plane(const Camera& camera, const PlacedShape& shape, const Color& fil
     const double length = along.norm();
     const double metres = 1 / camera.pixels_per_metre(from + 0.5 * along);
     const int count = std::clamp(static_cast<int>(length / (kTickSpacing * metres)), 4, 200);
-    // Ticks lean to the side to which the border does not.
+    // Ticks lean to the opposite side of the border.
     const double rise = along.dot(camera.right()) * along.dot(camera.up());
     const Vec3d aside = rise > 0 ? camera.right() : Vec3d(-camera.right());
     const Vec3d tick = kTickLength * metres * (aside - normal);
@@ -143,7 +143,7 @@ void draw_plane(const Camera& camera, const PlacedShape& shape, const Color& fil
 bool in_view(const Camera& camera, const PlacedShape& shape) {
   if (shape.traced().half_space || shape.is_mesh()) return true;
   const auto is_seen = [&](const Vec3d& point) { return camera.sees(point); };
-  // Corners first: of what is in the middle of a picture the first one is seen.
+  // Corners first, because the first one is visible if the shape is in the middle of the picture.
   if (std::ranges::any_of(shape.vertices, is_seen)) return true;
   if (std::ranges::any_of(extent_points(shape), is_seen)) return true;
   for (int f = 0; f < count_of(shape.mesh->normals); ++f) {

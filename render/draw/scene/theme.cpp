@@ -10,20 +10,20 @@
 namespace contactscope::draw {
 namespace {
 
-// Least contrast with the ground (WCAG 2.2, 1.4.3 and 1.4.11).
+// Minimum contrast with the ground (WCAG 2.2, 1.4.3 and 1.4.11).
 constexpr double kTextContrast = 4.5, kLineContrast = 3;
-// OKLab chroma below which a colour is a grey with a tinge: the shapes, text, edges.
+// OKLab chroma below which a colour is a tinted grey: shapes, text, edges.
 constexpr double kNeutral = 0.045;
-// Lightness from which a grey is a surface or a grid, and not ink.
+// Lightness above which a grey is a surface or a grid rather than ink.
 constexpr double kPale = 0.7;
-// Of a surface: chroma that is a tinge, and what that adds to the lightness where hues are left out.
+// For surfaces: chroma of a tint, and the lightness that it adds without colours.
 constexpr double kTinge = 0.008, kCoolShift = -0.06, kWarmShift = 0.02;
 // A press loses tints that are lighter than this.
 constexpr double kLeastTint = 0.08, kLeastLine = 0.35;
 constexpr float kAlmostOpaque = 0.99f;
 
-/// Perceived lightness, and green to red, blue to yellow. Ottosson 2020, "A perceptual color space
-/// for image processing".
+/// Lightness, green to red, blue to yellow. Ottosson 2020, "A perceptual color space for image
+/// processing".
 struct Oklab {
   double l = 0, a = 0, b = 0;
 
@@ -71,7 +71,7 @@ double least_contrast(ColorUse use) {
   return use == ColorUse::Text ? kTextContrast : kLineContrast;
 }
 
-/// Lighter or darker in steps until it stands out from the ground, or can do so no more.
+/// Changes the lightness in steps until the contrast is sufficient or the limit is reached.
 Oklab made_to_stand_out(Oklab lab, ColorUse use, const Color& ground, double step) {
   while (contrast(to_color(lab, 1), ground) < least_contrast(use) && lab.l + step > 0 &&
          lab.l + step < 1)
@@ -85,7 +85,7 @@ Color in_the_dark(const Color& color, ColorUse use, const Color& ground) {
   if (lab.l < kPale) {
     lab.l = 0.97 - 0.5 * lab.l;  // ink
   } else if (use == ColorUse::Fill) {
-    // A surface: as far from the ground as it was from white, lit sides still the lighter ones.
+    // A surface: as far from the ground as it was from white; lit sides remain lighter.
     lab.l = std::max(0.24, 0.27 + 1.1 * (lab.l - 0.78));
     lab.a *= 1.4;
     lab.b *= 1.4;
@@ -95,14 +95,14 @@ Color in_the_dark(const Color& color, ColorUse use, const Color& ground) {
   return to_color(lab, color.a);
 }
 
-/// What is added to the lightness of a hue where colours are left out, so that roles of one
-/// lightness come apart: contact points darkest, then the reference face, the polygon, the incident
-/// face and the side planes. Hues between two of these get what lies between.
+/// Lightness added to a hue if colours are left out, so that roles of equal lightness differ.
+/// Contact points are darkest, then the reference face, the polygon, the incident face and the side
+/// planes. Other hues are interpolated.
 double shift_of_hue(double hue) {
   struct Anchor {
     double hue, shift;
   };
-  // Pink, vermilion, orange, green, sky blue, blue, and round again.
+  // Pink, vermilion, orange, green, sky blue, blue, and pink again.
   constexpr std::array<Anchor, 7> kAnchors{{{-10, -0.13},
                                             {45, -0.36},
                                             {75, -0.10},
@@ -122,10 +122,10 @@ double shift_of_hue(double hue) {
 
 Color in_grey(const Color& color, ColorUse use, const Color& ground) {
   Oklab lab = to_oklab(color);
-  // A tinge counts as little as it is.
+  // A weak tint counts in proportion to its chroma.
   lab.l += std::min(1.0, lab.chroma() / 0.1) * shift_of_hue(lab.hue());
   const bool is_colored = lab.chroma() >= kNeutral;
-  // The surfaces of A and B differ by a tinge, cool and warm.
+  // The surfaces of A and B differ by a cool and a warm tint.
   if (lab.l > kPale && lab.chroma() > kTinge) lab.l += lab.b < 0 ? kCoolShift : kWarmShift;
   lab.a = lab.b = 0;
   if (use == ColorUse::Text || is_colored) lab = made_to_stand_out(lab, use, ground, -0.01);
@@ -141,12 +141,12 @@ Color in_print(const Color& color, ColorUse use, const Color& ground) {
   }
   if (use == ColorUse::Line) lab = made_to_stand_out(lab, use, ground, -0.01);
   Color strong = to_color(lab, color.a);
-  // How much darker than the ground it comes out; raised by alpha first, then by lightness.
+  // Darkness against the ground is raised by alpha first, then by lightness.
   const double least = use == ColorUse::Line ? kLeastLine : kLeastTint;
   const auto darkness = [&] { return 1 - lab.l; };
   if (color.a > 0 && color.a * darkness() < least) {
     if (darkness() < least) lab.l = 1 - least;
-    // What let something through still does: vector files leave out what is hidden for good.
+    // Translucent fills stay translucent, because vector files drop objects that are fully hidden.
     const float most = color.a < 1 ? kAlmostOpaque : 1.0f;
     strong = to_color(lab, std::min(most, static_cast<float>(least / darkness())));
   }

@@ -8,10 +8,10 @@
 namespace contactscope::draw {
 namespace {
 
-// The deeper a node lies, the darker it is.
+// Deeper nodes are darker.
 constexpr std::array<Color, 4> kLevels = {rgb(0xF3F5F8), rgb(0xE6EAF0), rgb(0xD6DDE6),
                                           rgb(0xC5CFDB)};
-// Of nodes with boxes, by how many of these they lie in: else it is not seen which one a box hangs in.
+// Nodes with boxes, by the number of such nodes around them, to show which node a box belongs to.
 constexpr std::array<Color, 3> kBoxNodes = {rgb(0xFBF1D3), rgb(0xF2DA96), rgb(0xE3BF60)};
 constexpr LineStyle kLevelBorder{1.0f, rgb(0x9AA3AE)}, kBoxNodeBorder{1.5f, rgb(0xB08D3C)};
 constexpr Color kInVain = rgb(0xC2571A);
@@ -50,8 +50,8 @@ Eigen::AlignedBox3d solid_box(const trace::Box& box) {
   return {box.lower, box.upper};
 }
 
-/// The node of each box, by their places in the lists of both: the smallest that holds it and is not full, the
-/// smallest boxes first, for a large node may hold the boxes of others as well.
+/// Index of each box's node: the smallest node that contains the box and is not full. Small boxes
+/// choose first, because a large node may contain boxes of other nodes as well.
 std::optional<std::vector<std::size_t>> nodes_of_boxes(const trace::BroadPhase& phase) {
   const auto in_order = [](const auto& list, const auto& box_of) {
     std::vector<std::size_t> order(list.size());
@@ -79,7 +79,7 @@ std::optional<std::vector<std::size_t>> nodes_of_boxes(const trace::BroadPhase& 
   return found;
 }
 
-/// Of how many other nodes with boxes it is a part. A leaf of a tree is of none: it only lies over others.
+/// Number of other nodes with boxes that contain it. 0 for leaves of a tree, which only overlap.
 std::size_t nodes_around(const trace::BroadPhase& phase, const trace::Cell& cell) {
   if (phase.method == "tree") return 0;
   return static_cast<std::size_t>(std::ranges::count_if(phase.cells, [&](const trace::Cell& other) {
@@ -88,7 +88,7 @@ std::size_t nodes_around(const trace::BroadPhase& phase, const trace::Cell& cell
   }));
 }
 
-/// What a grid tested: boxes that are too large for cells with all, and those of a cell with each other.
+/// Pairs tested by a grid: too large boxes with all, and boxes of a cell with each other.
 std::vector<TestedPair> find_tests_in_grid(const trace::BroadPhase& phase) {
   const auto is_in = [](const trace::Cell& cell, const trace::Bounds& bounds) {
     return !bounds.large && (bounds.box.lower.array() < cell.box.upper.array()).all() &&
@@ -111,7 +111,7 @@ std::vector<TestedPair> find_tests_in_grid(const trace::BroadPhase& phase) {
   return pairs;
 }
 
-/// What a sweep along an axis tested: boxes that overlap along it.
+/// Pairs tested by a sweep: boxes that overlap along its axis.
 std::vector<TestedPair> find_tests_in_sweep(const trace::BroadPhase& phase) {
   if (phase.cells.size() != 1 || phase.swept.empty()) return {};
   const int axis = phase.swept == "x" ? 0 : phase.swept == "y" ? 1 : 2;
@@ -148,7 +148,7 @@ std::vector<TestedPair> find_tests(const trace::BroadPhase& phase) {
       const trace::Bounds &a = phase.bounds[i], &b = phase.bounds[j];
       const trace::Box &a_node = phase.cells[(*nodes)[i]].box,
                        &b_node = phase.cells[(*nodes)[j]].box;
-      // Leaves of a tree are compared, and of an octree a box with the nodes of those after it.
+      // A tree compares leaves. An octree compares a box with the nodes of later boxes.
       if (!solid_box(is_octree ? a.box : a_node).intersects(solid_box(b_node))) continue;
       pairs.push_back({&a, &b, solid_box(a.box).intersects(solid_box(b.box))});
       ++tests[(*nodes)[j]];
@@ -164,7 +164,7 @@ std::vector<TestedPair> find_tests(const trace::BroadPhase& phase) {
 std::vector<trace::Cell> draw_levels(const trace::BroadPhase& phase, const Floor& floor,
                                      Sketch& sketch) {
   std::vector<trace::Cell> cells = phase.cells;
-  // A small node of two leaves may lie within a large leaf beside them: leaves are over all others.
+  // A small node of two leaves may lie within a larger leaf next to them, so leaves are drawn last.
   std::ranges::stable_sort(
       cells, {}, [](const trace::Cell& cell) { return std::pair(cell.members > 0, cell.depth); });
   for (const trace::Cell& cell : cells) {

@@ -5,12 +5,12 @@
 
 #include "draw/scene/scene.h"
 
-/// A tree of few boxes, which is drawn whole: all its nodes, and all pairs that it tested.
+/// Trees with few boxes are drawn completely: all nodes and all tested pairs.
 namespace contactscope::draw {
 
 inline constexpr std::size_t kFewBoxes = 12;
 
-/// The tile of a box on the floor of all.
+/// Projects boxes onto a common floor below all of them.
 class Floor {
  public:
   explicit Floor(const Scene& scene)
@@ -18,7 +18,7 @@ class Floor {
         right_(up_ == 2 ? 0 : 2),
         ahead_(up_ == 2 ? 1 : 0),
         floor_(scene.frame.broad_phase->cells.front().box.lower[up_]) {
-    // One floor, so that the order in which tiles are drawn is the one in which they lie.
+    // One floor for all, so that tiles are drawn in the order in which they overlap.
     for (const trace::Cell& cell : scene.frame.broad_phase->cells)
       floor_ = std::min(floor_, cell.box.lower[up_]);
   }
@@ -26,7 +26,7 @@ class Floor {
   int up() const { return up_; }
   int right() const { return right_; }
   int ahead() const { return ahead_; }
-  /// The other axis of the floor.
+  /// The floor's other axis.
   int across(int axis) const { return 3 - up_ - axis; }
 
   std::vector<Vec3d> tile_of(const trace::Box& box) const {
@@ -42,24 +42,23 @@ class Floor {
   double floor_;
 };
 
-/// Two boxes that were tested.
 struct TestedPair {
   const trace::Bounds *a, *b;
   bool overlaps;
 };
 
-/// The pairs that a tree, an octree, a grid or a sweep tested. A trace counts tests by node or cell and does not
-/// name pairs: they follow from the nodes in which boxes hang, the cells that they reach or their spans along an axis, and
-/// where these pairs are not as many as the counts say, there are none here.
+/// Pairs that a tree, octree, grid or sweep tested. A trace records only counts by node or cell.
+/// The pairs follow from the boxes' nodes, the cells they reach or their spans along an axis. Empty
+/// if their number differs from the counts.
 std::vector<TestedPair> find_tests(const trace::BroadPhase& phase);
 
-/// Nodes as plates on the floor, the deeper ones over those around them and those with boxes over all. Returns them in this order.
+/// Draws nodes as plates on the floor, deeper later, nodes with boxes last; returns that order.
 std::vector<trace::Cell> draw_levels(const trace::BroadPhase& phase, const Floor& floor,
                                      Sketch& sketch);
-/// `counted`: numbers of tests stand in them.
+/// `counted`: nodes show their numbers of tests.
 void explain_levels(const trace::BroadPhase& phase, bool counted, Sketch& sketch);
 
-/// Over the boxes: a line between each two that were tested.
+/// Links the tested pairs with lines above the boxes.
 void link_tested(const Scene& scene, Sketch& sketch);
 
 }  // namespace contactscope::draw
