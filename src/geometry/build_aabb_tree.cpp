@@ -159,8 +159,8 @@ BinCut best_cut(const Bins& bins, const Counts& valid) {
 ///   1. compute the box of the centres of all triangles;
 ///   2. sort centres into bins along each axis in one pass, and sweep the cuts between bins from
 ///      both sides; if there are no more triangles than bins, each bin gets one;
-///   3. without a cut (all centres equal, or no areas), or too deep: split in halves by centre along
-///      the longest axis, ties by index, so that copies of one triangle make a balanced tree;
+///   3. without a cut (all centres equal, or no areas), or too deep: split in halves by centre
+///      along the longest axis, ties by index, so that equal triangles make a balanced tree;
 ///   4. recurse left, then right; at most kMaxLeaf triangles make a leaf;
 ///   5. finally compute the nodes' boxes from the original boxes of the triangles.
 class Builder {

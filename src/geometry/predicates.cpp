@@ -147,13 +147,11 @@ struct Grid {
 /// A sum of six products of three 41-bit numbers stays below 2^127.
 constexpr int kGridBits = 41;
 
-/// Converts to a common grid on which the largest number has kGridBits bits; none if any number is
-/// off the grid.
+/// Converts to a common grid where the largest number has kGridBits bits; none if one is off it.
 template <std::size_t kCount>
 std::optional<Grid<kCount>> on_grid(const std::array<double, kCount>& numbers) {
   constexpr std::uint64_t kBias = 1023, kMantissaBits = 52;
-  // Range of differences for which the predicates are valid; the cube of the grid's unit is then a
-  // normal number.
+  // Range in which the predicates are valid; the cube of the grid's unit is normal there.
   constexpr std::uint64_t kLeast = kBias - 303, kMost = kBias + 337;
   double largest = 0;
   for (const double number : numbers) largest = std::max(largest, std::abs(number));

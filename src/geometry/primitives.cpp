@@ -54,8 +54,7 @@ void require_cells(int cells_x, int cells_z) {
                    std::to_string(kMaxGridCells) + " together");
 }
 
-/// Position of line i of `cells` + 1, as a fraction of the side: -1/2 to 1/2, exact at both ends
-/// and symmetric.
+/// Line i of `cells` + 1 as a fraction of the side: -1/2 to 1/2, symmetric, exact at both ends.
 double part(int i, int cells) {
   return (2.0 * i - cells) / (2.0 * cells);
 }

@@ -43,8 +43,8 @@ double rounding_of_turns(const std::vector<Vec2d>& corners) {
   return 8 * std::numeric_limits<double>::epsilon() * coordinate * length;
 }
 
-/// Rates the cut of corner `i`: its length over the corner's distance from it. Infinite if it is no
-/// ear: an ear turns left, and its triangle (rim included) contains no other corner.
+/// Rating of cutting off corner `i`: length of the cut over its distance from the corner. Infinite
+/// if it is no ear: a left turn whose triangle (rim included) contains no other corner.
 double flatness(const std::vector<Vec2d>& corners, std::size_t i, double rounding) {
   constexpr double kNoEar = std::numeric_limits<double>::infinity();
   const Vec2d& a = corners[(i + corners.size() - 1) % corners.size()];
