@@ -64,8 +64,7 @@ class SmallestBox {
     keep(half_surface(extents.extent()), axes);
   }
 
-  /// Offers boxes with one axis along `normal` (length > 0) and another along each side of the
-  /// outline.
+  /// Offers boxes with an axis along `normal` (length > 0) and one along each side of the outline.
   void offer_about(const Vec3d& normal) {
     const PlaneFrame<double> plane(points_[0], normal.normalized());
     const Vec3d across = plane.u.cross(plane.v);
@@ -209,8 +208,8 @@ Obb<S> obb_of_kind(const Capsule<S>& capsule) {
     axes.col(2) = axes.col(0).cross(axes.col(1));
   }
   Obb<S> box = box_along<S>(axes.template cast<S>(), capsule.points);
-  // Rounding may make the axes slightly longer or shorter than 1, or tilt them. Add the margin that
-  // the radius then needs.
+  // Rounding may make the axes longer or shorter than 1, or tilt them: add this margin to the
+  // radius.
   const Extended radius = Extended::Constant(capsule.radius);
   const long double more = along_axis ? 1 : 1 + 8 * std::numeric_limits<S>::epsilon();
   for (int k = 0; k < 3; ++k)

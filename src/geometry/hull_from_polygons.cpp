@@ -34,8 +34,7 @@ void check_face(int face, const std::vector<int>& vertices, int vertex_count) {
   }
 }
 
-/// Numbers the edges and links each half-edge to its twin (by index) and to the next one of its
-/// face.
+/// Numbers the edges and links each half-edge to its twin (by index) and its successor.
 void link_edges(Hull<double>& hull, const std::vector<std::vector<int>>& faces) {
   std::unordered_map<std::uint64_t, int> half_edge_of;
   half_edge_of.reserve(6 * faces.size());

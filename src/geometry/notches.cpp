@@ -4,11 +4,11 @@
 // towards both and stays in a notch of their common outline. Planes do not reveal this, but such a
 // face is useless as a clip polygon: its side planes cut through it.
 //
-//      o-------o          Filling the notch with the third face would bend the plane further and could
-//      |  /\   |          spread from face to face on a finely rounded shape. Cutting the face at the
-//      | /  \  |          notch leaves two faces that are coplanar within the tolerance: harmless.
-//      o     o-o          Steps: find the deepest notch; try a cut from it to each other corner; keep
-//                         the one that leaves the shallowest notches on both sides; repeat.
+//      o-------o       Filling the notch with the third face would bend the plane further,
+//      |  /\   |       and could spread from face to face on a finely rounded shape. Cutting at the
+//      | /  \  |       notch leaves two faces that are coplanar within the tolerance: harmless.
+//      o     o-o       Steps: find the deepest notch; try a cut from it to each other corner; keep
+//                      the one that leaves the shallowest notches on both sides; repeat.
 
 #include <algorithm>
 #include <limits>
@@ -24,7 +24,7 @@ std::vector<int> loop_from(const Mesh& mesh, int first) {
 }
 
 /// Deepest notch of the polygon whose corners are the origins of `edges`, counter-clockwise seen
-/// against `normal`.
+/// from the tip of `normal`.
 Notch deepest(const Mesh& mesh, const std::vector<int>& edges, const Vec3d& normal) {
   const std::size_t count = edges.size();
   const auto corner = [&](std::size_t i) -> const Vec3d& {

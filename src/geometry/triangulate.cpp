@@ -53,8 +53,7 @@ double flatness(const std::vector<Vec2d>& corners, std::size_t i, double roundin
   const double area = turn(a, b, c);  // twice the triangle's area
   if (!(area > rounding)) return kNoEar;
   for (const Vec2d& p : corners) {
-    // Skip also other corners at the same position: outlines of holes are often joined by a double
-    // edge.
+    // Skip corners at the same positions too: outlines of holes are often joined by double edges.
     if (p == a || p == b || p == c) continue;
     if (std::min({turn(a, b, p), turn(b, c, p), turn(c, a, p)}) >= -rounding) return kNoEar;
   }
