@@ -38,10 +38,10 @@ int side_beside(const Hull<S>& hull, int face, const Vec3<S>& point) {
 /// bounded by planes. A few signs show that a point is inside a region, and a wrong sign shows
 /// where to go next.
 ///
-///      over f  |  edge e        The region of an edge e is between the side planes of its faces f
-///              |       .        and g, and between the planes through its vertices that are
-///    ----f-----e     .          perpendicular to e. The region of a vertex is behind the planes
-///               \  .            through it that are perpendicular to its edges.
+///      over f  |  region of e     The region of an edge e is between the side planes of its faces
+///              |       .          f and g, and between the planes through its vertices that are
+///    ----f-----e     .            perpendicular to e. The region of a vertex is behind the planes
+///               \  .              through it that are perpendicular to its edges.
 ///              g \.  over g
 ///
 /// GJK handles the points for which these signs are within rounding.
