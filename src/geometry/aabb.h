@@ -9,7 +9,7 @@
 
 namespace contactscope {
 
-/// Axis-aligned bounding box, closed, metres. Empty by default: lower = +infinity, upper =
+/// Axis-aligned bounding box, closed, metres. By default empty: lower is +infinity and upper
 /// -infinity, so merging needs no special case.
 template <class S>
 struct Aabb {
@@ -25,7 +25,6 @@ struct Aabb {
   Vec3<S> center() const { return S(0.5) * lower + S(0.5) * upper; }
   Vec3<S> extent() const { return upper - lower; }
 
-  /// True if every point of `other` is inside.
   bool contains(const Aabb& other) const {
     return ((lower.array() <= other.lower.array()) && (other.upper.array() <= upper.array())).all();
   }
@@ -97,7 +96,6 @@ class OverlapsWith {
   lanes::Pack<S> lower_, upper_;
 };
 
-/// Smallest box around both boxes.
 template <class S>
 Aabb<S> merged(Aabb<S> a, const Aabb<S>& b) {
   a.include(b);

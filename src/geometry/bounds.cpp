@@ -138,8 +138,7 @@ class Principal {
   Mat3<double> second_ = Mat3<double>::Zero();
 };
 
-/// Vertices relative to the first one, in double, so that positions far from the origin lose no
-/// digits.
+/// Vertices relative to the first one, in double, so that far from the origin no digits are lost.
 template <class S>
 std::vector<Vec3d> near_origin(const std::vector<Vec3<S>>& vertices) {
   return mapped(vertices, [&](const Vec3<S>& vertex) -> Vec3d {

@@ -29,7 +29,6 @@ struct Obb {
   /// Cubic metres; 0 for an empty box.
   S volume() const { return empty() ? S(0) : S(8) * half_extents.prod(); }
 
-  /// Rounds each number to the nearest value of the other scalar type.
   template <class T>
   Obb<T> cast() const {
     return {center.template cast<T>(), axes.template cast<T>(), half_extents.template cast<T>()};

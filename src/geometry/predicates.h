@@ -75,8 +75,8 @@ struct Plane {
 }  // namespace predicates
 
 /// Side of the plane through a, b, c on which d lies: 1 if a, b, c run counter-clockwise seen from
-/// d, -1 on the other side, 0 in the plane or if a, b, c are collinear. The sign of (b - a) x (c -
-/// a) . (d - a).
+/// d, -1 on the other side, 0 in the plane or if a, b, c are collinear. It is the sign of
+/// (b - a) x (c - a) . (d - a).
 inline int orient3d(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) {
   const predicates::Filtered filtered = predicates::Plane(a, b, c).filtered(d);
   if (filtered.certain()) return predicates::sign_of(filtered.value);

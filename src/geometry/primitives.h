@@ -28,12 +28,12 @@ Hull<double> make_cone(double radius, double half_height, int segments);
 inline constexpr int kMaxGridCells = 2'000'000;
 
 /// Height field centred on the origin of its frame in the x-z plane, y up, metres; the front is
-/// above. `size` is the whole side, divided into `cells` equal cells of two triangles each. y =
-/// amplitude sin(3 tau x / size_x) cos(3 tau z / size_z): three waves along each side (tau = 2 pi),
-/// exactly flat for amplitude 0. Vertex i + (cells_x + 1) j is the i-th along +x in row j along +z.
-/// Cell c = i + cells_x j has triangles 2c, at the corner of least x and z, and 2c + 1.
-///
-/// Throws ShapeError unless sizes are positive and finite, the amplitude is finite, and there is at
+/// above. `size` is the whole side, divided into `cells` equal cells of two triangles each.
+/// Heights:
+///   y = amplitude sin(3 tau x / size_x) cos(3 tau z / size_z), tau = 2 pi.
+/// That is three waves along each side, exactly flat for amplitude 0. Vertex i + (cells_x + 1) j is
+/// the i-th along +x in row j along +z. Cell c = i + cells_x j has triangles 2c, at the corner of
+/// least x and z, and 2c + 1.
 /// least one cell along each side and at most kMaxGridCells in total.
 Mesh<double> make_grid(double size_x, double size_z, int cells_x, int cells_z, double amplitude);
 

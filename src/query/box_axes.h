@@ -28,7 +28,7 @@ template <class S>
 [[gnu::always_inline]] inline Three<S> absolute(const Three<S>& v) {
   using Bits = decltype(v < v);
   constexpr auto kAllButSign = std::numeric_limits<std::remove_cvref_t<decltype(Bits{}[0])>>::max();
-  return (Three<S>)((Bits)v & kAllButSign);  // NOLINT: GCC's way to look at the bits
+  return (Three<S>)((Bits)v & kAllButSign);  // NOLINT: GCC reinterprets the bits
 }
 
 /// True if the first three lanes are true; `holds` is a comparison of two Three.

@@ -35,7 +35,7 @@ struct BoxAxis {
   CrossedEdges edges;     // if Edge
   EdgeMeasure<S> edge;    // if Edge
   Columns<S> directions;  // of B's axes, unless the boxes are separated
-  S deepest = 0;  // metres: largest separation of all axes, or a lower value if irrelevant
+  S deepest = 0;          // metres: largest separation of all axes, or a lower value if irrelevant
 };
 
 /// Face with the largest separation of one of two boxes.
@@ -152,7 +152,7 @@ template <class S>
     return result;
   }
   const S floor = std::max(face_a.separation, face_b.separation);
-  const S handicap = edge_handicap(pair.scale, preference);  // as sat() has it
+  const S handicap = edge_handicap(pair.scale, preference);  // as in sat()
   if (!(face_a.unique && face_b.unique && floor <= margin)) return result;
 
   // About ten roundings here and ten in sat(), of products of lengths up to `scale`, with a

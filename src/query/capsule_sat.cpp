@@ -40,8 +40,7 @@ struct FaceDistances {
     const S* __restrict ny = normals.y();
     const S* __restrict nz = normals.z();
     const int count = normals.padded_count();
-    // The rise is not computed as the difference of the distances, whose digits cancel: its sign
-    // matters.
+    // Not the difference of the distances, whose digits cancel: the sign of the rise matters.
     const Vec3<S> along = ends[1] - ends[0];
     const S ax = ends[0].x(), ay = ends[0].y(), az = ends[0].z();
     const S bx = ends[1].x(), by = ends[1].y(), bz = ends[1].z();

@@ -15,8 +15,7 @@ struct CapsuleSat {
   S face_separation = 0;   // of the segment's lower end
   bool face_tied = false;  // tied with a face of another direction; valid in overlap
 
-  int edge =
-      -1;  // half-edge of the hull whose edge pair beats the faces; -1: none
+  int edge = -1;  // half-edge of the hull whose edge pair beats the faces; -1: none
   S edge_separation = 0;
   Vec3<S> edge_normal = Vec3<S>::UnitX();  // unit, from the hull to the segment
 

@@ -12,8 +12,8 @@ enum class CapsuleTouchKind {
   Closest,   // closest points with a vertex, or between an end of the segment and an edge
 };
 
-/// Closest feature of a hull to a segment, or in overlap the shortest way out of it. Hull's frame,
-/// metres.
+/// Closest feature of a hull to a segment, or in overlap the direction of least penetration. Hull's
+/// frame, metres.
 template <class S>
 struct CapsuleTouch {
   CapsuleTouchKind kind = CapsuleTouchKind::Face;

@@ -67,7 +67,6 @@ struct GjkRun {
 /// the distance between the frames. Shapes closer than that are Touching. The normal separates the
 /// shapes by the distance up to the same rounding. Swapping A and B changes only rounding. Flat,
 /// needle-like, coincident and coplanar points are supported, and lengths from 1e-18 m to 1e18 m.
-/// needle-like, coincident and coplanar points are fine, as are lengths from 1e-18 m to 1e18 m.
 template <class S>
 GjkResult<S> gjk(const SupportSet<S>& a, const SupportSet<S>& b, const Pose<S>& b_in_a,
                  const GjkSimplex<S>* warm_start = nullptr, GjkRun<S>* run = nullptr);

@@ -68,7 +68,7 @@ class MinkowskiDifference {
     const Vec3<S> between = rotation_ * middle_of(b_) + position_ - middle_of(a_);
     return between.squaredNorm() > S(0) ? between : Vec3<S>(Vec3<S>::UnitX());
   }
-  /// True if a simplex of an earlier call (not null) fits these sets.
+  /// True if `simplex`, from an earlier call, fits these sets; false for null.
   bool has(const GjkSimplex<S>* simplex) const {
     return simplex != nullptr && !simplex->vertices.empty() &&
            std::ranges::all_of(simplex->vertices, [this](const GjkVertex<S>& vertex) {

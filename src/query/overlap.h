@@ -97,8 +97,8 @@ bool overlaps(const Aabb<S>& a, const Aabb<S>& b, const Comparison<S>& compariso
 
 // The tests below round. Their error is bounded by a few epsilon of the lengths added: the sizes of
 // both bounds and the distance between their centres, independent of the origin. Anything within
-// the error counts as touching. So inclusive tests never separate overlapping bounds, and exclusive
-// tests never report separated bounds as overlapping.
+// the error counts as touching. So inclusive tests never miss an overlap, and exclusive tests never
+// report separated bounds as overlapping.
 
 template <class S>
 bool overlaps(const BoundingSphere<S>& a, const BoundingSphere<S>& b,
@@ -128,7 +128,7 @@ bool overlaps(const Obb<S>& a, const BoundingSphere<S>& b, const Comparison<S>& 
 ///
 /// Guarded misses no overlap. Let D, metres, be the sum of the coordinates of the offset between
 /// the centres, the half extents of both boxes and the tolerance:
-/// 1. Inclusive and within: boxes that overlap, or are within the tolerance, are never separated.
+/// 1. Inclusive and within: boxes that overlap, or are within the tolerance, are never missed.
 /// 2. Boxes with a gap of more than 32 epsilon D along one of the fifteen axes are reported as
 ///    separated, and so is every pair at a distance of more than 56 epsilon D.
 /// 3. Exclusive: boxes that touch or are separated are never reported as overlapping. Boxes that

@@ -9,9 +9,9 @@
 namespace contactscope {
 namespace {
 
-/// Talk: "the minimizing feature defines the contact type". Faces of the preferred hull come first,
-/// then faces of the other hull, then edges: strictly by depth without a preference, otherwise
-/// within its tolerance.
+/// Talk: "the minimizing feature defines the contact type". Order: faces of the preferred hull,
+/// faces of the other, edges; strictly by depth without a preference, otherwise within its
+/// tolerance.
 template <class S>
 AxisKind choose(const SatResult<S>& queries, S tolerance, Owner preferred) {
   const S least = queries.separation(queries.deepest) - tolerance;
@@ -75,8 +75,7 @@ int vertex_towards_a(const HullPair<S>& pair) {
   return support_index(support_set(b), Vec3<S>(in_b + b.vertices[0] - b.centroid));
 }
 
-/// Three corners of a face of A, none of which another vertex of A exceeds along its normal: where to
-/// begin with B's faces.
+/// Starts B's faces with three corners of a face of A; no other vertex of A is beyond that face.
 template <class S>
 void look_at_face(const Hull<S>& a, int face, FaceBounds<S>& faces_b) {
   const auto origin = [&](int edge) { return at(a.half_edges, edge).origin; };

@@ -88,8 +88,8 @@ EdgeQuery<S> query_edges(const HullPair<S>& pair, const FaceSeparations<S>& face
 template <class S>
 std::vector<EdgeQuery<S>> all_crossings(const HullPair<S>& pair, const FaceSeparations<S>& faces_a);
 
-/// For two flat hulls in one plane: the in-plane direction away from an edge with the largest
-/// separation. No other axis separates them, because all other axes are their common normal.
+/// For two flat hulls: the direction away from an edge, in the plane of its hull, with the largest
+/// separation. If both are in one plane, all other axes are their common normal.
 template <class S>
 EdgeQuery<S> query_sides(const HullPair<S>& pair);
 

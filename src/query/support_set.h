@@ -41,7 +41,7 @@ void prefetch_points(const SupportSet<S>& set) {
   if (set.hull != nullptr) prefetch(set.hull->lanes.vertices);
 }
 
-/// A point in the interior of the set.
+/// A central point of the set.
 template <class S>
 Vec3<S> middle_of(const SupportSet<S>& set);
 
