@@ -177,9 +177,9 @@ ClosestOnSegment<S> closest_on_segment(const Vec3<S>& point, const Vec3<S>& from
 }
 
 /// Follows Ericson, "Real-Time Collision Detection" 2005, section 5.1.9, in trying the closest
-/// points of the lines first. We use cross products instead of a determinant of dot products, whose
-/// cancellation squares the angle between the lines. If the points are not on the segments, we take
-/// the nearest of four candidates (each end and its closest point on the other segment) instead of
+/// points of the lines first. We use cross products instead of a determinant of dot products, where
+/// cancellation acts on the square of the angle. If the points are not on the segments, we take the
+/// nearest of four candidates (each end and its closest point on the other segment) instead of
 /// clamping one parameter after the other. This treats A and B alike.
 ///
 /// Steps: 1. take the lines' closest points, if well defined and on the segments; 2. for parallel

@@ -250,8 +250,7 @@ PenetrationResult<S> expand(const StartSimplex<S>& start, const PenetrationOptio
 /// Steps: 1. expand GJK's last simplex to a tetrahedron (blow_up()); 2. take the open face closest
 /// to the origin; 3. stop if it is no closer than the best plane minus the tolerance; 4. find the
 /// support point along its normal, whose plane bounds the depth; 5. if it is not beyond the face,
-/// close the face, which is part of the surface; 6. otherwise replace all faces visible from it; go
-/// to 2.
+/// close the face, which is part of the surface; 6. otherwise replace all visible faces; go to 2.
 template <class S>
 PenetrationResult<S> epa(const SupportSet<S>& a, const SupportSet<S>& b, const Pose<S>& b_in_a,
                          const PenetrationOptions<S>& options, const GjkSimplex<S>* overlap,

@@ -33,10 +33,9 @@ struct Search {
 /// Upper bound of the separation along all directions of an arc between two normals of A, with `e`,
 /// a vertex of A, as support point. Stops early if the bound cannot exceed `search.bound`.
 ///
-/// For x on the chord between the ends the separation is the minimum over B's vertices b of
-/// x . (b - e) / |x|.
-/// Without the division each vertex gives a line, and the support vertex has the lowest one. With
-/// it each gives a piece of a sine, which is convex where it is negative, as |x| <= 1: it is
+/// For x on the chord between the ends, the separation is min x . (b - e) / |x| over B's vertices
+/// b. Without the division each vertex gives a line, and the support vertex has the lowest one.
+/// With it each gives a piece of a sine, which is convex where it is negative, as |x| <= 1: it is
 /// largest at the ends. So nothing is above the ends and the crossing of the lines of both ends
 /// (Kelley 1960, the cutting-plane method).
 ///

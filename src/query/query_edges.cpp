@@ -70,11 +70,11 @@ S support_separation(const HullPair<S>& pair, const Vec3<S>& direction) {
   return b_least - a_most;
 }
 
-/// +1 or -1, so that it orients cross = edge A x edge B from A to B, along the arc. The talk
-/// ("Normal Orientation") uses A's centre. We use the arc: the crossing x lies on it, so x . (first
-/// + second) > 0. For an arc of more than a quarter turn the sum cancels. But x . (first + second)
-/// = k (1 + first . second) (first . edge_b - second . edge_b) with k > 0, and the walk uses edges
-/// of B for which the last factor is positive.
+/// Sign, +1 or -1, that orients cross = edge A x edge B from A to B, along the arc. The talk
+/// ("Normal Orientation") uses A's centre. We use the arc: the crossing x lies on it, so
+/// x . (first + second) > 0. For an arc of more than a quarter turn the sum cancels. But it is
+/// k (1 + first . second) (first . edge_b - second . edge_b) with k > 0, and the walk uses edges of
+/// B for which the last factor is positive.
 template <class S>
 S orientation(const Arc<S>& arc, const Vec3<S>& cross) {
   const Vec3<S>&first = arc.first.direction, &second = arc.second.direction;
