@@ -9,8 +9,8 @@
 
 namespace contactscope {
 
-/// Axis-aligned bounding box, closed, metres. Made empty: lower = +infinity, upper = -infinity, so
-/// that merging needs no special case.
+/// Axis-aligned bounding box, closed, metres. By default empty: lower is +infinity and upper
+/// -infinity, so merging needs no special case.
 template <class S>
 struct Aabb {
   using Scalar = S;
@@ -18,20 +18,19 @@ struct Aabb {
   Vec3<S> lower = Vec3<S>::Constant(std::numeric_limits<S>::infinity());
   Vec3<S> upper = Vec3<S>::Constant(-std::numeric_limits<S>::infinity());
 
-  /// No point is inside. True for a box with NaN too.
+  /// True if no point is inside, and for a box with NaN.
   bool empty() const {
     return !(lower.x() <= upper.x() && lower.y() <= upper.y() && lower.z() <= upper.z());
   }
   Vec3<S> center() const { return S(0.5) * lower + S(0.5) * upper; }
   Vec3<S> extent() const { return upper - lower; }
 
-  /// Every point of `other` is inside, too.
   bool contains(const Aabb& other) const {
     return ((lower.array() <= other.lower.array()) && (other.upper.array() <= upper.array())).all();
   }
 
-  /// Grows by a point or a box. Of 0.0 and -0.0 the one that was there stays, on every processor: the smaller of
-  /// the two is another one to NEON than to SSE2, and traces are compared byte for byte.
+  /// Grows to contain a point or a box. Between 0.0 and -0.0 the old value stays: the minimum
+  /// instructions of NEON and SSE2 differ here, and traces are compared byte for byte.
   void include(const Vec3<S>& point) { include(Aabb{point, point}); }
   void include(const Aabb& other) {
     for (int k = 0; k < 3; ++k) {
@@ -40,8 +39,8 @@ struct Aabb {
     }
   }
 
-  /// Each coordinate rounded to the nearest of the other scalar. Rounding is monotone: the result
-  /// is exactly the box of the rounded points, if this is the box of the points.
+  /// Rounds each coordinate to the nearest. Rounding is monotone, so the box of some points becomes
+  /// exactly the box of the rounded points.
   template <class T>
   Aabb<T> cast() const {
     return {lower.template cast<T>(), upper.template cast<T>()};
@@ -50,24 +49,23 @@ struct Aabb {
   friend bool operator==(const Aabb&, const Aabb&) = default;
 };
 
-/// Smallest box around points.
 inline Aabb<double> box_around(std::span<const Vec3d> points) {
   Aabb<double> box;
   for (const Vec3d& point : points) box.include(point);
   return box;
 }
 
-/// Boxes that touch overlap. An empty box, or one with NaN, overlaps nothing.
+/// Touching boxes overlap. An empty box, or one with NaN, overlaps nothing.
 template <class S>
 bool overlaps(const Aabb<S>& a, const Aabb<S>& b) {
-  // Without short circuits: which of the six decides is a coin toss that a processor cannot learn.
+  // No short circuits: which comparison fails is random, so branches would be mispredicted.
   return (a.lower.x() <= b.upper.x()) & (b.lower.x() <= a.upper.x()) &
          (a.lower.y() <= b.upper.y()) & (b.lower.y() <= a.upper.y()) &
          (a.lower.z() <= b.upper.z()) & (b.lower.z() <= a.upper.z());
 }
 
-/// overlaps() with one box that is asked about many. A float's box is four numbers and four numbers, two
-/// of which are twice there: the lower ends and one more, which infinity lets pass.
+/// overlaps() for one box against many. A float box is read as two overlapping packs of four
+/// numbers; the fourth lane is compared with infinity and always passes.
 template <class S>
 class OverlapsWith {
  public:
@@ -98,14 +96,13 @@ class OverlapsWith {
   lanes::Pack<S> lower_, upper_;
 };
 
-/// Smallest box around both.
 template <class S>
 Aabb<S> merged(Aabb<S> a, const Aabb<S>& b) {
   a.include(b);
   return a;
 }
 
-/// Square metres, all six sides; 0 for an empty box.
+/// Total area of the six sides, square metres; 0 for an empty box.
 template <class S>
 S surface_area(const Aabb<S>& box) {
   if (box.empty()) return S(0);

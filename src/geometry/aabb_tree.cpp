@@ -18,7 +18,7 @@ template <class S>
 trace::Tree AabbTree<S>::recorded_query(const Aabb<S>& box) const {
   trace::Tree record;
   record.box = traced(box);
-  std::vector<int> ends;  // of the subtrees that node i is in
+  std::vector<int> ends;  // ends of the subtrees that contain node i
   for (int i = 0; i < count_of(nodes);) {
     while (!ends.empty() && ends.back() <= i) ends.pop_back();
     const Node& node = at(nodes, i);
@@ -46,7 +46,7 @@ void AabbTree<S>::refit(std::span<const Vec3<S>> vertices,
 
 template <class S>
 void AabbTree<S>::fit_nodes() {
-  // Backwards: whatever is below a node stands behind it.
+  // Backwards: children come after their parent.
   for (std::size_t i = nodes.size(); i-- > 0;) {
     Node& node = nodes[i];
     node.box = {};
@@ -67,7 +67,7 @@ double AabbTree<S>::expected_cost() const {
     weighted += boxes_tested * surface_area(node.box.template cast<double>());
   }
   const double all = surface_area(bounds().template cast<double>());
-  // Of triangles on one line: every query meets every box.
+  // All triangles on one line: assume that every query visits every box.
   return all > 0 ? weighted / all : static_cast<double>(nodes.size() + triangles.size());
 }
 

@@ -14,41 +14,41 @@ namespace trace {
 struct Tree;
 }
 
-/// Tree of boxes over triangles, in the frame and the unit of their vertices.
+/// Bounding volume hierarchy over triangles, in the frame and unit of their vertices.
 ///
-///     nodes   0 -------- root          node 0 comes first, then all of its left subtree, then
-///            /        |                all of its right one: a query walks the array forwards,
-///           1         4                and where a box misses it goes on behind the subtree. It
-///          / |       / |               needs neither a stack nor parents.
+///     nodes   0 -------- root          Node 0 comes first, then its whole left subtree, then its
+///            /        |                whole right one. A query walks the array forwards and skips
+///           1         4                the subtree of each box that it misses, so it needs
+///          / |       / |               neither a stack nor parent links.
 ///         2   3     5   6
 ///
-/// The order of visits is that of the array: left before right, triangles of a leaf ascending. It
-/// depends on the boxes alone.
+/// Triangles are visited in array order: left before right, ascending within a leaf. The order
+/// depends only on the boxes.
 template <class S>
 struct AabbTree {
   struct Node {
     Aabb<S> box;
-    int next;   // of a leaf: its first triangle in `triangles`; else: the node behind the subtree
-    int count;  // of a leaf: how many triangles; else: 0
+    int next;   // leaf: its first triangle in `triangles`; else: the node after the subtree
+    int count;  // leaf: number of triangles; else: 0
 
     bool leaf() const { return count > 0; }
   };
 
-  std::vector<Node> nodes;     // empty for no triangles
+  std::vector<Node> nodes;     // empty if there are no triangles
   std::vector<int> triangles;  // in tree order
-  std::vector<Aabb<S>> boxes;  // of each of `triangles`
+  std::vector<Aabb<S>> boxes;  // one for each entry of `triangles`
 
-  /// The right child of an inner node; the left one is the next node.
+  /// The right child of an inner node; the left child is the next node.
   int right_of(int node) const {
     const Node& left = at(nodes, node + 1);
     return left.leaf() ? node + 2 : left.next;
   }
 
-  /// The box of everything; empty for no triangles.
+  /// Box around all triangles; empty if there are none.
   Aabb<S> bounds() const { return nodes.empty() ? Aabb<S>{} : nodes.front().box; }
 
-  /// Calls visit(triangle) for each triangle whose own box overlaps `box`; touching counts. Nothing
-  /// is allocated.
+  /// Calls visit(triangle) for each triangle whose own box overlaps or touches `box`. Does not
+  /// allocate.
   template <class Visit>
   void query(const Aabb<S>& box, Visit&& visit) const {
     any_of(box, [&](int triangle) {
@@ -57,13 +57,13 @@ struct AabbTree {
     });
   }
 
-  /// Whether holds(triangle) for any of the triangles that a query with `box` visits, in the same
-  /// order; asks no more of them after the first one.
+  /// True if holds(triangle) for any triangle that a query with `box` visits. Same order as query;
+  /// stops at the first one.
   template <class Holds>
   bool any_of(const Aabb<S>& box, Holds&& holds) const {
     return any_place_of(box, [&](int place) { return holds(at(triangles, place)); });
   }
-  /// The same, of places in `triangles` and `boxes`.
+  /// The same, but `holds` gets positions in `triangles` and `boxes`.
   template <class Holds>
   bool any_place_of(const Aabb<S>& box, Holds&& holds) const {
     const OverlapsWith<S> overlaps_box(box);
@@ -78,21 +78,20 @@ struct AabbTree {
     return false;
   }
 
-  /// The same triangles in the same order, as candidates, and how they were found.
+  /// The triangles of query() in the same order, as candidates, with the traversal that found them.
   trace::Tree recorded_query(const Aabb<S>& box) const;
 
-  /// How many boxes a query tests that is small and meets the root, as the surface area heuristic
-  /// expects: of each inner node two and of each leaf all its triangles', weighted by the surface
-  /// of the node over that of the root (Goldsmith and Salmon 1987). 0 for no triangles. Says what a
-  /// tree has become after refits, beside what it was when it was built. O(n).
+  /// Expected number of box tests for a small query that hits the root, by the surface area
+  /// heuristic: two per inner node, one per triangle in a leaf, weighted by the node's surface over
+  /// the root's (Goldsmith and Salmon 1987). 0 for no triangles. Compare it with the value after
+  /// the build to see how much refits have degraded the tree. O(n).
   double expected_cost() const;
 
-  /// Makes all boxes anew after vertices moved; the shape of the tree stays, so that it gets slower
-  /// the more the mesh is distorted. `corners` are the vertex indices of each triangle, as many as
-  /// at the build.
+  /// Recomputes all boxes after vertices moved. The topology stays, so queries get slower as the
+  /// mesh is distorted. `corners` are the vertex indices of each triangle, as many as at the build.
   void refit(std::span<const Vec3<S>> vertices, std::span<const std::array<int, 3>> corners);
 
-  /// Makes the boxes of all nodes anew from `boxes`.
+  /// Recomputes the boxes of all nodes from `boxes`.
   void fit_nodes();
 
  private:
@@ -105,10 +104,9 @@ struct AabbTree {
   }
 };
 
-/// No way from the root to a leaf has more nodes, whatever the triangles.
+/// Maximum number of nodes on a path from the root to a leaf, for any input.
 inline constexpr int kMaxAabbTreeDepth = 64;
 
-/// Box of one triangle.
 template <class S>
 Aabb<S> box_of(std::span<const Vec3<S>> vertices, const std::array<int, 3>& corners) {
   Aabb<S> box;
@@ -116,12 +114,12 @@ Aabb<S> box_of(std::span<const Vec3<S>> vertices, const std::array<int, 3>& corn
   return box;
 }
 
-/// Tree over the boxes of triangles 0, 1, 2, ...; none of them empty. O(n log n).
+/// Builds a tree over the boxes of triangles 0, 1, 2, ..., none of them empty. O(n log n).
 /// Source: Wald 2007, "On fast Construction of SAH-based Bounding Volume Hierarchies".
 AabbTree<double> build_aabb_tree(std::span<const Aabb<double>> boxes);
 
-/// The same tree in another scalar. Its boxes are exactly those of the rounded triangles, because
-/// rounding is monotone.
+/// The same tree in another scalar type. Its boxes are exactly those of the rounded triangles,
+/// because rounding is monotone.
 template <class T>
 AabbTree<T> aabb_tree_cast(const AabbTree<double>& tree);
 

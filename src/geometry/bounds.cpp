@@ -16,12 +16,12 @@ namespace {
 
 using Extended = Vec3<long double>;
 
-/// A box must have a surface this much smaller to be preferred to an earlier one.
+/// A box must have a surface this much smaller to replace an earlier one.
 constexpr double kBetter = 1 - 1e-9;
-/// Pairs of edges grow with the square.
+/// Limit for edge pairs, whose number grows with the square.
 constexpr int kMostPairedEdges = 64;
 
-/// Along axes that are orthonormal but for rounding, which the box then has.
+/// Box along axes that are orthonormal up to rounding. The box has the same axes.
 template <class S>
 Obb<S> box_along(const Mat3<S>& axes, std::span<const Vec3<S>> points) {
   const Mat3<long double> columns = axes.template cast<long double>();
@@ -33,8 +33,8 @@ Obb<S> box_along(const Mat3<S>& axes, std::span<const Vec3<S>> points) {
   }
   const Extended middle = columns * extents.center();
   Obb<S> box{middle.cast<S>(), axes, Vec3<S>::Zero()};
-  // The rounded middle is not quite in the middle, and seen from there a place far from the origin
-  // costs no digits.
+  // The rounded centre is slightly off the middle. Measured from there, positions far from the
+  // origin cost no digits.
   Extended reach = Extended::Zero();
   for (const Vec3<S>& point : points) {
     const Extended way =
@@ -49,12 +49,12 @@ double half_surface(const Vec3d& extents) {
   return extents.x() * extents.y() + extents.y() * extents.z() + extents.z() * extents.x();
 }
 
-/// The smallest of the boxes that it is offered, by axes.
+/// Selects the smallest box among candidate axes.
 class SmallestBox {
  public:
   explicit SmallestBox(std::span<const Vec3d> points) : points_(points) {}
 
-  /// Axes are orthonormal columns.
+  /// `axes` has orthonormal columns.
   void offer(const Mat3<double>& axes) {
     Aabb<double> extents;
     for (const Vec3d& point : points_) {
@@ -64,7 +64,7 @@ class SmallestBox {
     keep(half_surface(extents.extent()), axes);
   }
 
-  /// About `normal`, of length > 0, along the side of the outline that gives the smallest surface.
+  /// Offers boxes with an axis along `normal` (length > 0) and one along each side of the outline.
   void offer_about(const Vec3d& normal) {
     const PlaneFrame<double> plane(points_[0], normal.normalized());
     const Vec3d across = plane.u.cross(plane.v);
@@ -94,7 +94,7 @@ class SmallestBox {
     }
   }
 
-  /// Made orthonormal to the last digit, which a chain of products above is not.
+  /// Normalized to full precision, because a chain of products is not exactly orthonormal.
   Mat3<double> axes() const {
     if (axes_.isIdentity(0)) return axes_;
     return Quatd(axes_).normalized().toRotationMatrix();
@@ -112,7 +112,7 @@ class SmallestBox {
   double surface_ = std::numeric_limits<double>::infinity();
 };
 
-/// Eigenvectors of the second moments of the surface about its middle, each triangle evenly filled.
+/// Principal axes: eigenvectors of the surface's second moments about its centre, uniform density.
 class Principal {
  public:
   void add(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
@@ -138,7 +138,7 @@ class Principal {
   Mat3<double> second_ = Mat3<double>::Zero();
 };
 
-/// The vertices from the first of them, in double: what is chosen from far away loses no digits.
+/// Vertices relative to the first one, in double, so that far from the origin no digits are lost.
 template <class S>
 std::vector<Vec3d> near_origin(const std::vector<Vec3<S>>& vertices) {
   return mapped(vertices, [&](const Vec3<S>& vertex) -> Vec3d {
@@ -207,8 +207,8 @@ Obb<S> obb_of_kind(const Capsule<S>& capsule) {
     axes.col(2) = axes.col(0).cross(axes.col(1));
   }
   Obb<S> box = box_along<S>(axes.template cast<S>(), capsule.points);
-  // The axes may be longer than 1 or shorter, or lean, by rounding; a ball needs that much more of
-  // them.
+  // Rounding may make the axes longer or shorter than 1, or tilt them: add this margin to the
+  // radius.
   const Extended radius = Extended::Constant(capsule.radius);
   const long double more = along_axis ? 1 : 1 + 8 * std::numeric_limits<S>::epsilon();
   for (int k = 0; k < 3; ++k)
@@ -254,7 +254,7 @@ S radius_of(const Kind& kind) {
   }
 }
 
-/// What `make` makes of any shape with an end.
+/// Applies `make` to any bounded shape; nullopt for planes.
 template <class Bound, class S, class Make>
 std::optional<Bound> bound_of(const Shape<S>& shape, const Make& make) {
   return std::visit(

@@ -6,20 +6,19 @@
 
 namespace contactscope {
 
-/// How a box is numbered (see make_box), known to the compiler: code that knows boxes reads tables in
-/// place of walking half-edges. Vertex i has the signs of the bits of i, set = positive; faces are +x,
-/// -x, +y, -y, +z, -z; edges as hull_from_polygons numbers them.
+/// The numbering of make_box as compile-time tables, so that code for boxes need not walk
+/// half-edges. The bits of i are the signs of vertex i, set = positive. Faces are +x, -x, +y, -y,
+/// +z, -z. Edges are numbered as hull_from_polygons does.
 struct BoxTopology {
   std::array<HalfEdge, 24> half_edges{};
   std::array<int, 8> vertex_edges{};
   std::array<int, 6> face_edges{};
 
-  /// The half-edges of each face and, of each vertex, the faces about it, in the order of the rings
-  /// of Hull.
+  /// Half-edges of each face, and faces around each vertex, in the order of Hull's rings.
   std::array<std::array<int, 4>, 6> face_ring{};
   std::array<std::array<int, 3>, 8> faces_around{};
 
-  /// The half-edge that leaves vertex i in the direction of a coordinate axis, up or down.
+  /// The half-edge that leaves vertex i along each coordinate axis, in either direction.
   std::array<std::array<int, 3>, 8> leaving{};
 
   constexpr int origin(int half_edge) const {

@@ -10,21 +10,21 @@
 namespace contactscope {
 namespace {
 
-// Wald 2007 finds 16 bins as good as a full sweep within a few per cent. So many triangles have one
-// each.
+// Wald 2007: 16 bins come within a few per cent of a full sweep. Up to this many triangles get one
+// bin each.
 constexpr int kBins = 16;
-// So few triangles are a leaf: to split them once more, two boxes of nodes are tested to spare about
-// two boxes of triangles.
+// Maximum size of a leaf. Splitting four triangles costs two tests of node boxes and saves about
+// two tests of triangle boxes.
 constexpr int kMaxLeaf = 4;
-// A binned split may cut off a single triangle each time. From this depth on halves are cut, and an
-// int counts no more triangles than the rest of the levels holds.
+// A binned split may cut off a single triangle at a time. From this depth on, split in halves: the
+// remaining 32 levels suffice for any number of triangles that an int can count.
 constexpr int kMaxSahDepth = kMaxAabbTreeDepth - 32;
-// A part that is so small, seen from the whole, is measured in a unit of its own: the numbers by
-// which it is cut have a float's 24 bits, and 14 of them are enough for 16 bins.
+// A part smaller than this, relative to the current unit, gets a unit of its own. Cuts are chosen
+// with the 24 bits of a float; 14 of them are enough for 16 bins.
 constexpr float kLeastExtent = 0x1p-10F;
 
 using Box = Aabb<double>;
-using Lanes = lanes::Pack<float>;  // of x, y and z, and one that says nothing
+using Lanes = lanes::Pack<float>;  // x, y, z and one unused lane
 using Counts = lanes::Flags<float>;
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
@@ -34,11 +34,11 @@ float largest_of(const Lanes& lanes) {
   return std::max({lanes[0], lanes[1], lanes[2]});
 }
 
-/// A box by which cuts are chosen, in registers: its lower corner, and its upper one with the signs
-/// turned, so that to grow is two minima. Rounded to floats in a unit of its part of the tree;
-/// the boxes of the tree itself are not made of it.
+/// A box in registers for choosing cuts: its lower corner and its negated upper corner, so that
+/// growing it takes two minima. Rounded to floats in the unit of its part of the tree. The boxes of
+/// the final tree are not computed from it.
 struct RoughBox {
-  Lanes lower, minus_upper;  // not set at first
+  Lanes lower, minus_upper;  // uninitialized
 
   static RoughBox empty() { return {kInfinite, kInfinite}; }
 
@@ -50,9 +50,9 @@ struct RoughBox {
   Lanes extent() const { return -minus_upper - lower; }
 };
 
-/// A triangle while the tree is built: its box, moved with its place in the tree, so that each level
-/// reads memory forwards. The lane of its lower corner that is free has the index, as the bits of a
-/// number from one up, which arithmetic on all lanes takes no harm from.
+/// A triangle during the build: its box, moved along with its position in the tree so that each
+/// level reads memory forwards. The free lane of the lower corner stores the index as the bits of a
+/// float from 1.0 upwards, which arithmetic on all lanes leaves harmless.
 struct Item {
   RoughBox box;
 
@@ -62,17 +62,17 @@ struct Item {
   static constexpr int kOne = std::bit_cast<int>(1.0F);
 };
 
-/// A part of the tree cut in two.
+/// Result of cutting a part of the tree in two.
 struct Cut {
-  std::size_t left_count = 0;  // 0: there was no cut
+  std::size_t left_count = 0;  // 0: no cut was found
   RoughBox left = RoughBox::empty(), right = RoughBox::empty();
 };
 
-/// Triangles in bins along each axis; not set at first.
+/// Triangles in bins along each axis; uninitialized.
 struct Bins {
   using Row = std::array<RoughBox, kBins>;
-  std::array<Row, 3> boxes;          // one row an axis
-  std::array<Counts, kBins> counts;  // of triangles, one lane an axis
+  std::array<Row, 3> boxes;          // one row per axis
+  std::array<Counts, kBins> counts;  // number of triangles, one lane per axis
   int size = kBins;
 
   void add(const Item& item, const Counts& bins) {
@@ -84,14 +84,13 @@ struct Bins {
   }
 };
 
-/// A cut before a bin.
+/// A cut between bins `bin` - 1 and `bin`.
 struct BinCut {
-  int axis = -1;  // none was found
-  int bin = 0;    // the first one that goes right
+  int axis = -1;  // -1: no cut was found
+  int bin = 0;    // first bin of the right side
 };
 
-/// Half of the surfaces of three boxes. What the boxes of each axis are is kept in one lane, from
-/// here on.
+/// Half of the surface areas of three boxes, one lane per axis.
 Lanes areas_of(const RoughBox& x, const RoughBox& y, const RoughBox& z) {
   const auto sides = [](const RoughBox& box) -> Lanes {
     const Lanes e = box.extent();
@@ -114,14 +113,14 @@ Lanes floats(const Counts& counts) {
   return __builtin_convertvector(counts, Lanes);
 }
 
-/// The best cut between two bins, where the first and the last bin of an axis have triangles; axes of
-/// which `valid` is 0 have no cuts. Of equally good ones the first, x before y before z. All axes are
-/// swept side by side.
+/// The best cut between two bins. On each axis the first and the last bin must have triangles; axes
+/// with `valid` 0 are skipped. Ties go to the first cut, x before y before z. All axes are swept in
+/// parallel.
 BinCut best_cut(const Bins& bins, const Counts& valid) {
   const auto boxes = [&](int axis, int bin) -> const RoughBox& {
     return at(at(bins.boxes, axis), bin);
   };
-  std::array<Lanes, kBins> right_costs;  // of this bin and all behind it; the first is not set
+  std::array<Lanes, kBins> right_costs;  // of this bin and all after it; the first is not set
   std::array<RoughBox, 3> side;
   side.fill(RoughBox::empty());
   Counts count{};
@@ -145,7 +144,7 @@ BinCut best_cut(const Bins& bins, const Counts& valid) {
   BinCut cut;
   float least = kInfinity;
   for (int axis = 0; axis < 3; ++axis) {
-    // Areas of zero say nothing.
+    // Zero areas do not rank cuts.
     if (!(best[axis] < least && best[axis] > 0)) continue;
     least = best[axis];
     cut = {axis, places[axis]};
@@ -153,18 +152,17 @@ BinCut best_cut(const Bins& bins, const Counts& valid) {
   return cut;
 }
 
-/// Binned build with the surface area heuristic after Wald 2007, section 3: the cost of a cut is
-/// the number of triangles on each side, weighted by how likely a query that reached the node
-/// reaches that side, for which the surface area of its box stands. Deviations: bins along all
-/// three axes, not only the longest (a better tree for three times the work); and the tree is laid
-/// out depth first. Steps:
-///   1. the box of the centres of all triangles;
+/// Binned build with the surface area heuristic after Wald 2007, section 3. The cost of a cut is
+/// the number of triangles on each side, weighted by the surface area of its box: the likelihood
+/// that a query of the node reaches that side. Deviations: bins along all three axes instead of
+/// only the longest (a better tree for three times the work), and a depth-first layout. Steps:
+///   1. compute the box of the centres of all triangles;
 ///   2. sort centres into bins along each axis in one pass, and sweep the cuts between bins from
-///      both sides; no more triangles than bins are sorted into one each;
-///   3. without a cut (all centres equal, or no areas), or too deep: half of the triangles by centre
-///      along the longest axis, ties by index, so that copies of one triangle make a balanced tree;
-///   4. the same for the left side, then for the right one; at most kMaxLeaf triangles are a leaf;
-///   5. last of all the boxes of the nodes, from those of the triangles as they were given.
+///      both sides; if there are no more triangles than bins, each bin gets one;
+///   3. without a cut (all centres equal, or no areas), or too deep: split in halves by centre
+///      along the longest axis, ties by index, so that equal triangles make a balanced tree;
+///   4. recurse left, then right; at most kMaxLeaf triangles make a leaf;
+///   5. finally compute the nodes' boxes from the original boxes of the triangles.
 class Builder {
  public:
   explicit Builder(std::span<const Box> boxes) : boxes_(boxes), items_(boxes.size()) {
@@ -182,8 +180,8 @@ class Builder {
   }
 
  private:
-  /// Makes the rough boxes of items anew, in a unit in which their box is at most one long, and
-  /// returns that box.
+  /// Recomputes the rough boxes of `items` in a unit in which their common box has length at most
+  /// 1, and returns that common box.
   RoughBox measure(std::span<Item> items) const {
     Box all;
     for (const Item& item : items) all.include(at(boxes_, item.triangle()));
@@ -204,7 +202,7 @@ class Builder {
     return bounds;
   }
 
-  // `items` are a part of all, and `bounds` is their box. Recursive, and never deeper than
+  // `items` is a part of all items, and `bounds` is its box. Recursion depth is limited to
   // kMaxAabbTreeDepth.
   void build(std::span<Item> items, RoughBox bounds, int depth) {
     assert(depth <= kMaxAabbTreeDepth);
@@ -222,10 +220,10 @@ class Builder {
     tree_.nodes[node].next = static_cast<int>(tree_.nodes.size());
   }
 
-  // All that follow put the triangles of the left side first.
+  // All functions below put the triangles of the left side first.
 
   static Cut split(std::span<Item> items, int depth) {
-    Lanes lower = kInfinite, minus_upper = kInfinite;  // of twice the centres
+    Lanes lower = kInfinite, minus_upper = kInfinite;  // of the doubled centres
     for (const Item& item : items) {
       const Lanes center = item.box.twice_center();
       lower = lanes::smaller(center, lower);
@@ -244,7 +242,7 @@ class Builder {
 
   static Cut split_sorted(std::span<Item> items, const Lanes& extent) {
     const int count = count_of(items);
-    // Along each axis, how many centres are before each; equal ones in the order of items.
+    // For each axis, the number of centres before each centre; ties in the order of items.
     std::array<Lanes, kBins> centers;
     std::array<Counts, kBins> ranks;
     Bins bins;
@@ -254,7 +252,7 @@ class Builder {
       at(ranks, i) = all_lanes(0);
       at(bins.counts, i) = all_lanes(1);
       for (int j = 0; j < i; ++j) {
-        const Counts before = at(centers, i) < at(centers, j);  // -1 where it is
+        const Counts before = at(centers, i) < at(centers, j);  // -1 if true
         at(ranks, j) -= before;
         at(ranks, i) += before + 1;
       }
@@ -282,8 +280,8 @@ class Builder {
     }
     const BinCut best = best_cut(bins, extent > 0);
     if (best.axis < 0) return {};
-    // In place, and without a branch that a processor could only guess: each goes where the next one
-    // of the left side is to go, and the one that stood there takes its place.
+    // In-place partition without unpredictable branches: each item is swapped to the end of the
+    // left side, which grows only if the item belongs there.
     const float start = lower[best.axis], per_unit = bins_per_unit[best.axis];
     std::size_t left = 0;
     for (Item& item : items) {
@@ -316,7 +314,7 @@ class Builder {
   }
 
   std::span<const Box> boxes_;
-  std::vector<Item> items_;  // in tree order in the end
+  std::vector<Item> items_;  // finally in tree order
   AabbTree<double> tree_;
 };
 

@@ -11,7 +11,7 @@
 namespace contactscope {
 namespace {
 
-/// The faces of a hull around each of its vertices, counter-clockwise seen from outside.
+/// Faces of a hull around a vertex, counter-clockwise seen from outside.
 std::vector<int> faces_around(const Hull<double>& hull, int vertex) {
   std::vector<int> faces;
   for (const int edge : hull.around_vertex(vertex)) faces.push_back(at(hull.half_edges, edge).face);
@@ -19,16 +19,16 @@ std::vector<int> faces_around(const Hull<double>& hull, int vertex) {
   return faces;
 }
 
-/// A corner of the core: the moved planes that meet there, and the place.
+/// Corner of the core where moved planes meet.
 struct Corner {
-  std::vector<int> faces;  // of the original, ascending
+  std::vector<int> faces;  // face indices of the original, ascending
   Vec3d place;
-  int original;   // vertex that it stands for
-  int dual_face;  // of the hull of the polar dual
+  int original;   // vertex of the original that it corresponds to
+  int dual_face;  // face of the polar dual's hull
 };
 
-/// Where the planes n . x = offset meet: three of them by Cramer's rule, which is exact for boxes,
-/// more by least squares.
+/// Intersection of the planes n . x = offset: three planes by Cramer's rule, which is exact for
+/// boxes, more by least squares.
 Vec3d meet(const std::vector<Plane<double>>& planes) {
   if (planes.size() == 3) {
     const Vec3d& a = planes[0].normal;
@@ -47,10 +47,10 @@ Vec3d meet(const std::vector<Plane<double>>& planes) {
   return normal_matrix.ldlt().solve(right);
 }
 
-/// The polar dual: the half-space n . x <= t, t > 0, becomes the point n / t. The convex hull of
-/// these points has a vertex for every half-space that bounds the intersection, and a face for every
-/// vertex of it. Stretched along the axes to about a cube, which changes no topology: a plate's dual
-/// is a needle, and the builder's tolerance is relative to the needle's length.
+/// Polar dual: the half-space n . x <= t, t > 0, becomes the point n / t. The convex hull of these
+/// points has a vertex for every half-space that bounds the intersection, and a face for every
+/// vertex of it. The points are stretched along the axes to about a cube, which keeps the topology:
+/// the dual of a plate is a needle, and the builder's tolerance is relative to the needle's length.
 std::vector<Vec3d> polar_dual(const std::vector<Plane<double>>& planes) {
   std::vector<Vec3d> points = mapped(
       planes, [](const Plane<double>& plane) -> Vec3d { return plane.normal / plane.offset; });
@@ -60,7 +60,7 @@ std::vector<Vec3d> polar_dual(const std::vector<Plane<double>>& planes) {
   return points;
 }
 
-/// Of each vertex of `built` the place in `points`, whose order the hull builder keeps.
+/// For each vertex of `built` its index in `points`. The hull builder keeps their order.
 std::vector<int> places_of(const Hull<double>& built, const std::vector<Vec3d>& points) {
   auto from = points.begin();
   return mapped(built.vertices, [&](const Vec3d& vertex) {
@@ -69,7 +69,7 @@ std::vector<int> places_of(const Hull<double>& built, const std::vector<Vec3d>& 
   });
 }
 
-/// The original's vertex with the most of the corner's faces, the nearest among equals.
+/// The original's vertex that shares the most faces with the corner; the nearest on a tie.
 int vertex_that_it_stands_for(const Hull<double>& hull,
                               const std::vector<std::vector<int>>& faces_of, const Corner& corner) {
   std::tuple<std::ptrdiff_t, double, int> best{1, 0, -1};
@@ -83,7 +83,7 @@ int vertex_that_it_stands_for(const Hull<double>& hull,
   return std::get<int>(best);
 }
 
-/// The original's edge between two of its faces; else the vertex that `corner` stands for.
+/// The original's edge between two of its faces, or else the vertex of `corner`.
 FeatureRef edge_that_it_stands_for(const Hull<double>& hull, int left, int right,
                                    const Corner& corner) {
   for (const int edge : hull.around_face(left)) {
@@ -101,9 +101,9 @@ CoreHull itself(const Hull<double>& hull, bool reduced) {
   return core;
 }
 
-/// Corners in the order of the vertices that they stand for. `planes` are the moved ones about the
-/// centroid, `dual` is the hull of their polar dual, `face_of` the original's face of each of its
-/// vertices.
+/// Corners in the order of their original vertices. `planes` are the moved planes relative to the
+/// centroid, `dual` is the hull of their polar dual, and `face_of` maps its vertices to faces of
+/// the original.
 std::vector<Corner> corners_of(const Hull<double>& hull, const std::vector<Plane<double>>& planes,
                                const Hull<double>& dual, const std::vector<int>& face_of) {
   std::vector<std::vector<int>> faces_of;
@@ -121,10 +121,10 @@ std::vector<Corner> corners_of(const Hull<double>& hull, const std::vector<Plane
   return corners;
 }
 
-/// Source: de Berg et al., "Computational Geometry", 11.4: half-space intersection by the convex
-/// hull of the dual points. Steps: 1. move the faces; 2. the hull of their duals; 3. its faces are
-/// the core's vertices, found from the planes themselves, so that the stretching and the merging
-/// cost no digits; 4. its vertices are the core's faces, with the corners around them in order.
+/// Half-space intersection by the convex hull of the dual points: de Berg et al., "Computational
+/// Geometry", 11.4. Steps: 1. move the faces; 2. build the hull of their duals; 3. its faces become
+/// the core's vertices, computed from the planes themselves so that stretching and merging cost no
+/// digits; 4. its vertices become the core's faces, with the corners around them in order.
 CoreHull intersect(const Hull<double>& hull, double margin) {
   const std::vector<Plane<double>> planes =
       mapped(hull.planes, [&](const Plane<double>& plane) -> Plane<double> {
@@ -136,7 +136,7 @@ CoreHull intersect(const Hull<double>& hull, double margin) {
 
   CoreHull core;
   const std::vector<Corner> corners = corners_of(hull, planes, dual, face_of);
-  std::vector<int> corner_of(corners.size());  // of each face of the dual
+  std::vector<int> corner_of(corners.size());  // indexed by face of the dual
   for (int i = 0; i < count_of(corners); ++i) {
     at(corner_of, at(corners, i).dual_face) = i;
     core.vertices.push_back(vertex_ref(Owner::A, at(corners, i).original));
@@ -145,7 +145,7 @@ CoreHull intersect(const Hull<double>& hull, double margin) {
   for (int vertex = 0; vertex < dual.vertex_count(); ++vertex) {
     std::vector<int>& outline = outlines.emplace_back(
         mapped(faces_around(dual, vertex), [&](int face) { return at(corner_of, face); }));
-    // It starts where the original's face starts, so that edges are numbered alike.
+    // Start where the original's face starts, so that edges have the same numbers.
     const int first = at(hull.half_edges, at(hull.face_edges, at(face_of, vertex))).origin;
     const auto start =
         std::ranges::find(outline, first, [&](int corner) { return at(corners, corner).original; });

@@ -7,32 +7,32 @@
 
 namespace contactscope {
 
-/// The core of a hull with a margin: all of its faces moved inward by the margin.
+/// The core of a hull for collision with a margin: all faces moved inward by the margin.
 struct CoreHull {
-  Hull<double> hull;     // own frame of the original
-  double margin = 0;     // metres; how far the faces were moved
-  bool reduced = false;  // less than was asked for
+  Hull<double> hull;     // in the frame of the original
+  double margin = 0;     // metres; the distance by which the faces were moved
+  bool reduced = false;  // `margin` is less than requested
 
-  // The feature of the original hull that each vertex, edge and face of the core stands for, owner
-  // A. Where moving the faces splits a vertex of four or more, the edge between the parts stands
-  // for the vertex.
+  // The feature of the original hull that each vertex, edge and face of the core corresponds to,
+  // owner A. If moving the faces splits a vertex with four or more, the new edges correspond to
+  // that vertex.
   std::vector<FeatureRef> vertices;
   std::vector<FeatureRef> edges;
   std::vector<FeatureRef> faces;
 };
 
-/// A core no thinner than this leaves room for the closest points: the margin is at most this share
-/// of the distance from the centroid to the nearest face.
+/// Maximum margin, as a fraction of the distance from the centroid to the nearest face. The
+/// remaining core is thick enough for closest points.
 inline constexpr double kLargestCoreShare = 0.5;
 
-/// The half-spaces behind the moved faces, intersected. Vertices, faces and (where no feature is
-/// lost or split) edges are in the order of the original's. `margin` in metres, >= 0 and finite: 0
-/// gives the hull itself. A margin that is too large is reduced to kLargestCoreShare; where no core
-/// can be built at all, as of a vertex with more than kMaxFaceVertices faces, it is reduced to zero.
+/// Intersects the half-spaces behind the moved faces. Vertices, faces and (if no feature is lost or
+/// split) edges keep the original's order. `margin` in metres, >= 0 and finite; 0 returns the hull.
+/// A margin that is too large is reduced to kLargestCoreShare, or to zero if no core can be built
+/// at all, for example if a vertex has more than kMaxFaceVertices faces.
 ///
-/// Vertices are on the moved planes within rounding where three faces meet. Where more than three
-/// do within the tolerance of the hull builder there is one vertex, nearest to all of them: measured
-/// up to 5e-6 of the hull's radius off a plane, at corners of ten to one.
+/// A vertex of three faces is on the moved planes within rounding. More than three faces that meet
+/// within the hull builder's tolerance give one vertex, closest to all of them; it was measured up
+/// to 5e-6 of the hull's radius off a plane, at corners of ten to one.
 CoreHull core_hull(const Hull<double>& hull, double margin);
 
 }  // namespace contactscope

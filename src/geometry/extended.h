@@ -5,7 +5,7 @@
 
 namespace contactscope {
 
-/// The least number of the scalar that is no smaller.
+/// The smallest number of the scalar type that is not below `value`.
 template <class S>
 S rounded_up(long double value) {
   const S nearest = static_cast<S>(value);

@@ -2,8 +2,8 @@
 
 #include "geometry/mesh.h"
 
-/// Triangles of a mesh without an area: segments and points, which collide as such. A mesh that
-/// deforms, or is rounded to float, may come to have some.
+/// Mesh triangles without area. They collide as segments and points. A mesh can get them by
+/// deformation or by rounding to float.
 namespace contactscope {
 
 template <class S>
@@ -11,7 +11,7 @@ bool has_area(const Mesh<S>& mesh, int triangle) {
   return !mesh.normal(triangle).isZero(S(0));
 }
 
-/// The longest edge of a triangle: all of one that has no area.
+/// Index of the longest edge. For a triangle without area it is the whole triangle.
 template <class S>
 int longest_edge(const Mesh<S>& mesh, int triangle) {
   const auto squared = [&](int k) {
@@ -21,7 +21,7 @@ int longest_edge(const Mesh<S>& mesh, int triangle) {
   return squared(2) > squared(of_two) ? 2 : of_two;
 }
 
-/// Like build_mesh(), but triangles without an area are kept: every triangle has the index that it was given with.
+/// Like build_mesh(), but keeps triangles without area, so the indices of the input stay valid.
 Mesh<double> build_mesh_with_flat_triangles(std::vector<Vec3d> vertices,
                                             std::vector<std::array<int, 3>> triangles,
                                             MeshReport* report = nullptr);

@@ -10,7 +10,7 @@
 namespace contactscope {
 namespace {
 
-/// Elements of the lanes of `count` vectors.
+/// Number of elements in the lanes of `count` vectors.
 std::size_t lane_count(int count) {
   return static_cast<std::size_t>(3 * padded(count));
 }
@@ -21,9 +21,9 @@ void put(std::vector<S>& lanes, std::size_t i, const Vec3<S>& vector) {
   for (std::size_t k = 0; k < 3; ++k) lanes[k * stride + i] = vector[static_cast<int>(k)];
 }
 
-/// The half extents of a box whose every number is what make_box would give it, else zero. Lengths
-/// whose squares would leave the range of S are none of a box: it is to be told by its half extents
-/// what its edges are, to the last bit.
+/// Half extents of a box that equals the result of make_box in every number, else zero. Also zero
+/// if squared lengths would leave the range of S: a box's edges must follow from its half extents
+/// to the last bit.
 template <class S>
 Vec3<S> box_extents(const Hull<S>& hull) {
   const Vec3<S> none = Vec3<S>::Zero();

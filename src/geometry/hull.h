@@ -10,15 +10,15 @@
 
 namespace contactscope {
 
-/// Directed edge of a hull. The twin of half-edge i is i ^ 1, so undirected edge e is the
+/// Directed edge of a hull. The twin of half-edge i is i ^ 1, so undirected edge e consists of the
 /// half-edges 2e and 2e + 1.
 struct HalfEdge {
-  int origin;  // vertex that it leaves
+  int origin;  // vertex where it starts
   int next;    // next half-edge around the same face, counter-clockwise seen from outside
   int face;    // face on its left
 };
 
-/// Half-edges that lie in a ring, each once, as a range: `next` of a half-edge is the one after it.
+/// Range over a ring of half-edges, each once. `next` maps a half-edge to its successor.
 template <class Next>
 struct EdgeRing {
   struct Iterator {
@@ -48,43 +48,42 @@ struct EdgeRing {
 template <class Next>
 EdgeRing(int, Next) -> EdgeRing<Next>;
 
-/// Vertices and planes of a hull once more, as the loops over lanes read them (see lanes.h).
+/// Copies of a hull's vertices and planes in the layout that loops over lanes read (lanes.h).
 template <class S>
 struct HullLanes {
   std::vector<S> vertices;  // padded with zeros
   std::vector<S> normals;   // padded with zeros
-  std::vector<S> offsets;   // padded with infinity: such a face lies behind every point
+  std::vector<S> offsets;   // padded with infinity: every point is behind such a face
 
   friend bool operator==(const HullLanes&, const HullLanes&) = default;
 };
 
-/// Convex polyhedron with half-edges, local frame, metres. Made by the hull builder only, which
-/// keeps these promises: faces are planar within rounding, and merged when coplanar unless it was
-/// asked to leave them unmerged (triangulate_faces); every vertex is used, V - E + F = 2, twins run
-/// opposite, no face has more than kMaxFaceVertices vertices.
+/// Convex polyhedron with half-edges, local frame, metres. Only the hull builder makes hulls, with
+/// these invariants: faces are planar within rounding; coplanar faces are merged, unless cut again
+/// by triangulate_faces; every vertex is used; V - E + F = 2; twins run in opposite directions; no
+/// face has more than kMaxFaceVertices vertices.
 ///
-/// A flat hull is a polygon with two faces back to back, on one plane with opposite normals; it has
-/// no volume.
+/// A flat hull is a polygon: two faces on one plane with opposite normals, and no volume.
 template <class S>
 struct Hull {
   std::vector<Vec3<S>> vertices;
-  std::vector<HalfEdge> half_edges;    // two for each edge, twins adjacent
-  std::vector<int> vertex_edges;       // for each vertex one half-edge that leaves it
-  std::vector<int> face_edges;         // for each face one of its half-edges
-  std::vector<Plane<S>> planes;        // for each face, normal outward
-  HullLanes<S> lanes;                  // of `vertices` and `planes`, made by lay_out
-  Vec3<S> centroid = Vec3<S>::Zero();  // centre of mass at uniform density, of a flat one of area
+  std::vector<HalfEdge> half_edges;    // two per edge, twins adjacent
+  std::vector<int> vertex_edges;       // one outgoing half-edge per vertex
+  std::vector<int> face_edges;         // one half-edge per face
+  std::vector<Plane<S>> planes;        // one per face, normal outward
+  HullLanes<S> lanes;                  // copies of `vertices` and `planes`, made by lay_out
+  Vec3<S> centroid = Vec3<S>::Zero();  // at uniform density; of the area for a flat hull
   S radius = 0;                        // largest distance of a vertex from the centroid
-  /// Of a box as make_box makes it, numbers and all; zero of any other hull. Made by lay_out.
+  /// Set by lay_out for boxes that equal the result of make_box in every number; otherwise zero.
   Vec3<S> half_extents = Vec3<S>::Zero();
 
   int vertex_count() const { return static_cast<int>(vertices.size()); }
   int edge_count() const { return static_cast<int>(half_edges.size() / 2); }
   int face_count() const { return static_cast<int>(planes.size()); }
 
-  /// No other hull has two faces.
+  /// True for flat hulls; no other hull has two faces.
   bool flat() const { return planes.size() == 2; }
-  /// What knows boxes may go by half_extents and box_topology.h alone.
+  /// True if code may use half_extents and box_topology.h instead of the half-edges.
   bool is_box() const { return half_extents.x() > S(0); }
 
   static constexpr int twin(int half_edge) { return half_edge ^ 1; }
@@ -93,28 +92,27 @@ struct Hull {
   }
   const Vec3<S>& target(int half_edge) const { return origin(twin(half_edge)); }
 
-  /// The half-edges of a face, counter-clockwise seen from outside, from its face_edges entry on.
+  /// Half-edges of a face, counter-clockwise seen from outside, starting with its face_edges entry.
   auto around_face(int face) const {
     return EdgeRing{at(face_edges, face), [this](int edge) { return at(half_edges, edge).next; }};
   }
-  /// The half-edges that leave a vertex, clockwise seen from outside, from its vertex_edges entry on.
+  /// Outgoing half-edges of a vertex, clockwise seen from outside, from its vertex_edges entry on.
   auto around_vertex(int vertex) const {
     return EdgeRing{at(vertex_edges, vertex),
                     [this](int edge) { return at(half_edges, twin(edge)).next; }};
   }
 };
 
-/// Makes `hull.lanes` and `hull.half_extents` from its vertices and planes. Whoever changes those calls
-/// it anew.
+/// Computes `hull.lanes` and `hull.half_extents`. Call it again after changing vertices or planes.
 template <class S>
 void lay_out(Hull<S>& hull);
 
-/// The same hull in another scalar. Vertices, planes and centroid are rounded once each from the
-/// input, topology is copied.
+/// The same hull in another scalar type. Vertices, planes and centroid are rounded once from the
+/// input.
 template <class T, class S>
 Hull<T> hull_cast(const Hull<S>& hull);
 
-/// Vertex indices of a face, counter-clockwise seen from outside, in the order of around_face.
+/// Vertex indices of a face, in the order of around_face.
 template <class S>
 std::vector<int> face_vertices(const Hull<S>& hull, int face);
 

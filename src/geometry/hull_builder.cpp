@@ -22,27 +22,27 @@
 namespace contactscope {
 namespace {
 
-// Points come from float meshes, from text with six or seven digits, from float-rounded rotations.
-// Rounding to float moves a coordinate by at most FLT_EPSILON / 2 of its size, hence a point off
-// its plane by FLT_EPSILON / 2 of |x| + |y| + |z|. A plane through three such points is off by up
-// to three times that at the centroid of the face next to it, whose own error comes on top: twice
-// FLT_EPSILON in all, and one more as reserve. This is the tolerance of "Implementing Quickhull",
-// 3 (max|x| + max|y| + max|z|) epsilon, with the epsilon of the data instead of that of the
-// arithmetic. Sizes are those of the points about their own middle, so that moving a shape does not
-// change it; what the arithmetic itself loses far from the origin is the second term.
+// Points come from float meshes, from text with six or seven digits, or from rotations rounded to
+// float. Rounding to float moves a coordinate by at most FLT_EPSILON / 2 of its size, and a point
+// off its plane by at most FLT_EPSILON / 2 of |x| + |y| + |z|. A plane through three such points is
+// off by up to three times that at the centroid of the next face, plus that face's own error: twice
+// FLT_EPSILON in total, and one more as reserve. This is the tolerance of "Implementing Quickhull",
+// 3 (max|x| + max|y| + max|z|) epsilon, with the epsilon of the data, not of the arithmetic. Sizes
+// are relative to the points' centre, so that moving a shape does not change it. The second term
+// covers the error of the arithmetic far from the origin.
 constexpr double kArithmeticEpsilon = std::numeric_limits<double>::epsilon();
 constexpr double kTolerancePerEpsilon = 3;
 
-// Merging can fail where the points are about as thick as the tolerance. A finer one merges less,
-// and in the end nothing but what the arithmetic makes coplanar, which always works on exact
-// points.
+// Factors of the tolerance, tried in order. Merging can fail if the points are about as thin as the
+// tolerance. A finer tolerance merges less; the finest merges only what rounding makes coplanar,
+// which works for exact points.
 constexpr std::array<double, 5> kAttempts = {1, 1.0 / 8, 1.0 / 64, 1.0 / 4096, 1.0 / 262144};
 
-// In double: coordinates that were turned and moved have lost a few bits.
+// For double coordinates: rotating and moving them has lost a few bits.
 constexpr double kFinestEpsilon = 16 * kArithmeticEpsilon;
 
 Vec3d half_extents_of(const Aabb<double>& box) {
-  // Halved before subtracting: the extent of large coordinates may overflow.
+  // Halve before subtracting: the extent of large coordinates may overflow.
   return 0.5 * box.upper - 0.5 * box.lower;
 }
 
@@ -52,7 +52,7 @@ std::string spell(const Vec3d& point) {
   return text.str();
 }
 
-/// Indices of the points without those that repeat an earlier one, in order.
+/// Indices of the points without later duplicates, in order.
 std::vector<int> distinct_points(std::span<const Vec3d> points, bool weld) {
   std::vector<int> order(points.size());
   std::iota(order.begin(), order.end(), 0);
@@ -98,7 +98,7 @@ void require_finite(std::span<const Vec3d> points) {
   throw ShapeError(message.str());
 }
 
-/// Whether all corners between two places of the outline lie on the line between those.
+/// True if all corners between two positions of the outline lie on the line between these two.
 bool straight(const std::vector<Vec2d>& outline, std::size_t from, std::size_t to,
               double tolerance) {
   const Vec2d& start = outline[from];
@@ -109,12 +109,12 @@ bool straight(const std::vector<Vec2d>& outline, std::size_t from, std::size_t t
   return true;
 }
 
-/// The convex polygon of points that lie within `tolerance` (metres) of one plane, and not all
-/// within it of one line: indices of its corners, counter-clockwise seen from one side. Corners that
-/// lie within the tolerance of the line between their neighbours are left out. `points` are about
-/// the origin, and all different. Steps: 1. the plane, from points that are far apart; 2. the convex
-/// polygon of the points seen along its normal, from its leftmost corner on; 3. from each corner that
-/// stays, on to the last one up to which all between are on a line.
+/// Convex polygon of points that lie within `tolerance` (metres) of one plane but not of one line:
+/// indices of its corners, counter-clockwise seen from one side. Corners within the tolerance of
+/// the line between their neighbours are dropped. `points` surround the origin and are all
+/// different. Steps: 1. the plane through distant points; 2. the convex outline of the points seen
+/// along its normal, from the leftmost corner on; 3. from each kept corner, skip to the last one
+/// for which all corners between are on a line.
 std::vector<int> flat_outline(std::span<const Vec3d> points, double tolerance) {
   const auto corner = quickhull::initial_simplex(points, tolerance).points;
   const Vec3d& origin = at(points, corner[0]);
@@ -138,9 +138,9 @@ std::vector<int> flat_outline(std::span<const Vec3d> points, double tolerance) {
   return kept;
 }
 
-/// Hull from faces over all input points: the points that no face uses are left out, the others
-/// keep their order. Each face starts at its lowest vertex and the faces are sorted, so that the
-/// order says nothing about how quickhull went.
+/// Hull from faces over all input points: drops unused points, keeps the order of the others. Each
+/// face starts at its lowest vertex and the faces are sorted, so that the order does not depend on
+/// the course of quickhull.
 Hull<double> compact(std::span<const Vec3d> points, std::vector<std::vector<int>> faces) {
   std::vector<int> number(points.size(), -1);
   for (const std::vector<int>& face : faces) {
@@ -160,8 +160,8 @@ Hull<double> compact(std::span<const Vec3d> points, std::vector<std::vector<int>
   return hull_from_polygons(std::move(vertices), faces);
 }
 
-/// Points as quickhull takes them: about the middle and at size 1. The factor is a power of two, so that
-/// it costs nothing and the outcome is the same at every scale.
+/// Points centred and scaled to size 1 for quickhull. The factor is a power of two, so that scaling
+/// is exact and the result is the same at every scale.
 struct UnitPoints {
   explicit UnitPoints(std::span<const Vec3d> points) {
     const Aabb<double> box = box_around(points);
@@ -176,18 +176,18 @@ struct UnitPoints {
   int exponent;
 };
 
-/// Whether every edge goes along its faces, also once its ends are off by `rounding`.
+/// True if every edge is parallel to its faces, even after its ends move by `rounding`.
 bool has_true_edges(const quickhull::Result& result, double rounding) {
   return result.steepest_edge <= quickhull::kSteepest &&
          rounding <= quickhull::kSteepest * result.shortest_edge;
 }
 
-/// The points as float has them about the origin that it will have them about (see moved_origin).
+/// The points rounded to float relative to the origin they will have (see moved_origin).
 std::vector<Vec3d> rounded_to_float(std::vector<Vec3d> points) {
   const Vec3d origin = middle_where_far(box_around(points), 0);
   for (Vec3d& point : points) {
     for (int axis = 0; axis < 3; ++axis) {
-      // Stored, as in middle_where_far().
+      // Volatile forces a store, as in middle_where_far().
       const volatile float rounded = static_cast<float>(point[axis] - origin[axis]);
       point[axis] = origin[axis] + static_cast<double>(rounded);
     }
@@ -195,7 +195,7 @@ std::vector<Vec3d> rounded_to_float(std::vector<Vec3d> points) {
   return points;
 }
 
-/// How far that moves a point at most.
+/// Largest displacement of a point by rounded_to_float().
 double rounding_to_float(std::span<const Vec3d> points) {
   const Aabb<double> box = box_around(points);
   const Vec3d origin = middle_where_far(box, 0);
@@ -204,7 +204,7 @@ double rounding_to_float(std::span<const Vec3d> points) {
          lower.cwiseAbs().cwiseMax(upper.cwiseAbs()).sum();
 }
 
-/// By quickhull::run_with_near_points; none where that finds none.
+/// Hull by quickhull::run_with_near_points; none if that fails.
 std::optional<Hull<double>> hull_with_near_points(std::vector<Vec3d> points, double tolerance,
                                                   bool for_float) {
   if (for_float) {
@@ -218,7 +218,7 @@ std::optional<Hull<double>> hull_with_near_points(std::vector<Vec3d> points, dou
   return compact(points, std::move(result.faces));
 }
 
-/// How many digits the shortest text has that gives this number.
+/// Number of digits in the shortest decimal text that reads back as this number.
 int digits_of(double number) {
   char text[32];
   char* const end =
@@ -269,7 +269,7 @@ Hull<double> build_hull(std::span<const Vec3d> points, const HullOptions& option
   const auto [local, exponent] = UnitPoints(kept);
   const double tolerance = hull_tolerance(kept, options.epsilon);
   std::vector<double> attempts(kAttempts.begin(), kAttempts.end());
-  // Finer coordinates may be merged as float's are before the hull is given up.
+  // Before giving up, merge finer coordinates as coarsely as float coordinates.
   for (double factor = 8; factor * options.epsilon <= HullOptions().epsilon; factor *= 8)
     attempts.push_back(factor);
   for (const double factor : attempts) {

@@ -34,7 +34,7 @@ void check_face(int face, const std::vector<int>& vertices, int vertex_count) {
   }
 }
 
-/// Numbers the edges and links each half-edge to its twin (by index) and to the next of its face.
+/// Numbers the edges and links each half-edge to its twin (by index) and its successor.
 void link_edges(Hull<double>& hull, const std::vector<std::vector<int>>& faces) {
   std::unordered_map<std::uint64_t, int> half_edge_of;
   half_edge_of.reserve(6 * faces.size());
@@ -102,16 +102,16 @@ double largest_offset(const std::vector<Vec3d>& points, const Vec3d& from) {
   return largest;
 }
 
-/// Corners of a face about a point, in units of `scale`.
+/// Corners of a face relative to `middle`, in units of `scale`.
 std::vector<Vec3d> corners_about(const Hull<double>& hull, int face, const Vec3d& middle,
                                  double scale) {
   return mapped(face_vertices(hull, face),
                 [&](int vertex) -> Vec3d { return (at(hull.vertices, vertex) - middle) / scale; });
 }
 
-/// Centre of mass at uniform density: the mean of the tetrahedra that a point inside makes with a
-/// fan of each face, weighted by volume. In units of the solid's own size, so that no product of
-/// lengths leaves the range of double.
+/// Centre of mass at uniform density: mean of the tetrahedra between an inner point and a fan of
+/// each face, weighted by volume. Scaled by the solid's size, so that no product of lengths leaves
+/// the range of double.
 Vec3d centroid_by_volume(const Hull<double>& hull) {
   const Vec3d inside = mean_of(hull.vertices);
   const double scale = largest_offset(hull.vertices, inside);
@@ -122,15 +122,15 @@ Vec3d centroid_by_volume(const Hull<double>& hull) {
     const Vec3d& a = corners[0];
     for (std::size_t i = 2; i < corners.size(); ++i) {
       const Vec3d &b = corners[i - 1], &c = corners[i];
-      const double tetrahedron = a.dot(b.cross(c));  // six times its volume
+      const double tetrahedron = a.dot(b.cross(c));  // six times the volume
       volume += tetrahedron;
-      moment += tetrahedron * 0.25 * (a + b + c);  // its fourth corner is the origin
+      moment += tetrahedron * 0.25 * (a + b + c);  // the fourth corner is the origin
     }
   }
   return inside + scale / volume * moment;
 }
 
-/// The same of a flat hull, by area.
+/// Centre of mass of a flat hull, weighted by area.
 Vec3d centroid_by_area(const Hull<double>& hull) {
   const Vec3d& normal = hull.planes[0].normal;
   const Vec3d& first = hull.origin(hull.face_edges[0]);
@@ -140,15 +140,15 @@ Vec3d centroid_by_area(const Hull<double>& hull) {
   Vec3d moment = Vec3d::Zero();
   for (std::size_t i = 2; i < corners.size(); ++i) {
     const Vec3d &b = corners[i - 1], &c = corners[i];
-    const double triangle = normal.dot(b.cross(c));  // twice its area
+    const double triangle = normal.dot(b.cross(c));  // twice the area
     area += triangle;
-    moment += triangle / 3 * (b + c);  // its third corner is the origin
+    moment += triangle / 3 * (b + c);  // the third corner is the origin
   }
   return first + scale / area * moment;
 }
 
-/// Unit normal of a polygon and the plane through the mean of its vertices, in order, at least three
-/// and not all on one line.
+/// Plane through the mean of a polygon's vertices, given in order, with unit normal. At least three
+/// vertices, not all on one line.
 Plane<double> newell_plane(const std::vector<Vec3d>& vertices) {
   const Vec3d mean = mean_of(vertices);
   const int exponent = std::ilogb(largest_offset(vertices, mean));

@@ -6,24 +6,24 @@
 
 namespace contactscope {
 
-/// Loops over lanes run to a multiple of this, so that the compiler needs no remainder loop.
+/// Loops over lanes run to a multiple of this, so the compiler needs no remainder loop.
 inline constexpr int kLaneWidth = 4;
 
 constexpr int padded(int count) {
   return (count + kLaneWidth - 1) / kLaneWidth * kLaneWidth;
 }
 
-/// Vectors as a structure of arrays that stands elsewhere: all x, then all y, then all z, each
-/// padded to the lane width. What the padding holds is up to who fills it.
+/// View of vectors stored as a structure of arrays: all x, then all y, then all z, each padded to
+/// the lane width. The owner chooses the padding values.
 template <class S>
 class VectorLanes {
  public:
-  /// `values` holds 3 * padded(count) elements and outlives this.
+  /// `values` holds 3 * padded(count) elements and must outlive this.
   VectorLanes(const S* values, int count)
       : values_(values), count_(count), stride_(padded(count)) {}
 
   int count() const { return count_; }
-  /// A multiple of the lane width, and known to be one, so that loops need no remainder.
+  /// The mask lets the compiler see a multiple of the lane width, so loops need no remainder.
   int padded_count() const { return stride_ & ~(kLaneWidth - 1); }
   const S* x() const { return values_; }
   const S* y() const { return values_ + stride_; }
@@ -37,8 +37,8 @@ class VectorLanes {
   int stride_;
 };
 
-/// n . p with the one order of additions that all queries use, so that a distance found in a loop
-/// over lanes is found again, bit for bit, one element at a time.
+/// n . p with the order of additions that all queries use, so that a loop over lanes and a single
+/// evaluation give the same bits.
 template <class S>
 inline S dot(S nx, S ny, S nz, S px, S py, S pz) {
   return (nx * px + ny * py) + nz * pz;

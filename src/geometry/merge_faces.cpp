@@ -4,21 +4,20 @@
 
 // Face merging after Gregorius, "Implementing Quickhull", GDC 2014.
 //
-// Two neighbours are convex when the centroid of each lies below the plane of the other by more
-// than the tolerance; else they are coplanar or concave and become one face. Steps:
-//   1. each new face merges where the larger face of a pair says that the smaller one's centroid is
-//      not below it: the larger plane is the better one, and slivers, whose planes mean nothing,
-//      disappear into it;
-//   2. what only the smaller face's plane calls concave is put off, and judged by both planes once
-//      the slivers are gone.
-// A merge changes planes, so that each face is looked at again after each of its merges.
+// Two neighbours are convex if the centroid of each lies below the plane of the other by more than
+// the tolerance. Otherwise they are coplanar or concave and become one face. Steps:
+//   1. merge each new face wherever the larger face of a pair finds the smaller one's centroid not
+//      below it. The larger plane is more reliable, so slivers disappear into it;
+//   2. pairs that only the smaller face's plane finds concave are postponed, and judged by both
+//      planes once the slivers are gone.
+// A merge changes planes, so each face is examined again after each of its merges.
 
 namespace contactscope::quickhull {
 namespace {
 
 enum class Judge { LargerFace, BothFaces };
 
-/// Whether all edges of both faces lie in the plane of their union, but for sines up to `steepest`.
+/// True if all edges of both faces lie in the plane of their union, up to sines of `steepest`.
 bool lies_flat(const Mesh& mesh, int one, int other, double steepest) {
   const Face &first = mesh.face(one), &second = mesh.face(other);
   const Vec3d area = first.area * first.plane.normal + second.area * second.plane.normal;
@@ -28,7 +27,7 @@ bool lies_flat(const Mesh& mesh, int one, int other, double steepest) {
          std::ranges::all_of(mesh.around(other), fits);
 }
 
-/// Merges one pair along the loop of `face`; false when there is none left.
+/// Merges one pair along the loop of `face`; returns false if no pair is left.
 bool merge_once(Mesh& mesh, int face, Judge judge, double tolerance, double steepest,
                 std::vector<int>& touched) {
   for (const int e : mesh.around(face)) {

@@ -16,12 +16,12 @@
 namespace contactscope {
 namespace {
 
-// Rounding the coordinates of a triangle, at most half a unit of 2^-52 of the largest each, moves
-// its height over the longest edge by at most sqrt(3) of them. With 128 of them left, its normal
-// turns by less than 0.8 degrees; kFlatEdgeAngle is one.
+// Rounding a triangle's coordinates, by at most half a unit of 2^-52 of the largest, moves its
+// height over the longest edge by at most sqrt(3) units. At a height of 128 units its normal turns
+// by less than 0.8 degrees; kFlatEdgeAngle is one degree.
 constexpr double kLeastHeight = 128 * std::numeric_limits<double>::epsilon();
 
-// In lengths of the longest edge. The normal of a lower triangle leans by more than some 30 roundings.
+// In lengths of the longest edge. Below it, the normal's error exceeds about 30 roundings.
 constexpr double kSliverHeight = 1.0 / 16;
 
 using Triangles = std::span<const std::array<int, 3>>;
@@ -46,7 +46,7 @@ void require_vertices(Triangles triangles, int vertex_count) {
   }
 }
 
-/// One side of an edge: the triangle that it belongs to runs from `from` to `to`.
+/// One side of an edge of a triangle.
 struct Side {
   int low, high;  // welded vertices
   int triangle;
@@ -56,7 +56,7 @@ struct Side {
   auto operator<=>(const Side&) const = default;
 };
 
-/// For each vertex the first one with the same coordinates (0 and -0 are).
+/// For each vertex, the first one with equal coordinates (0 equals -0).
 std::vector<int> weld(std::span<const Vec3d> vertices) {
   std::vector<int> order(vertices.size());
   std::iota(order.begin(), order.end(), 0);
@@ -88,7 +88,7 @@ std::vector<Side> sides_of(Triangles triangles, const std::vector<int>& welded) 
   return sides;
 }
 
-/// Mesh::neighbours of these triangles; what has none for a reason is reported. O(n log n).
+/// Mesh::neighbours of these triangles. Edges that have none for a reason are reported. O(n log n).
 std::vector<std::array<int, 3>> find_neighbours(std::span<const Vec3d> vertices,
                                                 Triangles triangles, MeshReport& report) {
   std::vector<std::array<int, 3>> neighbours(triangles.size(), {-1, -1, -1});
@@ -100,7 +100,7 @@ std::vector<std::array<int, 3>> find_neighbours(std::span<const Vec3d> vertices,
     }
     const std::span<const Side> shared = std::span(sides).subspan(begin, end - begin);
     if (shared.size() == 1) continue;
-    // Two sides of one triangle without an area.
+    // Two sides of one triangle without area.
     if (shared.size() == 2 && shared[0].triangle == shared[1].triangle) continue;
     if (shared.size() > 2) {
       report.non_manifold_edges.push_back(mapped(shared, &Side::triangle));
@@ -114,7 +114,7 @@ std::vector<std::array<int, 3>> find_neighbours(std::span<const Vec3d> vertices,
   return neighbours;
 }
 
-/// Class of every edge, from neighbours and normals.
+/// Classifies every edge, using neighbours and normals.
 template <class S>
 void classify_edges(Mesh<S>& mesh) {
   using enum EdgeClass;
@@ -153,16 +153,16 @@ Vec3d triangle_normal(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
   std::size_t longest = 0;
   const double length = lengths.maxCoeff(&longest);
   if (!(length > 0)) return Vec3d::Zero();
-  // The two others: rounding grows with the product of their lengths, and the area stays what it
-  // is. One scale for both keeps squares from under- and overflowing.
+  // The two other edges: the rounding error grows with the product of their lengths, but the area
+  // does not. A common scale avoids under- and overflow of squares.
   const Vec3d before = edges[(longest + 1) % 3] / length;
   const Vec3d after = edges[(longest + 2) % 3] / length;
   Vec3d normal = before.cross(after);
-  const double height = normal.norm();  // over the longest edge, in lengths of it
+  const double height = normal.norm();  // over the longest edge, in lengths of that edge
   if (!(height * length > kLeastHeight * largest)) return Vec3d::Zero();
   normal /= height;
-  // A sliver's normal leans by a rounding over its height, along the edge too: a plane through one end
-  // would miss the other one. What is left of it is at right angles to the edge, as far as numbers go.
+  // A sliver's normal leans by a rounding over its height, also along the edge: a plane through one
+  // end would miss the other. Make it perpendicular to the edge again.
   if (height < kSliverHeight) {
     const Vec3d along = edges[longest] / length;
     normal = (normal - normal.dot(along) * along).normalized();
@@ -170,8 +170,8 @@ Vec3d triangle_normal(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
   return normal;
 }
 
-/// The angle from one normal to the other about the edge: its sine is the triple product of both
-/// and the edge, positive where the surface bends away from the front, its cosine their product.
+/// Angle between the normals about the edge. Its sine is the triple product of both normals and the
+/// edge, positive if the surface bends away from the front; its cosine is their dot product.
 template <class S>
 double bend_angle(const Mesh<S>& mesh, int triangle, int edge) {
   const int neighbour = mesh.neighbour(triangle, edge);
@@ -183,8 +183,8 @@ double bend_angle(const Mesh<S>& mesh, int triangle, int edge) {
   const double sine = here.cross(there).dot(along.stableNormalized());
   const double cosine = here.dot(there);
   const double angle = std::atan2(sine, cosine);
-  // A sheet folded onto itself: rounding alone may say which way. It is an edge that can be
-  // touched; a crease so sharp cannot.
+  // A sheet folded onto itself: rounding may decide the sign. Treat it as convex, an edge that can
+  // be touched; a crease this sharp cannot.
   return angle < kFlatEdgeAngle - std::numbers::pi ? angle + 2 * std::numbers::pi : angle;
 }
 

@@ -1,15 +1,14 @@
 #include "geometry/quickhull.h"
 
-// Three faces that differ by about the tolerance can be such that two of them merge, while the
-// third is convex towards both and stays, in a notch of their common outline. Planes do not show
-// that, but a face with such an outline is of no use as a clip polygon: its side planes cut through
-// it.
+// If three faces differ by about the tolerance, two of them can merge while the third is convex
+// towards both and stays in a notch of their common outline. Planes do not reveal this, but such a
+// face is useless as a clip polygon: its side planes cut through it.
 //
-//      o-------o          Filling the notch with the third face would bend the plane further, and can
-//      |  /\   |          run on from face to face on a finely rounded shape. Cutting the face at the
-//      | /  \  |          notch leaves two that are coplanar within the tolerance: harmless.
-//      o     o-o          Steps: find the deepest notch; try a cut from it to each other corner; keep
-//                         the one that leaves the shallowest notches on both sides; repeat.
+//      o-------o       Filling the notch with the third face would bend the plane further,
+//      |  /\   |       and could spread from face to face on a finely rounded shape. Cutting at the
+//      | /  \  |       notch leaves two faces that are coplanar within the tolerance: harmless.
+//      o     o-o       Steps: find the deepest notch; try a cut from it to each other corner; keep
+//                      the one that leaves the shallowest notches on both sides; repeat.
 
 #include <algorithm>
 #include <limits>
@@ -17,15 +16,15 @@
 namespace contactscope::quickhull {
 namespace {
 
-/// The edges around a face, from `first` on.
+/// The edges of a face, starting with `first`.
 std::vector<int> loop_from(const Mesh& mesh, int first) {
   std::vector<int> edges;
   for (const int e : mesh.ring_from(first)) edges.push_back(e);
   return edges;
 }
 
-/// Deepest notch of the polygon that `edges` leave the corners of, counter-clockwise seen against
-/// `normal`.
+/// Deepest notch of the polygon whose corners are the origins of `edges`, counter-clockwise seen
+/// from the tip of `normal`.
 Notch deepest(const Mesh& mesh, const std::vector<int>& edges, const Vec3d& normal) {
   const std::size_t count = edges.size();
   const auto corner = [&](std::size_t i) -> const Vec3d& {
@@ -43,8 +42,8 @@ Notch deepest(const Mesh& mesh, const std::vector<int>& edges, const Vec3d& norm
   return notch;
 }
 
-/// The corner to cut to from the first of `edges`, as an index into them; 0 when all cuts leave a
-/// notch that is as deep.
+/// The corner to cut to from the origin of edges[0], as an index into `edges`; 0 if every cut
+/// leaves an equally deep notch.
 std::size_t best_cut(const Mesh& mesh, const std::vector<int>& edges, const Vec3d& normal) {
   std::size_t best = 0;
   double best_depth = deepest(mesh, edges, normal).depth;
@@ -70,7 +69,7 @@ Notch deepest_notch(const Mesh& mesh, int face) {
 }
 
 void split_notched_faces(Mesh& mesh, double tolerance) {
-  // Splitting appends faces, so that the loop sees both parts of each.
+  // Splitting appends faces, so the loop visits both parts.
   for (int face = 0; face < mesh.face_count(); ++face) {
     if (mesh.face(face).gone) continue;
     for (;;) {

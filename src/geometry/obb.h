@@ -8,11 +8,11 @@
 namespace contactscope {
 
 /// Oriented bounding box, closed, metres: the points center + s0 axes[0] + s1 axes[1] + s2 axes[2]
-/// with |sk| <= half_extents[k]. Made empty: half extents of -1. A half extent of 0 makes it flat,
-/// three of them a point.
+/// with |sk| <= half_extents[k]. Empty by default: half extents of -1. One half extent of 0 makes
+/// it flat, three make it a point.
 ///
-/// The axes are the columns of `axes`, orthonormal to 8 epsilon: the entries of A^T A - I are no
-/// larger. A matrix made of a unit quaternion keeps that.
+/// The axes are the columns of `axes`, orthonormal to 8 epsilon: no entry of A^T A - I is larger. A
+/// rotation matrix from a unit quaternion satisfies this.
 template <class S>
 struct Obb {
   using Scalar = S;
@@ -21,7 +21,7 @@ struct Obb {
   Mat3<S> axes = Mat3<S>::Identity();
   Vec3<S> half_extents = Vec3<S>::Constant(-1);
 
-  /// No point is inside. True for a box with NaN too.
+  /// True if no point is inside, and for a box with NaN.
   bool empty() const {
     return !(half_extents.x() >= 0 && half_extents.y() >= 0 && half_extents.z() >= 0) ||
            center.hasNaN() || axes.hasNaN();
@@ -29,7 +29,6 @@ struct Obb {
   /// Cubic metres; 0 for an empty box.
   S volume() const { return empty() ? S(0) : S(8) * half_extents.prod(); }
 
-  /// Each number rounded to the nearest of the other scalar.
   template <class T>
   Obb<T> cast() const {
     return {center.template cast<T>(), axes.template cast<T>(), half_extents.template cast<T>()};
@@ -38,8 +37,8 @@ struct Obb {
   friend bool operator==(const Obb&, const Obb&) = default;
 };
 
-/// A box from its own frame to the parent of `pose`. Centre and axes are rounded there as the
-/// shape's own vertices are.
+/// Transforms a box from its own frame to the parent of `pose`. Centre and axes are rounded like
+/// the shape's vertices.
 template <class S>
 Obb<S> placed(const Obb<S>& box, const Pose<S>& pose) {
   const Mat3<S> rotation = pose.rotation.toRotationMatrix();
@@ -49,8 +48,8 @@ Obb<S> placed(const Obb<S>& box, const Pose<S>& pose) {
   return result;
 }
 
-/// The same points, but for the rounding of the centre, which is half an ulp of the coordinates:
-/// the half extents reach from there to the farther side. An empty box stays empty.
+/// The same box. Rounding moves the centre by up to half an ulp of the coordinates, so the half
+/// extents reach from there to the farther side. An empty box stays empty.
 template <class S>
 Obb<S> obb_of(const Aabb<S>& box) {
   if (box.empty()) return {};

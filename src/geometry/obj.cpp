@@ -24,7 +24,7 @@ namespace contactscope {
 namespace {
 
 /// Statements of the format's specification (Wavefront, "Object Files", version 3.0). A line that
-/// opens with anything else means that the file is not .obj at all.
+/// starts with anything else means that the file is not .obj.
 constexpr std::array<std::string_view, 46> kStatements = {
     "v",        "vt",   "vn",         "vp",        "f",      "fo",     "l",      "p",
     "o",        "g",    "s",          "mg",        "usemtl", "mtllib", "usemap", "maplib",
@@ -33,28 +33,28 @@ constexpr std::array<std::string_view, 46> kStatements = {
     "d_interp", "lod",  "shadow_obj", "trace_obj", "ctech",  "stech",  "call",   "csh",
     "bsp",      "bzp",  "cdc",        "cdp",       "res",    "vw"};
 
-/// More corners of one face would take minutes to cut into triangles.
+/// Cutting a face with more corners into triangles would take minutes.
 constexpr std::size_t kMaxCorners = 10'000;
 
-/// What a file has.
+/// Content of a file.
 struct Contents {
   std::vector<Vec3d> vertices;
-  std::vector<std::vector<int>> faces;  // vertex indices, counted from 0, in the order of the file
-  std::vector<int> lines;               // of each face, from 1
+  std::vector<std::vector<int>> faces;  // vertex indices from 0, in file order
+  std::vector<int> lines;               // line of each face, from 1
 };
 
-/// tinyobjloader reads what it can and takes the rest as zero; this pass over the same text finds
-/// what it would pass over: a vertex without three finite numbers, a face that names a vertex that
-/// does not exist. It reads the faces as well, whole: tinyobjloader can triangulate, but by a test that
-/// depends on where the origin is, which loses part of concave faces.
+/// Validates the text that tinyobjloader reads, which silently replaces errors by zero: vertices
+/// without three finite numbers, faces with vertices that do not exist. Also reads the whole faces,
+/// because tinyobjloader's triangulation depends on the position of the origin and loses parts of
+/// concave faces.
 class Checker {
  public:
-  /// `text`: with its continued lines joined by join_lines(), which leaves every byte at its place;
-  /// `written`: as the file has it, for line and column.
+  /// `text`: with continued lines joined by join_lines(), which keeps every byte's position;
+  /// `written`: the original text, for line and column numbers.
   Checker(const std::string& path, std::string_view text, std::string_view written)
       : path_(path), text_(text), written_(written) {}
 
-  /// Throws InputError with line and column, or returns the faces and their lines.
+  /// Returns the faces and their lines. Throws InputError with line and column.
   Contents run() {
     while (next_line()) {
       const std::string_view statement = next_word();
@@ -78,7 +78,7 @@ class Checker {
   }
 
  private:
-  /// At the word that was read last.
+  /// Throws an error at the last word read.
   [[noreturn]] void fail(const std::string& message) const {
     int line = line_number_;
     std::size_t begin = line_begin_;
@@ -86,14 +86,14 @@ class Checker {
     throw InputError(path_, line, static_cast<int>(word_ - begin) + 1, message);
   }
 
-  /// Where the line of the file that `at` is in ends, its line break included.
+  /// End of the line of the original text that contains `at`, including its line break.
   std::size_t end_of_line(std::size_t at) const {
     const std::size_t end = std::min(written_.find_first_of("\r\n", at), written_.size());
     return end + (written_.substr(end, 2) == "\r\n" ? 2 : 1);
   }
 
   bool next_line() {
-    // Lines that were joined count as well.
+    // Count joined lines as well.
     for (; line_begin_ < at_; line_begin_ = end_of_line(line_begin_)) ++line_number_;
     if (at_ >= text_.size()) return false;
     const std::size_t end = std::min(text_.find_first_of("\r\n", at_), text_.size());
@@ -148,7 +148,7 @@ class Checker {
     }
   }
 
-  /// What of a word a message can show: no control characters, no foreign bytes, not too long.
+  /// Sanitizes a word for a message: no control characters, no foreign bytes, limited length.
   static std::string quoted(std::string_view word) {
     std::string shown = "'";
     for (const char c : word.substr(0, 24)) shown += c >= ' ' && c <= '~' ? c : '?';
@@ -162,16 +162,16 @@ class Checker {
   std::size_t at_ = 0;
   std::string_view line_;
   std::size_t in_line_ = 0;
-  std::size_t line_begin_ = 0, word_ = 0;  // in the text
-  int line_number_ = 1;                    // of line_begin_
+  std::size_t line_begin_ = 0, word_ = 0;  // in the original text
+  int line_number_ = 1;                    // line at line_begin_
   long vertices_ = 0;
   long largest_index_ = 0;
   int line_of_largest_ = 0;
   Contents contents_;
 };
 
-/// A backslash at the end of a line joins it with the next one: both become blanks. A comment ends
-/// with its line, whatever path of Windows it names.
+/// Joins each line that ends in a backslash with the next one; both characters become blanks.
+/// Comments are not joined, as they may end in a Windows path.
 std::string join_lines(std::string text) {
   for (std::size_t line = 0; line < text.size();) {
     const std::size_t first = std::min(text.find_first_not_of(" \t", line), text.size() - 1);
@@ -188,7 +188,7 @@ std::string join_lines(std::string text) {
 
 Contents read(const std::string& path) {
   const auto refuse = [&](const std::string& message) { throw InputError(path, 0, 0, message); };
-  // A folder opens like a file and fails only when read.
+  // A folder opens like a file and fails only when it is read.
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored))
     refuse("this is a folder; expected a Wavefront .obj file");

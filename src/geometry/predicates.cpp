@@ -9,9 +9,9 @@
 namespace contactscope::predicates {
 namespace {
 
-// ---- Exact expansions: Shewchuk 1997, section 2. The names of steps are his.
+// ---- Exact expansions: Shewchuk 1997, section 2. Step names are from the paper.
 
-/// A sum of two doubles that is exact: `head` is the rounded result, `tail` what was lost.
+/// An exact sum of two doubles: `head` is the rounded result, `tail` its rounding error.
 struct Exact {
   double tail, head;
 };
@@ -23,13 +23,13 @@ Exact two_sum(double a, double b) {
   return {(a - of_a) + (b - of_b), head};
 }
 
-/// The same where |a| >= |b|.
+/// The same if |a| >= |b|.
 Exact fast_two_sum(double a, double b) {
   const double head = a + b;
   return {b - (head - a), head};
 }
 
-/// Halves of 26 bits each (Dekker), whose products are exact.
+/// Splits a number into halves of 26 bits each (Dekker), whose products are exact.
 Exact split(double a) {
   constexpr double kSplitter = 0x1p27 + 1;
   const double scaled = kSplitter * a;
@@ -45,8 +45,8 @@ Exact two_product(double a, double b, const Exact& halves) {
   return {other.tail * halves.tail - error, head};
 }
 
-/// The exact sum of its terms, which do not overlap, ascend in magnitude and are never 0: the sign
-/// is that of the last one.
+/// A number as an exact sum of terms. They do not overlap, ascend in magnitude and are never 0, so
+/// the last term has the sign of the sum.
 template <int kMost>
 struct Expansion {
   std::array<double, static_cast<std::size_t>(kMost)> terms;  // only the first `count` are set
@@ -57,8 +57,8 @@ struct Expansion {
   }
   double operator[](int i) const { return terms[static_cast<std::size_t>(i)]; }
 
-  /// The sum, correct to some roundings, with the exact sign. The smaller terms together never
-  /// exceed the last one; where their rounded sum comes to be just as large, the last one is taken.
+  /// The sum, correct up to a few roundings, with the exact sign. The other terms together never
+  /// exceed the last one; if their rounded sum cancels it, the last term is returned.
   double estimate() const {
     double sum = 0;
     for (int i = 0; i < count; ++i) sum += (*this)[i];
@@ -75,8 +75,8 @@ Expansion<2> difference(double a, double b) {
   return result;
 }
 
-/// FAST-EXPANSION-SUM with zeros left out: terms of both in order of magnitude, added from the
-/// smallest up. `sign` multiplies the second.
+/// FAST-EXPANSION-SUM without zeros: adds the terms of both in ascending magnitude. `sign`
+/// multiplies the second operand.
 template <int kA, int kB>
 Expansion<kA + kB> sum(const Expansion<kA>& a, const Expansion<kB>& b, double sign = 1) {
   int i = 0, j = 0;
@@ -97,7 +97,7 @@ Expansion<kA + kB> sum(const Expansion<kA>& a, const Expansion<kB>& b, double si
   return result;
 }
 
-/// SCALE-EXPANSION with zeros left out.
+/// SCALE-EXPANSION without zeros.
 template <int kA>
 Expansion<2 * kA> scaled(const Expansion<kA>& a, double factor) {
   Expansion<2 * kA> result;
@@ -133,29 +133,29 @@ Expansion<16> minor(const Expansion<2>& a, const Expansion<2>& b, const Expansio
   return sum(product(a, b), product(c, d), -1);
 }
 
-// ---- Integers of 128 bits.
+// ---- 128-bit integers.
 
 __extension__ using Wide = __int128;
 
-/// Numbers as integers times 1 / `scale`.
+/// Numbers as integer multiples of 1 / `scale`.
 template <std::size_t kCount>
 struct Grid {
   std::array<std::int64_t, kCount> numbers;
   double scale;
 };
 
-/// Three numbers of 41 bits multiplied, and six such products added, stay below 2^127.
+/// A sum of six products of three 41-bit numbers stays below 2^127.
 constexpr int kGridBits = 41;
 
-/// Numbers on a common grid on which the largest has kGridBits bits, if all of them are on it.
+/// Converts to a common grid where the largest number has kGridBits bits; none if one is off it.
 template <std::size_t kCount>
 std::optional<Grid<kCount>> on_grid(const std::array<double, kCount>& numbers) {
   constexpr std::uint64_t kBias = 1023, kMantissaBits = 52;
-  // Differences of the magnitudes that are promised; the cube of the grid's unit is a number then.
+  // Range in which the predicates are valid; the cube of the grid's unit is normal there.
   constexpr std::uint64_t kLeast = kBias - 303, kMost = kBias + 337;
   double largest = 0;
   for (const double number : numbers) largest = std::max(largest, std::abs(number));
-  // The scale is a power of two, made from its bits.
+  // The scale is a power of two, built from its bits.
   const std::uint64_t exponent = std::bit_cast<std::uint64_t>(largest) >> kMantissaBits;
   if (exponent < kLeast || exponent > kMost) return std::nullopt;
   Grid<kCount> grid;
@@ -172,7 +172,7 @@ Wide minor(std::int64_t a, std::int64_t b, std::int64_t c, std::int64_t d) {
   return static_cast<Wide>(a) * b - static_cast<Wide>(c) * d;
 }
 
-/// Whether to - from is exact, which puts it into `result`.
+/// Stores to - from in `result`; returns true if it is exact.
 bool exact_difference(double to, double from, double& result) {
   const Exact exact = two_sum(to, -from);
   result = exact.head;

@@ -6,32 +6,32 @@
 
 namespace contactscope {
 
-/// Geometric predicates whose sign is never wrong, after Shewchuk 1997, "Adaptive Precision
-/// Floating-Point Arithmetic and Fast Robust Geometric Predicates". Each evaluates its determinant
-/// in double first, with a bound of the rounding error that it can have made (section 4.3, filter
-/// A); where the bound does not settle the sign, it is computed exactly.
+/// Geometric predicates with exact signs, after Shewchuk 1997, "Adaptive Precision Floating-Point
+/// Arithmetic and Fast Robust Geometric Predicates". Each evaluates its determinant in double
+/// first, with a bound on the rounding error (section 4.3, filter A). If the bound does not settle
+/// the sign, it is computed exactly.
 ///
-/// Where we deviate: between the filter and exact expansions stands arithmetic in 128-bit integers,
-/// which is exact and ten times faster where all coordinates of a call have a common grid of at
-/// most 41 bits, as floats of similar size and points on a plane have. Shewchuk's intermediate
-/// stages B and C are left out.
+/// Deviations: between the filter and exact expansions we try arithmetic in 128-bit integers. It is
+/// exact and ten times faster, and works if all coordinates of a call share a grid of at most 41
+/// bits, as floats of similar size and points on a plane do. Shewchuk's stages B and C are left
+/// out.
 ///
-/// Promised for coordinates that are 0 or of a magnitude from 1e-75 to 1e100, so that no product
-/// overflows or loses bits to underflow. Every float that is finite, the least subnormal included,
-/// is promised as well: multiples of 2^-149 lose no bits either.
+/// Valid for coordinates that are 0 or of magnitude 1e-75 to 1e100, so that no product overflows or
+/// loses bits to underflow. Also valid for every finite float, subnormals included: multiples of
+/// 2^-149 lose no bits either.
 namespace predicates {
 
-/// A sum or product of doubles is off by at most half of this, relatively.
+/// Relative rounding error of a sum or product of doubles is at most half of this.
 inline constexpr double kUnit = 0x1p-52;
 
-/// Shewchuk's bounds of the filters: (3 + 16 u) u and (7 + 56 u) u with u = kUnit / 2, times the
-/// permanent, which is the determinant with every product taken positive. Rounded up to powers of
-/// two, which also covers how the bound itself is rounded.
+/// Error bounds of Shewchuk's filters: (3 + 16 u) u and (7 + 56 u) u with u = kUnit / 2, times the
+/// permanent: the determinant with the absolute value of every product. Rounded up to powers of
+/// two, which also covers the rounding of the bound itself.
 inline constexpr double kOrient2dError = 2 * kUnit;
 inline constexpr double kOrient3dError = 4 * kUnit;
 
-/// The determinants behind orient2d and orient3d, correct to some roundings, and with the sign
-/// that the exact value has. Hundreds of nanoseconds at worst.
+/// The determinants behind orient2d and orient3d, correct up to a few roundings and with the exact
+/// sign. Hundreds of nanoseconds at worst.
 double exact_orient2d(const Vec3d& a, const Vec3d& b, const Vec3d& c, int axis);
 double exact_orient3d(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d);
 
@@ -39,7 +39,7 @@ inline int sign_of(double value) {
   return (value > 0) - (value < 0);
 }
 
-/// How a determinant came out of the filter.
+/// Result of a filter.
 struct Filtered {
   double value;  // as rounded
   double error;  // |value - exact| is at most this
@@ -47,7 +47,7 @@ struct Filtered {
   bool certain() const { return std::abs(value) > error; }
 };
 
-/// The plane of a triangle with what its filter needs, for many points.
+/// The plane of a triangle with the terms of its filter, to be used for many points.
 struct Plane {
   Plane(const Vec3d& a, const Vec3d& b, const Vec3d& c) : origin(a) {
     const double ux = b.x() - a.x(), uy = b.y() - a.y(), uz = b.z() - a.z();
@@ -59,7 +59,6 @@ struct Plane {
     most = {std::abs(yz) + std::abs(zy), std::abs(zx) + std::abs(xz), std::abs(xy) + std::abs(yx)};
   }
 
-  /// Determinant of orient3d of the triangle and `point`.
   Filtered filtered(const Vec3d& point) const {
     const double x = point.x() - origin.x(), y = point.y() - origin.y(), z = point.z() - origin.z();
     const double value = x * normal.x() + y * normal.y() + z * normal.z();
@@ -70,23 +69,23 @@ struct Plane {
 
   Vec3d origin;
   Vec3d normal;  // (b - a) x (c - a), rounded
-  Vec3d most;    // the same with every product taken positive
+  Vec3d most;    // the same with the absolute value of every product
 };
 
 }  // namespace predicates
 
-/// On which side of the plane through a, b, c the point d is: 1 where a, b, c run
-/// counter-clockwise seen from d, -1 on the other side, 0 in the plane, or where a, b, c are on one
-/// line. The sign of (b - a) x (c - a) . (d - a).
+/// Side of the plane through a, b, c on which d lies: 1 if a, b, c run counter-clockwise seen from
+/// d, -1 on the other side, 0 in the plane or if a, b, c are collinear. It is the sign of
+/// (b - a) x (c - a) . (d - a).
 inline int orient3d(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) {
   const predicates::Filtered filtered = predicates::Plane(a, b, c).filtered(d);
   if (filtered.certain()) return predicates::sign_of(filtered.value);
   return predicates::sign_of(predicates::exact_orient3d(a, b, c, d));
 }
 
-/// Whether a, b, c, seen along coordinate axis `axis` from its positive end, run counter-clockwise
-/// (1), clockwise (-1) or are on one line (0): the sign of component `axis` of (b - a) x (c - a).
-/// With axis 2 it is the predicate of that name in the x-y plane.
+/// Orientation of a, b, c seen along coordinate axis `axis` from its positive end: 1
+/// counter-clockwise, -1 clockwise, 0 collinear. The sign of component `axis` of (b - a) x (c - a).
+/// Axis 2 gives the usual predicate in the x-y plane.
 inline int orient2d(const Vec3d& a, const Vec3d& b, const Vec3d& c, int axis) {
   const int x = axis == 2 ? 0 : axis + 1, y = axis == 0 ? 2 : axis == 1 ? 0 : 1;
   const double left = (b[x] - a[x]) * (c[y] - a[y]);
@@ -97,8 +96,8 @@ inline int orient2d(const Vec3d& a, const Vec3d& b, const Vec3d& c, int axis) {
   return predicates::sign_of(predicates::exact_orient2d(a, b, c, axis));
 }
 
-/// The determinant behind orient3d (metres cubed), off by at most 2^-32 of itself, so that ratios
-/// of distances from a plane can be trusted; 0 only where it is 0.
+/// The determinant behind orient3d (cubic metres) with a relative error of at most 2^-32, so that
+/// ratios of distances from a plane are reliable; 0 only if it is exactly 0.
 inline double orient3d_value(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) {
   const predicates::Filtered filtered = predicates::Plane(a, b, c).filtered(d);
   if (std::abs(filtered.value) > 0x1p33 * filtered.error) return filtered.value;

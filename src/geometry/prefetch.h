@@ -6,11 +6,11 @@
 
 #include "geometry/hull.h"
 
-/// Has memory brought into the cache while the caller computes something else. Who comes to a shape
-/// that was not seen lately would wait for each of its lists in turn.
+/// Prefetches memory while the caller computes something else. Without it, the first query of a
+/// shape that is not in the cache would wait for each of its lists in turn.
 namespace contactscope {
 
-/// Of a longer list the beginning: the rest fetches itself as it is gone through.
+/// Prefetches only the beginning of a long list: the hardware prefetcher loads the rest.
 template <class T>
 void prefetch(const std::vector<T>& list) {
   constexpr std::size_t kCacheLine = 64, kMost = 4096;  // bytes
@@ -19,7 +19,7 @@ void prefetch(const std::vector<T>& list) {
   for (std::size_t i = 0; i < size; i += kCacheLine) __builtin_prefetch(bytes + i);
 }
 
-/// What the queries read of a hull: first its numbers, then how its faces hang together.
+/// Data that queries read from a hull: first the numbers, then the topology.
 template <class S>
 void prefetch_lanes(const Hull<S>& hull) {
   prefetch(hull.lanes.vertices);

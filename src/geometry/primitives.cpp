@@ -30,11 +30,11 @@ void require_segments(int segments) {
 }
 
 /// Corner `k` of the regular polygon on the circle of `radius` in the x-z plane, counter-clockwise
-/// seen from +y. The angle is reduced to an eighth of a turn in integers first, so that corners
-/// that mirror each other do so to the last bit and those on an axis lie on it.
+/// seen from +y. The angle is first reduced to an eighth of a turn in integers, so that mirrored
+/// corners agree to the last bit and corners on an axis lie exactly on it.
 Vec3d corner(int k, int segments, double radius) {
   const int quadrant = 4 * k / segments;
-  const int rest = 4 * k % segments;  // angle in the quadrant is rest / segments quarter turns
+  const int rest = 4 * k % segments;  // the angle in the quadrant is rest / segments quarter turns
   const bool upper = 2 * rest > segments;
   const int folded = upper ? segments - rest : rest;
   const double angle = 0.5 * std::numbers::pi * folded / segments;
@@ -47,19 +47,19 @@ Vec3d corner(int k, int segments, double radius) {
 }
 
 void require_cells(int cells_x, int cells_z) {
-  // Division: a product of two ints may not fit.
+  // Divide, because a product of two ints may overflow.
   if (cells_x > 0 && cells_z > 0 && cells_x <= kMaxGridCells / cells_z) return;
   throw ShapeError("the grid has " + std::to_string(cells_x) + " by " + std::to_string(cells_z) +
                    " cells; give at least 1 along each side and at most " +
                    std::to_string(kMaxGridCells) + " together");
 }
 
-/// Line i of `cells` + 1, as a part of the side: -1/2 to 1/2, exact at both ends and symmetric.
+/// Line i of `cells` + 1 as a fraction of the side: -1/2 to 1/2, symmetric, exact at both ends.
 double part(int i, int cells) {
   return (2.0 * i - cells) / (2.0 * cells);
 }
 
-/// A hull whose centroid and radius are known exactly, and not left to rounding.
+/// Sets the exactly known centroid and radius of a hull, instead of the rounded ones.
 Hull<double> centred(Hull<double> hull, const Vec3d& centroid, double radius) {
   hull.centroid = centroid;
   hull.radius = radius;
@@ -81,7 +81,7 @@ Hull<double> make_box(const Vec3d& half_extents) {
   std::vector<std::vector<int>> faces;
   for (const auto& face : kBoxFaces) faces.emplace_back(std::begin(face), std::end(face));
   Hull<double> hull = hull_from_polygons(std::move(vertices), faces);
-  // What is known exactly is not left to rounding.
+  // Set the exactly known planes, instead of the rounded ones.
   for (int axis = 0; axis < 3; ++axis) {
     const std::size_t face = 2 * static_cast<std::size_t>(axis);
     const Vec3d unit = Vec3d::Unit(axis);
@@ -129,8 +129,8 @@ Hull<double> make_cone(double radius, double half_height, int segments) {
   for (int k = 0; k < segments; ++k) faces.push_back({k, (k + 1) % segments, segments});
   Hull<double> hull = hull_from_polygons(std::move(vertices), faces);
   hull.planes[0] = {-Vec3d::UnitY(), half_height};
-  // A pyramid's centre of mass lies a quarter of its height above the base; an odd polygon's mean
-  // is on the axis in exact arithmetic only.
+  // A pyramid's centre of mass lies a quarter of its height above the base. For an odd polygon the
+  // computed mean would be off the axis by rounding.
   const double to_rim = Vec3d(radius, 0.5 * half_height, 0).stableNorm();
   return centred(std::move(hull), Vec3d(0, -0.5 * half_height, 0),
                  std::max(to_rim, 1.5 * half_height));

@@ -1,18 +1,17 @@
 #include "geometry/quickhull.h"
 
 // Quickhull after Gregorius, "Implementing Quickhull", GDC 2014 (Barber, Dobkin and Huhdanpaa 1996
-// with half-edges and face merging in the way of Lloyd). Steps:
-//   1. initial tetrahedron; every other point goes to the conflict list of the face that it is
-//      farthest above, or is inside for good;
-//   2. take the point farthest above its face, of all faces (bold steps first: few slivers);
-//   3. the faces that it sees, and the horizon around them;
-//   4. a cone of triangles from the horizon to the point takes their place;
-//   5. merge the coplanar and the concave, see merge_faces.cpp;
-//   6. the points of all faces that went or changed find a new face among those that came or
-//   changed.
-// Deviations: faces are taken from a heap; the points of changed faces are dealt out again, too,
-// since the plane under them moved; step 7 is our own; the tolerance is never more than a part of
-// the thickness; and the outcome is checked instead of trusted.
+// with half-edges and the face merging of Lloyd). Steps:
+//   1. build the initial tetrahedron; each other point joins the conflict list of the face that it
+//      is farthest above, or is inside and dropped;
+//   2. take the point with the largest distance above its face (large steps first: few slivers);
+//   3. find the faces visible from it, and the horizon around them;
+//   4. replace them with a cone of triangles from the horizon to the point;
+//   5. merge coplanar and concave faces, see merge_faces.cpp;
+//   6. redistribute the points of all removed or changed faces to new or changed faces;
+//   7. at the end, split notched faces, see notches.cpp.
+// Deviations: a heap selects the faces; points of changed faces are redistributed too, because
+// their plane moved; step 7; the tolerance is limited by the thickness; and the result is verified.
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +25,7 @@
 namespace contactscope::quickhull {
 namespace {
 
-/// Index and value of the point with the largest value; the first among equals.
+/// Index and value of the point with the largest value; the first on a tie.
 template <class Value>
 std::pair<int, double> farthest(std::span<const Vec3d> points, const Value& value) {
   std::pair<int, double> best{0, value(points[0])};
@@ -37,16 +36,16 @@ std::pair<int, double> farthest(std::span<const Vec3d> points, const Value& valu
   return best;
 }
 
-/// What a point sees of the hull.
+/// The faces visible from a point, and their boundary.
 struct Horizon {
   std::vector<int> visible;  // faces
-  std::vector<int> edges;    // around those, counter-clockwise, each of a visible face
+  std::vector<int> edges;    // boundary edges of visible faces, counter-clockwise
 };
 
-/// The faces that `eye` is above by more than `tolerance`, as far as they hang together with
-/// `face`, which it is above, and the loop of edges around them. `edges` is empty where tolerance
-/// leaves the visible faces without a boundary, with a hole or pinched at a vertex, so that no cone
-/// of triangles over it would close the hull.
+/// The connected faces around `face` that `eye` is above by more than `tolerance`, and the loop of
+/// edges around them; `eye` must be above `face`. `edges` is empty if, due to the tolerance, the
+/// visible faces have no boundary, a hole or a pinched vertex: no cone of triangles could then
+/// close the hull.
 Horizon find_horizon(const Mesh& mesh, int face, int eye, double tolerance) {
   Horizon horizon;
   horizon.visible.push_back(face);
@@ -60,14 +59,14 @@ Horizon find_horizon(const Mesh& mesh, int face, int eye, double tolerance) {
     }
   }
 
-  std::vector<int> boundary;  // in no order
+  std::vector<int> boundary;  // unordered
   for (const int visible : horizon.visible) {
     for (const int e : mesh.around(visible))
       if (!seen.contains(mesh.neighbour(e))) boundary.push_back(e);
   }
   if (boundary.empty()) return horizon;
 
-  // Walk around: at each target, turn through the visible faces to the next edge on the boundary.
+  // Walk around: at each target, turn through the visible faces to the next boundary edge.
   std::unordered_set<int> vertices;
   int e = boundary.back();
   do {
@@ -98,8 +97,8 @@ class Builder {
     deal_out(others, faces);
   }
 
-  /// Merges faces that are coplanar within `merging` in the end, unless that leaves an edge steeper than
-  /// `steepest`.
+  /// Finally merges faces that are coplanar within `merging`, unless that leaves an edge steeper
+  /// than `steepest`.
   void grow(double merging, double steepest) {
     while (!queue_.empty() && !mesh_.broken()) {
       const auto [distance, minus_face, eye] = queue_.top();
@@ -141,9 +140,8 @@ class Builder {
     deal_out(orphans, homes);
   }
 
-  /// Triangles between `apex` and the rim of a hole. `rim` are the edges of the faces around the
-  /// hole that lost what was across, in the order in which the triangles follow each other: each
-  /// starts where the one after it ends.
+  /// Adds triangles between `apex` and the rim of a hole. `rim` has the edges of the faces around
+  /// the hole, in the order of the triangles: each edge starts where the next one ends.
   std::vector<int> add_cone(const std::vector<int>& rim, int apex) {
     const std::vector<int> insides = mapped(rim, [&](int outside) {
       const int from = mesh_.edge(mesh_.edge(outside).next).origin;
@@ -159,7 +157,7 @@ class Builder {
     return mapped(insides, [&](int inside) { return mesh_.edge(inside).face; });
   }
 
-  /// Gives each point to the face that it is farthest above; points above none are inside.
+  /// Assigns each point to the face that it is farthest above; points above none are inside.
   void deal_out(const std::vector<int>& points, const std::vector<int>& faces) {
     for (const int point : points) {
       int best = -1;
@@ -185,16 +183,16 @@ class Builder {
     }
   }
 
-  using Entry = std::tuple<double, int, int>;  // distance, minus the face (older first), point
+  using Entry = std::tuple<double, int, int>;  // distance, negated face index (older first), point
 
   Mesh mesh_;
   double tolerance_;
   std::priority_queue<Entry> queue_;
 };
 
-/// Largest product of points and faces for which every point is held against every plane, about 10
-/// ms of work. A larger hull is checked at each edge only, which for a closed surface means the
-/// same but for points that were left out by mistake.
+/// Largest product of points and faces for which every point is checked against every plane: about
+/// 10 ms. Larger hulls are only checked at each edge. For a closed surface this is equivalent,
+/// except that it cannot find points that were left out by mistake.
 constexpr double kFullCheckLimit = 1e7;
 
 bool is_convex(const Mesh& mesh, double slack) {
@@ -215,12 +213,12 @@ bool is_convex(const Mesh& mesh, double slack) {
   });
 }
 
-/// The part of the thickness that the tolerance may be. At the sharp rim of a thin hull a point
-/// that is a tolerance above the planes can be many tolerances away from the hull, so that a
-/// tolerance that is fair to the extent would cut the rim back.
+/// Maximum tolerance as a fraction of the thickness. At the sharp rim of a thin hull, a point one
+/// tolerance above the planes can be many tolerances away from the hull. A tolerance that suits the
+/// extent would cut the rim back.
 constexpr double kPartOfThickness = 1.0 / 100;
 
-/// What double arithmetic loses of coordinates of magnitude 1, as in hull_builder.cpp.
+/// Rounding error of double arithmetic at coordinates of magnitude 1, as in hull_builder.cpp.
 constexpr double kRounding = 9 * std::numeric_limits<double>::epsilon();
 
 }  // namespace
@@ -265,13 +263,13 @@ Simplex initial_simplex(std::span<const Vec3d> points, double tolerance) {
   if (simplex.thickness <= tolerance)
     simplex.status = Status::Coplanar;
   else if (height(at(points, d)) > 0)
-    std::swap(a, b);  // the fourth goes below the three
+    std::swap(a, b);  // the fourth must be below the plane of the three
   return simplex;
 }
 
 namespace {
 
-/// `growing`: the tolerance until all points are in, no more than `tolerance`.
+/// `growing`: tolerance until all points are added, at most `tolerance`.
 Result run(std::span<const Vec3d> points, double growing, double tolerance, double steepest) {
   const Simplex simplex = initial_simplex(points, growing);
   if (simplex.status != Status::Done) return {.status = simplex.status};

@@ -54,7 +54,7 @@ void Mesh::measure(int face_index) {
   const Vec3d area = doubled_area(count_of(corners), [&](int i) { return point(at(corners, i)); });
   const double length = area.norm();
   measured.area = 0.5 * length;
-  // A face without area has no normal. Zero puts every point on its plane, so that it merges.
+  // A face without area has no normal. A zero normal puts every point on its plane, so it merges.
   measured.plane.normal = length > 0 ? Vec3d(area / length) : Vec3d::Zero();
   measured.plane.offset = measured.plane.normal.dot(measured.centroid);
 }
@@ -73,8 +73,8 @@ bool Mesh::merge_across(int e, std::vector<int>& touched) {
   const int swallowed = edge(t).face;
   if (!meet_in_one_edge(kept, swallowed)) return false;
 
-  //    kept  |  swallowed        The two loops become one: what led into e goes on after t,
-  //      ----v----               and what led into t goes on after e.
+  //    kept  |  swallowed        Join the two loops: the edge before e continues after t, and the
+  //      ----v----               edge before t continues after e.
   //        e | t
   //      ----u----
   const int u = edge(e).origin;
@@ -100,8 +100,8 @@ bool Mesh::merge_across(int e, std::vector<int>& touched) {
 
 void Mesh::split(int one, int other) {
   //    v---one--->        v = origin of one, w = origin of other.
-  //    ^ |        \       The new edge v-w closes the part of `other`, which stays; its twin w-v
-  //    | |   new   v      closes the part of `one`, which is the new face.
+  //    ^ |        \       The new edge v-w closes the loop of `other`, which stays; its twin w-v
+  //    | |   new   v      closes the loop of `one`, which is the new face.
   //     <--other--w
   const int kept = edge(one).face;
   const int added = face_count();
@@ -141,9 +141,9 @@ void Mesh::restore_invariants(std::vector<int> vertices, std::vector<int>& chang
 
 void Mesh::remove_vertex(int vertex, std::vector<int>& vertices, std::vector<int>& changed) {
   //       face(in)             `in` and `out` meet at the vertex on one side, their twins on the
-  //   --in--> x --out-->       other. `in` is stretched to where `out` ended, and the twin of `out`
-  //   <------ x <-------       to where `in` began; the other two half-edges go with the vertex.
-  //       face(back)
+  //   --in--> x --out-->       other side. `in` is extended to the target of `out`, and the twin of
+  //   <------ x <-------       `out` to the origin of `in`; the other two half-edges are removed
+  //       face(back)           together with the vertex.
   const int out = leaving(vertex);
   const int in = edge(out).previous;
   const int back = edge(out).twin;

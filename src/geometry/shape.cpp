@@ -5,12 +5,12 @@
 namespace contactscope {
 namespace {
 
-/// A shape whose middle is farther from its origin than this many radii is moved. Nearer, distance
-/// costs no more than two of float's twenty-four bits, and the shape is left as it is, bit for bit.
-/// A ratio, so that it holds at every scale.
+/// Distance of a shape's centre from its origin, in radii, beyond which it is moved. Below this,
+/// the distance costs at most two of float's 24 bits, and the shape stays bit for bit. As a ratio
+/// it holds at every scale.
 constexpr double kFarthestMiddle = 4;
 
-/// Spheres have their centre at the origin, and planes have no size.
+/// Spheres are centred at the origin, and planes have no size.
 template <class Other>
 Vec3d origin_for(const Other&) {
   return Vec3d::Zero();
@@ -98,7 +98,7 @@ Vec3d middle_where_far(const Aabb<double>& box, double margin) {
   const Vec3d middle = box.center();
   const double radius = 0.5 * box.extent().norm() + margin;
   if (middle.norm() <= kFarthestMiddle * radius) return Vec3d::Zero();
-  // GCC 12 folds the casts of a whole vector there and back into nothing, so each number is stored.
+  // GCC 12 optimizes away the casts of a whole vector there and back, so store each number.
   Vec3d origin;
   for (int axis = 0; axis < 3; ++axis) {
     const volatile float rounded = static_cast<float>(middle[axis]);

@@ -14,13 +14,13 @@ namespace {
 
 struct Ball {
   Vec3d center = Vec3d::Zero();
-  double squared = -1;  // of the radius
+  double squared = -1;  // squared radius
 };
 
 using Support = StaticVector<Vec3d, 5>;
 
-/// Through all of 1 to 4 points, with its middle in what they span; none where they span less than
-/// they should, for then fewer of them make the same ball.
+/// Smallest ball through all of 1 to 4 points, with its centre in their affine span. None if the
+/// points are dependent: a subset then gives the same ball.
 std::optional<Ball> ball_through(const Support& points) {
   const Vec3d origin = points[0];
   const int count = static_cast<int>(points.size()) - 1;
@@ -35,7 +35,7 @@ std::optional<Ball> ball_through(const Support& points) {
   return Ball{origin + out, out.squaredNorm()};
 }
 
-/// Lengths this close are equal, of squares.
+/// Squared lengths within this ratio count as equal.
 constexpr double kSame = 1 + 1e-13;
 
 bool holds_all(const Ball& ball, const Support& points) {
@@ -44,8 +44,8 @@ bool holds_all(const Ball& ball, const Support& points) {
   return true;
 }
 
-/// The smallest around at most five points, whose last one is on it: of the balls through any of
-/// them the smallest that holds all. `support` becomes the points that it goes through.
+/// Smallest ball that contains at most five points, with the last one on its surface. Reduces
+/// `support` to the points on its surface.
 std::optional<Ball> smallest_of_few(Support& support) {
   std::optional<Ball> smallest;
   Support kept;
@@ -66,7 +66,7 @@ std::optional<Ball> smallest_of_few(Support& support) {
   return smallest;
 }
 
-/// Each step grows the ball, so that no support comes back; this is far more than any set took.
+/// Each step grows the ball, so no support set repeats. No known input takes nearly as many steps.
 constexpr int kMostPivots = 200;
 
 Ball smallest_ball(const std::vector<Vec3d>& points) {
@@ -85,7 +85,7 @@ Ball smallest_ball(const std::vector<Vec3d>& points) {
     if (outside == nullptr || farthest <= kSame * ball.squared) break;
     support.push_back(*outside);
     const std::optional<Ball> next = smallest_of_few(support);
-    if (!next || !(next->squared > ball.squared)) break;  // rounding leaves no way on
+    if (!next || !(next->squared > ball.squared)) break;  // rounding allows no further progress
     ball = *next;
   }
   return ball;
@@ -96,7 +96,7 @@ Ball smallest_ball(const std::vector<Vec3d>& points) {
 template <class S>
 BoundingSphere<S> sphere_around(std::span<const Vec3<S>> points) {
   if (points.empty()) return {};
-  // From the first point and of size 1, so that neither distance nor size costs digits.
+  // Relative to the first point and scaled to size 1, so neither distance nor size costs digits.
   const Vec3d origin = points.front().template cast<double>();
   std::vector<Vec3d> local;
   double size = 0;
@@ -108,7 +108,7 @@ BoundingSphere<S> sphere_around(std::span<const Vec3<S>> points) {
   for (Vec3d& point : local) point /= size;
   const Vec3d center = origin + size * smallest_ball(local).center;
   BoundingSphere<S> sphere{center.cast<S>(), 0};
-  // Whatever the search left open, this holds all of them.
+  // This radius contains all points, whatever error the search has left.
   long double squared = 0;
   for (const Vec3<S>& point : points) {
     const Vec3<long double> way =

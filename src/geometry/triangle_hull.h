@@ -10,11 +10,11 @@
 
 namespace contactscope {
 
-/// One triangle of a mesh as a hull, so that it collides like one: three vertices, three edges, and
-/// two faces back to back, 0 the front and 1 the back. It has no volume; its centroid is the
-/// triangle's. Made once and set to one triangle after the other, without allocations.
+/// A mesh triangle as a hull, so that it collides like one: three vertices, three edges, and two
+/// faces back to back, 0 the front and 1 the back. It has no volume; its centroid is the
+/// triangle's. Create it once and set it to one triangle after another, without allocations.
 ///
-/// Its frame has the mesh's axes and its origin at the triangle's corner 0, where coordinates are
+/// Its frame has the mesh's axes and its origin at the triangle's corner 0, so coordinates stay
 /// small however large the mesh is.
 template <class S>
 struct TriangleHull {
@@ -29,7 +29,7 @@ struct TriangleHull {
     hull.vertex_edges = {0, 2, 4};
     hull.face_edges = {0, 1};
     hull.planes.resize(2);
-    // As lay_out() makes them.
+    // The layout of lay_out().
     hull.lanes.vertices.assign(3 * kStride, S(0));
     hull.lanes.normals.assign(3 * kStride, S(0));
     hull.lanes.offsets.assign(kStride, std::numeric_limits<S>::infinity());
@@ -40,7 +40,7 @@ struct TriangleHull {
     set(mesh.corner(triangle, 0), mesh.corner(triangle, 1), mesh.corner(triangle, 2),
         mesh.normal(triangle));
   }
-  /// `normal` is unit, to the side from which the corners run counter-clockwise.
+  /// `normal` is a unit vector, to the side from which the corners run counter-clockwise.
   void set(const Vec3<S>& v0, const Vec3<S>& v1, const Vec3<S>& v2, const Vec3<S>& normal) {
     origin = v0;
     hull.vertices[1] = v1 - v0;
@@ -52,7 +52,7 @@ struct TriangleHull {
     for (const Vec3<S>& vertex : hull.vertices)
       squared = std::max(squared, Vec3<S>(vertex - hull.centroid).squaredNorm());
     hull.radius = std::sqrt(squared);
-    // Lanes of corner 0 and of the padding stay.
+    // The lanes of corner 0 and of the padding do not change.
     for (std::size_t k = 0; k < 3; ++k) {
       const int axis = static_cast<int>(k);
       hull.lanes.vertices[k * kStride + 1] = hull.vertices[1][axis];
@@ -62,10 +62,10 @@ struct TriangleHull {
     }
   }
 
-  static constexpr std::size_t kStride = padded(3);  // of the lanes, padded(2) as well
+  static constexpr std::size_t kStride = padded(3);  // stride of the lanes; equals padded(2)
 
   Hull<S> hull;
-  Vec3<S> origin;  // of the hull's frame, in the mesh's frame, metres
+  Vec3<S> origin;  // origin of the hull's frame in the mesh's frame, metres
 };
 
 }  // namespace contactscope

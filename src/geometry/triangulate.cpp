@@ -14,8 +14,8 @@
 namespace contactscope {
 namespace {
 
-/// The corners seen along the coordinate axis that the polygon's normal leans on most, so that it
-/// runs counter-clockwise. Dropping a coordinate rounds nothing: corners on a line stay on it.
+/// The corners projected along the dominant coordinate axis of the polygon's normal, in
+/// counter-clockwise order. Dropping a coordinate is exact, so collinear corners stay collinear.
 std::vector<Vec2d> flattened(std::span<const Vec3d> corners) {
   Vec3d normal = Vec3d::Zero();
   for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
@@ -31,8 +31,8 @@ std::vector<Vec2d> flattened(std::span<const Vec3d> corners) {
   return mapped(corners, [&](const Vec3d& corner) { return Vec2d(corner[u], corner[v]); });
 }
 
-/// What rounding of the coordinates makes of a turn that is 0. Corners that were written on a line
-/// are off it by some of these, and should not be taken for a bend.
+/// Size that rounding of coordinates can give to a turn of 0. Corners written on a line are off it
+/// by a few of these and must not count as bends.
 double rounding_of_turns(const std::vector<Vec2d>& corners) {
   double coordinate = 0;
   double length = 0;
@@ -43,17 +43,17 @@ double rounding_of_turns(const std::vector<Vec2d>& corners) {
   return 8 * std::numeric_limits<double>::epsilon() * coordinate * length;
 }
 
-/// Length of the cut that takes corner `i` off over its distance from it; infinite where it is no
-/// ear: a corner that turns left and whose triangle holds no other corner, its rim included.
+/// Rating of cutting off corner `i`: length of the cut over its distance from the corner. Infinite
+/// if it is no ear: a left turn whose triangle (rim included) contains no other corner.
 double flatness(const std::vector<Vec2d>& corners, std::size_t i, double rounding) {
   constexpr double kNoEar = std::numeric_limits<double>::infinity();
   const Vec2d& a = corners[(i + corners.size() - 1) % corners.size()];
   const Vec2d& b = corners[i];
   const Vec2d& c = corners[(i + 1) % corners.size()];
-  const double area = turn(a, b, c);  // twice the triangle's
+  const double area = turn(a, b, c);  // twice the triangle's area
   if (!(area > rounding)) return kNoEar;
   for (const Vec2d& p : corners) {
-    // Also other corners in the same place: outlines of holes are often joined by a double edge.
+    // Skip corners at the same positions too: outlines of holes are often joined by double edges.
     if (p == a || p == b || p == c) continue;
     if (std::min({turn(a, b, p), turn(b, c, p), turn(c, a, p)}) >= -rounding) return kNoEar;
   }
@@ -62,8 +62,8 @@ double flatness(const std::vector<Vec2d>& corners, std::size_t i, double roundin
 
 using Edges = std::set<std::pair<int, int>>;  // the lower vertex first
 
-/// Triangles of one face as vertex indices, or the whole face where a cut is an edge already; adds
-/// the cuts to `edges`.
+/// Triangles of one face as vertex indices, or the whole face if a cut would duplicate an edge.
+/// Adds the cuts to `edges`.
 std::vector<std::vector<int>> cut_face(const Hull<double>& hull, int face, Edges& edges) {
   const std::vector<int> loop = face_vertices(hull, face);
   if (loop.size() == 3) return {loop};
@@ -87,14 +87,14 @@ std::vector<std::vector<int>> cut_face(const Hull<double>& hull, int face, Edges
 
 }  // namespace
 
-/// Ear clipping. Deviation: of all ears the least flat one goes first, which makes fewer slivers
-/// than cutting in order, and leaves corners on a line until they are no longer. Steps: rate all
-/// corners; cut the best ear; rate its two neighbours anew, which are the only ones that the cut
-/// can change; go on until three are left.
+/// Ear clipping. Deviation: the least flat ear is cut first, which makes fewer slivers than cutting
+/// in order and postpones collinear corners until they are no longer collinear. Steps: rate all
+/// corners; cut the best ear; rate its two neighbours again, the only ones that the cut can change;
+/// repeat until three corners are left.
 std::vector<std::array<int, 3>> triangulate_polygon(std::span<const Vec3d> corners) {
   assert(corners.size() >= 3);
-  std::vector<Vec2d> left = flattened(corners);  // what is not cut off, in order
-  std::vector<int> loop(left.size());            // the same as indices
+  std::vector<Vec2d> left = flattened(corners);  // remaining corners, in order
+  std::vector<int> loop(left.size());            // their indices
   std::iota(loop.begin(), loop.end(), 0);
   const double rounding = rounding_of_turns(left);
   std::vector<double> ratings;
@@ -102,7 +102,7 @@ std::vector<std::array<int, 3>> triangulate_polygon(std::span<const Vec3d> corne
 
   std::vector<std::array<int, 3>> triangles;
   while (left.size() > 3) {
-    // Where no ear is left, because the polygon crosses itself, all are equally bad.
+    // If no ear is left, because the polygon crosses itself, all corners are equally bad.
     const auto best = std::ranges::min_element(ratings) - ratings.begin();
     const std::size_t ear = static_cast<std::size_t>(best), count = left.size();
     triangles.push_back({loop[(ear + count - 1) % count], loop[ear], loop[(ear + 1) % count]});

@@ -7,17 +7,15 @@
 #include "core/three.h"
 #include "geometry/obb.h"
 
-/// The fifteen axes of two oriented boxes side by side, three to a pack: Gottschalk, Lin and
-/// Manocha
-/// 1996. Everything in A's frame, where the axes of A are the coordinate axes and those of B the
-///    columns
-/// of R = A^T B. The cross product of axis i of A and axis j of B then has the entries of column j
-/// of R turned by 90 degrees about axis i, and it projects both boxes by entries of R as well.
+/// The fifteen axes of two oriented boxes, three per pack: Gottschalk, Lin and Manocha 1996.
+/// Everything in A's frame, where A's axes are the coordinate axes and B's axes are the columns of
+/// R = A^T B. The cross product of axis i of A and axis j of B has the entries of column j of R
+/// rotated by 90 degrees about axis i. It also projects both boxes by entries of R.
 namespace contactscope::boxes {
 
 using lanes::after_next, lanes::Columns, lanes::next, lanes::spread, lanes::Three;
 
-/// The lanes from S number `first` of a box on, as it lies in memory: center, axes, half_extents.
+/// Loads lanes from S number `first` of a box in memory order: center, axes, half_extents.
 template <class S>
 [[gnu::always_inline]] inline Three<S> load(const Obb<S>& box, int first) {
   static_assert(sizeof(Obb<S>) == 15 * sizeof(S) && std::is_standard_layout_v<Obb<S>>);
@@ -30,10 +28,10 @@ template <class S>
 [[gnu::always_inline]] inline Three<S> absolute(const Three<S>& v) {
   using Bits = decltype(v < v);
   constexpr auto kAllButSign = std::numeric_limits<std::remove_cvref_t<decltype(Bits{}[0])>>::max();
-  return (Three<S>)((Bits)v & kAllButSign);  // NOLINT: GCC's way to look at the bits
+  return (Three<S>)((Bits)v & kAllButSign);  // NOLINT: GCC reinterprets the bits
 }
 
-/// All three lanes hold; `holds` is a comparison of two Three.
+/// True if the first three lanes are true; `holds` is a comparison of two Three.
 template <class S, class Flags>
 [[gnu::always_inline]] inline bool all(const Flags& holds) {
   if constexpr (sizeof(S) == 4) {
@@ -43,13 +41,13 @@ template <class S, class Flags>
   }
 }
 
-/// Projections on three axes, which need not be unit: each box reaches so far to either side of its
-/// middle, and the middles are so far apart.
+/// Projections on three axes of any length: distance of the centres, and extent of each box to
+/// either side of its centre.
 template <class S>
 struct Projections {
   Three<S> distance, reach_a, reach_b;
 
-  /// What lies between the boxes, times the length of the axis; negative in overlap.
+  /// Gap between the boxes times the length of the axis; negative in overlap.
   [[gnu::always_inline]] Three<S> gap() const { return distance - (reach_a + reach_b); }
 };
 
@@ -79,7 +77,7 @@ class BoxAxes {
         {absolute<S>(rows.of[0]), absolute<S>(rows.of[1]), absolute<S>(rows.of[2])}};
     return {absolute<S>(rows.times(way_)), sizes.times(half_a_), half_b_};
   }
-  /// Of the three axes of A with axis j of B.
+  /// Projections on the cross products of the three axes of A with axis j of B.
   template <int kJ>
   [[gnu::always_inline]] Projections<S> edges() const {
     constexpr int kNext = (kJ + 1) % 3, kAfter = (kJ + 2) % 3;
@@ -90,32 +88,31 @@ class BoxAxes {
             spread<kNext>(half_b_) * absolute_.of[kAfter] +
                 spread<kAfter>(half_b_) * absolute_.of[kNext]};
   }
-  /// Of the same axes, the squares of the sines of their angles.
+  /// Squared lengths of the same cross products: squared sines of the angles.
   template <int kJ>
   [[gnu::always_inline]] Three<S> squared_lengths() const {
     const Three<S> squares = rotation_.of[kJ] * rotation_.of[kJ];
     return next(squares) + after_next(squares);
   }
-  /// Likewise the sums of the absolute entries: no less than the sines, no more than sqrt(2) of
-  /// them.
+  /// Sums of their absolute entries: from the sine to sqrt(2) times the sine.
   template <int kJ>
   [[gnu::always_inline]] Three<S> rough_lengths() const {
     return next(absolute_.of[kJ]) + after_next(absolute_.of[kJ]);
   }
 
-  /// Sum of all half extents and of the way between the middles: what the projections round with.
+  /// Sum of all half extents and of the offset between the centres: scale of the rounding.
   [[gnu::always_inline]] S size() const {
     const Three<S> sum = absolute<S>(way_) + half_a_ + half_b_;
     return sum[0] + sum[1] + sum[2];
   }
-  /// No half extent is negative, none NaN, and no length infinite.
+  /// True if no half extent is negative or NaN, and no length infinite.
   [[gnu::always_inline]] bool are_boxes() const {
     return all<S>((half_a_ >= S(0)) & (half_b_ >= S(0))) && size() <= std::numeric_limits<S>::max();
   }
 
  private:
   [[gnu::always_inline]] static Three<S> half_extents(const Obb<S>& box) {
-    const Three<S> last = load(box, 11);  // behind the last entry of the axes: no more lies there
+    const Three<S> last = load(box, 11);  // at the end of the box: nothing follows it
     return __builtin_shufflevector(last, last, 1, 2, 3, 3);
   }
 

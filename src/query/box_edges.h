@@ -6,10 +6,10 @@
 
 #include "query/box_pair.h"
 
-/// Two edges of boxes that cross: which they are, how far apart they are along their cross product, and
-/// where they are closest. The same numbers as query_edges() and closest_points() give of any two hulls,
-/// bit for bit, with a vector to a register. An edge of A runs along a coordinate axis, so that its
-/// products are entries of the other vector.
+/// Two crossing edges of boxes: their indices, their separation along the cross product, and their
+/// closest points. Bitwise equal to the results of query_edges() and closest_points() for hulls,
+/// with one register per vector. An edge of A is parallel to a coordinate axis, so its products are
+/// entries of the other vector.
 namespace contactscope::boxes {
 
 template <class S>
@@ -22,7 +22,7 @@ template <class S>
   return next(a) * after_next(b) - after_next(a) * next(b);
 }
 
-/// A vertex of B in A's frame. Where all are asked for, VerticesOfB does less.
+/// A vertex of B in A's frame. For all vertices, VerticesOfB is cheaper.
 template <class S>
 [[gnu::always_inline]] inline Three<S> vertex_of_b(const BoxPair<S>& pair, int vertex) {
   const Three<S> signs =
@@ -31,10 +31,10 @@ template <class S>
   return ((x * spread<0>(signs) + y * spread<1>(signs)) + z * spread<2>(signs)) + pair.way;
 }
 
-/// Two edges that support each other along the cross product of axis i of A and j of B, or along its
-/// opposite, `against`. A's half-edge is the even one, and B's goes as the arc of A's edge on the Gauss
-/// map does, from the normal of the face on the left of it to the other (gauss_map.h): as the general
-/// path finds them.
+/// Two edges that are support features along the cross product of axis i of A and axis j of B, or
+/// along its opposite if `against`. The same as in the general path: A's half-edge is even, and B's
+/// runs in the direction of the arc of A's edge on the Gauss map, from the normal of its left face
+/// to the other (gauss_map.h).
 struct CrossedEdges {
   int edge_a, edge_b;  // half-edges
 };
@@ -44,7 +44,7 @@ template <class S>
                                                        int against) {
   const auto next_of = [](int axis) { return (0b00'10'01 >> (2 * axis)) & 3; };
   const int i1 = next_of(i), i2 = next_of(i1), j1 = next_of(j), j2 = next_of(j1);
-  // Bit k: whether entry k of the column, or of the row, is below or above zero.
+  // Bit k: entry k of the column or row is below (above) zero.
   const auto below = [](const Three<S>& v) {
     return static_cast<int>(lane_bits<S>(v < Three<S>{}));
   };
@@ -53,8 +53,8 @@ template <class S>
   };
   const Three<S>&column = pair.columns.of[j], &row = pair.rows.of[i];
   const int down = below(column);
-  // The cross product of axis i of A and j of B, or the opposite: its entries along A's axes, and along
-  // B's, away from which B's vertex lies.
+  // The cross product of axis i of A and axis j of B, or its opposite, as signs along A's axes and
+  // along B's axes. B's vertex is in the opposite direction.
   const int vertex_a = ((down >> i2 ^ against) & 1) << i1 | ((above(column) >> i1 ^ against) & 1)
                                                                 << i2;
   const int vertex_b = ((below(row) >> j2 ^ against) & 1) << j1 | ((above(row) >> j1 ^ against) & 1)
@@ -62,12 +62,12 @@ template <class S>
   const int edge_a =
       kBox.leaving[static_cast<std::size_t>(vertex_a)][static_cast<std::size_t>(i)] & ~1;
   const int second = kBox.face(edge_a ^ 1);                // +x, -x, ...
-  const int falls = (down >> (second >> 1) ^ second) & 1;  // B's axis along its normal
+  const int falls = (down >> (second >> 1) ^ second) & 1;  // B's axis runs against its normal
   const int from_b = vertex_b | (falls ^ 1) << j;
   return {edge_a, kBox.leaving[static_cast<std::size_t>(from_b)][static_cast<std::size_t>(j)]};
 }
 
-/// Unit vectors along the axes, and again from the first on.
+/// Unit vectors along the axes, wrapping around.
 template <class S>
 inline constexpr std::array<std::array<S, 4>, 5> kUnits = {
     {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {1, 0, 0, 0}, {0, 1, 0, 0}}};
@@ -76,25 +76,25 @@ template <class S>
   return lanes::load_pack<Three<S>>(kUnits<S>[static_cast<std::size_t>(i)].data());
 }
 
-/// What two crossed edges give, A's frame.
+/// Measurement of two crossed edges, A's frame.
 template <class S>
 struct EdgeMeasure {
   Three<S> normal;  // unit, from A to B
   S separation;     // metres
-  Three<S> middle;  // of their closest points
+  Three<S> middle;  // midpoint of their closest points
 };
 
-/// Of the edges_along(pair, i, j, against). `direction` is B's axis j, unit, and `over_sine` 1 over the
-/// sine of the edges' angle.
+/// Measures edges_along(pair, i, j, against). `direction` is B's axis j, unit, and `over_sine` is 1
+/// over the sine of the edges' angle.
 template <class S>
 [[gnu::always_inline]] inline EdgeMeasure<S> measure(const BoxPair<S>& pair,
                                                      const CrossedEdges& edges, int i, int j,
                                                      int against, const Three<S>& direction,
                                                      S over_sine) {
-  constexpr S kSigns[] = {S(1), S(-1)};  // of an edge that goes up its axis, and down
+  constexpr S kSigns[] = {S(1), S(-1)};  // of an edge with or against the direction of its axis
   const int vertex_a = kBox.origin(edges.edge_a), vertex_b = kBox.origin(edges.edge_b);
   const S up_a = kSigns[vertex_a >> i & 1], up_b = kSigns[vertex_b >> j & 1];
-  // The cross product of the axes. That of the edges is this or the opposite.
+  // The cross product of the axes. That of the edges has the same or the opposite sign.
   const Three<S> axes = unit<S>(i + 2) * after_next(direction) - unit<S>(i + 1) * next(direction);
   const Three<S> u = unit<S>(i) * up_a, v = direction * up_b, c = axes * (up_a * up_b);
   const Three<S> from_a =
@@ -106,7 +106,7 @@ template <class S>
   EdgeMeasure<S> result;
   result.normal = axes * (kSigns[against] * over_sine);
   result.separation = dot<S>(result.normal, between);
-  // As closest_points(), see there.
+  // The same computation as closest_points().
   const auto within = [](S value, S most) __attribute__((always_inline)) {
     return std::min(std::max(value, S(0)), most);
   };

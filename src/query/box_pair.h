@@ -14,15 +14,15 @@
 #include "query/box_axes.h"
 #include "query/hull_pair.h"
 
-/// Two boxes (Hull::is_box) in registers: what HullPair is for any two hulls, and the same numbers, bit
-/// for bit. A box is its half extents: a vertex is a sum of three columns with signs, and so is what a
-/// vertex projects to on any axis. Rounding keeps order, so the least of eight such sums is the sum of
-/// the three least terms, added in the same order: no vertex has to be looked at.
+/// Two boxes (Hull::is_box) in registers: the equivalent of HullPair, with bitwise equal numbers. A
+/// box is given by its half extents: a vertex is a sum of three columns with signs, and so is its
+/// projection on any axis. Rounding is monotone, so the minimum of eight such sums is the sum of
+/// the three minimal terms in the same order. No vertex needs to be computed.
 namespace contactscope::boxes {
 
 using lanes::vector;
 
-/// One bit a lane, of the four lanes of a comparison of two Three.
+/// One bit per lane, for the four lanes of a comparison of two Three.
 template <class S, class Flags>
 [[gnu::always_inline]] inline std::uint32_t lane_bits(const Flags& holds) {
   if constexpr (sizeof(S) == 4 || lanes::kWidest<S> == 4) {
@@ -43,7 +43,7 @@ template <class S>
   return Three<S>{value, value, value, value};
 }
 
-/// The signs of a vertex's coordinates.
+/// The signs of each vertex's coordinates.
 template <class S>
 inline constexpr std::array<std::array<S, 4>, 8> kVertexSigns = [] {
   std::array<std::array<S, 4>, 8> signs{};
@@ -62,7 +62,7 @@ struct BoxPair {
         position(b_in_a.position),
         scale(hull_a.radius + hull_b.radius + b_in_a.position.norm()),
         min_radius(std::min(hull_a.radius, hull_b.radius)),
-        // Nothing is ever farther than infinity: the fourth lane wins no comparison.
+        // The fourth lane is infinite and therefore wins no comparison.
         half_a(three(hull_a.half_extents, std::numeric_limits<S>::infinity())),
         half_b(three(hull_b.half_extents, std::numeric_limits<S>::infinity())),
         way(three(position)),
@@ -73,10 +73,10 @@ struct BoxPair {
     arms.of[2] = columns.of[2] * spread<2>(half_b);
   }
 
-  /// Entry of the matrix that turns B's frame into A's: of B's axis j along A's axis i.
+  /// Entry of the matrix that rotates B's frame into A's: B's axis j along A's axis i.
   [[gnu::always_inline]] S rotation(int i, int j) const { return columns.of[j][i]; }
 
-  /// Unit vectors along B's axes, as the half-edges that go up along them have them.
+  /// Unit vectors along B's axes, equal to the directions of its half-edges in positive direction.
   [[gnu::always_inline]] Columns<S> directions_of_b() const {
     const Three<S> lengths = half_b + half_b;
     const Three<S> x = rows.of[0] * lengths, y = rows.of[1] * lengths, z = rows.of[2] * lengths;
@@ -94,7 +94,7 @@ struct BoxPair {
   S scale, min_radius;  // as in HullPair, metres
   Three<S> half_a, half_b, way;
   Columns<S> columns, rows;  // of the rotation: B's axes in A's frame, A's axes in B's
-  Columns<S> arms;           // from B's middle to the middles of its faces +x, +y, +z
+  Columns<S> arms;           // from B's centre to the centres of its faces +x, +y, +z
 };
 
 /// The vertices of A in its own frame.
@@ -112,7 +112,7 @@ class VerticesOfA {
   Three<S> half_;
 };
 
-/// The vertices of B in A's frame: as place() adds them up, where opposite sums differ in sign alone.
+/// The vertices of B in A's frame, summed as in place(): opposite sums differ only in sign.
 template <class S>
 class VerticesOfB {
  public:

@@ -9,21 +9,21 @@
 #include "query/sat.h"
 #include "query/tolerance.h"
 
-/// The separating axis test between two boxes: six faces and nine cross products (Gottschalk, Lin and
-/// Manocha 1996), chosen from as sat() does for any two hulls (Gregorius 2015, "Hull vs Hull: The
-/// Separating Axis Test"). Face axes are measured with the same bits as there. Edge axes are measured
-/// roughly first, three to a register and with a bound of what that may be off; most boxes touch with
-/// faces, and then that is enough. An edge pair that wins is measured again as it is there.
+/// The separating axis test for two boxes: six faces and nine cross products (Gottschalk, Lin and
+/// Manocha 1996). The choice follows sat() for hulls (Gregorius 2015, "Hull vs Hull: The Separating
+/// Axis Test"). Face axes have bitwise equal separations. Edge axes are first estimated with an
+/// error bound, three per register; that suffices for most boxes, which touch with faces. An edge
+/// pair that wins is measured again as in sat().
 ///
-/// Where rounding would choose, this does not: it says Undecided, and whoever asks takes the general
-/// path, whose answer depends on the order in which it looks. So both always agree, and this file need
-/// not know that order.
+/// If rounding would decide, the result is Undecided. The caller then takes the general path, where
+/// the result depends on the order of the axes. So both paths always agree, and this file does not
+/// depend on that order.
 namespace contactscope::boxes {
 
 enum class Verdict {
-  Separated,  // by more than the margin
-  Face,       // `face`, of the box `reference`, makes the contact
-  Edge,       // `edge` makes it
+  Separated,  // by more than `margin`
+  Face,       // `face` of the box `reference` makes the contact
+  Edge,       // `edge` makes the contact
   Undecided,
 };
 
@@ -31,22 +31,22 @@ template <class S>
 struct BoxAxis {
   Verdict verdict = Verdict::Undecided;
   Owner reference = Owner::A;
-  FaceQuery<S> face{};    // its support is not looked for
-  CrossedEdges edges;     // of Edge
-  EdgeMeasure<S> edge;    // likewise
+  FaceQuery<S> face{};    // its support vertex is not set
+  CrossedEdges edges;     // if Edge
+  EdgeMeasure<S> edge;    // if Edge
   Columns<S> directions;  // of B's axes, unless the boxes are separated
-  S deepest = 0;  // metres: the largest separation of any axis, or less where that is no matter
+  S deepest = 0;          // metres: largest separation of all axes, or a lower value if irrelevant
 };
 
-/// The face of largest separation of one of two boxes.
+/// Face with the largest separation of one of two boxes.
 template <class S>
 struct BestFace {
-  bool unique;  // the general path would choose it in whatever order
+  bool unique;  // the general path chooses this face, regardless of the order
   int face;
   S separation;
 };
 
-/// `up` and `down` are the separations along three axes and against them, with less in the fourth lane.
+/// `up` and `down`: separations along three axes and their opposites, lower in the fourth lane.
 template <class S>
 [[gnu::always_inline]] inline BestFace<S> best_face(const Three<S>& up, const Three<S>& down,
                                                     S tie) {
@@ -65,7 +65,7 @@ template <class S>
   return best_face<S>((pair.way - reach) - pair.half_a, -(pair.way + reach) - pair.half_a, tie);
 }
 
-/// Of the planes of B's faces, how far from A's origin B's middle is along each of B's axes.
+/// Offset of B's centre from A's origin along each axis of B.
 template <class S>
 [[gnu::always_inline]] inline Three<S> middle_of_b(const BoxPair<S>& pair) {
   return (pair.rows.of[0] * spread<0>(pair.way) + pair.rows.of[1] * spread<1>(pair.way)) +
@@ -81,19 +81,19 @@ template <class S>
   return best_face<S>(-reach - (pair.half_b + middle), -reach - (pair.half_b - middle), tie);
 }
 
-/// Three of the nine cross products, of the axes of A with axis j of B.
+/// Cross products of the three axes of A with axis j of B: three of the nine.
 template <class S>
 struct Crosses {
-  Three<S> way;  // of B's middle along the cross product: its sign says which way from A to B
-  Three<S> sine, over_sine;  // the length of the cross product, and 1 over it
-  Three<S> lower, upper;     // metres: the separation along it is between these
+  Three<S> way;  // B's centre along the cross product: the sign gives the direction from A to B
+  Three<S> sine, over_sine;  // length of the cross product, and 1 over it
+  Three<S> lower, upper;     // metres: bounds of the separation along it
 };
 
-/// `off` is what a separation times the sine may be off. Nearly parallel edges make a sliver of the
-/// Minkowski difference, and no axis of it is better than the faces beside it by more than its width
-/// (tolerance.h), `sliver` (metres) times the sine: turn B until the edges are parallel, and axes at right
-/// angles to both are those of two rectangles, where a face is the best; supports have then moved by the
-/// sine times a radius, and normals by the sine.
+/// `off` bounds the error of a separation times the sine. Nearly parallel edges make a sliver of
+/// the Minkowski difference. No axis of it beats the adjacent faces by more than its width
+/// (tolerance.h), `sliver` (metres) times the sine. Proof: turn B until the edges are parallel. The
+/// axes perpendicular to both are then those of two rectangles, where a face is best; supports have
+/// moved by the sine times a radius, and normals by the sine.
 template <int kJ, class S>
 [[gnu::always_inline]] inline Crosses<S> crosses(const BoxPair<S>& pair,
                                                  const Columns<S>& directions, S off, S floor,
@@ -111,12 +111,11 @@ template <int kJ, class S>
   const Three<S> squared = next(squares) + after_next(squares);
   Three<S> sine;
   for (int i = 0; i < 4; ++i) sine[i] = std::sqrt(squared[i]);
-  const Three<S> over_sine = S(1) / sine;  // infinite where they are parallel
+  const Three<S> over_sine = S(1) / sine;  // infinite if parallel
   return {way, sine, over_sine, (gap - off) * over_sine,
           lanes::smaller<Three<S>>((gap + off) * over_sine, floor + sliver * sine)};
 }
 
-/// The largest of nine.
 template <class S>
 [[gnu::always_inline]] inline S largest_of(const Three<S>& a, const Three<S>& b,
                                            const Three<S>& c) {
@@ -124,7 +123,7 @@ template <class S>
   return std::max(std::max(three[0], three[1]), three[2]);
 }
 
-/// For axis i of A and j of B bit 4 j + i.
+/// Axis i of A and axis j of B set bit 4 j + i.
 template <class S, class F>
 [[gnu::always_inline]] inline std::uint32_t nine_bits(const F& a, const F& b, const F& c) {
   return (lane_bits<S>(a) | lane_bits<S>(b) << 4 | lane_bits<S>(c) << 8) & 0x777U;
@@ -132,10 +131,9 @@ template <class S, class F>
 
 /// sat() for two boxes. Metres; `margin` >= 0.
 ///
-/// Steps: 1. A's faces, 2. B's faces: either may separate. 3. The nine cross products: they may
-/// separate as well; else, where none can be larger than the best face, or by so little that the
-/// preference takes the face all the same, the face it is. 4. Else one of them is larger than all
-/// others by more than they may be off, and is measured.
+/// Steps: 1. A's faces and 2. B's faces: each may separate. 3. The nine cross products: they may
+/// separate too. If none can beat the best face, or only by less than the preference, the face
+/// wins. 4. Otherwise one of them must beat all others by more than the error, and is measured.
 template <class S>
 [[gnu::always_inline]] inline BoxAxis<S> box_sat(const BoxPair<S>& pair, S margin,
                                                  Preference preference) {
@@ -154,11 +152,11 @@ template <class S>
     return result;
   }
   const S floor = std::max(face_a.separation, face_b.separation);
-  const S handicap = edge_handicap(pair.scale, preference);  // as sat() has it
+  const S handicap = edge_handicap(pair.scale, preference);  // as in sat()
   if (!(face_a.unique && face_b.unique && floor <= margin)) return result;
 
-  // Some ten roundings here and as many there, of products of lengths up to `scale`, with a rotation
-  // whose columns are unit and at right angles within ten.
+  // About ten roundings here and ten in sat(), of products of lengths up to `scale`, with a
+  // rotation whose columns are orthonormal within ten.
   const S off = S(32) * kEpsilon * pair.scale;
   const S sliver = floor <= S(0) ? S(2.1) * pair.scale : std::numeric_limits<S>::max();
   result.directions = pair.directions_of_b();
@@ -167,7 +165,7 @@ template <class S>
                              crosses<2>(pair, result.directions, off, floor, sliver)};
   const S most_upper = largest_of<S>(nine[0].upper, nine[1].upper, nine[2].upper);
   const S spare = relative ? S(0.9) * preference_tolerance(floor, pair.min_radius) : S(0);
-  S most = floor;  // of all axes
+  S most = floor;  // largest of all axes
   bool has_edge = false;
   if (!(most_upper < floor + handicap)) {
     const S most_lower = largest_of<S>(nine[0].lower, nine[1].lower, nine[2].lower);
@@ -199,7 +197,7 @@ template <class S>
     }
   }
 
-  // As choose() of sat.cpp. Where only a bound of the best axis is known, both ends have to agree.
+  // The same as choose() of sat.cpp. If the best axis is only bounded, both ends must agree.
   const auto choose = [&](S best) __attribute__((always_inline)) {
     const S least = best - (relative ? preference_tolerance(best, pair.min_radius) : S(0));
     if (face_a.separation >= least) return AxisKind::FaceA;

@@ -11,17 +11,17 @@
 #include "query/sat.h"
 #include "query/tolerance.h"
 
-/// The separating axis test between a box and a triangle of a mesh, which is a flat hull: three faces of the
-/// box, the triangle's own, and nine cross products of edges (Akenine-Moeller 2001, "Fast 3D Triangle-Box
-/// Overlap Testing", has the same thirteen). As box_sat.h does it for two boxes: faces have the same bits as
-/// in sat(), edges are measured roughly, three to a register, and one that wins is measured again as it is
-/// there. Where rounding would choose, this says Undecided.
+/// The separating axis test for a box and a mesh triangle, which is a flat hull: three faces of the
+/// box, the triangle's face, and nine cross products of edges (the thirteen axes of Akenine-Moeller
+/// 2001, "Fast 3D Triangle-Box Overlap Testing"). The method of box_sat.h: faces are bitwise equal
+/// to sat(), edges are estimated, three per register, and a winning edge is measured again as in
+/// sat(). If rounding would decide, the result is Undecided.
 namespace contactscope::boxes {
 
-/// A triangle in the box's frame: every number as HullPair has it of TriangleHull.
+/// A triangle in the box's frame. Every number equals that of a HullPair with a TriangleHull.
 template <class S>
 struct TriangleByBox {
-  /// `radius` is the box's.
+  /// `box_radius` is the radius of the box's hull.
   [[gnu::always_inline]] TriangleByBox(const Mesh<S>& mesh, int triangle,
                                        const Pose<S>& mesh_in_box, const TurnMatrix<S>& turn,
                                        S box_radius) {
@@ -55,8 +55,8 @@ struct TriangleByBox {
 
   Three<S> corners[3];
   Three<S> directions[3];  // unit, of the half-edges 0, 2 and 4: from corner to corner
-  Three<S> normal;         // of the front
-  S offset;                // of its plane
+  Three<S> normal;         // of the front face
+  S offset;                // of the front face's plane
   S radius, scale;
 };
 
@@ -66,7 +66,7 @@ template <class S>
          lanes::load_pack<Three<S>>(kVertexSigns<S>[static_cast<std::size_t>(vertex)].data());
 }
 
-/// One of two edges that meet, as closest_points() asks for it.
+/// One of two crossing edges, with the interface that closest_points() needs.
 template <class S>
 struct MetEdge {
   [[gnu::always_inline]] Vec3<S> direction(int) const { return along; }
@@ -78,7 +78,7 @@ struct MetEdge {
   Vec3<S> along, from, to;
 };
 
-/// The edge along axis i of a box that is its farthest along a normal: the even half-edge.
+/// The edge along axis i of a box that is farthest along a normal, as the even half-edge.
 template <class S>
 [[gnu::always_inline]] inline MetEdge<S> edge_of_box(const Three<S>& half, int i,
                                                      const Vec3<S>& normal) {
@@ -90,7 +90,7 @@ template <class S>
           vector<S>(vertex_of_box<S>(half, from)), vector<S>(vertex_of_box<S>(half, to))};
 }
 
-/// Of the half-edges 2 k and 2 k + 1 of a triangle the one that falls along a normal.
+/// The half-edge 2 k or 2 k + 1 of a triangle that falls along a normal; `falls`: 2 k does.
 template <class S>
 [[gnu::always_inline]] inline MetEdge<S> edge_of_triangle(const TriangleByBox<S>& triangle, int k,
                                                           bool falls) {
@@ -101,19 +101,19 @@ template <class S>
   return {2 * k + 1, Vec3<S>(-along), to, from};
 }
 
-/// Cross products of the axes of the box, one a lane, with one edge of the triangle.
+/// Cross products of the box's axes, one per lane, with one edge of the triangle.
 template <class S>
 struct EdgeAxes {
   Three<S> way;  // from the edge to the third corner along the cross product
   Three<S> sine;
-  Three<S> lower, upper;  // metres: the separation is between these
+  Three<S> lower, upper;  // metres: bounds of the separation
 };
 
-/// A corner projects to a cross product a x e as the entry for a of e x corner; both of the edge's own to
-/// one number. The axis, which leads from the box to the triangle, leads from the edge to the third corner
-/// as well, or the edge would not be the triangle's nearest. `off` is what a separation times the sine of
-/// the edges may be off. Nearly parallel edges: see crosses() in box_sat.h; a triangle that is seen along
-/// an edge is a segment.
+/// A corner's projection on a cross product a x e is the entry for a of e x corner; both corners of
+/// the edge have the same. The axis points from the box to the triangle, and also from the edge to
+/// the third corner; otherwise the edge would not be the triangle's closest. `off` bounds the error
+/// of a separation times the sine of the edges. For nearly parallel edges see crosses() in
+/// box_sat.h; a triangle seen along an edge is a segment.
 template <class S>
 [[gnu::always_inline]] inline EdgeAxes<S> edge_axes(const TriangleByBox<S>& triangle, int k,
                                                     const Three<S>& half, S off, S floor) {
@@ -124,7 +124,7 @@ template <class S>
   const Three<S> size = absolute<S>(along);
   const Three<S> reach = next(half) * after_next(size) + after_next(half) * next(size);
   const Three<S> gap = (axes.way > S(0) ? edge : -edge) - reach;
-  // Where it is not certain on which side the third corner is, either may be.
+  // If the side of the third corner is uncertain, allow both.
   const Three<S> most = absolute<S>(axes.way) > off ? gap : absolute<S>(edge) - reach;
   const Three<S> squares = along * along;
   axes.sine = square_roots<S>(next(squares) + after_next(squares));
@@ -134,7 +134,7 @@ template <class S>
   return axes;
 }
 
-/// The largest of nine, and which it is: for axis i of the box and edge k of the triangle bit 4 k + i.
+/// Largest of nine lanes. In masks, axis i of the box and edge k of the triangle have bit 4 k + i.
 template <class S>
 [[gnu::always_inline]] inline S largest_of_nine(const Three<S>& a, const Three<S>& b,
                                                 const Three<S>& c) {
@@ -149,18 +149,18 @@ template <class S>
 struct BoxTriangleAxis {
   enum Verdict {
     Undecided,
-    Separated,  // by more than the margin
-    Face,       // `face` of `reference`, A is the box, makes the contact
-    Edge,       // `edge` makes it, between these two
+    Separated,  // by more than `margin`
+    Face,       // `face` of `reference` makes the contact; A is the box
+    Edge,       // `edge` makes the contact, between edge_a and edge_b
   } verdict = Undecided;
   Owner reference = Owner::B;
   int face = 0;
   EdgeQuery<S> edge{};
   MetEdge<S> edge_a{}, edge_b{};
-  S deepest = 0;  // metres: the largest separation of any axis, or less where that is no matter
+  S deepest = 0;  // metres: largest separation of all axes, or a lower value if irrelevant
 };
 
-/// sat() of a box of half extents `half` and a triangle whose face is preferred. Metres; `margin` >= 0.
+/// sat() of a box and a triangle, whose face is preferred. Metres; `margin` >= 0.
 template <class S>
 [[gnu::always_inline]] inline BoxTriangleAxis<S> box_triangle_sat(const Three<S>& half,
                                                                   S box_radius,
@@ -204,7 +204,7 @@ template <class S>
                               edge_axes(triangle, 1, half, off, floor),
                               edge_axes(triangle, 2, half, off, floor)};
   const S most_lower = largest_of_nine<S>(axes[0].lower, axes[1].lower, axes[2].lower);
-  const S handicap = edge_handicap(triangle.scale, preference);  // as sat() has it
+  const S handicap = edge_handicap(triangle.scale, preference);  // as in sat()
   if (most_lower > margin + tie + handicap) {
     result.verdict = Axis::Separated;
     return result;
@@ -212,7 +212,7 @@ template <class S>
   const S most_upper = largest_of_nine<S>(axes[0].upper, axes[1].upper, axes[2].upper);
   if (!(most_upper <= margin)) return result;
 
-  // As choose() of sat.cpp.
+  // The same as choose() of sat.cpp.
   const auto choose = [&](S deepest) {
     const S enough = deepest - tolerance(deepest);
     if (face_b >= enough) return AxisKind::FaceB;
@@ -232,8 +232,8 @@ template <class S>
     const S way = axes[k].way[i], sine = axes[k].sine[i];
     if (!(sine > S(1.1) * kNoisySine<S> && std::abs(way) > off)) return result;
 
-    // As query_edges() measures it: B's half-edge goes as the arc of A's edge on the Gauss map does, from
-    // the normal of the face on the left of it to the other.
+    // Measured as in query_edges(): B's half-edge runs in the direction of the arc of A's edge on
+    // the Gauss map, from the normal of its left face to the other.
     const Vec3<S> across = Vec3<S>::Unit(i).cross(vector<S>(triangle.directions[k]));
     const auto along_face = [](int face, const Vec3<S>& v) {
       return face % 2 == 0 ? v[face / 2] : -v[face / 2];

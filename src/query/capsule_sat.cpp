@@ -14,13 +14,13 @@
 namespace contactscope {
 namespace {
 
-/// Faces that lean less than this sine to each other look the same way: a tie between them says
-/// nothing about the normal.
+/// Faces with a smaller sine of their angle count as parallel: a tie between them does not affect
+/// the normal.
 template <class S>
 constexpr S kSameDirection = S(0.05);
 
-/// For every face the distances of both ends from its plane, the lesser of these, and how the
-/// segment rises above it.
+/// For every face: distances of both ends from its plane, the smaller of these, and the rise of the
+/// segment along its normal.
 template <class S>
 struct FaceDistances {
   FaceDistances(const Hull<S>& hull, const Vec3<S> (&ends)[2])
@@ -40,7 +40,7 @@ struct FaceDistances {
     const S* __restrict ny = normals.y();
     const S* __restrict nz = normals.z();
     const int count = normals.padded_count();
-    // The rise is not the difference of the distances, whose digits cancel: its sign decides.
+    // Not the difference of the distances, whose digits cancel: the sign of the rise matters.
     const Vec3<S> along = ends[1] - ends[0];
     const S ax = ends[0].x(), ay = ends[0].y(), az = ends[0].z();
     const S bx = ends[1].x(), by = ends[1].y(), bz = ends[1].z();
@@ -70,7 +70,7 @@ void best_face(const Hull<S>& hull, const Vec3<S> (&ends)[2], const FaceDistance
       result.face = face;
       return;
     }
-    // A tie. Only now it matters where the lower ends lie.
+    // A tie. Only now the position of the lower ends matters.
     const auto holds = [&](int candidate) {
       const int lower_end = distances.at_end[candidate] < distances.at_start[candidate] ? 1 : 0;
       return projects_into(hull, candidate, ends[lower_end], tie);
@@ -85,8 +85,8 @@ void best_face(const Hull<S>& hull, const Vec3<S> (&ends)[2], const FaceDistance
   result.face_separation = distances.lower[result.face];
 }
 
-/// Separation along a unit direction that points from the hull to the segment, by the support points
-/// of both. Valid for every direction: the distance is never less.
+/// Separation along a unit direction from the hull to the segment, computed with support points of
+/// both. Valid for every direction: the distance is never less.
 template <class S>
 S support_separation(const Hull<S>& hull, const Vec3<S> (&ends)[2], const Vec3<S>& direction) {
   const Vec3<S>& vertex = at(hull.vertices, support_index(support_set(hull), direction));
@@ -94,10 +94,9 @@ S support_separation(const Hull<S>& hull, const Vec3<S> (&ends)[2], const Vec3<S
                   direction.dot(Vec3<S>(ends[1] - vertex)));
 }
 
-/// Marks of two faces are added, and a bit of each sum tells of the arc between them: bit 0 that the
-/// segment rises above one of the faces and not above the other; bit 5 that its start lies above
-/// `bound` for one at least, as of 3 + 3, 3 + 5 and 5 + 5 all but the first have the bit 8; bit 9
-/// likewise for its end.
+/// Face marks. For the two faces of an edge, bits of their sum describe its arc. Bit 0: the segment
+/// rises above exactly one face. Bit 5: its start is above `bound` for at least one, because of the
+/// sums 3 + 3, 3 + 5 and 5 + 5 only the first lacks the bit 8. Bit 9: the same for its end.
 constexpr int kNeither = 3 << 2 | 3 << 6;
 constexpr int kRises = 1, kStartAbove = 2 << 2, kEndAbove = 2 << 6;
 constexpr int kCrosses = 1 | 8 << 2 | 8 << 6;
@@ -113,10 +112,10 @@ void mark_faces(const FaceDistances<S>& distances, S bound, int count, int* __re
   }
 }
 
-/// The edges whose arcs cross the ring and reach above `bound` (metres, <= 0), into `edges`; returns
-/// how many. Along an arc n(t) = (1 - t) n_f + t n_g the distance of an end of the segment from the
-/// edge is linear in t, and where it is negative, dividing by |n(t)| <= 1 only lowers it. Sums first
-/// and no branches: which edges cross changes from pair to pair.
+/// Collects in `edges` those whose arcs cross the ring and reach above `bound` (metres, <= 0);
+/// returns their number. Along an arc n(t) = (1 - t) n_f + t n_g the distance of an end of the
+/// segment from the edge is linear in t; where it is negative, dividing by |n(t)| <= 1 only lowers
+/// it. Computes all sums first, without branches: the crossing edges are unpredictable.
 template <class S>
 int crossing_edges(const Hull<S>& hull, const FaceDistances<S>& distances, S bound, int* edges) {
   Scratch<int, 128> marks(padded(hull.face_count()));
@@ -135,8 +134,8 @@ int crossing_edges(const Hull<S>& hull, const FaceDistances<S>& distances, S bou
   return count;
 }
 
-/// Where the bound is positive: |n(t)| is least in the middle, where it is the cosine of half the
-/// angle between the faces.
+/// The same for a positive bound: |n(t)| is smallest in the middle, where it is the cosine of half
+/// the angle between the faces.
 template <class S>
 bool arc_stays_below(const Hull<S>& hull, const FaceDistances<S>& distances, int f, int g,
                      S bound) {
@@ -149,9 +148,9 @@ bool arc_stays_below(const Hull<S>& hull, const FaceDistances<S>& distances, int
 
 enum class Check { Last, Every };
 
-/// The best edge pair, into `result`. An axis that is uncertain (nearly parallel edges) or would
-/// separate is measured again with support points, as in query_edges: every one that would win, or
-/// only the last. Returns false where the last did not stand this: then others may be better.
+/// Finds the best edge pair. An axis that is uncertain (nearly parallel edges) or would separate is
+/// measured again with support points, as in query_edges: every one that would win, or only the
+/// last. Returns false if the last one fails this check: then others may be better.
 template <class S>
 bool best_edge_pair(const Hull<S>& hull, const Vec3<S> (&ends)[2],
                     const FaceDistances<S>& distances, const int* edges, int count, S tie,
@@ -195,20 +194,20 @@ bool best_edge_pair(const Hull<S>& hull, const Vec3<S> (&ends)[2],
 
 }  // namespace
 
-/// On the Gauss map the segment is a ring, the great circle of all directions at right angles to it:
-/// along them both of its ends are equally deep. An edge of the hull is the arc between the normals
-/// of its faces f and g. They make a face of the Minkowski difference where the arc crosses the
-/// ring, which is where the segment rises above one face and sinks below the other.
+/// On the Gauss map the segment is a ring: the great circle of all directions perpendicular to it,
+/// along which both of its ends are equally deep. An edge of the hull is the arc between the
+/// normals of its faces f and g. They make a face of the Minkowski difference where the arc crosses
+/// the ring: the segment rises above one face and sinks below the other.
 ///
 ///          f .                         rise(f) = n_f . u > 0
 ///             \                        rise(g) = n_g . u < 0
-///    ----------x---------- ring of u   the normal is x = e x u, with e along the half-edge whose
-///               \                      left face is f: n_f x (e x u) = (n_f . u) e, so that x lies
-///                . g                   on the way from n_f to n_g (else it is -x)
+///    ----------x---------- ring of u   The normal is x = e x u, with e along the half-edge whose
+///               \                      left face is f: n_f x (e x u) = (n_f . u) e, so x lies
+///                . g                   between n_f and n_g (otherwise it is -x).
 ///
-/// Steps: 1. every face: the lower end's distance from its plane; 2. every edge whose arc crosses
-/// the ring: the segment's distance along x, unless the ends of the arc say that it cannot beat the
-/// best so far.
+/// Steps: 1. for every face, measure the lower end's distance from its plane; 2. for every edge
+/// whose arc crosses the ring, measure the segment's distance along x, unless the ends of the arc
+/// prove that it cannot beat the best so far.
 template <class S>
 CapsuleSat<S> capsule_sat(const Hull<S>& hull, const Vec3<S> (&ends)[2], S reach, S tie) {
   const FaceDistances<S> distances(hull, ends);

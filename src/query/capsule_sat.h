@@ -3,33 +3,32 @@
 #include "core/scratch.h"
 #include "geometry/hull.h"
 
-/// The separating axis test between a segment, a capsule's core, and a hull. Source: Gregorius 2015,
+/// The separating axis test for a segment (a capsule's core) and a hull. Source: Gregorius 2015,
 /// "Capsule vs Hull: Deep Penetration". Everything in the hull's frame, metres.
 namespace contactscope {
 
-/// What the test found. Separations are those of the segment, not of the capsule: negative when the
+/// Result of the test. Separations are those of the segment, not of the capsule: negative if the
 /// segment overlaps the hull along that axis.
 template <class S>
 struct CapsuleSat {
-  int face = 0;            // of the hull, best
+  int face = 0;            // best face of the hull
   S face_separation = 0;   // of the segment's lower end
-  bool face_tied = false;  // with a face that looks elsewhere; of meaning in overlap
+  bool face_tied = false;  // tied with a face of another direction; valid in overlap
 
-  int edge =
-      -1;  // half-edge of the hull whose edge pair with the segment beats the faces; -1: none
+  int edge = -1;  // half-edge of the hull whose edge pair beats the faces; -1: none
   S edge_separation = 0;
   Vec3<S> edge_normal = Vec3<S>::UnitX();  // unit, from the hull to the segment
 
   bool edge_wins() const { return edge >= 0; }
-  /// The largest over all axes. Above 0 a lower bound of the distance between segment and hull, and
-  /// their distance where a face or two edges are closest; else the depth.
+  /// Largest separation over all axes. Above 0: a lower bound of the distance between segment and
+  /// hull, exact if a face or two edges are closest. Below 0: the negative depth.
   S separation() const { return edge_wins() ? edge_separation : face_separation; }
 };
 
-/// Measures the segment between `ends`, which may have length zero. An axis must beat an earlier one
-/// by more than `tie` (metres, >= 0) to replace it, faces come before edges; of faces that tie, the
-/// earliest that the lower end projects into. Edges are left out when a face alone separates by more
-/// than `reach`: then `separation` is any above it.
+/// Tests the segment between `ends`, which may have length zero. An axis must beat an earlier one
+/// by more than `tie` (metres, >= 0) to replace it. Faces come before edges; among tied faces, the
+/// first that the lower end projects into wins. Edges are skipped if a face separates by more than
+/// `reach`; `separation` is then any value above it.
 template <class S>
 CapsuleSat<S> capsule_sat(const Hull<S>& hull, const Vec3<S> (&ends)[2], S reach, S tie);
 

@@ -21,8 +21,8 @@ CapsuleTouch<S> face_touch(const Hull<S>& hull, const Vec3<S> (&ends)[2], int fa
           .clipped = clip_to_prism(hull, face, ends, clip_thickness(scale))};
 }
 
-/// Whether the deepest point is over the face, and not only over its plane. Takes that point from
-/// the clipped segment, which can be the other end of one that is parallel within rounding.
+/// True if the deepest point is over the face, and not only over its plane. Takes that point from
+/// the clipped segment. If the segment is parallel within rounding, it can be the other end.
 template <class S>
 bool settle_on_face(const Hull<S>& hull, const Vec3<S> (&ends)[2], S tie, CapsuleTouch<S>& touch) {
   if (touch.clipped.empty()) return false;
@@ -39,15 +39,15 @@ bool settle_on_face(const Hull<S>& hull, const Vec3<S> (&ends)[2], S tie, Capsul
   return false;
 }
 
-/// What is left of `offset` at right angles to `along`.
+/// Component of `offset` perpendicular to `along`.
 template <class S>
 Vec3<S> across(const Vec3<S>& offset, const Vec3<S>& along) {
   return offset - (offset.dot(along) / along.squaredNorm()) * along;
 }
 
-/// From the closest point of the feature to that of the segment. Where one of the two is a vertex or
-/// an end, by way of the nearer end of the other: what is rounded is then relative to the way and
-/// not to the coordinates.
+/// Vector from the closest point of the feature to that of the segment. If one of them is a vertex
+/// or an end, computed from the nearer end of the other, so that rounding is relative to the
+/// distance and not to the coordinates.
 template <class S>
 Vec3<S> outward(const Hull<S>& hull, const Vec3<S> (&ends)[2], HullFeature& feature, S& parameter) {
   const Vec3<S> along = ends[1] - ends[0];
@@ -72,12 +72,12 @@ Vec3<S> outward(const Hull<S>& hull, const Vec3<S> (&ends)[2], HullFeature& feat
   return across(Vec3<S>(ends[parameter <= S(0.5) ? 0 : 1] - vertex), along);
 }
 
-/// Closest points that are neither over a face nor at the crossing of two edges. `best` is the touch
-/// of the best axis, which gives the normal where there is none between the points.
+/// Closest points that are neither over a face nor at the crossing of two edges. `best` is the
+/// touch of the best axis. It provides the normal if the points coincide.
 template <class S>
 CapsuleTouch<S> closest_touch(const Hull<S>& hull, const Vec3<S> (&ends)[2],
                               const CapsuleTouch<S>& best, S scale, S touching, GjkRun<S>* run) {
-  // From the edge or the face of the best axis GJK has a step or two to go.
+  // Starting at the edge or the face of the best axis, GJK needs a step or two.
   const int near_end = best.parameter > S(0.5) ? 1 : 0;
   const int near_edge = best.feature.kind == FeatureKind::Edge
                             ? best.feature.index
@@ -111,17 +111,17 @@ CapsuleTouch<S> closest_touch(const Hull<S>& hull, const Vec3<S> (&ends)[2],
 
 }  // namespace
 
-/// The talk asks GJK first and turns to the separating axis test when it fails. We test axes first:
-/// where a face, or an edge and the segment, are closest, their axis has the distance, and the same
-/// lines of code give it on both sides of the surface. So the contact cannot jump as the segment
-/// sinks in, and its normal has all digits at the surface, where that between two closest points has
-/// none. GJK is left with vertices, and with ends beside edges.
+/// The talk uses GJK first and the separating axis test if it fails. We test axes first: if a face,
+/// or an edge and the segment, are closest, their axis has the exact distance, and the same code
+/// computes it on both sides of the surface. So the contact cannot jump as the segment sinks in,
+/// and its normal has all digits at the surface, where the vector between two closest points has
+/// none. GJK remains for vertices, and for ends next to edges.
 ///
-/// Steps: 1. a face is best: closest if what is lowest of the segment projects into it; 2. an edge
-/// pair is best: closest if the closest points of the two edges are inside both (that they are as near
-/// as the axis says is no test, distance being second order in the points); 3. in
-/// overlap one of these holds but for rounding: the nearest boundary point of a convex body lies on a
-/// face of it, here the Minkowski difference; 4. outside, GJK.
+/// Steps: 1. if a face is best: it is closest if the lowest part of the segment projects into it;
+/// 2. if an edge pair is best: it is closest if the closest points of the two edges are inside both
+/// (their distance is no test, as it is second order in the points); 3. in overlap one of these
+/// holds up to rounding: the nearest boundary point of a convex body (here the Minkowski
+/// difference) lies on one of its faces; 4. outside, use GJK.
 template <class S>
 CapsuleTouch<S> capsule_touch(const Hull<S>& hull, const Vec3<S> (&ends)[2],
                               const CapsuleSat<S>& axes, S scale, S touching, GjkRun<S>* run) {
@@ -138,9 +138,9 @@ CapsuleTouch<S> capsule_touch(const Hull<S>& hull, const Vec3<S> (&ends)[2],
     const bool cross = closest.parameter_a > S(0) && closest.parameter_a < S(1) &&
                        closest.parameter_b > S(0) && closest.parameter_b < S(1);
     if (cross && touch.distance > touching && closest.distance > touch.distance + tie) {
-      // Apart, no axis shows more than the distance, and this one less: the cross product of nearly
-      // parallel edges is rounded by epsilon over their sine. What the points lack along the edges
-      // hardly changes their distance.
+      // Separated, no axis has more than the distance, but this axis has less: the cross product of
+      // nearly parallel edges is rounded by epsilon over their sine. The error of the points along
+      // the edges hardly changes their distance.
       touch.distance = closest.distance;
       touch.normal = (closest.on_a - closest.on_b) / closest.distance;
     }
@@ -151,7 +151,7 @@ CapsuleTouch<S> capsule_touch(const Hull<S>& hull, const Vec3<S> (&ends)[2],
   const bool is_over_face = settle_on_face(hull, ends, tie, touch);
   if (!is_over_face) {
     if (!is_deep) return closest_touch(hull, ends, touch, scale, touching, run);
-    // The clip lost the deepest end, by rounding at the face's border: it stays, for the depth.
+    // Rounding at the face's border clipped the deepest end. Restore it, for the depth.
     auto& [parameters, edges] = touch.clipped;
     const int end = touch.parameter > S(0) ? 1 : 0;
     if (touch.clipped.empty()) parameters[0] = parameters[1] = touch.parameter;

@@ -15,7 +15,7 @@ struct Segment {
   Segment(const Vec3<S>& start, const Vec3<S>& end)
       : from(start), to(end), along(end - start), squared_length(along.squaredNorm()) {}
 
-  /// From the nearer end, so that both ends are met exactly and neither is preferred.
+  /// Computed from the nearer end, so that both ends are exact and neither is preferred.
   Vec3<S> at(S parameter) const {
     if (parameter <= S(0.5)) return from + parameter * along;
     return to - (S(1) - parameter) * along;
@@ -26,11 +26,11 @@ struct Segment {
   S squared_length;
 };
 
-/// Where the perpendicular from `point` meets the segment's line; 0 without a line.
+/// Foot of the perpendicular from `point`, as a parameter of the segment's line; 0 without a line.
 template <class S>
 S foot(const Vec3<S>& point, const Segment<S>& segment) {
   if (!(segment.squared_length > S(0))) return S(0);
-  // From the nearer end: what is left of a long segment's rounding is relative to the distance.
+  // From the nearer end, so that the rounding of a long segment is relative to the distance.
   const Vec3<S> from_start = point - segment.from;
   const Vec3<S> from_end = point - segment.to;
   if (from_start.squaredNorm() <= from_end.squaredNorm()) {
@@ -44,16 +44,16 @@ bool is_within(S parameter) {
   return S(0) <= parameter && parameter <= S(1);
 }
 
-/// A pair of points that may be the closest one.
+/// A candidate for the closest pair of points.
 template <class S>
 struct Candidate {
   S parameter_a, parameter_b;
   S squared_distance;
-  S squared_overhang;  // metres squared: from the foot of the perpendicular to the segment's end
+  S squared_overhang;  // square metres: from the foot of the perpendicular to the segment's end
 };
 
-/// Whether the point lies beside the other segment. The foot is uncertain by a few roundings of the
-/// distance and of the segment's length.
+/// True if the point is alongside the other segment. The foot is uncertain by a few roundings of
+/// the distance and of the segment's length.
 template <class S>
 bool is_beside(const Candidate<S>& candidate, const Segment<S>& a, const Segment<S>& b) {
   constexpr S kRounding = S(8) * std::numeric_limits<S>::epsilon();
@@ -78,8 +78,8 @@ Candidate<S> from_point_of_b(S parameter_b, const Segment<S>& a, const Segment<S
           mirrored.squared_overhang};
 }
 
-/// The four ends, A's first, each with its closest point on the other segment: what from_point_of_a()
-/// and from_point_of_b() give, bit for bit, all at once.
+/// The four ends, A's first, each with its closest point on the other segment: all at once, and
+/// bitwise equal to from_point_of_a() and from_point_of_b().
 template <class S>
 void from_all_ends(const Segment<S>& a, const Segment<S>& b, Candidate<S>* candidates) {
   using lanes::all;
@@ -133,8 +133,8 @@ void from_all_ends(const Segment<S>& a, const Segment<S>& b, Candidate<S>* candi
   }
 }
 
-/// The middle between the smallest and the largest parameters of some candidates. It does not depend
-/// on their order, nor on which segment is A.
+/// Midpoint between the smallest and the largest parameters of some candidates. Independent of
+/// their order, and symmetric in A and B.
 template <class S>
 struct Middle {
   bool empty() const { return low_a > high_a; }
@@ -176,17 +176,17 @@ ClosestOnSegment<S> closest_on_segment(const Vec3<S>& point, const Vec3<S>& from
   return {segment.at(parameter), parameter};
 }
 
-/// Follows Ericson, "Real-Time Collision Detection" 2005, section 5.1.9, in that the closest points
-/// of the lines are tried first. They are found with cross products instead of a determinant of dot
-/// products, whose cancellation loses the angle between lines at its square. Where they do not lie
-/// on the segments, we take the nearest of four candidates, each end and its closest point on the
-/// other segment, instead of clamping one parameter after the other: it treats A and B alike.
+/// Follows Ericson, "Real-Time Collision Detection" 2005, section 5.1.9, in trying the closest
+/// points of the lines first. We use cross products instead of a determinant of dot products, where
+/// cancellation acts on the square of the angle. If the points are not on the segments, we take the
+/// nearest of four candidates (each end and its closest point on the other segment) instead of
+/// clamping one parameter after the other. This treats A and B alike.
 ///
-/// Steps: 1. the lines' closest points, if well defined and on the segments; 2. parallel segments:
-/// all ends that have a foot on the other segment bound the stretch to choose from; 3. the nearest
-/// of the four ends' candidates, and, if the lines are nearly parallel, of each line's closest
-/// point with its own foot on the other, as both parameters are then uncertain along the segments,
-/// but not a foot.
+/// Steps: 1. take the lines' closest points, if well defined and on the segments; 2. for parallel
+/// segments: take the middle of the stretch bounded by all ends that have a foot on the other
+/// segment; 3. take the nearest of the four ends' candidates. If the lines are nearly parallel,
+/// also try each line's closest point with its own foot on the other: both parameters are then
+/// uncertain along the segments, but a foot is not.
 template <class S>
 ClosestOfSegments<S> closest_of_segments(const Vec3<S>& from_a, const Vec3<S>& to_a,
                                          const Vec3<S>& from_b, const Vec3<S>& to_b) {
@@ -218,7 +218,7 @@ ClosestOfSegments<S> closest_of_segments(const Vec3<S>& from_a, const Vec3<S>& t
         all, [&](const Candidate<S>& candidate) { return is_beside(candidate, a, b); });
     if (!beside.empty()) return at_parameters(beside.a(), beside.b(), a, b);
   }
-  // Those that are equally near meet in the middle.
+  // Candidates at the same distance meet in the middle.
   S least = std::numeric_limits<S>::infinity();
   for (const Candidate<S>& candidate : all) least = std::min(least, candidate.squared_distance);
   const Middle<S> nearest = middle_where(

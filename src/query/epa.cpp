@@ -14,7 +14,7 @@ Vec3<S> start_side(const StartPoints<S>& points, int i) {
   return at(points, i).point - points[0].point;
 }
 
-/// How far a point is out of what the first `count` points span.
+/// Distance of a point from the affine span of the first `count` points.
 template <class S>
 S out_of(const StartPoints<S>& points, int count, const Vec3<S>& point) {
   const Vec3<S> from = point - points[0].point;
@@ -25,12 +25,12 @@ S out_of(const StartPoints<S>& points, int count, const Vec3<S>& point) {
   return std::abs(normal.dot(from)) / normal.norm();
 }
 
-/// The points in an order such that each is the farthest out of those before it, up to where the
-/// rest is no farther than `least`; returns how many that are.
+/// Orders the points such that each is the farthest from the span of those before it, and stops
+/// when the rest is no farther than `least`. Returns the number of points that are.
 template <class S>
 int spread(StartPoints<S>& points, int count, S least) {
   if (count > 1) {
-    // The longest edge first: what is on it within rounding is between its ends.
+    // The longest edge first: points on it within rounding are between its ends.
     S longest = S(-1);
     int from = 0, to = 1;
     for (int i = 0; i < count; ++i) {
@@ -53,14 +53,14 @@ int spread(StartPoints<S>& points, int count, S least) {
   return count;
 }
 
-/// Makes a tetrahedron of a simplex that GJK ended with, whose nearest point is the origin within
-/// rounding: flat tetrahedra are taken back to their largest face, and so on; what is left grows by
-/// the support points that reach farthest out of it. The origin stays inside or on the border,
-/// since every simplex holds the one before.
+/// Expands GJK's last simplex to a tetrahedron. The origin is its closest point within rounding.
+/// Flat tetrahedra are first reduced to their largest face, and so on; then the support points that
+/// are farthest outside are added. The origin stays inside or on the boundary, because every
+/// simplex contains the one before.
 ///
 /// Source: van den Bergen, "Collision Detection in Interactive 3D Environments", 2003, section
-/// 4.3.8. There a segment becomes two tetrahedra around it and a triangle a double pyramid; with the
-/// origin on the border of one tetrahedron, EPA's first expansions add the other half.
+/// 4.3.8. There a segment becomes two tetrahedra and a triangle a double pyramid. With the origin
+/// on the boundary of one tetrahedron, EPA's first expansions add the other half.
 template <class S>
 StartSimplex<S> blow_up(const GjkSimplex<S>& simplex, BoundedDifference<S>& difference) {
   StartSimplex<S> start;
@@ -73,7 +73,7 @@ StartSimplex<S> blow_up(const GjkSimplex<S>& simplex, BoundedDifference<S>& diff
   while (start.count < 4) {
     DifferencePoint<S> best = start.points[0];
     S farthest = least;
-    // Tries a direction and its opposite for the point that reaches farthest out.
+    // Tries a direction and its opposite for the farthest support point.
     const auto reach_out = [&](const Vec3<S>& direction) {
       for (const Vec3<S>& outward : {direction, Vec3<S>(-direction)}) {
         const DifferencePoint<S> found = difference.support(outward);
@@ -88,7 +88,7 @@ StartSimplex<S> blow_up(const GjkSimplex<S>& simplex, BoundedDifference<S>& diff
       const Vec3<S> along = start_side(start.points, 1);
       start.outward = any_perpendicular(along);
       const Vec3<S> other = along.cross(start.outward).normalized();
-      // 60 degrees apart with their opposites: some point beside the segment is ahead of one.
+      // At 60 degrees, with their opposites: any point off the segment is ahead of one of them.
       const Vec3<S> half = S(0.5) * start.outward, side = S(0.8660254037844386) * other;
       for (const Vec3<S>& direction : {start.outward, Vec3<S>(half + side), Vec3<S>(half - side)})
         reach_out(direction);
@@ -103,8 +103,8 @@ StartSimplex<S> blow_up(const GjkSimplex<S>& simplex, BoundedDifference<S>& diff
   return start;
 }
 
-/// Whether the origin is in a tetrahedron, or no farther out than may_overlap() allows: what a
-/// simplex of an earlier pose need not hold.
+/// True if the origin is in a tetrahedron, or no farther outside than may_overlap() allows. Not
+/// certain for the simplex of an earlier pose.
 template <class S>
 bool holds_origin(const Polytope<S>& tetrahedron, S rounding) {
   return std::ranges::none_of(tetrahedron.faces, [&](const PolytopeFace<S>& face) {
@@ -134,8 +134,8 @@ void record(const Polytope<S>& polytope, int nearest, const MinkowskiDifference<
   }
 }
 
-/// The deepest points are those of the face whose own nearest point is where the best plane is met:
-/// what was the nearest face when that plane was found may have been replaced since.
+/// The deepest points come from the face whose closest point is where the best plane touches. The
+/// face that was closest when that plane was found may have been replaced since.
 template <class S>
 void weigh(const Polytope<S>& polytope, BoundedDifference<S>& difference) {
   const Vec3<S> met = difference.upper() * difference.outward();
@@ -157,9 +157,9 @@ void weigh(const Polytope<S>& polytope, BoundedDifference<S>& difference) {
   }
 }
 
-/// Where a face's normal is too uncertain for its support point to be new, its plane is turned about
-/// its longest edge until no point is beyond: gift wrapping. That edge and the far point that stops
-/// it make a face of the difference that is no needle.
+/// If a face's normal is too uncertain to give a new support point, turn its plane about its
+/// longest edge until no point is beyond it: gift wrapping. That edge and the last far point make a
+/// face of the difference that is not a needle.
 template <class S>
 void turn_about_longest_edge(const Polytope<S>& polytope, const PolytopeFace<S>& face,
                              DifferencePoint<S> beyond, S tolerance,
@@ -184,8 +184,8 @@ void turn_about_longest_edge(const Polytope<S>& polytope, const PolytopeFace<S>&
   }
 }
 
-/// The nearest point of GJK's last simplex, which is the origin within rounding, gives the deepest
-/// points of a difference without volume.
+/// For a difference without volume, the closest point of GJK's last simplex gives the deepest
+/// points. It is the origin within rounding.
 template <class S>
 PenetrationResult<S> flat_result(const GjkSimplex<S>& simplex, const StartSimplex<S>& start,
                                  BoundedDifference<S>& difference) {
@@ -240,18 +240,17 @@ PenetrationResult<S> expand(const StartSimplex<S>& start, const PenetrationOptio
 /// Van den Bergen, "Proximity Queries and Penetration Depth Computation on 3D Game Objects", GDC
 /// 2001, and his book of 2003, section 4.3.8.
 ///
-/// We deviate in four things. The end: both bounds of the depth are kept, the nearest face from
-/// below and the best support plane from above, and the result is the best support plane of all
-/// steps, which parts the shapes whatever rounding has done to the polytope. The distance of a face
-/// is that of the triangle (see Polytope::measure). The horizon is a flood fill with an explicit
-/// list and is checked to be one simple loop before anything is changed. A face that rounding does
-/// not let us expand is closed, after turning its plane about its longest edge, and the next
-/// nearest goes on: so each step adds a vertex or closes a face, and the method ends.
+/// Deviations. Termination: we keep both bounds of the depth, the closest face from below and the
+/// best support plane from above. The result is the best support plane of all steps, which
+/// separates the shapes whatever rounding has done to the polytope. Distance: that of the triangle
+/// (see Polytope::measure). Horizon: a flood fill with an explicit list, checked to be one simple
+/// loop before any change. A face that rounding keeps from expanding is closed after turning its
+/// plane about its longest edge. So each step adds a vertex or closes a face, and the method ends.
 ///
-/// Steps: 1. GJK's last simplex, blown up to a tetrahedron (blow_up()); 2. the open face nearest to
-/// the origin; 3. it is no nearer than the best plane less the tolerance: the end; 4. the support
-/// point along its normal, whose plane bounds the depth; 5. not beyond the face: the face is part of
-/// the surface, close it; 6. else replace all faces that the point sees, and go on at 2.
+/// Steps: 1. expand GJK's last simplex to a tetrahedron (blow_up()); 2. take the open face closest
+/// to the origin; 3. stop if it is no closer than the best plane minus the tolerance; 4. find the
+/// support point along its normal, whose plane bounds the depth; 5. if it is not beyond the face,
+/// close the face, which is part of the surface; 6. otherwise replace all visible faces; go to 2.
 template <class S>
 PenetrationResult<S> epa(const SupportSet<S>& a, const SupportSet<S>& b, const Pose<S>& b_in_a,
                          const PenetrationOptions<S>& options, const GjkSimplex<S>* overlap,

@@ -10,12 +10,12 @@
 #include "query/lane_search.h"
 #include "query/sat.h"
 
-/// The best face of a hull against another without measuring every face against every vertex, and
-/// the edges that may beat it. Everything is in A's frame, metres.
+/// Finds the best face of a hull against another without measuring every face against every vertex,
+/// and the edges that may beat it. Everything in A's frame, metres.
 namespace contactscope {
 
-/// One face of `reference` as query_faces() measures it, bit for bit: the vertex of `other` that is
-/// deepest below it, the earliest of equals.
+/// Measures one face of `reference` as query_faces() does, bit for bit: the vertex of `other` that
+/// is deepest below it; the first on a tie.
 template <class S>
 inline FaceQuery<S> measure_face(const PlacedHull<S>& reference, int face,
                                  const PlacedHull<S>& other) {
@@ -33,7 +33,7 @@ inline FaceQuery<S> measure_face(const PlacedHull<S>& reference, int face,
         ((nx * load(v.x() + i) + ny * load(v.y() + i)) + nz * load(v.z() + i)) - offset;
     lanes::store<S>(distance, distances.data() + i);
   }
-  // The padding is no vertex.
+  // The padding is not a vertex.
   for (int i = v.count(); i < count; ++i) distances[i] = infinity[0];
   Pack<S> least = infinity;
   for (int i = 0; i < count; i += lanes::kWidth<S>)
@@ -44,21 +44,22 @@ inline FaceQuery<S> measure_face(const PlacedHull<S>& reference, int face,
   return {face, std::max(deepest.first, 0), least[0]};
 }
 
-/// What a few vertices of one hull say of every face of another. The separation of a face is the
-/// least distance of any vertex from its plane, so that of a single vertex is an upper bound. One
-/// vertex near the contact already shows that most faces are worse than those beside it.
+/// Bounds of the separation of every face of one hull, from a few vertices of another. The
+/// separation of a face is the minimum distance of all vertices from its plane, so a single vertex
+/// gives an upper bound. One vertex near the contact shows that most faces are worse than those
+/// next to it.
 ///
-///            v             v, a vertex of B, has sunk a little below the face f of A, and lies far
-///       ____ . ____ f      below the planes of g and h. B's deepest vertices there lie no higher
-///    g /           \ h     than v, so that f is better, whatever they are.
+///            v             v, a vertex of B, is slightly below the face f of A, and far below the
+///       ____ . ____ f      planes of g and h. B's deepest vertices there are at least as deep as
+///    g /           \ h     v. So f is better, whatever they are.
 ///
-/// find_best() is the cutting-plane method (Kelley 1960): measure the face whose bound is largest,
-/// look at the vertex that was deepest below it, and go on until the face's own separation is the
-/// largest bound. Two hulls of 32 vertices take two rounds.
+/// find_best() is the cutting-plane method (Kelley 1960): measure the face with the largest bound,
+/// add the vertex that was deepest below it, and repeat until the face's separation is the largest
+/// bound. Two hulls of 32 vertices take two rounds.
 template <class S>
 class FaceBounds {
  public:
-  /// Both outlive this.
+  /// Both arguments must outlive this.
   FaceBounds(const PlacedHull<S>& reference, const PlacedHull<S>& other)
       : reference_(reference),
         other_(other),
@@ -66,8 +67,8 @@ class FaceBounds {
         distances_(kMostVertices * count_),
         bounds_(count_) {}
 
-  /// Lowers the bounds of all faces by some of the other hull's vertices. The first call comes
-  /// before any other.
+  /// Lowers the bounds of all faces by some vertices of the other hull. Must be called before all
+  /// other functions.
   template <int kVertices>
   void look_at(const int (&vertices)[kVertices]) {
     if (looked_at_ == 0)
@@ -76,16 +77,15 @@ class FaceBounds {
       lower<kVertices, false>(vertices);
   }
 
-  /// Finds what query_faces() finds with this `tie`, bit for bit, and returns true. Gives up and
-  /// returns false where faces tie, as there it matters in which order they come, and after many
-  /// rounds.
+  /// Finds the result of query_faces() with this `tie`, bit for bit, and returns true. Returns
+  /// false if faces tie, because then their order matters, or after too many rounds.
   bool find_best(S tie) {
     using lanes::Pack;
     for (;;) {
       const Pack<S> largest = largest_;
       const int face =
           hits(bounds_.data(), count_, [&](const Pack<S>& b) { return b == largest; }).first;
-      if (face < 0) return false;  // not a number
+      if (face < 0) return false;  // NaN
       best_ = measure_face(reference_, face, other_);
       if (best_.separation == largest[0]) break;
       if (looked_at_ == kMostVertices) return false;
@@ -98,15 +98,14 @@ class FaceBounds {
 
   const FaceQuery<S>& best() const { return best_; }
 
-  /// Edges of the hull, as their even half-edges in order, but for those on whose arc on the Gauss
-  /// map no separation is above `bound`, metres, < 0: there is a vertex that is not above it for
-  /// either face of the edge. Between two normals the distance of a vertex from a point of the edge
-  /// is linear, and where it is negative, bringing the normal between them to length one only
-  /// lowers it (see arc_stays_below in query_edges.cpp). `edges` has room for one more than all;
-  /// returns how many.
+  /// Collects the edges of the hull, as sorted even half-edges, whose arc on the Gauss map may have
+  /// a separation above `bound` (metres, < 0). Edges are excluded if some vertex is not above the
+  /// bound for both of their faces. Between two normals, the distance of a vertex from a point of
+  /// the edge is linear; where it is negative, normalizing the interpolated normal only lowers it
+  /// (see arc_stays_below in query_edges.cpp). `edges` must have room for all edges plus one.
+  /// Returns the number of edges.
   ///
-  /// An edge that is left has a face that is above the bound by the vertex looked at last, and
-  /// these are few.
+  /// Every remaining edge has a face above the bound for the last vertex; there are few of these.
   int edges_above(S bound, int* edges) const {
     const Hull<S>& hull = reference_.hull;
     const S* const last = distances_.data() + (looked_at_ - 1) * count_;
@@ -118,7 +117,7 @@ class FaceBounds {
         bool is_below = false;
         for (const S* d = distances_.data(); d != last; d += count_)
           is_below |= (d[face] <= bound) & (d[beyond] <= bound);
-        // Where both faces are above, once.
+        // If both faces are above, count the edge only once.
         const bool is_its_turn = ((edge & 1) == 0) | (last[beyond] <= bound);
         edges[count] = edge & ~1;
         count += static_cast<int>(is_its_turn & !is_below);
@@ -168,15 +167,15 @@ class FaceBounds {
 
   const PlacedHull<S>& reference_;
   const PlacedHull<S>& other_;
-  int count_;                 // of faces, padded; the padding lies behind every vertex
-  int looked_at_ = 0;         // vertices
-  lanes::Pack<S> largest_{};  // of the bounds, in all lanes
+  int count_;                 // number of faces, padded; padding planes are behind every vertex
+  int looked_at_ = 0;         // number of vertices
+  lanes::Pack<S> largest_{};  // largest bound, in all lanes
   FaceQuery<S> best_;
-  Scratch<S, kMostVertices * 128> distances_;  // of each vertex looked at from all planes
+  Scratch<S, kMostVertices * 128> distances_;  // of each vertex from all planes
   Scratch<S, 128> bounds_;
 };
 
-/// query_edges() of sat.h for edges that `bounds_a`, of A's faces, do not rule out: finds the same.
+/// query_edges() of sat.h, skipping edges that `bounds_a` (of A's faces) excludes: same result.
 template <class S>
 EdgeQuery<S> query_edges(const HullPair<S>& pair, const FaceBounds<S>& bounds_a, S floor, S tie);
 

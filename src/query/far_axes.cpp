@@ -8,21 +8,21 @@
 namespace contactscope {
 namespace {
 
-/// A unit direction from A to B with the vertex of B that is deepest along it.
+/// A unit direction from A to B, and B's deepest vertex along it.
 template <class S>
 struct Sample {
   Vec3<S> direction;
   int support;
 };
 
-/// What the searches along A's arcs share.
+/// Common data of the searches along A's arcs.
 template <class S>
 struct Search {
   const HullPair<S>& pair;
   Mat3<S> a_to_b;
   Vec3<S> normal;
   S cosine;
-  S bound;  // the largest so far
+  S bound;  // largest so far
 
   Sample<S> sample(const Vec3<S>& direction) const {
     const Vec3<S> against = -(a_to_b * direction);
@@ -30,24 +30,24 @@ struct Search {
   }
 };
 
-/// A bound of the separation along every direction of an arc between two normals of A where `e`, a
-/// vertex of A, is its support. Where nothing more than `search.bound` can be, that is enough to know.
+/// Upper bound of the separation along all directions of an arc between two normals of A, with `e`,
+/// a vertex of A, as support point. Stops early if the bound cannot exceed `search.bound`.
 ///
-/// For x on the chord between the ends the separation is min over B's vertices b of x . (b - e) / |x|.
-/// Without the division each vertex gives a line, and the line of the support vertex is the lowest.
-/// With it each gives a piece of a sine, which hangs through between any two directions along which it
-/// is negative, as |x| <= 1 there: it is largest at the ends. So nothing is above the ends and the
-/// crossing of the lines of both ends (Kelley 1960, the cutting-plane method).
+/// For x on the chord between the ends, the separation is min x . (b - e) / |x| over B's vertices
+/// b. Without the division each vertex gives a line, and the support vertex has the lowest one.
+/// With it each gives a piece of a sine, which is convex where it is negative, as |x| <= 1: it is
+/// largest at the ends. So nothing is above the ends and the crossing of the lines of both ends
+/// (Kelley 1960, the cutting-plane method).
 ///
-///       -.      .-     Steps: where the crossing is too high, ask for the support vertex there; its
-///         `-. .-       line is above the side on which it falls, which is done with; go on with the
+///       -.      .-     Steps: if the crossing is too high, find the support vertex there. Its line
+///         `-. .-       bounds the side on which it falls, which is then done; continue with the
 ///            X         other side.
 ///
-/// Where a value is not negative, neither is the result.
+/// If a value is not negative, neither is the result.
 template <class S>
 S largest_between(const Search<S>& search, const Vec3<S>& e, Sample<S> left, Sample<S> right) {
   constexpr int kRounds = 8;
-  S done = -std::numeric_limits<S>::infinity();  // of what is no longer between left and right
+  S done = -std::numeric_limits<S>::infinity();  // bound of the parts outside left and right
   S bound = std::numeric_limits<S>::infinity();
   for (int round = 0; round < kRounds; ++round) {
     const Vec3<S> left_line = search.pair.b.vertices[left.support] - e;
@@ -58,7 +58,7 @@ S largest_between(const Search<S>& search, const Vec3<S>& e, Sample<S> left, Sam
     const S right_at_left = left.direction.dot(right_line);
     if (left_at_right <= left_value) return std::min(bound, std::max(done, left_value));
     if (right_at_left <= right_value) return std::min(bound, std::max(done, right_value));
-    // Zero where a line holds both ends, and but for rounding not less.
+    // Zero if a line goes through both ends; otherwise positive, up to rounding.
     const S above_left = std::max(right_at_left - left_value, S(0));
     const S above_right = std::max(left_at_right - right_value, S(0));
     const S above = above_left + above_right;
@@ -84,12 +84,12 @@ S largest_between(const Search<S>& search, const Vec3<S>& e, Sample<S> left, Sam
   return bound;
 }
 
-/// From a far direction towards a near one, up to where it is no longer far.
+/// Bound for the part of an arc from a far direction towards a near one that is still far.
 template <class S>
 S largest_far_part(const Search<S>& search, const Vec3<S>& e, const Sample<S>& far,
                    const Vec3<S>& near) {
-  // x . normal = cosine |x| for x = far + t (near - far), squared. More than rounding nearer, so that
-  // nothing far is left out.
+  // Solves x . normal = cosine |x|, squared, for x = far + t (near - far). The cosine is raised by
+  // more than rounding, so that no far direction is left out.
   const S cosine = search.cosine + S(32) * std::numeric_limits<S>::epsilon();
   const S at_far = far.direction.dot(search.normal);
   const S rise = near.dot(search.normal) - at_far;
@@ -98,13 +98,13 @@ S largest_far_part(const Search<S>& search, const Vec3<S>& e, const Sample<S>& f
   const S half_linear = at_far * rise + sag;
   const S constant = at_far * at_far - cosine * cosine;
   const S root = std::sqrt(std::max(half_linear * half_linear - square * constant, S(0)));
-  // The root in which x . normal rises to its value, in the form that loses no digits.
+  // The root where x . normal is rising, in the form without cancellation.
   const S t = half_linear > S(0) ? -constant / (half_linear + root) : (root - half_linear) / square;
   const Vec3<S> border = far.direction + std::clamp(t, S(0), S(1)) * (near - far.direction);
   return largest_between(search, e, far, search.sample(Vec3<S>(border / border.norm())));
 }
 
-/// One arc with the face normals at its ends, each with B's support vertex.
+/// Bound for an arc between two face normals, each with B's support vertex.
 template <class S>
 S largest_on_arc(const Search<S>& search, const Vec3<S>& e, const Sample<S>& first,
                  const Sample<S>& second) {
@@ -116,8 +116,8 @@ S largest_on_arc(const Search<S>& search, const Vec3<S>& e, const Sample<S>& fir
   if (second_cosine >= search.cosine) {
     return largest_far_part(search, e, first, second.direction);
   }
-  // Both ends are far; between them the arc comes nearest where the normal's projection on its
-  // plane is, if that lies on it.
+  // Both ends are far. In between, the arc is closest to the normal at the normal's projection on
+  // its plane, if that is on the arc.
   const S between = first.direction.dot(second.direction);
   const S along_first = first_cosine - between * second_cosine;
   const S along_second = second_cosine - between * first_cosine;
@@ -132,7 +132,7 @@ S largest_on_arc(const Search<S>& search, const Vec3<S>& e, const Sample<S>& fir
   return largest_between(search, e, first, second);
 }
 
-/// Faces of one hull; `sign` is -1 for B, whose normals point from B to A.
+/// Bound for the faces of one hull; `sign` is -1 for B, whose normals point from B to A.
 template <class S>
 S largest_of_faces(const PlacedHull<S>& hull, const FaceSeparations<S>& faces,
                    const Search<S>& search, S sign) {
@@ -146,8 +146,8 @@ S largest_of_faces(const PlacedHull<S>& hull, const FaceSeparations<S>& faces,
 
 }  // namespace
 
-/// Steps: the faces, which have been measured; then each arc of A that is not near as a whole, which
-/// an arc is whose ends are: the near directions make a cap of less than a half sphere.
+/// Steps: use the measured faces; then search each arc of A that is not entirely near. An arc is
+/// near if its ends are, because the near directions are a cap smaller than a hemisphere.
 template <class S>
 S far_separation(const HullPair<S>& pair, const FaceSeparations<S>& faces_a,
                  const FaceSeparations<S>& faces_b, const Vec3<S>& normal, S cosine, S floor,

@@ -11,7 +11,7 @@ namespace {
 
 using FlatTriangle = Triangle<double>;
 
-/// Corner k and the one after it.
+/// The edge from corner k to the next one.
 struct TriangleEdge {
   const Vec3d& from;
   const Vec3d& to;
@@ -20,8 +20,8 @@ TriangleEdge edge_of(const FlatTriangle& t, int k) {
   return {at(t, k), at(t, (k + 1) % 3)};
 }
 
-/// The axis along which a triangle is projected to the largest area, and the sign of that area;
-/// sign 0 where the triangle has no area.
+/// The axis of the largest projected area of a triangle, and the sign of that area; sign 0 if the
+/// triangle has no area.
 struct Projection {
   int axis;
   int sign;
@@ -37,8 +37,7 @@ Projection projection_of(const FlatTriangle& t) {
   return {0, 0};
 }
 
-/// How far `other` reaches over the edges of `t` in a projection: the kind as far as these edges
-/// decide it.
+/// The kind of overlap as far as the edges of `t` decide it, in a projection.
 TriangleOverlapKind kind_by_edges(const FlatTriangle& t, const Projection& projection,
                                   const FlatTriangle& other) {
   TriangleOverlapKind kind = TriangleOverlapKind::Coplanar;
@@ -60,7 +59,7 @@ bool on_one_line(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
   return orient2d(a, b, c, 0) == 0 && orient2d(a, b, c, 1) == 0 && orient2d(a, b, c, 2) == 0;
 }
 
-/// Whether a point is in a closed triangle with (sign != 0) or without an area.
+/// True if a point is in a closed triangle, with an area (sign != 0) or without one.
 bool contains(const FlatTriangle& t, const Projection& projection, const Vec3d& point) {
   if (projection.sign != 0) {
     if (orient3d(t[0], t[1], t[2], point) != 0) return false;
@@ -70,7 +69,7 @@ bool contains(const FlatTriangle& t, const Projection& projection, const Vec3d& 
     }
     return true;
   }
-  // On the line of the three corners, or equal to them, a box says the rest.
+  // On the line of the three corners, or equal to them: the box decides.
   for (int axis = 0; axis < 3; ++axis) {
     const auto [least, most] = std::minmax({t[0][axis], t[1][axis], t[2][axis]});
     if (!(least <= point[axis] && point[axis] <= most)) return false;
@@ -79,8 +78,8 @@ bool contains(const FlatTriangle& t, const Projection& projection, const Vec3d& 
          on_one_line(t[2], t[0], point);
 }
 
-/// Points that two triangles share and whose hull is all that they share: corners of one in the
-/// other, six at most, nine crossings of edges, and three edges of each through the other.
+/// Common points of two triangles; their hull is the intersection. At most six corners of one in
+/// the other, nine crossings of edges, and three edges of each through the other.
 class SharedPoints {
  public:
   void add(const Vec3d& point) { points_.push_back(point); }
@@ -91,7 +90,7 @@ class SharedPoints {
       if (contains(in, projection, corner)) add(corner);
   }
 
-  /// Edges that cross between their ends. Corners on edges are found by add_corners.
+  /// Adds edges that cross between their ends. add_corners finds corners on edges.
   void add_crossing(const TriangleEdge& a, const TriangleEdge& b) {
     if (orient3d(a.from, a.to, b.from, b.to) != 0) return;
     for (int axis = 0; axis < 3; ++axis) {
@@ -107,7 +106,7 @@ class SharedPoints {
     }
   }
 
-  /// An edge with its ends strictly on both sides of a triangle that has an area.
+  /// Adds an edge with its ends strictly on both sides of a triangle that has an area.
   void add_piercing(const TriangleEdge& edge, const FlatTriangle& t) {
     const double of_from = predicates::exact_orient3d(t[0], t[1], t[2], edge.from);
     const double of_to = predicates::exact_orient3d(t[0], t[1], t[2], edge.to);
@@ -123,7 +122,7 @@ class SharedPoints {
     add(crossing_point(edge.from, of_from, edge.to, of_to));
   }
 
-  /// The two that are farthest apart. All are on one line, up to rounding.
+  /// The two points with the largest distance. All are on one line, up to rounding.
   std::array<Vec3d, 2> ends() const {
     std::array<Vec3d, 2> farthest{points_[0], points_[0]};
     double largest = 0;
@@ -147,7 +146,7 @@ class SharedPoints {
 Vec3d crossing_point(const Vec3d& p, double of_p, const Vec3d& q, double of_q) {
   if (of_p == 0) return p;
   if (of_q == 0) return q;
-  // Always from the lexicographically smaller end, so that every triangle at an edge finds the same
+  // Always from the lexicographically smaller end, so that all triangles at an edge get the same
   // point.
   const bool swapped = std::lexicographical_compare(q.begin(), q.end(), p.begin(), p.end());
   const Vec3d& from = swapped ? q : p;
@@ -167,7 +166,7 @@ TriangleOverlap<double> flat_triangle_overlap(const Triangle<double>& a, const T
   const bool a_degenerate = seen_a.sign == 0, b_degenerate = seen_b.sign == 0;
   SharedPoints shared;
   if (!a_degenerate && !b_degenerate) {
-    // One plane: what is an axis for a is one for b.
+    // One plane: the same axis works for b.
     const Projection of_b{seen_a.axis, orient2d(b[0], b[1], b[2], seen_a.axis)};
     const TriangleOverlapKind by_a = kind_by_edges(a, seen_a, b);
     const TriangleOverlapKind by_b = by_a == None ? None : kind_by_edges(b, of_b, a);

@@ -8,13 +8,13 @@
 
 namespace contactscope {
 
-/// Which edges of B make a face of the Minkowski difference A - B with one edge of A. Source:
-/// Gregorius, "The Separating Axis Test between Convex Polyhedra", GDC 2013.
+/// Finds the edges of B that make a face of the Minkowski difference A - B with one edge of A.
+/// Source: Gregorius, "The Separating Axis Test between Convex Polyhedra", GDC 2013.
 ///
 /// On the Gauss map (the unit sphere of normals) an edge of A is the arc between the normals a1 and
-/// a2 of its two faces. Negated, because B is subtracted, an edge of B is the arc between -b1 and
-/// -b2; these arcs part the sphere into one region for each vertex of B, the directions in which
-/// that vertex is B's deepest.
+/// a2 of its two faces. B is subtracted, so an edge of B is the arc between -b1 and -b2. These arcs
+/// divide the sphere into one region per vertex of B: the directions in which that vertex is B's
+/// deepest.
 ///
 ///           -b1
 ///      v     |     u
@@ -23,18 +23,17 @@ namespace contactscope {
 ///           -b2
 ///
 /// The talk tests every edge of B against the arc (IsMinkowskiFace). We walk along the arc instead,
-/// from the region of `start`, B's support vertex for a1, to that of `end`, the one for a2, and
-/// meet just the edges that it crosses: a few for each edge of A, however many B has.
+/// from the region of `start`, B's support vertex for a1, to that of `end`, the one for a2. This
+/// visits only the edges that the arc crosses: a few per edge of A, for any size of B.
 ///
-/// Steps: n(t) = (1 - t) a1 + t a2 runs along the arc. The region of v is left towards the
-/// neighbour u for which n(t) . (u - v) first turns negative, at t = f1 / (f1 - f2) with f1 = a1 .
-/// (u - v) and f2 = a2 . (u - v) < 0. Only a sign and a ratio are taken, so edges of any length
-/// will do.
+/// Steps: n(t) = (1 - t) a1 + t a2 runs along the arc. Leave the region of v towards the neighbour
+/// u for which n(t) . (u - v) first turns negative, at t = f1 / (f1 - f2) with f1 = a1 . (u - v)
+/// and f2 = a2 . (u - v) < 0. Only a sign and a ratio matter, so edges can have any length.
 ///
-/// Each step takes B's vertex deeper along a2, so the walk ends; the bound on its length serves
-/// ties that rounding turns into a circle. An arc that only touches another is no crossing, or one
-/// at a face normal; the face queries measure that. Calls visit(half_edge of B, from v to u). `a1`
-/// and `a2` are in B's own frame.
+/// Each step moves to a vertex of B that is deeper along a2, so the walk ends; the limit on its
+/// length covers ties that rounding turns into a cycle. An arc that only touches another is no
+/// crossing, or one at a face normal, which the face queries measure. Calls visit(half_edge of B,
+/// from v to u). `a1` and `a2` are in B's own frame.
 template <class S, class Visit>
 void walk_arc(const Hull<S>& b, const Vec3<S>& a1, const Vec3<S>& a2, int start, int end,
               const Visit& visit) {

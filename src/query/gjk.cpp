@@ -12,11 +12,11 @@
 namespace contactscope {
 namespace {
 
-/// Steps that bring the simplex no nearer and yet are taken, because the support point says by its
-/// first-order measure that it will; more of them are rounding going in circles.
+/// Maximum number of steps that do not bring the simplex closer although the support point promised
+/// it to first order. More of them are rounding cycles.
 constexpr int kMaxGjkStalls = 3;
 
-/// The current simplex: only points that carry its point nearest to the origin.
+/// Current simplex: only the points that carry its point closest to the origin.
 template <class S>
 struct Simplex {
   std::array<IndexPair, 4> pairs;
@@ -29,7 +29,7 @@ struct Simplex {
     }
     return false;
   }
-  /// How far the simplex reaches against a direction: the least of its points' products.
+  /// Smallest product of the simplex's points with a direction.
   S least_along(const Vec3<S>& direction) const {
     S least = std::numeric_limits<S>::infinity();
     for (int i = 0; i < nearest.count; ++i) least = std::min(least, direction.dot(at(points, i)));
@@ -46,8 +46,8 @@ Simplex<S> first_simplex(const IndexPair& pair, const MinkowskiDifference<S>& di
   return simplex;
 }
 
-/// The simplex with one more point, reduced to the face that carries the point nearest to the
-/// origin. `simplex` has at most three points, and a place for one more, which is overwritten.
+/// Adds a point to the simplex and reduces it to the face that carries the point closest to the
+/// origin. `simplex` has at most three points; its next slot is overwritten.
 template <class S>
 void grow(Simplex<S>& simplex, const IndexPair& pair, const Vec3<S>& point, S scale,
           Simplex<S>& grown) {
@@ -61,7 +61,7 @@ void grow(Simplex<S>& simplex, const IndexPair& pair, const Vec3<S>& point, S sc
   }
 }
 
-/// From the simplex of an earlier call, with the points where they are now.
+/// Rebuilds the simplex of an earlier call, with the points at their current positions.
 template <class S>
 Simplex<S> warm_simplex(const GjkSimplex<S>& earlier, const MinkowskiDifference<S>& difference) {
   Simplex<S> simplex = first_simplex(
@@ -98,11 +98,11 @@ GjkResult<S> finish(GjkStatus status, int iterations, const Simplex<S>& simplex,
   return result;
 }
 
-/// Whether a point, edge or triangle of the difference that passes through the origin lies inside of
-/// the difference, by more than rounding, and not on its border: two prisms that are seen along their
-/// edges overlap, and all support points that GJK meets are in one plane with the origin. The ray
-/// from the middle of the difference through the origin leaves it farther on, and a support plane
-/// there is farther from the origin than the border is.
+/// True if a point, edge or triangle of the difference that contains the origin is inside the
+/// difference by more than rounding, not on its boundary. Example: two overlapping prisms seen
+/// along their edges, where all support points that GJK finds are in one plane with the origin. The
+/// ray from the centre of the difference through the origin then leaves it farther out, and a
+/// support plane there is farther from the origin than the boundary.
 template <class S>
 bool holds_origin_inside(const SupportSet<S>& a, const SupportSet<S>& b, const Pose<S>& b_in_a) {
   const PenetrationResult<S> left = mpr<S>(a, b, b_in_a, {}, nullptr);
@@ -114,22 +114,21 @@ bool holds_origin_inside(const SupportSet<S>& a, const SupportSet<S>& b, const P
 }  // namespace
 
 /// Gilbert, Johnson and Keerthi, "A Fast Procedure for Computing the Distance Between Complex
-/// Objects in Three-Dimensional Space", 1988; van den Bergen, "A Fast and Robust GJK Implementation
-/// for Collision Detection of Convex Objects", 1999, for the test that ends it.
+/// Objects in Three-Dimensional Space", 1988; termination after van den Bergen, "A Fast and Robust
+/// GJK Implementation for Collision Detection of Convex Objects", 1999.
 ///
-/// We deviate in three things. The end: that test stops when the bounds of the distance are as near
-/// as rounding. The distance is second order in the closest points, so these would be right to the
-/// square root of that only. The bounds' difference along the search direction is first order, and
-/// we stop when that is a rounding of the pair's scale: in practice when the support point is one
-/// that we have, so that the simplex is the face of the difference and not somewhere on it. The
-/// direction: near the origin we search along a triangle's normal, not to its nearest point, all
-/// whose digits cancel. The simplex: see simplex.cpp.
+/// Deviations. Termination: that test stops when the bounds of the distance agree within rounding.
+/// The distance is second order in the closest points, so these would be correct only to the square
+/// root of that. The bounds' difference along the search direction is first order, and we stop when
+/// it is a rounding of the pair's scale: usually when the support point is already in the simplex,
+/// so that the simplex is a face of the difference. Direction: near the origin we search along a
+/// triangle's normal, because all digits of its closest point cancel. Simplex: see simplex.cpp.
 ///
-/// Steps: 1. the simplex is one support point, or the earlier one; 2. its point nearest to the
-/// origin, and the face that carries it; 3. the origin is inside: overlap; or nearer to that face than
-/// rounding: overlap where the face lies inside of the difference, else touching; 4. the support point
-/// of the difference against that direction; 5. none farther than the simplex itself: separated; 6.
-/// add it and go on at 2.
+/// Steps: 1. start with one support point, or the earlier simplex; 2. find its point closest to the
+/// origin, and the face that carries it; 3. stop if the origin is inside (overlap) or within
+/// rounding of that face (overlap if the face is inside the difference, otherwise touching); 4.
+/// find the support point of the difference against that direction; 5. stop if it is no farther
+/// than the simplex (separated); 6. add it and go to 2.
 template <class S>
 GjkResult<S> gjk(const SupportSet<S>& a, const SupportSet<S>& b, const Pose<S>& b_in_a,
                  const GjkSimplex<S>* warm_start, GjkRun<S>* run) {

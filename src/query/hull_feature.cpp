@@ -20,7 +20,7 @@ bool has_all(const Hull<S>& hull, int face, const Corners& corners) {
          }) == count_of(corners);
 }
 
-/// Outward normal of a side plane, as long as its edge: nobody needs the square root.
+/// Outward normal of a side plane with the length of its edge, which avoids a square root.
 template <class S>
 struct Side {
   Side(const Hull<S>& hull, int half_edge, const Vec3<S>& face_normal)
@@ -36,7 +36,7 @@ struct Side {
   S length;
 };
 
-/// Cuts the interval where the distance from a plane, linear along the segment, is above
+/// Clips the interval where the distance from a plane, linear along the segment, exceeds
 /// `thickness`.
 template <class S>
 void cut(S start, S end, S thickness, int edge, ClippedSegment<S>& clipped) {

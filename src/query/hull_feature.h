@@ -5,12 +5,12 @@
 #include "geometry/hull.h"
 #include "query/gjk.h"
 
-/// Features of a hull, and the prism over a face, bounded by the face's side planes: Gregorius 2015,
-/// "Capsule vs Hull: Clipping". Hull's frame, metres. Points within `thickness` (>= 0, up to a factor
-/// of 1.8) of a side plane are on it.
+/// Features of a hull, and the prism over a face, bounded by the face's side planes: Gregorius
+/// 2015, "Capsule vs Hull: Clipping". Hull's frame, metres. Points within `thickness` (>= 0, up to
+/// a factor of 1.8) of a side plane are on it.
 namespace contactscope {
 
-/// A vertex, an edge (a half-edge of it) or a face of a hull.
+/// A vertex, an edge (as a half-edge) or a face of a hull.
 struct HullFeature {
   FeatureKind kind = FeatureKind::Vertex;
   int index = -1;
@@ -20,47 +20,46 @@ struct HullFeature {
   }
 };
 
-/// The smallest feature that has all points of B in a simplex of GJK, where B is `hull`: the one
-/// that its closest point lies on. Two vertices of a face that are no edge belong to the face. A
-/// face without a number (index -1) where no feature has them all, which rounding does to faces that
-/// are nearly coplanar.
+/// The smallest feature that contains all points of B in a GJK simplex, where B is `hull`: the
+/// feature of its closest point. Two vertices of a face that share no edge belong to the face. If
+/// rounding at nearly coplanar faces leaves no such feature, the result is a face with index -1.
 template <class S>
 HullFeature feature_of_b(const Hull<S>& hull, const GjkSimplex<S>& simplex);
 
-/// The edge of a face, as its half-edge on that face, beside which a point lies that is not over the
-/// face: of the side planes the one that it is farthest outside of. Hull's frame.
+/// The closest edge of a face, as a half-edge of it, to a point that is not over the face: the edge
+/// whose side plane the point is farthest outside of. Hull's frame.
 template <class S>
 int edge_beside(const Hull<S>& hull, int face, const Vec3<S>& point);
 
-/// Whether the foot of the perpendicular from `point` to the face's plane lies in the face.
+/// True if the foot of the perpendicular from `point` to the face's plane is inside the face.
 template <class S>
 bool projects_into(const Hull<S>& hull, int face, const Vec3<S>& point, S thickness);
 
-/// What is left of a segment: from parameters[0] to parameters[1], both in [0, 1]; empty when they
-/// are the other way round.
+/// Remaining part of a segment: from parameters[0] to parameters[1], both in [0, 1]; empty if they
+/// are reversed.
 template <class S>
 struct ClippedSegment {
   S parameters[2] = {0, 1};
-  /// Half-edges of the sides that cut the two ends off; -1: the segment's own end.
+  /// Half-edges of the sides that clipped the two ends; -1: the segment's own end.
   int edges[2] = {-1, -1};
 
   bool empty() const { return parameters[0] > parameters[1]; }
 };
 
-/// The part of the segment between two points that lies in the prism over `face`. Cyrus and Beck
+/// The part of the segment between two points that is in the prism over `face`. Cyrus and Beck
 /// 1978: each side plane moves one of the two ends of the interval.
 template <class S>
 ClippedSegment<S> clip_to_prism(const Hull<S>& hull, int face, const Vec3<S> (&ends)[2],
                                 S thickness);
 
-/// The part of the segment that lies beside an edge: between the planes at right angles to the edge
-/// through its vertices. Ends that were cut off name the half-edge that leaves the vertex: the given
-/// one or its twin.
+/// The part of the segment that is alongside an edge: between the planes through the edge's
+/// vertices, perpendicular to the edge. A clipped end stores the half-edge that leaves the vertex:
+/// the given one or its twin.
 template <class S>
 ClippedSegment<S> clip_to_edge(const Hull<S>& hull, int half_edge, const Vec3<S> (&ends)[2]);
 
-/// For a warm start: a point of the core and the edge of the hull that is near. GJK has a few steps
-/// to go from there.
+/// Initial simplex for a warm start: a point of the core and a nearby edge of the hull. GJK needs
+/// only a few steps from there.
 template <class S>
 GjkSimplex<S> simplex_near(const Hull<S>& hull, int half_edge, int core_point) {
   GjkSimplex<S> simplex;

@@ -7,7 +7,7 @@
 namespace contactscope {
 namespace {
 
-/// A matrix in packs that each hold one of its numbers in all lanes.
+/// A matrix with each of its numbers broadcast to a pack.
 template <class S>
 struct PackedRotation {
   using Pack = lanes::Pack<S>;
@@ -15,7 +15,7 @@ struct PackedRotation {
   explicit PackedRotation(const Mat3<S>& rotation) {
     for (int k = 0; k < 9; ++k) numbers[k] = lanes::all(rotation(k / 3, k % 3));
   }
-  /// Component `row` of the vectors (x, y, z) turned.
+  /// Component `row` of the rotated vectors (x, y, z).
   Pack turned(int row, const Pack& x, const Pack& y, const Pack& z) const {
     const Pack* const r = numbers + 3 * row;
     return (r[0] * x + r[1] * y) + r[2] * z;
@@ -24,7 +24,7 @@ struct PackedRotation {
   Pack numbers[9];
 };
 
-/// `to` = rotation * `from` + position, with the lanes of `to` after each other from there on.
+/// `to` = rotation * `from` + position; `to` has the same lane layout as `from`.
 template <class S>
 void place_points(const VectorLanes<S>& from, const PackedRotation<S>& rotation,
                   const Vec3<S>& position, S* to) {
@@ -40,7 +40,7 @@ void place_points(const VectorLanes<S>& from, const PackedRotation<S>& rotation,
   }
 }
 
-/// Planes: normals, likewise but moved by zero, and offsets, which move by `position`.
+/// Places normals by rotation plus zero, and offsets by a shift by `position`.
 template <class S>
 void place_planes(const VectorLanes<S>& from, const S* offsets, const PackedRotation<S>& rotation,
                   const Vec3<S>& position, S* to, S* to_offsets) {

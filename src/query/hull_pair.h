@@ -9,16 +9,16 @@
 
 namespace contactscope {
 
-/// A hull placed in the frame in which a pair is worked on, laid out for the loops of the queries.
-/// Topology stays in `hull`, which must outlive this; so do the lanes of a hull that is in its own
-/// frame. No heap up to 64 vertices and 128 faces.
+/// A hull placed in the common frame of a pair, laid out for the loops of the queries. Topology
+/// stays in `hull`, which must outlive this; so do the lanes of a hull in its own frame. No heap
+/// allocation up to 64 vertices and 128 faces.
 template <class S>
 struct PlacedHull {
   using Scalar = S;
 
-  /// `to_frame` and `position` place the hull's own frame in the common one.
+  /// `to_frame` and `position` transform from the hull's own frame to the common frame.
   PlacedHull(const Hull<S>& placed, const Mat3<S>& to_frame, const Vec3<S>& position);
-  /// The hull whose own frame is the common one.
+  /// For the hull whose own frame is the common frame.
   explicit PlacedHull(const Hull<S>& placed);
 
   Vec3<S> vertex(int index) const { return vertices[index]; }
@@ -26,8 +26,8 @@ struct PlacedHull {
   Plane<S> plane(int face) const { return {normals[face], offsets[face]}; }
   const HalfEdge& half_edge(int index) const { return at(hull.half_edges, index); }
   Vec3<S> origin(int half_edge_index) const { return vertices[half_edge(half_edge_index).origin]; }
-  /// Unit vector along a half-edge, from its origin to its target. Taken from the hull's own frame:
-  /// there the vertices are as exact as they were given, also those of a small hull far out.
+  /// Unit vector along a half-edge, from its origin to its target. Computed in the hull's own
+  /// frame, where vertices are exact even for a small hull far from the common origin.
   Vec3<S> direction(int half_edge_index) const {
     const Vec3<S> local = hull.target(half_edge_index) - hull.origin(half_edge_index);
     const Vec3<S> along = rotation * local;
@@ -35,26 +35,26 @@ struct PlacedHull {
   }
 
   const Hull<S>& hull;
-  Mat3<S> rotation;  // from the hull's own frame
+  Mat3<S> rotation;  // from the hull's own frame to the common frame
   VectorLanes<S> vertices;
   VectorLanes<S> normals;  // of the faces, outward, unit
-  const S* offsets;        // of the face planes; padding lies behind every point
+  const S* offsets;        // of the face planes; padding planes are behind every point
 
  private:
-  Scratch<S, 3 * 64 + 4 * 128> placed_;  // what the lanes above stand in, unless in the hull
+  Scratch<S, 3 * 64 + 4 * 128> placed_;  // storage of the lanes, unless they are the hull's own
 };
 
-/// A hull placed in the frame in which a pair is worked on, whose features are placed one at a time
-/// as they are asked for: for contacts that look at two faces of a hull and no others. Has what
-/// PlacedHull has for single features, and gives the same numbers, bit for bit.
+/// A hull placed in the common frame of a pair that transforms features only on demand: for
+/// contacts that use two faces of a hull and no others. Same interface for single features as
+/// PlacedHull, with bitwise equal results.
 ///
-/// `kMoved` is false for the hull whose own frame is the common one.
+/// `kMoved` is false for the hull whose own frame is the common frame.
 template <class S, bool kMoved>
 struct PlacedFeatures {
   using Scalar = S;
 
-  /// All outlive this. `to_frame` and `move` place the hull's own frame in the common one; not read
-  /// unless the hull is moved.
+  /// Keeps references to all arguments. `to_frame` and `move` transform from the hull's own frame
+  /// to the common frame; ignored unless `kMoved`.
   PlacedFeatures(const Hull<S>& placed, const Mat3<S>& to_frame, const Vec3<S>& move)
       : hull(placed), rotation(to_frame), position(move) {}
 
@@ -66,7 +66,7 @@ struct PlacedFeatures {
   }
   Vec3<S> normal(int face) const {
     const Vec3<S>& local = at(hull.planes, face).normal;
-    // PlacedHull moves normals by zero.
+    // PlacedHull also adds a zero vector to normals.
     if constexpr (kMoved) return rotated(local) + Vec3<S>(Vec3<S>::Zero());
     return local;
   }
@@ -79,7 +79,7 @@ struct PlacedFeatures {
     return local;
   }
   Vec3<S> origin(int half_edge_index) const { return vertex(half_edge(half_edge_index).origin); }
-  /// Unit vector along a half-edge, as PlacedHull's.
+  /// Unit vector along a half-edge, the same as PlacedHull::direction.
   Vec3<S> direction(int half_edge_index) const {
     const Vec3<S> local = hull.target(half_edge_index) - hull.origin(half_edge_index);
     if constexpr (kMoved) {
@@ -102,15 +102,15 @@ struct PlacedFeatures {
   }
 };
 
-/// Two hulls in A's frame. Working there, near the origin, costs a pair far from the world's origin
-/// no more than its poses have lost already.
+/// Two hulls in A's frame. Computing there, near the origin, costs a pair far from the world's
+/// origin no more precision than its poses have lost already.
 template <class S>
 struct HullPair {
   HullPair(const Hull<S>& hull_a, const Hull<S>& hull_b, const Pose<S>& b_in_a);
 
   PlacedHull<S> a;
   PlacedHull<S> b;
-  /// Metres: no coordinate, nor any intermediate value of one, is larger than this.
+  /// Metres: upper bound of all coordinates and their intermediate values.
   S scale;
   /// Metres: the smaller of the two radii.
   S min_radius;

@@ -8,9 +8,8 @@
 
 namespace contactscope {
 
-/// Bit i is set where `test`, a test of packs, holds for value i, of up to 64 values from there on;
-/// `count` is a multiple of the lane width. No branch depends on a value: which of many faces is
-/// best is anybody's guess.
+/// Bit i is set if `test`, a test of packs, is true for values[i], for up to 64 values. `count` is
+/// a multiple of the lane width. Branchless, because the best of many faces is unpredictable.
 template <class S, class Test>
 inline std::uint64_t bits_where(const S* values, int count, const Test& test) {
   const int most = std::min(count, 64);
@@ -20,9 +19,9 @@ inline std::uint64_t bits_where(const S* values, int count, const Test& test) {
   return bits;
 }
 
-/// Where a test holds among some values.
+/// Positions where a test is true.
 struct Hits {
-  int first = -1;  // -1: nowhere
+  int first = -1;  // -1: none
   bool is_single = false;
 };
 

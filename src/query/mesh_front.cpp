@@ -13,7 +13,7 @@ bool TreeLayout::update(const AabbTree<S>& tree) {
   nodes_.clear();
   for (const typename AabbTree<S>::Node& node : tree.nodes)
     nodes_.push_back({node.next, node.count, -1, 0});
-  // Whatever is below a node stands behind it.
+  // Children come after their parent.
   for (int i = 0; i < count_of(tree.nodes); ++i) {
     if (at(tree.nodes, i).leaf()) continue;
     for (const int child : {i + 1, tree.right_of(i)}) {
@@ -34,8 +34,8 @@ void MeshFront::begin(const AabbTree<S>& a, const AabbTree<S>& b) {
 std::optional<ParentPair> MeshFront::parent_of_last_child(const NodeIndices& nodes) const {
   const auto [i, j] = nodes;
   const TreeLayout::Node &a = a_.node(i), &b = b_.node(j);
-  // Both trees are gone down level by level, until one is at a leaf: the node that is deeper went
-  // down last, or both did.
+  // Both trees are descended level by level until one is at a leaf: the deeper node descended last,
+  // or both did.
   const bool a_went = a.depth >= b.depth, b_went = b.depth >= a.depth;
   if (a.depth == 0 && b.depth == 0) return std::nullopt;
   const bool last_a = !a_went || i != a.parent + 1, last_b = !b_went || j != b.parent + 1;

@@ -8,17 +8,17 @@
 
 namespace contactscope {
 
-/// How the nodes of a tree hang together, whatever their boxes: the same after a refit, another one
-/// after a build. Where each node hangs is kept beside it, which the tree itself does not know.
+/// Topology of a tree without its boxes: a refit keeps it, a rebuild changes it. Also stores each
+/// node's parent, which the tree itself does not have.
 class TreeLayout {
  public:
   struct Node {
     int next, count;  // as in AabbTree
-    int parent;       // -1 of the root
-    int depth;        // 0 of the root
+    int parent;       // -1 for the root
+    int depth;        // 0 for the root
   };
 
-  /// Takes over the layout of a tree. Returns whether it was this one before. O(nodes).
+  /// Copies the layout of a tree. Returns true if it did not change. O(nodes).
   template <class S>
   bool update(const AabbTree<S>& tree);
 
@@ -28,47 +28,47 @@ class TreeLayout {
   std::vector<Node> nodes_;
 };
 
-/// Two nodes, of the trees of a and b.
+/// Two nodes, one of each tree (a, b).
 using NodeIndices = std::array<int, 2>;
 
-/// Two nodes whose children were compared with each other: {first, count} of them stand behind each
-/// other in a front.
+/// Two nodes whose children were compared with each other. The {first, count} child pairs are
+/// adjacent in a front.
 struct ParentPair {
   NodeIndices nodes;
   NodeIndices first_child;
-  int children = 0;  // 4, or 2 where one of the nodes is a leaf
+  int children = 0;  // 4, or 2 if one of the nodes is a leaf
 };
 
-/// Where the simultaneous traversal of two trees ended: the pairs of nodes at which it went no deeper,
-/// because their boxes are apart or because both are leaves. They are a cut through the tree of all
-/// pairs ("bounding volume test tree", Li and Chen 1998; "front", Ehmann and Lin 2001): every pair of
-/// triangles is below exactly one of them. So the traversal of the next frame may begin with them, and
-/// spares the pairs above. Keep one for each pair of meshes, in the same order; see mesh_overlap().
+/// Cut where the simultaneous traversal of two trees ended: node pairs with separated boxes, and
+/// pairs of leaves. Every pair of triangles is below exactly one of them ("bounding volume test
+/// tree", Li and Chen 1998; "front", Ehmann and Lin 2001). The traversal of the next frame can
+/// start here and skip the pairs above. Keep one front per pair of meshes, in the same order; see
+/// mesh_overlap().
 ///
-/// It holds for any poses, and for any vertices as long as the trees are refitted. Where one was
-/// built anew the front is void, which is found out here.
+/// A front is valid for any poses, and for any vertices as long as the trees are only refitted.
+/// begin() detects a rebuilt tree and resets the front.
 class MeshFront {
  public:
-  /// In the order of a traversal to the depth: what is below one pair stands together.
+  /// In depth-first order: all pairs below a common pair are adjacent.
   std::vector<NodeIndices> pairs;
 
-  /// To be called before each traversal: where the front is void it becomes the pair of the roots.
-  /// Neither tree is empty.
+  /// Call this before each traversal: an invalid front is reset to the pair of the roots. Neither
+  /// tree may be empty.
   template <class S>
   void begin(const AabbTree<S>& a, const AabbTree<S>& b);
 
-  /// The pair of which these two nodes are the last children; none of the roots, and of others.
+  /// The pair whose last children are these two nodes; none for the roots and other pairs.
   std::optional<ParentPair> parent_of_last_child(const NodeIndices& nodes) const;
 
-  /// Whether the pair at this place of a front of `size` pairs is one of those whose turn it is in
-  /// this frame to be given up for their parents. All have had their turn after kTurns frames.
+  /// True if the pair at `place` in a front of `size` pairs may be replaced by its parent in this
+  /// frame. Each pair has its turn once in kTurns frames.
   bool may_climb(std::size_t place, std::size_t size) const {
     return place * kTurns / size == static_cast<std::size_t>(turn_);
   }
 
  private:
-  // A pair whose children are all apart is compared for nothing as long as its own boxes overlap. So
-  // each is asked in one frame of so many.
+  // Comparing a parent pair is wasted while its own boxes overlap, so each pair tries it only once
+  // in this many frames.
   static constexpr int kTurns = 8;
 
   TreeLayout a_, b_;

@@ -15,8 +15,8 @@ Triangle<S> corners_of(const std::vector<Vec3<S>>& vertices, const std::array<in
   return {at(vertices, triangle[0]), at(vertices, triangle[1]), at(vertices, triangle[2])};
 }
 
-/// overlaps(), for floats with all axes at once. Lanes: lower x, y, z and an upper x that is not
-/// looked at, against upper x, y, z and a lower z.
+/// overlaps(); for floats with all axes at once. Lanes: lower x, y, z and an ignored upper x,
+/// against upper x, y, z and a lower z.
 template <class S>
 bool boxes_overlap(const Aabb<S>& a, const Aabb<S>& b) {
   if constexpr (std::is_same_v<S, float>) {
@@ -94,7 +94,7 @@ class MeshTraversal {
     }
   }
 
-  /// The front below two nodes whose boxes overlap.
+  /// Descends below two nodes whose boxes overlap and appends to the front.
   void descend(int i, int j, MeshFront& front) {
     if (at(a_.tree.nodes, i).leaf() && at(tree_b_.nodes, j).leaf()) {
       compare_leaves(i, j);
@@ -115,8 +115,8 @@ class MeshTraversal {
     ++apart_;
   }
 
-  /// Puts parents in the place of their children at the end of the front, as long as all of these
-  /// are apart and so are they.
+  /// Replaces children at the end of the front by their parents, as long as all children are
+  /// separated and the parents are, too.
   void climb(MeshFront& front) {
     while (const auto parent = front.parent_of_last_child(front.pairs.back())) {
       const auto [i, j] = parent->nodes;
@@ -137,7 +137,7 @@ class MeshTraversal {
     return hit;
   }
 
-  /// What two nodes, not both of them leaves, are split into, in order.
+  /// Visits the child pairs of two nodes, not both leaves, in order.
   template <class Visit>
   void for_children(int i, int j, const Visit& visit) const {
     if (at(a_.tree.nodes, i).leaf()) {
@@ -180,8 +180,8 @@ class MeshTraversal {
   std::vector<Vec3<S>> vertices_b_;  // a's frame
   Tree tree_b_;                      // a's frame
   std::vector<NodePairVisit>* visits_;
-  std::vector<std::pair<int, int>> open_;  // nodes that overlap
-  int apart_ = 0;  // so many pairs at the end of the front are apart, one behind the other
+  std::vector<std::pair<int, int>> open_;  // overlapping nodes
+  int apart_ = 0;  // number of consecutive separated pairs at the end of the front
   MeshOverlap<S> result_;
 };
 

@@ -7,25 +7,25 @@
 
 namespace contactscope {
 
-/// Whether the trees of a pair of meshes have become expensive: the node pairs that mesh_overlap()
-/// compares beside those that it compared when the trees were new. Keep one for each pair.
+/// Detects if the trees of a pair of meshes have become expensive: compares the node pairs that
+/// mesh_overlap() tests with those when the trees were new. Keep one instance per pair of meshes.
 ///
-/// More are also compared where the meshes come closer to each other, which no new tree would help.
-/// So the count is set beside the pairs of triangles whose boxes overlap: these are the same with any
-/// trees, because they are not boxes of nodes. Trees that stay as good as they are compare node pairs
-/// for the way down to the triangles, and a share for each pair of them: of two spheres of 9,680
-/// triangles 1.6 for each where 29,408 pairs meet, 2.1 where 2,594 do. So where g times as many pairs
-/// meet as in the base, as good trees compare from min(1, g) to max(1, g) times as many node pairs.
+/// Node pairs also increase when meshes approach, where a rebuild would not help. So their number
+/// is related to the pairs of triangles with overlapping boxes, which do not depend on the trees.
+/// Unchanged trees test node pairs for the descent plus a share for each triangle pair: for two
+/// spheres of 9,680 triangles, 1.6 per pair if 29,408 pairs meet, and 2.1 if 2,594 do. So if g
+/// times as many pairs meet as in the base, equally good trees test between min(1, g) and max(1, g)
+/// times as many node pairs.
 ///
-/// The base is the first query since the last build, or a later one that is cheaper by both counts.
-/// Where the meshes come so close or go so far apart that g is beyond 1/2 to 2, that query is the
+/// The base is the first query after the last build, or a later one that is cheaper in both counts.
+/// If g leaves the range 1/2 to 2, the current query becomes the next base.
 /// next base.
 class MeshQueryCost {
  public:
   enum class Verdict : std::uint8_t {
-    Unknown,  // too few triangles meet, nothing to compare with, or between the two others
-    AsNew,    // at most kWorstTreeCost times the least that as good trees compare
-    Worse,    // more than kWorstTreeCost times the most that they compare
+    Unknown,  // too few triangles meet, no base yet, or neither of the others
+    AsNew,    // at most kWorstTreeCost times the minimum for equally good trees
+    Worse,    // more than kWorstTreeCost times the maximum for equally good trees
   };
 
   Verdict judge(const MeshOverlapCounts& counts) {
@@ -44,20 +44,20 @@ class MeshQueryCost {
     return nodes <= kWorstTreeCost * std::min(1.0, growth) ? Verdict::AsNew : Verdict::Unknown;
   }
 
-  /// How to update a tree of which queries came to this verdict. An automatic one is left to its
-  /// surfaces where they say nothing.
+  /// How to update a tree after queries with this verdict. If Auto and the verdict is Unknown, the
+  /// surface areas of the tree decide.
   static TreeUpdate update_after(Verdict verdict, TreeUpdate how) {
     if (how != TreeUpdate::Auto || verdict == Verdict::Unknown) return how;
     return verdict == Verdict::Worse ? TreeUpdate::Rebuild : TreeUpdate::Refit;
   }
 
-  /// One of the trees was built anew.
+  /// Call this when one of the trees was rebuilt.
   void begin_anew() { base_ = {}; }
 
  private:
   static constexpr std::int64_t kFewestTrianglePairs = 64;
 
-  MeshOverlapCounts base_;  // no pairs of triangles: there is none
+  MeshOverlapCounts base_;  // zero triangle pairs: no base
 };
 
 }  // namespace contactscope

@@ -14,7 +14,7 @@
 
 namespace contactscope {
 
-/// For a finite, normal number > 0; so quick because it only clears the mantissa.
+/// Largest power of two up to `value`, a finite normal number > 0. Fast: clears only the mantissa.
 template <class S>
 S power_of_two_up_to(S value) {
   using Bits = std::conditional_t<sizeof(S) == 4, std::uint32_t, std::uint64_t>;
@@ -22,16 +22,16 @@ S power_of_two_up_to(S value) {
   return std::bit_cast<S>(std::bit_cast<Bits>(value) & ~kMantissa);
 }
 
-/// A point of the Minkowski difference, by the points of both sets that it is the difference of.
+/// A point of the Minkowski difference, as indices of the points that it is the difference of.
 struct IndexPair {
   int a, b;
 
   friend bool operator==(const IndexPair&, const IndexPair&) = default;
 };
 
-/// The Minkowski difference B - A, in A's frame, shrunk by a power of two so that its points are of
-/// the order of 1 and no power of a length leaves the range of S. The sets overlap where it holds
-/// the origin. Refers to both sets.
+/// The Minkowski difference B - A, in A's frame, scaled by a power of two so that its points have
+/// order 1 and no power of a length leaves the range of S. The sets overlap if it contains the
+/// origin. Refers to both sets.
 template <class S>
 class MinkowskiDifference {
  public:
@@ -45,9 +45,9 @@ class MinkowskiDifference {
     }
   }
 
-  /// From 1 to 2, in units.
+  /// Length scale, from 1 to 2, in units.
   S scale() const { return scale_; }
-  /// Metres.
+  /// Length of a unit in metres.
   S unit() const { return unit_; }
 
   GjkVertex<S> vertex(const IndexPair& pair) const {
@@ -57,18 +57,18 @@ class MinkowskiDifference {
   Vec3<S> point(const IndexPair& pair) const {
     return per_unit_ * (b_in_frame_of_a(pair) - a_.points[pair.a]);
   }
-  /// The vertex of the difference that lies farthest against `direction`.
+  /// The vertex of the difference farthest against `direction`.
   IndexPair support_against(const Vec3<S>& direction) const {
     const Vec3<S> in_b = -(rotation_.transpose() * direction);
     return {support_index(a_, direction), support_index(b_, in_b)};
   }
 
-  /// From the middle of A to that of B, any length > 0.
+  /// From the centre of A to that of B, any length > 0.
   Vec3<S> between_middles() const {
     const Vec3<S> between = rotation_ * middle_of(b_) + position_ - middle_of(a_);
     return between.squaredNorm() > S(0) ? between : Vec3<S>(Vec3<S>::UnitX());
   }
-  /// Whether a simplex of an earlier call, or nullptr, can be one of these sets.
+  /// True if `simplex`, from an earlier call, fits these sets; false for null.
   bool has(const GjkSimplex<S>* simplex) const {
     return simplex != nullptr && !simplex->vertices.empty() &&
            std::ranges::all_of(simplex->vertices, [this](const GjkVertex<S>& vertex) {
@@ -76,7 +76,7 @@ class MinkowskiDifference {
                     vertex.index_b < b_.count;
            });
   }
-  /// The first `count` of some pairs with their weights.
+  /// Simplex of the first `count` pairs, with their weights.
   GjkSimplex<S> simplex(const std::array<IndexPair, 4>& pairs, const std::array<S, 4>& weights,
                         int count) const {
     GjkSimplex<S> result;
@@ -100,8 +100,8 @@ class MinkowskiDifference {
   S scale_ = 1, unit_ = 1, per_unit_ = 1;
 };
 
-/// The weighted mean of a simplex's points on one shape. It is summed up from the heaviest vertex:
-/// the rounding of the weights then multiplies differences of vertices, not their distance from the
+/// Weighted mean of a simplex's points on one shape. Summed relative to the heaviest vertex, so
+/// that rounding of the weights multiplies differences of vertices, not their distance from the
 /// origin.
 template <class S>
 Vec3<S> weighted(const GjkSimplex<S>& simplex, Vec3<S> GjkVertex<S>::*point) {

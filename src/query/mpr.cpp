@@ -21,7 +21,7 @@ struct Portal {
     if (length > difference.rounding()) {
       ray = -inner / length;
     } else {
-      // Concentric: any ray will do. Of the six along the axes, the one with the nearest support.
+      // Concentric: any ray works. Use the axis direction with the closest support point.
       S least = std::numeric_limits<S>::infinity();
       for (const S sign : {S(1), S(-1)}) {
         for (int axis = 0; axis < 3; ++axis) {
@@ -34,26 +34,26 @@ struct Portal {
   }
 
   DifferencePoint<S>& operator[](int i) { return at(points, i); }
-  /// From the inner point.
+  /// Relative to the inner point.
   Vec3<S> from_inner(const DifferencePoint<S>& point) const { return point.point - inner; }
   Vec3<S> from_inner(int i) const { return from_inner(at(points, i)); }
-  /// On which side of the plane through the inner point and two others the ray passes: the sign.
+  /// Sign: side of the plane through the inner point and two others on which the ray passes.
   S side(const Vec3<S>& one, const Vec3<S>& other) const { return ray.dot(one.cross(other)); }
   S side(int i, int j) const { return side(from_inner(i), from_inner(j)); }
 
-  /// Outward, any length; zero where the portal has no area.
+  /// Outward, any length; zero if the portal has no area.
   Vec3<S> normal() const {
     S longest = S(0);
     const Vec3<S> cross =
         triangle_normal(points[0].point, points[1].point, points[2].point, longest);
     return cross.dot(ray) < S(0) ? Vec3<S>(-cross) : cross;
   }
-  /// Where the ray passes, in weights of the corners.
+  /// Sets the corners' barycentric weights of the point where the ray passes.
   void weigh(WeightedPairs<S>& weights) const {
     const S sides[3] = {std::max(side(1, 2), S(0)), std::max(side(2, 0), S(0)),
                         std::max(side(0, 1), S(0))};
     const S sum = sides[0] + sides[1] + sides[2];
-    if (!(sum > S(0))) return;  // the support point that was measured last stands
+    if (!(sum > S(0))) return;  // keep the last support point
     weights.count = 0;
     for (std::size_t i = 0; i < 3; ++i) weights.add(points[i].pair, sides[i] / sum);
   }
@@ -67,9 +67,9 @@ struct Portal {
   std::array<DifferencePoint<S>, 3> points;
 };
 
-/// Searches the first portal; what it comes to where it finds none. Flat: the last direction that was
-/// measured is across the difference. Converged: the ray leaves through a vertex. OutOfIterations:
-/// it is out of steps.
+/// Searches the first portal; returns nothing on success. Flat: the last measured direction is
+/// across the difference. Converged: the ray leaves through a vertex. OutOfIterations: no steps
+/// left.
 template <class S>
 std::optional<PenetrationStatus> discover(Portal<S>& portal, BoundedDifference<S>& difference,
                                           int allowed, int& iterations) {
@@ -110,16 +110,16 @@ std::optional<PenetrationStatus> discover(Portal<S>& portal, BoundedDifference<S
 
 /// Snethen, "XenoCollide: Complex Collision Made Simple", Game Programming Gems 7, 2008.
 ///
-/// We deviate in two things. All tests are by a ray with a direction of its own where the original
-/// asks for the side of the origin: the same, but for middles that meet, where the original moves
-/// the inner point by a small constant. The depth is measured by a support point along the last
-/// portal's normal, and is given where the original only says that the shapes touch.
+/// Deviations. Tests use a ray with a direction of its own; the original uses the side of the
+/// origin. Both are the same unless the centres coincide, where the original moves the inner point
+/// by a small constant. The depth is measured by a support point along the last portal's normal;
+/// the original only reports that the shapes touch.
 ///
-/// Steps: 1. an inner point of the difference, from the middles, and the ray from it through the
-/// origin; 2. support points until the ray passes a triangle of three, the portal; 3. the support
-/// point along the portal's normal; 4. not beyond the portal: the portal is part of the surface, the
-/// end; 5. else of the three portals that it makes with the sides, the one that the ray passes, and
-/// go on at 3. A support plane that the origin is beyond ends it: separated.
+/// Steps: 1. compute an inner point of the difference from the centres, and the ray from it through
+/// the origin; 2. find support points until the ray passes a triangle of three, the portal; 3. find
+/// the support point along the portal's normal; 4. stop if it is not beyond the portal, which is
+/// then part of the surface; 5. otherwise it makes three portals with the sides: take the one that
+/// the ray passes; go to 3. Stop as separated if the origin is beyond a support plane.
 template <class S>
 PenetrationResult<S> mpr(const SupportSet<S>& a, const SupportSet<S>& b, const Pose<S>& b_in_a,
                          const PenetrationOptions<S>& options, PenetrationSteps<S>* steps) {

@@ -9,13 +9,13 @@
 namespace contactscope {
 namespace {
 
-/// The bound of what distances from spheres round by, in epsilon of the lengths that they are sums
-/// of: at most 4u for a coordinate in the frame of a box, as much again for axes that are
-/// orthonormal to 8 epsilon, and 3u for the sum of squares.
+/// Rounding bound of distances from spheres, in epsilon of the lengths they are sums of: at most 4u
+/// for a coordinate in a box's frame, the same for axes orthonormal to 8 epsilon, and 3u for the
+/// sum of squares.
 constexpr int kDistanceBound = 16;
 
-/// Whether two bounds whose middles are `squared` apart overlap if they reach that far together;
-/// `size`: sum of all lengths that were added.
+/// True if two bounds overlap, given the squared distance of their centres and their common reach.
+/// `size` is the sum of all lengths that were added.
 template <class S>
 bool within_reach(S squared, S reach, S size, const Comparison<S>& comparison) {
   const S rounding = S(kDistanceBound) * std::numeric_limits<S>::epsilon() * size;
@@ -27,7 +27,7 @@ bool within_reach(S squared, S reach, S size, const Comparison<S>& comparison) {
   return limit > 0 && squared < limit * limit;
 }
 
-/// Along coordinate k, as the test of two Aabbs compares it.
+/// Gap along coordinate k, as in the test of two Aabbs.
 template <class S>
 S gap_along(const Aabb<S>& a, const Aabb<S>& b, int k) {
   return std::max(b.lower[k] - a.upper[k], a.lower[k] - b.upper[k]);
@@ -37,17 +37,16 @@ template <class S>
 bool separated_along(const Aabb<S>& a, const Aabb<S>& b, int k, const Comparison<S>& comparison) {
   if (!comparison.touching) return !(a.lower[k] < b.upper[k] && b.lower[k] < a.upper[k]);
   if (comparison.tolerance == 0) return !(a.lower[k] <= b.upper[k] && b.lower[k] <= a.upper[k]);
-  // The difference of what lies near each other is right to half an ulp, a sum with the tolerance
-  // is not.
+  // The difference of close numbers is correct to half an ulp; a sum with the tolerance is not.
   return !(gap_along(a, b, k) <= comparison.tolerance);
 }
 
-/// A box and a sphere in the frame of the box.
+/// A box and a sphere in the box's frame.
 template <class S>
 struct BoxAndSphere {
   Vec3<S> half_extents;
-  Vec3<S> middle;  // of the sphere, from that of the box
-  Vec3<S> excess;  // the same from the nearest point of the box; zero inside
+  Vec3<S> middle;  // of the sphere, from the box's centre
+  Vec3<S> excess;  // of the sphere's centre, from the closest point of the box; zero inside
   S radius;
 
   S size() const { return middle.template lpNorm<1>() + half_extents.sum() + radius; }
@@ -56,16 +55,15 @@ struct BoxAndSphere {
     const S all = size() + comparison.tolerance;
     if (!(all <= std::numeric_limits<S>::max())) return false;
     if (!comparison.touching && excess.isZero(0)) {
-      // The middle is inside, where only faces tell how deep it is; a sphere of radius 0 needs
-      // that.
+      // The centre is inside, so only faces measure the depth. A sphere of radius 0 needs this.
       const S rounding = S(kDistanceBound) * std::numeric_limits<S>::epsilon() * all;
       return (middle.cwiseAbs() - half_extents).maxCoeff() - radius < -rounding;
     }
     return within_reach(excess.squaredNorm(), radius, all, comparison);
   }
 
-  /// The three axes of the box, and the one to the nearest point where there is one. A face never
-  /// shows a larger gap than that one; `axes`: the columns are those of the box.
+  /// Records the three axes of the box and the axis to the closest point, if any. No face axis has
+  /// a larger gap than that one. `axes`: the box's axes as columns.
   void tell(const Mat3<S>& axes, const Comparison<S>& comparison, OverlapRecord<S>& record) const {
     const Vec3<S> way = axes * middle;
     const bool apart = !overlap(comparison);
@@ -99,8 +97,8 @@ BoxAndSphere<S> in_box(const Obb<S>& box, const BoundingSphere<S>& sphere) {
   return {box.half_extents, middle, excess, sphere.radius};
 }
 
-/// From the coordinates themselves: the middle of the box, which rounds far from the origin, is for
-/// records and bounds alone.
+/// Uses the coordinates themselves: the box's centre, which rounds far from the origin, is only
+/// used for records and bounds.
 template <class S>
 BoxAndSphere<S> in_box(const Aabb<S>& box, const BoundingSphere<S>& sphere) {
   const Vec3<S> above = sphere.center - box.upper, below = sphere.center - box.lower;
@@ -124,7 +122,7 @@ bool box_and_sphere(const Box& box, const BoundingSphere<S>& sphere, const Mat3<
 template <class S>
 bool overlaps(const Aabb<S>& a, const Aabb<S>& b, const Comparison<S>& comparison,
               OverlapRecord<S>* record) {
-  // The common question, without branches that nothing could foresee.
+  // The most common case, without unpredictable branches.
   if (record == nullptr && comparison.touching && comparison.tolerance == 0) [[likely]]
     return overlaps(a, b) && !a.empty() && !b.empty();
   if (record != nullptr) record->axes.clear();

@@ -4,9 +4,8 @@
 
 namespace contactscope {
 
-/// An axis of a record from what a test measured along a direction of any length: its projections
-/// are those of the unit direction times `length`. `way`, metres: from the middle of A to that of
-/// B.
+/// Builds a recorded axis from measurements along a direction of any length: the projections are
+/// those of the unit direction times `length`. `way`, metres: from A's centre to B's.
 template <class S>
 OverlapAxis<S> overlap_axis(OverlapAxisKind kind, int a, int b, const Vec3<S>& direction, S length,
                             const Vec3<S>& way, S distance, S reach_a, S reach_b) {

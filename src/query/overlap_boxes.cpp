@@ -5,40 +5,40 @@
 #include "query/overlap.h"
 #include "query/overlap_axes.h"
 
-// Two oriented boxes, `Guarded`: why nothing is lost.
+// Two oriented boxes, `Guarded`: proof that no overlap is lost.
 //
-// Write t for the way between the middles, h for half extents, u = epsilon / 2. For any vector l,
+// Let t be the offset between the centres, h half extents, u = epsilon / 2. For any vector l,
 //
 //     f(l) = |t . l| - sum h_k |a_k . l| - sum h_k |b_k . l|
 //
-// is the gap along l times the length of l, so f(l) > 0 proves the boxes apart, whatever l is: an
-// axis need not be the right one for that. What rounding does to f(l), with l as it was computed,
-// is at most 5.5 epsilon |l| D: 4u |t| |l| for t . l with its subtractions, 3u |l| for each a_k .
-// l, 6u for the sum. So f(l) > 8 epsilon |l| D keeps promise 1. The point is that the bound shrinks
-// with |l|. The usual formulas take a_k . l from the entries of A^T B, which is off by epsilon
-// where l itself is as short as that; then a bound that is safe must be epsilon D, and hides every
-// gap up to epsilon D / |l|.
+// is the gap along l times the length of l. So f(l) > 0 proves that the boxes are separated, for
+// any l: it need not be the correct axis. Rounding changes f(l), with l as computed, by at most 5.5
+// epsilon |l| D: 4u |t| |l| for t . l with its subtractions, 3u |l| for each a_k . l, 6u for the
+// sum. So f(l) > 8 epsilon |l| D guarantees promise 1. The point is that the bound shrinks with
+// |l|. The usual formulas take a_k . l from the entries of A^T B, whose error is epsilon even if l
+// itself is that short. Their safe bound is therefore epsilon D, which hides every gap up to
+// epsilon D / |l|.
 //
-// Promise 2 needs that l has the right direction too. Of a_i x b_j with nearly parallel edges the
+// Promise 2 also needs the right direction of l. In a_i x b_j with nearly parallel edges the
 // product cancels. But a_i x b_j = (a_i - b_j) x (a_i + b_j) / 2, where each entry of both factors
-// is right to u of itself, and the factors are at right angles, so that their product does not
-// cancel: the direction is right to some 3 epsilon, at any angle. Where one factor is 0 the edges
-// are parallel, and the faces tell (below).
+// is correct to u relatively. The factors are perpendicular, so their product does not cancel, and
+// the direction is correct to about 3 epsilon at any angle. If one factor is 0, the edges are
+// parallel, and the faces decide (below).
 //
-// That boxes at distance w have a gap of w / sqrt(3): the direction n between their closest points
-// is a sum of at most three of the axes with positive factors, all within an octant of A's or B's
-// own axes, so that no two of them are more than 90 degrees apart: n = sum c_m l_m, 1 = |n|^2 >=
+// Boxes at distance w have a gap of w / sqrt(3): the direction n between their closest points is a
+// sum of at most three of the axes with positive factors, all within an octant of A's or B's own
+// axes, so no two of them are more than 90 degrees from each other: n = sum c_m l_m, 1 = |n|^2 >=
 // sum c_m^2 >= (sum c_m)^2 / 3, and w = w n . n = sum c_m (gap along l_m) <= sqrt(3) (the largest).
 //
-// What leaving out an axis of length s costs: turn B about n until b_j is parallel to a_i. That
-// moves its points by s D at most and leaves the gap g along n as it is. Of boxes with parallel
-// edges some face axis has a gap of g / sqrt(2), a corner in the plane; turned back, g / sqrt(2) -
-// s D. So where all faces overlap by more than s D, no such axis separates.
+// Cost of leaving out an axis n of length s: turn B about n until b_j is parallel to a_i. That
+// moves its points by at most s D and keeps the gap g along n. For boxes with parallel edges, some
+// face axis has a gap of g / sqrt(2) (a corner in the plane); turned back, g / sqrt(2) - s D. So if
+// all faces overlap by more than s D, no such axis separates.
 //
-// All this is done for few pairs. Before it the usual formulas decide, with a bound of 128 epsilon
-// D on either side: they are off by 50 epsilon D for axes that are orthonormal to 8 epsilon, and
-// the rest is what the paragraph above asks for. Edges parallel to 16 epsilon are left out there.
-// That decides nothing that the slow test would decide otherwise.
+// This slow test runs for few pairs. Before it the usual formulas decide, with a bound of 128
+// epsilon D on either side: their error is 50 epsilon D for axes orthonormal to 8 epsilon, and the
+// rest covers the previous paragraph. They skip edges parallel to 16 epsilon. They never contradict
+// the slow test.
 
 namespace contactscope {
 namespace {
@@ -50,18 +50,18 @@ using boxes::Three;
 
 template <class S>
 constexpr S kEpsilon = std::numeric_limits<S>::epsilon();
-/// In units of epsilon D: within this the quick test does not decide.
+/// In units of epsilon D: the quick test is undecided within this bound.
 constexpr int kQuickBound = 128;
-/// Edges whose sine is this many epsilon are parallel to the quick test.
+/// The quick test treats edges as parallel up to this sine, in epsilon.
 constexpr int kQuickParallel = 16;
-/// The bounds of the slow test, see above. The exclusive one has room for axes that are not quite
-/// orthogonal, so that the normal of a face is off by 11 epsilon.
+/// Bounds of the slow test, see above. The exclusive one allows for axes that are not exactly
+/// orthogonal, so that a face normal is off by 11 epsilon.
 constexpr int kInclusiveBound = 8;
 constexpr int kExclusiveBound = 24;
 
 enum class Verdict { Apart, Overlap, Undecided };
 
-/// Gaps of three axes beyond the tolerance.
+/// Gaps along three axes, minus the tolerance.
 template <class S>
 [[gnu::always_inline]] inline Three<S> beyond(const Projections<S>& projections, S tolerance,
                                               const Three<S>& squared_length) {
@@ -75,14 +75,14 @@ template <class S>
 template <class S>
 constexpr Three<S> kOnes = {1, 1, 1, 1};
 
-/// What is clear by more than rounding. `kTolerant`: there is a tolerance.
+/// Decides cases that are clear beyond rounding. `kTolerant`: there is a tolerance.
 template <bool kTolerant, class S>
 [[gnu::always_inline]] inline Verdict quick_verdict(const Obb<S>& a, const Obb<S>& b, S tolerance) {
   const BoxAxes<S> axes(a, b);
-  if (!kTolerant) tolerance = 0;  // known to the compiler
+  if (!kTolerant) tolerance = 0;  // lets the compiler know
   const S bound = S(kQuickBound) * kEpsilon<S> * (axes.size() + tolerance);
   const auto verdict_of = [&](const Three<S>& gaps) {
-    // NaN is no verdict.
+    // NaN is undecided.
     return gaps[0] > bound || gaps[1] > bound || gaps[2] > bound ? Verdict::Apart
                                                                  : Verdict::Undecided;
   };
@@ -102,7 +102,7 @@ template <bool kTolerant, class S>
   if (!all<S>(edges <= bound)) return verdict_of(edges);
   if (!all<S>(faces < -bound) || !axes.are_boxes()) return Verdict::Undecided;
   if (all<S>(edges < -bound)) return Verdict::Overlap;
-  if (kTolerant) return Verdict::Undecided;  // a tolerance is measured along short axes as well
+  if (kTolerant) return Verdict::Undecided;  // a tolerance applies along short axes as well
   const S parallel = S(kQuickParallel) * kEpsilon<S>;
   const auto clear = ((edges_0 < -bound) | (axes.template rough_lengths<0>() <= parallel)) &
                      ((edges_1 < -bound) | (axes.template rough_lengths<1>() <= parallel)) &
@@ -110,8 +110,8 @@ template <bool kTolerant, class S>
   return all<S>(clear) ? Verdict::Overlap : Verdict::Undecided;
 }
 
-/// Calls visit(kind, i, j, direction) for the fifteen axes, until it returns false; whether it
-/// never did. Directions are not unit, those of parallel edges zero.
+/// Calls visit(kind, i, j, direction) for the fifteen axes until it returns false; returns true if
+/// it never did. Directions are not normalized; those of parallel edges are zero.
 template <class S, class Visit>
 bool for_each_axis(const Obb<S>& a, const Obb<S>& b, const Visit& visit) {
   for (int i = 0; i < 3; ++i)
@@ -129,7 +129,7 @@ bool for_each_axis(const Obb<S>& a, const Obb<S>& b, const Visit& visit) {
   return true;
 }
 
-/// The slow test along one axis, times the length of the axis.
+/// Measurements of the slow test along one axis, times the length of the axis.
 template <class S>
 struct Measured {
   S distance, reach_a, reach_b, length;
@@ -160,7 +160,7 @@ Measured<S> measure(const Obb<S>& a, const Obb<S>& b, const Vec3<S>& way, S size
   return found;
 }
 
-/// The tests of engines: gaps as they were rounded.
+/// The tests of engines: compare gaps as rounded.
 template <class S>
 bool plain_overlap(const Obb<S>& a, const Obb<S>& b, const Comparison<S>& comparison,
                    const ObbTest<S>& test) {
@@ -176,7 +176,7 @@ bool plain_overlap(const Obb<S>& a, const Obb<S>& b, const Comparison<S>& compar
   if (test.axes == ObbAxes::Faces) return true;
   const S shortest = test.skip_up_to * test.skip_up_to;
   const auto edges_pass = [&](const Projections<S>& edges, const Three<S>& squared) {
-    // One that is skipped counts as overlapping.
+    // A skipped axis counts as overlapping.
     const Three<S> gap = beyond<S>(edges, tolerance, squared);
     return none_separates(squared <= shortest ? -kOnes<S> : gap);
   };
@@ -191,7 +191,7 @@ bool all_finite(const Obb<S>& box) {
          box.half_extents.allFinite();
 }
 
-/// D of the derivation, and the way between the middles.
+/// Offset between the centres, and the D of the derivation.
 template <class S>
 struct BoxWay {
   Vec3<S> way;
@@ -203,7 +203,7 @@ struct BoxWay {
   }
 };
 
-/// Not inlined: few pairs come here.
+/// Not inlined, because few pairs get here.
 template <class S>
 [[gnu::noinline]] bool slow_overlap(const Obb<S>& a, const Obb<S>& b,
                                     const Comparison<S>& comparison) {
@@ -214,7 +214,7 @@ template <class S>
   });
 }
 
-/// Every axis as the slow test sees it. The quick one never says anything else.
+/// Records every axis as the slow test measures it. The quick test never contradicts it.
 template <class S>
 void record_guarded(const Obb<S>& a, const Obb<S>& b, const Comparison<S>& comparison,
                     OverlapRecord<S>& record) {
@@ -229,7 +229,7 @@ void record_guarded(const Obb<S>& a, const Obb<S>& b, const Comparison<S>& compa
   });
 }
 
-/// Every axis as the plain test sees it.
+/// Records every axis as the plain test measures it.
 template <class S>
 void record_plain(const Obb<S>& a, const Obb<S>& b, const Comparison<S>& comparison,
                   const ObbTest<S>& test, OverlapRecord<S>& record) {

@@ -10,10 +10,10 @@
 #include "core/pose.h"
 #include "query/box_pair.h"
 
-/// Vectors of three in one register each, and a few of them at a time: what Eigen does with one, bit for bit.
+/// Three-vectors in one register each, with operations that are bitwise equal to Eigen's.
 namespace contactscope::boxes {
 
-/// Four numbers of something that is nothing but numbers, from number `kFirst` on.
+/// Loads four numbers, starting with number `kFirst`, from a type that consists of numbers only.
 template <class S, int kFirst, class T>
 [[gnu::always_inline]] inline Three<S> four_of(const T& numbers) {
   static_assert(sizeof(T) >= (kFirst + 4) * sizeof(S) && std::is_standard_layout_v<T>);
@@ -23,13 +23,13 @@ template <class S, int kFirst, class T>
   return pack;
 }
 
-/// u x v. The bracket has its entry k + 1 at place k.
+/// u x v. The bracket has entry k + 1 in lane k.
 template <class S>
 [[gnu::always_inline]] inline Three<S> cross(const Three<S>& u, const Three<S>& v) {
   return next(Three<S>(u * next(v) - next(u) * v));
 }
 
-/// The sum of the three entries, in the order of Eigen's dot().
+/// Sum of the three entries, in the order of Eigen's dot().
 template <class S>
 [[gnu::always_inline]] inline S sum_of(const Three<S>& v) {
   return dot_sum<S>(v[0], v[1], v[2]);
@@ -46,7 +46,7 @@ template <class S>
   return roots;
 }
 
-/// The x, y and z of four vectors, side by side.
+/// Four vectors as x, y and z packs.
 template <class S>
 struct Coordinates {
   [[gnu::always_inline]] Coordinates(const Three<S>& one, const Three<S>& two,
@@ -59,9 +59,9 @@ struct Coordinates {
     y = __builtin_shufflevector(low, low_too, 2, 3, 6, 7);
     z = __builtin_shufflevector(high, high_too, 0, 1, 4, 5);
   }
-  /// The sum of each vector's entries.
+  /// Sum of each vector's entries.
   [[gnu::always_inline]] Three<S> sums() const { return dot_sum<S>(x, y, z); }
-  /// The dot products with four others.
+  /// Dot products with four other vectors.
   [[gnu::always_inline]] Three<S> dot(const Coordinates& other) const {
     return dot_sum<S>(Three<S>(x * other.x), Three<S>(y * other.y), Three<S>(z * other.z));
   }
@@ -69,10 +69,10 @@ struct Coordinates {
   Three<S> x, y, z;
 };
 
-/// A rotation as a quaternion, the real part in the last lane.
+/// A rotation as a quaternion, real part in the last lane.
 template <class S>
 struct Turn {
-  /// As Eigen turns a vector by a quaternion.
+  /// Rotates a vector as Eigen does with a quaternion.
   [[gnu::always_inline]] Three<S> of(const Three<S>& v) const {
     const Three<S> half = cross<S>(quaternion, v);
     const Three<S> whole = half + half;
@@ -82,7 +82,7 @@ struct Turn {
   Three<S> quaternion;
 };
 
-/// The matrix of a rotation, and its products as Eigen has them.
+/// A rotation matrix whose products equal Eigen's.
 template <class S>
 class TurnMatrix {
  public:
@@ -92,7 +92,7 @@ class TurnMatrix {
       const Three<S> squares = twice * q;
       const Three<S> mixed = twice * next(q);        // 2 x y, 2 y z, 2 z x
       const Three<S> with_w = twice * spread<3>(q);  // 2 w x, 2 w y, 2 w z
-      // Entry k of each is in column k, from the diagonal on downwards and round:
+      // Column k contains entry k of each vector, from the diagonal downwards, wrapping around:
       //     d0 a1 b2
       //     b0 d1 a2
       //     a0 b1 d2
@@ -112,7 +112,7 @@ class TurnMatrix {
     }
   }
 
-  /// As Eigen's product of a matrix and a vector.
+  /// Product with a vector, in the order of Eigen.
   [[gnu::always_inline]] Three<S> of(const Three<S>& v) const {
     if constexpr (kInPacks) {
       return dot_sum<S>(Three<S>(columns_.of[0] * spread<0>(v)),
@@ -122,14 +122,14 @@ class TurnMatrix {
       return three(Vec3<S>(matrix_ * vector<S>(v)));
     }
   }
-  /// As dot() of lanes.h adds up, by which hulls are placed.
+  /// Product with a vector, in the order of dot() in lanes.h, which is used to place hulls.
   [[gnu::always_inline]] Three<S> of_placed(const Three<S>& v) const {
     return (columns_.of[0] * spread<0>(v) + columns_.of[1] * spread<1>(v)) +
            columns_.of[2] * spread<2>(v);
   }
 
  private:
-  /// In double Eigen adds the rows of a product in different orders, so that it has to be asked.
+  /// In double, Eigen adds the rows of a product in varying order, so call Eigen itself.
   static constexpr bool kInPacks = std::is_same_v<S, float>;
 
   Columns<S> columns_;

@@ -11,7 +11,7 @@
 namespace contactscope {
 namespace {
 
-/// `deepest` is a point of B, or of A.
+/// `deepest` is a point of B if `is_of_b`, otherwise of A.
 template <class S>
 PenetrationResult<S> axis_result(S separation, const Vec3<S>& normal, const Vec3<S>& deepest,
                                  bool is_of_b) {
@@ -26,8 +26,8 @@ PenetrationResult<S> axis_result(S separation, const Vec3<S>& normal, const Vec3
           .iterations = 1};
 }
 
-/// Of two edges that cross, A's from p to q and B's from r to s: the closest points of the edges
-/// are the deepest points of the shapes.
+/// Two crossing edges, A's from p to q and B's from r to s: the closest points of the edges are the
+/// deepest points of the shapes.
 template <class S>
 PenetrationResult<S> edge_result(S separation, const Vec3<S>& normal, const Vec3<S>& p,
                                  const Vec3<S>& q, const Vec3<S>& r, const Vec3<S>& s) {
@@ -63,8 +63,8 @@ PenetrationResult<S> of_hulls(const Hull<S>& a, const Hull<S>& b, const Pose<S>&
   return axis_result(best.separation, normal, other.vertex(best.support), is_of_a);
 }
 
-/// `core` is a point or a segment in the hull's frame; normal from the hull to the core. Told as if
-/// the hull were A.
+/// The core is a point or a segment in the hull's frame. The hull takes the role of A in the
+/// result.
 template <class S>
 PenetrationResult<S> of_hull_and_segment(const Hull<S>& hull, const Vec3<S> (&ends)[2]) {
   const S scale = hull.centroid.norm() + hull.radius + std::max(ends[0].norm(), ends[1].norm());
@@ -86,9 +86,9 @@ bool is_finite(const SupportSet<S>& set) {
                      [](const Vec3<S>& point) { return point.allFinite(); });
 }
 
-/// The separating axis test: exact, and what the others are held against. Two hulls by sat(), a hull
-/// and a point or segment by capsule_sat(). Two cores without volume have no faces: they give Flat,
-/// across both.
+/// The separating axis test, the exact reference for the other methods: sat() for two hulls,
+/// capsule_sat() for a hull and a point or segment. Two cores without volume have no faces and give
+/// Flat, with a normal perpendicular to both.
 template <class S>
 PenetrationResult<S> sat_penetration(const SupportSet<S>& a, const SupportSet<S>& b,
                                      const Pose<S>& b_in_a) {

@@ -10,23 +10,23 @@
 #include "query/penetration.h"
 #include "query/tolerance.h"
 
-/// The methods that penetration() chooses from beside the separating axis test, with its arguments, each
-/// in the file of its name; and what they have in common, which all work by support points.
+/// The methods of penetration() other than the separating axis test, each in a file of its name,
+/// and their common parts. All of them use support points.
 namespace contactscope {
 
-/// Caps on the iterations of EPA and, those of finding the first portal included, of MPR. EPA's
+/// Maximum iterations of EPA and MPR (for MPR including the search for the first portal). EPA's
 /// polytope then has at most 4 + kMaxEpaIterations vertices and never runs out of room: a closed
 /// surface of V vertices has 2V - 4 triangles.
 inline constexpr int kMaxEpaIterations = 256;
 inline constexpr int kMaxMprIterations = 256;
-/// Fewest and most directions that sampling may be asked for, and its cap on the rounds of the
-/// search about the best one.
+/// Limits of the number of sampling directions, and the maximum number of rounds of the search
+/// around the best direction.
 inline constexpr int kMinSamples = 6;
 inline constexpr int kMaxSamples = 1 << 20;
 inline constexpr int kMaxSamplingRounds = 128;
 
-/// Expanding polytope algorithm. Of Converged, `depth` and `least_depth` are the two bounds of the
-/// true depth, and no farther apart than the tolerance, up to rounding.
+/// Expanding polytope algorithm. If Converged, `depth` and `least_depth` are bounds of the true
+/// depth that differ by at most the tolerance, up to rounding.
 template <class S>
 PenetrationResult<S> epa(const SupportSet<S>& a, const SupportSet<S>& b, const Pose<S>& b_in_a,
                          const PenetrationOptions<S>& options, const GjkSimplex<S>* overlap,
@@ -34,35 +34,35 @@ PenetrationResult<S> epa(const SupportSet<S>& a, const SupportSet<S>& b, const P
 
 /// Minkowski portal refinement.
 ///
-/// **What it is known for**: the normal is that of the face through which the ray from the middle of
-/// the difference through the origin leaves it. That is the face of least depth only where the ray
-/// happens to meet it: for a plate that lies off centre on another, the ray may leave through a
-/// side. The depth is true along that normal, so it is never less than the least depth but can be
-/// many times as large; `study penetration` measures how much. No bound from below is known.
+/// **Known weakness**: the normal is that of the face where the ray from the centre of the
+/// difference through the origin leaves it. That is the face of least depth only by chance: for a
+/// plate off centre on another, the ray may leave through a side. The depth is correct along that
+/// normal, so it is never less than the least depth but can be many times larger; `study
+/// penetration` measures it. There is no lower bound.
 template <class S>
 PenetrationResult<S> mpr(const SupportSet<S>& a, const SupportSet<S>& b, const Pose<S>& b_in_a,
                          const PenetrationOptions<S>& options, PenetrationSteps<S>* steps);
 
-/// Brute force over directions. `depth` is that along the best direction that was tried. The depth
-/// along a direction changes by no more than the largest distance R of a point of the difference
-/// from the origin times the angle, so the true depth is at least `least_depth`: the best of the even
-/// samples less R * sampling_angle(samples).
+/// Brute force over directions. `depth` belongs to the best direction that was tried. The depth
+/// along a direction changes by at most R times the angle, where R is the largest distance of a
+/// point of the difference from the origin. So the true depth is at least `least_depth`: the best
+/// of the even samples minus R * sampling_angle(samples).
 ///
-/// `iterations` counts directions. Converged: the last round's directions were nearer than the
-/// tolerance could tell; it says nothing of whether a better one is elsewhere, `least_depth` does.
+/// `iterations` counts directions. Converged: the last round's directions differed by less than the
+/// tolerance. A better direction may exist elsewhere; `least_depth` accounts for that.
 template <class S>
 PenetrationResult<S> sampling(const SupportSet<S>& a, const SupportSet<S>& b, const Pose<S>& b_in_a,
                               const PenetrationOptions<S>& options, PenetrationSteps<S>* steps);
 
-/// No direction is farther than this angle, radians, from the nearest of `count` sampled ones. Of the
-/// Fibonacci sphere that is at the poles; the constant is measured, a test repeats that.
+/// Largest angle, radians, from any direction to the nearest of `count` sampled ones. For the
+/// Fibonacci sphere it occurs at the poles. The constant is measured; a test verifies it.
 template <class S>
 S sampling_angle(int count);
 
-/// Unit directions evenly spread, one after the other: the Fibonacci sphere (Gonzalez, "Measurement
-/// of Areas on a Sphere Using Fibonacci and Latitude-Longitude Lattices", 2010), each a little lower
-/// than the last and turned by the golden angle about z. Without a library's sine, whose last bit
-/// differs between processors.
+/// Sequence of evenly distributed unit directions: the Fibonacci sphere (Gonzalez, "Measurement of
+/// Areas on a Sphere Using Fibonacci and Latitude-Longitude Lattices", 2010). Each is a little
+/// lower than the last and turned by the golden angle about z. Does not use a library's sine, whose
+/// last bit differs between processors.
 class SamplingDirections {
  public:
   explicit SamplingDirections(int count) : count_(count) {}
@@ -81,7 +81,7 @@ struct DifferencePoint {
   IndexPair pair;
 };
 
-/// Points of the difference and what weights give the deepest point; up to four.
+/// Up to four points of the difference, with the weights of the deepest point.
 template <class S>
 struct WeightedPairs {
   int count = 0;
@@ -95,9 +95,9 @@ struct WeightedPairs {
   }
 };
 
-/// The difference with what every step needs: support points, and the best direction so far.
-/// Directions `outward` are unit and point from the origin out of the difference, which is from B
-/// to A: the contact normal is their opposite.
+/// The difference with the common state of all methods: support points and the best direction so
+/// far. `outward` directions are unit and point from the origin out of the difference, from B to A;
+/// the contact normal is their opposite.
 template <class S>
 class BoundedDifference : public MinkowskiDifference<S> {
  public:
@@ -106,11 +106,11 @@ class BoundedDifference : public MinkowskiDifference<S> {
         is_finite_(std::isfinite(reach_of(a) + reach_of(b)) &&
                    b_in_a.rotation.coeffs().allFinite() && b_in_a.position.allFinite()) {}
 
-  /// False once a coordinate was met that is not finite.
+  /// False once a coordinate was not finite.
   bool is_finite() const { return is_finite_; }
-  /// Of a point of the difference, in units.
+  /// Rounding error of a point of the difference, in units.
   S rounding() const { return tie_tolerance(this->scale()); }
-  /// That of the options in units, never less than rounding.
+  /// Tolerance of the options in units, at least the rounding error.
   S tolerance(const PenetrationOptions<S>& options) const {
     return std::max(clip_thickness(this->scale()), options.tolerance * this->scale());
   }
@@ -124,8 +124,8 @@ class BoundedDifference : public MinkowskiDifference<S> {
     is_finite_ = is_finite_ && found.point.allFinite();
     return found;
   }
-  /// The support point along a unit direction, whose distance bounds the depth. True when that is
-  /// the least so far: then `weights()` is to be set.
+  /// Computes the support point along a unit direction, whose distance bounds the depth. Returns
+  /// true if it is the smallest so far; the caller must then set `weights()`.
   bool bound(const Vec3<S>& outward, DifferencePoint<S>& found) {
     found = support(outward);
     const S along = outward.dot(found.point);
@@ -136,14 +136,14 @@ class BoundedDifference : public MinkowskiDifference<S> {
     weights_.add(found.pair, S(1));
     return true;
   }
-  /// The same, and makes it the best whether it is or not.
+  /// The same, but always makes it the best direction.
   void measure(const Vec3<S>& outward, DifferencePoint<S>& found) {
     upper_ = std::numeric_limits<S>::infinity();
     bound(outward, found);
   }
   WeightedPairs<S>& weights() { return weights_; }
 
-  /// In metres, of the best direction; `lower` is in units.
+  /// Result for the best direction, in metres; `lower` is in units.
   PenetrationResult<S> result(PenetrationStatus status, S lower, int iterations) const {
     PenetrationResult<S> result;
     result.status = is_finite_ ? status : PenetrationStatus::NotFinite;
@@ -165,15 +165,15 @@ class BoundedDifference : public MinkowskiDifference<S> {
   WeightedPairs<S> weights_;
 };
 
-/// How many steps a method whose own cap is `cap` may take.
+/// Maximum number of steps of a method whose own limit is `cap`.
 template <class S>
 int allowed_iterations(const PenetrationOptions<S>& options, int cap) {
   return options.max_iterations > 0 ? std::min(options.max_iterations, cap) : cap;
 }
 
-/// Normal of a triangle, counter-clockwise, twice its area long; `longest` becomes the length of its
-/// longest side. From where the two shorter sides meet: there the cross product of a needle's sides
-/// is relatively exact, and its plane has all three corners within rounding.
+/// Normal of a triangle, counter-clockwise, of length twice its area; `longest` becomes its longest
+/// side. Uses the two shorter sides: for needles their cross product has a small relative error,
+/// and the plane through their common corner contains all corners within rounding.
 template <class S>
 Vec3<S> triangle_normal(const Vec3<S>& p, const Vec3<S>& q, const Vec3<S>& r, S& longest) {
   const Vec3<S> pq = q - p, qr = r - q, rp = p - r;

@@ -15,7 +15,7 @@
 
 namespace contactscope {
 
-/// The largest of `count` values, a multiple of the lane width.
+/// The largest of `count` values; `count` is a multiple of the lane width.
 template <class S>
 inline S largest_in_lanes(const S* values, int count) {
   lanes::Pack<S> best = lanes::all(-std::numeric_limits<S>::infinity());
@@ -25,7 +25,7 @@ inline S largest_in_lanes(const S* values, int count) {
   return lanes::largest<S>(best)[0];
 }
 
-/// Calls visit(first + i) for each bit i that is set, up to `count`, in order.
+/// Calls visit(first + i) for each set bit i with first + i < count, in order.
 template <class Visit>
 inline void for_each_bit(std::uint32_t bits, int first, int count, const Visit& visit) {
   for (; bits != 0; bits &= bits - 1) {
@@ -34,8 +34,8 @@ inline void for_each_bit(std::uint32_t bits, int first, int count, const Visit& 
   }
 }
 
-/// Calls visit(i) for each of `count` values that is not less than `least`, in order. The values are
-/// padded to the lane width, with anything.
+/// Calls visit(i) for each of `count` values that is not less than `least`, in order. Values must
+/// be padded to the lane width; the padding is ignored.
 template <class S, class Visit>
 inline void for_each_not_below(const S* values, int count, S least, const Visit& visit) {
   constexpr int kLanes = lanes::kWidth<S>;
@@ -46,8 +46,8 @@ inline void for_each_not_below(const S* values, int count, S least, const Visit&
   }
 }
 
-/// Calls visit(i) for each of `count` values that has all of `bits`, in order. The values are padded
-/// to the lane width, with anything.
+/// Calls visit(i) for each of `count` values that has all of `bits`, in order. Values must be
+/// padded to the lane width; the padding is ignored.
 template <class Visit>
 inline void for_each_with_bits(const int* values, int count, int bits, const Visit& visit) {
   using Ints = lanes::Flags<float>;
@@ -59,8 +59,8 @@ inline void for_each_with_bits(const int* values, int count, int bits, const Vis
   }
 }
 
-/// Whether two faces lean by no more than a sine to each other, so that a tie between them says
-/// little about the normal.
+/// True if the sine of the angle between two face normals is at most `sine`, so that a tie between
+/// these faces hardly affects the normal.
 template <class S>
 bool look_the_same_way(const Hull<S>& hull, int one, int other, S sine) {
   const Vec3<S>& n = at(hull.planes, one).normal;
@@ -68,9 +68,9 @@ bool look_the_same_way(const Hull<S>& hull, int one, int other, S sine) {
   return n.dot(m) > S(0) && n.cross(m).squaredNorm() <= sine * sine;
 }
 
-/// Signed distances of a point from the planes of all faces of a hull, in the hull's frame, metres:
-/// the separating axis test of a point, for which faces are the only axes (Gregorius 2015, "Sphere
-/// vs Hull: Deep Penetration").
+/// Signed distances of a point from all face planes of a hull, in the hull's frame, metres: the
+/// separating axis test of a point, with the faces as the only axes (Gregorius 2015, "Sphere vs
+/// Hull: Deep Penetration").
 template <class S>
 class PointFaces {
  public:
@@ -87,17 +87,17 @@ class PointFaces {
           ((load(normals.x() + f) * x + load(normals.y() + f) * y) + load(normals.z() + f) * z) -
           load(offsets + f);
       lanes::store<S>(distance, distances_.data() + f);
-      largest = lanes::larger(distance, largest);  // padding lies behind every point
+      largest = lanes::larger(distance, largest);  // padding planes are behind every point
     }
     largest_ = lanes::largest<S>(largest)[0];
   }
 
   S operator[](int face) const { return distances_[face]; }
-  /// The largest. Negative: the point is inside, and this far from the surface.
+  /// Largest distance. Negative: the point is inside, at this depth.
   S largest() const { return largest_; }
 
-  /// The earliest face whose distance is within `tie` (metres, >= 0) of the largest; of several,
-  /// the earliest that the point projects into.
+  /// The first face whose distance is within `tie` (metres, >= 0) of the largest; among several,
+  /// the first that the point projects into.
   int nearest(S tie) const {
     const int count = hull_.face_count();
     const lanes::Pack<S> least = lanes::all(largest_ - tie);
@@ -111,8 +111,8 @@ class PointFaces {
     return below < 0 ? near.first : below;
   }
 
-  /// Whether a face within `tie` of the largest leans away from `face` by more than `sine`: then
-  /// which of them is nearest is up to rounding, and it matters.
+  /// True if a face within `tie` of the largest deviates from `face` by more than `sine`: rounding
+  /// then chooses the nearest face, and the choice affects the normal.
   bool is_tied(int face, S tie, S sine) const {
     for (int other = 0; other < hull_.face_count(); ++other) {
       if (other == face || distances_[other] < largest_ - tie) continue;

@@ -6,11 +6,11 @@
 namespace contactscope {
 namespace {
 
-/// A triangle is a needle when it is thinner than this many roundings: its normal is then less
-/// certain than an eighth, and the way to its long edge says more.
+/// A triangle thinner than this many roundings is a needle: its normal is uncertain by more than an
+/// eighth, and the direction to its long edge is more reliable.
 constexpr int kNeedleRoundings = 8;
 
-/// Point of an edge nearest to the origin; the weight is that of `to`.
+/// Weight of `to` at the point of an edge closest to the origin.
 template <class S>
 S weight_on_edge(const Vec3<S>& from, const Vec3<S>& to) {
   const Vec3<S> along = to - from;
@@ -27,12 +27,12 @@ Polytope<S>::Polytope(const StartSimplex<S>& tetrahedron, S rounding) : rounding
   const Vec3<S> side1 = vertices[1].point - vertices[0].point;
   const Vec3<S> side2 = vertices[2].point - vertices[0].point;
   const Vec3<S> side3 = vertices[3].point - vertices[0].point;
-  // Seen from outside, that is from the other side than vertex 3.
+  // Seen from outside: from the side opposite to vertex 3.
   const bool flip = side1.cross(side2).dot(side3) > S(0);
   const int one = flip ? 2 : 1, two = flip ? 1 : 2;
   const int corners[4][3] = {{0, one, two}, {one, 0, 3}, {two, one, 3}, {0, two, 3}};
   for (const auto& [i, j, k] : corners) add_face(i, j, k);
-  // The first edge of each other face is shared with face 0, the second with another's third.
+  // The first edge of each other face is shared with face 0, the second with the third of another.
   for (int f = 1; f < 4; ++f) {
     link(0, f - 1, f, 0);
     link(f, 1, f == 1 ? 3 : f - 1, 2);
@@ -63,11 +63,11 @@ int Polytope<S>::add_face(int first, int second, int third) {
   return slot;
 }
 
-/// The distance is that of the triangle, not that of its plane: where the nearest point is inside,
-/// which it is in some face of a convex polytope, they are the same, and elsewhere rounding of a
-/// needle's normal can bring its plane arbitrarily near while the triangle stays where it is. Negative
-/// where the origin is beyond the plane: such a face comes first, and either something is beyond it
-/// as well or its plane parts the shapes.
+/// The distance is that of the triangle, not of its plane. They are equal if the closest point is
+/// inside, as in some face of a convex polytope. Elsewhere rounding of a needle's normal can bring
+/// its plane arbitrarily close to the origin, but not the triangle. Negative if the origin is
+/// beyond the plane: such a face comes first, and then a point is beyond it as well, or its plane
+/// separates the shapes.
 template <class S>
 void Polytope<S>::measure(PolytopeFace<S>& added) const {
   const Vec3<S> corners[4] = {corner(added, 0).point, corner(added, 1).point,
@@ -149,8 +149,8 @@ bool Polytope<S>::has_vertex(const IndexPair& pair) const {
   return std::ranges::find(vertices, pair, &DifferencePoint<S>::pair) != vertices.end();
 }
 
-/// On the plane counts as seen: faces in one plane are replaced together, so that no new triangle is
-/// thinner than rounding, for its outer neighbour would be in a plane with it and seen as well.
+/// Points on the plane count as seeing it, so coplanar faces are replaced together. Then no new
+/// triangle is thinner than rounding: its outer neighbour would be coplanar and seen as well.
 template <class S>
 bool Polytope<S>::is_seen_from(const PolytopeFace<S>& candidate, const Vec3<S>& point) const {
   return candidate.normal.dot(point) - candidate.offset > -rounding_;
@@ -158,7 +158,7 @@ bool Polytope<S>::is_seen_from(const PolytopeFace<S>& candidate, const Vec3<S>& 
 
 template <class S>
 bool Polytope<S>::expand(int seen, const DifferencePoint<S>& point) {
-  // Flood fill over neighbours from the face that is known to be seen.
+  // Flood fill over neighbours, starting at the visible face.
   StaticVector<int, kMaxFaces> region;
   std::array<bool, kMaxFaces> is_in_region;
   std::fill_n(is_in_region.begin(), faces.size(), false);
@@ -172,7 +172,7 @@ bool Polytope<S>::expand(int seen, const DifferencePoint<S>& point) {
     }
   }
 
-  // The edge of the horizon that starts at a vertex: the vertex where it ends, and the face beyond.
+  // Horizon edge that starts at a vertex: its end vertex and the face beyond it.
   struct HorizonEdge {
     int to = -1, outer;
   };

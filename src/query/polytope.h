@@ -8,30 +8,30 @@
 
 namespace contactscope {
 
-/// A tetrahedron of the difference that holds the origin within rounding, or what stands in its way.
+/// A tetrahedron of the difference around the origin within rounding, or a degenerate simplex.
 template <class S>
 struct StartSimplex {
-  int count = 0;  // 4: a tetrahedron; less: the difference reaches nowhere out of these
+  int count = 0;  // 4: a tetrahedron; less: the difference does not extend beyond these points
   std::array<DifferencePoint<S>, 4> points;
-  Vec3<S> outward = Vec3<S>::UnitX();  // of count < 4: unit, across the difference
+  Vec3<S> outward = Vec3<S>::UnitX();  // if count < 4: unit, across the difference
 };
 
-/// A triangle of the polytope, seen from outside.
+/// A triangle of the polytope.
 template <class S>
 struct PolytopeFace {
-  std::array<int, 3> vertices;    // counter-clockwise
+  std::array<int, 3> vertices;    // counter-clockwise seen from outside
   std::array<int, 3> neighbours;  // face across the edge from vertices[k] to the next
   bool is_alive;
-  bool is_closed;            // no support point lies beyond it as far as rounding lets us see
-  Vec3<S> normal;            // outward, unit; zero where the triangle has no area
-  S offset;                  // normal . x of its plane
-  Vec3<S> direction;         // unit, outward: along which to look for the next point
-  S distance;                // of the triangle from the origin
-  std::array<S, 3> weights;  // of its point nearest to the origin
+  bool is_closed;            // no support point lies beyond it within rounding
+  Vec3<S> normal;            // outward, unit; zero for a triangle without area
+  S offset;                  // of its plane: normal . x
+  Vec3<S> direction;         // unit, outward: search direction for the next point
+  S distance;                // from the origin to the triangle
+  std::array<S, 3> weights;  // barycentric, of its point closest to the origin
 };
 
-/// The polytope of EPA: a closed surface of triangles inside the Minkowski difference around the
-/// origin, in units. Room for every expansion that EPA may make; nothing on the heap.
+/// The polytope of EPA: a closed triangle mesh around the origin inside the Minkowski difference,
+/// in units. Has capacity for all expansions of EPA, without heap allocations.
 template <class S>
 struct Polytope {
   static constexpr int kMaxVertices = 4 + kMaxEpaIterations;
@@ -41,22 +41,22 @@ struct Polytope {
   /// it.
   Polytope(const StartSimplex<S>& tetrahedron, S rounding);
 
-  /// Corner k of a face, modulo 3.
+  /// Corner k, modulo 3, of a face.
   const DifferencePoint<S>& corner(const PolytopeFace<S>& face, int k) const {
     return at(vertices, at(face.vertices, k % 3));
   }
-  /// The open face nearest to the origin; -1 when all are closed.
+  /// The open face closest to the origin; -1 if all are closed.
   int nearest_open() const;
-  /// Distance of the surface from the origin.
+  /// Distance from the origin to the surface.
   S distance() const;
   bool has_vertex(const IndexPair& pair) const;
 
-  /// Replaces the faces that `point` sees, among them `seen`, by those between it and their horizon.
-  /// False, and nothing changed, where rounding has made the horizon no simple loop.
+  /// Replaces the faces visible from `point`, including `seen`, by a cone from their horizon to it.
+  /// Returns false and changes nothing if rounding leaves no simple loop as the horizon.
   bool expand(int seen, const DifferencePoint<S>& point);
 
   StaticVector<DifferencePoint<S>, kMaxVertices> vertices;
-  StaticVector<PolytopeFace<S>, kMaxFaces> faces;  // also those that are no longer alive
+  StaticVector<PolytopeFace<S>, kMaxFaces> faces;  // including removed ones
 
  private:
   int add_face(int first, int second, int third);
@@ -65,7 +65,7 @@ struct Polytope {
   void link(int face, int edge, int neighbour, int neighbour_edge);
 
   S rounding_;
-  StaticVector<int, kMaxFaces> free_;  // faces that are no longer alive
+  StaticVector<int, kMaxFaces> free_;  // indices of removed faces
 };
 
 }  // namespace contactscope

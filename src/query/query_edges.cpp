@@ -11,7 +11,7 @@
 namespace contactscope {
 namespace {
 
-/// One end of an arc: a unit direction, B's support vertex along it, and the separation that it gives.
+/// End of an arc: a unit direction, B's support vertex along it, and the separation it gives.
 template <class S>
 struct ArcEnd {
   Vec3<S> direction;
@@ -19,8 +19,8 @@ struct ArcEnd {
   S separation;  // metres
 };
 
-/// One edge of A: on the Gauss map, the arc from the normal of the face on the left of the half-edge to
-/// that of the other. Of a flat A, one half of it.
+/// An edge of A as an arc on the Gauss map, from the normal of the half-edge's left face to that of
+/// the other face. For a flat A, one half of it.
 template <class S>
 struct Arc {
   int half_edge;
@@ -28,7 +28,7 @@ struct Arc {
   ArcEnd<S> first, second;
 };
 
-/// `direction` is unit, and `on_a` a support point of A along it.
+/// `direction` is a unit vector, and `on_a` a support point of A along it.
 template <class S>
 ArcEnd<S> end_along(const PlacedHull<S>& b, const Vec3<S>& direction, const Vec3<S>& on_a) {
   ArcEnd<S> end{direction, 0, std::numeric_limits<S>::infinity()};
@@ -39,10 +39,10 @@ ArcEnd<S> end_along(const PlacedHull<S>& b, const Vec3<S>& direction, const Vec3
   return end;
 }
 
-/// Whether no direction of the arc has a separation above `bound`, by the support vertices at its ends.
-/// Along n(t) = (1 - t) first + t second the distance of B's deepest vertex from a point of the edge is
-/// a minimum over vertices of linear functions of t: concave, and below the line of each single vertex.
-/// Where that is negative, dividing by |n(t)| <= 1 only lowers it.
+/// True if no direction of the arc has a separation above `bound`, judged by the support vertices
+/// at its ends. Along n(t) = (1 - t) first + t second the distance of B's deepest vertex from a
+/// point of the edge is a minimum over vertices of linear functions of t: concave, and below the
+/// line of each vertex. Where that is negative, dividing by |n(t)| <= 1 only lowers it.
 template <class S>
 bool arc_stays_below(const PlacedHull<S>& b, const Vec3<S>& on_edge, const ArcEnd<S>& first,
                      const ArcEnd<S>& second, S bound) {
@@ -53,7 +53,7 @@ bool arc_stays_below(const PlacedHull<S>& b, const Vec3<S>& on_edge, const ArcEn
   return std::max(second.separation, second_at_first) <= most;
 }
 
-/// Separation along a unit direction by the support points of both whole hulls. Valid for every
+/// Separation along a unit direction by the support points of both hulls. Valid for every
 /// direction: the hulls' distance is never less.
 template <class S>
 S support_separation(const HullPair<S>& pair, const Vec3<S>& direction) {
@@ -70,11 +70,11 @@ S support_separation(const HullPair<S>& pair, const Vec3<S>& direction) {
   return b_least - a_most;
 }
 
-/// +1 or -1, so that cross = edge A x edge B times it points from A to B, that is along the arc.
-/// Talk, "Normal Orientation": away from A's centre. We ask the arc itself: the crossing x lies on
-/// it, so x . (first + second) > 0. For an arc of more than a quarter turn the sum cancels; but
-/// x . (first + second) = k (1 + first . second) (first . edge_b - second . edge_b) with k > 0, and
-/// the walk goes along edges of B for which the last factor is positive.
+/// Sign, +1 or -1, that orients cross = edge A x edge B from A to B, along the arc. The talk
+/// ("Normal Orientation") uses A's centre. We use the arc: the crossing x lies on it, so
+/// x . (first + second) > 0. For an arc of more than a quarter turn the sum cancels. But it is
+/// k (1 + first . second) (first . edge_b - second . edge_b) with k > 0, and the walk uses edges of
+/// B for which the last factor is positive.
 template <class S>
 S orientation(const Arc<S>& arc, const Vec3<S>& cross) {
   const Vec3<S>&first = arc.first.direction, &second = arc.second.direction;
@@ -82,9 +82,9 @@ S orientation(const Arc<S>& arc, const Vec3<S>& cross) {
   return wide || cross.dot(Vec3<S>(first + second)) >= S(0) ? S(1) : S(-1);
 }
 
-/// The axis of a crossing, into `found`: the cross product of the unit edges, which have no scale. The
-/// edges themselves are the support, so the separation is the distance between a point of each. Returns
-/// the sine between the edges; where it is less than kParallelSine, they have no axis.
+/// Computes the axis of a crossing: the cross product of the unit edges, which has no scale. The
+/// edges are the support features, so the separation is the distance between a point of each.
+/// Returns the sine of their angle; below kParallelSine there is no axis.
 template <class S>
 [[gnu::always_inline]] inline S cross_edges(const HullPair<S>& pair, const Arc<S>& arc,
                                             const Vec3<S>& along_a, int edge_b,
@@ -98,9 +98,9 @@ template <class S>
   return sine;
 }
 
-/// Measures one Minkowski face. An axis that would win and is either uncertain (nearly parallel edges)
-/// or would separate is measured again with the support points of both hulls: no slip at the limit of
-/// rounding can then report a gap that is not there. Returns whether it won, into `best`.
+/// Measures one face of the Minkowski difference. An axis that would win and is uncertain (nearly
+/// parallel edges) or would separate is measured again with the support points of both hulls, so
+/// that rounding cannot report a false separation. Returns true if it becomes the `best`.
 template <class S>
 [[gnu::always_inline]] inline bool measure(const HullPair<S>& pair, const Arc<S>& arc,
                                            const Vec3<S>& along_a, int edge_b, S to_beat,
@@ -116,9 +116,9 @@ template <class S>
   return true;
 }
 
-/// Calls visit(arc, along_a, edge_b) for each edge of B whose arc crosses that of an edge of A, or a half
-/// of it, unless no separation on it can be larger than `to_beat`. Inlined, and an arc is put together
-/// only where it is walked: most are left out.
+/// Calls visit(arc, along_a, edge_b) for each edge of B whose arc crosses the given arc (or half
+/// arc) of A, unless no separation on it can exceed `to_beat`. Inlined, and the Arc is built only
+/// for a walk, because most are skipped.
 template <class S, class Visit>
 [[gnu::always_inline]] inline void walk(const HullPair<S>& pair, const Mat3<S>& a_to_b, int edge,
                                         const Vec3<S>& on_edge, const ArcEnd<S>& first,
@@ -133,8 +133,8 @@ template <class S, class Visit>
            [&](int edge_b) { visit(arc, along_a, edge_b); });
 }
 
-/// Calls visit(arc, along_a, edge_b) for every edge of A and each edge of B whose arc crosses its arc,
-/// but for arcs on which no separation can be larger than `to_beat`, which `visit` may raise.
+/// Calls visit(arc, along_a, edge_b) for every pair of edges whose arcs cross, except for arcs on
+/// which no separation can exceed `to_beat`. `visit` may raise `to_beat`.
 template <class S, class Visit>
 void each_crossing(const HullPair<S>& pair, const FaceSeparations<S>& faces_a, const S& to_beat,
                    Visit&& visit) {
@@ -149,8 +149,8 @@ void each_crossing(const HullPair<S>& pair, const FaceSeparations<S>& faces_a, c
     const int first = a.half_edge(edge).face;
     const int second = a.half_edge(edge + 1).face;
     if (flat) [[unlikely]] {
-      // The two faces are half a turn apart, and their normals alone do not say on which way: the arc
-      // comes as two quarters, by way of the direction in the plane that points away from the edge.
+      // The normals of the two faces are opposite and do not determine the arc. Split it in two
+      // quarters at the direction in the plane that points away from the edge.
       const Vec3<S> on_edge = a.origin(edge);
       const Vec3<S> side = a.direction(edge).cross(a.normals[first]);
       const ArcEnd<S> middle = end_along(b, side, on_edge);
@@ -162,7 +162,7 @@ void each_crossing(const HullPair<S>& pair, const FaceSeparations<S>& faces_a, c
   }
 }
 
-/// The best crossing of those that are visited.
+/// Keeps the best of the visited crossings.
 template <class S>
 struct BestCrossing {
   void operator()(const Arc<S>& arc, const Vec3<S>& along_a, int edge_b) {
@@ -189,9 +189,9 @@ int edge_across(const PlacedHull<S>& hull, int vertex, const Vec3<S>& direction)
 /// Gregorius 2015, QueryEdgeDirection, on the Gauss map (see gauss_map.h).
 ///
 /// Steps, for each edge of A:
-/// 1. its arc runs from the region of one support vertex of B to that of another; when it is one and
-///    the same, the arc crosses nothing;
-/// 2. leave out arcs that cannot hold a larger separation than the best so far;
+/// 1. its arc runs between the regions of two support vertices of B; if they are the same, the arc
+///    crosses nothing;
+/// 2. skip arcs that cannot have a larger separation than the best so far;
 /// 3. walk the arc, and measure each crossing.
 template <class S>
 EdgeQuery<S> query_edges(const HullPair<S>& pair, const FaceSeparations<S>& faces_a, S floor,
@@ -201,10 +201,10 @@ EdgeQuery<S> query_edges(const HullPair<S>& pair, const FaceSeparations<S>& face
   return crossing.best;
 }
 
-/// A crossing that was measured may be above what is true of its arc by rounding: by the roundings of
-/// the sine times the length of what is measured along it. As much is left below `floor`. Only of
-/// edges so near to parallel that their axis is measured again with support points it may be more;
-/// and where such a true axis is above the faces, it is below the best crossing.
+/// Rounding may raise a measured crossing above the true value of its arc: by the rounding of the
+/// sine times the measured length. So `floor` is lowered by that much. The error can exceed this
+/// only for nearly parallel edges, whose axes are measured again with support points. If such a
+/// true axis is above the faces, it is below the best crossing.
 template <class S>
 EdgeQuery<S> query_edges(const HullPair<S>& pair, const FaceBounds<S>& bounds_a, S floor, S tie) {
   const PlacedHull<S>& a = pair.a;

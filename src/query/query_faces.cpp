@@ -5,8 +5,8 @@
 namespace contactscope {
 namespace {
 
-/// Vertices are the outer loop: then the inner one runs over faces, which are independent of each
-/// other and fill vector registers.
+/// Vertices are the outer loop, so that the inner loop runs over faces, which are independent of
+/// each other and fill vector registers.
 template <class S>
 void measure(const PlacedHull<S>& reference, const PlacedHull<S>& other,
              FaceSeparations<S>& result) {
@@ -34,8 +34,8 @@ void measure(const PlacedHull<S>& reference, const PlacedHull<S>& other,
 
 }  // namespace
 
-/// Gregorius 2015, QueryFaceDirections: for each face plane the support point of the other hull in
-/// the opposite direction; keep track of the largest distance.
+/// Gregorius 2015, QueryFaceDirections: for each face plane find the support point of the other
+/// hull in the opposite direction; keep the largest distance.
 template <class S>
 FaceQuery<S> query_faces(const PlacedHull<S>& reference, const PlacedHull<S>& other, S tie,
                          FaceSeparations<S>& all) {

@@ -6,7 +6,7 @@
 namespace contactscope {
 namespace {
 
-/// Of the golden angle, pi (3 - sqrt 5).
+/// Cosine and sine of the golden angle, pi (3 - sqrt 5).
 constexpr double kGoldenCosine = -0.73736887807831975;
 constexpr double kGoldenSine = 0.67549029426152396;
 
@@ -23,7 +23,7 @@ S radius_about_middle(const SupportSet<S>& set) {
 
 template <class S>
 S sampling_angle(int count) {
-  // Measured on the hull of the directions: 2.68 of six, 2.734 at most, 2.728 of many.
+  // Measured on the hull of the directions: 2.68 for six, at most 2.734, and 2.728 for many.
   return S(2.75) / std::sqrt(static_cast<S>(count));
 }
 
@@ -40,14 +40,14 @@ Vec3d SamplingDirections::next() {
   return direction;
 }
 
-/// Gregorius 2015 and Catto 2007 name brute force as the last resort: it needs support points, and no
-/// topology that rounding could spoil.
+/// Gregorius 2015 and Catto 2007 name brute force as the last resort: it needs support points, but
+/// no topology that rounding could corrupt.
 ///
-/// Steps: 1. the depth along each of many directions, evenly spread; 2. about the best, six
-/// directions at an angle, at first that between samples; 3. one is better: it is the best; none
-/// is: half the angle, and the six turned by 30 degrees, so that a ridge between two faces along
-/// which no sixth direction points is met from another side; 4. until the angle moves no point by
-/// more than the tolerance.
+/// Steps: 1. measure the depth along many evenly spread directions; 2. try six directions around
+/// the best, initially at the angle between samples; 3. if one is better, it becomes the best;
+/// otherwise halve the angle and turn the six by 30 degrees, because a ridge between two faces may
+/// lie between all six directions; 4. repeat until the angle moves no point by more than the
+/// tolerance.
 template <class S>
 PenetrationResult<S> sampling(const SupportSet<S>& a, const SupportSet<S>& b, const Pose<S>& b_in_a,
                               const PenetrationOptions<S>& options, PenetrationSteps<S>* steps) {
@@ -92,7 +92,7 @@ PenetrationResult<S> sampling(const SupportSet<S>& a, const SupportSet<S>& b, co
     const Vec3<S> other = center.cross(one);
     bool is_better = false;
     for (int k = 0; k < 6; ++k) {
-      // Cosines and sines of multiples of 60 degrees, or of those and 30 more.
+      // Cosines and sines of multiples of 60 degrees, optionally plus 30.
       constexpr double kCosine[6] = {1, 0.5, -0.5, -1, -0.5, 0.5};
       constexpr double kSine = 0.8660254037844386;
       constexpr double kSines[6] = {0, kSine, kSine, 0, -kSine, -kSine};

@@ -9,8 +9,9 @@
 namespace contactscope {
 namespace {
 
-/// Talk: "the minimizing feature defines the contact type". Faces of the preferred hull before those
-/// of the other before edges: strictly by depth without a preference, within its tolerance with it.
+/// Talk: "the minimizing feature defines the contact type". Order: faces of the preferred hull,
+/// faces of the other, edges; strictly by depth without a preference, otherwise within its
+/// tolerance.
 template <class S>
 AxisKind choose(const SatResult<S>& queries, S tolerance, Owner preferred) {
   const S least = queries.separation(queries.deepest) - tolerance;
@@ -26,7 +27,7 @@ S tie_of(const HullPair<S>& pair, Preference preference) {
   return preference == Preference::Relative ? tie_tolerance(pair.scale) : S(0);
 }
 
-/// Takes the result of a face query of A or B. Returns whether it found a separating axis.
+/// Stores the result of a face query of A or B. Returns true if it found a separating axis.
 template <class S>
 bool is_apart(SatResult<S>& result, AxisKind kind, const FaceQuery<S>& query, S margin) {
   (kind == AxisKind::FaceA ? result.face_a : result.face_b) = query;
@@ -35,7 +36,7 @@ bool is_apart(SatResult<S>& result, AxisKind kind, const FaceQuery<S>& query, S 
   return query.separation > margin;
 }
 
-/// Likewise of the edge query, which may have found no pair.
+/// The same for the edge query, which may have found no pair.
 template <class S>
 bool is_apart(SatResult<S>& result, const EdgeQuery<S>& query, S margin) {
   result.edge = query;
@@ -44,7 +45,7 @@ bool is_apart(SatResult<S>& result, const EdgeQuery<S>& query, S margin) {
   return query.edge_a >= 0 && query.separation > margin;
 }
 
-/// What an edge pair has to beat.
+/// Separation that an edge pair must exceed.
 template <class S>
 S floor_of(const HullPair<S>& pair, Preference preference, const SatResult<S>& faces) {
   return std::max(faces.face_a.separation, faces.face_b.separation) +
@@ -65,7 +66,7 @@ void touch(const HullPair<S>& pair, Preference preference, Owner preferred, SatR
   result.chosen = choose(result, tolerance, preferred);
 }
 
-/// The vertex of B that is farthest towards A's centroid: where to begin, and no more than that.
+/// The vertex of B farthest towards A's centroid: only a starting point.
 template <class S>
 int vertex_towards_a(const HullPair<S>& pair) {
   const Hull<S>& b = pair.b.hull;
@@ -74,8 +75,7 @@ int vertex_towards_a(const HullPair<S>& pair) {
   return support_index(support_set(b), Vec3<S>(in_b + b.vertices[0] - b.centroid));
 }
 
-/// Three corners of a face of A, none of which another vertex of A exceeds along its normal: where to
-/// begin with B's faces.
+/// Starts B's faces with three corners of a face of A; no other vertex of A is beyond that face.
 template <class S>
 void look_at_face(const Hull<S>& a, int face, FaceBounds<S>& faces_b) {
   const auto origin = [&](int edge) { return at(a.half_edges, edge).origin; };
@@ -85,11 +85,11 @@ void look_at_face(const Hull<S>& a, int face, FaceBounds<S>& faces_b) {
   faces_b.look_at({origin(first), origin(second), origin(third)});
 }
 
-/// Smaller hulls are measured whole in the time that the bounds take.
+/// Smaller hulls are measured completely in the time that the bounds take.
 constexpr int kFewestVertices = 16;
 
-/// sat() by bounds, into `result`. Returns false where faces tie, and where measuring them all takes
-/// no longer; then `result` says nothing.
+/// sat() using bounds. Returns false, with an undefined `result`, if faces tie or if measuring all
+/// of them takes no longer.
 template <class S>
 bool sat_by_bounds(const HullPair<S>& pair, S margin, Preference preference, Owner preferred,
                    SatResult<S>& result) {

@@ -22,7 +22,7 @@ void on_vertex(const Points<S>& points, int i, NearestOnSimplex<S>& result) {
   result.squared_distance = result.point.squaredNorm();
 }
 
-/// False unless the foot of the perpendicular lies between both ends.
+/// Returns false unless the foot of the perpendicular lies between both ends.
 template <class S>
 bool on_edge(const Points<S>& points, int i, int j, NearestOnSimplex<S>& result) {
   const Vec3<S>&p = at(points, i), &q = at(points, j);
@@ -33,11 +33,11 @@ bool on_edge(const Points<S>& points, int i, int j, NearestOnSimplex<S>& result)
   const S squared_length = from_p + from_q;
   S weight_q = from_p / squared_length;
   S weight_p = from_q / squared_length;
-  // From the nearer end: it is met exactly when the foot moves there.
+  // From the nearer end, which is exact if the foot moves there.
   const Vec3<S> foot =
       weight_q < weight_p ? Vec3<S>(p + weight_q * along) : Vec3<S>(q - weight_p * along);
-  // The foot is a rounding of its end's coordinates off along the edge. Near the origin that would
-  // tilt the direction by much, and a long edge would hide points that lie beyond its other end.
+  // The foot is off along the edge by a rounding of its end's coordinates. Near the origin that
+  // would tilt the direction a lot, and a long edge would hide points beyond its other end.
   const S correction = foot.dot(along) / squared_length;
   weight_q -= correction;
   weight_p += correction;
@@ -50,10 +50,10 @@ bool on_edge(const Points<S>& points, int i, int j, NearestOnSimplex<S>& result)
   return weight_p > S(0) && weight_q > S(0);
 }
 
-/// A triangle seen from one of its corners.
+/// A triangle relative to one of its corners.
 template <class S>
 struct Triangle {
-  /// From k, unless that sees a needle.
+  /// Starts at k, unless the triangle is a needle there.
   Triangle(const Points<S>& points, int i, int j, int k) {
     see_from(points, k, i, j, {2, 0, 1});
     if (!has_sine_above(kNoisySine<S>)) see_from_widest(points, i, j, k);
@@ -69,7 +69,7 @@ struct Triangle {
     squared_normal = normal.squaredNorm();
     squared_sides = q.squaredNorm() * r.squaredNorm();
   }
-  /// The corner with the largest of three measures.
+  /// Uses the corner with the largest of three measures.
   void see_from_largest(const Points<S>& points, int i, int j, int k, S at_i, S at_j, S at_k) {
     if (at_k >= at_i && at_k >= at_j) {
       see_from(points, k, i, j, {2, 0, 1});
@@ -79,8 +79,8 @@ struct Triangle {
       see_from(points, j, k, i, {1, 2, 0});
     }
   }
-  /// Where the two shorter sides meet, the cross product is relatively exact even for a needle,
-  /// whose sides are nearly parallel elsewhere.
+  /// Uses the corner between the two shorter sides. Its cross product is relatively exact even for
+  /// a needle, whose sides are nearly parallel elsewhere.
   void see_from_widest(const Points<S>& points, int i, int j, int k) {
     see_from_largest(points, i, j, k, (at(points, k) - at(points, j)).squaredNorm(),
                      (at(points, i) - at(points, k)).squaredNorm(),
@@ -93,19 +93,19 @@ struct Triangle {
 
   bool has_sine_above(S sine) const { return squared_normal > sine * sine * squared_sides; }
 
-  std::array<std::size_t, 3> place;  // of corner, q and r among i, j and k
-  Vec3<S> corner, q, r;              // q and r are sides, from the corner
-  Vec3<S> normal;                    // q x r , the same from every corner but for rounding
+  std::array<std::size_t, 3> place;  // index of corner, q and r among i, j and k
+  Vec3<S> corner, q, r;              // q and r are sides, relative to the corner
+  Vec3<S> normal;                    // q x r, the same at every corner but for rounding
   S squared_sides;                   // product of both squared lengths
   S squared_normal;
 };
 
-/// The foot of the perpendicular from the origin, inside the triangle or out.
+/// Foot of the perpendicular from the origin, inside or outside the triangle.
 template <class S>
 struct Foot {
   explicit Foot(const Triangle<S>& triangle) : point(triangle.corner) {
     correct(triangle);
-    // A flat triangle multiplies the rounding; the second time the error starts small.
+    // A flat triangle amplifies the rounding; the second pass starts with a small error.
     if (!triangle.has_sine_above(kNoisySine<S>)) correct(triangle);
     weight_corner = S(1) - weight_q - weight_r;
   }
@@ -121,13 +121,13 @@ struct Foot {
   S weight_q = 0, weight_r = 0, weight_corner;
 };
 
-/// A weight that is less than this in size is computed again from the corner nearest to the origin,
-/// where weights of the others are exact relative to the way to the origin. Any fraction well above
-/// rounding does.
+/// Weights below this size are computed again from the corner closest to the origin, where the
+/// other weights are exact relative to the distance from the origin. Any fraction well above
+/// rounding works.
 template <class S>
 constexpr S kDoubtfulWeight = S(1) / S(32);
 
-/// False unless the foot of the perpendicular lies inside.
+/// Returns false unless the foot of the perpendicular lies inside.
 template <class S>
 bool on_triangle(const Points<S>& points, Triangle<S>& triangle, int i, int j, int k, S scale,
                  NearestOnSimplex<S>& result) {
@@ -162,27 +162,27 @@ bool on_triangle(const Points<S>& points, Triangle<S>& triangle, int i, int j, i
   return true;
 }
 
-/// Keeps the nearest of the faces of a simplex that it is shown, from triangles down to vertices. A
-/// lesser face must be nearer by more than rounding: where the weights of a triangle are all
-/// positive, that says more about the foot than a length can, to which it is second order.
+/// Keeps the nearest of the offered faces of a simplex, from triangles down to vertices. A lower
+/// face must be nearer by more than rounding: if the weights of a triangle are all positive, this
+/// locates the foot better than a length, which is second order in it.
 template <class S>
 class Nearest {
  public:
-  /// The best is kept in `best`.
+  /// Stores the nearest face in `best`.
   Nearest(const Points<S>& points, S scale, NearestOnSimplex<S>& best)
       : points_(points), scale_(scale), best_(best) {
     best_.count = 0;
     best_.squared_distance = std::numeric_limits<S>::infinity();
   }
 
-  /// True when the foot is inside of a triangle whose shape leaves no doubt of that.
+  /// True if the foot is inside a triangle whose shape makes this certain.
   bool offer(Triangle<S>& triangle, int i, int j, int k) {
     NearestOnSimplex<S> found;
     if (!on_triangle(points_, triangle, i, j, k, scale_, found)) return false;
     keep_nearer(found);
     return triangle.has_sine_above(kNoisySine<S>);
   }
-  /// The edges that end in the last point, and that point.
+  /// Offers the edges that end in the last point, and that point.
   void offer_edges_and_vertex(int last) {
     NearestOnSimplex<S> found;
     for (int i = 0; i < last; ++i)
@@ -206,9 +206,9 @@ class Nearest {
   NearestOnSimplex<S>& best_;
 };
 
-/// On which side of a triangle of the tetrahedron the origin lies.
+/// Side of a triangle of the tetrahedron on which the origin lies.
 enum class Side {
-  Inner,  // that of the opposite point, by more than rounding; or the other side, as surely
+  Inner,  // on the side of the opposite point by more than rounding; Outer: on the other side
   Outer,
   Unsure  // origin or opposite point within rounding of the plane
 };
@@ -236,7 +236,7 @@ void on_tetrahedron(const Points<S>& points, S scale, NearestOnSimplex<S>& resul
     if (side == Side::Inner) continue;
     is_inside = false;
     const bool is_clear = nearest.offer(triangle, i, j, k);
-    if (is_clear && side == Side::Outer) return;  // its plane keeps all the rest farther away
+    if (is_clear && side == Side::Outer) return;  // all other faces are farther, behind its plane
   }
   if (is_inside) {
     const Triangle<S> first(points, 0, 1, 2);
@@ -259,15 +259,15 @@ void on_tetrahedron(const Points<S>& points, S scale, NearestOnSimplex<S>& resul
 
 }  // namespace
 
-/// A deviation from the signed volumes of Montanari, Petrinic and Barbieri, "Improving the GJK
+/// Deviates from the signed volumes of Montanari, Petrinic and Barbieri, "Improving the GJK
 /// Algorithm for Faster and More Reliable Distance Queries Between Convex Objects", 2017, and from
-/// the Voronoi regions of Ericson 2005, section 9.5.2: both walk a tree of sign tests down to one
-/// face, and one sign that rounding got wrong on a flat simplex leads to a face far off. We measure
-/// every face that may carry the nearest point and take the nearest. Each is a true point of the
-/// simplex whatever the rounding, so a wrong sign can only lose what a rounding is worth.
+/// the Voronoi regions of Ericson 2005, section 9.5.2. Both descend a tree of sign tests to one
+/// face, and one sign that is wrong by rounding on a flat simplex leads to a distant face. We
+/// measure every face that may carry the closest point and take the nearest. Each result is a true
+/// point of the simplex, so a wrong sign costs no more than a rounding.
 ///
-/// Steps: 1. is the origin inside? 2. for each triangle, edge and vertex with the last point, the
-/// foot of the perpendicular, if inside; 3. of those the nearest, see Nearest.
+/// Steps: 1. test if the origin is inside; 2. for each triangle, edge and vertex with the last
+/// point, find the foot of the perpendicular, if inside; 3. take the nearest of those, see Nearest.
 template <class S>
 void nearest_on_simplex(const std::array<Vec3<S>, 4>& points, int count, S scale,
                         NearestOnSimplex<S>& result) {

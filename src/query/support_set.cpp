@@ -13,12 +13,12 @@ namespace {
 
 static_assert(kLaneWidth % lanes::kWidth<float> == 0 && kLaneWidth % lanes::kWidth<double> == 0);
 
-/// A scan in packs of lanes, which the compiler does not make of a search for the index of a maximum
-/// by itself. Not a walk over the hull's adjacency: measured in single precision, from a vertex that
-/// lies 0.4 rad off the walk takes twice as long with 32 vertices and as long with 256.
+/// Linear scan in packs of lanes; compilers do not vectorize an argmax themselves. Not a walk over
+/// the hull's adjacency: in single precision, from a vertex 0.4 rad off, the walk takes twice as
+/// long with 32 vertices and equally long with 256.
 ///
-/// Place k of the register keeps the best of the vertices kWidth * n + k. Two registers meet each
-/// other before the best, which every step waits for.
+/// Lane k holds the best of the vertices kWidth * n + k. Two packs are compared with each other
+/// before the best, because every step waits for the best.
 template <class S>
 int support_in_lanes(const VectorLanes<S>& vertices, const Vec3<S>& direction) {
   using lanes::Flags;
@@ -32,7 +32,7 @@ int support_in_lanes(const VectorLanes<S>& vertices, const Vec3<S>& direction) {
   };
   Flags<S> block{}, best_block{};
   Pack<S> best = distances_from(0);
-  const int whole = vertices.count() & ~(kWidth - 1);  // the padding is no vertex
+  const int whole = vertices.count() & ~(kWidth - 1);  // excludes the padding
   int i = kWidth;
   for (; i + kWidth < whole; i += 2 * kWidth) {
     const Pack<S> first = distances_from(i);
@@ -50,8 +50,7 @@ int support_in_lanes(const VectorLanes<S>& vertices, const Vec3<S>& direction) {
     best = farther ? distances : best;
     best_block = farther ? block + kWidth : best_block;
   }
-  // Without a branch: which place wins is anybody's guess. The first of equals; any where there is
-  // no number.
+  // Branchless, because the winning lane is unpredictable. The first on a tie; any for NaN.
   const Pack<S> most = lanes::largest<S>(best);
   const std::uint32_t winners = lanes::bits<S>(best == most);
   const int place = std::countr_zero(winners | (1U << kWidth)) & (kWidth - 1);
@@ -71,7 +70,7 @@ int support_in_lanes(const VectorLanes<S>& vertices, const Vec3<S>& direction) {
 
 template <class S>
 int support_index(const SupportSet<S>& set, const Vec3<S>& direction) {
-  // A triangle does not fill a register of floats, and the padding is no vertex.
+  // A triangle does not fill a pack of floats, and the padding is not a vertex.
   if (set.hull != nullptr && set.count >= lanes::kWidth<S>) {
     return support_in_lanes<S>({set.hull->lanes.vertices.data(), set.count}, direction);
   }

@@ -6,14 +6,14 @@
 
 namespace contactscope {
 
-/// The core of a convex shape, as GJK sees it: the points whose convex hull it is, in the shape's
-/// own frame, metres. One point is a sphere's centre, two are a capsule's segment. Refers to what
-/// it was made from, which must outlive it.
+/// The core of a convex shape as input of GJK: points whose convex hull it is, in the shape's own
+/// frame, metres. One point for a sphere's centre, two for a capsule's segment. Refers to its
+/// source, which must outlive it.
 template <class S>
 struct SupportSet {
   const Vec3<S>* points;
   int count;            // > 0
-  const Hull<S>* hull;  // the hull whose vertices the points are; nullptr for points and segments
+  const Hull<S>* hull;  // the hull that owns the points; null for points and segments
 };
 
 template <class S>
@@ -24,28 +24,28 @@ template <class S>
 SupportSet<S> support_set(const Vec3<S>& point) {
   return {&point, 1, nullptr};
 }
-/// `ends` are the two ends of a segment, which may coincide.
+/// `ends` are the ends of a segment and may coincide.
 template <class S>
 SupportSet<S> support_set(const Vec3<S> (&ends)[2]) {
   return {ends, 2, nullptr};
 }
 
-/// Index of a point farthest along `direction` (any length > 0, the set's own frame).
+/// Index of a farthest point along `direction` (any length > 0, the set's own frame).
 template <class S>
 int support_index(const SupportSet<S>& set, const Vec3<S>& direction);
 
-/// Has a hull's points brought into the cache while the caller computes something else: the first
-/// support point of a hull that was not seen lately waits for memory.
+/// Prefetches a hull's points while the caller computes something else: otherwise the first support
+/// point of a hull that is not in the cache waits for memory.
 template <class S>
 void prefetch_points(const SupportSet<S>& set) {
   if (set.hull != nullptr) prefetch(set.hull->lanes.vertices);
 }
 
-/// Some point in the middle of the set.
+/// A central point of the set.
 template <class S>
 Vec3<S> middle_of(const SupportSet<S>& set);
 
-/// No coordinate of the set's points is larger than this, metres.
+/// Upper bound of the coordinates of the set's points, metres.
 template <class S>
 S reach_of(const SupportSet<S>& set);
 

@@ -11,7 +11,7 @@ namespace {
 
 using enum TriangleOverlapKind;
 
-/// Corners in double, which is exact.
+/// Corners in double; the conversion is exact.
 const Triangle<double>& widened(const Triangle<double>& t) {
   return t;
 }
@@ -19,7 +19,7 @@ Triangle<double> widened(const Triangle<float>& t) {
   return {t[0].cast<double>(), t[1].cast<double>(), t[2].cast<double>()};
 }
 
-/// How a triangle lies to a plane, by the signs of its corners.
+/// Position of a triangle relative to a plane, by the signs of its corners.
 enum class Side : std::uint8_t {
   Apart,    // all strictly on one side
   Leaning,  // on one side, with a corner or an edge in the plane
@@ -28,8 +28,8 @@ enum class Side : std::uint8_t {
 };
 struct Lie {
   Side side;
-  std::uint8_t lone;  // the corner from which both edges that reach the plane begin
-  bool lone_above;    // above the plane, where a corner in it counts to the side without others
+  std::uint8_t lone;  // the corner shared by the two edges that reach the plane
+  bool lone_above;    // above the plane; a corner in the plane counts to the side without others
 };
 
 constexpr int code_of(int a, int b, int c) {
@@ -46,7 +46,7 @@ constexpr Lie lie_of(int a, int b, int c) {
   if (above + below == 0) return {Side::Within, 0, false};
   if (above == 3 || below == 3) return {Side::Apart, 0, false};
   const Side side = above > 0 && below > 0 ? Side::Across : Side::Leaning;
-  // One corner above, and the others not, or the other way round.
+  // One corner above and the others not, or the opposite.
   const bool lone_above = above == 1 || (above == 0 && below == 2);
   const bool lone_in_plane = side == Side::Leaning && above + below == 2;
   const int lone_sign = lone_in_plane ? 0 : lone_above ? 1 : -1;
@@ -65,7 +65,7 @@ constexpr std::array<Lie, 27> make_lies() {
 }
 constexpr std::array<Lie, 27> kLies = make_lies();
 
-/// How `t` lies to the plane of `of`.
+/// Position of `t` relative to the plane of `of`.
 Lie lie(const Triangle<double>& t, const Triangle<double>& of) {
   const predicates::Plane plane(of[0], of[1], of[2]);
   std::array<int, 3> signs;
@@ -84,11 +84,11 @@ Lie lie(const Triangle<double>& t, const Triangle<double>& of) {
   return kLies[static_cast<std::size_t>(code_of(signs[0], signs[1], signs[2]))];
 }
 
-/// A triangle seen from its lone corner.
+/// A triangle relative to its lone corner.
 ///
-///            p           the line of both planes crosses the edges from p to q
-///           / |          and from p to r. With p above the other plane, and the
-///     -----x---x-----    other triangle turned so that its own p is above this
+///            p           The line of both planes crosses the edges from p to q
+///           / |          and from p to r. If p is above the other plane, and the
+///     -----x---x-----    other triangle is turned so that its own p is above this
 ///         /     |        one, pq of a comes before pr, and pr of b before pq.
 ///        q-------r
 struct Fan {
@@ -102,13 +102,13 @@ struct Fan {
         r(&t[static_cast<std::size_t>(turned ? (lone + 1) % 3 : (lone + 2) % 3)]) {}
 };
 
-/// 1 where the end of edge (from a.p) comes after the end of the other one (from b.p) along the
-/// line, -1 before, 0 for one point.
+/// 1 if the end of the edge from a.p comes after that of the edge from b.p along the line, -1 if
+/// before, 0 if they coincide.
 int order(const Vec3d& p_a, const Vec3d& to_a, const Vec3d& p_b, const Vec3d& to_b) {
   return orient3d(p_a, to_a, p_b, to_b);
 }
 
-/// Where the edge from p to `to` meets the plane of `of`.
+/// Intersection of the edge from p to `to` with the plane of `of`.
 Vec3d end_at(const Vec3d& p, const Vec3d& to, const Triangle<double>& of) {
   return crossing_point(p, orient3d_value(of[0], of[1], of[2], p), to,
                         orient3d_value(of[0], of[1], of[2], to));

@@ -7,13 +7,13 @@
 
 namespace contactscope {
 
-/// The half-edge of a face outside of whose side plane a point is farthest; -1 where the point is
-/// over the face, as projects_into() has it with no thickness.
+/// The half-edge of a face whose side plane a point is farthest outside of; -1 if the point is over
+/// the face, as in projects_into() with thickness 0.
 template <class S>
 int side_beside(const Hull<S>& hull, int face, const Vec3<S>& point) {
   const Vec3<S>& normal = at(hull.planes, face).normal;
   int best = -1;
-  S farthest = S(0), squared_length = S(1);  // both times the edge's, squared
+  S farthest = S(0), squared_length = S(1);  // both scaled by the edge's squared length
   for (const int edge : hull.around_face(face)) {
     const Vec3<S>& origin = hull.origin(edge);
     const Vec3<S> along = hull.target(edge) - origin;
@@ -28,23 +28,23 @@ int side_beside(const Hull<S>& hull, int face, const Vec3<S>& point) {
   return best;
 }
 
-/// The edge or vertex of a hull that is nearest to a point outside, as a half-edge or a vertex;
-/// nothing where two features are as near within rounding, or where the point is over a face.
-/// `half_edge` is where to begin: an edge of a face beside which the point lies. Hull's frame,
-/// metres; no coordinate is larger than `scale`.
+/// The edge (as a half-edge) or vertex of a hull that is closest to a point outside; none if two
+/// features are equally close within rounding, or if the point is over a face. `half_edge` is the
+/// start: an edge of a face that the point is not over. Hull's frame, metres; `scale` is an upper
+/// bound of all coordinates.
 ///
 /// Lin and Canny, "A Fast Algorithm for Incremental Distance Calculation", 1991. The space outside
-/// of a convex body falls into regions, one for each feature, of the points to which that feature
-/// is nearest. Planes bound them: a few signs tell that a point is within, and a sign that is wrong
-/// tells where to go.
+/// a convex body is divided into Voronoi regions: the points closest to one feature. They are
+/// bounded by planes. A few signs show that a point is inside a region, and a wrong sign shows
+/// where to go next.
 ///
-///      over f  |  beside e     The region of an edge e lies between the side planes of its faces
-///              |       .       f and g, and between the planes at right angles to it through its
-///    ----f-----e     .         vertices. That of a vertex lies behind the planes through it at
-///               \  .           right angles to its edges.
+///      over f  |  region of e     The region of an edge e is between the side planes of its faces
+///              |       .          f and g, and between the planes through its vertices that are
+///    ----f-----e     .            perpendicular to e. The region of a vertex is behind the planes
+///               \  .              through it that are perpendicular to its edges.
 ///              g \.  over g
 ///
-/// What these signs do not decide by more than rounding is left to GJK.
+/// GJK handles the points for which these signs are within rounding.
 template <class S>
 std::optional<HullFeature> voronoi_region(const Hull<S>& hull, int half_edge, const Vec3<S>& point,
                                           S scale) {
@@ -52,7 +52,7 @@ std::optional<HullFeature> voronoi_region(const Hull<S>& hull, int half_edge, co
   const S rounding = S(64) * std::numeric_limits<S>::epsilon() * scale;
   const auto length = [](const Vec3<S>& v) {
     return v.cwiseAbs().sum();
-  };  // up to 1.8 times too long
+  };  // overestimates by a factor of up to 1.8
   int edge = half_edge;
   for (int step = 0; step < kMostSteps; ++step) {
     const Vec3<S>& origin = hull.origin(edge);
@@ -62,7 +62,7 @@ std::optional<HullFeature> voronoi_region(const Hull<S>& hull, int half_edge, co
     const S past_origin = along.dot(from_origin) - rounding * length(from_origin);
     const S before_target = -along.dot(from_target) - rounding * length(from_target);
     if (past_origin > S(0) && before_target > S(0)) {
-      // How far beside the face on the left of either half-edge, times the edge's length.
+      // Distance outside of the face to the left of either half-edge, times the edge's length.
       const auto beside = [&](int of, S sign) {
         const Vec3<S>& normal = at(hull.planes, at(hull.half_edges, of).face).normal;
         return sign * along.cross(normal).dot(from_origin);
@@ -77,7 +77,7 @@ std::optional<HullFeature> voronoi_region(const Hull<S>& hull, int half_edge, co
       if (edge < 0) return std::nullopt;
       continue;
     }
-    // At the vertex beyond which the point lies.
+    // The point is beyond this vertex.
     const int leaving = past_origin > S(0) ? Hull<S>::twin(edge) : edge;
     const int vertex = at(hull.half_edges, leaving).origin;
     const Vec3<S> from_vertex = point - at(hull.vertices, vertex);

@@ -10,7 +10,7 @@
 namespace contactscope {
 namespace {
 
-/// Side of the directed edge a, b on which a point is in the x-y plane, after it has moved by (e,
+/// Side of the directed edge a, b on which a point is in the x-y plane, after moving it by (e,
 /// e^2). 0 only for an edge along z.
 int side_of_edge(const Vec3d& a, const Vec3d& b, const Vec3d& point) {
   const int side = orient2d(a, b, point, 2);
@@ -19,12 +19,12 @@ int side_of_edge(const Vec3d& a, const Vec3d& b, const Vec3d& point) {
   return by_first != 0 ? by_first : predicates::sign_of(b.x() - a.x());
 }
 
-/// Adds one triangle to the winding number around a point.
+/// Adds a triangle's contribution to the winding number around a point.
 void add_triangle(const Triangle<double>& t, const Vec3d& point, Winding& winding) {
-  // 1 where the front is seen from above, and the ray leaves there.
+  // 1 if the front is visible from above, so the ray leaves there.
   const int front = orient2d(t[0], t[1], t[2], 2);
   if (front == 0) {
-    // Seen as a segment: the ray, once moved, is beside it. The point itself may still be on it.
+    // Seen as a segment: the moved ray misses it. The point itself may still be on it.
     if (triangle_overlap_kind<double>(t, {point, point, point}) != TriangleOverlapKind::None)
       winding.on_surface = true;
     return;
@@ -38,7 +38,7 @@ void add_triangle(const Triangle<double>& t, const Vec3d& point, Winding& windin
   if (!reached) return;
   const int side = orient3d(t[0], t[1], t[2], point);
   if (side == 0) winding.on_surface = true;
-  // The triangle is above the point: the point is behind a front that is seen from above.
+  // The triangle is above the point: the point is behind a front that faces up.
   if (crossed && side == -front) winding.number += front;
 }
 
@@ -62,7 +62,7 @@ Winding winding_around(const std::vector<Vec3<S>>& vertices,
   return winding;
 }
 
-/// A vertex of each part of the mesh that hangs together across edges.
+/// One vertex of each part of the mesh that is connected across edges.
 template <class S>
 std::vector<int> vertex_of_each_part(const Mesh<S>& mesh) {
   std::vector<int> found, open;
