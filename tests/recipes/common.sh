@@ -1,7 +1,7 @@
 # What the tests of recipes share. $1 of each: the folder of the built program; $2: the sources.
 set -u
 export PATH="$1:$PATH" CI=
-readme=$2/README.md
+document=$2/render/snapshot/README.md
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work" || exit 2
@@ -17,11 +17,11 @@ skip() {
   exit 77
 }
 
-# A command that stands in the README, word for word, with the exit code that it should have.
+# A command that stands in the document, word for word, with the exit code that it should have.
 recipe() {
   wanted=$1
   shift
-  grep -qF -- "    $1" "$readme" || fail "the README has no line '$1'"
+  grep -qF -- "    $1" "$document" || fail "$document has no line '$1'"
   echo "\$ $1"
   sh -c "$1"
   code=$?

@@ -1,14 +1,14 @@
 #!/bin/sh
-# The README's tests for CTest, in a project of their own.
+# The document's tests for CTest, in a project of their own.
 . "$2/tests/recipes/common.sh"
 repository
 {
   echo 'cmake_minimum_required(VERSION 3.16)'
   echo 'project(mine NONE)'
   echo 'enable_testing()'
-  sed -n '/^    foreach(part RANGE 1 4)/,/FIXTURES_REQUIRED/p' "$readme"
+  sed -n '/^    foreach(part RANGE 1 4)/,/FIXTURES_REQUIRED/p' "$document"
 } > CMakeLists.txt
-grep -q FIXTURES_REQUIRED CMakeLists.txt || fail "the README has no tests for CTest"
+grep -q FIXTURES_REQUIRED CMakeLists.txt || fail "the document has no tests for CTest"
 cmake -S . -B build > cmake.log || fail "$(cat cmake.log)"
 ctest --test-dir build -j2 > ctest.log && fail "nothing fails, though a scenario was changed"
 grep -q '4/5 tests passed\|80% tests passed, 1 tests\? failed out of 5' ctest.log || fail "$(cat ctest.log)"

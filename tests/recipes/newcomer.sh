@@ -1,6 +1,10 @@
 #!/bin/sh
-# What an engineer of another repository does first, with the README alone.
+# What an engineer of another repository does first, with the README alone; the document on CI begins alike.
 . "$2/tests/recipes/common.sh"
+for line in "contactscope check --write-missing" "contactscope check"; do
+  grep -qE -- "^    $line( |$)" "$document" || fail "$document has no line '$line'"
+done
+document=$2/README.md
 scenario scenarios/hull/crate.toml 0.495
 scenario scenarios/hull/other.toml 0.495
 

@@ -1,5 +1,5 @@
 #!/bin/sh
-# The README's lines for GNU parallel.
+# The document's lines for GNU parallel.
 . "$2/tests/recipes/common.sh"
 command -v parallel > /dev/null || skip "GNU parallel is not installed (apt-get install parallel)"
 parallel --version 2> /dev/null | grep -q GNU || skip "parallel is not GNU's"

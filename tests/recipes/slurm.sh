@@ -1,5 +1,5 @@
 #!/bin/sh
-# The README's lines for a Slurm job array, on a Slurm of one machine that lives as long as the test. With "stand-in"
+# The document's lines for a Slurm job array, on a Slurm of one machine that lives as long as the test. With "stand-in"
 # as a third argument the tasks run one after another, with the variables that Slurm would set.
 . "$2/tests/recipes/common.sh"
 

@@ -1,9 +1,9 @@
 #!/bin/sh
-# The README's workflow file: that it is YAML, and each step of it that runs contactscope, as a runner of GitHub would.
+# The document's workflow file: that it is YAML, and each step of it that runs contactscope, as a runner of GitHub would.
 . "$2/tests/recipes/common.sh"
 repository
 mkdir -p .github/workflows
-sed -n '/^    name: contacts$/,/path: "out\/check"/p' "$readme" | sed 's/^    //' > .github/workflows/contacts.yml
+sed -n '/^    name: contacts$/,/path: "out\/check"/p' "$document" | sed 's/^    //' > .github/workflows/contacts.yml
 if python3 -c 'import yaml' 2> /dev/null; then
   python3 - << 'END' || fail "the workflow is no YAML, or lacks a job"
 import yaml
