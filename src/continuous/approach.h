@@ -70,8 +70,7 @@ class Turning {
   S reach_ = 0, from_axis_ = 0;
 };
 
-/// From A's pivot to B's at time 0. Subtracts positions first: far from the origin they share
-/// digits.
+/// From A's pivot to B's at time 0. Subtracts positions first, which share digits far away.
 template <class S>
 Vec3<S> between_pivots(const Sweep<S>& a, const Sweep<S>& b) {
   const Vec3<S> origins = b.start.position - a.start.position;

@@ -62,8 +62,7 @@ struct ImpactStep {
   /// Time and value of the last separation measured along the axis. Conservative advancement, and
   /// shapes that do not turn, extrapolate the fastest approach instead: to the time when the
   /// distance is used up, or to the end of the step or of the time in which bounding balls are
-  /// near. A cast records a step for each support plane that increases the safe time: that time and
-  /// the rest.
+  /// near. A cast records each support plane that increases the safe time: that time, the rest.
   S bracket_end;
   S bracket_separation;
   S safe;  // no impact until then

@@ -52,8 +52,7 @@ std::optional<std::string> impact_refusal(ShapeKind a, ShapeKind b);
 /// Computed in double, also for float shapes, so that the rounding of a large shape's far corners
 /// does not make impacts early. Times in float are rounded down.
 ///
-/// A distance field is tested by its source surface, not its lattice; shapes inside at the start
-/// are Overlapping.
+/// Distance fields are tested by their source surface; shapes that start inside are Overlapping.
 ///
 /// Swept ignores rotation and is wrong for shapes that turn. Speculative makes no query between
 /// frames; here it returns the result of TimeOfImpact, as a reference for its contacts.

@@ -14,8 +14,7 @@ namespace contactscope {
 namespace {
 
 /// Box in the mesh's frame around the shape's whole sweep. Between two samples, a point with an
-/// acceleration of at most k deviates from a straight line by at most k / 8 times the squared
-/// interval.
+/// acceleration of at most k is off the straight line by at most k / 8 times the squared interval.
 Aabb<double> swept_box(const MovingShape<double>& shape, const Sweep<double>& of_mesh) {
   const Turning<double> turning(shape);
   const bool turns = !of_mesh.turn.isZero(0) || !shape.motion.turn.isZero(0);

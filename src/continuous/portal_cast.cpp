@@ -21,8 +21,7 @@ constexpr int kMostDiscoveries = 16, kMostRefinements = 64;
 template <class S>
 constexpr S kLeastSquare = std::numeric_limits<S>::min() / std::numeric_limits<S>::epsilon();
 
-/// A point of the core. A hull's are read from its lanes, which the support search has just brought
-/// into the cache.
+/// A point of the core. A hull's are read from its lanes, which the support search has cached.
 template <class S>
 Vec3<S> point_of(const SupportSet<S>& set, int index) {
   if (set.hull == nullptr) return set.points[index];

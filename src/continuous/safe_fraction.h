@@ -7,11 +7,9 @@ namespace contactscope {
 
 /// Lower bound of the separation along a fixed axis between two times at which it is known. A point
 /// with an acceleration of at most k deviates from the straight line between its ends by at most k
-/// u (1 - u) width^2 / 2 at the fraction u. The minimum of lines is nowhere below the line between
-/// its ends.
+/// u (1 - u) width^2 / 2 at the fraction u. A minimum of lines is never below its chord.
 ///
-/// Returns the fraction up to which the bound is above `target`; 1 if it always is. `at_begin` >
-/// target.
+/// Returns the fraction up to which the bound is above `target` (< `at_begin`); 1 if it always is.
 template <class S>
 S safe_fraction(S at_begin, S at_end, S acceleration, S width, S target) {
   const S sag = S(0.5) * acceleration * width * width;

@@ -9,8 +9,7 @@
 
 namespace contactscope {
 
-/// Element i >= 0 of a sequence. Indices of features, points and triangles are int, so that -1 can
-/// mean "none".
+/// Element i >= 0 of a sequence. Features, points and triangles have int indices: -1 means none.
 template <class Sequence>
 constexpr decltype(auto) at(Sequence&& sequence, int i) {
   assert(i >= 0);

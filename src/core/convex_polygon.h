@@ -11,8 +11,7 @@ template <class S>
 using Vec2 = Eigen::Matrix<S, 2, 1>;
 using Vec2d = Vec2<double>;
 
-/// 2D cross product: twice the area of the triangle that a and b span, positive when b is to the
-/// left of a.
+/// 2D cross product: twice the signed area of the triangle of a and b, positive if b is left of a.
 template <class A, class B>
 typename A::Scalar cross(const Eigen::MatrixBase<A>& a, const Eigen::MatrixBase<B>& b) {
   return a.x() * b.y() - a.y() * b.x();

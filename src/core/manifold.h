@@ -71,8 +71,8 @@ constexpr const char* to_string(PenetrationMethod method) {
 }
 
 /// Features of the two shapes that touch, the simpler one first (lecture on contact generation,
-/// "Contact types"). The points of a round shape are its centre or the ends of its axis; its edge
-/// is that axis.
+/// "Contact types"). A round shape has its centre or the ends of its axis as points, its axis as
+/// edge.
 enum class ContactType { PointPoint, PointEdge, PointFace, EdgeEdge, EdgeFace, FaceFace };
 
 /// "point-face", as written in traces.

@@ -139,8 +139,7 @@ inline std::uint32_t bits(const F& flags) {
 #endif
 }
 
-/// Reduces all lanes with `choose` and broadcasts the result. Avoids a branch, which would be
-/// unpredictable.
+/// Reduces all lanes with `choose` and broadcasts the result. Avoids an unpredictable branch.
 template <class S, class P, class Choose>
 inline P of_all_lanes(P pack, const Choose& choose) {
   constexpr int kLanes = kLanesOf<S, P>;
@@ -159,8 +158,7 @@ inline P smallest(const P& pack) {
   return of_all_lanes<S>(pack, [](const P& a, const P& b) { return smaller(a, b); });
 }
 
-/// Loads kWidth of the first four numbers of a contact point (position, separation), from index
-/// `first` on.
+/// Loads kWidth numbers of a contact point (position, separation) from index `first` on.
 template <class S>
 inline Pack<S> load(const ContactPoint<S>& point, int first) {
   static_assert(sizeof(point.position) == 3 * sizeof(S));

@@ -5,8 +5,7 @@
 namespace contactscope {
 
 /// Rigid placement of a local frame in a parent frame: x_parent = R x_local + p. `rotation` is a
-/// unit quaternion, `position` in metres. Variables name both frames: `b_in_a` maps from b's frame
-/// to a's.
+/// unit quaternion, `position` in metres. `b_in_a` maps b's frame to a's.
 template <class S>
 struct Pose {
   Quat<S> rotation = Quat<S>::Identity();

@@ -99,8 +99,7 @@ struct ParsedTitle {
 
 ParsedTitle parse_title(std::string_view text);
 
-/// Title without a frame: the first alternative without placeholders, else the first one with "…"
-/// for each placeholder.
+/// Title without a frame: the first alternative without placeholders, else the first with "…".
 std::string plain_title(std::string_view text);
 
 }  // namespace contactscope

@@ -30,8 +30,7 @@ enum class Focus { Contact, Shapes };
 struct View {
   std::string name = "main";
   ViewKind kind = ViewKind::Scene;
-  /// Contact plane: number of reducer choices shown, the last one with each candidate's score. 0:
-  /// the result.
+  /// Contact plane: number of reducer choices shown, the last with all scores. 0: the result.
   int choices = 0;
   std::optional<Vec3d> eye;  // metres; default: fitted
   std::optional<Vec3d> target;

@@ -15,8 +15,7 @@ struct MassProperties {
 };
 
 /// For a density of 1 kg/m^3: the mass equals the volume. nullopt for shapes that cannot be
-/// dynamic: infinite planes, meshes, which need not be closed, and flat hulls, which have no
-/// volume.
+/// dynamic: infinite planes, meshes, which need not be closed, and flat hulls without volume.
 template <class S>
 std::optional<MassProperties> mass_properties(const Shape<S>& shape);
 

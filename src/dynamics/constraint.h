@@ -200,8 +200,7 @@ S most_yielding(const BodyPair<S>& bodies, const ConstraintPoint<S>& point, cons
 }
 
 /// Whether a separated point is reached before the bodies have slid past each other by a few times
-/// `margin` (metres). Otherwise its plane may have ended there, and would stop a ball that flies
-/// past an edge.
+/// `margin` (metres). Else its plane may have ended, and would stop a ball that flies past an edge.
 template <class S>
 bool is_met_head_on(const BodyPair<S>& bodies, const ConstraintPoint<S>& point,
                     const Vec3<S>& normal, S margin) {

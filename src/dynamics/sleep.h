@@ -8,8 +8,7 @@
 /// Resting bodies stay in place until a moving one touches them. This is decided per island, all
 /// dynamic bodies that contacts join: a body alone would fall asleep under a stack that still
 /// sways. Sources: Catto 2023, "Simulation Islands" (union-find, islands wake as a whole); NVIDIA
-/// 2024, "PhysX 5: Rigid Body Dynamics, Sleeping" (kinetic energy per kilogram, which needs no
-/// extent).
+/// 2024, "PhysX 5: Rigid Body Dynamics, Sleeping" (energy per kilogram, which needs no extent).
 ///
 /// Steps: the contacts at the current poses join islands; an island wakes when one of its bodies is
 /// awake or touches a moving scripted body; awake bodies are solved; an island whose bodies all had

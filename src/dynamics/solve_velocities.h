@@ -17,8 +17,8 @@ namespace contactscope {
 
 /// Target velocity of a contact point, from its separation.
 ///
-/// Drives the relative normal velocity to -(velocity), with `mass_scale` of the mass, and removes
-/// `impulse_scale` of the impulse so far: impulse = -mass mass_scale (v + velocity) - impulse_scale
+/// Drives the relative normal velocity to -(velocity), by `mass_scale` of the mass, minus
+/// `impulse_scale` of the impulse: impulse = -mass mass_scale (v + velocity) - impulse_scale
 /// impulse.
 template <class S>
 struct PositionBias {
@@ -63,8 +63,7 @@ PositionBias<S> soft(S separation, const SolverSettings& settings, bool against_
 template <class S>
 PositionBias<S> position_bias(const ConstraintPoint<S>& point, bool on, bool against_static,
                               const SolverSettings& settings, S h) {
-  // Speculative contacts (Catto 2013, "Continuous Collision"): a separated point may close by at
-  // most its separation.
+  // Speculative contacts (Catto 2013, "Continuous Collision"): points may close their separation.
   if (point.separation > 0) return {point.separation / h, S(1), S(0)};
   if (!on || settings.position_correction == PositionCorrection::Projection) return {};
   if (settings.position_correction == PositionCorrection::Baumgarte)

@@ -67,8 +67,7 @@ SolverSettings settled(const SolverSettings& settings, const std::vector<Body<S>
 
 /// Moves `bodies` by `dt` seconds (> 0) so that the contacts hold. `pairs`: contacts at the current
 /// poses. `impulses` (one per pair): the points' impulses of the previous step before the call, of
-/// this step after it, in the order of manifolds and points. Gravity in m/s^2. `settings` are
-/// settled() here.
+/// this step after it, in the order of manifolds and points. Gravity in m/s^2. Calls settled().
 ///
 /// Contacts are found once, at the beginning. Between sub-steps their anchors move with the bodies;
 /// only the normals of two round shapes turn. Deterministic: the same input gives the same bits.
