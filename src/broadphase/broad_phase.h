@@ -31,7 +31,7 @@ struct BroadPhaseCell {
   Aabb<float> box;  // columns have no end along the swept axis
   int depth = 0;    // 0 at the root of a tree, and without levels
   int members = 0;  // boxes in it; 0 for a tree's inner nodes
-  int tests = 0;    // of two boxes, one of which is in it or is the node's own
+  int tests = 0;    // of two boxes: one in it, or the node's own
 };
 
 /// The lower end of one box and the upper end of another were swapped on an axis.
@@ -77,6 +77,7 @@ class BroadPhase {
   const std::vector<BoxPair>& pairs(BroadPhaseRecord* record = nullptr);
   /// Pairs that have begun or ended since the last call. A reused handle is the same box.
   PairChanges changes();
+  /// Handles of the boxes that overlap `box`, ascending.
   std::vector<int> query(const Aabb<float>& box) const;
 
   bool has(int handle) const;

@@ -7,12 +7,12 @@
 namespace contactscope {
 namespace {
 
-constexpr int kDeepestLevel = 24;  // halvings of the root, to a ten-millionth; the rest share nodes
+constexpr int kDeepestLevel = 24;  // halvings of the root; boxes of a ten-millionth share a node
 
 /// A loose octree: each box is in the node of its size that contains its centre, and a node extends
 /// to the boxes below it, by at most half of its side. A box is in one node, found without visiting
-/// others, while its centre stays there: for varying density. The root doubles until it contains
-/// every centre. Infinite boxes are compared with all.
+/// others, and stays there while its centre does. Suits varying density. The root doubles until it
+/// contains every centre. Infinite boxes are compared with all.
 /// Source: Ulrich 2000, "Loose Octrees", Game Programming Gems 1.
 class Octree : public Clonable<Octree> {
   struct Node {

@@ -179,7 +179,7 @@ class Tree : public Clonable<Tree> {
     std::vector<int> tests(record != nullptr ? nodes_.size() : 0);  // of each node's box
     compare_with_all(endless_, record);
     if (root_ < 0) return;
-    // Two nodes: compare their leaves with each other. Twice the same node: its own leaves.
+    // Two nodes: compare the leaves of both. The same node twice: compare its own leaves.
     open_.assign(1, {root_, root_});
     while (!open_.empty()) {
       const auto [a, b] = open_.back();

@@ -15,7 +15,6 @@ namespace contactscope {
 /// axis found, balls about the pivots usually prove that there is no earlier contact; otherwise
 /// safe_fraction() bounds the safe part, for two more support points. Round shapes do not advance:
 /// their difference has no faces, so a portal would shrink to a point, and GJK is cheaper.
-/// costs GJK less than that.
 template <class S>
 std::optional<Closest<S>> foresee_impact(Approach<S>& approach, S radii, const Apart<S>& apart,
                                          ImpactResult<S>& result, ImpactRun<S>* run);

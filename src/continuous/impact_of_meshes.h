@@ -34,8 +34,8 @@ struct MeshImpact {
 
 /// The first time in a step at which two deforming meshes are within `gap` metres, both in one
 /// frame. Never late, like impact_of_vertex_face() and impact_of_edges(): triangles that are
-/// separated at the start first meet at such features. Triangles that share a point at the start,
-/// an exact test, are Overlapping, whatever comes later. A Near before every Hit is returned. Both
+/// separated at the start first meet at such features. Triangles that share a point at the start
+/// (an exact test) are Overlapping, whatever comes later. A Near before every Hit is returned. Both
 /// meshes need one end per vertex.
 ///
 /// A node's box, interpolated from its boxes at the start and end, contains its triangles at every

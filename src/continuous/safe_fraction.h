@@ -6,8 +6,8 @@
 namespace contactscope {
 
 /// Lower bound of the separation along a fixed axis between two times at which it is known. A point
-/// with an acceleration of at most k deviates from the straight line between its ends by at most k
-/// u (1 - u) width^2 / 2 at the fraction u. A minimum of lines is never below its chord.
+/// with an acceleration up to k is off the straight line between its ends by at most k u (1 - u)
+/// width^2 / 2 at the fraction u. A minimum of lines is never below its chord.
 ///
 /// Returns the fraction up to which the bound is above `target` (< `at_begin`); 1 if it always is.
 template <class S>

@@ -9,9 +9,9 @@
 namespace contactscope {
 namespace {
 
-/// Bounds the time for which the shapes stay separated along the axis. If nothing turns, by a
-/// division. Else the bracket runs from the safe time to where the nearest points would reach the
-/// target at their present speed; it is narrow enough for a bound close to the root.
+/// Bounds the time for which the shapes stay separated along the axis. Without turns a division
+/// gives it. Otherwise the bracket runs from the safe time to where the nearest points would reach
+/// the target at their present speed. It is narrow enough for a bound close to the root.
 struct RootBrackets {
   template <class S>
   std::optional<Closest<S>> foresee(Approach<S>& approach, S radii, const Apart<S>& apart,

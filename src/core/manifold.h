@@ -108,7 +108,7 @@ struct Manifold {
   Vec3<S> normal = Vec3<S>::Zero();  // world, unit, from A to B
   AxisKind axis = AxisKind::FaceA;
   ContactType type = ContactType::FaceFace;
-  int triangle = -1;  // index in the mesh; -1: neither shape is a mesh
+  int triangle = -1;  // mesh triangle of the manifold; -1: neither shape is a mesh
   StaticVector<ContactPoint<S>, kMaxManifoldPoints> points;
 };
 

@@ -29,6 +29,7 @@ template <class S>
   return {v[0], v[1], v[2]};
 }
 
+/// The columns of a 3x3 matrix.
 template <class S>
 struct Columns {
   Three<S> of[3];

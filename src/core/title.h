@@ -11,11 +11,10 @@
 ///   "{kept} of {candidates:point} keep {area_kept} | Nothing touches"
 ///
 /// Alternatives are separated by " | ". The first one whose placeholders all have a value in the
-/// Alternatives are separated by " | ". The first one whose placeholders all have a value in the
-/// frame is shown, else the last one; 0 counts as no value. Placeholders are `{FACT}`, and `{FACT
-/// of WHO}`, the label of a pair, a shape, or two shapes as `a and b`. `{FACT:point}` adds a noun:
-/// "1 point", "4 points"; `{FACT:vertex/vertices}` has an irregular plural. `{from 12}` is empty,
-/// with a value from frame 12 on. `{{` is a brace.
+/// frame is shown, else the last one; 0 counts as no value. Placeholders are `{FACT}` and `{FACT of
+/// WHO}`: the label of a pair, a shape, or two shapes as `a and b`. `{FACT:point}` adds a noun: "1
+/// point", "4 points"; `{FACT:vertex/vertices}` has an irregular plural. `{from 12}` is empty, with
+/// a value from frame 12 on. `{{` is a brace.
 namespace contactscope {
 
 /// Pipeline stage that records a fact; None: recorded by every run.

@@ -30,7 +30,7 @@ double shortest_edge(double mass, const Mat3<double>& inertia);
 /// script; contacts use their `velocity` and `angular_velocity`.
 template <class S>
 struct Body {
-  Vec3<S> center = Vec3<S>::Zero();  // world, metres: of mass; not dynamic: the shape's origin
+  Vec3<S> center = Vec3<S>::Zero();  // centre of mass, world, metres; if not dynamic the origin
   Quat<S> rotation = Quat<S>::Identity();      // the shape's axes to the world's
   Vec3<S> velocity = Vec3<S>::Zero();          // world, metres per second, of `center`
   Vec3<S> angular_velocity = Vec3<S>::Zero();  // world, radians per second

@@ -85,6 +85,7 @@ struct ConstraintPoint {
   FeatureId id;
 };
 
+/// Constraints of the points of one manifold.
 template <class S>
 struct ContactConstraint {
   int a = 0, b = 0;                                                    // bodies

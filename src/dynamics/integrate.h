@@ -64,7 +64,7 @@ Midpoint<S> midpoint_velocity(const Body<S>& body, const Vec3<S>& w, S h) {
 
 /// Moves and turns a body by its velocities for `h` seconds. Turns a dynamic body's angular
 /// velocity by its gyroscopic term. Spins that the step cannot resolve (Newton fails at several
-/// radians per step) keep their momentum unless that adds energy.
+/// radians per step) keep their momentum, scaled down if that adds energy.
 template <class S>
 void integrate_position(SolverBody<S>& moving, S h) {
   Body<S>& body = moving.body;

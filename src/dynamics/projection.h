@@ -19,7 +19,7 @@ inline constexpr double kMostTurn = 0.1;
 /// Relative displacement of a manifold's bodies.
 template <class S>
 struct Displacement {
-  S apart = 0;  // metres along the normal, sum of both centres
+  S apart = 0;  // of the centres along the normal, metres
   Vec3<S> turn_a = Vec3<S>::Zero(), turn_b = Vec3<S>::Zero();  // radians, world
 };
 

@@ -25,8 +25,8 @@ trace::Stability rest_of(std::span<const Vec3d> points, const Vec3d& normal,
 /// Bound of the pipeline's rounding for points with such coordinates. `epsilon`: of its scalar.
 double rounding_of(std::span<const Vec3d> points, const Vec3d& center_of_mass, double epsilon);
 
-/// The same for the manifolds of a recorded pair. The manifolds of a mesh are joined: all points
-/// count, and the normal is their mean, weighted by points. `shape`: name of the body.
+/// The same for the manifolds of a recorded pair. A mesh's manifolds are joined: all points count,
+/// and the normal is the mean over them. `shape`: name of the body.
 trace::Stability rest_of(const trace::Pair& pair, const std::string& shape,
                          const Vec3d& center_of_mass, double epsilon);
 

@@ -43,8 +43,8 @@ class Sleepers {
   bool may_sleep() const { return !still_.empty(); }
   bool asleep(int body) const { return may_sleep() && at(asleep_, body); }
 
-  /// Before a step: wakes islands as described above. `touches` includes sleeping bodies; `bodies`
-  /// have the velocities of scripts. Returns whether any body woke.
+  /// Before a step: wakes islands as described above. `touches` includes sleeping bodies, `bodies`
+  /// the velocities of scripted ones. Returns whether any body woke.
   bool wake(const std::vector<Body<S>>& bodies, std::span<const Touch> touches);
   /// Wakes a body that was hit within a step; its island follows in the next step.
   void wake(int body);

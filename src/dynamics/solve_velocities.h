@@ -17,8 +17,8 @@ namespace contactscope {
 
 /// Target velocity of a contact point, from its separation.
 ///
-/// Drives the relative normal velocity to -(velocity), by `mass_scale` of the mass, minus
-/// `impulse_scale` of the impulse: impulse = -mass mass_scale (v + velocity) - impulse_scale
+/// Drives the relative normal velocity to -(velocity) with `mass_scale` of the mass, and takes back
+/// `impulse_scale` of the impulse so far: impulse = -mass mass_scale (v + velocity) - impulse_scale
 /// impulse.
 template <class S>
 struct PositionBias {
@@ -33,11 +33,11 @@ struct PositionBias {
 /// As a velocity that bodies keep it has no limit: each of n sub-steps applies n times that of a
 /// frame. Warm starting also delays the push, and a late spring pumps. For one slow mode of a stack
 /// let p be the overlap, y its change in a frame, and e' = g e - (1 - g)(y + b p) the error of the
-/// impulses after the sweeps of a frame, which leave the share g of an error: y' = y + e', p' = p +
-/// y'. The characteristic polynomial (z^2 - 2 g z + g)(z - 1) + (1 - g) b z^2 has its roots within
-/// the unit circle while 1 - g > b / (1 + b) (Jury): 9 % for 0.1. Ten sweeps do less for ten boxes,
-/// or for one under a hundred times its mass. So bodies keep at most the push speed, and
-/// correct_positions() moves them by the rest.
+/// impulses after the sweeps of a frame, which leave the share g of an error. Then y' = y + e' and
+/// p' = p + y'. The characteristic polynomial (z^2 - 2 g z + g)(z - 1) + (1 - g) b z^2 has its
+/// roots within the unit circle while 1 - g > b / (1 + b) (Jury): 9 % for 0.1. Ten sweeps do less
+/// for ten boxes, or for one under a hundred times its mass. So bodies keep at most the push speed,
+/// and correct_positions() moves them by the rest.
 template <class S>
 S baumgarte(S separation, const SolverSettings& settings, S h) {
   const S overlap = std::min(separation + static_cast<S>(settings.slop.value_or(0)), S(0));
@@ -63,7 +63,7 @@ PositionBias<S> soft(S separation, const SolverSettings& settings, bool against_
 template <class S>
 PositionBias<S> position_bias(const ConstraintPoint<S>& point, bool on, bool against_static,
                               const SolverSettings& settings, S h) {
-  // Speculative contacts (Catto 2013, "Continuous Collision"): points may close their separation.
+  // Speculative contact (Catto 2013, "Continuous Collision"): may close up to its separation.
   if (point.separation > 0) return {point.separation / h, S(1), S(0)};
   if (!on || settings.position_correction == PositionCorrection::Projection) return {};
   if (settings.position_correction == PositionCorrection::Baumgarte)
@@ -188,7 +188,7 @@ S leaving_velocity(const ConstraintPoint<S>& point, S restitution, S closing, S 
 }
 
 /// Adds bounces (Newton's restitution) after the sweeps of a sub-step, before the bodies move.
-/// Points that closed faster than resting bodies do, and pushed, bounce. As many sweeps again, of
+/// Points bounce if they closed faster than resting bodies do, and pushed. As many sweeps again, of
 /// normal impulses only, solve them and all that they stir. So impulses of the bounce act where
 /// those of the stop did, and keep angular momentum.
 ///

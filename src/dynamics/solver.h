@@ -115,10 +115,10 @@ double speculative_reach(const World<S>& world, const std::vector<Shape<S>>& sha
       largest_approach(at(shapes, pair.a), sweep(pair.a), at(shapes, pair.b), sweep(pair.b)));
 }
 
-/// Metres up to which points are found of two bodies that can approach by `reach`() in the step.
-/// `settings` are settled(). Contacts are found once per step. With sub-steps this includes points
-/// that are met in later ones, up to half of the smallest body away if the margin is not given.
-/// Faster bodies need continuous pairs.
+/// Separation, metres, up to which points of two bodies are found that can approach by `reach`() in
+/// the step. `settings` are settled(). Contacts are found once per step. With sub-steps this
+/// includes points that are met in later ones, up to half of the smallest body away if the margin
+/// is not given. Faster bodies need continuous pairs.
 template <class Reach>
 double contact_margin(const SolverSettings& settings, const Reach& reach) {
   constexpr double kMaxMargins = 25;

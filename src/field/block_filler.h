@@ -54,7 +54,7 @@ class BlockFiller {
   std::array<signed char, kNodes>
       side_{};  // 1: in front of the nearest face, -1: behind it
   std::array<std::vector<int>, kCells> triangles_;
-  Vec3d last_ = Vec3d::Zero();  // nearest point of the last node
+  Vec3d last_ = Vec3d::Zero();  // surface point nearest to the last node
   Vec3d part_middle_ = Vec3d::Zero();
   bool part_sifted_ = false;  // whether of_part_ belongs to the current part
 };

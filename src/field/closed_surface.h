@@ -25,7 +25,7 @@ inline constexpr double kLargestCapShare = 0.5;
 /// The generalised winding number (Jacobson, Kavan and Sorkine-Hornung 2013, "Robust Inside-Outside
 /// Segmentation using Generalized Winding Numbers"; Barill et al. 2018) finds the same inside
 /// except near holes. We use caps because bounds need a closed surface, whose signed distance
-/// changes by at most the distance moved. Near holes, winding numbers change sign elsewhere.
+/// changes by at most the distance moved. Near holes, winding numbers flip off the surface.
 ///
 /// Throws ShapeError if the caps exceed kLargestCapShare, or if nothing is inside.
 ClosedSurface close_surface(const Mesh<double>& mesh);

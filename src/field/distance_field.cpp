@@ -42,7 +42,7 @@ bool DistanceField::is_inside(const Place& place, const Vec3d& point, const Near
                               std::span<const int> around) const {
   if (regular_ && nearest.on_face)
     return front_ * triangles_.height_over(nearest.triangle, point) < 0;
-  // No surface is between a point and a node if their distances exceed that between them.
+  // No surface separates a point and a node if their distances to it sum to over |node - point|.
   const double distance = std::sqrt(nearest.squared);
   bool known = false, inside = false;
   for_nodes(place, [&](const Vec3d& node, double value) {

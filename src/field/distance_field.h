@@ -16,7 +16,7 @@
 ///     |  coarse   |. . fine . |     fine nodes in the blocks near the surface: the narrow band
 ///     |           |. .-----. .|
 ///     +-----------+--/--------+     surface cells store their triangles for exact answers where a
-///                                   blend is not enough: what is thinner than a cell stays
+///                                   blend is not enough, so parts thinner than a cell remain
 ///
 /// All of this is in the lattice's frame: its unit is a cell, its origin the lattice's corner. A
 /// field can be moved and scaled without changing its numbers; see PlacedField.
@@ -42,8 +42,8 @@ struct FieldSettings {
   int band = 3;    // cells with fine nodes on each side of the surface; 0: all
   FieldInterpolation interpolation = FieldInterpolation::Cubic;
   bool exact = true;  // surface cells store their triangles
-  /// sample() also blends in smooth surface cells: nothing thin can be in them, and the error,
-  /// measured at five points of the cell, is at most this, in cells. 0: all surface cells use their
+  /// Largest blend error in surface cells, in cells. sample() also blends in those that are smooth:
+  /// nothing thin can be in them, and the error at five points is within this. 0: all use their
   /// triangles. kSmoothPart: queries take a fifth of the time.
   double smooth = 0;
   std::size_t most_bytes = std::size_t{1} << 30;  // larger fields are rejected

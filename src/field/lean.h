@@ -6,8 +6,8 @@
 
 namespace contactscope {
 
-/// For each triangle: largest lean of the direction from a point to its nearest surface point, if
-/// on this triangle, from the triangle's normal, as a tangent. kAnyLean if unknown.
+/// Bounds, as tangents, on how far the direction from a point to its nearest surface point leans
+/// from the normal of the triangle there. One per triangle; kAnyLean if unknown.
 ///
 /// Inside a triangle the direction is its normal. On an edge it is between the normals of both
 /// triangles. At a vertex v the direction d makes no acute angle with an edge there, d.e <= 0: the
@@ -18,8 +18,8 @@ namespace contactscope {
 ///
 ///     tan b  <=  tan a / cos(g/2).
 ///
-/// It is small for triangles that approximate a smooth surface. It needs neighbours all around each
-/// vertex; triangles without them have kAnyLean.
+/// The bound is small for triangles that approximate a smooth surface. It needs neighbours all
+/// around each vertex; triangles without them have kAnyLean.
 std::vector<float> largest_leans(const Mesh<double>& mesh);
 
 inline constexpr float kAnyLean = 1e9F;

@@ -51,8 +51,8 @@ class NearestTriangles {
     return best;
   }
 
-  /// Calls visit(leaf, first, count) for all leaves with triangles that can be nearest to a point
-  /// of a cube, and some others. `near`: a point of the surface. See TriangleSieve.
+  /// Calls visit(leaf, first, count) for all leaves that have triangles that can be nearest to a
+  /// point of a cube, and some others. `near`: a point of the surface. See TriangleSieve.
   template <class Visit>
   void around(const Vec3d& middle, double half_side, const Vec3d& near, const Visit& visit) const;
 

@@ -178,9 +178,9 @@ inline Floats between(const Floats& near, const Floats& far, const Floats& t) {
 /// All four numbers of a node are blended side by side, as they are in memory: along x pair by
 /// pair, then the four rows along y and z.
 ///
-/// Between two nodes with distances p and q and slopes m and n the cubic is, with u = t (1-t) and v
-/// = 1-2t,  (1-t) p + t q  +  u v (p - q)  +  u ((1-t) m - t n).  Each number has one weight that
-/// needs no node, so weights are computed while the nodes are loaded from memory.
+/// Between nodes with distances p and q and slopes m and n the cubic is, for u = t (1-t), v = 1-2t,
+/// (1-t) p + t q  +  u v (p - q)  +  u ((1-t) m - t n).  Each number has one weight that needs no
+/// node, so weights are computed while the nodes are loaded from memory.
 ///
 /// The blend along x uses integers without rounding, the rest is float: the error is less than
 /// 2^-13 of a cell's side and 2^-20 of the largest distance.
