@@ -13,11 +13,11 @@ struct SweptHit {
   Vec3d normal = Vec3d::UnitX();  // unit, from the triangle to the shape; of a Hit
 };
 
-/// First impact of a capsule that moves without turning with a triangle at rest. `ends`: of its
-/// segment at time 0; `displacement`: in the step, metres, all in one frame. Exact to rounding, by
-/// sweep_sphere_triangle(): a ball at one end against the triangle swept along the segment, a prism
-/// of two triangles and three parallelograms. Faces that the ball cannot meet first are skipped.
-/// Flat triangles and segments of zero length are fine.
+/// First impact of a capsule, which moves but does not turn, with a triangle at rest. `ends`: of
+/// its segment at time 0; `displacement`: in the step, metres, all in one frame. Exact to rounding,
+/// by sweep_sphere_triangle(): a ball at one end against the triangle swept along the segment, a
+/// prism of two triangles and three parallelograms. Faces that the ball cannot meet first are
+/// skipped. Flat triangles and segments of zero length are fine.
 template <class S>
 SweptHit sweep_capsule_triangle(const std::array<Vec3<S>, 2>& ends, const Vec3<S>& displacement,
                                 S radius, const std::array<Vec3<S>, 3>& triangle);

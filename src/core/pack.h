@@ -105,7 +105,7 @@ inline P straddle(const P& a, const P& b) {
   } else if constexpr (kFirst == 2 || kWidest<S> != kWidth<S>) {
     return __builtin_shufflevector(a, b, kFirst, kFirst + 1, kFirst + 2, kFirst + 3);
   } else {
-    // Two shuffles that SSE2 has. GCC emits nine instructions for a single shuffle.
+    // Two shuffles that SSE2 has. GCC takes nine steps for a single shuffle.
     const P amid = __builtin_shufflevector(a, b, 3, 3, 4, 4);
     if constexpr (kFirst == 1) return __builtin_shufflevector(a, amid, 1, 2, 4, 6);
     return __builtin_shufflevector(amid, b, 0, 2, 5, 6);

@@ -51,8 +51,8 @@ struct Columns {
 /// Rotation matrix, bit for bit Quaternion::toRotationMatrix(): the same products and sums, three
 /// at a time. The fourth lanes are finite when the quaternion is.
 ///
-///     1 - (yy + zz)    xy - wz         xz + wy         every product is of twice the first
-///     xy + wz          1 - (xx + zz)   yz - wx         number with the second
+///     1 - (yy + zz)    xy - wz         xz + wy         each product is twice the first
+///     xy + wz          1 - (xx + zz)   yz - wx         number times the second
 ///     xz - wy          yz + wx         1 - (xx + yy)
 template <class S>
 [[gnu::always_inline]] inline Columns<S> rotation_columns(const Quat<S>& rotation) {

@@ -313,7 +313,7 @@ void take_back(const BodyPair<S>& bodies, const ContactConstraint<S>& contact,
 }
 
 /// Separation of a point at the current poses: the one at the beginning, plus the growth of the
-/// cores' distance along the normal since then.
+/// cores' separation along the normal since then.
 template <class S>
 S separation_now(const BodyPair<S>& bodies, const ContactConstraint<S>& contact,
                  const ConstraintPoint<S>& point) {

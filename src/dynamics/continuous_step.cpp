@@ -44,7 +44,7 @@ bool finite(const Body<S>& body) {
 }
 
 /// From one pose of a body to another. Chooses the rotation closest to the body's spin, so that
-/// more than half a turn per step is not lost.
+/// turns of more than half a circle per step are kept.
 template <class S>
 Sweep<S> sweep_of_step(const Body<S>& before, const Body<S>& after, S dt) {
   Sweep<S> sweep{before.pose(), before.local_center, after.center - before.center, Vec3<S>::Zero()};

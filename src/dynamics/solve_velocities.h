@@ -30,7 +30,7 @@ struct PositionBias {
 /// Gregorius 2015, "Recap: Solving Contact (4)": v_rel = -0.1 / dt * d, metres per second. Overlap
 /// up to the slop is ignored, else contacts would come and go.
 ///
-/// As a velocity that bodies keep it has no limit: each of n sub-steps applies n times that of a
+/// As a velocity that bodies keep, it has no limit: each of n sub-steps applies n times that of a
 /// frame. Warm starting also delays the push, and a late spring pumps. For one slow mode of a stack
 /// let p be the overlap, y its change in a frame, and e' = g e - (1 - g)(y + b p) the error of the
 /// impulses after the sweeps of a frame, which leave the share g of an error. Then y' = y + e' and
@@ -160,7 +160,7 @@ void relax(std::span<SolverBody<S>> bodies, std::vector<ContactConstraint<S>>& c
   }
 }
 
-/// At the beginning of a sub-step: how fast points close.
+/// Records how fast points close, at the beginning of a sub-step.
 template <class S>
 void note_approach(std::span<SolverBody<S>> bodies, std::vector<ContactConstraint<S>>& contacts) {
   for_each_point(bodies, contacts, [](const auto& pair, const auto& contact, auto& point) {

@@ -23,8 +23,8 @@
 namespace contactscope {
 
 enum class FieldInterpolation : std::uint8_t {
-  Trilinear,  // of eight nodes' distances; error: cell squared over radius of curvature
-  Cubic,  // and of their gradients
+  Trilinear,  // blends eight nodes' distances; error: cell squared over radius of curvature
+  Cubic,  // blends their gradients as well
 };
 
 /// "trilinear", "cubic", as written in scenarios.
