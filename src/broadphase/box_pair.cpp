@@ -12,8 +12,7 @@ void PairSorter::sort(std::vector<BoxPair>& pairs, int handles) {
     std::ranges::sort(pairs);
     return;
   }
-  // A counting sort by b, then one by a, which leaves those of the same a in the order of b. Neither
-  // asks anything of a pair whose answer the processor would have to guess.
+  // Counting sort by b, then a stable one by a. Neither has unpredictable branches.
   const auto numbers = static_cast<std::size_t>(handles) + 1;
   first_of_a_.assign(numbers, 0);
   first_of_b_.assign(numbers, 0);

@@ -11,7 +11,7 @@
 
 namespace contactscope {
 
-// Each is in the file of its name.
+// Each is defined in the file of its name.
 BroadPhaseInfo brute_force_broad_phase(), grid_broad_phase(), sweep_and_prune_broad_phase(),
     octree_broad_phase(), tree_broad_phase(), columns_broad_phase();
 

@@ -19,89 +19,86 @@ struct PairChanges {
   std::vector<BoxPair> ended;
 };
 
-/// Work that a broad phase did since it was made: what its time is spent on, whatever the machine.
+/// Work that a broad phase has done since it was made, independent of the machine.
 struct BroadPhaseCounts {
   std::int64_t comparisons = 0;  // of two boxes
   std::int64_t visits = 0;       // of cells, nodes or columns
-  std::int64_t swaps = 0;        // of neighbouring endpoints, by sweep and prune
+  std::int64_t swaps = 0;        // of neighbouring endpoints, in sweep and prune
 };
 
-/// A part of space or of a tree, and what a step did there.
+/// A part of space or of a tree, and the work of a step there.
 struct BroadPhaseCell {
-  Aabb<float> box;  // of columns without end along the axis that is swept
-  int depth = 0;    // 0 at the root of a tree, and where there are no levels
-  int members = 0;  // boxes in it; of a tree's node that has others below 0
-  int tests = 0;    // of two boxes, of which one is in it, or is that of the node itself
+  Aabb<float> box;  // columns have no end along the swept axis
+  int depth = 0;    // 0 at the root of a tree, and without levels
+  int members = 0;  // boxes in it; 0 for a tree's inner nodes
+  int tests = 0;    // of two boxes: one in it, or the node's own
 };
 
-/// The lower end of one box and the upper end of another changed places on an axis.
+/// The lower end of one box and the upper end of another were swapped on an axis.
 struct EndSwap {
   int axis = 0;
   float place = 0;  // metres along it, of the end that moved down
-  int lower = 0;    // handle of the box whose lower end it is
+  int lower = 0;    // handle of the box with the lower end
   int upper = 0;
-  bool meets = false;   // along the axis the boxes overlap now; else they no longer do
-  bool counts = false;  // a pair began, or ended, by it
+  bool meets = false;   // the boxes now overlap along the axis; else they no longer do
+  bool counts = false;  // it began or ended a pair
 };
 
-/// What the structure of a broad phase looks like, for somebody who watches a step.
+/// State of a broad phase's structure in one step, for pictures.
 struct BroadPhaseRecord {
-  std::vector<BroadPhaseCell> cells;  // those with something in them
+  std::vector<BroadPhaseCell> cells;  // those that are not empty
   std::vector<EndSwap> swaps;
-  int swept = -1;  // the axis along which columns are swept: 0, 1 or 2
+  int swept = -1;  // axis along which columns are swept: 0, 1 or 2
   std::vector<int>
-      large;  // handles, ascending: compared with all others, as too large for any cell
+      large;  // handles, ascending, of boxes too large for cells; compared with all others
 };
 
-/// Finds which of many boxes overlap. Boxes are closed: those that touch overlap, as in the narrow
-/// phase, so that no contact at distance zero is lost between the two. A box may be infinite, as
-/// that of a plane is.
+/// Finds all pairs of boxes that overlap. Boxes are closed: touching boxes overlap, as in the
+/// narrow phase, so that no contact at distance zero is lost between the two. Boxes may be
+/// infinite, like that of a plane.
 ///
-/// Boxes are in float, metres. Round those of a scene in double outwards: outward_box().
+/// Boxes are in float, metres. Round double boxes outwards: outward_box().
 class BroadPhase {
  public:
   virtual ~BroadPhase() = default;
   BroadPhase& operator=(const BroadPhase&) = delete;
-  /// Another one with the same boxes, which goes on by itself.
+  /// An independent copy with the same boxes.
   virtual std::unique_ptr<BroadPhase> clone() const = 0;
 
-  /// Returns the handle of the box: the number of a box that was removed, or the next one.
-  /// Throws std::invalid_argument for an empty box or one with NaN; then nothing changes.
+  /// Returns the box's handle: that of a removed box, or the next number. Throws
+  /// std::invalid_argument for an empty box or one with NaN, without changing anything.
   int add(const Aabb<float>& box);
-  /// As far as one likes. Throws as add() does.
+  /// Moves a box any distance. Throws like add().
   void move(int handle, const Aabb<float>& box);
   void remove(int handle);
 
-  /// Every pair that overlaps now, ascending. Another call of this or of changes() overwrites them.
-  /// `record`: null when nobody watches, which costs nothing; it changes no pair and is emptied first.
+  /// All pairs that overlap now, ascending. The next call of this or of changes() overwrites them.
+  /// `record`: emptied first; null: not recorded, no cost. Does not change the pairs.
   const std::vector<BoxPair>& pairs(BroadPhaseRecord* record = nullptr);
-  /// Which pairs overlap that did not when this was called last, and the reverse. A handle that was
-  /// given away again counts as the same box.
+  /// Pairs that have begun or ended since the last call. A reused handle is the same box.
   PairChanges changes();
   /// Handles of the boxes that overlap `box`, ascending.
   std::vector<int> query(const Aabb<float>& box) const;
 
   bool has(int handle) const;
   const Aabb<float>& box(int handle) const { return boxes_[static_cast<std::size_t>(handle)]; }
-  /// One past the largest handle there ever was.
+  /// One past the largest handle ever used.
   int handles() const { return static_cast<int>(boxes_.size()); }
   const BroadPhaseCounts& counts() const { return counts_; }
-  /// Bytes that it holds, with room that its lists keep for more.
+  /// Bytes in use, including the reserved capacity of its lists.
   std::size_t memory() const;
 
  protected:
   BroadPhase() = default;
   BroadPhase(const BroadPhase&) = default;
 
-  /// A box came, has another place than `from`, or is about to go.
+  /// A box was added, was moved from `from`, or is about to be removed.
   virtual void added(int /*handle*/) {}
   virtual void moved(int /*handle*/, const Aabb<float>& /*from*/) {}
   virtual void removing(int /*handle*/) {}
-  /// Appends every overlapping pair once, in any order, by report().
-  /// `record`: as of pairs().
+  /// Reports each overlapping pair once, in any order, by report(). `record`: as in pairs().
   virtual void find_pairs(BroadPhaseRecord* record) = 0;
-  /// Appends to `found` every box that overlaps, once, in any order. Where there is no structure for
-  /// it: looks at all of them.
+  /// Appends each box that overlaps to `found`, once, in any order. The default tests all boxes.
   virtual void find(const Aabb<float>& box, std::vector<int>& found) const;
   virtual std::size_t own_memory() const { return 0; }
 
@@ -112,17 +109,17 @@ class BroadPhase {
     if (overlaps(box(i), box(j))) report(i, j);
   }
 
-  /// Compares boxes that no structure holds with every other box; of two such the first one reports.
-  /// They are told in `record`.
+  /// Compares boxes that no structure holds with every other box. Pairs of such boxes are reported
+  /// once. `record` lists them.
   void compare_with_all(std::vector<int> large, BroadPhaseRecord* record);
 
   mutable BroadPhaseCounts counts_;
 
  private:
-  std::vector<Aabb<float>> boxes_;  // by handle; empty where there is none
+  std::vector<Aabb<float>> boxes_;  // by handle; empty if unused
   std::vector<int> free_;
   std::vector<BoxPair> found_;
-  std::vector<BoxPair> last_;  // of changes()
+  std::vector<BoxPair> last_;  // of the last changes()
   PairSorter sorter_;
 };
 
@@ -131,13 +128,13 @@ std::size_t bytes_of(const std::vector<T>& list) {
   return list.capacity() * sizeof(T);
 }
 
-/// Boxes beyond this, in metres, and infinite ones have areas and cells that float cannot count.
-/// Whatever divides space keeps them in a list and compares them with every other box.
+/// Larger boxes, in metres, and infinite ones overflow float in areas and cell indices. Methods
+/// that divide space keep them in a list and compare them with every other box.
 inline constexpr float kLargestCoordinate = 1e15f;
 bool is_bounded(const Aabb<float>& box);
 
-/// Calls tell(node, depth, open) for the nodes of a tree, a parent before its children: open(child)
-/// puts off each child that is to be told. `root`: -1 of a tree without nodes.
+/// Calls tell(node, depth, open) for the nodes of a tree, parents first. open(child) queues a
+/// child. `root`: -1 for an empty tree.
 template <class Tell>
 void from_root_down(int root, const Tell& tell) {
   std::vector<std::pair<int, int>> left;  // node, depth
@@ -149,10 +146,10 @@ void from_root_down(int root, const Tell& tell) {
   }
 }
 
-/// The smallest box in float around one in double.
+/// The smallest float box around a double box.
 Aabb<float> outward_box(const Aabb<double>& box);
 
-/// What clone() and BroadPhaseInfo::make are made of: `class Tree : public Clonable<Tree>`.
+/// Implements clone() and BroadPhaseInfo::make: `class Tree : public Clonable<Tree>`.
 template <class Derived>
 class Clonable : public BroadPhase {
  public:
@@ -167,16 +164,16 @@ struct BroadPhaseInfo {
   std::unique_ptr<BroadPhase> (*make)();
 };
 
-/// A row of the table for one of them.
+/// Table row for a broad phase.
 template <class Derived>
 BroadPhaseInfo info_of(const char* name, const char* summary) {
   return {name, summary, [] { return std::unique_ptr<BroadPhase>(std::make_unique<Derived>()); }};
 }
 
-/// Every broad phase, in the order in which to list them.
+/// All broad phases, in listing order.
 const std::vector<BroadPhaseInfo>& broad_phases();
 
-/// A broad phase by name; nullptr when there is none such.
+/// A broad phase by name; nullptr if unknown.
 std::unique_ptr<BroadPhase> make_broad_phase(std::string_view name);
 
 }  // namespace contactscope

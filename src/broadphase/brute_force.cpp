@@ -3,8 +3,7 @@
 namespace contactscope {
 namespace {
 
-/// Compares every box with every other one: n (n - 1) / 2 comparisons. What the others are held
-/// against.
+/// The reference: compares every box with every other one, n (n - 1) / 2 comparisons.
 class BruteForce : public Clonable<BruteForce> {
   void find_pairs(BroadPhaseRecord* /*record*/) override {
     for (int i = 0; i < handles(); ++i) {

@@ -16,19 +16,18 @@ constexpr int kLanes = lanes::kLanesOf<float, Lanes>;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 constexpr int kEnough = 256;     // boxes in a column: halving it would copy more than it saves
-constexpr int kSample = 32;      // boxes that are asked where to halve
+constexpr int kSample = 32;      // boxes sampled to choose the border
 constexpr int kMostAcross = 12;  // of them across the border: with more, halves share too much
 constexpr int kDeepest = 48;
 
-/// All pairs from the start, as fast as the processor goes: boxes are sorted along one axis, and
-/// divided on the two others into columns, which keep that order. A box on a border is in both
+/// Finds all pairs from scratch, at the processor's full speed. Sorts boxes along one axis, and
+/// divides them on the other two into columns, which keep that order. A box on a border is in both
 /// columns. In a column each box is compared with those that begin before it ends, several at a
-/// time. Nothing is kept between calls, so no movement is slow. A pair that shares several columns
-/// is reported in the one that holds the lowest corner of what both share.
-/// Source: Zomorodian and Edelsbrunner 2002, "Fast Software for Box Intersections", halves space as
-/// the columns here do.
+/// time. Nothing is kept between calls, so any movement costs the same. A pair in several columns
+/// is reported in the one that contains the lowest corner of its overlap.
+/// Source: Zomorodian and Edelsbrunner 2002, "Fast Software for Box Intersections".
 class Columns : public Clonable<Columns> {
-  /// A box, its axes in the order in which they are used: the first one is swept.
+  /// A box with its axes in processing order: the first one is swept.
   struct Entry {
     float lower[3];
     float upper[3];
@@ -39,8 +38,8 @@ class Columns : public Clonable<Columns> {
              0.5f * std::min(upper[axis], kLargestCoordinate);
     }
   };
-  /// Reports pairs whose lowest corner is at or behind `lower`, and before `upper`, on the second
-  /// and third axis.
+  /// Reports pairs whose overlap's lowest corner is at or beyond `lower`, and below `upper`, on the
+  /// second and third axis.
   struct Region {
     float lower[3] = {-kInfinity, -kInfinity, -kInfinity};
     float upper[3] = {kInfinity, kInfinity, kInfinity};
@@ -54,7 +53,7 @@ class Columns : public Clonable<Columns> {
     record_ = nullptr;
   }
 
-  /// All boxes in the order of their lower ends on the swept axis.
+  /// Collects all boxes in the order of their lower ends on the swept axis.
   void gather() {
     const std::array<int, 3> axes = axes_ = axes_by_spread();
     keys_.clear();
@@ -74,8 +73,7 @@ class Columns : public Clonable<Columns> {
     }
   }
 
-  /// The axis on which the middles of boxes lie farthest apart comes first: most pairs are told
-  /// apart by the sweep.
+  /// Axes by spread of the boxes' middles, largest first: the sweep separates most pairs.
   std::array<int, 3> axes_by_spread() const {
     Vec3<double> sum = Vec3<double>::Zero(), squares = Vec3<double>::Zero();
     double count = 0;
@@ -98,13 +96,13 @@ class Columns : public Clonable<Columns> {
     int handle;
   };
 
-  /// An integer that is in the order of the numbers.
+  /// An integer that sorts like the number.
   static std::uint32_t sortable(float number) {
     const auto whole = std::bit_cast<std::uint32_t>(number + 0.0f);  // -0 is 0
     return whole & 0x80000000u ? ~whole : whole | 0x80000000u;
   }
 
-  /// A radix sort of three passes, from the lowest digits on.
+  /// Radix sort in three passes, lowest digits first.
   void sort_keys() {
     constexpr int kBits = 11;
     constexpr std::uint32_t kDigit = (1u << kBits) - 1;
@@ -118,7 +116,7 @@ class Columns : public Clonable<Columns> {
     }
   }
 
-  /// Of the entries from `begin` on; its halves are put behind `end`, which is the last one of all.
+  /// Divides the entries from `begin` on. Its halves go behind `end`, the end of all entries.
   void divide(std::size_t begin, std::size_t end, const Region& region, int depth) {
     ++counts_.visits;
     int axis = 0;
@@ -134,7 +132,7 @@ class Columns : public Clonable<Columns> {
     Entry* const above = below + count;
     std::size_t below_count = 0, above_count = 0;
     for (std::size_t i = 0; i < count; ++i) {
-      // Without a branch, which would go either way half of the time.
+      // No branch, which would be unpredictable.
       below[below_count] = from[i];
       above[above_count] = from[i];
       below_count += from[i].lower[axis] < border;
@@ -150,7 +148,7 @@ class Columns : public Clonable<Columns> {
     divide(end, middle, half, depth + 1);
   }
 
-  /// False where halves would have too many boxes in common.
+  /// False if the halves would share too many boxes.
   bool choose_border(std::size_t begin, std::size_t end, int& axis, float& border) const {
     int least_across = kMostAcross;
     for (const int candidate : {1, 2}) {
@@ -174,7 +172,7 @@ class Columns : public Clonable<Columns> {
     return axis != 0;
   }
 
-  /// Two of a column that meet, by their places in it.
+  /// Indices of two boxes of a column that overlap.
   struct Hit {
     int first, second;
   };
@@ -182,7 +180,7 @@ class Columns : public Clonable<Columns> {
   void sweep(std::size_t begin, std::size_t end, const Region& region) {
     const int count = static_cast<int>(end - begin);
     const Entry* const entries = entries_.data() + begin;
-    // Side by side, and behind the last one some that begin after every other one ends.
+    // One array per coordinate, padded by NaN, which compares like a box that begins after all end.
     constexpr int kSides = 5;
     const auto stride = static_cast<std::size_t>(count + kLanes);
     sides_.resize(kSides * stride);
@@ -207,7 +205,7 @@ class Columns : public Clonable<Columns> {
     for (int i = 0; i < count; ++i) {
       if (hits_.size() < hits + stride) hits_.resize(2 * (hits + stride));
       const Entry& entry = entries[i];
-      // The lowest corner of what both share is the larger one of both lower corners.
+      // The lowest corner of the overlap is the larger of both lower corners.
       const float least_y = entry.lower[1] >= region.lower[1] ? -kInfinity : region.lower[1];
       const float least_z = entry.lower[2] >= region.lower[2] ? -kInfinity : region.lower[2];
       int j = i + 1;
@@ -219,7 +217,7 @@ class Columns : public Clonable<Columns> {
                            (from_z <= entry.upper[2]) & (from_z >= least_z) &
                            (load(upper_y + j) >= entry.lower[1]) &
                            (load(upper_z + j) >= entry.lower[2]);
-        // Each is written and few stay, as nobody could foresee which of them meet.
+        // Write each, keep few: which of them meet is unpredictable.
         const std::uint32_t meets_bits = lanes::bits<float>(meets);
         for (int lane = 0; lane < kLanes; ++lane) {
           hits_[hits] = {i, j + lane};
@@ -228,7 +226,7 @@ class Columns : public Clonable<Columns> {
         before_bits = lanes::bits<float>(before_it_ends);
         j += kLanes;
       } while (before_bits == (1u << kLanes) - 1);
-      // Of these, those that begin before it ends come first.
+      // The lanes that begin before it ends come first.
       compared += j - kLanes - i - 1 + std::popcount(before_bits);
     }
     for (std::size_t k = 0; k < hits; ++k)
@@ -253,11 +251,11 @@ class Columns : public Clonable<Columns> {
   }
 
   std::array<int, 3> axes_{};
-  BroadPhaseRecord* record_ = nullptr;  // of the step that is going on
+  BroadPhaseRecord* record_ = nullptr;  // of the current step
   std::vector<Key> keys_, sorted_keys_;
   std::vector<Entry> entries_;  // all, then those of the columns being divided
   std::vector<float> sides_;    // of one column
-  std::vector<Hit> hits_;       // in it, and room for one more box's
+  std::vector<Hit> hits_;       // in it, with room for one more box
 };
 
 }  // namespace

@@ -10,18 +10,17 @@ namespace {
 
 using Cell = std::array<std::int32_t, 3>;
 
-/// A box over more cells than this is compared with all others instead.
+/// Boxes that cover more cells are compared with all others instead.
 constexpr std::int64_t kMostCells = 64;
-/// Of the median of the boxes' largest sides. With 1 a box of that size lies in up to eight cells,
-/// and a larger cell holds more boxes that do not meet.
+/// Cell size over the median of the boxes' largest sides. With 1, a box of that size is in up to
+/// eight cells; larger cells contain more boxes that do not meet.
 constexpr float kCellOfMedian = 1.5f;
 
-/// A uniform grid without end, whose cells are kept in a hash table: right where boxes are of
-/// similar size. Cells are as large as the boxes want them and made anew for each call, as many
-/// boxes as there are.
+/// A uniform grid without bounds, with its cells in a hash table: for boxes of similar size. Cells
+/// are sized by the boxes and made again in each call.
 ///
-/// A pair is reported in one cell only, the one that holds the lowest corner of what both share.
-/// Boxes that are far larger than a cell, or infinite, are compared with all.
+/// A pair is reported only in the cell that contains the lowest corner of its overlap. Boxes far
+/// larger than a cell, or infinite, are compared with all.
 /// Source: Teschner et al. 2003, "Optimized Spatial Hashing for Collision Detection of Deformable
 /// Objects".
 class Grid : public Clonable<Grid> {
@@ -43,7 +42,7 @@ class Grid : public Clonable<Grid> {
     compare_with_all(large_, record);
   }
 
-  /// Cells by bucket, and in a bucket as they come.
+  /// Cells by bucket, and in a bucket in order of appearance.
   void tell(BroadPhaseRecord& record) const {
     for (std::size_t bucket = 0; bucket + 1 < first_.size(); ++bucket) {
       const auto begin = record.cells.size();
@@ -72,13 +71,12 @@ class Grid : public Clonable<Grid> {
     if (sides_.empty()) return;
     const auto middle = sides_.begin() + static_cast<std::ptrdiff_t>(sides_.size() / 2);
     std::nth_element(sides_.begin(), middle, sides_.end());
-    // Where most boxes are points, any cell does; it must only not be so small that the cells of
-    // the others cannot be counted.
+    // If most boxes are points, any size works, as long as the cells of the others can be counted.
     const float largest = *std::max_element(middle, sides_.end());
     cell_ = std::max({kCellOfMedian * *middle, largest / 1024, 1e-30f});
   }
 
-  /// False where the coordinate has no number.
+  /// False if a coordinate has no cell index.
   bool cell_at(const Vec3<float>& point, Cell& cell) const {
     for (int axis = 0; axis < 3; ++axis) {
       const float number = std::floor(point[axis] / cell_);
@@ -112,7 +110,7 @@ class Grid : public Clonable<Grid> {
     }
     counts_.visits += static_cast<std::int64_t>(entries_.size());
 
-    // A counting sort by bucket: those of one bucket stand side by side.
+    // Counting sort by bucket: entries of one bucket are adjacent.
     std::size_t buckets = 1;
     while (buckets < entries_.size()) buckets *= 2;
     first_.assign(buckets + 1, 0);
@@ -133,7 +131,7 @@ class Grid : public Clonable<Grid> {
   }
 
   void compare_in_cell(const Entry& i, const Entry& j) {
-    if (i.cell != j.cell) return;  // their cells share a bucket
+    if (i.cell != j.cell) return;  // different cells in one bucket
     ++counts_.comparisons;
     const Aabb<float>&a = box(i.handle), &b = box(j.handle);
     Cell home{};
@@ -149,7 +147,7 @@ class Grid : public Clonable<Grid> {
   float cell_ = 1;  // metres
   std::vector<float> sides_;
   std::vector<Entry> entries_, sorted_;
-  std::vector<int> first_, next_;  // entry of each bucket
+  std::vector<int> first_, next_;  // first entry of each bucket
   std::vector<int> large_;         // ascending
 };
 

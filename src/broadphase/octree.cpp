@@ -7,22 +7,22 @@
 namespace contactscope {
 namespace {
 
-constexpr int kDeepestLevel = 24;  // halvings of the root: boxes a ten-millionth of it share a node
+constexpr int kDeepestLevel = 24;  // halvings of the root; boxes of a ten-millionth share a node
 
-/// A loose octree: each box hangs in the node of its size that holds its centre, and a node reaches
-/// as far as the boxes below it do, half of its side at most. A box is in one node, found without
-/// looking at others, and stays there while its centre does: right where the density varies. The
-/// root doubles until it holds every centre. Boxes without end are compared with all.
+/// A loose octree: each box is in the node of its size that contains its centre, and a node extends
+/// to the boxes below it, by at most half of its side. A box is in one node, found without visiting
+/// others, and stays there while its centre does. Suits varying density. The root doubles until it
+/// contains every centre. Infinite boxes are compared with all.
 /// Source: Ulrich 2000, "Loose Octrees", Game Programming Gems 1.
 class Octree : public Clonable<Octree> {
   struct Node {
     int parent = -1;
     std::array<int, 8> children = {-1, -1, -1, -1, -1, -1, -1, -1};
-    int below = 0;          // boxes in it and under it
-    Aabb<float> reach;      // around those boxes, and perhaps around some that have left
+    int below = 0;          // boxes in it and below it
+    Aabb<float> reach;      // around those boxes, and perhaps some that have left
     std::vector<int> here;  // handles
   };
-  /// Where a node's centres lie: metres, half of its side.
+  /// Region of a node's centres: metres, half of its side.
   struct Cube {
     Vec3<float> center = Vec3<float>::Zero();
     float half = 0;
@@ -121,7 +121,7 @@ class Octree : public Clonable<Octree> {
     visit(box, test);
   }
 
-  /// Calls test(handle) for all that hang in nodes that reach into a box.
+  /// Calls test(handle) for all boxes in nodes that reach into a box.
   template <class Test>
   void visit(const Aabb<float>& box, Test&& test) const {
     std::vector<int>& open = open_;
@@ -149,7 +149,7 @@ class Octree : public Clonable<Octree> {
     at(nodes_, node).reach.include(box(handle));
   }
 
-  /// Makes the root a child of one of twice its side that reaches towards a point.
+  /// Makes the root a child of a node of twice its side that extends towards a point.
   void grow(const Vec3<float>& towards) {
     Cube larger = {cube_.center, 2 * cube_.half};
     for (int i = 0; i < 3; ++i)
@@ -174,9 +174,9 @@ class Octree : public Clonable<Octree> {
   std::vector<Node> nodes_;
   int root_ = -1;
   Cube cube_;               // of the root
-  std::vector<int> homes_;  // node of each handle; -1 of boxes without end
+  std::vector<int> homes_;  // node of each handle; -1 for infinite boxes
   std::vector<int> endless_;
-  mutable std::vector<int> open_;  // nodes that a search has yet to look at
+  mutable std::vector<int> open_;  // nodes that a search has yet to visit
 };
 
 }  // namespace

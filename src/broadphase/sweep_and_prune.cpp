@@ -8,13 +8,13 @@
 namespace contactscope {
 namespace {
 
-/// Swaps for each endpoint, on average, beyond which sorting from the start is faster.
+/// Mean swaps per endpoint beyond which sorting from scratch is faster.
 constexpr std::int64_t kMostSwaps = 32;
 
-/// Sweep and prune: the ends of all boxes stand in order on each of the three axes, and the pairs
-/// that overlap are kept. From call to call few ends change places, which an insertion sort mends;
-/// where the lower end of one box passes the upper end of another, that pair may begin, or ends.
-/// A scene of which much jumped is sorted anew.
+/// Sweep and prune: keeps the ends of all boxes sorted on each of the three axes, and the
+/// overlapping pairs. From call to call few ends are swapped, and an insertion sort fixes the
+/// order. When the lower end of one box passes the upper end of another, their overlap may begin or
+/// end. A scene with large jumps is sorted from scratch.
 /// Source: Baraff 1992, "Dynamic Simulation of Non-Penetrating Rigid Bodies", section 2.3; Cohen et
 /// al. 1995, "I-COLLIDE".
 class SweepAndPrune : public Clonable<SweepAndPrune> {
@@ -23,7 +23,7 @@ class SweepAndPrune : public Clonable<SweepAndPrune> {
     int handle;
     bool upper;
 
-    // At one place lower ends come first: boxes that touch overlap.
+    // At equal positions lower ends come first: boxes that touch overlap.
     friend bool operator<(const End& a, const End& b) {
       return a.at < b.at || (a.at == b.at && a.upper < b.upper);
     }
@@ -41,7 +41,7 @@ class SweepAndPrune : public Clonable<SweepAndPrune> {
         ends.push_back({0, handle, true});
       }
     }
-    // Each new end walks past about a third of the others.
+    // Each new end moves past about a third of the others.
     const bool many_came = came_.size() > 4 * static_cast<std::size_t>(kMostSwaps);
     came_.clear();
     went_.clear();
@@ -60,7 +60,7 @@ class SweepAndPrune : public Clonable<SweepAndPrune> {
     std::erase_if(kept_, [&](std::uint64_t key) {
       return is_gone(static_cast<int>(key >> 32)) || is_gone(static_cast<int>(key & 0xffffffffu));
     });
-    // A handle that was given away again has come since; it may have come twice.
+    // Reused handles have been added since, possibly twice.
     std::ranges::sort(came_);
     came_.erase(std::unique(came_.begin(), came_.end()), came_.end());
   }
@@ -72,7 +72,7 @@ class SweepAndPrune : public Clonable<SweepAndPrune> {
     }
   }
 
-  /// False where too much jumped; then neither order nor pairs are right.
+  /// False if too much jumped; then neither order nor pairs are valid.
   bool mend_order(BroadPhaseRecord* record) {
     std::int64_t left = kMostSwaps * static_cast<std::int64_t>(axes_[0].size());
     for (int axis = 0; axis < 3; ++axis) {
@@ -96,7 +96,7 @@ class SweepAndPrune : public Clonable<SweepAndPrune> {
     return true;
   }
 
-  /// `end` goes down past `other`.
+  /// `end` moves down past `other`.
   void pass(const End& end, const End& other, int axis, BroadPhaseRecord* record) {
     if (end.upper == other.upper) return;
     const std::uint64_t key = key_of(end.handle, other.handle);
@@ -112,8 +112,7 @@ class SweepAndPrune : public Clonable<SweepAndPrune> {
                              end.upper ? end.handle : other.handle, !end.upper, counts});
   }
 
-  /// Sorts all three axes, and finds the pairs along the one on which the boxes' middles lie
-  /// farthest apart.
+  /// Sorts all three axes, and finds the pairs along the axis with the largest spread of ends.
   void sort_anew() {
     kept_.clear();
     std::size_t longest = 0;
@@ -157,14 +156,14 @@ class SweepAndPrune : public Clonable<SweepAndPrune> {
   std::size_t own_memory() const override {
     std::size_t bytes = bytes_of(came_) + bytes_of(went_) + bytes_of(open_) + bytes_of(place_);
     for (const std::vector<End>& ends : axes_) bytes += bytes_of(ends);
-    // A node holds its key and a pointer; a bucket is one pointer.
+    // A node has its key and a pointer; a bucket is one pointer.
     return bytes + kept_.size() * 2 * sizeof(void*) + kept_.bucket_count() * sizeof(void*);
   }
 
   std::vector<End> axes_[3];
   std::unordered_set<std::uint64_t> kept_;  // pairs that overlap
   std::vector<int> came_, went_;            // since the last call
-  std::vector<int> open_, place_;  // boxes that the sweep is in, and where they stand there
+  std::vector<int> open_, place_;  // boxes at the sweep's position, and their index there
 };
 
 }  // namespace

@@ -7,13 +7,12 @@
 namespace contactscope {
 namespace {
 
-/// What a leaf is wider than its box on each side, of the box's largest side: a box that moves less
-/// leaves the tree as it is.
+/// Margin of a leaf on each side, relative to its box's largest side. Smaller moves need no update.
 constexpr float kMargin = 0.1f;
 
-/// A dynamic tree of boxes. A leaf is inserted where the areas of the boxes above it grow least,
-/// and the tree is kept in balance by rotations on the way back to the root. Boxes without end are
-/// compared with all.
+/// A dynamic tree of boxes. A leaf is inserted where the areas of the boxes above it grow least.
+/// Rotations on the path back to the root keep the tree balanced. Infinite boxes are compared with
+/// all.
 /// Source: Catto 2019, "Dynamic Bounding Volume Hierarchies"; Adelson-Velsky and Landis 1962.
 class Tree : public Clonable<Tree> {
   struct Node {
@@ -37,7 +36,7 @@ class Tree : public Clonable<Tree> {
 
   void moved(int handle, const Aabb<float>& /*from*/) override {
     const int leaf = at(leaves_, handle);
-    // A leaf that has become far too wide is made anew too.
+    // Leaves that have become far too wide are also inserted again.
     if (leaf >= 0 && is_bounded(box(handle)) && at(nodes_, leaf).box.contains(box(handle)) &&
         widened(widened(box(handle))).contains(at(nodes_, leaf).box)) {
       return;
@@ -82,7 +81,7 @@ class Tree : public Clonable<Tree> {
 
   int child_of(int node, int side) const { return at(nodes_, node).children[side]; }
 
-  /// Puts `by` where `node` hangs.
+  /// Puts `by` in the place of `node`.
   void replace(int node, int by) {
     const int parent = at(nodes_, node).parent;
     at(nodes_, by).parent = parent;
@@ -115,8 +114,7 @@ class Tree : public Clonable<Tree> {
     mend_above(above);
   }
 
-  /// Goes down to where the box costs least: beside this node, or below one of its children, whose
-  /// boxes then grow.
+  /// Descends to the node of least cost: this one, or one below a child, whose boxes then grow.
   int best_sibling(const Aabb<float>& box) const {
     const auto grown_area = [&](int node) {
       return surface_area(merged(at(nodes_, node).box, box));
@@ -125,7 +123,7 @@ class Tree : public Clonable<Tree> {
     while (!at(nodes_, node).is_leaf()) {
       ++counts_.visits;
       const float grown = grown_area(node);
-      // What every way further down pays for this node.
+      // Cost of growing this node, included in all choices below it.
       const float inherited = grown - surface_area(at(nodes_, node).box);
       const auto cost_below = [&](int child) {
         const float area = grown_area(child);
@@ -153,8 +151,7 @@ class Tree : public Clonable<Tree> {
     at(nodes_, node).height = 1 + std::max(left.height, right.height);
   }
 
-  /// Lifts the higher child by a rotation where one is higher by two. Returns what now hangs where
-  /// `node` did.
+  /// Lifts the higher child by a rotation if the heights differ by two. Returns the upper node.
   ///
   ///        node                 high
   ///       /    |               /    |
@@ -182,7 +179,7 @@ class Tree : public Clonable<Tree> {
     std::vector<int> tests(record != nullptr ? nodes_.size() : 0);  // of each node's box
     compare_with_all(endless_, record);
     if (root_ < 0) return;
-    // Two nodes of which each pair of leaves below is to be compared; of the same one, its own.
+    // Two nodes: compare the leaves of both. The same node twice: compare its own leaves.
     open_.assign(1, {root_, root_});
     while (!open_.empty()) {
       const auto [a, b] = open_.back();
@@ -249,10 +246,10 @@ class Tree : public Clonable<Tree> {
 
   std::vector<Node> nodes_;
   int root_ = -1;
-  std::vector<int> leaves_;  // node of each handle; -1 of boxes without end
-  std::vector<int> free_;    // nodes to use again
+  std::vector<int> leaves_;  // node of each handle; -1 for infinite boxes
+  std::vector<int> free_;    // unused nodes
   std::vector<int> endless_;
-  std::vector<std::pair<int, int>> open_;  // pairs of nodes that a search has yet to look at
+  std::vector<std::pair<int, int>> open_;  // pairs of nodes that a search has yet to visit
 };
 
 }  // namespace

@@ -9,15 +9,15 @@
 namespace contactscope {
 namespace {
 
-/// Of a transformed point: three products and four sums, each of numbers as large as `scale` below.
+/// For a transformed point: three products and four sums of numbers up to `scale` below.
 constexpr double kRoundings = 8;
 
-/// What a shape reaches in the world.
+/// World box of a shape before rounding.
 template <class S>
 struct Reach {
   Pose<double> pose;
   Aabb<double> box{};
-  double scale = 0;  // metres, the largest number that the narrow phase adds up for a point
+  double scale = 0;  // metres, largest number that the narrow phase adds for a point
 
   void add(const Vec3<S>& local, S radius = S(0)) {
     const Vec3d point = local.template cast<double>();
@@ -48,7 +48,7 @@ struct Reach {
     }
   }
   void operator()(const Field<S>& field) { std::visit(*this, field.source->shape); }
-  /// Without end, but along an axis that its normal is parallel to.
+  /// Infinite, except along an axis parallel to its normal.
   void operator()(const HalfSpace<S>& half_space) {
     constexpr double kNoEnd = std::numeric_limits<double>::infinity();
     const Plane<double> plane = half_space.plane.template cast<double>();

@@ -6,10 +6,10 @@
 
 namespace contactscope {
 
-/// Box of a shape in the world, metres, rounded outwards. Each side stands `margin` farther out, and by
-/// what the narrow phase may round the same points to in S: two shapes whose boxes are apart are
-/// farther apart than both margins to it, too. Of a mesh it is around the corners of its own box,
-/// of a plane everything below it.
+/// Box of a shape in the world, metres, rounded outwards. Each side is moved out by `margin` and by
+/// the possible rounding of the narrow phase in S: if two boxes are separated, the narrow phase
+/// finds a distance above both margins. For a mesh it contains the corners of the mesh's box, for a
+/// plane everything below it.
 template <class S>
 Aabb<float> world_box(const Shape<S>& shape, const Pose<S>& pose, double margin);
 

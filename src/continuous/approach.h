@@ -9,7 +9,7 @@
 
 namespace contactscope {
 
-/// A shape as it turns about its pivot, which is the origin here.
+/// A shape that turns about its pivot, which is the origin here.
 template <class S>
 class Turning {
  public:
@@ -24,7 +24,7 @@ class Turning {
       reach_ = std::max(reach_, arm.norm() + radius);
       if (angle_ > S(0)) from_axis_ = std::max(from_axis_, arm.cross(local_axis).norm() + radius);
     };
-    // A ball about a hull's vertices is quickly found, and costs few steps more than they would.
+    // A hull's bounding ball is cheap, and costs few more steps than the vertices would.
     if (core_.hull != nullptr) {
       reach_over(core_.hull->centroid, core_.hull->radius);
     } else {
@@ -35,30 +35,30 @@ class Turning {
   const SupportSet<S>& core() const { return core_; }
   bool turns() const { return angle_ > S(0); }
   S reach() const { return reach_; }
-  /// Metres a step, of the fastest point.
+  /// Speed of the fastest point, metres per step.
   S speed() const { return angle_ * from_axis_; }
-  /// Of it along `direction`, a unit vector.
+  /// Largest component along `direction`, a unit vector.
   S speed(const Vec3<S>& direction) const {
     return angle_ == S(0) ? S(0) : speed() * direction.cross(axis_).norm();
   }
-  /// No point's acceleration along `direction`, a unit vector, is larger; metres a step squared. It
-  /// points to the axis, so nothing of it is along the axis.
+  /// Bound of any point's acceleration along `direction`, a unit vector, metres per step squared.
+  /// The acceleration points to the axis, so it has no component along it.
   S acceleration(const Vec3<S>& direction) const { return angle_ * speed(direction); }
-  /// Along any.
+  /// Bound along any direction.
   S acceleration() const { return angle_ * speed(); }
 
-  /// At a time: from the shape's frame.
+  /// From the shape's frame, at a time.
   Quat<S> rotation(S time) const {
     return angle_ == S(0) ? start_ : turned(start_, axis_, time * angle_);
   }
-  /// How far it reaches along a direction at a time.
+  /// Extent along a direction at a time.
   S extent(const Vec3<S>& direction, S time) const {
     const Vec3<S> local = rotation(time).conjugate() * direction;
     const int farthest = support_index(core_, local);
     return local.dot(core_.points[farthest] - pivot_);
   }
   const Vec3<S>& pivot() const { return pivot_; }
-  /// Of a point so far from the pivot, metres a step.
+  /// Velocity of a point at `arm` from the pivot, metres per step.
   Vec3<S> velocity(const Vec3<S>& arm) const { return angle_ * axis_.cross(arm); }
 
  private:
@@ -70,21 +70,20 @@ class Turning {
   S reach_ = 0, from_axis_ = 0;
 };
 
-/// From A's to B's at time 0. The positions are subtracted first: far from the origin they have digits
-/// in common.
+/// From A's pivot to B's at time 0. Subtracts positions first, which share digits far away.
 template <class S>
 Vec3<S> between_pivots(const Sweep<S>& a, const Sweep<S>& b) {
   const Vec3<S> origins = b.start.position - a.start.position;
   return origins + (b.start.rotate(b.pivot) - a.start.rotate(a.pivot));
 }
 
-/// The closest points of both cores at a time, in a frame that goes with A's pivot and does not turn.
+/// Closest points of both cores at a time, in a frame that moves with A's pivot without turning.
 template <class S>
 struct Closest {
   S time = 0;
-  S distance = 0;                   // metres; 0 where they touch or overlap
+  S distance = 0;                   // metres; 0 when they touch or overlap
   Vec3<S> axis = Vec3<S>::UnitX();  // unit, from A to B
-  Vec3<S> on_a, on_b;               // of meaning if they are apart
+  Vec3<S> on_a, on_b;               // valid only when separated
 };
 
 template <class S>
@@ -92,7 +91,7 @@ struct TimeSpan {
   S begin, end;
 };
 
-/// Two convex shapes as seen from a frame that goes with A's pivot and does not turn.
+/// Two convex shapes in a frame that moves with A's pivot without turning.
 template <class S>
 class Approach {
  public:
@@ -109,13 +108,12 @@ class Approach {
   S largest_motion() const { return displacement_.norm() + a_.speed() + b_.speed(); }
   const Turning<S>& a() const { return a_; }
   const Turning<S>& b() const { return b_; }
-  /// From A's pivot to B's at a time, and how it changes in the step.
+  /// From A's pivot to B's at a time, and its change in the step.
   Vec3<S> between_pivots_at(S time) const { return from_a_to_b_ + time * displacement_; }
   const Vec3<S>& displacement() const { return displacement_; }
 
-  /// While balls about the pivots that hold the shapes, which are `radii` larger than their cores, can
-  /// be within `near`: from 0 where they are at the start, from later than 1 where they never are.
-  /// Metres.
+  /// Time span in which bounding balls about the pivots can be within `near`, metres. The surfaces
+  /// are `radii` outside the cores. Begins at 0 if near at the start, after 1 if never near.
   TimeSpan<S> balls_near(S radii, S near) const {
     constexpr TimeSpan<S> kNever = {2, 2};
     const S rounding = tie_tolerance(scale() + radii);
@@ -123,7 +121,7 @@ class Approach {
     const S squared = displacement_.squaredNorm();
     const bool near_at_start = from_a_to_b_.norm() <= reach;
     if (!(squared > S(0))) return near_at_start ? TimeSpan<S>{0, 2} : kNever;
-    // The part across the way, taken off twice so that none of its rounding is left.
+    // The component across the displacement, orthogonalised twice to remove its rounding.
     const S nearest = -from_a_to_b_.dot(displacement_) / squared;
     if (nearest < S(0) && !near_at_start) return kNever;
     Vec3<S> across = from_a_to_b_ + nearest * displacement_;
@@ -134,7 +132,7 @@ class Approach {
     return {near_at_start ? S(0) : std::max(nearest - half, S(0)), std::max(nearest + half, S(0))};
   }
 
-  /// Of the cores along a unit vector, B's side less A's; < 0 where they overlap along it.
+  /// Separation of the cores along a unit vector, B's side minus A's; negative: overlap.
   S separation(const Vec3<S>& axis, S time) const {
     return axis.dot(from_a_to_b_ + time * displacement_) -
            (b_.extent(-axis, time) + a_.extent(axis, time));
@@ -142,12 +140,12 @@ class Approach {
   S acceleration(const Vec3<S>& axis) const {
     return a_.acceleration(axis) + b_.acceleration(axis);
   }
-  /// The separation along `axis` falls by no more, metres a step.
+  /// Upper bound of the rate at which the separation along `axis` falls, metres per step.
   S closing_speed(const Vec3<S>& axis) const {
     return a_.speed(axis) + b_.speed(axis) - axis.dot(displacement_);
   }
 
-  /// The nearest points come nearer by so much along their axis now, metres a step.
+  /// Rate at which the nearest points now approach along their axis, metres per step.
   S closing_speed(const Closest<S>& closest) const {
     const Vec3<S> pivot_of_b = from_a_to_b_ + closest.time * displacement_;
     const Vec3<S> velocity =
@@ -155,7 +153,7 @@ class Approach {
     return -closest.axis.dot(velocity);
   }
 
-  /// Goes on from the simplex of the call before, or from one that is given.
+  /// Starts GJK from the simplex of the previous call, or from a given one.
   Closest<S> measure(S time) {
     const Quat<S> rotation_of_a = a_.rotation(time), rotation_of_b = b_.rotation(time);
     const Quat<S> to_a = rotation_of_a.conjugate();

@@ -6,9 +6,8 @@
 
 namespace contactscope {
 
-/// A convex shape B and what is below a plane, as seen from a frame that goes with the plane's pivot
-/// and does not turn. The only axis along which they can be apart is the plane's normal, which turns
-/// with it.
+/// A convex shape B and the half-space below a plane, in a frame that moves with the plane's pivot
+/// without turning. The only separating axis is the plane's normal, which turns with the plane.
 template <class S>
 class ApproachToPlane {
  public:
@@ -33,8 +32,7 @@ class ApproachToPlane {
     const Vec3<S> normal = normal_at(time);
     return normal.dot(from_a_to_b_ + time * displacement_) + offset_ - b_.extent(-normal, time);
   }
-  /// Of B's points as somebody sees them who turns with the plane: their own, Coriolis's and the
-  /// centrifugal one.
+  /// Bound for B's points in the rotating frame of the plane: their own, Coriolis and centrifugal.
   S acceleration(const Vec3<S>& axis) const {
     if (angle_ == S(0)) return b_.acceleration(axis);
     const S speed = displacement_.norm() + b_.speed();
@@ -45,7 +43,7 @@ class ApproachToPlane {
     return largest_motion();
   }
 
-  /// Of B's nearest point and the plane beside it.
+  /// Rate at which B's nearest point approaches the plane.
   S closing_speed(const Closest<S>& closest) const {
     const Vec3<S> pivot_of_b = from_a_to_b_ + closest.time * displacement_;
     const Vec3<S> velocity =
@@ -75,13 +73,13 @@ class ApproachToPlane {
   }
 
   Turning<S> b_;
-  Vec3<S> normal_;  // of the plane's frame
-  S offset_;        // of the pivot over the plane
+  Vec3<S> normal_;  // in the plane's frame
+  S offset_;        // of the pivot above the plane
   Quat<S> start_;
   S angle_ = 0;
   Vec3<S> axis_ = Vec3<S>::UnitX();
   Vec3<S> from_a_to_b_, displacement_;
-  S reach_ = 0;  // of any of B's points from A's pivot, at any time
+  S reach_ = 0;  // largest distance of B's points from A's pivot, at any time
 };
 
 }  // namespace contactscope

@@ -7,7 +7,7 @@ namespace contactscope {
 namespace {
 
 struct DistanceOverSpeed {
-  /// It never looks ahead.
+  /// Makes no prediction.
   template <class Approach, class S>
   std::optional<Closest<S>> foresee(Approach& /*approach*/, S /*radii*/, const Apart<S>& /*apart*/,
                                     ImpactResult<S>& /*result*/, ImpactRun<S>* /*run*/) const {

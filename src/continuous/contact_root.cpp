@@ -16,12 +16,12 @@ class ContactEquation {
     corner_way_ = to[0] - from[0];
     way_u_ = (to[1] - to[0]) - side_u_;
     way_v_ = (to[kLast] - to[0]) - side_v_;
-    // Each of the terms above is less than four times the size, and off by no more than four roundings
-    // of that. A value or a derivative has nine of them.
+    // Each term above is less than four times the size, and its error is at most four roundings of
+    // that. A value or a derivative has nine of them.
     rounding_ = 0x1p-45 * polygon.size();
   }
 
-  /// `x` is time, u, v; so are the columns of the derivative.
+  /// `x` is time, u, v, in the order of the derivative's columns.
   Vec3d value(const Vec3d& x) const {
     return (corner_ + x[0] * corner_way_) + x[1] * (side_u_ + x[0] * way_u_) +
            x[2] * (side_v_ + x[0] * way_v_);
@@ -33,7 +33,7 @@ class ContactEquation {
     result.col(2) = side_v_ + x[0] * way_v_;
     return result;
   }
-  /// How far the derivative is at most from that in the middle of a box of half widths `r`.
+  /// Largest deviation of the derivative from its value in the middle of a box of half widths `r`.
   Mat3<double> change(const Vec3d& r) const {
     Mat3<double> result;
     result.col(0) = r[1] * way_u_.cwiseAbs() + r[2] * way_v_.cwiseAbs();
@@ -41,7 +41,7 @@ class ContactEquation {
     result.col(2) = r[0] * way_v_.cwiseAbs();
     return result;
   }
-  /// No coordinate of a value and no entry of a derivative is farther off.
+  /// Error bound of each coordinate of a value and each entry of a derivative.
   double rounding() const { return rounding_; }
 
  private:
@@ -56,7 +56,7 @@ template <int kCorners>
 std::optional<ContactRoot> prove_contact(const MovingPolygon<kCorners>& polygon, double time,
                                          double u, double v) {
   constexpr int kNewtonSteps = 3;
-  constexpr double kUp = 1 + 0x1p-40;  // more than the roundings of what bounds the map below
+  constexpr double kUp = 1 + 0x1p-40;  // covers the rounding of the map's bounds below
   const ContactEquation equation(polygon);
   Vec3d x(time, u, v);
   Mat3<double> inverse;
@@ -69,10 +69,10 @@ std::optional<ContactRoot> prove_contact(const MovingPolygon<kCorners>& polygon,
   }
   const Mat3<double> most_inverse = inverse.cwiseAbs();
   const Vec3d rounding = Vec3d::Constant(equation.rounding());
-  // How far the map takes the middle, and twice of that for the box.
+  // Distance by which the map moves the middle; the box has twice that size.
   const Vec3d shift = (inverse * equation.value(x)).cwiseAbs() + 2 * (most_inverse * rounding);
   const Vec3d half = 2 * shift;
-  // The map's own derivative: unity less the inverse times the derivative anywhere in the box.
+  // Derivative of the map: identity minus the inverse times the derivative anywhere in the box.
   const Mat3<double> middle = equation.derivative(x);
   const Mat3<double> unity = Mat3<double>::Identity();
   const Mat3<double> slope =

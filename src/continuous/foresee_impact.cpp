@@ -16,7 +16,7 @@ CastLimits<S> limits_from(S time, const Apart<S>& apart) {
   return {apart.target, S(0.5) * (apart.near - apart.target), apart.until - time};
 }
 
-/// Only for a watcher: by a copy, so that what is computed after it is the same to the bit.
+/// Only when recording. Measures on a copy, so that later results stay the same to the bit.
 template <class S>
 void record(Approach<S> approach, const ImpactStep<S>& step, ImpactRun<S>& run) {
   run.steps.push_back(step);
@@ -36,7 +36,7 @@ void record_planes(const Approach<S>& approach, const std::vector<SupportPlane<S
   }
 }
 
-/// The nearest points of a cast's portal at `time`, if it is a hit then; else GJK is to begin there.
+/// Closest points of a cast's portal at `time` if a hit; else GJK will start from the portal.
 template <class S>
 std::optional<Closest<S>> hit_at(S time, S time_of_cast, const PortalCast<S>& cast,
                                  const Apart<S>& apart, Approach<S>& approach) {
@@ -64,10 +64,10 @@ std::optional<Closest<S>> cast_straight(Approach<S>& approach, const Apart<S>& a
   return hit_at(result.time, cast.safe_time(), cast, apart, approach);
 }
 
-/// Whether balls about the pivots prove that the two are apart along an axis until `time`, if they are
-/// so then. The balls come nearer along it at a constant speed. Some way before `time` their gap is as
-/// large as all that the turns can make of it until `time`: from there on the bound of safe_fraction()
-/// holds, and before it the balls alone do. It does not matter if the step has not begun by then.
+/// Whether balls about the pivots prove separation along an axis until `time`, if separated then.
+/// The balls approach at a constant speed. At some earlier time, possibly before the step, their
+/// gap equals the largest effect of the turns until `time`. After it the bound of safe_fraction()
+/// holds; before it the balls alone prove separation.
 template <class S>
 bool balls_prove(const Approach<S>& approach, const Vec3<S>& axis, S time, S target) {
   const S reach = approach.a().reach() + approach.b().reach();
@@ -86,10 +86,10 @@ bool balls_prove(const Approach<S>& approach, const Vec3<S>& axis, S time, S tar
 template <class S>
 std::optional<Closest<S>> cast_turning(Approach<S>& approach, const Apart<S>& apart,
                                        ImpactResult<S>& result, ImpactRun<S>* run) {
-  // Each squares the error, about. What needs more of them spins too fast for the bound as well.
+  // Each cast about squares the error. Shapes that need more also spin too fast for the bound.
   constexpr int kMostCasts = 4;
-  // Of the time in which the balls are near: where most impacts are. A first cast from there sees the
-  // shapes as they are turned when they meet.
+  // Fraction of the time in which the balls are near, where most impacts are. There the first cast
+  // sees about the orientations of the impact.
   constexpr S kFirstGuess = S(0.15);
   const S begin = result.time;
   const S aim = S(0.5) * (apart.target + apart.near);

@@ -6,16 +6,15 @@
 
 namespace contactscope {
 
-/// Moves `result.time`, at which the two are apart by more than the target, to where they are so for
-/// certain until then: near the first impact, or to apart.until where there is none. Returns what is
-/// nearest there, where that is known without a measurement. `radii`: of both surfaces, metres.
+/// Advances `result.time`, at which the separation exceeds the target, to a later safe time: near
+/// the first impact, or the end of the search if there is none. Returns the closest points there if
+/// they are known without a measurement. `radii`: sum of both surfaces' radii, metres.
 ///
-/// Polyhedra that do not turn are cast against each other (portal_cast.h). Where one turns, casts by
-/// the speeds of the points that are to meet lead to the impact, as Newton's steps do. Along the axis
-/// found there, balls about the pivots prove mostly that nothing met before; else the bound of
-/// safe_fraction() says how much of the way to it is safe, for two more support points. What is round
-/// stays where it is: its difference has no faces, so that a portal would shrink to a point, and it
-/// costs GJK less than that.
+/// Polyhedra that do not turn are cast against each other (portal_cast.h). If one turns, repeated
+/// casts with the velocities of the approaching points converge like Newton's method. Along the
+/// axis found, balls about the pivots usually prove that there is no earlier contact; otherwise
+/// safe_fraction() bounds the safe part, for two more support points. Round shapes do not advance:
+/// their difference has no faces, so a portal would shrink to a point, and GJK is cheaper.
 template <class S>
 std::optional<Closest<S>> foresee_impact(Approach<S>& approach, S radii, const Apart<S>& apart,
                                          ImpactResult<S>& result, ImpactRun<S>* run);

@@ -13,18 +13,17 @@ namespace {
 
 constexpr double kNoOverlap = std::numeric_limits<double>::infinity();
 
-/// A box at time 0 and one at time 1. What is in both and goes straight on is at every time in the
-/// box between them, whose sides go straight on as well.
+/// A box at time 0 and one at time 1. Points that move linearly from one to the other are in the
+/// linearly interpolated box at every time.
 template <class S>
 struct SweptBox {
   const Aabb<S>&start, &end;
 };
 
-/// The first time at which two swept boxes can be within the gap, not later than it is; never is
-/// later than 1.
+/// Lower bound of the first time at which two swept boxes are within the gap; kNoOverlap if never.
 template <class S>
 double first_overlap(const SweptBox<S>& a, const SweptBox<S>& b, double gap) {
-  constexpr double kUp = 0x1p-50;  // more than the roundings below
+  constexpr double kUp = 0x1p-50;  // more than the rounding below
   double begin = 0, end = 1;
   const auto is_apart = [&](S low_at_start, S high_at_start, S low_at_end, S high_at_end) {
     double at_start = static_cast<double>(low_at_start) - static_cast<double>(high_at_start);
@@ -70,7 +69,7 @@ class SweptMesh {
 
   const AabbTree<S>& tree() const { return mesh_.tree; }
   SweptBox<S> node(int i) const { return {at(tree().nodes, i).box, at(end_tree_.nodes, i).box}; }
-  /// Of a triangle by its place in the tree.
+  /// Box of the triangle at a place in the tree.
   SweptBox<S> leaf_box(int place) const {
     return {at(tree().boxes, place), at(end_tree_.boxes, place)};
   }
@@ -89,8 +88,8 @@ class SweptMesh {
   }
 
  private:
-  /// A neighbour with the same two vertices has the edge as well. One with others at the same place
-  /// has not: they may part.
+  /// A neighbour with the same two vertices shares the edge. A neighbour with other vertices at the
+  /// same place does not: they may separate.
   bool is_first_with_edge(int triangle, int k) const {
     const int neighbour = mesh_.neighbour(triangle, k);
     if (neighbour < 0 || triangle < neighbour) return true;
@@ -139,7 +138,7 @@ class MeshSearch {
         push(pair.a, pair.b + 1);
         push(pair.a, b_.tree().right_of(pair.b));
       }
-      // The earlier one is taken off first.
+      // The earlier one is popped first.
       if (stack_.size() == before + 2 && stack_[before].begin < stack_[before + 1].begin)
         std::swap(stack_[before], stack_[before + 1]);
     }

@@ -13,9 +13,9 @@
 namespace contactscope {
 namespace {
 
-/// The core of a convex shape, or of a mesh as a plane meets it: by its vertices. In double, whatever
-/// the shape is in: next to a floor of a kilometre a float says of a ball's height no more than a few
-/// tenths of a millimetre. Refers to the shape.
+/// Core of a convex shape, or the vertices of a mesh against a plane. In double for any scalar:
+/// next to a floor of a kilometre, float gives a ball's height only to a few tenths of a
+/// millimetre. Refers to the shape.
 template <class S>
 class DoubleCore {
  public:
@@ -58,7 +58,7 @@ class DoubleCore {
   MovingShape<double> moving_;
 };
 
-/// The rotation is made unit to double's precision, so that a long lever keeps its length.
+/// Normalises the rotation to double's precision, so that a long lever keeps its length.
 template <class S>
 Sweep<double> in_double(const Sweep<S>& sweep) {
   Sweep<double> wide = sweep.template cast<double>();
@@ -123,7 +123,7 @@ std::optional<std::string> impact_refusal(ShapeKind a, ShapeKind b) {
 
 namespace {
 
-/// Whether a shape, which touches nothing of what a field was made of, is inside of it.
+/// Whether a shape that does not touch a field's source surface is inside it.
 template <class S>
 bool starts_inside(const Shape<S>& shape, const Sweep<S>& of_field, const Shape<S>& other,
                    const Sweep<S>& of_other) {
@@ -141,7 +141,7 @@ Sweep<S> without_turn(Sweep<S> sweep) {
   return sweep;
 }
 
-/// Two shapes in the order in which they are worked on: a plane first, or else a mesh.
+/// Two shapes in processing order: a plane first, or else a mesh.
 template <class S>
 struct Ordered {
   Ordered(const Shape<S>& a, const Sweep<double>& sweep_a, const Shape<S>& b,
@@ -175,7 +175,7 @@ std::vector<S> measured(Approach&& approach, double radii, int count) {
   return distances;
 }
 
-/// Of any two shapes but fields, and but two planes.
+/// For any two shapes except fields and two planes.
 template <class S>
 ShapeImpact<double> impact_of_solids(const Shape<S>& a, const Sweep<double>& sweep_a,
                                      const Shape<S>& b, const Sweep<double>& sweep_b,

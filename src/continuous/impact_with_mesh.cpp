@@ -13,9 +13,8 @@
 namespace contactscope {
 namespace {
 
-/// A box in the mesh's frame around everything that the shape sweeps. Between two of the times at
-/// which it is looked at, a point that is accelerated by no more than k is off the straight line by
-/// no more than k / 8 times the square of the time between.
+/// Box in the mesh's frame around the shape's whole sweep. Between two samples, a point with an
+/// acceleration of at most k is off the straight line by at most k / 8 times the squared interval.
 Aabb<double> swept_box(const MovingShape<double>& shape, const Sweep<double>& of_mesh) {
   const Turning<double> turning(shape);
   const bool turns = !of_mesh.turn.isZero(0) || !shape.motion.turn.isZero(0);
@@ -25,7 +24,7 @@ Aabb<double> swept_box(const MovingShape<double>& shape, const Sweep<double>& of
   const double reach = std::max(between.norm(), Vec3d(between + way).norm()) + turning.reach();
   const double acceleration =
       turning.acceleration() + 2 * angle * (way.norm() + turning.speed()) + angle * angle * reach;
-  // As many looks as keep the box from growing by more than about a tenth of the shape.
+  // Enough samples that the box grows by no more than about a tenth of the shape.
   constexpr int kMostLooks = 32;
   const double wanted = std::sqrt(acceleration / std::max(0.8 * turning.reach(), 1e-30));
   const int looks = turns ? static_cast<int>(std::clamp<double>(wanted, 1, kMostLooks)) : 1;
@@ -47,10 +46,10 @@ Aabb<double> swept_box(const MovingShape<double>& shape, const Sweep<double>& of
   return {box.lower - grown, box.upper + grown};
 }
 
-/// A ball against one triangle of a mesh, neither of which turns the other's way: exactly.
+/// Exact impact of a ball with one mesh triangle. No turn moves the triangle or the ball's centre.
 ImpactResult<double> ball_against(const std::array<Vec3d, 3>& corners, const Sweep<double>& of_mesh,
                                   const MovingShape<double>& ball) {
-  // In a frame that goes with the mesh's origin. Its axes are the world's.
+  // In a frame that moves with the mesh's origin, with the world's axes.
   const Vec3d start = (ball.motion.start.position - of_mesh.start.position) +
                       ball.motion.start.rotate(ball.core.points[0]);
   std::array<Vec3d, 3> placed;
@@ -71,7 +70,7 @@ ImpactResult<double> ball_against(const std::array<Vec3d, 3>& corners, const Swe
   return result;
 }
 
-/// In the scalar of the tree that is asked, rounded outwards.
+/// Casts to the scalar of the queried tree, rounded outwards.
 template <class S>
 Aabb<S> tree_box(const Aabb<double>& box) {
   if constexpr (std::is_same_v<S, float>)
@@ -80,7 +79,7 @@ Aabb<S> tree_box(const Aabb<double>& box) {
     return box;
 }
 
-/// Calls visit(triangle) for each triangle of `b` that may come near one of `a`, until it returns true.
+/// Calls visit(triangle) for each triangle of `b` that may come near `a`, until it returns true.
 template <class S, class Visit>
 void visit_near(const Mesh<S>& a, const Sweep<double>& of_a, const Mesh<S>& b,
                 const Sweep<double>& of_b, double gap, const Visit& visit) {
@@ -111,7 +110,7 @@ ShapeImpact<double> impact_with_mesh(const Mesh<S>& mesh, const Sweep<double>& o
   ShapeImpact<double> found;
   found.result.status = ImpactStatus::Separated;
   found.result.time = allowed.until;
-  // A ball turns as it likes where its centre is the pivot.
+  // A ball may turn about its centre.
   const bool exact = shape.core.count == 1 && shape.radius > 0 && of_mesh.turn.isZero(0) &&
                      (shape.motion.turn.isZero(0) || shape.core.points[0] == shape.motion.pivot) &&
                      allowed.gap == 0;

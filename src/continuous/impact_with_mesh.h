@@ -6,23 +6,23 @@
 
 namespace contactscope {
 
-/// A mesh, each of its triangles with two sides, and a convex shape: impact_of_shapes() for these two.
-/// `run` records the search against the triangle that is met first, where it is not exact. Corners are
-/// read in the mesh's scalar, and all that is computed from them is in double.
+/// impact_of_shapes() for a mesh of two-sided triangles and a convex shape. `run` records the
+/// search against the triangle that is met first, unless it is exact. Corners are read in the
+/// mesh's scalar, all else is computed in double.
 template <class S>
 ShapeImpact<double> impact_with_mesh(const Mesh<S>& mesh, const Sweep<double>& of_mesh,
                                      const MovingShape<double>& shape, ImpactMethod method,
                                      ImpactLimits<double> allowed, ImpactRun<double>* run);
 
-/// Two meshes that keep their form: triangle against triangle, where the boxes that they sweep overlap.
-/// Unlike impact_of_meshes() it follows turns exactly.
+/// Two rigid meshes: triangle against triangle where their swept boxes overlap. Unlike
+/// impact_of_meshes() it follows rotations exactly.
 template <class S>
 ShapeImpact<double> impact_of_rigid_meshes(const Mesh<S>& a, const Sweep<double>& of_a,
                                            const Mesh<S>& b, const Sweep<double>& of_b,
                                            ImpactMethod method, ImpactLimits<double> allowed,
                                            ImpactRun<double>* run);
 
-/// Of a triangle, in the mesh's frame.
+/// Corners of a triangle, in the mesh's frame.
 template <class S>
 std::array<Vec3d, 3> corners_of(const Mesh<S>& mesh, int triangle) {
   const auto corner = [&](int k) -> Vec3d {

@@ -33,7 +33,7 @@ struct ReachAbout {
   S operator()(const HalfSpace<S>&) const { return std::numeric_limits<S>::infinity(); }
 };
 
-/// The farthest that turning takes a point: the chord of its arc.
+/// Largest displacement of a point by the turn: the chord of its arc.
 template <class S>
 S chord(const Shape<S>& shape, const Sweep<S>& sweep) {
   if (sweep.turn.isZero(S(0))) return 0;
@@ -49,9 +49,8 @@ S reach_about_pivot(const Shape<S>& shape, const Vec3<S>& pivot) {
 
 template <class S>
 Aabb<float> swept_world_box(const Shape<S>& shape, const Sweep<S>& sweep, double margin) {
-  // Between two looks a point that turns leaves the straight line between where it was seen by the
-  // height of its arc, the square of the angle over eight radii. Three looks a radian keep that below
-  // a fiftieth of the reach.
+  // Between two samples a turning point is off its chord by the height of the arc, the square of
+  // the angle over eight radii. Three samples per radian keep that below 1/50 of the reach.
   constexpr double kLooksARadian = 3, kMostLooks = 64;
   const double angle = static_cast<double>(sweep.turn.norm());
   const double looks = std::clamp(std::ceil(kLooksARadian * angle), 1.0, kMostLooks);

@@ -4,21 +4,20 @@
 #include "geometry/aabb.h"
 #include "geometry/shape.h"
 
-/// What a shape that moves can reach in its step, and how much nearer two of them can come. Bounds:
-/// never too small, and no larger than quick answers have to be.
+/// Bounds of the region that a moving shape sweeps in its step, and of the approach of two shapes.
+/// Conservative: never too small, but not tight, to be fast.
 namespace contactscope {
 
-/// The farthest that a point of the shape is from the sweep's pivot, metres; infinite of a plane.
+/// Largest distance of the shape's points from the sweep's pivot, metres; infinite for a plane.
 template <class S>
 S reach_about_pivot(const Shape<S>& shape, const Vec3<S>& pivot);
 
-/// A box in the world around all that the shape sweeps, metres, rounded outwards as world_box() does,
-/// with `margin` around it.
+/// World box of the whole sweep, metres, grown by `margin` and rounded outwards like world_box().
 template <class S>
 Aabb<float> swept_world_box(const Shape<S>& shape, const Sweep<S>& sweep, double margin);
 
-/// The most, metres, by which any point of one shape can come nearer to any point of the other in the
-/// step. Of a plane that turns: infinite.
+/// Upper bound, metres, of the distance by which a point of one shape can approach a point of the
+/// other in the step. Infinite for a plane that turns.
 template <class S>
 S largest_approach(const Shape<S>& a, const Sweep<S>& sweep_a, const Shape<S>& b,
                    const Sweep<S>& sweep_b);

@@ -6,34 +6,33 @@
 namespace contactscope {
 namespace {
 
-/// How far a product of an axis and a corner can be off, relative to the size: seven roundings of the
-/// product, five of the corner and of the axis, and ten of the time at which it was taken, for an axis
-/// that is twice as long at most.
+/// Error bound of a product of an axis and a corner, relative to the size: seven roundings of the
+/// product, five of the corner and of the axis, ten of the time, for an axis of length up to 2.
 constexpr double kProductRounding = 0x1p-47;
 
-/// The first time > 0 at which c + b t + a t^2 falls to 0 from c > 0; `most` where that is later.
+/// The first time > 0 at which c + b t + a t^2 falls to 0 from c > 0; `most` if that is later.
 double first_fall(double c, double b, double a, double most) {
   const double at_most = c + most * (b + most * a);
   if (at_most > 0 && (a <= 0 || b >= 0 || b + 2 * a * most <= 0)) return most;
   const double discriminant = b * b - 4 * a * c;
   if (discriminant < 0) return most;
   const double root = std::sqrt(discriminant);
-  // The form in which nothing cancels.
+  // The form without cancellation.
   const double time = b < 0 ? 2 * c / (root - b) : (a < 0 ? (root + b) / (-2 * a) : most);
   return std::min(time, most);
 }
 
-/// The first time at which the origin is in the polygon.
+/// Finds the first time at which the origin is in the polygon.
 ///
-/// Along a fixed axis every corner goes straight on. So the axis that tells the origin from the polygon
-/// at one time is good, exactly, until the first of at most four straight lines meets the gap. Along an
-/// axis that turns at a constant rate the lines are parabolas, and it can follow the edge or the plane
-/// that carries the nearest point. Steps: 1. the nearest point is the axis; 2. until when does it hold,
-/// at rest and turning? 3. from there again. The way to a hit is that of Newton's method on the
-/// distance, from the safe side, and needs no box of places on the features: 4. where the distance is
-/// rounding, the root is proved.
+/// Along a fixed axis every corner moves linearly. An axis that separates the origin from the
+/// polygon at one time is therefore valid, exactly, until the first of at most four lines reaches
+/// the gap. Along an axis that turns at a constant rate the lines are parabolas, and the axis can
+/// follow the edge or plane that carries the nearest point. Steps: 1. take the nearest point as the
+/// axis; 2. find how long it separates, fixed and turning; 3. repeat from there. This converges
+/// like Newton's method on the distance, from the safe side, without boxes of places on the
+/// features. 4. When the distance is within rounding, prove the root.
 ///
-/// A step is one of conservative advancement (Mirtich 1996), but that the bound on the motion is exact.
+/// A step is conservative advancement (Mirtich 1996) with an exact bound on the motion.
 template <int kCorners>
 class FeatureSearch {
  public:
@@ -47,7 +46,7 @@ class FeatureSearch {
   }
 
   FeatureImpact first() {
-    // A polygon of no size is the origin itself.
+    // A polygon of size 0 is the origin itself.
     constexpr double kLeast = 1e-45, kMost = 1e45;
     impact_.begin = 0;
     if (size_ == 0) return ended(FeatureStatus::Overlapping);
@@ -71,7 +70,7 @@ class FeatureSearch {
   }
 
  private:
-  /// Where half of the digits of the way to the nearest point cancel, another axis may be better.
+  /// Below it half of the nearest point's digits cancel, and another axis may be better.
   static constexpr double kDoubtful = 1e-7;
   using Ring = typename MovingPolygon<kCorners>::Ring;
 
@@ -107,14 +106,14 @@ class FeatureSearch {
                          way_[kLast] - way_[0]);
   }
 
-  /// For how long all corners are farther along the axis than the gap: `safe_`, if it is longer.
+  /// Raises `safe_` to the time for which all corners are farther along the axis than the gap.
   void extend(const TurningAxis& turning) {
     const double length = turning.direction.norm();
     if (!(length > 0)) return;
     const Vec3d axis = turning.direction / length;
     Vec3d turn = turning.turn / length;
     turn -= turn.dot(axis) * axis;
-    // Longer by no more than this times the square of the time, and less than twice as long.
+    // The axis lengthens by at most this times the time squared, to less than twice its length.
     const double longer = 0.5 * turn.squaredNorm();
     double until = 1 - impact_.begin;
     if (longer * until * until > 0.5) until = std::sqrt(0.5 / longer);
@@ -144,7 +143,7 @@ class FeatureSearch {
       return ended(FeatureStatus::Hit);
     }
     const auto root = prove_contact(polygon_, impact_.begin, impact_.u, impact_.v);
-    // A root that Newton's method found elsewhere would be one as well, but not the place.
+    // Newton's method may have found a root elsewhere, which is not this contact.
     if (!root || root->end < impact_.begin) return ended(FeatureStatus::Near);
     impact_.end = root->end;
     impact_.u = root->u;
@@ -162,10 +161,10 @@ class FeatureSearch {
 
   const MovingPolygon<kCorners>& polygon_;
   double size_, until_, rounding_, gap_;
-  double apart_, near_;          // metres along a unit axis: for certain; and at which it is a hit
-  Ring way_, ring_;              // of the corners, in the step; where they are now
-  double safe_ = 0;              // apart for so much of the step from now on
-  Vec3d axis_ = Vec3d::UnitX();  // the last that kept them apart, from the second to the first
+  double apart_, near_;          // metres along a unit axis: surely separated; a hit
+  Ring way_, ring_;              // of the corners: motion in the step; current place
+  double safe_ = 0;              // separated for this much of the step from now on
+  Vec3d axis_ = Vec3d::UnitX();  // the last separating axis, from the second to the first
   FeatureImpact impact_;
 };
 
@@ -175,7 +174,7 @@ FeatureImpact first_impact(const MovingPolygon<kCorners>& polygon, double gap, d
   return FeatureSearch<kCorners>(polygon, gap, until).first();
 }
 
-/// Corner `i` of a moving polygon. Floats differ by a double.
+/// Sets corner `i` of a moving polygon. The difference of two floats is taken in double.
 template <class S, int kCorners>
 void set_corner(MovingPolygon<kCorners>& polygon, int i, const MovingCorner<S>& of_first,
                 const MovingCorner<S>& of_second) {

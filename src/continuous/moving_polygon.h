@@ -10,12 +10,12 @@
 
 namespace contactscope {
 
-/// What a point of one feature is off a point of the other, for all points: of a vertex and a face a
-/// triangle, of two edges a parallelogram. The features meet where it holds the origin. Its corners
-/// are differences of those of the features, so that they move on straight lines as well:
+/// Minkowski difference of two features: a triangle for a vertex and a face, a parallelogram for
+/// two edges. The features meet when it contains the origin. Its corners are differences of the
+/// features' corners, so they move on straight lines as well:
 ///
-///     d[2] ---- d[1]... a ring of kCorners, of which d[1] - d[0] and d[kCorners - 1] - d[0] span it:
-///       |  \  |         a point of it is d[0] + u (d[1] - d[0]) + v (d[last] - d[0])
+///     d[2] ---- d[1]... a ring of kCorners, spanned by d[1] - d[0] and d[kCorners - 1] - d[0]:
+///       |  \  |         its points are d[0] + u (d[1] - d[0]) + v (d[last] - d[0])
 ///     d[0]
 template <int kCorners>
 struct MovingPolygon {
@@ -30,15 +30,15 @@ struct MovingPolygon {
       at(ring, i) = at(start, i) + time * (at(end, i) - at(start, i));
     return ring;
   }
-  /// No coordinate is larger at any time, metres.
+  /// Largest absolute coordinate at any time, metres.
   double size() const {
     Vec3d most = Vec3d::Zero();
     for (int i = 0; i < kCorners; ++i)
       most = most.cwiseMax(at(start, i).cwiseAbs()).cwiseMax(at(end, i).cwiseAbs());
     return most.maxCoeff();
   }
-  /// Whether a coordinate axis alone keeps the features farther apart than `gap` from 0 to 1. A
-  /// difference is rounded, and its sign is not.
+  /// Whether a coordinate axis separates the features by more than `gap` from 0 to 1. Differences
+  /// are rounded, but their signs are exact.
   bool is_apart_along_coordinates(double gap) const {
     Vec3d least = start[0], most = start[0];
     for (int i = 0; i < kCorners; ++i) {
@@ -50,32 +50,32 @@ struct MovingPolygon {
   }
 };
 
-/// The point of a plane polygon nearest to the origin. The polygon is a triangle or a parallelogram,
-/// which may be flat or a point.
+/// The point of a plane polygon nearest to the origin. The polygon is a triangle or a
+/// parallelogram, possibly degenerate to a segment or a point.
 struct NearestOfPolygon {
   double distance = std::numeric_limits<double>::infinity();  // metres
   Vec3d point = Vec3d::Zero();
   double u = 0, v = 0;        // of the point, see MovingPolygon
-  int first = 0, second = 0;  // corners that carry the point: an edge, or the same one twice
-  bool is_inside = false;     // then all of them do
+  int first = 0, second = 0;  // corners of the point's edge, or the same one twice
+  bool is_inside = false;     // then all corners support the point
 };
 
-/// The normal of the polygon, twice as long as its area is large. Zero for a polygon that is no
-/// higher than rounding, whose edges are all of it.
+/// Normal of the polygon, of length twice its area. Zero for a polygon whose height is within
+/// rounding, which is only its edges.
 template <std::size_t kCorners>
 Vec3d normal_of(const std::array<Vec3d, kCorners>& ring) {
   const Vec3d a = kCorners == 4 ? ring[2] - ring[0] : ring[1] - ring[0];
   const Vec3d b = kCorners == 4 ? ring[3] - ring[1] : ring[2] - ring[0];
   const Vec3d normal = a.cross(b);
-  // A corner is some roundings of itself off.
+  // Each corner has an error of some roundings.
   double farthest = 0;
   for (const Vec3d& corner : ring) farthest = std::max(farthest, corner.squaredNorm());
   const double noise = 0x1p-100 * farthest * std::max(a.squaredNorm(), b.squaredNorm());
   return normal.squaredNorm() > noise ? normal : Vec3d(Vec3d::Zero());
 }
 
-/// The point of the line through two corners that is nearest to the origin, or of the segment. Taken
-/// off the segment's direction twice, as the first time leaves its rounding.
+/// Point nearest to the origin on the line through two corners, or on the segment. Orthogonalised
+/// against the direction twice, to remove the rounding of the first time.
 inline Vec3d foot_on_edge(const Vec3d& from, const Vec3d& to, bool of_segment, double& fraction) {
   const Vec3d along = to - from;
   const double squared = along.squaredNorm();
@@ -92,7 +92,7 @@ template <std::size_t kCorners>
 NearestOfPolygon nearest_of_polygon(const std::array<Vec3d, kCorners>& ring) {
   constexpr int kCount = static_cast<int>(kCorners);
   NearestOfPolygon nearest;
-  // The corners' places in the coordinates u and v.
+  // The corners in the coordinates u and v.
   constexpr std::array<double, 4> kU = {0, 1, kCount == 4 ? 1 : 0, 0}, kV = {0, 0, 1, 1};
   const Vec3d normal = normal_of(ring);
   const double squared = normal.squaredNorm();
@@ -118,14 +118,14 @@ NearestOfPolygon nearest_of_polygon(const std::array<Vec3d, kCorners>& ring) {
     }
   }
   if (nearest.is_inside) {
-    // Of the plane's distance by any corner the one from the nearest loses least.
+    // The plane's distance is most accurate when computed from the nearest corner.
     const Vec3d* corner = ring.data();
     for (const Vec3d& other : ring)
       if (other.squaredNorm() < corner->squaredNorm()) corner = &other;
     nearest.point = normal.dot(*corner) / squared * normal;
     squared_distance = nearest.point.squaredNorm();
-    // The area opposite of corner 1 over the whole, and of the last one. A parallelogram's diagonals
-    // give twice its area, a triangle's sides as well.
+    // Areas opposite corner 1 and the last corner, over the whole. The normal has twice the area
+    // for a parallelogram's diagonals and for a triangle's sides.
     const double area = kCount == 4 ? 0.5 * squared : squared;
     nearest.u = std::clamp(at(of_edge, kCount - 1) / area, 0.0, 1.0);
     nearest.v = std::clamp(of_edge[0] / area, 0.0, 1.0);
@@ -134,21 +134,21 @@ NearestOfPolygon nearest_of_polygon(const std::array<Vec3d, kCorners>& ring) {
   return nearest;
 }
 
-/// A direction that turns with the polygon, for which time is 0 now: direction + time * turn. As
-/// it turns, the corners that carry the nearest point stay equally far along it, to first order.
+/// A direction that turns with the polygon: direction + time * turn, with time 0 now. The corners
+/// that carry the nearest point stay equally far along it, to first order.
 struct TurningAxis {
   Vec3d direction;             // any length
   Vec3d turn = Vec3d::Zero();  // per step
 };
 
-/// From the direction of an edge and how that changes in the step.
+/// From the direction of an edge and its change in the step.
 inline TurningAxis axis_of_edge(const Vec3d& direction, const Vec3d& along, const Vec3d& change) {
   const double squared = along.squaredNorm();
   if (!(squared > 0)) return {direction};
   return {direction, Vec3d(-direction.dot(change) / squared * along)};
 }
 
-/// From the two directions that span the polygon, and how they change.
+/// From the two directions that span the polygon, and their changes.
 inline TurningAxis axis_of_plane(const Vec3d& direction, const Vec3d& side_u, const Vec3d& side_v,
                                  const Vec3d& change_u, const Vec3d& change_v) {
   const Vec3d normal = side_u.cross(side_v);

@@ -13,16 +13,15 @@
 namespace contactscope {
 namespace {
 
-/// Of one search. Pairs of hulls of 32 vertices take six support points in the mean; where these are
-/// not enough the search is Undecided.
+/// Limits of one search. Pairs of hulls of 32 vertices take six support points on average; beyond
+/// these limits the search is Undecided.
 constexpr int kMostDiscoveries = 16, kMostRefinements = 64;
 
-/// Squares of lengths in units below this have lost digits to underflow.
+/// Smaller squares of lengths in units have lost digits to underflow.
 template <class S>
 constexpr S kLeastSquare = std::numeric_limits<S>::min() / std::numeric_limits<S>::epsilon();
 
-/// A point of the core. A hull's are read from its lanes, which the search for the support point has
-/// just brought into the cache.
+/// A point of the core. A hull's are read from its lanes, which the support search has cached.
 template <class S>
 Vec3<S> point_of(const SupportSet<S>& set, int index) {
   if (set.hull == nullptr) return set.points[index];
@@ -87,8 +86,8 @@ CastStatus PortalCast<S>::discover() {
   first /= far;
   if (measure(first, corners_[0])) return CastStatus::Separated;
 
-  // How the point lies beside the way. Where the two are like balls, half of this tilt moves it to
-  // the way; and no tilt may leave a direction without a length.
+  // Offset of the point from the path. For ball-like shapes, half of this tilt moves the point to
+  // the path. The limit keeps the direction from vanishing.
   constexpr S kMostTilt = S(0.9), kTilt = S(5);
   const Vec3<S>& point = corners_[0].point;
   Vec3<S> beside = point - (point.dot(way_) / way_squared) * way_;
@@ -110,7 +109,7 @@ CastStatus PortalCast<S>::discover() {
       across = -across;
       std::swap(corners_[0], corners_[1]);
     }
-    // Near the impact first. Across the way there is a point beyond it, if there is any.
+    // Search near the impact first. Searching across the path finds any point beyond it.
     constexpr int kTilted = 3;
     const bool tilted = i < kTilted;
     if (tilted && measure(across + kMostTilt * first, corners_[2])) return CastStatus::Separated;
@@ -141,7 +140,7 @@ CastStatus PortalCast<S>::refine() {
     if (measure(normal, support)) return CastStatus::Separated;
     if (plane_.normal.dot(support.point - corners_[0].point) <= limits_.slack)
       return CastStatus::Hit;
-    // The portal without corner 2, 0 or 1. Where none is right by rounding, any is as good.
+    // Replace corner 2, 0 or 1. If rounding makes none right, any will do.
     const Vec3<S> about = way_.cross(support.point);
     const bool left_0 = about.dot(corners_[0].point) >= S(0);
     const bool left_1 = about.dot(corners_[1].point) >= S(0);

@@ -4,7 +4,7 @@
 
 namespace contactscope {
 
-/// A time >= 0 before which nothing is met, in another scalar.
+/// Casts a safe time >= 0 (no impact before it) to another scalar.
 template <class S>
 S rounded_down(double time) {
   const S near = static_cast<S>(time);

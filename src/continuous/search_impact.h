@@ -7,21 +7,21 @@
 
 namespace contactscope {
 
-/// Two cores that are apart at some time, and what is asked of the time after it.
+/// Two cores that are separated at some time, and the limits of the search after it.
 template <class S>
 struct Apart {
   Vec3<S> axis = Vec3<S>::UnitX();  // unit, from A to B, world
   S separation = 0;                 // of the cores along the axis, metres
-  S speed = 0;   // at which the nearest points come nearer along the axis, a step
-  S target = 0;  // separation down to which they are apart for certain
-  S near = 0;    // > target: at which it is a hit
-  S until = 1;   // nobody asks what is later
+  S speed = 0;   // closing speed of the nearest points along the axis, per step
+  S target = 0;  // smallest separation that is safe
+  S near = 0;    // > target: separation of a hit
+  S until = 1;   // end of the search
 };
 
 /// Measures the distance of two moving shapes, lets advance(approach, apart, result, step) move
-/// `result.time` to where they cannot yet be nearer than the target, and measures again, until they
-/// are near or the step is over. `result.time` of allowed.until after that is the end: they stay
-/// apart. `approach` measures in a frame that goes with the pivot of `of_a`.
+/// `result.time` to a later safe time, and measures again, until they are near or the step is over.
+/// They stay separated if `result.time` reaches allowed.until. `approach` measures in a frame that
+/// moves with the pivot of `of_a`.
 template <class S, class Approach, class Advance>
 ImpactResult<S> search_impact(Approach&& approach, S radius_a, S radius_b, const Sweep<S>& of_a,
                               const ImpactLimits<S>& allowed, ImpactRun<S>* run,
@@ -47,7 +47,7 @@ ImpactResult<S> search_impact(Approach&& approach, S radius_a, S radius_b, const
     result.time = allowed.until;
     return ended(ImpactStatus::Separated);
   };
-  // What was apart by more than the tolerance before need not come nearer than that.
+  // Shapes nearer than the tolerance at the start get their distance as the tolerance.
   const auto come_within = [&](S within) {
     apart.target = radii + S(0.5) * within + rounding;
     apart.near = radii + S(0.75) * within;
@@ -68,7 +68,7 @@ ImpactResult<S> search_impact(Approach&& approach, S radius_a, S radius_b, const
     result.distance = closest.distance - radii;
     if (result.steps == 1 && begin == S(0)) {
       if (result.distance <= S(8) * rounding) {
-        // Rounding of the way is larger than what is between them: nobody can say what comes.
+        // Rounding of the motion exceeds the distance: the outcome is unknown.
         const S at_rest = approach.scale() + radii - approach.largest_motion();
         const bool apart_at_rest = result.distance > S(8) * tie_tolerance(std::max(at_rest, S(0)));
         result.normal = closest.axis;

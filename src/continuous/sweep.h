@@ -6,7 +6,7 @@
 
 namespace contactscope {
 
-/// A rotation, followed by one about a unit vector by an angle in radians.
+/// A rotation, followed by a rotation about a unit vector by an angle in radians.
 template <class S>
 Quat<S> turned(const Quat<S>& rotation, const Vec3<S>& axis, S angle) {
   Quat<S> by;
@@ -15,12 +15,12 @@ Quat<S> turned(const Quat<S>& rotation, const Vec3<S>& axis, S angle) {
   return by * rotation;
 }
 
-/// How a rigid body moves in a step: a point of it goes straight on at constant speed, and about
-/// that point the body turns at a constant rate. Time is a fraction of the step, from 0 to 1.
+/// Motion of a rigid body in a step: its pivot moves on a straight line at constant speed, and the
+/// body turns about it at a constant rate. Time is a fraction of the step, from 0 to 1.
 template <class S>
 struct Sweep {
   Pose<S> start;                           // of the shape's frame in the world's, at time 0
-  Vec3<S> pivot = Vec3<S>::Zero();         // that point, in the shape's frame, metres
+  Vec3<S> pivot = Vec3<S>::Zero();         // in the shape's frame, metres
   Vec3<S> displacement = Vec3<S>::Zero();  // of the pivot in the whole step, world, metres
   Vec3<S> turn = Vec3<S>::Zero();          // in the whole step: axis in the world times radians
 

@@ -22,13 +22,12 @@ bool is_pierced(const std::array<Vec3d, 3>& triangle, const Vec3d& segment) {
   return true;
 }
 
-/// A triangle swept along minus a segment, from `near` to `far`: of its five faces, near, far, and one
-/// for each edge, those that a ball at the origin can meet first on its way.
+/// Prism of a triangle swept against a segment, from `near` to `far`. Finds which of its five faces
+/// (near, far, one per edge) a ball at the origin can meet first.
 ///
-/// A solid prism is convex. Beyond the plane of one face the ball is apart from all of it. Where it
-/// first meets it, it comes nearer, so that its way goes against the outward normal of a face there;
-/// and where it overlaps at the start, the nearest point is on a face whose plane it is near. Faces of
-/// neither kind are not asked.
+/// A solid prism is convex: a ball beyond the plane of one face is separated from all of it. At the
+/// first contact the ball moves against the outward normal of a face there. If it overlaps at the
+/// start, the nearest point is on a face whose plane is near. All other faces are skipped.
 struct PrismFaces {
   bool is_solid = false;
   bool is_apart = false;  // at all times
@@ -36,7 +35,7 @@ struct PrismFaces {
 
   PrismFaces(const std::array<Vec3d, 3>& near, const Vec3d& segment, const Vec3d& way,
              double radius) {
-    // Of a prism as flat as this rounding may hide which side is out.
+    // Rounding may hide the outer side of a flatter prism.
     constexpr double kFlat = 1e-12;
     const Vec3d normal = (near[1] - near[0]).cross(near[2] - near[0]);
     const double volume = normal.dot(segment);
@@ -57,13 +56,13 @@ struct PrismFaces {
   }
 };
 
-/// The time in which two intervals on an axis overlap, narrowed axis by axis.
+/// Time span in which two intervals on an axis overlap, narrowed axis by axis.
 class OverlapTime {
  public:
   OverlapTime(const std::array<Vec3d, 3>& corners, const Vec3d& centre, const Vec3d& way)
       : corners_(corners), centre_(centre), way_(way) {}
 
-  /// `axis` is of any length > 0, and `reach` is the box's along it. False where they never overlap.
+  /// `axis` has any length > 0; `reach` is the box's extent along it. False if they never overlap.
   bool narrow(const Vec3d& axis, double reach) {
     double low = axis.dot(corners_[0]), high = low;
     for (const Vec3d& corner : corners_) {
@@ -82,7 +81,7 @@ class OverlapTime {
         normal_ = is_below ? Vec3d(-axis) : axis;
       }
     }
-    // On its way out it passes the other side.
+    // The overlap ends at the other side.
     if (speed != 0)
       last_ = std::min(
           last_, (speed > 0 ? (high + reach) - centre : centre - (low - reach)) / std::abs(speed));
@@ -104,7 +103,7 @@ class OverlapTime {
 template <class S>
 SweptHit sweep_capsule_triangle(const std::array<Vec3<S>, 2>& ends, const Vec3<S>& displacement,
                                 S radius, const std::array<Vec3<S>, 3>& triangle) {
-  // As seen from the first end: a ball there, and the triangle swept against the segment.
+  // Relative to the first end: a ball there, and the triangle swept against the segment.
   const Vec3d origin = ends[0].template cast<double>();
   const Vec3d segment = ends[1].template cast<double>() - origin;
   const Vec3d way = displacement.template cast<double>();
@@ -130,7 +129,7 @@ SweptHit sweep_capsule_triangle(const std::array<Vec3<S>, 2>& ends, const Vec3<S
                           (hit.status == SweptStatus::Hit &&
                            (first.status == SweptStatus::Separated || hit.time < first.time));
     if (is_first) first = {hit.status, hit.time, hit.normal};
-    // All of the prism is on the other side of the plane of a face that is met inside.
+    // The whole prism is behind the plane of a face that is hit in its interior.
     is_settled =
         hit.status == SweptStatus::Overlapping ||
         (hit.status == SweptStatus::Hit && hit.feature == TriangleFeature::Face && faces.is_solid);
@@ -170,7 +169,7 @@ SweptHit sweep_box_triangle(const Obb<S>& box, const Vec3<S>& displacement,
     const Vec3d edge = at(corners, (i + 1) % 3) - at(corners, i);
     for (int k = 0; k < 3; ++k) {
       const Vec3d axis = edge.cross(axes.col(k));
-      // Parallel edges give no axis. Nearly parallel ones give some axis, which can be no lie either.
+      // Parallel edges give no axis. Nearly parallel ones give a rounded axis, which is valid too.
       if (axis.squaredNorm() > 0 && !narrow(axis)) return separated;
     }
   }

@@ -9,9 +9,9 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-/// The first time at which a t^2 + 2 b t + c falls to 0, from c > 0 at time 0 on.
+/// The first time at which a t^2 + 2 b t + c falls to 0, from c > 0 at time 0.
 double first_root(double a, double b, double c) {
-  if (b >= 0) return kNever;  // it goes away
+  if (b >= 0) return kNever;  // moves away
   const double discriminant = b * b - a * c;
   if (discriminant < 0) return kNever;
   return c / (-b + std::sqrt(discriminant));
@@ -39,7 +39,7 @@ class RoundedPrism {
   const Vec3d& corner(int i) const { return corners_[static_cast<std::size_t>(i % 3)]; }
   Vec3d centre(double time) const { return start_ + time * way_; }
 
-  /// On which edges' inner sides a point is, seen along the face's normal.
+  /// Whether a point is on the inner side of all edges, seen along the face's normal.
   bool inside(const Vec3d& point) const {
     for (int i = 0; i < 3; ++i) {
       const Vec3d along = corner(i + 1) - corner(i);
@@ -52,13 +52,13 @@ class RoundedPrism {
     const Vec3d ab = corner(1) - corner(0), ac = corner(2) - corner(0);
     normal_ = ab.cross(ac);
     twice_area_ = normal_.norm();
-    // Of less its direction is rounding: the triangle is its edges.
+    // A smaller normal has a direction of rounding: use only the edges.
     const double longest = std::max(ab.squaredNorm(), ac.squaredNorm());
     is_flat_ = !(twice_area_ > 1e-15 * longest);
     if (!is_flat_) {
       normal_ *= 1 / twice_area_;
       height_ = normal_.dot(start_ - corner(0));
-      if (height_ < 0) {  // seen from the sphere's side the corners go the other way about
+      if (height_ < 0) {  // reverse the corners' order to face the sphere
         height_ = -height_;
         normal_ = -normal_;
         std::swap(corners_[1], corners_[2]);
@@ -76,7 +76,7 @@ class RoundedPrism {
     return false;
   }
 
-  /// False when the answer is known: the face is met, or the plane never is.
+  /// False when the answer is known: the face is hit, or its plane is never reached.
   bool face() {
     if (is_flat_ || height_ <= radius_) return true;
     const double down = -normal_.dot(way_);
@@ -88,15 +88,15 @@ class RoundedPrism {
     return false;
   }
 
-  /// The cylinder about the edge between the planes of its ends. Cross products with the edge are what
-  /// lies across it, times its length: nothing is divided before the cylinder is known to be met.
+  /// Cylinder about the edge, between the planes of its ends. Cross products with the edge give
+  /// perpendicular parts times its length, so no division is needed before the cylinder is hit.
   void edge(int i) {
     const Vec3d along = corner(i + 1) - corner(i);
     const double squared = along.squaredNorm();
     const Vec3d from = start_ - corner(i);
     const Vec3d offset = along.cross(from), way = along.cross(way_);
     const double c = offset.squaredNorm() - radius_ * radius_ * squared;
-    if (c <= 0) return;  // inside the endless cylinder: through an end, so a vertex is met before
+    if (c <= 0) return;  // inside the infinite cylinder: enters through an end, hits a vertex first
     const double time = first_root(way.squaredNorm(), way.dot(offset), c);
     if (!(time < hit_.time)) return;
     const double at = (from + time * way_).dot(along);
@@ -115,7 +115,7 @@ class RoundedPrism {
     hit_.status = SweptStatus::Hit;
     hit_.time = time;
     hit_.feature = feature;
-    // By the numbers of the caller, whose corners may go the other way about.
+    // In the caller's numbering, whose corners may be in reverse order.
     if (swapped_) index = feature == TriangleFeature::Edge ? (5 - index) % 3 : (3 - index) % 3;
     hit_.index = feature == TriangleFeature::Face ? 0 : index;
     hit_.point = point;
@@ -125,9 +125,9 @@ class RoundedPrism {
   Vec3d start_, way_;
   double radius_;
   std::array<Vec3d, 3> corners_;
-  Vec3d normal_ = Vec3d::Zero();  // to the sphere's side
+  Vec3d normal_ = Vec3d::Zero();  // towards the sphere
   double twice_area_ = 0;
-  double height_ = 0;  // of the start over the plane
+  double height_ = 0;  // of the start above the plane
   bool is_flat_ = false, swapped_ = false;
   SweptSphereHit hit_;
 };

@@ -9,9 +9,9 @@
 namespace contactscope {
 namespace {
 
-/// Along the axis the shapes stay apart for a while: until when, at the least? What does not turn says
-/// so by a division. Else a bracket from the safe time to where the nearest points would meet the
-/// target, at the speed that they have now, is narrow enough for its bound to be near the root.
+/// Bounds the time for which the shapes stay separated along the axis. Without turns a division
+/// gives it. Otherwise the bracket runs from the safe time to where the nearest points would reach
+/// the target at their present speed. It is narrow enough for a bound close to the root.
 struct RootBrackets {
   template <class S>
   std::optional<Closest<S>> foresee(Approach<S>& approach, S radii, const Apart<S>& apart,

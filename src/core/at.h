@@ -9,21 +9,20 @@
 
 namespace contactscope {
 
-/// Element i >= 0 of a sequence. Features, points and triangles are numbered by int here, because a
-/// number that is none is -1.
+/// Element i >= 0 of a sequence. Features, points and triangles have int indices: -1 means none.
 template <class Sequence>
 constexpr decltype(auto) at(Sequence&& sequence, int i) {
   assert(i >= 0);
   return std::forward<Sequence>(sequence)[static_cast<std::size_t>(i)];
 }
 
-/// How many elements it has, as such a number.
+/// Number of elements, as int.
 template <class Sequence>
 constexpr int count_of(const Sequence& sequence) {
   return static_cast<int>(sequence.size());
 }
 
-/// What `make` makes of each element, in order; a pointer to a member takes that member of each.
+/// Applies `make` to each element, in order. A pointer to a member projects each element to it.
 template <class Sequence, class Make>
 auto mapped(const Sequence& sequence, const Make& make) {
   std::vector<std::decay_t<decltype(std::invoke(make, *sequence.begin()))>> made;
@@ -32,7 +31,7 @@ auto mapped(const Sequence& sequence, const Make& make) {
   return made;
 }
 
-/// The elements of all lists that are a member of the elements of a list, in order.
+/// Concatenates the lists that are a member of each element, in order.
 template <class Sequence, class Owner, class Inner>
 auto joined(const Sequence& sequence, std::vector<Inner> Owner::*member) {
   std::vector<std::reference_wrapper<const Inner>> all;
@@ -41,7 +40,7 @@ auto joined(const Sequence& sequence, std::vector<Inner> Owner::*member) {
   return all;
 }
 
-/// Each vector or box of a list in another scalar: cast_each<Vec3<float>>(vertices).
+/// Casts each vector or box of a list to another scalar: cast_each<Vec3<float>>(vertices).
 template <class To, class Sequence>
 std::vector<To> cast_each(const Sequence& sequence) {
   return mapped(sequence, [](const auto& element) -> To {

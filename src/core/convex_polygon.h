@@ -11,21 +11,20 @@ template <class S>
 using Vec2 = Eigen::Matrix<S, 2, 1>;
 using Vec2d = Vec2<double>;
 
-/// Of two vectors of two: twice the area of the triangle that they span, positive where b is to the
-/// left of a.
+/// 2D cross product: twice the signed area of the triangle of a and b, positive if b is left of a.
 template <class A, class B>
 typename A::Scalar cross(const Eigen::MatrixBase<A>& a, const Eigen::MatrixBase<B>& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-/// Twice the area of a triangle, positive where a, b, c run counter-clockwise: how far c lies to the
-/// left of the way from a to b, times the length of that way.
+/// Twice the area of a triangle, positive when a, b, c run counter-clockwise: |b - a| times the
+/// distance of c to the left of line ab.
 inline double turn(const Vec2d& a, const Vec2d& b, const Vec2d& c) {
   return cross(b - a, c - a);
 }
 
-/// A plane seen along its unit normal: an orthonormal basis that depends on the normal alone, and a
-/// point of the plane, relative to which a place far from the origin costs no digits.
+/// 2D coordinates in a plane, relative to a point of it, so points far from the world origin lose
+/// no digits. The orthonormal basis depends only on the unit normal.
 template <class S>
 struct PlaneFrame {
   Vec3<S> origin, u, v;
@@ -40,12 +39,12 @@ struct PlaneFrame {
   Vec3<S> place(const Vec2<S>& seen) const { return origin + seen.x() * u + seen.y() * v; }
 };
 
-/// Points seen in the plane with unit `normal` through the first of them.
+/// Projects points into the plane with unit `normal` through the first point.
 std::vector<Vec2d> project(std::span<const Vec3d> points, const Vec3d& normal);
 
-/// Andrew's monotone chain (1979): the corners of the convex hull of points (one at least) that are
-/// sorted by x, then y; counter-clockwise. `is_left_turn` looks at three of them in a row, and says
-/// so where the middle one is a corner.
+/// Andrew's monotone chain (1979): corners of the convex hull, counter-clockwise. `sorted` has at
+/// least one point and is sorted by x, then y. `is_left_turn` takes three points and returns true
+/// when the middle one is a corner.
 template <class Points, class IsLeftTurn>
 Points convex_chain(const Points& sorted, const IsLeftTurn& is_left_turn) {
   Points hull;
@@ -62,11 +61,11 @@ Points convex_chain(const Points& sorted, const IsLeftTurn& is_left_turn) {
   return hull;
 }
 
-/// Corners of the convex hull as indices of points, counter-clockwise from the leftmost one, without
-/// points on edges: one for coincident points, two for points on a line.
+/// Indices of the convex hull's corners, counter-clockwise from the leftmost one. Points on edges
+/// are left out: coincident points give one corner, points on a line give two.
 std::vector<int> convex_outline(std::span<const Vec2d> points);
 
-/// The same corners themselves.
+/// The same corners as points.
 std::vector<Vec2d> convex_polygon(std::vector<Vec2d> points);
 
 /// Area of a convex polygon given counter-clockwise; 0 for fewer than three corners.

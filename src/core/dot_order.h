@@ -4,9 +4,9 @@
 
 namespace contactscope {
 
-/// x + y + z in the order in which dot(), norm() and their like of three-vectors of S add, so that a loop
-/// over lanes finds the same bits as they: Eigen adds up a whole register first where one holds two
-/// numbers, and halves the sum where none is full. `P` is S or a pack of them.
+/// x + y + z, in the order in which Eigen's dot(), norm() etc. of three-vectors of S add. A loop
+/// over lanes then gives the same bits. Eigen sums a register of two numbers first; without a full
+/// register it halves the sum. `P` is S or a pack of S.
 template <class S, class P>
 [[gnu::always_inline]] inline P dot_sum(const P& x, const P& y, const P& z) {
   using Packet = typename Eigen::internal::find_best_packet<S, 3>::type;

@@ -14,10 +14,10 @@ constexpr Owner other(Owner owner) {
 
 enum class FeatureKind : std::uint8_t { Vertex = 0, Edge = 1, Face = 2 };
 
-/// One feature of one shape; an edge unless a kind is named. An edge is undirected: half-edge
-/// index / 2. A sphere is the vertex 0; a capsule has the vertices 0 and 1 and the edge 0 between
-/// them; of a mesh triangle features count within the triangle, and its face is the triangle; a
-/// plane is the face 0.
+/// One feature of one shape; an edge unless a kind is given. Edges are undirected: index =
+/// half-edge index / 2. A sphere is vertex 0. A capsule has vertices 0 and 1 and edge 0 between
+/// them. Features of a mesh triangle are numbered within the triangle: face 0 is its front, 1 its
+/// back. A plane is face 0.
 struct FeatureRef {
   Owner owner = Owner::A;
   FeatureKind kind = FeatureKind::Edge;
@@ -41,10 +41,10 @@ constexpr FeatureRef face_ref(Owner owner, int face) {
   return {owner, FeatureKind::Face, static_cast<std::uint32_t>(face)};
 }
 
-/// Contact id: the two features that made the point. Where hulls are clipped, these are the two
-/// edges whose crossing it is (Catto 2007, "Feature-Based Contact Points"); where closest points
-/// touch, the feature of each shape that they lie on. Kept sorted, A before B and then by kind and
-/// index, so that the same crossing has the same id whichever shape was the reference.
+/// Contact id: the two features that made the point. For clipped hulls, the two edges that cross at
+/// the point (Catto 2007, "Feature-Based Contact Points"); for closest points, the feature of each
+/// shape that contains them. Sorted, A before B, then by kind and index: a crossing has the same id
+/// whichever shape is the reference.
 struct FeatureId {
   FeatureRef first;
   FeatureRef second;
@@ -53,7 +53,7 @@ struct FeatureId {
     return one < two ? FeatureId{one, two} : FeatureId{two, one};
   }
 
-  /// The id of the same point when the shapes trade places.
+  /// Id of the same point after the shapes are swapped.
   constexpr FeatureId flipped() const {
     return of({other(first.owner), first.kind, first.index},
               {other(second.owner), second.kind, second.index});
@@ -62,7 +62,7 @@ struct FeatureId {
   friend constexpr auto operator<=>(const FeatureId&, const FeatureId&) = default;
 };
 
-/// "a:e3 b:e7", "a:v0 b:f2", as traces spell it: v vertex, e edge, f face.
+/// "a:e3 b:e7", "a:v0 b:f2", as written in traces: v vertex, e edge, f face.
 inline std::string to_string(const FeatureId& id) {
   const auto spell = [](const FeatureRef& ref) {
     const char kind = "vef"[static_cast<int>(ref.kind)];

@@ -5,8 +5,8 @@
 
 namespace contactscope {
 
-/// What a user wrote is wrong. what() is "FILE:LINE:COLUMN: what is wrong, and what would be
-/// right"; line and column count from 1 and are left out when 0. The program exits with 2 on it.
+/// Wrong user input. what() is "FILE:LINE:COLUMN: what is wrong, and what would be right"; line and
+/// column count from 1 and are left out when 0. The program exits with status 2.
 class InputError : public std::runtime_error {
  public:
   InputError(const std::string& file, int line, int column, const std::string& message)
@@ -19,8 +19,8 @@ class InputError : public std::runtime_error {
   }
 };
 
-/// A hull or a mesh cannot be made from what was given: what() says why, and what would be right.
-/// Geometry knows no file; whoever reads one catches this and adds the place.
+/// A hull or mesh cannot be made from this input. what() gives the reason and the remedy. Geometry
+/// does not know file names; the code that reads a file catches this and adds the location.
 struct ShapeError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -18,7 +18,7 @@ std::string_view without_blanks(std::string_view text) {
   return text;
 }
 
-/// The name of the first element of an XML document, behind declarations and comments.
+/// Name of the first element of an XML document, after declarations and comments.
 std::string_view root_element(std::string_view text) {
   while (text.starts_with("<?") || text.starts_with("<!")) {
     const std::string_view close = text.starts_with("<!--") ? "-->" : ">";
@@ -30,7 +30,7 @@ std::string_view root_element(std::string_view text) {
   return text.substr(1, text.find_first_of(" \t\r\n/>", 1) - 1);
 }
 
-/// Eighty bytes of anything, the number of triangles, and fifty bytes for each.
+/// Binary STL: eighty arbitrary bytes, the number of triangles, and fifty bytes per triangle.
 bool is_binary_stl(std::string_view begin, std::uintmax_t size) {
   constexpr std::size_t kHeader = 84, kTriangle = 50;
   if (begin.size() < kHeader) return false;
@@ -40,13 +40,13 @@ bool is_binary_stl(std::string_view begin, std::uintmax_t size) {
   return triangles > 0 && size == kHeader + kTriangle * triangles;
 }
 
-/// Whether the first statement is one of a Wavefront .obj.
+/// Whether the first statement belongs to a Wavefront .obj.
 bool is_obj(std::string_view text) {
   while (text.starts_with('#'))
     text = without_blanks(text.substr(std::min(text.find_first_of("\r\n"), text.size())));
   const std::string_view word = text.substr(0, text.find_first_of(" \t"));
   const std::string_view rest = without_blanks(text.substr(word.size()));
-  if (rest.starts_with('=') || rest.starts_with('.')) return false;  // a key of TOML
+  if (rest.starts_with('=') || rest.starts_with('.')) return false;  // a TOML key
   for (const std::string_view statement : {"v", "vn", "vt", "o", "g", "mtllib"})
     if (word == statement) return true;
   return false;

@@ -2,8 +2,8 @@
 
 namespace contactscope {
 
-// A picture's text that stands here may be replaced as a whole; its parts between commas, colons and
-// the like by themselves. What is added here belongs into src/package/words as well.
+// A text in a picture that is listed here can be replaced as a whole; otherwise its parts between
+// commas, colons etc. are replaced separately. Add new texts to src/package/words as well.
 const std::vector<std::string_view>& known_words() {
   static const std::vector<std::string_view> words = {
       // States.
@@ -393,7 +393,7 @@ const std::vector<std::string_view>& known_words() {
       "point-edge",
       "point-point",
       "vertex-face",
-      // Stories and ways out.
+      // Stories and displacements that separate the shapes.
       "The two faces before clipping",
       "Side plane {n} of {m} cuts nothing",
       "Side plane {n} of {m} cuts {what} away and makes {made}",

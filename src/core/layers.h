@@ -6,9 +6,9 @@
 #include <optional>
 #include <string_view>
 
-/// The layers that a view may show, in drawing order: a row has the enumerator and the word for it
-/// in scenarios and on the command line. All else about a layer stands in its own file, in
-/// render/draw/layers, which defines kShapesLayer and so on.
+/// Layers of a view, in drawing order. A row has the enumerator and the name used in scenarios and
+/// on the command line. Each layer has its own file in render/draw/layers, which defines
+/// kShapesLayer etc.
 // clang-format off
 #define CONTACTSCOPE_LAYERS(ROW)               \
   ROW(Shapes, "shapes")                        \
@@ -57,7 +57,7 @@
   ROW(Masses, "masses")                        \
   ROW(Names, "names")
 
-/// The panels that a view may show, likewise.
+/// Panels of a view, in the same form.
 #define CONTACTSCOPE_PANELS(ROW)               \
   ROW(Summary, "summary")                      \
   ROW(ContactPlane, "contact_plane")           \
@@ -74,7 +74,7 @@
   ROW(Minkowski, "minkowski")                  \
   ROW(GaussMap, "gauss_map")
 
-/// What panels show over the time of a sequence, likewise.
+/// Charts that panels plot over the time of a sequence, in the same form.
 #define CONTACTSCOPE_CHARTS(ROW)               \
   ROW(Overlap, "overlap")                      \
   ROW(Energy, "energy")                        \
@@ -109,7 +109,7 @@ constexpr std::string_view name_of(Panel panel) {
   return kPanelNames[static_cast<std::size_t>(panel)];
 }
 
-/// The Layer, Panel or Chart of that name; nothing where there is none.
+/// The Layer, Panel or Chart with that name; nullopt if there is none.
 template <class Word, std::size_t N>
 constexpr std::optional<Word> word_named(const std::array<std::string_view, N>& names,
                                          std::string_view name) {

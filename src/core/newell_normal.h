@@ -6,8 +6,7 @@
 
 namespace contactscope {
 
-/// Newell's normal, right for any flat polygon, also with collinear vertices. As long as twice the
-/// polygon's area.
+/// Newell's normal of any flat polygon, also with collinear vertices. Its length is twice the area.
 inline Vec3d newell_normal(std::span<const Vec3d> polygon) {
   Vec3d normal = Vec3d::Zero();
   for (std::size_t i = 0; i < polygon.size(); ++i) {

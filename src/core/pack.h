@@ -11,11 +11,11 @@
 
 namespace contactscope::lanes {
 
-/// So many numbers side by side, as GCC and Clang spell it. Operators work lane by lane; comparisons
-/// give integers of the same width, -1 where they hold.
+/// SIMD vector of `kLanes` numbers, in the GCC and Clang extension. Operators work lane by lane.
+/// Comparisons give integers of the same width, -1 for true.
 template <class S, int kLanes>
 struct Vector {
-  // NOLINTNEXTLINE(modernize-use-using): GCC wants it so
+  // NOLINTNEXTLINE(modernize-use-using): GCC requires a typedef
   typedef S Type __attribute__((vector_size(kLanes * sizeof(S))));
 };
 
@@ -27,7 +27,7 @@ using Pack = typename Vector<S, kWidth<S>>::Type;
 template <class S>
 using Flags = decltype(Pack<S>{} < Pack<S>{});
 
-/// The widest that this build may use: with -march=x86-64-v3 eight floats or four doubles.
+/// The widest pack of this build: with -march=x86-64-v3 eight floats or four doubles.
 #ifdef __AVX2__
 template <class S>
 inline constexpr int kWidest = 2 * kWidth<S>;
@@ -38,7 +38,7 @@ inline constexpr int kWidest = kWidth<S>;
 template <class S>
 using Widest = typename Vector<S, kWidest<S>>::Type;
 
-/// The lanes of a pack of numbers `S`.
+/// Number of lanes of a pack of numbers `S`.
 template <class S, class P>
 inline constexpr int kLanesOf = static_cast<int>(sizeof(P) / sizeof(S));
 
@@ -58,7 +58,7 @@ inline void store(const P& pack, S* to) {
   std::memcpy(to, &pack, sizeof pack);
 }
 
-/// value(0), value(1), ... side by side.
+/// {value(0), value(1), ...}.
 template <class P, class Value>
 inline P pack_of(const Value& value) {
   using S = decltype(value(0));
@@ -76,7 +76,6 @@ inline Pack<S> each(const Value& value) {
   return pack_of<Pack<S>>([&value](int lane) -> S { return value(lane); });
 }
 
-/// One number in all lanes.
 template <class S>
 inline Pack<S> all(S value) {
   return each<S>([value](int) { return value; });
@@ -91,8 +90,8 @@ inline P smaller(const P& a, const P& b) {
   return a < b ? a : b;
 }
 
-/// The lanes from `kFirst` on of two packs that follow each other. To load them instead would wait
-/// for the two to be written, where they just were.
+/// Lanes kFirst, kFirst + 1, ... of the concatenation of a and b. Loading them from memory would
+/// stall while recent stores of a and b complete.
 template <class S, int kFirst, class P>
 inline P straddle(const P& a, const P& b) {
   constexpr int kLanes = kLanesOf<S, P>;
@@ -106,14 +105,14 @@ inline P straddle(const P& a, const P& b) {
   } else if constexpr (kFirst == 2 || kWidest<S> != kWidth<S>) {
     return __builtin_shufflevector(a, b, kFirst, kFirst + 1, kFirst + 2, kFirst + 3);
   } else {
-    // In two steps that SSE2 has. GCC takes nine for the whole.
+    // Two shuffles that SSE2 has. GCC takes nine steps for a single shuffle.
     const P amid = __builtin_shufflevector(a, b, 3, 3, 4, 4);
     if constexpr (kFirst == 1) return __builtin_shufflevector(a, amid, 1, 2, 4, 6);
     return __builtin_shufflevector(amid, b, 0, 2, 5, 6);
   }
 }
 
-/// Bit i is set where lane i of a comparison of numbers `S` holds.
+/// Bit i is set when lane i of a comparison of numbers `S` is true.
 template <class S, class F>
 inline std::uint32_t bits(const F& flags) {
 #ifdef __AVX2__
@@ -140,7 +139,7 @@ inline std::uint32_t bits(const F& flags) {
 #endif
 }
 
-/// What `choose` takes of all lanes, in every lane; without a branch, which nothing could foresee.
+/// Reduces all lanes with `choose` and broadcasts the result. Avoids an unpredictable branch.
 template <class S, class P, class Choose>
 inline P of_all_lanes(P pack, const Choose& choose) {
   constexpr int kLanes = kLanesOf<S, P>;
@@ -159,8 +158,7 @@ inline P smallest(const P& pack) {
   return of_all_lanes<S>(pack, [](const P& a, const P& b) { return smaller(a, b); });
 }
 
-/// kWidth numbers of the four that begin a contact point, its position and separation, from number
-/// `first` on.
+/// Loads kWidth numbers of a contact point (position, separation) from index `first` on.
 template <class S>
 inline Pack<S> load(const ContactPoint<S>& point, int first) {
   static_assert(sizeof(point.position) == 3 * sizeof(S));

@@ -6,7 +6,7 @@
 namespace contactscope {
 namespace {
 
-/// C0, DEL and, of two bytes, C1.
+/// C0, DEL and the two-byte C1 characters.
 bool is_control(std::string_view text, std::size_t at) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   return byte(at) < 0x20 || byte(at) == 0x7F || (byte(at) == 0xC2 && byte(at + 1) < 0xA0);

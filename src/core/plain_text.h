@@ -5,15 +5,15 @@
 
 namespace contactscope {
 
-/// Length of the UTF-8 sequence that begins at `offset`, 0 where it is malformed. The table is
-/// Unicode 15, section 3.9, table 3-7, "Well-Formed UTF-8 Byte Sequences".
+/// Length of the UTF-8 sequence that begins at `offset`; 0 if malformed. Follows Unicode 15,
+/// section 3.9, table 3-7, "Well-Formed UTF-8 Byte Sequences".
 std::size_t utf8_length(std::string_view text, std::size_t offset);
 
-/// What a name must not contain, because terminals, shells and file formats obey it: "the control
-/// character U+001B", "a NUL character", or "bytes that are not UTF-8". Empty where the text is plain.
+/// The first part of a name that terminals, shells or file formats would act on: "the control
+/// character U+001B", "a NUL character", or "bytes that are not UTF-8". Empty if plain.
 std::string not_plain(std::string_view text);
 
-/// The text with each byte that not_plain() refuses as "\x1b".
+/// The text with each byte that not_plain() rejects escaped as "\x1b".
 std::string printable(std::string_view text);
 
 }  // namespace contactscope

@@ -4,14 +4,13 @@
 
 namespace contactscope {
 
-/// Oriented plane: the points x with normal . x = offset. `normal` is a unit vector, `offset`
-/// metres.
+/// Oriented plane: the points x with normal . x = offset. `normal` is unit, `offset` in metres.
 template <class S>
 struct Plane {
   Vec3<S> normal = Vec3<S>::UnitX();
   S offset = 0;
 
-  /// Signed distance in metres, positive on the side that the normal points to.
+  /// Signed distance in metres, positive on the side of the normal.
   S distance(const Vec3<S>& point) const { return normal.dot(point) - offset; }
   /// Foot of the perpendicular from `point`.
   Vec3<S> project(const Vec3<S>& point) const { return point - distance(point) * normal; }

@@ -4,9 +4,8 @@
 
 namespace contactscope {
 
-/// Rigid placement of a local frame in a parent frame: x_parent = R x_local + p.
-/// `rotation` is a unit quaternion, `position` in metres. The name of a variable says the frames:
-/// `b_in_a` maps from b's frame to a's.
+/// Rigid placement of a local frame in a parent frame: x_parent = R x_local + p. `rotation` is a
+/// unit quaternion, `position` in metres. `b_in_a` maps b's frame to a's.
 template <class S>
 struct Pose {
   Quat<S> rotation = Quat<S>::Identity();
@@ -32,8 +31,7 @@ struct Pose {
 };
 
 /// The pose of b in a's frame, from both poses in one parent frame. The positions are subtracted
-/// before anything else, so that two near bodies far from the origin lose nothing more than their
-/// coordinates already have.
+/// first, so two close bodies far from the origin lose no further precision.
 template <class S>
 Pose<S> relative_pose(const Pose<S>& a, const Pose<S>& b) {
   return {a.rotation.conjugate() * b.rotation, a.inverse_transform(b.position)};

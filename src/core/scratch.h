@@ -5,8 +5,8 @@
 
 namespace contactscope {
 
-/// Scratch array of a size known at run time: on the stack up to `Inline` elements, beyond that on
-/// the heap. Elements start uninitialised.
+/// Scratch array of run-time size: on the stack up to `Inline` elements, on the heap beyond.
+/// Elements start uninitialised.
 template <class T, int Inline>
 class Scratch {
  public:

@@ -12,7 +12,7 @@ std::string name_in_words(std::string_view name) {
   for (std::size_t i = 0; i < name.size(); ++i) {
     const auto is_digit = [&](std::size_t at) { return name[at] >= '0' && name[at] <= '9'; };
     const bool parts = name[i] == '_' || name[i] == ' ';
-    // "crate 1" of "crate1", but "box3d" has its number in it.
+    // "crate1" becomes "crate 1", but "box3d" stays: its number is inside the name.
     const bool counts = is_digit(i) && i > 0 && !is_digit(i - 1) &&
                         name.find_first_not_of("0123456789", i) == std::string_view::npos;
     if ((parts || counts) && !words.empty() && words.back() != ' ') words += ' ';

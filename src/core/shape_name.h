@@ -5,11 +5,11 @@
 
 namespace contactscope {
 
-/// "small_crate" of "small_crate_3": the number tells copies apart, and pictures call them alike. A name
-/// that is all number is whole.
+/// Name without the number of a copy: "small_crate" for "small_crate_3". Pictures use it for all
+/// copies. A name of digits only is returned whole.
 std::string_view kind_of_name(std::string_view name);
 
-/// "small crate 3" of "small_crate3": what a scenario calls a shape, for people.
+/// Display form of a scenario's shape name: "small crate 3" for "small_crate3".
 std::string name_in_words(std::string_view name);
 
 }  // namespace contactscope

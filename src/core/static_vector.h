@@ -7,9 +7,8 @@
 
 namespace contactscope {
 
-/// Sequence of at most `N` values without a heap allocation. Elements beyond size() are left
-/// uninitialised, also when `T` has default member initialisers, so a large capacity costs nothing
-/// but stack.
+/// Sequence of at most `N` values without heap allocation. Elements beyond size() stay
+/// uninitialised, even if `T` has default member initialisers: a large capacity costs only stack.
 template <class T, std::size_t N>
 class StaticVector {
   static_assert(std::is_trivially_destructible_v<T>);
@@ -35,7 +34,6 @@ class StaticVector {
     ++size_;
   }
   void pop_back() { truncate(size_ - 1); }
-  /// Shrinks to the first `size` elements.
   void truncate(std::size_t size) {
     assert(size <= size_);
     size_ = size;
@@ -61,7 +59,7 @@ class StaticVector {
 
  private:
   std::size_t size_ = 0;
-  // In a union nothing constructs the elements: push_back and assignment do, one by one.
+  // A union does not construct the elements; push_back and assignment do, one by one.
   union {
     T items_[N];
   };

@@ -3,14 +3,14 @@
 #include "core/pack.h"
 #include "core/vec3.h"
 
-/// Vectors of three in one register, where a kernel works on a whole vector at a time.
+/// Three-vectors in one register, for kernels that work on a whole vector at a time.
 namespace contactscope::lanes {
 
-/// Three numbers side by side. What the fourth lane holds means nothing, NaN included.
+/// Three numbers side by side. The fourth lane is undefined and may be NaN.
 template <class S>
 using Three = typename Vector<S, 4>::Type;
 
-/// Entries 1, 2, 0 and 2, 0, 1 of a vector: what a cross product multiplies.
+/// Entries 1, 2, 0 and 2, 0, 1 of a vector: the factors of a cross product.
 template <class T>
 [[gnu::always_inline]] inline T next(const T& v) {
   return __builtin_shufflevector(v, v, 1, 2, 0, 3);
@@ -42,17 +42,17 @@ struct Columns {
              __builtin_shufflevector(low, z, 2, 3, 5, 5),
              __builtin_shufflevector(high, z, 0, 1, 6, 6)}};
   }
-  /// The sum of the columns, each times an entry of `v`.
+  /// Matrix times `v`: the sum of the columns, each times an entry of `v`.
   [[gnu::always_inline]] Three<S> times(const Three<S>& v) const {
     return of[0] * spread<0>(v) + of[1] * spread<1>(v) + of[2] * spread<2>(v);
   }
 };
 
-/// The matrix of a rotation, with the bits of Quaternion::toRotationMatrix(): the same products and sums,
-/// three at a time. The fourth lanes are finite where the quaternion is.
+/// Rotation matrix, bit for bit Quaternion::toRotationMatrix(): the same products and sums, three
+/// at a time. The fourth lanes are finite when the quaternion is.
 ///
-///     1 - (yy + zz)    xy - wz         xz + wy         every product is of twice the first
-///     xy + wz          1 - (xx + zz)   yz - wx         number with the second
+///     1 - (yy + zz)    xy - wz         xz + wy         each product is twice the first
+///     xy + wz          1 - (xx + zz)   yz - wx         number times the second
 ///     xz - wy          yz + wx         1 - (xx + yy)
 template <class S>
 [[gnu::always_inline]] inline Columns<S> rotation_columns(const Quat<S>& rotation) {

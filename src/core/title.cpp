@@ -20,7 +20,7 @@ std::string known_facts() {
   return all;
 }
 
-/// What stands in braces. Returns what is wrong with it.
+/// Parses the text between braces. Returns an error message, or an empty string.
 std::string read_placeholder(std::string_view text, TitlePiece& piece) {
   std::string_view words = text;
   if (const std::size_t colon = words.find(':'); colon != std::string_view::npos) {

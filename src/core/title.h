@@ -6,22 +6,21 @@
 #include <string_view>
 #include <vector>
 
-/// Titles that state a result: text with placeholders in braces, filled from the facts of the frame
-/// that is drawn.
+/// Titles that state a result: text with placeholders, filled from the facts of the drawn frame.
 ///
 ///   "{kept} of {candidates:point} keep {area_kept} | Nothing touches"
 ///
-/// Alternatives are parted by " | ": the first one is shown all of whose placeholders have a value
-/// in the frame, 0 being none, and else the last one. A placeholder is `{FACT}`, `{FACT of WHO}`, WHO being the label of a pair, a
-/// shape, or two shapes as `a and b`, and with a noun `{FACT:point}`: "1 point", "4 points";
-/// `{FACT:vertex/vertices}` where an s is not enough. `{from 12}` is empty, and has a value from
-/// frame 12 on. `{{` is a brace.
+/// Alternatives are separated by " | ". The first one whose placeholders all have a value in the
+/// frame is shown, else the last one; 0 counts as no value. Placeholders are `{FACT}` and `{FACT of
+/// WHO}`: the label of a pair, a shape, or two shapes as `a and b`. `{FACT:point}` adds a noun: "1
+/// point", "4 points"; `{FACT:vertex/vertices}` has an irregular plural. `{from 12}` is empty, with
+/// a value from frame 12 on. `{{` is a brace.
 namespace contactscope {
 
-/// Of which stage of the pipeline a fact is; None: of none that a run may leave out.
+/// Pipeline stage that records a fact; None: recorded by every run.
 enum class TitleStage { None, Clip, Reduction, Search, Stability, Tree, Query };
 
-/// What a placeholder may name. A row has the enumerator, the word, the stage, and what it is.
+/// Facts that a placeholder may name. A row has the enumerator, name, stage and description.
 // clang-format off
 #define CONTACTSCOPE_TITLE_FACTS(ROW)                                                             \
   ROW(Frame, "frame", None, "number of the frame, or step of a story")                            \
@@ -79,28 +78,27 @@ inline constexpr std::array kTitleFactStages = {CONTACTSCOPE_TITLE_FACTS(CONTACT
 #undef CONTACTSCOPE_TITLE_NAME
 #undef CONTACTSCOPE_TITLE_STAGE
 
-/// Of a title: text, and behind it what a placeholder asks for.
+/// Text, followed by an optional placeholder.
 struct TitlePiece {
   std::string text;
   std::optional<TitleFact> fact{};
-  std::string of{};           // label of a pair, or a shape; empty: of all
-  std::string of_other{};     // the second one of two shapes
-  std::string one{}, many{};  // nouns behind a number
-  int from = 0;               // frame before which the alternative is not shown
+  std::string of{};           // label of a pair, or a shape; empty: all
+  std::string of_other{};     // second of two shapes
+  std::string one{}, many{};  // nouns after a number
+  int from = 0;               // the alternative is not shown before this frame
 };
 
 using TitleAlternative = std::vector<TitlePiece>;
-using Title = std::vector<TitleAlternative>;  // without placeholders one of one piece
+using Title = std::vector<TitleAlternative>;  // without placeholders: one of one piece
 
 struct ParsedTitle {
   Title title;
-  std::string problem;  // what is wrong, and what would be right; empty: nothing
+  std::string problem;  // what is wrong, and what would be right; empty: no problem
 };
 
 ParsedTitle parse_title(std::string_view text);
 
-/// For who has no frame at hand: the first alternative without placeholders, or else the first one
-/// with "…" in their places.
+/// Title without a frame: the first alternative without placeholders, else the first with "…".
 std::string plain_title(std::string_view text);
 
 }  // namespace contactscope

@@ -4,8 +4,8 @@
 #include <Eigen/Geometry>
 
 #ifdef EIGEN_VECTORIZE_NEON
-// Of three floats Eigen sums the last two first, a + (b + c), but where it has packets of two: there the first
-// two, which rounds otherwise. Vectors and matrices pass those over, so that arm64 gives the bits of others.
+// Eigen sums three floats as a + (b + c), but as (a + b) + c where it has packets of two, which
+// rounds differently. Skip those packets, so that arm64 gives the bits of other processors.
 template <>
 struct Eigen::internal::find_best_packet<float, 3> {
   using type = Eigen::internal::Packet4f;
@@ -18,8 +18,8 @@ struct Eigen::internal::find_best_packet<float, 9> {
 
 namespace contactscope {
 
-/// Column vector of three. Eigen's type, so that its algebra is at hand; functions of this project
-/// take and return these by name, never Eigen expressions.
+/// Column vector of three, with Eigen's algebra. Functions of this project take and return these by
+/// name, never Eigen expressions.
 template <class S>
 using Vec3 = Eigen::Matrix<S, 3, 1>;
 
@@ -36,8 +36,8 @@ using Vec3f = Vec3<float>;
 using Vec3d = Vec3<double>;
 using Quatd = Quat<double>;
 
-/// A unit vector at right angles to `v`, |v| > 0. Depends continuously on `v` but for the switch of
-/// the helper axis, which is the coordinate axis that `v` leans on least.
+/// A unit vector perpendicular to `v`, |v| > 0. Depends continuously on `v` except where the helper
+/// axis switches, which is the coordinate axis most perpendicular to `v`.
 template <class S>
 Vec3<S> any_perpendicular(const Vec3<S>& v) {
   int axis = 0;

@@ -10,13 +10,12 @@
 
 namespace contactscope {
 
-/// What a view is a picture of.
 enum class ViewKind {
   Scene,         // shapes in space
-  ContactPlane,  // one cell a pair: the reduction, seen along the normal
+  ContactPlane,  // one cell per pair: the reduction, seen along the normal
 };
 
-/// What a view reveals over a sequence.
+/// Feature that a view reveals step by step over a sequence.
 enum class Story {
   None,       // every frame shows all of its layers
   ClipSteps,  // frame k shows the first k side planes and what they cut
@@ -24,34 +23,32 @@ enum class Story {
   EpaSteps,   // frame k shows the polytope of EPA after k expansions
 };
 
-/// What the automatic camera frames.
+/// Target of the automatic camera.
 enum class Focus { Contact, Shapes };
 
-/// One camera on a scenario, and what it shows.
+/// One camera on a scenario, with the layers and panels that it shows.
 struct View {
   std::string name = "main";
   ViewKind kind = ViewKind::Scene;
-  /// Of a contact plane: how many choices of the reducer are shown, the last one with what each
-  /// candidate was worth. 0: the result.
+  /// Contact plane: number of reducer choices shown, the last with all scores. 0: the result.
   int choices = 0;
   std::optional<Vec3d> eye;  // metres; default: fitted
   std::optional<Vec3d> target;
   std::optional<double> fov_degrees;
   std::optional<double> orthographic_height;  // metres
-  /// Metres of an arrow for one newton second, where loads are shown for one newton; default:
-  /// fitted.
+  /// Length of an arrow in metres per newton second (loads: per newton); default: fitted.
   std::optional<double> impulse_scale;
-  /// Over its pictures; see core/title.h. Default: the scenario's.
+  /// Title of its pictures, see core/title.h. Default: the scenario's.
   std::optional<std::string> title;
-  /// Each pair in a viewport of its own, all with the same parallel projection, side by side.
+  /// Shows each pair in its own viewport, side by side, all with the same parallel projection.
   bool side_by_side = false;
-  /// A subject under 20 pixels is shown again, magnified.
+  /// Shows subjects smaller than 20 pixels again, magnified.
   bool inset = true;
   Focus focus = Focus::Contact;
   Story story = Story::None;
   std::vector<Layer> layers;
   std::vector<Panel> panels;
-  /// Of the panels plots and stability; default: all that the sequence has values for.
+  /// Charts of the panels plots and stability; default: all for which the sequence has values.
   std::optional<std::vector<Chart>> charts;
 
   bool shows(Layer layer) const { return std::ranges::find(layers, layer) != layers.end(); }

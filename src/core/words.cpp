@@ -7,13 +7,13 @@
 namespace contactscope {
 namespace {
 
-// A text that falls into more parts than this within each other is no sentence of the program.
+// Maximum nesting of parts; no text of the program is nested deeper.
 constexpr int kDeepest = 6;
 
-/// Where a text is taken apart, in the order in which that is tried.
+/// Separators, in the order in which they are tried.
 constexpr std::array<std::string_view, 6> kBetweenParts = {"; ", ", ", ": ", " = ", " × ", "  "};
 
-/// Literal text and the names of places by turns, beginning and ending with literal text.
+/// Splits a pattern into literal text and place names by turns; the first and last are literal.
 std::vector<std::string> pieces_of(std::string_view pattern) {
   std::vector<std::string> pieces(1);
   while (!pattern.empty()) {
@@ -33,8 +33,8 @@ bool is_number_place(std::string_view name) {
   return name == "n" || name == "m" || name == "k";
 }
 
-/// "12", "−0.25 mm", "3 × 4", "1.5e−6 N s/m": begins with a digit or its sign, and holds no two
-/// letters' worth of prose.
+/// "12", "−0.25 mm", "3 × 4", "1.5e−6 N s/m": begins with a digit or a sign and has no word of more
+/// than two letters.
 bool is_number(std::string_view text) {
   for (const std::string_view sign : {"−", "-", "+", "< ", "±"}) {
     if (text.starts_with(sign)) text.remove_prefix(sign.size());
@@ -50,8 +50,8 @@ bool is_number(std::string_view text) {
 
 using Places = std::map<std::string, std::string_view, std::less<>>;
 
-/// Whether `text` is what the pieces from `piece` on say, and what stands in their places. Of several
-/// ways to read it the one whose earlier places are shortest.
+/// Matches `text` against the pieces from `piece` on and fills `places`. Of several matches it
+/// takes the one whose earlier places are shortest.
 bool match(const std::vector<std::string>& pieces, std::size_t piece, std::string_view text,
            Places& places) {
   if (!text.starts_with(pieces[piece])) return false;
@@ -60,7 +60,7 @@ bool match(const std::vector<std::string>& pieces, std::size_t piece, std::strin
   const std::string& name = pieces[piece + 1];
   const std::string& next = pieces[piece + 2];
   const bool is_last = piece + 3 == pieces.size();
-  // The "{from 12}" of a title is filled with nothing.
+  // The "{from 12}" of a title matches empty text.
   for (std::size_t end = name.starts_with("from ") ? 0 : 1; end <= text.size(); ++end) {
     if (is_last && next.empty()) end = text.size();
     if (!text.substr(end).starts_with(next)) continue;
@@ -88,7 +88,7 @@ void Words::replace(const Words& others) {
 }
 
 std::string Words::mistake(std::string_view what, std::string_view by) {
-  if (by.empty()) return {};  // it is not said
+  if (by.empty()) return {};  // an empty translation hides the text
   const std::vector<std::string> wanted = pieces_of(what), given = pieces_of(by);
   const auto has = [](const std::vector<std::string>& pieces, const std::string& name) {
     for (std::size_t i = 1; i < pieces.size(); i += 2) {
@@ -133,7 +133,7 @@ std::string Words::translated(std::string_view text, int depth) const {
     if (at == std::string_view::npos) continue;
     const std::string_view before = text.substr(0, at), after = text.substr(at + between.size());
     const std::string first = translated(before, depth + 1), rest = translated(after, depth + 1);
-    // What has a part that is not to be said is not said.
+    // A text with a hidden part is hidden as a whole.
     if ((first.empty() && !before.empty()) || (rest.empty() && !after.empty())) return {};
     return first + std::string(between) + rest;
   }

@@ -8,27 +8,26 @@
 
 namespace contactscope {
 
-/// The texts that the program itself puts into pictures, as it has them: legend entries, headings,
-/// labels and the words in rows. `{n}` stands for a number with its unit, any other name in braces
-/// for any text: "step {n} of {m}". In the order of `contactscope list words`.
+/// The program's own texts in pictures, untranslated: legend entries, headings, labels and words in
+/// rows. `{n}` is a number with its unit, any other name in braces is any text: "step {n} of {m}".
+/// In the order of `contactscope list words`.
 const std::vector<std::string_view>& known_words();
 
-/// What stands in pictures in place of the program's own words, as a translation has it.
+/// Translation of the program's own words in pictures.
 ///
-/// A text is replaced by the entry that is it, or by the one whose pattern it has, whose places are
-/// filled with what stood there, translated in its turn. Else it is taken apart at "; ", ", ", ": ",
-/// " = ", " × " and parentheses, and its parts are replaced one by one; what no entry knows stays.
+/// An entry replaces the text that equals it or matches its pattern; the texts in its places are
+/// translated recursively. Any other text is split at "; ", ", ", ": ", " = ", " × " and
+/// parentheses, and its parts are replaced one by one. Text without an entry stays.
 class Words {
  public:
-  /// A later entry for the same text takes the place of the earlier one.
+  /// A later entry for the same text replaces the earlier one.
   void replace(std::string_view what, std::string_view by);
   void replace(const Words& others);
   bool empty() const { return entries_.empty(); }
 
   std::string of(std::string_view text) const;
 
-  /// What is wrong with an entry, in words: a place in braces that the other side lacks. Empty where
-  /// nothing is.
+  /// Error message for an entry with a place in braces that the other side lacks. Empty if valid.
   static std::string mistake(std::string_view what, std::string_view by);
 
  private:

@@ -11,7 +11,7 @@ Workers::Workers(int count) {
     for (int worker = 1; worker < count; ++worker)
       threads_.emplace_back([this, worker] { run(worker); });
   } catch (const std::system_error&) {
-    // The system gives no more threads: those that there are do the work.
+    // The system gives no more threads: continue with fewer.
   }
 }
 
@@ -45,7 +45,7 @@ void Workers::for_each(int pieces, const std::function<void(int, int)>& work) {
   if (error_) std::rethrow_exception(std::exchange(error_, nullptr));
 }
 
-/// Of a thread of its own.
+/// Main loop of a pool thread.
 void Workers::run(int worker) {
   int done = 0;
   while (true) {
@@ -59,7 +59,7 @@ void Workers::run(int worker) {
   }
 }
 
-/// A piece takes far longer than the lock, which is all that a counter would spare.
+/// A mutex is enough: a piece takes far longer than the lock that an atomic counter would save.
 void Workers::take_part(int worker) {
   std::unique_lock lock(mutex_);
   while (next_ < pieces_) {

@@ -7,35 +7,34 @@
 
 namespace contactscope {
 
-/// Of a body that is filled evenly. Held in double, whatever the pipeline computes in.
+/// Mass properties of a body of uniform density. In double for any scalar of the pipeline.
 struct MassProperties {
   double mass = 0;                              // kilograms
-  Vec3d center = Vec3d::Zero();                 // centre of mass, the shape's frame, metres
+  Vec3d center = Vec3d::Zero();                 // centre of mass, in the shape's frame, metres
   Mat3<double> inertia = Mat3<double>::Zero();  // about the centre, the shape's axes, kg m^2
 };
 
-/// Of a shape of one kilogram a cubic metre, so that its mass is its volume. Nothing for planes, meshes
-/// and flat hulls: a plane has no end, a mesh is a surface that need not be closed, and a flat hull has
-/// no volume; none of them can be dynamic.
+/// For a density of 1 kg/m^3: the mass equals the volume. nullopt for shapes that cannot be
+/// dynamic: infinite planes, meshes, which need not be closed, and flat hulls without volume.
 template <class S>
 std::optional<MassProperties> mass_properties(const Shape<S>& shape);
 
-/// The same body of another mass (kilograms, > 0): the density differs, the form does not.
+/// The same body with another mass (kilograms, > 0) and the density that follows.
 MassProperties with_mass(const MassProperties& properties, double mass);
 
-/// Metres: how thin a body is, whatever its form and its frame: the shortest edge of the box that has
-/// its mass (kilograms, > 0) and its inertia (kg m^2, about its centre). Of a ball 1.55 radii.
+/// Thickness of a body in metres, for any shape and frame: shortest edge of the box with its mass
+/// (kilograms, > 0) and inertia (kg m^2, about its centre). For a ball 1.55 radii.
 double shortest_edge(double mass, const Mat3<double>& inertia);
 
-/// A rigid body. Dynamic bodies are moved by the solver; all others have an infinite mass and move
-/// as a script says: `velocity` and `angular_velocity` are then what contacts feel of it.
+/// A rigid body. Dynamic bodies are moved by the solver. All others have infinite mass and follow a
+/// script; contacts use their `velocity` and `angular_velocity`.
 template <class S>
 struct Body {
-  Vec3<S> center = Vec3<S>::Zero();  // world, metres: of mass, of others the origin of the shape
+  Vec3<S> center = Vec3<S>::Zero();  // centre of mass, world, metres; if not dynamic the origin
   Quat<S> rotation = Quat<S>::Identity();      // the shape's axes to the world's
-  Vec3<S> velocity = Vec3<S>::Zero();          // world, metres a second, of `center`
-  Vec3<S> angular_velocity = Vec3<S>::Zero();  // world, radians a second
-  S mass = 0;                                  // kilograms; 0 stands for infinite
+  Vec3<S> velocity = Vec3<S>::Zero();          // world, metres per second, of `center`
+  Vec3<S> angular_velocity = Vec3<S>::Zero();  // world, radians per second
+  S mass = 0;                                  // kilograms; 0 means infinite
   S inverse_mass = 0;
   Mat3<S> inertia = Mat3<S>::Zero();  // about `center`, the shape's axes, kg m^2
   Mat3<S> inverse_inertia = Mat3<S>::Zero();
@@ -43,17 +42,17 @@ struct Body {
 
   bool dynamic() const { return inverse_mass > 0; }
 
-  /// Of the shape.
+  /// Pose of the shape.
   Pose<S> pose() const { return {rotation, center - rotation * local_center}; }
 
-  /// Puts the shape there.
+  /// Places the shape at a pose.
   void place(const Pose<S>& pose) {
     rotation = pose.rotation;
     center = pose.transform(local_center);
   }
 };
 
-/// At rest; `properties` are those of its shape, mass > 0.
+/// A body at rest with the `properties` of its shape, mass > 0.
 template <class S>
 Body<S> dynamic_body(const Pose<S>& pose, const MassProperties& properties) {
   const Mat3<double> inverse = properties.inertia.inverse();
@@ -67,7 +66,7 @@ Body<S> dynamic_body(const Pose<S>& pose, const MassProperties& properties) {
   return body;
 }
 
-/// At rest, of infinite mass.
+/// A body at rest with infinite mass.
 template <class S>
 Body<S> static_body(const Pose<S>& pose) {
   Body<S> body;
@@ -75,8 +74,7 @@ Body<S> static_body(const Pose<S>& pose) {
   return body;
 }
 
-/// Of a scripted body: the constant velocities that carry it from `from` to `to` in `dt` seconds,
-/// the shortest way round.
+/// Sets the velocities that move a scripted body from `from` to `to` in `dt` seconds.
 template <class S>
 void set_scripted_velocity(Body<S>& body, const Pose<double>& from, const Pose<double>& to,
                            double dt) {
@@ -89,7 +87,7 @@ void set_scripted_velocity(Body<S>& body, const Pose<double>& from, const Pose<d
   body.angular_velocity = angular.cast<S>();
 }
 
-/// About `center`, world, kg m^2 / s; 0 of bodies that are not dynamic.
+/// About `center`, world, kg m^2 / s; 0 for bodies that are not dynamic.
 template <class S>
 Vec3d angular_momentum(const Body<S>& body) {
   const Quatd rotation = body.rotation.template cast<double>();
@@ -98,7 +96,7 @@ Vec3d angular_momentum(const Body<S>& body) {
   return rotation * momentum;
 }
 
-/// Joules; 0 of bodies that are not dynamic.
+/// Joules; 0 for bodies that are not dynamic.
 template <class S>
 double kinetic_energy(const Body<S>& body) {
   const Vec3d velocity = body.velocity.template cast<double>();
@@ -107,7 +105,7 @@ double kinetic_energy(const Body<S>& body) {
          0.5 * turning.dot(angular_momentum(body));
 }
 
-/// Joules against `gravity` (metres a second, a second), 0 at the origin.
+/// Joules for `gravity` in m/s^2, 0 at the origin.
 template <class S>
 double potential_energy(const Body<S>& body, const Vec3d& gravity) {
   return -static_cast<double>(body.mass) * gravity.dot(body.center.template cast<double>());

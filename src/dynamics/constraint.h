@@ -7,41 +7,40 @@
 #include "core/at.h"
 #include "dynamics/solver.h"
 
-/// The constraints of a step, and what they keep for the next one. Warm starting: Gregorius 2015,
-/// "Contact IDs"; Catto 2006, "Fast and Simple Physics using Sequential Impulses". A manifold is made
-/// anew in each frame; a point that has the id of a point before is the same point, and begins with
-/// what that one ended with.
+/// Constraints of a step, and the impulses kept for the next one. Warm starting: Gregorius 2015,
+/// "Contact IDs"; Catto 2006, "Fast and Simple Physics using Sequential Impulses". Each frame makes
+/// a new manifold. A point with an earlier point's id starts with its last impulses.
 namespace contactscope {
 
-/// A body during one step of the solver. Where it is stands as how far it has come since the step
-/// began: far from the origin a coordinate has no room for what a sub-step adds, the way has.
+/// A body during one step of the solver. Its position is its displacement since the step began: far
+/// from the origin, coordinates cannot resolve the motion of a sub-step; the displacement can.
 template <class S>
 struct SolverBody {
-  Body<S> body;                                     // `center` is that of the beginning
+  Body<S> body;                                     // `center` is that at the beginning of the step
   Vec3<S> moved = Vec3<S>::Zero();                  // of the centre since then, metres
-  Mat3<S> inverse_inertia_world = Mat3<S>::Zero();  // at the rotation of the moment
-  bool stirred = false;                             // by a bounce of this sub-step
+  Mat3<S> inverse_inertia_world = Mat3<S>::Zero();  // at the current rotation
+  bool stirred = false;                             // by a bounce in this sub-step
 
-  /// Brings the world's inertia up to the rotation.
+  /// Updates the world inertia to the current rotation.
   void turn_inertia() {
     if (!body.dynamic()) return;
     const Mat3<S> axes = body.rotation.toRotationMatrix();
     const Mat3<S> half = axes * body.inverse_inertia;
     inverse_inertia_world = half * axes.transpose();
   }
-  /// An impulse (newton seconds, world) that acts at `arm` from the centre of mass.
+  /// Applies an impulse (newton seconds, world) at `arm` from the centre of mass.
   void apply_impulse(const Vec3<S>& impulse, const Vec3<S>& arm) {
     body.velocity += body.inverse_mass * impulse;
     const Vec3<S> torque = arm.cross(impulse);
     body.angular_velocity += inverse_inertia_world * torque;
   }
-  /// By Cayley's rotation of twice `half_turn` (radians, world).
+  /// Turns by Cayley's rotation of twice `half_turn` (radians, world).
   void turn(const Vec3<S>& half_turn) {
     body.rotation = Quat<S>(S(1), half_turn.x(), half_turn.y(), half_turn.z()) * body.rotation;
     body.rotation.normalize();
   }
-  /// Moves a dynamic body by `offset`, metres, and turns it by `turned`, radians, both world. Its
-  /// momenta about its centre stay what they are.
+  /// Moves a dynamic body by `offset`, metres, and turns it by `turned`, radians, both world. Keeps
+  /// its momenta about its centre.
   void displace(const Vec3<S>& offset, const Vec3<S>& turned) {
     if (!body.dynamic()) return;
     moved += offset;
@@ -54,31 +53,30 @@ struct SolverBody {
   }
 };
 
-/// What the solver keeps of one contact point during a step. Impulses are newton seconds on b; a has
-/// the opposite.
+/// Data of one contact point during a step. Impulses are newton seconds on b; a gets the opposite.
 template <class S>
 struct ConstraintPoint {
-  Vec3<S> arm_a, arm_b;  // from the centres of mass to where impulses act, world; see follow()
-  // When the step began: from the centres of mass to the cores (the centre of a ball, the axis of a
-  // capsule, of hulls the point itself), world, and in the bodies' own axes; and from there on to the
-  // point, metres along the normal.
+  Vec3<S> arm_a, arm_b;  // from the centres of mass to the points of action, world; see follow()
+  // When the step began: from the centres of mass to the cores (a ball's centre, a capsule's axis,
+  // a hull's contact point), in world axes and in the bodies' own axes; and the distance from there
+  // to the point, metres along the normal.
   Vec3<S> core_a, core_b;
   Vec3<S> anchor_a, anchor_b;
   S reach_a = 0, reach_b = 0;
   S separation_began = 0;  // metres along the normal, when the step began
-  S separation = 0;        // where the bodies are now; see update_separations
+  S separation = 0;        // at the current poses; see update_separations
   S normal_mass = 0;       // kg
   S tangent_mass = 0;      // kg, along the tangent that yields most
   S approach = 0;          // relative velocity along the normal when the sub-step began, m/s
-  S bounce = 0;  // velocity that it leaves with, m/s, or may close with (< 0); see bounce()
+  S bounce = 0;  // separating velocity, m/s, or limit of the closing one (< 0); see bounce()
   S position_target = 0;  // separation that position correction leaves, metres
 
   S normal_impulse = 0;  // of this sub-step, never negative
   S friction_u = 0;      // along the tangents
   S friction_v = 0;
-  S position_impulse = 0;  // kg m, of the position correction of this sub-step
+  S position_impulse = 0;  // kg m, by the position correction of this sub-step
 
-  S warm_start = 0;    // along the normal, over the whole step, if nothing had changed
+  S warm_start = 0;    // along the normal, over the whole step, if unchanged
   S total_normal = 0;  // over the whole step
   S total_u = 0;
   S total_v = 0;
@@ -87,17 +85,17 @@ struct ConstraintPoint {
   FeatureId id;
 };
 
-/// The points of one manifold.
+/// Constraints of the points of one manifold.
 template <class S>
 struct ContactConstraint {
   int a = 0, b = 0;                                                    // bodies
-  int pair = 0;                                                        // whose manifold it is
+  int pair = 0;                                                        // index of the pair
   Vec3<S> normal = Vec3<S>::UnitY();                                   // unit, from a to b
-  Vec3<S> tangent_u = Vec3<S>::UnitX(), tangent_v = Vec3<S>::UnitZ();  // unit, at right angles
+  Vec3<S> tangent_u = Vec3<S>::UnitX(), tangent_v = Vec3<S>::UnitZ();  // unit, perpendicular
   Vec3<S> normal_began = Vec3<S>::UnitY();                             // when the step began
-  Vec3<S> moved = Vec3<S>::Zero();  // of b against a, at follow()
-  S share_a = 0;        // of the gap between the ends of two arms, closed by a's; see follow()
-  S core_distance = 0;  // of two round shapes when the step began, metres; 0 of others
+  Vec3<S> moved = Vec3<S>::Zero();  // of b relative to a, at follow()
+  S share_a = 0;        // of the gap between the arms' ends, closed by a's; see follow()
+  S core_distance = 0;  // between two round shapes when the step began, metres; else 0
   S friction = 0;
   S restitution = 0;
   std::vector<ConstraintPoint<S>> points;
@@ -116,15 +114,15 @@ struct BodyPair {
 
   S inverse_mass() const { return a.body.inverse_mass + b.body.inverse_mass; }
 
-  /// Gregorius 2015, "Recap: Solving Contact (2)": v2 + w2 x r2 - v1 - w1 x r1, metres a second. Along
-  /// the normal from a to b, negative closes the contact and positive opens it.
+  /// Gregorius 2015, "Recap: Solving Contact (2)": v2 + w2 x r2 - v1 - w1 x r1, metres per second.
+  /// Along the normal from a to b, negative values close the contact.
   Vec3<S> velocity_at(const ConstraintPoint<S>& point) const {
     const Vec3<S> of_a = a.body.velocity + a.body.angular_velocity.cross(point.arm_a);
     const Vec3<S> of_b = b.body.velocity + b.body.angular_velocity.cross(point.arm_b);
     return of_b - of_a;
   }
-  /// Gregorius 2015, "Recap: Solving Contact (3)": an impulse on b (newton seconds, world), and the
-  /// opposite on a. Infinite masses feel nothing.
+  /// Gregorius 2015, "Recap: Solving Contact (3)": applies an impulse (newton seconds, world) to b
+  /// and its opposite to a. Infinite masses do not react.
   void push(const ConstraintPoint<S>& point, const Vec3<S>& impulse) const {
     a.apply_impulse(Vec3<S>(-impulse), point.arm_a);
     b.apply_impulse(impulse, point.arm_b);
@@ -141,8 +139,8 @@ void for_each_point(std::span<SolverBody<S>> bodies, std::vector<ContactConstrai
   }
 }
 
-/// Each point begins with the impulse of its id; new points begin with zero. Where one id stands
-/// several times, the first goes to the first. Friction is turned into the new contact plane.
+/// Gives each point the impulse of its id, and zero to new points. Points with the same id are
+/// matched in order. Friction is rotated into the new contact plane.
 template <class S>
 void recall_impulses(const PairImpulses<S>& kept, ContactConstraint<S>& contact, int substeps) {
   std::vector<bool> taken(kept.size(), false);
@@ -160,7 +158,7 @@ void recall_impulses(const PairImpulses<S>& kept, ContactConstraint<S>& contact,
   }
 }
 
-/// Appends what the points of `contact` got.
+/// Appends the impulses of the points of `contact`.
 template <class S>
 void keep_impulses(const ContactConstraint<S>& contact, PairImpulses<S>& kept) {
   const auto along_plane = [&](S u, S v) -> Vec3<S> {
@@ -172,8 +170,8 @@ void keep_impulses(const ContactConstraint<S>& contact, PairImpulses<S>& kept) {
                     along_plane(point.total_u, point.total_v), point.warm_start});
 }
 
-/// How much relative velocity along the unit vector `v` one newton second along `u` makes there by
-/// turning the bodies, 1/kg.
+/// Relative velocity along the unit vector `v` that one newton second along `u` causes at the point
+/// by rotation of the bodies, 1/kg.
 template <class S>
 S turned_along(const BodyPair<S>& bodies, const ConstraintPoint<S>& point, const Vec3<S>& u,
                const Vec3<S>& v) {
@@ -182,16 +180,16 @@ S turned_along(const BodyPair<S>& bodies, const ConstraintPoint<S>& point, const
   return turned_a.dot(point.arm_a.cross(v)) + turned_b.dot(point.arm_b.cross(v));
 }
 
-/// The same along `direction` itself, by moving the bodies as well.
+/// The same along `direction` itself, including the bodies' translation.
 template <class S>
 S inverse_effective_mass(const BodyPair<S>& bodies, const ConstraintPoint<S>& point,
                          const Vec3<S>& direction) {
   return bodies.inverse_mass() + turned_along(bodies, point, direction, direction);
 }
 
-/// The larger eigenvalue of how the two tangents yield, 1/kg. Friction that is corrected by no more
-/// than this one allows meets its end where it opposes the slip; with one for each tangent, it would
-/// end beside that direction wherever a body yields more one way than the other.
+/// Larger eigenvalue of the inverse effective mass in the contact plane, 1/kg. Friction that uses
+/// it for both tangents converges to the direction against the slip. With one mass per tangent it
+/// would end off that direction for bodies that yield unequally.
 template <class S>
 S most_yielding(const BodyPair<S>& bodies, const ConstraintPoint<S>& point, const Vec3<S>& u,
                 const Vec3<S>& v) {
@@ -202,9 +200,8 @@ S most_yielding(const BodyPair<S>& bodies, const ConstraintPoint<S>& point, cons
   return mean + std::sqrt(half * half + uv * uv);
 }
 
-/// Whether a point ahead is reached before the bodies have slid past each other by a few times
-/// `margin` (metres). Otherwise its plane may not be there any more, and would stop a ball that flies
-/// past an edge.
+/// Whether a separated point is reached before the bodies have slid past each other by a few times
+/// `margin` (metres). Else its plane may have ended, and would stop a ball that flies past an edge.
 template <class S>
 bool is_met_head_on(const BodyPair<S>& bodies, const ConstraintPoint<S>& point,
                     const Vec3<S>& normal, S margin) {
@@ -222,8 +219,8 @@ ConstraintPoint<S> prepare_point(const BodyPair<S>& bodies, const ContactConstra
   ConstraintPoint<S> point;
   point.arm_a = found.position - a.center;
   point.arm_b = found.position - b.center;
-  // Points of two round shapes lie midway between the surfaces; of one, where they lie along the
-  // normal does not matter.
+  // Points of two round shapes are midway between the surfaces. For one round shape, their place
+  // along the normal does not matter.
   if (pair.round_a > S(0)) point.reach_a = pair.round_a + S(0.5) * found.separation;
   if (pair.round_b > S(0)) point.reach_b = -pair.round_b - S(0.5) * found.separation;
   point.core_a = point.arm_a - point.reach_a * contact.normal;
@@ -237,9 +234,9 @@ ConstraintPoint<S> prepare_point(const BodyPair<S>& bodies, const ContactConstra
   return point;
 }
 
-/// The share of the gap between the ends of two arms that a's arm closes, see follow(). A point stays where
-/// it is on a round shape, for an arm off the normal would set a ball spinning, and on the lighter of other
-/// bodies, whose corner it mostly is.
+/// Share of the gap between two arms' ends that a's arm closes, see follow(). The point stays fixed
+/// on a round shape, because an arm off the normal would make a ball spin, and else on the lighter
+/// body, whose corner it usually is.
 template <class S>
 S share_of_a(const BodyPair<S>& bodies, const PairContacts<S>& pair) {
   const bool round_a = pair.round_a > S(0), round_b = pair.round_b > S(0);
@@ -248,10 +245,9 @@ S share_of_a(const BodyPair<S>& bodies, const PairContacts<S>& pair) {
   return bodies.b.body.inverse_mass / bodies.inverse_mass();
 }
 
-/// Constraints from contacts: arms, tangents, effective masses, and where warm starting is on what
-/// `kept` (one a pair) holds of the step before. Pairs without a dynamic body, points that are not
-/// finite, and points ahead that are not met head-on are left out. In the order of pairs, manifolds,
-/// points.
+/// Constraints from contacts: arms, tangents, effective masses and, for warm starting, the impulses
+/// of the previous step in `kept` (one per pair). Skips pairs without a dynamic body, points that
+/// are not finite, and separated points that are not met head-on. Keeps the order.
 template <class S>
 std::vector<ContactConstraint<S>> prepare_contacts(std::span<SolverBody<S>> bodies,
                                                    std::span<const PairContacts<S>> pairs,
@@ -292,10 +288,10 @@ std::vector<ContactConstraint<S>> prepare_contacts(std::span<SolverBody<S>> bodi
   return contacts;
 }
 
-/// Takes the angular momentum (kg m^2 / s, world) back that two dynamic bodies have gained because their
-/// centres were moved: the larger their distance, the slower they turn about each other.
-/// Opposite impulses at the centres, across the line between these, do most of it, and set nothing
-/// spinning; what is left, along that line, turns what is not round.
+/// Removes the angular momentum (kg m^2 / s, world) that two dynamic bodies gained because their
+/// centres were moved: the larger their distance, the slower they turn about each other. Most is
+/// removed by opposite impulses at the centres, across the line between them, which add no spin.
+/// The rest, along that line, turns the bodies that are not round.
 template <class S>
 void take_back(const BodyPair<S>& bodies, const ContactConstraint<S>& contact,
                const Vec3<S>& gained) {
@@ -316,13 +312,13 @@ void take_back(const BodyPair<S>& bodies, const ContactConstraint<S>& contact,
       (S(1) - contact.share_a) * (bodies.b.inverse_inertia_world * along);
 }
 
-/// The separation of a point where the bodies are now: what it was, and by how much that of the cores has grown
-/// along the normal since.
+/// Separation of a point at the current poses: the one at the beginning, plus the growth of the
+/// cores' separation along the normal since then.
 template <class S>
 S separation_now(const BodyPair<S>& bodies, const ContactConstraint<S>& contact,
                  const ConstraintPoint<S>& point) {
   const SolverBody<S>&a = bodies.a, &b = bodies.b;
-  // Each is how far the anchor has come; differences of small ways, never of places.
+  // Displacements of the anchors, from small differences, never from positions.
   const Vec3<S> of_a = a.moved + (a.body.rotation * point.anchor_a - point.core_a);
   const Vec3<S> of_b = b.moved + (b.body.rotation * point.anchor_b - point.core_b);
   S separation = point.separation_began + (of_b - of_a).dot(contact.normal);
@@ -331,10 +327,10 @@ S separation_now(const BodyPair<S>& bodies, const ContactConstraint<S>& contact,
   return separation;
 }
 
-/// Turns the normal of two round shapes with the line through their cores, and lets the arms meet in
-/// one point again after the bodies have slid past each other: only so do an impulse and its opposite
-/// keep angular momentum. Arms do not turn with the bodies within a step (Catto 2024, "Solver2D": arms
-/// of the Jacobian are fixed), so a ball rolls on its lowest point.
+/// Turns the normal of two round shapes with the line through their cores. After the bodies have
+/// slid past each other, makes the arms meet in one point again: only then do an impulse and its
+/// opposite keep angular momentum. Arms do not turn with the bodies within a step (Catto 2024,
+/// "Solver2D": arms of the Jacobian are fixed), so a ball rolls on its lowest point.
 template <class S>
 void follow(const BodyPair<S>& bodies, ContactConstraint<S>& contact) {
   const Vec3<S> moved = bodies.b.moved - bodies.a.moved;
@@ -342,7 +338,7 @@ void follow(const BodyPair<S>& bodies, ContactConstraint<S>& contact) {
   contact.moved = moved;
   const Vec3<S> cores = contact.core_distance * contact.normal_began + moved;
   const S distance = cores.norm();
-  // Cores that have come much nearer, or past each other, have lost the direction they had.
+  // Cores that have come much nearer, or have passed each other, have lost their direction.
   if (contact.core_distance > S(0) && distance > S(0.5) * contact.core_distance) {
     const Vec3<S> before = contact.normal;
     contact.normal = cores / distance;

@@ -18,15 +18,15 @@
 namespace contactscope {
 namespace {
 
-/// Box2D allows as many sub-steps of a contact in one step.
+/// Box2D allows the same number of sub-steps per contact and step.
 constexpr int kMostStopsOfAPair = 8;
 
-/// How a body goes through what is left of the step.
+/// Motion of a body through the rest of the step.
 template <class S>
 struct Path {
   S from = 0;  // fraction of the step
   Sweep<S> rest;
-  bool stays = false;  // until the next step, whatever meets it
+  bool stays = false;  // until the next step, whatever hits it
 
   Sweep<S> since(S time) const {
     const S part = (time - from) / (S(1) - from);
@@ -43,8 +43,8 @@ bool finite(const Body<S>& body) {
   return body.center.allFinite() && body.rotation.coeffs().allFinite();
 }
 
-/// From one pose of a body to another. Of all turns that lead there the one that its spin is nearest
-/// to, so that what turns by more than half a turn in a step is seen all the way.
+/// From one pose of a body to another. Chooses the rotation closest to the body's spin, so that
+/// turns of more than half a circle per step are kept.
 template <class S>
 Sweep<S> sweep_of_step(const Body<S>& before, const Body<S>& after, S dt) {
   Sweep<S> sweep{before.pose(), before.local_center, after.center - before.center, Vec3<S>::Zero()};
@@ -61,15 +61,14 @@ Sweep<S> sweep_of_step(const Body<S>& before, const Body<S>& after, S dt) {
   return sweep;
 }
 
-/// The next impact of two bodies, or where the search came to no end: up to there they are apart for
-/// certain.
+/// The next impact of two bodies, or the time up to which the search proved them separated.
 template <class S>
 struct Meeting {
   int a = 0, b = 0;
   S time = 0;  // fraction of the step
   Vec3<S> normal = Vec3<S>::UnitX();
   Vec3<S> point = Vec3<S>::Zero();
-  S lacking = 0;  // metres by which the cores are nearer than they may stay
+  S lacking = 0;  // metres by which the cores are closer than allowed
 
   auto key() const { return std::tuple(time, a, b); }
 };
@@ -87,7 +86,7 @@ class Stopper {
         settings_(settled(settings, bodies)),
         dt_(dt) {
     for (int i = 0; i < count_of(bodies); ++i) {
-      // What the solver lost is nowhere, and meets nothing.
+      // Skip bodies whose state is not finite.
       const bool lost = !finite(at(bodies, i)) || !finite(at(before, i));
       paths_.push_back(
           {.from = 0, .rest = lost ? Sweep<S>{} : sweep_of_step(at(before, i), at(bodies, i), dt)});
@@ -135,15 +134,14 @@ class Stopper {
     return !rest.displacement.isZero(S(0)) || !rest.turn.isZero(S(0));
   }
 
-  /// Two bodies that are kept from passing through each other, one of them dynamic, within reach; in
-  /// either order.
+  /// Settings of two bodies in reach, in either order, one of them dynamic; else nullopt.
   std::optional<ContinuousPair<S>> near_pair(int i, int j) const {
     if (!at(bodies_, i).dynamic() && !at(bodies_, j).dynamic()) return std::nullopt;
     if (!overlaps(at(boxes_, i), at(boxes_, j))) return std::nullopt;
     return pair_of_(std::min(i, j), std::max(i, j));
   }
 
-  /// Writes down when two bodies, in either order, meet next.
+  /// Records the next impact of two bodies, in either order.
   void look(int one, int other) {
     const int a = std::min(one, other), b = std::max(one, other);
     if (!moves(a) && !moves(b)) return;
@@ -194,7 +192,7 @@ class Stopper {
     return {a, b, time, meeting.normal, meeting.point, for_good};
   }
 
-  /// What is left of a body's path begins at `time`.
+  /// Restarts a body's path at `time`.
   void cut(int i, S time) {
     Path<S>& path = at(paths_, i);
     if (!at(bodies_, i).dynamic() || !(path.from < time)) return;
@@ -202,8 +200,8 @@ class Stopper {
     path.from = time;
   }
 
-  /// Cores that turn come nearer with each stop, until rounding says that they overlap and nobody
-  /// looks at them any more. A quarter of the gap is as near as they may stay.
+  /// Turning cores come nearer with each stop, until rounding makes them overlap and the search
+  /// skips them. They may come as near as a quarter of the gap.
   static double lacking_of(double distance, double gap) {
     constexpr double kNearest = 0.25, kMovedTo = 0.5;
     return distance < kNearest * gap ? kMovedTo * gap - distance : 0;
@@ -215,9 +213,9 @@ class Stopper {
     at(paths_, meeting.b).rest.start.position += at(bodies_, meeting.b).inverse_mass * way;
   }
 
-  /// The contacts of both bodies and of all that is near them, where they are at `time`, change their
-  /// velocities. Returns both and whose velocity has changed, in order. (A body that is only near must
-  /// give way like any other: taken for infinitely heavy, it would drive them on at its velocity.)
+  /// Solves the contacts of both bodies and of all near them at `time` for their velocities.
+  /// Returns both and all whose velocity has changed, in order. (A body that is only near must
+  /// yield too: with infinite mass it would drive them on at its velocity.)
   std::vector<int> push_apart(int a, int b, S time) {
     std::vector<int> who{a, b};
     for (int other = 0; other < count_of(bodies_); ++other)
@@ -239,7 +237,7 @@ class Stopper {
       for (int j = i + 1; j < count_of(who); ++j) {
         const auto pair = near_pair(at(who, i), at(who, j));
         if (!pair) continue;
-        // As everywhere else, the body that comes first is a.
+        // As everywhere, a is the body with the lower index.
         const int one = at(who, i) < at(who, j) ? i : j, two = i + j - one;
         Manifolds<S>& found = contacts.emplace_back();
         collide(at(shapes_, at(who, one)), at(local, one).pose(), at(shapes_, at(who, two)),
@@ -274,7 +272,7 @@ class Stopper {
   std::map<std::pair<int, int>, int> stops_of_;
 };
 
-/// The shape with its surface moved inward, and by how much that could be.
+/// The shape with its surface moved inward, and the depth that was possible.
 ImpactCore core_of(const Shape<double>& shape, double depth) {
   if (const auto* sphere = std::get_if<Sphere<double>>(&shape)) {
     const double moved = std::min(depth, kLargestCoreShare * sphere->radius);
@@ -295,7 +293,7 @@ const Shape<double>& widened(const Shape<double>& shape) {
   return shape;
 }
 
-/// The same numbers; of a field those of what it was made of.
+/// Casts to double; a field is replaced by its source shape.
 Shape<double> widened(const Shape<float>& shape) {
   if (const auto* field = std::get_if<Field<float>>(&shape)) return widened(field->source->shape);
   const auto* mesh = std::get_if<Mesh<float>>(&shape);
@@ -311,7 +309,7 @@ template <class S>
 std::vector<ImpactCore> impact_cores(const std::vector<Body<S>>& bodies,
                                      const std::vector<Shape<S>>& shapes,
                                      const SolverSettings& settings) {
-  // Bodies rest at about the slop, and are stopped at one and a half of it.
+  // Bodies rest at about the slop, and are stopped at one and a half times that.
   constexpr double kSlops = 3, kLeastShare = 0.005;
   const double slop = settled(settings, bodies).slop.value_or(0);
   std::vector<ImpactCore> cores;

@@ -8,18 +8,17 @@
 #include "dynamics/body.h"
 #include "dynamics/solver_settings.h"
 
-/// Bodies that the solver has moved are stopped where they first meet between two frames, and go on
-/// from there with what the contact leaves them of their velocities: sub-steps by pair (Catto 2013,
-/// "Continuous Collision").
+/// Stops bodies at their first impacts between two frames. They continue from there with the
+/// velocities that the contact leaves them: sub-steps by pair (Catto 2013, "Continuous Collision").
 namespace contactscope {
 
-/// How a body goes on as it moves now, for `dt` seconds.
+/// Motion of a body at its current velocities, for `dt` seconds.
 template <class S>
 Sweep<S> sweep_of(const Body<S>& body, S dt) {
   return {body.pose(), body.local_center, dt * body.velocity, dt * body.angular_velocity};
 }
 
-/// What two bodies are to each other, where they are stopped between frames.
+/// Settings of a pair of bodies that is stopped between frames.
 template <class S>
 struct ContinuousPair {
   ImpactMethod method = ImpactMethod::TimeOfImpact;
@@ -27,42 +26,41 @@ struct ContinuousPair {
   S restitution = 0;
 };
 
-/// Where two bodies were stopped within a step.
+/// A stop of two bodies within a step.
 template <class S>
 struct ImpactStop {
   int a = 0, b = 0;                   // bodies, a < b
   S time = 0;                         // fraction of the step
   Vec3<S> normal = Vec3<S>::UnitX();  // unit, from a to b, world
-  Vec3<S> point = Vec3<S>::Zero();    // of a's surface, world
-  bool for_good = false;              // the last one that the step allows: both stay there
+  Vec3<S> point = Vec3<S>::Zero();    // on a's surface, world
+  bool for_good = false;              // the last stop that the step allows: both stay there
 };
 
-/// What is asked for impacts in place of a body's shape: moved inward, so that bodies that rest on each
-/// other within the solver's slop have not met yet, and those that come fast are stopped before they
-/// overlap by more than that. Static shapes stay as they are: a wall may be thinner than any slop.
-/// In double, whatever the solver computes in: the slop of a small body may be no more than a few
-/// roundings of a float of the wall that it meets.
+/// Shape that replaces a body's shape in impact queries. Its surface is moved inward: bodies that
+/// rest within the solver's slop have not met yet, and fast ones are stopped before they overlap by
+/// more. Static shapes stay as they are: a wall may be thinner than any slop. In double for any
+/// scalar of the solver: a small body's slop may be only a few float roundings of its wall.
 struct ImpactCore {
   Shape<double> shape;
-  double depth = 0;  // metres by which its surface is moved inward
+  double depth = 0;  // metres by which the surface is moved inward
 };
 template <class S>
 std::vector<ImpactCore> impact_cores(const std::vector<Body<S>>& bodies,
                                      const std::vector<Shape<S>>& shapes,
                                      const SolverSettings& settings);
 
-/// What stop_at_impacts() asks: nothing of two bodies that may pass through each other.
+/// Queried by stop_at_impacts(); nullopt for two bodies that may pass through each other.
 template <class S>
 using ContinuousPairs = std::function<std::optional<ContinuousPair<S>>(int a, int b)>;
 
-/// Bodies that a step has moved from where they were `before` to where they are now, in `dt` seconds
-/// (> 0). Of those that meet on the way, the first are put back to where they meet; their contacts there
-/// change their velocities, and they go on for what is left of the step, until no two meet. A pair
-/// that has stopped eight times stays where it is for the rest of the step, so that this ends. `cores`
-/// of the same shapes and settings. Returns the stops in the order of their times.
+/// Stops bodies that a step has moved from `before` to their current poses in `dt` seconds (> 0).
+/// The first two to meet are put back to where they meet. Their contacts there change their
+/// velocities, and they continue for the rest of the step, until no two meet. After eight stops a
+/// pair stays in place for the rest of the step, so this terminates. `cores`: from the same shapes
+/// and settings. Returns the stops in the order of their times.
 ///
-/// A sweep between two poses stands for what the solver's sub-steps did: straight, and turning at a
-/// constant rate. What overlaps already is left to the contacts of the step.
+/// A sweep between two poses approximates the solver's sub-steps: straight, and turning at a
+/// constant rate. Existing overlaps are left to the contacts of the step.
 template <class S>
 std::vector<ImpactStop<S>> stop_at_impacts(std::vector<Body<S>>& bodies,
                                            const std::vector<Body<S>>& before,

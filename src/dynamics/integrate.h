@@ -7,17 +7,17 @@
 
 /// Semi-implicit Euler: first the velocities, then the positions with the new velocities.
 ///
-/// The gyroscopic term belongs to the turning: between impulses a body turns freely, its angular
-/// momentum constant in the world. Source: implicit midpoint rule for the free rigid body (Austin,
+/// The gyroscopic term is part of the rotation: between impulses a body turns freely, with constant
+/// angular momentum in the world. Source: implicit midpoint rule for the free rigid body (Austin,
 /// Krishnaprasad and Wang 1993, "Almost Poisson Integration of Rigid Body Systems"). Catto (GDC
-/// 2015, "Numerical Methods", gyroscopic torques) takes one Newton step of backward Euler instead,
-/// which never blows up but damps a tumbling body; the midpoint costs the same solve and keeps both
+/// 2015, "Numerical Methods", gyroscopic torques) takes one Newton step of backward Euler instead.
+/// It never blows up but damps a tumbling body; the midpoint costs the same solve and keeps both
 /// momentum and energy, up to rounding.
 ///
 /// Steps, in the body's axes, with P = I w and h the step:
 ///   1. the midpoint velocity m: I m - P - h/2 (I m) x m = 0, by Newton from w;
 ///   2. turn by Cayley's rotation of h m, the unit quaternion along (1, h/2 m);
-///   3. the momentum of the world stays, so w' is that momentum through the turned inertia.
+///   3. the momentum in the world stays, so w' is that momentum through the turned inertia.
 namespace contactscope {
 
 template <class S>
@@ -27,21 +27,21 @@ Mat3<S> cross_matrix(const Vec3<S>& v) {
   return m;
 }
 
-/// Angular velocity at the midpoint of a free turn, body's axes.
+/// Angular velocity at the midpoint of a free rotation, body's axes.
 template <class S>
 struct Midpoint {
   Vec3<S> velocity;
-  bool converged = false;  // false: this is the best that Newton came by
+  bool converged = false;  // false: this is Newton's best iterate
 };
 
 template <class S>
 Midpoint<S> midpoint_velocity(const Body<S>& body, const Vec3<S>& w, S h) {
-  constexpr int kMostIterations = 10;  // three or four at a radian a step
+  constexpr int kMostIterations = 10;  // three or four at a radian per step
   const Vec3<S> momentum = body.inertia * w;
   Midpoint<S> best{w};
   S least = std::numeric_limits<S>::infinity();
-  // Newton goes on until rounding stops it: the error that a tolerance leaves would have the
-  // same sign in every step, and add up.
+  // Newton continues until rounding stops it: the error left by a tolerance would have the same
+  // sign in every step, and add up.
   Vec3<S> m = w;
   for (int i = 0; i < kMostIterations; ++i) {
     const Vec3<S> at_m = body.inertia * m;
@@ -62,9 +62,9 @@ Midpoint<S> midpoint_velocity(const Body<S>& body, const Vec3<S>& w, S h) {
   return best;
 }
 
-/// Moves and turns by the velocities for `h` seconds; turns the angular velocity of a dynamic body
-/// as its gyroscopic term demands. Spins beyond what the step can resolve (Newton fails at several
-/// radians a step) keep their momentum as far as that does not add energy.
+/// Moves and turns a body by its velocities for `h` seconds. Turns a dynamic body's angular
+/// velocity by its gyroscopic term. Spins that the step cannot resolve (Newton fails at several
+/// radians per step) keep their momentum, scaled down if that adds energy.
 template <class S>
 void integrate_position(SolverBody<S>& moving, S h) {
   Body<S>& body = moving.body;
@@ -82,8 +82,7 @@ void integrate_position(SolverBody<S>& moving, S h) {
 
   const Vec3<S> turned_momentum = body.rotation.conjugate() * momentum;
   Vec3<S> after = body.inverse_inertia * turned_momentum;
-  // The rounded inverse is off by the same trifle in every step; so corrected, momentum does not
-  // drift.
+  // The rounded inverse has the same small error in every step. This stops a drift of momentum.
   const Vec3<S> lacking = turned_momentum - body.inertia * after;
   after += body.inverse_inertia * lacking;
   if (!middle.converged) {

@@ -7,9 +7,9 @@
 #include "dynamics/body.h"
 #include "field/distance_field.h"
 
-// Sphere and capsule by the formulas of every textbook. A hull is cut into tetrahedra from one of
-// its vertices (Tonon 2004, "Explicit exact formulas for the 3-D tetrahedron inertia tensor"), here
-// by second moments: with corners 0, a, b, c and d = det(a, b, c),
+// Sphere and capsule by the textbook formulas. A hull is cut into tetrahedra from one of its
+// vertices (Tonon 2004, "Explicit exact formulas for the 3-D tetrahedron inertia tensor"), here by
+// second moments: with corners 0, a, b, c and d = det(a, b, c),
 //
 //     volume = d / 6,  integral of x = d / 24 (a + b + c),
 //     integral of x x^T = d / 120 (a a^T + b b^T + c c^T + (a + b + c)(a + b + c)^T).
@@ -45,7 +45,7 @@ void for_each_surface_triangle(const Mesh<S>& mesh, const Visit& visit) {
   for (int t = 0; t < mesh.triangle_count(); ++t) visit(corner(t, 0), corner(t, 1), corner(t, 2));
 }
 
-/// What a surface without holes goes around; with its fronts inside, too.
+/// For the volume inside a closed surface, whichever side is its front.
 template <class Surface>
 MassProperties of_inside(const Surface& surface) {
   MassProperties result;
@@ -89,7 +89,7 @@ std::optional<MassProperties> of_unit_density(const Sphere<S>& sphere) {
   return result;
 }
 
-/// A cylinder and two half balls, whose own centres lie 3/8 r beyond the ends of the axis.
+/// A cylinder and two half balls, whose centroids are 3/8 r beyond the ends of the axis.
 template <class S>
 std::optional<MassProperties> of_unit_density(const Capsule<S>& capsule) {
   const double r = capsule.radius;
@@ -103,8 +103,8 @@ std::optional<MassProperties> of_unit_density(const Capsule<S>& capsule) {
   result.mass = ball + cylinder;
   result.center = 0.5 * (end_a + end_b);
   const double along = (0.4 * ball + 0.5 * cylinder) * r * r;
-  // Both half balls together have the ball's moment about its own centre; each is moved out by
-  // half the length, by the rule of parallel axes from its own centre of mass.
+  // Both half balls together have the ball's moment about its centre; each is moved out by half the
+  // length, by the parallel axis theorem about its own centre of mass.
   const double across = cylinder * (r * r / 4 + length * length / 12) +
                         ball * (0.4 * r * r + length * length / 4 + 0.375 * r * length);
   const Vec3d unit = length > 0 ? Vec3d(axis / length) : Vec3d(Vec3d::UnitY());
@@ -112,12 +112,12 @@ std::optional<MassProperties> of_unit_density(const Capsule<S>& capsule) {
   return result;
 }
 
-/// Of the shape that it is made of; of a mesh by the surface with its holes closed.
+/// Uses the source shape, or for a mesh the surface with its holes closed.
 template <class S>
 std::optional<MassProperties> of_unit_density(const Field<S>& field) {
   if (!std::holds_alternative<Mesh<S>>(field.source->shape))
     return mass_properties(field.source->shape);
-  // Length, volume and moment in cells become metres.
+  // Converts length, volume and moment from cells to metres.
   MassProperties result = of_inside(*field.values->surface());
   const double volume = field.cell * field.cell * field.cell;
   result.mass *= volume;
@@ -126,7 +126,7 @@ std::optional<MassProperties> of_unit_density(const Field<S>& field) {
   return result;
 }
 
-/// Of planes and meshes.
+/// Planes and meshes.
 template <class Massless>
 std::optional<MassProperties> of_unit_density(const Massless&) {
   return std::nullopt;
@@ -148,9 +148,9 @@ MassProperties with_mass(const MassProperties& properties, double mass) {
 
 double shortest_edge(double mass, const Mat3<double>& inertia) {
   // A box with the edges p <= q <= r has the moments m/12 (q^2 + r^2), m/12 (p^2 + r^2) and
-  // m/12 (p^2 + q^2), the first of which is the largest.
+  // m/12 (p^2 + q^2). The first is the largest.
   const Eigen::SelfAdjointEigenSolver<Mat3<double>> solver(inertia, Eigen::EigenvaluesOnly);
-  const Vec3d moments = solver.eigenvalues();  // rising
+  const Vec3d moments = solver.eigenvalues();  // ascending
   return std::sqrt(std::max(0.0, 6 / mass * (moments.x() + moments.y() - moments.z())));
 }
 

@@ -9,28 +9,28 @@
 
 namespace contactscope {
 
-// Sweeps over the points of one manifold: its bodies are moved by what these come to. The corners of
-// a box leave a hundredth of the difference between each other.
+// Sweeps over the points of one manifold before its bodies move. They reduce the differences
+// between the corners of a box to a hundredth.
 inline constexpr int kManifoldSweeps = 8;
-// Radians that one manifold turns a body by in one sweep. What a turn does to separations is known
-// to its first order alone; the square of this is left for the next sweep.
+// Largest turn of a body by one manifold in one sweep, radians. Separations are linear in the turn
+// only to first order; the error, its square, is left for the next sweep.
 inline constexpr double kMostTurn = 0.1;
 
-/// A way that a manifold wants its bodies to go, and what it does to a point.
+/// Relative displacement of a manifold's bodies.
 template <class S>
 struct Displacement {
-  S apart = 0;  // metres along the normal, of both centres
+  S apart = 0;  // of the centres along the normal, metres
   Vec3<S> turn_a = Vec3<S>::Zero(), turn_b = Vec3<S>::Zero();  // radians, world
 };
 
-/// One point where the bodies are now.
+/// One point at the bodies' current poses.
 template <class S>
 struct ProjectedPoint {
   Vec3<S> lever_a, lever_b;    // arm x normal
   Vec3<S> turned_a, turned_b;  // by the inverse inertia
   S separation = 0;
   S inverse_mass = 0;  // 1/kg
-  S impulse = 0;       // kg m, beyond what the sweeps before gave
+  S impulse = 0;       // kg m, in addition to the sweeps before
 
   S separation_after(const Displacement<S>& way) const {
     return separation + way.apart + lever_b.dot(way.turn_b) - lever_a.dot(way.turn_a);
@@ -96,21 +96,20 @@ void project_manifold(const BodyPair<S>& bodies, ContactConstraint<S>& contact,
 }
 
 /// Position projection: Gregorius 2015, "Recap: Solving Contact (4)": "run a full solver sweep over
-/// the contacts again, but now solving the position error directly". Nothing that is pushed out flies
-/// on: velocities change only as angular momentum demands.
+/// the contacts again, but now solving the position error directly". Pushed bodies do not fly on:
+/// velocities change only to keep angular momentum.
 ///
-/// Sweeps; each a nonlinear Gauss-Seidel step (Catto 2006, "Nonlinear position correction"), manifold
-/// by manifold. Steps of each:
-///   1. where its points are now, and their effective masses there;
-///   2. pushes that leave each point its target, by sweeps over the points with what they
-///      do to each other taken as linear. What a point has pushed so far is summed and held at zero,
-///      so that a later point that lifts the body too lets an earlier one take back its share;
-///   3. the bodies are moved and turned once, by what all points come to, and by no more than a tenth
-///      of a radian.
-/// Catto moves the bodies point by point, and never by more than 20 cm. But turns do not commute: of a
-/// box deep in a floor each corner turns it, and though the turns add up to none, going through them
-/// leaves it turned about the vertical. With one turn for a manifold, what is symmetric stays so, and
-/// a limit of the turn has no length in it.
+/// Each sweep is a nonlinear Gauss-Seidel step (Catto 2006, "Nonlinear position correction"),
+/// manifold by manifold. Steps for each:
+///   1. compute its points and their effective masses at the current poses;
+///   2. find pushes that give each point its target, by sweeps over the points that treat their
+///      effect on each other as linear. A point's summed push is held at zero or above, so an
+///      earlier point can give back its share when a later one lifts the body too;
+///   3. move and turn the bodies once, by the sum over all points, by at most a tenth of a radian.
+/// Catto moves the bodies point by point, by at most 20 cm. But rotations do not commute: each
+/// corner of a box deep in a floor turns it, and though the turns add up to zero, they leave it
+/// turned about the vertical. One turn per manifold keeps symmetry, and a limit of the turn needs
+/// no length.
 template <class S>
 void project_positions(std::span<SolverBody<S>> bodies, std::vector<ContactConstraint<S>>& contacts,
                        int iterations) {
@@ -120,10 +119,10 @@ void project_positions(std::span<SolverBody<S>> bodies, std::vector<ContactConst
       project_manifold(BodyPair<S>(bodies, contact), contact, points);
 }
 
-/// After the velocities have moved the bodies for a sub-step of `h` seconds: works overlaps off as the
-/// settings say. Projection leaves every point the slop. Of Baumgarte's share it moves the bodies by
-/// what the push speed kept from the velocities (Catto 2006, "Split Impulses": it is no momentum), and
-/// all points that want less are held where the velocities have brought them.
+/// Reduces overlaps as `settings` say, after the velocities have moved the bodies for a sub-step of
+/// `h` seconds. Projection leaves each point the slop. Baumgarte moves the bodies by the part of
+/// its share above the push speed, without momentum (Catto 2006, "Split Impulses"). All points that
+/// need less are held where the velocities have brought them.
 template <class S>
 void correct_positions(std::span<SolverBody<S>> bodies, std::vector<ContactConstraint<S>>& contacts,
                        const SolverSettings& settings, S h) {

@@ -11,7 +11,7 @@
 namespace contactscope {
 namespace {
 
-/// The contact plane, from the middle of the points.
+/// The contact plane, with the mean of the points as origin.
 PlaneFrame<double> contact_plane(std::span<const Vec3d> points, const Vec3d& normal) {
   Vec3d middle = Vec3d::Zero();
   for (const Vec3d& point : points) middle += (point - points[0]) / double(points.size());
@@ -21,10 +21,10 @@ PlaneFrame<double> contact_plane(std::span<const Vec3d> points, const Vec3d& nor
 struct BorderPoint {
   double distance = std::numeric_limits<double>::infinity();
   std::size_t edge = 0;  // from corner `edge` to the next
-  bool corner = false;   // an end of it is nearest
+  bool corner = false;   // the nearest point is an end of it
 };
 
-/// No nearer to zero than rounding lets it be.
+/// Rounds margins within rounding to zero.
 double beyond_rounding(double margin, double rounding) {
   return std::abs(margin) <= rounding ? 0 : margin;
 }
@@ -62,7 +62,7 @@ std::array<Vec2d, 2> ends_of(const std::vector<Vec2d>& corners) {
   return ends;
 }
 
-/// How far the corners are from a line at most.
+/// Largest distance of the corners from a line.
 double width_of(const std::vector<Vec2d>& corners, const std::array<Vec2d, 2>& ends) {
   const Vec2d along = ends[1] - ends[0];
   double width = 0;
@@ -127,7 +127,7 @@ trace::Stability rest_of(const trace::Pair& pair, const std::string& shape,
     for (const trace::Point& point : manifold.points) points.push_back(point.position);
     normal += static_cast<double>(manifold.points.size()) * manifold.normal;
   }
-  // Opposite normals cancel; then any of them serves.
+  // If opposite normals cancel, use any of them.
   if (normal.norm() > 0.5)
     normal.normalize();
   else if (!pair.manifolds.empty())

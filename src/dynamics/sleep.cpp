@@ -107,8 +107,8 @@ void solve_awake(std::vector<Body<S>>& bodies, std::span<const PairContacts<S>> 
                  std::vector<PairImpulses<S>>& impulses, const Vec3<S>& gravity,
                  const SolverSettings& settings, S dt, const Sleepers<S>& sleepers) {
   const SolverSettings of_all = settled(settings, bodies);
-  std::vector<int> awake;                     // bodies that the step is of
-  std::vector<int> place(bodies.size(), -1);  // of each body among them
+  std::vector<int> awake;                     // bodies in the step
+  std::vector<int> place(bodies.size(), -1);  // of each body in `awake`
   for (int i = 0; i < count_of(bodies); ++i) {
     if (sleepers.asleep(i)) continue;
     at(place, i) = count_of(awake);
@@ -124,7 +124,7 @@ void solve_awake(std::vector<Body<S>>& bodies, std::span<const PairContacts<S>> 
   std::vector<PairImpulses<S>> given;
   for (std::size_t p = 0; p < pairs.size(); ++p) {
     const PairContacts<S>& pair = pairs[p];
-    // A body that sleeps touches nobody who is awake: it would be awake too.
+    // Sleeping bodies touch no awake dynamic body, else they would be awake too.
     if (at(place, pair.a) < 0 || at(place, pair.b) < 0) continue;
     acting.push_back(p);
     contacts.push_back(pair);

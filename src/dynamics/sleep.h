@@ -5,15 +5,14 @@
 
 #include "dynamics/solver.h"
 
-/// Bodies that rest are left where they are, until something that moves touches them. Whether they may
-/// is decided for an island at a time, that is for all dynamic bodies that contacts join: one of them
-/// alone would fall asleep under a stack that still sways. Sources: Catto 2023, "Simulation Islands"
-/// (union-find, and that an island wakes as a whole); NVIDIA 2024, "PhysX 5: Rigid Body Dynamics,
-/// Sleeping" (that what counts is the kinetic energy of a kilogram, so that no extent is needed).
+/// Resting bodies stay in place until a moving one touches them. This is decided per island, all
+/// dynamic bodies that contacts join: a body alone would fall asleep under a stack that still
+/// sways. Sources: Catto 2023, "Simulation Islands" (union-find, islands wake as a whole); NVIDIA
+/// 2024, "PhysX 5: Rigid Body Dynamics, Sleeping" (energy per kilogram, which needs no extent).
 ///
-/// Steps: the contacts where the bodies are now join islands; an island wakes when one of its bodies is
-/// awake or is touched by something that a script moves; awake bodies are solved; an island of which
-/// no body was faster than `sleep_speed` for `sleep_after` seconds falls asleep, its velocities zero.
+/// Steps: the contacts at the current poses join islands; an island wakes when one of its bodies is
+/// awake or touches a moving scripted body; awake bodies are solved; an island whose bodies all had
+/// at most `sleep_speed` for `sleep_after` seconds falls asleep at rest.
 namespace contactscope {
 
 /// Two bodies that share contact points.
@@ -21,7 +20,7 @@ struct Touch {
   int a = 0, b = 0;
 };
 
-/// Union-find with path halving. An island is named by its lowest body.
+/// Union-find with path halving. An island's id is its lowest body.
 class Islands {
  public:
   explicit Islands(int bodies);
@@ -32,22 +31,22 @@ class Islands {
   std::vector<int> parents_;
 };
 
-/// Who sleeps. A value: a copy goes on by itself.
+/// Sleep state of all bodies. Copies are independent.
 template <class S>
 class Sleepers {
  public:
-  /// Nobody ever sleeps.
+  /// Sleeping is off.
   Sleepers() = default;
-  /// All are awake; nobody ever sleeps where `settings`, settled(), have no `sleep_after`.
+  /// All bodies start awake. Sleeping is off if `settings`, settled(), have no `sleep_after`.
   Sleepers(const std::vector<Body<S>>& bodies, const SolverSettings& settings);
 
   bool may_sleep() const { return !still_.empty(); }
   bool asleep(int body) const { return may_sleep() && at(asleep_, body); }
 
-  /// Before a step: wakes islands as said above. `touches` are all that there are, of sleeping bodies too,
-  /// `bodies` have the velocities of what a script moves. Returns whether anybody woke.
+  /// Before a step: wakes islands as described above. `touches` includes sleeping bodies, `bodies`
+  /// the velocities of scripted ones. Returns whether any body woke.
   bool wake(const std::vector<Body<S>>& bodies, std::span<const Touch> touches);
-  /// That body was hit in the middle of a step; its island follows in the next.
+  /// Wakes a body that was hit within a step; its island follows in the next step.
   void wake(int body);
   /// After a step of `dt` seconds: puts islands to sleep.
   void settle(std::vector<Body<S>>& bodies, std::span<const Touch> touches, double dt);
@@ -56,18 +55,17 @@ class Sleepers {
   bool rests(double seconds) const { return seconds > 0 && seconds >= after_; }
   Islands join(const std::vector<Body<S>>& bodies, std::span<const Touch> touches) const;
 
-  double speed_ = 0, after_ = 0;  // metres a second, seconds
-  std::vector<bool> asleep_;      // one a body, as the next
-  std::vector<double> still_;     // seconds for which it has been no faster than `speed_`
+  double speed_ = 0, after_ = 0;  // metres per second, seconds
+  std::vector<bool> asleep_;      // one per body, like the next
+  std::vector<double> still_;     // seconds for which it has not been faster than `speed_`
 };
 
-/// How fast the kilograms of a dynamic body are, in the root mean square, metres a second: what its
-/// velocity and its spin come to together.
+/// Root mean square speed over a dynamic body's mass, from velocity and spin, metres per second.
 template <class S>
 double mean_speed(const Body<S>& body);
 
-/// solve_step() of all bodies that are awake. Others stay where they are, and the impulses between them
-/// what they were. The same bits as solve_step() where nobody sleeps.
+/// solve_step() for all awake bodies. Sleeping bodies stay in place, and the impulses between them
+/// are kept. Bit for bit solve_step() if no body sleeps.
 template <class S>
 void solve_awake(std::vector<Body<S>>& bodies, std::span<const PairContacts<S>> pairs,
                  std::vector<PairImpulses<S>>& impulses, const Vec3<S>& gravity,

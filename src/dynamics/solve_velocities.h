@@ -7,47 +7,47 @@
 
 #include "dynamics/constraint.h"
 
-/// Sequential impulses: each contact point by itself, in turn, over and over. Source: Catto 2006,
-/// "Fast and Simple Physics using Sequential Impulses"; Gregorius 2015, "Recap: Solving Contact".
+/// Sequential impulses: solves contact points one by one, in sweeps. Source: Catto 2006, "Fast and
+/// Simple Physics using Sequential Impulses"; Gregorius 2015, "Recap: Solving Contact".
 ///
 /// Friction is Coulomb's cone: a vector in the contact plane, no longer than the coefficient times
-/// the normal impulse of the sweep before (Catto clamps two tangents, each by itself: a pyramid, whose
-/// friction depends on where the tangents happen to lie).
+/// the previous sweep's normal impulse. (Catto clamps each of two tangents: a pyramid, whose
+/// friction depends on the choice of tangents.)
 namespace contactscope {
 
-/// The velocity that a contact point is driven to, by how far it is apart or overlaps.
+/// Target velocity of a contact point, from its separation.
 ///
-/// The relative velocity along the normal is driven to -(velocity), with `mass_scale` of the mass
-/// and forgetting `impulse_scale` of the impulse so far: impulse = -mass mass_scale (v + velocity) -
-/// impulse_scale impulse.
+/// Drives the relative normal velocity to -(velocity) with `mass_scale` of the mass, and takes back
+/// `impulse_scale` of the impulse so far: impulse = -mass mass_scale (v + velocity) - impulse_scale
+/// impulse.
 template <class S>
 struct PositionBias {
-  S velocity = 0;  // metres a second
+  S velocity = 0;  // metres per second
   S mass_scale = 1;
   S impulse_scale = 0;
 };
 
-/// Gregorius 2015, "Recap: Solving Contact (4)": v_rel = -0.1 / dt * d, metres a second. Overlap up to
-/// the slop is let be, else contacts would come and go.
+/// Gregorius 2015, "Recap: Solving Contact (4)": v_rel = -0.1 / dt * d, metres per second. Overlap
+/// up to the slop is ignored, else contacts would come and go.
 ///
-/// As a velocity that bodies keep it has no limit: of n sub-steps each asks for n times that of a frame.
-/// And warm starting makes the push late, and a late spring pumps. Of one slow motion of a stack let p be
-/// the overlap, y its change in a frame, and e' = g e - (1 - g)(y + b p) what the impulses lack after
-/// the sweeps of a frame, which leave the share g of an error: y' = y + e', p' = p + y'. The
-/// characteristic polynomial (z^2 - 2 g z + g)(z - 1) + (1 - g) b z^2 has its roots within the unit
-/// circle while 1 - g > b / (1 + b) (Jury): 9 % for 0.1. Ten sweeps do less for ten boxes, or for one
-/// under a hundred times its mass. So bodies keep no more of it than the push speed, and are moved by the
-/// rest; see correct_positions().
+/// As a velocity that bodies keep, it has no limit: each of n sub-steps applies n times that of a
+/// frame. Warm starting also delays the push, and a late spring pumps. For one slow mode of a stack
+/// let p be the overlap, y its change in a frame, and e' = g e - (1 - g)(y + b p) the error of the
+/// impulses after the sweeps of a frame, which leave the share g of an error. Then y' = y + e' and
+/// p' = p + y'. The characteristic polynomial (z^2 - 2 g z + g)(z - 1) + (1 - g) b z^2 has its
+/// roots within the unit circle while 1 - g > b / (1 + b) (Jury): 9 % for 0.1. Ten sweeps do less
+/// for ten boxes, or for one under a hundred times its mass. So bodies keep at most the push speed,
+/// and correct_positions() moves them by the rest.
 template <class S>
 S baumgarte(S separation, const SolverSettings& settings, S h) {
   const S overlap = std::min(separation + static_cast<S>(settings.slop.value_or(0)), S(0));
   return static_cast<S>(settings.baumgarte) / h * overlap;
 }
 
-/// Catto 2024, "Solver2D", soft step: a damped spring of `hertz` and `damping_ratio`, which the step
-/// can resolve: at most a quarter of the sub-steps' rate. Against a body of infinite mass twice as
-/// stiff (ibid.), so that stacks sink less into their ground than into each other. The velocity with
-/// which overlaps are pushed out has no upper limit here: it is taken back when the contact relaxes.
+/// Catto 2024, "Solver2D", soft step: a damped spring of `hertz` and `damping_ratio`, limited to
+/// what the step can resolve, a quarter of the sub-steps' rate. Twice as stiff against infinite
+/// mass (ibid.), so that stacks sink less into their ground than into each other. The velocity of
+/// the push is not limited here: it is removed when the contact relaxes.
 template <class S>
 PositionBias<S> soft(S separation, const SolverSettings& settings, bool against_static, S h) {
   const S hertz = std::min(static_cast<S>(settings.hertz), S(0.25) / h) * (against_static ? 2 : 1);
@@ -59,12 +59,11 @@ PositionBias<S> soft(S separation, const SolverSettings& settings, bool against_
   return {omega / a1 * overlap, a2 * a3, a3};
 }
 
-/// Of a point in a sub-step of `h` seconds. Off, overlap is let be. `settings` are settled().
+/// Bias of a point in a sub-step of `h` seconds. Off: overlap is ignored. `settings` are settled().
 template <class S>
 PositionBias<S> position_bias(const ConstraintPoint<S>& point, bool on, bool against_static,
                               const SolverSettings& settings, S h) {
-  // Points that are apart may close, but not by more than what there is between them (Catto 2013,
-  // "Continuous Collision", speculative contacts).
+  // Speculative contact (Catto 2013, "Continuous Collision"): may close up to its separation.
   if (point.separation > 0) return {point.separation / h, S(1), S(0)};
   if (!on || settings.position_correction == PositionCorrection::Projection) return {};
   if (settings.position_correction == PositionCorrection::Baumgarte)
@@ -73,7 +72,7 @@ PositionBias<S> position_bias(const ConstraintPoint<S>& point, bool on, bool aga
   return soft(point.separation, settings, against_static, h);
 }
 
-/// Impulses that the points begin with.
+/// Applies the initial impulses of the points.
 template <class S>
 void warm_start(std::span<SolverBody<S>> bodies, std::vector<ContactConstraint<S>>& contacts) {
   for_each_point(bodies, contacts, [](const auto& pair, const auto& contact, const auto& point) {
@@ -108,16 +107,15 @@ void solve_normal(const BodyPair<S>& bodies, const Vec3<S>& normal, const Positi
   const S velocity = bodies.velocity_at(point).dot(normal);
   const S change = -point.normal_mass * bias.mass_scale * (velocity + bias.velocity) -
                    bias.impulse_scale * point.normal_impulse;
-  // The sum is held at zero, not the change: a contact may take back what it gave too much.
+  // Clamp the sum, not the change: a contact may give back what was too much.
   const S impulse = std::max(point.normal_impulse + change, S(0));
   bodies.push(point, Vec3<S>((impulse - point.normal_impulse) * normal));
   point.normal_impulse = impulse;
 }
 
-/// One sweep over all contacts: of each its friction, then its normal impulses, which matter more
-/// and so have the last word. `push`: overlaps are worked off as the settings say; false: relaxation,
-/// which takes that push back and lets bounces and points that have not been met be. `h` is the
-/// sub-step in seconds.
+/// One sweep over all contacts: for each, friction first, then the normal impulses, which matter
+/// more and so come last. `push`: reduces overlaps as `settings` say. Without it: relaxation, which
+/// removes that push and skips bounces and unmet points. `h`: seconds.
 template <class S>
 void solve_velocities(std::span<SolverBody<S>> bodies, std::vector<ContactConstraint<S>>& contacts,
                       const SolverSettings& settings, bool push, S h) {
@@ -136,9 +134,9 @@ void solve_velocities(std::span<SolverBody<S>> bodies, std::vector<ContactConstr
   }
 }
 
-/// Soft contacts, after their spring's velocity has moved the bodies: takes back what is left of it, which
-/// would carry them on. It is taken back at the arms where it was given, else it would leave a spin;
-/// what angular momentum the bodies gain, because they have moved since, is taken back as well.
+/// Relaxes soft contacts after their spring's velocity has moved the bodies: removes the rest of
+/// it, which would carry them on. Removed at the arms where it was applied, else it would leave a
+/// spin. Angular momentum that the bodies gain because they have moved since is removed as well.
 template <class S>
 void relax(std::span<SolverBody<S>> bodies, std::vector<ContactConstraint<S>>& contacts,
            const SolverSettings& settings, S h) {
@@ -162,7 +160,7 @@ void relax(std::span<SolverBody<S>> bodies, std::vector<ContactConstraint<S>>& c
   }
 }
 
-/// At the beginning of a sub-step: how fast points close.
+/// Records how fast points close, at the beginning of a sub-step.
 template <class S>
 void note_approach(std::span<SolverBody<S>> bodies, std::vector<ContactConstraint<S>>& contacts) {
   for_each_point(bodies, contacts, [](const auto& pair, const auto& contact, auto& point) {
@@ -170,15 +168,15 @@ void note_approach(std::span<SolverBody<S>> bodies, std::vector<ContactConstrain
   });
 }
 
-// Bodies at rest meet with what gravity adds in one sub-step, and must not bounce from that; as much
-// again for what the sweeps leave over.
+// Resting bodies meet at the speed that gravity adds in one sub-step, and must not bounce from it;
+// as much again for the error of the sweeps.
 inline constexpr double kRestitutionThreshold = 2;  // times gravity times the sub-step
 
-/// The velocity with which a point that came with `point.approach` leaves. Semi-implicit Euler moves
-/// along a parabola whose velocity where the bodies are now lies midway between the ones before and
-/// after gravity's share of the sub-step: of that one the restitution is taken, so that an elastic
-/// ball keeps its energy. Points that are still separated are met early: they go the rest of the way and back
-/// under gravity. `closing`: gravity's relative acceleration, metres a second, a second.
+/// Velocity with which a point that came with `point.approach` leaves. Semi-implicit Euler follows
+/// a parabola. Its velocity at the current poses is midway between those before and after gravity's
+/// share of the sub-step. Restitution applies to that one, so an elastic ball keeps its energy.
+/// Separated points are met early: they travel the rest and back under gravity. `closing`:
+/// gravity's relative acceleration, m/s^2.
 template <class S>
 S leaving_velocity(const ConstraintPoint<S>& point, S restitution, S closing, S h) {
   const S half_step = S(0.5) * closing * h;
@@ -189,18 +187,18 @@ S leaving_velocity(const ConstraintPoint<S>& point, S restitution, S closing, S 
   return std::sqrt(squared) - half_step;
 }
 
-/// After the sweeps of a sub-step, and before the bodies move: points that were met faster than bodies
-/// at rest are, and had to push, get their bounce (Newton's restitution); as many sweeps again, of
-/// normal impulses alone, go over them and over all that they stir. So impulses of the bounce act where
+/// Adds bounces (Newton's restitution) after the sweeps of a sub-step, before the bodies move.
+/// Points bounce if they closed faster than resting bodies do, and pushed. As many sweeps again, of
+/// normal impulses only, solve them and all that they stir. So impulses of the bounce act where
 /// those of the stop did, and keep angular momentum.
 ///
-/// The first sweeps have left no more energy than there was; these give back no more than the stop of
-/// the normal velocities took. For that, a stirred point that was opening before must be free to close
-/// as fast, as all of a blow's points are reflected alike (Moreau 1988, "Unilateral Contact and Dry
-/// Friction in Finite Freedom Dynamics"): held at zero, the far end of a spinning rod would gain a
-/// third. It is met in a later sub-step.
+/// The first sweeps add no energy; these return at most what the stop of the normal velocities
+/// took. This requires that a stirred point that was opening before may close as fast, as all
+/// points of a blow are reflected alike (Moreau 1988, "Unilateral Contact and Dry Friction in
+/// Finite Freedom Dynamics"): held at zero, the far end of a spinning rod would gain a third. A
+/// later sub-step meets it.
 ///
-/// `gravity` in metres a second, a second, `h` the sub-step in seconds.
+/// `gravity` in m/s^2, `h`: sub-step in seconds.
 template <class S>
 void bounce(std::span<SolverBody<S>> bodies, std::vector<ContactConstraint<S>>& contacts,
             const SolverSettings& settings, const Vec3<S>& gravity, S h) {
@@ -236,7 +234,7 @@ void bounce(std::span<SolverBody<S>> bodies, std::vector<ContactConstraint<S>>& 
   for (SolverBody<S>& body : bodies) body.stirred = false;
 }
 
-/// Bounces are over when the bodies have moved: nothing of them warms the next sub-step.
+/// Ends bounces after the bodies have moved: their impulses do not warm the next sub-step.
 template <class S>
 void end_bounces(std::span<SolverBody<S>> bodies, std::vector<ContactConstraint<S>>& contacts) {
   for_each_point(bodies, contacts, [](const auto&, const auto&, auto& point) {

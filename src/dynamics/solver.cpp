@@ -32,7 +32,7 @@ void solve_step(std::vector<Body<S>>& bodies, std::span<const PairContacts<S>> p
     for (SolverBody<S>& moved : moving)
       if (moved.body.dynamic()) moved.body.velocity += h * gravity;
     for_each_point(all, contacts, [&](const auto&, const auto&, auto& point) {
-      /// A sub-step begins without what the last one gave, unless that warms it.
+      /// Impulses of the last sub-step are kept only for warm starting.
       point.position_impulse = 0;
       if (!settings.warm_start) point.normal_impulse = point.friction_u = point.friction_v = 0;
     });
@@ -68,7 +68,7 @@ void solve_impact(std::vector<Body<S>>& bodies, std::span<const PairContacts<S>>
                   const SolverSettings& given, S dt) {
   SolverSettings settings = settled(given, bodies);
   settings.substeps = 1;
-  settings.position_correction = PositionCorrection::Projection;  // velocities work nothing off
+  settings.position_correction = PositionCorrection::Projection;  // velocities reduce no overlap
   std::vector<SolverBody<S>> moving = solver_bodies(bodies);
   const std::span<SolverBody<S>> all(moving);
   const std::vector<PairImpulses<S>> none(pairs.size());

@@ -14,20 +14,20 @@
 
 namespace contactscope {
 
-/// What the contact pipeline found of one pair of bodies.
+/// Contacts that the pipeline found for one pair of bodies.
 template <class S>
 struct PairContacts {
   int a = 0, b = 0;                         // bodies; normals point from a to b
   const Manifolds<S>* manifolds = nullptr;  // nullptr: none
   S friction = 0;                           // Coulomb's coefficient of the pair
   S restitution = 0;                        // of the pair
-  // Metres: radius of a sphere or capsule, whose surface goes round its core; 0 of others.
+  // Radius of a sphere or capsule, metres; 0 for other shapes.
   S round_a = 0, round_b = 0;
-  // Metres: points of a larger separation count only if they are met head-on.
+  // Metres: points with a larger separation count only if they are met head-on.
   S margin = std::numeric_limits<S>::infinity();
 };
 
-/// Metres: how far the surface of a sphere or capsule is from its centre or axis; 0 of others.
+/// Radius of a sphere or capsule, metres; 0 for other shapes.
 template <class S>
 S round_radius(const Shape<S>& shape) {
   if (const auto* sphere = std::get_if<Sphere<S>>(&shape)) return sphere->radius;
@@ -35,24 +35,24 @@ S round_radius(const Shape<S>& shape) {
   return capsule != nullptr ? capsule->radius : S(0);
 }
 
-/// What the last step gave one point. Impulses on b, newton seconds, world.
+/// Impulses of one point in the last step. On b, newton seconds, world.
 template <class S>
 struct PointImpulse {
   int triangle = -1;  // of a mesh; ids count within it
   FeatureId id;
-  S normal = 0;  // of the last sub-step: where the next one begins
+  S normal = 0;  // of the last sub-step: the next one starts with it
   Vec3<S> friction = Vec3<S>::Zero();
   S total_normal = 0;  // over the whole step
   Vec3<S> total_friction = Vec3<S>::Zero();
-  S warm_start = 0;  // share of total_normal that it began with
+  S warm_start = 0;  // share of total_normal that it started with
 };
 
-/// Of one pair, in the order of its manifolds and their points.
+/// Impulses of one pair, in the order of its manifolds and their points.
 template <class S>
 using PairImpulses = std::vector<PointImpulse<S>>;
 
-/// With lengths that were not given by the least shortest_edge() of all dynamic bodies, 0 where there
-/// is none; see solver_settings.h.
+/// Fills missing lengths from the smallest shortest_edge() of all dynamic bodies, or from 0 if
+/// there are none; see solver_settings.h.
 template <class S>
 SolverSettings settled(const SolverSettings& settings, const std::vector<Body<S>>& bodies) {
   if (settings.slop && settings.speculative_margin && settings.sleep_speed) return settings;
@@ -65,46 +65,44 @@ SolverSettings settled(const SolverSettings& settings, const std::vector<Body<S>
   return settled(settings, smallest < std::numeric_limits<double>::infinity() ? smallest : 0);
 }
 
-/// Moves `bodies` by `dt` seconds (> 0), so that the contacts hold. `pairs` are what the pipeline
-/// found where the bodies are now; `impulses` (one a pair) holds what the points got in the step
-/// before and after the call what they got in this one, in the order of manifolds and points.
-/// Gravity in metres a second, a second. What `settings` leave open is settled().
+/// Moves `bodies` by `dt` seconds (> 0) so that the contacts hold. `pairs`: contacts at the current
+/// poses. `impulses` (one per pair): the points' impulses of the previous step before the call, of
+/// this step after it, in the order of manifolds and points. Gravity in m/s^2. Calls settled().
 ///
-/// Contacts are found once, at the beginning; between sub-steps their anchors move with the bodies,
-/// and the normal stays. Nothing is random and nothing depends on addresses: the same input gives the
-/// same bits.
+/// Contacts are found once, at the beginning. Between sub-steps their anchors move with the bodies;
+/// only the normals of two round shapes turn. Deterministic: the same input gives the same bits.
 template <class S>
 void solve_step(std::vector<Body<S>>& bodies, std::span<const PairContacts<S>> pairs,
                 std::vector<PairImpulses<S>>& impulses, const Vec3<S>& gravity,
                 const SolverSettings& settings, S dt);
 
-/// What the contacts of bodies that meet within a step of `dt` seconds leave of their velocities. Nothing
-/// is moved, nothing falls, and no impulse is kept: the pairs' own step has done that.
+/// Applies the contacts of bodies that meet within a step of `dt` seconds to their velocities. Does
+/// not move bodies, apply gravity or keep impulses: the pairs' own step has done that.
 template <class S>
 void solve_impact(std::vector<Body<S>>& bodies, std::span<const PairContacts<S>> pairs,
                   const SolverSettings& settings, S dt);
 
-/// Two bodies that may touch, and what is kept of them from step to step.
+/// Two bodies that may touch, and the data kept for them between steps.
 template <class S>
 struct WorldPair {
   int a = 0, b = 0;
   S friction = S(0.6);
   S restitution = 0;
   PairCache<S> cache{};
-  std::optional<ImpactMethod> continuous{};  // nothing: what passes between frames is not seen
+  std::optional<ImpactMethod> continuous{};  // nullopt: motion between frames is not checked
 };
 
-/// Everything that moves. A value: a copy is a snapshot, and goes on as the original would have.
+/// Everything that moves. A copy is a snapshot, and continues like the original.
 template <class S>
 struct World {
-  Vec3<S> gravity = Vec3<S>(S(0), S(-9.81), S(0));  // metres a second, a second
+  Vec3<S> gravity = Vec3<S>(S(0), S(-9.81), S(0));  // metres per second squared
   std::vector<Body<S>> bodies;
   std::vector<WorldPair<S>> pairs;
-  std::vector<PairImpulses<S>> impulses;  // of the last step, one a pair
-  std::vector<ImpactCore> cores;          // of pairs that are continuous, made by the first step
+  std::vector<PairImpulses<S>> impulses;  // of the last step, one per pair
+  std::vector<ImpactCore> cores;          // of continuous pairs, made by the first step
 };
 
-/// How much nearer the pair can come in `dt` seconds as both move now and fall, metres.
+/// Bound of the pair's approach in `dt` seconds by its current motion and gravity, metres.
 template <class S>
 double speculative_reach(const World<S>& world, const std::vector<Shape<S>>& shapes,
                          const WorldPair<S>& pair, S dt) {
@@ -117,10 +115,10 @@ double speculative_reach(const World<S>& world, const std::vector<Shape<S>>& sha
       largest_approach(at(shapes, pair.a), sweep(pair.a), at(shapes, pair.b), sweep(pair.b)));
 }
 
-/// Metres up to which points of two bodies are found that can come nearer by `reach`() in the step, with
-/// `settings` that are settled(). Contacts are found once a step: with sub-steps, those that a later one
-/// meets are found as well, up to half of the smallest body away where the margin is not given. What is
-/// faster is for continuous pairs.
+/// Separation, metres, up to which points of two bodies are found that can approach by `reach`() in
+/// the step. `settings` are settled(). Contacts are found once per step. With sub-steps this
+/// includes points that are met in later ones, up to half of the smallest body away if the margin
+/// is not given. Faster bodies need continuous pairs.
 template <class Reach>
 double contact_margin(const SolverSettings& settings, const Reach& reach) {
   constexpr double kMaxMargins = 25;
@@ -129,16 +127,15 @@ double contact_margin(const SolverSettings& settings, const Reach& reach) {
   return std::clamp(static_cast<double>(reach()), margin, kMaxMargins * margin);
 }
 
-/// The PairContacts::margin of the points that are found within contact_margin(), of which `margin` (metres) would have
-/// been enough without sub-steps.
+/// PairContacts::margin for points within contact_margin(). `margin`: without sub-steps, metres.
 template <class S>
 S head_on_margin(const SolverSettings& settings, bool is_speculative, double margin) {
   const bool looks_farther = settings.substeps > 1 && !is_speculative;
   return looks_farther ? static_cast<S>(margin) : std::numeric_limits<S>::infinity();
 }
 
-/// Contacts where the bodies are now, one entry a pair; `shapes` has one a body. Points up to the
-/// contact_margin() are kept; of a speculative pair those that `dt` seconds can close.
+/// Contacts at the current poses, one entry per pair; `shapes` has one per body. Keeps points up to
+/// the contact_margin(); for a speculative pair up to what `dt` seconds can close.
 template <class S>
 void find_contacts(World<S>& world, const std::vector<Shape<S>>& shapes,
                    const SolverSettings& settings, std::vector<Manifolds<S>>& contacts, S dt = 0) {
@@ -157,8 +154,8 @@ void find_contacts(World<S>& world, const std::vector<Shape<S>>& shapes,
   }
 }
 
-/// find_contacts, then solve_step, then stop_at_impacts where a pair asks for it: `dt` seconds. The
-/// contacts stay to be looked at. Returns the stops.
+/// find_contacts, solve_step, then stop_at_impacts for continuous pairs: `dt` seconds. `contacts`
+/// stay available to the caller. Returns the stops.
 template <class S>
 std::vector<ImpactStop<S>> step(World<S>& world, const std::vector<Shape<S>>& shapes,
                                 const SolverSettings& settings, S dt,

@@ -6,53 +6,52 @@
 
 namespace contactscope {
 
-/// How an overlap that is there already is worked off.
+/// Method that reduces existing overlaps.
 enum class PositionCorrection {
-  Baumgarte,  // a share of it as a velocity (Gregorius 2015, "Recap: Solving Contact (4)"), of which
-              // bodies keep no more than the push speed
+  Baumgarte,  // a share of it as a velocity (Gregorius 2015, "Recap: Solving Contact (4)");
+              // bodies keep at most the push speed
   Projection,  // a sweep over the positions after the velocities (the same slide)
   Soft,        // a damped spring in sub-steps, then relaxed (Catto 2024, "Solver2D", soft step)
 };
 
-/// "baumgarte", "projection", "soft", as scenarios and traces spell it.
+/// "baumgarte", "projection", "soft", as written in scenarios and traces.
 constexpr const char* to_string(PositionCorrection correction) {
   constexpr const char* kNames[] = {"baumgarte", "projection", "soft"};
   return kNames[static_cast<int>(correction)];
 }
 
 struct WorldSettings {
-  Vec3d gravity{0, -9.81, 0};  // metres a second, a second
+  Vec3d gravity{0, -9.81, 0};  // metres per second squared
   double friction = 0.6;       // Coulomb's coefficient
-  double restitution = 0;      // share of the approaching velocity that is given back
+  double restitution = 0;      // share of the closing velocity that is returned
 };
 
 struct SolverSettings {
-  int iterations = 10;  // sweeps over all points for each sub-step
-  int substeps = 1;     // of each frame
+  int iterations = 10;  // sweeps over all points per sub-step
+  int substeps = 1;     // per frame
   PositionCorrection position_correction = PositionCorrection::Baumgarte;
   bool warm_start = true;
-  double baumgarte = 0.1;  // share of the overlap that a (sub-)step works off
-  // Metres a second that Baumgarte's push may leave to what it pushes. What its share takes beyond that
-  // moves the bodies and is no momentum (Catto 2006, "Split Impulses").
+  double baumgarte = 0.1;  // share of the overlap that a (sub-)step removes
+  // Velocity that Baumgarte's push may add to bodies, metres per second. The rest of its share
+  // moves the bodies without momentum (Catto 2006, "Split Impulses").
   double push_speed = 0;
   double hertz = 30;          // of soft contacts
   double damping_ratio = 10;  // of soft contacts
-  // Metres of overlap that are let be. A point that is pushed out all the way is lost in the next
-  // frame, with the impulse that held it: the body drops back, and wanders.
+  // Metres of overlap that are ignored. A point that is pushed out completely is lost in the next
+  // frame, together with the impulse that held it: the body drops back, and wanders.
   std::optional<double> slop{};
-  // Metres: points that far apart are kept, so that they do not come and go where a body rocks, and
-  // keep bodies from passing each other.
+  // Metres: separated points within it are kept, so that they do not come and go as a body rocks,
+  // and keep bodies from passing each other.
   std::optional<double> speculative_margin{};
-  // Seconds for which an island must rest before it sleeps; nothing: nobody ever does. Box2D has half a
-  // second.
+  // Seconds for which an island rests before it sleeps; nullopt: never. Box2D uses half a second.
   std::optional<double> sleep_after{};
-  // Metres a second: what is no faster rests; see mean_speed() in sleep.h.
+  // Metres per second: slower bodies rest; see mean_speed() in sleep.h.
   std::optional<double> sleep_speed{};
 };
 
-/// With the lengths that were not given: 1/200 of `size` for the slop, four times that for the
-/// speculative margin, and ten times as much a second for bodies that rest: 5 mm, 2 cm and 5 cm a second
-/// for a metre, as Box2D has them. `size` is that of the smallest body, see shortest_edge() in body.h.
+/// Fills missing lengths: 1/200 of `size` for the slop, four times that for the speculative margin,
+/// ten times that per second for resting bodies. 5 mm, 2 cm and 5 cm per second for a metre, as in
+/// Box2D. `size`: shortest_edge() (body.h) of the smallest body.
 constexpr SolverSettings settled(SolverSettings settings, double size) {
   constexpr double kSlop = 0.005, kSpeculativeMargin = 0.02, kSleepSpeed = 0.05;
   if (!settings.slop) settings.slop = kSlop * size;

@@ -5,15 +5,15 @@
 
 namespace contactscope {
 
-/// Fills blocks of a field, one after the other. Each thread has its own.
+/// Fills blocks of a field, one after the other. One per thread.
 class BlockFiller {
  public:
   explicit BlockFiller(FieldBuilder& shared)
       : shared_(shared), field_(shared.field_), sieve_(shared.sieve_ ? &*shared.sieve_ : nullptr) {}
 
-  /// The nodes of a block, and the triangles of its cells, which are appended to its layer.
+  /// Fills the nodes of a block, and appends the triangles of its cells to its layer.
   void fill(int fine, FieldBuilder::Layer& layer);
-  /// Marks the cells of the surface whose samples ask their triangles: those that are not smooth.
+  /// Marks surface cells that are not smooth: their samples query their triangles.
   void ask_triangles(int fine);
 
  private:
@@ -43,20 +43,20 @@ class BlockFiller {
 
   FieldBuilder& shared_;
   DistanceField& field_;
-  const TriangleSieve* sieve_;  // none of a core
+  const TriangleSieve* sieve_;  // null for a core
   TriangleSieve::List of_block_, of_part_, of_group_, of_cell_;
-  // Of the block that is filled or judged:
+  // For the current block:
   std::vector<NodePair*> asking_;
   Vec3d corner_ = Vec3d::Zero();
-  std::span<Node> nodes_;  // without signs, until all are known
+  std::span<Node> nodes_;  // without signs until all are known
   std::array<NodeSign, kNodes> signs_{};
   std::array<bool, kNodes> known_{};
   std::array<signed char, kNodes>
-      side_{};  // 1: in front of the face that is nearest, -1: behind it
+      side_{};  // 1: in front of the nearest face, -1: behind it
   std::array<std::vector<int>, kCells> triangles_;
-  Vec3d last_ = Vec3d::Zero();  // nearest to the node that was asked last
+  Vec3d last_ = Vec3d::Zero();  // surface point nearest to the last node
   Vec3d part_middle_ = Vec3d::Zero();
-  bool part_sifted_ = false;  // whether of_part_ is of the part that is filled
+  bool part_sifted_ = false;  // whether of_part_ belongs to the current part
 };
 
 }  // namespace contactscope

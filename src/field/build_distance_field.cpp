@@ -9,13 +9,13 @@
 namespace contactscope {
 namespace {
 
-/// Where the lattice of a shape lies.
+/// Placement of a shape's lattice.
 struct Lattice {
   Vec3d origin, size;
   double cell;
 };
 
-/// Cells beyond the surface: the whole band, and of a dense lattice so that the surface is inside.
+/// Cells around the surface in a dense lattice; otherwise the band and one more.
 constexpr int kDenseRim = 2;
 
 Lattice lattice_around(const Aabb<double>& box, const FieldSettings& settings) {
@@ -36,7 +36,7 @@ PlacedField build_on_mesh(const Mesh<double>& mesh, const FieldSettings& setting
   const bool watertight = closed.mesh.triangle_count() == closed.own_triangles;
   auto surface = std::make_shared<Mesh<double>>(std::move(closed.mesh));
   for (Vec3d& vertex : surface->vertices) vertex = (vertex - lattice.origin) / lattice.cell;
-  // Normals are what they were.
+  // The normals do not change.
   surface->tree.refit(surface->vertices, surface->triangles);
   FieldBuilder builder(std::move(surface), watertight, lattice.size, settings);
   return {std::make_shared<const DistanceField>(builder.build()), lattice.origin, lattice.cell};

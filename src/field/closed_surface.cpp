@@ -12,7 +12,7 @@
 namespace contactscope {
 namespace {
 
-/// The first vertex that lies where each vertex does: many tools repeat them.
+/// For each vertex the first one at the same place: many tools duplicate vertices.
 std::vector<int> first_in_place(const Mesh<double>& mesh, const std::vector<MeshEdge>& edges) {
   struct Earlier {
     bool operator()(const Vec3d& a, const Vec3d& b) const {
@@ -32,8 +32,8 @@ std::vector<int> first_in_place(const Mesh<double>& mesh, const std::vector<Mesh
   return first;
 }
 
-/// How often the triangles run along each edge from its smaller vertex to its larger one, less how
-/// often the other way. Only edges where that is not 0.
+/// For each edge, the number of triangles that run from its smaller vertex to its larger one, minus
+/// those that run back. Only edges where it is not 0.
 std::map<std::pair<int, int>, int> unmatched_edges(const Mesh<double>& mesh) {
   const std::vector<MeshEdge> open = open_edges(mesh);
   const std::vector<int> first = first_in_place(mesh, open);
@@ -48,7 +48,7 @@ std::map<std::pair<int, int>, int> unmatched_edges(const Mesh<double>& mesh) {
   return counts;
 }
 
-/// Representative of each vertex among those that edges join.
+/// Union-find of the vertices that edges join.
 class Parts {
  public:
   int of(int vertex) {
@@ -71,7 +71,7 @@ double area_of(const Mesh<double>& mesh, int first, int last) {
   return area;
 }
 
-/// Six times the volume that the surface goes around, parts inside out counted negative.
+/// Six times the volume inside the surface; parts that are inside out count negative.
 double volume_of(const Mesh<double>& mesh) {
   const Vec3d origin = mesh.tree.bounds().center();
   double volume = 0;
@@ -89,7 +89,7 @@ ClosedSurface close_surface(const Mesh<double>& mesh) {
   if (!edges.empty()) {
     Parts parts;
     for (const auto& [ends, count] : edges) parts.join(ends.first, ends.second);
-    // Sums from a point of the part, so that a mesh far from its origin loses nothing.
+    // Sums are relative to a point of the part: a mesh far from its origin loses nothing.
     struct Tip {
       Vec3d sum = Vec3d::Zero();
       int count = 0, vertex = -1;
@@ -122,7 +122,7 @@ ClosedSurface close_surface(const Mesh<double>& mesh) {
     throw ShapeError("the mesh has no inside: to close its holes takes " +
                      std::to_string(std::lround(100 * closed.cap_share)) +
                      " % of its area; give a mesh that goes around a volume");
-  // A sheet that is folded onto itself leaves rounding.
+  // A sheet folded onto itself leaves only rounding.
   const double size = closed.mesh.tree.bounds().extent().norm();
   if (std::abs(volume_of(closed.mesh)) <=
       0x1p-40 * size * area_of(closed.mesh, 0, closed.mesh.triangle_count()))

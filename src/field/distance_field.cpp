@@ -42,7 +42,7 @@ bool DistanceField::is_inside(const Place& place, const Vec3d& point, const Near
                               std::span<const int> around) const {
   if (regular_ && nearest.on_face)
     return front_ * triangles_.height_over(nearest.triangle, point) < 0;
-  // No surface is between a point and a node where both are farther from it than from each other.
+  // No surface separates a point and a node if their distances to it sum to over |node - point|.
   const double distance = std::sqrt(nearest.squared);
   bool known = false, inside = false;
   for_nodes(place, [&](const Vec3d& node, double value) {
@@ -51,8 +51,8 @@ bool DistanceField::is_inside(const Place& place, const Vec3d& point, const Near
     return !known;
   });
   if (known) return inside;
-  // At an edge or a corner the point is inside if it is behind all planes that meet there, and outside if
-  // it is before all of them: the first face on a way out of a solid is seen from behind.
+  // At an edge or a corner the point is inside if it is behind all planes that meet there, outside
+  // if in front of all: the first face on a path out of a solid is seen from behind.
   if (regular_ && !around.empty()) {
     bool before = false, behind = false;
     for (const int triangle : around) {
@@ -72,7 +72,7 @@ FieldSample DistanceField::exact_near(const Place& place, const Vec3d& point,
   const double distance = std::sqrt(nearest.squared);
   const double sign = is_inside(place, point, nearest, around) ? -1 : 1;
   const Vec3d normal = front_ * triangles_.normal(nearest.triangle);
-  // So near that the difference is rounding: the normal of the face is the gradient.
+  // If the difference is only rounding, the gradient is the normal of the face.
   const Vec3d gradient =
       distance > 0x1p-30 ? Vec3d(sign / distance * (point - nearest.point)) : normal;
   return {sign * distance, gradient, FieldSample::Source::Exact};
@@ -97,8 +97,8 @@ FieldSample DistanceField::exact_in_cell(const Vec3d& point) const {
 FieldSample DistanceField::sample_outside(const Vec3d& point) const {
   const Vec3d inside = clamped(point);
   const FieldSample there = sample(locate(inside), inside);
-  if (inside == point) return there;  // where the lattice ends
-  // From the surface's point that is nearest to where the lattice ends.
+  if (inside == point) return there;  // on the border of the lattice
+  // From the surface point nearest to the border point.
   const Vec3d from_surface = point - inside + there.distance * there.gradient;
   const double distance = from_surface.norm();
   return {distance, unit_or(from_surface, distance, there.gradient), FieldSample::Source::Outside};

@@ -12,7 +12,7 @@
 namespace contactscope {
 namespace {
 
-/// Blocks, with fine nodes or without, that are worth a thread.
+/// Number of blocks, fine or not, that justify a thread.
 constexpr int kBlocksOfThread = 256;
 
 std::string in_mebibytes(double bytes) {
@@ -139,12 +139,12 @@ void FieldBuilder::number_blocks() {
   }
 }
 
-/// Chooses the steps of the distances, so that all fit, and where the nodes of each block are.
+/// Chooses the distance steps, so that all distances fit, and the place of each block's nodes.
 void FieldBuilder::lay_out() {
   const auto [nx, ny, nz] = field_.blocks_;
   float most = 1;
   for (const Node& node : coarse_) most = std::max(most, std::abs(node[0]));
-  // No fine node is farther from a coarse one than half the diagonal of a block.
+  // Fine nodes are at most half a block's diagonal from a coarse node.
   auto most_fine = static_cast<float>(most + kHalfBlock);
   if (field_.settings_.band > 0)
     most_fine = std::min(
@@ -171,7 +171,7 @@ void FieldBuilder::lay_out() {
   field_.fine_block_count_ = count_of(blocks_);
 }
 
-/// For nodes that are not rounded: of the layers that are filled at a time, and of the one below.
+/// Allocates unrounded nodes for the layers that are filled at a time, and the one below.
 void FieldBuilder::make_room() {
   kept_blocks_ = 1;
   for (int z = 0; z < count_of(layers_); ++z) {
@@ -201,10 +201,10 @@ void FieldBuilder::fill_layer(int z, BlockFiller& filler) {
       filler.fill(fine, layer);
     }
   } catch (...) {
-    layer.fill_rows_to(field_.blocks_[1]);  // nobody waits for what does not come
+    layer.fill_rows_to(field_.blocks_[1]);  // so that no thread waits forever
     throw;
   }
-  // The one below is no longer needed when this one is filled: its memory may be taken.
+  // When this layer is filled, the one below is no longer needed: its memory may be reused.
   if (z > 0) at(layers_, z - 1).wait_for_row(field_.blocks_[1] - 1);
   layer.fill_rows_to(field_.blocks_[1]);
 }

@@ -12,12 +12,12 @@ class BlockFiller;
 
 /// Fills a DistanceField in the order of the steps of build_distance_field().
 ///
-/// Several threads do so together (Workers), each with a layer of blocks at a time. A block takes nodes from
-/// those before it along x, y and z, so that a layer begins a row of blocks when the layer below has
-/// filled it. The field does not depend on the threads: each block finds what it would find with one.
+/// Each thread (Workers) fills a layer of blocks at a time. A block copies nodes from the blocks
+/// before it along x, y and z, so a layer begins a row when the layer below has filled it. The
+/// field does not depend on the threads: each block gets the same data as with one thread.
 class FieldBuilder {
  public:
-  /// A surface without holes in the frame of the lattice; `watertight`: no hole had to be closed.
+  /// A closed surface in the frame of the lattice; `watertight`: no hole had to be closed.
   FieldBuilder(std::shared_ptr<const Mesh<double>> surface, bool watertight, const Vec3d& size,
                const FieldSettings& settings);
   FieldBuilder(const Capsule<double>& core, const Vec3d& size, const FieldSettings& settings);
@@ -35,36 +35,36 @@ class FieldBuilder {
   static constexpr double kHalfCell = 0.8660254037844388;
   static constexpr double kHalfBlock = kBlock * kHalfCell;
 
-  /// Distance, then its gradient.
+  /// Distance and gradient.
   using Node = lanes::Pack<float>;
 
-  /// Which sides the fronts of the surface are found on.
+  /// Sides of the surface on which its fronts were found.
   struct Fronts {
-    bool one = true;             // no point was found around which the surface goes in two ways
-    int winding = 0;             // around points inside; 0: none was asked yet
+    bool one = true;             // no contradicting winding numbers were found
+    int winding = 0;             // around points inside; 0: none known yet
     std::array<bool, 2> seen{};  // whether a front was found inside, outside
 
     void add_winding(int number);
     void add(const Fronts& other);
   };
-  /// Blocks with fine nodes of one z: those of `blocks_` from `first` on, before `end`.
+  /// Blocks with fine nodes at one z: those of `blocks_` from `first` to before `end`.
   struct Layer {
     int first = 0, end = 0;
     std::atomic<int> filled_rows = 0;  // along x
     Fronts fronts;
-    std::vector<std::uint32_t> counts;  // of the triangles of each cell
+    std::vector<std::uint32_t> counts;  // number of triangles of each cell
     std::vector<int> triangles;
 
     void fill_rows_to(int y);
     void wait_for_row(int y) const;
   };
 
-  /// A block that the band reaches.
+  /// A block in reach of the band.
   struct NearBlock {
     NearestPoint to_middle;
-    std::vector<int> triangles;  // that can be nearest to one of its points; none of a core
+    std::vector<int> triangles;  // that can be nearest to one of its points; none for a core
   };
-  /// Of a thread that surveys.
+  /// Lists of one thread for the survey.
   struct SurveyLists {
     TriangleSieve::List of_group, of_block;
   };
@@ -84,12 +84,12 @@ class FieldBuilder {
   void fill_layer(int z, BlockFiller& filler);
   void gather_triangles();
 
-  /// Nearest point of the surface: its distance, and the gradient as if the point were outside.
+  /// Distance to the nearest surface point, and the gradient as for a point outside.
   Node unsigned_node(const Vec3d& point, const NearestPoint& nearest) const;
   Node unsigned_node_of_core(const Vec3d& point) const;
   bool is_inside(const Vec3d& point, Fronts& fronts) const;
 
-  /// Writes pairs of the nodes of each row, rounded. A row has `row` nodes.
+  /// Writes rounded node pairs of rows of `row` nodes.
   static void write_pairs(std::span<const Node> nodes, int row, float step, NodePair* to);
   int block_number(int x, int y, int z) const {
     return (z * field_.blocks_[1] + y) * field_.blocks_[0] + x;
@@ -107,13 +107,13 @@ class FieldBuilder {
   }
 
   DistanceField field_;
-  std::optional<TriangleSieve> sieve_;  // none of a core
+  std::optional<TriangleSieve> sieve_;  // empty for a core
   std::optional<Workers> workers_;
-  std::vector<Node> coarse_, fine_;             // not rounded; fine ones of the last blocks only
-  int kept_blocks_ = 0;                         // so many
+  std::vector<Node> coarse_, fine_;             // not rounded; fine ones of the latest blocks only
+  int kept_blocks_ = 0;                         // number of those blocks
   std::vector<int> fine_of_block_;              // -1: none
-  std::vector<int> blocks_;                     // that have fine nodes, by number
-  std::vector<std::optional<NearBlock>> near_;  // by number of the block
+  std::vector<int> blocks_;                     // numbers of the blocks with fine nodes
+  std::vector<std::optional<NearBlock>> near_;  // by block number
   std::vector<Layer> layers_;
   Fronts fronts_;
 };

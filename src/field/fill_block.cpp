@@ -30,8 +30,7 @@ void BlockFiller::fill(int fine, FieldBuilder::Layer& layer) {
   }
 }
 
-/// Copies the nodes that the coarse lattice and the blocks before have in common with a block, and their
-/// signs.
+/// Copies the nodes and signs that a block shares with the coarse lattice and earlier blocks.
 void BlockFiller::copy_known(int fine) {
   const auto [bx, by, bz] = shared_.block_at(at(shared_.blocks_, fine));
   signs_.fill(NodeSign::Unknown);
@@ -65,8 +64,7 @@ void BlockFiller::copy_known(int fine) {
   }
 }
 
-/// Finds out whether fronts are outside: not everywhere, where the surface crosses itself, or parts of it
-/// are inside out.
+/// Finds whether fronts are outside: not if the surface crosses itself or is inside out in parts.
 void BlockFiller::compare_sides(FieldBuilder::Fronts& fronts) const {
   for (int i = 0; i < kNodes; ++i) {
     if (at(side_, i) == 0) continue;
@@ -98,14 +96,13 @@ void BlockFiller::fill_by_triangles(const FieldBuilder::NearBlock& near) {
       for (const int i : {0, 1}) fill_part({i, j, k});
 }
 
-/// A part has two cells along each axis. From the triangles that can be nearest to one of its points those
-/// of small groups of nodes, and of cells, are taken.
+/// Fills a part, two cells along each axis. Sifts the triangles for small groups of nodes, and for
+/// cells, from those of the part.
 void BlockFiller::fill_part(const std::array<int, 3>& part) {
   const auto [x, y, z] = part;
   part_middle_ = corner_ + Vec3d(2 * x + 1, 2 * y + 1, 2 * z + 1);
   part_sifted_ = false;
-  // Groups are numbered along an axis: the first node, which mostly is known from the block before, then
-  // pairs.
+  // Groups along an axis: the first node, usually known from the block before, then pairs.
   for (int k = 2 * z; k <= z + 1; ++k)
     for (int j = 2 * y; j <= y + 1; ++j)
       for (int i = 2 * x; i <= x + 1; ++i) fill_nodes({i, j, k});
@@ -123,7 +120,7 @@ TriangleSieve::List& BlockFiller::triangles_of_part() {
   return of_part_;
 }
 
-/// A group has the nodes of a cell, or those of its last face or edge.
+/// Fills a group: the nodes of a cell, or of its last face or edge.
 void BlockFiller::fill_nodes(const std::array<int, 3>& group) {
   const std::array<int, 3> last = {2 * group[0], 2 * group[1], 2 * group[2]};
   const auto first = [&](std::size_t axis) { return std::max(last[axis] - 1, 0); };
@@ -135,7 +132,7 @@ void BlockFiller::fill_nodes(const std::array<int, 3>& group) {
         if (!at(known_, node_in_block(i, j, k))) open[count++] = {i, j, k};
   if (count == 0) return;
   TriangleSieve::List* list = of_block_.leaning() ? &of_block_ : &triangles_of_part();
-  // To sift them costs as much as to ask them for four nodes.
+  // Sifting costs as much as queries for four nodes.
   if (count > 4) {
     const Vec3d middle = corner_ + Vec3d(last[0], last[1], last[2]) - Vec3d::Constant(0.5);
     sieve_->fill_within(*list, middle, 0.5, last_, of_group_);
@@ -153,7 +150,7 @@ void BlockFiller::fill_nodes(const std::array<int, 3>& group) {
   }
 }
 
-/// The middle of a cell is no nearer to the surface than a corner is, less half a diagonal.
+/// The middle of a cell is no nearer to the surface than a corner, minus half a diagonal.
 bool BlockFiller::may_have_surface(const std::array<int, 3>& cell) const {
   const auto [i, j, k] = cell;
   for (const int w : {k, k + 1})
@@ -163,7 +160,7 @@ bool BlockFiller::may_have_surface(const std::array<int, 3>& cell) const {
   return true;
 }
 
-/// Where the surface may pass a cell, all triangles that can be nearest to a point of it.
+/// If the surface may pass through a cell, finds all triangles that can be nearest to its points.
 void BlockFiller::find_triangles(const std::array<int, 3>& cell) {
   const auto [i, j, k] = cell;
   const Vec3d middle = corner_ + Vec3d(i + 0.5, j + 0.5, k + 0.5);

@@ -53,7 +53,7 @@ TriangleSieve::Flat TriangleSieve::flat(const Mesh<double>& mesh, int triangle, 
   numbers[kSecond + 2] = static_cast<float>(second.norm());
   set(kThird, Eigen::Vector2d(tip.normalized()));
   numbers[kThird + 2] = static_cast<float>(tip.norm());
-  // The normal of a sliver is as uncertain as its corners are rounded.
+  // The error of a sliver's normal grows with the rounding of its corners.
   const double rounding = 0x1p-48 * size_ / tip.y();
   numbers[kLean] = rounding < 1 ? static_cast<float>(lean + rounding) : kAnyLean;
   const auto sum_of = [](const Vec3d& direction) {

@@ -10,23 +10,23 @@
 namespace contactscope {
 namespace {
 
-/// A larger tangent says too little to be worth more care.
+/// Larger tangents are treated as unknown.
 constexpr double kLargestLean = 8;
 constexpr double kLeastCosine = 0.1;
 
-/// The tangent of the angle between two unit vectors.
+/// Tangent of the angle between two unit vectors.
 double tangent_between(const Vec3d& one, const Vec3d& other) {
   const double cosine = one.dot(other);
   return cosine > kLeastCosine ? one.cross(other).norm() / cosine : double{kAnyLean};
 }
 
-/// The tangent of the sum of two angles.
+/// Tangent of the sum of two angles, from their tangents.
 double tangent_of_sum(double one, double other) {
   const double cosines = 1 - one * other;
   return cosines > kLeastCosine ? (one + other) / cosines : double{kAnyLean};
 }
 
-/// A corner of a triangle, where the edge of that number begins.
+/// A corner of a triangle, at the start of the edge with that number.
 struct Corner {
   int triangle, edge;
 
@@ -55,7 +55,7 @@ class LeanFinder {
     own = std::max(own, lean <= kLargestLean ? static_cast<float>(lean) : kAnyLean);
   }
 
-  /// The triangles that follow each other around the vertex of a corner, counter-clockwise.
+  /// Handles the triangles around the vertex of a corner, counter-clockwise.
   void look_around(const Corner& first) {
     fan_.clear();
     Vec3d sum = Vec3d::Zero();
@@ -72,7 +72,7 @@ class LeanFinder {
       raise(triangle, tangent_of_sum(lean, tangent_between(mean, mesh_.normal(triangle))));
   }
 
-  /// The corner at the same vertex of the triangle across the edge that ends there.
+  /// The corner at the same vertex in the next triangle, across the edge that ends there.
   std::optional<Corner> next_around(const Corner& corner) const {
     const int next = mesh_.neighbour(corner.triangle, (corner.edge + 2) % 3);
     if (next < 0) return {};
@@ -83,7 +83,7 @@ class LeanFinder {
     return {};
   }
 
-  /// Of the ways to the vertex of a closed fan from the mean of its normals: b in the header.
+  /// Lean of directions to the vertex of a closed fan from its mean normal: tan b in the header.
   double lean_from(const Vec3d& mean) {
     across_.clear();
     double steepest = 0;
@@ -97,8 +97,8 @@ class LeanFinder {
       steepest = std::max(steepest, std::abs(height) / length);
       across_.emplace_back(across / length);
     }
-    // Normals on one side mean that each edge is less than half a turn from the one before.
-    double least = 1;  // cosine of an angle between two that follow each other
+    // All normals are on one side, so each edge is less than half a turn from the one before.
+    double least = 1;  // cosine of the largest angle between neighbours
     for (std::size_t i = 0; i < across_.size(); ++i)
       least = std::min(least, across_[i].dot(across_[(i + 1) % across_.size()]));
     const double of_half = std::sqrt(0.5 * std::max(0.0, 1 + least));
@@ -109,7 +109,7 @@ class LeanFinder {
   std::vector<float> leans_;
   std::vector<std::array<bool, 3>> seen_;  // by triangle and corner
   std::vector<Corner> fan_;
-  std::vector<Vec3d> across_;  // its edges, unit, seen along the mean normal
+  std::vector<Vec3d> across_;  // its edges, projected along the mean normal, unit
 };
 
 }  // namespace

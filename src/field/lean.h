@@ -6,20 +6,20 @@
 
 namespace contactscope {
 
-/// How far the way from a point to its nearest point on a surface may lean from the normal of the triangle
-/// that has that point: for each triangle the tangent of the largest angle;
-/// kAnyLean where nothing is known.
+/// Bounds, as tangents, on how far the direction from a point to its nearest surface point leans
+/// from the normal of the triangle there. One per triangle; kAnyLean if unknown.
 ///
-/// Inside a triangle the way is along its normal. On an edge it is between the normals of both triangles.
-/// At a vertex v the way d makes no acute angle with an edge there, d.e <= 0: the normal cone of v. Let m
-/// be the mean of the normals around v. If all edges are within an angle a of the plane across m, and
-/// neighbouring ones, seen along m, within an angle g < 180 degrees, then some edge is no farther than g/2
-/// from the part of d across m, and d.e <= 0 leaves an angle b between d and m only for which
+/// Inside a triangle the direction is its normal. On an edge it is between the normals of both
+/// triangles. At a vertex v the direction d makes no acute angle with an edge there, d.e <= 0: the
+/// normal cone of v. Let m be the mean of the normals around v. Let all edges be within an angle a
+/// of the plane perpendicular to m, and neighbouring ones, seen along m, within an angle g < 180
+/// degrees. Then some edge is within g/2 of d's part in that plane, and d.e <= 0 limits the angle b
+/// of d and m:
 ///
 ///     tan b  <=  tan a / cos(g/2).
 ///
-/// That is small where triangles approximate something smooth. It needs neighbours all around each vertex;
-/// a triangle without has kAnyLean.
+/// The bound is small for triangles that approximate a smooth surface. It needs neighbours all
+/// around each vertex; triangles without them have kAnyLean.
 std::vector<float> largest_leans(const Mesh<double>& mesh);
 
 inline constexpr float kAnyLean = 1e9F;

@@ -14,7 +14,7 @@
 
 namespace contactscope {
 
-/// The nearest point of a surface to a point.
+/// The surface point nearest to a query point.
 struct NearestPoint {
   Vec3d point = Vec3d::Zero();                               // on the surface, its frame and unit
   double squared = std::numeric_limits<double>::infinity();  // distance, squared
@@ -22,12 +22,12 @@ struct NearestPoint {
   bool on_face = false;  // inside the triangle, not on its outline
 };
 
-/// Triangles of a mesh laid out to be asked for their nearest point; same frame and unit.
+/// Triangles of a mesh, laid out for nearest-point queries; same frame and unit.
 ///
-/// Inside the prism over a triangle the nearest point is on its plane, with the unit normal of the mesh,
-/// which is exact to a few roundings for slivers too; beside it on one of the edges behind which the
-/// point is. Ericson 2005, "Real-Time Collision Detection", 5.1.5, has the regions, by barycentric
-/// coordinates, which slivers have none of in floating point.
+/// Inside the prism over a triangle the nearest point is on its plane; the mesh's unit normal is
+/// exact to a few roundings, for slivers too. Outside it is on one of the edges that the point is
+/// beyond. Ericson 2005, "Real-Time Collision Detection", 5.1.5, finds the regions by barycentric
+/// coordinates, which floating point cannot compute for slivers.
 class NearestTriangles {
  public:
   NearestTriangles() = default;
@@ -35,35 +35,34 @@ class NearestTriangles {
 
   const Mesh<double>& mesh() const { return *mesh_; }
 
-  /// The nearest of all triangles; of equally near ones any. `seeds` are tried first: triangles near by
-  /// make the search short.
+  /// The nearest of all triangles; ties are arbitrary. Nearby `seeds` shorten the search.
   NearestPoint nearest(const Vec3d& point, std::span<const int> seeds = {}) const;
 
-  /// Searches the tree for the triangles nearest to a point, near branches first, and leaves out those that
-  /// are beyond `best`. visit(leaf, first, count) looks at `count` triangles, from `first` on in the order
-  /// of the tree, and may replace `best`.
+  /// Searches the tree for the triangles nearest to a point, near branches first, and skips those
+  /// beyond `best`. visit(leaf, first, count) checks `count` triangles, from `first` on in the
+  /// order of the tree, and may replace `best`.
   template <class Visit>
   void search(const Vec3d& point, NearestPoint& best, const Visit& visit) const;
 
-  /// The nearest of these.
+  /// The nearest of a list.
   NearestPoint nearest_of(std::span<const int> triangles, const Vec3d& point) const {
     NearestPoint best;
     for (const int triangle : triangles) improve(triangle, point, best);
     return best;
   }
 
-  /// Calls visit(leaf, first, count) for all leaves of the tree with triangles that can be nearest to a
+  /// Calls visit(leaf, first, count) for all leaves that have triangles that can be nearest to a
   /// point of a cube, and some others. `near`: a point of the surface. See TriangleSieve.
   template <class Visit>
   void around(const Vec3d& middle, double half_side, const Vec3d& near, const Visit& visit) const;
 
-  /// Which side of the plane of a triangle a point is on, its distance from it: positive in front.
+  /// Signed distance of a point from a triangle's plane: positive in front.
   double height_over(int triangle, const Vec3d& point) const {
     const Prism& prism = at(prisms_, triangle);
     return prism.normal.dot(point - prism.corners[0]);
   }
   const Vec3d& normal(int triangle) const { return at(prisms_, triangle).normal; }
-  /// Replaces `best` where the triangle is nearer.
+  /// Replaces `best` if the triangle is nearer.
   void improve(int triangle, const Vec3d& point, NearestPoint& best) const {
     const Prism& prism = at(prisms_, triangle);
     const Vec3d from = point - prism.corners[0];
@@ -87,13 +86,13 @@ class NearestTriangles {
 
  private:
   struct Prism {
-    Vec3d normal;  // beside the first corner in memory: most triangles need no more
+    Vec3d normal;  // next to the first corner in memory: most triangles need only these
     std::array<Vec3d, 3> corners, edges;
-    std::array<Vec3d, 3> inward;       // in the plane, at right angles to the edge
+    std::array<Vec3d, 3> inward;       // in the plane, perpendicular to the edge
     std::array<double, 3> edge_scale;  // 1 / |edge|^2
   };
   using Floats = lanes::Pack<float>;
-  /// A box in single precision, larger by what that rounds.
+  /// A box in single precision, enlarged by its rounding.
   struct RoughBox {
     Floats lower, upper;
 
@@ -103,15 +102,14 @@ class NearestTriangles {
       return (squares[0] + squares[1]) + squares[2];
     }
   };
-  /// x, y and z, and 0.
+  /// {x, y, z, 0}.
   static Floats pack_of_point(const Vec3d& point) {
     return Floats{static_cast<float>(point.x()), static_cast<float>(point.y()),
                   static_cast<float>(point.z()), 0};
   }
-  /// What rounding a point and a box to float, and the arithmetic of their distance, may add to it, as a
-  /// part of the largest number there.
+  /// Bound on the rounding of a point, a box and their distance in float, relative to the largest.
   static constexpr double kRoughness = 0x1p-20;
-  /// More than the square by what far points are rounded.
+  /// The square, enlarged by the rounding of far points.
   static float rounded_up(double squared) { return static_cast<float>(squared * (1 + kRoughness)); }
 
   std::shared_ptr<const Mesh<double>> mesh_;

@@ -8,18 +8,17 @@
 #include "core/pack.h"
 #include "core/vec3.h"
 
-/// The numbers of a lattice's nodes, rounded to 16 bits, and their blend: what a query of a distance field
-/// does most of the time.
+/// Lattice nodes, rounded to 16 bits, and their blend, which takes most of a distance field query.
 namespace contactscope {
 
-/// A node, rounded: its distance in steps, which the field chooses so that all fit, and the gradient of
-/// the distance in parts of kGradientScale, all even.
+/// A rounded node: its distance in steps, which the field chooses so that all fit, and the gradient
+/// in parts of kGradientScale, all even.
 struct FieldNode {
   std::int16_t distance;
   std::array<std::int16_t, 3> gradient;
 };
 
-/// Two nodes beside each other along x, the nearer one first, as a blend reads them.
+/// Two neighbouring nodes along x, the lower one first, as a blend reads them.
 struct alignas(16) NodePair {
   NodePair() = default;
   NodePair(const FieldNode& near, const FieldNode& far) {
@@ -35,8 +34,8 @@ struct alignas(16) NodePair {
   }
 
   std::array<std::int16_t, 2> distance;
-  /// The last number is odd where the cell of which these two nodes are the first asks its triangles: a
-  /// query learns so without a look at other memory.
+  /// The last number is odd if the cell that begins with these two nodes uses its triangles.
+  /// Queries need no other memory to know.
   std::array<std::array<std::int16_t, 2>, 3> gradient;
 
   bool asks_triangles() const {
@@ -50,8 +49,8 @@ struct alignas(16) NodePair {
 inline constexpr float kGradientScale = 32766;
 inline constexpr double kMostSteps = 32767;
 
-/// Distance, then its gradient, rounded. A distance is off by half a step, and by less than 1/100 of one
-/// that float's rounding may add.
+/// Rounds distance and gradient. A distance has an error of 0.5 steps, and of less
+/// than 0.01 from float rounding.
 inline FieldNode rounded_node(const lanes::Pack<float>& node, float steps_per_cell) {
   lanes::Pack<float> scale = lanes::all(0.5F * kGradientScale);
   scale[0] = steps_per_cell;
@@ -75,15 +74,15 @@ inline FieldNode rounded_node(const lanes::Pack<float>& node, float steps_per_ce
 }
 inline constexpr double kNodeRounding = 0.51;  // steps
 
-/// Weights of the blend have so many bits: a point is taken for one that is 2^-14 of a cell from it.
+/// Bits of a blend's weights: a point is rounded by up to 2^-14 of a cell.
 inline constexpr int kWeightBits = 14;
 inline constexpr int kWeightOne = 1 << kWeightBits;
 
-/// How pairs of nodes lie in memory, and what their numbers count: of the coarse ones or of a fine block.
+/// Memory layout and units of node pairs, of the coarse nodes or of a fine block.
 struct NodeLayout {
   NodeLayout() = default;
-  /// `row` and `layer`: from a pair to the next along y and along z; along x it is 1. The way between
-  /// two nodes is 2^`side` cells. `most`: the largest distance, cells.
+  /// `row` and `layer`: offset of the next pair along y and z; along x it is 1. Nodes are 2^`side`
+  /// cells from each other. `most`: largest distance, cells.
   NodeLayout(std::ptrdiff_t row, std::ptrdiff_t layer, int side, float most)
       : next_y(row),
         next_z(layer),
@@ -96,10 +95,10 @@ struct NodeLayout {
   }
 
   lanes::Pack<float>
-      counts{};  // what each number of a node counts, once weights are multiplied to it
+      counts{};  // units of a node's numbers, after multiplication by weights
   std::ptrdiff_t next_y = 0, next_z = 0;
-  float step = 1;  // what a distance counts, cells
-  float rise = 1;  // what a gradient counts from node to node, steps
+  float step = 1;  // unit of a distance, cells
+  float rise = 1;  // unit of a gradient from node to node, steps
   int side_bits = 0;
 };
 
@@ -109,7 +108,7 @@ using Floats = lanes::Pack<float>;
 using Integers = lanes::Flags<float>;
 
 #ifdef __SSE2__
-/// A point in parts of a cell, kWeightOne of them, and 0. What is too large for an integer is negative.
+/// A point in parts of a cell, kWeightOne of them, and 0. Values beyond int become negative.
 inline Integers parts_of(const Vec3d& point) {
   const __m128d unit = _mm_set1_pd(kWeightOne);
   const __m128i xy = _mm_cvttpd_epi32(_mm_mul_pd(_mm_loadu_pd(point.data()), unit));
@@ -121,7 +120,7 @@ template <int i>
 int small_lane(const Integers& numbers) {
   return _mm_extract_epi16(reinterpret_cast<__m128i>(numbers), 2 * i);
 }
-/// Of each of the four numbers the weights of the near and of the far node, of 16 bits.
+/// 16-bit weights of the near and the far node, for each of the four numbers.
 using PairWeights = __m128i;
 inline PairWeights pair_weights(const Integers& near, const Integers& far) {
   return reinterpret_cast<__m128i>((far << 16) | (near & 0xffff));
@@ -161,30 +160,30 @@ template <int i>
 Floats spread(const Floats& pack) {
   return __builtin_shufflevector(pack, pack, i, i, i, i);
 }
-/// Between `near` and `far`, t of the way.
+/// Interpolates from `near` to `far`.
 inline Floats between(const Floats& near, const Floats& far, const Floats& t) {
   return near + t * (far - near);
 }
 
 }  // namespace node_blend
 
-/// Distance in cells and its gradient, by the eight nodes around a point. `first`: the pair of the least
-/// coordinates; `weights`: where the point is between the nodes along x, y and z, 0 to kWeightOne, and 0.
+/// Distance in cells and its gradient, from the eight nodes around a point. `first`: the pair with
+/// the lowest coordinates; `weights`: place in the cell along x, y and z, 0 to kWeightOne, and 0.
 ///
-/// Trilinear; `cubic`: right for polynomials of third order. Along each axis Hermite's cubic by distance
-/// and slope of both nodes, across it linear; what it adds to a linear blend is summed over the axes (a
-/// Boolean sum without its mixed parts, after Gordon 1971). The gradient is the linear blend of the nodes'
-/// gradients.
+/// Trilinear; `cubic`: exact for polynomials of third order. Along each axis Hermite's cubic of
+/// both nodes' distances and slopes, linear across it. The differences from a linear blend are
+/// summed over the axes (a Boolean sum without its mixed parts, after Gordon 1971). The gradient is
+/// the linear blend of the nodes' gradients.
 ///
-/// All four numbers of a node are blended side by side, as they lie in memory: along x pair by pair, then
-/// the four rows along y and z.
+/// All four numbers of a node are blended side by side, as they are in memory: along x pair by
+/// pair, then the four rows along y and z.
 ///
-/// Between two nodes with the distances p and q and the slopes m and n the cubic is, with u = t (1-t) and
-/// v = 1-2t,  (1-t) p + t q  +  u v (p - q)  +  u ((1-t) m - t n).  So each node's number has one weight,
-/// which needs no node: they are made while the nodes come from memory.
+/// Between nodes with distances p and q and slopes m and n the cubic is, for u = t (1-t), v = 1-2t,
+/// (1-t) p + t q  +  u v (p - q)  +  u ((1-t) m - t n).  Each number has one weight that needs no
+/// node, so weights are computed while the nodes are loaded from memory.
 ///
-/// The blend along x is made of whole numbers and has no rounding, the rest is float: the result is off by
-/// less than 2^-13 of a cell's side and 2^-20 of the largest distance.
+/// The blend along x uses integers without rounding, the rest is float: the error is less than
+/// 2^-13 of a cell's side and 2^-20 of the largest distance.
 template <bool kCubic>
 [[gnu::always_inline]] inline lanes::Pack<float> blend(const NodePair* first,
                                                        const NodeLayout& layout,
@@ -203,7 +202,7 @@ template <bool kCubic>
   const Floats near_z = between(row[0], row[1], y), far_z = between(row[2], row[3], y);
   Floats node = between(near_z, far_z, z);
   if constexpr (kCubic) {
-    // Along x, which needs the nodes by themselves: p - q, and (1-t) m - t n.
+    // Along x, which needs the separate nodes: p - q, and (1-t) m - t n.
     constexpr Integers kOfDistance = {-1, 0, 0, 0}, kOfSlope = {0, -1, 0, 0};
     const Integers cubic_near = (kOfDistance & kWeightOne) | (kOfSlope & (kWeightOne - x));
     const Integers cubic_far = (kOfDistance & -kWeightOne) | (kOfSlope & -x);
@@ -211,7 +210,7 @@ template <bool kCubic>
     const auto along_x = [&](std::size_t i) { return sums(*rows[i], cubic_by_x); };
     const Floats of_x =
         between(between(along_x(0), along_x(1), y), between(along_x(2), along_x(3), y), z);
-    // Along y and z: the distance and the slope of the near side, then of the far one.
+    // Along y and z: distance and slope of the near side, then of the far side.
     const Floats near_y = between(row[0], row[2], z), far_y = between(row[1], row[3], z);
     const Floats near = __builtin_shufflevector(near_y, near_z, 0, 2, 4, 7);
     const Floats far_side = __builtin_shufflevector(far_y, far_z, 0, 2, 4, 7);

@@ -21,7 +21,7 @@ class SignSpreader {
   int index(int x, int y, int z) const { return (z * counts_[1] + y) * counts_[0] + x; }
   NodeSign& sign(int i) const { return at(signs_, i); }
 
-  /// Where the surface leaves a way between all neighbours, gives all nodes the sign of any known one.
+  /// If no surface can separate neighbours, gives all nodes the sign of any known one.
   bool one_sign() const {
     lanes::Pack<float> least = nodes_.front();
     for (const lanes::Pack<float>& node : nodes_) least = lanes::smaller(least, node);
@@ -33,7 +33,7 @@ class SignSpreader {
     return true;
   }
 
-  /// Along axes, in the order of memory and back: that is enough for nearly all nodes.
+  /// Spreads signs along axes, in memory order and back, which is enough for nearly all nodes.
   bool sweep() const {
     const int last = static_cast<int>(nodes_.size()) - 1;
     bool all = true;
@@ -42,7 +42,7 @@ class SignSpreader {
     return all;
   }
 
-  /// Whether a node has a neighbour, along diagonals too, whose sign it can take.
+  /// Takes a sign from any neighbour, along diagonals too; false if there is none.
   bool take_from_any(int x, int y, int z) const {
     const int to = index(x, y, z);
     for (int w = std::max(z - 1, 0); w <= std::min(z + 1, counts_[2] - 1); ++w) {
@@ -60,7 +60,7 @@ class SignSpreader {
     return false;
   }
 
-  /// To all neighbours of the open nodes, and from those on.
+  /// Spreads signs from the open nodes to all neighbours, and on from those.
   void spread() {
     while (!open_.empty()) {
       const auto [x, y, z] = open_.back();

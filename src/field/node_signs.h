@@ -11,17 +11,17 @@ namespace contactscope {
 
 enum class NodeSign : std::uint8_t { Unknown, Outside, Inside };
 
-/// Gives each node of a lattice the sign of a neighbour, next to it along axes or diagonals, to which the
-/// surface leaves a way: their distances together are larger than the one between them, `side` cells
-/// along an axis. Where no known node does so, the sign of one unknown node is asked.
+/// Gives each node of a lattice the sign of a neighbour, along axes or diagonals, if no surface can
+/// separate them: the sum of their distances exceeds the distance between them, `side` cells along
+/// an axis. If no known node qualifies, `is_inside` decides one unknown node.
 ///
-/// `counts`: nodes along x, y and z; `nodes`: distances without sign in the first lanes, x first; `signs`:
-/// as many, some of which may be known.
+/// `counts`: nodes along x, y and z; `nodes`: unsigned distances in the first lanes, x first;
+/// `signs`: one per node; some may be known.
 void spread_signs(const std::array<int, 3>& counts, double side,
                   std::span<const lanes::Pack<float>> nodes, std::span<NodeSign> signs,
                   const std::function<bool(int x, int y, int z)>& is_inside);
 
-/// What rounding may add to two distances of nodes, cells.
+/// Bound on the rounding of the sum of two nodes' distances, cells.
 inline constexpr double kSignSlack = 0x1p-12;
 
 }  // namespace contactscope

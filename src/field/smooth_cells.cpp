@@ -17,16 +17,16 @@ void BlockFiller::ask_triangles(int fine) {
     if (!is_smooth(kBlock * Vec3d(x, y, z) + Vec3d(i, j, k), first, triangles))
       asking_.push_back(first);
   }
-  // Not before all are judged: the mark is in a gradient that cells beside this one have, too.
+  // Only after all are tested: the mark is in a gradient that neighbouring cells share.
   for (NodePair* pair : asking_) pair->ask_triangles();
   asking_.clear();
 }
 
-/// Whether nothing thin can be in a cell, and its blend is good.
+/// Whether a cell can have nothing thin in it, and its blend is good.
 ///
-/// If the normals of all triangles there are within less than 90 degrees of one direction, then each line
-/// along it crosses the surface in the cell from inside to outside only: so a line crosses it once at
-/// most, and no plate or gap can begin and end in the cell.
+/// If all normals are within less than 90 degrees of one direction, each line along it crosses the
+/// surface in the cell only from inside to outside. So it crosses it at most once, and no plate or
+/// gap can begin and end in the cell.
 bool BlockFiller::is_smooth(const Vec3d& corner, const NodePair* first,
                             std::span<const int> triangles) {
   if (!(field_.settings_.smooth > 0)) return false;
@@ -44,12 +44,12 @@ bool BlockFiller::is_smooth(const Vec3d& corner, const NodePair* first,
   return blends_well(corner, first);
 }
 
-/// Compares the blend with the distance in the middle of a cell and in those of four of its eight parts, no
-/// two of which share a face. `first`: of the cell's nodes.
+/// Compares the blend with the distance in the middle of a cell, and in the middles of four of its
+/// eight parts that share no face. `first`: first pair of the cell's nodes.
 bool BlockFiller::blends_well(const Vec3d& corner, const NodePair* first) const {
   const bool cubic = field_.settings_.interpolation == FieldInterpolation::Cubic;
   const NodeLayout& layout = field_.layouts_[1];
-  // A place is in quarters of the cell.
+  // In quarters of the cell.
   const auto is_good = [&](int x, int y, int z) {
     const Vec3d point = corner + 0.25 * Vec3d(x, y, z);
     const double truth = field_.core_ ? field_.by_core(point).distance

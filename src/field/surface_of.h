@@ -5,8 +5,8 @@
 
 namespace contactscope {
 
-/// The faces of a hull as triangles, fronts outside, in the order of the faces; its own frame, metres.
-/// Vertices keep their numbers. Throws ShapeError where none has an area.
+/// The faces of a hull as triangles, fronts outside, in the order of the faces; its frame, metres.
+/// Vertices keep their indices. Throws ShapeError if no face has an area.
 Mesh<double> surface_of(const Hull<double>& hull);
 
 }  // namespace contactscope

@@ -6,11 +6,11 @@
 
 namespace contactscope {
 
-/// Finds the distances of the coarse nodes, and which blocks the band reaches.
+/// Computes the distances of the coarse nodes, and finds the blocks that the band reaches.
 ///
-/// Groups of 2 x 2 x 2 blocks have a list of triangles in common where the band may reach one of them: what
-/// is nearest to a block, and to the coarse nodes there, is sifted from it. Elsewhere each node searches
-/// the tree, from the triangle that is nearest to the node before.
+/// Groups of 2 x 2 x 2 blocks share a list of triangles if the band may reach one of them. The
+/// triangles near a block, and near its coarse nodes, are sifted from it. Elsewhere each node
+/// searches the tree, starting with the triangle nearest to the node before.
 void FieldBuilder::survey() {
   const auto [nx, ny, nz] = field_.blocks_;
   const auto product = [](int x, int y, int z) {
@@ -27,8 +27,8 @@ void FieldBuilder::survey() {
   });
 }
 
-/// The nodes and blocks that are twice the group's place, or one more, along each axis. Returns the triangle
-/// that is nearest to its middle. `seed`: a triangle near by.
+/// Surveys the nodes and blocks at twice the group's index, or one more, along each axis. Returns
+/// the triangle nearest to the group's middle. `seed`: a triangle nearby.
 int FieldBuilder::survey_group(const std::array<int, 3>& group, int seed, SurveyLists& lists) {
   bool near = true;
   NearestPoint last;
@@ -76,7 +76,7 @@ std::optional<FieldBuilder::NearBlock> FieldBuilder::survey_block(const Vec3d& m
   return block;
 }
 
-/// Whether the band may reach a cube of which half a diagonal is given, by the distance of its middle.
+/// Whether the band may reach a cube, by the distance of its middle and half its diagonal.
 bool FieldBuilder::band_reaches(double squared_distance, double half_diagonal) const {
   const double reach = field_.settings_.band + half_diagonal + kSignSlack;
   return field_.settings_.band == 0 || squared_distance <= reach * reach;

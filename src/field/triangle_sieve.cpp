@@ -20,7 +20,7 @@ SieveFloats magnitude(const SieveFloats& pack) {
   return lanes::larger(pack, -pack);
 }
 
-/// How far `along` is beyond the ends of a segment from 0 to `length`.
+/// Distance of `along` beyond the ends of a segment from 0 to `length`, signed.
 SieveFloats beyond(const SieveFloats& along, const SieveFloats& length) {
   return along - lanes::smaller(lanes::larger(along, SieveFloats{}), length);
 }
@@ -37,7 +37,7 @@ constexpr double kDiagonal = 1.7320508075688774;  // of a unit cube, rounded up
     return four[axis] * from_x + four[axis + 1] * from_y + four[axis + 2] * from_z;
   };
   const Floats x = along(kAxes), y = along(kAxes + 3), z = along(kAxes + 6);
-  // Of each edge how far the point is on its inner side, and beyond its ends.
+  // For each edge: distance on its inner side, and beyond its ends.
   const Floats first_beyond = beyond(x, four[kBase]);
   const Floats from_second = x - four[kBase];
   const Floats second = y * four[kSecond] - from_second * four[kSecond + 1];
@@ -102,7 +102,7 @@ NearestPoint TriangleSieve::nearest(List& list, const Vec3d& point) const {
   const double distance = std::sqrt(double{lanes::smallest<float>(least)[0]}) + 2 * slack_;
   const Floats most = lanes::all(static_cast<float>(distance * distance * (1 + 0x1p-20)));
   NearestPoint best;
-  constexpr int kFours = 16;  // whose bits one number has
+  constexpr int kFours = 16;  // fours whose bits fit in a number
   const int all = count_of(list.fours_);
   for (int first = 0; first < all; first += kFours) {
     std::uint64_t near = 0;
@@ -135,7 +135,7 @@ float TriangleSieve::rough_distance(const List& list, const Vec3d& point) const 
 
 TriangleSieve::Cube TriangleSieve::cube(const Vec3d& middle, double half_side,
                                         const Vec3d& near) const {
-  // (sqrt(a) + e)^2 <= (1 + t) a + (1 + 1/t) e^2 for any t: the rounding of a distance, as of a square.
+  // (sqrt(a) + e)^2 <= (1 + t) a + (1 + 1/t) e^2 for any t: a distance's rounding, for its square.
   constexpr double kShare = 0x1p-8;
   const double own = (middle - near).squaredNorm();
   const double by_distance = std::sqrt(own) + 2 * kDiagonal * half_side;
@@ -162,7 +162,7 @@ TriangleSieve::Cube TriangleSieve::cube(const Vec3d& middle, double half_side,
     return four[axis] * from_x + four[axis + 1] * from_y + four[axis + 2] * from_z;
   };
   const Floats x = along(kAxes), y = along(kAxes + 3), height = along(kAxes + 6);
-  // The farthest that a point of the cube may be on the outer side of an edge.
+  // Largest distance of the cube's points beyond an edge: rounding and the tilt of the side.
   const Floats out =
       cube.slack + four[kLean] * (magnitude(height) + cube.half_side * four[kNormal] + cube.slack);
   const auto reaches = [&](const Floats& inner, std::size_t edge) {
@@ -173,9 +173,9 @@ TriangleSieve::Cube TriangleSieve::cube(const Vec3d& middle, double half_side,
                             reaches(x * four[kThird + 1] - y * four[kThird], 2));
 }
 
-/// See the class: with x*, the triangle's point that is nearest to c, and r = |x-x*|,
+/// See the class: with x*, the triangle's point nearest to c, and r = |x-x*|,
 ///     |c-x|^2 >= |c-x*|^2 + r^2   and   |x-q|_1 <= |x*-q|_1 + sqrt(3) r,
-/// so that |c-x*|^2 <= |c-q|^2 + 2 h |x*-q|_1 + 3 h^2, the worst r being sqrt(3) h.
+/// so that |c-x*|^2 <= |c-q|^2 + 2 h |x*-q|_1 + 3 h^2. The worst r is sqrt(3) h.
 [[gnu::noinline]] std::uint32_t TriangleSieve::near_enough(const Four& four, const Cube& cube) {
   InFrame offset;
   const Floats own = squared_distance(four, cube.middle, offset);
@@ -187,7 +187,7 @@ TriangleSieve::Cube TriangleSieve::cube(const Vec3d& middle, double half_side,
   return lanes::bits<float>(own <= lanes::smaller(cube.most, cube.by_nearest + cube.rise * sum));
 }
 
-/// No branch depends on whether a triangle is kept: nothing could foresee it.
+/// No branch depends on whether a triangle is kept, which is unpredictable.
 template <class Sift>
 void TriangleSieve::append_if(const List& from, std::vector<int>& found, const Sift& sift) {
   const std::size_t before = found.size(), all = from.triangles_.size();
@@ -240,7 +240,7 @@ void TriangleSieve::fill_within(List& from, const Vec3d& middle, double half_sid
                                 const Vec3d& near, List& list) const {
   list.triangles_.clear();
   if (from.leaning_) {
-    // Distances decide, for which the nearest point itself is worth its search.
+    // Distances decide here, so the nearest point itself is worth its search.
     const Cube asked = cube(middle, half_side, nearest(from, middle).point);
     append_if(from, list.triangles_, [&](std::size_t i) {
       const std::uint32_t in_reach = lanes::bits<float>(from.squared_[i] <= asked.most);
