@@ -1,6 +1,5 @@
-// Cost of the recorder per contact point: a frame of 1000 pairs of four points each, written to a
-// file, with sides, impulses and ids, in float and in double; and of a recorder that was not
-// started.
+// Cost of the recorder per contact point: a frame of 1000 pairs of four points, written to a file,
+// in float and in double; and of a recorder that was not started.
 #include <benchmark/benchmark.h>
 
 #include <array>

@@ -54,7 +54,7 @@ const Prepared& prepared() {
   return instance;
 }
 
-// Ten thousand triangles, most of which hide others.
+// Ten thousand triangles; most of them hide others.
 const Prepared& prepared_terrain() {
   static const Prepared instance("mesh/hull_on_terrain.toml");
   return instance;

@@ -20,7 +20,7 @@ enum class Workload {
   SphereHull,      // W5b: sphere on hull of 32 vertices, overlap 1 to 10 mm
   CapsuleCapsule,  // W5c: overlap 1 to 10 mm
   BoxFaceMoving,   // W6a: W1, and b moves by 0.2 mm and 0.5 mrad a step
-  Hull32Moving,    // W6b: W4, and b moves in the same way
+  Hull32Moving,    // W6b: W4, and b moves as in W6a
   BoxMesh,         // W7a: box on the grid, 1 to 10 mm deep
   HullMesh,        // W7b: hull of 16 vertices on the grid, 1 to 10 mm deep
 };

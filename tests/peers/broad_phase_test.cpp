@@ -1,5 +1,5 @@
-// Other libraries' broad phases find every pair that ours does, and what they find beyond are boxes
-// that their margins make larger.
+// Other libraries' broad phases find every pair that ours finds. Additional pairs are boxes that
+// their margins enlarge.
 
 #include "peers/broad_phase_peer.h"
 

@@ -25,7 +25,7 @@ using Meshes = std::unordered_map<const Mesh<double>*, Geometry>;
 /// Enough for a box on a box, and for every triangle under a small shape.
 constexpr std::size_t kMaxPoints = 64;
 
-/// A geometry and its own frame in the shape's.
+/// A geometry and its frame relative to the shape's.
 struct MadeGeometry {
   Geometry geometry;
   Pose<double> frame;
@@ -36,7 +36,7 @@ MadeGeometry make(const Sphere<double>& sphere, Meshes&) {
 }
 
 MadeGeometry make(const Capsule<double>& capsule, Meshes&) {
-  // Its axis is z.
+  // FCL's capsule axis is z.
   return {std::make_shared<fcl::Capsuled>(capsule.radius, capsule_length(capsule)),
           capsule_frame(capsule, Vec3d::UnitZ())};
 }
@@ -114,7 +114,7 @@ class FclPair : public PeerPair {
     contact.failed = !process(result);
     for (std::size_t i = 0; i < result.numContacts(); ++i) {
       const fcl::Contactd& found = result.getContact(i);
-      // It may have put the shapes in the other order.
+      // FCL may have swapped the shapes.
       const double sign = found.o1 == a_.geometry.get() ? 1 : -1;
       contact.points.push_back(
           {Vec3d(found.pos), -found.penetration_depth, Vec3d(sign * found.normal)});
