@@ -17,8 +17,8 @@ class Support : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(Support, Scalars);
 
-/// Hulls of every remainder of the lane width, with the origin inside of them and far outside,
-/// where the lanes' padding with zeros would win.
+/// Hulls with every remainder of the lane width, with the origin inside and far outside, where the
+/// zeros that pad the lanes would win.
 TYPED_TEST(Support, LanesFindAVertexAsFarAsAnyOther) {
   using S = TypeParam;
   test::Random random(32);
