@@ -126,7 +126,7 @@ TEST(FlatTrianglesImpact, SlowTheyAreNeverMetLateByExactRationals) {
   are_never_met_late<float>(1500);
 }
 
-// Its lower end meets the wall half-way, and its middle corner is always on it.
+// Its lower end meets the wall at half of the step, and its middle corner is always on it.
 TEST(FlatTrianglesImpact, ANeedleFallsOnAWall) {
   const MovingTriangle wall{{Vec3d(0, 0, 0), Vec3d(1, 0, 0), Vec3d(0, 0, 1)},
                             {Vec3d(0, 0, 0), Vec3d(1, 0, 0), Vec3d(0, 0, 1)}};

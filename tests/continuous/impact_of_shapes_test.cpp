@@ -142,8 +142,7 @@ TEST(ImpactOfShapes, SlowNothingTunnels) {
       for (int i = 0; i < 200; ++i) {
         const Shape<float>& bullet = i % 3 == 0 ? ball : i % 3 == 1 ? box : rod;
         const Shape<float>& wall = i % 2 == 0 ? plate : sheet;
-        // It starts 0.4 m plus 10 to 90 % of its path before the wall, and passes near the wall's
-        // middle.
+        // It starts 0.4 m plus 10 to 90 % of its path before the wall, and passes near its middle.
         const double way = speed * kStep;
         const double before = 0.4 + random.uniform(0.1, 0.9) * way;
         Sweep<double> flies, stands;
@@ -153,7 +152,7 @@ TEST(ImpactOfShapes, SlowNothingTunnels) {
         flies.displacement = Vec3d(way + 1.0, 0, 0);
         const double spin = random.uniform(0, 3 * std::numbers::pi);
         flies.turn = spin * random.unit_vector();
-        if (i % 5 == 0) {  // the wall meets it half way
+        if (i % 5 == 0) {  // the wall moves towards it
           stands.displacement = Vec3d(-0.5 * way, 0, 0);
           flies.displacement.x() -= 0.5 * way;
         }

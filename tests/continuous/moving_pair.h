@@ -68,8 +68,7 @@ inline Features features_at(const Core<double>& core, const Pose<double>& pose) 
   return features_of_segment(core.points[0], core.points[1], pose);
 }
 
-/// Distance at a time by exhaustion. Both are moved to A's place, as the oracle's features are in
-/// double.
+/// Distance at a time by exhaustion, both moved near A: the oracle's features are in double.
 inline double true_distance(const MovingPair<double>& pair, double time) {
   Pose<double> a = placed(pair.motion_a, time), b = placed(pair.motion_b, time);
   const Vec3d origin = a.position;

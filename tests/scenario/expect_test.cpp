@@ -36,7 +36,7 @@ trace::Frame touching() {
   return frame;
 }
 
-/// Frame 3: crate and floor apart by 0.25 along an edge axis.
+/// Frame 3: crate and floor separated by 0.25 along an edge axis.
 trace::Frame separated() {
   trace::Frame frame;
   frame.frame = 3;
