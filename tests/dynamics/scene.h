@@ -73,8 +73,7 @@ struct Scene {
     return sum;
   }
 
-  /// The deepest separation of all pairs at the current poses, metres; +infinity if nothing
-  /// touches.
+  /// The smallest separation of all pairs now, metres; +infinity if nothing touches.
   double deepest_overlap() {
     World<S> copy = world;
     std::vector<Manifolds<S>> contacts;

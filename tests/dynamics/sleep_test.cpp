@@ -68,8 +68,7 @@ TEST(Sleepers, AFastFrameBeginsTheTimeAnew) {
   EXPECT_FALSE(sleepers.asleep(1));
 }
 
-// A ball of radius r spinning at w has the inertia 0.4 m r^2, so its mass counts as moving at
-// sqrt(0.4) w r.
+// A ball of radius r spinning at w has the inertia 0.4 m r^2: it counts as moving at sqrt(0.4) w r.
 TEST(Sleepers, SpinCountsAsItsEnergyDoes) {
   Scene<double> scene = balls(1);
   scene.body(1).angular_velocity = {0, 0.1, 0};

@@ -137,8 +137,8 @@ std::vector<double> tops(Scene<double> scene, int body, double half, double seco
   return result;
 }
 
-// Steps follow a parabola of their own; a frame can miss its top by g dt^2 / 8. Apart from this, no
-// height is gained or lost, however late or early the ball is met and lifted out.
+// Steps follow a parabola of their own; a frame can miss its top by g dt^2 / 8. Otherwise no height
+// is gained or lost, however late or early the ball is met and lifted out.
 TEST_P(EveryMethod, AnElasticBallComesBackToItsHeight) {
   for (const bool margin : {false, true}) {
     for (const double dt : {1.0 / 60, 1.0 / 200}) {
@@ -209,7 +209,7 @@ TEST(Restitution, BeginsAtTwiceWhatGravityAddsInASubStepAtEveryStep) {
   for (const auto& [dt, substeps] : {std::pair{1.0 / 60, 1}, {1.0 / 240, 1}, {1.0 / 60, 4}}) {
     const double threshold = 2 * kGravity * dt / substeps;
     EXPECT_NEAR(rebound(0.95 * threshold, dt, substeps), 0, 0.01 * threshold) << dt;
-    // It arrives and leaves with the speed before gravity's share, and falls in later sub-steps.
+    // It arrives and rebounds with the speed before gravity's share, and falls in later sub-steps.
     for (const double approach : {1.05 * threshold, 0.6, 3.0}) {
       if (substeps > 1 && approach < 0.5) continue;  // it is back within the frame
       EXPECT_NEAR(rebound(approach, dt, substeps), approach - kGravity * dt, 0.01 * threshold);
@@ -351,7 +351,7 @@ TEST(Correction, ProjectionDoesNotLiftABoxHigherThanItsCornersNeed) {
     scene.add_plane();
     scene.add_box({0.5, 0.5, 0.5}, {about({1, 0, 2}, tilt), {0, 0.48, 0}}, 1);
     scene.advance();
-    scene.settings.speculative_margin = 0.1;  // so that what is apart is seen too
+    scene.settings.speculative_margin = 0.1;  // also reports separated points
     EXPECT_NEAR(scene.deepest_overlap(), 0, 1e-6);
   }
 }

@@ -154,7 +154,7 @@ double farthest_way(const Scene<S>& scene, const std::vector<Body<S>>& places) {
   return most;
 }
 
-// Coincident edges, positions without overlap: the obvious way to write a stack.
+// Coincident edges, positions without overlap: a stack as most people would write it.
 TEST_P(Stack, SlowEqualBoxesThatJustTouchStandStillByDefault) {
   // Soft contacts yield.
   const double sinks = GetParam().correction == PositionCorrection::Soft ? 0.01 : 0.005;
@@ -245,8 +245,7 @@ TEST_P(Stack, ACopyGoesOnAsTheOriginal) {
 }
 
 TEST_P(Stack, FarFromTheOriginTheSameHappens) {
-  // 1024 m: coordinates in double have enough precision, so the manifold is as good as at the
-  // origin.
+  // 1024 m: double has enough precision, so the manifold is as good as at the origin.
   Scene<double> home = stack<double>({3, 2, 1}, GetParam().correction);
   Scene<double> away = home;
   for (int box = 1; box <= 3; ++box) away.body(box).center += Vec3d(1024, 0, -2048);

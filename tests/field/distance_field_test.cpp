@@ -91,7 +91,7 @@ TEST(DistanceField, CubicBlendsConvergeFasterThanTrilinearOnes) {
   };
   using enum FieldInterpolation;
   const double linear = worst(16, Trilinear) / worst(32, Trilinear);
-  // Finer ones have more of the nodes' rounding, 2^-16 of the lattice, than of the blend's error.
+  // Finer lattices show the nodes' rounding, 2^-16 of the lattice, more than the blend's error.
   const double cubic = worst(4, Cubic) / worst(8, Cubic);
   EXPECT_NEAR(std::log2(linear), 2, 0.4);
   EXPECT_GT(std::log2(cubic), 3.3);
@@ -130,7 +130,7 @@ TEST(DistanceField, SlowAgreesWithExhaustionOnMeshesUnderAnyMotion) {
 TEST(DistanceField, SlowSurfacesThatCrossThemselvesAreInsideWhereTheyGoAroundAPoint) {
   Random random(28);
   for (int i = 0; i < 16; ++i) {
-    // A ball and a thin fin through its skin, which end in each other, watertight both.
+    // A ball and a thin fin through its skin; each ends inside the other, and both are watertight.
     const double size = random.decade(-4, 4);
     const Pose<double> pose = random.pose(size);
     test::SphereMesh surface = test::sphere_mesh(0.4 * size, 20, 13, 0.1);
@@ -171,7 +171,7 @@ TEST(DistanceField, GradientsPointAwayFromTheSurface) {
     const FieldSample sample = field.sample(p);
     const FieldSample truth = field.exact(p);
     if (std::abs(truth.distance) > 0.06) continue;
-    // The nearest point jumps on few lines that near to this surface.
+    // Near this surface, the nearest point jumps only on a few lines.
     ASSERT_GT(sample.gradient.normalized().dot(truth.gradient), 0.9) << p.transpose();
     // One step down the exact gradient ends on the surface.
     ASSERT_NEAR(field.exact(p - truth.distance * truth.gradient).distance, 0, 1e-12);

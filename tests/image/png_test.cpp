@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
-/// A folder of its own that goes when the test ends.
+/// A new folder that is deleted when the test ends.
 class Png : public ::testing::Test {
  protected:
   Png() {

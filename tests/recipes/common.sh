@@ -1,4 +1,4 @@
-# What the tests of recipes share. $1 of each: the folder of the built program; $2: the sources.
+# Shared by the tests of recipes. $1: the folder of the built program; $2: the sources.
 set -u
 export PATH="$1:$PATH" CI=
 readme=$2/README.md
@@ -11,13 +11,13 @@ fail() {
   exit 1
 }
 
-# 77: CTest calls the test skipped, and its log says why.
+# Exit status 77: CTest reports the test as skipped, and its log has the reason.
 skip() {
   echo "skipped: $*" >&2
   exit 77
 }
 
-# A command that stands in the README, word for word, with the exit code that it should have.
+# Runs a command of the README, word for word, and checks its exit status.
 recipe() {
   wanted=$1
   shift
@@ -28,7 +28,7 @@ recipe() {
   [ "$code" = "$wanted" ] || fail "'$1' exits $code, not $wanted"
 }
 
-# A crate on a slab, so high over the floor.
+# A crate on a slab; $2 is the height of its centre.
 scenario() {
   mkdir -p "$(dirname "$1")"
   cat > "$1" << END
@@ -49,7 +49,7 @@ size   = [320, 180]
 END
 }
 
-# A repository of eight scenarios with baselines, of which one was changed since.
+# A repository of eight scenarios with baselines; one was changed since.
 repository() {
   for name in one two three four five six seven; do scenario "scenarios/hull/$name.toml" 0.495; done
   scenario scenarios/hull/moved.toml 0.495
@@ -57,7 +57,7 @@ repository() {
   scenario scenarios/hull/moved.toml 0.48
 }
 
-# The merged report is that of one run, byte for byte, but for times.
+# The merged report equals the report of one run, byte for byte, except for times.
 same_as_one_run() {
   contactscope check --fresh --quiet --out whole > /dev/null
   for file in findings.json report.html hull/moved/frame_0000.actual.png; do
@@ -66,14 +66,14 @@ same_as_one_run() {
   done
 }
 
-# Merged parts of a study are those of one, byte for byte.
+# Merged parts of a study equal one part, byte for byte.
 same_soak() {
   contactscope study stability --cases 20000 --shard 1/1 --out one --quiet > /dev/null
   contactscope merge one --out one --quiet > /dev/null || fail "one part is no whole"
   cmp one/study/stability/soak.json out/study/stability/soak.json || fail "the parts are not the whole"
 }
 
-# As many pictures as all scenarios have.
+# The number of pictures is that of all scenarios.
 all_rendered() {
   count=$(find out/hull -name 'frame_*.png' | wc -l)
   [ "$count" = 16 ] || fail "$count pictures of 16"

@@ -1,5 +1,5 @@
 #!/bin/sh
-# The README's tests for CTest, in a project of their own.
+# The README's tests for CTest, in a separate project.
 . "$2/tests/recipes/common.sh"
 repository
 {

@@ -1,5 +1,5 @@
 #!/bin/sh
-# What an engineer of another repository does first, with the README alone.
+# The first steps of an engineer from another repository, with only the README.
 . "$2/tests/recipes/common.sh"
 scenario scenarios/hull/crate.toml 0.495
 scenario scenarios/hull/other.toml 0.495
@@ -12,7 +12,7 @@ recipe 0 "contactscope check --write-missing"
 [ -f snapshots/hull/crate/frame_0001.png ] || fail "no first baselines"
 recipe 0 "contactscope check"
 
-# A deliberate change, and the check that fails.
+# A deliberate change, and a check that fails.
 scenario scenarios/hull/crate.toml 0.48
 recipe 1 "contactscope check"
 contactscope check --json --quiet --junit junit.xml | grep -q 'crate: moved 15 mm along -y' || fail "no cause"
@@ -28,7 +28,7 @@ contactscope check > log 2>&1
 contactscope review --list | grep -q 'hull/crate/frame_0000 ' && fail "the accepted picture is still there"
 contactscope review --list | grep -q '^changed *hull/crate/frame_0001' || fail "the other one is not"
 
-# What the page says of choices.
+# Decisions in the page's format.
 echo '{"accept":["hull/crate/trace"],"reject":["hull/crate/frame_0001"]}' | contactscope review --from -
 [ $? = 1 ] || fail "a rejected picture fails"
 contactscope review --list | grep -q '^rejected *hull/crate/frame_0001' || fail "nothing is rejected"

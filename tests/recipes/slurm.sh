@@ -1,6 +1,6 @@
 #!/bin/sh
-# The README's lines for a Slurm job array, on a Slurm of one machine that lives as long as the test. With "stand-in"
-# as a third argument the tasks run one after another, with the variables that Slurm would set.
+# The README's lines for a Slurm job array, on a temporary Slurm of one machine. With "stand-in" as
+# third argument, the tasks run one after another, with the variables that Slurm would set.
 . "$2/tests/recipes/common.sh"
 
 stand_in() {

@@ -1,5 +1,5 @@
 #!/bin/sh
-# The README's workflow file: that it is YAML, and each step of it that runs contactscope, as a runner of GitHub would.
+# The README's workflow file: it is YAML, and its contactscope steps run as on a GitHub runner.
 . "$2/tests/recipes/common.sh"
 repository
 mkdir -p .github/workflows
@@ -13,7 +13,7 @@ assert jobs["check"]["strategy"]["matrix"]["part"] == [1, 2, 3, 4]
 END
 fi
 
-# Steps "- run: contactscope ..." that have a word in them.
+# Steps "- run: contactscope ..." that contain $1.
 steps() {
   sed -n 's/^ *- run: \(contactscope .*\)$/\1/p' .github/workflows/contacts.yml | grep -- "$1"
 }
@@ -31,7 +31,7 @@ grep -q '^::error file=scenarios/hull/moved.toml' log || fail "no annotation: $(
 grep -q 'data:image/png;base64,' summary.md || fail "the summary has no picture"
 grep -q 'failures="1"' junit.xml || fail "junit.xml counts no failure"
 
-# And on the machine of whoever looks at it, with the artifact in out/check.
+# Then on the reviewer's machine, with the artifact in out/check.
 export CI=
 contactscope check --accept 'hull/moved' || fail "nothing is accepted"
 recipe 0 "contactscope check"

@@ -16,8 +16,7 @@ TEST_P(BrokenFile, IsNamedByPlaceAndRemedy) {
   EXPECT_THAT(message, HasSubstr(GetParam().remedy));
 }
 
-// Names come from the file: they may be megabytes long and contain characters that garble a
-// terminal.
+// Names come from the file: they may have megabytes, and characters that garble a terminal.
 TEST(BrokenFileMessage, IsOneLineOfBoundedLength) {
   const std::string control = complaint(two_boxes("\"up\\n\\u001b[31m\" = 1"));
   EXPECT_THAT(control, HasSubstr("8:1: unknown key 'up??[31m'; known here: "));

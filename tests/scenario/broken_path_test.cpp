@@ -45,8 +45,7 @@ TEST(BrokenPath, NameTooLongForTheSystem) {
   EXPECT_THAT(load_complaint(std::string(5000, 'a')), HasSubstr("cannot be looked at"));
 }
 
-// The superuser reads every file, so a test that runs as superuser drops its privileges for a
-// while.
+// The superuser reads every file, so such a test run drops its privileges for a while.
 class WithoutPrivileges {
  public:
   WithoutPrivileges() {

@@ -73,8 +73,7 @@ TEST(Sdf, IsSlicedWhereAViewShowsIt) {
       const double truth = out.cwiseMax(0.0).norm() + std::min(out.maxCoeff(), 0.0);
       const double told = slice.cell * at(slice.distances, row * slice.columns + column);
       EXPECT_NEAR(told, truth, 0.5 * slice.cell) << place.transpose();
-      // In front of a face, away from edges and the middle, the distance is linear, and so is
-      // blending.
+      // In front of a face, away from edges and the middle, distance and blending are linear.
       if (out.x() > -0.5 || std::abs(out.y()) > 0.3) continue;
       ++before_faces;
       inside += truth < 0 ? 1 : 0;
