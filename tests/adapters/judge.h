@@ -6,9 +6,9 @@
 
 #include "trace/json.h"
 
-/// Recomputes the claims of a recorded trace from its shapes and poses alone: by support points,
-/// features against features, and triangle by triangle in extended precision. It uses no engine and
-/// no code of the pipeline.
+/// Recomputes the claims of a recorded trace from its shapes and poses alone, in extended
+/// precision: by support points, features against features, and triangle by triangle. Uses no
+/// engine and no pipeline.
 namespace contactscope::test {
 
 /// The worst errors of a pair over all frames, metres.
@@ -37,8 +37,7 @@ struct Promise {
   double surface = 0, along = 0, best = 0;
 };
 /// Fails without pairs, for each unlisted pair outside the promise, and for each listed pair inside
-/// it. Normals must be unit within 1e-5. The linter must report exactly `told`, its names of
-/// causes.
+/// it. Normals must be unit within 1e-5. The linter must report exactly these names of causes.
 void expect_right(const trace::Trace& trace, const Promise& promise,
                   const std::vector<PairNames>& known_faults = {},
                   const std::vector<std::string>& told = {});

@@ -21,7 +21,6 @@ Scenario regression(const std::string& idea) {
   return load_scenario(CONTACTSCOPE_SOURCE_DIR "/scenarios/regressions/" + idea + ".toml");
 }
 
-/// All frames of a scenario.
 struct Sequence {
   trace::Header header;
   std::vector<trace::Frame> frames;

@@ -1,7 +1,7 @@
-// Time per pair of oriented boxes in float on one core, over a million pairs, a tenth of them
-// parallel, and the number of wrong answers of each test. Bullet (GImpact) and FCL test the same
-// pairs if they are installed. Passes of all tests take turns, so that other load on the machine
-// affects all of them equally.
+// Time per pair of oriented boxes in float on one core, over a million pairs (a tenth are
+// parallel), and wrong answers of each test. Bullet (GImpact) and FCL test the same pairs if
+// installed. Passes of all tests take turns, so that other load on the machine affects all of them
+// equally.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>

@@ -1,6 +1,5 @@
-// Time per stage of a picture at 1280x720, and the pictures per second that `render` reaches:
-// pipeline, illustrate, paint and read back (llvmpipe paints only when the pixels are read),
-// panels, encode.
+// Time per stage of a picture at 1280x720, and the pictures per second of `render`: pipeline,
+// illustrate, paint and read back (llvmpipe paints only when the pixels are read), panels, encode.
 
 #include <benchmark/benchmark.h>
 

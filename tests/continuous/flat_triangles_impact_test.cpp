@@ -11,8 +11,7 @@
 #include "support/exact_triangles.h"
 #include "support/random_geometry.h"
 
-/// Triangles without area, at the start, at the end or throughout, meet others as the segments and
-/// points that they are.
+/// Triangles without area, at any time of the step, meet others as segments and points.
 namespace contactscope {
 namespace {
 

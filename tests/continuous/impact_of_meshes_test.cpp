@@ -20,8 +20,7 @@ struct Deforming {
   std::vector<Vec3d> end;
 };
 
-/// A wavy sphere that moves as a whole and is crumpled by a fraction of its radius, or triangles
-/// scattered about a ball.
+/// A moving wavy sphere, crumpled by a fraction of its radius, or triangles scattered about a ball.
 Deforming random_deforming(Random& random, double size, const Vec3d& place, const Vec3d& way) {
   std::vector<Vec3d> vertices;
   std::vector<std::array<int, 3>> triangles;

@@ -170,8 +170,8 @@ TEST(MovingFeatures, SlowHitsByConstructionAreNeverMissed) {
   EXPECT_LT(at_start, kHits / 7);
 }
 
-/// One feature stays on one side of the other along a direction, by a margin, and moves freely
-/// across it.
+/// One feature stays on one side of the other along a direction, by a margin; across it moves
+/// freely.
 TEST(MovingFeatures, SlowMissesByAMarginAreNoHits) {
   Random random(33);
   for (const double margin : {1e-3, 1e-6, 1e-9, 1e-11}) {

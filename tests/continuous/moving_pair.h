@@ -92,9 +92,9 @@ inline double most_motion(const MovingPair<double>& pair) {
          turning(pair.core_a, pair.motion_a) + turning(pair.core_b, pair.motion_b);
 }
 
-/// The first time at which they are within `gap` metres, by steps as long as the distance allows
-/// with any motion; nullopt if there is none. After `most` steps it returns the time reached, which
-/// is at most too early.
+/// The first time at which they are within `gap` metres, by steps as long as the distance allows;
+/// nullopt if there is none. After `most` steps it returns the time reached, which is at most too
+/// early.
 inline std::optional<double> first_time_within(const MovingPair<double>& pair, double gap,
                                                double speed, double from = 0, int most = 4000) {
   double time = from;

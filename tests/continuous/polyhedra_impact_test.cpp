@@ -100,8 +100,8 @@ TYPED_TEST(PolyhedraImpact, SlowBarsThatSpinAsTheyComeAreNotLate) {
   expect_right(tally, kPairs);
 }
 
-/// Two boxes with half extents of one size. B starts `offset` sizes from A and moves by `way`
-/// sizes. The frame is turned and moved.
+/// Two boxes with half extents of one size, in a frame that is turned and moved. B starts `offset`
+/// sizes from A and moves by `way` sizes.
 template <class S>
 struct BoxPair {
   BoxPair(Random& random, double size, double away, const Vec3d& offset, const Vec3d& way)

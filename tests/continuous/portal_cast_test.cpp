@@ -31,9 +31,8 @@ std::vector<Point> placed_vertices(const Hull<double>& hull, const Pose<double>&
   return result;
 }
 
-/// The time span in which they overlap along every axis of the Minkowski difference; its end is
-/// before its begin if they never do. All face normals and cross products of edges, in extended
-/// precision.
+/// The time span of overlap along every axis of the Minkowski difference; its end is before its
+/// begin if there is none. All face normals and products of edges, in extended precision.
 TimeSpan<Extended> overlap_span(const Flight& of) {
   const std::vector<Point> a = placed_vertices(of.a, of.pose_a),
                            b = placed_vertices(of.b, of.pose_b);

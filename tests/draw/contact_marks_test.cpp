@@ -44,8 +44,7 @@ std::vector<Arrow> measures(const Sketch& sketch) {
   return found;
 }
 
-/// A ball of 0.25 m with its lowest point 0.2 m below the middle of the slab's top. The crate stays
-/// in place and takes no part.
+/// A ball of 0.25 m, 0.2 m deep in the middle of the slab's top. The crate takes no part.
 struct BallInSlab : CrateOnSlab {
   BallInSlab() {
     trace::Shape ball;

@@ -108,8 +108,7 @@ TEST(StabilityPanel, TellsAgesWhereThePictureTellsThem) {
   EXPECT_EQ(rings({Layer::Contacts}), 0);
 }
 
-/// Height and length of the horizontal lines in the verdicts' rows, in the style of the only pair,
-/// from the left.
+/// Height and length, from the left, of the lines in the verdicts' rows in the only pair's style.
 std::vector<std::pair<float, float>> verdict_levels(const Drawing& drawing) {
   std::vector<std::pair<float, float>> levels;
   float rows = 0;  // top of the rows: the first of the bands behind them

@@ -1,5 +1,4 @@
-// Nothing passes through a thin wall between two frames at any speed, and slow bodies are not held
-// back.
+// Nothing passes through a thin wall between two frames, and slow bodies are not held back.
 
 #include <gtest/gtest.h>
 
@@ -104,8 +103,7 @@ TEST(Tunnelling, SpeculativeContactsStopWhatFliesStraight) {
       0);
 }
 
-/// After the step, a ball that keeps all its velocity is as far from the wall as if the step had
-/// not been cut short.
+/// After the step, a ball that keeps its speed is as far from the wall as without an interruption.
 TEST(ImpactStops, ABallGoesOnForTheRestOfTheStep) {
   Scene<double> scene;
   scene.world.gravity.setZero();
@@ -145,8 +143,7 @@ TEST(ImpactStops, AStackAndASlidingCrateAreLeftAlone) {
   EXPECT_NEAR(scene.body(5).center.y(), 4.5, 0.05);
 }
 
-/// A ball flies at two others in a row: it is stopped at the first, and that one is stopped at the
-/// second within the same step.
+/// A ball hits the first of two others and stops; that one stops at the second in the same step.
 TEST(ImpactStops, WhatWasPushedIsLookedAtAgain) {
   Scene<double> scene;
   scene.world.gravity.setZero();

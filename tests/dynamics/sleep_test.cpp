@@ -170,8 +170,7 @@ void expect_the_awake_are_solved_alike() {
   for (std::size_t i = 0; i < all.bodies.size(); ++i)
     expect_same_body(nobody.bodies[i], all.bodies[i]);
 
-  // The first stack sleeps. The second is solved as if none slept, and the impulses within the
-  // first stay unchanged.
+  // The first stack sleeps and keeps its impulses. The second is solved as if none slept.
   std::vector<Body<S>> bodies = scene.world.bodies;
   for (const int i : {3, 4}) at(bodies, i).velocity = {S(0), S(9), S(0)};
   sleepers.settle(bodies, {}, kStep);

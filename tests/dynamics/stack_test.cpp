@@ -77,8 +77,7 @@ TEST(MassRatio, AHundredKilogramsStandOnOne) {
 }
 
 // Three boxes of 1 kg, overlapping by two slops or just touching. The correction may lift them
-// until one slop is left; no energy may come from anywhere else. Afterwards nothing may shake
-// itself loose.
+// until one slop is left; no other energy may appear. Afterwards nothing may shake itself loose.
 TEST_P(Stack, SlowEnergyNeverGrowsInTenThousandSteps) {
   const double of_one_step = 0.5 * 3 * std::pow(kGravity / 60, 2);
   struct Start {
@@ -178,8 +177,7 @@ TEST_P(Stack, SlowEqualBoxesThatJustTouchStandStillByDefault) {
   }
 }
 
-// Ten sweeps cannot hold ten boxes still: the sway that they leave needs hundreds of them. Soft
-// contacts damp it.
+// Ten sweeps leave a sway in ten boxes, which would need hundreds. Soft contacts damp it.
 TEST(TenEqualBoxes, SlowComeToRestOnSoftContactsInSubSteps) {
   Scene<float> scene = plain_stack<float>(PositionCorrection::Soft, 10);
   scene.settings.substeps = 4;

@@ -6,9 +6,8 @@
 
 namespace contactscope::test {
 
-/// A plate of half a cell, and a block next to it that enlarges the lattice, so that the plate
-/// slides through the cells. Their common length is the lattice's: with kPlateCells cells, each is
-/// nearly 1/64 m.
+/// A plate of half a cell, and a block that enlarges the lattice so that the plate slides through
+/// the cells. Their common length is the lattice's: each of kPlateCells cells is nearly 1/64 m.
 struct ThinPlate {
   Mesh<double> mesh;
   Vec3d middle;

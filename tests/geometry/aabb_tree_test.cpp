@@ -37,8 +37,8 @@ std::vector<int> brute_force(const Mesh<S>& mesh, const Aabb<S>& box) {
   return triangles;
 }
 
-/// Boxes anywhere about the mesh, over four decades; boxes that are a point; and boxes that end
-/// where a triangle begins.
+/// Boxes anywhere about the mesh, over four decades; points; boxes that end where a triangle
+/// begins.
 template <class S>
 Aabb<S> random_query(Random& random, const Mesh<S>& mesh) {
   const Aabb<S> bounds = mesh.tree.bounds();
@@ -300,8 +300,7 @@ double expected_tests(const AabbTree<double>& tree) {
   return tests / surface_area(tree.bounds());
 }
 
-/// The same for a tree that halves triangles by centre along the longest axis, down to leaves of at
-/// most `largest_leaf`.
+/// The same for a tree that halves by centre along the longest axis, down to `largest_leaf`.
 double expected_tests_of_halves(std::vector<Aabb<double>> boxes, std::size_t largest_leaf) {
   Aabb<double> bounds;
   Aabb<double> centers;

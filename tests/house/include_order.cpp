@@ -102,7 +102,6 @@ std::string included_by(std::string_view line) {
   return std::string(line.substr(0, line.find('"')));
 }
 
-/// CMake text without its comments.
 std::string without_comments(const std::string& text) {
   std::string kept;
   std::istringstream lines(text);

@@ -8,8 +8,8 @@
 namespace contactscope::house {
 namespace {
 
-/// Names of other projects' files, which comments cite, and of files that a document tells its
-/// reader to make.
+/// Names of files outside the project that comments cite or that a document asks its reader to
+/// make.
 const std::set<std::string> kElsewhere = {
     "GL/gl.h",     "GL/glcorearb.h", "GL/osmesa.h",
     "my.toml",     "my/crate.toml",  "btGjkEpa2.cpp",
@@ -40,8 +40,8 @@ bool names_a_file(const std::string& name, const std::set<std::string>& paths) {
          });
 }
 
-/// Target of a link in a document, relative to the root; empty if it leads to a place on the page
-/// or outside the project.
+/// Target of a document's link, relative to the root; empty for a place on the page or outside the
+/// project.
 std::string target_of(const std::string& document, std::string link) {
   link = link.substr(0, link.find('#'));
   if (link.empty() || link.find("://") != std::string::npos) return {};

@@ -77,7 +77,6 @@ TEST(Tidiness, SetupCanBeExecuted) {
   EXPECT_NE(permissions & std::filesystem::perms::owner_exec, std::filesystem::perms::none);
 }
 
-/// Files with more lines than `limit`.
 std::vector<std::string> long_files(const std::vector<SourceFile>& files, long limit) {
   std::vector<std::string> found;
   for (const SourceFile& file : files) {

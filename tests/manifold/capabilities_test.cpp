@@ -18,8 +18,8 @@ using test::PlacedShapes;
 constexpr QueryKind kEveryQuery[] = {QueryKind::Overlap, QueryKind::Touching, QueryKind::Distance,
                                      QueryKind::Penetration, QueryKind::Manifold};
 
-/// Spans -0.5 to 0.5 along y. The surface of a plane is at 0.5, and so is that of a mesh, which is
-/// always the lower shape.
+/// Spans -0.5 to 0.5 along y. A plane's surface is at 0.5, and so is that of a mesh, always the
+/// lower one.
 Shape<double> shape_of(ShapeKind kind) {
   switch (kind) {
     case ShapeKind::Sphere:
@@ -178,8 +178,7 @@ TEST(Capabilities, EveryClaimedCellAnswersRight) {
         EXPECT_LT(deep.metres, 1e-9);
         break;
       case QueryKind::Penetration:
-        // Portal refinement ends at the face that one ray hits, and sampling comes close to the
-        // least depth.
+        // Portal refinement ends at the face that one ray hits; sampling only comes close.
         EXPECT_GE(deep.metres, 0.125 - 1e-9);
         EXPECT_LE(deep.metres, method == QueryMethod::Mpr ? 0.2 : 0.125 + 1e-3);
         break;

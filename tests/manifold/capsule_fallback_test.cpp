@@ -164,8 +164,8 @@ TYPED_TEST(CapsuleFallback, IsAtRightAnglesToBothAxesAndAsDeepAsTheyAreHoweverSm
 
 TYPED_TEST(CapsuleFallback, TurnsWithinRoundingFromOverlappingToCrossingAxes) {
   using S = TypeParam;
-  // In place, about many directions perpendicular to the axes. The cross product alone would appear
-  // suddenly at the first step.
+  // In place, about directions perpendicular to the axes. The cross product alone would appear
+  // suddenly.
   const double turn = 48 * this->kEps;  // radians in which the normal becomes the cross product
   const double step = turn / 48;
   for (double direction = 0.3; direction < 2.9; direction += 0.1) {
@@ -177,8 +177,8 @@ TYPED_TEST(CapsuleFallback, TurnsWithinRoundingFromOverlappingToCrossingAxes) {
     EXPECT_EQ(changes.degenerate_frames, 200);
     EXPECT_EQ(changes.two_points, 200);
     // Only the directions between them are perpendicular to both axes. The normal turns faster the
-    // farther the cross product is from the direction fixed to the body. At a right angle it flips,
-    // which no choice can avoid.
+    // farther the cross product is from the body's direction. At a right angle it flips
+    // unavoidably.
     const double lean = std::abs(about.z());
     EXPECT_GT(changes.normal, 0);
     EXPECT_LT(changes.normal, 2 * step / turn / lean);
@@ -188,8 +188,7 @@ TYPED_TEST(CapsuleFallback, TurnsWithinRoundingFromOverlappingToCrossingAxes) {
 
 TYPED_TEST(CapsuleFallback, StandsStillWhileCrossingAxesTurnOnAndWhenTheyPart) {
   using S = TypeParam;
-  // Beyond rounding, the cross product is also the normal of two axes that do not meet. So nothing
-  // jumps when they separate.
+  // Beyond rounding, the normal is the cross product for axes that meet or not, so nothing jumps.
   for (const double direction : {0.3, 0.9, 2.2}) {
     const Vec3d about(0, std::cos(direction), std::sin(direction));
     const auto turned = [&](int i) {

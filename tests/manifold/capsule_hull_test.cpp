@@ -317,7 +317,7 @@ TYPED_TEST(CapsuleHull, SinksOverhangingAFaceWithoutAJump) {
   using S = TypeParam;
   for (const double tilt : {0.0, 1e-6, 1e-3, 0.049, 0.051, 0.3}) {
     SCOPED_TRACE(tilt);
-    // The lower end lies beyond the side x = -1: an edge of the box carries the segment.
+    // The lower end is beyond the side x = -1: an edge of the box carries the segment.
     const Vec3d along(std::cos(tilt), std::sin(tilt), 0);
     const Vec3d over_edge(-1, 0.101, 0.1);
     const RoundHull high = on_box(over_edge - 0.3 * along, over_edge + 0.9 * along, 0.1);

@@ -23,8 +23,7 @@ struct HullOnGrid {
   Pose<S> in_hull;
 };
 
-/// A box, or a hull with an even or odd number of vertices and faces. The origin of its frame may
-/// be outside.
+/// A box, or a hull with an even or odd number of vertices and faces; its origin may be outside.
 Hull<double> draw_hull(double size, Random& random) {
   if (random.chance(0.4)) {
     Vec3d half;

@@ -37,8 +37,8 @@ bool holds(const Outline& outline, const Vec2d& place) {
   return true;
 }
 
-/// Corners of the intersection of two outlines, by definition: corners of one inside the other, and
-/// crossings of two edges.
+/// Corners of two outlines' intersection by definition: corners inside the other, and crossings of
+/// edges.
 Outline shared_corners(const Outline& one, const Outline& other) {
   Outline corners;
   const auto add = [&](const Vec2d& place) {

@@ -9,8 +9,7 @@
 #include "support/brute_force_distance.h"
 #include "support/builders.h"
 
-/// Triangles without area are segments and points, and collide as such. A mesh that deforms may get
-/// them.
+/// Triangles without area, which deforming meshes may get, collide as segments and points.
 namespace contactscope {
 namespace {
 

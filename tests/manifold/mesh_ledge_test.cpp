@@ -101,10 +101,9 @@ void expect_own_face(const Manifold<double>& manifold, const Mesh<double>& mesh,
 }
 
 /// Boxes and capsules that overlap a solid a little, with their centre outside, against its
-/// surface: no contact is lost or on the wrong side, and none is far deeper than with the solid.
-/// The deepest one pushes out as the solid does. Another one may push back only from the front of a
-/// face: at a rim of less than a right angle, the surface does not decide which of two faces is the
-/// exit.
+/// surface: no contact is lost, on the wrong side, or far deeper than with the solid. The deepest
+/// one pushes out as the solid does. Another may push back only from the front of a face: at a rim
+/// of less than a right angle, the surface does not decide which face is the exit.
 template <class MakeSolid>
 void expect_like_the_solid(unsigned seed, int count, const MakeSolid& make_solid,
                            int least_touching) {
@@ -155,8 +154,8 @@ TEST(MeshLedge, SlowASharpRimIsNoDeeperThanTheConeOfIt) {
       123, 16000, [](test::Random&) { return make_cone(0.6, 0.4, 7); }, 1000);
 }
 
-/// Largest change of the depth per displacement, as a capsule of 1.2 m by 0.5 m passes over `roof`
-/// in a thousand steps.
+/// Largest change of depth per displacement, as a capsule of 1.2 m by 0.5 m crosses `roof` in 1000
+/// steps.
 struct Sweep {
   double worst = 0;
   int touching = 0;

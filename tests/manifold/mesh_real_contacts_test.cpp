@@ -9,8 +9,8 @@
 #include "support/builders.h"
 #include "support/surface_oracle.h"
 
-/// Contacts with real edges and corners of the surface are never replaced. Only those with edges of
-/// the tessellation are.
+/// Contacts with real edges and corners are never replaced; only those with edges of the
+/// tessellation.
 namespace contactscope {
 namespace {
 

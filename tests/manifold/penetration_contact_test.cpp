@@ -10,8 +10,7 @@
 #include "support/builders.h"
 #include "support/minkowski_face.h"
 
-/// Contacts of hulls whose normal comes from a penetration method instead of the separating axis
-/// test.
+/// Contacts of hulls with a normal from a penetration method instead of the separating axis test.
 namespace contactscope {
 namespace {
 

@@ -18,8 +18,8 @@ class SpherePairs : public testing::Test {
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(SpherePairs, Scalars);
 
-/// A sphere of radius 0.3 next to a capsule along y, and the expected contact. The capsule's frame
-/// is the world's.
+/// A sphere of radius 0.3 next to a capsule along y, in the capsule's frame, and the expected
+/// contact.
 struct Case {
   const char* name;
   Vec3d center;

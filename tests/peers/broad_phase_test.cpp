@@ -1,5 +1,5 @@
-// Other libraries' broad phases find every pair that ours finds. Additional pairs are boxes that
-// their margins enlarge.
+// Other libraries' broad phases find all of our pairs, and additional ones because of their
+// margins.
 
 #include "peers/broad_phase_peer.h"
 

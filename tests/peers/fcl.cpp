@@ -1,5 +1,5 @@
-// FCL 0.7 as Debian builds it, in double, with its default solver (libccd). It keeps nothing
-// between calls.
+// FCL 0.7 as Debian builds it, in double, with libccd as default solver. Keeps nothing between
+// calls.
 #include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/geometry/shape/box.h>
 #include <fcl/geometry/shape/capsule.h>

@@ -16,8 +16,7 @@
 #include "support/brute_force_sat.h"
 
 // Boxes, hulls, spheres and capsules on a mesh of 10,000 triangles through Bullet, ODE, FCL and our
-// own pipeline. Exhaustion over the nearby triangles judges touching, and the depth and normal of
-// the deepest point.
+// own pipeline. Exhaustion over the nearby triangles judges touching, depth and normal.
 namespace contactscope::peers {
 namespace {
 

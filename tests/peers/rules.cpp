@@ -18,7 +18,7 @@ constexpr double kEpaAccuracyMetres = 1e-4;
 constexpr double kHullGrid = 4.0 / 10216;
 /// dBoxBox2: fudge_factor.
 constexpr double kEdgeFudge = 1.05;
-/// btBoxBoxDetector: fudge2, FCL's eps is smaller.
+/// btBoxBoxDetector: fudge2. FCL's eps is smaller.
 constexpr double kCosineFudgeSize = 1e-5;
 
 double sine_between(const Vec3d& one, const Vec3d& other) {
@@ -93,8 +93,8 @@ double sine_of_edges(const Comparison& c, const Vec3d& normal) {
   return sine;
 }
 
-/// An edge axis is measured by four products with a cosine. The fudge adds at most a half extent
-/// times itself to each.
+/// An edge axis is measured by four products with a cosine; each grows by at most half extent *
+/// fudge.
 bool deeper_by_cosine_fudge(const Comparison& c) {
   const Vec3d normal = c.answer.deepest()->normal.normalized();
   if (is_face_axis(c, normal)) return false;
@@ -267,7 +267,7 @@ std::span<const Rule> rules_of(const Peer& peer, bool boxes) {
 }
 
 double tolerance_of(const Peer& peer, double length_scale) {
-  // Bullet rounds to float some tens of times; ODE and FCL stop MPR at steps of a millionth.
+  // Bullet rounds to float a few dozen times; ODE and FCL stop MPR at steps of a millionth.
   const double relative = std::max(2e-6, 100 * peer.epsilon());
   return relative * length_scale;
 }

@@ -34,8 +34,8 @@ inline constexpr const char* kReplaced = "a neighbour's point within the breakin
 /// Rules of a library by name: for two boxes if `boxes`, else for hulls.
 std::span<const Rule> rules_of(const Peer& peer, bool boxes);
 
-/// For a box (`box`) or another hull, A, and B, the triangle of the mesh with the deepest point, as
-/// a flat hull.
+/// For a box (`box`) or another hull A, and B, the triangle of a mesh with the deepest point, as
+/// flat hull.
 std::span<const Rule> mesh_rules_of(const Peer& peer, bool box);
 
 /// For spheres and capsules, with each other or with hulls.
@@ -44,9 +44,8 @@ std::span<const Rule> round_rules_of(const Peer& peer);
 /// The same for a sphere or a capsule on a mesh.
 std::span<const Rule> round_mesh_rules_of(const Peer& peer);
 
-/// btCollisionShape::getContactBreakingThreshold of the less extended shape. By default the
-/// dispatcher takes 0.02 of the largest possible distance of a point of the shape from its origin,
-/// bounded by its box.
+/// btCollisionShape::getContactBreakingThreshold of the smaller shape: by default 0.02 of the
+/// largest possible distance of a point of the shape from its origin, bounded by its box.
 double breaking_threshold(const Hull<double>& hull);
 
 /// Metres, for a pair of this extent. Answers within it agree.

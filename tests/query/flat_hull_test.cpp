@@ -31,8 +31,7 @@ Hull<double> random_polygon(Random& random, int corners, double size) {
   return build_hull(points, {.allow_flat = true});
 }
 
-/// Turns B's normal onto A's and moves B into A's plane: nearly parallel, or as parallel as
-/// rotations can be.
+/// Turns B's normal onto A's and moves B into A's plane; at best as parallel as rotations can be.
 void make_parallel(Random& random, PairCase<double>& pair) {
   const Vec3d normal_a = pair.pose_a.rotate(pair.a.planes[0].normal);
   const Vec3d normal_b = pair.pose_b.rotate(pair.b.planes[0].normal);
@@ -59,8 +58,7 @@ PairCase<double> random_flat_pair(Random& random, int index) {
   return index % 4 < 2 ? pair : test::swapped(pair);
 }
 
-/// The largest separation along the directions in a flat hull's plane that point away from its
-/// edges; for B if `of_b`.
+/// The largest separation along outward directions of edges in a flat hull's plane; of B if `of_b`.
 double separation_by_sides(const PairCase<double>& pair, bool of_b) {
   const Hull<double>& hull = of_b ? pair.b : pair.a;
   const Pose<double>& pose = of_b ? pair.pose_b : pair.pose_a;

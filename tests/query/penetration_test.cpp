@@ -361,8 +361,7 @@ TEST(Sampling, NoDirectionIsFartherFromASampleThanItSays) {
       directions.push_back(spread.next());
       ASSERT_NEAR(directions.back().norm(), 1, 1e-14);
     }
-    // In the hull of points on the sphere, the face nearest to the centre is at the largest cap
-    // without a point.
+    // The hull's face nearest to the centre is at the largest cap without a point.
     const Hull<double> hull = build_hull(directions);
     double nearest = 1;
     for (const Plane<double>& plane : hull.planes) nearest = std::min(nearest, plane.offset);

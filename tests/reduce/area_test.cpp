@@ -57,8 +57,7 @@ TYPED_TEST(AreaReducer, KeepsTheCornersOfASquareAmongPointsInside) {
 
 TYPED_TEST(AreaReducer, FollowsTheTalksOrderOfChoice) {
   // The support point of the fixed direction (x before z) is the far right corner. The farthest
-  // from it is the left end. The largest triangle uses the point below. The last choice adds the
-  // top.
+  // from it is the left end. The largest triangle uses the point below; last comes the top.
   const auto points = points_at<TypeParam>({{-2, 0}, {0, 0.5}, {2, 0}, {0, -1}, {0.1, 0.1}});
   EXPECT_THAT(reduced(points, 4), ElementsAre(2, 0, 3, 1));
 }

@@ -79,8 +79,7 @@ inline double extent(const std::vector<Place>& places) {
   return most;
 }
 
-/// The largest hull area over the choices of `size` places that `admits` accepts; minus infinity if
-/// it accepts none.
+/// The largest hull area of `size` places that `admits` accepts; minus infinity if it accepts none.
 template <class Admits>
 double largest_area(const std::vector<Place>& places, int size, const Admits& admits) {
   const int count = static_cast<int>(places.size());
@@ -146,8 +145,7 @@ inline std::vector<Place> crowd(Random& random, int count, int number) {
   return places;
 }
 
-/// Effect of rounding to S on an area: an error of a few ulps of the coordinates, along the whole
-/// patch.
+/// Effect of rounding to S on an area: a few ulps of the coordinates along the whole patch.
 template <class S>
 double area_rounding(const std::vector<ContactPoint<S>>& points, const std::vector<Place>& places) {
   const double length = extent(places);

@@ -28,8 +28,7 @@ TEST(EngineChoices, Box3dStartsWithDepthAndWayTogether) {
 }
 
 TEST(EngineChoices, Box3dLetsAnEarlierPointWinByFivePercent) {
-  // The second of the last two points is farther from the first one by 1% or by 5%: 2% and 10% in
-  // squares.
+  // The last point is farther than the one before by 1% or by 5%: 2% and 10% in squares.
   EXPECT_THAT(kept_by("box3d", points_at({{0, -9}, {1, 0}, {-1, 0}, {0, 1}, {0.1, 1.1}})),
               ElementsAre(0, 3, 1, 2));
   EXPECT_THAT(kept_by("box3d", points_at({{0, -9}, {1, 0}, {-1, 0}, {0, 1}, {0.1, 1.5}})),
@@ -151,8 +150,8 @@ TEST(EngineChoices, NewtonTakesBothSidesOfTheDiameter) {
 }
 
 TEST(EngineChoices, MjxWastesItsFourthChoiceOnASquare) {
-  // The first corner is as far from the edge of the other two as the missing corner is from its
-  // own, and comes first.
+  // The first corner is as far from the others' edge as the missing corner from its own, and comes
+  // first.
   EXPECT_THAT(kept_by("mjx", points_at({{0, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 1}})),
               ElementsAre(0, 2, 1));
   EXPECT_THAT(kept_by("mjx", points_at({{0, 0}, {1.9, -0.9}, {2, 2}, {-1, 2.5}, {1, 1}})),

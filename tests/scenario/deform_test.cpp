@@ -331,8 +331,8 @@ TEST(Deform, ContactsAreThoseOfTheSurfaceAsItIs) {
   EXPECT_EQ(runner.frame(1).pairs.at(0).state, "separated");
 }
 
-/// A swell that rises under a ball from one frame to the next, from 0.212 m to 0.3 m. The ball's
-/// lowest point is 0.25 m high.
+/// A swell that rises from 0.212 m to 0.3 m in a frame, under a ball whose lowest point is at 0.25
+/// m.
 std::string swell(const std::string& rest) {
   return R"(title = "A swell"
 [time]

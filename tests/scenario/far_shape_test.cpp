@@ -4,8 +4,8 @@
 #include "scenario/run.h"
 #include "trace/json.h"
 
-/// Shapes in a file that are far from the origin of their own frame: collided about their middle,
-/// and recorded as in the file.
+/// Shapes that a file models far from their origin: collided about their middle, recorded as in the
+/// file.
 namespace contactscope {
 namespace {
 

@@ -109,8 +109,7 @@ TEST(IncrementalRun, ARecordChangesNothingAndTradingTheShapesMirrors) {
   }
 }
 
-/// A wheel of 64 flat sides that the solver rolls. Each side's corners take the places of the
-/// previous ones.
+/// A wheel of 64 flat sides that the solver rolls: corners take the places of the previous side's.
 constexpr const char* kRollingWheel = R"(title = "Rolling wheel"
 [time]
 frames = 60

@@ -213,8 +213,7 @@ TEST_P(Explore, ASquareThatGivesWayToTheOtherHasMoved) {
   ASSERT_THAT(explorations, SizeIs(2));
   const trace::ReducerAnswer& optimal = answer_of(explorations[1], "optimal");
   EXPECT_EQ(optimal.ids_changed, 8);
-  // Of the two points on one side of the fixed square, the far one is kept before, the near one
-  // after.
+  // One side of the fixed square has two points: the far one is kept before, the near one after.
   const double degree = std::numbers::pi / 180;
   const auto before = cut(43 * degree), after = cut(47 * degree);
   const double way_along =
@@ -254,8 +253,7 @@ TEST_P(Explore, ATowerOnARampTipsWherePlumbBelowItsMiddleIsNoBase) {
   EXPECT_THAT(tower_held(GetParam(), -30), ElementsAre(false));
 }
 
-/// A box of 0.8 by 0.8 at a place on a flat mesh of triangles with sides of 0.5 m, which spans -2
-/// to 2 m.
+/// A box of 0.8 by 0.8 on a flat mesh from -2 to 2 m of triangles with sides of 0.5 m.
 std::vector<trace::Exploration> box_on_mesh(const std::string& scalar, const std::string& x) {
   return explore(parse_scenario("title = \"Mesh\"\n[pipeline]\nscalar = \"" + scalar +
                                     "\"\n[shapes.crate]\ntype = \"box\"\n"

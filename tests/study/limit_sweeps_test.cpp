@@ -144,7 +144,7 @@ TEST(StackedPair, OverlapsByWhatIsAskedFor) {
       }
     }
   }
-  // Spheres of 2 m: half way from touching to coincidence is one metre.
+  // Spheres of 2 m: the middle between touching and coincidence is one metre.
   Stacking half;
   half.size = 2;
   half.overlap = 0.5;

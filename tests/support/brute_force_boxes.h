@@ -80,8 +80,7 @@ double exact_gap(const Obb<S>& a, const Obb<S>& b) {
   return largest;
 }
 
-/// The length that rounding bounds are relative to: all half extents plus the offset of the
-/// centres.
+/// The length that rounding is relative to: all half extents plus the offset of the centres.
 template <class S>
 double size_of_pair(const Obb<S>& a, const Obb<S>& b) {
   const Vec3d way = b.center.template cast<double>() - a.center.template cast<double>();

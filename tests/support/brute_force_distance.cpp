@@ -95,8 +95,7 @@ void offer_vertices_and_faces(const Features& a, const Features& b, bool swapped
   }
 }
 
-/// Whether part of the segment lies in the polyhedron: whether clipping it by the half-space of
-/// every face leaves anything.
+/// Whether clipping the segment by the half-spaces of all faces leaves a part in the polyhedron.
 bool enters(const ExtendedPoint& from, const ExtendedPoint& to, const Features& solid) {
   if (solid.triangles.empty()) return false;
   Extended first = 0, last = 1;

@@ -5,10 +5,9 @@
 
 namespace contactscope::test {
 
-/// A closed sphere about the origin of its frame, with the poles on z and fronts outside. It has
-/// `meridians` vertices around, `parallels` between the poles, and 2 meridians parallels triangles.
-/// The radius, in metres, varies by the fraction `waves`, three times around and twice from pole to
-/// pole.
+/// A closed sphere about the origin of its frame, poles on z, fronts outside: `meridians` vertices
+/// around, `parallels` between the poles, 2 meridians parallels triangles. The radius, in metres,
+/// varies by the fraction `waves`, three times around and twice from pole to pole.
 struct SphereMesh {
   std::vector<Vec3d> vertices;
   std::vector<std::array<int, 3>> triangles;

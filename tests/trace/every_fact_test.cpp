@@ -36,8 +36,7 @@ std::string complaint(const ordered_json& header, const ordered_json& frame) {
   return "no complaint";
 }
 
-// Compares facts, not their JSON: a field that both reader and writer forgot would be equal in both
-// lines.
+// Compares facts, not JSON, in which a field that reader and writer both forgot would be equal.
 template <class T>
 bool identical(const T& one, const T& other) {
   if constexpr (Listed<T>) {
