@@ -6,9 +6,8 @@
 
 #include "trace/json.h"
 
-/// Recomputes the claims of a recorded trace from its shapes and poses alone, in extended
-/// precision: by support points, features against features, and triangle by triangle. Uses no
-/// engine and no pipeline.
+/// Recomputes the claims of a recorded trace from its shapes and poses, in extended precision: by
+/// support points, features against features, and triangles. Uses no engine and no pipeline.
 namespace contactscope::test {
 
 /// The worst errors of a pair over all frames, metres.

@@ -65,8 +65,7 @@ TEST_P(EveryScenario, SlowGivesTheSameManifoldsBitForBitWhetherRecordedOrNot) {
   }
 }
 
-// A release build wrote the stored traces. Debug and sanitized builds prove here that they give the
-// same bytes, including the solver.
+// A release build wrote the stored traces; debug and sanitized builds must give the same bytes.
 TEST_P(EveryScenario, MeetsItsExpectationsAndGivesTheStoredTraceByteForByte) {
   const Scenario scenario = load_scenario(GetParam());
   EXPECT_FALSE(scenario.expectations.empty()) << "a scenario without a proof";

@@ -10,8 +10,7 @@ struct TerminalRun {
   std::string shown;  // everything that it printed there
 };
 
-/// Runs the program as run() does, with a pseudo-terminal for its input and output. Types one
-/// letter of `keys` each time `prompt` is printed.
+/// Runs the program as run() does, on a pseudo-terminal. Types a letter of `keys` at each `prompt`.
 TerminalRun run_on_terminal(const std::string& arguments, const std::string& keys,
                             const std::string& prompt);
 

@@ -39,8 +39,7 @@ Vec3d direction_of(const PairCase<double>& pair, const SatResult<double>& axes) 
   return pair.pose_a.rotate(axes.edge.normal);
 }
 
-/// Moves B out along the axis of least overlap until `overlap` metres are left. No other axis
-/// catches up: B moves less along it.
+/// Moves B out along the axis of least overlap to `overlap` metres. B moves less along other axes.
 void leave_overlap(PairCase<double>& pair, double overlap) {
   const SatResult<double> axes = axes_of(pair);
   pair.pose_b.position += (-overlap - axes.separation(axes.deepest)) * direction_of(pair, axes);

@@ -136,8 +136,7 @@ void bench_features(const char* title, int queries, int repetitions,
       worst / 1000, counts[0], counts[1], counts[2], counts[3], steps / queries, most_steps);
 }
 
-/// A square of one metre in 22 by 22 quads, turned about its vertical axis, with waves across it
-/// and different waves at the end of the step.
+/// A square of one metre in 22 by 22 quads, turned about the vertical, with other waves at the end.
 struct Sheet {
   Sheet(test::Random& random, double height, double fall) {
     constexpr int kQuads = 22;

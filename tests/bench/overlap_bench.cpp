@@ -1,7 +1,6 @@
 // Time per pair of oriented boxes in float on one core, over a million pairs (a tenth are
 // parallel), and wrong answers of each test. Bullet (GImpact) and FCL test the same pairs if
-// installed. Passes of all tests take turns, so that other load on the machine affects all of them
-// equally.
+// installed. All tests take turns, so that other load on the machine affects them equally.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>

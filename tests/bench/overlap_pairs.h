@@ -15,8 +15,8 @@ struct BoxPair {
   double rounding;  // metres: separations up to this size may be float's rounding
 };
 
-/// Boxes with sides of 0.2 to 2 m at any rotation. The rotations of every tenth pair are equal up
-/// to 1e-7 rad. About half of all pairs overlap.
+/// Boxes with sides of 0.2 to 2 m at any rotation; every tenth pair is parallel up to 1e-7 rad.
+/// About half of all pairs overlap.
 std::vector<BoxPair> overlap_pairs(int count);
 
 using OverlapPass =

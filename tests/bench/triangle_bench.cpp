@@ -21,8 +21,7 @@ struct Pair {
   Triangle<S> a, b;
 };
 
-/// Float coordinates for either scalar, so that all tests answer the same question. Pairs without
-/// an area, which CGAL rejects, are left out.
+/// Float coordinates for either scalar, so that all answer the same. No pairs without area (CGAL).
 template <class S>
 const std::vector<Pair<S>>& pairs(bool mix) {
   static std::vector<Pair<S>> made[2];

@@ -35,8 +35,8 @@ Pose<double> moved(const Pose<double>& by, const Pose<double>& pose) {
   return result;
 }
 
-/// One placement, or one per step: B moves straight, turns about an axis through its position, and
-/// reaches the drawn pose in the middle.
+/// One placement, or one per step: B moves straight, turns about its position, and reaches the
+/// drawn pose in the middle.
 std::vector<Placement> placements(Workload workload, const Placement& drawn, Random& random) {
   const Pose<double> whole = random.pose(5);
   const Placement placed{moved(whole, drawn.a), moved(whole, drawn.b)};

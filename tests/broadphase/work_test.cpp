@@ -58,8 +58,7 @@ TEST(BroadPhaseWork, SlowGrowsWithTheSquareByBruteForceOnly) {
 }
 
 TEST(BroadPhaseWork, OfSweepAndPruneIsSmallWhereLittleMoves) {
-  // In a cube of n boxes, ends are n^(2/3) times as dense along an axis, so the same movement makes
-  // as many more of them pass each other.
+  // Ends in a cube of n boxes are n^(2/3) times as dense: as many more pass in the same movement.
   EXPECT_LT(growth("sweep_and_prune", true), 5.0 / 3 + 0.1);
   const auto phase = make_broad_phase("sweep_and_prune");
   for (const Aabb<float>& box : scene(2000)) phase->add(box);

@@ -170,8 +170,7 @@ TEST(MovingFeatures, SlowHitsByConstructionAreNeverMissed) {
   EXPECT_LT(at_start, kHits / 7);
 }
 
-/// One feature stays on one side of the other along a direction, by a margin; across it moves
-/// freely.
+/// One feature stays on one side of the other along a direction, by a margin, and moves across it.
 TEST(MovingFeatures, SlowMissesByAMarginAreNoHits) {
   Random random(33);
   for (const double margin : {1e-3, 1e-6, 1e-9, 1e-11}) {

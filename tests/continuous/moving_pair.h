@@ -93,8 +93,7 @@ inline double most_motion(const MovingPair<double>& pair) {
 }
 
 /// The first time at which they are within `gap` metres, by steps as long as the distance allows;
-/// nullopt if there is none. After `most` steps it returns the time reached, which is at most too
-/// early.
+/// nullopt if there is none. After `most` steps it returns the time reached, which may be early.
 inline std::optional<double> first_time_within(const MovingPair<double>& pair, double gap,
                                                double speed, double from = 0, int most = 4000) {
   double time = from;

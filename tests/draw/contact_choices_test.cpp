@@ -75,8 +75,7 @@ TEST(ContactCells, AChoiceShowsWhatEachCandidateWasWorth) {
   EXPECT_THAT(third, IsSupersetOf({"0.5000 m²", "0.2500 m²", "largest triangle"}));
   EXPECT_EQ(std::ranges::count_if(third, [](const std::string& s) { return s.ends_with("²"); }), 6);
   const std::vector<std::string> fourth = words(drawn(chosen(), 0, 1280, 720, 4));
-  // The chosen point's area outside one edge, and another point's; areas inside other edges decide
-  // nothing.
+  // The chosen point's area outside one edge, and another's; areas inside other edges do not count.
   EXPECT_THAT(fourth, IsSupersetOf({"0.5000 m²", "0.1000 m²"}));
   EXPECT_THAT(fourth, testing::Not(Contains("0.7500 m²")));
   // Rings of the choices so far, and the legend's.

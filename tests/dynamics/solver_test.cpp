@@ -154,8 +154,7 @@ TEST_P(EveryMethod, AnElasticBallComesBackToItsHeight) {
         for (std::size_t i = 0; i < found.size(); ++i) {
           const double height = 2 * std::pow(restitution, 2.0 * static_cast<double>(i + 1));
           if (height < 0.2) break;
-          // If met late, the ball has gained speed and loses that share of it; if met early, it
-          // waits for the end of the step.
+          // Met late, the ball has gained speed and loses that share; met early, it waits.
           const double late = (1 - restitution) * 2 * 6.3 * dt;
           EXPECT_LT(found[i], height + 0.0005 + 0.2 * late) << i << ", " << restitution;
           EXPECT_GT(found[i], height - 0.0005 - late) << i << ", " << restitution;

@@ -198,8 +198,7 @@ std::string refusal_of(const Shape<double>& shape, const FieldSettings& settings
 
 TEST(DistanceField, RefusesMoreBytesThanAllowedAndSaysHowMany) {
   const Shape<double> ball = Sphere<double>{1};
-  // 4096 cells and a rim of 8: 1026 blocks a side, 1027^3 coarse nodes of 16 bytes, 1026^3 numbers
-  // of 4.
+  // 4096 cells and a rim of 8: 1026 blocks a side, 1027^3 nodes of 16 bytes, 1026^3 numbers of 4.
   EXPECT_NE(refusal_of(ball, {.cells = 4096}).find("(21651489232 bytes)"), std::string::npos)
       << refusal_of(ball, {.cells = 4096});
   EXPECT_NE(refusal_of(ball, {.band = 0, .most_bytes = 1 << 20}).find("1 MiB are allowed"),

@@ -37,8 +37,7 @@ std::vector<int> brute_force(const Mesh<S>& mesh, const Aabb<S>& box) {
   return triangles;
 }
 
-/// Boxes anywhere about the mesh, over four decades; points; boxes that end where a triangle
-/// begins.
+/// Boxes anywhere about the mesh, over four decades; points; boxes that end at a triangle's start.
 template <class S>
 Aabb<S> random_query(Random& random, const Mesh<S>& mesh) {
   const Aabb<S> bounds = mesh.tree.bounds();

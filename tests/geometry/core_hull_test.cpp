@@ -90,8 +90,7 @@ TEST(CoreHull, IsTheIntersectionOfTheMovedHalfSpaces) {
 }
 
 TEST(CoreHull, ConesLoseNoFaceAndTheirEdgesStandForThoseOfTheCone) {
-  // All sides of a regular cone meet in one point again, lower by margin / sin(half the opening
-  // angle).
+  // All sides of a regular cone meet in one point again, lower by margin / sin(half the opening).
   const Hull<double> cone = make_cone(0.5, 0.5, 24);
   const CoreHull core = core_hull(cone, 0.05);
   ASSERT_EQ(core.hull.face_count(), cone.face_count());

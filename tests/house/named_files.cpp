@@ -8,8 +8,7 @@
 namespace contactscope::house {
 namespace {
 
-/// Names of files outside the project that comments cite or that a document asks its reader to
-/// make.
+/// Files outside the project that comments cite or that a document tells its reader to make.
 const std::set<std::string> kElsewhere = {
     "GL/gl.h",     "GL/glcorearb.h", "GL/osmesa.h",
     "my.toml",     "my/crate.toml",  "btGjkEpa2.cpp",
@@ -40,8 +39,7 @@ bool names_a_file(const std::string& name, const std::set<std::string>& paths) {
          });
 }
 
-/// Target of a document's link, relative to the root; empty for a place on the page or outside the
-/// project.
+/// Target of a document's link, relative to the root; empty for places on the page and the web.
 std::string target_of(const std::string& document, std::string link) {
   link = link.substr(0, link.find('#'));
   if (link.empty() || link.find("://") != std::string::npos) return {};

@@ -18,8 +18,7 @@ using test::PlacedShapes;
 constexpr QueryKind kEveryQuery[] = {QueryKind::Overlap, QueryKind::Touching, QueryKind::Distance,
                                      QueryKind::Penetration, QueryKind::Manifold};
 
-/// Spans -0.5 to 0.5 along y. A plane's surface is at 0.5, and so is that of a mesh, always the
-/// lower one.
+/// Spans -0.5 to 0.5 along y; planes and meshes have their surface at 0.5. A mesh is always below.
 Shape<double> shape_of(ShapeKind kind) {
   switch (kind) {
     case ShapeKind::Sphere:

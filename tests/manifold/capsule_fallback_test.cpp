@@ -164,8 +164,7 @@ TYPED_TEST(CapsuleFallback, IsAtRightAnglesToBothAxesAndAsDeepAsTheyAreHoweverSm
 
 TYPED_TEST(CapsuleFallback, TurnsWithinRoundingFromOverlappingToCrossingAxes) {
   using S = TypeParam;
-  // In place, about directions perpendicular to the axes. The cross product alone would appear
-  // suddenly.
+  // In place, about perpendiculars of the axes. The cross product alone would appear suddenly.
   const double turn = 48 * this->kEps;  // radians in which the normal becomes the cross product
   const double step = turn / 48;
   for (double direction = 0.3; direction < 2.9; direction += 0.1) {
@@ -177,8 +176,7 @@ TYPED_TEST(CapsuleFallback, TurnsWithinRoundingFromOverlappingToCrossingAxes) {
     EXPECT_EQ(changes.degenerate_frames, 200);
     EXPECT_EQ(changes.two_points, 200);
     // Only the directions between them are perpendicular to both axes. The normal turns faster the
-    // farther the cross product is from the body's direction. At a right angle it flips
-    // unavoidably.
+    // farther the cross product is from the body's direction; at a right angle it flips.
     const double lean = std::abs(about.z());
     EXPECT_GT(changes.normal, 0);
     EXPECT_LT(changes.normal, 2 * step / turn / lean);

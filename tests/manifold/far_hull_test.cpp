@@ -51,8 +51,7 @@ PairCase<double> overlapping_pair(Random& random, double& truth) {
   }
 }
 
-/// Error bound of a depth in float, relative to the radii: from clipping and from rounding poses
-/// about a metre from the origin.
+/// Error bound of a depth in float over the radii: clipping, and poses a metre from the origin.
 constexpr double kDepthRounding = 2e-6;
 
 class FarHulls : public testing::TestWithParam<double> {};

@@ -37,8 +37,7 @@ bool holds(const Outline& outline, const Vec2d& place) {
   return true;
 }
 
-/// Corners of two outlines' intersection by definition: corners inside the other, and crossings of
-/// edges.
+/// Corners of two outlines' intersection, by definition: inner corners, and crossings of edges.
 Outline shared_corners(const Outline& one, const Outline& other) {
   Outline corners;
   const auto add = [&](const Vec2d& place) {

@@ -154,8 +154,7 @@ TEST(MeshLedge, SlowASharpRimIsNoDeeperThanTheConeOfIt) {
       123, 16000, [](test::Random&) { return make_cone(0.6, 0.4, 7); }, 1000);
 }
 
-/// Largest change of depth per displacement, as a capsule of 1.2 m by 0.5 m crosses `roof` in 1000
-/// steps.
+/// Largest change of depth per displacement, in 1000 steps of a capsule (1.2 m, 0.5 m) over `roof`.
 struct Sweep {
   double worst = 0;
   int touching = 0;

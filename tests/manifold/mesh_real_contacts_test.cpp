@@ -9,8 +9,7 @@
 #include "support/builders.h"
 #include "support/surface_oracle.h"
 
-/// Contacts with real edges and corners are never replaced; only those with edges of the
-/// tessellation.
+/// Contacts with real edges and corners are never replaced, unlike those with the tessellation.
 namespace contactscope {
 namespace {
 

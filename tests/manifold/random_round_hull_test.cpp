@@ -7,8 +7,8 @@
 #include "round_hull_cases.h"
 #include "support/builders.h"
 
-// Thousands of random spheres and capsules against random hulls, compared with exhaustion over
-// every feature (outside) and every axis (inside).
+// Random spheres and capsules against random hulls, compared with exhaustion over every feature
+// (outside) and every axis (inside).
 namespace contactscope {
 namespace {
 

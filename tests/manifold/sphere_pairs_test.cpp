@@ -18,8 +18,7 @@ class SpherePairs : public testing::Test {
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(SpherePairs, Scalars);
 
-/// A sphere of radius 0.3 next to a capsule along y, in the capsule's frame, and the expected
-/// contact.
+/// A sphere of radius 0.3 next to a capsule along y, in its frame, and the expected contact.
 struct Case {
   const char* name;
   Vec3d center;

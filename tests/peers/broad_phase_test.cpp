@@ -1,5 +1,4 @@
-// Other libraries' broad phases find all of our pairs, and additional ones because of their
-// margins.
+// Other libraries' broad phases find all of our pairs, and more because of their margins.
 
 #include "peers/broad_phase_peer.h"
 

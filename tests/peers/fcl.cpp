@@ -1,5 +1,4 @@
-// FCL 0.7 as Debian builds it, in double, with libccd as default solver. Keeps nothing between
-// calls.
+// FCL 0.7 as Debian builds it, in double, with libccd as default solver. It has no memory.
 #include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/geometry/shape/box.h>
 #include <fcl/geometry/shape/capsule.h>

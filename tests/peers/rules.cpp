@@ -93,8 +93,7 @@ double sine_of_edges(const Comparison& c, const Vec3d& normal) {
   return sine;
 }
 
-/// An edge axis is measured by four products with a cosine; each grows by at most half extent *
-/// fudge.
+/// An edge axis is measured by four products with a cosine; each grows up to half extent * fudge.
 bool deeper_by_cosine_fudge(const Comparison& c) {
   const Vec3d normal = c.answer.deepest()->normal.normalized();
   if (is_face_axis(c, normal)) return false;

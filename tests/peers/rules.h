@@ -34,8 +34,7 @@ inline constexpr const char* kReplaced = "a neighbour's point within the breakin
 /// Rules of a library by name: for two boxes if `boxes`, else for hulls.
 std::span<const Rule> rules_of(const Peer& peer, bool boxes);
 
-/// For a box (`box`) or another hull A, and B, the triangle of a mesh with the deepest point, as
-/// flat hull.
+/// For a box (`box`) or another hull A, and B, the mesh's triangle at the deepest point, as a hull.
 std::span<const Rule> mesh_rules_of(const Peer& peer, bool box);
 
 /// For spheres and capsules, with each other or with hulls.

@@ -15,8 +15,7 @@ namespace {
 using test::PairCase;
 using test::Random;
 
-/// The largest separation of far axes by definition: face normals, and many directions along every
-/// arc of A, each measured by all vertices.
+/// The largest separation of far axes by definition: face normals, and many directions on A's arcs.
 double sampled_far_separation(const PairCase<double>& pair, const Pose<double>& b_in_a,
                               const Vec3d& normal, double cosine) {
   double largest = -std::numeric_limits<double>::infinity();

@@ -33,8 +33,7 @@ PairCase<double> boxes_in_a_grid(Random& random) {
           test::at(step(5), step(5), step(5))};
 }
 
-/// A tetrahedron and a copy moved along its edges by quarters: coplanar, collinear, coincident
-/// features.
+/// A tetrahedron and a copy moved by quarters of an edge: coplanar, collinear, coincident features.
 PairCase<double> coplanar_simplices(Random& random) {
   const Vec3d points[] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   const Hull<double> simplex = build_hull(points);

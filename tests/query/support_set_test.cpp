@@ -17,8 +17,7 @@ class Support : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(Support, Scalars);
 
-/// Hulls with every remainder of the lane width, with the origin inside and far outside, where the
-/// zeros that pad the lanes would win.
+/// Every remainder of the lane width; origins inside and far outside, where padded zeros would win.
 TYPED_TEST(Support, LanesFindAVertexAsFarAsAnyOther) {
   using S = TypeParam;
   test::Random random(32);

@@ -9,8 +9,7 @@
 #include "core/manifold.h"
 #include "support/random_geometry.h"
 
-// The best choice of points, found by trying all choices in double. Shares no code with the
-// reducers or with polygon_area.
+// The best choice of points, by trying all in double. Shares no code with reducers or polygon_area.
 namespace contactscope::test {
 
 struct Place {

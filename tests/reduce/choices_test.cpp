@@ -117,8 +117,7 @@ TEST(Choices, OfAHandMadePolygonAreExact) {
 }
 
 TEST(Choices, OfADistanceReducerMeasureDistancesFromEdges) {
-  // 1 0 2 first. Point 4 is 1 m from the long edge; point 3 is farther from the short one, with
-  // less area.
+  // 1 0 2 first. Point 4 is 1 m from the long edge; 3 is farther from the short one, but adds less.
   const std::vector<ContactPoint<double>> points =
       points_at({{-10, 0}, {10, 0}, {10, -4}, {11.5, -2}, {0, 1}});
   const auto [kept, made] = told("distance", points);

@@ -234,8 +234,7 @@ TYPED_TEST(CoherentReducer, NoiseChangesNoIdOfWhatRests) {
 
 TYPED_TEST(CoherentReducer, GivesUpFewerPointsOverMotionsThanOthers) {
   using S = TypeParam;
-  // Counts points that still exist but are no longer kept; points that vanish are not the reducer's
-  // fault.
+  // Counts points that exist but are no longer kept; vanished points are not the reducer's fault.
   constexpr const char* kNames[] = {"coherent", "area", "optimal", "optimal_deepest"};
   int given_up[4] = {};
   test::Random random(35);

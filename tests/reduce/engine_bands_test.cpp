@@ -69,8 +69,8 @@ constexpr Measured kMeasured[] = {
 // chosen so that the means agree (contact_polygons.h). On those of the reducers' study, which were
 // not, the bands are 0.08 and 13 (tests/study). The largest differences: 0.023 in area
 // (physx_cluster at 16), 3.95 percent of polygons (jolt at 16). One measurement cannot be
-// reproduced from the description (PhysxFromItsDescription...): the reported worst case of PhysX's
-// batch is 0.04 of the best area.
+// reproduced from the description (PhysxFromItsDescription...): PhysX's batch reportedly falls to
+// 0.04 of the best area.
 constexpr double kAreaBand = 0.03;
 constexpr double kDeepestBand = 5;
 

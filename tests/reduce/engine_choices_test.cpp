@@ -150,8 +150,7 @@ TEST(EngineChoices, NewtonTakesBothSidesOfTheDiameter) {
 }
 
 TEST(EngineChoices, MjxWastesItsFourthChoiceOnASquare) {
-  // The first corner is as far from the others' edge as the missing corner from its own, and comes
-  // first.
+  // The first corner is as far from the others' edge as the missing one from its own, and is first.
   EXPECT_THAT(kept_by("mjx", points_at({{0, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 1}})),
               ElementsAre(0, 2, 1));
   EXPECT_THAT(kept_by("mjx", points_at({{0, 0}, {1.9, -0.9}, {2, 2}, {-1, 2.5}, {1, 1}})),

@@ -83,8 +83,7 @@ TEST(BrokenPath, BinaryFile) {
   EXPECT_THAT(load_complaint(path), StartsWith(path + ":1:1: this byte is not UTF-8"));
 }
 
-// The size alone decides before reading: the files are sparse, with more zeros than fit into
-// memory.
+// The size alone decides before reading: the sparse files have more zeros than fit into memory.
 TEST(BrokenPath, HundredMegabytesAndMoreAreRefusedAtOnce) {
   const TemporaryFolder folder;
   const std::string path = folder.write("nonsense.toml", "x");

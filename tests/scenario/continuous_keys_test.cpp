@@ -204,8 +204,7 @@ TEST(ContinuousKeys, MeshesThatTurnAreFollowedOnTheirArcs) {
   }
 }
 
-/// In a step of 100,000 km, float's rounding of the displacement exceeds the separation. The search
-/// runs in double and finds the impact.
+/// In a step of 100,000 km, float rounds by more than the separation; the search runs in double.
 TEST(ContinuousKeys, AWayThatHidesTheGapIsNoOverlap) {
   std::string text = crate_over_floor("[pipeline]\ncontinuous = \"time_of_impact\"\n");
   text.replace(text.find("[0, -4, 0]"), 10, "[0, -2e8, 0]");

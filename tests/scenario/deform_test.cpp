@@ -331,8 +331,7 @@ TEST(Deform, ContactsAreThoseOfTheSurfaceAsItIs) {
   EXPECT_EQ(runner.frame(1).pairs.at(0).state, "separated");
 }
 
-/// A swell that rises from 0.212 m to 0.3 m in a frame, under a ball whose lowest point is at 0.25
-/// m.
+/// A swell that rises from 0.212 m to 0.3 m in a frame, under a ball whose bottom is at 0.25 m.
 std::string swell(const std::string& rest) {
   return R"(title = "A swell"
 [time]

@@ -22,8 +22,7 @@ Scenario expecting(const std::string& keys) {
                         "hull/a.toml");
 }
 
-/// Frame 3: crate touches floor with three points, the deepest at -0.005, along the first face
-/// axis.
+/// Frame 3: crate touches floor with three points, deepest at -0.005, along the first face axis.
 trace::Frame touching() {
   trace::Frame frame;
   frame.frame = 3;

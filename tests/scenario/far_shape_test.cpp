@@ -4,8 +4,7 @@
 #include "scenario/run.h"
 #include "trace/json.h"
 
-/// Shapes that a file models far from their origin: collided about their middle, recorded as in the
-/// file.
+/// Shapes that a file models far from their origin: collided about their middle, recorded as given.
 namespace contactscope {
 namespace {
 

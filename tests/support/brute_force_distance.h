@@ -20,8 +20,8 @@ struct Features {
   std::vector<ExtendedPoint> vertices;
   std::vector<std::array<int, 2>> edges;
   std::vector<std::array<int, 3>> triangles;  // counter-clockwise seen from outside
-  /// Only for a flat hull, whose two faces alone bound nothing: for each edge, a point on it and
-  /// the direction in the plane that points outwards.
+  /// Only for flat hulls, which their faces do not bound: a point of each edge and its outward
+  /// side.
   std::vector<std::array<ExtendedPoint, 2>> walls{};
 };
 

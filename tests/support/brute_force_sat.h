@@ -25,8 +25,7 @@ BruteForceAxis brute_force_sat(const Hull<double>& a, const Pose<double>& pose_a
 BruteForceAxis brute_force_sat(const std::vector<Vec3d>& a, const std::vector<Vec3d>& b,
                                const Pose<double>& b_in_a);
 
-/// Separation of both hulls' projections on a unit direction from A to B (world); negative in
-/// overlap.
+/// Separation of both hulls' projections on a unit direction from A to B, world; negative: overlap.
 double separation_along(const Vec3d& direction, const Hull<double>& a, const Pose<double>& pose_a,
                         const Hull<double>& b, const Pose<double>& pose_b);
 

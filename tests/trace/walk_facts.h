@@ -66,8 +66,8 @@ struct Change {
 };
 
 /// Changes every field of a fact and everything in it, one at a time and in place, calls `visit`
-/// with each Change, and reverts it. Optionals are emptied, lists lose their last entry; only the
-/// last entry of a list is changed.
+/// with each Change, and reverts it. Empties optionals; shortens lists, and changes only their last
+/// entry.
 template <class Visit>
 class Changer {
  public:
