@@ -354,7 +354,7 @@ TEST(BulletAdapter, KinematicBodiesSensorsAndSleepers) {
     scene.step(1);
   }
   const trace::Trace trace = scene.trace();
-  // The crate is lifted: also for kinematic bodies, the poses are those of the contacts.
+  // The crate is lifted: kinematic bodies also have the poses of their contacts.
   expect_right(trace, kExact);
   trace::Trace awake = trace;
   awake.frames.resize(40);

@@ -111,7 +111,7 @@ TEST_F(Rollout, AnEngineInWhichTheCrateFalls) {
   const std::string answer = folder_.write("answer.jsonl", run("trace '" + falling + "'").out);
   engine("hollow", "cat '" + answer + "'");
   const ProgramRun result = step_crate("contactscope,hollow");
-  EXPECT_EQ(result.exit_code, 1);  // it stands in one engine and falls in the other
+  EXPECT_EQ(result.exit_code, 1);  // the crate rests in one engine and falls in the other
   const Json hollow = entry(result, "hollow");
   EXPECT_EQ(hollow["fallen"], 1);
   // Half of its thickness is 0.25 m: 5 t (t + dt) = 0.25.

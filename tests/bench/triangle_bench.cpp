@@ -21,7 +21,8 @@ struct Pair {
   Triangle<S> a, b;
 };
 
-/// Float coordinates for either scalar, so that all answer the same. No pairs without area (CGAL).
+/// Float coordinates for either scalar, so that all tests answer the same question. CGAL rejects
+/// pairs without an area, so they are left out.
 template <class S>
 const std::vector<Pair<S>>& pairs(bool mix) {
   static std::vector<Pair<S>> made[2];

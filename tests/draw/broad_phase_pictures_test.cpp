@@ -35,7 +35,7 @@ class BroadPhasePicture : public ::testing::Test {
     return sketch_frame(staging, scene.frames[0]);
   }
 
-  // Adds so many boxes that the tree is not drawn completely.
+  // Adds boxes until the tree is too large to be drawn completely.
   void crowd() {
     while (phase().bounds.size() <= 12) phase().bounds.push_back(phase().bounds[0]);
   }

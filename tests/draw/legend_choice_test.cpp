@@ -161,7 +161,7 @@ TEST(NamesOfShapes, StandOnNoneOfSeveralAlike) {
   EXPECT_THAT(drawn, Not(Contains("crate")));
 }
 
-// A picture may leave out what is obvious.
+// A picture may omit obvious names and entries.
 TEST(NamesOfShapes, AndEntriesOfTheLegendAreLeftOutByAnEmptyWord) {
   CrateOnSlab crate;
   crate.view.layers = {Layer::Shapes, Layer::Contacts};

@@ -97,7 +97,7 @@ TYPED_TEST(Coplanar, UnmergedFacesLeaveTheTalksUnstableTriangle) {
 
 TYPED_TEST(Coplanar, TrianglesThatDoNotMeetStillGiveAPoint) {
   using S = TypeParam;
-  // The upper cube is not on the lower cube's first upper triangle, that of the corner (-x, -z).
+  // The upper cube is off the lower cube's first upper triangle, so clipping leaves nothing.
   PairCase<double> pair = test::stacked_cubes(0, 0.01);
   pair.b = test::cube(0.1);
   pair.pose_b = at(0.3, 0.59, 0.3);

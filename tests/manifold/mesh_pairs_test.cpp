@@ -142,7 +142,7 @@ TEST(MeshPairs, ACapsuleBesideATriangleIsAsFarAsTheClosestPoints) {
   EXPECT_GT(touching, 400);
 }
 
-// ReactPhysics3D issue 347, at every angle: also in the triangle's plane, which faces nothing.
+// ReactPhysics3D issue 347, at every angle, including the triangle's own plane.
 TEST(MeshPairs, ACapsuleAlongAnEdgeHasTwoPointsWhereverItIsAboutTheEdge) {
   test::Random random(14);
   for (int i = 0; i < 2000; ++i) {

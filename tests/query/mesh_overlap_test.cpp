@@ -141,7 +141,7 @@ TEST(MeshOverlap, TheRecordTellsEveryNodePairOnce) {
   EXPECT_EQ(leaves, watched.counts.leaf_pairs);
 }
 
-/// The result with a front must equal the result without one, whatever the front was.
+/// The result with any front must equal the result without one.
 template <class S>
 std::size_t expect_same_with_front(const Mesh<S>& a, const Mesh<S>& b, const Pose<S>& b_in_a,
                                    MeshFront& front) {
