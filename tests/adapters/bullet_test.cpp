@@ -22,7 +22,7 @@ using testing::HasSubstr;
 
 const Vec3d kGravity(0, -9.81, 0);
 
-/// A world with a recorder, and what is in it.
+/// A world with a recorder, and the objects in it.
 class BulletScene {
  public:
   BulletScene() : world_(&dispatcher_, &broadphase_, &solver_, &configuration_) {
@@ -56,7 +56,7 @@ class BulletScene {
     return shape<btBoxShape>(vector_of(Vec3d(x, y, z)));
   }
 
-  /// A mass of 0 stands still.
+  /// A mass of 0 makes a static body.
   btRigidBody* body(const std::string& name, btCollisionShape* shape, double mass, const Vec3d& at,
                     const Vec3d& velocity = Vec3d::Zero(),
                     const btQuaternion& turn = btQuaternion::getIdentity()) {
@@ -67,7 +67,7 @@ class BulletScene {
     btRigidBody* body = bodies_.back().get();
     body->setWorldTransform(btTransform(turn, vector_of(at)));
     body->setInterpolationWorldTransform(
-        body->getWorldTransform());  // else it came from the origin
+        body->getWorldTransform());  // otherwise it starts at the origin
     body->setLinearVelocity(vector_of(velocity));
     recorder().name(body, name);
     world_.addRigidBody(body);
@@ -96,7 +96,7 @@ class BulletScene {
   std::unique_ptr<BulletRecorder> recorder_;
 };
 
-/// Boxes, spheres and planes by formulas in float; what goes through GJK stops at 1e-4.
+/// Boxes, spheres and planes use formulas in float; shapes that use GJK stop at 1e-4.
 constexpr Promise kExact{.surface = 5e-6, .along = 2e-4, .best = 2e-4};
 
 void expect_momentum(const trace::Trace& trace) {
@@ -123,7 +123,7 @@ std::vector<std::string> posed_in(const trace::Frame& frame) {
   return names;
 }
 
-/// Five crates, each a little beside the one below, on a ground that stands still.
+/// Five crates, each slightly offset from the one below, on a static ground.
 void add_stack(BulletScene& scene, double speed_of_the_last) {
   scene.body("ground", scene.box(5, 0.5, 5), 0, {0, -0.5, 0});
   btBoxShape* crate = scene.box(0.5, 0.25, 0.4);
@@ -148,7 +148,7 @@ TEST(BulletAdapter, AStackOfBoxes) {
   EXPECT_TRUE(trace.frames[0].solver->warm_start);
   expect_right(trace, kExact);
   expect_momentum(trace);
-  // All of the stack rests on the ground.
+  // The whole stack rests on the ground.
   const double weight = (2 + 3 + 4 + 5 + 6) * 9.81 / 60;
   Vec3d on_ground = Vec3d::Zero();
   for (int i = 80; i < 90; ++i)
@@ -156,7 +156,7 @@ TEST(BulletAdapter, AStackOfBoxes) {
   EXPECT_LT((on_ground - Vec3d(0, -weight, 0)).norm(), 0.01 * weight);
 }
 
-/// What is told would be found if it were otherwise.
+/// Errors in the recorded facts would be found.
 TEST(BulletAdapter, LatePosesAndTurnedNormalsWouldBeSeen) {
   BulletScene scene;
   scene.body("ground", scene.box(5, 0.5, 5), 0, {0, -0.5, 0});
@@ -186,7 +186,7 @@ TEST(BulletAdapter, RoundBodies) {
   EXPECT_EQ(trace.frames.back().pairs.size(), 3u);
 }
 
-/// Cylinders and cones are told as hulls with 64 corners around, up to 0.12 % of the radius inside of them.
+/// Cylinders and cones become hulls with 64 corners around, up to 0.12 % of the radius inside.
 TEST(BulletAdapter, CylindersAndConesAreHulls) {
   BulletScene scene;
   scene.body("ground", scene.box(5, 0.5, 5), 0, {3, -0.5, 0});
@@ -234,7 +234,7 @@ struct MeshGround {
   }
 };
 
-/// A hull's margin is outside of its points: 40 mm unless somebody sets it.
+/// A hull's margin is outside its points: 40 mm by default.
 TEST(BulletAdapter, AHullWithAMarginOnAMesh) {
   const MeshGround ground;
   BulletScene scene;
@@ -258,7 +258,7 @@ TEST(BulletAdapter, AHullWithAMarginOnAMesh) {
   for (const trace::Frame& frame : trace.frames)
     for (const trace::Pair& pair : frame.pairs)
       for (const trace::Manifold& manifold : pair.manifolds) {
-        // The triangle that is named is the one below.
+        // The named triangle is the one below.
         ASSERT_TRUE(manifold.triangle);
         const trace::Shape& mesh = shape_of(trace, "ground");
         const std::vector<int>& face = mesh.faces.at(std::size_t(*manifold.triangle));
@@ -295,7 +295,7 @@ TEST(BulletAdapter, CompoundsAreToldByPart) {
   EXPECT_THAT(names_of(trace),
               ElementsAre("floor/0", "floor/1", "table/0", "table/1/0", "table/1/1", "table/2"));
   EXPECT_EQ(shape_of(trace, "table/1/0").body, "table");
-  // Where boxes are clipped at the side of another, Bullet's points are some 30 um off it.
+  // If boxes are clipped at the side of another one, Bullet's points are about 30 um off it.
   expect_right(trace, {.surface = 1e-4, .along = 2e-4, .best = 2e-4});
   expect_momentum(trace);
   std::set<PairNames> met;
@@ -331,12 +331,12 @@ TEST(BulletAdapter, HeightFieldsAreMeshes) {
       const auto corner = [&](std::size_t k) { return hills.vertices.at(std::size_t(face[k])); };
       EXPECT_GT((corner(1) - corner(0)).cross(corner(2) - corner(0))[up], 0.9);
     }
-    // Points of frames before are kept, with the normals that they had.
+    // Points of earlier frames persist with their old normals.
     expect_right(trace, {.surface = 2e-4, .along = 1e-3});
   }
 }
 
-/// Bodies that a program moves, what only feels, and what sleeps.
+/// Kinematic bodies, sensors and sleeping bodies.
 TEST(BulletAdapter, KinematicBodiesSensorsAndSleepers) {
   BulletScene scene;
   scene.body("ground", scene.box(5, 0.5, 5), 0, {0, -0.5, 0});
@@ -354,7 +354,7 @@ TEST(BulletAdapter, KinematicBodiesSensorsAndSleepers) {
     scene.step(1);
   }
   const trace::Trace trace = scene.trace();
-  // The crate is lifted: the poses are those of the contacts also of what the program moves.
+  // The crate is lifted: kinematic bodies also have the poses of their contacts.
   expect_right(trace, kExact);
   trace::Trace awake = trace;
   awake.frames.resize(40);
@@ -372,7 +372,7 @@ TEST(BulletAdapter, KinematicBodiesSensorsAndSleepers) {
   EXPECT_EQ(trace.frames.back().solver->bodies.size(), 2u);
 }
 
-/// The same memory with another body in it, another shape of a body, one that leaves and comes back.
+/// Reused memory for another body, another shape of a body, and one that leaves and comes back.
 TEST(BulletAdapter, BodiesComeAndGo) {
   BulletScene scene;
   btBoxShape* crate = scene.box(0.5, 0.5, 0.5);
@@ -405,7 +405,7 @@ TEST(BulletAdapter, BodiesComeAndGo) {
 
 int ticks = 0;
 
-/// The world's own callbacks are called, with the pointer that they know, and are there again in the end.
+/// The world's own callbacks are called with their pointer, and are restored in the end.
 TEST(BulletAdapter, CallbacksOfTheWorldStay) {
   BulletScene scene;
   ticks = 0;
@@ -429,8 +429,8 @@ TEST(BulletAdapter, CallbacksOfTheWorldStay) {
   EXPECT_EQ(ticks, 606);
 }
 
-/// Points that Bullet keeps from frames before stay with their bodies, and so slide apart, up to 20 mm, until it lets go of
-/// them: halfway between is beside a shape that they lie at the edge of.
+/// Points that persist in Bullet stay with their bodies and slide from each other, by up to 20 mm,
+/// until they are dropped. The midpoint is then outside a shape if they are at its edge.
 TEST(BulletAdapter, KnownFaultPointsThatAreKeptSlideApart) {
   BulletScene scene;
   add_stack(scene, 1);
@@ -438,12 +438,12 @@ TEST(BulletAdapter, KnownFaultPointsThatAreKeptSlideApart) {
   const trace::Trace trace = scene.trace();
   expect_right(trace, kExact, {}, {"surface"});
   const Claims claims = judge(trace)[PairNames("crate 3", "crate 4")];
-  EXPECT_LT(claims.surface, kExact.surface);  // each side by itself is on its surface
+  EXPECT_LT(claims.surface, kExact.surface);  // each side alone is on its surface
   EXPECT_GT(claims.off_a, 5e-3);
 }
 
-/// Hulls with polyhedral features are clipped against each other without their margins, though they have them against
-/// everything else: what Bullet calls touching is an overlap of both margins.
+/// Hulls with polyhedral features are clipped against each other without their margins, but have
+/// them against all other shapes. So when Bullet reports touching, both margins overlap.
 TEST(BulletAdapter, KnownFaultHullsWithFeaturesAreClippedWithoutTheirMargins) {
   BulletScene scene;
   scene.body("ground", scene.shape<btStaticPlaneShape>(btVector3(0, 1, 0), btScalar(0)), 0,

@@ -1,4 +1,4 @@
-// A crate that sinks into the ground and a ball that lies on it, collided by FCL and recorded: fcl_sample pairs.jsonl
+// A crate in the ground and a ball on it, collided by FCL and recorded: fcl_sample pairs.jsonl
 #define CONTACTSCOPE_IMPLEMENTATION
 #include "adapters/fcl.h"
 

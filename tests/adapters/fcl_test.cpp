@@ -43,7 +43,7 @@ class FclScene {
     recorder_->name(objects_.back(), name);
     return objects_.back();
   }
-  /// All pairs, in each order.
+  /// All pairs, in both orders.
   void collide() {
     for (const bool is_swapped : {false, true}) {
       recorder_->begin_frame(time_++);
@@ -71,7 +71,7 @@ class FclScene {
 
 using Model = fcl::BVHModel<fcl::OBBRSSd>;
 
-/// Formulas; where FCL runs libccd it stops at 1e-6.
+/// Formulas; libccd, which FCL uses otherwise, stops at 1e-6.
 constexpr Promise kExact{.surface = 1e-9, .along = 1e-9, .best = 1e-9};
 
 const trace::Shape& shape_of(const trace::Trace& trace, const std::string& name) {
@@ -97,7 +97,7 @@ TEST(FclAdapter, BodiesOnBoxes) {
   EXPECT_EQ(trace.header.scalar, "double");
   EXPECT_EQ(trace.header.poses_at, "");
   EXPECT_EQ(trace.frames.size(), 2u);
-  EXPECT_EQ(trace.frames[1].poses.size(), 6u);  // also of what touches nothing
+  EXPECT_EQ(trace.frames[1].poses.size(), 6u);  // including those of untouched objects
   EXPECT_EQ(judge(trace).size(), 5u);
   for (const auto& [names, claims] : judge(trace)) EXPECT_EQ(claims.frames, 2) << names.second;
   expect_right(trace, kExact);
@@ -117,7 +117,7 @@ TEST(FclAdapter, BodiesOnAHalfSpace) {
   expect_right(trace, kExact);
 }
 
-/// Of what is told as a hull inside of it.
+/// Recorded as hulls inside these shapes.
 TEST(FclAdapter, CylindersConesAndEllipsoidsAreHulls) {
   FclScene scene;
   scene.add<fcl::Halfspaced>("ground", pose({0, 0, 0}), Vec3d(0, 0, 1), 0);
@@ -174,7 +174,7 @@ std::shared_ptr<Model> grid() {
   return model;
 }
 
-/// Each triangle is met by itself: beside one that a hull rests on, its edge may push it aside, by more than they overlap.
+/// Triangles are tested alone: next to the one below a hull, an edge may push it aside by more.
 TEST(FclAdapter, KnownFaultEdgesOfAMeshPushHullsAside) {
   FclScene scene;
   scene.add("ground", pose({0.5, 0, -1}), grid());
@@ -200,7 +200,7 @@ TEST(FclAdapter, KnownFaultEdgesOfAMeshPushHullsAside) {
   EXPECT_GE(upright, 4);
 }
 
-/// FCL tells the overlap of a ball and a triangle with the other sign: what overlaps by 10 mm is apart by as much.
+/// FCL negates the overlap of a ball and a triangle: 10 mm of overlap become 10 mm of separation.
 TEST(FclAdapter, KnownFaultABallOnAMeshIsApartByItsOverlap) {
   FclScene scene;
   scene.add("ground", pose({0.5, 0, -1}), grid());

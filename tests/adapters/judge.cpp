@@ -22,7 +22,7 @@
 namespace contactscope::test {
 namespace {
 
-/// A shape of the trace, as the oracles want it.
+/// A shape of the trace, in the oracles' form.
 struct Form {
   const trace::Shape* shape = nullptr;
   std::optional<Hull<double>> hull{};
@@ -53,14 +53,14 @@ struct Placed {
   Form form;
   Pose<double> pose;
 
-  /// How far it reaches along a direction in the world.
+  /// Largest extent along a direction in the world.
   double reach(const Vec3d& direction) const {
     const Vec3d local = pose.inverse_rotate(direction);
     double most = -std::numeric_limits<double>::infinity();
     for (const Vec3d& vertex : form.shape->vertices) most = std::max(most, vertex.dot(local));
     return most + direction.dot(pose.position) + form.radius();
   }
-  /// Negative inside; of a mesh, which may be open, never negative.
+  /// Negative inside; never negative for a mesh, which may be open.
   double distance(const Vec3d& point) const {
     const Vec3d local = pose.inverse_transform(point);
     const trace::Shape& shape = *form.shape;
@@ -73,7 +73,7 @@ struct Placed {
     const double t = squared > 0 ? std::clamp((local - from).dot(along) / squared, 0.0, 1.0) : 0;
     return (local - from - t * along).norm() - shape.radius;
   }
-  /// Its core: what it is without its radius or margin.
+  /// The shape without its radius or margin.
   Features core() const {
     if (form.hull) return features_of(*form.hull, pose);
     const std::vector<Vec3d>& vertices = form.shape->vertices;
@@ -96,7 +96,7 @@ struct Placed {
   }
 };
 
-/// The gap along a normal from a to b; negative in overlap. A plane has one normal only.
+/// Separation along a normal from a to b; negative in overlap. A plane has only one normal.
 double gap_along(const Placed& a, const Placed& b, const Vec3d& normal) {
   if (b.form.is_plane()) return gap_along(b, a, -normal);
   if (!a.form.is_plane()) return -b.reach(-normal) - a.reach(normal);
@@ -105,7 +105,7 @@ double gap_along(const Placed& a, const Placed& b, const Vec3d& normal) {
   return -b.reach(-up) - up.dot(a.pose.position) - half_space.offset;
 }
 
-/// The largest gap along any direction: the distance, or the least overlap negated.
+/// The largest separation along any direction: the distance, or minus the least overlap.
 double best_gap(const Placed& a, const Placed& b) {
   if (a.form.is_plane() || b.form.is_plane()) return gap_along(a, b, Vec3d::UnitX());
   const Features core_a = a.core(), core_b = b.core();
@@ -148,7 +148,7 @@ class PairJudge {
       const double gap = gap_along(a_, b_, manifold.normal);
       worst(claims_.along,
             deepest == pair.separation ? deepest - gap : std::min(0.0, deepest - gap));
-      // A plane has one normal only.
+      // A plane has only one normal.
       for (const auto& [plane, sign] : {std::pair(&a_, 1.0), std::pair(&b_, -1.0)})
         if (plane->form.is_plane())
           worst(claims_.normal, 1 - sign * manifold.normal.dot(plane->pose.rotate(
@@ -163,7 +163,7 @@ class PairJudge {
     if (!(std::abs(error) <= so_far)) so_far = std::abs(error);
   }
 
-  /// A ball whose middle is above the mesh, or on the side where it came from: normals point to it.
+  /// For a ball with its centre above the mesh, or on its original side: normals point to it.
   void judge_ball_on_mesh(const trace::Pair& pair, const Placed& mesh, const Placed& ball,
                           int sign) {
     if (!mesh.form.is_mesh() || ball.form.shape->type != "sphere") return;

@@ -13,7 +13,7 @@ namespace {
 
 const Vec3d kGravity(0, 0, -9.81);
 
-/// What a model of this text gives in so many steps.
+/// The trace of a model in this text over a number of steps.
 trace::Trace recorded(const std::string& world, int steps, const std::string& head = "") {
   const TemporaryFolder folder;
   const std::string file = folder.write(
@@ -118,7 +118,7 @@ TEST(MujocoAdapter, GeomsOfOneBodyAreItsParts) {
                       "euler='0 95 0'/><geom type='box' size='1 1 1' contype='0' "
                       "conaffinity='0'/>"),
       60);
-  ASSERT_EQ(trace.header.shapes.size(), 3u);  // what is only seen is left out
+  ASSERT_EQ(trace.header.shapes.size(), 3u);  // visual geoms are omitted
   EXPECT_EQ(shape_of(trace, "head").body, "hammer");
   EXPECT_EQ(shape_of(trace, "handle").body, "hammer");
   EXPECT_EQ(trace.frames[0].solver->bodies.at(0).name, "hammer");
@@ -140,8 +140,8 @@ TEST(MujocoAdapter, CylindersAndEllipsoidsAreHulls) {
   expect_momentum(trace);
 }
 
-/// The cells are cut the way that MuJoCo cuts them; the other way would be off by centimetres. It lets libccd measure a
-/// ball's overlap with the prism below each triangle, and that is up to 2 mm too deep.
+/// The cells are split as in MuJoCo; the other diagonal would be off by centimetres. Its libccd
+/// measures a ball's overlap with the prism below each triangle, up to 2 mm too deep.
 TEST(MujocoAdapter, KnownFaultABallOnAHeightFieldIsTooDeep) {
   struct Place {
     double x, y;
@@ -177,7 +177,7 @@ TEST(MujocoAdapter, KnownFaultABallOnAHeightFieldIsTooDeep) {
   }
 }
 
-/// Inside the margin but not yet beyond the gap, a contact is found and not acted on.
+/// A contact inside the margin but not yet beyond the gap is found, but has no effect.
 TEST(MujocoAdapter, ContactsInTheGapAreIdle) {
   const trace::Trace trace =
       recorded("<geom name='ground' type='plane' size='5 5 1' margin='0.1' gap='0.1'/>" +
@@ -210,13 +210,13 @@ TEST(MujocoAdapter, MomentOfTheTimeIsThatOfThePoses) {
   EXPECT_EQ(trace.frames.at(1).time, 0.002);
 }
 
-/// MuJoCo to 3.3.8 reports half of the overlap of two boxes that lie face to face.
+/// MuJoCo up to 3.3.8 reports half of the overlap of two boxes that lie face to face.
 TEST(MujocoAdapter, KnownFaultTwoBoxesOverlapHalfAsDeep) {
   const trace::Trace trace =
       recorded("<geom name='lower' type='box' size='1 1 0.5'/>" +
                    moving("upper", "0 0 0.98", "<geom type='box' size='0.5 0.5 0.5'/>"),
                1);
-  EXPECT_NEAR(trace.frames[0].pairs.at(0).separation, -0.01, 1e-9);  // it is 20 mm
+  EXPECT_NEAR(trace.frames[0].pairs.at(0).separation, -0.01, 1e-9);  // the true overlap is 20 mm
   const Claims claims = judge(trace)[{"lower", "upper"}];
   EXPECT_NEAR(claims.along, 0.01, 1e-9);
   EXPECT_NEAR(claims.off_a, 0.01, 1e-9);  // halfway by half of the depth: on the upper one

@@ -70,7 +70,7 @@ class OdeScene {
   dWorldID world;
   dSpaceID space;
   std::unique_ptr<OdeRecorder> recorder;
-  bool swapped = false;  // bodies of joints the other way round than geoms
+  bool swapped = false;  // bodies of joints in the reverse order of geoms
   bool makes_joints = true;
 
  private:
@@ -104,7 +104,7 @@ class OdeScene {
 };
 
 constexpr Promise kExact{.surface = 1e-9, .along = 1e-9, .best = 1e-9};
-/// Of a tilted box the deepest corner may lie beside the face that it is clipped by.
+/// The deepest corner of a tilted box may be outside the face that clips it.
 constexpr Promise kBoxes{.surface = 1e-9, .along = 3e-4, .best = 3e-4};
 
 void expect_momentum(const trace::Trace& trace) {
@@ -169,7 +169,7 @@ TEST(OdeAdapter, RoundBodies) {
   expect_momentum(trace);
 }
 
-/// A pyramid with a square base, around its middle, as ODE wants it.
+/// A pyramid with a square base, around its centre, in ODE's format.
 struct Pyramid {
   std::vector<dReal> planes, points;
   std::vector<unsigned> polygons = {4, 0, 3, 2, 1, 3, 0, 1, 4, 3, 1, 2, 4, 3, 2, 3, 4, 3, 3, 0, 4};
@@ -222,8 +222,8 @@ TEST(OdeAdapter, BodiesOnAMesh) {
   expect_momentum(trace);
 }
 
-/// Where an end of a capsule goes through a triangle, ODE gives a second point on it, of no depth, though the capsule is
-/// as deep there.
+/// If an end of a capsule passes through a triangle, ODE reports a second point there with depth 0,
+/// although the capsule is as deep at this point.
 TEST(OdeAdapter, KnownFaultACapsuleOnAMeshHasAPointWithoutDepth) {
   OdeScene scene;
   MeshGround ground;
@@ -282,7 +282,7 @@ TEST(OdeAdapter, CylindersAreHulls) {
   expect_momentum(trace);
 }
 
-/// On a box ODE takes the octagon around a cylinder's end for it: its corners are 8 % of the radius outside.
+/// On a box, ODE replaces a cylinder's end by an octagon with corners 8 % of the radius outside.
 TEST(OdeAdapter, KnownFaultACylinderOnABoxHasPointsBesideIt) {
   OdeScene scene;
   scene.still("table", dCreateBox(scene.space, 2, 2, 1), {0, 0, 0});
@@ -295,7 +295,7 @@ TEST(OdeAdapter, KnownFaultACylinderOnABoxHasPointsBesideIt) {
                {"surface"});
 }
 
-/// A body with two geoms, of which one is turned in it.
+/// A body with two geoms; one is turned in it.
 TEST(OdeAdapter, GeomsOfOneBodyAreItsParts) {
   OdeScene scene;
   scene.recorder->name(dCreatePlane(scene.space, 0, 0, 1, 0), "ground");
@@ -320,7 +320,7 @@ TEST(OdeAdapter, GeomsOfOneBodyAreItsParts) {
   expect_momentum(trace);
 }
 
-/// ODE does not tell the heights of its fields: without form() they are left out, and said so.
+/// ODE does not expose the heights of its fields: without form() they are omitted, with a message.
 TEST(OdeAdapter, HeightFieldsNeedTheirForm) {
   for (const bool is_told : {false, true}) {
     OdeScene scene;
@@ -380,7 +380,7 @@ TEST(OdeAdapter, GeomsComeAndGo) {
                                  ElementsAre("sphere 3"), ElementsAre("box 4")));
 }
 
-/// Without joints there are contacts that no solver acts on; a feedback of the program's own is left to it.
+/// Contacts without joints have no effect. The program's own feedback is not replaced.
 TEST(OdeAdapter, ContactsWithoutJointsAreIdle) {
   OdeScene scene;
   scene.makes_joints = false;

@@ -5,7 +5,7 @@
 
 #include "app/program.h"
 
-// Files and folders that are not what an option wants.
+// Files and folders that do not suit an option.
 namespace contactscope::test {
 namespace {
 
@@ -14,7 +14,7 @@ using testing::HasSubstr;
 struct Foreign {
   const char* name;
   std::string begin;    // of the file
-  const char* is_said;  // by the message
+  const char* is_said;  // in the message
 };
 
 std::ostream& operator<<(std::ostream& out, const Foreign& foreign) {
@@ -76,7 +76,7 @@ TEST(BadFiles, ADeviceAndAPipeAreRefusedBeforeTheyAreRead) {
   EXPECT_THAT(files_below(folder / "out"), testing::IsEmpty());
 }
 
-/// The program as it is installed, started in a folder of its own.
+/// The installed program, run in a folder of its own.
 class Installed : public testing::Test {
  protected:
   Installed() {

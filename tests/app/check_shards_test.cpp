@@ -13,7 +13,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-/// Three scenarios, of which one was moved since it was stored.
+/// Three scenarios; one was changed after it was stored.
 class CheckShards : public testing::Test {
  protected:
   CheckShards() {
@@ -34,7 +34,7 @@ class CheckShards : public testing::Test {
   ProgramRun merge(const std::string& arguments = "") const {
     return run("merge '" + (folder_ / "out") + "' --out '" + (folder_ / "out") + "' " + arguments);
   }
-  /// The report, but for times.
+  /// The report without times.
   std::map<std::string, std::string> report() const {
     std::map<std::string, std::string> files;
     for (const std::string& file : files_below(folder_ / "out/check"))
@@ -117,7 +117,7 @@ TEST_F(CheckShards, WhatDidNotChangeIsKnownToBeTheSame) {
 }
 
 TEST_F(CheckShards, WhatIsKnownIsKnownOfThisBuildAlone) {
-  // readelf reads the build id that the linker made, by itself.
+  // readelf reads the linker's build id independently.
   const std::string listed = folder_ / "notes.txt";
   const std::string readelf = "LC_ALL=C readelf -n '" CONTACTSCOPE_BINARY_DIR "/contactscope' > ";
   ASSERT_EQ(std::system((readelf + "'" + listed + "'").c_str()), 0);

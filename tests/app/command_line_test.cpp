@@ -20,7 +20,7 @@ TEST(CommandLine, HelpAndVersionSucceed) {
   EXPECT_THAT(run("--version").out, StartsWith("contactscope "));
 }
 
-/// The options in a text that stand behind `before`: "\n  " has a help's own, " " also those of its words.
+/// The options after `before` in a text: "\n  " gives a help's own, " " also those in its words.
 std::set<std::string> options_in(const std::string& text, const std::string& before) {
   const std::string mark = before + "--";
   std::set<std::string> options;

@@ -29,7 +29,7 @@ position = [0, 0.45, 0]
 
 TEST(DeformVerbs, ATraceGivesThePicturesOfItsScenario) {
   const TemporaryFolder folder;
-  // The view that a trace has without one.
+  // The default view of a trace.
   const std::string view = "[[views]]\nfocus = \"shapes\"\npanels = [\"summary\"]\n";
   const std::string scenario = folder.write("group/idea.toml", kWavyFloor + view);
   const std::string trace = folder.write("trace.jsonl", run("trace '" + scenario + "'").out);

@@ -17,7 +17,7 @@ const std::vector<std::string>& files() {
 
 class EveryScenario : public testing::TestWithParam<std::string> {};
 
-/// What a frame that nobody records holds too.
+/// The part of a frame that exists without recording.
 trace::Frame without_records(const trace::Frame& recorded) {
   trace::Frame bare;
   bare.frame = recorded.frame;
@@ -31,7 +31,7 @@ trace::Frame without_records(const trace::Frame& recorded) {
     kept.label = pair.label;
     kept.kind = pair.kind;
     kept.state = pair.state;
-    // How far contacts are apart, a record says; what a pair is asked is answered without one, too.
+    // Without a record, separated contacts have no separation, but queries are answered.
     kept.separation = pair.state == "separated" && !pair.query ? 0 : pair.separation;
     kept.overlap = pair.overlap;
     kept.manifolds = pair.manifolds;
@@ -45,8 +45,8 @@ trace::Frame without_records(const trace::Frame& recorded) {
   return bare;
 }
 
-/// Where another processor than the one that stored the traces rounds otherwise, and why: tests/arm64/README.md.
-/// There every fact is held to what `check` lets it differ by, a few units in the last place.
+/// Scenarios that another processor than the storing one rounds differently: tests/arm64/README.md
+/// has the reason. Facts may differ there by `check`'s tolerance, a few units in the last place.
 bool rounds_otherwise(const std::string& scenario) {
 #ifdef __aarch64__
   constexpr const char* kNames[] = {"field/sampling_misses", "mesh_mesh/twist"};
@@ -65,8 +65,7 @@ TEST_P(EveryScenario, SlowGivesTheSameManifoldsBitForBitWhetherRecordedOrNot) {
   }
 }
 
-// What is stored was written by a release build: debug and sanitized builds prove here that they give
-// the same bytes, solver and all.
+// A release build wrote the stored traces; debug and sanitized builds must give the same bytes.
 TEST_P(EveryScenario, MeetsItsExpectationsAndGivesTheStoredTraceByteForByte) {
   const Scenario scenario = load_scenario(GetParam());
   EXPECT_FALSE(scenario.expectations.empty()) << "a scenario without a proof";

@@ -167,7 +167,7 @@ TEST(ExplorePatch, PointsOfOnesOwnHaveARowForEachReducerAndWeighNothing) {
   EXPECT_FALSE(line.contains("a"));
   EXPECT_EQ(line["points"].size(), 12u);
   EXPECT_EQ(line["reducers"][0]["kept"].size(), 4u);
-  // Four of a ring of twelve span a square at best, of area 2.
+  // Four of a ring of twelve span at best a square of area 2.
   EXPECT_NEAR(line["best_area"].get<double>(), 2, 1e-5);
   EXPECT_FALSE(line["reducers"][0].contains("supports_center_of_mass"));
 }

@@ -10,7 +10,7 @@
 
 namespace contactscope::test {
 
-/// `contactscope versus` with programs that answer in ways of their own, in a folder that $PATH names.
+/// `contactscope versus` with scripted programs as engines, in a folder on $PATH.
 class FakeEngines : public testing::Test {
  protected:
   void engine(const std::string& name, const std::string& script) {

@@ -53,7 +53,7 @@ TEST(FigureOptions, EveryWordHasAGermanOne) {
   std::istringstream lines(listed.out);
   for (std::string word; std::getline(lines, word);)
     EXPECT_THAT(german, HasSubstr("\"" + word + "\" = \"")) << word;
-  // No word is there twice, which is no TOML, and none that pictures lack.
+  // No word occurs twice, which would be invalid TOML, and pictures use all of them.
   const TemporaryFolder folder;
   const ProgramRun drawn =
       run(kFigure +

@@ -18,13 +18,13 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::Not;
 
-/// As much of JSON Schema as findings.schema.json uses. A word that is not known here is a mistake of the schema, so
-/// that nothing in it goes unchecked.
+/// The part of JSON Schema that findings.schema.json uses. An unknown keyword is an error of the
+/// schema, so that nothing in it remains unchecked.
 class Schema {
  public:
   explicit Schema(Json whole) : whole_(std::move(whole)) {}
 
-  /// Places at which a document is not as the schema says.
+  /// Places at which a document violates the schema.
   std::vector<std::string> faults(const Json& document) const {
     std::vector<std::string> found;
     check(document, whole_, "", found);

@@ -10,8 +10,8 @@
 #include "support/temporary_folder.h"
 #include "trace/json.h"
 
-/// The references of the formats, held against the parser: it names the keys that it knows where it
-/// meets one that it does not, and the values of a key where it meets another.
+/// Compares the formats' references with the parser. Its errors name the known keys if a key is
+/// unknown, and the known values of a key if a value is.
 namespace contactscope::test {
 namespace {
 
@@ -21,7 +21,7 @@ std::string file_text(const char* path) {
   return read_text(std::string(CONTACTSCOPE_SOURCE_DIR) + "/" + path);
 }
 
-/// The lines from a heading up to the next one that is as high.
+/// The lines from a heading to the next one of the same level.
 std::string section(const std::string& text, const std::string& heading) {
   const std::size_t begin = text.find("\n" + heading + "\n");
   if (begin == std::string::npos) return {};
@@ -38,7 +38,7 @@ std::string complaint(const std::string& scenario) {
   return "no complaint";
 }
 
-/// What stands in single quotes after "known".
+/// The words in single quotes after "known".
 std::vector<std::string> known_words(const std::string& message) {
   std::vector<std::string> words;
   const std::size_t begin = message.find("known: ");
@@ -73,7 +73,7 @@ std::string deforming(const std::string& how) {
 
 struct Place {
   const char* heading;
-  std::string scenario;  // with the key qqqqqq where it does not belong
+  std::string scenario;  // with the unknown key qqqqqq
 };
 
 TEST(FormatReference, NamesEveryKeyThatTheParserKnows) {
@@ -119,7 +119,7 @@ TEST(FormatReference, NamesEveryKeyThatTheParserKnows) {
     EXPECT_THAT(message, HasSubstr("unknown key 'qqqqqq'")) << place.heading;
     const std::vector<std::string> keys = known_words(message);
     EXPECT_GE(keys.size(), 2u) << message;
-    // Keys of every shape stand with the first heading, those of a type with its own.
+    // Keys of every shape are under the first heading, those of a type under its own.
     const std::string here = section(text, place.heading) + section(text, "## `[shapes.NAME]`");
     ASSERT_THAT(section(text, place.heading), testing::Not(testing::IsEmpty())) << place.heading;
     for (const std::string& word : keys)
@@ -175,7 +175,7 @@ TEST(FormatReference, NamesEveryValueThatTheParserKnows) {
   }
 }
 
-/// Every key of an object and of what is in it; members that are named by a file are left out.
+/// Collects every key of an object and its descendants, without members named by a file.
 void collect(const nlohmann::json& json, std::set<std::string>& keys) {
   if (json.is_array()) {
     for (const nlohmann::json& item : json) collect(item, keys);

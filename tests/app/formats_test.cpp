@@ -8,7 +8,7 @@
 #include "image/png.h"
 #include "image/sha256.h"
 
-// `render --format`: what becomes which file, and what it says of itself.
+// `render --format`: the files that it writes, and their metadata.
 namespace contactscope::test {
 namespace {
 
@@ -29,7 +29,7 @@ class Formats : public testing::Test {
   std::string text(const std::string& file) { return read_text(folder_ / ("out/" + file)); }
   std::set<std::string> files() { return files_below(folder_ / "out"); }
 
-  /// A program of that name that writes its arguments and counts what it reads, for PATH.
+  /// A program for PATH that writes its arguments and counts its input.
   std::string fake_ffmpeg(const std::string& rest) {
     const std::string path =
         folder_.write("bin/ffmpeg", "#!/bin/sh\nprintf '%s\\n' \"$@\" > '" +

@@ -12,7 +12,7 @@ using testing::AllOf;
 using testing::ContainsRegex;
 using testing::HasSubstr;
 
-/// A scenario of a crate on a slab, of which `crate` is all that a test changes.
+/// A scenario of a crate on a slab; tests change only `crate`.
 std::string on_a_slab(const std::string& slab, const std::string& crate,
                       const std::string& preference) {
   return "title = \"A crate on a slab\"\n[time]\nframes = 1\n[pipeline]\ncache = false\n"
@@ -21,7 +21,7 @@ std::string on_a_slab(const std::string& slab, const std::string& crate,
          "\n[shapes.crate]\ntype = \"box\"\n" + crate + "\n[snapshots]\nframes = [0]\n";
 }
 
-/// What check tells of a scenario that was stored, and then changed.
+/// The sentence of `check` about a scenario that was stored and then changed.
 std::string told(const std::string& stored, const std::string& now) {
   const TemporaryFolder folder;
   const auto check = [&](const std::string& scenario, const std::string& arguments) {

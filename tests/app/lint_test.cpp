@@ -16,7 +16,7 @@ constexpr const char* kHeader =
     R"("crate":{"type":"hull","vertices":[[-1,-1,-1],[1,-1,-1],[-1,1,-1],[1,1,-1],[-1,-1,1],[1,-1,1],)"
     R"([-1,1,1],[1,1,1]]}}})";
 
-/// A crate 20 mm deep in the ground, with what its writer claims.
+/// A crate 20 mm deep in the ground, with its writer's claims.
 std::string crate(const std::string& normal, const std::string& separation) {
   std::string points;
   for (const char* place : {"-1,-0.02,-1", "1,-0.02,-1", "-1,-0.02,1", "1,-0.02,1"})
@@ -74,7 +74,7 @@ TEST(LintVerb, WhatCannotBeReadIsTrouble) {
   EXPECT_EQ(run("lint").exit_code, 2);
 }
 
-/// What stands before the line that is cut off is looked at, drawn and explored, and that is told once.
+/// The content before a truncated line is linted, drawn and explored, with one message about it.
 TEST(LintVerb, ATornFileIsReadUpToItsLastWholeLine) {
   const TemporaryFolder folder;
   const std::string right = crate("0,1,0", "-0.02");
@@ -95,7 +95,7 @@ TEST(LintVerb, ATornFileIsReadUpToItsLastWholeLine) {
   }
 }
 
-/// What contactscope computes itself is right but where a scenario shows how something goes wrong.
+/// contactscope's own results are right, except in scenarios that show how something goes wrong.
 TEST(LintVerb, SlowNothingIsSaidOfScenariosButOfThoseThatShowAFault) {
   const ProgramRun result = run("lint --json scenarios");
   const auto json = nlohmann::json::parse(result.out);

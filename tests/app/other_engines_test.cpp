@@ -5,14 +5,14 @@
 #include "app/program.h"
 #include "image/png.h"
 
-/// Traces as other engines write them: with what they know.
+/// Traces as other engines write them, with the facts that they have.
 namespace contactscope::test {
 namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// The whole trace in src/trace/README.md, its two lines put together again.
+/// The whole trace in src/trace/README.md, with its two lines joined again.
 std::string sample_of_the_reference() {
   std::istringstream in(read_text(CONTACTSCOPE_SOURCE_DIR "/src/trace/README.md"));
   std::string trace;
@@ -90,7 +90,7 @@ TEST(OtherEngines, ShapesComeAndGo) {
   EXPECT_THAT(run("doctor '" + twice + "'").err, HasSubstr("there are two shapes 'crate'"));
 }
 
-/// Names are told as they are, in any language; a shape may be told again as it was, and in no other form.
+/// Names in any language stay unchanged. A shape may be repeated, but only in the same form.
 TEST(OtherEngines, NamesOfAnyLanguageAndShapesThatAreToldAgain) {
   const TemporaryFolder folder;
   std::string sample = sample_of_the_reference();
@@ -144,7 +144,7 @@ TEST(OtherEngines, FacesAreMadeOfConvexShapesAlone) {
   EXPECT_THAT(run("doctor '" + forces + "'").err, HasSubstr("'impulses.step' is missing"));
 }
 
-/// Slips of a writer that nothing else would tell.
+/// A writer's slips that no other check would find.
 TEST(OtherEngines, SlipsAreNamedWithTheirRemedy) {
   const TemporaryFolder folder;
   const std::string sample = sample_of_the_reference();
@@ -185,7 +185,7 @@ TEST(OtherEngines, SlipsAreNamedWithTheirRemedy) {
               HasSubstr("the header says that there are 7 'frames'"));
 }
 
-/// Two crates side by side on the ground.
+/// Two crates next to each other on the ground.
 std::string two_crates() {
   std::string trace = sample_of_the_reference();
   const std::size_t at = trace.find("\"crate\":{\"type\"");
@@ -243,7 +243,7 @@ TEST(OtherEngines, LayersWithoutDataAreTold) {
   EXPECT_THAT(result.err, HasSubstr("nothing to draw in layers sat_axes, impulses"));
 }
 
-/// The contacts of an engine are a baseline as those of a scenario are.
+/// The contacts of an engine can be a baseline, as those of a scenario can.
 TEST(OtherEngines, TracesAreStoredAndCheckedAgainstWhatTheyWere) {
   const TemporaryFolder folder;
   const std::string file = folder.write("crate.jsonl", sample_of_the_reference());
@@ -258,7 +258,7 @@ TEST(OtherEngines, TracesAreStoredAndCheckedAgainstWhatTheyWere) {
   const ProgramRun result = run(check + "'" + moved + "'");
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_THAT(result.out, HasSubstr("point 1 moved 100 mm along -x"));
-  // A check of all scenarios leaves it where it is.
+  // A check of all scenarios does not remove it.
   const std::string all = folder.write("all/one.toml", small_scenario());
   EXPECT_THAT(run(check + "--scenarios '" + (folder / "all") + "'").out,
               testing::Not(HasSubstr("mine/crate")));

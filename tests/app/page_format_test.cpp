@@ -13,7 +13,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 
-/// What a page holds for its script.
+/// The data of a page's script.
 nlohmann::json page_data(const std::string& html) {
   constexpr std::string_view kOpening = "<script type=\"application/json\" id=\"data\">";
   const std::size_t begin = html.find(kOpening) + kOpening.size();
@@ -69,7 +69,7 @@ TEST(PageFormat, HasPanelsBesideTheView) {
   EXPECT_THAT(numbers, ElementsAre(0, 6, 12));
 }
 
-/// A small scenario whose title, label and name of a shape hold `text`, TOML's escapes and all.
+/// A small scenario whose title, label and shape name contain `text`, including TOML's escapes.
 std::string scenario_that_says(const std::string& text) {
   std::string scenario = small_scenario();
   scenario.replace(scenario.find("A box on a slab"), 15, text);

@@ -16,7 +16,7 @@ namespace {
 
 using app::for_shell;
 
-/// Of bytes that shells and patterns obey, and some that they do not.
+/// A name of bytes that are special to shells and patterns, and of others.
 std::string nasty_name(Random& random) {
   const std::string bytes = "ab/ '\"\\$`!&|;<>(){}[]*?~#=%^-_.,:@+\t\xc3\xa9";
   std::string name;

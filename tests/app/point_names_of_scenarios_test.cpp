@@ -11,17 +11,17 @@
 namespace contactscope::trace {
 namespace {
 
-/// Points that have the id that the pipeline gave them once their ids were taken away and made up anew.
+/// Points whose generated id, after the pipeline's ids were removed, equals the pipeline's.
 struct Agreement {
   int same = 0, of = 0;
 };
 
-constexpr int kEvery = 10;  // of the frames of a scenario, in which little is new
+constexpr int kEvery = 10;  // only every tenth frame of a scenario, because little is new between
 
 /// By kind of pair and axis.
 using Agreements = std::map<std::string, Agreement>;
 
-/// What other engines do not tell.
+/// Removes facts that other engines do not record.
 void take_ids_away(Frame& frame) {
   for (Pair& pair : frame.pairs)
     for (Manifold& manifold : pair.manifolds) {
@@ -30,7 +30,7 @@ void take_ids_away(Frame& frame) {
     }
 }
 
-/// Of a frame and its copy with ids made up.
+/// Compares a frame with its copy whose ids were generated.
 void compare(const Frame& ours, const Frame& made_up, Agreements& all) {
   for (std::size_t p = 0; p < ours.pairs.size(); ++p) {
     const Pair& pair = ours.pairs[p];

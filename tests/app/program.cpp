@@ -8,7 +8,7 @@ namespace contactscope::test {
 
 namespace {
 
-/// The exit code of the program, run in the source folder; -1 where it did not exit.
+/// The exit code of the program, run in the source folder; -1 if it did not exit.
 int exit_code_of(const std::string& environment, const std::string& arguments,
                  const std::string& redirections, const std::string& input = "/dev/null") {
   const std::string command = "cd '" CONTACTSCOPE_SOURCE_DIR "' && " + environment +

@@ -6,19 +6,19 @@
 
 namespace contactscope::test {
 
-/// What a run of the program left.
+/// Result of a run of the program.
 struct ProgramRun {
   int exit_code = -1;
   std::string out;
   std::string err;
 };
 
-/// Runs the built program through the shell, in the source folder. `environment` is put before it:
-/// "CI=true". Standard input is the file `input`; empty by default.
+/// Runs the built program through the shell, in the source folder, with `environment` in front:
+/// "CI=true". Standard input is the file `input`, empty by default.
 ProgramRun run(const std::string& arguments, const std::string& environment = "",
                const std::string& input = "/dev/null");
 
-/// The exit code of the program with a standard output that takes nothing.
+/// The exit code of the program if standard output cannot be written.
 int run_on_full_disk(const std::string& arguments);
 
 /// A small valid scenario: a box half a centimetre deep in a slab, two frames.

@@ -1,5 +1,5 @@
-// What the pictures of scenarios/reduction claim and no expectation can say: how much area each pair
-// keeps, whether the deepest point is kept, and how often ids change.
+// Claims of the pictures in scenarios/reduction that no expectation can state: how much area each
+// pair keeps, whether the deepest point is kept, and how often ids change.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -48,7 +48,7 @@ std::set<std::string> kept_ids(const trace::Reduction& reduction) {
   return ids;
 }
 
-/// Ids that come or go from frame to frame.
+/// Number of ids that appear or vanish from frame to frame.
 std::size_t changed_ids(const std::vector<trace::Reduction>& frames) {
   std::size_t changed = 0;
   for (std::size_t f = 1; f < frames.size(); ++f) {
@@ -114,7 +114,7 @@ TEST(ReductionScenarios, TheFourDeepestJumpAndTheLargestStay) {
 TEST(ReductionScenarios, TheRotatingStackFlickersExceptWhereIdsAreHeld) {
   const auto all = reductions("rotating_stack");
   ASSERT_EQ(all.size(), 3u);
-  // Four crossings, each of which swaps four points for four others.
+  // Four crossings; each swaps four points for four others.
   EXPECT_EQ(changed_ids(all.at("area")), 32u);
   EXPECT_EQ(changed_ids(all.at("bullet")), 24u);
   EXPECT_EQ(changed_ids(all.at("coherent")), 0u);
@@ -123,7 +123,7 @@ TEST(ReductionScenarios, TheRotatingStackFlickersExceptWhereIdsAreHeld) {
   }
 }
 
-// Explore runs the reducers itself, the pipeline where the scenario says: both see the same flicker.
+// Explore runs the reducers itself, the pipeline as the scenario says: both find the same flicker.
 TEST(ReductionScenarios, ExploreCountsTheIdsThatThePipelineChanges) {
   const auto all = reductions("rotating_stack");
   ExploreOptions options;
@@ -133,13 +133,13 @@ TEST(ReductionScenarios, ExploreCountsTheIdsThatThePipelineChanges) {
       load_scenario(CONTACTSCOPE_SOURCE_DIR "/scenarios/reduction/rotating_stack.toml");
   for (const ReducerSummary& row : summarize(explore(scenario, scenario.frames - 1, options))) {
     EXPECT_EQ(row.ids_changed, static_cast<int>(changed_ids(all.at(row.name)))) << row.name;
-    // A square that gives way to the other one moves by about a side of the octagon, 0.41 m; the
-    // box turns by less than a degree a frame.
+    // When one square replaces the other, the points move by about a side of the octagon, 0.41 m;
+    // the box turns by less than a degree a frame.
     EXPECT_EQ(row.moves.value() > 10, row.name != "coherent") << row.name;
   }
 }
 
-// Of each step of the talk, the chosen point is the one that the shown measures make the winner.
+// In each step of the talk, the chosen point wins by the measures that are shown.
 TEST(ReductionScenarios, TheStagesShowWhyEachPointWasChosen) {
   for (const auto& [idea, step] : {std::pair{"first_point", 0u},
                                    {"second_point", 1u},
@@ -158,7 +158,7 @@ TEST(ReductionScenarios, TheStagesShowWhyEachPointWasChosen) {
       EXPECT_EQ(along(reduction.points[static_cast<std::size_t>(chosen)]), most);
       continue;
     }
-    // Signed areas of the fourth step are negative outside; of the third, either side counts.
+    // Signed areas of the fourth step are negative outside; in the third, both sides count.
     const auto worth = [step = step](const trace::Measure& measure) {
       return step == 2 ? std::abs(measure.value) : step == 3 ? -measure.value : measure.value;
     };

@@ -1,5 +1,5 @@
-// What scenarios/regressions claim of whole sequences, and no expectation of a frame can say: which
-// points are kept from frame to frame, and how far they wander while the bodies hardly move.
+// Claims of scenarios/regressions about whole sequences that no expectation of a frame can state:
+// which points persist from frame to frame, and how far they wander while the bodies hardly move.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,7 +21,6 @@ Scenario regression(const std::string& idea) {
   return load_scenario(CONTACTSCOPE_SOURCE_DIR "/scenarios/regressions/" + idea + ".toml");
 }
 
-/// All frames of a scenario.
 struct Sequence {
   trace::Header header;
   std::vector<trace::Frame> frames;
@@ -135,7 +134,7 @@ TEST(RegressionScenarios, Genesis3245TremblingCylindersKeepTheirPatchesByCoheren
     EXPECT_EQ(coherent.steps_with_other_ids, 0);
     EXPECT_LE(coherent.points, coherent.body);
     EXPECT_LE(coherent.middle, coherent.body);
-    // As far as was reported, and farther.
+    // As far as reported, and farther.
     const Wander deepest = wander_of(sequence, "deepest");
     EXPECT_EQ(deepest.steps_with_other_ids, 8);
     EXPECT_GT(deepest.middle, reported.wandered);
@@ -161,7 +160,7 @@ TEST(RegressionScenarios, Mujoco2356ATremblingPegKeepsItsFourIds) {
   EXPECT_LE(wander.points, wander.body);
 }
 
-// However small the step: what is lost at a crossing of depths does not shrink with it.
+// At any step size: the loss at a crossing of depths does not shrink with the step.
 TEST(RegressionScenarios, Nimble8TheFourDeepestJumpWhereDepthsCross) {
   Scenario scenario = regression("nimble_8_four_deepest");
   const Wander as_filed = wander_of(sequence_of(scenario), "deepest");

@@ -98,7 +98,7 @@ TEST(Render, VerboseSaysWhatRanAndWhatWasLeftOut) {
   EXPECT_THAT(panels.err, HasSubstr("start Dear ImGui"));
 }
 
-/// What a trace is drawn with where nobody says otherwise.
+/// The default view of a trace.
 std::string view_of_traces() {
   return "[[views]]\nfocus = \"shapes\"\npanels = [\"summary\"]\nlayers = [\"shapes\", "
          "\"reference_face\", \"incident_face\", \"clip_polygons\", \"contacts\", "

@@ -14,7 +14,7 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-/// Chromium's program; empty where there is none.
+/// Chromium's program; empty if it is not installed.
 std::string chromium() {
   for (const char* name : {"chromium", "chromium-browser", "google-chrome"})
     if (std::system((std::string("command -v ") + name + " > /dev/null").c_str()) == 0) return name;
@@ -31,7 +31,7 @@ std::string output_of(const std::string& command) {
   return text;
 }
 
-/// report.html of a check of two scenarios of which one was changed, in headless Chromium.
+/// report.html of a check of two scenarios, one of them changed, in headless Chromium.
 class ReportPage : public testing::Test {
  protected:
   ReportPage() {
@@ -53,7 +53,7 @@ class ReportPage : public testing::Test {
                "CI=");
   }
 
-  /// What a script that runs in the page returns.
+  /// The result of a script that runs in the page.
   nlohmann::json in_page(const std::string& script) const {
     std::string page = read_text(folder_ / "out/check/report.html");
     page.insert(page.rfind("</html>"), "<script>const answer = (() => {" + script +
@@ -118,7 +118,7 @@ TEST_F(ReportPage, LeadsByTheCauseWithContentsAndEveryWayToCompare) {
   EXPECT_THAT(page["commands"].dump(), HasSubstr("check --accept group/one/frame_0000 --out "));
 }
 
-/// Runs a command of the page as the shell where the check ran would.
+/// Runs a command of the page as the shell that ran the check would.
 int obey(std::string command) {
   const std::string program = "contactscope ";
   const std::size_t at = command.find(program);

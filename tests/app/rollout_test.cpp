@@ -6,14 +6,14 @@
 
 #include "app/fake_engines.h"
 
-/// `versus --rollout`, with programs that answer in ways of their own.
+/// `versus --rollout` with scripted programs as engines.
 namespace contactscope::test {
 namespace {
 
 using testing::HasSubstr;
 using Json = nlohmann::json;
 
-/// A crate of 2 kg on a ground whose surface is at `height`, and a lid that slides over it by a script.
+/// A crate of 2 kg, a ground with its surface at `height`, and a lid that a script slides over it.
 std::string crate_on_ground(double height) {
   return R"(title = "A crate"
 [time]
@@ -70,7 +70,7 @@ TEST_F(Rollout, OurOwnCrateStands) {
   EXPECT_TRUE(own["findings"].empty());
 }
 
-/// All that an engine needs is in what it reads.
+/// The input contains everything that an engine needs.
 TEST_F(Rollout, AskedWithMassesSurfacesAndScripts) {
   const std::string heard = folder_ / "heard.jsonl";
   engine("ear", "echo $1 > '" + heard + ".question'; cat > '" + heard +
@@ -105,13 +105,13 @@ TEST_F(Rollout, AskedWithMassesSurfacesAndScripts) {
   EXPECT_FALSE(std::getline(lines, line));
 }
 
-/// Its ground lies 4 m lower.
+/// The ground of this engine is 4 m lower.
 TEST_F(Rollout, AnEngineInWhichTheCrateFalls) {
   const std::string falling = folder_.write("tests/falling.toml", crate_on_ground(-4));
   const std::string answer = folder_.write("answer.jsonl", run("trace '" + falling + "'").out);
   engine("hollow", "cat '" + answer + "'");
   const ProgramRun result = step_crate("contactscope,hollow");
-  EXPECT_EQ(result.exit_code, 1);  // what stands in one falls in the other
+  EXPECT_EQ(result.exit_code, 1);  // the crate rests in one engine and falls in the other
   const Json hollow = entry(result, "hollow");
   EXPECT_EQ(hollow["fallen"], 1);
   // Half of its thickness is 0.25 m: 5 t (t + dt) = 0.25.
@@ -145,7 +145,7 @@ TEST_F(Rollout, EnginesThatHangCrashOrTalkNonsenseAreJudgedByWhatTheyTold) {
   EXPECT_THAT(failure("nan"), HasSubstr("nan's answer:9:"));
   EXPECT_EQ(entry(result, "nan")["frames"], 7);
   EXPECT_EQ(failure("short"), "it answered 20 of 40 frames");
-  // What it was asked has the crate at the start alone.
+  // The request has the crate only at the start.
   EXPECT_EQ(failure("blind"), "frame 1 has no pose of 'crate'");
   EXPECT_EQ(entry(result, "contactscope")["frames"], 40);
 }

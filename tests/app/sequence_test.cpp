@@ -6,14 +6,14 @@
 #include "support/temporary_folder.h"
 #include "trace/json.h"
 
-/// Traces that are too long to be held.
+/// Traces that are too long for memory.
 namespace contactscope::app {
 namespace {
 
 using testing::ElementsAre;
 using testing::ElementsAreArray;
 
-/// A ball that rests on a plane, frame after frame, and is deepest in one of them. Each second number is missing.
+/// A ball at rest on a plane, deepest in one frame. Every second frame number is missing.
 std::string long_trace(int frames, int deepest) {
   trace::Header header{"mine/long", "", "", "double", "y", 0, {}};
   trace::Shape ground{"ground", "plane", {}, {}, {}, Vec3d::Zero(), 0, trace::HalfSpace{}};
@@ -57,8 +57,8 @@ TEST(Sequence, AShortTraceIsHeldWhole) {
   EXPECT_THAT(shown, ElementsAre(0, 4, 78));
 }
 
-/// Of a long one so many frames are held as were allowed, with the first, the last and the deepest among them; all
-/// the others can be shown.
+/// As many frames of a long trace are held as the budget allows, including the first, the last and
+/// the deepest; all others can be shown.
 TEST(Sequence, OfALongTraceSomeFramesStandForTheOthers) {
   const TemporaryFolder folder;
   constexpr int kFrames = 1001;
@@ -86,7 +86,7 @@ TEST(Sequence, OfALongTraceSomeFramesStandForTheOthers) {
   EXPECT_THAT(mapped(sequence.frames, &trace::Frame::frame), ElementsAreArray(held));
 }
 
-/// Forces on a, over a hundredth of a second; and impulses on b, as they are written otherwise.
+/// Forces on a over a hundredth of a second, which equal impulses on b.
 TEST(Sequence, ImpulsesAreNewtonSecondsOnBHoweverTheyAreTold) {
   const TemporaryFolder folder;
   std::string text = long_trace(1, 0);
@@ -99,7 +99,7 @@ TEST(Sequence, ImpulsesAreNewtonSecondsOnBHoweverTheyAreTold) {
   const trace::Impulse told =
       sequence.frames.at(0).pairs.at(0).manifolds.at(0).points.at(0).impulse.value();
   EXPECT_EQ(told, (trace::Impulse{2, {-0.1, 0, 0.2}, 0.5}));
-  EXPECT_FALSE(sequence.header.impulses);  // what is written of it again says nothing else
+  EXPECT_FALSE(sequence.header.impulses);  // a rewritten trace repeats no unit
 }
 
 TEST(Sequence, PointsWithoutIdsAreGivenSomeWhetherHeldOrReadAgain) {

@@ -67,7 +67,7 @@ TEST_F(SoakShards, OnlyStabilityHasParts) {
   EXPECT_THAT(run("study reducers --cases 1000001").err, HasSubstr("is more than a study holds"));
 }
 
-/// An answer that is wrong is told with the number of its case, and fails.
+/// A wrong result fails and is reported with the number of its case.
 TEST_F(SoakShards, AWrongAnswerFails) {
   part(1, 1, "out");
   const std::string file = "out/soak_1_of_1.json";

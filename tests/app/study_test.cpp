@@ -50,7 +50,7 @@ TEST(Study, WritesJsonAndCsvForEachMeasureAndOpensNoOpenGlForATable) {
               StartsWith("study,measure,method,parameter,error,"));
 }
 
-/// The tables on standard output, each a heading and rows of cells; an empty line is between two.
+/// The tables on standard output: a heading and rows of cells each, separated by an empty line.
 std::vector<std::vector<std::string>> tables_of(const std::string& text) {
   std::vector<std::vector<std::string>> tables(1);
   std::istringstream in(text);
@@ -88,7 +88,7 @@ TEST(Study, PrintsATableForEachMeasureAndOneOfTimes) {
       EXPECT_THAT(table[i], StartsWith(method + " "));
     }
   }
-  // A number of the table is that of the file.
+  // A number of the table equals that of the file.
   const auto& first = json["series"][0]["points"][0];
   char error[32];
   std::snprintf(error, sizeof error, "%.2g / ", first["error"].get<double>());

@@ -19,7 +19,7 @@ TEST(Table, ColumnsAreAsWideAsATerminalShowsThem) {
   EXPECT_EQ(out.str(), "shape  mass\nящик      1\n箱       20\n");
 }
 
-/// A study of curves with these parameters, whose error is the parameter.
+/// A study of curves with these parameters; the error equals the parameter.
 trace::Study curves(const std::vector<double>& parameters) {
   trace::Study study;
   study.error = "way";

@@ -29,7 +29,7 @@ TEST_F(Versus, OurOwnContactsAreRight) {
   EXPECT_LT(own["area_ratio"], 1);
 }
 
-/// It answers with what it was asked: shapes, poses and pairs, and no contacts.
+/// The engine echoes its input: shapes, poses and pairs, and no contacts.
 TEST_F(Versus, AnEngineThatFindsNothingMissesAll) {
   engine("blind", "cat");
   const ProgramRun result = versus(std::string(kScenario) + " --engines blind");
@@ -67,7 +67,7 @@ TEST_F(Versus, FramesThatAreMissingAreTold) {
   EXPECT_THAT(entry(result, "short")["failure"].get<std::string>(), HasSubstr("1 of 3 frames"));
 }
 
-/// An answer that is flipped, in the other order, is named by the cause that lint finds.
+/// A flipped answer with swapped shapes is named by the cause that lint finds.
 TEST_F(Versus, WhatAnEngineDoesWrongIsNamed) {
   const std::string own = run("trace hull/eight_points_to_four --frames 0:8:4").out;
   std::string half = own;
@@ -105,7 +105,7 @@ TEST_F(Versus, WritesAPictureAFrameAndATable) {
                           "versus/hull/eight_points_to_four/frame_0004.png"));
 }
 
-/// One breaks off and one steps nothing: a page all the same.
+/// One engine breaks off and one steps nothing; the picture is still written.
 TEST_F(Versus, ARolloutIsOnePicture) {
   const std::string trace = folder_.write("run.jsonl", run("trace solver/card_house").out);
   engine("short", "head -n 9 '" + trace + "'");

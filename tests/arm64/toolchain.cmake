@@ -1,4 +1,4 @@
-# Debian's cross compiler for arm64, and QEMU to run what it makes. Libraries are unpacked below the
+# Debian's cross compiler for arm64, and QEMU to run its output. Libraries are unpacked below the
 # build folder; headers without a library are those of this machine.
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR aarch64)
@@ -9,7 +9,7 @@ if(NOT CONTACTSCOPE_QEMU)
   message(FATAL_ERROR "The preset 'arm64' needs a cross compiler and QEMU: apt-get install "
     "g++-aarch64-linux-gnu qemu-user")
 endif()
-# Where Debian's cross compiler has its C library.
+# C library of Debian's cross compiler.
 set(CMAKE_CROSSCOMPILING_EMULATOR ${CONTACTSCOPE_QEMU} -L /usr/aarch64-linux-gnu)
 
 set(libraries ${CMAKE_BINARY_DIR}/libraries)

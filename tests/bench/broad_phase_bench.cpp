@@ -1,5 +1,5 @@
-// The study `broad_phase` in one run beside other libraries where they are installed: milliseconds to
-// find all pairs of many boxes, bytes, comparisons.
+// The study `broad_phase` in one run, compared with the other libraries that are installed:
+// milliseconds to find all pairs of many boxes, bytes, comparisons.
 //
 //   broad_phase_bench [steps [boxes ...]]
 #include <cstdio>

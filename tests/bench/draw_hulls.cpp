@@ -39,8 +39,7 @@ Vec3d direction_of(const PairCase<double>& pair, const SatResult<double>& axes) 
   return pair.pose_a.rotate(axes.edge.normal);
 }
 
-/// Moves B out along the axis of least overlap until `overlap` metres are left. No other axis
-/// catches up: along it B moves less.
+/// Moves B out along the axis of least overlap to `overlap` metres. B moves less along other axes.
 void leave_overlap(PairCase<double>& pair, double overlap) {
   const SatResult<double> axes = axes_of(pair);
   pair.pose_b.position += (-overlap - axes.separation(axes.deepest)) * direction_of(pair, axes);
@@ -97,8 +96,8 @@ PairCase<double> draw(Workload workload, Random& random) {
   return hull32(random);
 }
 
-/// What the workload promises of each pair, and that a draw may miss: in W1 a face axis, in W2 an
-/// edge axis, in W3 every other pair separated.
+/// Whether a random draw keeps the promise of its workload, which it may miss: a face axis in W1,
+/// an edge axis in W2, every other pair separated in W3.
 bool fits(Workload workload, const PairCase<double>& pair, std::size_t index) {
   const SatResult<double> axes = axes_of(pair);
   if (workload == Workload::BoxFace) return axes.deepest != AxisKind::EdgeEdge;

@@ -5,7 +5,7 @@
 
 namespace contactscope::bench {
 
-/// One pair of W1 to W4, at the origin; `index` counts the pairs so far.
+/// One pair of W1 to W4, at the origin; `index` is the number of pairs before it.
 test::PairCase<double> draw_hulls(Workload workload, test::Random& random, std::size_t index);
 
 }  // namespace contactscope::bench

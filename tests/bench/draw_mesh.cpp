@@ -19,7 +19,7 @@ struct Interval {
   double high = kInfinity;
 };
 
-/// Of the vertical line through `place`, what lies inside all planes.
+/// The part of the vertical line through `place` that is inside all planes.
 Interval inside(const std::vector<Plane<double>>& planes, const Vec3d& place) {
   Interval result;
   for (const Plane<double>& plane : planes) {
@@ -41,7 +41,7 @@ std::vector<Plane<double>> placed_planes(const Hull<double>& hull, const Pose<do
   return result;
 }
 
-/// Height of a triangle above or below `place`; -infinity beside it.
+/// Height of a triangle above or below `place`; -infinity if `place` is not above or below it.
 double height_at(const Mesh<double>& mesh, int triangle, const Vec3d& place) {
   for (int k = 0; k < 3; ++k) {
     const Vec3d edge = mesh.corner(triangle, (k + 1) % 3) - mesh.corner(triangle, k);
@@ -53,7 +53,7 @@ double height_at(const Mesh<double>& mesh, int triangle, const Vec3d& place) {
   return place.y() + normal.dot(from) / normal.y();
 }
 
-/// How far the hull is above the grid, going straight down, as far as vertices of either tell.
+/// Vertical clearance between hull and grid, measured at the vertices of both.
 double clearance(const Hull<double>& hull, const Pose<double>& pose, const Mesh<double>& grid) {
   const std::vector<Plane<double>> planes = placed_planes(hull, pose);
   double least = kInfinity;
@@ -71,7 +71,7 @@ double clearance(const Hull<double>& hull, const Pose<double>& pose, const Mesh<
   return least;
 }
 
-/// Roughly along the surface, as something at rest.
+/// Roughly along the surface, like a body at rest.
 Quatd level(const Mesh<double>& grid, int triangle, Random& random) {
   const Quatd yaw(Eigen::AngleAxisd(random.uniform(0, 2 * std::numbers::pi), Vec3d::UnitY()));
   return Quatd(Quatd::FromTwoVectors(Vec3d::UnitY(), grid.normal(triangle)) * yaw);
@@ -84,7 +84,7 @@ Mesh<double> wavy_grid() {
 }
 
 DrawnHull draw_on_mesh(Workload workload, const Mesh<double>& grid, Random& random) {
-  // Not over the rim.
+  // Avoid the rim.
   int triangle = 0;
   Vec3d place;
   do {

@@ -4,10 +4,10 @@
 
 namespace contactscope::bench {
 
-/// The grid of W7: 50 m by 25 m in cells of half a metre, waves of half a metre.
+/// The grid of W7: 50 m by 25 m in cells of 0.5 m, with waves of 0.5 m.
 Mesh<double> wavy_grid();
 
-/// A hull somewhere on the grid, which stays at the origin.
+/// A hull at a place on the grid, which stays at the origin.
 struct DrawnHull {
   Hull<double> hull;
   Pose<double> pose;

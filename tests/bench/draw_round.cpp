@@ -14,9 +14,9 @@ using Segment = Vec3d[2];
 
 constexpr double kFarApart = 3;
 
-/// Moves B, whose core starts out apart from A's, towards A along the closest points until the
-/// rounded shapes overlap by 1 to 10 mm. The planes at right angles to this way at both points keep
-/// the cores apart, so that their distance shrinks by just as much.
+/// Moves B, whose core starts separated from A's, towards A along the closest points until the
+/// rounded shapes overlap by 1 to 10 mm. The planes perpendicular to this path at both points keep
+/// the cores separated, so their distance shrinks by just as much.
 void leave_overlap(DrawnPair& pair, const SupportSet<double>& core_a,
                    const SupportSet<double>& core_b, double radii, Random& random) {
   const GjkResult<double> apart = gjk(core_a, core_b, relative_pose(pair.pose_a, pair.pose_b));

@@ -1,14 +1,13 @@
-// Signed distance fields of a wavy ball of 9,680 triangles, 1 m across, double; of a lattice of so many
-// cells:
-//   build      milliseconds on one core, the least of several; bytes
-//   query      nanoseconds, the mean of random points of the ball's box, and of points in the band
-//   error      of the distance in millimetres: of the points in the band half, 99 % and all are better
+// Signed distance fields of a wavy ball of 9,680 triangles, 1 m across, in double, on a lattice of
+// the given number of cells:
+//   build      milliseconds on one core, minimum of several builds; bytes
+//   query      nanoseconds, mean over random points of the ball's box, and over points in the band
+//   error      of the distance in the band, in millimetres: median, 99th percentile, maximum
 //   exact      share of the points in the band that triangles answer
-//   plate      places lost of 8,738 in the middle of a plate of half a cell, the worst of eight shifts
-//   bounds     wrong ones among random queries, their mean width in cells in the band
-// Beside them OpenVDB's level set with a band of three cells, where it is installed; and the times of both
-// builds on two cores, four, ... and all.
-// Arguments: cells (64), queries for the bounds (1000000).
+//   plate      places lost of 8,738 in the middle of a plate of half a cell, worst of eight shifts
+//   bounds     number of wrong ones among random queries, mean width in cells in the band
+// The same for OpenVDB's level set with a band of three cells, if installed, and the times of both
+// builds on two cores, four, ... and all. Arguments: cells (64), queries for the bounds (1000000).
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -55,7 +54,7 @@ double nanoseconds(const std::vector<Vec3d>& points, const Query& query) {
   return sum == 0.123 ? 0 : best;
 }
 
-/// In millimetres, of distances given in metres.
+/// `errors` are in metres; prints millimetres.
 void print_errors(std::vector<double> errors) {
   std::ranges::sort(errors);
   const auto quantile = [&](double share) {
@@ -64,7 +63,7 @@ void print_errors(std::vector<double> errors) {
   std::printf("  error %.4f %.4f %.4f mm", quantile(0.5), quantile(0.99), quantile(1));
 }
 
-/// How cells that the surface passes are answered.
+/// Method of answering in cells that the surface crosses.
 const char* name_of(const FieldSettings& settings) {
   if (!settings.exact) return "blend";
   return settings.smooth == 0 ? "exact" : "smooth";
@@ -77,7 +76,7 @@ int most_places_lost(FieldSettings settings) {
   return most;
 }
 
-/// The least seconds of several builds.
+/// The minimum seconds of several builds.
 double seconds_to_build(const Mesh<double>& mesh, const FieldSettings& settings,
                         PlacedField& field) {
   double least = 1e9;
@@ -89,7 +88,7 @@ double seconds_to_build(const Mesh<double>& mesh, const FieldSettings& settings,
   return least;
 }
 
-/// Of so many threads, this field and OpenVDB's in turns: the machine is the same to both.
+/// Builds of this field and of OpenVDB's take turns, so both see the same state of the machine.
 void compare_threads(const Mesh<double>& mesh, FieldSettings settings) {
   const int most = hardware_threads();
   for (int threads = 1;; threads = std::min(2 * threads, most)) {
@@ -131,8 +130,8 @@ void measure(const Mesh<double>& mesh, FieldSettings settings, const std::vector
               most_places_lost(settings));
 }
 
-/// Bounds at random points of random cells, so many in each, against a judge that shares no code with the
-/// field: the nearest of all triangles.
+/// Tests bounds at random points of random cells, with a fixed number of points in each cell. The
+/// judge shares no code with the field: it measures the nearest of all triangles.
 void judge_bounds(const Mesh<double>& mesh, const FieldSettings& settings, long queries) {
   constexpr long kInCell = 256;
   const PlacedField field = build_distance_field(mesh, settings);
@@ -151,7 +150,7 @@ void judge_bounds(const Mesh<double>& mesh, const FieldSettings& settings, long 
       const Vec3d point = first + field.cell * random.vector(0, 1);
       const FieldBounds bounds = field.bounds(point);
       const double truth = judge.distance(point);
-      // The judge rounds, too.
+      // The judge rounds too.
       const double rounding = 1e-14 * box.extent().norm();
       wrong += bounds.lower <= truth + rounding && truth - rounding <= bounds.upper ? 0 : 1;
       if (!field.field->in_band(field.in_lattice(point))) continue;
@@ -189,7 +188,7 @@ int main(int argc, char** argv) {
   compare_threads(
       mesh,
       {.cells = cells, .interpolation = FieldInterpolation::Trilinear, .smooth = kSmoothPart});
-  // Half of them where the surface's cells know the distance.
+  // Half of the queries are in the band, where the surface's cells know the distance.
   judge_bounds(mesh, {.cells = cells, .exact = false}, queries / 2);
   judge_bounds(mesh, {.cells = cells, .smooth = kSmoothPart}, queries - queries / 2);
   return 0;

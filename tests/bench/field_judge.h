@@ -7,16 +7,16 @@
 
 namespace contactscope::test {
 
-/// Says how far points of one cube are from a surface, with a sign, by exhaustion in double: nearest points
-/// of triangles by barycentric coordinates (Ericson 2005, 5.1.5), which fields do not use. All triangles
-/// are looked at once, from the middle of the cube; those that are farther than the nearest one and the
-/// cube's diagonal are left out. Negative behind the triangle that is nearest; of equally near ones that
-/// whose plane is farthest, as of a closed surface with its fronts outside.
+/// Signed distances of points in one cube from a surface, by exhaustion in double. Nearest points
+/// of triangles come from barycentric coordinates (Ericson 2005, 5.1.5), which fields do not use.
+/// All triangles are measured once, from the middle of the cube; those farther than the nearest one
+/// plus the cube's diagonal are left out. Negative behind the nearest triangle; among equally near
+/// ones, the one whose plane is farthest decides, as for a closed surface with its fronts outside.
 class FieldJudge {
  public:
   explicit FieldJudge(const Mesh<double>& mesh);
 
-  /// The cube that is asked about from now on.
+  /// Selects the cube of the following queries.
   void look_at(const Vec3d& middle, double side);
   double distance(const Vec3d& point) const;
 

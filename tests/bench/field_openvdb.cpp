@@ -36,7 +36,7 @@ VdbMesh vdb_mesh(const Mesh<double>& mesh) {
 
 constexpr float kBand = 3;
 
-/// The least seconds of several builds on so many threads.
+/// The minimum seconds of several builds on `threads` threads.
 double least_seconds(const VdbMesh& mesh, double cell, int threads, openvdb::FloatGrid::Ptr& grid) {
   openvdb::initialize();
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
@@ -67,7 +67,7 @@ void measure_openvdb(const Mesh<double>& mesh, int cells, const std::vector<Vec3
   const double cell = vdb_cell(mesh, cells);
   openvdb::FloatGrid::Ptr grid;
   const double build = least_seconds(vdb_mesh(mesh), cell, 1, grid);
-  // With an accessor, which remembers where the last point was.
+  // With an accessor, which remembers the last point's position in the tree.
   const auto accessor = grid->getConstAccessor();
   const openvdb::tools::GridSampler<openvdb::FloatGrid::ConstAccessor, openvdb::tools::BoxSampler>
       sampler(accessor, grid->transform());
@@ -80,7 +80,7 @@ void measure_openvdb(const Mesh<double>& mesh, int cells, const std::vector<Vec3
     for (const Vec3d& point : points) sum += sample(point);
     query = std::min(query, vdb_seconds_since(start) * 1e9 / static_cast<double>(points.size()));
   }
-  // Of points whose eight nodes are in the band: beyond it a level set holds no distances.
+  // Only points whose eight nodes are in the band: a level set holds no distances beyond it.
   FieldJudge judge(mesh);
   std::vector<double> errors;
   for (std::size_t i = 0; i < points.size() && errors.size() < 20000; ++i) {

@@ -1,5 +1,5 @@
-// contactscope-field-openvdb: OpenVDB as a peer of the study `distance_field`; src/study/field_peer.h says what
-// it reads and writes. One thread.
+// contactscope-field-openvdb: OpenVDB as a peer of the study `distance_field`, on one thread.
+// src/study/field_peer.h documents its input and output.
 #include <openvdb/openvdb.h>
 #include <openvdb/tools/GridOperators.h>
 #include <openvdb/tools/Interpolation.h>
@@ -79,7 +79,7 @@ int main() {
     for (const openvdb::Vec3R& point : points) sum += double{distance.wsSample(point)};
     std::cout << milliseconds_since(start) * 1e6 / static_cast<double>(points.size()) << '\n';
   }
-  if (sum == 0.123) std::cerr << sum;  // so that the sums are made
+  if (sum == 0.123) std::cerr << sum;  // keeps the compiler from removing the sums
   for (const openvdb::Vec3R& point : points) {
     const openvdb::Vec3s along = gradient.wsSample(point);
     std::cout << double{distance.wsSample(point)} << ' ' << along[0] << ' ' << along[1] << ' '

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Adds a row for each ratio below to history.tsv: what one benchmark takes over another of the same run, so
-# that it depends on the code and little on the machine. Least times of many repetitions.
+# Adds a row for each ratio below to history.tsv: one benchmark's minimum time over another's of the
+# same run, so that it depends on the code and little on the machine.
 #   history.sh BUILD_FOLDER HISTORY COMMIT [NOTE]
 set -eu
 build=$1 history=$2 commit=$3 note=${4:-}
@@ -8,7 +8,7 @@ build=$1 history=$2 commit=$3 note=${4:-}
 rows=$(mktemp)
 trap 'rm -f "$rows"' EXIT
 
-# pairs: what `contactscope` takes over Bullet, or over itself without a record, workload by workload.
+# pairs: time of `contactscope` over Bullet, or over itself without a record, per workload.
 [ ! -x "$build/pipeline_bench" ] || "$build/pipeline_bench" 2>/dev/null | awk '
   /^least/ { inside = 1; next }
   /^median/ { inside = 0 }

@@ -1,7 +1,7 @@
-// Continuous collision: nanoseconds a query, what was missed, what was called a hit when shapes were
-// inside of each other already, and how far off the times were. Two hulls of 32 vertices, a sphere and a
-// triangle, moving vertices, edges and faces, sheets that deform. Beside them other libraries where they
-// are installed.
+// Continuous collision: nanoseconds per query, missed impacts, hits reported for shapes that
+// already overlapped, and errors of the times. Cases: two hulls of 32 vertices, a sphere and a
+// triangle, moving vertices, edges and faces, sheets that deform. Compared with the other libraries
+// that are installed.
 //
 //   impact_bench [queries [repetitions]]
 #include <algorithm>
@@ -116,7 +116,7 @@ void bench_features(const char* title, int queries, int repetitions,
   int counts[4] = {}, most_steps = 0;
   double steps = 0;
   for (const auto& pair : pairs) {
-    // The least of three: a slow moment of the machine is not the pair's.
+    // Minimum of three, to exclude a slow moment of the machine.
     double own = 1e12;
     FeatureImpact impact;
     for (int k = 0; k < 3; ++k) {
@@ -136,8 +136,7 @@ void bench_features(const char* title, int queries, int repetitions,
       worst / 1000, counts[0], counts[1], counts[2], counts[3], steps / queries, most_steps);
 }
 
-/// A square of a metre in 22 by 22 quads, turned about its upright, with waves across it, and other
-/// waves at the end of the step.
+/// A square of one metre in 22 by 22 quads, turned about the vertical, with other waves at the end.
 struct Sheet {
   Sheet(test::Random& random, double height, double fall) {
     constexpr int kQuads = 22;

@@ -1,9 +1,9 @@
-// Two spheres of 9,680 triangles in each other, float, milliseconds: "crossing" in a circle,
-// "concentric" crossing all over. "build" makes both trees; "vertices" moves those of b and "refit"
-// fits its boxes around them, both of which are a part of "query". "deforming" is a frame of
-// crossing spheres of which a is twisted to and fro, by at most one radian: its tree is brought up
-// to date, and then comes the query. "moving" is a query in each frame, b moved by so many metres; in
-// "beside" the spheres nearly touch, "nested" is a sphere in a sphere 3 cm away.
+// Two spheres of 9,680 triangles that intersect, float, milliseconds: "crossing" in a circle,
+// "concentric" everywhere. "build" makes both trees; "vertices" moves those of b, and "refit" fits
+// its boxes around them; both are part of "query". "deforming" is a frame of crossing spheres in
+// which a is twisted back and forth by at most one radian: it updates a's tree and then queries.
+// "moving" is a query in each frame, with b moved by the given metres. In "beside" the spheres
+// nearly touch; "nested" is a sphere in a sphere 3 cm away.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -31,7 +31,7 @@ std::vector<Aabb<double>> boxes_of(const Mesh<double>& mesh) {
   });
 }
 
-/// Turns the vertices of `from` about z, by `angle` radians a metre of height.
+/// Twists the vertices of `from` about z, by `angle` radians per metre of height.
 void twist(const Mesh<float>& from, float angle, Mesh<float>& to) {
   for (int i = 0; i < count_of(from.vertices); ++i) {
     const Vec3f& v = at(from.vertices, i);
@@ -57,7 +57,7 @@ int main(int argc, char** argv) {
     benchmark::DoNotOptimize(build_aabb_tree(boxes_of(crossing.b)));
   });
   const Placed one = placed(crossing), other = placed(concentric);
-  // A shell in a shell, 3 cm away all around: much is near, and nothing touches.
+  // A shell in a shell, 3 cm away all around: many triangles are near, and none touch.
   const Placed nested =
       placed({crossing.a, test::built(test::sphere_mesh(0.97, 88, 55, 0)), crossing.b_in_a});
   const auto query = [](const Placed& meshes) {
@@ -92,7 +92,7 @@ int main(int argc, char** argv) {
           state.counters["rebuilt"] = static_cast<double>(rebuilt) / frame;
         });
   }
-  // b moves by so much a frame, to and fro along a line.
+  // b moves by `step` per frame, back and forth along a line.
   const auto moving = [&](const std::string& name, const Placed& meshes, const Vec3f& from,
                           float step) {
     for (const bool coherent : {false, true}) {

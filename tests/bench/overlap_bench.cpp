@@ -1,7 +1,6 @@
-// Time of a pair of oriented boxes in float on one core, a million pairs of which a tenth are
-// parallel, and how many each test gets wrong. Bullet (GImpact) and FCL test the same pairs where
-// they were found. Passes of all tests take turns, so that what else the machine does falls on all
-// of them.
+// Time per pair of oriented boxes in float on one core, over a million pairs (a tenth are
+// parallel), and wrong answers of each test. Bullet (GImpact) and FCL test the same pairs if
+// installed. All tests take turns, so that other load on the machine affects them equally.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -22,7 +21,7 @@ constexpr int kPasses = 11;
 
 struct Contender {
   std::string name;
-  bench::OverlapPass pass;  // answers of all pairs
+  bench::OverlapPass pass;  // results of all pairs
   std::vector<double> times{};
 };
 

@@ -26,13 +26,13 @@ struct TimedPair {
   std::vector<Step> steps;
 };
 
-/// A box as a hull that nobody knows to be one.
+/// Makes a hull of a box without marking it as a box.
 Shape<float> forgotten(Shape<float> shape) {
   if (Hull<float>* hull = std::get_if<Hull<float>>(&shape)) hull->half_extents.setZero();
   return shape;
 }
 
-/// One workload in float, made once.
+/// One workload in float, built once.
 class TimedWorkload {
  public:
   TimedWorkload(Workload workload, bool general) : moving(is_moving(workload)) {
@@ -83,11 +83,11 @@ double digest(const Manifolds<float>& manifolds) {
   return sum;
 }
 
-/// What a variant keeps between its passes over a workload.
+/// The state of a variant between its passes over a workload.
 struct Memory {
-  bool general = false;  // boxes are any hulls
+  bool general = false;  // treats boxes as any hulls
   StepCounter counter;
-  std::vector<PairCache<float>> caches;  // one a pair, where pairs move
+  std::vector<PairCache<float>> caches;  // one per pair, if pairs move
 };
 
 template <class Collide>

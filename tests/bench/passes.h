@@ -1,14 +1,14 @@
 #pragma once
 
-/// One pass over all pairs of a workload, by index; moving pairs go one step further with each.
-/// Each returns a number that depends on all results.
+/// One pass over all pairs of a workload, by index; each pass advances moving pairs by a step. Each
+/// function returns a number that depends on all results.
 namespace contactscope::bench {
-/// Moving pairs have a cache each.
+/// Each moving pair has a cache.
 double pass_unrecorded(int workload);
 double pass_recorded(int workload);
 /// Without caches.
 double pass_cold(int workload);
-/// What the pair would take without the path of its own that it has: boxes are any hulls, also on a mesh
-/// and with a cache; every face of large hulls is measured; two capsules go the way of all shapes.
+/// Without the special paths: boxes are treated as any hulls, also on a mesh and with a cache;
+/// every face of large hulls is measured; two capsules take the path of all shapes.
 double pass_general(int workload);
 }  // namespace contactscope::bench

@@ -12,7 +12,7 @@ using peers::Peer;
 using peers::PeerPair;
 using peers::PeerShape;
 
-/// As the libraries know it. A mesh stays shared.
+/// Converts a shape for the libraries. A mesh stays shared.
 PeerShape in_peers(const std::shared_ptr<const Shape<double>>& shape) {
   if (const auto* mesh = std::get_if<Mesh<double>>(shape.get())) {
     return std::shared_ptr<const Mesh<double>>(shape, mesh);
@@ -21,12 +21,12 @@ PeerShape in_peers(const std::shared_ptr<const Shape<double>>& shape) {
 }
 
 struct Prepared {
-  std::vector<std::unique_ptr<PeerPair>> pairs;  // empty where the library lacks the shapes
+  std::vector<std::unique_ptr<PeerPair>> pairs;  // empty if the library lacks the shapes
   std::vector<std::vector<Placement>> steps;
   StepCounter counter;
 };
 
-/// A library with the objects that it has made of each workload.
+/// A library with the objects that it made for each workload.
 class Contender {
  public:
   explicit Contender(std::unique_ptr<Peer> peer) : peer_(std::move(peer)) {}
@@ -42,7 +42,7 @@ class Contender {
     double sum = 0;
     for (std::size_t i = 0; i < made.pairs.size(); ++i) {
       PeerPair& pair = *made.pairs[i];
-      // What moves keeps what the library remembers of it; what does not is met for the first time.
+      // Moving pairs keep what the library remembers; the others start without memory each time.
       if (moving) {
         pair.place(made.steps[i][step].a, made.steps[i][step].b);
       } else {

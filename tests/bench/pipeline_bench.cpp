@@ -1,8 +1,8 @@
-// Time of one pair through the contact pipeline, in float on one core, for the workloads of
-// workload.h: with nobody watching ("unrecorded"), recording ("recorded"), without what a moving
-// pair keeps ("cold"), without the paths that boxes, large hulls and capsules have for themselves
-// ("general"), and through other libraries where they are installed. Repetitions of all variants are interleaved at random, so that what else
-// the machine does falls on all of them; the minimum leaves it out, the median shows it.
+// Time per pair through the contact pipeline, in float on one core, for the workloads of
+// workload.h: "unrecorded", "recorded", without the caches of moving pairs ("cold"), without the
+// special paths of boxes, large hulls and capsules ("general"), and through other libraries. All
+// variants are interleaved at random, so that other load on the machine affects all of them
+// equally; the minimum excludes it, the median shows it.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -53,14 +53,14 @@ std::string name_of(int workload, const Variant& variant) {
 }
 
 void run(benchmark::State& state, int workload, const Variant& variant) {
-  variant.pass(workload);  // makes the pairs
+  variant.pass(workload);  // builds the pairs
   for (auto _ : state) {
     double sum = variant.pass(workload);
     benchmark::DoNotOptimize(sum);
   }
 }
 
-/// Collects the nanoseconds a pair of every repetition and prints nothing but the tables.
+/// Collects the nanoseconds per pair of every repetition and prints only the tables.
 class SummaryReporter : public benchmark::BenchmarkReporter {
  public:
   explicit SummaryReporter(const std::vector<Variant>& variants) : variants_(variants) {}
@@ -107,7 +107,7 @@ class SummaryReporter : public benchmark::BenchmarkReporter {
     }
   }
 
-  /// A time, or its ratio to another; a dash where one is missing.
+  /// A time, or its ratio to another; a dash if one is missing.
   static void print_cell(int width, int digits, const std::map<std::string, double>& row,
                          const std::string& name, const std::string& over) {
     const auto value = row.find(name);
@@ -127,7 +127,7 @@ class SummaryReporter : public benchmark::BenchmarkReporter {
 }  // namespace
 
 int main(int argc, char** argv) {
-  // Defaults first, so that the command line wins.
+  // Defaults come first, so that the command line wins.
   std::string interleave = "--benchmark_enable_random_interleaving=true";
   std::string repetitions = "--benchmark_repetitions=20";
   std::string time = "--benchmark_min_time=0.02";

@@ -1,5 +1,5 @@
-// What the recorder costs an engine, a contact point: a frame of 1000 pairs of four points each, written to a file.
-// With sides, impulses and ids; in float and in double; and of a recorder that was not started.
+// Cost of the recorder per contact point: a frame of 1000 pairs of four points, written to a file,
+// in float and in double; and of a recorder that was not started.
 #include <benchmark/benchmark.h>
 
 #include <array>
@@ -19,7 +19,7 @@ struct Contacts {
   std::array<double, 3> normal{0.6, 0.64, 0.48};
 };
 
-/// Numbers as an engine has them, with all their digits.
+/// Numbers with all their digits, as in an engine.
 Contacts random_contacts() {
   Contacts contacts;
   std::mt19937 engine(1);
@@ -59,7 +59,7 @@ void record(benchmark::State& state, bool starts, bool doubles) {
   restart();
   int frames = 0;
   for (auto _ : state) {
-    if (++frames % 200 == 0) {  // the file does not fill the disk
+    if (++frames % 200 == 0) {  // keeps the file from filling the disk
       state.PauseTiming();
       restart();
       state.ResumeTiming();

@@ -1,8 +1,8 @@
 // Time of every reducer in float on one core, through reduce(), over convex polygons on ellipses:
 // contact points as clipping leaves them. Repetitions of all reducers and sizes are interleaved at
-// random, so that what else the machine does falls on all of them; the minimum and the median of a
-// call are printed. "..., kept" is a reducer that goes by the frame before, given its own answer
-// there: what it costs while nothing changes.
+// random, so that other load on the machine affects all of them equally. It prints the minimum and
+// the median of a call. "..., kept" is a reducer that uses the previous frame, given its own result
+// from there: its cost while nothing changes.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -29,8 +29,8 @@ struct Patch {
   Vec3f normal;
 };
 
-/// Corners at random angles on a random ellipse, half of them counter-clockwise, in a random pose,
-/// as deep as a tilted plane.
+/// Corners at random angles on a random ellipse, half of the patches counter-clockwise, in a random
+/// pose, with the depth of a tilted plane.
 Patch random_patch(test::Random& random, int size) {
   std::vector<double> angles;
   for (int i = 0; i < size; ++i) angles.push_back(random.uniform(0, 2 * std::numbers::pi));
@@ -61,11 +61,10 @@ const std::vector<Patch>& patches(int size) {
   return list;
 }
 
-/// A line of the table.
 struct Row {
   std::string name;
   std::string reducer;
-  bool remembers;  // is given what it kept itself
+  bool remembers;  // receives its own previous selection
 };
 
 std::vector<Row> rows() {
@@ -106,7 +105,7 @@ std::string name_of(const Row& row, int size) {
   return row.name + "/" + std::to_string(size);
 }
 
-/// Collects the nanoseconds a call of every repetition and prints nothing but the table.
+/// Collects the nanoseconds per call of every repetition and prints only the table.
 class SummaryReporter : public benchmark::BenchmarkReporter {
  public:
   bool ReportContext(const Context& context) override {
@@ -148,7 +147,7 @@ class SummaryReporter : public benchmark::BenchmarkReporter {
 }  // namespace
 
 int main(int argc, char** argv) {
-  // Defaults first, so that the command line wins.
+  // Defaults come first, so that the command line wins.
   std::string interleave = "--benchmark_enable_random_interleaving=true";
   std::string repetitions = "--benchmark_repetitions=9";
   std::string time = "--benchmark_min_time=0.005";

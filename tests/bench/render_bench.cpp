@@ -1,6 +1,5 @@
-// Where the time of a picture goes, at 1280x720, and how many pictures a second `render` reaches:
-// pipeline, illustrate, paint and read back (llvmpipe works off what was painted when it is read),
-// panels, encode.
+// Time per stage of a picture at 1280x720, and the pictures per second of `render`: pipeline,
+// illustrate, paint and read back (llvmpipe paints only when the pixels are read), panels, encode.
 
 #include <benchmark/benchmark.h>
 
@@ -54,7 +53,7 @@ const Prepared& prepared() {
   return instance;
 }
 
-// Ten thousand triangles, most of which hide others.
+// Ten thousand triangles; most of them hide others.
 const Prepared& prepared_terrain() {
   static const Prepared instance("mesh/hull_on_terrain.toml");
   return instance;
@@ -106,7 +105,7 @@ void panels(benchmark::State& state) {
 }
 BENCHMARK(panels)->Unit(benchmark::kMillisecond)->UseRealTime();
 
-// A picture of a sequence: the subset of its font was made for one before it.
+// One picture of a sequence: an earlier picture has already made the font's subset.
 void svg(benchmark::State& state, const Prepared& (*scene)()) {
   const draw::Drawing drawing = draw::illustrate(scene().staging, scene().frames.back());
   vector::FontFaces faces;
@@ -148,7 +147,7 @@ void encode(benchmark::State& state) {
 }
 BENCHMARK(encode)->Unit(benchmark::kMillisecond);
 
-// The whole of `render` after its start: one sequence, written to files.
+// All of `render` after its start: one sequence, written to files.
 void pictures_a_second(benchmark::State& state) {
   const std::filesystem::path folder =
       std::filesystem::temp_directory_path() / "contactscope_render_bench";

@@ -1,6 +1,6 @@
-// What a step of ten thousand bodies at rest costs on one core: two thousand stacks of five crates on a
-// floor, with the broad phase, their pairs and the solver. `awake` is before they sleep, and what every
-// step costs where nobody may; `asleep` is after that; `one_awake`: one of the stacks is kept awake.
+// Time of a step of ten thousand bodies at rest on one core: two thousand stacks of five crates on
+// a floor. `awake` is before they sleep, and the cost of every step without sleeping; `asleep` is
+// after that; `one_awake` keeps one of the stacks awake.
 
 #include <benchmark/benchmark.h>
 
@@ -12,7 +12,7 @@ namespace contactscope {
 namespace {
 
 constexpr int kSide = 50, kRows = 40, kHigh = 5;
-constexpr int kSettled = 240;  // frames after which they sleep, where they may
+constexpr int kSettled = 240;  // frames until they sleep, if they may
 
 std::string crate(const std::string& name, double x, double y, double z, const std::string& more) {
   const auto number = [](double value) { return std::to_string(value); };
@@ -21,7 +21,7 @@ std::string crate(const std::string& name, double x, double y, double z, const s
          "]\nmotion = { dynamic = true, mass = 1" + more + " }\n";
 }
 
-/// With `spins` a ball turns on the spot on top of the first stack, where nothing brakes it.
+/// With `spins`, a ball spins in place on top of the first stack, where nothing brakes it.
 Scenario stacks(bool may_sleep, bool spins) {
   std::string text =
       "title = \"Ten thousand at rest\"\n[time]\nframes = 100000\n[world]\nbroad_phase = \"tree\"\n"

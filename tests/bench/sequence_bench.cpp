@@ -1,6 +1,6 @@
-// What a picture costs that is one of a long sequence, or of a scene of many pairs: boxes in rows on
-// a floor, whose facts are made here. `stage` is for a whole sequence, and its counter is the time for
-// one of its frames; `illustrate` and `picture` are for one frame: neither may grow with the others.
+// Cost of a picture in a long sequence, or in a scene of many pairs: boxes in rows on a floor.
+// `stage` covers a whole sequence, and its counter is the time per frame. `illustrate` and
+// `picture` cover one frame; neither may grow with the number of others.
 
 #include <benchmark/benchmark.h>
 
@@ -52,7 +52,7 @@ trace::Pair pair_on_floor(const std::string& name, const Vec3d& at) {
   return pair;
 }
 
-/// So many boxes that slide over a floor for so many frames.
+/// A row of boxes that slide over a floor for a number of frames.
 struct Boxes {
   trace::Header header;
   std::vector<trace::Frame> frames;
@@ -128,7 +128,7 @@ void illustrate(benchmark::State& state) {
 }
 BENCHMARK(illustrate)->Apply(sizes);
 
-// With its panels, painted and read back.
+// With panels, painted and read back.
 void picture(benchmark::State& state) {
   const Boxes boxes = boxes_of(state);
   const draw::Staging staging = staged(boxes);

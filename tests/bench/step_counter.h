@@ -4,7 +4,7 @@
 
 namespace contactscope::bench {
 
-/// Forwards and backwards through the steps of a moving pair: 0, 1, ... count - 1, ... 1, 0, ...
+/// Steps of a moving pair, forwards and backwards: 0, 1, ... count - 1, ... 1, 0, ...
 class StepCounter {
  public:
   std::size_t next(std::size_t count) {

@@ -1,6 +1,6 @@
-// Time of a million triangle-triangle tests in milliseconds, which is that of one in nanoseconds.
+// Time of a million triangle-triangle tests in milliseconds, which equals nanoseconds per test.
 // "random" has corners anywhere in one cube; "mix" is 92 % of those, 7 % coplanar or touching, 1 %
-// nearly coplanar. Beside it CGAL's exact predicates, where it is installed.
+// nearly coplanar. Compared with CGAL's exact predicates, if installed.
 #include <benchmark/benchmark.h>
 
 #include <vector>
@@ -21,8 +21,8 @@ struct Pair {
   Triangle<S> a, b;
 };
 
-/// Floats, for either scalar, so that all answer the same question. Pairs without an area, which
-/// CGAL refuses, are left out.
+/// Float coordinates for either scalar, so that all tests answer the same question. CGAL rejects
+/// pairs without an area, so they are left out.
 template <class S>
 const std::vector<Pair<S>>& pairs(bool mix) {
   static std::vector<Pair<S>> made[2];

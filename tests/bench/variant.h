@@ -8,14 +8,14 @@
 
 namespace contactscope::bench {
 
-/// One way to work through a workload: a pass collides each pair once.
+/// One implementation to compare: a pass collides each pair of a workload once.
 struct Variant {
   std::string name;
-  std::function<double(int workload)> pass;  // a number that depends on all results
-  std::function<bool(int workload)> runs;    // whether it knows these shapes
+  std::function<double(int workload)> pass;  // returns a number that depends on all results
+  std::function<bool(int workload)> runs;    // whether it supports these shapes
 };
 
-/// Bullet, ODE and FCL; none in a build without them.
+/// Bullet, ODE and FCL; empty in a build without them.
 std::vector<Variant> peer_variants();
 
 }  // namespace contactscope::bench

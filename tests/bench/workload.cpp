@@ -35,8 +35,8 @@ Pose<double> moved(const Pose<double>& by, const Pose<double>& pose) {
   return result;
 }
 
-/// One placement, or one a step: B goes straight and turns about an axis through its position, and
-/// is half way where it was drawn.
+/// One placement, or one per step: B moves straight, turns about its position, and reaches the
+/// drawn pose in the middle.
 std::vector<Placement> placements(Workload workload, const Placement& drawn, Random& random) {
   const Pose<double> whole = random.pose(5);
   const Placement placed{moved(whole, drawn.a), moved(whole, drawn.b)};
@@ -88,7 +88,7 @@ std::vector<WorkloadPair> make_workload(Workload workload, int count) {
     pair.steps = placements(workload, drawn, random);
     result.push_back(std::move(pair));
   }
-  // In no order that a branch predictor could learn.
+  // Shuffled, so that no branch predictor can learn the order.
   for (std::size_t i = result.size(); i-- > 1;) {
     std::swap(result[i], result[static_cast<std::size_t>(random.index(static_cast<int>(i) + 1))]);
   }

@@ -1,4 +1,4 @@
-// Every broad phase finds what brute force finds, whatever happened to its boxes.
+// Every broad phase finds the same pairs as brute force, after any changes of its boxes.
 
 #include "broadphase/broad_phase.h"
 
@@ -38,7 +38,7 @@ INSTANTIATE_TEST_SUITE_P(BroadPhases, EveryBroadPhase, ::testing::ValuesIn([] {
                          }()),
                          [](const auto& tested) { return tested.param; });
 
-/// Compares every pair of the boxes that are there by the definition of overlap.
+/// Compares every pair of the present boxes by the definition of overlap.
 std::vector<BoxPair> pairs_by_definition(const BroadPhase& phase) {
   std::vector<BoxPair> pairs;
   for (int a = 0; a < phase.handles(); ++a) {
@@ -55,7 +55,7 @@ std::vector<BoxPair> pairs_by_definition(const BroadPhase& phase) {
   return pairs;
 }
 
-/// Random operations on one broad phase, all of its answers compared after every few of them.
+/// Random operations on one broad phase; all its results are compared every few operations.
 void live(BroadPhase& phase, Spread spread, int rounds, std::uint32_t seed) {
   RandomBoxes random(spread, seed % 3 == 0 ? 3.0f : 12.0f, seed);
   std::vector<int> alive;
@@ -78,7 +78,7 @@ void live(BroadPhase& phase, Spread spread, int rounds, std::uint32_t seed) {
       }
       if (what < 7) {  // somewhere else
         box = random.odd_box(box);
-      } else {  // a little, and sometimes grown
+      } else {  // a little, and sometimes enlarged
         const Vec3<float> by = random.vector(-0.1f, 0.1f);
         box.lower += by;
         box.upper += by;

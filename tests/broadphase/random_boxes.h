@@ -10,16 +10,16 @@ namespace contactscope::testing {
 
 inline constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-/// How the boxes of a scene are spread.
+/// Distribution of the boxes of a scene.
 enum class Spread {
   Uniform,    // of similar size
   Clustered,  // sizes over three decades, about a few places
-  Lattice,    // unit cubes on whole numbers: neighbours touch, many coincide
+  Lattice,    // unit cubes on integer coordinates: neighbours touch, many coincide
 };
 
 class RandomBoxes {
  public:
-  /// `side`: of the cube that the boxes' centres lie in, metres.
+  /// `side`: of the cube that contains the boxes' centres, metres.
   RandomBoxes(Spread spread, float side, std::uint32_t seed)
       : spread_(spread), side_(side), engine_(seed) {}
 
@@ -45,7 +45,7 @@ class RandomBoxes {
     return {center - half, center + half};
   }
 
-  /// Now and then one of the kinds that break broad phases.
+  /// Occasionally one of the kinds that break broad phases.
   Aabb<float> odd_box(const Aabb<float>& other) {
     switch (below(40)) {
       case 0:

@@ -75,7 +75,7 @@ TEST_P(RecordedBroadPhase, TestsOfCellsAddUpToWhatWasCompared) {
   const std::int64_t with_large = large * (400 - (large - 1)) + large * (large - 1) / 2;
   if (GetParam() == "columns") EXPECT_EQ(tests, compared);
   if (GetParam() == "octree" || GetParam() == "grid") EXPECT_EQ(tests + with_large, compared);
-  // Of two nodes whose boxes are tested each counts; of two leaves that is followed by a comparison.
+  // A test of two nodes counts for each of them; for two leaves a comparison follows.
   if (GetParam() == "tree") EXPECT_GE(tests, 2 * (compared - with_large));
 }
 
@@ -107,7 +107,7 @@ TEST(SweepAndPruneRecord, SwapsThatCountAreThePairsThatBeginAndEnd) {
     }
     BroadPhaseRecord record;
     const std::vector<BoxPair> now = phase->pairs(&record);
-    // A pair may begin by one swap and end by another of the same step: what counts are odd numbers.
+    // A pair may begin by one swap and end by another of the same step: only odd numbers count.
     std::vector<BoxPair> odd;
     for (const EndSwap& swap : record.swaps) {
       EXPECT_EQ(swap.meets,

@@ -1,4 +1,4 @@
-// Work grows as each broad phase claims: counted, not timed.
+// Work grows as each broad phase claims; it is counted, not timed.
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ namespace {
 using testing::RandomBoxes;
 using testing::Spread;
 
-/// Boxes of about unit size, each of which meets seven others, however many there are.
+/// Boxes of about unit size; each meets seven others, whatever their number.
 std::vector<Aabb<float>> scene(int count) {
   RandomBoxes random(Spread::Uniform, std::cbrt(0.48f * static_cast<float>(count)), 3);
   std::vector<Aabb<float>> boxes;
@@ -25,7 +25,7 @@ std::int64_t work_of(const BroadPhase& phase) {
   return phase.counts().comparisons + phase.counts().visits + phase.counts().swaps;
 }
 
-/// The power of the number of boxes with which the work of finding all pairs grows.
+/// Exponent of the number of boxes in the growth of the work to find all pairs.
 double growth(const std::string& name, bool moving) {
   std::int64_t work[2];
   const int counts[2] = {2000, 16000};
@@ -58,8 +58,7 @@ TEST(BroadPhaseWork, SlowGrowsWithTheSquareByBruteForceOnly) {
 }
 
 TEST(BroadPhaseWork, OfSweepAndPruneIsSmallWhereLittleMoves) {
-  // In a cube of n boxes ends lie n^(2/3) times as close along an axis: so many more pass each other
-  // in the same movement.
+  // Ends in a cube of n boxes are n^(2/3) times as dense: as many more pass in the same movement.
   EXPECT_LT(growth("sweep_and_prune", true), 5.0 / 3 + 0.1);
   const auto phase = make_broad_phase("sweep_and_prune");
   for (const Aabb<float>& box : scene(2000)) phase->add(box);

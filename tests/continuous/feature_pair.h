@@ -9,7 +9,7 @@
 /// Moving vertices, faces and edges for tests and benchmarks.
 namespace contactscope::test {
 
-/// A vertex (corner 0) and a face, or an edge of corners 0 and 1 and another.
+/// A vertex (corner 0) and a face, or the edge of corners 0 and 1 and the edge of 2 and 3.
 template <class S>
 struct FeaturePair {
   bool edges = false;
@@ -30,7 +30,7 @@ struct FeaturePair {
   }
 };
 
-/// Corners of about `size` metres that mostly come near each other in the step.
+/// Corners of about `size` metres; most pairs come near each other in the step.
 inline FeaturePair<double> random_feature_pair(Random& random, double size) {
   FeaturePair<double> pair;
   pair.edges = random.chance(0.5);
@@ -70,8 +70,8 @@ inline FeaturePair<double> random_feature_pair(Random& random, double size) {
   return pair;
 }
 
-/// Corners on integers, so that they meet exactly at time k / 8 and a place known: a hit by
-/// construction. A linear map of integers keeps it, as does any power of two.
+/// Integer corners that meet exactly at time k / 8 and a known place: a hit by construction. A
+/// linear map of integers preserves it, and so does any power of two.
 inline FeaturePair<double> exact_feature_hit(Random& random, bool on_border, double& time) {
   constexpr double kReach = 64;
   const auto integers = [&](double reach) -> Vec3d {

@@ -11,8 +11,7 @@
 #include "support/exact_triangles.h"
 #include "support/random_geometry.h"
 
-/// Triangles that have no area at the start, at the end or all the way meet others as the segments and points
-/// that they are.
+/// Triangles without area, at any time of the step, meet others as segments and points.
 namespace contactscope {
 namespace {
 
@@ -22,12 +21,12 @@ using Corners = Triangle<double>;
 
 constexpr int kLooks = 32;
 
-/// Multiples of kLooks, so that corners are integers at so many times of the step, evenly spaced.
+/// Multiples of kLooks: corners are integers at kLooks evenly spaced times of the step.
 Vec3d integers(Random& random, double reach) {
   return kLooks * Vec3d(random.vector(-reach, reach).array().round());
 }
 
-/// Three corners on a line, or in one place, exactly.
+/// Three corners exactly on a line or in one place.
 Corners flat_corners(Random& random, double between) {
   const Vec3d from = integers(random, 4);
   const Vec3d step = random.chance(0.3) ? Vec3d(Vec3d::Zero()) : integers(random, 2);
@@ -52,7 +51,7 @@ MovingTriangle random_triangle(Random& random, bool flat) {
   const double between = random.index(3);
   MovingTriangle moving;
   moving.start = flat && random.chance(0.8) ? flat_corners(random, between) : any();
-  if (random.chance(0.3)) {  // it goes as it is
+  if (random.chance(0.3)) {  // it moves without deforming
     const Vec3d way = integers(random, 6);
     for (std::size_t i = 0; i < 3; ++i) moving.end[i] = moving.start[i] + way;
   } else {
@@ -92,7 +91,7 @@ void are_never_met_late(int cases) {
     const MovingTriangle a = random_triangle(random, true),
                          b = random_triangle(random, random.chance(0.4));
     const MeshImpact found = impact_of<S>(a, b, std::ldexp(1.0, random.index(28) - 17));
-    int first = 0;  // look at which they share a point
+    int first = 0;  // first look with a shared point
     const auto overlaps = [&](double time) {
       return test::exact_triangle_overlap(a.at_time(time), b.at_time(time)).kind !=
              TriangleOverlapKind::None;
@@ -126,7 +125,7 @@ TEST(FlatTrianglesImpact, SlowTheyAreNeverMetLateByExactRationals) {
   are_never_met_late<float>(1500);
 }
 
-// Its lower end meets the wall half-way, and its middle corner is on it all the time.
+// Its lower end meets the wall at half of the step, and its middle corner is always on it.
 TEST(FlatTrianglesImpact, ANeedleFallsOnAWall) {
   const MovingTriangle wall{{Vec3d(0, 0, 0), Vec3d(1, 0, 0), Vec3d(0, 0, 1)},
                             {Vec3d(0, 0, 0), Vec3d(1, 0, 0), Vec3d(0, 0, 1)}};

@@ -14,14 +14,13 @@ namespace {
 
 using test::Random;
 
-/// What a mesh becomes in a step.
+/// A mesh that deforms in a step.
 struct Deforming {
   Mesh<double> start;
   std::vector<Vec3d> end;
 };
 
-/// A wavy sphere that moves as a whole and is crumpled by a part of its radius, or triangles strewn
-/// about a ball.
+/// A moving wavy sphere, crumpled by a fraction of its radius, or triangles scattered about a ball.
 Deforming random_deforming(Random& random, double size, const Vec3d& place, const Vec3d& way) {
   std::vector<Vec3d> vertices;
   std::vector<std::array<int, 3>> triangles;
@@ -51,7 +50,7 @@ struct RoundedMesh {
   explicit RoundedMesh(const Deforming& exact)
       : start(mesh_cast<S>(exact.start)), end(cast_each<Vec3<S>>(exact.end)) {}
   MovingMesh<S> moving() const { return {start, end}; }
-  /// The oracle's.
+  /// For the oracle.
   Mesh<double> at_time(double time) const {
     std::vector<Vec3d> vertices = cast_each<Vec3d>(start.vertices);
     for (std::size_t i = 0; i < end.size(); ++i)
@@ -63,7 +62,7 @@ struct RoundedMesh {
   std::vector<Vec3<S>> end;
 };
 
-/// Every corner against every triangle and every side against every side, each of each triangle.
+/// Every corner against every triangle, and every side against every side.
 template <class S>
 double first_of_all_features(const RoundedMesh<S>& a, const RoundedMesh<S>& b) {
   const auto corner = [](const RoundedMesh<S>& mesh, int t, int k) -> MovingCorner<S> {
@@ -117,14 +116,14 @@ void are_met_as_their_features_are() {
     } else {
       ++hits;
       EXPECT_EQ(found.impact.status, FeatureStatus::Hit) << i;
-      // An edge that runs the other way is rounded another way.
+      // An edge with the opposite direction rounds differently.
       EXPECT_NEAR(found.impact.begin, first, 1e-12) << i;
       EXPECT_GE(found.triangle_a, 0);
       EXPECT_GE(found.triangle_b, 0);
       EXPECT_LT(found.counts.triangle_pairs,
                 a.start.triangle_count() * b.start.triangle_count() / 4);
     }
-    // By exact triangles: apart before, and in each other right after.
+    // By exact triangles: separated before, and intersecting right after.
     const auto overlap_at = [&](double time) {
       return mesh_overlap(a.at_time(time), b.at_time(time), Pose<double>()).overlapping();
     };
@@ -160,21 +159,21 @@ TEST(ImpactOfMeshes, ACubeFallsOnACube) {
   EXPECT_NEAR(early.impact.begin, 0.125, 1e-12);
   const MeshImpact within = impact_of_meshes<double>({below, end}, {falling, above_end}, 1.5);
   EXPECT_EQ(within.impact.status, FeatureStatus::Overlapping);
-  // It lies there at the end, and stays: in each other from the start on.
+  // It is at its final place from the start and stays: an overlap at time 0.
   const MeshImpact stays = impact_of_meshes<double>({below, end}, {below, end});
   EXPECT_EQ(stays.impact.status, FeatureStatus::Overlapping);
   EXPECT_EQ(stays.impact.begin, 0);
   EXPECT_GE(stays.triangle_a, 0);
 }
 
-/// Two triangles at one edge that share no vertex, so that the edge opens: each has its own.
+/// Two triangles at one edge that share no vertex, so the edge can open: each has its own.
 TEST(ImpactOfMeshes, ASeamThatOpensHasTwoEdges) {
   const std::vector<Vec3d> sheet = {Vec3d(-1, 0, 0), Vec3d(1, 0, 0),  Vec3d(0, 1, 0),
                                     Vec3d(1, 0, 0),  Vec3d(-1, 0, 0), Vec3d(0, -1, 0)};
   const std::vector<std::array<int, 3>> triangles = {{0, 1, 2}, {3, 4, 5}};
   const Mesh<double> open = build_mesh(sheet, triangles);
   ASSERT_EQ(open.neighbour(0, 0), 1);
-  // The second goes up to a rod that lies across its seam, the first down.
+  // The second moves up to a rod that lies across its seam, the first down.
   std::vector<Vec3d> end = sheet;
   for (std::size_t i = 0; i < 6; ++i) end[i].z() += i < 3 ? -1 : 1;
   const std::vector<Vec3d> rod = {Vec3d(0, -0.1, 0.5), Vec3d(0, 3, 0.5), Vec3d(0, 3, 3)};

@@ -22,7 +22,7 @@ using test::Random;
 constexpr std::array<ImpactMethod, 2> kImpactMethods = {ImpactMethod::ConservativeAdvancement,
                                                         ImpactMethod::TimeOfImpact};
 
-/// Triangles strewn about a ball of `size` metres.
+/// Triangles scattered about a ball of `size` metres.
 Mesh<double> random_mesh(Random& random, double size) {
   std::vector<Vec3d> vertices;
   std::vector<std::array<int, 3>> triangles;
@@ -67,7 +67,7 @@ std::vector<Shape<double>> triangles_of(const Mesh<double>& mesh) {
   return hulls;
 }
 
-/// A mesh is met when the first of its triangles is, each asked by itself as a flat hull.
+/// A mesh is hit at the time of its first triangle, each tested alone as a flat hull.
 template <class S>
 void meshes_are_met_as_their_triangles_are() {
   Random random(21);
@@ -94,7 +94,7 @@ void meshes_are_met_as_their_triangles_are() {
           first = std::min(first, static_cast<double>(one.result.time));
         ASSERT_NE(one.result.status, ImpactStatus::OutOfIterations);
       }
-      // From the other side it is the same.
+      // The same from the other side.
       const ShapeImpact<S> other = impact_of_shapes(b, motion_b, a, motion_a, method);
       EXPECT_EQ(other.result.time, found.result.time);
       EXPECT_EQ(other.triangle, found.triangle);
@@ -106,7 +106,7 @@ void meshes_are_met_as_their_triangles_are() {
       }
       ++hits;
       ASSERT_EQ(found.result.status, ImpactStatus::Hit) << i;
-      // A ball's is exact and the triangle's early by the tolerance.
+      // A ball's time is exact, and the triangle's is early by the tolerance.
       EXPECT_NEAR(static_cast<double>(found.result.time), first, 2e-3) << i;
       EXPECT_GE(static_cast<double>(found.result.time), first - 1e-5) << i;
       few += found.triangles < mesh.triangle_count() / 2;
@@ -122,8 +122,8 @@ TEST(ImpactOfShapes, SlowMeshesAreMetAsTheirTrianglesAre) {
   meshes_are_met_as_their_triangles_are<float>();
 }
 
-/// What flies at a wall of 1 cm or of one triangle's thickness does not get through, at any speed, spin
-/// or place; the wall may come towards it.
+/// A body that flies at a wall of 1 cm or of a triangle's thickness does not pass it, at any speed,
+/// spin or place; the wall may move towards it.
 TEST(ImpactOfShapes, SlowNothingTunnels) {
   Random random(22);
   const Shape<float> plate = shape_cast<float>(Shape<double>(make_box(Vec3d(0.005, 3, 3))));
@@ -142,7 +142,7 @@ TEST(ImpactOfShapes, SlowNothingTunnels) {
       for (int i = 0; i < 200; ++i) {
         const Shape<float>& bullet = i % 3 == 0 ? ball : i % 3 == 1 ? box : rod;
         const Shape<float>& wall = i % 2 == 0 ? plate : sheet;
-        // It begins at 0.4 to 0.99 of its step before the wall, and passes its middle.
+        // It starts 0.4 m plus 10 to 90 % of its path before the wall, and passes near its middle.
         const double way = speed * kStep;
         const double before = 0.4 + random.uniform(0.1, 0.9) * way;
         Sweep<double> flies, stands;
@@ -152,7 +152,7 @@ TEST(ImpactOfShapes, SlowNothingTunnels) {
         flies.displacement = Vec3d(way + 1.0, 0, 0);
         const double spin = random.uniform(0, 3 * std::numbers::pi);
         flies.turn = spin * random.unit_vector();
-        if (i % 5 == 0) {  // the wall meets it half way
+        if (i % 5 == 0) {  // the wall moves towards it
           stands.displacement = Vec3d(-0.5 * way, 0, 0);
           flies.displacement.x() -= 0.5 * way;
         }
@@ -168,7 +168,7 @@ TEST(ImpactOfShapes, SlowNothingTunnels) {
   EXPECT_EQ(through, 0);
 }
 
-/// Two meshes meet when the first two of their triangles do, each pair asked by itself as flat hulls.
+/// Two meshes meet at the time of their first two triangles, each pair tested alone as flat hulls.
 TEST(ImpactOfShapes, SlowTwoMeshesMeetAsTheirTrianglesDo) {
   Random random(23);
   int hits = 0, apart = 0, few = 0;
@@ -211,8 +211,8 @@ TEST(ImpactOfShapes, SlowTwoMeshesMeetAsTheirTrianglesDo) {
   EXPECT_GT(few, hits / 5);
 }
 
-/// A box of triangles, or a field of one, and another one come head on: faces are flat on each other at a
-/// known time. One field within another overlaps.
+/// A box of triangles or the field of a box meets another one head-on: faces are flat on each other
+/// at a known time. A field inside another overlaps it.
 TEST(ImpactOfShapes, MeshesAndFieldsMeetHeadOn) {
   const Mesh<double> cube = surface_of(make_box(Vec3d(1, 1, 1)));
   const PlacedField placed = build_distance_field(Shape<double>(cube), {.cells = 16});

@@ -11,9 +11,9 @@
 #include "support/builders.h"
 #include "support/random_geometry.h"
 
-/// Shapes that fall on floors up to ten thousand times as large: when they meet is the gap over the speed
-/// along the upright, both in extended precision. Never late, and early by the rounding of what touches,
-/// wherever the floor's corners are.
+/// Shapes fall on floors up to ten thousand times as large. They meet at the vertical separation
+/// over the speed, both in extended precision. The result is never late, and early only by the
+/// rounding of the features that touch, wherever the floor's corners are.
 namespace contactscope {
 namespace {
 
@@ -29,7 +29,7 @@ struct Fall {
   Shape<double> floor, falling;
   Sweep<double> of_floor, of_falling;
   double truth = 0;  // fraction of the step
-  double speed = 0;  // along the upright, metres a step
+  double speed = 0;  // vertical, metres per step
 };
 
 template <class S>
@@ -82,7 +82,7 @@ double radius_of(const Shape<double>& shape) {
   return capsule ? capsule->radius : 0;
 }
 
-/// In numbers that S holds.
+/// In numbers that S represents.
 template <class S>
 Fall random_fall(Random& random) {
   Fall fall;
@@ -154,7 +154,7 @@ void judge_falls(int count, std::uint64_t seed) {
     const ImpactResult<S> found =
         impact_of<S>(fall, {.of_motion = static_cast<S>(kOfMotion)}, i % 2 == 1).result;
     ASSERT_EQ(found.status, ImpactStatus::Hit);
-    // Roundings of the time, of what it moves by in the step, and of what touches in double.
+    // Roundings of the time, of the motion in the step, and of the touching features in double.
     const double epsilon = std::numeric_limits<S>::epsilon();
     const double extents = 64 * std::numeric_limits<double>::epsilon() * fall.reach;
     const double late = (fall.truth - static_cast<double>(found.time)) * fall.speed;
@@ -164,7 +164,7 @@ void judge_falls(int count, std::uint64_t seed) {
   }
 }
 
-/// A ball that falls 10 m in the step, over floors of 5 m to 5 km.
+/// A ball falls 10 m in the step, over floors of 5 m to 5 km.
 TEST(ImpactOnFloor, AFloorsReachMakesNoImpactEarly) {
   for (const double reach : {5.0, 50.0, 500.0, 5000.0}) {
     Fall fall;

@@ -21,7 +21,7 @@ using test::FeaturePair;
 using test::Features;
 using test::Random;
 
-/// A corner at a time, relative to where another begins, in extended precision.
+/// A corner at a time, relative to the start of another one, in extended precision.
 ExtendedPoint corner_at(const FeaturePair<double>& pair, std::size_t i, Extended time) {
   const ExtendedPoint origin = pair.corners[0].start.cast<Extended>();
   const ExtendedPoint start = pair.corners[i].start.cast<Extended>() - origin;
@@ -42,7 +42,7 @@ Extended true_distance(const FeaturePair<double>& pair, Extended time) {
       .distance;
 }
 
-/// No two points come nearer by more in the step, metres; and no difference of corners is larger.
+/// Bounds in metres: how much any two points approach in the step, and all differences of corners.
 struct Extent {
   explicit Extent(const FeaturePair<double>& pair) {
     for (std::size_t i = 0; i < 4; ++i) {
@@ -57,8 +57,8 @@ struct Extent {
   Extended speed = 0, size = 0;
 };
 
-/// The first time at which they are within `gap`, by steps as long as the distance allows. Nothing
-/// where there is none; `undecided` where that takes too many steps.
+/// The first time at which they are within `gap`, by steps as long as the distance allows. nullopt
+/// if there is none; `undecided` if it takes too many steps.
 std::optional<Extended> marched(const FeaturePair<double>& pair, Extended gap, bool& undecided) {
   const Extended speed = Extent(pair).speed;
   Extended time = 0;
@@ -121,7 +121,7 @@ void compare_with_marching(double away) {
         if (found.status == FeatureStatus::Near) ++near;
         EXPECT_LE(true_distance(given, found.begin), rounding) << i;
         EXPECT_TRUE(unsure || !touches || found.begin <= *touches) << "late " << i;
-        // An alarm of which the oracle knows nothing.
+        // An alarm that the oracle does not confirm.
         unproved += !touches;
     }
   }
@@ -165,13 +165,12 @@ TEST(MovingFeatures, SlowHitsByConstructionAreNeverMissed) {
               at_start, most_steps);
   EXPECT_EQ(missed, 0);
   EXPECT_EQ(late, 0);
-  // Of those with a place inside; a sixth of them move in one plane, and meet by borders.
+  // Hits at an inner place; a sixth of the pairs move in one plane and meet at borders.
   EXPECT_GT(proved, in_space * 6 / 10);
   EXPECT_LT(at_start, kHits / 7);
 }
 
-/// Everything of the one feature stays on one side of the other's along a direction, by a margin, and
-/// moves across it as it likes.
+/// One feature stays on one side of the other along a direction, by a margin, and moves across it.
 TEST(MovingFeatures, SlowMissesByAMarginAreNoHits) {
   Random random(33);
   for (const double margin : {1e-3, 1e-6, 1e-9, 1e-11}) {
@@ -215,7 +214,7 @@ TEST(MovingFeatures, DegenerateOnesAreAnswered) {
   const Vec3d none = Vec3d::Zero(), x = Vec3d::UnitX(), y = Vec3d::UnitY(), z = Vec3d::UnitZ();
   const MovingFace<double> face = {moves(none, none), moves(x, none), moves(y, none)};
   const Vec3d inside(0.25, 0.25, 0);
-  // At rest, apart and not.
+  // At rest, separated or not.
   EXPECT_EQ(impact_of_vertex_face(moves(inside + z, none), face).status, FeatureStatus::Separated);
   EXPECT_EQ(impact_of_vertex_face(moves(inside, none), face).status, FeatureStatus::Overlapping);
   // Through the inside, the middle of an edge, a corner, and past it.
@@ -246,7 +245,7 @@ TEST(MovingFeatures, DegenerateOnesAreAnswered) {
             FeatureStatus::Separated);
   const MovingFace<double> point = {moves(none, none), moves(none, none), moves(none, none)};
   EXPECT_NEAR(impact_of_vertex_face(moves(z, -4 * z), point).begin, 0.25, 1e-12);
-  // Edges: crossed, parallel, on one line, without a length, all in one place.
+  // Edges: crossed, parallel, on one line, of length 0, all in one place.
   const MovingEdge<double> edge = {moves(-x, none), moves(x, none)};
   const auto falls = [&](const Vec3d& from, const Vec3d& to) -> MovingEdge<double> {
     return {moves(from + z, -4 * z), moves(to + z, -4 * z)};
@@ -262,7 +261,7 @@ TEST(MovingFeatures, DegenerateOnesAreAnswered) {
   EXPECT_EQ(impact_of_edges(edge, edge).status, FeatureStatus::Overlapping);
   const MovingEdge<double> nothing = {moves(none, none), moves(none, none)};
   EXPECT_EQ(impact_of_edges(nothing, nothing).status, FeatureStatus::Overlapping);
-  // What has no answer is no miss.
+  // Input that has no answer must not give a miss.
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const double bad : {nan, std::numeric_limits<double>::infinity(), 1e200}) {
     const FeatureImpact found = impact_of_vertex_face(moves(Vec3d(bad, 0, 1), -4 * z), face);

@@ -13,11 +13,11 @@
 #include "support/brute_force_distance.h"
 #include "support/random_geometry.h"
 
-/// Two shapes that move, an oracle that says by steps of the distance when they meet, and what a method
-/// that was asked the same came to.
+/// Two moving shapes, an oracle that finds their time of impact by steps of the distance, and a
+/// comparison of a method's results with it.
 namespace contactscope::test {
 
-/// Two shapes that move: cores as hulls, segments or points.
+/// Core of a moving shape: a hull, a segment or a point.
 template <class S>
 struct Core {
   std::vector<Vec3<S>> points;  // one or two, if there is no hull
@@ -51,7 +51,7 @@ struct MovingPair {
   MovingShape<S> b() const { return {core_b.set(), motion_b, radius_b}; }
 };
 
-/// The oracle's own way to move: an angle and an axis.
+/// The oracle's own motion: an angle and an axis.
 inline Pose<double> placed(const Sweep<double>& motion, double time) {
   const double angle = motion.turn.norm();
   Quatd by = Quatd::Identity();
@@ -68,7 +68,7 @@ inline Features features_at(const Core<double>& core, const Pose<double>& pose) 
   return features_of_segment(core.points[0], core.points[1], pose);
 }
 
-/// By exhaustion, at a time. Both are moved to where A is, as the oracle's features are in double.
+/// Distance at a time by exhaustion, both moved near A: the oracle's features are in double.
 inline double true_distance(const MovingPair<double>& pair, double time) {
   Pose<double> a = placed(pair.motion_a, time), b = placed(pair.motion_b, time);
   const Vec3d origin = a.position;
@@ -78,7 +78,7 @@ inline double true_distance(const MovingPair<double>& pair, double time) {
   return static_cast<double>(found.distance) - pair.radius_a - pair.radius_b;
 }
 
-/// No point of one moves farther beside the other in the step, metres.
+/// No point of one moves farther relative to the other in the step, metres.
 inline double most_motion(const MovingPair<double>& pair) {
   const auto turning = [](const Core<double>& core, const Sweep<double>& motion) {
     double most = 0;
@@ -92,16 +92,15 @@ inline double most_motion(const MovingPair<double>& pair) {
          turning(pair.core_a, pair.motion_a) + turning(pair.core_b, pair.motion_b);
 }
 
-/// The first time at which they are within `gap` metres: steps that are as long as the distance
-/// allows, whatever moves; nothing where there is none. Where it would take more than `most` steps,
-/// the time that is reached, which is too early if it is wrong.
+/// The first time at which they are within `gap` metres, by steps as long as the distance allows;
+/// nullopt if there is none. After `most` steps it returns the time reached, which may be early.
 inline std::optional<double> first_time_within(const MovingPair<double>& pair, double gap,
                                                double speed, double from = 0, int most = 4000) {
   double time = from;
   for (int i = 0; i < most; ++i) {
     const double distance = true_distance(pair, time);
     if (distance <= gap) return time;
-    // A little more than is certain, so that it ends: less than a thousandth of the gap.
+    // Slightly more than is certain, so that it ends: less than a thousandth of the gap.
     time += (distance - 0.999 * gap) / speed;
     if (time > 1) return std::nullopt;
   }
@@ -123,7 +122,7 @@ inline Core<double> random_core(Random& random, double size, int& vertices) {
   }
 }
 
-/// Two bodies some sizes apart, of which B goes at A or near it, turning or not.
+/// Two bodies some sizes from each other. B moves at A or past it closely, turning or not.
 inline MovingPair<double> random_moving_pair(Random& random, double size, double most_turn,
                                              int vertices) {
   MovingPair<double> pair;
@@ -153,7 +152,7 @@ inline MovingPair<double> random_moving_pair(Random& random, double size, double
   return pair;
 }
 
-/// 32 roundings of what both shapes reach and go, with room for how that is bounded.
+/// 32 roundings of the reach and motion of both shapes, with a margin for how these are bounded.
 template <class S>
 double least_tolerance(const MovingPair<double>& pair) {
   const auto reach = [](const Core<double>& core) {
@@ -169,7 +168,7 @@ double least_tolerance(const MovingPair<double>& pair) {
   return 64 * static_cast<double>(std::numeric_limits<S>::epsilon()) * extent;
 }
 
-/// What a run of many pairs came to.
+/// Results over many pairs.
 struct Tally {
   int hits = 0, misses = 0, invented = 0, late = 0, not_near = 0, early = 0, undecided = 0;
   int steps = 0, bounds = 0, most_steps = 0;
@@ -187,10 +186,10 @@ template <class S>
 void judge(Find<S> find, const MovingPair<double>& exact, Tally& tally) {
   constexpr double kOfMotion = 1e-5;
   const MovingPair<S> pair = exact.template cast<S>();
-  // As it was rounded: the oracle judges the very numbers that the function was given.
+  // The oracle uses the rounded numbers that the function gets.
   const MovingPair<double> given = pair.template cast<double>();
   const double speed = most_motion(given);
-  // The function knows what moves farthest by a ball about each hull, which is up to twice as far.
+  // The function bounds motion by a ball about each hull, which is up to twice as much.
   const double tolerance = std::max(2 * kOfMotion * speed, least_tolerance<S>(given));
   if (true_distance(given, 0) <= tolerance) return;
   const ImpactResult<S> found =

@@ -50,7 +50,7 @@ TYPED_TEST(PolyhedraImpact, SlowFarFromTheOriginNothingIsLost) {
   expect_right(tally, kPairs);
 }
 
-/// A hundred sizes in one step, and a spin about a pivot far off with no other way.
+/// Paths of a hundred sizes in one step, and spins about a far pivot without other motion.
 TYPED_TEST(PolyhedraImpact, SlowLongWaysAndPureSpinsAreAsExhaustionSays) {
   Random random(23);
   Tally tally;
@@ -62,7 +62,7 @@ TYPED_TEST(PolyhedraImpact, SlowLongWaysAndPureSpinsAreAsExhaustionSays) {
       pair.motion_b.displacement = pair.motion_a.displacement + 20 * relative;
       pair.motion_b.start.position -= 10 * relative;
     } else {
-      // About A's place: B swings by, or into it.
+      // About A's place: B swings past A or into it.
       pair.motion_a.displacement = pair.motion_b.displacement = Vec3d(3, -2, 1);
       const Vec3d to_a = pair.motion_a.start.position - pair.motion_b.start.position;
       const Vec3d beside = to_a + random.vector(-2, 2);
@@ -76,8 +76,8 @@ TYPED_TEST(PolyhedraImpact, SlowLongWaysAndPureSpinsAreAsExhaustionSays) {
   EXPECT_GT(tally.hits, kPairs / 10);
 }
 
-/// A bar that spins as it comes: where the casts lead to, along its way as it is turned at the start,
-/// its ends have often been through the plate. Only the bound on the way there tells.
+/// A bar that spins as it approaches. The casts use its initial rotation; on that path its ends
+/// have often passed through the plate. Only the bound over the motion prevents this.
 TYPED_TEST(PolyhedraImpact, SlowBarsThatSpinAsTheyComeAreNotLate) {
   Random random(30);
   Tally tally;
@@ -85,7 +85,7 @@ TYPED_TEST(PolyhedraImpact, SlowBarsThatSpinAsTheyComeAreNotLate) {
   for (int i = 0; i < kPairs; ++i) {
     MovingPair<double> pair;
     pair.core_a.hull = make_box(Vec3d(1, 1, 0.05));
-    // Every other one is so far away at the start that balls about the two are apart.
+    // Every other one starts so far away that balls about the two are separated.
     const bool is_far = i % 2 == 1;
     const double length = is_far ? 2 : 0.8, height = is_far ? 6 : 1.5;
     pair.core_b.hull = make_box(Vec3d(length, 0.05, 0.05));
@@ -100,8 +100,8 @@ TYPED_TEST(PolyhedraImpact, SlowBarsThatSpinAsTheyComeAreNotLate) {
   expect_right(tally, kPairs);
 }
 
-/// Two boxes with half extents of one size, B `offset` sizes from A, which goes `way` sizes. In a frame
-/// that is turned and moved.
+/// Two boxes with half extents of one size, in a frame that is turned and moved. B starts `offset`
+/// sizes from A and moves by `way` sizes.
 template <class S>
 struct BoxPair {
   BoxPair(Random& random, double size, double away, const Vec3d& offset, const Vec3d& way)
@@ -110,7 +110,7 @@ struct BoxPair {
     const Vec3d origin = away * random.unit_vector();
     a.core = b.core = support_set(box);
     a.motion.start.rotation = b.motion.start.rotation = frame.cast<S>().normalized();
-    // From the rotation as it is rounded, so that faces are parallel.
+    // From the rounded rotation, so that faces are parallel.
     const Quatd rounded = a.motion.start.rotation.template cast<double>();
     a.motion.start.position = origin.cast<S>();
     b.motion.start.position = a.motion.start.position + (rounded * (size * offset)).cast<S>();
@@ -143,7 +143,7 @@ TYPED_TEST(PolyhedraImpact, ParallelFacesThatSlideDoNotMeet) {
   Random random(25);
   for (int i = 0; i < 200; ++i) {
     const double size = random.decade(-4, 4);
-    // The tolerance is a hundredth: within it from the start, or outside of it throughout.
+    // The tolerance is a hundredth: within it from the start, or outside it throughout.
     for (const double gap : {0.005, 0.02}) {
       BoxPair<S> pair(random, size, 0, {0.5, 0.3, 2 + gap}, {6, -8, 0});
       const ImpactResult<S> found = time_of_impact(pair.a, pair.b, {.of_motion = S(1e-3)});
@@ -153,13 +153,13 @@ TYPED_TEST(PolyhedraImpact, ParallelFacesThatSlideDoNotMeet) {
   }
 }
 
-/// Past each other, with or without room: what is off by ten tolerances is told for certain.
+/// Passing with or without clearance: a difference of ten tolerances is detected for certain.
 TYPED_TEST(PolyhedraImpact, WhatGrazesIsToldFromWhatPassesBy) {
   using S = TypeParam;
   Random random(26);
   for (int i = 0; i < 300; ++i) {
     const double size = random.decade(-4, 4), away = random.chance(0.3) ? 2e3 * size : 0;
-    // Of coordinates so far off half a rounding is lost before anybody looks.
+    // Coordinates so far away lose half a rounding in advance.
     const double room =
         3e-3 + 8 * static_cast<double>(std::numeric_limits<S>::epsilon()) * away / size;
     const double y = random.uniform(-1.5, 1.5);
@@ -170,7 +170,7 @@ TYPED_TEST(PolyhedraImpact, WhatGrazesIsToldFromWhatPassesBy) {
     ASSERT_EQ(found.status, ImpactStatus::Hit) << i;
     EXPECT_NEAR(static_cast<double>(found.time), 0.3, 1e-3) << i;
     EXPECT_LE(static_cast<double>(found.time), 0.3 + 0.1 * room) << i;
-    // An edge past an edge, both of which the way crosses.
+    // An edge past an edge; the path crosses both.
     BoxPair<S> edges(random, size, away, {-5, 2 + room, 2 + room}, {10, 0, 0});
     EXPECT_EQ(time_of_impact(edges.a, edges.b).status, ImpactStatus::Separated) << i;
   }
@@ -200,8 +200,8 @@ TYPED_TEST(PolyhedraImpact, TheStartIsToldApart) {
   }
 }
 
-/// What is said of a hit: a point of each, on its surface, as far apart as it says, and a normal along
-/// which one is before the other.
+/// A hit reports a point on the surface of each shape at the reported distance, and a normal along
+/// which the shapes are separated.
 TYPED_TEST(PolyhedraImpact, PointsLieOnTheShapesAndTheNormalKeepsThemApart) {
   using S = TypeParam;
   Random random(28);
@@ -242,7 +242,7 @@ TYPED_TEST(PolyhedraImpact, PointsLieOnTheShapesAndTheNormalKeepsThemApart) {
   EXPECT_GT(hits, 100);
 }
 
-/// Recording tells the whole way in steps that are safe, and changes no bit.
+/// Recording contains the whole path in safe steps, and changes no bit.
 TYPED_TEST(PolyhedraImpact, RecordedStepsLeadToTheSameResult) {
   using S = TypeParam;
   Random random(29);

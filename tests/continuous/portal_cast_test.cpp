@@ -16,7 +16,7 @@ using test::Random;
 using Extended = long double;
 using Point = Eigen::Matrix<Extended, 3, 1>;
 
-/// Two hulls, of which B goes straight on.
+/// Two hulls; B moves straight.
 struct Flight {
   Hull<double> a, b;
   Pose<double> pose_a, pose_b;
@@ -31,9 +31,8 @@ std::vector<Point> placed_vertices(const Hull<double>& hull, const Pose<double>&
   return result;
 }
 
-/// When they overlap along every axis of the Minkowski difference at once, from when to when; the
-/// end is before the begin where they never do. All face normals and products of edges, in extended
-/// precision.
+/// The time span of overlap along every axis of the Minkowski difference; its end is before its
+/// begin if there is none. All face normals and products of edges, in extended precision.
 TimeSpan<Extended> overlap_span(const Flight& of) {
   const std::vector<Point> a = placed_vertices(of.a, of.pose_a),
                            b = placed_vertices(of.b, of.pose_b);
@@ -123,7 +122,7 @@ class PortalCasts : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(PortalCasts, Scalars);
 
-/// Never late, never without a reason early, and Hit or Separated where the oracle is sure.
+/// Never late, never early without a reason, and Hit or Separated if the oracle is sure.
 TYPED_TEST(PortalCasts, SlowAgreeWithEveryAxis) {
   using S = TypeParam;
   Random random(31);
@@ -138,7 +137,7 @@ TYPED_TEST(PortalCasts, SlowAgreeWithEveryAxis) {
     const S target = S(4) * rounding, slack = S(2) * rounding;
     const CastStatus status = own.cast.cast({target, slack, S(1)});
     supports += own.cast.supports();
-    // As long as this the two overlap, so that rounding and target cannot make it a miss.
+    // With an overlap of this duration, rounding and target cannot cause a miss.
     const auto sure = static_cast<Extended>(S(8) * rounding / own.way.norm());
     const bool meets = exact.begin <= exact.end && exact.begin < 1;
     const auto safe = static_cast<Extended>(own.cast.safe_time());
@@ -147,7 +146,7 @@ TYPED_TEST(PortalCasts, SlowAgreeWithEveryAxis) {
     }
     if (status == CastStatus::Hit) {
       ++hits;
-      // Between the portal, which is inside, and the support plane there are target and slack.
+      // Target and slack are between the portal, which is inside, and the support plane.
       const Vec3<S> normal = own.cast.plane().normal;
       const auto speed = static_cast<Extended>(normal.dot(own.way));
       ASSERT_GT(speed, 0);
@@ -213,7 +212,7 @@ TYPED_TEST(PortalCasts, EveryPlaneThatIsToldBringsTheSafeTimeOn) {
   EXPECT_GT(most, 2U);
 }
 
-/// A cast that goes on from the last portal finds what one from the start finds.
+/// A cast that continues from the last portal gives the same result as one from the start.
 TYPED_TEST(PortalCasts, GoOnFromThePortalOfTheSearchBefore) {
   using S = TypeParam;
   Random random(33);

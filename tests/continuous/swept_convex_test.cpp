@@ -18,8 +18,8 @@ using test::ExtendedPoint;
 using test::Features;
 using test::Random;
 
-/// The first time at which a shape is within `radius` of a triangle, by steps as long as the distance
-/// allows. `at_time`: the shape, then.
+/// The first time at which a shape is within `radius` of a triangle, by steps as long as the
+/// distance allows. `at_time` returns the shape at a time.
 std::optional<Extended> marched(const std::function<Features(Extended)>& at_time,
                                 const Features& triangle, Extended speed, Extended radius) {
   Extended time = 0;
@@ -32,7 +32,7 @@ std::optional<Extended> marched(const std::function<Features(Extended)>& at_time
   return time;
 }
 
-/// A triangle, sometimes a needle or flat, and a body of about its size that flies at it or past it.
+/// A triangle, sometimes a needle or flat, and a body of similar size that flies at it or past it.
 struct SweptCase {
   double size;
   std::array<Vec3d, 3> triangle;
@@ -56,7 +56,7 @@ struct SweptCase {
     for (std::size_t i = 0; i < 3; ++i) corners[i] = (triangle[i] - triangle[0]).cast<Extended>();
     return test::features_of_triangle(corners);
   }
-  /// As the shape is at a time, relative to the triangle's first corner.
+  /// The shape's pose at a time, relative to the triangle's first corner.
   Pose<double> pose(Extended time) const {
     return {start.rotation, start.position - triangle[0] + static_cast<double>(time) * way};
   }
@@ -167,7 +167,7 @@ TEST(SweptConvex, TellsOverlapAtTheStartApartFromAHit) {
   EXPECT_EQ(fallen.normal, Vec3d(0, 0, 1));
   box.center.z() = 0.3;
   EXPECT_EQ(sweep_box_triangle<double>(box, down, triangle).status, SweptStatus::Overlapping);
-  // It moves away, and beside it.
+  // It moves away, and sideways.
   box.center.z() = 1;
   EXPECT_EQ(sweep_box_triangle<double>(box, Vec3d(-down), triangle).status, SweptStatus::Separated);
   EXPECT_EQ(sweep_box_triangle<double>(box, Vec3d(10, 0, 0), triangle).status,

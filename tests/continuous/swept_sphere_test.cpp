@@ -15,7 +15,7 @@ using test::Random;
 using Extended = long double;
 using Point = Eigen::Matrix<Extended, 3, 1>;
 
-/// By the regions of the plane (the nearest of three segments, or the foot where it is inside).
+/// By regions of the plane (the nearest of three segments, or the foot if it is inside).
 Extended distance_to_triangle(const Point& p, const std::array<Point, 3>& corners) {
   Extended least = INFINITY;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -91,7 +91,7 @@ void compare_with_marching(double away, double slack) {
     const double size = random.decade(-3, 2);
     Case of = random_case(random, away > 0 ? 1.0 : size);
     const Vec3d by = away * random.unit_vector();
-    // The very numbers that the function is given.
+    // The rounded numbers that the function gets.
     const auto rounded = [](const Vec3d& v) { return Vec3<S>(v.cast<S>()); };
     const std::array<Vec3<S>, 3> triangle = {
         rounded(of.triangle[0] + by), rounded(of.triangle[1] + by), rounded(of.triangle[2] + by)};
@@ -103,7 +103,7 @@ void compare_with_marching(double away, double slack) {
     of.radius = static_cast<double>(radius);
 
     const SweptSphereHit found = sweep_sphere_triangle(start, way, radius, triangle);
-    // A hit of a ball that is smaller by a trifle must be found, one of none that is larger.
+    // A hit of a slightly smaller ball must be found; a miss of a slightly larger ball must be one.
     const auto surely = marched(of, of.radius * (1 - slack));
     const auto perhaps = marched(of, of.radius * (1 + slack));
     if (surely) {

@@ -62,7 +62,7 @@ TYPED_TEST(TimeOfImpact, SlowNothingIsLostFarFromTheOrigin) {
   }
 }
 
-/// A ball and a wall: the time is the gap over the speed.
+/// A ball and a wall: the time is the separation over the speed.
 TYPED_TEST(TimeOfImpact, ABallMeetsAWallWhenItHasGoneTheGap) {
   using S = TypeParam;
   const Hull<S> wall = hull_cast<S>(make_box(Vec3d(0.005, 2, 2)));
@@ -89,8 +89,8 @@ TYPED_TEST(TimeOfImpact, ABallMeetsAWallWhenItHasGoneTheGap) {
   }
 }
 
-/// A rod that turns by half a circle beside a ball: its end draws a circle, and at both ends of the
-/// step it is far from the ball. Whoever compares ends only says "separated".
+/// A rod that turns by half a circle next to a ball. Its end draws a circle, and at both ends of
+/// the step it is far from the ball. A comparison of only the ends would report "separated".
 TYPED_TEST(TimeOfImpact, ARodThatTurnsPastHitsOnItsWay) {
   using S = TypeParam;
   const Vec3<S> ends[2] = {{S(-1), 0, 0}, {S(1), 0, 0}};
@@ -118,21 +118,21 @@ TYPED_TEST(TimeOfImpact, OverlapAtTheStartIsToldApartFromAHitAtZero) {
   two.motion.start.position.x() = S(0.99);
   EXPECT_EQ(time_of_impact(one, two, {.gap = S(1e-3)}).status, ImpactStatus::Overlapping);
 
-  // Within the tolerance at the start and coming nearer: a hit, at once or soon.
+  // Within the tolerance at the start and approaching: a hit, at once or soon.
   two.motion.start.position.x() = S(1.0005);
   two.motion.displacement.x() = S(-0.5);
   const ImpactResult<S> hit = time_of_impact(one, two, {.gap = S(1e-3)});
   EXPECT_EQ(hit.status, ImpactStatus::Hit);
   EXPECT_LE(hit.time, S(1e-3));
 
-  // Within the tolerance, but going away, or sliding along: no hit.
+  // Within the tolerance, but moving away or not at all: no hit.
   two.motion.displacement.x() = S(0.5);
   EXPECT_EQ(time_of_impact(one, two, {.gap = S(1e-3)}).status, ImpactStatus::Separated);
   two.motion.displacement = Vec3<S>(0, 0, 0);
   EXPECT_EQ(time_of_impact(one, two, {.gap = S(1e-3)}).status, ImpactStatus::Separated);
 }
 
-/// B's lowest point over the plane, metres.
+/// Height of B's lowest point over the plane, metres.
 double height(const MovingPlane<double>& plane, const Core<double>& core,
               const Sweep<double>& motion, double time) {
   const Pose<double> a = placed(plane.motion, time), b = placed(motion, time);
@@ -144,7 +144,7 @@ double height(const MovingPlane<double>& plane, const Core<double>& core,
   return least;
 }
 
-/// A plane may turn as well: no point of B, however it is seen, goes through it unnoticed.
+/// A plane may turn too: no point of B passes through it undetected.
 TYPED_TEST(TimeOfImpact, SlowPlanesAreAsEveryVertexSays) {
   using S = TypeParam;
   using FindPlane = ImpactResult<S> (*)(const MovingPlane<S>&, const MovingShape<S>&,
@@ -168,7 +168,7 @@ TYPED_TEST(TimeOfImpact, SlowPlanesAreAsEveryVertexSays) {
       const auto gap = [&](double time) {
         return height(exact, given.core_b, given.motion_b, time) - given.radius_b;
       };
-      // The very plane is a side of B's start, or nearly.
+      // Skip pairs in which B starts behind the plane or close to it.
       if (gap(0) < 0.2 * size) continue;
       const double rounding =
           40 * static_cast<double>(std::numeric_limits<S>::epsilon()) * (60 * size);
@@ -192,7 +192,7 @@ TYPED_TEST(TimeOfImpact, SlowPlanesAreAsEveryVertexSays) {
     EXPECT_GT(hits, 100);
     EXPECT_GT(apart, 50);
     EXPECT_EQ(not_near, 0);
-    // What glides past a plane that turns may cost advancement more steps than it has.
+    // Gliding past a turning plane may take advancement more steps than it has.
     EXPECT_LE(undecided, 2);
   }
 }

@@ -17,7 +17,7 @@ Pose<double> random_pose(std::mt19937& random) {
   return {rotation, {normal(random), normal(random), normal(random)}};
 }
 
-/// Holds against x_parent = R x_local + p with R written out from the axis and angle.
+/// Compared with x_parent = R x_local + p, with R written out from the axis and angle.
 TEST(Pose, AQuarterTurnAboutYTakesXToMinusZ) {
   const Pose<double> pose{Quatd(std::sqrt(0.5), 0, std::sqrt(0.5), 0), {10, 20, 30}};
   EXPECT_NEAR((pose.transform({1, 2, 3}) - Vec3d(13, 22, 29)).norm(), 0, 1e-14);
@@ -53,8 +53,8 @@ TEST(Pose, ComposeAppliesTheInnerPoseFirst) {
   EXPECT_NEAR((compose(outer, inner).transform({0, 0, 0}) - Vec3d(1, 5, 0)).norm(), 0, 1e-14);
 }
 
-// At ten million metres a float's neighbours are a metre apart; the distance between two bodies
-// that stand on such numbers is still exact, because positions are subtracted first.
+// At ten million metres, neighbouring floats are a metre from each other. The offset of two bodies
+// at such coordinates is still exact, because positions are subtracted first.
 TEST(Pose, RelativePoseFarFromTheOriginLosesNothingMore) {
   const Pose<float> a{Quat<float>::Identity(), {1e7f, 0, 0}};
   const Pose<float> b{Quat<float>::Identity(), {1e7f + 3.0f, 0.25f, 0}};

@@ -31,7 +31,7 @@ TEST(Workers, DoEachPieceOnce) {
 }
 
 TEST(Workers, WorkSideBySide) {
-  // Each piece waits for the other one: a thread alone would wait for ever.
+  // Each piece waits for the other one: a single thread would wait forever.
   Workers workers(2);
   std::atomic<int> here = 0;
   workers.for_each(2, [&](int, int) {
@@ -56,7 +56,7 @@ TEST(Workers, ThrowWhatTheFirstPieceThrew) {
         EXPECT_STREQ(error.what(), "10");
       }
       EXPECT_LE(begun, 10 + count);
-      // And go on with the next list.
+      // And continue with the next list.
       std::atomic<int> done = 0;
       workers.for_each(20, [&](int, int) { ++done; });
       EXPECT_EQ(done, 20);

@@ -1,4 +1,4 @@
-// What pictures say of pairs that are asked something else than their manifold, from facts by hand.
+// Pictures of queries other than manifolds, from facts by hand.
 
 #include "draw/scene/answers.h"
 
@@ -32,7 +32,7 @@ trace::TestedAxis axis(const char* kind, int a, int b, const Vec3d& direction, d
   return result;
 }
 
-/// The crate on the slab, whose oriented boxes are asked.
+/// The crate on the slab, with a query of oriented boxes.
 struct AskedCrate : CrateOnSlab {
   explicit AskedCrate(bool bounds_overlap, bool shapes_overlap) {
     trace::Pair& asked = pair();
@@ -99,7 +99,7 @@ TEST(Answers, OfMeshesTellWhatWasFound) {
   EXPECT_EQ(spell_answer(asked.pair()), "no: 1 pair of triangles touches, none cross");
 }
 
-/// How many lines and curves of the sketch have this colour.
+/// Number of lines and curves of this colour in the sketch.
 int lines_in(const Sketch& sketch, const Color& color) {
   const auto same = [&](const auto& line) {
     return line.style.color.r == color.r && line.style.color.g == color.g &&
@@ -120,7 +120,7 @@ TEST(Answers, ColourTheBoundsThatWereAsked) {
     const Sketch sketch = sketch_frame(staging, asked.frames[0]);
     EXPECT_EQ(lines_in(sketch, answer_color(kind)), 12 + 2) << "a box, and a ball with its horizon";
     EXPECT_EQ(legend_of(staging, asked.frames[0]).listed.size(), 1u);
-    // The picture holds the whole of both.
+    // The picture contains both completely.
     for (const auto& volume : {asked.query().bounds_a, asked.query().bounds_b})
       for (const Vec3d& corner : extent_points(*volume)) EXPECT_TRUE(staging.camera.sees(corner));
   }
@@ -129,7 +129,7 @@ TEST(Answers, ColourTheBoundsThatWereAsked) {
 TEST(Answers, OrientedBoxesBesideOthersAreDrawnBroaderInTheirPlace) {
   AskedCrate asked(false, false);
   asked.view.layers = {Layer::Volumes};
-  // How far the lines reach, and the width of the broadest that has the answer's colour.
+  // How far the lines extend, and the width of the widest line in the answer's colour.
   const auto drawn = [&] {
     std::pair<double, float> most{0, 0};
     for (const Line& line : sketch_frame(asked.staged(), asked.frames[0]).lines) {

@@ -61,7 +61,7 @@ TEST(LogarithmicAxis, TicksGrowAndHoldTheDecades) {
 }
 
 TEST(LogarithmicAxis, ShortDecadesHaveNoMinorTicks) {
-  const Axis axis = Axis::logarithmic(0.9, 1.1e4, 0, 200, 0, 0);  // some 49 pixels a decade
+  const Axis axis = Axis::logarithmic(0.9, 1.1e4, 0, 200, 0, 0);  // about 49 pixels a decade
   EXPECT_EQ(axis.ticks(60).size(), 5u);
   EXPECT_GT(axis.ticks(40).size(), 36u);
 }

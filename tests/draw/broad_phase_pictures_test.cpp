@@ -1,4 +1,4 @@
-// What pictures show of a broad phase, from facts by hand.
+// Pictures of a broad phase, from facts by hand.
 
 #include <algorithm>
 #include <map>
@@ -35,7 +35,7 @@ class BroadPhasePicture : public ::testing::Test {
     return sketch_frame(staging, scene.frames[0]);
   }
 
-  // So many boxes that a tree is not drawn whole.
+  // Adds boxes until the tree is too large to be drawn completely.
   void crowd() {
     while (phase().bounds.size() <= 12) phase().bounds.push_back(phase().bounds[0]);
   }

@@ -8,7 +8,7 @@
 #include "draw/scene/pen.h"
 #include "drawn_texts.h"
 
-/// How lines of charts are named and what stands apart from them.
+/// Names of lines in charts, and what distinguishes them.
 namespace contactscope::draw {
 namespace {
 

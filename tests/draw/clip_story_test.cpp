@@ -94,7 +94,7 @@ TEST(ClipStory, HatchesWhatIsCutAwayAndNothingElse) {
       EXPECT_NEAR(end.y(), -0.1, 1e-9);
     }
   }
-  EXPECT_GT(hatched, 8u);  // beside the four sides of the outline
+  EXPECT_GT(hatched, 8u);  // not only the four sides of the outline
 }
 
 TEST(ClipStory, TheActivePlaneIsTheOnlyOne) {

@@ -11,7 +11,7 @@
 #include "draw/insets/contact_cells.h"
 #include "image/font.h"
 
-/// Cells of contact points to draw, and what a drawing of them holds.
+/// Sample cells of contact points, and helpers that examine their drawings.
 namespace contactscope::draw {
 
 /// An octagon with depths, on the floor.
@@ -97,7 +97,7 @@ inline std::vector<Disc> rings(const Drawing& drawing) {
   return list;
 }
 
-/// Every place that a primitive paints about, NaN among them.
+/// The corners of a primitive's bounds, including NaN.
 inline std::vector<Point2> places(const Primitive& primitive) {
   if (const Fill* fill = std::get_if<Fill>(&primitive)) return fill->polygon;
   if (const Stroke* s = std::get_if<Stroke>(&primitive)) return {s->from, s->to};
@@ -110,13 +110,13 @@ inline std::vector<Point2> places(const Primitive& primitive) {
           {static_cast<float>(box.x + box.width), static_cast<float>(box.y + box.height)}};
 }
 
-/// Fails where anything is painted off the canvas, or nowhere.
+/// Fails if anything is painted outside the canvas or at NaN.
 inline void expect_on_canvas(const Drawing& drawing, const std::string& what) {
   int outside = 0;
   std::string first;
   for (const Primitive& primitive : drawing.primitives) {
     for (const Point2& p : places(primitive)) {
-      // What is not a number fails every comparison.
+      // NaN fails every comparison.
       const bool in = p.x >= -0.5f && p.y >= -0.5f && p.x <= drawing.width + 0.5f &&
                       p.y <= drawing.height + 0.5f;
       if (in) continue;

@@ -53,7 +53,7 @@ TEST(ContactCells, HoldEachOtherApart) {
   }
 }
 
-/// Twelve points on an ellipse eight times as long as wide, aslant, with crowded tips.
+/// Twelve points on a slanted ellipse eight times as long as wide, with crowded tips.
 std::vector<trace::Point> sliver() {
   std::vector<trace::Point> points;
   for (int i = 0; i < 12; ++i) {
@@ -107,7 +107,7 @@ TEST(ContactCells, MarksShrinkWherePointsAreCrowded) {
   EXPECT_GE(small, 0.55 / 1.5 * full) << "those of a single cell are larger";
 }
 
-/// Axis-parallel lines that make squares about a point.
+/// Number of squares of axis-parallel lines about a point.
 int squares_about(const Drawing& drawing, const Point2& at) {
   int sides = 0;
   for (const Stroke& s : all<Stroke>(drawing)) {
@@ -139,7 +139,7 @@ TEST(ContactCells, AllPointsThatTieForTheDeepestAreMarked) {
   moment.cells[0].kept = {1, 4, 3, 0};
   const std::vector<Disc> kept = rings(drawn({moment}, 0));
   moment.cells[0].points[1].separation = -0.1;
-  moment.cells[0].points[4].separation = -0.1 + 1e-8;  // less than a float tells there
+  moment.cells[0].points[4].separation = -0.1 + 1e-8;  // less than float resolves there
   const Drawing drawing = drawn({moment}, 0);
   EXPECT_EQ(squares_about(drawing, kept[0].center), 1);
   EXPECT_EQ(squares_about(drawing, kept[1].center), 1);
@@ -216,7 +216,7 @@ TEST(ContactCells, SlowHaveRowsThatAreLegibleOrNone) {
             if (text.text.starts_with(part)) rows.push_back(text.text);
           }
         }
-        // All cells alike, and nothing cut short.
+        // All cells alike, and nothing cut off.
         const auto count = [&](const char* row) { return std::ranges::count(rows, row); };
         const auto each = static_cast<long>(cells);
         const std::string where = std::to_string(width) + " wide, " + std::to_string(cells) +
@@ -280,7 +280,7 @@ TEST(ContactCells, ShowAPointAtTheSamePlaceInAllCellsAndFrames) {
   std::vector<ContactMoment> moments = moments_of(6, 1);
   moments.push_back(moments_of(6, 1).front());
   moments[1].frame = 1;
-  // In the second frame every cell loses a point that it did not keep, and the rest stays.
+  // In the second frame every cell loses a point that it did not keep; the others stay.
   for (ContactCell& cell : moments[1].cells) {
     cell.points.pop_back();
     cell.best.clear();
@@ -311,7 +311,7 @@ TEST(ContactCells, AreMapsSeenFromAboveAtOneScale) {
     places.push_back({p, -0.01, "a:e" + std::to_string(places.size())});
   }
   moment.cells = {cell_of("area", places)};
-  for (const double sign : {1.0, -1.0}) {  // whichever body is the first
+  for (const double sign : {1.0, -1.0}) {  // for either order of the bodies
     moment.cells[0].normal = sign * Vec3d::UnitY();
     const std::vector<Disc> discs = rings(drawn({moment}, 0));
     ASSERT_GE(discs.size(), 3u);
@@ -324,7 +324,7 @@ TEST(ContactCells, AreMapsSeenFromAboveAtOneScale) {
 }
 
 TEST(ContactCells, PatchesThatStandApartInTheWorldAreEachInTheMiddleOfTheirCell) {
-  // The same octagon here, ten metres aside, and against a wall: x stays to the right.
+  // The same octagon here, ten metres aside, and on a wall: x stays to the right.
   const auto moved = [](double shift, bool upright) {
     std::vector<trace::Point> points = octagon();
     for (trace::Point& point : points) {

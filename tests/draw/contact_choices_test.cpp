@@ -16,7 +16,7 @@ using testing::Contains;
 using testing::HasSubstr;
 using testing::IsSupersetOf;
 
-/// The octagon with how its four points were chosen.
+/// The octagon with the steps that chose its four points.
 std::vector<ContactMoment> chosen() {
   std::vector<ContactMoment> moments = moments_of(1, 1);
   ContactCell& cell = moments[0].cells[0];
@@ -75,8 +75,7 @@ TEST(ContactCells, AChoiceShowsWhatEachCandidateWasWorth) {
   EXPECT_THAT(third, IsSupersetOf({"0.5000 m²", "0.2500 m²", "largest triangle"}));
   EXPECT_EQ(std::ranges::count_if(third, [](const std::string& s) { return s.ends_with("²"); }), 6);
   const std::vector<std::string> fourth = words(drawn(chosen(), 0, 1280, 720, 4));
-  // The chosen point's area outside one edge, and what another point was worth; its areas inside the
-  // other two decide nothing.
+  // The chosen point's area outside one edge, and another's; areas inside other edges do not count.
   EXPECT_THAT(fourth, IsSupersetOf({"0.5000 m²", "0.1000 m²"}));
   EXPECT_THAT(fourth, testing::Not(Contains("0.7500 m²")));
   // Rings of the choices so far, and the legend's.
@@ -93,7 +92,7 @@ TEST(ContactCells, TheLegendOfAChoiceTellsItsMarks) {
   std::vector<ContactMoment> by_distance = chosen();
   by_distance[0].cells[0].choices[3].rule = "distance";
   const std::vector<std::string> said = words(drawn(by_distance, 0, 1280, 720, 4));
-  // How far, and what that adds: from the line 1-3, 500 mm as measured, and as the points lie.
+  // The distance and the area it adds: 500 mm from the line 1-3, the area from the positions.
   const auto along = [](const trace::Point& p) { return p.position; };
   const std::vector<trace::Point> p = octagon();
   const double area = 0.5 * (along(p[3]) - along(p[1])).cross(along(p[0]) - along(p[1])).norm();

@@ -7,7 +7,7 @@
 #include "draw/crate_on_slab.h"
 #include "draw/scene/palette.h"
 
-/// What touches, which ways lead out, and the three queries of the separating axis test.
+/// Contact features, exit paths, and the three queries of the separating axis test.
 namespace contactscope::draw {
 namespace {
 
@@ -136,7 +136,7 @@ TEST(SatQueries, StandInThreeColumnsThatShowTheSame) {
   EXPECT_TRUE(std::ranges::any_of(sketch.legend.sorted(), [](const LegendEntry& entry) {
     return entry.text == "parallel plane through the support point";
   }));
-  // The same corner of the slab in each column: a third of the view apart, at one height.
+  // The same corner of the slab in each column: a third of the view between them, at one height.
   std::vector<Point2> places;
   for (const Label& label : sketch.labels)
     if (label.text.find("of") != std::string::npos || label.text == "not tested")

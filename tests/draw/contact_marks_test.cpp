@@ -44,8 +44,7 @@ std::vector<Arrow> measures(const Sketch& sketch) {
   return found;
 }
 
-/// A ball of 0.25 m whose lowest point is 0.2 m below the top of the slab, at its middle; the
-/// crate stays where it is and takes no part.
+/// A ball of 0.25 m, 0.2 m deep in the middle of the slab's top. The crate takes no part.
 struct BallInSlab : CrateOnSlab {
   BallInSlab() {
     trace::Shape ball;
@@ -85,7 +84,7 @@ TEST(Whisker, OfABallThatIsShapeAEndsOnTheFaceOfB) {
   ASSERT_EQ(ends.size(), 1u);
   EXPECT_TRUE(ends[0][0].isApprox(Vec3d(0, -0.2, 0)));
   EXPECT_TRUE(ends[0][1].isZero(1e-12));
-  // It runs along the normal, which begins where it ends.
+  // It runs along the normal, which begins at its end.
   const auto normal = std::ranges::find_if(
       sketch.arrows, [](const Arrow& arrow) { return crate_sample::same(arrow.color, kNormal); });
   ASSERT_NE(normal, sketch.arrows.end());
@@ -94,7 +93,7 @@ TEST(Whisker, OfABallThatIsShapeAEndsOnTheFaceOfB) {
 
 TEST(Whisker, OfACapsulePastAnEdgeReachesFromTheEdgeToItsSurface) {
   BallInSlab scene;
-  // The edge at the origin, the capsule's axis 0.1 m below it: its surface is 0.35 m below.
+  // The edge is at the origin, the capsule's axis 0.1 m below it: its surface is 0.35 m below.
   scene.manifold().axis = "edge_edge";
   scene.manifold().points = {{Vec3d(0, -0.05, 0), -0.35, "a:e1 b:e0"}};
   const auto ends = whiskers(scene.sketch());
@@ -114,7 +113,7 @@ TEST(Whisker, OfTwoHullsEdgesIsCentredOnTheirMiddle) {
   EXPECT_TRUE(ends[0][1].isApprox(Vec3d(0, -0.2, 0)));
 }
 
-/// Which of the two, by the side on which the shape is, a face of a colour is drawn on.
+/// Heights of the ends of all lines of a colour.
 std::vector<double> heights_of(const Sketch& sketch, unsigned hex) {
   std::vector<double> heights;
   for (const Line& line : sketch.lines)
@@ -123,7 +122,7 @@ std::vector<double> heights_of(const Sketch& sketch, unsigned hex) {
   return heights;
 }
 
-// The colours as they are written down in the picture language, not by their names in the code.
+// The colours as specified in the picture language, not by their names in the code.
 TEST(Faces, TheReferenceFaceIsBlueAndTheIncidentOneOrange) {
   CrateOnSlab scene;
   trace::Clip& clip = scene.pair().clip.emplace();
@@ -138,7 +137,7 @@ TEST(Faces, TheReferenceFaceIsBlueAndTheIncidentOneOrange) {
   EXPECT_EQ(heights_of(sketch, 0xE69F00).size(), 6u);
 }
 
-// Two crates on one slab have its top for their reference face, to the last bit or nearly: it is one face, of one blue.
+// Two crates share the slab's top as reference face, up to the last bits: one face, one tint.
 TEST(Faces, OneThatTwoPairsShareIsTintedOnce) {
   CrateOnSlab scene;
   trace::Clip& clip = scene.pair().clip.emplace();
@@ -159,7 +158,7 @@ TEST(Faces, OneThatTwoPairsShareIsTintedOnce) {
   EXPECT_EQ(tinted(), 2) << "that of another slab";
 }
 
-/// The crate comes down on the slab from 1 m above it.
+/// The crate falls onto the slab from 1 m above it.
 struct FallingCrate : CrateOnSlab {
   FallingCrate() {
     frames[0].poses[1].second.position = {0, 1.5, 0};
@@ -183,7 +182,7 @@ TEST(Sweep, WhereItFirstMeetsABodyHasFaces) {
       EXPECT_NEAR(std::abs(corner.y() - 0.5), 0.5, 1e-12);  // 1 m lower than it is now
 }
 
-// Who looks at frames alone sees it there only if it is through by then.
+// From frames alone, the end is seen only if the crate has passed through by then.
 TEST(Sweep, ItsEndIsDrawnWhereTheNextFrameDoesNotTell) {
   FallingCrate scene;
   const auto says = [&] { return explained(scene.sketch()); };
@@ -192,7 +191,7 @@ TEST(Sweep, ItsEndIsDrawnWhereTheNextFrameDoesNotTell) {
   EXPECT_THAT(says(), Contains(HasSubstr("if nothing stopped it")));
 }
 
-// Which way it turns is seen by the way of the point that meets; what goes straight needs no arrow.
+// The path of the point that meets shows the turn; straight motion needs no arrow.
 TEST(Sweep, WhatTurnsShowsTheWayOfThePointThatMeets) {
   FallingCrate scene;
   const auto says = [&] { return explained(scene.sketch()); };
@@ -204,7 +203,7 @@ TEST(Sweep, WhatTurnsShowsTheWayOfThePointThatMeets) {
   EXPECT_LT((*sketch.arrows[0].to - scene.pair().impact->point_a).norm(), 0.2);
 }
 
-// Its middle goes on as it does now; what turns has no straight way.
+// The arrow continues the motion of the middle; a turning body has no straight path.
 TEST(Sweep, WhatIsNotSeenAtTheNextFrameShowsItsWayThere) {
   FallingCrate scene;
   scene.pair().impact->status = "separated";
@@ -236,7 +235,7 @@ TEST(Sweep, SkinsBearTheNumbersOfTheStepsInTheChart) {
   EXPECT_THAT(numbers(), testing::Not(Contains("4"))) << "nearly where they meet";
 }
 
-/// A slice of a field 2 m wide with cells of 0.1 m, through the middle of what is seen: y < 0 is inside.
+/// A slice of a field 2 m wide, with cells of 0.1 m, through the view's middle: y < 0 is inside.
 struct FieldOnSlab : CrateOnSlab {
   FieldOnSlab() {
     trace::FieldSlice slice;
@@ -293,7 +292,7 @@ TEST(Contacts, APointThatWasReducedAwayIsNoDot) {
   for (const bool contacts : {true, false}) {
     scene.view.layers = {Layer::Shapes, Layer::Reduced};
     if (contacts) scene.view.layers.push_back(Layer::Contacts);
-    EXPECT_EQ(marks(scene.sketch(), MarkKind::Dot), 2u);  // within the rings, by either layer
+    EXPECT_EQ(marks(scene.sketch(), MarkKind::Dot), 2u);  // within the rings, in either layer
     EXPECT_EQ(marks(scene.sketch(), MarkKind::Ring), 2u);
     EXPECT_EQ(marks(scene.sketch(), MarkKind::Cross), 1u);
   }
@@ -406,7 +405,7 @@ TEST(PairLabel, OfPairsThatShareABodyEachHasAPlaceOfItsOwn) {
   ASSERT_EQ(boxes.size(), 4u);
   for (std::size_t i = 0; i < boxes.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(boxes[i].overlaps(boxes[j])) << i << " " << j;
-  // No leader, which would strike through the labels nearer to the body.
+  // No leader, which would cross the labels nearer to the body.
   for (const Primitive& primitive : drawing.primitives) {
     const Stroke* stroke = std::get_if<Stroke>(&primitive);
     if (stroke == nullptr || !crate_sample::same(stroke->color, kText)) continue;
@@ -428,7 +427,7 @@ TEST(Legend, NamesWhatOnlyTheContactPlaneShows) {
   scene.view.panels = {Panel::ContactPlane};
   for (const char* name : {"reference face", "incident face", "clip polygon", "above the face"})
     EXPECT_THAT(of(), Contains(name));
-  EXPECT_THAT(of(), ::testing::Not(Contains("beside the face")));  // a contact point, after all
+  EXPECT_THAT(of(), ::testing::Not(Contains("beside the face")));  // a contact point after all
 }
 
 TEST(Ids, EachEdgeThatNamesAPointBearsItsNameOnce) {

@@ -56,10 +56,10 @@ TEST(Contours, WhereTwoCouldCrossTheMeanDecides) {
     }
     return sums;
   };
-  // The mean is 0.5: below it the high corners are one part, and each line is about a low corner.
+  // The mean is 0.5. Below it the high corners are connected, and each line surrounds a low corner.
   EXPECT_THAT(both_ends(0), testing::ElementsAre(testing::DoubleNear(0.5 + 1.25, 1e-12),
                                                  testing::DoubleNear(0.5 + 1.25, 1e-12)));
-  // Above it each line is about a high corner.
+  // Above it each line surrounds a high corner.
   EXPECT_THAT(both_ends(0.75), testing::ElementsAre(testing::DoubleNear(0.25, 1e-12),
                                                     testing::DoubleNear(2.875, 1e-12)));
 }

@@ -20,7 +20,7 @@ inline trace::Shape cuboid(const std::string& name, const Vec3d& h) {
   return shape;
 }
 
-/// A crate of 1 m that stands 2 mm deep in a slab, on two of the four points it will have.
+/// A crate of 1 m, 2 mm deep in a slab, with two of its later four points.
 struct CrateOnSlab {
   trace::Header header;
   std::vector<trace::Frame> frames;

@@ -91,7 +91,7 @@ TEST(DepthOrder, SlowRandomCrossingTrianglesAreOrderedAlongEveryRay) {
           expected.push_back(surface.color.r);
         }
       }
-      // Nothing lost and nothing doubled, but for rays that graze a cut.
+      // Nothing lost or duplicated, except on rays that graze a cut.
       EXPECT_NEAR(static_cast<double>(crossed.size()), static_cast<double>(expected.size()), 1);
     }
   }

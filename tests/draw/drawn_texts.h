@@ -6,7 +6,7 @@
 
 #include "draw/scene/drawing.h"
 
-/// What is written in a drawing, in the order in which it is drawn.
+/// The texts of a drawing, in drawing order.
 namespace contactscope::draw {
 
 inline std::vector<Text> texts(const Drawing& drawing) {

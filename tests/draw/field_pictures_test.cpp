@@ -1,4 +1,4 @@
-// What pictures show of a distance field, from facts by hand.
+// Pictures of a distance field, from facts by hand.
 
 #include <algorithm>
 
@@ -12,8 +12,8 @@ namespace {
 
 using crate_sample::CrateOnSlab;
 
-/// Twelve by twelve cells of 10 cm around the origin, seen at right angles; the three columns on the
-/// left have nodes of their own. The crate is 9 m away.
+/// Twelve by twelve cells of 10 cm around the origin, seen perpendicularly. The three columns on
+/// the left have nodes of their own. The crate is 9 m away.
 struct SlicedSlab : CrateOnSlab {
   SlicedSlab() {
     view.layers = {Layer::Field};

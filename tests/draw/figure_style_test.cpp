@@ -65,7 +65,7 @@ TEST(FigureStyle, AnEmptyTitleLeavesNoHole) {
 }
 
 TEST(FigureStyle, TypeHasTheSizeThatIsAskedFor) {
-  // 8 pt at 300 dots an inch: an em of 33.3 pixels, whose line is 39.
+  // 8 pt at 300 dots an inch: an em of 33.3 pixels, with a line of 39 pixels.
   Figure figure;
   figure.width = 992;
   figure.height = 1400;

@@ -28,7 +28,7 @@ std::vector<Vec2d> box(double x, double y, double width, double height) {
   return {{x, y}, {x + width, y}, {x + width, y + height}, {x, y + height}};
 }
 
-/// How deep a place is in a box; negative outside.
+/// Depth of a place in a box; negative outside.
 double depth_in(const Point2& p, double x, double y, double width, double height) {
   return std::min(std::min(p.x - x, x + width - p.x), std::min(p.y - y, y + height - p.y));
 }
@@ -56,7 +56,7 @@ TEST(Hatch, LeavesTheHoleOut) {
 }
 
 TEST(Hatch, AHoleThatSharesCornersIsLeftOutToo) {
-  // Half of a square: what a triangle of its corners loses.
+  // Half of a square is lost if a triangle of its corners is kept.
   const std::vector<Stroke> strokes =
       hatched(box(0, 0, 300, 300), {{0, 0}, {300, 0}, {300, 300}}, 2);
   EXPECT_NEAR(2 * length_of(strokes), 45000, 900);

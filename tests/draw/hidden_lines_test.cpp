@@ -25,7 +25,7 @@ TEST(HiddenLines, ASquareSeenEdgeOnHidesNothing) {
   test::Random random(41);
   for (int i = 0; i < 2000; ++i) {
     const Quatd turn(Eigen::AngleAxisd(random.uniform(0, 6), Vec3d::UnitZ()));
-    Quatd noise = Quatd::Identity();  // what a step of a solver leaves
+    Quatd noise = Quatd::Identity();  // rounding that a solver's step leaves
     noise.vec() = random.vector(-3e-17, 3e-17);
     std::vector<Vec3d> side;
     for (const Vec3d& corner : kSquare)
@@ -77,7 +77,7 @@ TEST(HiddenLines, NoGapBetweenTheShadowsOfNeighbours) {
   EXPECT_TRUE(spans[0].hidden);
 }
 
-// What is sunk by as much is hidden behind a floor of any width: 5 mm of 4 m are a pixel of these.
+// The same depth is hidden behind a floor of any width: 5 mm of 4 m are one pixel here.
 TEST(HiddenLines, TheWidthOfAFloorDoesNotDecideWhatItHides) {
   for (const double half : {1.0, 128.0}) {
     const HiddenLines lines(
@@ -90,7 +90,7 @@ TEST(HiddenLines, TheWidthOfAFloorDoesNotDecideWhatItHides) {
 TEST(HiddenLines, PerspectiveShadowWidensBehindTheOccluder) {
   const Camera camera = Camera::perspective({0, 0, 10}, {0, 0, 0}, Vec3d::UnitY(), 0.6, kViewport);
   const HiddenLines lines(camera, {kSquare});
-  // Ten metres behind, the shadow of the half metre is twice as wide.
+  // Ten metres behind, the shadow is twice as wide as the square.
   const std::vector<Span> spans = lines.split({-4, 0, -10}, {4, 0, -10});
   ASSERT_EQ(spans.size(), 3u);
   EXPECT_NEAR(8 * (spans[1].to - spans[1].from), 4, 1e-2);

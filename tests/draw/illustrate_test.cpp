@@ -26,7 +26,7 @@ trace::Shape box(const std::string& name, const Vec3d& h) {
   return shape;
 }
 
-// A cube that stands 5 mm deep in a larger slab: the manifold is known without any pipeline.
+// A cube 5 mm deep in a larger slab: the manifold is known without a pipeline.
 struct BoxOnSlab {
   trace::Header header;
   trace::Frame frame;
@@ -108,7 +108,7 @@ TEST(Illustrate, LegendListsWhatIsVisibleAndNothingElse) {
   EXPECT_THAT(all, testing::Not(testing::Contains("normal, from A to B")));
 }
 
-/// Length in pixels of the normal's shaft in the view; 0 where it is not drawn.
+/// Length in pixels of the normal's shaft in the view; 0 if it is not drawn.
 double normal_length(const Staging& staging, const Drawing& drawing) {
   double longest = 0;
   for (const Primitive& primitive : drawing.primitives) {
@@ -125,7 +125,7 @@ double normal_length(const Staging& staging, const Drawing& drawing) {
 TEST(Illustrate, ANormalIsDrawnInTheViewOrNotInTheLegend) {
   int drawn = 0, left_out = 0;
   for (const auto& [width, height] : {std::pair{320, 180}, {640, 360}, {1280, 720}}) {
-    // The contact higher and higher in the picture, until it leaves the view; and from above.
+    // The contact moves up in the picture until it leaves the view; and a view from above.
     for (int i = 0; i <= 40; ++i) {
       BoxOnSlab scene;
       scene.view.eye = i < 40 ? Vec3d(2.5, 1.5, 3) : Vec3d(0, 5, 1e-9);
@@ -156,7 +156,7 @@ TEST(Illustrate, ANormalPointsFromAToBOnTheScreen) {
     const Fill* head = std::get_if<Fill>(&primitive);
     if (!head || head->polygon.size() != 3 || !same(head->color, kNormal)) continue;
     if (!staging.layout.view.contains(head->polygon.front())) continue;
-    // The tip is the corner that the other two are equally far from.
+    // The tip is the corner with equal distances to the other two.
     const auto& corners = head->polygon;
     std::size_t tip = 0;
     double unlike = 1e9;

@@ -30,8 +30,8 @@ trace::Shape cube(const std::string& name, double half) {
 
 const Vec3d kPlaceOfB(0, 0.8, 0);
 
-/// Corner k of the difference of two cubes with edges of 1 m, of which B is 0.8 m above A: a cube
-/// with edges of 2 m about the place of B. It holds the origin 0.2 m above its lower face.
+/// Corner k of the difference of two cubes with edges of 1 m; B is 0.8 m above A. The difference is
+/// a cube with edges of 2 m about the place of B. Its lower face is 0.2 m below the origin.
 trace::SimplexVertex corner(int k) {
   const Vec3d s(k & 1 ? 0.5 : -0.5, k & 2 ? 0.5 : -0.5, k & 4 ? 0.5 : -0.5);
   return {-s, kPlaceOfB + s};
@@ -165,7 +165,7 @@ TEST(SimplexSteps, NoPointOfASimplexIsNearerThanTheNearest) {
     for (int i = 0; i <= round % 4; ++i)
       points.push_back(place + Vec3d(coordinate(random), coordinate(random), coordinate(random)));
     const Vec3d nearest = nearest_to_origin(points);
-    // All of a convex set lies beyond the plane through its nearest point.
+    // All of a convex set is beyond the plane through its nearest point.
     for (const Vec3d& point : points)
       EXPECT_GE(point.dot(nearest), nearest.squaredNorm() - 1e-12) << round;
     double least = 1e300;
@@ -379,7 +379,7 @@ TEST(GaussMapInset, ACapsulesRingCrossesTheArcsBetweenItsTwoSides) {
   pill.name = "upper";
   pill.type = "capsule";
   pill.radius = 0.1;
-  // Its plane has three faces of the cube on each side, whose arcs to the others are six.
+  // Its plane has three faces of the cube on each side; six arcs connect these sides.
   pill.vertices = {Vec3d(-0.1, -0.2, -0.3), Vec3d(0.1, 0.2, 0.3)};
   pill.edges = {{0, 1}};
   trace::Frame frame = two_cubes();

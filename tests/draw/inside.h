@@ -8,7 +8,7 @@
 
 namespace contactscope::draw {
 
-/// Everything that the primitives cover is inside of the rectangle.
+/// Expects that the rectangle contains everything that the primitives cover.
 inline void expect_inside(const Drawing& drawing, const Rect& rect) {
   const auto inside = [&](const Point2& p, double slack) {
     return p.x >= rect.x - slack && p.x <= rect.x + rect.width + slack && p.y >= rect.y - slack &&

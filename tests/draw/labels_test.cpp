@@ -68,7 +68,7 @@ TEST(LabelPlacer, FarPlacesGetALeader) {
 
 TEST(LabelPlacer, LinesDoNotRunThroughALabelThatHasRoomBesideThem) {
   LabelPlacer placer(kView);
-  placer.avoid({{0, 90}, {300, 90}});  // right above the anchor, where the label wants to be
+  placer.avoid({{0, 90}, {300, 90}});  // directly above the anchor, the label's preferred place
   const auto place = placer.place({150, 100}, kWidth, kAscent, kDescent, {8, {0, -1}});
   ASSERT_TRUE(place);
   const Rect b = box(*place);

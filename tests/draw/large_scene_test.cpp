@@ -156,7 +156,7 @@ TEST(CameraFit, ASphereIsSeenWhole) {
   }
 }
 
-// How long it takes is a matter for tests/bench/render_bench.
+// tests/bench/render_bench measures the time.
 TEST(LargeMesh, TenThousandTrianglesAreDrawn) {
   const BallOn scene(terrain(71, 20), {{0, 0.6, 0}}, Vec3d::UnitY());
   EXPECT_GT(illustrate(scene.staged(), scene.frames[0]).primitives.size(), 500u);
@@ -192,7 +192,7 @@ TEST(LargeMesh, ATouchedTriangleIsHighlightedOnce) {
 }
 
 TEST(ManyOccluders, HideTheSameAsFew) {
-  // The first alone, and again among hundreds of others that are behind it.
+  // The first alone, and again with hundreds of others behind it.
   const Camera camera =
       Camera::perspective({1, 2, 6}, Vec3d::Zero(), Vec3d::UnitY(), 0.6, {0, 0, 800, 600});
   std::mt19937 random(3);

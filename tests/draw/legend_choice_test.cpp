@@ -40,7 +40,7 @@ TEST(LegendChoice, ListsFiveAndLabelsTwo) {
   EXPECT_EQ(many.labelled.size(), 2u);
 }
 
-// Each has a number or a word of its own beside it.
+// Each point has its own number or word next to it.
 TEST(LegendChoice, LabelsNoPoints) {
   const LegendChoice choice = choose_legend(numbered(kPointSwatch, 8, true));
   EXPECT_EQ(choice.listed.size(), 5u);
@@ -53,7 +53,7 @@ TEST(LegendChoice, ListsWhatHasNoPlaceAndWhatIsMany) {
   for (const LegendEntry& entry : numbered(kPointSwatch, 3, true)) entries.push_back(entry);
   for (const LegendEntry& entry : numbered(kBodySwatch, 1, false)) entries.push_back(entry);
   const LegendChoice choice = choose_legend(entries);
-  // The body that has a place goes first, then a face; points and what has no place stay.
+  // The anchored body leaves the list first, then a face; points and unanchored entries stay.
   ASSERT_EQ(choice.labelled.size(), 1u);
   EXPECT_EQ(choice.labelled[0].swatch, &kFaceSwatch);
   EXPECT_FALSE(choice.listed.back().anchor);
@@ -75,7 +75,7 @@ TEST(LegendChoice, LabelsSayTheFirstWords) {
   EXPECT_EQ(label_of(entry), "support");
 }
 
-/// The crate with so much to be explained that no legend of five has room for it.
+/// The crate with more entries than a legend of five can hold.
 struct BusyCrate : CrateOnSlab {
   BusyCrate() {
     persist();
@@ -161,7 +161,7 @@ TEST(NamesOfShapes, StandOnNoneOfSeveralAlike) {
   EXPECT_THAT(drawn, Not(Contains("crate")));
 }
 
-// So that a picture may leave out what anybody sees.
+// A picture may omit obvious names and entries.
 TEST(NamesOfShapes, AndEntriesOfTheLegendAreLeftOutByAnEmptyWord) {
   CrateOnSlab crate;
   crate.view.layers = {Layer::Shapes, Layer::Contacts};

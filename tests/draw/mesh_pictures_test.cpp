@@ -1,4 +1,4 @@
-// What is seen of meshes against meshes, and of meshes that deform, from facts by hand.
+// Pictures of meshes against meshes and of meshes that deform, from facts by hand.
 
 #include <gmock/gmock.h>
 
@@ -29,7 +29,7 @@ trace::Shape surface(const std::string& name, const std::vector<Vec3d>& vertices
   return shape;
 }
 
-/// A level square and one that stands across it, of two triangles each.
+/// A level square and an upright one that crosses it, of two triangles each.
 struct TwoSurfaces {
   trace::Header header;
   std::vector<trace::Frame> frames;
@@ -46,7 +46,7 @@ struct TwoSurfaces {
     view.layers = {Layer::Shapes, Layer::Intersections};
   }
 
-  /// Of the first frame's pair: that the two meet in the step after it.
+  /// Makes the first frame's pair meet in the step after it.
   trace::Impact& hit() {
     trace::Impact& impact = frames[0].pairs[0].impact.emplace();
     impact.method = "time_of_impact";
@@ -122,7 +122,7 @@ TEST(MeshPictures, ATouchThatDoesNotCountIsDashedAndDrawnOnceHoweverManyTriangle
   const Sketch sketch = scene.sketch();
   const auto dashed = std::ranges::count_if(sketch.lines, [](const Line& line) {
     return crate_sample::same(line.style.color, kContact) && line.style.dashed &&
-           line.style.hidden == LineStyle::Hidden::Same;  // what fades is drawn whole
+           line.style.hidden == LineStyle::Hidden::Same;  // faint lines are drawn solid
   });
   EXPECT_EQ(dashed, 1);
 }
@@ -150,7 +150,7 @@ TEST(MeshPictures, CornersOfTheTriangleThatMeetsFirstGoStraightOn) {
   impact.corners_a = {{-1, -1, 1}, {1, -1, 1}, {1, -1, -1}};
   const auto ways = [&] {
     return std::ranges::count_if(scene.sketch().arrows, [&](const Arrow& arrow) {
-      // Their heads end a little before the corners, which they would hide.
+      // The heads end a little before the corners, so as not to hide them.
       const auto ends_at = [&](const Vec3d& corner) { return (corner - *arrow.to).norm() < 0.2; };
       return crate_sample::same(arrow.color, kContact) &&
              std::ranges::any_of(impact.corners_a, ends_at) &&
@@ -179,7 +179,7 @@ TEST(MeshPictures, TrianglesThatMeetFirstBearTheLettersOfTheirMeshes) {
   EXPECT_EQ(letter("B"), Vec3d(1, 0, 0));
 }
 
-// Its contact point is a dot, and its centre is none.
+// Its contact point is a dot, but its centre is not.
 TEST(MeshPictures, ABallThatTouchesHasACrossForItsCentre) {
   TwoSurfaces scene;
   trace::Shape& ball = scene.header.shapes.emplace_back();
@@ -235,7 +235,7 @@ TEST(MeshPictures, ATriangleThatIsNotThereIsLeftOut) {
 TEST(MeshPictures, AMeshThatDeformsIsDrawnAsItIsInTheFrame) {
   TwoSurfaces scene;
   scene.add_frame();
-  // Stood up across the other one: what was its top side looks along -z.
+  // Upright across the other one: its former top side faces -z.
   const std::vector<Vec3d> raised = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
   scene.frames[1].deformed = {{"level", raised, "refitted", 3, 2, {}}};
   const Staging staging = scene.staged();
@@ -265,7 +265,7 @@ TEST(MeshPictures, BoxesOfADeformedMeshesTreeStandInItsPose) {
   EXPECT_EQ(sketch.lines.size(), 12u);
   for (const Line& line : sketch.lines) EXPECT_GE(line.from.y(), 5);
   EXPECT_THAT(legend_texts(sketch), Contains("boxes of the tree, four levels down"));
-  // Of several the largest is set off, with its volume.
+  // The largest of several boxes is highlighted, with its volume.
   scene.frames[0].deformed[0].boxes.push_back({{-1, 0, -1}, {1, 1, 1}});
   const Sketch several = scene.sketch();
   EXPECT_EQ(several.lines.size(), 3u * 12);
@@ -330,7 +330,7 @@ class MeshPanels : public ::testing::Test {
 };
 
 TEST_F(MeshPanels, TheMatrixHasABlockForEachPairOfNodesThatDecidedSomething) {
-  // Two triangles against two: the roots overlap; of four pairs of leaves one does.
+  // Two triangles against two: the roots overlap, and so does one of four pairs of leaves.
   scene.frames[0].pairs[0].query->node_pairs = {
       {0, 2, 0, 2, true, false}, {0, 1, 0, 1, true, true},  {0, 1, 1, 1, false, true},
       {1, 1, 0, 1, false, true}, {1, 1, 1, 1, false, true},

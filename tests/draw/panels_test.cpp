@@ -1,4 +1,4 @@
-// What panels say, from facts by hand. Their charts have tests of their own.
+// Contents of panels, from facts by hand. Their charts have tests of their own.
 
 #include "draw/panels/panel.h"
 
@@ -49,7 +49,7 @@ class PanelSheet : public ::testing::Test {
     return make_panels(staging, scene.frames).at(0).content->need({});
   }
 
-  /// The crate beside itself so many times.
+  /// Copies the crate's pair until there are `times` of it.
   void repeat_pair(int times) {
     for (int i = 1; i < times; ++i) {
       scene.frames[0].pairs.push_back(scene.pair());
@@ -160,7 +160,7 @@ TEST_F(PanelSheet, AxisHistoryCountsSwitchesAndCacheHitsUpToTheFrame) {
   EXPECT_THAT(title(4), Contains("1 of 5"));
   EXPECT_THAT(title(4), IsSupersetOf({"faces of A", "faces of B", "edges"}));
   EXPECT_THAT(title(4), Contains("full test"));
-  // The axis of each frame, and below it the frames without an answer of the cache.
+  // The axis of each frame, and below it the frames that the cache could not answer.
   std::vector<Rect> dark, axes;
   const Drawing drawing = filled(Panel::AxisHistory, kSheet, {4}).drawing;
   for (const Primitive& primitive : drawing.primitives) {

@@ -2,7 +2,7 @@
 
 #include "crate_on_slab.h"
 
-/// What each primitive of a drawing shows.
+/// The part of the scene that each primitive of a drawing shows.
 namespace contactscope::draw {
 namespace {
 
@@ -53,7 +53,7 @@ TEST(Parts, EveryPrimitiveOfAPictureIsOfALayerOrACaption) {
 }
 
 TEST(Parts, SurfacesCutAndSortedByDepthKeepTheirLayer) {
-  // The reference face lies in the crate's own bottom: one after the other, whatever is cut.
+  // The reference face coincides with the crate's bottom: drawn one after the other despite cuts.
   CrateOnSlab scene;
   scene.view.layers = {Layer::Shapes, Layer::Support};
   scene.balance("stable");
@@ -94,7 +94,7 @@ TEST(Parts, APartInWhichNothingWasDrawnIsLeftOut) {
   drawing.begin("shapes");
   drawing.begin("contacts", "a b", "mark");
   drawing.primitives.push_back(Disc{});
-  drawing.begin("contacts", "a b", "mark");  // the same again is no new part
+  drawing.begin("contacts", "a b", "mark");  // repeated arguments begin no new part
   drawing.primitives.push_back(Disc{});
   drawing.begin("contacts", "a c", "mark");
   drawing.primitives.push_back(Disc{});

@@ -1,4 +1,4 @@
-// What a picture costs, counted in drawings of layers and not in seconds.
+// Cost of a picture, measured as calls that draw layers, not in seconds.
 
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ LayerTable counting_table() {
   return table;
 }
 
-/// A sequence in which the crate slides, with so many frames and pairs.
+/// A sequence in which the crate slides, with the given numbers of frames and pairs.
 CrateOnSlab sliding(int frames, std::size_t pairs) {
   CrateOnSlab scene;
   const trace::Frame first = scene.frames.front();
@@ -83,7 +83,7 @@ TEST(PictureCost, LayersThatAViewDoesNotNameAreNotAsked) {
   EXPECT_EQ(counts.explained, 0);
 }
 
-// Some legends are made apart from the drawing: neither may know more than the other.
+// Some legends are made separately from the drawing: neither may contain more than the other.
 TEST(PictureCost, WhatDrawsNothingExplainsNothing) {
   CrateOnSlab scene;
   for (std::size_t i = 0; i < kLayerNames.size(); ++i) {

@@ -172,7 +172,7 @@ TEST(PlotCurves, WithoutFailuresNoneAreExplainedAndTheCurvesHaveTheirRoom) {
   EXPECT_LT(highest(), with_failures - 10);
 }
 
-/// Rings as they are about what is marked.
+/// Number of rings around marked points.
 int rings_in(const Drawing& drawing) {
   return static_cast<int>(std::ranges::count_if(all_of<Disc>(drawing), [](const Disc& disc) {
     return disc.inner > 6 && disc.color.r == kText.r && disc.color.g == kText.g;
@@ -360,7 +360,7 @@ TEST(PlotCurves, WhatHasOneValueAPointIsNotCalledTheLargest) {
 }
 
 TEST(PlotCurves, OneHeightIsOneErrorInEveryPanelOfARow) {
-  // Dots of the flat line of "double" are level across the three panels of the upper row.
+  // The dots of "double", a flat line, are at one height in the three panels of the upper row.
   std::multiset<float> heights;
   for (const Disc& disc : all_of<Disc>(plot_curves(curves(), 1280, 720))) {
     heights.insert(std::round(disc.center.y * 8) / 8);
@@ -383,7 +383,7 @@ TEST(PlotMap, ACellForEachPointAndACrossWhereSomeFailed) {
   map.series[0].points[4].failed = 1;
   EXPECT_EQ(count(), std::pair(fills, strokes + 2));
   map.series[0].points[4].error = map.series[0].points[4].error_worst = std::nullopt;
-  // Where all failed a hatching stands for the colour and for the cross.
+  // If all failed, hatching replaces the colour and the cross.
   EXPECT_EQ(count().first, fills - 1);
   EXPECT_GT(count().second, strokes + 10);
 }
@@ -454,7 +454,7 @@ TEST(PlotAnswers, EachAnswerHasAColourAndWhatIsWrongASquare) {
   trace::Study study = answers();
   const Drawing right = plot_answers(study, 1280, 720);
   EXPECT_EQ(std::ranges::count(words(right), "0 of 144 wrong"), 3);
-  // A row of a panel has at most three stretches of one colour; the legend has four boxes.
+  // A row of a panel has at most three runs of one colour; the legend has four boxes.
   EXPECT_EQ(all_of<Fill>(right).size(), 3u * (3 * 12 - 2) + 4);
   study.series[7].points[2].failed = 1;
   study.series[7].points[9].failed = 1;
@@ -462,7 +462,7 @@ TEST(PlotAnswers, EachAnswerHasAColourAndWhatIsWrongASquare) {
   EXPECT_EQ(std::ranges::count(words(wrong), "0 of 144 wrong"), 2);
   EXPECT_EQ(std::ranges::count(words(wrong), "2 of 144 wrong"), 1);
   EXPECT_EQ(all_of<Fill>(wrong).size(), all_of<Fill>(right).size() + 2);
-  // An answer that changes changes a colour: where it stands alone, a stretch becomes three.
+  // A changed answer changes a colour: a single one splits a run into three.
   study.series[7].points[9].error = 2;
   EXPECT_EQ(all_of<Fill>(plot_answers(study, 1280, 720)).size(), all_of<Fill>(wrong).size() + 2);
 }

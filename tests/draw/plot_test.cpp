@@ -20,8 +20,8 @@ trace::StudyPoint point(double parameter, double error, double nanoseconds) {
   return {parameter, error, 4 * error, {nanoseconds, 0.9 * nanoseconds, 1.3 * nanoseconds}, 0, 100};
 }
 
-/// As crowded as a study of reducers becomes: many lines close together, one exact method, one that
-/// fails now and then and one that always does.
+/// As crowded as a study of reducers becomes: many lines close to each other, one exact method, one
+/// that sometimes fails and one that always fails.
 trace::Study crowded(int methods = 18) {
   trace::Study study;
   study.study = "reducers";
@@ -44,7 +44,7 @@ trace::Study crowded(int methods = 18) {
   return study;
 }
 
-/// Where the letters stand: from the height of capitals to a little under the baseline.
+/// Bounds of the letters: from the height of capitals to a little below the baseline.
 Rect box_of(const Text& text) {
   const FontWeight weight = text.weight == Weight::Bold ? FontWeight::Bold : FontWeight::Regular;
   const double width = text_width(text.text, text.size, weight);
@@ -130,7 +130,7 @@ TEST(Plot, WithoutWorstErrorsThereIsOnePanel) {
   EXPECT_THAT(all, Not(Contains("worst")));
 }
 
-/// The crowded study as two panels, the second ten times as slow.
+/// The crowded study as two panels, the second one ten times as slow.
 trace::Study panelled() {
   trace::Study study = crowded(3);
   std::vector<trace::StudySeries> slow = study.series;
@@ -230,7 +230,7 @@ TEST(OnFront, HoldsWhatNoOtherBeatsAtTheSameParameter) {
                   {"only_failures", {{5, {}, {}, {1, 1, 1}, 3, 3}}}};
   EXPECT_THAT(on_front(study, ErrorKind::Mean),
               testing::ElementsAre(true, true, false, true, false));
-  // In panels the parameter is how hard a method tries: slow and far is beaten at any.
+  // In panels the parameter is a method's effort: slow and inaccurate points lose at any effort.
   for (trace::StudySeries& series : study.series) series.panel = "iterations";
   EXPECT_THAT(on_front(study, ErrorKind::Mean),
               testing::ElementsAre(true, true, false, false, false));

@@ -88,7 +88,7 @@ TEST(Radii, OverlapOfTwoSpheresIsTheSumOfTheRadiiLessTheDistanceOfTheCentres) {
   const Sketch sketch = scene.sketch();
   EXPECT_THAT(said(sketch), Contains("overlap 500 + 300 − 620 = 180 mm"));
   EXPECT_THAT(said(sketch), Contains("A's centre"));
-  // Both radii and the distance, beside the line between the centres and as long as they are; no two of them in one column.
+  // Both radii and the distance next to the line between the centres, to scale, in own columns.
   std::vector<double> lengths, columns;
   for (const Arrow& arrow : sketch.arrows) {
     if (!arrow.double_headed) continue;
@@ -174,7 +174,7 @@ TEST(Radii, BeyondTheSurfaceOfAHullTheDistanceIsAdded) {
   EXPECT_THAT(said(scene.sketch()), Contains("overlap 300 + 30 = 330 mm"));
 }
 
-// There is nothing to add where the centre is on the surface of a hull.
+// If the centre is on the surface of a hull, there is nothing to add.
 TEST(Radii, OnTheSurfaceOfAHullTheOverlapIsTheRadius) {
   RoundScene scene(cuboid("block", {0.8, 0.35, 0.5}), Vec3d(0, -0.35, 0),
                    round_shape("ball", {Vec3d::Zero()}, 0.3), Vec3d::Zero());
@@ -239,7 +239,7 @@ TEST(ClippedSegment, TheAxisOfACapsuleIsCutAtTheSideThatItCrosses) {
   });
   ASSERT_NE(green, sketch.lines.end());
   EXPECT_NEAR((green->to - green->from).norm(), 0.7, 1e-9);
-  // The plane that cuts is drawn, and none where the whole axis is over the face.
+  // The cutting plane is drawn; no plane is drawn if the whole axis is over the face.
   const auto planes = [](const Sketch& drawn) {
     return std::ranges::count_if(drawn.surfaces, [](const Surface& surface) {
       return crate_sample::same(with_alpha(surface.color, 1), kSidePlane);
@@ -251,13 +251,13 @@ TEST(ClippedSegment, TheAxisOfACapsuleIsCutAtTheSideThatItCrosses) {
   within.touch(Vec3d::UnitY(), "face_a",
                {{{-0.4, 0, 0.1}, -0.02, "a:f2 b:v0"}, {{0.6, 0, 0.1}, -0.02, "a:f2 b:v1"}});
   EXPECT_EQ(planes(within.sketch()), 0);
-  // Whatever made the contact of closest points, no face did.
+  // A contact of closest points has no reference face.
   scene.pair().manifolds[0].axis = "closest_points";
   EXPECT_FALSE(clipped_segment(shown, scene.pair()));
   EXPECT_FALSE(face_of_round(shown, scene.pair()));
 }
 
-// A block has room for the text, but it must not lie on one of its edges.
+// A block has room for the text, but the text must not cross its edges.
 TEST(Radii, TheirSumStandsOffTheEdgesOfAHull) {
   RoundScene scene(cuboid("block", {0.9, 0.35, 0.6}), Vec3d(0, -0.35, 0),
                    round_shape("ball", {Vec3d::Zero()}, 0.3), Vec3d(0, 0.12, 0));

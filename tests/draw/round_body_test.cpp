@@ -23,7 +23,7 @@ Camera flat_from(const Vec3d& eye) {
 const RoundBody kBall{{{0.3, -0.2, 0.1}}, 0.5};
 const RoundBody kPill{{{-0.6, 0.1, 0.2}, {0.5, 0.4, -0.3}}, 0.3};
 
-// Distance from the middle of the body, whatever its core.
+// Distance from the core.
 double core_distance(const RoundBody& body, const Vec3d& p) {
   const Vec3d& a = body.core.front();
   const Vec3d along = body.core.back() - a;
@@ -32,7 +32,7 @@ double core_distance(const RoundBody& body, const Vec3d& p) {
   return (p - a - t * along).norm();
 }
 
-// Nearest that the line through `p` along `direction` comes to the core, by exhaustion.
+// Smallest distance from the core to the line through `p` along `direction`, by exhaustion.
 double nearest_on_ray(const RoundBody& body, const Vec3d& p, const Vec3d& direction) {
   double nearest = 1e9;
   for (int i = -4000; i <= 4000; ++i) {
@@ -50,7 +50,7 @@ TEST(RoundBody, SlowOutlineIsWhereTheViewRayTouchesTheSurface) {
       for (std::size_t i = 0; i < outline.size(); i += 5) {
         const Vec3d& p = outline[i];
         EXPECT_NEAR(core_distance(body, p), body.radius, 1e-12);
-        // The ray comes no nearer anywhere: it touches.
+        // The ray is nowhere nearer: it touches.
         EXPECT_NEAR(nearest_on_ray(body, p, camera.to_eye(p)), body.radius, 1e-9);
       }
     }
@@ -69,7 +69,7 @@ TEST(RoundBody, OutlineGoesAroundOnce) {
       const double px = p.x - middle.x, py = p.y - middle.y;
       const double qx = q.x - middle.x, qy = q.y - middle.y;
       const double step = std::atan2(px * qy - py * qx, px * qx + py * qy);
-      EXPECT_LE(step, 1e-6);  // convex, and all one way
+      EXPECT_LE(step, 1e-6);  // convex, and in one direction
       turned += step;
     }
     EXPECT_NEAR(turned, -2 * std::acos(-1.0), 1e-6);
@@ -137,7 +137,7 @@ TEST(RoundBody, SlowHidesWhatAViewRayMeetsItBefore) {
         const Vec3d on_ray = p + (k / 4000.0) * (camera.eye() - p);
         nearest = std::min(nearest, core_distance(body, on_ray));
       }
-      if (std::abs(nearest - body.radius) < 0.02) continue;  // beside the outline
+      if (std::abs(nearest - body.radius) < 0.02) continue;  // near the outline
       const bool hidden = lines.split(p, p + Vec3d(1e-4, 0, 0)).front().hidden;
       EXPECT_EQ(hidden, nearest < body.radius) << p.transpose();
       (hidden ? hidden_count : seen_count)++;

@@ -33,7 +33,7 @@ double volume(const trace::Shape& shape) {
   return six / 6;
 }
 
-/// Faces, strips and caps close it, all on the surface that they stand for.
+/// Faces, strips and caps close it, and all are on the surface that they represent.
 TEST(Rounded, ABoxIsClosedAndAsLargeAsItsMarginMakesIt) {
   for (const double margin : {0.01, 0.1, 1.0}) {
     const Vec3d half(0.5, 0.3, 0.2);
@@ -50,7 +50,7 @@ TEST(Rounded, ABoxIsClosedAndAsLargeAsItsMarginMakesIt) {
       const Vec3d beyond = (vertex.cwiseAbs() - half).cwiseMax(0);
       EXPECT_NEAR(beyond.norm(), margin, 1e-12);
     }
-    // Steiner's formula: the box, slabs on its faces, quarters of cylinders along its edges, a ball.
+    // Steiner's formula: the box, slabs on its faces, quarter cylinders along its edges, a ball.
     const Vec3d sides = 2 * half;
     const double whole =
         sides.prod() +

@@ -25,7 +25,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 
-/// Five frames: in the air, then on one, two, four points; the last one has slid off.
+/// Five frames: in the air, then on one, two, four points; in the last one it has slid off.
 std::vector<trace::Frame> settling() {
   CrateOnSlab scene;
   std::vector<trace::Frame> frames(5, scene.frames[0]);
@@ -59,7 +59,7 @@ std::vector<trace::Frame> settling() {
 
 const Rect kPanel{900, 80, 330, 520};
 
-/// What a panel draws of a sequence where there is this room under its heading.
+/// Draws a panel of a sequence, with `room` under its heading.
 Drawing panel_of(Panel panel, const std::vector<trace::Frame>& frames, std::size_t moment,
                  const Rect& room = kPanel, float pixel = 1, std::vector<Layer> layers = {}) {
   CrateOnSlab scene;
@@ -104,12 +104,11 @@ TEST(StabilityPanel, TellsAgesWhereThePictureTellsThem) {
       return disc != nullptr && same(disc->color, kContact) && disc->inner > 0;
     });
   };
-  EXPECT_EQ(rings({Layer::Persistent}), 1);  // of the half-filled dot of the point that was kept
+  EXPECT_EQ(rings({Layer::Persistent}), 1);  // of the half-filled dot of the persisted point
   EXPECT_EQ(rings({Layer::Contacts}), 0);
 }
 
-/// Level lines of the verdicts' rows, in the style of the only pair: height and length, from the
-/// left.
+/// Height and length, from the left, of the lines in the verdicts' rows in the only pair's style.
 std::vector<std::pair<float, float>> verdict_levels(const Drawing& drawing) {
   std::vector<std::pair<float, float>> levels;
   float rows = 0;  // top of the rows: the first of the bands behind them
@@ -198,7 +197,7 @@ TEST(TimeSeries, ReducedPointsAreInTheStripAndPairsWithLabelsAreSeriesOfTheirOwn
   EXPECT_THAT(all[1].penetration, ElementsAre(0, 0.001, 0.002, 0.003, 0.004));
 }
 
-/// The crate and a second one beside it, twice as deep and only in the last two frames.
+/// The crate and a second one next to it, twice as deep and only in the last two frames.
 std::vector<trace::Frame> two_pairs() {
   std::vector<trace::Frame> frames = settling();
   for (trace::Frame& frame : frames) {

@@ -1,4 +1,4 @@
-// What a picture says of forces, margins and unusual normals, from facts by hand.
+// Forces, margins and unusual normals in pictures, from facts by hand.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ std::vector<std::string> legend_words(const Sketch& sketch) {
   return all;
 }
 
-/// Two frames a tenth of a second apart, in which each of the crate's points is given so much.
+/// Two frames a tenth of a second after each other, with an impulse at each of the crate's points.
 struct PushedCrate : CrateOnSlab {
   explicit PushedCrate(double newton_seconds) {
     solve(newton_seconds);
@@ -59,7 +59,7 @@ TEST(Loads, TheSumOfSeveralPointsStandsAtABracketOverAllOfThem) {
   EXPECT_THAT(words_of(sketch), Not(Contains("20.0 N")));
   const std::vector<Line> bracket = brackets(sketch);
   ASSERT_EQ(bracket.size(), 4u) << "an arm, the back, an arm, and the tip";
-  // Its back runs beside both points, which are 1 m apart, seen at an angle, and a little beyond them.
+  // The back spans both points, 1 m from each other, seen at an angle, and a little more.
   const double back = (bracket[1].to - bracket[1].from).norm();
   EXPECT_GT(back, 0.9);
   EXPECT_LT(back, 1.3);

@@ -1,4 +1,4 @@
-// Pictures of incremental manifolds, of stability, and of what a solver does, from facts by hand.
+// Pictures of incremental manifolds, stability and solvers, from facts by hand.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -88,7 +88,7 @@ TEST(IncrementalPicture, DriftOfAnchorsIsDrawnToAStatedFactorAndNotWhereADotHide
   const Staging staging = scene.staged();
   EXPECT_GT(staging.scales.drift, 1);
   const Sketch sketch = sketch_frame(staging, scene.frames[0]);
-  ASSERT_EQ(sketch.lines.size(), 2u);  // a halo and the line, of one point alone
+  ASSERT_EQ(sketch.lines.size(), 2u);  // a halo and the line, of only one point
   EXPECT_NEAR((sketch.lines[1].to - sketch.lines[1].from).norm(), 0.002 * staging.scales.drift,
               1e-12);
   EXPECT_THAT(legend(sketch), Contains(HasSubstr("× ")));
@@ -110,8 +110,8 @@ TEST(IncrementalPicture, CoreOfABoxIsASmallerBoxWithTwelveDashedEdges) {
   }
   EXPECT_THAT(legend(sketch), ElementsAre("core, 100 mm within the faces",
                                           "core and margin: the surface that touches"));
-  // What touches is the outline of all that is 0.1 m about it: rays of the eye touch it there, and
-  // it is within the crate.
+  // The touching surface is the outline of everything within 0.1 m of the core: rays of the eye
+  // touch it there, and it is inside the crate.
   ASSERT_EQ(sketch.curves.size(), 1u);
   const Vec3d center = scene.frames[0].poses[1].second.position;
   for (const Vec3d& place : sketch.curves[0].points) {
@@ -124,7 +124,7 @@ TEST(IncrementalPicture, CoreOfABoxIsASmallerBoxWithTwelveDashedEdges) {
   }
 }
 
-/// The cores of the crate and the slab by GJK, at the crate's first corner.
+/// Sets the distance of the cores of crate and slab by GJK, at the crate's first corner.
 void part_cores(CrateOnSlab& scene, double distance) {
   scene.persist();
   scene.pair().incremental->query = "gjk";
@@ -158,7 +158,7 @@ TEST(IncrementalPicture, CoresThatOverlapSayHowDeepAndByWhichMethod) {
   scene.persist();
   scene.pair().incremental->query = "sat";
   trace::PersistentPoint& deepest = scene.pair().incremental->points[1];
-  deepest.point.separation = -0.2;  // of which 0.15 are the margins
+  deepest.point.separation = -0.2;  // 0.15 of this are the margins
   deepest.point.on_a = Vec3d(0.5, 0.1, 0.5);
   deepest.point.on_b = Vec3d(0.5, -0.1, 0.5);
   scene.view.layers = {Layer::Core};
@@ -166,7 +166,7 @@ TEST(IncrementalPicture, CoresThatOverlapSayHowDeepAndByWhichMethod) {
   EXPECT_THAT(labels(sketch), ElementsAre("cores overlap 50.0 mm, by SAT", "A's margin 50.0 mm",
                                           "B's margin 100 mm"));
   ASSERT_EQ(sketch.arrows.size(), 1u);
-  // Beside the whole overlap, which is the contact's whisker.
+  // Next to the whole overlap, which is the contact's whisker.
   const Vec3d from = sketch.arrows[0].from, to = *sketch.arrows[0].to;
   EXPECT_NEAR((to - from - Vec3d(0, -0.05, 0)).norm(), 0, 1e-12);
   EXPECT_NEAR(from.y(), 0.05, 1e-12);
@@ -241,7 +241,7 @@ TEST(StabilityPicture, PanelIsExplainedWhereNoLayerShowsTheSame) {
   EXPECT_THAT(picture_legend(),
               ElementsAre("support: a line between two points", "axis about which the body turns",
                           "margin: to the border of the support"));
-  scene.pair().stability->margin = 0;  // in balance: there is no such arrow
+  scene.pair().stability->margin = 0;  // in balance: no such arrow
   EXPECT_THAT(picture_legend(),
               ElementsAre("support: a line between two points", "axis about which the body turns"));
   scene.view.layers = {Layer::Support};
@@ -256,7 +256,7 @@ TEST(StabilityPicture, FreeAxisIsNamedAndTurnsTheWayThatTheBodyFalls) {
   const Sketch sketch = scene.sketch();
   EXPECT_THAT(labels(sketch), ElementsAre("unstable: turns about a line"));
   EXPECT_THAT(legend(sketch), Contains("axis about which the body turns"));
-  // The crate's centre lies at smaller z than the axis, so that it sinks there.
+  // The crate's centre has a smaller z than the axis, so it sinks on that side.
   ASSERT_EQ(sketch.arrows.size(), 1u);
   const Arrow& tip = sketch.arrows[0];
   const std::vector<Vec3d>& arc = sketch.curves.back().points;
@@ -425,7 +425,7 @@ TEST(DynamicsPicture, LoadsAreForcesOverAFrameAndOneSumAPair) {
   scene.frames[1].frame = 1;
   scene.frames[1].time = scene.frames[0].time + 0.01;
   scene.view.layers = {Layer::Impulses, Layer::Loads};
-  scene.view.impulse_scale = 0.002;  // metres for one newton
+  scene.view.impulse_scale = 0.002;  // metres per newton
   const Staging staging = scene.staged();
   EXPECT_NEAR(staging.scales.step, 0.01, 1e-15);
   const Sketch sketch = sketch_frame(staging, scene.frames[0]);

@@ -9,7 +9,7 @@ namespace {
 
 using crate_sample::CrateOnSlab;
 
-/// Ten frames in which a crate rises by 1 cm each; the first alone touches.
+/// Ten frames in which a crate rises by 1 cm each; only the first touches.
 CrateOnSlab rising() {
   CrateOnSlab scene;
   scene.view.layers = {Layer::Shapes, Layer::Contacts, Layer::Normals};
@@ -50,7 +50,7 @@ TEST(Strip, HasOneTitleOneLegendAndAMomentACell) {
   EXPECT_EQ(texts_of(page, "A crate on a slab").size(), 1u);
   EXPECT_EQ(texts_of(page, "none").size(), 1u) << "the source";
   EXPECT_EQ(texts_of(page, "frame ").size(), 3u);
-  // Only the first frame has contacts, and the legend of all explains them.
+  // Only the first frame has contacts, but the common legend explains them.
   const auto legend_of_one = legend_of(strip.cell(), scene.frames[0]).listed;
   for (const LegendEntry& entry : legend_of_one)
     EXPECT_EQ(texts_of(page, entry.text).size(), 1u) << entry.text;

@@ -18,7 +18,7 @@ constexpr std::array kThemes = {Theme::Light, Theme::Dark, Theme::Grey, Theme::P
 constexpr std::array kRoles = {kReferenceFace, kSidePlane, kIncidentFace, kClipPolygon,
                                kContact,       kDropped,   kNormal,       kAxis};
 
-/// The drawing with all colours, also those of halos and ground, black.
+/// The drawing with all colours black, including those of halos and ground.
 Drawing without_colors(Drawing drawing) {
   drawing.background = {};
   for (Primitive& primitive : drawing.primitives) {
@@ -28,7 +28,7 @@ Drawing without_colors(Drawing drawing) {
   return drawing;
 }
 
-/// Everything that a primitive says but its colours, spelled out.
+/// The text form of a primitive without its colours.
 std::string spelled(const Drawing& drawing) {
   std::string all;
   const auto add = [&](double number) { all += std::to_string(number) + ' '; };
@@ -97,7 +97,7 @@ TEST(Theme, GreyHasNoHueAndKeepsRolesApart) {
     EXPECT_NEAR(grey(role).r, grey(role).g, 2e-3);
     EXPECT_NEAR(grey(role).g, grey(role).b, 2e-3);
   }
-  // Those that stand side by side in pictures of clipping, darkest first.
+  // Neighbours in pictures of clipping, darkest first.
   const std::array rising = {kContact, kReferenceFace, kClipPolygon, kIncidentFace};
   for (std::size_t i = 1; i < rising.size(); ++i)
     EXPECT_GT(grey(rising[i]).g, grey(rising[i - 1]).g + 0.06f) << i;

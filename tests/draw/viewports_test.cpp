@@ -11,7 +11,7 @@ namespace {
 using crate_sample::CrateOnSlab;
 using ::testing::Contains;
 
-/// The crate on its slab twice, 5 m apart.
+/// The crate on its slab twice, at a distance of 5 m.
 struct TwoCrates : CrateOnSlab {
   TwoCrates() {
     view.layers = {Layer::Shapes, Layer::Contacts};
@@ -44,7 +44,7 @@ TEST(SideBySide, PairsHaveEqualParallelViewports) {
   EXPECT_DOUBLE_EQ(left.frame.height, right.frame.height);
   EXPECT_DOUBLE_EQ(left.camera->pixels_per_metre(Vec3d::Zero()),
                    right.camera->pixels_per_metre(Vec3d::Zero()));
-  // What is 5 m aside stands in the same place of its own viewport.
+  // A point 5 m aside is at the same place in its own viewport.
   const Point2 of_left = *left.camera->project({0.5, 0, 0.5});
   const Point2 of_right = *right.camera->project({5.5, 0, 0.5});
   EXPECT_NEAR(of_left.x - left.frame.x, of_right.x - right.frame.x, 1e-3);
@@ -108,7 +108,7 @@ TEST(SideBySide, OnePairKeepsTheUsualView) {
   EXPECT_TRUE(crate.staged().viewports.empty());
 }
 
-/// Two points a millimetre apart on a crate of a metre.
+/// Two points at a distance of 1 mm on a crate of 1 m.
 struct TinyPatch : CrateOnSlab {
   TinyPatch() {
     view.layers = {Layer::Shapes, Layer::Contacts};
@@ -132,7 +132,7 @@ TEST(Magnifiers, ShowWhatIsSmallerThanItsDots) {
   EXPECT_FALSE(tiny.staged().magnifier);
 }
 
-// Beside the shapes there is room for a larger one; where they fill the view, the smallest covers something.
+// There is room for a larger one next to the shapes; if they fill the view, it covers some.
 TEST(Magnifiers, AreLargerWhereTheyCoverNothing) {
   TinyPatch tiny;
   tiny.view.eye = Vec3d(2, 2, 4);
@@ -154,7 +154,7 @@ TEST(Magnifiers, AreNotThereWhereTheSubjectIsSeen) {
   EXPECT_FALSE(crate.staged().magnifier);
 }
 
-// Under the magnifier nothing of the view is left, and no label of the view stands there.
+// The magnifier hides the view below it, and no label of the view is there.
 TEST(Magnifiers, KeepLabelsOff) {
   TinyPatch tiny;
   tiny.pair().label = "a pair";
@@ -168,7 +168,7 @@ TEST(Magnifiers, KeepLabelsOff) {
   }
 }
 
-// Whiskers of two lengths in one picture would have to be told apart.
+// The reader would have to distinguish whiskers of two scales in one picture.
 TEST(Magnifiers, HaveTheOnlyWhiskersWhereTheyShowThemToScale) {
   TinyPatch tiny;
   tiny.header.title = "{overlap} deep";

@@ -1,6 +1,6 @@
-// Two bodies that hit each other, without gravity: both momenta, the energy and the spin of balls. The
-// oracle works them out by itself, in double: of each body its mass, centre, rotation, velocity and
-// spin, and the principal moments of its form in closed form.
+// Two bodies that hit each other without gravity: momenta, energy, and the spin of balls. The
+// oracle computes these itself, in double, from each body's mass, centre, rotation, velocity and
+// spin, and from the principal moments of its form in closed form.
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ struct Motion {
   Vec3d linear = Vec3d::Zero();                // kg m / s
   Vec3d angular = Vec3d::Zero();               // kg m^2 / s, about the origin
   double energy = 0;                           // J
-  double linear_scale = 0, angular_scale = 0;  // sums of the lengths of what the vectors sum up
+  double linear_scale = 0, angular_scale = 0;  // sums of the lengths of the summed vectors
 };
 
 template <class S>
@@ -44,16 +44,16 @@ Motion motion_of(const std::vector<Body<S>>& bodies, const std::vector<Form>& fo
   return sum;
 }
 
-/// What two bodies' encounter has changed.
+/// Changes caused by an encounter of two bodies.
 struct Change {
   bool hit = false;
-  double linear = 0, angular = 0;  // of the scales
-  double gained = 0;               // of the energy at the start
-  double spin = 0;                 // of balls, times the size, of the speed
+  double linear = 0, angular = 0;  // relative to the scales
+  double gained = 0;               // relative to the energy at the start
+  double spin = 0;                 // of balls, times the size, relative to the speed
 };
 
-/// Two balls or boxes at random that fly at each other, past the middle, by up to a fifth of their size
-/// in a frame: from the frame before they meet to three frames after.
+/// Two random balls or boxes that fly at each other off-centre, by up to a fifth of their size in a
+/// frame, from the frame before they meet to three frames after.
 template <class S>
 Change random_encounter(Random& random, const SolverSettings& settings, double restitution,
                         double friction) {
@@ -127,7 +127,7 @@ void expect_momenta_kept(int count, double tolerance) {
     hits += change.hit;
     ASSERT_LE(change.linear, tolerance) << i;
     ASSERT_LE(change.angular, tolerance) << i;
-    // Projection turns what spins, which keeps its angular momentum and not its energy.
+    // Projection turns spinning bodies, which preserves angular momentum but not energy.
     const bool projects = settings.position_correction == PositionCorrection::Projection;
     EXPECT_LE(change.gained, projects ? 0.2 : 0.03) << i;
     if (friction == 0) {
@@ -142,7 +142,7 @@ TEST(SlowBounce, RandomBallsAndBoxesKeepBothMomentaAndNoFrictionlessBallSpins) {
   expect_momenta_kept<float>(250, 1e-3);
 }
 
-// Off-centre and elastic, with all sub-steps in which they could meet.
+// Off-centre and elastic, with every sub-step in which they could meet.
 TEST(Bounce, TwoElasticBallsThatGlanceKeepMomentaAndEnergyAndDoNotSpin) {
   for (const PositionCorrection correction :
        {PositionCorrection::Baumgarte, PositionCorrection::Projection, PositionCorrection::Soft}) {

@@ -1,5 +1,4 @@
-// Nothing passes through a thin wall between two frames, whatever its speed, and what does not move
-// fast is not held back.
+// Nothing passes through a thin wall between two frames, and slow bodies are not held back.
 
 #include <gtest/gtest.h>
 
@@ -13,7 +12,7 @@ enum class Bullet { Sphere, Box, Rod };
 enum class Wall { Box, Triangles, Flying };
 constexpr double kHalfWall = 0.005;  // metres
 
-/// A wall across x of 1 cm, or of nothing at all, and a bullet that flies at it from the left.
+/// A wall across x, 1 cm thick or without thickness, and a bullet that flies at it from the left.
 template <class S>
 struct Shot {
   Scene<S> scene;
@@ -26,7 +25,7 @@ struct Shot {
     } else {
       scene.add_box({kHalfWall, 5, 5}, {}, wall == Wall::Flying ? 1000 : 0);
     }
-    // Anywhere in the step, so that the wall is met at all of its times.
+    // Anywhere in the step, so that the wall is hit at all times of it.
     const Vec3d from(-0.6 - random.uniform(0, 1) * std::max(speed / 60, 0.05), 0, 0);
     const Pose<double> pose{random.rotation(), from};
     if (bullet == Bullet::Sphere) scene.add_sphere(0.05, from, 1);
@@ -47,7 +46,7 @@ struct Shot {
     scene.world.pairs[0].continuous = method;
   }
 
-  /// Whether the middle of the bullet is beyond that of the wall.
+  /// Whether the middle of the bullet is beyond the middle of the wall.
   bool is_through() {
     const Vec3<S> apart = scene.body(1).center - scene.body(0).center;
     const Vec3<S> normal = scene.world.bodies[0].inverse_mass > S(0)
@@ -57,7 +56,7 @@ struct Shot {
   }
 };
 
-/// Of `count` bullets those that come through within six frames.
+/// Number of `count` bullets that pass within six frames.
 template <class S>
 int come_through(Bullet bullet, Wall wall, double speed, std::optional<ImpactMethod> method,
                  int count, Random& random) {
@@ -104,8 +103,7 @@ TEST(Tunnelling, SpeculativeContactsStopWhatFliesStraight) {
       0);
 }
 
-/// A ball that is given back all of its velocity is as far from the wall after the step as one that
-/// no step could have cut short.
+/// After the step, a ball that keeps its speed is as far from the wall as without an interruption.
 TEST(ImpactStops, ABallGoesOnForTheRestOfTheStep) {
   Scene<double> scene;
   scene.world.gravity.setZero();
@@ -126,7 +124,7 @@ TEST(ImpactStops, ABallGoesOnForTheRestOfTheStep) {
   EXPECT_NEAR(scene.body(1).center.x(), -1.055, 0.005);
 }
 
-/// Bodies at rest, and what slides or rolls without coming nearer, are never stopped.
+/// Bodies that are at rest, or slide or roll without approaching, are never stopped.
 TEST(ImpactStops, AStackAndASlidingCrateAreLeftAlone) {
   Scene<float> scene;
   scene.friction = 0.2;
@@ -145,8 +143,7 @@ TEST(ImpactStops, AStackAndASlidingCrateAreLeftAlone) {
   EXPECT_NEAR(scene.body(5).center.y(), 4.5, 0.05);
 }
 
-/// One flies at a row of two that stand apart: the first is stopped at the second, and that one,
-/// within the same step, at the third.
+/// A ball hits the first of two others and stops; that one stops at the second in the same step.
 TEST(ImpactStops, WhatWasPushedIsLookedAtAgain) {
   Scene<double> scene;
   scene.world.gravity.setZero();
@@ -163,11 +160,10 @@ TEST(ImpactStops, WhatWasPushedIsLookedAtAgain) {
   EXPECT_NEAR(scene.body(0).velocity.x(), 0, 1e-9);
   EXPECT_NEAR(scene.body(1).velocity.x(), 0, 1e-9);
   EXPECT_NEAR(scene.body(2).velocity.x(), 600, 1e-9);
-  EXPECT_NEAR(scene.body(2).center.x(), 10 + 0.4, 0.02);  // the way is longer by two breadths
+  EXPECT_NEAR(scene.body(2).center.x(), 10 + 0.4, 0.02);  // the path is longer by two diameters
 }
 
-/// The wall is driven by a script, as fast as one likes, and the ball that stands in its way is taken
-/// along.
+/// A script drives the wall, at any speed, and the wall carries along the ball in its path.
 TEST(ImpactStops, AScriptedWallTakesTheBallAlong) {
   Scene<double> scene;
   scene.world.gravity.setZero();

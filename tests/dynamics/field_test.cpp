@@ -31,7 +31,7 @@ TEST(FieldBody, HasTheMassOfWhatItIsMadeOfAlsoMovedScaledAndInsideOut) {
   }
 }
 
-/// A body on the ground keeps its height within a tenth of a millimetre for two seconds, and its pose.
+/// A body on the ground keeps its pose for two seconds, its height within a tenth of a millimetre.
 template <class S>
 void expect_rest(const Shape<double>& body, const Shape<double>& ground,
                  const Pose<double>& of_ground) {

@@ -11,7 +11,7 @@
 namespace contactscope::test {
 namespace {
 
-/// Nothing touches anything.
+/// A step in which nothing touches.
 template <class S>
 void fly(std::vector<Body<S>>& bodies, const Vec3<S>& gravity, S dt,
          const SolverSettings& settings = {}) {
@@ -25,8 +25,8 @@ Body<S> box_body(const Vec3d& half_extents, double mass, const Pose<double>& pos
   return dynamic_body<S>(pose.cast<S>(), with_mass(*mass_properties(box), mass));
 }
 
-// Semi-implicit Euler has v = v0 - g t, and y = y0 + v0 t - g t^2 / 2 - g dt t / 2: its own parabola,
-// which the true one is left by exactly the last term.
+// Semi-implicit Euler has v = v0 - g t, and y = y0 + v0 t - g t^2 / 2 - g dt t / 2: its own
+// parabola, which differs from the true one by exactly the last term.
 TEST(Integrate, FreeFallIsTheParabolaOfSemiImplicitEuler) {
   for (const double dt : {1.0 / 30, 1.0 / 60, 1.0 / 240}) {
     for (const int substeps : {1, 4}) {
@@ -50,8 +50,8 @@ class Tumbling : public ::testing::Test {};
 using Scalars = ::testing::Types<float, double>;
 TYPED_TEST_SUITE(Tumbling, Scalars);
 
-// Spun about its middle axis with a nudge, a box keeps turning over (Dzhanibekov): all of the
-// gyroscopic term, and none of its energy, for ten thousand steps.
+// Spun about its middle axis with a nudge, a box keeps turning over (Dzhanibekov). This tests the
+// whole gyroscopic term, and that it adds no energy, for ten thousand steps.
 TYPED_TEST(Tumbling, SlowABoxKeepsMomentumAndEnergyOverTenThousandSteps) {
   using S = TypeParam;
   Random random(21);
@@ -62,7 +62,7 @@ TYPED_TEST(Tumbling, SlowABoxKeepsMomentumAndEnergyOverTenThousandSteps) {
   bodies[0].velocity = Vec3<S>(S(0.1), 0, 0);
   const Vec3d momentum = angular_momentum(bodies[0]);
   const double energy = kinetic_energy(bodies[0]);
-  // A few units in the last place for each of 1e4 steps, if all round the same way.
+  // A few units in the last place for each of 1e4 steps, if all round in the same direction.
   const double tolerance = 4e4 * double(std::numeric_limits<S>::epsilon());
   int turned_over = 0;
   double side = 1;
@@ -139,7 +139,7 @@ TEST(Integrate, AScriptedBodyTurnsAsItsScriptSays) {
   std::vector<Body<double>> bodies = {body};
   fly<double>(bodies, {0, -9.81, 0}, 0.25);  // infinite masses do not fall
   EXPECT_LT((bodies[0].center - to.position).norm(), 1e-14);
-  // Cayley's turn by 0.5 rad falls short by 0.5^3 / 12 of it.
+  // Cayley's rotation by 0.5 rad is short by 0.5^3 / 12.
   EXPECT_NEAR(bodies[0].rotation.angularDistance(to.rotation), 0.5 * 0.5 * 0.5 / 12, 1e-3);
 }
 

@@ -16,12 +16,12 @@ Mat3<double> diagonal(double x, double y, double z) {
   return Vec3d(x, y, z).asDiagonal();
 }
 
-/// The largest difference of two tensors, over the largest entry.
+/// The largest difference of two tensors, relative to the largest entry.
 double difference(const Mat3<double>& a, const Mat3<double>& b) {
   return (a - b).cwiseAbs().maxCoeff() / b.cwiseAbs().maxCoeff();
 }
 
-/// `local` filled evenly, as the textbook has it.
+/// Textbook values of `local` with uniform density.
 struct Textbook {
   const char* name;
   Hull<double> local;
@@ -134,7 +134,7 @@ TEST(MassProperties, TheShortestEdgeIsThatOfABoxHoweverItLies) {
         axes.transpose();
     const double found = shortest_edge(mass, inertia);
     const double expected = 2 * half.minCoeff();
-    // The square of an edge is a difference of what the longest ones make.
+    // The square of an edge is a difference of terms that the longest ones dominate.
     EXPECT_NEAR(found * found, expected * expected, 1e-14 * half.squaredNorm());
   }
   const MassProperties ball = *mass_properties(Shape<double>(Sphere<double>{2}));

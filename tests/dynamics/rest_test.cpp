@@ -38,7 +38,7 @@ TEST(Resting, FourFramesOfTheTalk) {
   ASSERT_TRUE(two.axis);
   EXPECT_NEAR((two.axis->at(1) - two.axis->at(0)).norm(), std::sqrt(8.0), 1e-12);
 
-  // The centre of mass projects onto the diagonal: that is not inside.
+  // The centre of mass projects onto the diagonal, which is not inside.
   const trace::Stability three = of({corners[0], corners[2], corners[1]}, center);
   EXPECT_EQ(three.verdict, "turns about a line");
   EXPECT_EQ(three.support.size(), 3U);

@@ -10,9 +10,9 @@
 /// Worlds of a few bodies for the tests.
 namespace contactscope::test {
 
-inline constexpr double kGravity = 9.81;  // metres a second, a second; of every world
+inline constexpr double kGravity = 9.81;  // metres per second squared, of every world
 
-/// Every two bodies of which one is dynamic, in order, with the same settings.
+/// All pairs of bodies with at least one dynamic body, in order, with the same settings.
 template <class S>
 std::vector<WorldPair<S>> pair_all(const std::vector<Body<S>>& bodies, S friction, S restitution) {
   std::vector<WorldPair<S>> pairs;
@@ -73,7 +73,7 @@ struct Scene {
     return sum;
   }
 
-  /// The deepest point of all pairs where the bodies are now, metres; +infinity: nothing touches.
+  /// The smallest separation of all pairs now, metres; +infinity if nothing touches.
   double deepest_overlap() {
     World<S> copy = world;
     std::vector<Manifolds<S>> contacts;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kStep = 1.0 / 60.0;
 
-/// A floor, number 0, and so many balls of a metre beside each other, none of which moves.
+/// A floor, number 0, and `count` balls of a metre in a row, none of them moving.
 Scene<double> balls(int count) {
   Scene<double> scene;
   scene.add_plane();
@@ -21,7 +21,7 @@ Scene<double> balls(int count) {
   return scene;
 }
 
-/// Settles so often that half a second has gone by.
+/// Calls settle until half a second has passed.
 void rest(Sleepers<double>& sleepers, std::vector<Body<double>>& bodies,
           const std::vector<Touch>& touches) {
   for (int i = 0; i < 31; ++i) sleepers.settle(bodies, touches, kStep);
@@ -68,7 +68,7 @@ TEST(Sleepers, AFastFrameBeginsTheTimeAnew) {
   EXPECT_FALSE(sleepers.asleep(1));
 }
 
-// A ball of radius r that turns by w has the inertia 0.4 m r^2: its kilograms are as fast as sqrt(0.4) w r.
+// A ball of radius r spinning at w has the inertia 0.4 m r^2: it counts as moving at sqrt(0.4) w r.
 TEST(Sleepers, SpinCountsAsItsEnergyDoes) {
   Scene<double> scene = balls(1);
   scene.body(1).angular_velocity = {0, 0.1, 0};
@@ -98,7 +98,7 @@ TEST(Sleepers, AnIslandWakesAsAWholeWhenOneThatIsAwakeTouchesIt) {
   EXPECT_TRUE(sleepers.wake(scene.world.bodies, touches));
   for (const int body : {1, 2, 3}) EXPECT_FALSE(sleepers.asleep(body)) << body;
   EXPECT_TRUE(sleepers.asleep(4)) << "joined by the floor alone";
-  // Whoever woke must rest as long as the first time.
+  // A body that woke must rest as long as the first time.
   sleepers.settle(scene.world.bodies, {}, kStep);
   EXPECT_FALSE(sleepers.asleep(1));
 }
@@ -170,8 +170,7 @@ void expect_the_awake_are_solved_alike() {
   for (std::size_t i = 0; i < all.bodies.size(); ++i)
     expect_same_body(nobody.bodies[i], all.bodies[i]);
 
-  // The first stack sleeps; the second is solved as if nobody did, and the impulses within the first
-  // stay what they were.
+  // The first stack sleeps and keeps its impulses. The second is solved as if none slept.
   std::vector<Body<S>> bodies = scene.world.bodies;
   for (const int i : {3, 4}) at(bodies, i).velocity = {S(0), S(9), S(0)};
   sleepers.settle(bodies, {}, kStep);

@@ -35,7 +35,7 @@ INSTANTIATE_TEST_SUITE_P(Solver, EveryMethod,
                            return std::string(test.param.name);
                          });
 
-/// A flat box on a slope of `degrees`, its downhill velocity after `seconds`.
+/// Downhill velocity after `seconds` of a flat box on a slope of `degrees`.
 double slide(Scene<double> scene, double degrees, double friction, double seconds) {
   scene.friction = friction;
   scene.settings.slop = 0.001;
@@ -47,7 +47,7 @@ double slide(Scene<double> scene, double degrees, double friction, double second
   return scene.body(box).velocity.dot(turn * Vec3d::UnitX());
 }
 
-// Holds where tan(angle) <= mu, slides with g (sin - mu cos) where it is steeper.
+// Holds if tan(angle) <= mu, slides with g (sin - mu cos) if it is steeper.
 TEST_P(EveryMethod, SlowABoxHoldsBelowTheAngleOfFrictionAndSlidesAbove) {
   for (const double friction : {0.2, 0.5, 0.8}) {
     const double critical = std::atan(friction) / kDegree;
@@ -64,7 +64,7 @@ TEST_P(EveryMethod, SlowABoxHoldsBelowTheAngleOfFrictionAndSlidesAbove) {
   }
 }
 
-// What the correction lifts must not let go of what friction holds: at default settings, as far as a
+// The correction must not lift a body off the friction that holds it: at default settings, up to a
 // tenth of a degree below the critical angle.
 TEST_P(EveryMethod, ABoxThatHoldsDoesNotCreep) {
   const double friction = 0.5, critical = std::atan(friction) / kDegree;
@@ -79,7 +79,7 @@ TEST_P(EveryMethod, ABoxThatHoldsDoesNotCreep) {
     const Vec3d at_rest = slope.body(box).center;
     EXPECT_LT((at_rest - start).norm(), 0.005) << degrees;
     slope.advance(270);
-    // Soft contacts go on sinking for a while.
+    // Soft contacts keep sinking for a while.
     const double creep = GetParam().correction == PositionCorrection::Soft ? 5e-4 : 1e-5;
     EXPECT_LT((slope.body(box).center - at_rest).norm(), creep) << degrees;
   }
@@ -88,7 +88,7 @@ TEST_P(EveryMethod, ABoxThatHoldsDoesNotCreep) {
 // Without slip a ball rolls with g sin / (1 + 2/5).
 TEST_P(EveryMethod, ABallRollsDownASlope) {
   Scene<double> rolling = scene();
-  rolling.settings.slop = 0.0001;  // the arm is so much shorter than the radius
+  rolling.settings.slop = 0.0001;  // shortens the lever arm relative to the radius
   const double angle = 20 * kDegree;
   const Quatd turn = about(Vec3d::UnitZ(), -angle);
   rolling.add_plane(-angle);
@@ -123,8 +123,8 @@ TEST_P(EveryMethod, SlowSlidingHasNoPreferredDirection) {
   EXPECT_LT(most - least, 1e-9);
 }
 
-/// Heights above a floor that a body falls onto from 2 m, where its bounces end: those of the lowest
-/// point of `half` below its centre.
+/// Heights above a floor at which a body's bounces end after a fall from 2 m, measured at its
+/// lowest point, `half` below its centre.
 std::vector<double> tops(Scene<double> scene, int body, double half, double seconds) {
   std::vector<double> result;
   double last = scene.body(body).center.y() - half, before_last = last;
@@ -137,8 +137,8 @@ std::vector<double> tops(Scene<double> scene, int body, double half, double seco
   return result;
 }
 
-// Steps move along a parabola of their own, of which a frame can miss the top by g dt^2 / 8. Nothing
-// else is won or lost: late or early as the ball is met, and whatever lifts it out.
+// Steps follow a parabola of their own; a frame can miss its top by g dt^2 / 8. Otherwise no height
+// is gained or lost, however late or early the ball is met and lifted out.
 TEST_P(EveryMethod, AnElasticBallComesBackToItsHeight) {
   for (const bool margin : {false, true}) {
     for (const double dt : {1.0 / 60, 1.0 / 200}) {
@@ -154,8 +154,7 @@ TEST_P(EveryMethod, AnElasticBallComesBackToItsHeight) {
         for (std::size_t i = 0; i < found.size(); ++i) {
           const double height = 2 * std::pow(restitution, 2.0 * static_cast<double>(i + 1));
           if (height < 0.2) break;
-          // Met late, a ball has won speed on the way in, and gives that share of it away; met early,
-          // it waits for the end of the step.
+          // Met late, the ball has gained speed and loses that share; met early, it waits.
           const double late = (1 - restitution) * 2 * 6.3 * dt;
           EXPECT_LT(found[i], height + 0.0005 + 0.2 * late) << i << ", " << restitution;
           EXPECT_GT(found[i], height - 0.0005 - late) << i << ", " << restitution;
@@ -190,8 +189,8 @@ TEST(Restitution, IsTheShareOfTheVelocityThatComesBack) {
   }
 }
 
-/// The velocity upwards with which an elastic box leaves the ground that it meets at `approach`, what
-/// gravity adds in the first sub-step included; after a frame.
+/// Upward velocity after a frame of an elastic box that meets the ground at `approach`, including
+/// the velocity that gravity adds in the first sub-step.
 double rebound(double approach, double dt, int substeps) {
   Scene<double> scene;
   scene.restitution = 1;
@@ -209,7 +208,7 @@ TEST(Restitution, BeginsAtTwiceWhatGravityAddsInASubStepAtEveryStep) {
   for (const auto& [dt, substeps] : {std::pair{1.0 / 60, 1}, {1.0 / 240, 1}, {1.0 / 60, 4}}) {
     const double threshold = 2 * kGravity * dt / substeps;
     EXPECT_NEAR(rebound(0.95 * threshold, dt, substeps), 0, 0.01 * threshold) << dt;
-    // It came with what gravity has not added yet, leaves with that, and falls in later sub-steps.
+    // It arrives and rebounds with the speed before gravity's share, and falls in later sub-steps.
     for (const double approach : {1.05 * threshold, 0.6, 3.0}) {
       if (substeps > 1 && approach < 0.5) continue;  // it is back within the frame
       EXPECT_NEAR(rebound(approach, dt, substeps), approach - kGravity * dt, 0.01 * threshold);
@@ -225,12 +224,12 @@ TEST(Restitution, WhatRestsDoesNotBounce) {
   const int box = scene.add_box({0.5, 0.5, 0.5}, at(0, 0.4995, 0), 2);
   for (int i = 0; i < 200; ++i) {
     scene.advance();
-    // Less than a hundredth of what gravity adds in a step, which it would bounce with.
+    // Less than a hundredth of gravity's share in a step, with which it would bounce.
     ASSERT_LT(scene.body(box).velocity.norm(), 0.01 * kGravity * scene.dt) << i;
   }
 }
 
-// Impulses are equal and opposite and act in one point, and what is moved apart turns slower.
+// Impulses are equal and opposite and act in one point; separated bodies turn more slowly.
 TEST_P(EveryMethod, CollisionsKeepBothMomenta) {
   Random random(31);
   int touched = 0;
@@ -269,7 +268,7 @@ TEST_P(EveryMethod, CollisionsKeepBothMomenta) {
   EXPECT_GT(touched, 1000);
 }
 
-/// Two balls of 1 kg without gravity, 2 cm in each other.
+/// Two balls of 1 kg without gravity, overlapping by 2 cm.
 Scene<double> two_balls(PositionCorrection correction) {
   Scene<double> scene;
   scene.world.gravity.setZero();
@@ -284,7 +283,7 @@ double gap(Scene<double>& scene) {
   return (scene.body(1).center - scene.body(0).center).norm() - 1;
 }
 
-// v_rel = 0.1 / dt * d, and nothing takes it away again.
+// v_rel = 0.1 / dt * d, and nothing removes it again.
 TEST(Correction, BaumgartePushesWithAShareOfTheOverlapAndLeavesThatVelocity) {
   Scene<double> scene = two_balls(PositionCorrection::Baumgarte);
   scene.settings.push_speed = 1;
@@ -327,7 +326,7 @@ TEST(Correction, SoftContactsRelaxWhatTheyPushed) {
   EXPECT_LT(scene.kinetic(), 1e-20);
 }
 
-// A body that rests on a floor works its overlap off by the same share in each step.
+// A body at rest on a floor loses the same fraction of its overlap in each step.
 TEST(Correction, BaumgarteDecaysByTheSameShareInEachStep) {
   Scene<double> scene;
   scene.settings.slop = 0;
@@ -341,7 +340,7 @@ TEST(Correction, BaumgarteDecaysByTheSameShareInEachStep) {
   }
 }
 
-// A box lies flat in the floor: its corners together lift it by what each alone lacks.
+// A box lies flat in the floor: its corners together lift it by the overlap that each alone has.
 TEST(Correction, ProjectionDoesNotLiftABoxHigherThanItsCornersNeed) {
   for (const double tilt : {0.0, 0.01}) {
     Scene<double> scene;
@@ -351,12 +350,12 @@ TEST(Correction, ProjectionDoesNotLiftABoxHigherThanItsCornersNeed) {
     scene.add_plane();
     scene.add_box({0.5, 0.5, 0.5}, {about({1, 0, 2}, tilt), {0, 0.48, 0}}, 1);
     scene.advance();
-    scene.settings.speculative_margin = 0.1;  // so that what is apart is seen too
+    scene.settings.speculative_margin = 0.1;  // also reports separated points
     EXPECT_NEAR(scene.deepest_overlap(), 0, 1e-6);
   }
 }
 
-// 80 cm deep, and 20 cm: each corner alone would turn the box, all of them together do not.
+// 80 cm and 20 cm deep: each corner alone would turn the box, all of them together do not.
 TEST(Correction, ProjectionTurnsNothingThatLiesLevel) {
   for (const double depth : {0.2, 0.8}) {
     for (const double yaw : {0.0, 0.3, 1.0}) {
@@ -403,7 +402,7 @@ TEST(Speculative, APointThatStaysApartIsNotTouched) {
   EXPECT_EQ(scene.load(0, ball), 0);
 }
 
-// A lift that rises at a constant speed carries what stands on it.
+// A lift that rises at a constant speed carries the bodies on it.
 TEST_P(EveryMethod, AScriptedBodyCarriesAndDrags) {
   Scene<double> carried = scene();
   carried.settings.slop = 0.001;

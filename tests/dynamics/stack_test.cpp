@@ -9,15 +9,15 @@
 namespace contactscope::test {
 namespace {
 
-/// Boxes on a plane, each overlapping what is below it by `overlap`, and each 2 cm narrower: edges
-/// that lie on each other change the names of their crossings with every rounding.
+/// Boxes on a plane, each overlapping the one below by `overlap`, and each 2 cm narrower: with
+/// coincident edges, every rounding would change the names of their crossings.
 template <class S>
 Scene<S> stack(const std::vector<double>& masses, PositionCorrection correction,
                double overlap = 0.001) {
   Scene<S> scene;
   scene.settings.position_correction = correction;
   scene.settings.slop = overlap;
-  // About as many sweeps for each method.
+  // A similar number of sweeps for each method.
   const bool soft = correction == PositionCorrection::Soft;
   scene.settings.substeps = soft ? 4 : 1;
   scene.settings.iterations = soft ? 3 : 30;
@@ -68,7 +68,7 @@ TEST_P(Stack, SlowEachBoxCarriesTheWeightOfAllAbove) {
   expect_loads_are_weights<float>({5, 4, 3, 2, 1}, GetParam().correction, 1e-3);
 }
 
-// Light under heavy is what sequential impulses are worst at; sub-steps are better at it than sweeps.
+// Light under heavy is the worst case of sequential impulses; sub-steps help more than sweeps.
 TEST(MassRatio, AHundredKilogramsStandOnOne) {
   expect_loads_are_weights<double>({1, 100}, PositionCorrection::Soft, 1e-6);
   Scene<double> scene = stack<double>({1, 100}, PositionCorrection::Soft);
@@ -76,9 +76,8 @@ TEST(MassRatio, AHundredKilogramsStandOnOne) {
   EXPECT_GT(scene.deepest_overlap(), -0.04);
 }
 
-// Three boxes of 1 kg, two slops deep in what is below them or just touching: what works the overlap
-// off may lift them to where one slop is left, and no energy may come from anywhere else. Then nothing
-// may shake itself loose.
+// Three boxes of 1 kg, overlapping by two slops or just touching. The correction may lift them
+// until one slop is left; no other energy may appear. Afterwards nothing may shake itself loose.
 TEST_P(Stack, SlowEnergyNeverGrowsInTenThousandSteps) {
   const double of_one_step = 0.5 * 3 * std::pow(kGravity / 60, 2);
   struct Start {
@@ -94,7 +93,7 @@ TEST_P(Stack, SlowEnergyNeverGrowsInTenThousandSteps) {
     const double slop = start.slop.value_or(0.0049);  // of the box with 98 cm
     double most_energy = scene.energy();
     if (start.overlap > slop) most_energy += (1 + 2 + 3) * kGravity * (start.overlap - slop);
-    // A box is lifted before the one above it is, so that a few hundredths go too far.
+    // A box is lifted before the one above it, so it moves a few hundredths too far.
     most_energy += 0.05 * std::max(most_energy - scene.energy(), 0.0);
     for (int i = 0; i < 500; ++i) {
       scene.advance();
@@ -117,7 +116,7 @@ TEST_P(Stack, SlowEnergyNeverGrowsInTenThousandSteps) {
   }
 }
 
-// With few sweeps a stack that begins anew in each step cannot carry itself.
+// With few sweeps, a stack that starts again in each step cannot carry itself.
 TEST(WarmStarting, FewSweepsCarryAStackOfTenOnlyIfTheyGoOnFromTheLast) {
   double sunk[2];
   for (const bool warm : {false, true}) {
@@ -132,7 +131,7 @@ TEST(WarmStarting, FewSweepsCarryAStackOfTenOnlyIfTheyGoOnFromTheLast) {
   EXPECT_LT(sunk[true], 0.015);
 }
 
-/// Equal cubes of 1 kg, one exactly on another, and nothing set but the method.
+/// Equal cubes of 1 kg, one exactly on another, with only the method set.
 template <class S>
 Scene<S> plain_stack(PositionCorrection correction, int boxes, double size = 1) {
   Scene<S> scene;
@@ -143,7 +142,7 @@ Scene<S> plain_stack(PositionCorrection correction, int boxes, double size = 1) 
   return scene;
 }
 
-/// Metres: how far the farthest body has come from `places`.
+/// Largest distance of a body from its entry in `places`, metres.
 template <class S>
 double farthest_way(const Scene<S>& scene, const std::vector<Body<S>>& places) {
   double most = 0;
@@ -154,7 +153,7 @@ double farthest_way(const Scene<S>& scene, const std::vector<Body<S>>& places) {
   return most;
 }
 
-// Edges that lie on each other, places without an overlap: a stack as anybody would write it.
+// Coincident edges, positions without overlap: a stack as most people would write it.
 TEST_P(Stack, SlowEqualBoxesThatJustTouchStandStillByDefault) {
   // Soft contacts yield.
   const double sinks = GetParam().correction == PositionCorrection::Soft ? 0.01 : 0.005;
@@ -162,12 +161,12 @@ TEST_P(Stack, SlowEqualBoxesThatJustTouchStandStillByDefault) {
     Scene<float> scene = plain_stack<float>(GetParam().correction, boxes);
     const std::vector<Body<float>> places = scene.world.bodies;
     scene.advance(600);
-    // The slop is 5 mm: so far each box may sink into the one below.
+    // The slop is 5 mm: each box may sink into the one below by this much.
     EXPECT_LT(farthest_way(scene, places), sinks * boxes) << boxes;
     const std::vector<Body<float>> settled_down = scene.world.bodies;
     for (int i = 0; i < 60; ++i) {
       scene.advance();
-      // A thousandth of what gravity adds to one box in a step.
+      // A thousandth of gravity's share for one box in a step.
       ASSERT_LT(scene.kinetic(), 1e-6 * 0.5 * std::pow(kGravity / 60, 2)) << boxes;
     }
     EXPECT_LT(farthest_way(scene, settled_down), 1e-5) << boxes;
@@ -178,8 +177,7 @@ TEST_P(Stack, SlowEqualBoxesThatJustTouchStandStillByDefault) {
   }
 }
 
-// Ten are more than ten sweeps can hold still: what they leave over of a sway needs hundreds of them.
-// Soft contacts damp it.
+// Ten sweeps leave a sway in ten boxes, which would need hundreds. Soft contacts damp it.
 TEST(TenEqualBoxes, SlowComeToRestOnSoftContactsInSubSteps) {
   Scene<float> scene = plain_stack<float>(PositionCorrection::Soft, 10);
   scene.settings.substeps = 4;
@@ -204,7 +202,7 @@ TEST_P(Stack, ALopsidedHullStaysWhereItWasPutByDefault) {
   EXPECT_LT(farthest_way(scene, places), 0.005);
 }
 
-// A thousandth of the size, the time and so the gravity the same: a thousandth of every way.
+// A thousandth of the size and of gravity, in the same time: a thousandth of every displacement.
 TEST_P(Stack, TheDefaultsAreOfTheSizeOfTheBodies) {
   Scene<double> large = plain_stack<double>(GetParam().correction, 3);
   Scene<double> small = plain_stack<double>(GetParam().correction, 3, 1e-3);
@@ -229,7 +227,7 @@ void expect_equal(const World<S>& a, const World<S>& b) {
   }
 }
 
-// A fall that ends in a heap: what a copy does not carry along would show.
+// A fall that ends in a heap would reveal any state that a copy does not carry.
 TEST_P(Stack, ACopyGoesOnAsTheOriginal) {
   Scene<float> scene = stack<float>({1, 2, 3}, GetParam().correction);
   scene.body(3).center.x() += 0.4f;
@@ -245,7 +243,7 @@ TEST_P(Stack, ACopyGoesOnAsTheOriginal) {
 }
 
 TEST_P(Stack, FarFromTheOriginTheSameHappens) {
-  // 1024 m: coordinates in double have room to spare, and the manifold is as good as at home.
+  // 1024 m: double has enough precision, so the manifold is as good as at the origin.
   Scene<double> home = stack<double>({3, 2, 1}, GetParam().correction);
   Scene<double> away = home;
   for (int box = 1; box <= 3; ++box) away.body(box).center += Vec3d(1024, 0, -2048);

@@ -5,13 +5,13 @@
 
 #include "app/program.h"
 
-/// What engines from npm make of shapes that no engine may get wrong, and what each is known to.
+/// Engines from npm on shapes that no engine may get wrong, and the known faults of each.
 namespace contactscope::test {
 namespace {
 
 using Json = nlohmann::json;
 
-/// What each engine made of one scenario, by name; `more` are options.
+/// The result of each engine for one scenario, by name; `more` are options.
 std::map<std::string, Json> versus(const std::string& scenario, const std::string& engines,
                                    const std::string& more = "") {
   const ProgramRun result =
@@ -78,8 +78,8 @@ TEST(Engines, StepAPyramid) {
   }
 }
 
-/// A hull whose axes are askew, thrown with a spin, and a box on a lid that a script raises, without gravity. The
-/// energy at the start is right where masses, inertia and velocities are, and what the box gains is the lid's speed.
+/// A spinning hull with oblique axes, and a box on a lid that a script raises, without gravity. The
+/// initial energy checks masses, inertia and velocities; the box's gain checks the lid's speed.
 TEST(Engines, AreToldMassesVelocitiesAndScripts) {
   const TemporaryFolder folder;
   const std::string scene = folder.write("tests/thrown.toml", R"(title = "Thrown"
@@ -110,7 +110,7 @@ gravity = [0, 0, 0]
     SCOPED_TRACE(name);
     EXPECT_EQ(answer["frames"], 31);
     EXPECT_NEAR(answer["series"]["energy"][0], own["series"]["energy"][0], 1e-5);
-    // The rider has the speed of the lid, and a joule more than at the start; springs throw it a little.
+    // The box gets the speed of the lid, a gain of one joule; springs throw it a little.
     const double gained =
         answer["series"]["energy"][30].get<double>() - answer["series"]["energy"][0].get<double>();
     EXPECT_GT(gained, 0.95);
@@ -119,19 +119,19 @@ gravity = [0, 0, 0]
   }
 }
 
-/// It has no capsules, and steps nothing rather than something else.
+/// It has no capsules, and refuses to step rather than replacing them.
 TEST(Engines, CannonStepsNoCapsules) {
   const Json cannon = versus("pipeline/mesh_and_actors", "cannon", "--rollout").at("cannon");
   EXPECT_THAT(cannon["no_rollout"].get<std::string>(), testing::HasSubstr("no capsule"));
 }
 
-/// Its convex radius rounds edges off: where two cross at a right angle, twice (sqrt(2) - 1) of it is lost.
+/// Its convex radius rounds edges: at a right angle, twice (sqrt(2) - 1) of it is lost.
 TEST(Engines, JoltMissesEdgesThatItRoundsOff) {
   const Json jolt = versus("hull/edge_contact", "jolt").at("jolt");
   EXPECT_EQ(jolt["missed"], 1);
 }
 
-/// cannon-es has no capsules, and says so.
+/// cannon-es has no capsules and reports this.
 TEST(Engines, CannonHasNoCapsules) {
   const Json cannon = versus("round/sphere_capsule", "cannon").at("cannon");
   EXPECT_GT(cannon["missed"], 0);

@@ -11,7 +11,7 @@ namespace {
 using test::Random;
 
 TEST(FieldBounds, SlowAreNeverWrongInAMillionQueries) {
-  // exact() is held against exhaustion elsewhere; here it judges what nodes say.
+  // exact() is compared with exhaustion elsewhere; here it judges the bounds from nodes.
   Random random(9);
   for (const int band : {0, 1, 3}) {
     for (const double waves : {0.0, 0.1, 0.4}) {
@@ -36,7 +36,7 @@ TEST(FieldBounds, SlowAreNeverWrongInAMillionQueries) {
 }
 
 TEST(FieldBounds, OfANodeAreItsRounding) {
-  // Fine nodes are no farther from the surface than the band and the diagonal of a block, 2^15 steps.
+  // Fine nodes are within the band and the diagonal of a block of the surface, 2^15 steps.
   Random random(19);
   const double size = random.decade(-4, 4);
   const PlacedField field = build_distance_field(test::built(test::sphere_mesh(size, 16, 11, 0.1)),
@@ -56,7 +56,7 @@ TEST(FieldBounds, OfANodeAreItsRounding) {
 }
 
 TEST(FieldBounds, HoldThousandsOfCellsFromTheCornerOfTheLattice) {
-  // Where float knows a place to 2^-12 of a cell only.
+  // There, float resolves a place only to 2^-12 of a cell.
   const test::SphereMesh ball = test::sphere_mesh(0.5, 16, 11, 0.2);
   std::vector<Vec3d> vertices = ball.vertices;
   std::vector<std::array<int, 3>> triangles = ball.triangles;

@@ -49,7 +49,7 @@ TEST(ClosedSurface, SmallHolesLeaveTheInsideWhereSolidAnglesFindIt) {
       ASSERT_NEAR(winding, std::round(winding), 1e-9);
       ASSERT_NEAR(field.exact(p).distance, static_cast<double>(whole.signed_distance(p)),
                   1e-12 * size);
-      // Beside a hole both ways to close it are as good.
+      // Near a hole, both methods of closing it are equally good.
       if (std::ranges::any_of(lost, [&](const Vec3d& v) { return (v - p).norm() < 0.7 * size; }))
         continue;
       EXPECT_EQ(field.exact(p).distance < 0, open.signed_distance(p) < 0) << i;
@@ -91,7 +91,7 @@ TEST(ClosedSurface, ABoxWithoutALidHasAnInsideAndASheetHasNone) {
   const Mesh<double> sheet =
       build_mesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0.1}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}});
   EXPECT_NE(refused(sheet).find("has no inside"), std::string::npos);
-  // Both sides of a sheet: closed, around nothing.
+  // Both sides of a sheet: closed, but around nothing.
   const Mesh<double> folded = build_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}});
   EXPECT_NE(refused(folded).find("has no inside"), std::string::npos);
 }

@@ -91,7 +91,7 @@ TEST(DistanceField, CubicBlendsConvergeFasterThanTrilinearOnes) {
   };
   using enum FieldInterpolation;
   const double linear = worst(16, Trilinear) / worst(32, Trilinear);
-  // Finer ones have more of the nodes' rounding, 2^-16 of the lattice, than of the blend's error.
+  // Finer lattices show the nodes' rounding, 2^-16 of the lattice, more than the blend's error.
   const double cubic = worst(4, Cubic) / worst(8, Cubic);
   EXPECT_NEAR(std::log2(linear), 2, 0.4);
   EXPECT_GT(std::log2(cubic), 3.3);
@@ -130,7 +130,7 @@ TEST(DistanceField, SlowAgreesWithExhaustionOnMeshesUnderAnyMotion) {
 TEST(DistanceField, SlowSurfacesThatCrossThemselvesAreInsideWhereTheyGoAroundAPoint) {
   Random random(28);
   for (int i = 0; i < 16; ++i) {
-    // A ball and a thin fin through its skin, which end in each other, watertight both.
+    // A ball and a thin fin through its skin; each ends inside the other, and both are watertight.
     const double size = random.decade(-4, 4);
     const Pose<double> pose = random.pose(size);
     test::SphereMesh surface = test::sphere_mesh(0.4 * size, 20, 13, 0.1);
@@ -171,7 +171,7 @@ TEST(DistanceField, GradientsPointAwayFromTheSurface) {
     const FieldSample sample = field.sample(p);
     const FieldSample truth = field.exact(p);
     if (std::abs(truth.distance) > 0.06) continue;
-    // The nearest point jumps on few lines that near to this surface.
+    // Near this surface, the nearest point jumps only on a few lines.
     ASSERT_GT(sample.gradient.normalized().dot(truth.gradient), 0.9) << p.transpose();
     // One step down the exact gradient ends on the surface.
     ASSERT_NEAR(field.exact(p - truth.distance * truth.gradient).distance, 0, 1e-12);
@@ -198,8 +198,7 @@ std::string refusal_of(const Shape<double>& shape, const FieldSettings& settings
 
 TEST(DistanceField, RefusesMoreBytesThanAllowedAndSaysHowMany) {
   const Shape<double> ball = Sphere<double>{1};
-  // 4096 cells and a rim of 8 are 1026 blocks along each side: 1027^3 coarse nodes of 16 bytes, and
-  // 1026^3 numbers of 4.
+  // 4096 cells and a rim of 8: 1026 blocks a side, 1027^3 nodes of 16 bytes, 1026^3 numbers of 4.
   EXPECT_NE(refusal_of(ball, {.cells = 4096}).find("(21651489232 bytes)"), std::string::npos)
       << refusal_of(ball, {.cells = 4096});
   EXPECT_NE(refusal_of(ball, {.band = 0, .most_bytes = 1 << 20}).find("1 MiB are allowed"),

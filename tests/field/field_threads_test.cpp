@@ -10,7 +10,7 @@ namespace {
 
 using test::Random;
 
-/// Equal in every bit at random points, some of them beside the lattice.
+/// Equal in every bit at random points, some of them outside the lattice.
 void expect_equal(const PlacedField& one, const PlacedField& other) {
   ASSERT_EQ(one.field->bytes(), other.field->bytes());
   ASSERT_EQ(one.field->fine_blocks(), other.field->fine_blocks());
@@ -38,7 +38,7 @@ TEST(FieldThreads, SlowAnyNumberBuildsTheSameField) {
   shapes.emplace_back(test::built(test::sphere_mesh(0.5, 60, 41, 0.1)), 80);  // over 16 layers
   shapes.emplace_back(make_box(Vec3d(0.5, 0.3, 0.2)), 40);
   shapes.emplace_back(Capsule<double>{{Vec3d(-1, 0, 0), Vec3d(1, 0.3, 0)}, 0.3}, 33);
-  // Two balls through each other, with noise.
+  // Two intersecting balls, with noise.
   test::SphereMesh balls = test::sphere_mesh(0.4, 24, 15, 0.1);
   const int count = count_of(balls.vertices), triangles = count_of(balls.triangles);
   for (int i = 0; i < count; ++i)

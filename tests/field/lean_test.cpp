@@ -14,7 +14,7 @@ namespace {
 
 using test::Random;
 
-/// A ball whose vertices are moved at random by up to `roughness` of its radius, 1, along each axis.
+/// A ball of radius 1 whose vertices are moved at random by up to `roughness` along each axis.
 Mesh<double> rough_ball(Random& random, double roughness) {
   test::SphereMesh ball = test::sphere_mesh(1, 20, 13, 0.05);
   for (Vec3d& vertex : ball.vertices) vertex += random.vector(-roughness, roughness);
@@ -31,7 +31,7 @@ TEST(Lean, SlowNoWayToANearestPointLeansMore) {
     for (int k = 0; k < 3000; ++k) {
       const Vec3d point = random.vector(-1.6, 1.6);
       const NearestPoint nearest = triangles.nearest(point);
-      // Of equally near triangles, those that have the nearest point, each.
+      // Each triangle that has a nearest point, if several are equally near.
       for (int t = 0; t < mesh.triangle_count(); ++t) {
         const float lean = at(leans, t);
         if (lean == kAnyLean) continue;

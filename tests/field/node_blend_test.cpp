@@ -13,7 +13,7 @@ namespace {
 
 using test::Random;
 
-/// A polynomial of third order in each of x, y and z by itself, and of first order in their products.
+/// A polynomial of third order in each of x, y and z alone, and of first order in their products.
 struct Polynomial {
   explicit Polynomial(Random& random) {
     for (auto* numbers : {&x, &y, &z})
@@ -114,7 +114,7 @@ TEST(NodeBlend, TrilinearAndGradientsAreTheWeightedMeanOfTheNodes) {
     }
     const auto linear = blend<false>(cell.pairs.data(), cell.layout, weights_at(p));
     const auto cubic = blend<true>(cell.pairs.data(), cell.layout, weights_at(p));
-    // 20 from node to node, of which the weights lose 2^-14 along three axes.
+    // 20 from node to node; the weights lose 2^-14 of it along three axes.
     EXPECT_NEAR(linear[0], distance, 10 * 0x1p-16 + 3 * 20 * 0x1p-14);
     for (int axis = 0; axis < 3; ++axis) {
       EXPECT_NEAR(linear[axis + 1], gradient[axis], 0x1p-14 + 3 * 2 * 0x1p-14);

@@ -9,14 +9,14 @@
 #include "support/sphere_mesh.h"
 #include "support/surface_oracle.h"
 
-// Cells that the surface passes and that blend their nodes all the same.
+// Cells that the surface crosses and that still blend their nodes.
 
 namespace contactscope {
 namespace {
 
 using test::Random;
 
-/// A wavy ball with a fin of `thickness` metres beside it, 1 m large, turned at random.
+/// A wavy ball with a fin of `thickness` metres next to it, 1 m large, turned at random.
 test::SphereMesh ball_with_fin(Random& random, double thickness) {
   test::SphereMesh surface = test::sphere_mesh(0.4, 40, 25, 0.1);
   const Pose<double> pose = random.pose(0);
@@ -57,7 +57,7 @@ TEST(SmoothCells, SlowHaveNoOpposedNormals) {
         continue;
       }
       ++smooth;
-      // Those that come into the ball in the cell.
+      // Triangles that enter the inscribed ball of the cell.
       const Vec3d middle = field.origin + field.cell * middle_of_cell(in_lattice);
       std::vector<Vec3d> normals;
       for (int t = 0; t < mesh.triangle_count(); ++t)
@@ -91,7 +91,7 @@ TEST(SmoothCells, SlowBlendWithinTheirPartOfACellNearlyEverywhere) {
         }
         ++blended;
         off += error <= smooth * field.cell ? 0 : 1;
-        // The blend is off by no more than a few times as much between the five points.
+        // Between the five points, the blend is off by only a few times as much.
         ASSERT_LE(error, 4 * smooth * field.cell);
       }
       EXPECT_GT(blended, 1000);
@@ -112,7 +112,7 @@ TEST(SmoothCells, NoneIfTheSettingSaysSoAndNoneAtEdgesOfABox) {
     const Vec3d in_lattice = some.in_lattice(p);
     if (!some.field->at_surface(in_lattice)) continue;
     EXPECT_EQ(all.sample(p).source, FieldSample::Source::Exact);
-    // Of the cell's middle: how many faces are no farther than half a cell.
+    // Number of faces that are no farther than half a cell from the cell's middle.
     const Vec3d middle = some.origin + some.cell * middle_of_cell(in_lattice);
     const Vec3d beyond = (middle.cwiseAbs() - half) / some.cell;
     const int faces = static_cast<int>((beyond.array().abs() <= 0.5).count());

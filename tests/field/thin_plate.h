@@ -6,9 +6,8 @@
 
 namespace contactscope::test {
 
-/// A plate of half a cell, and a block of the plate's length beside it that makes the lattice, so that the
-/// plate slides through the cells. Their lengths together are the lattice's: with kPlateCells cells each
-/// is nearly 1/64 m.
+/// A plate of half a cell, and a block that enlarges the lattice so that the plate slides through
+/// the cells. Their common length is the lattice's: each of kPlateCells cells is nearly 1/64 m.
 struct ThinPlate {
   Mesh<double> mesh;
   Vec3d middle;
@@ -16,7 +15,7 @@ struct ThinPlate {
 inline constexpr int kPlateCells = 91;
 inline constexpr int kPlatePlaces = 8738;
 
-/// The plate's lower side is at `shift` cells above a plane of the lattice.
+/// The plate's lower side is `shift` cells above a plane of the lattice.
 inline ThinPlate thin_plate(double shift) {
   const double cell = 1.0 / 64;
   const Hull<double> box = make_box(Vec3d(0.5, 0.25 * cell, 0.3));
@@ -38,7 +37,7 @@ inline ThinPlate thin_plate(double shift) {
   return {build_mesh(std::move(vertices), std::move(triangles)), middle};
 }
 
-/// How many of kPlatePlaces places in the middle of the plate `is_inside` does not find to be inside.
+/// Number of kPlatePlaces places in the middle of the plate for which `is_inside` returns false.
 template <class IsInside>
 int places_lost(const ThinPlate& plate, const IsInside& is_inside) {
   Random random(11);

@@ -57,7 +57,7 @@ TEST(TriangleSieve, SlowLosesNoTriangleThatIsNearestToAPointOfACube) {
     for (int k = 0; k < 30; ++k) {
       TriangleSieve::List of_cube, of_part;
       const Vec3d middle = on_eighths(random.vector(0, surface.size));
-      // Half of the time with a point of the surface that is not the nearest one.
+      // Half of the time, start from a point of the surface that is not the nearest one.
       const Vec3d aside = k % 2 == 0 ? Vec3d::Zero().eval() : random.vector(-1, 1);
       sieve.fill_around(middle, 2, triangles.nearest(middle + aside).point, of_cube);
       const Vec3d half = middle + Vec3d(1, -1, 1);
@@ -77,7 +77,7 @@ TEST(TriangleSieve, SlowLosesNoTriangleThatIsNearestToAPointOfACube) {
         expect_nearest(of_part.triangles(), half + random.vector(-1, 1));
         expect_nearest(of_cell, quarter + random.vector(-0.5, 0.5));
       }
-      // And of points that float holds, the nearest itself.
+      // For points that are exact in float, the nearest triangle itself.
       const Vec3d point = middle + Vec3d(1.5, -2, 0.125);
       ASSERT_NEAR(std::sqrt(sieve.nearest(of_cube, point).squared),
                   static_cast<double>(oracle.distance(point)), 1e-13 * surface.size);

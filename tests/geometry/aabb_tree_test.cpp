@@ -37,8 +37,7 @@ std::vector<int> brute_force(const Mesh<S>& mesh, const Aabb<S>& box) {
   return triangles;
 }
 
-/// Boxes anywhere about the mesh, over four decades; boxes that are one point; and boxes that end
-/// where a triangle begins.
+/// Boxes anywhere about the mesh, over four decades; points; boxes that end at a triangle's start.
 template <class S>
 Aabb<S> random_query(Random& random, const Mesh<S>& mesh) {
   const Aabb<S> bounds = mesh.tree.bounds();
@@ -79,7 +78,7 @@ void expect_queries_equal_brute_force(Random& random, const Mesh<S>& mesh, int c
   EXPECT_GT(hits, count / 5);
 }
 
-/// Nodes on the longest way from the root to a leaf, both counted.
+/// Number of nodes on the longest path from the root to a leaf, both counted.
 template <class S>
 int depth_of(const AabbTree<S>& tree) {
   int depth = 0;
@@ -95,7 +94,7 @@ bool contains(const Aabb<S>& box, const Part& part) {
   return both == box;
 }
 
-/// Boxes hold what is below them, every triangle is in one leaf, and no way down is too long.
+/// Boxes contain everything below them, every triangle is in one leaf, and no path is too long.
 template <class S>
 void expect_well_formed(const Mesh<S>& mesh) {
   const AabbTree<S>& tree = mesh.tree;
@@ -159,7 +158,7 @@ TEST(AabbTree, AsksNoMoreTrianglesAfterTheFirstThatHolds) {
   for (int i = 0; i < 300; ++i) {
     const Aabb<double> box = random_query(random, mesh);
     const std::vector<int> all = found(mesh.tree, box);
-    // The wanted one is in the box, or is none.
+    // The wanted one is in the box, or does not exist.
     const int place = all.empty() ? 0 : random.index(static_cast<int>(all.size()) + 1);
     const int wanted =
         place < static_cast<int>(all.size()) ? all[static_cast<std::size_t>(place)] : -1;
@@ -254,7 +253,7 @@ TEST(AabbTree, ARecordedQueryTellsWhatItLookedAt) {
     const trace::TreeVisit& visit = record.visits[i];
     EXPECT_EQ(visit.overlaps, overlaps(Aabb<double>{visit.box.lower, visit.box.upper}, box));
     if (i == 0) continue;
-    // A child follows what was entered just now; else the walk goes on above.
+    // A child follows the node that was just entered; otherwise the walk continues above.
     const trace::TreeVisit& last = record.visits[i - 1];
     if (last.overlaps && !last.leaf) {
       EXPECT_EQ(visit.depth, last.depth + 1);
@@ -291,7 +290,7 @@ TEST(AabbTree, BoxesThatEachDwarfTheLastDoNotMakeAChain) {
   EXPECT_EQ(found(tree, {Vec3d(3, 0, 0), Vec3d(20, 1, 1)}).size(), 3u);
 }
 
-/// What a query is expected to cost: tests of boxes, each as likely as its box is large.
+/// Expected cost of a query: the number of box tests, each weighted by the area of its box.
 double expected_tests(const AabbTree<double>& tree) {
   double tests = 0;
   for (const AabbTree<double>::Node& node : tree.nodes) {
@@ -300,8 +299,7 @@ double expected_tests(const AabbTree<double>& tree) {
   return tests / surface_area(tree.bounds());
 }
 
-/// The same of a tree that halves triangles by centre along the longest axis, down to leaves of at
-/// most `largest_leaf`.
+/// The same for a tree that halves by centre along the longest axis, down to `largest_leaf`.
 double expected_tests_of_halves(std::vector<Aabb<double>> boxes, std::size_t largest_leaf) {
   Aabb<double> bounds;
   Aabb<double> centers;

@@ -19,8 +19,8 @@ class Bounds : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(Bounds, Scalars);
 
-/// By how much of the half extent the point lies outside of the box that the columns span, in long
-/// double; a half extent of 0 is as long as that of the point.
+/// Distance of the point outside the box that the columns span, relative to the point's distance
+/// from the centre, in long double.
 template <class S>
 double outside(const Obb<S>& box, const Vec3<S>& point) {
   const Mat3<long double> axes = box.axes.template cast<long double>();
@@ -70,7 +70,7 @@ TYPED_TEST(Bounds, HoldEveryVertexOfAnyHull) {
       EXPECT_TRUE((vertex.array() <= aabb.upper.array()).all());
     }
     EXPECT_LE(surface(box), double(surface_area(aabb)) * (1 + 1e-5)) << trial;
-    // No larger than a sphere about the middle of the box.
+    // No larger than a sphere about the centre of the box.
     EXPECT_LE(double(sphere.radius), 0.5 * double(aabb.extent().norm()) * (1 + 1e-4));
   }
 }
@@ -101,7 +101,7 @@ TYPED_TEST(Bounds, OfATetrahedronIsTheCubeThatNoFaceLiesIn) {
   }
 }
 
-/// The smallest of the balls through 2, 3 or 4 of the points that hold all, in long double.
+/// Radius of the smallest ball through 2, 3 or 4 of the points that contains all, in long double.
 long double smallest_radius(const std::vector<Vec3d>& points) {
   using Matrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
   long double best = std::numeric_limits<long double>::infinity();
@@ -170,7 +170,7 @@ TYPED_TEST(Bounds, OfRoundShapesAndNoneOfPlanes) {
     const Aabb<S> aabb = *aabb_of(shape, pose);
     const Extended radius = Extended::Constant(capsule.radius);
     for (const Vec3<S>& end : capsule.points) {
-      // A ball about each end is inside: along the normals of the box, of the sphere, of the Aabb.
+      // A ball about each end is inside, along the normals of the box, of the sphere, of the Aabb.
       for (int k = 0; k < 3; ++k) {
         const Extended across = box.axes.col((k + 1) % 3)
                                     .template cast<long double>()
@@ -216,7 +216,7 @@ TYPED_TEST(Bounds, OfAMeshHoldItsVertices) {
   const Obb<S> box = *obb_of(shape);
   for (const Vec3<S>& vertex : std::get<Mesh<S>>(shape).vertices)
     EXPECT_LE(outside(box, vertex), 1e-18);
-  // Along the strip, however it lies.
+  // Along the strip in any pose.
   EXPECT_LT(double(box.volume()), 1.5 * 1.2 * 8 * 0.04);
 }
 

@@ -14,8 +14,8 @@
 namespace contactscope::test {
 namespace {
 
-/// How far the intersection of the moved half-spaces reaches: every three planes meet in a point,
-/// and those that no plane cuts off are its vertices. Knows no hull, no dual.
+/// Extent of the intersection of the moved half-spaces. Every three planes meet in a point; its
+/// vertices are the points that no plane cuts off. Uses no hull and no dual.
 class MovedHalfSpaces {
  public:
   MovedHalfSpaces(const Hull<double>& hull, double margin) {
@@ -90,8 +90,7 @@ TEST(CoreHull, IsTheIntersectionOfTheMovedHalfSpaces) {
 }
 
 TEST(CoreHull, ConesLoseNoFaceAndTheirEdgesStandForThoseOfTheCone) {
-  // All sides of a regular cone meet in one point again, lower by the margin over the sine of half
-  // the opening.
+  // All sides of a regular cone meet in one point again, lower by margin / sin(half the opening).
   const Hull<double> cone = make_cone(0.5, 0.5, 24);
   const CoreHull core = core_hull(cone, 0.05);
   ASSERT_EQ(core.hull.face_count(), cone.face_count());
@@ -104,7 +103,7 @@ TEST(CoreHull, ConesLoseNoFaceAndTheirEdgesStandForThoseOfTheCone) {
 }
 
 TEST(CoreHull, AnApexOfTwoSlopesBecomesARidgeThatStandsForIt) {
-  // Sides of slope 1 over +-x and of slope 2 over +-z: those move down faster.
+  // Sides of slope 1 over +-x and of slope 2 over +-z; the former move down faster.
   const std::vector<Vec3d> points{
       {1, 0, 0.5}, {1, 0, -0.5}, {-1, 0, 0.5}, {-1, 0, -0.5}, {0, 1, 0}};
   const CoreHull core = core_hull(build_hull(points), 0.05);

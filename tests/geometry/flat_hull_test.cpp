@@ -10,7 +10,7 @@
 #include "geometry/hull_checks.h"
 #include "geometry/point_sets.h"
 
-/// Hulls of points on one plane: a polygon with two faces back to back.
+/// Hulls of points in one plane: a polygon with two faces back to back.
 namespace contactscope::test {
 namespace {
 
@@ -20,7 +20,7 @@ Hull<double> flat_hull_of(const Points& points) {
   return build_hull(points, {.allow_flat = true});
 }
 
-/// What a flat hull promises of its topology and planes, and that it is convex within `tolerance`.
+/// Expects the promised topology and planes of a flat hull, and convexity within `tolerance`.
 void expect_flat(const Hull<double>& hull, double tolerance) {
   ASSERT_TRUE(hull.flat());
   const std::vector<int> front = face_vertices(hull, 0);
@@ -63,7 +63,7 @@ TEST(FlatHull, IsTheConvexPolygonOfPointsOnAPlane) {
 }
 
 TEST(FlatHull, HasTheCentroidOfItsArea) {
-  // An L of points makes a pentagon: the square of two metres less its upper right corner.
+  // An L of points makes a pentagon: the square of two metres minus its upper right corner.
   const Hull<double> hull = flat_hull_of(
       {{0, 5, 0}, {2, 5, 0}, {2, 5, 1}, {1, 5, 1}, {1, 5, 2}, {0, 5, 2}, {0.5, 5, 0.5}});
   EXPECT_EQ(hull.vertex_count(), 5);

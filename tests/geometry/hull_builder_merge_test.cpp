@@ -9,7 +9,7 @@
 #include "geometry/primitives.h"
 #include "geometry/triangulate.h"
 
-// Coplanar input must come out as the faces that a person sees, rounding or not.
+// Coplanar input must give the faces that a person sees, with or without rounding.
 namespace contactscope::test {
 namespace {
 
@@ -185,7 +185,7 @@ TEST(UnmergedHull, WithNothingToMergeIsTheMergedHull) {
 }
 
 TEST(UnmergedHull, LeavesAFaceWholeWhoseCutIsAnEdgeAlready) {
-  // Two squares back to back, whose first ears lie at the two ends of one diagonal.
+  // Two squares back to back; their first ears are at the two ends of one diagonal.
   const Hull<double> flat =
       hull_from_polygons({Vec3d(0, 0, 0), Vec3d(1, 0, 0), Vec3d(1, 1, 0), Vec3d(0, 1, 0)},
                          {{0, 1, 2, 3}, {2, 1, 0, 3}});

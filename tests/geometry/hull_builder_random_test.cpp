@@ -16,14 +16,14 @@ namespace {
 // How many tolerances a point may be above a plane; the builder promises "a small multiple".
 constexpr double kSlack = 10;
 
-// The directions are spread over the sphere.
+// Directions spread over the sphere.
 Points directions() {
   Generator random(7);
   return on_sphere(random, 200);
 }
 
-/// All that holds for every hull, and volume and area as libqhull has them. `lateral` is how far a
-/// sharp rim may be cut back, metres.
+/// Checks the properties of every hull, and compares volume and area with libqhull. A sharp rim may
+/// be cut back by `lateral` metres.
 void expect_hull_as_qhull(const Points& points, double lateral) {
   const Hull<double> hull = build_hull(points);
   const double slack = kSlack * hull_tolerance(points);

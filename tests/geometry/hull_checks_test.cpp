@@ -10,7 +10,7 @@
 #include "geometry/primitives.h"
 #include "geometry/qhull_oracle.h"
 
-// The checks that the other tests rest on must be able to fail.
+// The checks that other tests rely on must be able to fail.
 namespace contactscope::test {
 namespace {
 
@@ -39,7 +39,7 @@ TEST(HullChecks, BrokenTopologyIsNotSound) {
 }
 
 TEST(HullChecks, AVertexOfTwoEdgesIsNotSound) {
-  // A tetrahedron with a vertex put into the edge from 0 to 1.
+  // A tetrahedron with a vertex inserted into the edge from 0 to 1.
   const Hull<double> hull = hull_from_polygons(
       {Vec3d(0, 0, 0), Vec3d(1, 0, 0), Vec3d(0, 1, 0), Vec3d(0, 0, 1), Vec3d(0.5, 0, 0)},
       {{0, 2, 1, 4}, {0, 4, 1, 3}, {1, 2, 3}, {2, 0, 3}});
@@ -68,7 +68,7 @@ TEST(HullChecks, ADentIsNotConvex) {
 }
 
 TEST(HullChecks, AnOutlineThatTurnsInwardsIsNotConvex) {
-  // An arrow-shaped prism whose caps are flat; its notch is at corner 2 of each.
+  // An arrow-shaped prism with flat caps; its notch is at corner 2 of each.
   const std::vector<Vec3d> outline = {Vec3d(0, 0, 2), Vec3d(2, 0, -2), Vec3d(0, 0, -1),
                                       Vec3d(-2, 0, -2)};
   std::vector<Vec3d> vertices = outline;
@@ -77,7 +77,7 @@ TEST(HullChecks, AnOutlineThatTurnsInwardsIsNotConvex) {
       vertices,
       {{0, 1, 2, 3}, {7, 6, 5, 4}, {0, 4, 5, 1}, {1, 5, 6, 2}, {2, 6, 7, 3}, {3, 7, 4, 0}});
   EXPECT_TRUE(is_sound(hull));
-  // The planes at the notch are taken out of the way, so that only the outline can tell.
+  // Move the planes at the notch away, so that only the outline can reveal it.
   hull.planes[3].offset += 10;
   hull.planes[4].offset += 10;
   const ::testing::AssertionResult result = is_convex(hull, 1e-6);

@@ -78,7 +78,7 @@ TEST(HullFromPolygons, RefusesAFaceOf129Vertices) {
   EXPECT_THAT(refusal_of(prism(129), {face}), HasSubstr("a face has 129 vertices"));
 }
 
-/// Of the flat hull with these corners.
+/// The plane of the flat hull with these corners.
 Plane<double> plane_of(const Points& corners) {
   return hull_from_polygons(corners, {{0, 1, 2, 3}, {3, 2, 1, 0}}).planes[0];
 }

@@ -21,7 +21,7 @@ Mesh<double> mesh_of(const MeshInput& input, MeshReport* report = nullptr) {
   return build_mesh(input.vertices, input.triangles, report);
 }
 
-/// Whoever is a neighbour across an edge says the same, of the same edge.
+/// Neighbours across an edge refer to each other by the same edge.
 template <class S>
 void expect_mutual(const Mesh<S>& mesh) {
   for (int t = 0; t < mesh.triangle_count(); ++t) {
@@ -194,7 +194,7 @@ TEST(MeshAdjacency, ASheetFoldedOntoItselfIsConvexWhicheverWayRoundingFalls) {
 }
 
 TEST(MeshAdjacency, AFlatFloorOfSliversAsSixDigitsGiveItStaysFlat) {
-  // Strips of a tilted floor of ten metres, one a thousandth as wide, heights printed as "%.6g".
+  // Strips of a tilted floor of ten metres, each a thousandth as wide, heights printed as "%.6g".
   MeshInput floor;
   const auto height = [](double x, double z) {
     return std::round((2 + 0.3 * x + 0.1 * z) * 1e5) / 1e5;
@@ -223,7 +223,7 @@ TEST(MeshAdjacency, AFlatSlopeFarFromTheOriginStaysFlatInSinglePrecision) {
   EXPECT_EQ(count(mesh, EdgeClass::Convex), 0);
   Mesh<float> rounded = mesh_cast<float>(mesh);
   EXPECT_EQ(rounded.edges, mesh.edges);
-  // It does get bumps that way: asked anew, the classes are others.
+  // The rounded mesh does have bumps: recomputed classes differ.
   refit(rounded);
   EXPECT_FALSE(rounded.edges == mesh.edges);
 }

@@ -33,7 +33,7 @@ MeshInput random_slivers(Random& random, int count, double side, const Vec3d& ce
   for (int i = 0; i < count; ++i) {
     const Vec3d a = center + in_cube(random, side);
     const Vec3d b = center + in_cube(random, side);
-    // On the line through both, anywhere from one end to the other, and a little off it.
+    // On the line through both, anywhere between them, and a little off it.
     const Vec3d on_line = a + random.uniform(0, 1) * (b - a);
     soup.add(a, b, on_line + side * random.decade(-6, 0) * random.unit_vector());
   }

@@ -9,12 +9,12 @@
 
 namespace contactscope::test {
 
-/// Vertices and triangles as build_mesh takes them.
+/// Vertices and triangles in the form for build_mesh.
 struct MeshInput {
   std::vector<Vec3d> vertices;
   std::vector<std::array<int, 3>> triangles;
 
-  /// A triangle with vertices of its own.
+  /// Adds a triangle with vertices of its own.
   void add(const Vec3d& a, const Vec3d& b, const Vec3d& c);
 };
 
@@ -24,18 +24,18 @@ MeshInput random_soup(Random& random, int count, double side, double size, const
 /// The same with one side up to a million times shorter than the others.
 MeshInput random_slivers(Random& random, int count, double side, const Vec3d& center);
 
-/// Triangles crowded towards the origin, each ten per cent farther out and larger than the last.
+/// Triangles crowded towards the origin; each is ten per cent farther out and larger than the last.
 MeshInput skewed_mesh(Random& random, int count);
 
-/// The faces of a hull whose faces are triangles, in their order: edge k of triangle f leaves the
-/// k-th of the face's vertices.
+/// The triangles of a hull whose faces are all triangles, in their order: edge k of triangle f
+/// starts at vertex k of the face.
 MeshInput triangles_of(const Hull<double>& hull);
 
-/// A band of `quads` quads of two triangles, its ends joined after half a turn.
+/// A band of `quads` quads of two triangles, with its ends joined after half a turn.
 MeshInput moebius_strip(int quads);
 
 /// Two triangles on the common edge from (0, 0, 0) to (0, 0, -1), fronts up: one in the plane y =
-/// 0, the other one bent down across the edge by `angle` radians (up if negative).
+/// 0, the other bent down across the edge by `angle` radians (up if negative).
 MeshInput hinge(double angle);
 
 }  // namespace contactscope::test

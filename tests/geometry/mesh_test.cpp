@@ -59,7 +59,7 @@ TEST(Mesh, TrianglesWithoutAnAreaAreKeptWhereThatIsAsked) {
   EXPECT_EQ(mesh.corner(2, longest_edge(mesh, 2)), Vec3d(0, 1, 0));
   EXPECT_EQ(mesh.neighbour(0, 2), 1);
   EXPECT_EQ(mesh.edge_class(0, 2), EdgeClass::Internal);
-  // A side of no length has no neighbour, and a segment there and back again is none of its own.
+  // A side of length 0 has no neighbour; a segment forth and back is not its own neighbour.
   EXPECT_EQ(mesh.neighbours[3], (std::array{-1, -1, -1}));
   EXPECT_EQ(build_mesh_with_flat_triangles({{0, 0, 0}, {1, 0, 0}}, {{0, 1, 0}}).neighbours[0],
             (std::array{-1, -1, -1}));
@@ -124,7 +124,7 @@ TEST(Mesh, AMeshWithoutAnyAreaIsRefused) {
   expect_refusal([] { build_mesh(kSquare, {{0, 1, 1}, {2, 2, 2}}); }, "zero area");
 }
 
-/// Unit normal by long double, from exact differences of the coordinates.
+/// Unit normal in long double, from exact differences of the coordinates.
 Vec3d precise_normal(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
   using Vec3l = Vec3<long double>;
   const Vec3l ab = b.cast<long double>() - a.cast<long double>();
@@ -149,7 +149,7 @@ TEST(TriangleNormal, IsRightForSliversAtEveryScaleAndPlace) {
     if (normal.isZero(0)) continue;
     ++kept;
     EXPECT_NEAR(normal.norm(), 1, 1e-15);
-    // Where the corner is flat, rounding of the two short edges counts for more.
+    // If the corner is flat, rounding of the two short edges has more effect.
     const double sine = std::sin(angle_between(a - c, b - c));
     const double roundings = std::numeric_limits<double>::epsilon() * (8 + 8 / sine);
     EXPECT_LT(angle_between(normal, precise_normal(a, b, c)), roundings);
@@ -168,7 +168,7 @@ TEST(TriangleNormal, OfATriangleThatIsKeptTurnsByLessThanADegreeWithTheLastDigit
         a + random.uniform(0, 1) * (b - a) + place * random.decade(-14, -13) * random.unit_vector();
     const Vec3d normal = triangle_normal(a, b, c);
     if (normal.isZero(0)) continue;
-    // Any real triangle that these coordinates may have been before they were rounded.
+    // Any real triangle that could round to these coordinates.
     std::array<Vec3d, 3> corners{a, b, c};
     std::array<Vec3<long double>, 3> exact;
     for (std::size_t k = 0; k < 3; ++k) {

@@ -37,7 +37,7 @@ class Obj : public ::testing::Test {
 
   std::vector<Vec3d> load(const std::string& text) const { return load_obj_vertices(write(text)); }
 
-  /// The message of the error, without the path in front of it.
+  /// The error message without the leading path.
   std::string refusal_of(const std::string& text) const {
     const std::string path = write(text);
     try {
@@ -146,7 +146,7 @@ TEST_F(Obj, ABackslashJoinsALineWithTheNext) {
   EXPECT_THAT(refusal_of(vertices + "f 1 2 3\nw\n"), StartsWith(":8:1: 'w'"));
 }
 
-// Blanks and line ends may be split by a backslash wherever words are.
+// A backslash may continue a line at any blank between words.
 TEST_F(Obj, RandomContinuedLinesReadAsTheWholeOnes) {
   Random random(17);
   for (int i = 0; i < 200; ++i) {

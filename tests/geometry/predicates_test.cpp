@@ -61,7 +61,7 @@ Vec3d random_point(Random& random, double size) {
   return {random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size)};
 }
 
-/// Moved by up to `steps` last bits each way.
+/// Moved by up to `steps` last bits up or down.
 double nudged(Random& random, double value, int steps) {
   const double far = random.chance(0.5) ? 1e300 : -1e300;
   for (int i = random.index(steps + 1); i > 0; --i) value = std::nextafter(value, far);
@@ -72,7 +72,7 @@ Vec3d nudged(Random& random, const Vec3d& point, int steps) {
           nudged(random, point.z(), steps)};
 }
 
-/// Four points of which the last is on the plane, or the line, of others up to its rounding.
+/// Four points; the last is on the plane, or the line, of others up to its rounding.
 std::vector<Vec3d> nearly_flat(Random& random, double size, double from_origin, bool in_float) {
   const Vec3d center = from_origin * random.unit_vector();
   std::vector<Vec3d> points;
@@ -114,7 +114,7 @@ TEST(Predicates, OracleKnowsItsArithmetic) {
   EXPECT_EQ((ExactInteger(-7) * ExactInteger(1LL << 40)).to_double(), -7 * 0x1p40);
 }
 
-/// Counts of each sign show that near-degenerate input really has all three.
+/// The count of each sign shows that near-degenerate input really has all three.
 void agrees_with_oracle(const std::vector<double>& sizes, double far, bool in_float, int count) {
   Random random(in_float ? 5 : 6);
   std::array<int, 3> signs{};
@@ -183,7 +183,7 @@ TEST(Predicates, EverySwapTurnsTheSign) {
 }
 
 TEST(Predicates, SlowValuesAreRelativelyAccurate) {
-  // Against the determinant in exact integers, of points on a grid of 2^-60.
+  // Compared with the determinant in exact integers, for points on a grid of 2^-60.
   Random random(12);
   for (int i = 0; i < 5000; ++i) {
     const std::vector<Vec3d> points = nearly_flat(random, 1, 0, random.chance(0.5));

@@ -6,7 +6,7 @@
 
 namespace contactscope::test {
 
-/// What libqhull makes of the same points.
+/// The hull that libqhull builds of the same points.
 struct QhullAnswer {
   double volume = 0;
   double area = 0;

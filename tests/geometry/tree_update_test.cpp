@@ -15,7 +15,7 @@ namespace {
 
 using test::Random;
 
-/// Every point turned about z by `angle` for each metre of height.
+/// Turns every point about z by `angle` per metre of height.
 std::vector<Vec3d> twisted(const std::vector<Vec3d>& vertices, double angle) {
   return mapped(vertices, [angle](const Vec3d& v) -> Vec3d {
     const double c = std::cos(angle * v.z()), s = std::sin(angle * v.z());
@@ -23,7 +23,7 @@ std::vector<Vec3d> twisted(const std::vector<Vec3d>& vertices, double angle) {
   });
 }
 
-/// Boxes that queries with small boxes on the surface really test, all together.
+/// Number of boxes that queries with small boxes on the surface test, in total.
 int boxes_tested(const Mesh<double>& mesh) {
   Random random(71);
   int tested = 0;

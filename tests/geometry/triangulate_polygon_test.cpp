@@ -19,8 +19,8 @@ Vec3d area_vector(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
   return 0.5 * ab.cross(ac);
 }
 
-/// The triangles run around like the polygon, do not overlap, and cover it: each points the
-/// polygon's way, none is flat, and their areas sum to the polygon's.
+/// The triangles have the polygon's orientation, do not overlap, and cover it: none is flat, and
+/// their areas sum to the polygon's.
 void expect_covered(const Polygon& polygon) {
   const std::vector<std::array<int, 3>> triangles = triangulate_polygon(polygon);
   ASSERT_EQ(triangles.size(), polygon.size() - 2);
@@ -40,7 +40,7 @@ void expect_covered(const Polygon& polygon) {
   EXPECT_NEAR(sum, whole.norm(), 1e-9 * whole.norm());
 }
 
-/// The same shape near and far, small and large, and turned: six digits are left in each.
+/// The same shape near and far, small and large, and turned: six digits remain in each.
 void expect_covered_anywhere(Random& random, const Polygon& polygon) {
   expect_covered(polygon);
   for (int i = 0; i < 20; ++i) {
@@ -111,7 +111,7 @@ TEST(TriangulatePolygon, ACombIsCovered) {
   comb.emplace_back(10, 0, 0);
   comb.emplace_back(10, 1, 0);
   comb.emplace_back(0, 1, 0);
-  // Once the teeth are cut, their ends lie on one line, but for rounding where the comb is turned.
+  // After the teeth are cut, their ends lie on one line, up to rounding if the comb is turned.
   expect_covered_anywhere(random, comb);
 }
 
@@ -129,7 +129,7 @@ TEST(TriangulatePolygon, CornersOnALineGiveNoFlatTriangle) {
 TEST(TriangulatePolygon, SlowStaircasesOnALatticeGiveNoFlatTriangle) {
   Random random(5);
   for (int i = 0; i < 300; ++i) {
-    // A skyline: columns of whole heights over a base, every lattice point on the outline a corner.
+    // A skyline: columns of integer heights over a base; every lattice point on it is a corner.
     const int columns = 2 + random.index(6);
     std::vector<int> heights;
     for (int k = 0; k < columns; ++k) heights.push_back(1 + random.index(5));

@@ -8,7 +8,7 @@
 
 namespace contactscope::testing {
 
-/// A picture with every kind of primitive, overlapping, translucent, and off whole pixels.
+/// A picture with every kind of primitive, overlapping, translucent, and not aligned to pixels.
 inline draw::Drawing sample_drawing(int width = 640, int height = 360) {
   using namespace draw;
   std::mt19937 random(11);

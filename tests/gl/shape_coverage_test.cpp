@@ -1,4 +1,4 @@
-// Strokes and discs against areas worked out by hand.
+// Compares strokes and discs with areas computed by hand.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -156,7 +156,7 @@ TEST_F(ShapeCoverage, RoundDashesAreCapsules) {
     stroke.dash = 8;
     stroke.gap = 12;
     stroke.phase = phase;
-    // Phase 0 and 13 keep five dashes whole; with 6 one is cut in two, and has caps of its own.
+    // Phases 0 and 13 keep five dashes whole; phase 6 cuts one in two, with caps of their own.
     const double dashes = phase == 6.0f ? 6 : 5;
     const double area = 5 * 8 * 6 + dashes * kPi * 9;
     EXPECT_NEAR(ink_of(stroke), area, 0.015 * area) << phase;

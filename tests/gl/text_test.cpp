@@ -1,4 +1,4 @@
-// Painted text against the glyph bitmaps of image/font.h.
+// Compares painted text with the glyph bitmaps of image/font.h.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -17,8 +17,8 @@ using testing::IsEmpty;
 
 constexpr double kJump = 0.15;
 
-/// What is wrong with a history of ratios: lines that cannot be read, and benchmarks whose last ratio is more than 15 %
-/// off the one before without a note that says why.
+/// Errors in a history of ratios: lines that cannot be read, and benchmarks whose last ratio
+/// differs by more than 15 % from the previous one without a note that gives the reason.
 std::vector<std::string> faults_of(const std::string& history) {
   struct Last {
     double ratio = 0;
@@ -52,7 +52,7 @@ std::vector<std::string> faults_of(const std::string& history) {
     Last& last = benchmarks[columns[0]];
     const double change = last.ratio > 0 ? ratio / last.ratio - 1 : 0;
     last = {ratio};
-    // A thousandth is what the file's digits leave open.
+    // The file's digits leave an uncertainty of a thousandth.
     if ((change > kJump + 1e-3 || change < 1 / (1 + kJump) - 1 - 1e-3) && columns[3].empty())
       last.fault = place + columns[0] + " is " + columns[2] + " at " + columns[1] + ", " +
                    std::to_string(std::lround(100 * change)) +
@@ -77,7 +77,7 @@ TEST(BenchHistory, JumpsAreSeenEitherWay) {
               ElementsAre(HasSubstr("line 4: a is 2.4 at 2, 20 % off the row before")));
   EXPECT_THAT(faults_of("a\t1\t2\t\na\t2\t1\t\n"), ElementsAre(HasSubstr("-50 % off")));
   EXPECT_THAT(faults_of("a\t1\t2\t\na\t2\t1\tby a new kernel\n"), IsEmpty());
-  // The last two rows of each: what was before them has passed.
+  // Only the last two rows of each are compared: earlier ones have passed.
   EXPECT_THAT(faults_of("a\t1\t2\t\na\t2\t9\t\na\t3\t9\t\n"), IsEmpty());
   EXPECT_THAT(faults_of("a\t1\t2\t\nb\t2\t9\t\na\t3\t9\t\n"),
               ElementsAre(HasSubstr("line 3: a is 9 at 3")));

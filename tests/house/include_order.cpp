@@ -16,7 +16,7 @@ struct Folder {
   std::string_view parent;  // "src" or "render"
 };
 
-// As src/README.md has them: a folder uses only folders before it.
+// In the order of src/README.md: a folder uses only folders before it.
 constexpr Folder kOrder[] = {
     {"recorder", "src"},  {"core", "src"},     {"trace", "src"},       {"geometry", "src"},
     {"query", "src"},     {"field", "src"},    {"broadphase", "src"},  {"continuous", "src"},
@@ -27,7 +27,7 @@ constexpr Folder kOrder[] = {
     {"package", "src"},   {"adapters", "src"},
 };
 
-/// The floors of render/draw, each with those that it may use. What lies on none is the top.
+/// The levels of render/draw, and the levels that each may use. Other files are the top.
 struct Floor {
   std::string_view name;
   std::array<std::string_view, 3> uses;
@@ -39,7 +39,7 @@ constexpr Floor kFloors[] = {
     {"insets", {"scene", "charts", "insets"}},
 };
 
-/// What all layers include; of each other they know nothing.
+/// All layers include this; they do not include each other.
 constexpr std::string_view kLayer = "draw/layers/layer.h";
 
 const Folder* find_folder(std::string_view name) {
@@ -51,7 +51,7 @@ const Folder* find_folder(std::string_view name) {
 bool may_use(const Folder& user, const Folder& used) {
   if (user.name == used.name) return true;
   if (&used > &user) return false;
-  if (user.name == "adapters") return used.name == "recorder";  // who takes one has these two
+  if (user.name == "adapters") return used.name == "recorder";  // a user of one copies these two
   if (used.parent == "src" && user.name == "image") return false;
   if (used.parent == "src" && user.name == "draw") {
     return used.name == "core" || used.name == "trace";
@@ -71,7 +71,7 @@ std::vector<std::string> components(const std::string& path) {
   return parts;
 }
 
-/// The folder of "src/core/pose.h"; null, with the reason in `why`, when it lies in none.
+/// The folder of "src/core/pose.h"; null, with the reason in `why`, if it is in none.
 const Folder* folder_of(const std::string& path, std::string& why) {
   const std::vector<std::string> parts = components(path);
   if (parts.size() < 3) {
@@ -88,7 +88,7 @@ const Folder* folder_of(const std::string& path, std::string& why) {
 
 constexpr std::string_view kBlank = " \t";
 
-/// Takes `word`, and blanks before it, off the front of `text`.
+/// Removes `word`, and blanks before it, from the front of `text`.
 bool take(std::string_view& text, std::string_view word) {
   const std::size_t start = text.find_first_not_of(kBlank);
   if (start == std::string_view::npos || !text.substr(start).starts_with(word)) return false;
@@ -102,7 +102,6 @@ std::string included_by(std::string_view line) {
   return std::string(line.substr(0, line.find('"')));
 }
 
-/// CMake text without its comments.
 std::string without_comments(const std::string& text) {
   std::string kept;
   std::istringstream lines(text);
@@ -110,7 +109,7 @@ std::string without_comments(const std::string& text) {
   return kept;
 }
 
-/// Checks one call: `words` are the name of the folder and what follows.
+/// Checks one call: `words` are the name of the folder and its arguments.
 void check_links(const std::string& path, std::istringstream words,
                  std::vector<std::string>& violations) {
   std::string name;
@@ -133,7 +132,7 @@ void check_links(const std::string& path, std::istringstream words,
   }
 }
 
-/// Of an include from render/draw in render/draw: what is wrong with it, or nothing.
+/// The violation of an include from render/draw in render/draw; empty if there is none.
 std::string floor_violation(const std::string& path, const std::string& included) {
   const Floor* user = find_floor(components(path)[2]);
   if (user == nullptr) return {};
@@ -155,7 +154,7 @@ void check_include(const SourceFile& file, int line, const std::string& included
                    const Folder& folder, const std::set<std::string>& known,
                    std::vector<std::string>& violations) {
   const std::string where = file.path + ":" + std::to_string(line) + ": ";
-  // The compiler looks beside the including file first, then in src and render.
+  // The compiler looks in the including file's folder first, then in src and render.
   const std::string beside = (std::filesystem::path(file.path).parent_path() / included)
                                  .lexically_normal()
                                  .generic_string();
@@ -193,7 +192,7 @@ std::vector<std::string> include_violations(const std::vector<SourceFile>& files
     std::string why;
     const Folder* folder = folder_of(file.path, why);
     if (!folder) {
-      // src/CMakeLists.txt and its like tie the folders together.
+      // src/CMakeLists.txt and the like connect the folders.
       if (is_source(file.path) || components(file.path).size() > 2) violations.push_back(why);
       continue;
     }

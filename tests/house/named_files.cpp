@@ -8,15 +8,14 @@
 namespace contactscope::house {
 namespace {
 
-/// Names of other projects' files, which comments cite, and of files that a document tells its
-/// reader to make.
+/// Files outside the project that comments cite or that a document tells its reader to make.
 const std::set<std::string> kElsewhere = {
     "GL/gl.h",     "GL/glcorearb.h", "GL/osmesa.h",
     "my.toml",     "my/crate.toml",  "btGjkEpa2.cpp",
     "GLES2/gl2.h", "EGL/egl.h",      "collision_trimesh_box.cpp",
 };
 
-/// The part of a line that is for readers; empty: none.
+/// The part of a line that is for readers; empty if there is none.
 std::string words_of(const std::string& path, const std::string& line) {
   if (path.ends_with(".md")) return line;
   const bool source = path.ends_with(".h") || path.ends_with(".cpp");
@@ -28,7 +27,7 @@ std::string words_of(const std::string& path, const std::string& line) {
   return in_text ? std::string() : line.substr(start);
 }
 
-/// NAME.cpp and collide_A_B.cpp stand for what a reader is to write.
+/// NAME.cpp and collide_A_B.cpp are placeholders for files that a reader is to write.
 bool is_pattern(const std::string& name) {
   return name.find("NAME") != std::string::npos || name.find("_A_B") != std::string::npos;
 }
@@ -40,15 +39,14 @@ bool names_a_file(const std::string& name, const std::set<std::string>& paths) {
          });
 }
 
-/// Where a link of a document leads, from the root; empty: to a place on the page, or out of the
-/// project.
+/// Target of a document's link, relative to the root; empty for places on the page and the web.
 std::string target_of(const std::string& document, std::string link) {
   link = link.substr(0, link.find('#'));
   if (link.empty() || link.find("://") != std::string::npos) return {};
   return (std::filesystem::path(document).parent_path() / link).lexically_normal().generic_string();
 }
 
-/// All that match the first group of `pattern`.
+/// All matches of the first group of `pattern`.
 std::vector<std::string> matches(const std::string& text, const std::regex& pattern) {
   std::vector<std::string> found;
   for (std::sregex_iterator match(text.begin(), text.end(), pattern), end; match != end; ++match)

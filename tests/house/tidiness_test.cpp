@@ -55,7 +55,7 @@ TEST(Tidiness, PackagesStandOneALine) {
   constexpr const char* kLetters = "abcdefghijklmnopqrstuvwxyz0123456789+.-";
   std::set<std::string> seen;
   for (const std::string& line : lines) {
-    // A question mark behind a package says that a distribution may lack it.
+    // A question mark after a package means that a distribution may lack it.
     const std::string name = line.ends_with('?') ? line.substr(0, line.size() - 1) : line;
     EXPECT_EQ(name.find_first_not_of(kLetters), std::string::npos) << line;
     EXPECT_TRUE(seen.insert(line).second) << line << " is listed twice";
@@ -77,7 +77,6 @@ TEST(Tidiness, SetupCanBeExecuted) {
   EXPECT_NE(permissions & std::filesystem::perms::owner_exec, std::filesystem::perms::none);
 }
 
-/// Files with more lines than `limit`.
 std::vector<std::string> long_files(const std::vector<SourceFile>& files, long limit) {
   std::vector<std::string> found;
   for (const SourceFile& file : files) {
@@ -91,7 +90,7 @@ constexpr long kMostLines = 450;  // around 300, look for a seam
 
 TEST(Tidiness, NoFileIsLong) {
   std::vector<SourceFile> files = read_house(kRoot);
-  // One file is what makes it easy to drop in.
+  // This is one file so that it is easy to drop in.
   std::erase_if(files,
                 [](const SourceFile& file) { return file.path == "src/recorder/contactscope.h"; });
   EXPECT_THAT(long_files(files, kMostLines), IsEmpty());

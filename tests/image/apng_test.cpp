@@ -43,7 +43,7 @@ struct Shown {
   double seconds = 0;
 };
 
-/// What a viewer shows: each picture's pixels as a PNG of its own, laid over the one before.
+/// The pictures that a viewer shows: each as a PNG, composed over the previous one.
 std::vector<Shown> play(const Bytes& file) {
   std::vector<Shown> all;
   const std::vector<Chunk> chunks = chunks_of(file);

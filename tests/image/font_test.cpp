@@ -20,7 +20,7 @@ double total(const GlyphBitmap& glyph) {
   return std::accumulate(glyph.coverage.begin(), glyph.coverage.end(), 0.0) / 255;
 }
 
-/// Coverage at a place relative to the pen; 0 outside of the bitmap.
+/// Coverage at a place relative to the pen; 0 outside the bitmap.
 int at(const GlyphBitmap& glyph, int x, int y) {
   const int column = x - glyph.left, row = y - glyph.top;
   if (column < 0 || row < 0 || column >= glyph.width || row >= glyph.height) return 0;

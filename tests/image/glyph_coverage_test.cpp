@@ -56,7 +56,7 @@ std::uint64_t hashed(const GlyphBitmap& glyph, std::uint64_t hash) {
   return hash;
 }
 
-// Stored pictures hold text: a letter that looks different anywhere would fail all of them.
+// Stored pictures contain text: a letter that differs anywhere would fail all of them.
 TEST(GlyphCoverage, LettersHaveTheSamePixelsEverywhere) {
   std::uint64_t hash = 0xCBF29CE484222325ull;
   for (const FontWeight weight : {FontWeight::Regular, FontWeight::Bold}) {

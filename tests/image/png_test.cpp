@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
-/// A folder of its own that goes when the test ends.
+/// A new folder that is deleted when the test ends.
 class Png : public ::testing::Test {
  protected:
   Png() {
@@ -128,7 +128,7 @@ TEST_F(Png, AFileThatCannotGrowIsAnErrorAndLeavesTheOldOne) {
   write_whole_file(path("a.bin"), old);
   rlimit before{};
   ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
-  const auto handler = std::signal(SIGXFSZ, SIG_IGN);  // as on a full disk: write() fails half-way
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);  // as on a full disk: write() then fails
   const rlimit small{5000, before.rlim_max};
   ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
   EXPECT_THROW(write_whole_file(path("a.bin"), large), fs::filesystem_error);

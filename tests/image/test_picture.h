@@ -48,7 +48,7 @@ inline void paint_dot(Image& image, double cx, double cy, double radius, const R
   }
 }
 
-/// 97 x 41, white, with a vermilion dot whose middle is that far from the left.
+/// 97 x 41, white, with a vermilion dot whose centre is `x` from the left.
 inline Image dot_on_white(double x) {
   Image image(97, 41);
   paint_all(image, {255, 255, 255});

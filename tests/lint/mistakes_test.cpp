@@ -6,7 +6,7 @@
 
 #include "lint/recorded.h"
 
-/// Mistakes that writers of traces make, each sown into traces that are right: the linter names it.
+/// Typical mistakes of trace writers, each inserted into correct traces: the linter names it.
 namespace contactscope::lint {
 namespace {
 
@@ -73,7 +73,7 @@ void poses_of_the_step_before(Trace& trace) {
   trace.frames.erase(trace.frames.begin());
 }
 
-/// Shapes whose own origin is not their centre of mass, and poses that are of the latter.
+/// Shapes whose origin is not their centre of mass, with poses of the centre of mass.
 void poses_of_the_center_of_mass(Trace& trace) {
   const Vec3d offset(0.3, 0.1, -0.2);
   for (trace::Shape& shape : trace.header.shapes) {
@@ -83,7 +83,7 @@ void poses_of_the_center_of_mass(Trace& trace) {
   }
 }
 
-/// Everything that has a length, as a world in other units has it.
+/// Scales everything that has a length, as if the world had other units.
 Mistaken world_times(double factor) {
   return [=](Trace& trace) {
     shapes_times(factor)(trace);
@@ -131,7 +131,7 @@ void told_apart(Trace& trace) {
 void sides_swapped(Trace& trace) {
   each_manifold(trace, [](auto&, auto&, trace::Manifold& manifold) {
     for (trace::Point& point : manifold.points) {
-      // Each far enough from the other that it cannot be on both surfaces.
+      // Each is far enough from the other that it cannot be on both surfaces.
       point.on_a = point.position + 0.5 * point.separation * manifold.normal;
       point.on_b = point.position - 0.5 * point.separation * manifold.normal;
     }
@@ -204,7 +204,7 @@ TEST(Lint, SlowEachMistakeIsNamed) {
   for (const Seed& seed : seeds()) expect_named(seed);
 }
 
-/// One crate of the stack hangs in the air in one frame, above the points that it is said to rest on.
+/// In one frame, one crate of the stack hangs in the air above its recorded contact points.
 TEST(Lint, ABoxThatFloatsAboveItsPointsIsNamedWithItsFrame) {
   Trace trace = stack();
   trace::Frame& frame = trace.frames[20];
@@ -219,7 +219,7 @@ TEST(Lint, ABoxThatFloatsAboveItsPointsIsNamedWithItsFrame) {
   EXPECT_THAT(findings[0].is, HasSubstr("0.0"));
 }
 
-/// Of a single frame, in which nothing falls, masses give the unit away.
+/// In a single frame, in which nothing falls, masses reveal the unit.
 TEST(Lint, AWorldInMillimetresIsKnownByItsMasses) {
   Trace trace = stack();
   const std::optional<trace::Solver> solver = trace.frames[3].solver;
@@ -242,8 +242,8 @@ TEST(Lint, OneFlippedNormalAmongManyIsNamed) {
   EXPECT_EQ(findings[0].a + findings[0].b, pair.a + pair.b);
 }
 
-/// The last line of a trace that was cut off has a frame less beside it; a frame that is missing in the
-/// middle has none to be compared with.
+/// The last line of a truncated trace has one neighbouring frame fewer; around a frame that is
+/// missing in the middle, there is none to compare with.
 TEST(Lint, FramesThatAreMissingAreNoFault) {
   Trace trace = heap();
   trace.frames.erase(trace.frames.begin() + 5, trace.frames.begin() + 9);

@@ -1,7 +1,7 @@
 #include "lint/recorded.h"
 #include "trace/find.h"
 
-/// Mistakes of units, axes and forms, of impulses and velocities, and of the record itself.
+/// Mistakes in units, axes and forms, in impulses and velocities, and in the record itself.
 namespace contactscope::lint {
 namespace {
 
@@ -24,7 +24,7 @@ Mistaken each_impulse(const std::function<void(const trace::Manifold&, trace::Im
     });
   };
 }
-/// Of points and normals.
+/// Changes points and normals.
 Mistaken contacts_as(Vec3d (*change)(const Vec3d&)) {
   return [=](Trace& trace) {
     each_manifold(trace, [&](auto&, auto&, trace::Manifold& manifold) {
@@ -43,7 +43,7 @@ Mistaken scaled(const std::string& type, double factor) {
   });
 }
 
-/// The world half a metre higher, so that a plane's offset is not 0.
+/// Raises the world by half a metre, so that a plane's offset is not 0.
 void raise(Trace& trace) {
   for (trace::Shape& shape : trace.header.shapes)
     if (shape.half_space) shape.half_space->offset = 0.5;
@@ -168,11 +168,11 @@ TEST(Lint, SlowEachMistakeOfUnitsAxesAndFormsIsNamed) {
   for (const Seed& seed : more_seeds()) expect_named(seed);
 }
 
-/// A body of two shapes is borne by the contacts of both.
+/// The contacts of both shapes carry a body of two shapes.
 TEST(Lint, ABodyOfSeveralShapesIsWeighedAsAWhole) {
   Trace trace = stack();
   trace::Frame& last = trace.frames.back();
-  // The lowest crate becomes two: each has half of its points, and all of its places.
+  // The lowest crate becomes two shapes: each has half of its points and all of its poses.
   const std::string name = last.pairs.front().b;
   const auto whole = std::ranges::find(trace.header.shapes, name, &trace::Shape::name);
   ASSERT_NE(whole, trace.header.shapes.end());

@@ -25,7 +25,7 @@ trace::Shape floor_of_triangles() {
   return shape;
 }
 
-// The lowest corner of a box of half extents h that is turned by R is h . |R's row| below its middle.
+// The lowest corner of a box of half extents h, turned by R, is h . |R's row| below its centre.
 double lowest_corner(const Quatd& rotation) {
   return rotation.toRotationMatrix().row(1).cwiseAbs().dot(Vec3d(0.3, 0.2, 0.4));
 }

@@ -10,12 +10,12 @@
 #include "lint/linter.h"
 #include "scenario/run.h"
 
-/// Traces that are right, as another engine might have written them, and mistakes to sow into them.
+/// Correct traces in the form of another engine's, and mistakes to insert into them.
 namespace contactscope::lint {
 
 using trace::Trace;
 
-/// Frames of a scenario as a trace that another engine might have written: without stages.
+/// Frames of a scenario as a trace of another engine: without stages.
 inline Trace recorded(const std::string& file, int first, int last) {
   const Scenario scenario = load_scenario(CONTACTSCOPE_SOURCE_DIR "/" + file);
   Runner runner(scenario, trace::Stages::none());
@@ -81,7 +81,7 @@ inline std::vector<std::string> causes_of(const std::vector<Finding>& findings) 
   return causes;
 }
 
-/// It is named first, and little else is said.
+/// Expects that the mistake is named first, with few other findings.
 inline void expect_named(const Seed& seed) {
   SCOPED_TRACE(seed.name);
   Trace trace = seed.trace();

@@ -34,11 +34,11 @@ TEST(Solid, DistanceOfABoxIsThatOfItsFacesEdgesAndVertices) {
   EXPECT_NEAR(solid.distance({4, 6, 0}), 5, 1e-13);  // an edge
   EXPECT_NEAR(solid.distance({3, 5, 9}), 7, 1e-13);  // a vertex: 2, 3, 6
   EXPECT_NEAR(*solid.exit({0, 0, 0}, {0, 1, 0}), 2, 1e-14);
-  EXPECT_NEAR(*solid.exit({0, 5, 0}, {0, 1, 0}), -3, 1e-14);  // it lies behind
+  EXPECT_NEAR(*solid.exit({0, 5, 0}, {0, 1, 0}), -3, 1e-14);  // it is behind
   EXPECT_NEAR(solid.size(), std::sqrt(14.0), 1e-14);
 }
 
-/// Where a capsule is left is found by walking along the direction in small steps.
+/// The exit of a capsule is found by small steps along the direction.
 TEST(Solid, ACapsuleIsLeftWhereItsSurfaceIs) {
   std::mt19937_64 engine(3);
   int asked = 0;
@@ -68,7 +68,7 @@ TEST(Solid, BestSeparationOfBoxesIsAlongTheNearestFaces) {
   b.pose.position = {0.3, 1.4, 0};
   EXPECT_NEAR(best_separation(a, b)->distance, -0.1, 1e-12);
   EXPECT_LT((best_separation(a, b)->normal - Vec3d::UnitY()).norm(), 1e-9);
-  b.pose.position = {4.5, 5.5, 0};  // 3 and 4 apart
+  b.pose.position = {4.5, 5.5, 0};  // offset by 3 and 4
   EXPECT_NEAR(best_separation(a, b)->distance, 5, 1e-12);
   EXPECT_NEAR(separation_along(a, b, {0, 1, 0}), 4, 1e-12);
 }

@@ -73,7 +73,7 @@ TEST(AskBounds, EveryBoundHoldsItsShapeAndNoneLosesAnOverlap) {
       }
       EXPECT_TRUE(found.answer.overlap || !query.shapes->overlap);
       false_positives += found.answer.overlap && !query.shapes->overlap;
-      // The answer is that no axis separates.
+      // Bounds overlap if and only if no axis separates them.
       bool separates = false;
       for (const trace::TestedAxis& axis : query.axes) {
         separates = separates || axis.separates;
@@ -85,7 +85,7 @@ TEST(AskBounds, EveryBoundHoldsItsShapeAndNoneLosesAnOverlap) {
       EXPECT_EQ(query.axes.size(), bounds == QueryMethod::Aabb  ? 3u
                                    : bounds == QueryMethod::Obb ? 15u
                                                                 : 1u);
-      // An oriented box of a box is the box.
+      // The oriented box of a box is the box itself.
       if (bounds == QueryMethod::Obb && std::abs(*found.answer.gap) > 1e-12 * extent) {
         EXPECT_EQ(found.answer.overlap, query.shapes->overlap);
       }
@@ -154,7 +154,7 @@ TEST(AskBounds, TradingTheShapesMirrorsTheRecord) {
         if (b >= 0) question.bounds = kBounds[b];
         const trace::Pair one = asked<float>(pair, question).record;
         trace::Pair other = asked<float>(traded, question, true).record;
-        std::swap(other.a, other.b);  // names go by place, not by shape
+        std::swap(other.a, other.b);  // names belong to sides, not to shapes
         trace::mirror(other);
         trace::Frame frame_one, frame_other;
         frame_one.pairs = {one};

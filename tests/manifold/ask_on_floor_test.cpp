@@ -8,9 +8,9 @@
 #include "support/cases.h"
 #include "support/sphere_mesh.h"
 
-/// Small shapes over floors that are up to ten thousand times as large: what touches is judged by the
-/// rounding of what is closest, wherever the floor's corners are. The right gap is that of the lowest
-/// vertex, in extended precision.
+/// Small shapes over floors that are up to ten thousand times as large. Contact must be decided
+/// with the rounding of the closest features, wherever the floor's corners are. The true separation
+/// is that of the lowest vertex, in extended precision.
 namespace contactscope {
 namespace {
 
@@ -62,12 +62,12 @@ double radius_of(const Shape<double>& shape) {
   return capsule ? capsule->radius : 0;
 }
 
-/// How the floor stands: level and turned about its upright at most, or any way.
+/// A small shape over a floor that is level, at most turned about the vertical, or at any pose.
 struct Scene {
   Floor kind = Floor::Box;
   double size = 1, reach = 1, thickness = 1;
   bool level = true;     // the floor
-  bool upright = false;  // the small shape is turned about the upright at most
+  bool upright = false;  // the small shape is at most turned about the vertical
   PlacedShapes pair;     // the floor is a
 
   double gap() const {
@@ -143,13 +143,13 @@ Answer<S> answer_of(const PlacedShapes& pair, bool swapped, const Question& ques
   return ask<S>({a, pose_a, bounds_a}, {b, pose_b, bounds_b}, question);
 }
 
-/// Metres: what it takes to compute a gap in double.
+/// Rounding of a separation computed in double, metres.
 double rounding_of_double(const Scene& scene) {
   return 64 * std::numeric_limits<double>::epsilon() * 5 * scene.reach;
 }
 
-/// Metres: some roundings, in S, of what is along the upright of a level floor; of an inclined one, and of
-/// a shape that is turned, of all coordinates. And what it takes to compute it in double.
+/// A few roundings in S, plus those of double, in metres. Only the heights over a level floor
+/// count; all coordinates count for an inclined floor or a turned shape.
 template <class S>
 double bound_of(const Scene& scene, double gap) {
   const double epsilon = std::numeric_limits<S>::epsilon();
@@ -203,13 +203,13 @@ void judge(const Scene& scene, bool swapped, Tally& tally) {
     ++tally.together;
     EXPECT_TRUE(exclusive.overlap) << bound;
     EXPECT_FALSE(*touching.touching);
-    // Out of one triangle of two a shape may be shorter sideways, over their common edge.
+    // One of two triangles may be left by a shorter path: sideways, over their common edge.
     EXPECT_GE(*penetration.gap, gap - computed - rounded);
     EXPECT_LE(*penetration.gap, (is_mesh ? 0.5 : 1) * gap + computed + rounded);
   } else {
     ++tally.near;
   }
-  // The manifold is computed in S throughout.
+  // The manifold is computed entirely in S.
   const double rounding =
       bound + 64 * static_cast<double>(std::numeric_limits<S>::epsilon()) * scene.reach;
   if (std::abs(gap) > rounding) {
@@ -237,7 +237,7 @@ void judge_random_scenes(int count, std::uint64_t seed) {
   EXPECT_GT(tally.near, count / 20);
 }
 
-/// Five millimetres over a floor of a kilometre, and on the floor's far side.
+/// Five millimetres above a floor of one kilometre, and on the floor's far side.
 TEST(AskOnFloor, ABallOverAFloorOfAKilometreDoesNotTouchIt) {
   for (const Vec3d& place : {Vec3d(0, 0.505, 0), Vec3d(480, 0.50001, -490)}) {
     const PlacedShapes pair{make_box(Vec3d(500, 1, 500)),

@@ -11,7 +11,7 @@
 #include "support/cases.h"
 #include "support/sphere_mesh.h"
 
-/// Questions are judged by exhaustion in extended precision, or by formula.
+/// Queries, checked by exhaustion in extended precision or by formula.
 namespace contactscope {
 namespace {
 
@@ -56,9 +56,9 @@ double radius_of(const Shape<double>& shape) {
 }
 
 struct Truth {
-  double gap;     // metres; of cores that overlap only a bound: no more than that
+  double gap;     // metres; only an upper bound if the cores overlap
   bool deep;      // the cores overlap
-  double extent;  // metres: what rounding is relative to
+  double extent;  // metres: rounding is relative to it
 };
 
 Truth truth_of(const PlacedShapes& pair) {
@@ -83,15 +83,15 @@ Shape<double> random_convex(Random& random, double size) {
   }
 }
 
-/// Nearly touching as often as apart or deep, by some roundings of S as often as by parts of the size, the
-/// whole moved by a random rigid motion. Sizes from 1e-4 to 1e4 m.
+/// Pairs that nearly touch, by some roundings of S or by fractions of their size, and pairs that
+/// are separated or deep. The whole is moved by a random rigid motion. Sizes from 1e-4 to 1e4 m.
 template <class S>
 PlacedShapes near_pair(Random& random) {
   const double size = random.decade(-4, 4);
   PlacedShapes pair{random_convex(random, size), {}, random_convex(random, size), {}};
   pair.pose_b = {random.rotation(), Vec3d::Zero()};
   const Vec3d way = random.unit_vector();
-  double low = 0, high = 10 * size;  // where it begins to overlap along the way
+  double low = 0, high = 10 * size;  // where the overlap begins along the direction
   for (int i = 0; i < 30; ++i) {
     const double middle = 0.5 * (low + high);
     pair.pose_b.position = middle * way;
@@ -105,10 +105,10 @@ PlacedShapes near_pair(Random& random) {
       test::moved(pair, {random.rotation(), random.vector(-3 * size, 3 * size)}));
 }
 
-/// Metres.
+/// In metres.
 struct Bounds {
-  double given;     // what some roundings, in S, of the coordinates that are given come to
-  double computed;  // of a gap that is worked out in double, and reported in S
+  double given;     // a few roundings, in S, of the given coordinates
+  double computed;  // rounding of a separation that is computed in double and reported in S
 };
 
 template <class S>
@@ -155,7 +155,7 @@ void judge_random_pairs(int count, std::uint64_t seed) {
     const auto* hull_a = std::get_if<Hull<double>>(&pair.a);
     const auto* hull_b = std::get_if<Hull<double>>(&pair.b);
     ASSERT_TRUE(penetration.gap.has_value());
-    double depth = -truth.gap;  // where the cores overlap of hulls alone
+    double depth = -truth.gap;  // holds for overlapping cores only if both are hulls
     if (!truth.deep) {
       EXPECT_NEAR(*penetration.gap, truth.gap, computed);
     } else if (hull_a && hull_b) {
@@ -171,8 +171,8 @@ void judge_random_pairs(int count, std::uint64_t seed) {
     if (depth > given) {
       EXPECT_TRUE(exclusive.overlap);
     }
-    // The manifold is computed in S throughout. Of capsules and hulls that touch along a line it has been
-    // seen 4e-8 of the extent off in double.
+    // The manifold is computed entirely in S. For capsules and hulls that touch along a line,
+    // errors of 4e-8 of the extent occur in double.
     const double rounding = 16 * given + 1e-7 * truth.extent;
     if (truth.gap > rounding || depth > rounding) {
       EXPECT_EQ(inclusive.overlap, !test::manifolds_of<S>(pair).empty());
@@ -193,7 +193,7 @@ TEST(Ask, SlowConvexPairs) {
   judge_random_pairs<float>(test::cases(3'000), 74);
 }
 
-/// Faces, edges and round surfaces that touch exactly, as dyadic numbers.
+/// Faces, edges and round surfaces that touch exactly, in dyadic numbers.
 std::vector<PlacedShapes> kissing_pairs(double size) {
   const Shape<double> box = make_box(Vec3d(size, size, size));
   const Pose<double> here{};
@@ -245,7 +245,7 @@ TEST(Ask, ShapesThatTouchTouchAtEveryScale) {
   judge_kisses<float>();
 }
 
-/// By changing one number after the other.
+/// Changes one number after the other.
 TEST(Ask, TheRoundingOfAPointIsThatOfEachNumberThatPlacesIt) {
   Random random(77);
   constexpr double kChange = 1e-7;
@@ -268,7 +268,7 @@ TEST(Ask, TheRoundingOfAPointIsThatOfEachNumberThatPlacesIt) {
     }
     EXPECT_NEAR(rounding_along(normal, pose, point, 1), changed, 1e-5);
   }
-  // A corner of a level floor, however it is turned about its upright.
+  // A corner of a level floor with any rotation about the vertical.
   const Pose<double> floor{test::about(Vec3d::UnitY(), 1), {0, -1, 0}};
   EXPECT_NEAR(rounding_along(Vec3d::UnitY(), floor, {500, 1, -500}, 1), 2, 1e-12);
 }
@@ -332,7 +332,7 @@ TEST(Ask, TwoMeshesTellTheTrianglesThatCross) {
   for (const trace::Intersection& crossing : record.intersections) {
     EXPECT_EQ(crossing.kind, "proper");
     ASSERT_TRUE(crossing.segment.has_value());
-    // Within both surfaces: the chord of a triangle is inside of its sphere.
+    // Inside both surfaces: the chord of a triangle is inside its sphere.
     for (const Vec3d& end : *crossing.segment) {
       EXPECT_LE(end.norm(), 1 + 1e-12);
       EXPECT_LE((end - Vec3d(1.2, 0.01, 0.02)).norm(), 1 + 1e-12);

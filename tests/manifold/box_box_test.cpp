@@ -15,7 +15,7 @@
 #include "support/builders.h"
 #include "support/random_geometry.h"
 
-// What two boxes give by themselves is what any two hulls would give, bit for bit, or nothing.
+// The special path of two boxes gives the result of two general hulls, bit for bit, or no result.
 namespace contactscope {
 namespace {
 
@@ -26,7 +26,7 @@ bool same_bits(const S& one, const S& other) {
   return std::memcmp(&one, &other, sizeof one) == 0;
 }
 
-/// Zeros of either sign are one number.
+/// Zeros of either sign are equal.
 template <class S>
 bool same(const Vec3<S>& one, const Vec3<S>& other) {
   for (int k = 0; k < 3; ++k) {
@@ -79,7 +79,7 @@ BoxPairCase any_pose(Random& random) {
   return pair;
 }
 
-/// Face on face, tilted by nothing, by rounding or by a little, at any yaw or none.
+/// Face on face, tilted by nothing, by rounding or by a little, with any yaw or none.
 BoxPairCase at_rest(Random& random) {
   BoxPairCase pair{random_half_extents(random, 3), random_half_extents(random, 3), {}, 1};
   const double tilts[] = {0, 1e-8, 1e-6, 1e-4, 3e-3};
@@ -95,7 +95,7 @@ BoxPairCase at_rest(Random& random) {
   return pair;
 }
 
-/// Equal coordinates everywhere: sides that coincide, corners on corners, one within the other.
+/// Equal coordinates everywhere: sides that coincide, corners on corners, one box inside the other.
 BoxPairCase on_a_lattice(Random& random) {
   const auto sizes = [&] {
     Vec3d half;
@@ -114,7 +114,6 @@ BoxPairCase on_a_lattice(Random& random) {
   return pair;
 }
 
-/// An edge across an edge.
 BoxPairCase edge_on_edge(Random& random) {
   BoxPairCase pair{random_half_extents(random, 2), random_half_extents(random, 2), {}, 1};
   pair.b_in_a.rotation = random.rotation();
@@ -125,7 +124,7 @@ BoxPairCase edge_on_edge(Random& random) {
   return pair;
 }
 
-/// Two edges within `angle` of parallel, near each other.
+/// Two edges, near each other and parallel to within `angle`.
 BoxPairCase edges_nearly_parallel(Random& random) {
   BoxPairCase pair = edge_on_edge(random);
   const Vec3d axis = Vec3d::Unit(random.index(3));
@@ -138,7 +137,7 @@ BoxPairCase edges_nearly_parallel(Random& random) {
 struct Family {
   const char* name;
   BoxPairCase (*draw)(Random& random);
-  double decided;  // at least so many are not left to the general path
+  double decided;  // minimum share that the general path does not handle
 };
 constexpr Family kFamilies[] = {{"any pose", any_pose, 0.97},
                                 {"at rest", at_rest, 0.6},
@@ -158,7 +157,7 @@ class BoxBox : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(BoxBox, Scalars);
 
-constexpr int kPairs = 4000;  // of a family
+constexpr int kPairs = 4000;  // per family
 
 TYPED_TEST(BoxBox, SlowGivesWhatTwoHullsGiveBitForBit) {
   using S = TypeParam;

@@ -12,13 +12,13 @@
 #include "manifold/create_contact.h"
 #include "support/random_geometry.h"
 
-// What a box on a triangle gives by itself is what any two hulls would give, bit for bit, or nothing.
+// The special path of a box on a triangle gives the result of two hulls, bit for bit, or none.
 namespace contactscope {
 namespace {
 
 using test::Random;
 
-/// Zeros of either sign are one number.
+/// Zeros of either sign are equal.
 template <class S>
 void expect_same_bits(S one, S other) {
   one += S(0);
@@ -42,7 +42,7 @@ void expect_same(const Contact<S>& contact, const Contact<S>& expected) {
   }
 }
 
-/// How many were done, and by which axis.
+/// Number of results, by kind of axis.
 struct Done {
   int triangles = 0, by_itself = 0, apart = 0;
   int by[4] = {};
@@ -130,8 +130,8 @@ TYPED_TEST(BoxOnTriangle, OfAnySizeInAnyPoseIsAsForAnyHull) {
     EXPECT_GT(done.by[static_cast<int>(axis)], 0.05 * done.triangles) << to_string(axis);
 }
 
-/// Turns about one axis of the box by a round angle, or near to it, and places on a lattice: edges that
-/// are parallel, corners that lie on faces, faces that are equally deep.
+/// Rotations about one axis of the box by a round angle, exact or approximate, and positions on a
+/// lattice: edges that are parallel, corners that lie on faces, faces that are equally deep.
 TYPED_TEST(BoxOnTriangle, OnALatticeIsAsForAnyHullOrNotDone) {
   using S = TypeParam;
   Random random(72);

@@ -18,8 +18,7 @@ using test::PlacedShapes;
 constexpr QueryKind kEveryQuery[] = {QueryKind::Overlap, QueryKind::Touching, QueryKind::Distance,
                                      QueryKind::Penetration, QueryKind::Manifold};
 
-/// Reaches from -0.5 to 0.5 along y; a plane and a mesh, which is the lower one, have their surface
-/// there.
+/// Spans -0.5 to 0.5 along y; planes and meshes have their surface at 0.5. A mesh is always below.
 Shape<double> shape_of(ShapeKind kind) {
   switch (kind) {
     case ShapeKind::Sphere:
@@ -43,11 +42,11 @@ Shape<double> shape_of(ShapeKind kind) {
   return build_mesh(grid.vertices, grid.triangles);
 }
 
-/// The convex one lies over the other, `gap` metres above it.
+/// The convex shape lies `gap` metres above the other one.
 PlacedShapes pair_of(ShapeKind lower, ShapeKind upper, double gap) {
   if (lower < upper) std::swap(lower, upper);
   if (upper == ShapeKind::Plane) std::swap(lower, upper);
-  const double y = upper == ShapeKind::Mesh ? gap : 1 + gap;  // of two meshes the surfaces meet
+  const double y = upper == ShapeKind::Mesh ? gap : 1 + gap;  // surface on surface for two meshes
   return {shape_of(lower), {}, shape_of(upper), {Quatd::Identity(), {0, y, 0}}};
 }
 
@@ -64,7 +63,7 @@ Core core_of(const Shape<double>& shape) {
   return {support_set(middle), std::get<Sphere<double>>(shape).radius};
 }
 
-/// What a method says of a pair: yes or no, or metres.
+/// Result of a method for a pair: yes or no, or metres.
 struct Said {
   bool yes = false;
   double metres = 0;
@@ -153,7 +152,7 @@ TEST(Capabilities, EveryClaimedCellAnswersRight) {
     ++claimed;
     const Said apart = ask(method, query, pair_of(one, other, 0.2));
     const Said touching = ask(method, query, pair_of(one, other, 0));
-    // Two flat meshes have nothing to be deep in.
+    // Two flat meshes have no inside to overlap.
     const bool flat = one == ShapeKind::Mesh && other == ShapeKind::Mesh;
     const Said deep = ask(method, query, pair_of(one, other, flat ? 0 : -0.125));
     const bool is_bound = method <= QueryMethod::BoundingSphere;
@@ -161,7 +160,7 @@ TEST(Capabilities, EveryClaimedCellAnswersRight) {
       case QueryKind::Overlap:
         EXPECT_TRUE(deep.yes);
         EXPECT_TRUE(touching.yes);
-        // Bounds are larger than what they bound, but end as well.
+        // Bounds are larger than their shapes, but finite.
         EXPECT_FALSE(is_bound ? ask(method, query, pair_of(one, other, 20)).yes : apart.yes);
         break;
       case QueryKind::Touching:
@@ -178,8 +177,7 @@ TEST(Capabilities, EveryClaimedCellAnswersRight) {
         EXPECT_LT(deep.metres, 1e-9);
         break;
       case QueryKind::Penetration:
-        // Portal refinement ends at the face that one ray meets, and samples come near the least
-        // depth.
+        // Portal refinement ends at the face that one ray hits; sampling only comes close.
         EXPECT_GE(deep.metres, 0.125 - 1e-9);
         EXPECT_LE(deep.metres, method == QueryMethod::Mpr ? 0.2 : 0.125 + 1e-3);
         break;

@@ -146,7 +146,7 @@ TYPED_TEST(CapsuleFallback, IsAtRightAnglesToBothAxesAndAsDeepAsTheyAreHoweverSm
     ASSERT_EQ(record.manifolds.size(), 1u) << i;
     degenerate += record.degenerate ? 1 : 0;
     const trace::Manifold& manifold = record.manifolds[0];
-    // As the rounded poses put the axes.
+    // The axes of the rounded poses.
     for (const Pose<double>& pose : {pair.pose_a, pair.pose_b}) {
       const Quatd rotation = pose.rotation.template cast<S>().template cast<double>().normalized();
       const Vec3d axis = rotation * Vec3d::UnitX();
@@ -164,9 +164,8 @@ TYPED_TEST(CapsuleFallback, IsAtRightAnglesToBothAxesAndAsDeepAsTheyAreHoweverSm
 
 TYPED_TEST(CapsuleFallback, TurnsWithinRoundingFromOverlappingToCrossingAxes) {
   using S = TypeParam;
-  // In place, about many directions at right angles to the axes: the cross product itself would
-  // come out of nowhere at the first step.
-  const double turn = 48 * this->kEps;  // radians, within which the normal goes over
+  // In place, about perpendiculars of the axes. The cross product alone would appear suddenly.
+  const double turn = 48 * this->kEps;  // radians in which the normal becomes the cross product
   const double step = turn / 48;
   for (double direction = 0.3; direction < 2.9; direction += 0.1) {
     const Vec3d about(0, std::cos(direction), std::sin(direction));
@@ -176,9 +175,8 @@ TYPED_TEST(CapsuleFallback, TurnsWithinRoundingFromOverlappingToCrossingAxes) {
         });
     EXPECT_EQ(changes.degenerate_frames, 200);
     EXPECT_EQ(changes.two_points, 200);
-    // Between them there is no other direction at right angles to both. It turns the faster the
-    // farther the cross product is from the direction fixed to the body: at a right angle it flips,
-    // which no choice can avoid.
+    // Only the directions between them are perpendicular to both axes. The normal turns faster the
+    // farther the cross product is from the body's direction; at a right angle it flips.
     const double lean = std::abs(about.z());
     EXPECT_GT(changes.normal, 0);
     EXPECT_LT(changes.normal, 2 * step / turn / lean);
@@ -188,8 +186,7 @@ TYPED_TEST(CapsuleFallback, TurnsWithinRoundingFromOverlappingToCrossingAxes) {
 
 TYPED_TEST(CapsuleFallback, StandsStillWhileCrossingAxesTurnOnAndWhenTheyPart) {
   using S = TypeParam;
-  // At any angle that is more than rounding the cross product is what two axes give that do not
-  // meet, too, so nothing jumps where they part.
+  // Beyond rounding, the normal is the cross product for axes that meet or not, so nothing jumps.
   for (const double direction : {0.3, 0.9, 2.2}) {
     const Vec3d about(0, std::cos(direction), std::sin(direction));
     const auto turned = [&](int i) {
@@ -208,7 +205,7 @@ TYPED_TEST(CapsuleFallback, StandsStillWhileCrossingAxesTurnOnAndWhenTheyPart) {
     EXPECT_LT(changes.degenerate_frames, 1500);
     EXPECT_GT(changes.two_points, 50);
     EXPECT_GT(changes.one_point, 500);
-    EXPECT_LT(changes.normal, 8e3 * this->kEps);  // of poses a thousandth of a radian apart
+    EXPECT_LT(changes.normal, 8e3 * this->kEps);  // for poses 0.001 rad from each other
     EXPECT_LT(changes.depth, 1.001e-3);
   }
 }
@@ -244,7 +241,7 @@ TYPED_TEST(CapsuleFallback, DepthAndNormalFollowATurnFromParallelToCrossing) {
     });
     EXPECT_GT(changes.two_points, 20);
     EXPECT_GT(changes.one_point, 100);
-    // No point of B's axis moves by more than 0.8 step; the cores stay 0.2 apart or more.
+    // No point of B's axis moves by more than 0.8 step; the cores keep a distance of 0.2 or more.
     EXPECT_LT(changes.depth, 0.8 * step + 8 * this->kEps);
     EXPECT_LT(changes.normal, 1.5 * 0.8 * step / 0.2 + 64 * this->kEps);
   }
@@ -273,7 +270,7 @@ TYPED_TEST(CapsuleFallback, DepthGrowsSmoothlyAsOneCapsuleSinksIntoTheOtherUpToI
       return Pose<double>{test::about({0, 1, 0}, angle), Vec3d(0.1, 0.8995 - i * step, 0)};
     });
     EXPECT_LT(changes.depth, step + 8 * this->kEps);
-    // In the end the axes are half a step apart, and their ends are rounded.
+    // In the end the axes are half a step from each other, and their ends are rounded.
     EXPECT_LT(changes.normal, 2 * this->kEps / (0.5 * step));
     EXPECT_EQ(changes.degenerate_frames, 0);
   }

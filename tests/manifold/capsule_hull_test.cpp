@@ -27,7 +27,7 @@ RoundHull moved(RoundHull pair, const Vec3d& by) {
   return pair;
 }
 
-/// The pair in another place and size, every relation the same.
+/// The pair at another place and size; all relations stay.
 RoundHull placed(const RoundHull& pair, double size, const Pose<double>& pose) {
   RoundHull result = pair;
   for (Vec3d& point : result.core) point *= size;
@@ -109,7 +109,7 @@ TYPED_TEST(CapsuleHull, OverhangingSegmentIsClippedAtTheSidePlanes) {
 }
 
 TYPED_TEST(CapsuleHull, TiltedSegmentHasItsSecondPointWhileThatOverlaps) {
-  // The far end is 0.05 above the low one: within the radius, then not.
+  // The far end is 0.05 above the low one: first within the radius, then outside.
   for (const double low : {0.04, 0.06}) {
     const auto manifold =
         this->collide(on_box(Vec3d(-0.4, low, 0), Vec3d(0.4, low + 0.05, 0), 0.1));
@@ -120,7 +120,7 @@ TYPED_TEST(CapsuleHull, TiltedSegmentHasItsSecondPointWhileThatOverlaps) {
   }
   const RoundHull high = on_box(Vec3d(-0.4, 0.06, 0), Vec3d(0.4, 0.11, 0), 0.1);
   EXPECT_EQ(this->collide(high).type, ContactType::PointFace);
-  EXPECT_EQ(this->collide(high, 0.02).points.size(), 2u);  // a gap of 0.01 within the margin
+  EXPECT_EQ(this->collide(high, 0.02).points.size(), 2u);  // separation 0.01, within the margin
 }
 
 TYPED_TEST(CapsuleHull, AcrossAnEdgeTouchesInOnePointWithTheNormalOfBoth) {
@@ -141,14 +141,14 @@ TYPED_TEST(CapsuleHull, AcrossAnEdgeTouchesInOnePointWithTheNormalOfBoth) {
     EXPECT_EQ(manifold.points[0].id.second.kind, FeatureKind::Edge);
     EXPECT_LT((this->normal(manifold) + Vec3d::UnitY()).norm(), 8 * this->kEpsilon);
     EXPECT_NEAR(this->deepest(manifold), height - 0.1, 8 * this->kEpsilon);
-    // On the hull's edge when shallow, midway between both edges when deep.
+    // On the hull's edge if shallow, midway between both edges if deep.
     const Vec3d place(0.1, std::min(0.5 * height, 0.0), 0);
     EXPECT_LT((this->position(manifold, 0) - place).norm(), 16 * this->kEpsilon);
   }
 }
 
 TYPED_TEST(CapsuleHull, AlongAnEdgeHasTwoPointsOutsideOfEveryFacesPrism) {
-  // Rolling off the box's edge x = 1: the normal leans, the stretch beside the edge stays.
+  // Rolling off the box's edge x = 1: the normal leans, the stretch along the edge stays.
   for (const double angle : {0.0, 1e-3, 10.0, 45.0, 80.0, 90.0}) {
     SCOPED_TRACE(angle);
     const Vec3d outward(std::sin(angle * kDegree), std::cos(angle * kDegree), 0);
@@ -162,14 +162,14 @@ TYPED_TEST(CapsuleHull, AlongAnEdgeHasTwoPointsOutsideOfEveryFacesPrism) {
       EXPECT_NEAR(this->position(manifold, i).x(), 1, 32 * this->kEpsilon);
       EXPECT_NEAR(std::abs(this->position(manifold, i).z()), 0.6, 32 * this->kEpsilon);
     }
-    if (angle == 1e-3) continue;  // on the side plane within rounding, or not
+    if (angle == 1e-3) continue;  // on the side plane up to rounding, or off it
     const bool leans = angle > 0 && angle < 90;
     EXPECT_EQ(manifold.type, leans ? ContactType::EdgeEdge : ContactType::EdgeFace);
   }
 }
 
-// The segment is nearest to a vertex, and lies along an edge that falls away from it by two degrees: the far
-// point is on the edge, and as much less deep as the edge is lower there.
+// The segment is nearest to a vertex and lies along an edge that falls away from it by two degrees.
+// The far point is on the edge, and less deep by the drop of the edge there.
 TYPED_TEST(CapsuleHull, AlongAnEdgeThatFallsAwayTheFarPointIsLessDeep) {
   const double turn = 2 * kDegree, sine = std::sin(turn), cosine = std::cos(turn);
   const double half = std::sqrt(0.5);
@@ -239,15 +239,15 @@ TYPED_TEST(CapsuleHull, HasTheSameContactInEverySizeAndPlace) {
   }
 }
 
-/// How much a normal may turn in a step.
+/// Limit on the rotation of a normal in a step.
 enum class Turn {
   None,
-  // The core's closest point to the hull moves by no more than the core does, so the direction
-  // between both turns by no more than the step over their distance. In overlap anyhow.
+  // The core's closest point to the hull moves by no more than the core does. So the direction
+  // between both turns by no more than the step over their distance. No limit in overlap.
   AsTheCoreMoves,
 };
 
-/// Of the second point, told by its id; nothing where one of the manifolds has none such.
+/// Change of the second point's separation; nullopt unless both have the same second point.
 template <class S>
 std::optional<double> change_of_second(const Manifold<S>& last, const Manifold<S>& now) {
   if (now.points.size() < 2 || last.points.size() < 2) return std::nullopt;
@@ -256,7 +256,7 @@ std::optional<double> change_of_second(const Manifold<S>& last, const Manifold<S
 }
 
 /// Moves the capsule down through the surface in small steps. No depth may change by more than the
-/// step, and what the second point has from a normal that turns. Counts the seconds that it saw.
+/// step; the second point may also change as the normal turns. Counts the second points.
 template <class S>
 void expect_no_jump(const RoundHull& start, double step, int steps, Turn turn, int& seconds) {
   const double epsilon = std::numeric_limits<S>::epsilon();
@@ -285,7 +285,7 @@ void expect_no_jump(const RoundHull& start, double step, int steps, Turn turn, i
           ASSERT_LE(turned, 2 * (step + rounding) / way + 64 * epsilon);
         }
       }
-      // Where a side cuts the segment off, its slope may tell more than the step does.
+      // At a point that a side cuts off, the side's slope may matter more than the step.
       const bool is_cut = now.points.size() > 1 && now.points[1].id.first.kind == FeatureKind::Edge;
       const std::optional<double> second =
           turn == Turn::AsTheCoreMoves && is_cut ? std::nullopt : change_of_second(last, now);
@@ -302,8 +302,8 @@ TYPED_TEST(CapsuleHull, SinksThroughAFaceWithoutAJump) {
   for (const double tilt : {0.0, 1e-7, 1e-4, 0.01, 0.3, 1.2}) {
     SCOPED_TRACE(tilt);
     const Vec3d half(0.4 * std::cos(tilt), 0.4 * std::sin(tilt), 0);
-    // From a gap of 1 cm above the surface to a depth of 20 cm, and once more from 1 mm above the
-    // height at which the segment itself enters, in steps of a micrometre.
+    // From a separation of 1 cm above the surface to a depth of 20 cm; and again in steps of a
+    // micrometre from 1 mm above the height at which the segment itself enters.
     const RoundHull high =
         on_box(Vec3d(0, 0.11 + half.y(), 0.1) - half, Vec3d(0, 0.11 + half.y(), 0.1) + half, 0.1);
     int seconds = 0;
@@ -317,7 +317,7 @@ TYPED_TEST(CapsuleHull, SinksOverhangingAFaceWithoutAJump) {
   using S = TypeParam;
   for (const double tilt : {0.0, 1e-6, 1e-3, 0.049, 0.051, 0.3}) {
     SCOPED_TRACE(tilt);
-    // The lower end lies beyond the side x = -1: an edge of the box carries the segment.
+    // The lower end is beyond the side x = -1: an edge of the box carries the segment.
     const Vec3d along(std::cos(tilt), std::sin(tilt), 0);
     const Vec3d over_edge(-1, 0.101, 0.1);
     const RoundHull high = on_box(over_edge - 0.3 * along, over_edge + 0.9 * along, 0.1);
@@ -340,7 +340,7 @@ TYPED_TEST(CapsuleHull, SinksAcrossAnEdgeWithoutAJump) {
                          at(0, 0, 0),
                          make_box(Vec3d(1, half, half)),
                          {about(Vec3d::UnitX(), 45 * kDegree), Vec3d(0, -half * std::sqrt(2), 0)}};
-    // Deep down and nearly along the edge the way out is sideways, through a face; 5 mm it is not.
+    // Deep down, along the edge, the shortest exit would be sideways through a face; not at 5 mm.
     int seconds = 0;
     expect_no_jump<S>(high, 1e-4, 1050, Turn::None, seconds);
     expect_no_jump<S>(moved(high, Vec3d(0, -0.1, 0)), 1e-6, 2000, Turn::None, seconds);
@@ -352,8 +352,8 @@ TYPED_TEST(CapsuleHull, SlowNothingJumpsWhereAnEndPassesAnEdgeOrAVertex) {
   Random random(7);
   int seconds = 0;
   for (int i = 0; i < 40; ++i) {
-    // Down past the box's edge x = 1 or its corner, in and out again at any slant: there the normal
-    // turns, as it must, but while the core is outside it does so no faster than the core moves.
+    // In and out again past the box's edge x = 1 or its corner, at any slant. The normal must turn
+    // there, but while the core is outside it turns no faster than the core moves.
     const Vec3d target(1, 0, i % 2 == 0 ? 0.3 : 1);
     const Vec3d end = target + random.level(0.002, 0.05);
     const Vec3d other =
@@ -392,7 +392,7 @@ TYPED_TEST(CapsuleHull, SecondPointComesAndGoesWithoutMovingTheFirst) {
 }
 
 TYPED_TEST(CapsuleHull, OverAnEdgeTheIdStaysWhenTheAxisChanges) {
-  // Rocking by a thousandth either way: the face is best, or the edge that the low end hangs over.
+  // Rocking by a thousandth to both sides: either the face is best, or the edge below the low end.
   FeatureId ids_seen[2];
   for (const double tilt : {-1e-3, 1e-3}) {
     const Vec3d along(std::cos(tilt), std::sin(tilt), 0);
@@ -408,7 +408,7 @@ TYPED_TEST(CapsuleHull, OverAnEdgeTheIdStaysWhenTheAxisChanges) {
 
 TYPED_TEST(CapsuleHull, TouchingAnEdgeOrAVertexOnlyFallsBackOrIsSkipped) {
   using S = TypeParam;
-  // The end lies exactly on the edge x = 1; the segment only touches the corner.
+  // The end lies exactly on the edge x = 1; the other segment only touches the corner.
   const RoundHull on_edge = on_box(Vec3d(1, 0, 0.25), Vec3d(1.5, 0.5, 0.25), 0.125);
   const RoundHull on_vertex = on_box(Vec3d(0.5, 0.5, 1), Vec3d(1.5, -0.5, 1.0), 0.125);
   for (const RoundHull& pair : {on_edge, on_vertex}) {

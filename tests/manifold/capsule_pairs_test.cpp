@@ -84,7 +84,7 @@ TYPED_TEST(CapsulePairs, OppositeDirectionsOfTheAxesPairTheOtherEnds) {
 TYPED_TEST(CapsulePairs, IdsOfBothPointsStayWhileOneCapsuleSlidesAlongTheOther) {
   using S = TypeParam;
   int frames = 0;
-  for (double x = -1.45; x < 1.45; x += 0.01) {  // over both ends of A, shorter and past it
+  for (double x = -1.45; x < 1.45; x += 0.01) {  // across both ends of A, shorter and past it
     const Manifold<S> manifold =
         test::manifold_of<S>(capsules({x, 0.48, 0}, test::about({0, 0.2, 1}, 1e-3), 0.5));
     ASSERT_THAT(test::ids_of(manifold), ElementsAre("a:v0 b:v0", "a:v1 b:v1")) << "at " << x;
@@ -166,7 +166,7 @@ TYPED_TEST(CapsulePairs, CapsulesOfLengthZeroAreSpheres) {
   }
 }
 
-/// Of any size, crossing, nearly parallel or in line, deep or kissing or apart.
+/// Any size; crossing, nearly parallel or in line; deep, just touching or separated.
 PlacedShapes random_capsules(test::Random& random) {
   const double size = random.decade(-4, 4);
   const double half_a = size * (random.chance(0.1) ? 0 : random.decade(-2, 0.5));
@@ -206,10 +206,10 @@ TYPED_TEST(CapsulePairs, SlowRandomPairsAgreeWithASearchInBothParameters) {
     const Vec3d normal = test::normal_of(manifold);
     ASSERT_NEAR(normal.norm(), 1, 8 * this->kEps);
     ASSERT_NEAR(test::deepest_of(manifold), separation, rounding) << "pair " << i;
-    // The right normal, on the right side: the cores are as far apart along it as they are.
+    // The normal points to the right side, and the cores' separation along it is their distance.
     ASSERT_GE(test::gap_along(normal, a, b), distance - 2 * rounding) << "pair " << i;
     for (const ContactPoint<S>& point : manifold.points) {
-      // Not outside of either by more than the little that nearly parallel axes part by.
+      // Not outside either capsule by more than the divergence of nearly parallel axes.
       const Vec3d position = point.position.template cast<double>();
       const double parting = manifold.points.size() == 2 ? 0.0051 * (a.radius + b.radius) : 0;
       const Vec3d half_way = 0.5 * static_cast<double>(point.separation) * normal;

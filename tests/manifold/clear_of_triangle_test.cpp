@@ -10,7 +10,7 @@
 #include "manifold/dispatch.h"
 #include "support/random_geometry.h"
 
-// What a hull is told to pass over it does not touch, and nothing of its contacts is lost.
+// Triangles that a hull may skip do not touch it, and skipping them loses no contact.
 namespace contactscope {
 namespace {
 
@@ -23,8 +23,7 @@ struct HullOnGrid {
   Pose<S> in_hull;
 };
 
-/// A box, or a hull of an even or an odd number of vertices and faces, whose own frame may begin outside
-/// of it.
+/// A box, or a hull with an even or odd number of vertices and faces; its origin may be outside.
 Hull<double> draw_hull(double size, Random& random) {
   if (random.chance(0.4)) {
     Vec3d half;

@@ -10,7 +10,7 @@
 #include "support/brute_force_sat.h"
 #include "support/builders.h"
 
-// Hulls whose coplanar faces were left unmerged: clipping sees one triangle of each face. Gregorius
+// Hulls whose coplanar faces were not merged: clipping sees one triangle of each face. Gregorius
 // 2015, "Hull vs Hull: Coplanar Faces".
 namespace contactscope {
 namespace {
@@ -33,8 +33,8 @@ Hull<double> random_block(Random& random) {
   return make_box(random.vector(0.1, 1));
 }
 
-/// The upper block stands on the lower one, level or tilted by up to 0.1 rad; half of the pairs are
-/// moved to somewhere else, so that rounding has its say in the ties.
+/// The upper block stands on the lower one, level or tilted by up to 0.1 rad. Half of the pairs are
+/// moved elsewhere, so that rounding affects the ties.
 PairCase<double> standing_pair(Random& random) {
   PairCase<double> pair{make_box(Vec3d(random.uniform(0.3, 1), 0.5, random.uniform(0.3, 1))),
                         at(0, 0, 0), random_block(random), at(0, 0, 0)};
@@ -51,7 +51,7 @@ PairCase<double> standing_pair(Random& random) {
   return random.chance(0.5) ? pair : test::moved(pair, random.pose(5));
 }
 
-/// Points that clipping alone finds for the face of A or B that the test chose; -1 for an edge pair.
+/// Number of points that clipping alone finds for the chosen face of A or B; -1 for an edge pair.
 template <class S>
 int points_of_clipping(const PairCase<S>& pair, Preference preference) {
   const HullPair<S> placed(pair.a, pair.b, relative_pose(pair.pose_a, pair.pose_b));
@@ -97,8 +97,7 @@ TYPED_TEST(Coplanar, UnmergedFacesLeaveTheTalksUnstableTriangle) {
 
 TYPED_TEST(Coplanar, TrianglesThatDoNotMeetStillGiveAPoint) {
   using S = TypeParam;
-  // The lower cube's first upper triangle is that of the corner (-x, -z); the upper one stands on
-  // the other half, so that nothing is left after clipping.
+  // The upper cube is off the lower cube's first upper triangle, so clipping leaves nothing.
   PairCase<double> pair = test::stacked_cubes(0, 0.01);
   pair.b = test::cube(0.1);
   pair.pose_b = at(0.3, 0.59, 0.3);
@@ -146,7 +145,7 @@ TYPED_TEST(Coplanar, SlowUnmergedHullsAreNeverWithoutContactAndAsDeepAsBruteForc
     }
   }
   EXPECT_GT(touching, 2000);
-  EXPECT_GT(lost_by_clipping, 200);  // what create_contact has to make up for
+  EXPECT_GT(lost_by_clipping, 200);  // create_contact must make up for these
   EXPECT_GT(fewer_points, 1000);
 }
 
@@ -163,7 +162,7 @@ TYPED_TEST(Coplanar, ACachedContactOfUnmergedHullsIsNeverEmptyEither) {
                                                    pose.cast<S>(), CollideOptions(), &cache);
     ASSERT_FALSE(manifold.points.empty()) << step;
     ASSERT_GT(manifold.normal.y(), S(0.99)) << step;
-    // A corner is up to 0.71 m from the middle, tilted by 0.002 rad.
+    // A corner is up to 0.71 m from the middle, and the tilt is 0.002 rad.
     ASSERT_NEAR(deepest(manifold), -0.01, 0.0015) << step;
   }
 }

@@ -9,14 +9,13 @@
 #include "manifold/recorder.h"
 #include "support/builders.h"
 
-// What happens when the chosen face's support vertex hangs over its side, so that clipping loses
-// it.
+// The support vertex of the chosen face hangs over its side, so that clipping loses it.
 namespace contactscope {
 namespace {
 
 using test::PairCase;
 
-/// A cube tilted towards +x, its lowest edge 1 cm beside the upper face of A and 2 cm below it.
+/// A cube tilted towards +x; its lowest edge is 1 cm outside the upper face of A and 2 cm below it.
 PairCase<double> overhanging() {
   PairCase<double> pair = test::stacked_cubes(0, 0);
   pair.pose_b.rotation = test::about(Vec3d::UnitZ(), -20 * test::kDegree);
@@ -30,7 +29,7 @@ struct Made {
   trace::Pair record;
 };
 
-/// Creates the contact as if the test had chosen, and found deepest, the given axes.
+/// Creates the contact for the given chosen and deepest axes.
 Made create(const PairCase<double>& pair, AxisKind chosen, AxisKind deepest) {
   Made made;
   const HullPair<double> placed(pair.a, pair.b, relative_pose(pair.pose_a, pair.pose_b));
@@ -64,8 +63,8 @@ TEST(CreateContact, ADeepestFaceBesideWhichTheSupportHangsOverTouchesAtItsRim) {
   EXPECT_TRUE(told);
 }
 
-// A knife with its edge down, level, along x. Its ends lean outwards as they rise and look down more
-// than its sides do, so the end at the support vertex is clipped, and all of it is beside A.
+// A knife with its edge down, level, along x. Its ends lean outwards as they rise and face down
+// more than its sides do. So the end at the support vertex is clipped, and all of it is outside A.
 TEST(CreateContact, AKnifeWhoseEndIsBesideTouchesWhereItsEdgeIsAbove) {
   const double width = 0.05, height = 1, lean = 1.5;
   std::vector<Vec3d> points;
@@ -92,8 +91,8 @@ TEST(CreateContact, AKnifeWhoseEndIsBesideTouchesWhereItsEdgeIsAbove) {
 }
 
 TEST(CreateContact, ShallowPreferredFaceGivesWayToTheDeepestAxis) {
-  // Where the sides of the preferred face slope outwards below it, its deepest point may lie beside
-  // it and the clip be shallower than the least overlap allows. Some pairs in a hundred do that.
+  // If the sides of the preferred face slope outwards below it, its deepest point may lie outside
+  // it, and the clip may be shallower than the least overlap allows: a few pairs in a hundred.
   test::Random random(3);
   int given_way = 0;
   for (int i = 0; i < 3000; ++i) {

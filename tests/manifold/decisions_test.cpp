@@ -49,7 +49,7 @@ TEST(Decisions, LevelCubesAreFarFromAnEdgeByWhatTheFirstFaceIsPreferred) {
   ASSERT_NE(axis, nullptr);
   EXPECT_EQ(axis->took, "face_a");
   EXPECT_EQ(axis->over, "face_b");
-  // Both faces are 1 cm deep: the second had to be ahead by 0.2 % of the radius.
+  // Both faces are 1 cm deep: the second one would have to win by 0.2 % of the radius.
   EXPECT_NEAR(*axis->margin, 0.002 * std::sqrt(0.75), 1e-9);
   const trace::Decision* const contact = decision(pair, "contact");
   ASSERT_NE(contact, nullptr);
@@ -61,11 +61,11 @@ TEST(Decisions, LevelCubesAreFarFromAnEdgeByWhatTheFirstFaceIsPreferred) {
   EXPECT_GT(*face->margin, 0.5);
   const trace::Decision* const incident = decision(pair, "incident_face");
   ASSERT_NE(incident, nullptr);
-  EXPECT_NEAR(*incident->margin_cosine, 1, 1e-12);  // the next faces stand upright
+  EXPECT_NEAR(*incident->margin_cosine, 1, 1e-12);  // the neighbouring faces are upright
 }
 
 TEST(Decisions, AMarginIsTheChangeAfterWhichTheAxisIsAnother) {
-  // Tilted until the edges win: just before, the margin of the face is what is left.
+  // Tilt until the edges win: just before, the margin of the face is the remaining distance.
   const auto at = [](double tilt) {
     PairCase<double> pair = test::stacked_cubes(30 * kDegree, 0.02);
     pair.pose_b.rotation = about(Vec3d::UnitX(), tilt * kDegree) * pair.pose_b.rotation;
@@ -143,12 +143,12 @@ TEST(FlipDistance, OfABallOnAFaceIsTheWayOutOfIt) {
     ASSERT_TRUE(flip.way.has_value());
     EXPECT_NEAR(*flip.way, overlap, 1e-3 * overlap);
     EXPECT_NEAR(flip.direction.y(), 1, 1e-9);
-    EXPECT_FALSE(flip.turn.has_value());  // of a ball, which is the same however it is turned
+    EXPECT_FALSE(flip.turn.has_value());  // a ball does not change when it turns
   }
 }
 
 TEST(FlipDistance, BesideATieIsAsNearAsTheTie) {
-  // A cube on its edge over a face: a turn to either side makes another incident face, at 45 degrees.
+  // A cube on its edge over a face: a turn to either side changes the incident face, at 45 degrees.
   for (const double off : {1e-4, 1e-3}) {
     PairCase<double> pair{test::cube(0.5), test::at(0, 0, 0), test::cube(0.3),
                           test::at(0, 0.5 + 0.3 * std::sqrt(2) - 0.002, 0)};

@@ -22,7 +22,7 @@ bool same_bits(const T& one, const T& other) {
   return std::memcmp(&one, &other, sizeof(T)) == 0;
 }
 
-/// By bits, so that a zero and a negative zero differ.
+/// Compares bits, so that a zero and a negative zero differ.
 template <class S>
 testing::AssertionResult same(const Manifolds<S>& one, const Manifolds<S>& other) {
   if (one.size() != other.size()) return testing::AssertionFailure() << "count of manifolds";
@@ -65,7 +65,7 @@ Shape<double> random_shape(test::Random& random, ShapeKind kind, double size) {
   return HalfSpace<double>{{random.unit_vector(), size * random.uniform(-1, 1)}};
 }
 
-/// Of all distances from apart to coincident, some with one frame upon the other.
+/// At all distances from separated to coincident; sometimes both frames coincide.
 PlacedShapes random_pair(test::Random& random, ShapeKind a, ShapeKind b) {
   const double size = random.decade(-2, 2);
   PlacedShapes pair{
@@ -136,7 +136,7 @@ TYPED_TEST(Dispatch, SlowTradingShapesOfDifferentKindsMirrorsEveryBit) {
   }
 }
 
-/// One frame upon the other, with the same or another rotation, shapes alike or not.
+/// Coincident origins, with the same rotation or another one, and equal or different shapes.
 PlacedShapes coincident_pair(test::Random& random, ShapeKind kind, int number) {
   PlacedShapes pair = random_pair(random, kind, kind);
   pair.pose_b.position = pair.pose_a.position;
@@ -164,7 +164,7 @@ TYPED_TEST(Dispatch, TradingTwoRoundShapesMirrorsEveryBitAlsoWhereTheirCentresCo
   }
 }
 
-// With one face clearly the best, the order in which the hulls are given leaves rounding only.
+// If one face is clearly the best, swapping the hulls changes only rounding.
 TYPED_TEST(Dispatch, SlowTradingTwoHullsMirrorsTheContactUnlessFacesOfBothAreNearlyAsDeep) {
   using S = TypeParam;
   constexpr double kEpsilon = std::numeric_limits<S>::epsilon();
@@ -190,7 +190,7 @@ TYPED_TEST(Dispatch, SlowTradingTwoHullsMirrorsTheContactUnlessFacesOfBothAreNea
     if (there.axis != mirrored(back.axis) || there.axis == AxisKind::EdgeEdge) continue;
     if ((test::normal_of(there) + test::normal_of(back)).norm() > 64 * kEpsilon) continue;
     ++compared;
-    // Corners within rounding of a side plane may be one or two.
+    // Corners within rounding of a side plane may be one point or two.
     for (const ContactPoint<S>& point : there.points) {
       double nearest = std::numeric_limits<double>::infinity();
       for (std::size_t k = 0; k < back.points.size(); ++k) {

@@ -97,7 +97,7 @@ TYPED_TEST(EdgeContact, NearlyParallelEdgesKeepThePointOnBothEdges) {
       EXPECT_LE(std::abs(point.position.x()), S(0.6)) << angle;
       EXPECT_LE(std::abs(point.position.z()), S(0.6)) << angle;
     }
-    // Ridge on ridge overlaps by 1 cm; sideways, face against face, it is 1 / sqrt 2 of that.
+    // Ridge on ridge overlaps by 1 cm; sideways, face against face, by 1 / sqrt 2 of that.
     EXPECT_LE(deepest(manifold), -0.0069) << angle;
     EXPECT_GE(deepest(manifold), -0.0110) << angle;
   }

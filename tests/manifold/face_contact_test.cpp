@@ -16,7 +16,7 @@ using test::kDegree;
 using test::PairCase;
 using test::stacked_cubes;
 
-/// Some roundings on coordinates of about a metre.
+/// A few roundings of coordinates of about a metre.
 template <class S>
 constexpr double kRounding = 16 * std::numeric_limits<S>::epsilon();
 
@@ -115,8 +115,8 @@ TYPED_TEST(FaceContact, PencilOnItsTipKeepsTheTip) {
 
 TYPED_TEST(FaceContact, BoxWithASpikeBelowItKeepsTheSpike) {
   using S = TypeParam;
-  // A cube with a steep little pyramid under its lower face: the talk's incident face, the most
-  // anti-parallel of all, is not one of those that meet at the tip.
+  // A cube with a steep small pyramid under its lower face: the talk's incident face, the most
+  // anti-parallel of all, does not meet the tip.
   const std::vector<Vec3d> points = {{-1, 0, -1}, {1, 0, -1},  {1, 0, 1},
                                      {-1, 0, 1},  {-1, 2, -1}, {1, 2, -1},
                                      {1, 2, 1},   {-1, 2, 1},  {0.1, -0.3, 0}};

@@ -12,19 +12,19 @@
 #include "support/cases.h"
 #include "support/random_geometry.h"
 
-// Where faces lie in parallel planes, the edges around them cross along the same axis. Rounding must not
-// choose them: they give one point, which may be on neither shape.
+// If faces lie in parallel planes, the edges around them cross along the same axis. Rounding must
+// not select these edges: they give a single point, which may be on neither shape.
 namespace contactscope {
 namespace {
 
 using test::Random;
 
-/// Half extents and middle along the world's axes: numbers that no scalar rounds.
+/// Half extents and centre along the world's axes, in numbers that are exact in every scalar.
 struct Level {
   Vec3d half, middle;
 };
 
-/// A box that is level in the world, from half extents in its own frame.
+/// A box that is axis-aligned in the world, with half extents in its own frame.
 struct TurnedBox {
   Vec3d half;
   Pose<double> pose;
@@ -35,19 +35,19 @@ struct TurnedBox {
   }
 };
 
-/// Each coordinate how far a point is outside of a box, metres, at most; 0 inside.
+/// Largest distance by which a coordinate of the point is outside a box, metres; 0 inside.
 double outside(const Level& box, const Vec3d& point) {
   const Vec3d beyond = (point - box.middle).cwiseAbs() - box.half;
   return std::max(beyond.maxCoeff(), 0.0);
 }
 
-/// Every overlap along the world's axes, metres.
+/// Overlap along each of the world's axes, metres.
 Vec3d overlaps(const Level& a, const Level& b) {
   return a.half + b.half - (b.middle - a.middle).cwiseAbs();
 }
 
-/// As the table of pairs collides them, and as any two hulls are collided. No point off either box, and
-/// the deepest as deep as the boxes are along the best of the world's axes.
+/// Through the table of pairs, and as general hulls: every point is on both boxes, and the deepest
+/// one is as deep as the overlap along the best of the world's axes.
 template <class S>
 void expect_points_on_both(const TurnedBox& a, const TurnedBox& b) {
   const Level level_a = a.level(), level_b = b.level();
@@ -68,7 +68,7 @@ void expect_points_on_both(const TurnedBox& a, const TurnedBox& b) {
     S deepest = std::numeric_limits<S>::infinity();
     for (const ContactPoint<S>& point : manifold.points) {
       const Vec3d at = point.position.template cast<double>();
-      // Points lie on the reference face, and the other box's own are as deep below it.
+      // Points lie on the reference face; the other box's point is below it by the depth.
       const bool is_of_a = manifold.axis == AxisKind::FaceA;
       const Vec3d below = at + (is_of_a ? 1.0 : -1.0) * static_cast<double>(point.separation) *
                                    manifold.normal.template cast<double>();

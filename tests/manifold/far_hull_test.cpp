@@ -6,8 +6,8 @@
 #include "support/brute_force_sat.h"
 #include "support/builders.h"
 
-/// Hulls whose vertices are thousands of radii from the origin of their own frame, in float, held
-/// against brute force in double.
+/// Hulls whose vertices are thousands of radii from the origin of their own frame, in float,
+/// compared with brute force in double.
 namespace contactscope {
 namespace {
 
@@ -15,15 +15,14 @@ using test::PairCase;
 using test::PlacedShapes;
 using test::Random;
 
-/// The same hull, given about another origin.
+/// The same hull relative to another origin.
 Hull<double> given_from(const Hull<double>& hull, const Vec3d& origin) {
   std::vector<Vec3d> points;
   for (const Vec3d& vertex : hull.vertices) points.push_back(vertex - origin);
   return build_hull(points);
 }
 
-/// A shape as a scenario collides it: about its middle where it is far, with a pose that makes up
-/// for that.
+/// Recentres a far shape as a scenario does: about its middle, with a pose that compensates.
 void centre(Shape<double>& shape, Pose<double>& pose) {
   const Vec3d origin = moved_origin(shape);
   shape = seen_from(shape, origin);
@@ -31,7 +30,7 @@ void centre(Shape<double>& shape, Pose<double>& pose) {
 }
 
 struct Seen {
-  double depth = 0;  // metres, of the deepest point; 0 where the overlap was lost
+  double depth = 0;  // metres, of the deepest point; 0 if the overlap was lost
   bool lost = true;
 };
 
@@ -52,8 +51,7 @@ PairCase<double> overlapping_pair(Random& random, double& truth) {
   }
 }
 
-/// How far a depth in float may be from the true one, over the radii: what clipping and the poses'
-/// rounding about a metre from the origin leave.
+/// Error bound of a depth in float over the radii: clipping, and poses a metre from the origin.
 constexpr double kDepthRounding = 2e-6;
 
 class FarHulls : public testing::TestWithParam<double> {};
@@ -88,12 +86,12 @@ TEST_P(FarHulls, GivenFarFromTheirOriginWithTheOppositePoseAreAsDeep) {
     const Seen as_near = seen_in_float({near.a, near.pose_a, near.b, near.pose_b});
     EXPECT_NEAR(seen.depth, as_near.depth, kDepthRounding * radius + 4e-7) << i;
   }
-  // Without it the same pairs go wrong, or the test would show nothing.
+  // Without recentring, the same pairs must fail, or the test would prove nothing.
   EXPECT_GT(wrong_unmoved, 100);
   RecordProperty("lost_unmoved", lost_unmoved);
 }
 
-/// As level geometry has it: every hull in the level's own coordinates, and all at the same pose.
+/// Level geometry: every hull is in the level's own coordinates, and all have the same pose.
 TEST_P(FarHulls, OfALevelInItsOwnCoordinatesLoseNoOverlap) {
   Random random(22);
   int wrong_unmoved = 0;
@@ -113,8 +111,8 @@ TEST_P(FarHulls, OfALevelInItsOwnCoordinatesLoseNoOverlap) {
     wrong_unmoved += std::abs(unmoved.depth + truth) > kDepthRounding * radius ? 1 : 0;
     centre(level.a, level.pose_a);
     centre(level.b, level.pose_b);
-    // Their poses are floats, so not even the level's size is in the depth; the points are in the
-    // level, where a float has so many digits.
+    // The poses are floats, so the level's size does not affect the depth. The points are in level
+    // coordinates, where a float has fewer digits.
     const Seen seen = seen_in_float(level);
     ASSERT_FALSE(seen.lost) << i;
     EXPECT_NEAR(seen.depth, -truth, kDepthRounding * radius) << i;

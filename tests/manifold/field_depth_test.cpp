@@ -11,8 +11,8 @@
 #include "support/brute_force_distance.h"
 #include "support/builders.h"
 
-/// The deepest point that a field reports: where shapes are within the margin the distance between them,
-/// and where they overlap the depth of the deepest point of the other surface.
+/// The deepest point that a field reports: the distance of shapes within the margin, or in overlap
+/// the depth of the deepest point of the other surface.
 namespace contactscope {
 namespace {
 
@@ -25,13 +25,13 @@ Shape<double> field_of(const Shape<double>& shape, int cells) {
   return field_shape(build_distance_field(shape, {.cells = cells}), shape);
 }
 
-/// Height over the faces of a box at the origin: inside it the distance from its surface, negative.
+/// Height over the faces of a box at the origin; inside, minus the distance from its surface.
 double height_over_box(const Vec3d& half, const Vec3d& point) {
   return (point.cwiseAbs() - half).maxCoeff();
 }
 
-/// The least of that height on a segment. It is the largest of six that are linear, so it is at an end or
-/// where two of those are equal.
+/// Minimum of that height on a segment. The height is the largest of six linear functions, so its
+/// minimum is at an end or where two of them are equal.
 double lowest_on_segment(const Vec3d& half, const Vec3d& from, const Vec3d& to) {
   double least = std::min(height_over_box(half, from), height_over_box(half, to));
   const auto height = [&](int face, const Vec3d& at) {
@@ -82,10 +82,10 @@ double lowest_on_triangle(const Vec3d& half, const std::array<Vec3d, 3>& corners
   return least;
 }
 
-/// Shape A, in the frame of the box that the field is made of: its separation.
+/// Separation of shape A, in the frame of the box that the field is made from.
 struct Truth {
   double distance = std::numeric_limits<double>::infinity();  // of the cores
-  double lowest = std::numeric_limits<double>::infinity();    // height of a point of the surface
+  double lowest = std::numeric_limits<double>::infinity();    // lowest height of the surface
   double radius = 0;
   double separation() const { return (distance > 0 ? distance : lowest) - radius; }
 };
@@ -148,7 +148,7 @@ void as_deep_as_the_deepest_point(int fields) {
       else
         shape = Capsule<double>{{test::rounded<S>(size * random.unit_vector()), Vec3d::Zero()},
                                 test::rounded<S>(size * random.decade(-3, -1))};
-      // Moved in by what it is too far, so never past the place that is wanted.
+      // Each step moves in by the remaining distance, so it never passes the wanted separation.
       const double margin = test::rounded<S>(cell * random.uniform(0, 4));
       const Vec3d out = random.unit_vector();
       const double wanted = random.chance(0.5)   ? margin * random.uniform(0, 1)
@@ -192,7 +192,7 @@ TEST(FieldDepth, SlowWithinAMarginAndInOverlapTheDeepestPointIsFound) {
   as_deep_as_the_deepest_point<float>(20);
 }
 
-// Its corner is under the middle of a face 2 m wide, between the places at which that is sampled.
+// The corner is under the middle of a face 2 m wide, between the samples of that face.
 TEST(FieldDepth, ACornerBelowAFaceIsAsFarAsItIs) {
   const Shape<double> cube = field_of(test::cube(0.25), 16);
   const double height = 0.25 * std::sqrt(3.0);
@@ -205,7 +205,7 @@ TEST(FieldDepth, ACornerBelowAFaceIsAsFarAsItIs) {
                               test::at(x, 0.5 + gap, 0.7 * x + 0.02),
                               cube,
                               {corner_up, Vec3d(0, -height, 0)}};
-      // A face cuts the corner off in a triangle; the depth of its middle is that of the three faces.
+      // A face cuts off a triangle at the corner; its middle is as deep as the three faces.
       const double separation = gap > 0 ? gap : gap / std::sqrt(3.0);
       const double tolerance = gap > 0 ? 1e-14 : kFieldTolerance * 0.5 / 16;
       EXPECT_NEAR(deepest_of(manifolds_of(pair, options)), separation, tolerance) << x;

@@ -38,7 +38,7 @@ TEST(FieldPairs, ASphereTouchesAFieldAsItTouchesTheBoxThatItIsMadeOf) {
     const double size = random.decade(-4, 4);
     const Hull<double> box = make_box(size * Vec3d(1, 0.7, 0.4));
     const double radius = size * random.uniform(0.1, 0.5);
-    // Outside of the box the distance of the centre is the same to both.
+    // Outside the box, the centre has the same distance from both.
     const Vec3d center = box.radius * random.uniform(0.3, 1.4) * random.unit_vector();
     const Pose<double> frame = random.pose(3 * size);
     const PlacedShapes to_box =
@@ -57,7 +57,7 @@ TEST(FieldPairs, ASphereTouchesAFieldAsItTouchesTheBoxThatItIsMadeOf) {
 }
 
 TEST(FieldPairs, SlowAHullThatCrossesAMeshIsNeverMissed) {
-  // Triangles that share a point, exactly, or a corner inside, by its winding number.
+  // Overlap: triangles that share a point, exactly, or a corner inside, by its winding number.
   Random random(2);
   int overlapping = 0, apart = 0, false_alarms = 0;
   for (int i = 0; i < 400; ++i) {
@@ -76,7 +76,7 @@ TEST(FieldPairs, SlowAHullThatCrossesAMeshIsNeverMissed) {
     if (truth) {
       ASSERT_FALSE(found.empty()) << i;
     } else if (!found.empty()) {
-      // Closer than a part of a cell, and the separation says so.
+      // Closer than a fraction of a cell, as the separation shows.
       ++false_alarms;
       const double cell = std::get<Field<double>>(pair.b).cell;
       EXPECT_GT(deepest_of(found), -1e-12 * size);
@@ -89,12 +89,12 @@ TEST(FieldPairs, SlowAHullThatCrossesAMeshIsNeverMissed) {
 }
 
 TEST(FieldPairs, SamplesMissANeedleThatTheBoundFinds) {
-  // A needle sticks out of a block, through the middle of a face of another one.
+  // A needle sticks out of a block, through the middle of another block's face.
   const Hull<double> floor = make_box(Vec3d(1, 0.1, 1));
   const Hull<double> needle = make_box(Vec3d(0.003, 0.5, 0.003));
   int missed = 0;
   for (int i = 0; i < 20; ++i) {
-    // The needle is the field here, and ends in the floor: no corner of the floor is near.
+    // Here the needle is the field and ends in the floor: no corner of the floor is near.
     const PlacedShapes pair{floor, test::at(0, 0, 0), field_of(needle, {.cells = 64}),
                             test::at(0.031 * i, 0.55, 0.017 * i)};
     EXPECT_FALSE(manifolds_of(pair).empty()) << i;
@@ -124,7 +124,7 @@ TEST(FieldPairs, ABoxOnAFieldHasItsCornersAndKeepsTheirNames) {
   EXPECT_EQ(names(0.3), before);
 }
 
-/// Square metres: the most that four corners of a convex polygon, in order and in a plane, span.
+/// Largest area of four corners of a planar convex polygon, given in order; square metres.
 double largest_of_four(const std::vector<Vec3d>& corners) {
   double largest = 0;
   const std::size_t count = corners.size();
@@ -137,9 +137,9 @@ double largest_of_four(const std::vector<Vec3d>& corners) {
   return largest;
 }
 
-/// A prism of 4 to 10 sides slides, 50 frames, on the flat face of a field, anywhere. All its corners are
-/// equally deep but for the noise of rounding: in no frame may that choose other points. Returns how often
-/// it did.
+/// A prism of 4 to 10 sides slides for 50 frames on the flat face of a field, anywhere. All its
+/// corners are equally deep except for rounding, which must never change the selected points.
+/// Returns the number of changes.
 template <class S>
 int jumps_of_a_prism(Random& random) {
   const double size = random.decade(-4, 4);
@@ -171,7 +171,7 @@ int jumps_of_a_prism(Random& random) {
     std::vector<Vec3d> kept;
     for (const ContactPoint<S>& point : found[0].points)
       kept.push_back(point.position.template cast<double>());
-    double area = 0;  // of the four in whichever order
+    double area = 0;  // of the four points, in any order
     for (const auto& [p, q, r, s] : {std::array{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 1, 3, 2}})
       area =
           std::max(area, 0.5 * (at(kept, r) - at(kept, p)).cross(at(kept, s) - at(kept, q)).norm());
@@ -218,7 +218,7 @@ TEST(FieldPairs, RoundShapesMeshesAndOtherFieldsMeetAField) {
   EXPECT_NEAR(depth(test::lying_capsule(0.3, 0.2), 0.19), 0.01, 1e-12);
   EXPECT_NEAR(depth(test::upright_capsule(0.3, 0.2), 0.45), 0.05, 1e-12);
   EXPECT_NEAR(depth(ball, 0.48), 0.02, 1e-12);
-  // Poles are on z; the lowest vertices of the mesh lie on y.
+  // Poles are on z; the lowest vertices of the mesh are on y.
   EXPECT_NEAR(depth(wavy, 0.48), 0.02, 2e-3);
   EXPECT_NEAR(depth(field_of(wavy, {.cells = 24}), 0.48), 0.02, 2e-3);
   EXPECT_EQ(depth(ball, 0.51), -std::numeric_limits<double>::infinity());
@@ -239,16 +239,16 @@ TEST(FieldPairs, WhatIsWhollyInsideIsFound) {
       EXPECT_FALSE(found.empty());
       return deepest_of(found);
     };
-    // By its far corner, and of two fields by that of the surface's points which is deepest.
+    // By the small field's far corner; for two fields, by the deepest of the surface's points.
     EXPECT_NEAR(way_out(make_box(Vec3d(1, 1, 1)), small, inside), -0.6, 1e-12);
     EXPECT_LE(way_out(large, small, inside), -0.5);
     EXPECT_LE(way_out(small, large, test::at(-0.5, 0, 0)), -0.5);
-    // The distance of the ball's centre from the small box, less its radius.
+    // The distance of the ball's centre from the small box, minus its radius.
     EXPECT_NEAR(way_out(Sphere<double>{2}, small, inside), 0.4 - 2, 1e-12);
   }
 }
 
-/// What a trace says of the separation.
+/// The separation in the trace.
 template <class S = double>
 double recorded_separation(const PlacedShapes& pair, const CollideOptions& options = {}) {
   Manifolds<S> manifolds;
@@ -260,7 +260,7 @@ double recorded_separation(const PlacedShapes& pair, const CollideOptions& optio
 }
 
 TEST(FieldPairs, ABoxOnAFieldKeepsItsFourCornersAmongManySamples) {
-  // The side of the upper box is a fraction of the lower one's: 256 samples and more, and four corners.
+  // The upper box's side is a fraction of the lower one's: at least 256 samples, four corners.
   for (const double height : {1.49, 1.5 - 1e-9}) {
     const PlacedShapes pair{field_of(make_box(Vec3d(1, 1, 1))),
                             {},
@@ -278,7 +278,7 @@ TEST(FieldPairs, ABoxOnAFieldKeepsItsFourCornersAmongManySamples) {
 }
 
 TEST(FieldPairs, NoLimitOfPointsDropsTheOutlineOrTheDeepestPoint) {
-  // A cap of a wheel with more vertices than a manifold has room for, and a plane or a field below it.
+  // A wheel's cap with more vertices than a manifold can hold, and a plane or a field below it.
   Random random(11);
   constexpr int kRing = 3 * static_cast<int>(kMaxManifoldPoints);
   for (int i = 0; i < 20; ++i) {

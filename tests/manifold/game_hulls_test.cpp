@@ -13,8 +13,8 @@
 #include "support/builders.h"
 #include "support/cases.h"
 
-// Hulls as games have them, resting on each other with a tilt or falling into each other. Whatever
-// face is preferred: the manifold is as deep as the hulls overlap, and the points of faces lie in both.
+// Hulls as games have them, resting with a tilt or falling into each other. With any face
+// preference the manifold is as deep as the overlap, and the points of faces lie in both.
 namespace contactscope {
 namespace {
 
@@ -49,7 +49,7 @@ std::vector<Vec3d> wedge(Random& random, const Vec3d& sides) {
   return points;
 }
 
-/// A noisy ellipsoid with a level ground.
+/// A noisy ellipsoid with a flat base.
 std::vector<Vec3d> rock(Random& random, const Vec3d& sides) {
   std::vector<Vec3d> points;
   for (int k = 10 + random.index(20); k > 0; --k) {
@@ -61,7 +61,7 @@ std::vector<Vec3d> rock(Random& random, const Vec3d& sides) {
   return points;
 }
 
-/// Prisms and stumps of pyramids.
+/// Prisms and truncated pyramids.
 std::vector<Vec3d> stump(Random& random, const Vec3d& sides) {
   const double top = random.uniform(0.3, 1);
   const int corners = 3 + random.index(10);
@@ -75,7 +75,6 @@ std::vector<Vec3d> stump(Random& random, const Vec3d& sides) {
   return points;
 }
 
-/// A shard with sharp ends.
 std::vector<Vec3d> shard(Random& random) {
   std::vector<Vec3d> points;
   for (int k = 8 + random.index(8); k > 0; --k) {
@@ -104,7 +103,7 @@ Hull<double> random_body(Random& random) {
   }
 }
 
-/// B comes down on a face of A with one of its own, but for a tilt, somewhere over it or its rim.
+/// A face of B rests on a face of A, with a tilt, somewhere over it or its rim.
 PairCase<double> resting_pair(Random& random) {
   PairCase<double> pair{random_body(random), {}, random_body(random), {}};
   const Vec3d up = at(pair.a.planes, random.index(pair.a.face_count())).normal;
@@ -131,7 +130,7 @@ PairCase<double> resting_pair(Random& random) {
   return test::moved(pair, random.pose(5));
 }
 
-/// How far a place is outside of a hull: above the plane of any face.
+/// Distance of a place outside a hull: its largest height above the plane of a face.
 double outside(const Hull<double>& hull, const Pose<double>& pose, const Vec3d& place) {
   const Vec3d in_hull = pose.inverse_transform(place);
   double most = -std::numeric_limits<double>::infinity();
@@ -153,7 +152,7 @@ double farthest_outside(const PairCase<double>& pair, const Manifold<S>& manifol
   const Vec3d normal = manifold.normal.template cast<double>();
   double most = 0;
   for (const ContactPoint<S>& point : manifold.points) {
-    // A point lies on the reference face.
+    // The point lies on the reference face.
     const double behind = manifold.axis == AxisKind::FaceA ? 0 : 1;
     const Vec3d way = static_cast<double>(point.separation) * normal;
     const Vec3d place = point.position.template cast<double>();
@@ -179,7 +178,7 @@ TYPED_TEST(GameHulls, SlowAreAsDeepAsTheyOverlapAndTouchWithinBoth) {
     const double least =
         test::brute_force_sat(exact.a, exact.pose_a, exact.b, exact.pose_b).separation;
     const double rounding = 64 * test::length_scale(exact) * std::numeric_limits<S>::epsilon();
-    // Faces are merged, and stand in for vertices that are off them by this.
+    // Merged faces replace vertices that are off their plane by this much.
     const double merged =
         20 * std::max(hull_tolerance(exact.a.vertices), hull_tolerance(exact.b.vertices));
     for (const Preference preference : {Preference::Relative, Preference::None}) {
@@ -200,8 +199,8 @@ TYPED_TEST(GameHulls, SlowAreAsDeepAsTheyOverlapAndTouchWithinBoth) {
       if (depth > part * least + rounding + merged || outside > rounding + merged) ++rare;
     }
   }
-  // An axis of two edges around merged faces that is not one of their vertices; a place on nearly level
-  // faces, which a rounding moves by several.
+  // Rare: an axis of two edges around merged faces, which matches none of their vertices; or a
+  // place on nearly level faces, which one rounding moves by several.
   EXPECT_LE(rare, touching / 100'000);
   EXPECT_GT(touching, 3000);
 }

@@ -6,7 +6,7 @@
 namespace contactscope {
 namespace {
 
-// Beside an edge and beside a vertex the closest point is looked for by GJK; above a face it is not.
+// GJK searches for the closest point over an edge and a vertex, but not above a face.
 TEST(GjkRecord, TellsTheStepsOfGjkWhereItRan) {
   const Shape<double> box = test::cube(0.5);
   const auto record_at = [&](const Vec3d& center) {
@@ -18,7 +18,7 @@ TEST(GjkRecord, TellsTheStepsOfGjkWhereItRan) {
   EXPECT_EQ(beside_edge.gjk->status, "separated");
   EXPECT_GE(beside_edge.gjk->iterations, 1);
   EXPECT_NEAR(beside_edge.gjk->distance, std::sqrt(0.08), 1e-15);
-  // The hull is a here, the pair is told mirrored.
+  // The hull is a here, so the pair is recorded mirrored.
   EXPECT_LT((beside_edge.gjk->point_a - Vec3d(0.5, 0.5, 0.1)).norm(), 1e-15);
   EXPECT_LT((beside_edge.gjk->point_b - Vec3d(0.7, 0.7, 0.1)).norm(), 1e-15);
   ASSERT_FALSE(beside_edge.gjk->steps.empty());
@@ -32,7 +32,7 @@ TEST(GjkRecord, TellsTheStepsOfGjkWhereItRan) {
   }
 }
 
-// The last simplex is the one that carries the closest points; without it the record would stop short.
+// The last simplex carries the closest points; without it the record would be incomplete.
 TEST(GjkRecord, TheLastStepCarriesTheClosestPoints) {
   const Shape<double> box = test::cube(0.5);
   for (const Vec3d& center : {Vec3d(0.7, 0.7, 0.1), Vec3d(0.7, -0.8, 0.9), Vec3d(-0.6, 0.2, 0.7)}) {
@@ -41,7 +41,7 @@ TEST(GjkRecord, TheLastStepCarriesTheClosestPoints) {
     ASSERT_TRUE(pair.gjk.has_value());
     ASSERT_EQ(pair.gjk->steps.size(), static_cast<std::size_t>(pair.gjk->iterations));
     const trace::Simplex& last = pair.gjk->steps.back();
-    // Off the simplex's own corners by no more than they span, and beside each edge it is on.
+    // Within the bounds of the simplex's corners.
     Vec3d lower = last.front().a, upper = last.front().a;
     for (const trace::SimplexVertex& vertex : last) {
       lower = lower.cwiseMin(vertex.a);

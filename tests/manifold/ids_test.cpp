@@ -42,7 +42,7 @@ TYPED_TEST(ContactIds, FlipWhenAAndBTradePlaces) {
     ASSERT_EQ(flipped<S>(sorted_ids(there)), sorted_ids(back)) << "pair " << i;
     ASSERT_LT((there.normal + back.normal).norm(), 2e-3);
 
-    // The same points, but for the way between the two reference faces.
+    // The same points, except for the offset between the two reference faces.
     std::map<FeatureId, const ContactPoint<S>*> by_id;
     for (const ContactPoint<S>& point : back.points) by_id[point.id.flipped()] = &point;
     for (const ContactPoint<S>& point : there.points) {

@@ -18,7 +18,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-/// A pair that is stepped frame by frame, poses as the test says.
+/// A pair that is stepped frame by frame, with poses from the test.
 template <class S>
 class Stepped {
  public:
@@ -27,7 +27,7 @@ class Stepped {
     incremental_.settings = settings;
     options_.reducer = find_reducer("area");
   }
-  /// The manifold of the next frame; without points where there is none.
+  /// The manifold of the next frame; it has no points if there is none.
   Manifold<S> step(const Pose<double>& pose_a, const Pose<double>& pose_b) {
     Manifolds<S> manifolds;
     collide_incremental(a_, pose_a.template cast<S>(), b_, pose_b.template cast<S>(), options_,
@@ -77,7 +77,7 @@ TYPED_TEST(Incremental, ALevelBoxThatSinksGetsItsFourCornersInFourFrames) {
     EXPECT_EQ(normal_of(manifold), Vec3d(0, -1, 0));
     for (std::size_t i = 0; i < manifold.points.size(); ++i) {
       EXPECT_NEAR(manifold.points[i].separation, -depth, rounding);
-      // Within the corner by the margin, midway between the two surfaces.
+      // Inside the corner by the margin, midway between the two surfaces.
       const Vec3d place = position_of(manifold, i) - Vec3d(0.1, 0.5 - 0.5 * depth, 0.2);
       EXPECT_NEAR(std::abs(place.x()), 0.48, rounding);
       EXPECT_NEAR(std::abs(place.z()), 0.48, rounding);
@@ -138,7 +138,7 @@ TYPED_TEST(Incremental, APointOverTheEdgeNoLongerFacesItsFeature) {
 
 TYPED_TEST(Incremental, ANewPointThatIsTooCloseTakesThePlaceOfTheOldOneAndItsName) {
   using S = TypeParam;
-  // A sphere that is carried sideways, turning so that its own place moves too.
+  // A sphere moves sideways and turns, so that its own place moves too.
   Stepped<S> pair(ball(0.5), box(2, 0.5, 2));
   const Manifold<S> first = pair.step(at(0, 0.99, 0), at(0, 0, 0));
   ASSERT_EQ(first.points.size(), 1U);
@@ -150,7 +150,7 @@ TYPED_TEST(Incremental, ANewPointThatIsTooCloseTakesThePlaceOfTheOldOneAndItsNam
   EXPECT_EQ(told.incremental->points[0].point.id, to_string(first.points[0].id));
   EXPECT_EQ(told.incremental->points[1].reason, "replaced");
 
-  // A corner goes over the floor's border: other features, about the same place, the same name.
+  // A corner passes the floor's border: other features at about the same place keep the name.
   Stepped<S> leaving(box(0.5, 0.5, 0.5), box(2, 0.5, 2));
   const Quatd turn = about(Vec3d::UnitZ(), 0.7) * about(Vec3d::UnitX(), 0.6);
   Vec3d corner = Vec3d::Zero();  // of the core
@@ -351,7 +351,7 @@ TEST(IncrementalManifold, AThinShapeHasASmallerMargin) {
   EXPECT_NEAR(told.manifolds.at(0).points.at(0).separation, -0.001, 1e-12);
 }
 
-/// Level on the floor, 5 mm deep: every corner is as good as any.
+/// Level on the floor, 5 mm deep: all corners are equally good.
 Pose<double> standing(double turn = 0) {
   return {about(Vec3d::UnitY(), turn), Vec3d(0, 0.995, 0)};
 }
@@ -418,11 +418,11 @@ TEST(IncrementalManifold, WithoutAReducerTheNewestAreKeptUpToTheMostThatThereIsR
 TEST(IncrementalManifold, WithoutAReducerABoxThatTurnsKeepsItsFourCorners) {
   Stepped<double> pair(box(0.5, 0.5, 0.5), box(20, 0.5, 2), {Confirm::Distance, 0.02, 1e-3});
   pair.options().reducer = nullptr;
-  // Turning on the spot gives places that differ, and old ones hold on.
+  // Turning in place gives different places, and old points persist.
   std::size_t most = 0;
   for (int frame = 0; frame < 400; ++frame)
     most = std::max(most, pair.step(standing(1e-5 * frame), at(0, 0, 0)).points.size());
-  EXPECT_EQ(most, 4U);  // the same features are the same points
+  EXPECT_EQ(most, 4U);  // equal features are the same point
 }
 
 TEST(IncrementalManifold, EveryPenetrationMethodTellsItsNameAndAboutTheSameDepth) {

@@ -11,8 +11,8 @@
 #include "support/builders.h"
 #include "support/cases.h"
 
-// Shapes that share a part of a face and do not overlap. Rounding puts the corners of the one a few
-// ulps above or below the other: it may take the contact, but no corner of it.
+// Shapes that share part of a face without overlap. Rounding puts the corners of one a few ulps
+// above or below the other. It may remove the whole contact, but no single corner.
 namespace contactscope {
 namespace {
 
@@ -23,7 +23,7 @@ using test::Random;
 
 using Outline = std::vector<Vec2d>;  // (z, x) of a face in the plane y = 0, counter-clockwise
 
-/// How far a place is outside of an edge's line; negative inside.
+/// Distance of a place outside an edge's line; negative inside.
 double beyond(const Outline& outline, std::size_t edge, const Vec2d& place) {
   const Vec2d& from = outline[edge];
   const Vec2d along = outline[(edge + 1) % outline.size()] - from;
@@ -37,8 +37,7 @@ bool holds(const Outline& outline, const Vec2d& place) {
   return true;
 }
 
-/// The corners of what two outlines share, by their definition: corners of one inside the other, and
-/// crossings of two edges.
+/// Corners of two outlines' intersection, by definition: inner corners, and crossings of edges.
 Outline shared_corners(const Outline& one, const Outline& other) {
   Outline corners;
   const auto add = [&](const Vec2d& place) {
@@ -62,7 +61,7 @@ Outline shared_corners(const Outline& one, const Outline& other) {
   return corners;
 }
 
-/// A shape below the plane y = 0, or above it, with a face on it.
+/// A shape below or above the plane y = 0, with a face on it.
 struct Block {
   Shape<double> shape;
   Pose<double> pose;
@@ -76,7 +75,7 @@ Quatd quarter_turns(Random& random) {
   return turn;
 }
 
-/// A box with whole coordinates, a prism, or a triangle of a mesh.
+/// A box with integer coordinates, a prism, or a triangle of a mesh.
 Block random_block(Random& random, double side, double size) {
   const Vec3d half(1 + random.index(3), 1 + random.index(3), 1 + random.index(3));
   const Vec3d middle(random.index(7) - 3, side * half.y(), random.index(7) - 3);
@@ -142,7 +141,7 @@ TYPED_TEST_SUITE(KissingFaces, Scalars);
 
 TYPED_TEST(KissingFaces, AQuarterTurnLeavesAllFourCorners) {
   using S = TypeParam;
-  // In single precision clipping left all four up to 7e-7 m above A's face.
+  // In single precision, clipping left all four up to 7e-7 m above A's face.
   PlacedShapes pair{make_box({2, 1, 1}), test::at(-2, 1, 2), make_box({3, 3, 1}),
                     test::at(3, 1, 2)};
   pair.pose_a.rotation = about(Vec3d::UnitX(), 90 * kDegree);

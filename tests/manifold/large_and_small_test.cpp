@@ -5,7 +5,7 @@
 #include "manifold/placed_shapes.h"
 #include "support/builders.h"
 
-/// Small shapes on large ones: as many points as on one of their own size.
+/// Small shapes on large ones get as many points as on shapes of their own size.
 namespace contactscope {
 namespace {
 
@@ -21,7 +21,7 @@ TYPED_TEST_SUITE(LargeAndSmall, Scalars);
 struct Small {
   const char* name;
   Shape<double> shape;
-  std::vector<Vec3d> lowest;  // where it touches what it lies on, from its centre
+  std::vector<Vec3d> lowest;  // contact places relative to its centre
 };
 
 std::vector<Small> small_shapes(double size) {
@@ -34,7 +34,7 @@ std::vector<Small> small_shapes(double size) {
           {"box", test::cube(size), corners}};
 }
 
-/// On the x-z plane, the origin inside.
+/// On the x-z plane, with the origin inside.
 Shape<double> large_box(double reach) {
   return make_box(Vec3d(reach, 0.25, reach));
 }
@@ -42,7 +42,7 @@ Shape<double> large_triangle(double reach) {
   return build_mesh({{-reach, 0, -reach}, {reach, 0, -reach}, {0, 0, reach}}, {{{0, 2, 1}}});
 }
 
-/// A point at each lowest place of the small shape, and none but those.
+/// Expects a point at each lowest place of the small shape, and no others.
 template <class S>
 void expect_points_at(const Small& small, const PlacedShapes& pair, double size, double reach) {
   const Manifold<S> manifold = test::manifold_of<S>(pair);
@@ -53,7 +53,7 @@ void expect_points_at(const Small& small, const PlacedShapes& pair, double size,
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < manifold.points.size(); ++i)
       nearest = std::min(nearest, (test::position_of(manifold, i) - place).norm());
-    // Half a hundredth of the size deep, and poses that are rounded about a metre from the origin.
+    // The depth is half a hundredth of the size; poses are rounded about a metre from the origin.
     EXPECT_LT(nearest, 0.011 * size + 4e-7) << small.name << " of " << size << " on " << reach;
   }
   for (const ContactPoint<S>& point : manifold.points)
@@ -73,7 +73,7 @@ TYPED_TEST(LargeAndSmall, AsManyPointsOnAFloorHoweverLargeItIs) {
         expect_points_at<S>(small, on_box, size, reach);
         if (reach * std::numeric_limits<S>::epsilon() > 1e-4 * size)
           expect_points_at<S>(small, test::moved(on_box, random.pose(1)), size, reach);
-        // A triangle stays in float, where in the end its sides are not known to a capsule's length.
+        // A triangle stays in float: the sides of a huge one are rounded by a capsule's length.
         if (reach * std::numeric_limits<S>::epsilon() > 3 * size) continue;
         PlacedShapes on_triangle = on_box;
         on_triangle.b = large_triangle(reach);
@@ -84,7 +84,7 @@ TYPED_TEST(LargeAndSmall, AsManyPointsOnAFloorHoweverLargeItIs) {
   }
 }
 
-// Turned by 20 degrees, two of the crate's corners hang over on either side of the beam: six points.
+// Turned by 20 degrees, two of the crate's corners overhang on each side of the beam: six points.
 TYPED_TEST(LargeAndSmall, ABeamCutsOffWhatHangsOverItsSidesHoweverLongItIs) {
   using S = TypeParam;
   test::Random random(32);
@@ -99,7 +99,7 @@ TYPED_TEST(LargeAndSmall, ABeamCutsOffWhatHangsOverItsSidesHoweverLongItIs) {
       ASSERT_EQ(manifold.points.size(), 6u) << reach;
       for (std::size_t i = 0; i < 6; ++i) {
         const Vec3d on_beam = pair.pose_b.inverse_transform(test::position_of(manifold, i));
-        // Up to four thousand times the crate float rounds the beam's far corners.
+        // Below a reach of 4000, float rounding of the beam's far corners counts.
         const double rounding = reach < 4000 ? 4 * std::numeric_limits<S>::epsilon() * reach : 0;
         EXPECT_LT(std::abs(on_beam.z()), 0.5 + 2e-6 + rounding) << reach;
         EXPECT_NEAR(manifold.points[i].separation, -0.01, 2e-6) << reach;
@@ -108,7 +108,7 @@ TYPED_TEST(LargeAndSmall, ABeamCutsOffWhatHangsOverItsSidesHoweverLongItIs) {
   }
 }
 
-// The same contact, told or not, in either order, reduced or not.
+// The same contact, recorded or not, in either order, reduced or not.
 TYPED_TEST(LargeAndSmall, IsToldAsItIsReturned) {
   using S = TypeParam;
   const PlacedShapes pair{test::cube(0.01),

@@ -9,8 +9,7 @@
 #include "support/brute_force_distance.h"
 #include "support/builders.h"
 
-/// Triangles without an area are segments and points, which a mesh that deforms may come to have, and
-/// collide as such.
+/// Triangles without area, which deforming meshes may get, collide as segments and points.
 namespace contactscope {
 namespace {
 
@@ -25,7 +24,7 @@ Vec3d integers(Random& random, double reach) {
   return random.vector(-reach, reach).array().round();
 }
 
-/// Three places on a line, or one three times, exactly, in any order.
+/// Three points exactly on a line, or one point three times, in any order.
 std::array<Vec3d, 3> flat_corners(Random& random, double unit) {
   const Vec3d from = integers(random, 20);
   const Vec3d step = random.chance(0.2) ? Vec3d(Vec3d::Zero()) : integers(random, 6);
@@ -45,8 +44,8 @@ test::Features features_of_corners(const std::array<Vec3d, 3>& corners) {
       {corners[0].cast<Extended>(), corners[1].cast<Extended>(), corners[2].cast<Extended>()});
 }
 
-/// Of a hull and the hull of some points, along the face normals of the one and what is at right angles to
-/// the edges of both: the depth where they overlap, negative.
+/// Depth of a hull and the hull of some points, along the face normals of the first and
+/// perpendicular to the edges of both; negative in overlap.
 Extended depth_of(const Hull<double>& hull, const Pose<double>& pose,
                   const test::Features& segment) {
   const test::Features solid = test::features_of(hull, pose);
@@ -141,7 +140,7 @@ TEST(MeshFlatTriangles, SlowShapesAreAsNearAsTheSegmentOrThePoint) {
   shapes_are_as_near_as_the_segment<float>(5000);
 }
 
-// A strip of which corners have moved onto an edge or onto each other: some triangles have an area still.
+// A strip whose corners have moved onto an edge or each other; some triangles have an area.
 template <class S>
 void ball_is_as_near_as_all_triangles(int cases) {
   Random random(82);
@@ -196,7 +195,7 @@ TEST(MeshFlatTriangles, SlowABallIsAsNearAsTheNearestTriangleWithOrWithoutAnArea
   ball_is_as_near_as_all_triangles<float>(5000);
 }
 
-// The middle one of three closes a T-junction of a flat floor: the floor has no edge there.
+// The middle one of three triangles closes a T-junction of a flat floor: no edge of the floor.
 TEST(MeshFlatTriangles, InAFlatFloorATriangleWithoutAnAreaIsNoEdge) {
   const Mesh<double> floor = build_mesh_with_flat_triangles(
       {{-2, 0, 0}, {2, 0, 0}, {0, 0, 0}, {0, 0, 2}, {-2, 0, -2}, {2, 0, -2}},
@@ -216,7 +215,7 @@ TEST(MeshFlatTriangles, InAFlatFloorATriangleWithoutAnAreaIsNoEdge) {
   }
 }
 
-// A needle beside a ball reaches no farther than it is long.
+// A needle next to a ball does not touch beyond its end.
 TEST(MeshFlatTriangles, NothingIsTouchedBeyondTheEndOfANeedle) {
   const Mesh<double> needle = mesh_of({Vec3d(0, 0, 0), Vec3d(1, 0, 0), Vec3d(0.5, 0, 0)});
   EXPECT_TRUE(manifolds_of<double>({test::ball(0.5), at(1.6, 0, 0), needle, {}}).empty());

@@ -31,7 +31,7 @@ double deepest(const Manifolds<S>& manifolds) {
   return least;
 }
 
-/// A level top that ends at x = 0.4, and a side that falls off there; fronts up and to +x.
+/// A level top that ends at x = 0.4, and a side that drops there; fronts up and to +x.
 Mesh<double> ledge(double scale) {
   std::vector<Vec3d> vertices = {{-2, 0, -1}, {-2, 0, 1},    {0.4, 0, -1},
                                  {0.4, 0, 1}, {0.4, -1, -1}, {0.4, -1, 1}};
@@ -43,7 +43,7 @@ Shape<double> crate(double scale) {
   return make_box(scale * Vec3d(0.5, 0.25, 0.3));
 }
 
-// The part that hangs over is in front of the side, but the crate is on the top and not behind it.
+// The overhanging part is in front of the side, but the crate is on the top and not behind it.
 TEST(MeshLedge, ACrateThatPeeksOverIsNotPushedBack) {
   for (const double scale : {1e-4, 1.0, 1e4}) {
     for (const double over : {1e-4, 1e-3, 5e-3, 2e-2, 0.3}) {
@@ -57,8 +57,8 @@ TEST(MeshLedge, ACrateThatPeeksOverIsNotPushedBack) {
   }
 }
 
-// Its low end digs 3.6 cm into the top. The other end hangs over the side; the way out through the
-// side would be as long as the crate.
+// The low end digs 3.6 cm into the top. The other end overhangs the side; the exit through the side
+// would be as long as the crate.
 template <class S>
 void expect_way_up(double scale, double tolerance) {
   for (const double x : {0.2, 0.3, 0.45, 0.48, 0.55, 0.6}) {
@@ -91,7 +91,7 @@ Mesh<double> surface_of(const Hull<double>& hull) {
   return build_mesh(hull.vertices, triangles);
 }
 
-/// A triangle that has no say in whether the body is inside of the solid: the body's centre is in
+/// A triangle that does not decide whether the body is inside the solid: the body's centre is in
 /// front of it, and the contact is on its face.
 void expect_own_face(const Manifold<double>& manifold, const Mesh<double>& mesh,
                      const Pose<double>& pose, const Vec3d& center, int i) {
@@ -100,11 +100,10 @@ void expect_own_face(const Manifold<double>& manifold, const Mesh<double>& mesh,
   EXPECT_GT(front.dot(center - mesh.corner(manifold.triangle, 0)), 0) << i;
 }
 
-/// Boxes and capsules that overlap a solid a little, with their centre outside, against its surface:
-/// no contact lost, none on the wrong side, none far deeper than the solid says. The deepest one
-/// pushes out where the solid does; another may push back only where it is of a face, seen from its
-/// front: of two faces at a rim of less than a right angle the surface does not say which one is the
-/// way out.
+/// Boxes and capsules that overlap a solid a little, with their centre outside, against its
+/// surface: no contact is lost, on the wrong side, or far deeper than with the solid. The deepest
+/// one pushes out as the solid does. Another may push back only from the front of a face: at a rim
+/// of less than a right angle, the surface does not decide which face is the exit.
 template <class MakeSolid>
 void expect_like_the_solid(unsigned seed, int count, const MakeSolid& make_solid,
                            int least_touching) {
@@ -155,8 +154,7 @@ TEST(MeshLedge, SlowASharpRimIsNoDeeperThanTheConeOfIt) {
       123, 16000, [](test::Random&) { return make_cone(0.6, 0.4, 7); }, 1000);
 }
 
-/// Largest change of the depth over that of the way, as a capsule of 1.2 m by 0.5 m goes over `roof` in
-/// steps of a thousandth.
+/// Largest change of depth per displacement, in 1000 steps of a capsule (1.2 m, 0.5 m) over `roof`.
 struct Sweep {
   double worst = 0;
   int touching = 0;
@@ -188,17 +186,17 @@ TEST(MeshLedge, DepthDoesNotJumpAsACapsuleSinksPastTheRimOfARoof) {
     const Mesh<double> roof = build_mesh(corners, {{{0, 2, 1}}, {{0, 3, 2}}});
     const Quatd turn(-0.08788343784, -0.646731931294, 0.5957433634, -0.4680856282384);
     const Vec3d from(-0.775430655, 1.8, -0.584269184);
-    const Vec3d to(-0.740024842, 0.126, -0.556424678);  // its middle not yet through the roof
+    const Vec3d to(-0.740024842, 0.126, -0.556424678);  // its middle has not yet passed the roof
     const Sweep in_float = sweep_over<float>(roof, turn, from, to, size);
     const Sweep in_double = sweep_over<double>(roof, turn, from, to, size);
     EXPECT_GT(in_double.touching, 300);
-    // What comes back fades three times as fast as the rest deepens.
+    // The contact that reappears fades three times as fast as the rest deepens.
     EXPECT_LT(in_double.worst, 5);
     EXPECT_LT(in_float.worst, 5);
   }
 }
 
-// The centre went below the floor: no triangle is hidden from it, and the way on is the shorter one.
+// The centre went below the floor: no triangle is hidden from it, and the exit below is shorter.
 TEST(MeshLedge, BehindAFloorIsStillBehindIt) {
   const Manifolds<double> manifolds =
       manifolds_of<double>({crate(1), at(0.03, -0.2, 0.05), make_grid(8, 8, 8, 8, 0), {}});
@@ -207,7 +205,7 @@ TEST(MeshLedge, BehindAFloorIsStillBehindIt) {
   EXPECT_NEAR(deepest(manifolds), -0.05, 1e-14);
 }
 
-// Sunk deeper than the triangles are wide, so that each by itself would push sideways.
+// Deeper than the triangles are wide, so that each one alone would push sideways.
 TEST(MeshLedge, APinDeepInAFineFloorIsPushedUp) {
   const Mesh<double> floor = make_grid(0.4, 0.4, 40, 40, 0);
   const Manifolds<double> manifolds =

@@ -20,7 +20,7 @@ using test::kDegree;
 using test::manifolds_of;
 using test::PlacedShapes;
 
-/// Largest angle of any normal from `direction`, radians.
+/// Largest angle between a normal and `direction`, radians.
 template <class S>
 double worst_turn(const Manifolds<S>& manifolds, const Vec3d& direction) {
   double worst = 0;
@@ -47,11 +47,11 @@ test::Features features_of_triangle(const Mesh<double>& mesh, int triangle,
   for (int k = 0; k < 3; ++k)
     features.vertices.push_back(pose.transform(mesh.corner(triangle, k)).cast<test::Extended>());
   features.edges = {{0, 1}, {1, 2}, {2, 0}};
-  features.triangles = {{0, 1, 2}, {0, 2, 1}};  // both sides, or the oracle sees an inside
+  features.triangles = {{0, 1, 2}, {0, 2, 1}};  // both sides, or the oracle would see an inside
   return features;
 }
 
-/// Without its face. What lies in the plane of the triangle is in neither side's front.
+/// Without its face: points in the plane of the triangle are in front of neither side.
 test::Features outline_of_triangle(const Mesh<double>& mesh, const Pose<double>& pose) {
   test::Features features = features_of_triangle(mesh, 0, pose);
   features.triangles.clear();
@@ -142,15 +142,14 @@ TEST(MeshPairs, ACapsuleBesideATriangleIsAsFarAsTheClosestPoints) {
   EXPECT_GT(touching, 400);
 }
 
-// ReactPhysics3D issue 347, all the way round: in the plane of the triangle too, where no face looks at
-// the capsule.
+// ReactPhysics3D issue 347, at every angle, including the triangle's own plane.
 TEST(MeshPairs, ACapsuleAlongAnEdgeHasTwoPointsWhereverItIsAboutTheEdge) {
   test::Random random(14);
   for (int i = 0; i < 2000; ++i) {
     const double size = random.decade(-4, 4);
     const std::vector<Vec3d> corners = {{-size, 0, 0}, {size, 0, 0}, {0, 0, -0.8 * size}};
     const Mesh<double> mesh = build_mesh(corners, {{{0, 1, 2}}});
-    // From beside the triangle, in its plane, up to a right angle to it.
+    // From the triangle's plane to the perpendicular.
     const double up = i % 2 == 0 ? 0 : random.uniform(-1, 1) * std::numbers::pi / 2;
     const Vec3d way(0, std::sin(up), std::cos(up));
     const double radius = 0.1 * size, distance = 0.9 * radius, half = 0.5 * size;
@@ -205,8 +204,8 @@ TEST(MeshPairs, AHullOverlapsATriangleAsDeepAsTheShallowestOfAllAxesSays) {
   EXPECT_GT(touching, 400);
 }
 
-// JoltPhysics issue 1488. Near the corner the other corners lie far over the box's lower side, so
-// that by depth its face is as good as the triangle's.
+// JoltPhysics issue 1488. Near one corner of the triangle its other corners are far above the box's
+// lower side, so by depth the box's face is as good as the triangle's.
 TEST(MeshPairs, ABoxTiltedALittleOnALargeTriangleTakesTheTrianglesNormal) {
   for (const double scale : {1e-3, 1.0, 1e3}) {
     const Mesh<double> ground = build_mesh(
@@ -283,8 +282,8 @@ TEST(MeshPairs, SlowNothingTripsOverTheEdgesOfAFlatFloor) {
   }
 }
 
-/// Places on the edges and corners of the floor's cells, each approached along a line that lies in
-/// none of them: from a nanometre away to a tenth of a millimetre, on both sides.
+/// Places on the edges and corners of the floor's cells. Each is approached along a line in none of
+/// them, from a nanometre to a tenth of a millimetre, on both sides.
 template <class Visit>
 void beside_edges(double size, const Visit& visit) {
   for (const Vec3d& on_edge :
@@ -316,7 +315,7 @@ TEST(MeshPairs, NothingFeelsAnEdgeOfAFlatFloorHoweverNearToItItIs) {
   }
 }
 
-// The option is there to show the problem, so there must be one.
+// The option exists to show the problem, so there must be one.
 TEST(MeshPairs, WithoutTheCareForInternalEdgesABoxTripsOverThem) {
   double angle, depth;
   int manifolds;
@@ -354,7 +353,7 @@ Mesh<double> mesh_of_cube(double half) {
   return build_mesh(box.vertices, triangles);
 }
 
-// What belongs to the surface stays: every edge and corner of the cube, but not its diagonals.
+// Real features stay: every edge and corner of the cube, but not its diagonals.
 TEST(MeshPairs, ASphereTouchesTheMeshOfACubeAsItTouchesTheCube) {
   test::Random random(14);
   const Shape<double> cube = test::cube(0.5);
@@ -429,8 +428,8 @@ TEST(MeshPairs, ABoxIsPushedOutBehindATriangleWhenItsCentreIsThere) {
   }
 }
 
-// On a triangle, its edges and corners a centre has no normal but the triangle's front, and none of the
-// neighbours, which push sideways, may stand in for what is skipped.
+// A centre on a triangle, its edges or corners has only the triangle's front as normal. The
+// neighbours, which push sideways, must not replace a skipped contact.
 template <class S>
 void expect_told_and_skipped(const PlacedShapes& pair, const Vec3d& front) {
   const trace::Pair told = test::record_of<S>(pair);
@@ -466,7 +465,7 @@ TEST(MeshPairs, ACentreInTheSurfaceIsToldAsDegenerateAndCanBeSkipped) {
 }
 
 // ---------------------------------------------------------------------------------------------
-// What is told
+// Records
 
 TEST(MeshPairs, ARecordTellsHowTheTrianglesWereFound) {
   const Mesh<double> floor = make_grid(8, 8, 16, 16, 0);
@@ -481,7 +480,7 @@ TEST(MeshPairs, ARecordTellsHowTheTrianglesWereFound) {
   ASSERT_FALSE(record.tree->visits.empty());
   EXPECT_EQ(record.tree->visits[0].box.lower, Vec3d(-4, 0, -4));
   EXPECT_EQ(record.tree->visits[0].depth, 0);
-  // A ball of 0.6 m over cells of half a metre: two cells each way.
+  // A ball of 0.6 m over cells of 0.5 m: two cells in each direction.
   EXPECT_GE(record.tree->candidates.size(), 6u);
   EXPECT_LE(record.tree->candidates.size(), 18u);
   for (const trace::Manifold& manifold : record.manifolds) {

@@ -9,8 +9,7 @@
 #include "support/builders.h"
 #include "support/surface_oracle.h"
 
-/// No contact with an edge or a corner that the surface has gives way to another one, as those do that only
-/// the tessellation has.
+/// Contacts with real edges and corners are never replaced, unlike those with the tessellation.
 namespace contactscope {
 namespace {
 
@@ -34,7 +33,7 @@ struct Surface {
   }
 };
 
-/// Steps from 0 to 1, some of them a millionth of others.
+/// Steps from 0 to 1; some of them are a millionth of others.
 std::vector<double> breaks(Random& random, int count) {
   std::vector<double> places = {0};
   for (int i = 0; i < count; ++i) places.push_back(places.back() + random.decade(-6, 0));
@@ -42,8 +41,8 @@ std::vector<double> breaks(Random& random, int count) {
   return places;
 }
 
-/// Triangles between two rails a metre apart, bent at random, as long as the rails are apart and as low as
-/// the steps along them.
+/// Triangles between two rails a metre from each other, bent at random. They are as long as that
+/// distance and as low as the steps along the rails.
 Surface strip(Random& random) {
   Surface surface;
   const std::vector<double> places = breaks(random, 3 + random.index(5));
@@ -87,7 +86,7 @@ Surface house(Random& random) {
   return surface;
 }
 
-/// Pairs of triangles with an edge in common, slivers among them, through each other.
+/// Intersecting pairs of triangles with an edge in common, some of them slivers.
 Surface crossing_pairs(Random& random) {
   Surface surface;
   for (int pair = 0; pair < 3; ++pair) {
@@ -104,7 +103,7 @@ Surface crossing_pairs(Random& random) {
   return surface;
 }
 
-/// Of any size and not at the origin, with vertices that scalar S holds.
+/// Any size, away from the origin, with vertices that scalar S represents.
 template <class S>
 Surface random_surface(Random& random, double& size) {
   const int kind = random.index(3);
@@ -115,7 +114,7 @@ Surface random_surface(Random& random, double& size) {
   return surface;
 }
 
-/// On an edge, at a corner or anywhere, or as near to those as it likes.
+/// On an edge, at a corner, anywhere, or close to these.
 Vec3d place_on(Random& random, const Surface& surface) {
   const int triangle = random.index(count_of(surface.triangles));
   std::array<double, 3> weights;
@@ -133,7 +132,7 @@ double extent_of(const Surface& surface, const Vec3d& other) {
   return most;
 }
 
-// A ball in a building: the edge of a sliver is nearest, and its normal is off by more than that of a face.
+// A ball in a building: the edge of a sliver is nearest, with a less exact normal than a face's.
 TEST(MeshRealContacts, TheOpenEdgeOfASliverIsTouched) {
   const std::vector<Vec3d> vertices = {{1, 7, 5},         {1, 8, 5},   {1, 7, 4.8},
                                        {5.3, 7.59, 4.75}, {5, 7.6, 5}, {-0.2, 7.6, 4.746301},
@@ -165,7 +164,7 @@ void ball_is_as_deep_as_the_closest_point(int cases) {
     mesh = build_mesh(surface.vertices, surface.triangles, &report);
     const test::SurfaceOracle oracle(mesh.vertices, mesh.triangles);
     const double separation = static_cast<double>(oracle.distance(center)) - radius;
-    // In the plane within rounding, either side is as good.
+    // In the plane, within rounding, either side is right.
     const double tolerance = 128 * static_cast<double>(std::numeric_limits<S>::epsilon()) *
                              (extent_of(surface, center) + radius);
     const Manifolds<S> manifolds =
@@ -185,7 +184,7 @@ TEST(MeshRealContacts, SlowABallIsAsDeepAsTheClosestPointOfTheWholeMesh) {
   ball_is_as_deep_as_the_closest_point<float>(10'000);
 }
 
-/// The least distance of a segment and any triangle.
+/// Minimum distance of a segment from all triangles.
 double distance_of_segment(const Surface& surface, const Vec3d& from, const Vec3d& to) {
   const test::Features segment = test::features_of_segment(from, to, {});
   double least = std::numeric_limits<double>::infinity();
@@ -234,7 +233,7 @@ TEST(MeshRealContacts, SlowACapsuleIsAsDeepAsItsClosestPointsWithTheWholeMesh) {
   capsule_is_as_deep_as_its_closest_points<float>(2000);
 }
 
-/// How far the other triangle at edge k rises from it along a direction, as a sine; -1 where there is none.
+/// Sine of the rise of edge k's other triangle along a direction; -1 without another triangle.
 long double rise_across(const Mesh<double>& mesh, int triangle, int k, const Vec3d& direction) {
   const auto corner = [&](int t, int i) -> test::ExtendedPoint {
     return mesh.corner(t, i % 3).cast<test::Extended>();
@@ -252,8 +251,8 @@ long double rise_across(const Mesh<double>& mesh, int triangle, int k, const Vec
   return -1;
 }
 
-// By itself each triangle makes a contact. Where that is with an edge, and the normal lies clearly between
-// those of the faces that meet there, it has to stay.
+// Each triangle alone makes a contact. A contact with an edge must stay if its normal is clearly
+// between the normals of the adjacent faces.
 template <class S>
 void hull_keeps_its_contacts_with_edges(int cases) {
   Random random(73);

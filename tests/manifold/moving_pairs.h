@@ -9,7 +9,7 @@
 #include "support/brute_force_sat.h"
 #include "support/builders.h"
 
-/// Pairs of hulls in touch, and ways for them to move.
+/// Pairs of touching hulls, and motions for them.
 namespace contactscope::test {
 
 template <class S>
@@ -37,7 +37,7 @@ inline Pose<double> turned(const Pose<double>& pose, const Vec3d& axis, double a
   return {(about(axis, angle) * pose.rotation).normalized(), pose.position};
 }
 
-/// Drawn anew for every pair.
+/// New random motions for every pair.
 inline std::vector<Motion> motions(Random& random, const Vec3d& normal) {
   const Vec3d axis = random.unit_vector();
   const Vec3d along = normal.cross(random.unit_vector()).normalized();
@@ -72,7 +72,7 @@ inline Hull<double> random_body(Random& random, double size) {
   return random_hull(random, vertices[random.index(4)], size, 3);
 }
 
-/// Two bodies whose overlap along the axis of least depth is 0 to 4% of their size, and that axis.
+/// Two bodies that overlap by 0 to 4% of their size along the axis of least depth, and that axis.
 inline PairCase<double> touching_pair(Random& random, Vec3d& normal) {
   const double size = random.decade(-4, 4);
   PairCase<double> pair{random_body(random, size), {}, random_body(random, size), {}};

@@ -3,7 +3,7 @@
 #include "support/brute_force_sat.h"
 #include "support/builders.h"
 
-// Overlap always has a contact, as deep as it should be, wherever the pair stands.
+// Overlap always gives a contact of the right depth, at any place.
 namespace contactscope {
 namespace {
 
@@ -58,8 +58,8 @@ TYPED_TEST(Overlap, OfAPointedHullDeepInsideHasPoints) {
 
 TYPED_TEST(Overlap, OfACoveringBodyIsNeverLostBetweenFaces) {
   using S = TypeParam;
-  // The least deep face of a truncated pyramid may have its support vertex beside it: the sides
-  // slope outwards below it. Then the clip alone is not deep enough.
+  // The support vertex of a truncated pyramid's least deep face may be outside the face, because
+  // the sides slope outwards below it. Then the clip alone is not deep enough.
   test::Random random(3);
   int checked = 0;
   for (int i = 0; i < 1000; ++i) {
@@ -120,7 +120,7 @@ TYPED_TEST(Overlap, FarFromTheOriginLosesOnlyWhatThePosesLost) {
 
 TYPED_TEST(Overlap, BeginsWhereTheGapEnds) {
   using S = TypeParam;
-  // From a gap of 1 cm to an overlap of 1 cm in steps of 0.1 mm: no step back, normals stay.
+  // From 1 cm of separation to 1 cm of overlap in steps of 0.1 mm: depth grows, normals stay.
   double before = std::numeric_limits<double>::infinity();
   for (int step = -100; step <= 100; ++step) {
     const double overlap = step * 1e-4;

@@ -95,7 +95,7 @@ TYPED_TEST(PairCacheMotion, SlowResultsEqualThoseWithoutACacheUpToThePreference)
           ASSERT_TRUE(features);
         }
 
-        // The axis is one that the preference takes, measured by the vertices alone.
+        // The axis is within the preference of the best one, measured by the vertices alone.
         const PairCase<double> exact = pair.template cast<double>();
         const double along = test::separation_along(cached.normal.template cast<double>(), exact.a,
                                                     exact.pose_a, exact.b, exact.pose_b);
@@ -105,8 +105,8 @@ TYPED_TEST(PairCacheMotion, SlowResultsEqualThoseWithoutACacheUpToThePreference)
         ASSERT_GE(along, best - preference);
         ASSERT_LE(test::deepest(cached), std::max(best, along) + preference);
         ASSERT_GE(test::deepest(cached), along - 2 * rounding);
-        // The same axis makes the same manifold. Edges apart are measured by support points, of
-        // which both ends of an edge are one.
+        // The same axis gives the same manifold. Separated edges are measured by support points,
+        // and either end of an edge may be the support point.
         const bool by_support = cold.axis == AxisKind::EdgeEdge && best > -rounding;
         if (cached.axis == cold.axis && cached.normal == cold.normal && !by_support) {
           ASSERT_TRUE(same_bits(cached, cold));
@@ -157,7 +157,7 @@ TEST(PairCacheHistory, TheSameHistoryGivesTheSameBitsWatchedOrNot) {
           ASSERT_TRUE(same_bits(watched[0], unwatched[0]));
         }
 
-        // What the record says is what ran.
+        // The record shows the path that ran.
         const bool hit = record.cache && record.cache->hit;
         ASSERT_EQ(record.sat.has_value(), !hit);
         ASSERT_EQ(record.cache && record.cache->normal, hit);
@@ -179,7 +179,7 @@ TEST(PairCacheHistory, TheSameHistoryGivesTheSameBitsWatchedOrNot) {
   }
 }
 
-// Boxes have a cached path of their own where nobody watches: it takes the same for a hit.
+// Boxes have a cached path of their own when nothing records; it must report the same hits.
 TYPED_TEST(PairCacheMotion, TwoBoxesGiveTheSameBitsWatchedOrNot) {
   using S = TypeParam;
   Random random(78);
@@ -233,7 +233,7 @@ TEST(PairCacheHistory, TheRecordTellsHowFarTheSecondBoxHasMoved) {
   PairCache<double> cache;
   Manifolds<double> manifolds;
   collide(a, start.pose_a, b, start.pose_b, {}, manifolds, &cache);
-  // Of a frame without a full test the way goes on from where that was made.
+  // Displacement counts from the frame of the last full test.
   for (const double way : {0.01, 0.02, 0.04}) {
     Pose<double> moved = start.pose_b;
     moved.position.x() += way;

@@ -92,7 +92,7 @@ TEST(PairCache, NoPointOfOneHullSeenFromTheOtherMovesFartherThanIsSaid) {
   }
 }
 
-// The vertex that was deepest at the full test need not be so any more.
+// The vertex that was deepest at the full test may not be the deepest now.
 TEST(PairCache, AlongTheKeptFaceTheSeparationIsThatOfTheDeepestVertexByNow) {
   Random random(9);
   int hits = 0;
@@ -117,7 +117,7 @@ TEST(PairCache, AlongTheKeptFaceTheSeparationIsThatOfTheDeepestVertexByNow) {
 }
 
 TEST(PairCache, ABoxThatSlidesOverTheRimIsPushedOutSideways) {
-  // Far from the kept axis another one becomes shallower: the bound must notice, not the axis.
+  // Far from the cached axis another one becomes shallower. Only the bound can notice this.
   PairCase<double> pair{test::cube(0.5), test::at(0, 0, 0), test::cube(0.5),
                         test::at(0.9, 0.95, 0)};
   PairCache<double> cache;
@@ -179,7 +179,7 @@ TEST(PairCache, WithoutAPreferenceOnlySeparatingAxesAreKept) {
   pair.pose_b.position.y() += 0.1;
   collide(pair, cache, options);
   EXPECT_TRUE(ask(pair, cache, options).hit);
-  // Nor are features used that were kept under another preference.
+  // Features cached under another preference are not used.
   pair = resting<double>();
   PairCache<double> preferring;
   collide(pair, preferring);
@@ -227,7 +227,7 @@ TEST(PairCache, APoseThatIsNotFiniteTouchesNothing) {
         const CacheAnswer<double> answer = ask(pair, cache);
         EXPECT_FALSE(answer.hit && answer.kind == CachedKind::Features);
         collide(pair, cache);
-        // And is forgotten as soon as the pair is sound again.
+        // The state is forgotten as soon as the pair is finite again.
         EXPECT_EQ(collide(sound, cache).points.size(), test::collide(sound).points.size());
       }
     }

@@ -10,8 +10,7 @@
 #include "support/builders.h"
 #include "support/minkowski_face.h"
 
-/// Contacts of hulls whose normal comes from a penetration method and not from the separating axis
-/// test.
+/// Contacts of hulls with a normal from a penetration method instead of the separating axis test.
 namespace contactscope {
 namespace {
 
@@ -39,7 +38,7 @@ Manifold<S> told_contact(const PairCase<S>& pair, const CollideOptions& options,
   return manifolds.empty() ? Manifold<S>() : manifolds.front();
 }
 
-/// The same with the shapes given the other way round, and worked on in the same order.
+/// The same with swapped shapes, processed in the original order.
 template <class S>
 trace::Pair told_traded(const PairCase<S>& pair, CollideOptions options,
                         const trace::Stages& stages = {}) {
@@ -117,7 +116,7 @@ TYPED_TEST(PenetrationContact, TouchesWhereTheSeparatingAxisTestDoesAndWithEpaAs
       if (expected.points.empty() || !(depth > rounding)) continue;
       ASSERT_FALSE(found.points.empty());
       ASSERT_TRUE(record.penetration);
-      // The normal of any method parts the hulls by the depth of the contact that it made.
+      // The normal of any method separates the hulls by the depth of its contact.
       const PairCase<double> exact = pair.template cast<double>();
       const double along = test::separation_along(found.normal.template cast<double>(), exact.a,
                                                   exact.pose_a, exact.b, exact.pose_b);
@@ -136,10 +135,10 @@ TYPED_TEST(PenetrationContact, TouchesWhereTheSeparatingAxisTestDoesAndWithEpaAs
     }
   }
   EXPECT_GT(overlapping, 320);
-  // The preference looks at the faces most parallel to the normal, the test's at all.
+  // The preference considers the faces most parallel to the normal; the axis test considers all.
   EXPECT_GT(same_ids, overlapping * 4 / 5);
   EXPECT_GT(same_pure_ids, overlapping * 98 / 100);
-  // EPA falls back where GJK leaves open whether they touch, and they do not.
+  // EPA falls back if GJK cannot decide whether they touch, and they do not.
   for (const auto& [ending, count] : fallbacks) {
     std::printf("%d fallbacks of %s\n", count, ending.c_str());
     EXPECT_TRUE(ending == "epa, separated" || !ending.starts_with("epa"));
@@ -178,7 +177,7 @@ TYPED_TEST(PenetrationContact, ApartByLessThanTheMarginIsLeftToTheSeparatingAxis
 
 TYPED_TEST(PenetrationContact, FallsBackToTheSeparatingAxisTestAndSaysSo) {
   using S = TypeParam;
-  // Level cubes apart by so little that GJK leaves it open, and more than EPA's rounding.
+  // Level cubes so close that GJK cannot decide, but separated by more than EPA's rounding.
   Random random(37);
   int fallbacks = 0;
   for (int i = 0; i < 400; ++i) {
@@ -331,7 +330,7 @@ TEST(CrossingEdgePairs, AreThoseThatTheTalkAsksFor) {
         const Vec3d b1 = placed.b.normal(placed.b.half_edge(b).face);
         const Vec3d b2 = placed.b.normal(placed.b.half_edge(b + 1).face);
         asked += test::is_minkowski_face(a1, a2, b1, b2) ? 1 : 0;
-        // Arcs that end on the other are up to rounding.
+        // Arcs that end on the other arc may be decided by rounding.
         const Vec3d of_a = a1.cross(a2), of_b = b1.cross(b2);
         for (const double side : {of_b.dot(a1), of_b.dot(a2), of_a.dot(b1), of_a.dot(b2)}) {
           close_calls += std::abs(side) < 1e-12 ? 1 : 0;

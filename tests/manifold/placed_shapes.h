@@ -10,7 +10,7 @@
 #include "manifold/dispatch.h"
 #include "support/random_geometry.h"
 
-/// Two shapes of any kind, and oracles that know spheres and capsules as points and segments.
+/// Two shapes of any kind, and oracles that treat spheres and capsules as points and segments.
 namespace contactscope::test {
 
 struct PlacedShapes {
@@ -44,7 +44,7 @@ inline Shape<double> ground() {
   return HalfSpace<double>{{Vec3d::UnitY(), 0}};
 }
 
-/// The same relative pose, the whole pair moved.
+/// Moves the whole pair; the relative pose stays.
 inline PlacedShapes moved(const PlacedShapes& pair, const Pose<double>& by) {
   PlacedShapes result{pair.a, compose(by, pair.pose_a), pair.b, compose(by, pair.pose_b)};
   result.pose_a.rotation.normalize();
@@ -52,7 +52,7 @@ inline PlacedShapes moved(const PlacedShapes& pair, const Pose<double>& by) {
   return result;
 }
 
-/// `value` as scalar S holds it.
+/// `value` rounded to scalar S.
 template <class S>
 Vec3d rounded(const Vec3d& value) {
   return value.cast<S>().template cast<double>();
@@ -74,14 +74,14 @@ Shape<double> rounded(const Shape<double>& shape) {
   return HalfSpace<double>{{rounded<S>(plane.normal), rounded<S>(plane.offset)}};
 }
 
-/// What the pipeline in scalar S is given, exactly.
+/// The exact input of the pipeline in scalar S.
 template <class S>
 PlacedShapes rounded(const PlacedShapes& pair) {
   return {rounded<S>(pair.a), pair.pose_a.template cast<S>().template cast<double>(),
           rounded<S>(pair.b), pair.pose_b.template cast<S>().template cast<double>()};
 }
 
-/// The one manifold of two convex shapes; without points when there is none.
+/// The one manifold of two convex shapes; it has no points if there is no contact.
 template <class S>
 Manifold<S> manifold_of(const PlacedShapes& pair, const CollideOptions& options = {}) {
   Manifolds<S> manifolds;
@@ -90,7 +90,7 @@ Manifold<S> manifold_of(const PlacedShapes& pair, const CollideOptions& options 
   return manifolds.empty() ? Manifold<S>() : manifolds.front();
 }
 
-/// What a record says of the pair.
+/// The record of the pair.
 template <class S>
 trace::Pair record_of(const PlacedShapes& pair, const CollideOptions& options = {},
                       const trace::Stages& stages = {}) {
@@ -103,13 +103,13 @@ trace::Pair record_of(const PlacedShapes& pair, const CollideOptions& options = 
   return record;
 }
 
-/// The ends of the core of a sphere or capsule in the world, and its radius.
+/// Ends of the core of a sphere or capsule in the world, and its radius.
 struct Core {
   Vec3d from, to;
   double radius;
 
   Vec3d at(double t) const { return (1 - t) * from + t * to; }
-  /// Farthest along `direction`, metres.
+  /// Largest extent along `direction`, metres.
   double support(const Vec3d& direction) const {
     return std::max(direction.dot(from), direction.dot(to));
   }
@@ -122,7 +122,7 @@ inline Core core_of(const Shape<double>& shape, const Pose<double>& pose) {
   return {pose.transform(capsule.points[0]), pose.transform(capsule.points[1]), capsule.radius};
 }
 
-/// Least of a convex function over [0, 1], by thirds.
+/// Minimum of a convex function over [0, 1], by ternary search.
 template <class F>
 double least_by_search(const F& f) {
   double low = 0;
@@ -143,7 +143,7 @@ inline double surface_distance(const Vec3d& point, const Core& core) {
   return least_by_search([&](double t) { return (core.at(t) - point).norm(); }) - core.radius;
 }
 
-/// Of the cores, by search in both parameters: both functions are convex.
+/// Distance of the cores, by search in both parameters: both functions are convex.
 inline double core_distance(const Core& a, const Core& b) {
   return least_by_search([&](double t) {
     const Vec3d on_a = a.at(t);
@@ -151,13 +151,13 @@ inline double core_distance(const Core& a, const Core& b) {
   });
 }
 
-/// How far the cores are apart along a direction from A to B: at most their distance, and as much
-/// only along the direction of their closest points. Metres.
+/// Separation of the cores along a direction from A to B, metres. It is at most their distance, and
+/// equals it only along the direction of their closest points.
 inline double gap_along(const Vec3d& direction, const Core& a, const Core& b) {
   return -b.support(-direction) - a.support(direction);
 }
 
-/// Largest length that any coordinate of the pair is rounded at.
+/// The largest length that limits the rounding of a coordinate of the pair.
 inline double extent(const Core& a, const Core& b) {
   return (a.to - a.from).norm() + (b.to - b.from).norm() + a.radius + b.radius +
          (b.from - a.from).norm();

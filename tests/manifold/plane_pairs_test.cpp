@@ -36,7 +36,7 @@ TYPED_TEST(PlanePairs, SphereHasOnePointBelowItsCentreOnThePlaneWhereverThePairI
   test::Random random(1);
   for (int i = 0; i < 2000; ++i) {
     const double size = random.decade(-4, 4);
-    const double height = random.uniform(-3, 1);  // above the ground also when under it
+    const double height = random.uniform(-3, 1);  // up to 3 sizes below the ground
     const Pose<double> by = random.pose(size);
     const Manifold<S> manifold =
         test::manifold_of<S>(test::moved({test::ball(size),
@@ -75,8 +75,8 @@ TYPED_TEST(PlanePairs, NothingTouchesAboveThePlaneButWithinTheMargin) {
   }
 }
 
-// Of the twelve corners of a drum four that lie evenly are as good as any other four that do: those that
-// were kept in the frame before stay, in whichever order the two shapes come.
+// Any four evenly spread corners of a drum's twelve are equally good. The ones selected in the
+// frame before stay, in either order of the shapes.
 TYPED_TEST(PlanePairs, PointsThatWereKeptBeforeStayInEitherOrder) {
   using S = TypeParam;
   std::vector<Vec3d> corners;
@@ -171,7 +171,7 @@ TYPED_TEST(PlanePairs, BoxOnAFaceAnEdgeAndACornerIsNamedSo) {
       EXPECT_NEAR(test::deepest_of(corner), -depth, 8 * this->kEps);
     }
   }
-  // So deep that the corner's neighbours are under too.
+  // So deep that the corner's neighbours are below the ground too.
   const Manifold<S> sunk = test::manifold_of<S>(box_on_ground(on_corner, 0.7));
   EXPECT_EQ(sunk.points.size(), 4u);
   EXPECT_EQ(sunk.type, ContactType::PointFace);
@@ -250,7 +250,7 @@ TYPED_TEST(PlanePairs, APlaneIsTheTopOfAWideBox) {
     const Manifold<S> on_box = test::manifold_of<S>(pair, options);
     ASSERT_EQ(on_box.axis, AxisKind::FaceB);
     const double rounding = 16 * this->kEps * 20;
-    // A box keeps corners that are above its face by rounding, too: depth_rounding() of both extents.
+    // A box also keeps corners above its face within rounding: depth_rounding() of both extents.
     const std::vector<Vec3d>& corners = std::get<Hull<double>>(pair.a).vertices;
     const bool is_uncertain = std::ranges::any_of(corners, [&](const Vec3d& corner) {
       return std::abs(pair.pose_a.transform(corner).y()) < 8 * rounding;

@@ -55,7 +55,7 @@ TYPED_TEST(RandomPairs, SlowAgreeWithBruteForceOverEveryAxis) {
     const PairCase<double> exact = pair.template cast<double>();
     const test::BruteForceAxis best =
         test::brute_force_sat(exact.a, exact.pose_a, exact.b, exact.pose_b);
-    // Rounding: some tens of operations on coordinates of this size.
+    // Rounding: a few dozen operations on coordinates of this size.
     const double ulps = test::length_scale(exact) * std::numeric_limits<S>::epsilon();
     const double rounding = 32 * ulps;
 
@@ -75,7 +75,7 @@ TYPED_TEST(RandomPairs, SlowAgreeWithBruteForceOverEveryAxis) {
     }
     ++touching;
 
-    // The true minimum: its depth, and a normal along which that is the depth.
+    // The true minimum: its depth, and a normal along which the separation is that depth.
     worst_depth = std::max(worst_depth, std::abs(deepest(pure) - best.separation) / ulps);
     ASSERT_NEAR(deepest(pure), best.separation, 2 * rounding) << ulps;
     ASSERT_NEAR(pure.normal.norm(), 1, 8 * std::numeric_limits<S>::epsilon());
@@ -83,7 +83,7 @@ TYPED_TEST(RandomPairs, SlowAgreeWithBruteForceOverEveryAxis) {
                                                 exact.pose_a, exact.b, exact.pose_b);
     ASSERT_NEAR(along, best.separation, rounding);
 
-    // With the preference: not deeper, nor shallower, than documented.
+    // With the preference: neither deeper nor shallower than documented.
     const double smaller = std::min(exact.a.radius, exact.b.radius);
     const double allowed = std::max(0.05 * -best.separation, 0.002 * smaller) + 2 * rounding;
     ASSERT_NEAR(deepest(preferred), best.separation, allowed);

@@ -7,8 +7,8 @@
 #include "round_hull_cases.h"
 #include "support/builders.h"
 
-// Thousands of random spheres and capsules against random hulls, held against exhaustion over every
-// feature (outside) and every axis (inside).
+// Random spheres and capsules against random hulls, compared with exhaustion over every feature
+// (outside) and every axis (inside).
 namespace contactscope {
 namespace {
 
@@ -20,12 +20,12 @@ class RandomRoundHull : public testing::Test {
  protected:
   static constexpr double kEpsilon = std::numeric_limits<S>::epsilon();
 
-  /// Some tens of operations on numbers of the pair's scale.
+  /// A few dozen operations on numbers of the pair's scale.
   static constexpr double kRoundings = 32;
 
   struct Tally {
     int touching = 0, separated = 0, shallow = 0, deep = 0, two_points = 0;
-    // Roundings of the pair's scale; of the normal, times the distance.
+    // In roundings of the pair's scale; for the normal, times the distance.
     double worst_depth = 0, worst_normal = 0;
   };
 
@@ -52,7 +52,7 @@ class RandomRoundHull : public testing::Test {
     tally.worst_depth = std::max(tally.worst_depth, depth_error);
     ASSERT_LE(depth_error, kRoundings) << truth / rounding << " roundings from the hull";
     if (truth > kRoundings * rounding) {
-      // The direction between two points is known to the rounding of their places.
+      // The direction between two points is exact up to the rounding of the points.
       const double turned = (normal - test::brute_force_normal(pair)).norm() * truth / rounding;
       tally.worst_normal = std::max(tally.worst_normal, turned);
       ASSERT_LE(turned, kRoundings) << truth / rounding << " roundings from the hull";
@@ -68,7 +68,7 @@ class RandomRoundHull : public testing::Test {
     if (manifold.points.size() == 2) {
       ASSERT_NE(manifold.points[0].id, manifold.points[1].id);
     }
-    // Directions that count as nearly parallel have a sine of up to 0.05.
+    // Directions count as nearly parallel up to a sine of 0.05.
     const double aside = 0.06 * (pair.core.front() - pair.core.back()).norm() + 0.06 * truth;
     for (const ContactPoint<S>& point : manifold.points) {
       ASSERT_TRUE(point.position.allFinite());

@@ -23,7 +23,7 @@ Manifold<S> recorded(const PairCase<S>& pair, const CollideOptions& options, tra
   return manifolds.empty() ? Manifold<S>() : manifolds.front();
 }
 
-/// By bits, so that a zero and a negative zero differ.
+/// Compares bits, so that a zero and a negative zero differ.
 template <class T>
 bool same_bits(const T& one, const T& other) {
   return std::memcmp(&one, &other, sizeof(T)) == 0;
@@ -43,7 +43,7 @@ bool same_bits(const Manifold<S>& one, const Manifold<S>& other) {
   return true;
 }
 
-/// Collides a pair with a record and without one; counts it where it touches.
+/// Collides a pair with and without a record; increments `touching` if it touches.
 template <class S>
 void expect_same_when_watched(const PairCase<S>& pair, const CollideOptions& options,
                               int& touching) {
@@ -80,7 +80,7 @@ TYPED_TEST(RecordOfAPair, SlowChangesNoBitOfAnyManifold) {
   EXPECT_GT(touching, 3000);
 }
 
-/// Unwatched, hulls of so many vertices leave out faces and edges by bounds (face_bounds.h).
+/// Without a record, large hulls skip faces and edges by bounds (face_bounds.h).
 TYPED_TEST(RecordOfAPair, ChangesNoBitOfHullsThatAreSearchedByBounds) {
   using S = TypeParam;
   test::Random random(98);
@@ -187,7 +187,7 @@ TYPED_TEST(RecordOfAPair, TellsThePointsThatSpanTheBestArea) {
   ASSERT_TRUE(record.reduction.has_value());
   const trace::Reduction& reduction = *record.reduction;
   ASSERT_EQ(reduction.best.size(), 4u);
-  // Their quadrilateral, by the cross product of its diagonals.
+  // Area of their quadrilateral, by the cross product of its diagonals.
   const auto at = [&](std::size_t k) {
     return reduction.points[static_cast<std::size_t>(reduction.best[k])].position;
   };

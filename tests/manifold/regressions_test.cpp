@@ -4,7 +4,7 @@
 #include "support/brute_force_sat.h"
 #include "support/builders.h"
 
-// Geometry that broke real engines: poses and sizes as reported, expectations worked out here.
+// Geometry that broke real engines: poses and sizes as reported, expected values derived here.
 namespace contactscope {
 namespace {
 
@@ -32,7 +32,7 @@ TYPED_TEST_SUITE(Regressions, Scalars);
 
 TYPED_TEST(Regressions, Mujoco3476CornersOverlapByFiftySixMicrometres) {
   using S = TypeParam;
-  // Two boxes of 71 mm; reported was a depth of 71.056 mm.
+  // Two boxes of 71 mm; the reported depth was 71.056 mm.
   const double side = 0.071;
   const double offset = side - 0.056e-3;
   const PairCase<double> pair{cube(side / 2), at(0, 0, 0), cube(side / 2),
@@ -73,8 +73,8 @@ TYPED_TEST(Regressions, MujocoBoxBoxBad0IsAMillimetreApartAlongZ) {
 
 TYPED_TEST(Regressions, Newton2438TiltsAboutAFaceEdgeKeepTheFace) {
   using S = TypeParam;
-  // Half-0.5 cubes, overlap 0.01, tilted about a lower edge of the upper cube: the far edge rises
-  // by the tilt, so it stays below the reference face up to 0.01 rad.
+  // Cubes of half extent 0.5, overlap 0.01, tilted about a lower edge of the upper cube. The far
+  // edge rises by the tilt, so it stays below the reference face up to 0.01 rad.
   for (double tilt = 1e-7; tilt <= 5e-2; tilt *= 1.25) {
     for (const int sign : {-1, 1}) {
       PairCase<double> pair = test::stacked_cubes(0, 0.01);
@@ -101,8 +101,8 @@ TYPED_TEST(Regressions, Fcl495KissingCubes) {
                         {rotation, {0, 0, 1.25}}};
   const double expected =
       test::brute_force_sat(pair.a, pair.pose_a, pair.b, pair.pose_b).separation;
-  EXPECT_NEAR(expected, 0, 1e-6);  // as far as the report's digits go
-  // A little together, a little apart, and as reported with a margin above its digits.
+  EXPECT_NEAR(expected, 0, 1e-6);  // to the precision of the report
+  // Slightly overlapping, slightly separated, and as reported with a margin above its precision.
   const Vec3d away = -pair.pose_a.position + pair.pose_b.position;
   for (const double gap : {-1e-4, 1e-4}) {
     PairCase<double> moved = pair;
@@ -125,14 +125,14 @@ TYPED_TEST(Regressions, Fcl319BoxAndCylinder) {
   pair.pose_b.rotation = pair.pose_b.rotation * about(Vec3d::UnitX(), 90 * test::kDegree);
   CollideOptions options = margin<S>(0.03);
   options.preference = Preference::None;
-  // A side of 15 degrees looks along x after the turn: the box begins at 0.8 - 0.195, the cylinder
-  // ends at 0.4 + 0.18. As reported, and pushed on until they meet.
+  // A side of 15 degrees faces x after the turn: the box begins at 0.8 - 0.195, the cylinder ends
+  // at 0.4 + 0.18. As reported, and pushed on until they meet.
   for (const double pushed : {0.0, 0.05, 0.1}) {
     PairCase<double> there = pair;
     there.pose_b.position.x() += pushed;
     const double separation =
         test::brute_force_sat(there.a, there.pose_a, there.b, there.pose_b).separation;
-    EXPECT_NEAR(separation, 0.025 - pushed, 1e-6);  // as far as the report's digits go
+    EXPECT_NEAR(separation, 0.025 - pushed, 1e-6);  // to the precision of the report
     const Manifold<S> manifold = collide(there.cast<S>(), options);
     ASSERT_EQ(manifold.points.size(), 4u) << pushed;
     EXPECT_NEAR(deepest(manifold), separation, 8 * TestFixture::kEpsilon) << pushed;
@@ -142,7 +142,7 @@ TYPED_TEST(Regressions, Fcl319BoxAndCylinder) {
 
 TYPED_TEST(Regressions, MujocoWarp1597LevelBoxesNeverTakeAnEdgeAxis) {
   using S = TypeParam;
-  // Level boxes 0.1 mm apart, corners 0.4 m out: rounding must not pick an edge among ties.
+  // Level boxes 0.1 mm from each other, corners 0.4 m out: no rounding may pick an edge in a tie.
   test::Random random(1597);
   for (int i = 0; i < 500; ++i) {
     const PairCase<double> level{make_box({0.4, 0.05, 0.4}), at(0, 0, 0),

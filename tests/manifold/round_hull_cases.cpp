@@ -18,7 +18,7 @@ Features core_features(const RoundHull& pair) {
                           : features_of_segment(pair.core[0], pair.core[1], pair.round_pose);
 }
 
-/// All directions that can be the shortest way out, both ways round, world, unit.
+/// All directions that may be the shortest exit, with both signs; world frame, unit.
 std::vector<Vec3d> axes(const RoundHull& pair) {
   std::vector<Vec3d> result;
   const auto add = [&](const Vec3d& axis) {
@@ -28,7 +28,7 @@ std::vector<Vec3d> axes(const RoundHull& pair) {
   };
   for (int f = 0; f < pair.hull.face_count(); ++f) {
     const std::vector<int> loop = face_vertices(pair.hull, f);
-    // Newell's normal: the sum over all corners, right also for slivers.
+    // Newell's normal: the sum over all corners is correct even for slivers.
     Vec3d normal = Vec3d::Zero();
     const Vec3d& first = pair.hull.vertices[static_cast<std::size_t>(loop[0])];
     for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
@@ -102,7 +102,7 @@ Vec3d brute_force_normal(const RoundHull& pair) {
 }
 
 double core_separation_along(const Vec3d& direction, const RoundHull& pair) {
-  // About the round shape's place: far from the origin nothing is lost.
+  // Relative to the round shape's position: no precision is lost far from the origin.
   double core_most = -std::numeric_limits<double>::infinity();
   double hull_least = std::numeric_limits<double>::infinity();
   const Vec3d between = pair.hull_pose.position - pair.round_pose.position;
@@ -151,7 +151,7 @@ RoundHull random_round_hull(Random& random, bool sphere, double ratio) {
   pair.hull_pose.rotation = random.rotation();
   pair.round_pose.rotation = random.rotation();
 
-  // A point of the hull's surface, or inside, and a point of the core at some height above it.
+  // A point on or in the hull, and a point of the core at some height above it.
   double weight_sum = 0;
   Vec3d target = Vec3d::Zero();
   const int corners = 1 + random.index(4);

@@ -35,7 +35,7 @@ class SphereHull : public testing::Test {
   static Vec3d normal(const Manifold<S>& manifold) {
     return manifold.normal.template cast<double>();
   }
-  /// What the trace says of the pair.
+  /// The record of the pair.
   static trace::Pair recorded(const RoundHull& pair, Degenerate answer, Manifolds<S>& manifolds) {
     CollideOptions options;
     options.degenerate = answer;
@@ -112,7 +112,7 @@ TYPED_TEST(SphereHull, CentrePassesThroughAFaceWithoutAJump) {
     RoundHull pair{{Vec3d::Zero()}, 0.3, {}, hull, pose};
     const double rounding = 32 * (this->kEpsilon * pair.scale() + test::unevenness(hull));
 
-    // Slanting in, from far outside the rounding to far inside, through the middle of a face.
+    // At a slant through the middle of a face, from far outside the rounding to far inside.
     const Vec3d slant = (plane.normal + 0.5 * random.unit_vector()).normalized();
     const double step = 1e-6;
     Manifold<S> last;
@@ -191,7 +191,7 @@ TYPED_TEST(SphereHull, CentreOnAnEdgeOrAVertexHasANormalInItsVoronoiConeInEveryP
     const auto point = this->only_point(manifold);
     const double rounding = this->kEpsilon * pair.scale() + test::unevenness(hull);
     ASSERT_NEAR(point.separation, -0.1 * size, 32 * rounding);
-    // In the cone: no vertex of the hull lies beyond the plane through the centre.
+    // In the cone: no vertex of the hull is beyond the plane through the centre.
     ASSERT_GE(test::core_separation_along(this->normal(manifold), pair), -64 * rounding);
   }
 }

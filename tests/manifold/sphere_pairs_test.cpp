@@ -18,8 +18,7 @@ class SpherePairs : public testing::Test {
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(SpherePairs, Scalars);
 
-/// A sphere of radius 0.3 beside a capsule along y, and where they should touch: the capsule's frame
-/// is the world's.
+/// A sphere of radius 0.3 next to a capsule along y, in its frame, and the expected contact.
 struct Case {
   const char* name;
   Vec3d center;
@@ -187,7 +186,7 @@ TYPED_TEST(SpherePairs, CentreOnACapsulesAxisIsPushedOutAtRightAnglesToIt) {
 
 TYPED_TEST(SpherePairs, FallbackTurnsWithTheCapsuleAndDoesNotJump) {
   using S = TypeParam;
-  // Also through the orientations in which a helper axis chosen in the world would switch.
+  // Includes orientations in which a helper axis chosen in the world would switch.
   PlacedShapes pair{test::ball(0.2), test::at(3, 4, 5), test::upright_capsule(1, 0.3),
                     test::at(3, 4, 5)};
   const double step = 0.01;
@@ -228,7 +227,7 @@ TYPED_TEST(SpherePairs, CapsuleOfLengthZeroIsASphere) {
 
 TYPED_TEST(SpherePairs, SmallSphereNearTheAxisOfAVeryLongCapsuleLeavesOnItsOwnSide) {
   using S = TypeParam;
-  // The places along the axis are rounded at 1 mm in single precision, the distance is 0.1 mm.
+  // Places along the axis are rounded to 1 mm in single precision, but the distance is 0.1 mm.
   const double distance = 1e-4;
   for (const double angle : {0.0, 1.0, 2.5, 4.0}) {
     const Vec3d side(std::cos(angle), 0, std::sin(angle));

@@ -8,14 +8,14 @@
 #include "manifold/placed_shapes.h"
 #include "support/builders.h"
 
-// What two capsules give by themselves is what the general path would give, bit for bit, or nothing.
+// The special path of two capsules gives the general path's result, bit for bit, or none.
 namespace contactscope {
 namespace {
 
 using test::PlacedShapes;
 using test::Random;
 
-/// Zeros of either sign are one number.
+/// Zeros of either sign are equal.
 template <class S>
 void expect_same_bits(S one, S other) {
   one += S(0);
@@ -23,7 +23,7 @@ void expect_same_bits(S one, S other) {
   EXPECT_EQ(std::memcmp(&one, &other, sizeof one), 0) << one << " for " << other;
 }
 
-/// How often two capsules were done by themselves: with a manifold, or apart.
+/// Number of results of the special path: with a manifold, or separated.
 struct Done {
   int pairs = 0, touching = 0, apart = 0;
 };
@@ -33,11 +33,11 @@ void expect_general(const PlacedShapes& pair, const CollideOptions& options, Don
   const Shape<S> a = shape_cast<S>(pair.a), b = shape_cast<S>(pair.b);
   const Pose<S> pose_a = pair.pose_a.cast<S>(), pose_b = pair.pose_b.cast<S>();
   ++done.pairs;
-  Manifolds<S> alone(1), general;  // what is left of an earlier call does not matter
+  Manifolds<S> alone(1), general;  // the contents of an earlier call must not matter
   if (!collide_two_capsules(*std::get_if<Capsule<S>>(&a), pose_a, *std::get_if<Capsule<S>>(&b),
                             pose_b, options, alone))
     return;
-  trace::Pair record;  // takes the general path
+  trace::Pair record;  // forces the general path
   collide(a, pose_a, b, pose_b, options, general, nullptr, &record);
   ASSERT_EQ(alone.size(), general.size());
   ++(alone.empty() ? done.apart : done.touching);
@@ -106,7 +106,7 @@ TYPED_TEST(TwoCapsules, AnyPairIsAsTheGeneralPathHasIt) {
   EXPECT_GT(done.apart, 0.02 * done.pairs);
 }
 
-// Where the closest points pass from an end to the axis, and from axis to axis, and near parallel.
+// The closest points change from an end to the axis, from axis to axis, and near parallel.
 TYPED_TEST(TwoCapsules, PairsAtTheLimitOfEveryCaseAreAsTheGeneralPathHasThem) {
   Random random(52);
   Done done;

@@ -15,7 +15,7 @@ namespace {
 using ::testing::ElementsAre;
 using testing::pixel;
 
-/// A ball on the ground that comes to rest, with or without what the panels show.
+/// A ball on the ground that comes to rest, with or without the facts that the panels show.
 std::vector<trace::Frame> resting_ball(bool with_facts) {
   std::vector<trace::Frame> frames(4);
   for (std::size_t f = 0; f < frames.size(); ++f) {
@@ -72,7 +72,7 @@ class PanelColumnTest : public ::testing::Test {
     rasterizer.paint(drawing);
     return rasterizer.read();
   }
-  /// Pixels of a colour.
+  /// Number of pixels of a colour.
   static int count(const Image& image, const draw::Color& color) {
     int pixels = 0;
     for (int y = 0; y < image.height; ++y) {
@@ -134,7 +134,7 @@ TEST_F(PanelColumnTest, EveryLetterIsOneOfOurOwn) {
     });
   };
   EXPECT_GT(letters(drawing), 30);
-  // What Dear ImGui makes of the same windows is two triangles each.
+  // Dear ImGui draws the same windows as two triangles each.
   const auto triangles = [](const draw::Drawing& all) {
     return std::ranges::count_if(all.primitives, [](const draw::Primitive& primitive) {
       const auto* fill = std::get_if<draw::Fill>(&primitive);

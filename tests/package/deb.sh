@@ -1,5 +1,5 @@
 #!/bin/sh
-# cpack makes two Debian packages, which have what they should, and depend on what they need.
+# cpack makes two Debian packages with the right contents and dependencies.
 #   deb.sh BUILD WORK
 set -eu
 build=$1 work=$2

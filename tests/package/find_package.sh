@@ -1,5 +1,5 @@
 #!/bin/sh
-# A project of its own finds the installed package, builds with every warning, and runs.
+# A separate project finds the installed package, builds with every warning, and runs.
 #   find_package.sh TREE CONSUMER WORK CXX
 set -eu
 tree=$1 consumer=$2 work=$3 cxx=$4
@@ -18,7 +18,7 @@ test -s crate.png
 "$tree/bin/contactscope" lint crate.jsonl
 ./record
 "$tree/bin/contactscope" lint run.jsonl
-# The recorder alone asks for no library.
+# The recorder alone needs no library.
 cat >recorder.cmake <<'EOF'
 cmake_minimum_required(VERSION 3.16)
 project(recorder_alone C)

@@ -1,7 +1,7 @@
 #!/bin/sh
-# add_subdirectory(contactscope) in another project: what that had set stays, and its targets get the
-# headers. The library is not built anew, which would take as long as all of it: $WORK/contacts by hand
-# does, with cmake --build WORK.
+# add_subdirectory(contactscope) in another project: the project's settings stay, and its targets
+# get the headers. The library is not built again, which would take too long; build $WORK/contacts
+# by hand with cmake --build WORK.
 #   guest.sh SOURCE HOST CONSUMER WORK CXX
 set -eu
 source=$1 host=$2 consumer=$3 work=$4 cxx=$5
@@ -12,9 +12,9 @@ CXX=$cxx cmake -G Ninja -S "$host" -B "$work" -DCONTACTSCOPE="$source" -DCONSUME
 cd "$work"
 ninja record CMakeFiles/contacts.dir$consumer/contacts.cpp.o
 ./programs/record
-# What links the library would build it, and all that it is made of.
+# Linking the library would build it and everything in it.
 ninja -n -v contacts | grep -q 'libcontactscope.a'
-# None of our flags is in the host's own files.
+# The host's own files get none of our flags.
 if ninja -t commands record | grep -e -Wall -e -ffp-contract -e -fno-math-errno; then
   echo "the guest's flags are in the host's commands"
   exit 1

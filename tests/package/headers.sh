@@ -1,5 +1,5 @@
 #!/bin/sh
-# Each public header stands by itself, gives no warning, and includes nothing of JSON, Dear ImGui or
+# Each public header compiles alone, without warnings, and includes nothing of JSON, Dear ImGui or
 # Eigen.
 #   headers.sh TREE CXX
 set -eu

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Installs the build into a folder and moves it: nothing in it may know where it was put.
+# Installs the build into a folder and moves it: no file may contain the original path.
 #   install.sh BUILD WORK
 set -eu
 build=$1 work=$2
@@ -13,7 +13,7 @@ for file in bin/contactscope include/contactscope/collide.h include/contactscope
   test -e "$file" || { echo "not installed: $file"; exit 1; }
 done
 bin/contactscope --version
-# No path of the build or of the first folder is left in what a consumer's build reads.
+# A consumer's build reads no path of the build or of the first folder.
 if grep -rl -e "$work/first" -e "$build" lib*/cmake; then
   echo "these files know where they were installed from, or to"
   exit 1

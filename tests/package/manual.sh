@@ -1,6 +1,6 @@
 #!/bin/sh
-# The installed program finds its scenarios from anywhere; its man page and completions are in their
-# places, and a shell completes by them.
+# The installed program finds its scenarios from anywhere. Its man page and completions are in their
+# places, and a shell completes with them.
 #   manual.sh TREE
 set -eu
 tree=$1

@@ -71,7 +71,7 @@ TEST(PackagePictures, FailedSnapshotLeavesThreePictures) {
   Manifold manifold{{0, 1, 0}};
   manifold.points = {{{1, 0, 1}, -0.01}, {{1, 0, -1}, -0.01}, {{-1, 0, 0}, -0.01}};
   options.update = true;
-  unsetenv("CI");  // which forbids it; each test is a process, but for those of the sanitizers
+  unsetenv("CI");  // CI forbids it; each test is a process, except under the sanitizers
   ASSERT_TRUE(compare_with_snapshot(manifold, "stack/frame_12", options).ok);
   options.update = false;
   ASSERT_TRUE(compare_with_snapshot(manifold, "stack/frame_12", options).ok);

@@ -18,7 +18,7 @@ export PKG_CONFIG_PATH
 ./contacts | grep -q "touching, -0.020 m"
 ./record
 test "$(pkg-config --modversion contactscope)" = "$("$tree/bin/contactscope" --version | cut -d ' ' -f 2)"
-# The library's own names stay inside.
+# The shared object exports none of the library's own names.
 if nm -D --defined-only --demangle contacts.so | grep ' [A-Z] contactscope::' | grep -v ' contactscope::package::'; then
   echo "these names of the library leave the shared object"
   exit 1

@@ -1,5 +1,5 @@
 #!/bin/sh
-# The recorder alone, as a C99 and as a C++11 program, by a compiler and nothing else.
+# The recorder alone, as a C99 and as a C++11 program, with only a compiler.
 #   recorder.sh TREE CONSUMER WORK CC CXX
 set -eu
 tree=$1 consumer=$2 work=$3 cc=$4 cxx=$5

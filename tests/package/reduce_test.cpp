@@ -13,7 +13,7 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-/// Eight corners of a ring, number 3 the deepest.
+/// Eight corners of a ring; number 3 is the deepest.
 Manifold ring() {
   Manifold manifold{{0, 1, 0}};
   for (int i = 0; i < 8; ++i) {

@@ -12,6 +12,6 @@ check() {
   done
   test $lines -ge "$1" || { echo "only $lines lines of samples were found"; return 1; }
 }
-# Code is indented by four; commands of a shell and what programs print are no part of the project.
+# Code is indented by four. Shell commands and program output are not part of the project.
 sed -n 's/^    \( *[^ ]\)/\1/p' "$source/src/package/README.md" | sed 's/^ *//; s/  *# .*$//' |
   grep -v -e '^cmake --' -e '^INFO(' -e '^CHECK(' -e '^crate/on_ground' -e '^see /' | check 32

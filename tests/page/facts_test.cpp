@@ -97,7 +97,7 @@ TEST(AreaFacts, OfFacesAreThereWhereTheyAreShown) {
   };
   const std::vector<AreaFacts> both = areas_with({Layer::ReferenceFace, Layer::IncidentFace});
   ASSERT_THAT(both, SizeIs(2));
-  EXPECT_EQ(both[0].name, "incident face");  // it lies on the larger one
+  EXPECT_EQ(both[0].name, "incident face");  // it is on the larger one
   EXPECT_THAT(both[0].rows, Contains(Pair("face", "3 of crate")));
   EXPECT_EQ(both[1].layer, "reference_face");
   EXPECT_THAT(areas_with({Layer::ReferenceFace}), SizeIs(1));

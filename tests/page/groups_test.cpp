@@ -12,7 +12,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::SizeIs;
 
-/// A dot at `x` for every layer that is named.
+/// A dot at `x` for every named layer.
 draw::Drawing dots(const std::vector<std::string>& layers, float x) {
   draw::Drawing drawing{.width = 100, .height = 50};
   for (const std::string& layer : layers) {
@@ -56,7 +56,7 @@ TEST(GroupStore, HoldsWhatFramesShareOnce) {
 TEST(GroupStore, TellsApartWhatOnePictureHasTwice) {
   GroupStore store;
   EXPECT_THAT(store.add(groups_of(dots({"ids", "contacts", "ids"}, 30))), ElementsAre(0, 1, 2));
-  EXPECT_EQ(store.text(0).substr(9), store.text(2).substr(9));  // but for the number
+  EXPECT_EQ(store.text(0).substr(9), store.text(2).substr(9));  // except for the number
   EXPECT_THAT(store.add(groups_of(dots({"ids"}, 30))), ElementsAre(0));
   EXPECT_THAT(store.add(groups_of(dots({"ids", "contacts", "ids", "contacts", "ids"}, 30))),
               ElementsAre(0, 1, 2, 3, 4));

@@ -14,7 +14,7 @@ using draw::crate_sample::CrateOnSlab;
 using testing::HasSubstr;
 using testing::Not;
 
-/// Two frames, in the second of which the crate has moved.
+/// Two frames; the crate has moved in the second one.
 CrateOnSlab moving() {
   CrateOnSlab scene;
   scene.header.title = "A crate <on> \"a\" slab & more";
@@ -67,7 +67,7 @@ TEST(Page, HasEveryFrameWithGroupsThatAreInTheFileOnce) {
   for (const int number : numbers)
     EXPECT_EQ(count(html, "<g id=\"g" + std::to_string(number) + "\""), 1u) << number;
   EXPECT_EQ(count(html, "<g id="), numbers.size());
-  // The slab stands still: what both frames show of it is shared.
+  // The slab does not move: both frames share its parts.
   EXPECT_LT(numbers.size(), data["frames"][0]["view"].size() + data["frames"][1]["view"].size());
 }
 
@@ -84,13 +84,13 @@ TEST(Page, SaysTitleSourceAndCommandAsText) {
               HasSubstr("<h1 id=\"title\">A crate &lt;on&gt; &quot;a&quot; slab &amp; more</h1>"));
   EXPECT_THAT(html, HasSubstr("<p id=\"source\">none</p>"));
   EXPECT_THAT(html, HasSubstr("<code>contactscope render mine/crate --format html</code>"));
-  // The picture itself does not say them again.
+  // The picture itself does not repeat them.
   EXPECT_THAT(html, Not(HasSubstr("data-layer=\"title\"")));
   EXPECT_THAT(html, Not(HasSubstr("data-layer=\"legend\"")));
   EXPECT_FALSE(data_of(html)["legend"].empty());
 }
 
-// Rows of the legend are few: a label in the view says what has none, and stays there.
+// The legend has few rows: a label in the view explains an entry without a row, and stays there.
 TEST(Page, LabelsThatTheLegendHasNoRowForStayInTheView) {
   CrateOnSlab scene = moving();
   const draw::Staging staging = scene.staged();

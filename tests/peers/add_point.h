@@ -7,8 +7,7 @@
 
 namespace contactscope::peers {
 
-/// Adds a point to the manifold of its normal (unit, from a to b), which is made where there is none: engines
-/// tell point by point.
+/// Adds a point to the manifold of its normal (unit, from a to b), which is created if missing.
 inline void add_point(std::vector<trace::Manifold>& manifolds, const Vec3d& normal,
                       const Vec3d& position, double separation) {
   constexpr double kSame = 1 - 1e-6;  // cosine

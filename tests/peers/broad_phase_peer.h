@@ -6,11 +6,11 @@
 
 namespace contactscope::peers {
 
-/// The broad phases of other libraries. Each pair once; some report boxes that only nearly touch.
+/// Broad phases of other libraries. They report each pair once; some also report near misses.
 std::vector<PairFinderInfo> bullet_broad_phases();
 std::vector<PairFinderInfo> fcl_broad_phases();
 std::vector<PairFinderInfo> ode_broad_phases();
-/// None where Embree is not installed.
+/// Empty if Embree is not installed.
 std::vector<PairFinderInfo> embree_broad_phases();
 std::vector<PairFinderInfo> broad_phase_peers();
 

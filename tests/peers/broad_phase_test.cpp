@@ -1,5 +1,4 @@
-// Other libraries' broad phases find every pair that ours does, and what they find beyond are boxes
-// that their margins make larger.
+// Other libraries' broad phases find all of our pairs, and more because of their margins.
 
 #include "peers/broad_phase_peer.h"
 

@@ -58,7 +58,7 @@ class BulletPair : public PeerPair {
     process();
     PeerContact contact;
     for (btPersistentManifold* manifold : manifolds()) {
-      // The normal of Bullet points at the manifold's first body.
+      // Bullet's normal points at the manifold's first body.
       const double sign = manifold->getBody0() == &body_a_ ? -1 : 1;
       for (int i = 0; i < manifold->getNumContacts(); ++i) {
         const btManifoldPoint& point = manifold->getContactPoint(i);

@@ -18,7 +18,7 @@ int index_of(void* name) {
   return static_cast<int>(reinterpret_cast<std::intptr_t>(name));
 }
 
-/// What a Bullet world uses: two trees, pairs kept from step to step.
+/// The broad phase of a Bullet world: two trees, with pairs kept from step to step.
 class Broadphase : public PairFinder {
  public:
   void place(std::span<const Aabb<float>> boxes, std::span<const int> moved) override {
@@ -49,7 +49,7 @@ class Broadphase : public PairFinder {
   std::vector<btBroadphaseProxy*> proxies_;
 };
 
-/// The tree alone, each pair looked for anew.
+/// The tree alone, which searches for each pair again.
 class TreeAgainstItself : public PairFinder {
  public:
   void place(std::span<const Aabb<float>> boxes, std::span<const int> moved) override {

@@ -1,4 +1,4 @@
-// Bullet 3.24 steps a scene: its discrete world, with the solver and the settings that it has by itself.
+// Bullet 3.24 steps a scene: its discrete world with its default solver and settings.
 #include <btBulletDynamicsCommon.h>
 
 #include "core/at.h"
@@ -15,7 +15,7 @@ btScalar larger_restitution(const btCollisionObject* a, const btCollisionObject*
   return btMax(a->getRestitution(), b->getRestitution());
 }
 
-/// Where a body would have been a step ago: Bullet takes the velocity of a kinematic one from there.
+/// Pose of a body one step earlier: Bullet derives the velocity of a kinematic body from it.
 btTransform before(const BodyMotion& motion, double seconds) {
   const double angle = motion.angular_velocity.norm() * seconds;
   Pose<double> pose = motion.pose;
@@ -90,7 +90,7 @@ class BulletWorld : public RolloutWorld {
     bodies_.push_back(std::move(body));
   }
 
-  /// The normal of Bullet points at the manifold's first body, and its impulses act on that.
+  /// Bullet's normal points at the manifold's first body, and its impulses act on that body.
   static void tell(const btPersistentManifold& manifold, std::vector<Touch>& touches) {
     const int a = manifold.getBody0()->getUserIndex(), b = manifold.getBody1()->getUserIndex();
     for (int i = 0; i < manifold.getNumContacts(); ++i) {

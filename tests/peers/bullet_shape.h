@@ -8,7 +8,7 @@
 
 #include "peers/peer.h"
 
-/// Shapes as Bullet has them, for its contacts and for its steps.
+/// Bullet's shapes, for its contacts and its steps.
 namespace contactscope::peers {
 
 inline btVector3 vector_of(const Vec3d& v) {
@@ -33,7 +33,7 @@ struct BulletMesh {
   std::unique_ptr<btBvhTriangleMeshShape> shape;
 };
 
-/// Margins are zero: a hull would be rounded, and larger by the margin, otherwise.
+/// Margins are zero; otherwise a hull would be rounded and larger by the margin.
 class BulletShape {
  public:
   BulletShape(const PeerShape& shape, std::unordered_map<const Mesh<double>*, BulletMesh>& meshes) {
@@ -69,7 +69,7 @@ class BulletShape {
     made->setMargin(0);
     for (const Vec3d& vertex : hull.vertices) made->addPoint(vector_of(vertex), false);
     made->recalcLocalAabb();
-    // With them, hulls are clipped against each other; without, there is one point.
+    // With these features, hulls are clipped against each other; without them, there is one point.
     made->initializePolyhedralFeatures();
     own(std::move(made));
   }

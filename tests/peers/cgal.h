@@ -4,8 +4,8 @@
 
 namespace contactscope::peers {
 
-/// CGAL's answer, with its kernel of exact predicates and inexact constructions, whether two closed
-/// triangles share a point. Both have an area: CGAL makes that a precondition.
+/// CGAL's test whether two closed triangles share a point, with its kernel of exact predicates and
+/// inexact constructions. Precondition of CGAL: both triangles have an area.
 bool cgal_overlaps(const Triangle<double>& a, const Triangle<double>& b);
 
 }  // namespace contactscope::peers

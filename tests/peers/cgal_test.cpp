@@ -15,7 +15,7 @@ using test::Random;
 using test::TrianglePair;
 using test::TrianglePairs;
 
-/// How the answers of `count` pairs compare with CGAL's.
+/// Agreement with CGAL over `count` pairs.
 struct Compared {
   int overlapping = 0, apart = 0, refused = 0;
 };
@@ -42,7 +42,7 @@ Compared compare_with_cgal(int count, std::uint64_t seed, const Draw& draw) {
   return compared;
 }
 
-/// All ways of making pairs, a decade of sizes as likely as the next, near the origin and far away.
+/// All kinds of pairs, every decade of sizes equally likely, near the origin and far away.
 TrianglePair hard_pair(Random& random, bool in_float) {
   const auto how = static_cast<TrianglePairs>(random.index(test::kTrianglePairs));
   const double size = random.decade(-4, 4);

@@ -9,24 +9,23 @@
 #include "support/brute_force_sat.h"
 #include "support/pair_case.h"
 
-/// What another library says of two shapes, held against the truth, and why it may differ.
+/// Compares another library's contact of two shapes with the truth, and explains differences.
 namespace contactscope::peers {
 
-/// In which respect an answer differs.
 enum class Aspect {
   Touching,  // contact or none
   Normal,    // the overlap along the normal is not the least
   Depth,     // the reported depth is not the overlap along the reported normal
-  Deepest,   // of a mesh: the deepest point is on another triangle, or deeper than any
+  Deepest,   // on a mesh: the deepest point is on another triangle, or deeper than any
 };
 
 struct Comparison {
   const PeerContact& answer;
   double separation;  // the true one, metres
-  double tolerance;   // metres: the library's rounding, and where it iterates its stopping rule
-  double overlap;     // along the deepest point's normal; without points 0
-  double reported;    // depth of the deepest point, negative when apart; without points 0
-  const test::PairCase<double>* hulls = nullptr;  // one of both
+  double tolerance;   // metres: the library's rounding, plus its stopping rule if it iterates
+  double overlap;     // along the deepest point's normal; 0 without points
+  double reported;    // depth of the deepest point, negative when separated; 0 without points
+  const test::PairCase<double>* hulls = nullptr;  // either this or `round` is set
   const RoundPair* round = nullptr;
 
   double depth() const { return -separation; }
@@ -44,20 +43,20 @@ struct Rule {
   bool (*explains)(const Comparison&);
 };
 
-/// Counts answers that agree, and for those that do not the first rule that explains each aspect.
+/// Counts the answers that agree. For the others, counts the first rule that explains each aspect.
 class Tally {
  public:
   explicit Tally(std::span<const Rule> rules) : rules_(rules) {}
 
   void add(const Comparison& comparison);
-  /// For what add() does not see: an answer that differs in this aspect.
+  /// Adds a difference that add() does not detect: an answer that differs in this aspect.
   void add(Aspect aspect, const Comparison& comparison);
 
   int compared() const { return compared_; }
   int agreed() const { return agreed_; }
-  /// How often a rule was needed.
+  /// Number of times that a rule was needed.
   int count(const std::string& rule) const;
-  /// What no rule explains, in words and with the numbers; empty if all is well.
+  /// Differences that no rule explains, with their numbers; empty if there are none.
   const std::string& unexplained() const { return unexplained_; }
   std::string summary() const;
 

@@ -9,7 +9,7 @@
 namespace contactscope::peers {
 namespace {
 
-/// A ray tracer's tree, built anew in Morton order at each step and queried against itself.
+/// A ray tracer's tree, rebuilt in Morton order at each step and queried against itself.
 class MortonTree : public PairFinder {
  public:
   MortonTree() {
@@ -50,7 +50,7 @@ class MortonTree : public PairFinder {
 
   void find(std::vector<BoxPair>& found) override {
     found_ = &found;
-    // Of two boxes it tells both orders; of a leaf also pairs that do not overlap.
+    // Embree reports both orders of a pair, and pairs in a leaf even without overlap.
     rtcCollide(
         scene_, scene_,
         [](void* pointer, RTCCollision* collisions, unsigned count) {

@@ -1,6 +1,6 @@
-// contactscope-engine-bullet, -ode and -fcl: one of the peers as a program that `contactscope versus` asks, for
-// contacts or, with the argument "rollout", to step a scene.
-// src/versus/README.md says what it reads and writes.
+// contactscope-engine-bullet, -ode and -fcl: one of the peers as a program that `contactscope
+// versus` runs, for contacts or, with the argument "rollout", to step a scene. src/versus/README.md
+// documents its input and output.
 #include <iostream>
 #include <map>
 #include <set>

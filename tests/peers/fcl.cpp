@@ -1,5 +1,4 @@
-// FCL 0.7 as Debian builds it, in double, with its default solver (libccd). It keeps nothing
-// between calls.
+// FCL 0.7 as Debian builds it, in double, with libccd as default solver. It has no memory.
 #include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/geometry/shape/box.h>
 #include <fcl/geometry/shape/capsule.h>
@@ -25,7 +24,7 @@ using Meshes = std::unordered_map<const Mesh<double>*, Geometry>;
 /// Enough for a box on a box, and for every triangle under a small shape.
 constexpr std::size_t kMaxPoints = 64;
 
-/// A geometry and its own frame in the shape's.
+/// A geometry and its frame relative to the shape's.
 struct MadeGeometry {
   Geometry geometry;
   Pose<double> frame;
@@ -36,7 +35,7 @@ MadeGeometry make(const Sphere<double>& sphere, Meshes&) {
 }
 
 MadeGeometry make(const Capsule<double>& capsule, Meshes&) {
-  // Its axis is z.
+  // FCL's capsule axis is z.
   return {std::make_shared<fcl::Capsuled>(capsule.radius, capsule_length(capsule)),
           capsule_frame(capsule, Vec3d::UnitZ())};
 }
@@ -114,7 +113,7 @@ class FclPair : public PeerPair {
     contact.failed = !process(result);
     for (std::size_t i = 0; i < result.numContacts(); ++i) {
       const fcl::Contactd& found = result.getContact(i);
-      // It may have put the shapes in the other order.
+      // FCL may have swapped the shapes.
       const double sign = found.o1 == a_.geometry.get() ? 1 : -1;
       contact.points.push_back(
           {Vec3d(found.pos), -found.penetration_depth, Vec3d(sign * found.normal)});

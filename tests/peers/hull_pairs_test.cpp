@@ -14,8 +14,8 @@
 #include "support/builders.h"
 #include "support/pair_case.h"
 
-// The same pairs of hulls through Bullet, ODE, FCL and our own pipeline. A brute-force separating
-// axis test says who is right: ours must be, always; theirs where no rule of rules.h says why not.
+// The same pairs of hulls through Bullet, ODE, FCL and our own pipeline, judged by brute force.
+// Ours must always be right; theirs must be, unless a rule of rules.h explains why not.
 namespace contactscope::peers {
 namespace {
 
@@ -23,7 +23,7 @@ using bench::Workload;
 using test::PairCase;
 using test::Random;
 
-/// Rounded to float, because Bullet is.
+/// Rounded to float, because Bullet rounds.
 PairCase<double> in_float(const PairCase<double>& pair) {
   PairCase<double> result = pair.cast<float>().cast<double>();
   result.pose_a.rotation.normalize();
@@ -54,7 +54,7 @@ Manifold<S> ours(const PairCase<double>& pair) {
   return test::collide(pair.template cast<S>(), options);
 }
 
-/// Ours against the truth: contact or none, depth, and a normal along which the overlap is least.
+/// Tests ours: contact or none, depth, and a normal along which the overlap is least.
 template <class S>
 void expect_right(const PairCase<double>& pair, const test::BruteForceAxis& truth) {
   // The planes of these hulls have been rounded to float.
@@ -86,7 +86,7 @@ struct Tallies {
   Tally fcl;
 };
 
-/// Fails where one of ours is wrong or a difference is not explained.
+/// Fails if one of ours is wrong or a difference is unexplained.
 Tallies compare_all(const std::vector<PairCase<double>>& pairs) {
   const bool boxes = both_boxes(pairs.front());
   std::vector<Tally> tallies;
@@ -134,7 +134,7 @@ TEST(HullPairs, BoxesOnCrossedEdgesAgreeWithAll) {
   }
 }
 
-// Numbers in the bounds: about a third above what Debian 12 gives.
+// The bounds are about a third above the numbers on Debian 12.
 TEST(HullPairs, BoxesInRandomPosesDifferWhereTheEdgeFactorDecides) {
   const Tallies tallies = compare_all(pairs_of(Workload::BoxRandom, 1024));
   for (const Tally* tally : {&tallies.bullet, &tallies.ode, &tallies.fcl}) {
@@ -180,7 +180,7 @@ TEST(HullPairs, HullsNearAKissAndDeepDifferByNamedRules) {
   EXPECT_LE(tallies.bullet.count(kGaveUp), 2);
 }
 
-/// The largest distance, across the normal, of a point of one manifold from the other's nearest.
+/// The largest distance, across the normal, from a point of one manifold to the other's nearest.
 double distance_across(const Manifold<double>& manifold, const PeerContact& answer) {
   double worst = 0;
   const auto across = [&](const Vec3d& one, const Vec3d& other) {

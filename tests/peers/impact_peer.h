@@ -6,7 +6,7 @@
 
 namespace contactscope::peers {
 
-/// Continuous collision of other libraries, with the hulls' margins as small as they can be.
+/// Continuous collision of other libraries, with the smallest possible margins of hulls.
 std::vector<ImpactFinderInfo> bullet_impacts();
 std::vector<ImpactFinderInfo> fcl_impacts();
 inline std::vector<ImpactFinderInfo> impact_peers() {

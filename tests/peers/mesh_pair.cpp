@@ -11,7 +11,7 @@ namespace {
 
 using test::Random;
 
-/// A triangle as a flat hull with a face on either side.
+/// A triangle as a flat hull with a face on each side.
 Hull<double> flat_hull(const Mesh<double>& mesh, int triangle) {
   Hull<double> result;
   for (int k = 0; k < 3; ++k) {
@@ -31,7 +31,7 @@ Hull<double> flat_hull(const Mesh<double>& mesh, int triangle) {
   return result;
 }
 
-/// Somewhere in a triangle that is not at the rim; sometimes on one of its edges.
+/// A random place in a triangle that is not at the rim; sometimes on one of its edges.
 Vec3d random_place(const Mesh<double>& mesh, int triangle, Random& random) {
   double weights[3] = {random.uniform(0.05, 1), random.uniform(0.05, 1), random.uniform(0.05, 1)};
   if (random.chance(0.3)) weights[random.index(3)] = 0;

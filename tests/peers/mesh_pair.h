@@ -9,8 +9,8 @@
 #include "peers/round_pair.h"
 #include "support/pair_case.h"
 
-/// Shapes on a mesh of 10,000 triangles, with an oracle: every triangle nearby is a flat hull, and
-/// what is true of two convex shapes is true of it.
+/// Shapes on a mesh of 10,000 triangles, with an oracle: every nearby triangle is treated as a flat
+/// hull, so the oracles of convex shapes apply.
 namespace contactscope::peers {
 
 struct OnMesh {
@@ -25,15 +25,14 @@ struct OnMesh {
 /// Pairs of W7, every other one lifted off by 5 to 20 mm.
 std::vector<OnMesh> hulls_on_mesh(bench::Workload workload, int count);
 
-/// Spheres or capsules of radius 0.25 on the same grid over the middle or an edge of a triangle: 1
-/// to 10 mm deep, every other one 1 to 10 mm apart.
+/// Spheres or capsules of radius 0.25 on the same grid, over the middle or an edge of a triangle: 1
+/// to 10 mm deep, every other one 1 to 10 mm separated.
 std::vector<OnMesh> rounds_on_mesh(ShapeKind kind, int count);
 
-/// The shape and one triangle of the mesh.
 struct WithTriangle {
   std::variant<test::PairCase<double>, RoundPair> pair;
   double separation = 0;          // metres, by exhaustion
-  Vec3d normal = Vec3d::UnitY();  // of least overlap; of hulls alone
+  Vec3d normal = Vec3d::UnitY();  // of least overlap; only for hulls
 };
 
 /// Triangles within a few centimetres, the deepest first; at least one.

@@ -16,8 +16,7 @@
 #include "support/brute_force_sat.h"
 
 // Boxes, hulls, spheres and capsules on a mesh of 10,000 triangles through Bullet, ODE, FCL and our
-// own pipeline. Exhaustion over the triangles nearby says who is right: about touching, and about
-// the depth and the normal of the deepest point.
+// own pipeline. Exhaustion over the nearby triangles judges touching, depth and normal.
 namespace contactscope::peers {
 namespace {
 
@@ -25,7 +24,7 @@ using bench::Workload;
 
 constexpr int kPairs = 100;
 
-/// Metres. Nearer than this a library may say either: Bullet's GJK has this tolerance.
+/// Metres. Closer than this, both answers are accepted: Bullet's GJK has this tolerance.
 constexpr double kNearlyTouching = 1e-4;
 
 /// Metres. Bullet rounds coordinates of up to 30 m to float, and its GJK stops at a tenth of a
@@ -47,8 +46,8 @@ bool explains(std::span<const Rule> rules, const Comparison& comparison) {
   return alone.unexplained().empty();
 }
 
-/// An answer against the triangle that it is right about, the deepest that there is; where that is
-/// not the deepest of all, this too must be explained.
+/// Compares an answer with the deepest triangle for which it is right. If that is not the deepest
+/// of all, this too must be explained.
 void judge(const std::vector<WithTriangle>& triangles, const PeerContact& answer, double tolerance,
            std::span<const Rule> rules, Tally& tally) {
   const Comparison deepest = compare_with(triangles.front(), answer, tolerance);
@@ -64,7 +63,7 @@ void judge(const std::vector<WithTriangle>& triangles, const PeerContact& answer
   tally.add(deepest);
 }
 
-/// The gap along a direction to the triangle for which it is nearest to `separation`.
+/// Separation along a direction from the triangle for which it is closest to `separation`.
 double nearest_gap(const std::vector<WithTriangle>& triangles, const Vec3d& direction,
                    double separation) {
   double best = std::numeric_limits<double>::infinity();
@@ -79,9 +78,9 @@ double nearest_gap(const std::vector<WithTriangle>& triangles, const Vec3d& dire
   return best;
 }
 
-/// Contact or none; each triangle by itself, the depth of the deepest point and a normal along which
-/// that is the overlap. Where edges within the surface are known, what leans on one gives way to a
-/// contact on a face: no less deep, and little deeper where the surface is nearly flat.
+/// Checks contact or none and, for each triangle alone, the deepest point's depth and a normal
+/// along which it is the overlap. With known internal edges, contacts that lean on one are replaced
+/// by a contact on a face: no less deep, and little deeper if the surface is nearly flat.
 void expect_right(const OnMesh& pair, const std::vector<WithTriangle>& triangles) {
   const double separation = triangles.front().separation;
   constexpr double kRounding = 1e-13;  // metres: 16 ulps of coordinates of up to 30 m
@@ -216,7 +215,7 @@ TEST(MeshPairs, NoRuleExplainsAWrongAnswer) {
         wrong = right;
         for (PeerPoint& point : wrong.points) point.separation *= 8;
         EXPECT_NE(unexplained(wrong), "") << peer->name() << " is too deep";
-        // Another triangle may well be half as deep.
+        // Another triangle may be half as deep.
         if (triangles.size() > 1 && triangles[1].separation <= 0) continue;
         wrong = right;
         for (PeerPoint& point : wrong.points) point.separation *= 0.5;

@@ -9,8 +9,8 @@
 namespace contactscope::peers {
 namespace {
 
-// btGjkEpa2.cpp, in single precision, as in round_rules.cpp: it stops at a gain of a tenth of a
-// millimetre, or where a face of the polytope is too thin for float.
+// btGjkEpa2.cpp, in single precision, as in round_rules.cpp. It stops at a gain of a tenth of a
+// millimetre, or when a face of the polytope is too thin for float.
 constexpr double kEpaMetres = 15e-4;
 /// collision_trimesh_box.cpp: fDepth * 1.5f < m_fBestDepth.
 bool wins_by_edge_factor_on_mesh(const Comparison& c) {
@@ -22,13 +22,13 @@ bool within_epa_accuracy(const Comparison& c) {
   return c.overlap - c.depth() <= kEpaMetres;
 }
 
-/// The triangle is clipped to the box or the box's face to the triangle, and what is left may be less
-/// deep than the whole along that normal, but not less deep than the least overlap.
+/// The triangle is clipped to the box, or the box's face to the triangle. The remaining part may be
+/// less deep than the whole along that normal, but not less than the least overlap.
 bool deepest_of_what_is_left(const Comparison& c) {
   return c.reported <= c.overlap && c.reported >= c.depth() - c.tolerance;
 }
 
-/// What is left of a polygon within the planes through a face's edges across it, hull's frame.
+/// Clips a polygon to the planes through a face's edges, perpendicular to the face; hull's frame.
 std::vector<Vec3d> within_sides(std::vector<Vec3d> polygon, const Hull<double>& hull, int face) {
   const std::vector<int> loop = face_vertices(hull, face);
   for (std::size_t k = 0; k < loop.size(); ++k) {
@@ -50,8 +50,8 @@ std::vector<Vec3d> within_sides(std::vector<Vec3d> polygon, const Hull<double>& 
   return polygon;
 }
 
-/// What btPolyhedralContactClipping::clipFaceAgainstHull leaves of the triangle B: it clips to the
-/// sides of the face of the hull A that looks most along the normal that GJK and EPA found.
+/// The part of triangle B that btPolyhedralContactClipping::clipFaceAgainstHull keeps. It clips to
+/// the sides of that face of hull A which is most parallel to the normal from GJK and EPA.
 struct ClippedTriangle {
   double depth = 0;              // of the deepest point, below that face; 0 if nothing is left
   std::optional<Vec3d> deepest;  // world
@@ -77,8 +77,8 @@ ClippedTriangle clipped_triangle(const Comparison& c) {
   return result;
 }
 
-/// btPersistentManifold::getCacheEntry: the later of two points of one pair that are nearer than the
-/// threshold replaces the earlier, though that of another triangle be less deep.
+/// btPersistentManifold::getCacheEntry: of two points of one pair closer than the threshold, the
+/// later one replaces the earlier, even if it is less deep and belongs to another triangle.
 bool replaced_by_another_triangle(const Comparison& c) {
   const ClippedTriangle clipped = clipped_triangle(c);
   if (!clipped.deepest) return false;
@@ -98,7 +98,7 @@ constexpr Rule kBulletOnMeshRules[] = {
     {Aspect::Deepest, kReplaced, replaced_by_another_triangle},
 };
 
-/// Those for two hulls, and a mesh's.
+/// The rules for two hulls, and those for a mesh.
 std::vector<Rule> bullet_rules(const Peer& peer) {
   const std::span<const Rule> hulls = rules_of(peer, false);
   std::vector<Rule> rules(hulls.begin(), hulls.end());

@@ -1,5 +1,5 @@
-// contactscope-engine-mujoco: MuJoCo as a program that `contactscope versus` asks; src/versus/README.md says what
-// it reads and writes. Each shape is a body that floats free, and mj_forward() finds the contacts of the poses.
+// contactscope-engine-mujoco: MuJoCo as a program that `contactscope versus` runs
+// (src/versus/README.md). Each shape is a free body, and mj_forward() finds the contacts.
 #include <mujoco/mujoco.h>
 
 #include <algorithm>
@@ -21,13 +21,13 @@
 namespace contactscope {
 namespace {
 
-constexpr double kAway = 1e6;  // metres: where a shape waits that a frame does not have
+constexpr double kAway = 1e6;  // metres: place of a shape that is not in the frame
 
 void left_out(const std::string& name, const std::string& why) {
   std::cerr << "'" << name << "' is left out: " << why << '\n';
 }
 
-/// Whether vertices lie in one plane, within rounding: MuJoCo makes no hull of them.
+/// Whether vertices lie in one plane, within rounding: MuJoCo cannot make a hull of them.
 bool is_flat(const std::vector<Vec3d>& vertices) {
   const Vec3d& origin = vertices.front();
   const auto farthest = [&](const auto& distance) {
@@ -41,8 +41,8 @@ bool is_flat(const std::vector<Vec3d>& vertices) {
   return !(std::abs(normal.dot(above)) > 1e-6 * along.norm());
 }
 
-/// The geom of a shape in MuJoCo's XML, after the mesh that it needs; nothing of what it does not have. It
-/// takes every mesh for its convex hull.
+/// The geom of a shape in MuJoCo's XML, after the mesh that it needs; empty if unsupported. MuJoCo
+/// replaces every mesh by its convex hull.
 struct Geom {
   std::string mesh, geom;
 };
@@ -88,7 +88,7 @@ std::optional<Geom> geom_of(const trace::Shape& shape, int index) {
   return Geom{"<mesh name=\"" + mesh + "\" vertex=\"" + vertices + "\"/>", text.str()};
 }
 
-/// All shapes of a request as bodies that float free.
+/// All shapes of a request as free bodies.
 class World {
  public:
   explicit World(const std::vector<trace::Shape>& shapes) {
@@ -102,7 +102,7 @@ class World {
         continue;
       }
       assets += geom->mesh;
-      // A plane must be the world's, or a body that is moved by hand.
+      // A plane must belong to the world or to a mocap body.
       bodies += "<body name=\"b" + std::to_string(i) + "\"" +
                 (shape.half_space ? " mocap=\"true\">" : "><freejoint/>") + geom->geom + "</body>";
     }
@@ -118,7 +118,7 @@ class World {
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 
-  /// The contacts of a frame, each pair's by its names.
+  /// The contacts of a frame, by the names of each pair.
   std::map<std::pair<std::string, std::string>, std::vector<trace::Manifold>> contacts(
       const trace::Frame& frame) {
     for (int i = 0; i < count_of(names_); ++i) place(i, frame);

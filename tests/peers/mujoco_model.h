@@ -11,7 +11,7 @@
 #include "core/vec3.h"
 #include "peers/rollout.h"
 
-/// What both ways to ask MuJoCo have in common: its models are texts in XML.
+/// Common code for MuJoCo's contacts and its steps: its models are texts in XML.
 namespace contactscope::peers {
 
 inline std::string spelled(const Vec3d& v) {
@@ -28,7 +28,7 @@ inline std::string spelled(const Quatd& q) {
   return text.str();
 }
 
-/// Throws std::runtime_error with MuJoCo's own words where it is none.
+/// Throws std::runtime_error with MuJoCo's own message if the model is invalid.
 inline mjModel* mujoco_model(const std::string& xml) {
   const auto files = std::make_unique<mjVFS>();
   mj_defaultVFS(files.get());

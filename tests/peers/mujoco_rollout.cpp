@@ -1,4 +1,4 @@
-// MuJoCo steps a scene with mj_step, its Euler integrator and the soft contacts that it has by itself.
+// MuJoCo steps a scene with mj_step, its Euler integrator and its default soft contacts.
 #include <iostream>
 
 #include "core/at.h"
@@ -63,7 +63,7 @@ std::string model_of(const std::vector<Piece>& pieces, const Vec3d& gravity, dou
          "</asset><worldbody>" + bodies + "</worldbody></mujoco>";
 }
 
-/// Says what MuJoCo cannot be told.
+/// Warns of settings that MuJoCo does not support.
 void tell_differences(const std::vector<Piece>& pieces) {
   bool bounces = false, differ = false;
   for (const Piece& piece : pieces) {
@@ -83,7 +83,7 @@ class MujocoWorld : public RolloutWorld {
       const Piece& piece = at(pieces, i);
       bodies_.push_back(mj_name2id(model_, mjOBJ_BODY, ("b" + std::to_string(i)).c_str()));
       if (!piece.is_dynamic) continue;
-      // Of a free joint the linear velocity is the world's, the angular one the body's.
+      // A free joint's linear velocity is in the world's frame, its angular velocity in the body's.
       const Vec3d spin = piece.start.pose.inverse_rotate(piece.start.angular_velocity);
       double* const velocity = data_->qvel + model_->body_dofadr[bodies_.back()];
       for (int k = 0; k < 3; ++k) velocity[k] = piece.start.velocity[k];
@@ -113,7 +113,7 @@ class MujocoWorld : public RolloutWorld {
     for (int k = 0; k < 4; ++k) data_->mocap_quat[4 * mocap + k] = rotation[k];
   }
 
-  /// What is in mjData after a step is of the poses before it.
+  /// After a step, mjData holds the contacts of the poses before it.
   std::vector<Touch> step(double seconds) override {
     mj_step(model_, data_);
     std::vector<Touch> touches;
@@ -143,7 +143,7 @@ class MujocoWorld : public RolloutWorld {
 
   mjModel* model_;
   mjData* data_;
-  std::vector<int> bodies_;  // one a piece
+  std::vector<int> bodies_;  // one per piece
 };
 
 }  // namespace

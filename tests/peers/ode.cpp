@@ -1,4 +1,4 @@
-// ODE 0.16 as Debian builds it, in double. dCollide finds the algorithm and keeps nothing.
+// ODE 0.16 as Debian builds it, in double. dCollide selects the algorithm and keeps nothing.
 #include <ode/ode.h>
 
 #include <limits>
@@ -9,7 +9,7 @@ namespace contactscope::peers {
 namespace {
 
 constexpr int kMaxPoints = 8;
-/// A mesh gives points for each of its triangles.
+/// A mesh reports points for each of its triangles.
 constexpr int kMaxMeshPoints = 64;
 
 class OdePair : public PeerPair {

@@ -9,10 +9,10 @@
 
 #include "peers/peer.h"
 
-/// Shapes as ODE has them, for its contacts and for its steps.
+/// ODE's shapes, for its contacts and its steps.
 namespace contactscope::peers {
 
-/// The library, while it is in use.
+/// Keeps the library initialised.
 struct OdeLibrary {
   OdeLibrary() {
     dInitODE2(0);
@@ -44,7 +44,7 @@ struct OdeMesh {
 
 using OdeMeshes = std::unordered_map<const Mesh<double>*, std::shared_ptr<OdeMesh>>;
 
-/// A geometry with the arrays that it points at, and its own frame in the shape's.
+/// A geometry, the arrays that it points at, and its frame relative to the shape's.
 class OdeGeometry {
  public:
   OdeGeometry(const PeerShape& shape, OdeMeshes& meshes) {
@@ -72,7 +72,7 @@ class OdeGeometry {
   }
   void make(const Capsule<double>& capsule, OdeMeshes&) {
     id_ = dCreateCapsule(nullptr, capsule.radius, capsule_length(capsule));
-    // Its axis is z.
+    // ODE's capsule axis is z.
     frame_ = capsule_frame(capsule, Vec3d::UnitZ());
   }
   void make(const Box& box, OdeMeshes&) {
@@ -80,7 +80,7 @@ class OdeGeometry {
     id_ = dCreateBox(nullptr, sides.x(), sides.y(), sides.z());
   }
   void make(const Hull<double>& hull, OdeMeshes&) {
-    // Its origin must lie inside.
+    // The origin of ODE's convex must lie inside.
     frame_.position = hull.centroid;
     for (const Vec3d& vertex : hull.vertices) {
       const Vec3d v = vertex - hull.centroid;

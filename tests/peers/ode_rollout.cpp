@@ -1,4 +1,4 @@
-// ODE 0.16 steps a scene with dWorldQuickStep, and the settings that its world has by itself.
+// ODE 0.16 steps a scene with dWorldQuickStep and its world's default settings.
 #include <ode/ode.h>
 
 #include <cmath>
@@ -11,8 +11,8 @@
 namespace contactscope::peers {
 namespace {
 
-constexpr int kMostPoints = 64;       // of two geoms
-constexpr double kSlowBounce = 0.01;  // m/s: slower than that nothing bounces
+constexpr int kMostPoints = 64;       // per pair of geoms
+constexpr double kSlowBounce = 0.01;  // m/s: no bounce below this speed
 
 Vec3d vector_of(const dReal* v) {
   return {v[0], v[1], v[2]};
@@ -57,7 +57,7 @@ class OdeWorld : public RolloutWorld {
     });
     dWorldQuickStep(world_, seconds);
     for (std::size_t i = 0; i < touches_.size(); ++i) {
-      // The first force is on the first body, or on the only one.
+      // The first force acts on the first body, or on the only one.
       const bool has_a = at(bodies_, touches_[i].a) != nullptr;
       const bool has_b = at(bodies_, touches_[i].b) != nullptr;
       const dJointFeedback& told = feedbacks_[i];
@@ -133,7 +133,7 @@ class OdeWorld : public RolloutWorld {
       const dJointID joint = dJointCreateContact(world_, contacts_, &contact);
       dJointAttach(joint, at(bodies_, first), at(bodies_, second));
       dJointSetFeedback(joint, &feedbacks_.emplace_back());
-      // Its normal points into the first.
+      // ODE's normal points into the first body.
       touches_.push_back(
           {first,
            second,
@@ -148,9 +148,9 @@ class OdeWorld : public RolloutWorld {
   dJointGroupID contacts_;
   OdeMeshes meshes_;
   std::vector<std::unique_ptr<OdeGeometry>> geometries_;
-  std::vector<dBodyID> bodies_;  // one a piece; null of what stands
+  std::vector<dBodyID> bodies_;  // one per piece; null if static
   std::vector<Touch> touches_;
-  std::deque<dJointFeedback> feedbacks_;  // one a touch; they must stay where they are
+  std::deque<dJointFeedback> feedbacks_;  // one per touch; their addresses must not change
 };
 
 }  // namespace

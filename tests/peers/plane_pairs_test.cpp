@@ -30,15 +30,15 @@ struct OnPlane {
   double separation;  // of the lowest point, as placed
 };
 
-/// A shape a little above or up to half way in the plane.
+/// A shape up to 0.05 m above the plane's surface or up to 0.2 m deep.
 OnPlane random_on_plane(ShapeKind kind, Random& random) {
-  // What stands in for the plane is not used.
+  // The sphere takes the plane's place and is not used.
   const RoundPair drawn = random_round_pair(kind, ShapeKind::Sphere, random);
   OnPlane result{drawn.a, drawn.pose_a, {{random.unit_vector(), random.uniform(-1, 1)}}, {}, {}, 0};
   result.plane_pose = random.pose(5);
   result.up = result.plane_pose.rotate(result.plane.plane.normal);
   const RoundPair against{result.shape, result.pose, Sphere<double>{1e-3}, {}};
-  // The lowest point: the gap to a tiny ball at the origin below, and its radius.
+  // The lowest point: separation from a tiny ball at the origin below, plus its radius.
   const double lowest = separation_along(Vec3d(-result.up), against) + 1e-3;
   const double level = result.plane.plane.offset + result.up.dot(result.plane_pose.position);
   const double wanted = random.uniform(-0.2, 0.05);
@@ -90,7 +90,7 @@ void compare_all(ShapeKind kind) {
   int excused = 0;
   for (int i = 0; i < kPairs; ++i) {
     const OnPlane pair = random_on_plane(kind, random);
-    // Everything rounds coordinates of several metres to float.
+    // Coordinates of several metres are rounded to float.
     constexpr double kTolerance = 1e-5;
     expect_ours<float>(pair, kTolerance);
     expect_ours<double>(pair, kTolerance);

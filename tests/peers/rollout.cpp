@@ -29,7 +29,7 @@ Hull<double> moved(Hull<double> hull, const Pose<double>& by) {
   return hull;
 }
 
-/// Axes along which a body turns without wobbling, and its moments about them; those of the shape, where it does.
+/// Axes about which a body turns without wobbling, the shape's if possible, and the moments.
 Quatd principal_axes(const Eigen::Matrix3d& inertia, Vec3d& moments) {
   constexpr double kRounding = 1e-9;
   moments = inertia.diagonal();
@@ -43,7 +43,7 @@ Quatd principal_axes(const Eigen::Matrix3d& inertia, Vec3d& moments) {
   return Quatd(axes);
 }
 
-/// Puts a capsule along the axis that the engine knows, about its middle; one without a length is a ball.
+/// Puts a capsule along the engine's axis, about its middle; one without length becomes a ball.
 void lay_along(const Vec3d& axis, Piece& piece) {
   const auto* const capsule = std::get_if<Capsule<double>>(&piece.shape);
   if (capsule == nullptr) return;
@@ -57,7 +57,7 @@ void lay_along(const Vec3d& axis, Piece& piece) {
   }
 }
 
-/// Gives a dynamic piece its mass, and its frame the axes about which it turns.
+/// Sets the mass of a dynamic piece and turns its frame to the principal axes.
 void fill(const trace::Body& body, const Pose<double>& pose, Piece& piece) {
   if (std::holds_alternative<HalfSpace<double>>(piece.shape) ||
       std::holds_alternative<std::shared_ptr<const Mesh<double>>>(piece.shape))
@@ -107,7 +107,7 @@ std::vector<Piece> pieces_of(const trace::Trace& request, const Vec3d& capsule_a
   return pieces;
 }
 
-/// How a scripted piece goes from one pose to the next.
+/// Motion of a scripted piece from one pose to the next.
 BodyMotion going(const Pose<double>& from, const Pose<double>& to, double seconds) {
   BodyMotion motion{from};
   motion.velocity = (to.position - from.position) / seconds;
@@ -138,7 +138,7 @@ class Rollout {
       drive(i);
       trace::Frame frame = poses(request_.frames[i]);
       tell(world_->step(step_), frame);
-      // Each by itself, so that what was told stays told when the engine dies in the next step.
+      // Flushed per frame, so that frames are not lost if the engine dies in the next step.
       out << trace::to_json_line(frame) << std::endl;
     }
   }
@@ -182,7 +182,7 @@ class Rollout {
     return frame;
   }
 
-  /// Points of one normal, on one triangle, are a manifold.
+  /// Points with the same normal and triangle form a manifold.
   void tell(const std::vector<Touch>& touches, trace::Frame& frame) const {
     std::map<std::pair<int, int>, std::vector<trace::Manifold>> found;
     for (const Touch& touch : touches) {

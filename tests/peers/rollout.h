@@ -11,29 +11,29 @@
 #include "peers/peer.h"
 #include "trace/contact.h"
 
-/// An engine that steps a scene by itself when `contactscope versus --rollout` asks its program:
-/// src/versus/README.md says what is read and written. What the engines have in common is here.
+/// Common code of engines that step a scene themselves when `contactscope versus --rollout` runs
+/// their program. src/versus/README.md documents input and output.
 namespace contactscope::peers {
 
-/// How a body moves: metres, radians, seconds, world.
+/// Motion of a body: metres, radians, seconds, world.
 struct BodyMotion {
   Pose<double> pose{};
   Vec3d velocity = Vec3d::Zero();  // of the origin
   Vec3d angular_velocity = Vec3d::Zero();
 };
 
-/// A shape of the request in a frame that every engine can take: a dynamic body has its centre of mass at the
-/// origin and its principal axes along the axes, a capsule lies along the axis that the engine knows.
+/// A shape in a frame that every engine accepts: a dynamic body has its centre of mass at the
+/// origin and principal axes along the axes; a capsule is along the engine's capsule axis.
 struct Piece {
   std::string name;
   PeerShape shape;
   bool is_dynamic = false;
-  bool is_scripted = false;  // it moves as the request says; else, if not dynamic, it stands
+  bool is_scripted = false;  // it moves as the request says; neither scripted nor dynamic: static
   BodyMotion start{};
-  double mass = 0;                // kilograms, of dynamic ones
+  double mass = 0;                // kilograms, only if dynamic
   Vec3d moments = Vec3d::Zero();  // kg m^2, about the axes
   double friction = 0, restitution = 0;
-  Pose<double> in_shape{};  // this frame in that of the request's shape
+  Pose<double> in_shape{};  // this frame in the frame of the request's shape
 };
 
 /// A point that an engine found between two pieces.
@@ -45,20 +45,20 @@ struct Touch {
   std::optional<int> triangle{};
 };
 
-/// Pieces in an engine's world. Every two may touch of which one is dynamic; of a contact the friction is the
-/// geometric mean of both, the restitution the larger. Nothing sleeps, and nothing is damped.
+/// Pieces in an engine's world. Any two may touch if at least one is dynamic. Friction combines as
+/// the geometric mean, restitution as the maximum. Nothing sleeps, nothing is damped.
 class RolloutWorld {
  public:
   virtual ~RolloutWorld() = default;
   virtual BodyMotion motion(int piece) = 0;
-  /// Of a scripted piece, before each step: where it is, and how it moves in the step.
+  /// Called for a scripted piece before each step: its position, and its motion in the step.
   virtual void drive(int piece, const BodyMotion& motion) = 0;
-  /// What it found where the bodies were before the step.
+  /// Returns the contacts at the poses before the step.
   virtual std::vector<Touch> step(double seconds) = 0;
-  virtual int iterations() const { return 0; }  // of its solver, where it has a number of them
+  virtual int iterations() const { return 0; }  // of its solver, if it has such a number
 };
 
-/// What a program that steps nothing, or not this, says before it ends with kNoRollout.
+/// Message of a program that cannot step, or not this scene; the program then ends with kNoRollout.
 struct NotStepped : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -71,8 +71,8 @@ struct RolloutEngine {
       make;
 };
 
-/// Reads a request, steps it, and writes a frame before each step: its poses, and the contacts and impulses of the
-/// step. Throws NotStepped, and InputError of a request that is none.
+/// Reads a request, steps it, and writes a frame before each step: its poses, and the contacts and
+/// impulses of the step. Throws NotStepped, and InputError if the request is invalid.
 void roll_out(const RolloutEngine& engine, std::istream& in, std::ostream& out);
 
 RolloutEngine bullet_rollout();

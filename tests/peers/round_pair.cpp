@@ -24,7 +24,7 @@ Shape<double> random_shape(ShapeKind kind, Random& random) {
   return test::random_hull(random, 5 + random.index(28), size, 1);
 }
 
-/// What is left of a shape without its radius.
+/// The points of a shape without its radius.
 std::vector<Vec3d> core_of(const Shape<double>& shape, const Pose<double>& pose) {
   std::vector<Vec3d> points = {Vec3d::Zero()};
   if (const auto* hull = std::get_if<Hull<double>>(&shape)) points = hull->vertices;
@@ -51,8 +51,8 @@ double gap_along(const Vec3d& direction, const std::vector<Vec3d>& a, const std:
   return bottom - top;
 }
 
-/// Of two cores that overlap: along face normals, and along what is at right angles to an edge of
-/// each. A point has neither, a segment is an edge.
+/// Separation of two cores that overlap: along face normals, and perpendicular to an edge of each.
+/// A point has neither; a segment is an edge.
 double deepest_separation(const RoundPair& pair) {
   const std::vector<Vec3d> core_a = core_of(pair.a, pair.pose_a);
   const std::vector<Vec3d> core_b = core_of(pair.b, pair.pose_b);
@@ -123,7 +123,7 @@ RoundPair random_round_pair(ShapeKind a, ShapeKind b, Random& random) {
   const Vec3d way = random.unit_vector();
   const double touching = -separation_along(way, pair);
   const double depth = random.uniform(0, 1);
-  double part = random.uniform(0, 1.05);                      // anything
+  double part = random.uniform(0, 1.05);                      // any
   if (depth < 0.5) part = 1 - 0.1 * random.uniform(-0.2, 1);  // a little
   pair.pose_b.position = part * touching * way;
   const Pose<double> whole = random.pose(5);

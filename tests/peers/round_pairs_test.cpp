@@ -14,7 +14,7 @@
 #include "peers/rules.h"
 
 // Spheres and capsules, with each other and with hulls, through Bullet, ODE, FCL and our own
-// pipeline, as in hull_pairs_test.cpp; exhaustion says who is right.
+// pipeline, as in hull_pairs_test.cpp; judged by exhaustion.
 namespace contactscope::peers {
 namespace {
 
@@ -22,7 +22,7 @@ using test::Random;
 
 constexpr int kPairs = 600;
 
-/// Contact or none, depth, and a normal along which the overlap is least.
+/// Checks contact or none, depth, and a normal along which the overlap is least.
 template <class S>
 void expect_right(const RoundPair& pair, double separation) {
   // Hulls have planes that were rounded to float.

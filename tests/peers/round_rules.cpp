@@ -10,8 +10,8 @@
 namespace contactscope::peers {
 namespace {
 
-// btGjkEpa2.cpp, in single precision. EPA on cores that overlap stops at
-// a gain of EPA_ACCURACY or where a face is too thin for float, which leaves about ten times that.
+// btGjkEpa2.cpp, in single precision. EPA on overlapping cores stops at a gain of EPA_ACCURACY or
+// when a face is too thin for float, which leaves about ten times that.
 constexpr double kEpaMetres = 15e-4;
 constexpr double kGjkMinDistance = 1e-4;
 
@@ -30,7 +30,7 @@ Vec3d mean_of_vertices(const Shape<double>& shape) {
 
 using Centre = Vec3d (*)(const Shape<double>&);
 
-/// As for hulls in rules.cpp: at least the least depth, at most the way out through the centres.
+/// As for hulls in rules.cpp: between the least depth and the exit distance along the centres.
 template <Centre centre>
 bool on_the_way_out(const Comparison& c) {
   if (c.reported < c.depth() - c.tolerance) return false;
@@ -47,8 +47,8 @@ bool nearest_on_triangle(const Comparison& c) {
   return c.reported <= c.overlap && on_the_way_out<centre>(c);
 }
 
-/// dCollideCapsuleBox: where the axis meets the box, dBoxBox for the box around the capsule, with
-/// its factor for edges. That box is the larger shape, so the depth is no less.
+/// dCollideCapsuleBox: if the axis meets the box, it runs dBoxBox for the box around the capsule,
+/// with its factor for edges. That box is larger than the capsule, so the depth is no less.
 bool counted_as_a_box(const Comparison& c) {
   const auto* capsule = std::get_if<Capsule<double>>(&c.round->a);
   const auto* box = std::get_if<Hull<double>>(&c.round->b);
@@ -77,7 +77,7 @@ bool within_epa_accuracy(const Comparison& c) {
   return cores_overlap(c) && off(c) <= kEpaMetres;
 }
 
-/// Where the shape without its radius and the triangle are closest, on the triangle, world.
+/// Closest point to the shape without its radius, on the triangle, world.
 Vec3d closest_on_triangle(const RoundPair& pair) {
   const auto* capsule = std::get_if<Capsule<double>>(&pair.a);
   const test::Features core =
@@ -89,8 +89,8 @@ Vec3d closest_on_triangle(const RoundPair& pair) {
       .on_b.cast<double>();
 }
 
-/// As in rules.cpp: 0.02 of the largest distance of a point of the shape from its origin, bounded by
-/// its box for a capsule. Points are between the surfaces, so the depth comes to it.
+/// As in rules.cpp: 0.02 of the largest distance of a point of the shape from its origin, bounded
+/// by its box for a capsule. Points are between the surfaces, so the depth counts too.
 bool replaced_by_a_neighbour(const Comparison& c) {
   const auto* capsule = std::get_if<Capsule<double>>(&c.round->a);
   const double radius = radius_of(c.round->a);
@@ -103,8 +103,8 @@ bool replaced_by_a_neighbour(const Comparison& c) {
   });
 }
 
-/// fcl::detail::sphereTriangleIntersect gives the distance less the radius, negative in overlap, as
-/// the depth. The deepest point is then the one that seems farthest apart.
+/// fcl::detail::sphereTriangleIntersect returns the distance minus the radius, negative in overlap,
+/// as the depth. So the deepest point is the one with the largest apparent separation.
 bool has_its_sign_reversed(const Comparison& c) {
   if (!std::holds_alternative<Sphere<double>>(c.round->a) || c.answer.points.empty()) return false;
   const PeerPoint& deepest = *std::ranges::max_element(c.answer.points, {}, &PeerPoint::separation);

@@ -13,12 +13,12 @@ namespace {
 // btGjkEpa2.cpp, in single precision.
 constexpr double kGjkMinDistance = 1e-4;
 constexpr double kEpaAccuracyMetres = 1e-4;
-/// btConvexHullComputer rounds vertices to a grid of 10216 cells along the longest axis; a plane
-/// through three such vertices is off by a few cells where they are near to each other.
+/// btConvexHullComputer rounds vertices to a grid of 10216 cells along the longest axis. A plane
+/// through three such vertices is off by a few cells if they are near each other.
 constexpr double kHullGrid = 4.0 / 10216;
 /// dBoxBox2: fudge_factor.
 constexpr double kEdgeFudge = 1.05;
-/// btBoxBoxDetector: fudge2, FCL's eps is smaller.
+/// btBoxBoxDetector: fudge2. FCL's eps is smaller.
 constexpr double kCosineFudgeSize = 1e-5;
 
 double sine_between(const Vec3d& one, const Vec3d& other) {
@@ -45,14 +45,14 @@ bool wins_by_edge_factor(const Comparison& c) {
   return c.overlap <= kEdgeFudge * c.depth() + c.tolerance;
 }
 
-/// The vertex farthest along a direction, both in the world.
+/// The vertex farthest along a direction, both in the world frame.
 Vec3d extreme(const Hull<double>& hull, const Pose<double>& pose, const Vec3d& direction) {
   const int vertex = support_index(support_set(hull), pose.inverse_rotate(direction));
   return pose.transform(hull.vertices[static_cast<std::size_t>(vertex)]);
 }
 
-/// Whether `corner_owner`'s vertex that reaches farthest against `direction` (world, outward from
-/// the face) is outside of the face's sides.
+/// Whether the vertex of `corner_owner` that is farthest against `direction` (world, outward from
+/// the face) is outside the face's sides.
 bool corner_is_beside(const Hull<double>& box, const Pose<double>& pose,
                       const Hull<double>& corner_owner, const Pose<double>& corner_pose,
                       const Vec3d& direction, double tolerance) {
@@ -75,7 +75,7 @@ bool deepest_corner_is_beside(const Comparison& c) {
               : corner_is_beside(p.b, p.pose_b, p.a, p.pose_a, Vec3d(-normal), c.tolerance);
 }
 
-/// The sine of the angle between the two edges whose cross product the normal is.
+/// Sine of the angle between the two edges whose cross product is the normal.
 double sine_of_edges(const Comparison& c, const Vec3d& normal) {
   double best_alignment = 0;
   double sine = 1;
@@ -93,8 +93,7 @@ double sine_of_edges(const Comparison& c, const Vec3d& normal) {
   return sine;
 }
 
-/// Of the four products with a cosine that an edge axis is measured by, each grows by at most a
-/// half extent times the fudge.
+/// An edge axis is measured by four products with a cosine; each grows up to half extent * fudge.
 bool deeper_by_cosine_fudge(const Comparison& c) {
   const Vec3d normal = c.answer.deepest()->normal.normalized();
   if (is_face_axis(c, normal)) return false;
@@ -107,8 +106,8 @@ double least_threshold(const Comparison& c) {
   return std::min(breaking_threshold(c.hulls->a), breaking_threshold(c.hulls->b));
 }
 
-/// btPersistentManifold::getCacheEntry: the later of two points that are nearer than the threshold
-/// replaces the earlier, though it be less deep.
+/// btPersistentManifold::getCacheEntry: of two points closer than the threshold, the later one
+/// replaces the earlier, even if it is less deep.
 bool replaced_by_a_neighbour(const Comparison& c) {
   if (c.reported > c.overlap) return false;
   const PeerPoint& point = *c.answer.deepest();
@@ -119,12 +118,12 @@ bool replaced_by_a_neighbour(const Comparison& c) {
   return nearest <= least_threshold(c) + c.overlap;
 }
 
-/// Where ODE puts the origin of a hull: see ode.cpp.
+/// The origin that ODE gets for a hull: see ode.cpp.
 Vec3d centroid(const Hull<double>& hull) {
   return hull.centroid;
 }
 
-/// fcl::Convex::getInteriorPoint; of a box too it is the centre.
+/// fcl::Convex::getInteriorPoint; for a box this equals the centre.
 Vec3d mean_of_vertices(const Hull<double>& hull) {
   Vec3d sum = Vec3d::Zero();
   for (const Vec3d& vertex : hull.vertices) sum += vertex;
@@ -133,10 +132,10 @@ Vec3d mean_of_vertices(const Hull<double>& hull) {
 
 using Centre = Vec3d (*)(const Hull<double>&);
 
-/// MPR (Snethen 2008) follows the line through both centres to where it leaves the Minkowski
-/// difference, and gives the distance to the triangle that it crosses there: no less than the least
-/// depth, no more than the way out along the line. So B, moved out by the depth along the line,
-/// must still touch A. The normal is that of the triangle's nearest point.
+/// MPR (Snethen 2008) follows the line through both centres to its exit from the Minkowski
+/// difference, and returns the distance to the triangle that it crosses there. This is at least the
+/// least depth and at most the exit distance along the line. So B must still touch A after moving
+/// by the depth along the line. The normal is that of the triangle's nearest point.
 template <Centre centre>
 bool on_the_way_out(const Comparison& c) {
   if (c.reported < c.depth() - c.tolerance) return false;
@@ -149,7 +148,7 @@ bool on_the_way_out(const Comparison& c) {
          c.tolerance;
 }
 
-/// A distance from a triangle's corner or edge is less than the overlap along it.
+/// The distance from a triangle's corner or edge is less than the overlap along it.
 template <Centre centre>
 bool nearest_on_triangle(const Comparison& c) {
   return c.reported <= c.overlap && on_the_way_out<centre>(c);
@@ -159,12 +158,12 @@ bool within_min_distance(const Comparison& c) {
   return std::abs(c.separation) <= kGjkMinDistance;
 }
 
-/// The simplex that EPA starts from is one that GJK took for an overlap.
+/// EPA starts from a simplex that GJK mistook for an overlap.
 bool normal_near_min_distance(const Comparison& c) {
   return c.depth() <= 2 * kGjkMinDistance;
 }
 
-/// btGjkPairDetector keeps what it has, points that are apart, when the simplex degenerates.
+/// If the simplex degenerates, btGjkPairDetector returns its current points, which are separated.
 bool gave_up_near_the_surface(const Comparison& c) {
   return c.reported < 0 && c.depth() > 0 && c.depth() <= 10 * kGjkMinDistance;
 }
@@ -173,8 +172,8 @@ bool within_epa_accuracy(const Comparison& c) {
   return c.overlap - c.depth() <= 5 * kEpaAccuracyMetres;
 }
 
-/// How far a point is from lying `separation` above a face that looks along `direction` (world,
-/// unit) as well as any other, or nearly: the best of those.
+/// How far a point is from being `separation` above a face most parallel to `direction` (world,
+/// unit), or nearly so: the best of those faces.
 double misfit(const Hull<double>& hull, const Pose<double>& pose, const Vec3d& point,
               double separation, const Vec3d& direction) {
   constexpr double kNearlyAsWell = 0.01;
@@ -203,13 +202,13 @@ double misfit(const Comparison& c) {
   return (off - c.tolerance) / std::max(c.hulls->a.radius, c.hulls->b.radius);
 }
 
-/// btPolyhedralContactClipping measures the clipped corners of one hull to the plane of the other's
-/// face that faces it best, whatever the normal, and drops those beside that face.
+/// btPolyhedralContactClipping measures the clipped corners of one hull from the plane of the
+/// other's best-facing face, whatever the normal, and drops those outside that face.
 bool measured_to_a_face_plane(const Comparison& c) {
   return !c.answer.points.empty() && misfit(c) <= 2 * kHullGrid;
 }
 
-/// It lets no depth exceed the one that GJK and EPA found by more than the threshold.
+/// It limits the depth to the one that GJK and EPA found plus the threshold.
 bool clamped_by_threshold(const Comparison& c) {
   return std::abs(c.reported - c.overlap - least_threshold(c)) <= kEpaAccuracyMetres;
 }
@@ -267,7 +266,7 @@ std::span<const Rule> rules_of(const Peer& peer, bool boxes) {
 }
 
 double tolerance_of(const Peer& peer, double length_scale) {
-  // Bullet rounds to float some tens of times; ODE and FCL stop MPR at steps of a millionth.
+  // Bullet rounds to float a few dozen times; ODE and FCL stop MPR at steps of a millionth.
   const double relative = std::max(2e-6, 100 * peer.epsilon());
   return relative * length_scale;
 }

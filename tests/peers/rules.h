@@ -4,8 +4,8 @@
 
 #include "peers/disagreement.h"
 
-/// Why Bullet, ODE and FCL answer differently: each rule names a constant or a habit
-/// of theirs and checks that it accounts for the numbers.
+/// Reasons why Bullet, ODE and FCL answer differently. Each rule names a constant or a habit of
+/// theirs and checks that it accounts for the numbers.
 namespace contactscope::peers {
 
 // Boxes. All three descend from ODE's dBoxBox2.
@@ -31,11 +31,10 @@ inline constexpr const char* kClippedPart = "depth of what clipping leaves of th
 inline constexpr const char* kSphereSign = "depth of a sphere on a triangle has its sign reversed";
 inline constexpr const char* kReplaced = "a neighbour's point within the breaking threshold stays";
 
-/// For a library by name; `boxes` for two boxes, else for hulls.
+/// Rules of a library by name: for two boxes if `boxes`, else for hulls.
 std::span<const Rule> rules_of(const Peer& peer, bool boxes);
 
-/// For a box (`box`) or another hull, A, and the triangle of a mesh that its deepest point is on, B,
-/// as a flat hull.
+/// For a box (`box`) or another hull A, and B, the mesh's triangle at the deepest point, as a hull.
 std::span<const Rule> mesh_rules_of(const Peer& peer, bool box);
 
 /// For spheres and capsules, with each other or with hulls.
@@ -44,12 +43,11 @@ std::span<const Rule> round_rules_of(const Peer& peer);
 /// The same for a sphere or a capsule on a mesh.
 std::span<const Rule> round_mesh_rules_of(const Peer& peer);
 
-/// btCollisionShape::getContactBreakingThreshold of the less extended shape: by default the
-/// dispatcher takes 0.02 of the largest distance that a point of the shape may have from its origin,
-/// bounded by its box.
+/// btCollisionShape::getContactBreakingThreshold of the smaller shape: by default 0.02 of the
+/// largest possible distance of a point of the shape from its origin, bounded by its box.
 double breaking_threshold(const Hull<double>& hull);
 
-/// Metres, for a pair of this extent. Within it an answer agrees.
+/// Metres, for a pair of this extent. Answers within it agree.
 double tolerance_of(const Peer& peer, double length_scale);
 
 }  // namespace contactscope::peers

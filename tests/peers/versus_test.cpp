@@ -4,7 +4,7 @@
 
 #include "app/program.h"
 
-/// Bullet, ODE and FCL as programs that are asked.
+/// Bullet, ODE and FCL as programs that contactscope runs.
 namespace contactscope::test {
 namespace {
 
@@ -37,7 +37,7 @@ TEST(VersusPeers, Spheres) {
   }
 }
 
-/// What each makes of a stack that all of them let stand; FCL steps nothing.
+/// A stack that every engine keeps standing; FCL steps nothing.
 TEST(VersusPeers, StepAPyramidAsWeDo) {
   const ProgramRun result =
       run("versus --rollout --table --json --engines contactscope,bullet,ode,fcl solver/pyramid");
@@ -59,8 +59,8 @@ TEST(VersusPeers, StepAPyramidAsWeDo) {
   }
 }
 
-/// Capsules along x, cylinders with axes of their own, balls and boxes: each comes to rest on the plane, where
-/// the energy that is left is that of its height.
+/// Capsules along x, cylinders with axes of their own, balls and boxes: all come to rest on the
+/// plane, where only the potential energy of their height is left.
 TEST(VersusPeers, EveryShapeFallsAndComesToRest) {
   const ProgramRun result =
       run("versus --rollout --table --json --engines contactscope,bullet,ode "
@@ -72,7 +72,7 @@ TEST(VersusPeers, EveryShapeFallsAndComesToRest) {
   for (const Json& engine : engines) {
     SCOPED_TRACE(engine["name"]);
     EXPECT_FALSE(engine.contains("failure")) << engine["failure"];
-    // A quarter of a second falls freely, and alike.
+    // The first quarter of a second is free fall, equal for all.
     EXPECT_NEAR(engine["series"]["height"][15], engines[0]["series"]["height"][15], 1e-3);
     EXPECT_NEAR(engine["series"]["energy"][15], engines[0]["series"]["energy"][15],
                 2e-2 * engines[0]["series"]["energy"][0].get<double>());
@@ -81,7 +81,7 @@ TEST(VersusPeers, EveryShapeFallsAndComesToRest) {
 }
 
 #ifdef CONTACTSCOPE_HAS_MUJOCO
-/// Fixed in 3.4: of two boxes it told half of the overlap for years.
+/// Fixed in 3.4: for years MuJoCo reported half of the overlap of two boxes.
 TEST(VersusPeers, HalfOverlapsOfMuJoCoAreNamed) {
   const ProgramRun result =
       run("versus --table --json --engines mujoco hull/eight_points_to_four plane/box_corners");

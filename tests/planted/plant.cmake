@@ -1,8 +1,8 @@
-# Makes a copy of the tree in which every bug of bugs/ stands beside what it spoils, behind a switch:
+# Copies the tree and adds every bug of bugs/ next to the code that it breaks, behind a switch:
 #   cmake -DFROM=. -DTO=build/planted/tree -P tests/planted/plant.cmake
-# So all of them are built once, and the sources themselves know nothing of them. A bug whose place is not there exactly
-# once stops it: the sources have changed, and the bug wants a look. Without TO no more is looked at than that, and that
-# noticed.tsv names each of them with who noticed it. A second copy into the same folder touches only what has changed.
+# One build then has all bugs, and the sources contain none. A bug's place must occur exactly once;
+# otherwise the sources have changed. Without TO it checks only this, and that noticed.tsv names
+# every bug and a test that noticed it. Copying again into the same folder updates only changes.
 cmake_minimum_required(VERSION 3.25)
 if(NOT DEFINED FROM)
   message(FATAL_ERROR "plant.cmake needs -DFROM=TREE, and -DTO=COPY to make one")
@@ -54,7 +54,7 @@ string(REGEX MATCHALL "\n" lines "${list}")
 list(LENGTH lines count)
 
 if(NOT DEFINED TO)
-  # As text, for a list of CMake's would trip over the brackets in a sentence.
+  # As text: a CMake list would fail on the brackets in a sentence.
   set(table "${CMAKE_CURRENT_LIST_DIR}/noticed.tsv")
   file(READ "${table}" noticed)
   string(REGEX MATCHALL "\n" lines "${noticed}")
@@ -77,7 +77,7 @@ if(NOT DEFINED TO)
 endif()
 
 get_filename_component(TO "${TO}" ABSOLUTE)
-# Scenarios that are gone would be checked.
+# Otherwise deleted scenarios would be checked.
 file(REMOVE_RECURSE "${TO}/scenarios")
 foreach(part src render tests scenarios CMakeLists.txt CMakePresets.json LICENSE README.md packages.txt setup)
   set(parts "${FROM}/${part}")

@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <cstdlib>
 
-// Goes into the copy of the tree that has bugs in it, and nowhere else.
+// Only in the copy of the tree that contains the bugs.
 namespace contactscope::planted {
 
-/// FNV-1a: a place compares a number and not a text, for some are in the innermost loops.
+/// FNV-1a: places compare numbers, not texts, because some are in the innermost loops.
 constexpr std::uint64_t number_of(const char* name) {
   std::uint64_t number = 14695981039346656037u;
   for (; *name != '\0'; ++name) number = (number ^ static_cast<unsigned char>(*name)) * 1099511628211u;

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# Switches on one planted bug after the other, and notes who notices it and how it is told:
+# Switches on one planted bug after another, and records which test notices it, and its message:
 #   CONTACTSCOPE_SHARD=2/5 tests/planted/run.sh TREE BUILD TABLE
-# TREE was made by plant.cmake and BUILD is of it. The table (README.md says what is in it) is written whole; of a shard,
-# every fifth bug from the second on, it goes to BUILD/noticed_2_of_5.tsv instead. Exit code 1 where nobody noticed a bug, 2
-# where something fails without any. Tests that compare traces byte for byte take no part: they notice that something
-# changed, and not what.
+# plant.cmake makes TREE, and BUILD is its build. The whole table (see README.md) is written to
+# TABLE; a shard, here every fifth bug from the second on, to BUILD/noticed_2_of_5.tsv. Exits with
+# status 1 if no test notices a bug, 2 if something fails without any bug. Tests that compare traces
+# byte for byte are excluded: they only notice a change.
 set -u
 export TREE BUILD && TREE=$(realpath "$1") && BUILD=$(realpath "$2") || exit 2
 table=$(realpath -m "$3") shard=${CONTACTSCOPE_SHARD:-1/1}
@@ -17,15 +17,15 @@ fi
 export OUT && OUT=$(mktemp -d) && trap 'rm -rf "$OUT"' EXIT
 cp "$3" "$OUT/last" 2>/dev/null || touch "$OUT/last"
 cd "$TREE" || exit 2
-# A bug may run for ever; what takes ten seconds without one is given five minutes.
+# A bug may run forever. Steps that take ten seconds without a bug get five minutes.
 export PATIENCE=300
 
-# A cell of the table: one line, at most so many bytes and no half a letter.
+# A cell of the table: one line, at most $1 bytes, without partial characters.
 cell() {
   tr '\n\t' '  ' | sed "s|$TREE/||g; s/  */ /g; s/^ //" | cut -c1-"$1" | iconv -c -f UTF-8 -t UTF-8 2>/dev/null | sed 's/ *$//'
 }
 
-# The first test of a folder that fails, and the first lines that say why; of one test where its name is given.
+# The first test of a folder that fails, and the first lines of its message; or only the named test.
 by_test() {
   local folder=$1 said=$OUT/$2.test
   timeout $PATIENCE "$BUILD/tests/${folder}_test" --gtest_fail_fast --gtest_color=no --gtest_filter="${3:--*Slow*}" >"$said" 2>&1
@@ -50,7 +50,7 @@ is_well() {
   ! noticed=$(by_test "$1" "none_$1") || { echo "a test fails without any bug: $noticed" >&2 && false; }
 }
 
-# The first sentence of a scenario that is not the same: by its facts, which take a second, or else by its pictures.
+# The first message about a changed scenario: by its facts (a second), or else its pictures.
 by_check() {
   local said=$OUT/$1.check how code
   for how in --facts-only ''; do
@@ -67,7 +67,7 @@ by_check() {
   return 1
 }
 
-# A line of the table, for a line of planted.txt. Who noticed it the last time is asked first.
+# A line of the table for a line of planted.txt, tried first with the test of the last time.
 try() {
   local file=$1 name=$2 folder noticed='' begin=$EPOCHREALTIME last
   export CONTACTSCOPE_PLANTED=$name
@@ -84,7 +84,7 @@ try() {
 }
 export -f cell by_test is_well by_check try
 
-# Without any bug all has to be well: the snapshots are of this very program, so that those of the tree may lag behind.
+# Without any bug everything must pass. The snapshots are new, so the tree's own may be outdated.
 echo "no bug: what is stored"
 unset CONTACTSCOPE_PLANTED CI # with CI=true nothing would be stored
 if ! "$BUILD/contactscope" check --quiet --update=all --snapshots "$OUT/snapshots" --out "$OUT/none" >"$OUT/none.txt" 2>&1 ||

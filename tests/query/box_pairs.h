@@ -7,17 +7,17 @@
 
 namespace contactscope::test {
 
-/// How the second box of a random pair is turned against the first.
+/// Rotation of the second box of a random pair relative to the first.
 enum class Turned {
   Anyhow,
-  Parallel,        // by quarters of a turn about its axes, as a rounded rotation has it
-  NearlyParallel,  // the same and 1e-17 to 0.1 rad about any axis
+  Parallel,        // by quarter turns about its axes, as a rounded rotation gives them
+  NearlyParallel,  // the same plus 1e-17 to 0.1 rad about any axis
   AboutAnEdge,     // by any angle about an axis that both share
 };
 
-/// Two oriented boxes of up to `size` metres, sides up to a thousand times shorter, one in eight of
-/// them 0. Half the pairs are anywhere about touching, the others touch along one of the fifteen
-/// axes but for up to some hundred roundings. All of it `out` metres from the origin.
+/// Two oriented boxes of up to `size` metres, with sides up to a thousand times shorter and one in
+/// eight of length 0. Half of the pairs are up to half a size from touching; the others touch along
+/// one of the fifteen axes, up to some hundred roundings. Both are `out` metres from the origin.
 template <class S>
 std::array<Obb<S>, 2> random_boxes(Random& random, double size, Turned turned, double out = 0) {
   const auto side = [&] { return random.chance(0.125) ? 0 : size * random.decade(-3, 0); };
@@ -44,7 +44,7 @@ std::array<Obb<S>, 2> random_boxes(Random& random, double size, Turned turned, d
   }
   const Vec3d at = out * random.unit_vector();
   result[0].center = at.cast<S>();
-  // Along any direction of the fifteen: so far that they touch.
+  // Place the boxes in contact along one of the fifteen axes.
   Vec3d axis = random.chance(0.5) ? Vec3d(boxes[0].axes.col(random.index(3)))
                                   : Vec3d(boxes[1].axes.col(random.index(3)));
   if (random.chance(0.6)) {
@@ -58,7 +58,7 @@ std::array<Obb<S>, 2> random_boxes(Random& random, double size, Turned turned, d
   const double noise = std::numeric_limits<S>::epsilon() * random.decade(-1, 3);
   const double factor =
       random.chance(0.5) ? random.uniform(0.3, 1.5) : 1 + noise * random.uniform(-1, 1);
-  // Anywhere across, so that features meet and not middles.
+  // A random shift across, so that features meet and not centres.
   const Vec3d across = axis.cross(random.unit_vector()) * random.uniform(0, 0.5) * reach;
   const Vec3d way = factor * reach * axis + across;
   result[1].center = result[0].center + way.cast<S>();

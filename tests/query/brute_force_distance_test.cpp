@@ -7,7 +7,7 @@
 #include "support/builders.h"
 #include "support/random_geometry.h"
 
-/// The oracle of distances against answers known by reasoning and against nested search.
+/// Compares the oracle of distances with known answers and with nested search.
 namespace contactscope::test {
 namespace {
 

@@ -23,7 +23,7 @@ double gap_along(const Hull<double>& hull, const Vec3d (&ends)[2], const Vec3d& 
   return std::min(direction.dot(ends[0]), direction.dot(ends[1])) - top;
 }
 
-/// The best of all edges: every cross product, both ways round.
+/// The best separation over all edges: every cross product, with both signs.
 double best_edge_gap(const Hull<double>& hull, const Vec3d (&ends)[2]) {
   double best = -std::numeric_limits<double>::infinity();
   for (int e = 0; e < hull.edge_count(); ++e) {
@@ -38,7 +38,7 @@ double best_edge_gap(const Hull<double>& hull, const Vec3d (&ends)[2]) {
 
 TEST(CapsuleSat, SegmentAcrossABoxEdgeHasTheAxisOfBoth) {
   const Hull<double> box = make_box(Vec3d(1, 1, 1));
-  // Over the edge x = y = 1, at right angles to it and to the diagonal, 0.1 deep.
+  // Across the edge x = y = 1, perpendicular to it and to the diagonal, 0.1 deep.
   const Vec3d diagonal = Vec3d(1, 1, 0).normalized();
   const Vec3d middle = Vec3d(1, 1, 0.2) - 0.1 * diagonal;
   const Vec3d along = Vec3d(1, -1, 0);
@@ -77,7 +77,7 @@ TEST(CapsuleSat, SegmentThroughTheMiddleOfACubeIsTiedBetweenItsSides) {
   const Hull<double> box = make_box(Vec3d(1, 1, 1));
   const Vec3d ends[2] = {Vec3d(0, 0, -0.1), Vec3d(0, 0, 0.1)};
   const CapsuleSat<double> axes = capsule_sat(box, ends, kNoReach, 1e-12);
-  EXPECT_EQ(axes.face, 0);  // the earliest
+  EXPECT_EQ(axes.face, 0);  // the first one
   EXPECT_TRUE(axes.face_tied);
 }
 
@@ -101,8 +101,8 @@ TEST(CapsuleSat, FaceBeyondTheReachSparesTheEdges) {
   EXPECT_EQ(axes.separation(), 2);
 }
 
-/// What the ring on the Gauss map leaves out never has the largest separation; what it finds is a
-/// true axis. In float and double, from needles to plates.
+/// Axes outside the ring on the Gauss map never have the largest separation, and axes found by it
+/// are true axes. In float and double, from needles to plates.
 template <class S>
 void expect_best_axis(std::uint64_t seed) {
   Random random(seed);
@@ -136,7 +136,7 @@ void expect_best_axis(std::uint64_t seed) {
     if (best < 0) {
       ASSERT_NEAR(axes.separation(), best, tolerance);
     } else {
-      // Apart, a direction that belongs to no face of the Minkowski difference can show more.
+      // If separated, a direction of no face of the Minkowski difference may give more.
       ASSERT_GE(axes.separation(), -tolerance);
       ASSERT_LE(axes.separation(), best + tolerance);
     }
@@ -159,8 +159,8 @@ TEST(CapsuleSat, SlowFindsTheBestOfAllAxesInDoublePrecision) {
   expect_best_axis<double>(2);
 }
 
-/// A segment is a hull of two faces that look both ways: its ring is all arcs between n and -n. The
-/// pipeline's two signs say the same as the talk's triple products.
+/// A segment is a hull with two faces that face both directions: its ring consists of all arcs
+/// between n and -n. The pipeline's two signs agree with the talk's triple products.
 TEST(CapsuleSat, RingCrossesTheArcsThatMakeAMinkowskiFaceWithTheSegment) {
   Random random(3);
   int crossings = 0;
@@ -169,7 +169,7 @@ TEST(CapsuleSat, RingCrossesTheArcsThatMakeAMinkowskiFaceWithTheSegment) {
     const Vec3d a2 = (a1 + random.decade(-2, 0.5) * random.unit_vector()).normalized();
     const Vec3d along = random.unit_vector();
     const Vec3d edge = a1.cross(a2).normalized();
-    // Two quarter arcs of the ring to either side of the direction at right angles to both edges.
+    // Two quarter arcs of the ring, on both sides of the direction perpendicular to both edges.
     const Vec3d axis = edge.cross(along).normalized();
     const Vec3d aside = along.cross(axis);
     const bool is_face =

@@ -18,7 +18,7 @@ struct Segments {
 
   Segments swapped() const { return {from_b, to_b, from_a, to_a}; }
   ClosestOfSegments<S> closest() const { return closest_of_segments(from_a, to_a, from_b, to_b); }
-  /// Largest difference of coordinates, about.
+  /// Approximately the largest difference of coordinates.
   double scale() const {
     return static_cast<double>((to_a - from_a).norm() + (to_b - from_b).norm() +
                                (from_b - from_a).norm());
@@ -71,7 +71,7 @@ class ClosestPoints : public testing::Test {
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(ClosestPoints, Scalars);
 
-/// A about the origin along x, B above it at height 2, turned about y; crossing at known parameters.
+/// A about the origin along x, B at height 2, turned about y; crossing at known parameters.
 TYPED_TEST(ClosestPoints, SkewSegmentsMeetOnTheCommonPerpendicularAtAnyPoseAndScale) {
   using S = TypeParam;
   Random random(1);
@@ -110,7 +110,7 @@ TYPED_TEST(ClosestPoints, ParallelSegmentsMeetInTheMiddleOfWhatTheyShare) {
     S from, to, middle;
     const char* what;
   };
-  // A lies on x from 0 to 4; B beside it.
+  // A lies on x from 0 to 4; B is parallel to it.
   const Row rows[] = {
       {1, 3, 2, "B inside A"}, {-2, 8, 2, "A inside B"},          {2, 8, 3, "B past the end of A"},
       {0, 4, 2, "equal"},      {4, 0, 2, "equal, B turned back"}, {0, 2, 1, "starting together"},
@@ -128,8 +128,8 @@ TYPED_TEST(ClosestPoints, ParallelSegmentsKeepTheMiddleUnderRotation) {
   using S = TypeParam;
   Random random(2);
   for (int i = 0; i < 300; ++i) {
-    // From the same start, B half as long: the shared stretch is all of B, but the feet of the
-    // perpendiculars at the start fall on the segments or beside them as rounding has it.
+    // Both start together and B is half as long, so the shared stretch is all of B. Rounding
+    // decides whether the feet of the perpendiculars at the start fall on the segments.
     const Segments<double> level{Vec3d(0, 0, 0), Vec3d(2, 0, 0), Vec3d(0, 1, 0), Vec3d(1, 1, 0)};
     const double size = random.decade(-4, 4);
     const Segments<S> segments = moved<S>(level, size, random.pose(1));

@@ -13,8 +13,8 @@
 #include "query/tolerance.h"
 #include "support/pair_case.h"
 
-// What bounds leave out is none of the result: the separating axis test by bounds and the one that
-// measures every face and every edge find the same, bit for bit.
+// Bounds skip only work: the separating axis test with bounds and the one that measures every face
+// and every edge give the same result, bit for bit.
 namespace contactscope {
 namespace {
 
@@ -49,7 +49,7 @@ void expect_same(const SatResult<S>& axes, const SatResult<S>& expected) {
   EXPECT_TRUE(same_bits(axes.edge.normal, expected.edge.normal));
 }
 
-/// Many sides, a few of which may be coplanar within rounding or a little off.
+/// Many sides; a few may be coplanar within rounding or a little off.
 Hull<double> prism(Random& random) {
   const int segments = 8 + random.index(40);
   return random.chance(0.7) ? make_cylinder(0.5, random.uniform(0.02, 1), segments)
@@ -81,7 +81,7 @@ PairCase<double> at_random(Random& random) {
   return pair;
 }
 
-/// The centroids near each other or in one place.
+/// The centroids are near each other or coincide.
 PairCase<double> deep(Random& random) {
   PairCase<double> pair{any_hull(random), {}, any_hull(random), {}};
   pair.pose_b.rotation = random.rotation();
@@ -172,7 +172,7 @@ TEST(FaceBounds, AFaceIsMeasuredAsTheFaceQueryDoes) {
     SCOPED_TRACE(vertices);
     const Hull<float> a = hull_cast<float>(test::random_hull(random, 20, 0.5, 1));
     const Hull<float> b = hull_cast<float>(test::random_hull(random, vertices, 0.5, 1));
-    // So far away that the padding of the lanes, if it were a vertex, would be the deepest somewhere.
+    // So far away that the lanes' padding would be the deepest vertex somewhere, if it were one.
     const Pose<float> b_in_a{random.rotation().cast<float>(), Vec3f(0.3f, 4, -3)};
     const HullPair<float> pair(a, b, b_in_a);
     FaceSeparations<float> faces(pair.a);
@@ -184,7 +184,7 @@ TEST(FaceBounds, AFaceIsMeasuredAsTheFaceQueryDoes) {
   }
 }
 
-/// What they are for: hulls of 32 vertices have 90 edges.
+/// The purpose of the bounds: hulls of 32 vertices have 90 edges.
 TEST(FaceBounds, LeaveOutMostFacesAndEdgesOfHullsThatTouch) {
   Random random(3204);
   int edges_left = 0, given_up = 0;

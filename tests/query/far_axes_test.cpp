@@ -15,8 +15,7 @@ namespace {
 using test::PairCase;
 using test::Random;
 
-/// The largest separation of far axes by their definition: face normals, and many directions along
-/// every arc of A, each measured by all vertices.
+/// The largest separation of far axes by definition: face normals, and many directions on A's arcs.
 double sampled_far_separation(const PairCase<double>& pair, const Pose<double>& b_in_a,
                               const Vec3d& normal, double cosine) {
   double largest = -std::numeric_limits<double>::infinity();
@@ -61,7 +60,7 @@ TEST(FarAxes, SlowNoFarDirectionOfAnArcHasALargerSeparationThanTheBoundNorIsTheB
       if (bound == std::numeric_limits<double>::infinity()) continue;
       ++bounded;
       tight += bound <= 0.9 * far;
-      // A floor saves work and nothing else.
+      // A floor only saves work.
       const double floor = 0.5 * bound;
       EXPECT_EQ(far_separation(placed, faces_a, faces_b, normal, cosine, floor), floor);
       const double below = bound - 0.1 * placed.min_radius;
@@ -74,14 +73,14 @@ TEST(FarAxes, SlowNoFarDirectionOfAnArcHasALargerSeparationThanTheBoundNorIsTheB
 }
 
 TEST(FarAxes, TheSideOfABoxIsFarFromItsTopAndItsOwnDepthIsTheBound) {
-  // B stands on A's top by 0.01 and reaches over the side by all but 0.2.
+  // B overlaps A's top by 0.01 and A's side by 0.2.
   const Hull<double> cube = make_box(Vec3d(0.5, 0.5, 0.5));
   const HullPair<double> pair(cube, cube, {Quatd::Identity(), Vec3d(0.8, 0.99, 0)});
   FaceSeparations<double> faces_a(pair.a), faces_b(pair.b);
   sat(pair, 0.0, Preference::Relative, faces_a, faces_b);
   const double lowest = -std::numeric_limits<double>::infinity();
-  // Along the arc from top (0.01 deep) to side (0.2 deep) it is the near border that is least deep,
-  // the direction (0.6, 0.8, 0): 0.8 * 0.01 + 0.6 * 0.2.
+  // Along the arc from top (0.01 deep) to side (0.2 deep), the near border is the least deep: the
+  // direction (0.6, 0.8, 0), with 0.8 * 0.01 + 0.6 * 0.2.
   EXPECT_NEAR(far_separation(pair, faces_a, faces_b, Vec3d(0, 1, 0), 0.8, lowest), -0.128, 1e-12);
   EXPECT_NEAR(far_separation(pair, faces_a, faces_b, Vec3d(0, 1, 0), 0.8, -0.02), -0.02, 1e-12);
 }

@@ -12,7 +12,7 @@
 #include "support/brute_force_sat.h"
 #include "support/builders.h"
 
-/// Flat hulls against solid ones and against each other, by every query, held against exhaustion.
+/// Flat hulls against solid ones and against each other in every query, compared with exhaustion.
 namespace contactscope {
 namespace {
 
@@ -31,8 +31,7 @@ Hull<double> random_polygon(Random& random, int corners, double size) {
   return build_hull(points, {.allow_flat = true});
 }
 
-/// B's normal turned onto A's and B moved into A's plane: nearly parallel, or as parallel as
-/// rotations are.
+/// Turns B's normal onto A's and moves B into A's plane; at best as parallel as rotations can be.
 void make_parallel(Random& random, PairCase<double>& pair) {
   const Vec3d normal_a = pair.pose_a.rotate(pair.a.planes[0].normal);
   const Vec3d normal_b = pair.pose_b.rotate(pair.b.planes[0].normal);
@@ -44,7 +43,7 @@ void make_parallel(Random& random, PairCase<double>& pair) {
   pair.pose_b.position -= normal_a.dot(between) * normal_a;
 }
 
-/// One flat hull at least, as A or as B; many overlap.
+/// At least one hull is flat, A or B; many pairs overlap.
 PairCase<double> random_flat_pair(Random& random, int index) {
   const Hull<double> flat = random_polygon(random, 3 + random.index(6), 1);
   const bool both = index % 3 == 2;
@@ -59,8 +58,7 @@ PairCase<double> random_flat_pair(Random& random, int index) {
   return index % 4 < 2 ? pair : test::swapped(pair);
 }
 
-/// The largest separation along the directions in a flat hull's plane that point away from its
-/// edges; `of_b`: of b.
+/// The largest separation along outward directions of edges in a flat hull's plane; of B if `of_b`.
 double separation_by_sides(const PairCase<double>& pair, bool of_b) {
   const Hull<double>& hull = of_b ? pair.b : pair.a;
   const Pose<double>& pose = of_b ? pair.pose_b : pair.pose_a;
@@ -158,7 +156,7 @@ TYPED_TEST(FlatHulls, AreAsDeepByEveryMethodAsExhaustionFinds) {
       const bool is_exact =
           method == PenetrationMethod::Sat ||
           (method == PenetrationMethod::Epa && found.status == PenetrationStatus::Converged);
-      if (!is_exact) continue;  // a way out, and not the shortest one
+      if (!is_exact) continue;  // separates them, but not by the shortest translation
       converged += method == PenetrationMethod::Epa ? 1 : 0;
       ASSERT_LE(found.depth, -truth + rounding);
     }
@@ -186,8 +184,8 @@ TYPED_TEST(FlatHulls, SideBySideOnOnePlaneAreApart) {
   }
 }
 
-// Along a side of either one, by the direction in which the other is: the normal points from A to B, and
-// both lie on their own side of the gap along it.
+// Each separates along a side of either hull in the direction of the other: the normal points from
+// A to B, and the hulls lie on different sides.
 TYPED_TEST(FlatHulls, SideBySideOnOnePlaneHaveANormalThatPartsThem) {
   using S = TypeParam;
   const auto flat = [](const std::vector<Vec3d>& corners) {
@@ -209,7 +207,7 @@ TYPED_TEST(FlatHulls, SideBySideOnOnePlaneHaveANormalThatPartsThem) {
     const auto gap = [&](const EdgeQuery<S>& found) {
       return gap_along(found.normal.template cast<double>());
     };
-    // The largest gap along the directions away from the edges of one.
+    // The largest separation along the directions away from the edges of one hull.
     const auto gap_beside = [&](const Hull<double>& hull, const Pose<double>& pose, double to_b) {
       double most = -std::numeric_limits<double>::infinity();
       for (int edge = 0; edge < 2 * hull.edge_count(); ++edge) {
@@ -253,8 +251,8 @@ TYPED_TEST(FlatHulls, LieOnABoxWithAllCorners) {
   const Hull<double> plate =
       build_hull(std::vector<Vec3d>{{-0.3, 0, -0.2}, {0.3, 0, -0.2}, {0.3, 0, 0.2}, {-0.3, 0, 0.2}},
                  {.allow_flat = true});
-  // Above the middle of the plate is the box's inside on one side and the air on the other: whichever
-  // side is nearer, the plate is pushed out through the top.
+  // Below the middle of the plate is the box's inside, above it is air. The plate is pushed out
+  // through the top, whichever of its sides is nearer.
   const PairCase<double> on_top{plate, test::at(0, 0.49, 0), test::cube(0.5), test::at(0, 0, 0)};
   for (const PairCase<double>& pair : {on_top, test::swapped(on_top)}) {
     const Manifold<S> manifold = test::collide(pair.template cast<S>());

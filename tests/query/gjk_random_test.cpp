@@ -10,7 +10,7 @@
 #include "support/brute_force_distance.h"
 #include "support/random_geometry.h"
 
-/// GJK against exhaustion, over sizes, proportions, gaps and places in the world.
+/// GJK compared with exhaustion, over sizes, proportions, separations and places in the world.
 namespace contactscope {
 namespace {
 
@@ -52,7 +52,7 @@ struct ShapePair {
 
   Pose<S> b_in_a() const { return relative_pose(pose_a, pose_b); }
   GjkResult<S> distance() const { return gjk(a.set(), b.set(), b_in_a()); }
-  /// What rounding is relative to, metres: reach of both, and all the ways of the poses.
+  /// The length that rounding is relative to, metres: reach of both, plus all offsets of the poses.
   double scale() const {
     return static_cast<double>(reach_of(a.set()) + reach_of(b.set()) + pose_a.position.norm() +
                                pose_b.position.norm());
@@ -60,7 +60,7 @@ struct ShapePair {
 };
 
 Shape<double> random_shape(Random& random, double size) {
-  // A quarter are needles or plates, up to the flattest that the hull builder takes.
+  // A quarter are needles or plates, up to the flattest that the hull builder accepts.
   const double aspect = random.chance(0.25) ? random.decade(1, 5) : 1;
   switch (random.index(6)) {
     case 0: {
@@ -87,7 +87,7 @@ Vec3d farthest(const Shape<double>& shape, const Vec3d& direction) {
       [&](const Vec3d& p, const Vec3d& q) { return direction.dot(p) < direction.dot(q); });
 }
 
-/// B's farthest point near A's, along a random direction or the normal of a face of A.
+/// B's farthest point is near A's, along a random direction or the normal of a face of A.
 ShapePair<double> random_pair(Random& random, double largest_ratio, double farthest_out) {
   ShapePair<double> pair;
   const double size_a = random.decade(-4, 4);
@@ -130,15 +130,15 @@ ShapePair<S> rounded(const ShapePair<double>& pair) {
   return {pair.a.cast<S>(), pair.b.cast<S>(), pair.pose_a.cast<S>(), pair.pose_b.cast<S>()};
 }
 
-/// Shapes that seem nearer than four ulps are Touching; what says so is one or two roundings off.
-/// Between both closest points, each with its own roundings, it is twice as much.
+/// Shapes closer than four ulps are Touching; the decision itself is off by one or two roundings.
+/// The distance between both closest points, each with its own roundings, is off by twice as much.
 constexpr double kFewUlps = 6;
 
 struct Sweep {
   double worst_distance = 0;     // all in ulps of the pair's scale
-  double worst_point = 0;        // a closest point off its shape
-  double worst_certificate = 0;  // how much less than the distance the normal keeps them apart
-  double worst_gap = 0;          // the closest points' distance from each other against `distance`
+  double worst_point = 0;        // distance of a closest point from its shape
+  double worst_certificate = 0;  // distance minus the separation along the normal
+  double worst_gap = 0;          // difference of the closest points' distance and `distance`
   int separated = 0, touching = 0, overlap = 0;
   int most_iterations = 0;
 };
@@ -148,7 +148,7 @@ double off(const Shape<double>& shape, const Vec3d& point) {
       brute_force_distance(shape.features({}), test::features_of_point(point, {})).distance);
 }
 
-/// The gap between the projections of both shapes on the normal.
+/// Separation of the projections of both shapes on the normal.
 template <class S>
 double gap_along(const ShapePair<S>& pair, const Vec3d& normal) {
   const Pose<double> b_in_a = pair.b_in_a().template cast<double>();
@@ -250,7 +250,7 @@ TYPED_TEST(GjkRandom, EarlierSimplexChangesTheResultByRoundingOnly) {
   for (int i = 0; i < 2000; ++i) {
     const ShapePair<S> pair = rounded<S>(random_pair(random, 10, 0));
     const GjkResult<S> cold = pair.distance();
-    // As after a small motion, or by mistake from quite another place.
+    // From before a small motion, or wrongly from a very different pose.
     ShapePair<S> earlier = pair;
     const double motion = i % 4 == 0 ? 1 : random.decade(-6, -2);
     const Vec3d way = motion * pair.scale() * random.unit_vector();

@@ -15,14 +15,14 @@
 #include "support/cases.h"
 #include "support/random_geometry.h"
 
-/// How GJK ends: apart, overlapping, or on the border between the two and then by no more than
-/// rounding. Judged by the separating axis test by exhaustion, in double.
+/// Final status of GJK: separated, overlapping, or on the border between the two, and then by no
+/// more than rounding. Compared with the separating axis test by exhaustion, in double.
 namespace contactscope {
 namespace {
 
 using test::Random;
 
-/// A polygon's prism along z.
+/// A prism of a polygon along z.
 Hull<double> prism(const std::vector<Vec2d>& corners, double half_height) {
   std::vector<Vec3d> points;
   for (const double z : {-half_height, half_height})
@@ -46,8 +46,8 @@ struct HullPairInA {
   Pose<double> b_in_a;
 };
 
-/// What planes of symmetry do to GJK: prisms that are seen along their edges and boxes side by side,
-/// whose simplex lies in a plane through the origin, or on a line; beside them any hulls.
+/// Planes of symmetry in GJK: prisms seen along their edges and boxes side by side, whose simplex
+/// lies in a plane through the origin or on a line. Other hulls serve as a control.
 HullPairInA symmetric_pair(Random& random) {
   const double size = random.decade(-4, 4), other = size * random.decade(-1, 1);
   const int kind = random.index(4);
@@ -66,10 +66,10 @@ HullPairInA symmetric_pair(Random& random) {
   } else {
     pair.b_in_a.rotation = random.rotation();
   }
-  // Deep, hardly, not and far from it.
+  // Deep, barely overlapping, barely separated and far.
   const double depths[] = {0.2, 0.9, 0.999, 0.99999, 1, 1.00001, 1.001, 1.3};
   const double separation =
-      test::separation_along(way, pair.a, {}, pair.b, pair.b_in_a);  // with the middles together
+      test::separation_along(way, pair.a, {}, pair.b, pair.b_in_a);  // with coincident origins
   pair.b_in_a.position = -separation * depths[random.index(8)] * way;
   return pair;
 }

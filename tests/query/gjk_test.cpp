@@ -32,7 +32,7 @@ GjkResult<S> distance_to_point(const Hull<S>& a, const Vec3d& point) {
   return gjk(support_set(a), support_set(centre), at(point.x(), point.y(), point.z()).cast<S>());
 }
 
-/// How many different points of one shape a simplex has.
+/// Number of distinct points of one shape in a simplex.
 template <class S>
 std::size_t distinct(const GjkSimplex<S>& simplex, int GjkVertex<S>::*index) {
   std::set<int> points;
@@ -117,7 +117,7 @@ TYPED_TEST(Gjk, PointInsideACubeOverlapsWithACommonPoint) {
 
 TYPED_TEST(Gjk, PointInTheMiddleOfACubeIsNotSeparated) {
   using S = TypeParam;
-  // On diagonals and faces of many simplices: either answer says that it is inside.
+  // On diagonals and faces of many simplices: either status means that the point is inside.
   const GjkResult<S> result = distance_to_point(box<S>(1, 1, 1), {0, 0, 0});
   EXPECT_TRUE(result.status == GjkStatus::Overlap || result.status == GjkStatus::Touching);
   EXPECT_LE(result.distance, S(4 * this->kUlp));
@@ -150,7 +150,7 @@ TYPED_TEST(Gjk, CubesThatOverlapAreNeverSeparated) {
   const Hull<S> cube = box<S>(0.5, 0.5, 0.5);
   test::Random random(5);
   for (int i = 0; i < 500; ++i) {
-    // From a share of the side in common to coincidence, level or turned.
+    // From a small fraction of the side in common to coincidence, level or turned.
     const double shift = 1 - random.decade(-5, 0);
     Pose<double> pose = at(0, shift, 0);
     if (i % 2 == 0) pose.rotation = test::about(Vec3d::UnitY(), random.decade(-9, 0));
@@ -166,7 +166,7 @@ TYPED_TEST(Gjk, NearlyParallelFacesKeepGapAndNormal) {
   const Hull<S> cube = box<S>(0.25, 0.25, 0.25);
   for (double tilt = 1e-12; tilt < 0.2; tilt *= 10) {
     Pose<double> pose{test::about(Vec3d(1, 0, 0.3), tilt), {0.1, 0, 0.2}};
-    // The lowest corner of the cube stands 1 mm above the table.
+    // The lowest corner of the cube is 1 mm above the table.
     double lowest = 0;
     for (const Vec3<S>& vertex : cube.vertices) {
       lowest = std::min(lowest, pose.rotate(vertex.template cast<double>()).y());
@@ -175,7 +175,7 @@ TYPED_TEST(Gjk, NearlyParallelFacesKeepGapAndNormal) {
     const GjkResult<S> result = distance(table, cube, pose);
     EXPECT_EQ(result.status, GjkStatus::Separated);
     EXPECT_NEAR(static_cast<double>(result.distance), 1e-3, 8 * this->kUlp) << tilt;
-    // Faces that are parallel but for rounding have two normals.
+    // Faces that are parallel up to rounding have two normals.
     this->expect_near(result.normal, {0, 1, 0}, 20 * this->kUlp);
   }
 }
@@ -239,7 +239,7 @@ TYPED_TEST(Gjk, SegmentOfLengthZeroIsAPoint) {
   EXPECT_EQ(result.distance, S(2));
 }
 
-/// Above a face the normal is the triangle's, exact although the gap is a hundred roundings only.
+/// Above a face the normal is the triangle's, exact even at a separation of a hundred roundings.
 TYPED_TEST(Gjk, NormalOfASmallGapIsThatOfTheFace) {
   using S = TypeParam;
   test::Random random(7);
@@ -256,7 +256,7 @@ TYPED_TEST(Gjk, NormalOfASmallGapIsThatOfTheFace) {
     const GjkResult<S> result =
         distance_to_point(hull_cast<S>(exact), middle + 100 * this->kUlp * normal);
     ASSERT_EQ(result.status, GjkStatus::Separated);
-    // Small triangles on the sphere know theirs less well.
+    // The normals of small triangles on the sphere are less exact.
     this->expect_near(result.normal, normal, 1000 * this->kUlp);
   }
 }

@@ -93,7 +93,7 @@ TEST(MeshOverlap, CubesFaceToFaceShareAreas) {
     areas += pair.overlap.kind == Coplanar ? 1 : 0;
   }
   EXPECT_GE(areas, 2);
-  // One last bit apart.
+  // Separated by one last bit.
   const double bit = 0x1p-51;
   EXPECT_FALSE(
       mesh_overlap(mesh, mesh, {Quatd::Identity(), Vec3d(2 + bit, 0.5, 0.25)}).overlapping());
@@ -117,13 +117,13 @@ TEST(MeshOverlap, TheRecordTellsEveryNodePairOnce) {
   EXPECT_EQ(watched.counts.node_pairs, unwatched.counts.node_pairs);
   ASSERT_FALSE(visits.empty());
   EXPECT_EQ(visits.front(), (NodePairVisit{0, 0, true}));
-  // Each follows from one that overlaps: it has a parent among those before it.
+  // Each has a parent among the earlier ones that overlap.
   std::int64_t leaves = 0;
   for (std::size_t i = 1; i < visits.size(); ++i) {
     bool has_parent = false;
     for (std::size_t k = 0; k < i && !has_parent; ++k) {
       const NodePairVisit& parent = visits[k];
-      // A leaf stands for itself.
+      // A leaf is its own only child.
       const auto below = [](const AabbTree<double>& tree, int from, int to) {
         if (at(tree.nodes, from).leaf()) return to == from;
         return to == from + 1 || to == tree.right_of(from);
@@ -141,7 +141,7 @@ TEST(MeshOverlap, TheRecordTellsEveryNodePairOnce) {
   EXPECT_EQ(leaves, watched.counts.leaf_pairs);
 }
 
-/// What a call with a front found must be what one without finds, whatever the front was.
+/// The result with any front must equal the result without one.
 template <class S>
 std::size_t expect_same_with_front(const Mesh<S>& a, const Mesh<S>& b, const Pose<S>& b_in_a,
                                    MeshFront& front) {
@@ -161,8 +161,8 @@ std::size_t expect_same_with_front(const Mesh<S>& a, const Mesh<S>& b, const Pos
   return from_roots.intersections.size();
 }
 
-/// Two meshes of this size that move a little, far, change their form, and get new trees, frame by
-/// frame as chance has it, with one front all the time. Returns how many frames they crossed in.
+/// Two meshes of this size that randomly move, jump, deform and get new trees from frame to frame,
+/// with one front throughout. Returns the number of frames in which they crossed.
 template <class S>
 int expect_same_through_changes(double size, int seed, int frames) {
   Random random(static_cast<unsigned>(seed));
@@ -214,14 +214,14 @@ TEST(MeshFront, IsThatOfANewTraversalOnceThingsHaveComeToRest) {
   for (int frame = 0; frame <= 40; ++frame)
     mesh_overlap(a, b, beside(0.04F * static_cast<float>(frame)), nullptr, &front);
   const std::size_t passed = front.pairs.size();
-  // All have their turn in eight frames, and one of two levels may have it before the other.
+  // Each node gets a turn in eight frames, and one of two levels may get it before the other.
   for (int frame = 0; frame < 200; ++frame) mesh_overlap(a, b, beside(1.6F), nullptr, &front);
   MeshFront fresh;
   const MeshOverlap<float> first = mesh_overlap(a, b, beside(1.6F), nullptr, &fresh);
   EXPECT_GT(passed, fresh.pairs.size());
   EXPECT_EQ(front.pairs, fresh.pairs);
   EXPECT_GT(first.counts.leaf_pairs, 0);
-  // At rest it spares most of what is above it.
+  // At rest it saves most of the nodes above it.
   const MeshOverlap<float> rest = mesh_overlap(a, b, beside(1.6F), nullptr, &front);
   EXPECT_LT(static_cast<double>(rest.counts.node_pairs),
             0.8 * static_cast<double>(first.counts.node_pairs));
@@ -298,7 +298,7 @@ TEST(MeshQueryCost, JudgesTreesAndNotHowNearTheMeshesAre) {
   EXPECT_EQ(cost.judge(counts(6500, 1001)), AsNew);
   EXPECT_EQ(cost.judge(counts(900, 499)), Unknown) << "far apart: another base";
   EXPECT_EQ(cost.judge(counts(1171, 499)), Worse);
-  // A later query that is cheaper is the base from there on.
+  // A cheaper later query becomes the new base.
   EXPECT_EQ(cost.judge(counts(700, 480)), AsNew);
   EXPECT_EQ(cost.judge(counts(911, 480)), Worse);
   cost.begin_anew();

@@ -15,14 +15,14 @@
 #include "support/cases.h"
 #include "support/random_geometry.h"
 
-// Hulls with vertices that nearly coincide. Their edges are short, so that an error that is small beside
-// the hull turns them; an edge pair that is no support then reports too little depth.
+// Hulls with nearly coincident vertices. Their edges are short, so an error that is small compared
+// with the hull turns them; an edge pair that is no support then reports too little depth.
 namespace contactscope {
 namespace {
 
 using test::Random;
 
-/// The hull that a scenario of this scalar has.
+/// The hull that a scenario with this scalar builds.
 template <class S>
 Hull<S> hull_of(const std::vector<Vec3d>& points) {
   HullOptions options{.for_float = std::is_same_v<S, float>};
@@ -30,7 +30,7 @@ Hull<S> hull_of(const std::vector<Vec3d>& points) {
   return hull_cast<S>(build_hull(points, options));
 }
 
-/// Coordinates as this scalar has them.
+/// Coordinates rounded to this scalar.
 template <class S>
 std::vector<Vec3d> rounded(std::vector<Vec3d> points) {
   for (Vec3d& point : points) {
@@ -63,8 +63,8 @@ Depths depths_of(const std::vector<Vec3d>& a, const std::vector<Vec3d>& b,
           64 * static_cast<double>(std::numeric_limits<S>::epsilon() * pair.scale)};
 }
 
-/// Up to eight points, in a box, on a lattice or on a sphere, of 10 m, and up to three more, each
-/// beside one of them: 1e-2 to 1e-9 of 5 m away.
+/// Up to eight points in a box, on a lattice or on a sphere, of 10 m, and up to three more, each
+/// near one of them: 1e-2 to 1e-9 of 5 m away.
 std::vector<Vec3d> near_points(Random& random) {
   std::vector<Vec3d> points;
   const int style = random.index(3);

@@ -21,7 +21,7 @@ Obb<S> box_at(const Vec3d& center, const Vec3d& half, const Quatd& turn = Quatd:
   return {center.cast<S>(), turn.toRotationMatrix().cast<S>(), half.cast<S>()};
 }
 
-/// Trials of every kind of pair at every size, near the origin and 1000 times the size away.
+/// Tries every kind of pair at every size, near the origin and 1000 times the size away.
 template <class S, class Check>
 void for_random_boxes(std::uint64_t seed, int trials, const Check& check) {
   Random random(seed);
@@ -60,7 +60,7 @@ void expect_nothing_lost(int trials) {
     overlapping += gap <= 0 ? 1 : 0;
     undecided += std::abs(gap) < 128 * unit ? 1 : 0;
   });
-  // The cases are what they are meant to be: of both kinds, and many within rounding.
+  // The cases are as intended: of both kinds, and many within rounding.
   EXPECT_GT(overlapping, trials / 10);
   EXPECT_LT(overlapping, trials * 9 / 10);
   EXPECT_GT(undecided, trials / 20);
@@ -92,7 +92,7 @@ TYPED_TEST(OverlapOfBoxes, ARecordNamesEveryAxisAndChangesNoAnswer) {
         const test::QuadBox of_a(a, a.center), of_b(b, a.center);
         for (const OverlapAxis<S>& axis : record.axes) {
           if (axis.direction.isZero(0)) continue;
-          // Plain tests round by more than that where the cross product is short.
+          // Unguarded tests round by more than that if the cross product is short.
           if (test.axes == ObbAxes::Fifteen && axis.length < S(0.1)) continue;
           const Vec3d& d = axis.direction.template cast<double>();
           EXPECT_NEAR(d.norm(), 1, 1e-5);
@@ -123,7 +123,7 @@ TYPED_TEST(OverlapOfBoxes, WithinATolerance) {
       EXPECT_FALSE(within) << trial;
     }
   });
-  // Corner to corner along (1, 1, 1): apart by sqrt(3) along no axis more than 1.
+  // Corner to corner along (1, 1, 1): distance sqrt(3), but no axis separates by more than 1.
   const Obb<S> a = box_at<S>({0, 0, 0}, {1, 1, 1}), b = box_at<S>({3, 3, 3}, {1, 1, 1});
   EXPECT_TRUE(overlaps(a, b, Comparison<S>::within(S(1.001))));
   EXPECT_FALSE(overlaps(a, b, Comparison<S>::within(S(0.999))));
@@ -206,11 +206,11 @@ TYPED_TEST(OverlapOfBoxes, EmptyOnesAndWhatIsNotANumberOverlapNothing) {
   }
 }
 
-/// Pairs of which a tenth are parallel, by a test that skips up to `skip_up_to`.
+/// Wrong answers over pairs, a tenth of them parallel, by a test that skips up to `skip_up_to`.
 struct Wrong {
-  int missed = 0;  // overlap, and are called apart
+  int missed = 0;  // overlap, but are reported as separated
   double deepest_miss = 0;
-  int passed = 0;  // are apart, and called overlapping
+  int passed = 0;  // are separated, but reported as overlapping
 };
 
 Wrong wrong_answers(const ObbTest<float>& test, int pairs) {
@@ -255,7 +255,7 @@ TEST(OverlapOfParallelBoxes, SlowAThresholdOfZeroMissesDeepOverlapsAndTheGuardNo
 }
 
 TEST(OverlapOfNearlyParallelBoxes, SkippingCallsOverlappingWhatOnlyAShortCrossProductKeepsApart) {
-  // Two sticks of length 2, an edge down on an edge up, crossing at an angle of 0.01, 1 mm apart.
+  // Two sticks of length 2, an edge down over an edge up, crossing at 0.01 rad, separated by 1 mm.
   const Quatd edge_up(Eigen::AngleAxisd(0.7853981633974483, Vec3d::UnitX()));
   const Quatd across(Eigen::AngleAxisd(0.01, Vec3d::UnitY()));
   const Vec3d half(1, 0.1, 0.1);

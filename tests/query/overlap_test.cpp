@@ -26,7 +26,7 @@ Aabb<S> cube_at(double x, double y, double z, double half) {
   return {Vec3d(middle - reach).cast<S>(), Vec3d(middle + reach).cast<S>()};
 }
 
-/// Answers inclusive, exclusive and within 0.25 of it.
+/// Results of the inclusive and exclusive tests and of the one within 0.25.
 template <class S, class A, class B>
 std::array<bool, 3> answers(const A& a, const B& b) {
   return {overlaps(a, b, Comparison<S>::inclusive()), overlaps(a, b, Comparison<S>::exclusive()),
@@ -84,7 +84,7 @@ TYPED_TEST(Overlap, AabbsCompareTheirCoordinatesExactly) {
   }
 }
 
-/// Least distance of a point from a box that is not turned, in long double, from its nearest point.
+/// Distance of a point from an axis-aligned box, in long double, from its nearest point.
 long double distance_from(const Vec3<long double>& half, const Vec3<long double>& point) {
   const Vec3<long double> nearest = point.cwiseMin(half).cwiseMax(Vec3<long double>(-half));
   return (point - nearest).norm();
@@ -105,7 +105,7 @@ TYPED_TEST(Overlap, OfBoxAndSphereIsTheirDistanceUnderRigidMotions) {
     BoundingSphere<S> sphere;
     const Vec3d way = random.uniform(0, 2.5) * size * random.unit_vector();
     sphere.center = (pose.position + way).cast<S>();
-    // As the numbers are: in the frame that the columns span.
+    // In the frame that the columns span, with the numbers as they are.
     const Mat3<long double> axes = box.axes.template cast<long double>();
     const Vec3<long double> out =
         sphere.center.template cast<long double>() - box.center.template cast<long double>();

@@ -10,9 +10,9 @@
 #include "support/brute_force_sat.h"
 #include "support/builders.h"
 
-/// Depth and normal of every method against all axes by brute force, over pairs of all kinds that are
-/// hard on one or another: ten thousand that overlap in double, half as many in float, and those drawn
-/// between them that touch or are apart.
+/// Depth and normal of every method compared with all axes by brute force, over pairs of all kinds
+/// that are hard for some method: ten thousand that overlap in double, half as many in float, and
+/// the pairs drawn between them that touch or are separated.
 namespace contactscope {
 namespace {
 
@@ -33,8 +33,7 @@ PairCase<double> boxes_in_a_grid(Random& random) {
           test::at(step(5), step(5), step(5))};
 }
 
-/// One tetrahedron and a copy, moved along its edges by quarters: faces in one plane, edges in one
-/// line, vertices on each other.
+/// A tetrahedron and a copy moved by quarters of an edge: coplanar, collinear, coincident features.
 PairCase<double> coplanar_simplices(Random& random) {
   const Vec3d points[] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   const Hull<double> simplex = build_hull(points);
@@ -44,7 +43,7 @@ PairCase<double> coplanar_simplices(Random& random) {
   return pair;
 }
 
-/// A thousand times as long as thin, through or on a plate as thin, turned at random or level.
+/// A needle a thousand times as long as thin, through or on an equally thin plate, level or turned.
 PairCase<double> needle_and_plate(Random& random) {
   const double thin = random.decade(-4, -2);
   PairCase<double> pair{make_box(Vec3d(1, 1, thin)), Pose<double>(), make_box(Vec3d(1, thin, thin)),
@@ -76,8 +75,8 @@ PairCase<double> hard_pair(Random& random, int index) {
 
 struct Tally {
   std::map<std::string, int> statuses;
-  double most_over = 0;   // ulps of the scale by which a depth is larger than the true one
-  double most_under = 0;  // or smaller
+  double most_over = 0;   // ulps of the scale by which a depth is too large
+  double most_under = 0;  // or too small
 
   void print(const char* method, const char* scalar) const {
     std::printf("%-8s %-6s", method, scalar);
@@ -117,7 +116,7 @@ TYPED_TEST(PenetrationPairs, SlowTenThousandOverlapsAgreeWithExhaustion) {
     const bool is_deep = truth<-32 * ulp, is_apart = truth> 64 * ulp;
     overlapping += is_deep ? 1 : 0;
     touching += !is_deep && !is_apart ? 1 : 0;
-    if (is_apart && i % 20 >= 10) continue;  // there are as many as overlaps
+    if (is_apart && i % 20 >= 10) continue;  // keeps their number near that of the overlaps
 
     for (const PenetrationMethod method : kMethods) {
       // As slow as all others together.
@@ -141,7 +140,7 @@ TYPED_TEST(PenetrationPairs, SlowTenThousandOverlapsAgreeWithExhaustion) {
       const double over = (depth + std::min(truth, 0.0)) / ulp;
       tally.most_over = std::max(tally.most_over, over);
       tally.most_under = std::max(tally.most_under, -over);
-      // Whatever the method, the depth is a way out, and never less than the least one.
+      // With any method, the depth separates the shapes and is never less than the least one.
       ASSERT_NEAR(found.normal.norm(), 1, 8 * std::numeric_limits<S>::epsilon());
       ASSERT_GE(over, -8);
       const double along = test::separation_along(found.normal.template cast<double>(), exact.a,
@@ -171,10 +170,10 @@ TYPED_TEST(PenetrationPairs, SlowTenThousandOverlapsAgreeWithExhaustion) {
   }
   EXPECT_GT(touching, kOverlaps / 20);
   EXPECT_GT(concluded, kOverlaps / 4);
-  // The search about the best direction zigzags along some ridges until its cap.
+  // The search about the best direction zigzags along some ridges until its limit.
   EXPECT_GT(tallies[static_cast<int>(PenetrationMethod::Sampling)].statuses["out_of_iterations"],
             0);
-  // Of those that overlap EPA may stall in one of a thousand.
+  // EPA may stall in one of a thousand overlapping pairs.
   const Tally& epa = tallies[static_cast<int>(PenetrationMethod::Epa)];
   EXPECT_GT(epa.statuses.at("converged"), overlapping * 999 / 1000);
 }

@@ -45,7 +45,7 @@ TYPED_TEST(Penetration, OfStackedCubesIsUpAndTheOverlapFromATenthOfAMillimetreTo
       SCOPED_TRACE(std::string(to_string(method)) + " at " + std::to_string(size));
       const PenetrationResult<S> found = penetration_of(method, pair.cast<S>());
       ASSERT_EQ(found.status, PenetrationStatus::Converged);
-      // Sampling comes near by halving angles; its depth is first order in the angle.
+      // Sampling approaches the result by halving angles; its depth is first order in the angle.
       const bool exact = method != PenetrationMethod::Sampling;
       const double tolerance = exact ? 32 * std::numeric_limits<S>::epsilon() : 2e-3;
       EXPECT_NEAR(static_cast<double>(found.depth) / size, 0.05, tolerance);
@@ -73,7 +73,7 @@ TYPED_TEST(Penetration, OfCoresThatAreApartIsNamedSo) {
   for (const double gap : {1e-3, 0.1, 10.0}) {
     const PairCase<S> pair = test::stacked_cubes(0.3, -gap).cast<S>();
     for (const PenetrationMethod method : kEveryMethod) {
-      // 256 directions are 0.17 rad apart: a gap much narrower than that is not seen.
+      // 256 directions are 0.17 rad from each other; a narrower cone of separating axes is missed.
       if (method == PenetrationMethod::Sampling && gap < 0.5) continue;
       EXPECT_EQ(penetration_of(method, pair).status, PenetrationStatus::Separated)
           << to_string(method) << " " << gap;
@@ -143,7 +143,7 @@ TYPED_TEST(Penetration, OfPointsAndSegmentsInABoxIsTheWayToTheNearestFace) {
           penetration<S>(method, support_set(box), support_set(point), Pose<S>());
       EXPECT_NEAR(of_point.depth, 0.25, tolerance);
       EXPECT_NEAR(of_point.normal.x(), 1, tolerance);
-      // The other way round, from a frame somewhere else: what was B's is A's.
+      // Swapped, and from a frame somewhere else: B's values become A's.
       Vec3<S> moved[2];
       for (int k = 0; k < 2; ++k) moved[k] = pose.transform(ends[k]);
       const PenetrationResult<S> of_segment =
@@ -218,7 +218,7 @@ TEST(Epa, ItsPolytopesAreClosedConvexAroundTheOriginAndGrow) {
         };
         const Vec3d side1 = point(v) - point(u), side2 = point(w) - point(u);
         const Vec3d cross = side1.cross(side2);
-        // Thin faces are uncertain by rounding over their thickness.
+        // Thin faces are uncertain by rounding divided by their thickness.
         if (cross.norm() < 1e-3 * side1.norm() * side2.norm()) continue;
         ASSERT_GE(cross.normalized().dot(point(u)), -1e3 * tolerance) << i;
         for (std::size_t k = 0; k < step.vertices.size(); ++k) {
@@ -235,8 +235,8 @@ TEST(Epa, ItsPolytopesAreClosedConvexAroundTheOriginAndGrow) {
   EXPECT_GT(seen, 500);
 }
 
-// Two level boxes have a difference of which each side is a rectangle of many corners: what lies on a
-// side is replaced with it, and not left beside triangles as thin as rounding.
+// The difference of two level boxes has rectangular sides with many corners. Triangles on a side
+// are replaced together with it, or triangles as thin as rounding would remain.
 TEST(Epa, FacesOnOnePlaneAreReplacedTogether) {
   Random random(23);
   int steps_seen = 0;
@@ -289,8 +289,8 @@ TEST(Epa, TakesTheSimplexOfAnotherPlaceForAHintOnly) {
   EXPECT_GT(stale, 50);
 }
 
-/// Two balls of a thousand vertices, one in the middle of the other: every direction is nearly as
-/// good, so that both bounds meet only when all faces that matter have been found.
+/// Two balls of a thousand vertices, one in the middle of the other. Every direction is nearly as
+/// good, so both bounds meet only after all relevant faces have been found.
 PairCase<double> balls_in_each_other() {
   Random random(23);
   std::vector<Vec3d> points;
@@ -361,8 +361,7 @@ TEST(Sampling, NoDirectionIsFartherFromASampleThanItSays) {
       directions.push_back(spread.next());
       ASSERT_NEAR(directions.back().norm(), 1, 1e-14);
     }
-    // Of the hull of points on the sphere, the face nearest to the centre is about the largest cap
-    // without a point.
+    // The hull's face nearest to the centre is at the largest cap without a point.
     const Hull<double> hull = build_hull(directions);
     double nearest = 1;
     for (const Plane<double>& plane : hull.planes) nearest = std::min(nearest, plane.offset);

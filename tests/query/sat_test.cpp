@@ -58,7 +58,7 @@ TYPED_TEST(Sat, CrossedEdgesGiveAnEdgeAxis) {
 
 TYPED_TEST(Sat, StopsAtTheFirstQueryThatSeparates) {
   using S = TypeParam;
-  // Beside a face of A; beside a face of B only; beside neither but across edges.
+  // Separated by a face of A; by a face of B only; by neither but by edges.
   const PairCase<double> face_a{cube(0.5), at(0, 0, 0), cube(0.5), at(0, 1.1, 0)};
   const SatResult<S> by_a = sat_of(face_a.cast<S>());
   EXPECT_EQ(by_a.status, SatStatus::Separated);
@@ -89,7 +89,7 @@ TYPED_TEST(Sat, MarginTurnsASmallGapIntoATouch) {
 
 TYPED_TEST(Sat, NearlyParallelEdgesNeverSeparateOverlappingBoxes) {
   using S = TypeParam;
-  // Edge on edge, lengthwise: the cross product of the two long edges is all but rounding.
+  // Edge on edge, lengthwise: the cross product of the two long edges is mostly rounding.
   for (double decade = -12; decade <= -1; decade += 0.25) {
     for (const double aspect : {1.0, 30.0}) {
       PairCase<double> pair{make_box(Vec3d(0.5, 0.5, 0.5 * aspect)), at(0, 0, 0),
@@ -110,7 +110,7 @@ TYPED_TEST(Sat, NearlyParallelEdgesNeverSeparateOverlappingBoxes) {
 
 TYPED_TEST(Sat, ExactTiesKeepTheEarlierFaceWhereverThePairStands) {
   using S = TypeParam;
-  // A cube in the middle of a cube: all six faces tie, in both queries, and quarter turns round.
+  // A cube in the middle of a cube: all six faces tie in both queries, also after quarter turns.
   test::Random random(1597);
   for (int i = 0; i < 200; ++i) {
     const Quatd turn = about(Vec3d::UnitX(), 90 * kDegree * random.index(4)) *
@@ -126,7 +126,7 @@ TYPED_TEST(Sat, ExactTiesKeepTheEarlierFaceWhereverThePairStands) {
 
 TYPED_TEST(Sat, PreferenceTakesAFaceThatIsLittleDeeperThanAnEdge) {
   using S = TypeParam;
-  // Tilted about its lower edge until the edge pair is the least overlap, but only just.
+  // Tilted about its lower edge until the edge pair barely has the least overlap.
   bool differed = false;
   for (double tilt = 0.1; tilt < 8; tilt += 0.1) {
     PairCase<double> pair = test::stacked_cubes(30 * kDegree, 0.02);
@@ -145,8 +145,8 @@ TYPED_TEST(Sat, PreferenceTakesAFaceThatIsLittleDeeperThanAnEdge) {
 
 TYPED_TEST(Sat, PreferenceTakesAFaceOfTheSecondHullWhereNoneOfTheFirstIsNearTheEdge) {
   using S = TypeParam;
-  // A small cube, tilted a little, on the edge of another one: its level face is nearly as deep as the
-  // two edges, and the faces of the first are at 45 degrees.
+  // A small cube, slightly tilted, on the edge of another one. Its level face is nearly as deep as
+  // the two edges, and the faces of the first cube are at 45 degrees.
   int of_second = 0;
   for (double tilt = 0.01; tilt < 0.06; tilt += 0.01) {
     PairCase<double> pair{cube(0.5), at(0, 0, 0), cube(0.3), at(0, 0.5 * std::sqrt(2) + 0.29, 0)};

@@ -20,7 +20,7 @@ NearestOnSimplex<double> nearest(const Points& points, int count, double scale =
   return result;
 }
 
-/// The weights and the kept points make the nearest point.
+/// The weights and the kept points reproduce the nearest point.
 void expect_consistent(const Points& points, const NearestOnSimplex<double>& result) {
   Vec3d sum = Vec3d::Zero();
   double weights = 0;
@@ -72,7 +72,7 @@ TEST(Simplex, WeightsInsideATetrahedronMakeTheOrigin) {
   EXPECT_GT(inside, 100);  // an eighth of them
 }
 
-/// Every face has one of the points: with each of them as the last, all faces are looked at.
+/// Puts each point last in turn. Every face contains one of the points, so all faces are examined.
 double distance_with_any_last(const Points& points, int count) {
   double squared = std::numeric_limits<double>::infinity();
   for (int last = 0; last < count; ++last) {

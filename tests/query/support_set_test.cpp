@@ -17,8 +17,7 @@ class Support : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(Support, Scalars);
 
-/// Hulls of every remainder of the lane width, with the origin inside of them and far outside,
-/// where the lanes' padding with zeros would win.
+/// Every remainder of the lane width; origins inside and far outside, where padded zeros would win.
 TYPED_TEST(Support, LanesFindAVertexAsFarAsAnyOther) {
   using S = TypeParam;
   test::Random random(32);

@@ -106,7 +106,7 @@ TEST(TriangleOverlap, OneLastBitDecides) {
   EXPECT_EQ(triangle_overlap_kind(at_one(1), above(1 - gap)), Proper);
 }
 
-/// Ends of the segment against those of the oracle, in either order.
+/// Compares the ends of the segment with the oracle's, in either order.
 void expect_near(const std::array<Vec3d, 2>& segment, const std::array<Vec3d, 2>& expected,
                  double tolerance, const std::string& where) {
   const auto apart = [&](std::size_t i, std::size_t j) {
@@ -133,7 +133,7 @@ void agrees(const TrianglePair& pair, const ExactOverlap& expected, double size,
       expected.ends(), tolerance, where);
 }
 
-/// Every way of making pairs, at every scale, with how often each kind came up.
+/// Tries all kinds of pairs at every scale. Returns the number of each kind of overlap.
 template <class S>
 std::map<TriangleOverlapKind, int> compare_with_oracle(int count) {
   constexpr bool kInFloat = std::is_same_v<S, float>;

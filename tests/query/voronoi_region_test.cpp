@@ -15,7 +15,7 @@ namespace {
 
 using test::Random;
 
-/// The region of a point outside, from the face that is farthest below it on.
+/// The region of a point outside, searched from the face that is farthest below it.
 template <class S>
 std::optional<HullFeature> region_from_face(const Hull<S>& hull, const Vec3<S>& point, S scale) {
   const int face = PointFaces<S>(hull, point).nearest(S(0));
@@ -62,7 +62,7 @@ void expect_nearest_features(std::uint64_t seed) {
         test::brute_force_distance(test::features_of_point(point.template cast<double>(), {}),
                                    test::features_of(hull_cast<double>(hull), {}))
             .distance);
-    // Faces of a hull in S are planar within rounding only.
+    // Faces of a hull in S are planar only within rounding.
     const double rounding = 64 * std::numeric_limits<S>::epsilon() * static_cast<double>(scale);
     ASSERT_NEAR(distance_to(hull, *region, point), distance, rounding) << "point " << i;
   }
@@ -93,7 +93,7 @@ TEST(VoronoiRegion, OfABoxIsBesideItsEdgesAndBeyondItsCorners) {
   EXPECT_FALSE(region_from_face(box, Vec3d(0.5, 2.2, 1), 5.0)) << "over a face";
 }
 
-/// From an edge on the far side of the same hull.
+/// The search starts from an edge on the far side of the hull.
 TEST(VoronoiRegion, IsFoundFromFarAway) {
   const Hull<double> cylinder = make_cylinder(1, 0.5, 12);
   const int bottom = at(cylinder.face_edges, 1);
@@ -111,7 +111,7 @@ TEST(VoronoiRegion, IsFoundFromFarAway) {
   EXPECT_GT(found, 0) << bottom;
 }
 
-/// Rounding decides there, and is not asked.
+/// On borders, rounding would decide, so no region is returned.
 TEST(VoronoiRegion, IsNobodysOnItsBorders) {
   const Hull<double> box = make_box(Vec3d(1, 1, 1));
   EXPECT_FALSE(region_from_face(box, Vec3d(1 + 1e-15, 1.5, 0), 2.0)) << "face and edge";

@@ -17,8 +17,8 @@ using test::built;
 using test::cube_mesh;
 using test::Random;
 
-/// Solid angles of all triangles seen from a point, over 4 pi: van Oosterom and Strackee 1983, "The
-/// Solid Angle of a Plane Triangle".
+/// Sum of the triangles' solid angles seen from a point, over 4 pi: van Oosterom and Strackee 1983,
+/// "The Solid Angle of a Plane Triangle".
 double winding_by_solid_angle(const Mesh<double>& mesh, const Vec3d& point) {
   double angle = 0;
   for (const std::array<int, 3>& triangle : mesh.triangles) {
@@ -33,7 +33,7 @@ double winding_by_solid_angle(const Mesh<double>& mesh, const Vec3d& point) {
 }
 
 TEST(Winding, RaysThroughEdgesAndVerticesCountOnce) {
-  // The ray from each of these meets the diagonal, an edge, a corner or a side of the cube.
+  // The rays from these points meet the diagonal, an edge, a corner or a side of the cube.
   const Mesh<double> cube = cube_mesh(1);
   for (const double x : {-2., -1., -0.5, 0., 0.5, 1., 2.}) {
     for (const double y : {-2., -1., -0.5, 0., 0.5, 1., 2.}) {
@@ -72,7 +72,7 @@ TEST(Winding, SlowAgreesWithSolidAngles) {
     for (int k = 0; k < 20; ++k) {
       const Vec3d point = pose.position + 1.3 * size * random.uniform(0, 1) * random.unit_vector();
       const double expected = winding_by_solid_angle(mesh, point);
-      if (std::abs(expected - std::round(expected)) > 0.01) continue;  // on the surface, nearly
+      if (std::abs(expected - std::round(expected)) > 0.01) continue;  // nearly on the surface
       const Winding winding = winding_number(mesh, point);
       ASSERT_EQ(winding.number, std::lround(expected)) << i;
       inside += winding.number != 0 ? 1 : 0;
@@ -94,7 +94,7 @@ TEST(Winding, AMeshInsideAnotherIsFound) {
 }
 
 TEST(Winding, APartAmongManyIsFound) {
-  // Two cubes in one mesh, of which the second one is inside.
+  // Two cubes in one mesh; the second one is inside.
   Mesh<double> one = cube_mesh(1);
   std::vector<Vec3d> vertices;
   std::vector<std::array<int, 3>> triangles = one.triangles;

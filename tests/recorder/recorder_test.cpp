@@ -25,7 +25,7 @@ constexpr double kUp[3] = {0, 1, 0};
 constexpr double kOrigin[3] = {0, 0, 0};
 constexpr double kNoTurn[4] = {1, 0, 0, 0};
 
-/// A file of its own that goes with the test.
+/// A file that is deleted with the test.
 class Recording : public ::testing::Test {
  protected:
   Recording()
@@ -103,7 +103,7 @@ TEST_F(Recording, OfAStepReadsBack) {
   ASSERT_EQ(trace.frames.size(), 1u);
   const trace::Frame& frame = trace.frames[0];
   EXPECT_EQ(frame.time, 0.5);
-  ASSERT_EQ(frame.poses.size(), 2u);  // the pill is not there
+  ASSERT_EQ(frame.poses.size(), 2u);  // the pill is missing
   EXPECT_EQ(frame.poses[1].second.position, Vec3d(1, 2, 3));
   EXPECT_EQ(frame.poses[1].second.rotation.coeffs(), Quatd(0.5, -0.5, 0.5, -0.5).coeffs());
   ASSERT_EQ(frame.pairs.size(), 1u);
@@ -131,7 +131,7 @@ TEST_F(Recording, OfAStepReadsBack) {
   EXPECT_EQ(frame.solver->bodies[0].velocity, Vec3d(4, 5, 6));
 }
 
-/// Every number that is written reads back to itself: of a float with 9 digits, of a double with 17.
+/// Every written number reads back to itself: a float with 9 digits, a double with 17.
 TEST_F(Recording, NumbersReadBackToTheLastBit) {
   for (const bool doubles : {false, true}) {
     cs_settings settings{};
@@ -187,7 +187,7 @@ TEST_F(Recording, NumbersReadBackToTheLastBit) {
   }
 }
 
-/// What threads write in whatever order comes to one file.
+/// Any order of threads gives the same file.
 TEST_F(Recording, DoesNotDependOnTheOrderOfThreads) {
   const auto recorded = [&](int threads, bool backwards) {
     cs_recorder* r = start();
@@ -303,7 +303,7 @@ TEST_F(Recording, PartsOfACompoundGoWithIt) {
   EXPECT_NEAR((pose.rotation * Vec3d::UnitX() + Vec3d::UnitX()).norm(), 0, 1e-7);
 }
 
-/// Parts say whose they are, and a body that is a compound has its mass under that name.
+/// Parts name their body, and a compound body has its mass under that name.
 TEST_F(Recording, PartsNameTheirBody) {
   cs_recorder* r = start();
   const int truck = cs_compound(r, "truck"), wheel = cs_sphere(r, "wheel", 0.5),
@@ -453,7 +453,7 @@ TEST_F(Recording, ARecorderOfNullDoesNothing) {
   EXPECT_FALSE(std::filesystem::exists(path_));
 }
 
-/// What does not fit together is left out: a shape that there is not, a pair of one, a point outside of a frame.
+/// Invalid data is omitted: an unknown shape, a pair with one, a point outside a frame.
 TEST_F(Recording, WhatDoesNotFitIsLeftOut) {
   cs_recorder* r = start();
   const int a = cs_sphere(r, "a", 1), b = cs_sphere(r, "b", 1);

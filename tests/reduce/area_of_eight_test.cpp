@@ -10,13 +10,13 @@
 #include "reduce/choices.h"
 #include "support/random_geometry.h"
 
-// All scores at a time choose what the reducer chooses point by point, as it does where somebody watches.
+// All scores at once select the same points as the recorded reducer, which goes one by one.
 namespace contactscope {
 namespace {
 
 using test::Random;
 
-/// Five to eight points of a kind in a plane at random, metres.
+/// Five to eight random points in a plane, in metres; `kind` selects their distribution.
 template <class S>
 std::vector<ContactPoint<S>> draw(Random& random, int kind, Vec3<S>& normal) {
   const Pose<double> pose = random.pose(random.chance(0.5) ? 1 : 1000);

@@ -56,16 +56,15 @@ TYPED_TEST(AreaReducer, KeepsTheCornersOfASquareAmongPointsInside) {
 }
 
 TYPED_TEST(AreaReducer, FollowsTheTalksOrderOfChoice) {
-  // The support point of the fixed direction (x before z) is the far right corner; the farthest
-  // from it is the left end; the largest triangle is with the point below; the last one adds the
-  // top.
+  // The support point of the fixed direction (x before z) is the far right corner. The farthest
+  // from it is the left end. The largest triangle uses the point below; last comes the top.
   const auto points = points_at<TypeParam>({{-2, 0}, {0, 0.5}, {2, 0}, {0, -1}, {0.1, 0.1}});
   EXPECT_THAT(reduced(points, 4), ElementsAre(2, 0, 3, 1));
 }
 
 TYPED_TEST(AreaReducer, AddsTheLargestAreaNotTheLargestDistance) {
   // "Maximize area, not distance": after the triangle 1 0 2, point 3 is farther from its edge (the
-  // short one, 1 2), point 4 less far from a longer one.
+  // short one, 1 2); point 4 is less far from a longer one.
   const auto points = points_at<TypeParam>({{-10, 0}, {10, 0}, {9, -4}, {11.5, -2}, {0, 1}});
   EXPECT_THAT(reduced(points, 4), ElementsAre(1, 0, 2, 4));
 }
@@ -96,8 +95,8 @@ TYPED_TEST(AreaReducer, HonoursEveryMaximum) {
   EXPECT_GT(before, 3.0);
 }
 
-// Of points on a convex polygon, in any order, a point sees one edge of those that are kept: the triangle
-// that it adds there is the area that the hull of them gains.
+// For a convex polygon in any order, a point sees one edge of the hull of the selected points. The
+// triangle that it adds there is the area that this hull gains.
 TYPED_TEST(AreaReducer, EachPointFromTheThirdOnAddsTheMostArea) {
   using S = TypeParam;
   test::Random random(9);
@@ -145,14 +144,14 @@ TYPED_TEST(AreaReducer, KeepsTheTwoExtremesOfALineInAnyDirection) {
   }
 }
 
-// All are equally far along the fixed direction, so the support point is the first of them, which lies
-// between the others.
+// All points have the same support value along the fixed direction. So the first of them is the
+// support point, although it lies between the others.
 TYPED_TEST(AreaReducer, KeepsTheTwoExtremesOfALineAcrossTheFixedDirection) {
   using S = TypeParam;
   const Vec3<S> fixed = steps::fixed_direction<S>(Vec3<S>::UnitY());
   const Vec3<S> across(-fixed.z(), 0, fixed.x());
   std::vector<ContactPoint<S>> points;
-  // Powers of two, which round nothing.
+  // Powers of two cause no rounding.
   for (const double t : {0.0, 1.0, -2.0, 0.5, 4.0, -0.25})
     points.push_back({static_cast<S>(t) * across, S(0), FeatureId{}});
   for (const ContactPoint<S>& point : points) ASSERT_EQ(fixed.dot(point.position), S(0));

@@ -9,15 +9,14 @@
 #include "core/manifold.h"
 #include "support/random_geometry.h"
 
-// What the best choice of points is, by trying all of them, in double. Shares no code with the
-// reducers nor with polygon_area.
+// The best choice of points, by trying all in double. Shares no code with reducers or polygon_area.
 namespace contactscope::test {
 
 struct Place {
   double x, y;
 };
 
-/// Points of any scalar seen along the normal, relative to the first.
+/// Positions of points in any scalar, seen along the normal, relative to the first point.
 template <class S>
 std::vector<Place> seen_along(const std::vector<ContactPoint<S>>& points, const Vec3<S>& normal) {
   const Vec3d n = normal.template cast<double>().normalized();
@@ -36,7 +35,7 @@ inline double turn(const Place& a, const Place& b, const Place& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// Of the convex hull: its upper and lower border by columns from left to right.
+/// Area of the convex hull, from its upper and lower border by columns from left to right.
 inline double hull_area(std::vector<Place> places) {
   std::sort(places.begin(), places.end(),
             [](const Place& a, const Place& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
@@ -70,7 +69,7 @@ inline double distance(const Place& a, const Place& b) {
   return std::hypot(b.x - a.x, b.y - a.y);
 }
 
-/// Largest distance between two.
+/// Largest distance between two places.
 inline double extent(const std::vector<Place>& places) {
   double most = 0;
   for (const Place& a : places) {
@@ -79,8 +78,7 @@ inline double extent(const std::vector<Place>& places) {
   return most;
 }
 
-/// The largest hull area of any choice of `size` places that `admits` lets through; minus infinity
-/// when it lets none through.
+/// The largest hull area of `size` places that `admits` accepts; minus infinity if it accepts none.
 template <class Admits>
 double largest_area(const std::vector<Place>& places, int size, const Admits& admits) {
   const int count = static_cast<int>(places.size());
@@ -101,8 +99,8 @@ inline double largest_area(const std::vector<Place>& places, int size) {
   return largest_area(places, size, [](const std::vector<int>&) { return true; });
 }
 
-/// The largest area of four of the places, for too many of them to try all choices: each pair with
-/// the farthest place on either side of its line. (No choice has more than its best diagonal.)
+/// The largest area of four places, if there are too many places to try all choices: each pair with
+/// the farthest place on each side of its line. (No choice has more than its best diagonal gives.)
 inline double largest_quadrilateral(const std::vector<Place>& places) {
   double largest = 0;
   for (const Place& a : places) {
@@ -118,7 +116,7 @@ inline double largest_quadrilateral(const std::vector<Place>& places) {
   return largest;
 }
 
-/// The same of choices that hold place `through`: all triples beside it.
+/// The same for choices that contain place `through`, over all triples of other places.
 inline double largest_quadrilateral_with(const std::vector<Place>& places, int through) {
   const Place& p = places[static_cast<std::size_t>(through)];
   double largest = 0;
@@ -131,8 +129,8 @@ inline double largest_quadrilateral_with(const std::vector<Place>& places, int t
   return largest;
 }
 
-/// Points on a circle for the oracle above, in order but for a swap of two in every third case; of
-/// even cases most crowded at one place, so that short diagonals matter too.
+/// Points on a circle for the oracle above, in order except for one swap in every third case. In
+/// even cases most are crowded at one place, so that short diagonals matter too.
 inline std::vector<Place> crowd(Random& random, int count, int number) {
   std::vector<double> angles;
   for (int k = 0; k < count; ++k) {
@@ -146,8 +144,7 @@ inline std::vector<Place> crowd(Random& random, int count, int number) {
   return places;
 }
 
-/// What rounding to S may do to an area: an error of a few ulps of the coordinates, along the whole
-/// patch.
+/// Effect of rounding to S on an area: a few ulps of the coordinates along the whole patch.
 template <class S>
 double area_rounding(const std::vector<ContactPoint<S>>& points, const std::vector<Place>& places) {
   const double length = extent(places);
@@ -157,8 +154,8 @@ double area_rounding(const std::vector<ContactPoint<S>>& points, const std::vect
 
 enum class Shape {
   Polygon,      // convex, counter-clockwise
-  Clockwise,    // the same the other way
-  Shuffled,     // the same in any order
+  Clockwise,    // the same, clockwise
+  Shuffled,     // the same in random order
   Scattered,    // points inside
   Lattice,      // many on one line, many duplicates, all exact
   Sliver,       // 1e-9 thick
@@ -174,7 +171,7 @@ struct RandomPatch {
   Vec3<S> normal;
 };
 
-/// Points with separations as a tilted plane has, moved to a random pose, 1e-4 to 1e4 metres in
+/// Points with the separations of a tilted plane, moved to a random pose, 1e-4 to 1e4 metres in
 /// size. Their ids are all different.
 template <class S>
 RandomPatch<S> random_patch(Random& random, Shape shape, int count) {

@@ -19,7 +19,7 @@ using testing::IsEmpty;
 
 const Vec3d kUp = Vec3d::UnitY();
 
-/// What a reducer does, and how it says it came to that.
+/// The result of a reducer, and the choices that it records.
 struct Told {
   std::vector<int> kept;
   std::vector<trace::Choice> made;
@@ -59,7 +59,7 @@ std::vector<int> candidates(const trace::Choice& choice) {
   return list;
 }
 
-/// Whose numbers are whole: the talk's order is 1 (far right), 0, 2, 4. Depth is largest at 3.
+/// With integer coordinates: the talk's order is 1 (far right), 0, 2, 4. Depth is largest at 3.
 std::vector<ContactPoint<double>> hand_made() {
   return points_at(
       {{-10, 0, 0.1}, {10, 0, 0.2}, {9, -4, 0.3}, {11, -2, 0.6}, {0, 1, 0.5}, {0, 0, 0.4}});
@@ -89,7 +89,7 @@ TEST(Choices, OfAHandMadePolygonAreExact) {
   EXPECT_THAT(candidates(made[1]), ElementsAre(0, 1, 3, 4, 5));
   EXPECT_THAT(values(made[1]), ElementsAre(5, 3, 4, std::sqrt(8), std::sqrt(8)));
   // (q, 2, 0), seen against y: x to the right, z towards the viewer, so a positive area turns from
-  // z to x. The point 5 is on the other side of the diagonal than 3 and 4.
+  // z to x. Point 5 is on the other side of the diagonal than 3 and 4.
   EXPECT_THAT(candidates(made[2]), ElementsAre(1, 3, 4, 5));
   const std::vector<double> triangles = values(made[2]);
   EXPECT_DOUBLE_EQ(std::abs(triangles[0]), 6);
@@ -102,7 +102,7 @@ TEST(Choices, OfAHandMadePolygonAreExact) {
     EXPECT_EQ(measure.edge[0], 2);
     EXPECT_EQ(measure.edge[1], 0);
   }
-  // Of the triangle 2 0 5, point 1 lies outside 0-5, 4 outside 2-0, and the chosen 3 has all edges.
+  // Triangle 2 0 5: point 1 is outside 0-5, 4 is outside 2-0, and the chosen 3 lists all edges.
   EXPECT_THAT(candidates(made[3]), ElementsAre(1, 3, 3, 3, 4));
   EXPECT_DOUBLE_EQ(made[3].measures[0].value, -2);
   EXPECT_DOUBLE_EQ(made[3].measures[4].value, -7);
@@ -117,8 +117,7 @@ TEST(Choices, OfAHandMadePolygonAreExact) {
 }
 
 TEST(Choices, OfADistanceReducerMeasureDistancesFromEdges) {
-  // 1 0 2 first. Point 4 is 1 m from the long edge, point 3 farther from the short one, though it
-  // adds less area.
+  // 1 0 2 first. Point 4 is 1 m from the long edge; 3 is farther from the short one, but adds less.
   const std::vector<ContactPoint<double>> points =
       points_at({{-10, 0}, {10, 0}, {10, -4}, {11.5, -2}, {0, 1}});
   const auto [kept, made] = told("distance", points);
@@ -148,7 +147,7 @@ TEST(Choices, StartFromTheFixedDirection) {
   EXPECT_TRUE(choices("area_deepest", hand_made())[0].direction.isZero());
 }
 
-/// The measure that decides for a point at one step: the most is best.
+/// The measure that decides for a point in one step: the largest is best.
 double worth(const trace::Choice& choice, int point) {
   const std::string rule = choice.rule;
   double most = -std::numeric_limits<double>::infinity();

@@ -32,7 +32,7 @@ std::vector<FeatureId> ids_of(const std::vector<ContactPoint<S>>& points,
   return ids;
 }
 
-/// How many of the ids were not there before.
+/// Number of ids that are new.
 int new_ids(const std::vector<FeatureId>& before, const std::vector<FeatureId>& now) {
   int count = 0;
   for (const FeatureId& id : now) {
@@ -41,7 +41,7 @@ int new_ids(const std::vector<FeatureId>& before, const std::vector<FeatureId>& 
   return count;
 }
 
-/// The promises of reduce_coherently(), worked out by trying every choice.
+/// The promises of reduce_coherently(), computed by trying every choice.
 struct Promise {
   double reference;  // area
   double best;       // area of any choice
@@ -70,7 +70,7 @@ Promise promise_of(const std::vector<ContactPoint<S>>& points, const std::vector
   promise.deepest = deepest_of(points, all);
   promise.best = test::largest_area(places, most);
   promise.slack = std::max(0.002 * std::sqrt(promise.best), 0.05 * std::abs(promise.deepest));
-  // A little less than half, so that rounding cannot let in what the reducer leaves out.
+  // Slightly less than half, so that rounding cannot admit what the reducer excludes.
   promise.reference = test::largest_area(places, most, [&](const std::vector<int>& chosen) {
     return deepest_of(points, chosen) <= promise.deepest + 0.4999 * promise.slack;
   });
@@ -119,7 +119,7 @@ TYPED_TEST(CoherentReducer, SlowBoundsAreaAndDepthInEveryFrameOfAnyMotion) {
   EXPECT_GT(kept_frames, frames / 2);
 }
 
-// Of 16 to 64 points: the reference is the best choice through any of those that are deep enough.
+// With 16 to 64 points, the reference is the best choice through any point that is deep enough.
 TYPED_TEST(CoherentReducer, SlowBoundsAreaAndDepthOfManyPoints) {
   using S = TypeParam;
   test::Random random(35);
@@ -134,7 +134,7 @@ TYPED_TEST(CoherentReducer, SlowBoundsAreaAndDepthOfManyPoints) {
       const int deep = random.index(count);
       points[static_cast<std::size_t>(deep)].separation = S(-0.1);
       const std::vector<Place> places = test::seen_along<S>(points, Vec3<S>::UnitZ());
-      // 5% of 0.1 m of slack: the others are above it.
+      // The slack is 5% of 0.1 m: the others are above it.
       const Promise promise = {test::largest_quadrilateral_with(places, deep),
                                test::largest_quadrilateral(places), 0.005, -0.1};
       std::vector<FeatureId> previous;
@@ -160,7 +160,7 @@ TYPED_TEST(CoherentReducer, SlowBoundsAreaAndDepthWhateverWasKeptBefore) {
       if (random.chance(0.3)) {
         patch.points[static_cast<std::size_t>(random.index(count))].separation *= S(2);
       }
-      if (random.chance(0.3)) {  // ids that occur several times
+      if (random.chance(0.3)) {  // duplicate ids
         for (auto& point : patch.points) {
           point.id.first.index %= 3;
           point.id.second.index %= 3;
@@ -209,7 +209,7 @@ TYPED_TEST(CoherentReducer, NoiseChangesNoIdOfWhatRests) {
   int changed_by_optimal = 0;
   for (int motion = 0; motion < 30; ++motion) {
     Slide slide = test::random_slide(random);
-    // Regular octagons, too: many choices are equally good.
+    // Regular octagons too: many choices are equally good.
     if (motion < 10) slide = {4, 4, 0.2, 0, 0, 0};
     const double time = motion < 10 ? (std::numbers::pi / 4 - 0.2) / 0.2 : random.uniform(0, 10);
     std::vector<FeatureId> kept_before;
@@ -234,8 +234,7 @@ TYPED_TEST(CoherentReducer, NoiseChangesNoIdOfWhatRests) {
 
 TYPED_TEST(CoherentReducer, GivesUpFewerPointsOverMotionsThanOthers) {
   using S = TypeParam;
-  // Points that are still there but not kept any more; those that end with their features are no
-  // reducer's fault.
+  // Counts points that exist but are no longer kept; vanished points are not the reducer's fault.
   constexpr const char* kNames[] = {"coherent", "area", "optimal", "optimal_deepest"};
   int given_up[4] = {};
   test::Random random(35);
@@ -294,7 +293,7 @@ TYPED_TEST(CoherentReducer, SlowKeepsAsManyOldIdsAsTheBoundsAllow) {
              deepest_of(patch.points, chosen) <= promise.deepest + 0.4999 * promise.slack;
     });
     ASSERT_LT(more, 0.975 * promise.reference + rounding) << "case " << i;
-    // Of those with as many, it is the largest; the old come first and in their order.
+    // Among choices with as many old ids, it is the largest. Old points come first, in their order.
     const double largest = test::largest_area(places, 4, [&](const std::vector<int>& chosen) {
       return count_old(chosen) == kept_old &&
              deepest_of(patch.points, chosen) <= promise.deepest + 0.4999 * promise.slack;
@@ -311,7 +310,7 @@ TYPED_TEST(CoherentReducer, SlowKeepsAsManyOldIdsAsTheBoundsAllow) {
   EXPECT_GT(chosen_anew, 300);
 }
 
-/// Points in the x-y plane, z up, of these separations, with different ids.
+/// Points in the x-y plane, z up, with these separations and different ids.
 template <class S>
 std::vector<ContactPoint<S>> points_at(const std::vector<Place>& places,
                                        const std::vector<double>& separations) {
@@ -332,7 +331,7 @@ TYPED_TEST(CoherentReducer, LetsGoOfOldPointsWhenTheDeepestIsNotAmongThem) {
   const auto level = points_at<S>(hexagon, {-0.01, -0.01, -0.01, -0.01, -0.01, -0.01});
   const std::vector<int> old = {1, 2, 4, 5};
   EXPECT_EQ(reduced<S>(find_reducer("coherent"), level, up, 4, ids_of(level, old)), old);
-  // By a little it stays, by more the deepest comes in and as many as possible stay.
+  // A little deeper: all stay. Much deeper: it enters, and as many as possible stay.
   const auto tilted = points_at<S>(hexagon, {-0.013, -0.01, -0.01, -0.007, -0.01, -0.01});
   EXPECT_EQ(reduced<S>(find_reducer("coherent"), tilted, up, 4, ids_of(tilted, old)), old);
   const auto steep = points_at<S>(hexagon, {-0.05, -0.01, -0.01, 0.03, -0.01, -0.01});
@@ -342,7 +341,7 @@ TYPED_TEST(CoherentReducer, LetsGoOfOldPointsWhenTheDeepestIsNotAmongThem) {
   EXPECT_EQ(kept.back(), 0);
 }
 
-// As of a patch on several triangles of a mesh. The four that were kept are within the tolerance of the
+// As in a patch on several triangles of a mesh. The kept four are within the tolerance of the
 // largest choice, which is the other four.
 TYPED_TEST(CoherentReducer, TellsPointsOfOneIdApartByTheirOrder) {
   using S = TypeParam;

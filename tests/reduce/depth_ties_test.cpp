@@ -7,8 +7,8 @@
 #include "reduce/reducer.h"
 #include "support/cases.h"
 
-// Points of a level patch are equally deep but for rounding: none of them is the deepest, and area decides.
-// The oracle is every choice of points, in double (brute_force.h).
+// Points of a level patch have equal depths up to rounding: none of them is the deepest, and area
+// decides. The oracle is every choice of points, in double (brute_force.h).
 namespace contactscope {
 namespace {
 
@@ -16,7 +16,7 @@ using test::Place;
 using testing::ElementsAre;
 using testing::UnorderedElementsAre;
 
-/// What is left of a box's face, turned and moved, over a face of half extents 1 and `flat`.
+/// The overlap of a box's face, turned and moved, with a face of half extents 1 and `flat`.
 std::vector<Place> overlap_of_faces(test::Random& random, double flat) {
   const double angle = random.uniform(0, 2 * std::numbers::pi);
   const double c = std::cos(angle), s = std::sin(angle);
@@ -44,7 +44,7 @@ std::vector<Place> overlap_of_faces(test::Random& random, double flat) {
   return polygon;
 }
 
-/// The overlap of two boxes' faces, a polygon on an ellipse, or a regular one: five points at least.
+/// The overlap of two boxes' faces, a polygon on an ellipse, or a regular one; five points or more.
 std::vector<Place> level_patch(test::Random& random, int kind) {
   if (kind == 0) {
     for (;;) {
@@ -70,7 +70,7 @@ struct LevelPatch {
   Vec3<S> normal;
   ReduceOptions options;
 
-  /// Separations of one depth, off by a few roundings; of those that are `shallow` by a thousandth.
+  /// Gives all points one depth up to a few roundings; `shallow` ones are a thousandth less deep.
   void lay(test::Random& random, const std::vector<bool>& shallow = {}) {
     const double rounding = std::numeric_limits<S>::epsilon() * options.scale;
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -81,7 +81,7 @@ struct LevelPatch {
   }
 };
 
-/// Placed anywhere, 1e-4 to 1e4 metres in size. All ids differ, and come in no order.
+/// Places the patch anywhere, 1e-4 to 1e4 metres in size. All ids differ and are unordered.
 template <class S>
 LevelPatch<S> place(test::Random& random, const std::vector<Place>& places) {
   LevelPatch<S> patch;
@@ -111,8 +111,8 @@ std::set<FeatureId> ids_of(const LevelPatch<S>& patch, const std::vector<int>& k
   return ids;
 }
 
-/// Area spanned by the points of `ids`, in units of the patch's size, where no coordinate is rounded
-/// to S. Point k of `patch` lies at flat[k].
+/// Area spanned by the points of `ids`, in units of the patch's size, from coordinates that are not
+/// rounded to S. Point k of `patch` is at flat[k].
 template <class S>
 double area_before_rounding(const std::vector<Place>& flat, const LevelPatch<S>& patch,
                             const std::set<FeatureId>& ids) {
@@ -129,7 +129,7 @@ TYPED_TEST_SUITE(DepthTies, Scalars);
 
 const int kPatches = test::cases(3'000);
 
-// And noise of rounding in depths, another order of the points and another place change no choice.
+// Rounding noise in depths, another order of the points and another place change no choice.
 TYPED_TEST(DepthTies, SlowTheLargestAreaIsKeptAndNoRoundingChangesIt) {
   using S = TypeParam;
   test::Random random(51);
@@ -159,8 +159,8 @@ TYPED_TEST(DepthTies, SlowTheLargestAreaIsKeptAndNoRoundingChangesIt) {
     moved.lay(random);
     for (std::size_t k = 0; k < moved.points.size(); ++k) moved.points[k].id = patch.points[k].id;
     if (i % 6 < 3) std::ranges::reverse(moved.points);
-    // Another place rounds the coordinates otherwise. Where two areas differ by about that rounding
-    // either choice is right; where they are equal before rounding the choice must not change.
+    // Another place rounds the coordinates differently. If two areas differ by about that rounding,
+    // either choice is right. If they are equal before rounding, the choice must not change.
     const std::set<FeatureId> ids = ids_of(patch, reduced("optimal_deepest", patch));
     const std::set<FeatureId> moved_ids = ids_of(moved, reduced("optimal_deepest", moved));
     if (moved_ids == ids) continue;
@@ -229,7 +229,7 @@ TYPED_TEST(DepthTies, APointDeeperByMoreThanRoundingIsTheDeepest) {
   patch.points[1].separation -= S(32) * std::numeric_limits<S>::epsilon();
   for (const char* name : {"optimal_deepest", "area_deepest", "deepest"})
     EXPECT_EQ(reduced(name, patch)[0], 1) << name;
-  // Of a pair whose coordinates are a hundred times as large that is nothing.
+  // For a pair with coordinates a hundred times as large, the difference is rounding.
   patch.options.scale = 100;
   for (const char* name : {"optimal_deepest", "area_deepest"})
     EXPECT_THAT(reduced(name, patch), UnorderedElementsAre(0, 2, 4, 6)) << name;

@@ -10,7 +10,7 @@
 #include "reduce/reducer.h"
 #include "support/contact_polygons.h"
 
-// What the behaviours keep, held against independent measurements of the engines themselves.
+// Selections of the reimplemented engines, compared with independent measurements of the engines.
 namespace contactscope {
 namespace {
 
@@ -49,7 +49,7 @@ Kept measure(const std::string& name, int count) {
 
 struct Measured {
   const char* name;
-  std::array<Kept, 2> engine;  // of 8 and 16 points
+  std::array<Kept, 2> engine;  // for 8 and 16 points
 };
 
 // The engines over 2000 elliptical polygons of coplanar points, on one EPYC core.
@@ -65,12 +65,12 @@ constexpr Measured kMeasured[] = {
     {"mjx", {{{0.828, 62}, {0.828, 38}}}},
 };
 
-// The engines saw other polygons than these, and a description is less than a program. These
-// polygons were chosen so that the means meet (contact_polygons.h); on those of the reducers'
-// study, which were not, the bands are 0.08 and 13 (tests/study). The largest gaps: 0.023 in area
-// (physx_cluster at 16), 3.95 percent of polygons (jolt at 16). One measurement is not reproduced,
-// and cannot be from the description (PhysxFromItsDescription...): PhysX's batch is reported to
-// fall to 0.04 of the best area at worst.
+// The engines ran on other polygons, and a description is less than a program. These polygons were
+// chosen so that the means agree (contact_polygons.h). On those of the reducers' study, which were
+// not, the bands are 0.08 and 13 (tests/study). The largest differences: 0.023 in area
+// (physx_cluster at 16), 3.95 percent of polygons (jolt at 16). One measurement cannot be
+// reproduced from the description (PhysxFromItsDescription...): PhysX's batch reportedly falls to
+// 0.04 of the best area.
 constexpr double kAreaBand = 0.03;
 constexpr double kDeepestBand = 5;
 
@@ -84,7 +84,7 @@ TEST_P(EngineBand, KeepsTheAreaAndTheDeepestPointAsOftenAsTheEngine) {
     RecordProperty("area_" + std::to_string(count), std::to_string(ours.area));
     RecordProperty("deepest_" + std::to_string(count), std::to_string(ours.deepest));
     EXPECT_NEAR(ours.area, engine.area, kAreaBand);
-    // Who protects the deepest does so always.
+    // An engine that protects the deepest point always does so.
     EXPECT_NEAR(ours.deepest, engine.deepest, engine.deepest == 100 ? 0 : kDeepestBand);
   }
 }
@@ -104,8 +104,8 @@ double share_kept(const std::string& name, const std::vector<ContactPoint<double
 }
 
 // Let d be the distance from the deepest point to the farthest, and h the height of the patch
-// across the line through both. The kept points span at least d h / 2, two triangles on the line;
-// all points are within d of the deepest, so in a box of 2 d by h: no less than a quarter is kept.
+// across the line through both. The kept points span at least d h / 2, two triangles on the line.
+// All points are within d of the deepest, so in a box of 2 d by h. So at least a quarter is kept.
 TEST(EngineBand, PhysxFromItsDescriptionKeepsAQuarterOfAnyPatch) {
   EXPECT_GT(measure("physx", 8).worst, 0.4);
   EXPECT_GT(measure("physx", 16).worst, 0.4);

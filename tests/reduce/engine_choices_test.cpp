@@ -19,7 +19,7 @@ using testing::ElementsAre;
 using testing::UnorderedElementsAre;
 
 TEST(EngineChoices, Box3dStartsWithDepthAndWayTogether) {
-  // -z is its fixed direction in a floor.
+  // -z is Box3D's fixed direction in a floor.
   const std::vector<PlanePoint> flat = {{0, -3}, {4, 0}, {0, 3}, {-4, 0}, {0, 0}};
   EXPECT_EQ(kept_by("box3d", points_at(flat)).front(), 0);
   std::vector<PlanePoint> deep = flat;
@@ -28,8 +28,7 @@ TEST(EngineChoices, Box3dStartsWithDepthAndWayTogether) {
 }
 
 TEST(EngineChoices, Box3dLetsAnEarlierPointWinByFivePercent) {
-  // Of the last two points the second is farther from the first one by 1% or by 5%: 2% and 10% in
-  // squares.
+  // The last point is farther than the one before by 1% or by 5%: 2% and 10% in squares.
   EXPECT_THAT(kept_by("box3d", points_at({{0, -9}, {1, 0}, {-1, 0}, {0, 1}, {0.1, 1.1}})),
               ElementsAre(0, 3, 1, 2));
   EXPECT_THAT(kept_by("box3d", points_at({{0, -9}, {1, 0}, {-1, 0}, {0, 1}, {0.1, 1.5}})),
@@ -52,7 +51,7 @@ TEST(EngineChoices, JoltWeighsDistanceWithDepth) {
 }
 
 TEST(EngineChoices, BulletAlwaysTakesTheArrivingPoint) {
-  // Each square loses the corner next to the point inside, which is worth less.
+  // Each square loses the corner next to the inner point, although that point contributes less.
   const std::vector<PlanePoint> square = {{0, 0}, {2, 0}, {2, 2}, {0, 2}};
   const PlanePoint inside[] = {{0.5, 0.5}, {1.5, 0.5}, {1.5, 1.5}, {0.5, 1.5}};
   for (int corner = 0; corner < 4; ++corner) {
@@ -78,8 +77,8 @@ TEST(EngineChoices, OdeTakesThePointsNearestToRightAngles) {
 }
 
 TEST(EngineChoices, OdeTurnsAroundTheCentroidOfTheAreaNotOfThePoints) {
-  // Many points on the right draw their mean, not the area, to that side. From the mean, point 7
-  // would be nearer to 90 degrees than the corner 1.
+  // Many points on the right shift their mean, not the area's centroid, to that side. From the
+  // mean, point 7 would be nearer to 90 degrees than the corner 1.
   const auto points = points_at({{-1, -1},
                                  {1, -1},
                                  {1, 1, 0.1},
@@ -151,8 +150,7 @@ TEST(EngineChoices, NewtonTakesBothSidesOfTheDiameter) {
 }
 
 TEST(EngineChoices, MjxWastesItsFourthChoiceOnASquare) {
-  // The first corner is as far from the edge of the other two as the missing corner is from its
-  // own, and comes before it.
+  // The first corner is as far from the others' edge as the missing one from its own, and is first.
   EXPECT_THAT(kept_by("mjx", points_at({{0, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 1}})),
               ElementsAre(0, 2, 1));
   EXPECT_THAT(kept_by("mjx", points_at({{0, 0}, {1.9, -0.9}, {2, 2}, {-1, 2.5}, {1, 1}})),

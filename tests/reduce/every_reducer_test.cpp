@@ -9,7 +9,7 @@
 #include "reduce/reducer.h"
 #include "support/random_geometry.h"
 
-// What holds of every reducer, on easy and on hard input.
+// Properties of every reducer, on easy and on hard input.
 namespace contactscope {
 namespace {
 
@@ -91,7 +91,7 @@ std::vector<Case> cases() {
           moved("MovedAnywhere", ellipse("", 9), 1),
           moved("Tiny", ellipse("", 9), 1e-4),
           moved("Huge", ellipse("", 9), 1e4),
-          moved("Overflowing", ellipse("", 9), 1e30),  // in float no area is a number
+          moved("Overflowing", ellipse("", 9), 1e30),  // in float no area is finite
           line("OnALine", 0),
           line("NearlyOnALine", 1e-9),
           duplicates(),
@@ -186,8 +186,8 @@ TEST_P(EveryReducer, ChoosesTheSameOfAPatchAtEveryPowerOfTwo) {
   }
 }
 
-// Of equals the earliest, so that a choice does not change with what comes after it. (Those of engines do
-// as the engines do, and `deepest` takes both.)
+// Ties go to the earliest point, so that later points do not change a choice. (Engines' reducers
+// behave like the engines, and `deepest` takes both.)
 TEST(Reducers, TakeTheEarlierOfTwoPointsThatAreOne) {
   const Case c = duplicates();
   for (const char* const name :

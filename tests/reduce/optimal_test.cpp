@@ -21,12 +21,12 @@ std::vector<int> reduced(const ReducerInfo* reducer, const std::vector<ContactPo
   ReduceOptions options;
   options.max_points = max_points;
   options.scale =
-      std::numeric_limits<S>::min();  // only equal depths tie: the oracles know no rounding
+      std::numeric_limits<S>::min();  // only equal depths tie: the oracles ignore rounding
   const KeptIndices kept = reduce<S>(reducer, points, normal, options);
   return {kept.begin(), kept.end()};
 }
 
-/// Points in the x-y plane, z up, of these separations.
+/// Points in the x-y plane, z up, with these separations.
 template <class S>
 std::vector<ContactPoint<S>> points_at(const std::vector<Place>& places,
                                        const std::vector<double>& separations = {}) {
@@ -92,7 +92,7 @@ TYPED_TEST(OptimalReducer, SlowNoChoiceWithTheDeepestHasMoreArea) {
     for (int i = 0; i < 400; ++i) {
       const int count = 5 + random.index(i < 350 ? 5 : 8);
       RandomPatch<S> patch = test::random_patch<S>(random, shape, count);
-      // Half of the patches are no tilted planes: any point may be the deepest, also inside.
+      // Half of the patches are no tilted planes: any point may be the deepest, even inside.
       if (random.chance(0.5)) {
         patch.points[static_cast<std::size_t>(random.index(count))].separation *= S(3);
       }
@@ -210,7 +210,7 @@ TYPED_TEST(OptimalReducer, GoesRoundCounterClockwiseFromTheDeepest) {
 
 TYPED_TEST(OptimalReducer, TheDeepestInsideTakesTheRoomOfACorner) {
   using S = TypeParam;
-  // The triangle 1 2 3 has an area of 10, and the deepest, outside of its long edge, adds 2.
+  // The triangle 1 2 3 has an area of 10; the deepest point, outside its long edge, adds 2.
   const std::vector<Place> places = {{0, 0}, {4, 0}, {5, 4}, {0, 4}, {2, 1}};
   EXPECT_THAT(this->best_with_deepest(points_at<S>(places, {0, 0, 0, 0, -1}), 4),
               ElementsAre(4, 1, 2, 3));

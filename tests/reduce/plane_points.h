@@ -24,7 +24,7 @@ std::vector<ContactPoint<S>> points_at(const std::vector<PlanePoint>& places) {
   return points;
 }
 
-/// What the reducer of that name keeps of points in the x-z plane, in its order.
+/// The indices that the reducer `name` keeps of points in the x-z plane, in its order.
 template <class S>
 std::vector<int> kept_by(const std::string& name, const std::vector<ContactPoint<S>>& points,
                          const ReduceOptions& options = {}) {

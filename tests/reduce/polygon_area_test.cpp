@@ -15,7 +15,7 @@ double triangle(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& nor
   return 0.5 * std::abs(Vec3d(b - a).cross(Vec3d(c - a)).dot(normal));
 }
 
-/// Every three points.
+/// Tries every three points.
 double brute_force_three(const std::vector<Vec3d>& p, const Vec3d& normal) {
   double best = 0;
   for (std::size_t i = 0; i < p.size(); ++i)
@@ -24,7 +24,7 @@ double brute_force_three(const std::vector<Vec3d>& p, const Vec3d& normal) {
   return best;
 }
 
-/// Over every diagonal and a point on each side of it.
+/// Tries every diagonal with a point on each side of it.
 double brute_force_four(const std::vector<Vec3d>& p, const Vec3d& normal) {
   double best = 0;
   for (std::size_t i = 0; i < p.size(); ++i) {

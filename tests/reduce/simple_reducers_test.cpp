@@ -11,7 +11,7 @@
 #include "reduce/polygon_area.h"
 #include "support/random_geometry.h"
 
-// The talk's alternatives, and choices that no one should make.
+// The talk's alternatives, and bad choices for comparison.
 namespace contactscope {
 namespace {
 
@@ -38,8 +38,8 @@ using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(SimpleReducers, Scalars);
 
 TYPED_TEST(SimpleReducers, DistancePrefersAShortEdgeWhereAreaPrefersALongOne) {
-  // After the triangle 1 0 2, point 3 is farther from its edge (the short one, 1 2), point 4 less
-  // far from a longer one. Gregorius 2015, "Contact Point Reduction: 4th Point (6)".
+  // After the triangle 1 0 2, point 3 is farther from its edge (the short one, 1 2); point 4 is
+  // less far from a longer one. Gregorius 2015, "Contact Point Reduction: 4th Point (6)".
   const auto points = points_at<TypeParam>({{-10, 0}, {10, 0}, {9, -4}, {11.5, -2}, {0, 1}});
   EXPECT_THAT(kept_by("distance", points), ElementsAre(1, 0, 2, 3));
   EXPECT_THAT(kept_by("area", points), ElementsAre(1, 0, 2, 4));
@@ -77,7 +77,7 @@ TYPED_TEST(SimpleReducers, DeepestGoByDepthThenByIndex) {
 }
 
 TYPED_TEST(SimpleReducers, DeepestJumpWhereDepthsCross) {
-  // A micrometre of tilt exchanges half of the manifold. Area does not look at depth.
+  // A micrometre of tilt replaces half of the manifold. Area ignores depth.
   const auto tilted = [](double tilt) {
     return points_at<TypeParam>({{-1, -1, 0.01},
                                  {1, -1, 0.01},
@@ -127,8 +127,8 @@ TYPED_TEST(SimpleReducers, RandomChoosesEveryPointAsOften) {
 }
 
 TYPED_TEST(SimpleReducers, AreaFromTheDeepestKeepsAPointThatAreaDrops) {
-  // A square with a deep point in its middle. The farthest from it is the first corner, the rest
-  // are the two on the other diagonal: one corner gets lost.
+  // A square with a deep point in its middle. The farthest from it is the first corner; then follow
+  // the two on the other diagonal. One corner gets lost.
   const auto points = points_at<TypeParam>(
       {{1, 1, 0.01}, {-1, 1, 0.01}, {-1, -1, 0.01}, {1, -1, 0.01}, {0.125, 0, 0.02}});
   EXPECT_THAT(kept_by("area", points), Not(Contains(4)));

@@ -6,12 +6,12 @@
 
 #include "reduce/brute_force.h"
 
-// Contact patches as they change over time: one convex polygon slides, turns and tilts on another.
+// Contact patches that change over time: one convex polygon slides, turns and tilts on another.
 namespace contactscope::test {
 
 struct LabelledCorner {
   Place place;
-  FeatureRef edge;  // that leaves it
+  FeatureRef edge;  // the edge that starts here
 };
 
 inline std::vector<LabelledCorner> regular_polygon(Owner owner, int corners, double radius,
@@ -56,7 +56,7 @@ struct Slide {
   double yaw_rate = 0.3;   // radians a second
   double tilt = 0.01;      // slope of the separations
   double tilt_rate = 0.2;  // radians a second, of its direction
-  double sway = 0.1;       // metres, how far b moves to and fro
+  double sway = 0.1;       // metres, how far b moves back and forth
 };
 
 inline Slide random_slide(Random& random) {

@@ -8,7 +8,7 @@
 #include "core/input_error.h"
 #include "scenario/scenario.h"
 
-/// Tables of files that are wrong in one place, and what the error must say of it.
+/// Tables of files with one error each, and the required contents of its message.
 namespace contactscope {
 
 struct Broken {
@@ -26,7 +26,7 @@ inline std::string name_of_test(const ::testing::TestParamInfo<Broken>& test) {
   return test.param.name;
 }
 
-/// Two boxes, lines 1 to 7; what a test adds begins on line 8, inside of [shapes.floor].
+/// Two boxes, lines 1 to 7; `rest` begins on line 8, inside [shapes.floor].
 inline std::string two_boxes(const std::string& rest = "") {
   return R"(title = "Two boxes"
 [shapes.crate]
@@ -43,7 +43,7 @@ inline std::string one_shape(const std::string& keys) {
   return "title = \"One shape\"\n[shapes.rock]\n" + keys;
 }
 
-/// what() of the InputError that parsing ends in.
+/// what() of the InputError that parsing throws.
 inline std::string complaint(const std::string& text, const std::string& path = "group/idea.toml") {
   try {
     parse_scenario(text, path);

@@ -16,7 +16,7 @@ TEST_P(BrokenFile, IsNamedByPlaceAndRemedy) {
   EXPECT_THAT(message, HasSubstr(GetParam().remedy));
 }
 
-// Names come from the file: they may be megabytes long and hold what garbles a terminal.
+// Names come from the file: they may have megabytes, and characters that garble a terminal.
 TEST(BrokenFileMessage, IsOneLineOfBoundedLength) {
   const std::string control = complaint(two_boxes("\"up\\n\\u001b[31m\" = 1"));
   EXPECT_THAT(control, HasSubstr("8:1: unknown key 'up??[31m'; known here: "));
@@ -29,7 +29,7 @@ TEST(BrokenFileMessage, IsOneLineOfBoundedLength) {
   EXPECT_LT(of_type.size(), 700u);
 }
 
-// If the frame of these tests were itself refused, the tables would prove nothing.
+// If the surrounding file of these tests were rejected, the tables would prove nothing.
 TEST(BrokenFileFrame, IsAGoodFile) {
   EXPECT_EQ(complaint(two_boxes()), "no complaint");
 }

@@ -45,7 +45,7 @@ TEST(BrokenPath, NameTooLongForTheSystem) {
   EXPECT_THAT(load_complaint(std::string(5000, 'a')), HasSubstr("cannot be looked at"));
 }
 
-// The superuser reads every file, so a test run by it steps down for a while.
+// The superuser reads every file, so such a test run drops its privileges for a while.
 class WithoutPrivileges {
  public:
   WithoutPrivileges() {
@@ -83,8 +83,7 @@ TEST(BrokenPath, BinaryFile) {
   EXPECT_THAT(load_complaint(path), StartsWith(path + ":1:1: this byte is not UTF-8"));
 }
 
-// A file is refused by its size alone. What it holds is not read: the files are large holes, more
-// zeros than fit into memory.
+// The size alone decides before reading: the sparse files have more zeros than fit into memory.
 TEST(BrokenPath, HundredMegabytesAndMoreAreRefusedAtOnce) {
   const TemporaryFolder folder;
   const std::string path = folder.write("nonsense.toml", "x");

@@ -1,4 +1,4 @@
-// What happens between frames: the key, what is refused, and what a run tells.
+// Continuous collision: its key, rejected uses, and the facts that a run records.
 
 #include <gmock/gmock.h>
 
@@ -64,7 +64,7 @@ TEST(ContinuousKeys, AnEntryAsksItOfItsPairAlone) {
   EXPECT_EQ(frame.pairs[1].impact->status, "hit");
 }
 
-/// A dynamic body goes on as it moves; the solver is not there to stop it.
+/// A dynamic body continues its current motion; the solver does not stop it.
 TEST(ContinuousKeys, ABodyGoesOnAsItMoves) {
   const std::string weightless = "[world]\ngravity = [0, 0, 0]\n";
   const std::string text =
@@ -79,12 +79,12 @@ TEST(ContinuousKeys, ABodyGoesOnAsItMoves) {
   EXPECT_EQ(frame.pairs[0].impact->status, "hit");
   EXPECT_NEAR(frame.pairs[0].impact->time, 0.5, 1e-4);
   EXPECT_NEAR(frame.pairs[0].impact->travel_a.turn.x(), 1.5, 1e-6);
-  // With its weight it comes dt^2 g farther, as the solver's first step has it.
+  // Its weight moves it dt^2 g farther, as in the solver's first step.
   EXPECT_NEAR(first_frame(text).pairs.at(0).impact->travel_a.displacement.y(), -2 - 0.25 * 9.81,
               1e-5);
 }
 
-/// A ball that flies at a thin wall, 1 m a step, and would be beyond it.
+/// A ball that flies at a thin wall, 1 m a step, and would pass it.
 std::string shot(const std::string& method, const std::string& rest = "") {
   return "title = \"Shot\"\n[time]\nframes = 4\ndt = 0.01\n[world]\ngravity = [0, 0, 0]\n"
          "[pipeline]\ncontinuous = \"" +
@@ -95,7 +95,7 @@ std::string shot(const std::string& method, const std::string& rest = "") {
          rest;
 }
 
-/// Where the ball is after two steps, along its way.
+/// Position of the ball along its path after two steps.
 double end_of(const std::string& text) {
   const Scenario scenario = parse_scenario(text, "g/a.toml");
   return Runner(scenario).frame(2).poses.at(0).second.position.x();
@@ -120,7 +120,7 @@ TEST(ContinuousKeys, TheTraceTellsStops) {
   EXPECT_TRUE(first_frame(shot("speculative")).solver->stops.empty());
 }
 
-/// A broad phase that looks at where the boxes are would not even name the pair.
+/// A broad phase of the current boxes would not even find the pair.
 TEST(ContinuousKeys, ABroadPhaseCoversTheStep) {
   std::string text = shot("time_of_impact");
   text.replace(text.find("gravity"), 0, "broad_phase = \"tree\"\n");
@@ -128,7 +128,7 @@ TEST(ContinuousKeys, ABroadPhaseCoversTheStep) {
   EXPECT_EQ(first_frame(text).pairs.size(), 1u);
 }
 
-/// The ball flies past the wall's edge, but the plane through the wall's face is in its way.
+/// The ball flies past the wall's edge, but the plane of the wall's face blocks it.
 TEST(ContinuousKeys, GhostsAreCounted) {
   std::string text = shot("speculative");
   text.replace(text.find("[-0.6, 0, 0]"), 12, "[-0.6, 0.8, 0]");
@@ -161,7 +161,7 @@ TEST(ContinuousKeys, WhatHappensBetweenFramesCanBeExpected) {
   EXPECT_THAT(failures("speculative", "ghosts = 1\n"), testing::SizeIs(1));
 }
 
-/// Of a field its surface is met, and what is inside of it overlaps already.
+/// A field is hit at its surface, and overlaps with anything inside.
 TEST(ContinuousKeys, AFieldIsMetWhereItsSurfaceIs) {
   const auto impact_of = [](const std::string& position) {
     const trace::Frame frame = first_frame(
@@ -178,8 +178,8 @@ TEST(ContinuousKeys, AFieldIsMetWhereItsSurfaceIs) {
   EXPECT_EQ(impact_of("[0.3, 0, 0.2]").status, "overlapping");
 }
 
-/// A flag on a pole turns by half a turn and comes over a rock: its corners' straight ways between the
-/// frames would go through the pole and miss the rock. Both are of triangles.
+/// A flag on a pole makes half a turn and passes over a rock. On straight paths between the frames
+/// its corners would pass through the pole and miss the rock. Both are meshes.
 TEST(ContinuousKeys, MeshesThatTurnAreFollowedOnTheirArcs) {
   for (const std::string method : {"conservative_advancement", "time_of_impact"}) {
     const trace::Frame frame = first_frame(
@@ -204,8 +204,7 @@ TEST(ContinuousKeys, MeshesThatTurnAreFollowedOnTheirArcs) {
   }
 }
 
-/// In a step of 100,000 km float's rounding of the displacement is larger than the gap; the search is in
-/// double, and finds the impact.
+/// In a step of 100,000 km, float rounds by more than the separation; the search runs in double.
 TEST(ContinuousKeys, AWayThatHidesTheGapIsNoOverlap) {
   std::string text = crate_over_floor("[pipeline]\ncontinuous = \"time_of_impact\"\n");
   text.replace(text.find("[0, -4, 0]"), 10, "[0, -2e8, 0]");
@@ -213,10 +212,10 @@ TEST(ContinuousKeys, AWayThatHidesTheGapIsNoOverlap) {
   ASSERT_TRUE(frame.pairs.at(0).impact);
   EXPECT_EQ(frame.pairs[0].impact->status, "hit");
   EXPECT_GE(frame.pairs[0].impact->time, 0);
-  EXPECT_LE(frame.pairs[0].impact->time, 1e-8);  // a gap of 1 m in a step of 1e8 m
+  EXPECT_LE(frame.pairs[0].impact->time, 1e-8);  // a separation of 1 m in a step of 1e8 m
 }
 
-/// A sheet that comes down on another one, and bends as it does: its crest is first.
+/// A sheet that descends on another one and bends: its crest is first.
 TEST(ContinuousKeys, TwoMeshesThatDeformMeetAtTheirCorners) {
   const std::string sheet = "type = \"mesh\"\ngrid = { size = 2, cells = 8 }\n";
   const trace::Frame frame =

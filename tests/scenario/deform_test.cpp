@@ -19,7 +19,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::StartsWith;
 
-/// A grid that deforms, and a ball that rests on it. What `deform` is begins on line 5.
+/// A grid that deforms, and a ball that rests on it. The value of `deform` begins on line 5.
 std::string scene(const std::string& deform, const std::string& rest = "") {
   return R"(title = "A grid"
 [shapes.grid]
@@ -46,7 +46,7 @@ std::vector<Vec3d> at_rest(const Scenario& scenario) {
   return std::get<Mesh<double>>(*scenario.shape(0).geometry).vertices;
 }
 
-/// The largest coordinate of a is 1: so far may two roundings be apart.
+/// The largest coordinate of a is 1: two roundings may differ by this much.
 constexpr double kFloat = 0x1p-22;
 
 TEST(Deform, AWaveTravels) {
@@ -129,7 +129,7 @@ TEST_F(DeformFiles, AnotherTopologyIsRefusedWithItsLine) {
               is_told("write the file with the same faces in the same order"));
 }
 
-/// A triangle that goes from a.obj to b.obj, and a wall in the x-z plane.
+/// A triangle that moves from a.obj to b.obj, and a wall in the x-z plane.
 const char* const kNeedleAndWall = R"(title = "A needle and a wall"
 [time]
 frames = 2
@@ -149,7 +149,7 @@ triangles = [[0, 1, 2]]
 )";
 
 TEST_F(DeformFiles, ATriangleWithoutAnAreaMeetsAWallBetweenTwoFrames) {
-  // First among two, and the only one; beside the wall it would be met by nothing.
+  // The first of two triangles, and the only one; the other one meets nothing.
   for (const std::string other : {"v 9 9 9\nv 10 9 9\nv 9 9 10\nf 4 5 6\n", ""}) {
     write("a.obj", "v 0.2 1 0.2\nv 0.2 1.5 0.2\nv 0.2 1.25 0.2\nf 1 2 3\n" + other);
     write("b.obj", "v 0.2 -1 0.2\nv 0.2 -0.5 0.2\nv 0.2 -0.75 0.2\nf 1 2 3\n" + other);
@@ -318,7 +318,7 @@ TEST(Deform, TheHeaderHasTheShapeOfTheFirstFrame) {
 }
 
 TEST(Deform, ContactsAreThoseOfTheSurfaceAsItIs) {
-  // The crest that starts under the ball has gone, and a trough is there after half a wavelength.
+  // The crest that starts under the ball has gone; half a wavelength later a trough is there.
   const std::string text = scene(
       "{ wave = { axis = [1, 0, 0], direction = [0, 1, 0], amplitude = 0.1, wavelength = 2, "
       "speed = 1 } }",
@@ -331,8 +331,7 @@ TEST(Deform, ContactsAreThoseOfTheSurfaceAsItIs) {
   EXPECT_EQ(runner.frame(1).pairs.at(0).state, "separated");
 }
 
-/// A swell that rises under a ball from one frame to the next, from 0.212 m to 0.3 m; the ball's
-/// lowest point is 0.25 m high.
+/// A swell that rises from 0.212 m to 0.3 m in a frame, under a ball whose bottom is at 0.25 m.
 std::string swell(const std::string& rest) {
   return R"(title = "A swell"
 [time]

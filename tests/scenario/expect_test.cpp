@@ -22,8 +22,7 @@ Scenario expecting(const std::string& keys) {
                         "hull/a.toml");
 }
 
-/// Frame 3: crate touches floor with three points, the deepest at -0.005, along the first face
-/// axis.
+/// Frame 3: crate touches floor with three points, deepest at -0.005, along the first face axis.
 trace::Frame touching() {
   trace::Frame frame;
   frame.frame = 3;
@@ -36,7 +35,7 @@ trace::Frame touching() {
   return frame;
 }
 
-/// Frame 3: crate and floor apart by 0.25 along an edge axis.
+/// Frame 3: crate and floor separated by 0.25 along an edge axis.
 trace::Frame separated() {
   trace::Frame frame;
   frame.frame = 3;

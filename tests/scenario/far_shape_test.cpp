@@ -4,8 +4,7 @@
 #include "scenario/run.h"
 #include "trace/json.h"
 
-/// Shapes that a file gives far from the origin of their own frame: collided about their middle, and
-/// told as the file has them.
+/// Shapes that a file models far from their origin: collided about their middle, recorded as given.
 namespace contactscope {
 namespace {
 
@@ -26,7 +25,7 @@ std::string position_of(const Vec3d& place) {
 const std::vector<Vec3d> kWedge = {{-0.5, 0, -0.5}, {0.5, 0, -0.5}, {0.5, 0, 0.5},
                                    {-0.5, 0, 0.5},  {0, 0.7, -0.5}, {0, 0.7, 0.5}};
 
-/// A wedge on a crate and a ball on a triangle, each given about `origin`, at the same places.
+/// A wedge on a crate and a ball on a triangle, each modelled about `origin`, at the same places.
 Scenario scene(const Vec3d& origin, const std::string& motion = "", const std::string& rest = "") {
   std::vector<Vec3d> wedge = kWedge, triangle = {{4, 0, -1}, {6, 0, -1}, {5, 0, 1}};
   for (Vec3d& point : wedge) point -= origin;

@@ -58,7 +58,7 @@ TEST(IncrementalRun, FourPointsAndAStableManifoldTakeFourFramesBesideOne) {
     EXPECT_EQ(incremental.incremental->margin_b, static_cast<double>(0.03F));
     EXPECT_EQ(incremental.stability->verdict, verdicts[frame]) << frame;
     EXPECT_EQ(incremental.stability->shape, "crate");
-    // No view shows it, and nobody asked for the other kind.
+    // No view shows it, and no key requests the other kind.
     EXPECT_FALSE(facts.pairs.at(1).stability || facts.pairs[1].incremental);
     ASSERT_EQ(facts.pairs[1].manifolds.size(), frame == 0 ? 0U : 1U);
     for (const trace::Manifold& manifold : facts.pairs[1].manifolds)
@@ -109,8 +109,7 @@ TEST(IncrementalRun, ARecordChangesNothingAndTradingTheShapesMirrors) {
   }
 }
 
-/// A wheel of 64 flat sides that rolls, so that each side's corners take the places of the ones
-/// before; the solver moves it.
+/// A wheel of 64 flat sides that the solver rolls: corners take the places of the previous side's.
 constexpr const char* kRollingWheel = R"(title = "Rolling wheel"
 [time]
 frames = 60

@@ -98,7 +98,7 @@ TEST(MeshPairRun, ACoherentTraversalFindsTheSameAndTellsWhatItCompared) {
     EXPECT_EQ(count_of(pair.query->node_pairs), pair.query->trees->node_pairs);
     const int most = expected.query->trees->node_pairs;
     EXPECT_LE(pair.query->trees->node_pairs, frame == 0 ? most : 9 * most / 10);
-    // Frames that are passed over count: what was compared depends on them.
+    // Skipped frames count: the set of compared nodes depends on them.
     if (frame < 3) continue;
     EXPECT_EQ(last.frame(3).pairs.at(0).query->node_pairs, pair.query->node_pairs);
   }
@@ -113,7 +113,7 @@ TEST(MeshPairRun, ATraversalOfWhatHasNoTwoTreesIsToldToHaveNoEffect) {
                                                       "two meshes that are asked themselves")));
 }
 
-/// A sheet that is wound up, beside or in a ball that comes closer by `speed`.
+/// A sheet that is wound up, and another one that moves by `speed` along y.
 std::string wound_pair(const std::string& radians, const std::string& speed) {
   return R"(title = "A sheet that is wound up in a ball"
 [shapes.sheet]
@@ -169,7 +169,7 @@ TEST(MeshPairRun, AnAutomaticTreeIsBuiltAnewWhereQueriesCostThirtyPerCentMore) {
 }
 
 TEST(MeshPairRun, AnAutomaticTreeIsNotBuiltAnewBecauseMeshesComeCloser) {
-  // Wound by so little that it stays as good as new, while the other mesh comes down through it.
+  // Wound so little that the tree stays as good as new, while the other mesh moves down through it.
   const Scenario scenario = parse_scenario(wound_pair("0.001", "-0.3"), "a.toml");
   Runner runner(scenario);
   int most = 0, least = 1 << 30;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-/// Rotation by an angle, written from its definition: Rodrigues' formula applied to a vector.
+/// Rotation by an angle from its definition: Rodrigues' formula applied to a vector.
 Vec3d rotated(const Vec3d& v, const Vec3d& unit_axis, double angle) {
   return std::cos(angle) * v + std::sin(angle) * unit_axis.cross(v) +
          (1 - std::cos(angle)) * unit_axis.dot(v) * unit_axis;
@@ -22,7 +22,7 @@ ScenarioShape shape_from(const std::string& keys) {
   return scenario.shapes.at(0);
 }
 
-/// Both poses take three points that span the space to the same places.
+/// Both poses map three points that span the space to the same places.
 void expect_same(const Pose<double>& actual, const Vec3d& position, const Vec3d& axis,
                  double angle) {
   const Vec3d off = actual.position - position;
@@ -143,8 +143,8 @@ TEST(Motion, ConstantVelocityCarriesTheShape) {
   expect_same(pose_at(shape, 4), {3, -2, 3}, Vec3d::UnitX(), 0);
 }
 
-// The angular velocity is in world space and turns about the shape's origin: it acts on the shape
-// as the start rotation left it, and never moves the origin.
+// The angular velocity is in world space and turns about the shape's origin. It acts on the shape
+// after the start rotation, and never moves the origin.
 TEST(Motion, AngularVelocityTurnsInWorldSpace) {
   const ScenarioShape shape = shape_from(R"(
 position = [5, 0, 0]
@@ -169,7 +169,7 @@ TEST(Motion, TinyAngularVelocityIsNotLost) {
   expect_same(pose_at(shape, 1e200), {0, 0, 0}, Vec3d::UnitZ(), 1);
 }
 
-// Fifteen frames that add up a step each would differ from this in the last digits.
+// Fifteen frames that each add a step would differ from this in the last digits.
 TEST(Motion, FramesDoNotAccumulateRounding) {
   const ScenarioShape shape =
       shape_from("[shapes.s.motion]\nvelocity = [0.1, 0, 0]\nangular_velocity = [0, 0.1, 0]\n");
@@ -185,7 +185,7 @@ struct Spelling {
 
 class RotationSpelling : public ::testing::TestWithParam<Spelling> {};
 
-// One rotation, 120 degrees about the diagonal, which takes x to y, y to z and z to x.
+// One rotation, 120 degrees about the diagonal, which maps x to y, y to z and z to x.
 TEST_P(RotationSpelling, EverySpellingMeansTheSame) {
   const ScenarioShape shape = shape_from(std::string("rotation = ") + GetParam().rotation);
   EXPECT_NEAR((shape.pose.rotate(Vec3d::UnitX()) - Vec3d::UnitY()).norm(), 0, 1e-14);

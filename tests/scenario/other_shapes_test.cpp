@@ -44,7 +44,7 @@ TEST(OtherShapes, StandInTheTraceWithWhatTheyAreMadeOf) {
   EXPECT_EQ(header.shapes[4].half_space->offset, -0.5);
 }
 
-// The issue is with what the user writes as a and b, not with the order in the file.
+// The user's a and b decide, not the order in the file.
 TEST(OtherShapes, TradingAAndBMirrorsTheManifold) {
   const auto pair_of = [](const std::string& a, const std::string& b) {
     const Scenario scenario = parse_scenario(

@@ -12,7 +12,7 @@ using ::testing::IsEmpty;
 using ::testing::SizeIs;
 using ::testing::StartsWith;
 
-/// Five points; the third is the deepest, and inside of the square that the others are.
+/// Five points; the third is the deepest, and inside the square of the others.
 std::string five(const std::string& rest = "", const std::string& before = "") {
   return before + R"([[patch]]
 normal = [0, 2, 0]

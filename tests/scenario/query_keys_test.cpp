@@ -1,4 +1,4 @@
-// What a pair is asked: each key of it, what is refused, what has no effect, and what a run answers.
+// Queries of pairs: each key, rejected uses, keys without effect, and the answers of a run.
 
 #include <gmock/gmock.h>
 

@@ -119,7 +119,7 @@ TEST_P(Run, FramesCarryTheirTimeAndPoses) {
   EXPECT_EQ(frame.pairs[0].kind, "hull-hull");
 }
 
-// What the trace says of a pose is what the pipeline computed with, to the bit.
+// The poses in the trace are bitwise the ones of the pipeline.
 TEST(RunScalar, FloatPosesAndVerticesAreThoseOfFloat) {
   const std::string text = one_shape(
       "type = \"box\"\nhalf_extents = [0.1, 0.3, 0.7]\nposition = [0.1, 0.2, 0.3]\n"
@@ -175,7 +175,7 @@ TEST_P(Run, RunnersOfOneScenarioDoNotDisturbEachOtherOnThreads) {
   EXPECT_NE(alone[0], alone[2]);
 }
 
-// A turning crate, once for each reducer: those that go by the frame before have a choice to keep.
+// A turning crate, once for each reducer: those that use the previous frame have a choice to keep.
 TEST_P(Run, AFrameIsTheSameWhicheverWereAskedForBefore) {
   std::string text =
       two_boxes("position = [0, -0.99, 0]\n[time]\nframes = 8\ndt = 0.1\n[pipeline]\nscalar = \"" +
@@ -227,7 +227,7 @@ TEST_P(Run, ACacheIsKeptFromFrameToFrameUnlessTheFileSaysOtherwise) {
   }
 }
 
-// The oracle is the pipeline itself, run from the first frame on with what it kept handed on.
+// The oracle is the pipeline itself, run from the first frame with its selection passed on.
 TEST(RunMemory, AReducerThatRemembersIsGivenWhatItKeptInTheFrameBefore) {
   int remembering = 0;
   for (const ReducerInfo& info : reducers()) {
@@ -275,7 +275,7 @@ TEST(RunMemory, AReducerThatRemembersIsGivenWhatItKeptInTheFrameBefore) {
   EXPECT_GT(remembering, 0);
 }
 
-/// Every point that is kept, frame by frame, without ids: those are mirrored.
+/// Every kept point, frame by frame, without ids: those are mirrored.
 std::vector<std::vector<Vec3d>> kept_of(const Scenario& scenario, std::size_t pair) {
   Runner runner(scenario);
   std::vector<std::vector<Vec3d>> kept;

@@ -34,7 +34,7 @@ TEST(Scatter, CopiesLieInTheRegionEachTurnedInItsOwnWay) {
   EXPECT_TRUE(((least - Vec3d(-1, 5, 2)).array() >= 0).all());
   EXPECT_TRUE(((Vec3d(3, 6, 2) - most).array() >= 0).all());
   EXPECT_LT((most - least - Vec3d(4, 1, 0)).norm(), 0.2) << "they fill it";
-  // Evenly turned axes add up to about the square root of their number, here 17.
+  // Uniformly random axes add up to about the square root of their number, here 17.
   EXPECT_LT(sum_of_axes.norm(), 52);
 }
 

@@ -178,7 +178,7 @@ TEST(Scenario, EveryKeyIsRead) {
   EXPECT_EQ(scenario.dt, 0.041666);
   EXPECT_EQ(scenario.scalar, Scalar::Double);
 
-  ASSERT_EQ(scenario.shapes.size(), 3u);  // in file order, which is not the alphabet's
+  ASSERT_EQ(scenario.shapes.size(), 3u);  // in file order, which is not alphabetical
   EXPECT_EQ(scenario.shapes[0].name, "tower");
   EXPECT_EQ(scenario.shapes[1].name, "anvil");
   EXPECT_EQ(scenario.shapes[2].name, "a shard");
@@ -349,7 +349,7 @@ TEST(Scenario, AByteOrderMarkAndWindowsLinesAreAccepted) {
   EXPECT_EQ(complaint(text), "no complaint");
 }
 
-// Dots join names in keys only; numbers, strings and comments may have as many as they like.
+// Dots join names in keys only; numbers, strings and comments may have any number of them.
 TEST(Scenario, DotsInNumbersStringsAndCommentsAreNoKeys) {
   std::string dots;
   for (int i = 0; i < 50; ++i) dots += "a.";

@@ -68,12 +68,12 @@ TEST(Sdf, IsSlicedWhereAViewShowsIt) {
     for (int column = 0; column < slice.columns; ++column) {
       const Vec3d place = slice.origin + column * slice.next + row * slice.next_row;
       EXPECT_NEAR(place.z(), 0, 1e-12);
-      // Distance of a box whose top is the ground.
+      // Distance from a box whose top is the ground.
       const Vec3d out = (place + Vec3d(0, 0.5, 0)).cwiseAbs() - Vec3d(1, 0.5, 1);
       const double truth = out.cwiseMax(0.0).norm() + std::min(out.maxCoeff(), 0.0);
       const double told = slice.cell * at(slice.distances, row * slice.columns + column);
       EXPECT_NEAR(told, truth, 0.5 * slice.cell) << place.transpose();
-      // Before a face, away from edges and the middle, the distance is linear, as blends are.
+      // In front of a face, away from edges and the middle, distance and blending are linear.
       if (out.x() > -0.5 || std::abs(out.y()) > 0.3) continue;
       ++before_faces;
       inside += truth < 0 ? 1 : 0;
@@ -82,7 +82,7 @@ TEST(Sdf, IsSlicedWhereAViewShowsIt) {
   }
   EXPECT_GT(before_faces, 100);
   EXPECT_GT(inside, 30);
-  // A dense field has nodes of its own everywhere, and this one asks no triangles.
+  // A dense field has nodes of its own everywhere, and this one uses no triangles.
   const int squares =
       static_cast<int>(std::lround(slice.next.norm() * (slice.columns - 1) * slice.next_row.norm() *
                                    (slice.rows() - 1) / (slice.cell * slice.cell)));

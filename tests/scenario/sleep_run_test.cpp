@@ -11,7 +11,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// A stack of two crates and one beside it, which a third falls onto after about a second and a half.
+/// A stack of two crates and one next to it; a third falls onto the latter after about 1.5 seconds.
 std::string stacks(const std::string& solver, const std::string& rest = "") {
   const auto crate = [](const std::string& name, const std::string& position,
                         const std::string& more = "") {
@@ -51,7 +51,7 @@ TEST_P(SleepRun, WhatRestsSleepsUntilSomethingFallsOnIt) {
   EXPECT_THAT(asleep_in(runner.frame(20)), ::testing::IsEmpty());
   const trace::Frame sleeping = runner.frame(60);
   EXPECT_THAT(asleep_in(sleeping), ::testing::ElementsAre("lower", "upper", "alone"));
-  // A picture shows its contacts, but the step gives them nothing.
+  // A picture shows its contacts, but the step gives them no impulses.
   int touching = 0;
   for (const trace::Pair& pair : sleeping.pairs) {
     touching += pair.state == "touching";
@@ -96,7 +96,7 @@ TEST_P(SleepRun, AFrameIsTheSameWhicheverWereAskedForBefore) {
   EXPECT_EQ(trace::to_json_line(went_on.frame(200)), trace::to_json_line(bare.frame(200)));
 }
 
-// With a threshold that nobody is below, nothing is another than it was.
+// With a threshold that no body falls below, nothing changes.
 TEST_P(SleepRun, WhereNobodyComesToRestNothingChanges) {
   const Scenario sleepless = parse_scenario(stacks("slop = 0.005", GetParam()), "g/a.toml");
   const Scenario restless =

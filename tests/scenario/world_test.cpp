@@ -142,7 +142,7 @@ TEST(DynamicRun, AStackCarriesItsWeightAndTellsIt) {
   for (const trace::Point& point : frame.pairs[1].manifolds.at(0).points) {
     ASSERT_TRUE(point.impulse);
     EXPECT_GT(point.impulse->normal, 0);
-    EXPECT_EQ(point.impulse->warm_start, 0);  // nothing was before
+    EXPECT_EQ(point.impulse->warm_start, 0);  // there was no previous impulse
   }
 }
 
@@ -237,7 +237,7 @@ TEST(DynamicRun, LengthsOfTheSolverAreByDefaultThoseOfTheSmallestBody) {
 }
 
 TEST(World, RelativeVelocityIsThatOfThePointBeforeAndAfterTheStepAndTotalsSumTheFrame) {
-  // A ball that spins on a platform that rises: at the contact it moves by spin x radius.
+  // A ball that spins on a rising platform: at the contact it moves by spin x radius.
   const Scenario scenario = parse_scenario(
       "title = \"t\"\n[time]\nframes = 2\ndt = 0.01\n"
       "[shapes.platform]\ntype = \"box\"\nhalf_extents = [1, 0.5, 1]\nposition = [0, -0.5, 0]\n"
@@ -275,7 +275,7 @@ TEST(World, WithoutASolverThereAreTotalsWherePlotsAreShown) {
   EXPECT_EQ(frame.totals->points, 1);
 }
 
-// Only what is written down and changes nothing is told, with its line.
+// Only keys that are written and have no effect are reported, with their line.
 TEST(IdleKeys, AreToldWithTheirLineAndTheRemedy) {
   const auto warnings = [](const std::string& text) {
     return parse_scenario(text, "g/a.toml").warnings;
@@ -308,7 +308,7 @@ TEST(IdleKeys, AreToldWithTheirLineAndTheRemedy) {
                           ::testing::StartsWith("line 10: [solver]")));
   EXPECT_THAT(warnings(two_boxes("restitution = 0.5\n")),
               ElementsAre(::testing::StartsWith("line 8: 'restitution' has no effect")));
-  // A key of [pipeline] counts as long as it is of some pair.
+  // A key of [pipeline] has an effect if it applies to any pair.
   const std::string mixed = two_boxes(
       "[shapes.ball]\ntype = \"sphere\"\nradius = 1\n[pipeline]\npenetration = \"epa\"\n");
   EXPECT_THAT(warnings(mixed), IsEmpty());

@@ -17,7 +17,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
-/// Points on a ball, all of which are corners of their hull.
+/// Points on a ball; all of them are corners of their hull.
 std::vector<Vec3d> on_a_ball(int count, double radius, std::uint64_t seed) {
   test::Random random(seed);
   std::vector<Vec3d> points;
@@ -25,7 +25,7 @@ std::vector<Vec3d> on_a_ball(int count, double radius, std::uint64_t seed) {
   return points;
 }
 
-/// Two rocks of many corners, turned and somewhere.
+/// Two rocks of many corners, at random poses.
 PairOfTwo two_rocks(double distance) {
   PairOfTwo pair;
   pair.a.name = "rock";
@@ -67,7 +67,7 @@ TEST(Shrink, TheSamePairGivesTheSameResult) {
 }
 
 TEST(Shrink, WhatFloatAndDoubleDisagreeAboutStays) {
-  // Far from the origin float loses a gap of a tenth of a millimetre.
+  // Far from the origin, float loses a separation of a tenth of a millimetre.
   PairOfTwo pair = two_rocks(1.2);
   pair.a.kind = pair.b.kind = SmallShape::Kind::Box;
   pair.a.vertices.clear();
@@ -90,7 +90,7 @@ TEST(Shrink, AnUnmetExpectationStaysTheSameOne) {
   pair.b.half_extents = {0.5, 0.53125, 0.4375};
   pair.b.position = pair.a.position + Vec3d(0.123, 1.02, 0.456);
   pair.settings = {{"max_points", "3"}};
-  pair.expectation = {{"points", "4"}};  // and it has three
+  pair.expectation = {{"points", "4"}};  // but it has three
   const Shrunk result = shrunk(pair, "unmet");
   EXPECT_LE(result.pair.vertex_count(), 12);
   const Scenario scenario = parse_scenario(to_scenario(result.pair, "", ""), "shrink/pair.toml");
@@ -100,7 +100,7 @@ TEST(Shrink, AnUnmetExpectationStaysTheSameOne) {
   EXPECT_THAT(unmet.front(), HasSubstr("expected 4 points, got 3"));
 }
 
-/// The contacts of a pair, as an engine that is wrong in some way would record them.
+/// The contacts of a pair as an engine with some mistake would record them.
 PairOfTwo recorded(PairOfTwo pair, const std::function<void(trace::Manifold&)>& mistake) {
   const trace::Pair right = *Judge::in_double(pair);
   const Pose<double> pose = pair.a.pose();
@@ -149,7 +149,7 @@ TEST(Shrink, WhatLintFindsInATraceStaysAndTheTraceIsMadeWithIt) {
 
 TEST(Shrink, AnEngineThatDisagreesIsAskedForEachPair) {
   int asked = 0;
-  // It misses whatever stands higher than two metres.
+  // It misses everything above two metres.
   const Engine blind = [&](const trace::Trace& request) {
     ++asked;
     trace::Trace answer = request;

@@ -58,7 +58,7 @@ class Check : public testing::Test {
   TemporaryFolder folder_;
 };
 
-/// Of what is found: its kind and sentence.
+/// Matches the kind and sentence of a finding.
 auto Tells(FindingKind kind, const std::string& sentence) {
   return testing::Optional(testing::AllOf(testing::Field(&Finding::kind, kind),
                                           testing::Field(&Finding::sentence, HasSubstr(sentence))));
@@ -165,7 +165,7 @@ TEST_F(Check, AChangedDigitInAStoredTraceFails) {
   store_trace(sample_trace());
   const std::filesystem::path file = trace_path(root(), kKey.scenario);
   std::string text = read_text(file);
-  // -0.005 as a float; frame 12 stands last.
+  // -0.005 as a float; frame 12 comes last.
   const std::string number = "-0.004999999888";
   const std::size_t place = text.rfind(number);
   ASSERT_NE(place, std::string::npos);

@@ -12,7 +12,7 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-/// What is told of the pair, without where it is.
+/// The findings about the pair, without their place.
 std::vector<std::string> compare(const trace::Trace& expected, const trace::Trace& actual) {
   const std::string place = "hull/face_contact frame 12, crate-floor: ";
   std::vector<std::string> sentences = compare_traces(expected, actual);
@@ -161,7 +161,7 @@ TEST(CompareStages, Impulses) {
                           "0.25 -> 0.00"));
   EXPECT_THAT(after([](trace::Pair& pair) { pair.manifolds[0].points[2].impulse.reset(); }),
               ElementsAre("point 2 impulse gone"));
-  // As far off as rounding may be, 16 units in the last place of the largest.
+  // The largest allowed rounding: 16 units in the last place of the largest.
   EXPECT_THAT(after([](trace::Pair& pair) { pair.manifolds[0].points[1].impulse->normal += 9e-7; }),
               IsEmpty());
   EXPECT_THAT(after([](trace::Pair& pair) { pair.manifolds[0].points[1].impulse->normal += 1e-6; }),

@@ -198,7 +198,7 @@ TEST(CompareTraces, ManyFramesAreMatchedInNoTime) {
   EXPECT_THAT(compare_traces(many, other), SizeIs(6));
 }
 
-/// The numbers of the header and of frame 12 that have a tolerance, and those that have none.
+/// The numbers of the header and of frame 12 with a tolerance, or (`exact`) those without.
 std::vector<double*> numbers_of(trace::Trace& trace, bool exact = false) {
   std::vector<double*> numbers;
   const auto take = [&](double& number, trace::Kind kind) {
@@ -209,7 +209,7 @@ std::vector<double*> numbers_of(trace::Trace& trace, bool exact = false) {
   return numbers;
 }
 
-/// What compare_traces() says when only the number with index `i` is changed.
+/// Findings of compare_traces() if only the number with index `i` is changed.
 std::vector<std::string> after_number(std::size_t i, const std::string& scalar,
                                       const std::function<double(double)>& change) {
   trace::Trace expected = sample_trace();
@@ -274,7 +274,7 @@ TEST(CompareTraces, TheToleranceFollowsTheSize) {
     for (trace::Point& point : sample_manifold(trace).points) point.position *= scale;
     return trace;
   };
-  // Three ten-thousandths of the size at every size; a ten-millionth of the size at none.
+  // Three ten-thousandths of the size fail at every size; a ten-millionth of it fails at none.
   for (const double scale : {1e-4, 1e-2, 1.0, 1e4}) {
     const trace::Trace expected = scaled(scale);
     trace::Trace actual = expected;
@@ -329,7 +329,7 @@ TEST(CompareTraces, TotalsAreHeldAgainstWhatTheySumUp) {
                 trace.frames[1].totals->ids = 5;
               }),
               ElementsAre(frame + ": totals: normal impulse 2.0 -> 3.0, ids 4 -> 5"));
-  // Energies of bodies that cancel out have the tolerance of what was added.
+  // If the energies of bodies cancel out, the tolerance is relative to the summands.
   trace::Trace expected = sample_trace();
   std::vector<trace::Body>& bodies = expected.frames[1].solver->bodies;
   bodies.push_back(bodies[0]);

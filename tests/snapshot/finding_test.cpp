@@ -44,7 +44,7 @@ TEST(Findings, OneCauseIsToldOnceWithItsScenarios) {
   EXPECT_EQ(all[0].findings[0]->scenario, "c/c") << "the largest difference first";
 }
 
-/// How many causes `count` scenarios are that changed alike.
+/// Number of causes of `count` scenarios with equal changes.
 std::size_t causes_of(int count, const std::string& cause) {
   Outcome outcome{"snapshots"};
   for (int i = 0; i < count; ++i) {
@@ -113,7 +113,7 @@ TEST(FirstCause, ADecisionIsToldWithBothOfItsNumbers) {
   EXPECT_THAT(told.cause, Not(HasSubstr("to spare"))) << "no margin is known";
 }
 
-/// What is told where `change` is all that differs of the pair in frame 0, and a margin of now.
+/// The cause if only `change` differs in the pair of frame 0, and the current margin is `decision`.
 std::string told_of(const std::function<void(trace::Pair&)>& change,
                     const trace::Decision& decision) {
   trace::Trace now = sample_trace();

@@ -18,7 +18,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-/// The sample with a strip of so many triangles in it.
+/// The sample with a strip of `triangles` triangles in it.
 trace::Trace with_strip(int triangles, double height = 0.1) {
   trace::Trace trace = sample_trace();
   trace::Shape& strip = trace.header.shapes.emplace_back();

@@ -29,7 +29,6 @@ class ReportFiles : public testing::Test {
   Shelf shelf() const { return shelf_of(snapshots_.path(), key_.scenario); }
   std::string out(const std::string& file) const { return (out_.path() / "check" / file).string(); }
   std::filesystem::path folder() const { return out_.path() / "check"; }
-  /// A report about a picture.
   Outcome report(const Image& actual) {
     ReportFolder report(out_.path());
     CheckedPicture checked = check_picture(shelf(), key_, actual, kLocal);

@@ -4,11 +4,11 @@
 
 namespace contactscope {
 
-/// A half-metre crate whose lower face lies 5 mm deep in a floor, turned about the up axis: frames
-/// 0 and 12, each with one pair, four contact points and every stage. All numbers are exact floats.
+/// A half-metre crate whose lower face is 5 mm deep in a floor, turned about the up axis: frames 0
+/// and 12, each with one pair, four contact points and every stage. All numbers are exact floats.
 trace::Trace sample_trace();
 
-/// The same contact as frame 12 of sample_trace(), to be changed.
+/// The same contact as frame 12 of sample_trace(), for changes.
 inline trace::Pair& sample_pair(trace::Trace& trace) {
   return trace.frames[1].pairs[0];
 }

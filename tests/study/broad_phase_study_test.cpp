@@ -28,7 +28,7 @@ TEST(BroadPhaseStudy, NoBroadPhaseMissesAPair) {
   }
 }
 
-/// Leaves out the last pair.
+/// Omits the last pair.
 class Forgetful : public PairFinder {
  public:
   void place(std::span<const Aabb<float>> boxes, std::span<const int> moved) override {

@@ -17,7 +17,7 @@ TEST(DistanceFieldStudy, SlowOrdersTheMethodsAsTheyAre) {
   const auto results = study_distance_field(options, [](int, int, const std::string&) {});
   ASSERT_EQ(results.size(), 6U);
 
-  // A finer lattice is nearer to the truth, and larger.
+  // A finer lattice is more accurate, and larger.
   const auto& coarse_to_fine = line_of(results[0], "by cells", "cubic").points;
   ASSERT_EQ(coarse_to_fine.size(), 4U);
   EXPECT_LT(*coarse_to_fine.back().error, 0.2 * *coarse_to_fine.front().error);
@@ -26,7 +26,7 @@ TEST(DistanceFieldStudy, SlowOrdersTheMethodsAsTheyAre) {
   const auto& memory = line_of(results[2], "by cells", "cubic").points;
   EXPECT_GT(*memory.back().error, 4 * *memory.front().error);
 
-  // Deep overlaps are found by points that are near each other; shallow ones between them are not.
+  // Dense sample points find deep overlaps, but not shallow ones between them.
   EXPECT_EQ(*line_of(results[4], "1 cell deep", "sampled").points.front().error, 0);
   EXPECT_GT(*line_of(results[4], "0.01 cells deep", "sampled").points.back().error, 0.3);
   for (const trace::StudySeries& series : results[4].series)
@@ -34,7 +34,7 @@ TEST(DistanceFieldStudy, SlowOrdersTheMethodsAsTheyAre) {
       EXPECT_TRUE(series.method != "conservative" || *point.error == 0)
           << series.panel << ' ' << point.parameter;
 
-  // Of plates thinner than a cell blending loses some, and triangles none.
+  // On plates thinner than a cell, blending loses some places, and triangles lose none.
   for (const char* method : {"cubic with exact cells", "cubic with exact cells where needed"})
     for (const trace::StudyPoint& point :
          line_of(results[5], "a plate beside a wall", method).points)

@@ -8,7 +8,7 @@ namespace {
 
 using testing::SizeIs;
 
-/// A frame of a crate at rest whose engine tells its four points in two manifolds, their normals one degree apart.
+/// A crate at rest whose engine records four points in two manifolds, one degree from each other.
 trace::Frame told_in_two(int number) {
   trace::Frame frame;
   frame.frame = number;
@@ -22,7 +22,7 @@ trace::Frame told_in_two(int number) {
     for (const double z : {-1.0, 1.0})
       manifold.points.push_back({{x, 0, z}, -0.01, x < 0 ? "left" : "right"});
   }
-  // Which of the two comes first may change.
+  // The order of the two may change.
   if (number % 2 == 1) std::swap(pair.manifolds[0], pair.manifolds[1]);
   return frame;
 }

@@ -21,7 +21,7 @@ using testing::IsEmpty;
 using testing::SizeIs;
 
 /// A unit crate turned by 45 degrees, 5 mm deep in a floor of half its width: an octagon of
-/// contact. `crate` and `rest` go into the shape's table and to the end.
+/// contact. `crate` is appended to the shape's table, `rest` to the file.
 Scenario octagon(const std::string& scalar, const std::string& crate, const std::string& rest = "",
                  int frames = 4) {
   return parse_scenario("title = \"Octagon\"\n[time]\nframes = " + std::to_string(frames) +
@@ -116,8 +116,8 @@ TEST_P(Explore, OptimalKeepsTheBestAreaAndNoneIsAboveIt) {
   const auto explorations = explore(octagon(GetParam(), kAtRest), 0, untimed());
   ASSERT_THAT(explorations, SizeIs(1));
   const trace::Exploration& exploration = explorations[0];
-  // Of a regular octagon, cut from a unit square by the other: circumradius^2 is the square of half
-  // a side over cos 22.5 degrees, and the best quadrilateral its inscribed square.
+  // A regular octagon, cut from a unit square by the other one: circumradius^2 is the square of
+  // half a side over cos 22.5 degrees, and the best quadrilateral is its inscribed square.
   const double c = std::cos(std::numbers::pi / 8);
   EXPECT_NEAR(exploration.best_area, 2 * 0.25 / (c * c), 1e-5);
   EXPECT_NEAR(answer_of(exploration, "optimal").area_ratio, 1, 1e-6);
@@ -154,11 +154,11 @@ TEST_P(Explore, ATurningBodyMovesMostAtItsCorners) {
       std::string(kAtRest) + "\nmotion = { angular_velocity = [0, 0.01, 0] }";
   const auto explorations = explore(octagon(GetParam(), turning), 1, untimed());
   ASSERT_THAT(explorations, SizeIs(2));
-  // Also where the corners hang over and touch nothing.
+  // Even if the corners overhang and touch nothing.
   EXPECT_NEAR(explorations[1].bodies_moved, 2 * std::sin(0.0025) * std::sqrt(0.5), 1e-6);
 }
 
-/// A bar of two metres that leans a milliradian on one end, then on the other, then rests: the
+/// A bar of two metres that leans by a milliradian on one end, then on the other, then rests: the
 /// corners of its ends are 9 and 11 mm deep.
 Scenario rocking_bar(const std::string& scalar) {
   return parse_scenario(
@@ -181,10 +181,10 @@ TEST_P(Explore, PointsThatGiveWayToOthersHaveMovedThere) {
   ASSERT_THAT(explorations, SizeIs(3));
   const trace::ReducerAnswer& over = answer_of(explorations[1], "deepest");
   EXPECT_EQ(over.ids_changed, 4);
-  // From the left corner below to the right one, a decimetre under the middle.
+  // From the left bottom corner to the right one, a decimetre below the centre.
   const double lean = 0.0573 * std::numbers::pi / 180;
   EXPECT_NEAR(over.patch_moved, 2 * std::cos(lean) - 0.2 * std::sin(lean), 1e-6);
-  // Two milliradians at the corner farthest from the middle.
+  // Two milliradians at the corner farthest from the centre.
   const double corner = 2 * std::sin(lean) * std::hypot(1.0, 0.1);
   EXPECT_NEAR(explorations[1].bodies_moved, corner, 1e-6);
   const trace::ReducerAnswer& still = answer_of(explorations[2], "deepest");
@@ -194,15 +194,15 @@ TEST_P(Explore, PointsThatGiveWayToOthersHaveMovedThere) {
   EXPECT_NEAR(summarize(explorations).back().moves.value(), 2 / corner, 1);
 }
 
-/// Half the side of a unit square that another one, turned about the same middle, leaves of it is
-/// between these two: where the other's sides cross the line y = 1/2.
+/// The range on half a side of a unit square that remains of it within another one turned about the
+/// same centre: the other's sides cross the line y = 1/2 at its ends.
 std::pair<double, double> cut(double turn) {
   return {(0.5 - 0.5 * std::sin(turn)) / std::cos(turn),
           (0.5 - 0.5 * std::cos(turn)) / std::sin(turn)};
 }
 
-// The middle of a square of contacts stays where it is when the other square of the octagon takes
-// its place: a measure by the middle alone sees nothing.
+// The centre of a square of contacts stays when the octagon's other square replaces it: a measure
+// of the centre alone would miss the change.
 TEST_P(Explore, ASquareThatGivesWayToTheOtherHasMoved) {
   const std::string turning =
       "position = [0, 0.495, 0]\n[shapes.crate.motion]\nkeyframes = [\n"
@@ -213,8 +213,7 @@ TEST_P(Explore, ASquareThatGivesWayToTheOtherHasMoved) {
   ASSERT_THAT(explorations, SizeIs(2));
   const trace::ReducerAnswer& optimal = answer_of(explorations[1], "optimal");
   EXPECT_EQ(optimal.ids_changed, 8);
-  // Of the two points on one side of the fixed square the far one is kept before, the near one
-  // after.
+  // One side of the fixed square has two points: the far one is kept before, the near one after.
   const double degree = std::numbers::pi / 180;
   const auto before = cut(43 * degree), after = cut(47 * degree);
   const double way_along =
@@ -246,7 +245,7 @@ std::set<bool> tower_held(const std::string& scalar, double degrees) {
   return verdicts;
 }
 
-// It tips where the tangent is more than half its base over half its height: at 11.3 degrees.
+// It tips if the tangent exceeds half its base over half its height: at 11.3 degrees.
 TEST_P(Explore, ATowerOnARampTipsWherePlumbBelowItsMiddleIsNoBase) {
   EXPECT_THAT(tower_held(GetParam(), 0), ElementsAre(true));
   EXPECT_THAT(tower_held(GetParam(), 11), ElementsAre(true));
@@ -254,8 +253,7 @@ TEST_P(Explore, ATowerOnARampTipsWherePlumbBelowItsMiddleIsNoBase) {
   EXPECT_THAT(tower_held(GetParam(), -30), ElementsAre(false));
 }
 
-/// A box of 0.8 by 0.8 at a place on a flat mesh of triangles with sides of half a metre, which
-/// reaches from -2 to 2 m.
+/// A box of 0.8 by 0.8 on a flat mesh from -2 to 2 m of triangles with sides of 0.5 m.
 std::vector<trace::Exploration> box_on_mesh(const std::string& scalar, const std::string& x) {
   return explore(parse_scenario("title = \"Mesh\"\n[pipeline]\nscalar = \"" + scalar +
                                     "\"\n[shapes.crate]\ntype = \"box\"\n"
@@ -275,7 +273,7 @@ TEST_P(Explore, EveryTriangleOfAMeshIsReduced) {
     ASSERT_TRUE(exploration.triangle);
     triangles.insert(*exploration.triangle);
     covered += answer_of(exploration, "none").area;
-    // A triangle bears a corner of the box at most, the box rests on all of them.
+    // A triangle carries at most one corner of the box; the box rests on all of them.
     for (const trace::ReducerAnswer& answer : exploration.reducers)
       EXPECT_TRUE(answer.supports_center_of_mass.value()) << answer.name;
   }
@@ -309,7 +307,7 @@ TEST_P(Explore, EveryReducerHoldsASlabInTheMiddleAndNoneOneThatHangsOver) {
 }
 
 TEST_P(Explore, WhatNothingTouchesIsLeftOutAndForgotten) {
-  // Down, up, and down again, a quarter turn on: frames 0 and 2 touch.
+  // Down, up, and down again, after a quarter turn: frames 0 and 2 touch.
   const std::string hopping =
       "rotation = { axis = [0, 1, 0], degrees = 45 }\nmotion = { keyframes = [ "
       "{ time = 0.0, position = [0, 0.495, 0] }, { time = 0.5, position = [0, 0.9, 0] }, "
@@ -373,7 +371,7 @@ TEST_P(Explore, PairsThatDifferInAnyOtherSettingAllAppear) {
     labels.push_back(exploration.label);
   }
   EXPECT_EQ(labels, expected);
-  // What stands for several reducers bears the label of none.
+  // A result that is shared by several reducers has no label.
   const auto alone = explore(octagon(GetParam(), kAtRest,
                                      pair + "\"bullet\"\nreducer = \"bullet\"\n" + pair +
                                          "\"first\"\nreducer = \"first\"\n"),

@@ -43,7 +43,7 @@ TEST(FlipDistanceStudy, TellsOfEachFrameHowFarThePointsAreFromOthers) {
   ASSERT_EQ(way.points.size(), 3u);
   for (std::size_t i = 0; i < 3; ++i)
     EXPECT_NEAR(way.points[i].error.value_or(0), 0.001 * static_cast<double>(i + 1), 1e-6);
-  // However a ball is turned, its contact is the same.
+  // A ball's contact is the same after any rotation.
   EXPECT_EQ(studies[1].series[0].points[0].failed, 1);
 }
 

@@ -28,7 +28,7 @@ TEST(TimeOfImpactStudy, SlowOursMissNothingAndSamplingDoes) {
     }
   }
   EXPECT_EQ(checked, 4 * (4 + 4 + 6));
-  // In a step of a hundred metres the hulls are in each other for two of them.
+  // In a step of a hundred metres, the hulls overlap for two metres.
   EXPECT_GT(line_of(results[0], "translating", "8 samples").points.back().failed, 1);
   EXPECT_GT(*line_of(results[1], "translating", "8 samples").points.back().error, 0.1);
 }
@@ -67,7 +67,7 @@ TEST(TunnellingStudy, SlowNothingPassesATimeOfImpact) {
       EXPECT_TRUE(!continuous || *point.error == 0) << series.method << ' ' << series.panel;
     }
   }
-  // At 5 m/s a sphere goes 8 cm a step, less than its size with the wall's; at 1000 m/s 17 m.
+  // At 5 m/s a sphere moves 8 cm a step, less than its size plus the wall's; at 1000 m/s 17 m.
   const auto& discrete = line_of(results[0], "spheres, a wall of 1 cm", "discrete");
   EXPECT_LT(*discrete.points.front().error, 0.7);
   EXPECT_GT(*discrete.points.back().error, 0.9);

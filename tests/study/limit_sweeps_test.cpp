@@ -5,14 +5,14 @@
 
 #include "study/limits_study.h"
 
-// Every pair of shapes, driven to where numbers run out.
+// Every pair of shapes, driven to the limits of its numbers.
 namespace contactscope {
 namespace {
 
 constexpr int kCases = 12;
 constexpr std::uint64_t kSeed = 7;
 
-/// What a sweep came to in one scalar.
+/// Results of a sweep in one scalar.
 struct Outcome {
   int faults[7] = {};
   int drowned_convex = 0;      // without meshes
@@ -20,7 +20,7 @@ struct Outcome {
   int lost = 0;
   double worst_ulps = 0;
   double worst_cells = 0;   // error of the unrounded geometry, in cells of the world's coordinates
-  double deepest_lost = 0;  // the same of the overlaps that were lost
+  double deepest_lost = 0;  // the same for lost overlaps
   int of = 0;
 
   int count(ContactFault fault) const { return faults[static_cast<int>(fault)]; }
@@ -63,7 +63,7 @@ std::string name_of(const testing::TestParamInfo<LimitSweep>& info) {
   return info.param.name;
 }
 
-/// But for overlaps that are no more than rounding themselves.
+/// Except for overlaps that are no larger than rounding.
 void expect_no_wrong_answer(const Outcome& outcome) {
   EXPECT_GT(outcome.of, 500);
   EXPECT_EQ(outcome.count(ContactFault::NotFinite), 0);
@@ -81,7 +81,7 @@ TEST_P(LimitSweeps, FloatIsNeverWrongAboutWhatItIsGiven) {
   const std::string& name = GetParam().name;
   if (name != "tilt" && name != "scale" && name != "aspect") return;  // others go down to nothing
   EXPECT_EQ(outcome.drowned_convex, 0);
-  // Of a triangle of thousands of kilometres float rounds what is beneath the crate by metres.
+  // On a triangle of thousands of kilometres, float rounds the surface below the crate by metres.
   EXPECT_EQ(outcome.count(ContactFault::Drowned) > 0, name == "aspect");
 }
 
@@ -104,7 +104,7 @@ TEST_P(LimitSweeps, ContactsAreLostOnlyWhereTheyAreNoLargerThanTheCellsOfTheirCo
 INSTANTIATE_TEST_SUITE_P(Every, LimitSweeps, testing::ValuesIn(limit_sweeps()), name_of);
 
 TEST(LimitSweep, FloatDoesRunOutSomewhere) {
-  // A sweep that never gets there would prove nothing.
+  // A sweep that never reaches this limit would prove nothing.
   EXPECT_GT(run<float>(limit_sweeps()[2]).lost, 0);  // distance
   EXPECT_GT(run<float>(limit_sweeps()[5]).lost, 0);  // kiss
 }
@@ -144,7 +144,7 @@ TEST(StackedPair, OverlapsByWhatIsAskedFor) {
       }
     }
   }
-  // Spheres of 2 m: half way from a kiss to coincidence is one metre.
+  // Spheres of 2 m: the middle between touching and coincidence is one metre.
   Stacking half;
   half.size = 2;
   half.overlap = 0.5;
@@ -159,7 +159,7 @@ TEST(PairVerdict, AContactThatIsNotTheOneExpectedIsLost) {
   EXPECT_FALSE(judge_pair<float>(pair).lost);
   pair.separation *= 3;
   EXPECT_TRUE(judge_pair<float>(pair).lost);
-  // The oracle judges what the scalar holds and knows nothing of the expectation.
+  // The oracle judges the scalar's numbers and ignores the expectation.
   EXPECT_EQ(judge_pair<float>(pair).fault, ContactFault::None);
 }
 

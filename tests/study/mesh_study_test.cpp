@@ -32,12 +32,12 @@ TEST(TriangleStudy, TheExactTestIsNeverWrongAndAnEpsilonIsRightAtNoMoreThanItsOw
   for (const char* panel : {"triangles of 0.12 mm", "triangles of 1 m", "triangles of 8 km"}) {
     for (const trace::StudyPoint& point : line_of(study, panel, "exact").points)
       EXPECT_EQ(point.error, none) << panel << ", " << point.parameter;
-    // Within a few units of one plane the sign of a float volume is a coin toss.
+    // Within a few units of one plane, the sign of a float volume is a coin toss.
     EXPECT_GT(*line_of(study, panel, "float").points[0].error, 0.01) << panel;
     EXPECT_LT(*line_of(study, panel, "double").points[0].error,
               *line_of(study, panel, "float").points[0].error);
   }
-  // A micrometre is a hundredth of such a triangle: whole gaps are called overlaps.
+  // A micrometre is a hundredth of such a triangle: whole separations are reported as overlaps.
   const auto last = [&](const char* panel, const char* method) {
     return *line_of(study, panel, method).points.back().error;
   };
@@ -104,7 +104,7 @@ TEST(MeshStudy, RefittedTreesGetWorseRebuiltOnesDoNotAndAutoStaysNear) {
   };
   EXPECT_GT(worst("refit"), 1.3 * worst("rebuild"));
   EXPECT_LT(worst("auto"), 1.31 * worst("rebuild"));
-  // The slower, the more of a front stays: nearly all that is spared is what is above it.
+  // With slower motion, more of a front persists: nearly everything above it is saved.
   const char* const kMoving =
       "node pairs compared, micrometres a frame, one ball moves in the other";
   const auto& coherent = line_of(studies[1], kMoving, "coherent").points;

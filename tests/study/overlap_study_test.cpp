@@ -25,8 +25,8 @@ TEST(OverlapStudy, LooserBoundsLetMoreThroughAndNoneLosesAnOverlap) {
       EXPECT_GT(point.nanoseconds.min, 0);
     }
   }
-  // By the mean volumes of the Minkowski sums a sphere lets 49.5 % of cubes through wrongly: the
-  // sum of two cubes has 11 m^3 in the mean, that of their spheres 21.8.
+  // By the mean volumes of the Minkowski sums, a sphere wrongly passes 49.5 % of cubes: the sum of
+  // two cubes has a mean of 11 m^3, that of their spheres 21.8.
   EXPECT_NEAR(*bounds.series[1].points[0].error, 0.495, 0.04);
   EXPECT_NEAR(*bounds.series[0].points[0].error, 0.6, 0.04);
   for (std::size_t p = 0; p < 3; ++p) {
@@ -59,7 +59,7 @@ TEST(OverlapStudy, ALowThresholdMissesAHighOneSeesPhantomsAndTheGuardDoesNeither
       }
       if (guarded) continue;
       const bool missed = series.panel == "overlaps called apart";
-      // None skipped, and skipped up to a tenth.
+      // None skipped, and up to a tenth skipped.
       EXPECT_EQ(error(0) > none, missed) << series.method << ", " << series.panel;
       EXPECT_EQ(error(13) > none, !missed) << series.method << ", " << series.panel;
     }

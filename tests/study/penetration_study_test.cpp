@@ -53,16 +53,16 @@ TEST(PenetrationStudy, MoreEffortIsNeverWorseAndEpaIsAsExactAsTheSeparatingAxisT
   const auto& by_tolerance = series_named(depths, "double, EPA by tolerance").points;
   EXPECT_LT(*by_tolerance.back().error_worst, 1e-13);
   EXPECT_GE(*by_tolerance.front().error_worst, *by_tolerance.back().error_worst);
-  // Ended by the cap, an upper bound is further off the earlier.
+  // Iteration limits end the search: the lower the limit, the larger the error of the upper bound.
   const auto& by_iterations = series_named(depths, "double, EPA by iterations").points;
   for (std::size_t k = 1; k < by_iterations.size(); ++k) {
     EXPECT_LE(*by_iterations[k].error, *by_iterations[k - 1].error + 1e-12);
   }
   EXPECT_LT(*by_iterations.back().error_worst, 1e-13);
-  // The cap on iterations is what ends a search that has one.
+  // Only a search with an iteration limit is ended by it.
   EXPECT_EQ(series_named(studies[2], "double, EPA by tolerance").points.back().error, 0);
   EXPECT_GT(*series_named(studies[2], "double, EPA by iterations").points.front().error, 0.9);
-  // MPR's normal is not that of least depth, however exact it is.
+  // MPR's normal is not the one of least depth, however exact it is.
   EXPECT_GT(*series_named(depths, "double, MPR by tolerance").points.back().error_worst, 1e-4);
   const auto& sampled = series_named(depths, "double, sampling, one round").points;
   EXPECT_LT(*sampled.back().error, *sampled.front().error);

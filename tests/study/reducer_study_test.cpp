@@ -119,11 +119,11 @@ TEST(ReducerStudy, WhoKeepsNoAreaHasFailedAndLostAllOfIt) {
       EXPECT_GE(*point.error, static_cast<double>(point.failed) / point.of) << series.method;
     }
   }
-  EXPECT_GT(failed, 0);  // extremes, of narrow patches that lie aslant
+  EXPECT_GT(failed, 0);  // extremes, on narrow oblique patches
 }
 
-// coherent.cpp promises 95% of the reference, which is at least half of the best for four points;
-// with ids to keep it loses more than without, and both are far from the bound.
+// coherent.cpp promises 95% of the reference, which is at least half of the best for four points.
+// With ids to keep it loses more than without, and both are far from the bound.
 TEST(ReducerStudy, CoherentIsMeasuredWithAndWithoutItsMemory) {
   const auto loss = [](const std::string& method) {
     const auto& all = results()[0].series;
@@ -164,14 +164,14 @@ TEST(ReducerStudy, AreaLosesSomethingAndAnOptimalReducerNothing) {
     if (series.method == "area") {
       EXPECT_GT(sum, 0.01);
     }
-    // Float can take the second best where two differ by less than its rounding.
+    // Float may select the second best if two differ by less than its rounding.
     if (series.method == "optimal") {
       EXPECT_LT(sum, 1e-5);
     }
   }
 }
 
-/// None of them is the deepest, so that area decides: greedy steps may begin at a poor point, no more.
+/// None of them is the deepest, so area decides: greedy steps may only begin at a poor point.
 TEST(ReducerStudy, OfEquallyDeepPointsTheBestFourAreKept) {
   const trace::Study& flat = results()[3];
   for (const trace::StudySeries& series : flat.series) {
@@ -240,8 +240,8 @@ TEST(Studies, AreNamedAndSummarised) {
   for (const StudyInfo& info : studies()) EXPECT_FALSE(info.summary.empty()) << info.name;
 }
 
-/// Shares of the best area and percent of polygons with the deepest kept, at 8 and 16 points: what
-/// the engines themselves did on other elliptical polygons, measured with their programs.
+/// Shares of the best area, and percent of polygons with the deepest point kept, at 8 and 16
+/// points. Measured with the engines' own programs on other elliptical polygons.
 struct EngineMeans {
   const char* name;
   double area[2], deepest[2];
@@ -258,8 +258,8 @@ constexpr EngineMeans kEngineMeans[] = {
     {"mjx", {0.828, 0.828}, {62, 38}},
 };
 
-// On the study's polygons, which nobody chose to suit the engines: their aspect goes to 5, their
-// depth to twice the mean. Wider bands than on those of tests/support, where they are 0.03 and 5.
+// The study's polygons were not chosen to suit the engines: their aspect goes up to 5, their depth
+// to twice the mean. The bands are wider than on those of tests/support, where they are 0.03 and 5.
 TEST(EllipticalPolygon, ReducersKeepAboutWhatTheirEnginesKeep) {
   constexpr double kAreaBand = 0.08, kDeepestBand = 13;
   constexpr int kPolygons = 1000;

@@ -38,7 +38,7 @@ TEST(ReductionQuality, AllCornersLoseNothing) {
 }
 
 TEST(ReductionQuality, LostCornerCostsItsDistanceFromTheTriangle) {
-  // The corner (2, 1) is 4 / sqrt(5) from the diagonal that is left.
+  // The corner (2, 1) is 4 / sqrt(5) from the remaining diagonal.
   const Points points = with(kRectangle, point(0, 0));
   const trace::ReducerAnswer quality = measured(points, {0, 1, 3, 4});
   EXPECT_DOUBLE_EQ(quality.area_ratio, 0.5);
@@ -77,7 +77,7 @@ TEST(ReductionQuality, WrenchErrorIsTheLargestShortfallOfReachOverDirections) {
       }
       shortfall = std::max(shortfall, reach - kept_reach);
     }
-    // Directions are sampled, so the largest may be missed by the reach times a step.
+    // Directions are sampled, so the largest shortfall may be missed by the reach times a step.
     const double wrench_error = measured(points, kept).wrench_error;
     EXPECT_LE(shortfall / radius, wrench_error + 1e-12);
     EXPECT_GE(shortfall / radius, wrench_error - 4 * 2 * std::numbers::pi / 4000);
@@ -101,7 +101,7 @@ TEST(ReductionQuality, DepthErrorIsWhatAPlaneCannotTell) {
   EXPECT_NEAR(measured(tilted, {0, 1, 2}).depth_error, 0, 1e-15);
   tilted[4].separation -= 0.004;
   EXPECT_NEAR(measured(tilted, {0, 1, 2, 3}).depth_error, 0.004, 1e-15);
-  // Two points along x still know the slope along x, and take it as level across.
+  // Two points along x still give the slope along x; across, they count as level.
   EXPECT_NEAR(measured(tilted, {0, 1}).depth_error, 0.004, 1e-15);
 }
 

@@ -90,8 +90,8 @@ TEST(SeparationOracle, PlanesAndMeshes) {
 }
 
 TEST(SeparationOracle, NearlyParallelEdgesKeepTheirAxis) {
-  // Two edges cross at 1e-12 rad and overlap by a tenth of what their ends are apart: their common
-  // normal is the axis of least overlap. An axis a little off it would cost far more than that.
+  // Two edges cross at 1e-12 rad and overlap by a tenth of the distance of their ends: their common
+  // normal is the axis of least overlap. An axis slightly off it would cost far more than that.
   const Shape<double> box = make_box({0.5, 0.5, 0.5});
   const double half = std::sqrt(0.5);
   const Quatd edge_up(Eigen::AngleAxisd(std::numbers::pi / 4, Vec3d::UnitX()));
@@ -105,7 +105,7 @@ TEST(SeparationOracle, NearlyParallelEdgesKeepTheirAxis) {
 }
 
 TEST(SeparationOracle, NearlyParallelAxesKeepTheirDistance) {
-  // Axes 0.5 m apart that cross in their middle: the distance is that of the planes they lie in.
+  // Axes at a distance of 0.5 m that cross in their middle: the distance is that of their planes.
   const Shape<double> rod = lying_capsule(1, 0.25);
   for (double angle = 1e-16; angle < 1; angle *= 3) {
     const Pose<double> turned{Quatd(Eigen::AngleAxisd(angle, Vec3d::UnitY())), Vec3d(0, 0.5, 0)};

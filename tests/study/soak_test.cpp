@@ -70,9 +70,9 @@ TEST(Soak, ACaseIsFoundAgainByItsNumber) {
   }
 }
 
-// Among a hundred million cases the only two that were wrong: the end of one capsule and a point beside an end of
-// the other are nearest, but so little nearer than both ends that squared distances in float are the same. The
-// normal has to be at right angles to the axis anyway.
+// The only two wrong cases in a hundred million: the end of one capsule and a point near an end of
+// the other are closest, but by so little that squared distances in float are equal to those of
+// both ends. The normal must still be perpendicular to the axis.
 TEST(Soak, APointBesideAnEndLeansTheNormalByNoMoreThanRounding) {
   for (const std::int64_t number : {37'586'174, 63'044'941}) {
     const PairVerdict verdict = judge_pair<float>(soak_case(1, number).pair);
@@ -81,7 +81,7 @@ TEST(Soak, APointBesideAnEndLeansTheNormalByNoMoreThanRounding) {
   }
 }
 
-// A thousandth of the soak that `study stability --cases 100000000` is.
+// A thousandth of the soak `study stability --cases 100000000`.
 TEST(Soak, SlowAHundredThousandCasesHaveNoWrongAnswer) {
   constexpr std::int64_t kThousandth = 100'000;
   const Soak soak = soak_pairs(1, kThousandth, 0, kThousandth, [](std::int64_t) {});

@@ -10,7 +10,7 @@ namespace {
 constexpr PositionCorrection kEveryCorrection[] = {
     PositionCorrection::Baumgarte, PositionCorrection::Projection, PositionCorrection::Soft};
 
-// `study solver` has 16 and 32 sub-steps as well.
+// `study solver` also has 16 and 32 sub-steps.
 TEST(SlowSolverEnergy, NoSceneGainsMoreThanAHundredthOfItsEnergy) {
   const std::vector<EnergyScene> scenes = energy_scenes();
   ASSERT_EQ(scenes.size(), 20u);
@@ -27,7 +27,7 @@ TEST(SlowSolverEnergy, NoSceneGainsMoreThanAHundredthOfItsEnergy) {
   }
 }
 
-// The table can fail: Baumgarte that keeps all of its push throws what starts deep.
+// The table can fail: Baumgarte with its whole push throws bodies that start deep.
 TEST(SolverEnergy, BaumgarteWithAllOfItsPushGainsMore) {
   SolverSettings settings;
   settings.substeps = 8;

@@ -51,7 +51,7 @@ TEST(SolverStack, TwoBoxesComeToRestAndCarryTheirWeight) {
   }
 }
 
-// A single box 60 cm beside the one below it has to fall, however good the solver is.
+// A single box 60 cm to the side of the one below has to fall with any solver.
 TEST(SolverStack, ABoxThatNothingHoldsHasFallen) {
   StackPlan plan = seeded_plan(2, 1);
   plan.boxes[1].x = plan.boxes[0].x + 0.6;
@@ -60,7 +60,7 @@ TEST(SolverStack, ABoxThatNothingHoldsHasFallen) {
   EXPECT_LT(outcome.frames, 60);
 }
 
-// Two sweeps that begin with nothing in every frame: a thousand times the mass goes through.
+// Two sweeps that start from zero in every frame: a thousand times the mass sinks through.
 TEST(SolverStack, AHeavyBoxSinksIntoLightOnesWhereNoImpulseIsKept) {
   SolverSettings settings = stack_settings(PositionCorrection::Baumgarte, 2);
   settings.warm_start = false;
@@ -68,7 +68,7 @@ TEST(SolverStack, AHeavyBoxSinksIntoLightOnesWhereNoImpulseIsKept) {
 }
 
 TEST(SolverStack, EnergyFromNowhereIsFound) {
-  // Four times each overlap a step: boxes are thrown where they should be pushed.
+  // Four times each overlap per step: boxes are thrown instead of pushed.
   SolverSettings settings = stack_settings(PositionCorrection::Baumgarte, 1);
   settings.baumgarte = 4;
   const StackOutcome outcome = run_stack(seeded_plan(6, 1), settings);

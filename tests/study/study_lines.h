@@ -8,7 +8,7 @@
 
 namespace contactscope::test {
 
-/// What a method came to in a panel, by growing parameter.
+/// The series of a method in a panel, by growing parameter.
 inline const trace::StudySeries& line_of(const trace::Study& study, const std::string& panel,
                                          const std::string& method) {
   const auto line = std::ranges::find_if(study.series, [&](const trace::StudySeries& series) {

@@ -6,14 +6,14 @@
 
 #include "geometry/obb.h"
 
-/// Oriented boxes by brute force, taking their numbers as exact: corners projected on every axis in
-/// numbers of 113 bits, which hold the products of two doubles.
+/// Separating axis test of oriented boxes by brute force, with their numbers taken as exact:
+/// projects the corners in numbers of 113 bits, which hold the products of two doubles.
 namespace contactscope::test {
 
 #ifdef __SIZEOF_FLOAT128__
 __extension__ using Quad = __float128;
 #else
-using Quad = long double;  // has them on arm64
+using Quad = long double;  // has 113 bits on arm64
 static_assert(std::numeric_limits<Quad>::digits == 113);
 #endif
 using QuadVector = std::array<Quad, 3>;
@@ -46,7 +46,7 @@ struct QuadBox {
   }
 };
 
-/// Metres along the axis of any length; of an axis of length 0 -infinity.
+/// Separation along an axis of any length, in metres; -infinity along the zero vector.
 inline double gap_along(const QuadVector& axis, const QuadBox& a, const QuadBox& b) {
   const Quad squared = dot(axis, axis);
   if (squared == 0) return -std::numeric_limits<double>::infinity();
@@ -63,8 +63,8 @@ inline double gap_along(const QuadVector& axis, const QuadBox& a, const QuadBox&
   return double((one > other ? one : other) / Quad(std::sqrt((long double)(squared))));
 }
 
-/// The largest gap over the normals of all faces, as the columns span them, and all cross products
-/// of edges: above 0 exactly if the boxes are apart, and then at most their distance.
+/// The largest separation over all face normals (cross products of the columns) and all cross
+/// products of edges. Positive exactly if the boxes are separated, and then at most their distance.
 template <class S>
 double exact_gap(const Obb<S>& a, const Obb<S>& b) {
   const QuadBox of_a(a, a.center), of_b(b, a.center);
@@ -80,8 +80,7 @@ double exact_gap(const Obb<S>& a, const Obb<S>& b) {
   return largest;
 }
 
-/// What the bounds of rounding are relative to: half extents of both and the way between the
-/// middles.
+/// The length that rounding is relative to: all half extents plus the offset of the centres.
 template <class S>
 double size_of_pair(const Obb<S>& a, const Obb<S>& b) {
   const Vec3d way = b.center.template cast<double>() - a.center.template cast<double>();

@@ -42,7 +42,7 @@ class Nearest {
                            ExtendedPoint::Zero()};
 };
 
-/// All pairs of an end and the other segment, and where the common perpendicular meets both.
+/// Offers each end with the other segment, and the two feet of the common perpendicular.
 void offer_segments(const ExtendedPoint& p0, const ExtendedPoint& p1, const ExtendedPoint& q0,
                     const ExtendedPoint& q1, Nearest& nearest) {
   nearest.offer(p0, on_segment(p0, q0, q1));
@@ -52,7 +52,7 @@ void offer_segments(const ExtendedPoint& p0, const ExtendedPoint& p1, const Exte
   const ExtendedPoint u = p1 - p0;
   const ExtendedPoint v = q1 - q0;
   if (u.squaredNorm() == 0 || v.squaredNorm() == 0) return;
-  // Gram-Schmidt: the part of v across u sees where q passes the line of p.
+  // Gram-Schmidt: the part of v across u locates the crossing of q with the line of p.
   const ExtendedPoint across = v - v.dot(u) / u.squaredNorm() * u;
   if (across.squaredNorm() == 0) return;
   const ExtendedPoint offset = p0 - q0;
@@ -95,8 +95,7 @@ void offer_vertices_and_faces(const Features& a, const Features& b, bool swapped
   }
 }
 
-/// Whether part of the segment lies in the polyhedron: what is left of it after the cut with every
-/// face's half-space.
+/// Whether clipping the segment by the half-spaces of all faces leaves a part in the polyhedron.
 bool enters(const ExtendedPoint& from, const ExtendedPoint& to, const Features& solid) {
   if (solid.triangles.empty()) return false;
   Extended first = 0, last = 1;
@@ -204,7 +203,7 @@ BruteForceDistance brute_force_distance(const Features& a, const Features& b) {
     const ExtendedPoint middle = (vertex(a, i) + vertex(a, j)) / 2;
     const Extended half = (vertex(a, i) - vertex(a, j)).norm() / 2;
     for (const auto& [k, l] : b.edges) {
-      // Balls around both edges that are farther apart than the best settle most pairs.
+      // Most pairs are settled by balls around both edges that are farther away than the best.
       const Extended reach = half + (vertex(b, k) - vertex(b, l)).norm() / 2;
       const Extended apart = (middle - (vertex(b, k) + vertex(b, l)) / 2).norm();
       if (apart - reach > nearest.best().distance) continue;

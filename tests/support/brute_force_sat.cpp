@@ -23,7 +23,7 @@ Vec3d vertex(const Cloud& cloud, int i) {
   return cloud.row(i).transpose();
 }
 
-/// By the fan of triangles about the first vertex.
+/// Each normal comes from the fan of triangles about the first vertex.
 std::vector<Vec3d> face_normals(const Hull<double>& hull, const Cloud& cloud) {
   std::vector<Vec3d> result;
   for (int f = 0; f < hull.face_count(); ++f) {
@@ -49,7 +49,7 @@ std::vector<Vec3d> edge_directions(const Hull<double>& hull, const Cloud& cloud)
   return result;
 }
 
-/// Both signs of an axis at once: B above A, or A above B.
+/// Tries both signs of an axis: B above A, and A above B.
 void try_axis(const Vec3d& axis, const Cloud& a, const Cloud& b, Eigen::VectorXd& on_a,
               Eigen::VectorXd& on_b, BruteForceAxis& best) {
   on_a.noalias() = a * axis;
@@ -122,7 +122,7 @@ BruteForceAxis brute_force_sat(const std::vector<Vec3d>& a, const std::vector<Ve
           const Vec3d x = turn * Vec3d(points[j] - points[i]);
           const Vec3d y = turn * Vec3d(points[k] - points[j]);
           const Vec3d z = turn * Vec3d(points[i] - points[k]);
-          // The two shorter sides: of the others a short one would be left only as rounding has it.
+          // The two shorter sides: rounding loses a short side derived from longer ones.
           const double longest = std::max({x.norm(), y.norm(), z.norm()});
           if (x.norm() == longest)
             try_cross(y, z);

@@ -10,7 +10,7 @@
 #include "manifold/collide_pairs.h"
 #include "support/pair_case.h"
 
-/// Short ways to say a geometry in a test.
+/// Short builders for the geometry of tests.
 namespace contactscope::test {
 
 inline constexpr double kDegree = std::numbers::pi / 180;
@@ -27,8 +27,8 @@ inline Quatd about(const Vec3d& axis, double radians) {
   return Quatd(Eigen::AngleAxisd(radians, axis.normalized()));
 }
 
-/// Two cubes of side `side`, the upper one with an edge down, the lower one with an edge up,
-/// crossing at 80 degrees in the middle with the given overlap (metres). Normal is +y.
+/// Two cubes of side `side`: the upper one with an edge down, the lower one with an edge up. The
+/// edges cross at 80 degrees in the middle with the given overlap (metres). Normal is +y.
 inline PairCase<double> crossed_edges(double side, double overlap) {
   const double half_diagonal = side / std::numbers::sqrt2;
   PairCase<double> pair{cube(side / 2), at(0, 0, 0), cube(side / 2),
@@ -38,7 +38,7 @@ inline PairCase<double> crossed_edges(double side, double overlap) {
   return pair;
 }
 
-/// Unit cube B on unit cube A: turned about y, overlapping by `overlap` metres. Normal is +y.
+/// Unit cube B on unit cube A, turned about y and overlapping by `overlap` metres. Normal is +y.
 inline PairCase<double> stacked_cubes(double yaw, double overlap) {
   return {cube(0.5), at(0, 0, 0), cube(0.5), {about(Vec3d::UnitY(), yaw), {0, 1 - overlap, 0}}};
 }
@@ -65,7 +65,7 @@ std::vector<FeatureId> sorted_ids(const Manifold<S>& manifold) {
   return ids;
 }
 
-/// Distance of the nearest point of the manifold from a place; +infinity without points.
+/// Distance from a place to the nearest point of the manifold; +infinity without points.
 template <class S>
 double distance_to_nearest(const Manifold<S>& manifold, const Vec3d& place) {
   double least = std::numeric_limits<double>::infinity();

@@ -5,8 +5,7 @@
 
 namespace contactscope::test {
 
-/// How many random cases a test tries: `usual` ones, or as many as the environment's CONTACTSCOPE_CASES says where
-/// that is more.
+/// Number of random cases to try: `usual`, or the environment's CONTACTSCOPE_CASES if larger.
 inline int cases(int usual) {
   const char* const wanted = std::getenv("CONTACTSCOPE_CASES");
   return wanted == nullptr ? usual : std::max(usual, std::atoi(wanted));

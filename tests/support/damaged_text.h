@@ -6,8 +6,8 @@
 
 namespace contactscope::test {
 
-/// The text with one to three damages, as an editor, a merge or a bad disk makes them: bytes that are lost, doubled,
-/// exchanged, made up, or from `other`, which is not empty.
+/// Copies the text with one to three damages, as an editor, a merge or a bad disk causes them:
+/// bytes lost, doubled, swapped, invented, or taken from `other`, which must not be empty.
 std::string damaged(std::string text, const std::string& other, Random& random);
 
 }  // namespace contactscope::test

@@ -10,7 +10,7 @@ namespace {
 
 using Digits = std::vector<std::uint32_t>;
 
-/// -1, 0 or 1 as |a| is smaller than, as large as or larger than |b|.
+/// -1, 0 or 1 as |a| is less than, equal to or greater than |b|.
 int compare(const Digits& a, const Digits& b) {
   if (a.size() != b.size()) return a.size() < b.size() ? -1 : 1;
   for (std::size_t i = a.size(); i-- > 0;) {

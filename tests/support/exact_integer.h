@@ -5,21 +5,21 @@
 
 namespace contactscope::test {
 
-/// An integer without limits, in schoolbook arithmetic: the oracle of what must be exact. Slow and
-/// plain; it shares nothing with the arithmetic of the product.
+/// An unbounded integer in schoolbook arithmetic: the oracle for exact results. Slow and simple; it
+/// shares nothing with the arithmetic of the product.
 class ExactInteger {
  public:
   ExactInteger() = default;
   ExactInteger(std::int64_t value);  // NOLINT(google-explicit-constructor): 2 * x reads best so
 
-  /// value / 2^exponent, which must be an integer; value is finite.
+  /// value / 2^exponent, which must be an integer; value must be finite.
   static ExactInteger of(double value, int exponent);
 
   /// -1, 0 or 1.
   int sign() const { return digits_.empty() ? 0 : negative_ ? -1 : 1; }
-  /// Correct to a few roundings, infinite where it is out of range.
+  /// Correct to a few roundings; infinite if out of range.
   double to_double() const;
-  /// a / b likewise, however large both are; b is not 0.
+  /// a / b, correct to a few roundings for operands of any size; b must not be 0.
   static double ratio(const ExactInteger& a, const ExactInteger& b);
 
   ExactInteger operator-() const;
@@ -30,10 +30,10 @@ class ExactInteger {
 
  private:
   void trim();
-  /// The number is about this times 2^exponent.
+  /// The number is about the result times 2^exponent.
   double top_digits(int& exponent) const;
 
-  std::vector<std::uint32_t> digits_;  // base 2^32, lowest first, no zero on top
+  std::vector<std::uint32_t> digits_;  // base 2^32, lowest first, no leading zero
   bool negative_ = false;              // false for 0
 };
 
@@ -42,7 +42,7 @@ inline int sign_of(const ExactInteger& value) {
   return value.sign();
 }
 
-/// An exponent e for which every finite double of a list is a multiple of 2^e.
+/// An exponent e for which every finite double of the list is a multiple of 2^e.
 int common_exponent(const std::vector<double>& values);
 
 }  // namespace contactscope::test

@@ -48,7 +48,7 @@ struct Solid {
   bool flat() const { return is_zero(normal); }
 };
 
-/// The planes whose intersection is the closed triangle, also where it is a segment or a point.
+/// The planes whose intersection is the closed triangle, even if it is a segment or a point.
 std::vector<Bound> bounds_of(const Solid& t) {
   std::vector<Bound> bounds;
   if (!t.flat()) {
@@ -59,7 +59,7 @@ std::vector<Bound> bounds_of(const Solid& t) {
     }
     return bounds;
   }
-  // The longest of three edges on one line has the third corner between its ends.
+  // The longest of three collinear edges has the third corner between its ends.
   Exact3 from = t.corners[0], along = minus(t.corners[1], t.corners[0]);
   for (std::size_t k = 1; k < 3; ++k) {
     const Exact3 edge = minus(t.corners[(k + 1) % 3], t.corners[k]);
@@ -79,7 +79,7 @@ std::vector<Bound> bounds_of(const Solid& t) {
   return bounds;
 }
 
-/// The part of a convex polygon, or segment, or point, that a bound leaves.
+/// Clips a convex polygon, segment or point by a bound.
 std::vector<Rational3> clipped(const std::vector<Rational3>& polygon, const Bound& bound) {
   std::vector<Rational3> kept;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -88,7 +88,7 @@ std::vector<Rational3> clipped(const std::vector<Rational3>& polygon, const Boun
     const ExactInteger of_from = bound.value(from), of_to = bound.value(to);
     if (of_from.sign() == 0 || (!bound.equal && of_from.sign() > 0)) kept.push_back(from);
     if (of_from.sign() * of_to.sign() >= 0) continue;
-    // from * |of_to| + to * |of_from|, which weighs denominators as well.
+    // from * |of_to| + to * |of_from|; the denominators enter the weights.
     const ExactInteger left = of_to.sign() > 0 ? of_to : -of_to;
     const ExactInteger right = of_from.sign() > 0 ? of_from : -of_from;
     Rational3 point;

@@ -8,13 +8,13 @@
 
 namespace contactscope::test {
 
-/// What two triangles share, in exact rational arithmetic: a as a polygon is clipped by the planes
-/// that bound b, one after the other. Shares neither an algorithm nor arithmetic with the product.
+/// Intersection of two triangles in exact rational arithmetic: the planes that bound b clip the
+/// polygon a one after the other. Shares neither an algorithm nor arithmetic with the product.
 struct ExactOverlap {
   TriangleOverlapKind kind = TriangleOverlapKind::None;
-  std::vector<Vec3d> corners;  // of what they share, rounded; the same one may come twice
+  std::vector<Vec3d> corners;  // of the intersection, rounded; may contain duplicates
 
-  /// The two corners that are farthest apart.
+  /// The two corners with the largest distance.
   std::array<Vec3d, 2> ends() const;
 };
 ExactOverlap exact_triangle_overlap(const Triangle<double>& a, const Triangle<double>& b);

@@ -4,8 +4,8 @@
 
 namespace contactscope::test {
 
-/// IsMinkowskiFace as Gregorius 2013 gives it, with triple products of normals: whether the arcs
-/// a1 a2 and (-b1) (-b2) cross on the Gauss map. The pipeline walks arcs instead.
+/// IsMinkowskiFace after Gregorius 2013, with triple products of normals: whether the arcs a1 a2
+/// and (-b1) (-b2) cross on the Gauss map. The pipeline walks arcs instead.
 inline bool is_minkowski_face(const Vec3d& a1, const Vec3d& a2, const Vec3d& b1, const Vec3d& b2) {
   const Vec3d c = -b1;
   const Vec3d d = -b2;

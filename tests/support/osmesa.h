@@ -4,7 +4,7 @@
 
 namespace contactscope::test {
 
-/// OSMesa left Mesa in 25.1: what compares with it is skipped where there is none.
+/// Mesa 25.1 dropped OSMesa. Tests that compare with it are skipped if it is not installed.
 inline bool osmesa_is_installed() {
   return dlopen("libOSMesa.so.8", RTLD_LAZY) != nullptr;
 }

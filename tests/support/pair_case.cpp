@@ -17,7 +17,7 @@ Hull<double> random_shape(Random& random, double size, double longest_aspect) {
   return random_hull(random, vertices, size, aspect);
 }
 
-/// The vertex farthest along a direction, from the pose's position.
+/// The vertex farthest along a direction, relative to the pose's position.
 Vec3d support(const Hull<double>& hull, const Pose<double>& pose, const Vec3d& direction) {
   Vec3d best = pose.rotate(hull.vertices[0]);
   for (const Vec3d& vertex : hull.vertices) {
@@ -29,7 +29,7 @@ Vec3d support(const Hull<double>& hull, const Pose<double>& pose, const Vec3d& d
 
 PairCase<double> placed_at_random(Random& random, PairCase<double> pair) {
   pair.pose_a.rotation = random.rotation();
-  // Some pairs are level or almost so, where faces and edges are parallel.
+  // Some pairs are parallel or almost so: their faces and edges are parallel.
   const double alignment = random.uniform(0, 1);
   pair.pose_b.rotation = random.rotation();
   if (alignment < 0.1) pair.pose_b.rotation = pair.pose_a.rotation;
@@ -39,15 +39,15 @@ PairCase<double> placed_at_random(Random& random, PairCase<double> pair) {
 
   const Vec3d direction =
       random.chance(0.3) ? pair.pose_a.rotate(pair.a.planes[0].normal) : random.unit_vector();
-  // B's support vertex on A's, then apart or together, and a little aside.
+  // Put B's support vertex on A's, then separate or push together, and shift a little sideways.
   const Vec3d meeting =
       support(pair.a, pair.pose_a, direction) - support(pair.b, pair.pose_b, Vec3d(-direction));
   const double smaller = std::min(pair.a.radius, pair.b.radius);
   const double distance = random.uniform(0, 1);
   double gap = -random.uniform(0, 1) * smaller;                      // deep
   if (distance < 0.75) gap = -random.decade(-5, -1) * smaller;       // a little
-  if (distance < 0.30) gap = random.uniform(-1e-4, 1e-4) * smaller;  // a kiss
-  if (distance < 0.20) gap = random.decade(-4, 1) * smaller;         // apart
+  if (distance < 0.30) gap = random.uniform(-1e-4, 1e-4) * smaller;  // touching
+  if (distance < 0.20) gap = random.decade(-4, 1) * smaller;         // separated
   const Vec3d way_aside = random.unit_vector();
   const Vec3d aside = random.decade(-6, 0) * smaller * way_aside;
   pair.pose_b.position = meeting + gap * direction + aside - direction.dot(aside) * direction;

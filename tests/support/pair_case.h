@@ -22,21 +22,21 @@ struct PairCase {
   }
 };
 
-/// The length that rounding is relative to: both hulls with their frames, and the way between.
+/// The length that rounding is relative to: both hulls with their frames, plus their offset.
 template <class S>
 double length_scale(const PairCase<S>& pair) {
   return static_cast<double>(pair.a.centroid.norm() + pair.a.radius + pair.b.centroid.norm() +
                              pair.b.radius + (pair.pose_b.position - pair.pose_a.position).norm());
 }
 
-/// Boxes, and hulls of up to 64 vertices; sizes over four decades, aspect up to 100; far apart,
-/// kissing, overlapping a little, and deep. The whole pair at a random pose.
+/// Boxes and hulls of up to 64 vertices, sizes over four decades, aspect up to 100, at a random
+/// pose. They are far from each other, barely touch, overlap a little or deeply.
 PairCase<double> random_pair(Random& random);
 
 /// The same for bodies as engines expect them: 0.2 to 1 m, aspect up to 4.
 PairCase<double> everyday_pair(Random& random);
 
-/// The same relative pose, the whole pair moved.
+/// Moves the whole pair; the relative pose stays.
 template <class S>
 PairCase<S> moved(const PairCase<S>& pair, const Pose<S>& by) {
   PairCase<S> result{pair.a, compose(by, pair.pose_a), pair.b, compose(by, pair.pose_b)};

@@ -8,16 +8,16 @@
 
 namespace contactscope::test {
 
-/// Random numbers that are the same with every standard library and compiler. The engine is specified
-/// to the bit, the standard distributions are not; and a compiler may evaluate the arguments of a call
-/// and the operands of an operator in any order, so two draws stand in two statements, or in braces.
+/// Random numbers that are the same with every standard library and compiler: the engine is
+/// specified to the bit, the standard distributions are not. A compiler may evaluate arguments and
+/// operands in any order, so put two draws into two statements, or into braces.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : engine_(seed) {}
 
   /// In [low, high).
   double uniform(double low, double high);
-  /// 10 to a uniform power: every decade is as likely.
+  /// 10 to a uniform power: every decade is equally likely.
   double decade(double low_exponent, double high_exponent);
   /// In [0, count).
   int index(int count);
@@ -30,18 +30,18 @@ class Random {
   Quatd rotation();
   /// A rotation by an angle in radians about a random axis.
   Quatd rotation_by(double angle);
-  /// Any rotation, position within `radius` metres of the origin.
+  /// Any rotation; the position is within `radius` metres of the origin.
   Pose<double> pose(double radius);
 
  private:
   std::mt19937_64 engine_;
 };
 
-/// Half extents between 1 and `aspect` times shorter than `size` metres, each on its own.
+/// Each half extent is independently 1 to `aspect` times shorter than `size` metres.
 Hull<double> random_box(Random& random, double size, double aspect);
 
-/// Hull of `vertices` points on an ellipsoid of at most `size` metres whose axes are up to `aspect`
-/// times shorter, turned at random. All faces are triangles, all points are vertices.
+/// Hull of `vertices` points on an ellipsoid of at most `size` metres, turned at random. Its axes
+/// are up to `aspect` times shorter. All faces are triangles, all points are vertices.
 Hull<double> random_hull(Random& random, int vertices, double size, double aspect);
 
 }  // namespace contactscope::test

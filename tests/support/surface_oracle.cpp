@@ -21,7 +21,7 @@ Real squared_to_segment(const Point& p, const Point& a, const Point& b) {
 Real squared_to_triangle(const Point& p, const std::array<Point, 3>& t) {
   Real least = std::min({squared_to_segment(p, t[0], t[1]), squared_to_segment(p, t[1], t[2]),
                          squared_to_segment(p, t[2], t[0])});
-  // Axes in the plane, along the longest side and across it: no square of a sliver's height is needed.
+  // Axes in the plane, along and across the longest side, avoid squaring the height of a sliver.
   std::size_t k = 0;
   for (std::size_t i = 1; i < 3; ++i)
     if ((t[(i + 1) % 3] - t[i]).squaredNorm() > (t[(k + 1) % 3] - t[k]).squaredNorm()) k = i;

@@ -7,10 +7,10 @@
 
 namespace contactscope::test {
 
-/// The distance to a triangle soup, with its sign, by exhaustion in extended precision: of each triangle
-/// the nearest point by barycentric coordinates where it is inside, else of each of its sides. Inside
-/// is where the solid angles of all triangles are nearer to a full sphere than to none (van Oosterom and
-/// Strackee 1983, "The Solid Angle of a Plane Triangle").
+/// Signed distance to a triangle soup by exhaustion in extended precision. The nearest point of
+/// each triangle comes from barycentric coordinates if it is inside, else from each of its sides. A
+/// point is inside if the solid angles of all triangles add up to more than half of a full sphere
+/// (van Oosterom and Strackee 1983, "The Solid Angle of a Plane Triangle").
 class SurfaceOracle {
  public:
   using Real = long double;
@@ -20,7 +20,7 @@ class SurfaceOracle {
                 const std::vector<std::array<int, 3>>& triangles);
 
   Real distance(const Vec3d& point) const;         // not negative
-  Real winding(const Vec3d& point) const;          // whole where the soup is closed
+  Real winding(const Vec3d& point) const;          // an integer if the soup is closed
   Real signed_distance(const Vec3d& point) const;  // negative inside
 
  private:

@@ -6,7 +6,7 @@
 
 namespace contactscope {
 
-/// A folder of its own that goes away with its files.
+/// A new folder that is deleted with its files.
 class TemporaryFolder {
  public:
   TemporaryFolder();
@@ -16,7 +16,7 @@ class TemporaryFolder {
 
   const std::filesystem::path& path() const { return path_; }
   std::string operator/(const std::string& name) const { return (path_ / name).string(); }
-  /// Writes a file, with the folders that lead to it, and returns its path.
+  /// Writes a file, creates its parent folders, and returns its path.
   std::string write(const std::string& name, const std::string& content) const;
   /// Every file below, relative to the folder.
   std::set<std::string> files() const;
@@ -25,10 +25,10 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-/// Every file below a folder, relative to it; none where there is no folder.
+/// Every file below a folder, relative to it; empty if the folder does not exist.
 std::set<std::string> files_below(const std::filesystem::path& folder);
 
-/// A whole file. Throws where it cannot be read.
+/// The whole file. Throws if it cannot be read.
 std::string read_text(const std::filesystem::path& path);
 
 }  // namespace contactscope

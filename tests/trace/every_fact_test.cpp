@@ -36,8 +36,7 @@ std::string complaint(const ordered_json& header, const ordered_json& frame) {
   return "no complaint";
 }
 
-// A field that reader and writer both forgot would be equal in both lines, so the facts are held
-// against each other, not their JSON.
+// Compares facts, not JSON, in which a field that reader and writer both forgot would be equal.
 template <class T>
 bool identical(const T& one, const T& other) {
   if constexpr (Listed<T>) {
@@ -111,7 +110,7 @@ void each_key(ordered_json& object, const Visit& visit) {
 
 class EveryKey : public testing::Test {
  protected:
-  /// Tries something with every key of the header and of a frame.
+  /// Calls `attempt` for every key of the header and of a frame.
   template <class Try>
   void each(const Try& attempt) {
     each_key<Header>(header_, attempt);
@@ -131,7 +130,7 @@ TEST_F(EveryKey, SlowThatIsNeededIsMissed) {
     EXPECT_THAT(complaint(), needed ? HasSubstr("has no key '" + key + "'; a trace needs it")
                                     : HasSubstr("no complaint"));
     object = before;
-    object[key] = nullptr;  // null is how some writers say that it is not there
+    object[key] = nullptr;  // some writers use null for an absent value
     EXPECT_EQ(complaint() == "no complaint", !needed) << key;
     object = before;
   });

@@ -118,7 +118,7 @@ TEST(ExplorationJson, HasNanosecondsOnlyWhereMeasured) {
   EXPECT_EQ(times["upper_quartile"], 90);
 }
 
-/// The key that a number which is not finite is refused with.
+/// The error that rejects a number which is not finite.
 template <class Spoil>
 std::string refused(Spoil&& spoil) {
   Exploration exploration = sample();

@@ -58,7 +58,7 @@ TEST(Mirror, WhatPointsFromOneToTheOtherTurnsRound) {
   EXPECT_EQ(mirrored.manifolds[0].points[1].impulse->friction,
             -pair.manifolds[0].points[1].impulse->friction);
   EXPECT_EQ(mirrored.clip->reference.normal, pair.clip->reference.normal);
-  // Mirrored at the origin, what was counter-clockwise is clockwise.
+  // Mirroring at the origin turns counter-clockwise into clockwise.
   EXPECT_EQ(mirrored.minkowski->vertices[1], -pair.minkowski->vertices[1]);
   EXPECT_THAT(mirrored.minkowski->faces[0], testing::ElementsAre(0, 2, 1));
   EXPECT_THAT(mirrored.penetration->polytopes[0].faces[0], testing::ElementsAre(0, 1, 2));

@@ -21,7 +21,7 @@ Shape unit_box(const std::string& name) {
   return box;
 }
 
-/// A box on another, half a metre to the side, 20 mm deep; points this far up from the middle of the overlap.
+/// A box on another, shifted by 0.5 m, 20 mm deep; points `up` metres above the overlap's middle.
 Frame box_on_box(double up) {
   Frame frame;
   frame.poses = {{"low", {}}, {"high", {.position = {0.5, 1.98, 0}}}};
@@ -41,12 +41,12 @@ std::vector<std::string> ids_of(const Frame& frame) {
   return ids;
 }
 
-// Edges of either box count as its faces first run along them.
+// Edges of either box are numbered in the order in which its faces first use them.
 TEST(PointNames, AreTheSameOnWhicheverSurfaceAnEngineHasItsPoints) {
   const std::vector<Shape> shapes = {unit_box("low"), unit_box("high")};
   Frame middle = box_on_box(0), on_low = box_on_box(0.01), on_high = box_on_box(-0.01);
   for (Frame* const frame : {&middle, &on_low, &on_high}) name_points(shapes, *frame);
-  // Corners of the upper box have stayed; at the side of the lower one its edges cut those of the upper.
+  // The upper box keeps its corners; at the lower one's side, its edges cut those of the upper one.
   EXPECT_EQ(ids_of(middle),
             (std::vector<std::string>{"b:e0 b:e8", "b:e0 b:e9", "a:e5 b:e8", "a:e5 b:e9"}));
   EXPECT_EQ(ids_of(on_low), ids_of(middle));

@@ -18,7 +18,7 @@ using nlohmann::ordered_json;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-/// what() of the InputError that reading `text` ends in.
+/// what() of the InputError that reading `text` throws.
 std::string complaint(const std::string& text) {
   std::istringstream in(text);
   try {
@@ -70,7 +70,7 @@ TEST(ReadTrace, WhatKeepsALineFromBeingJsonIsSaid) {
   EXPECT_THAT(complaint(header_line() + header_line()), HasSubstr(":2:1: this is a second header"));
 }
 
-/// The fast parser refuses some spellings that are JSON: what they say is read all the same.
+/// The fast parser rejects some valid spellings of JSON; they must be read all the same.
 TEST(ReadTrace, RareSpellingsOfJsonAreRead) {
   const std::string frame = to_json_line(sample_frame());
   const auto with = [&](const std::string& more) {
@@ -100,7 +100,7 @@ TEST(ReadTrace, ListsInListsWithoutEndAreRefused) {
               HasSubstr("has no key 'frame'"));
 }
 
-/// A process that dies leaves half a line: what stands before it is read.
+/// A process that dies leaves half a line: everything before it is read.
 TEST(TraceReader, EndsWhereTheLastLineIsCutOff) {
   const std::string frame = to_json_line(sample_frame());
   const std::string whole = header_line() + frame + "\n";
@@ -117,7 +117,7 @@ TEST(TraceReader, EndsWhereTheLastLineIsCutOff) {
     EXPECT_FALSE(reader.next().has_value());
   }
   EXPECT_THAT(complaint(whole + frame.substr(0, 10)), StartsWith("run.jsonl:3:11: "));
-  // A line that has an end was written so.
+  // A line with an end was completely written.
   std::istringstream in(whole + frame.substr(0, 10) + "\n");
   TraceReader reader(in, "run.jsonl");
   EXPECT_TRUE(reader.next().has_value());
@@ -162,7 +162,7 @@ TEST(ReadTrace, AMissingKeyIsNamedWithItsPlace) {
   EXPECT_THAT(complaint(frame_without("", "poses")), HasSubstr("has no key 'poses'"));
 }
 
-/// What follows from the rest need not be written.
+/// Facts that follow from others may be omitted.
 TEST(ReadTrace, WhatFollowsFromTheRestIsFilledIn) {
   std::istringstream in(
       R"({"schema":"contactscope.trace/1","scenario":"mine/stack","scalar":"float","up":"y","engine":"Mine","version":"2.1",)"

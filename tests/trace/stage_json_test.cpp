@@ -30,7 +30,7 @@ Frame frame_read(const ordered_json& line) {
   return read_trace(in, "run.jsonl").frames.at(0);
 }
 
-/// What reading the sample frame complains of after `change`.
+/// The error of reading the sample frame after `change`.
 template <class Change>
 std::string complaint_after(Change&& change) {
   ordered_json line = written(sample_frame());
@@ -82,7 +82,7 @@ TEST(StageJson, StabilityComesBackWithAnAxisOnlyWhereItTurnsAboutOne) {
   EXPECT_FALSE(frame_read(written(frame)).pairs[0].stability->axis.has_value());
 }
 
-/// Two points that the solver took, with one name, and one that it left out.
+/// Two points with one name that the solver used, and one that it left out.
 Frame frame_with_three_points() {
   Frame frame = sample_frame();
   for (Pair& pair : frame.pairs) pair.manifolds.clear();

@@ -9,12 +9,11 @@
 #include "core/pose.h"
 #include "trace/json.h"
 
-/// Tests of everything that the lists of fields name, whatever that is: a stage that is added is
-/// tested by being listed.
+/// Tests of everything in the lists of fields: a new stage is tested as soon as it is listed.
 namespace contactscope::trace {
 
-/// Fills a fact and all that is in it: no field has its default, no two numbers or texts are equal,
-/// optionals are there, lists have two entries, and indices point into their lists.
+/// Fills a fact and everything in it: no field has its default, no two numbers or texts are equal,
+/// optionals have values, lists have two entries, and indices point into their lists.
 class Filler {
  public:
   template <Listed T>
@@ -58,7 +57,7 @@ inline Trace filled_trace() {
   return trace;
 }
 
-/// What was changed: the words of the field that a sentence must have.
+/// A changed field, and the words for it that a sentence must contain.
 struct Change {
   std::string key;
   std::string words;
@@ -66,9 +65,9 @@ struct Change {
   bool is_shorter = false;  // a list
 };
 
-/// Changes every field of a fact and of all that is in it, one at a time and in place, calls `visit`
-/// with each Change, and takes it back. Optionals are emptied, lists lose their last entry; in a
-/// list the last entry stands for all.
+/// Changes every field of a fact and everything in it, one at a time and in place, calls `visit`
+/// with each Change, and reverts it. Empties optionals; shortens lists, and changes only their last
+/// entry.
 template <class Visit>
 class Changer {
  public:

@@ -20,14 +20,14 @@
 #include "vector/pdf.h"
 #include "vector/svg.h"
 
-/// Every scenario's first stored picture as SVG and PDF, read by librsvg and poppler, which share no code
-/// with ours, and held against our pixels.
+/// Every scenario's first stored picture as SVG and PDF, read by librsvg and poppler, which share
+/// no code with ours, and compared with our pixels.
 namespace contactscope::vector {
 namespace {
 
 constexpr int kWidth = 640, kHeight = 360;
 
-/// Half as large: each pixel the mean of four.
+/// Half as large: each pixel is the mean of four.
 Image halved(const Image& image) {
   Image half(image.width / 2, image.height / 2);
   const auto at = [&](int x, int y, int channel) {
@@ -52,8 +52,8 @@ void write(const std::string& path, const std::string& bytes) {
   std::ofstream(path, std::ios::binary) << bytes;
 }
 
-/// Fontconfig's view of a machine that has no fonts but those that the SVG embeds: librsvg takes
-/// installed ones alone. So the letters are read from the subsets, and stand without kerning.
+/// Makes Fontconfig see only the fonts that the SVG embeds, as on a machine without fonts: librsvg
+/// uses only installed ones. So the letters are read from the subsets, without kerning.
 std::string with_fonts_of(const std::string& svg, const std::string& folder) {
   std::filesystem::create_directories(folder);
   constexpr std::string_view kBegin = "base64,";
@@ -79,16 +79,16 @@ std::string with_fonts_of(const std::string& svg, const std::string& folder) {
   return "FONTCONFIG_FILE='" + folder + "/fonts.conf'";
 }
 
-// Both programs draw at twice the size, so that letters and thin lines stand where they are to and not on
-// the next pixel, and all is compared at half of ours. What differs there was looked at, picture by
-// picture: soft edges that a fill of ours has not, and in poppler lines of one pixel, which it moves onto
-// whole ones; edges of boxes in one place, which add up in pixels and which a vector file has once; and the
-// end of a long title, which poppler has a quarter of a pixel off. With 96 of 255 steps let pass, neither left
-// two pixels in one place.
-// Strips of ids are stripes two pixels wide, which the rasterizer puts on whole rows of pixels: unequal,
-// where the vector files have them equal. At a quarter of the size, where stripes are one grey, no pixel at
-// all was off by more than 64 in librsvg, and by more than 87 in poppler and in dense strips, while a
-// missing dot of a contact is by 150.
+// Both programs draw at twice the size, so that letters and thin lines are at their exact places
+// and not on the next pixel. Everything is compared at half of our size. The remaining differences
+// were reviewed, picture by picture: soft edges, which our fills lack; in poppler lines of one
+// pixel, which it snaps to whole pixels; coincident edges of boxes, which add up in pixels and
+// which a vector file has once; and the end of a long title, which is off by a quarter of a pixel
+// in poppler. With 96 of 255 steps allowed, no two adjacent pixels differed. Strips of ids are
+// stripes two pixels wide. The rasterizer puts them on whole rows of pixels, so their widths
+// differ, while the vector files have them equal. At a quarter of the size, where stripes are one
+// grey, no pixel differed by more than 64 in librsvg, or 87 in poppler and in dense strips. A
+// missing dot of a contact differs by 150.
 struct Limits {
   const char* reader;
   PixelLimits half, quarter;
@@ -102,7 +102,7 @@ constexpr Limits kPdfLimits{"pdftoppm",
 
 constexpr int kStripes = 96;  // of a channel, in librsvg too
 
-/// The pictures of one scenario, on their way through the two programs.
+/// The pictures of one scenario, for the two programs.
 struct Trial {
   std::string name;
   std::string stem;  // of the files, without ".svg"
@@ -110,7 +110,7 @@ struct Trial {
   bool has_strips = false;  // of ids
 };
 
-/// Says what is wrong; empty where nothing is.
+/// Describes the differences; empty if there are none.
 std::string judge(const Trial& trial, const std::string& file, const Limits& limits) {
   const Image ours = halved(trial.ours), read = halved(halved(read_png(file)));
   PixelLimits quarter = limits.quarter;
@@ -205,7 +205,7 @@ TEST(EveryScenario, AMissingSignIsSeen) {
 }
 
 TEST(EveryScenario, SvgAndPdfShowWhatThePixelsDo) {
-  // For looking at: the folder stays.
+  // For reviews: the folder is kept.
   const char* kept = std::getenv("CONTACTSCOPE_LOOK");
   const TemporaryFolder folder;
   const std::filesystem::path out = kept != nullptr ? kept : folder.path();
@@ -220,7 +220,7 @@ TEST(EveryScenario, SvgAndPdfShowWhatThePixelsDo) {
   const auto context = gl::open_context(gl::Backend::Auto);
   gl::Rasterizer rasterizer(*context, kWidth, kHeight);
   FontFaces faces;
-  std::deque<std::future<std::string>> under_way;  // one a processor, while the next is drawn
+  std::deque<std::future<std::string>> under_way;  // one per processor, while the next is drawn
   const auto take_first = [&] {
     const std::string wrong = under_way.front().get();
     under_way.pop_front();

@@ -42,7 +42,7 @@ TEST(FontSubset, HoldsTheLettersAskedForAndNoOthers) {
     for (const char32_t code : {U'b', U'8', U'A', U'½'})
       EXPECT_FALSE(font.has(code)) << static_cast<unsigned>(code);
     EXPECT_LT(font.info.numGlyphs, 8);
-    // Texts are as wide as they were laid out, and as high.
+    // Texts have the width and height of their layout.
     EXPECT_NEAR(font.advance_of(U'7', 20), advance(U'7', 20, weight), 1e-3);
     EXPECT_LT(font.file.size(), 4000u);
   }

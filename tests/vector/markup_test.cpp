@@ -10,7 +10,7 @@
 namespace contactscope::test {
 namespace {
 
-/// Pieces of text that HTML, XML and JavaScript each take for their own.
+/// Pieces of text that are special in HTML, XML or JavaScript.
 std::string nasty_text(Random& random) {
   const char* const pieces[] = {
       "<!--", "<script>",     "</script",     "]]>",    "&lt;", "\\", "\"", "'",

@@ -18,7 +18,7 @@ draw::Drawing sample() {
   return draw::illustrate(scene.staged(), scene.frames[0]);
 }
 
-/// Cairo before 1.18 leaves out the D that begins a date, which readers do not mind.
+/// Cairo before 1.18 omits the D that begins a date; readers accept this.
 auto created(const std::string& date) {
   return testing::AnyOf(HasSubstr("/CreationDate (" + date), HasSubstr("/CreationDate (D:" + date));
 }

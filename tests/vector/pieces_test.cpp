@@ -36,7 +36,7 @@ std::vector<Piece> pieces_of(const Drawing& drawing) {
 
 TEST(Visible, NothingOutsideTransparentOrEmptyIsLeft) {
   const Drawing drawing = canvas({
-      box(10, 10, 20, 20, kRed),          // the only one that is seen
+      box(10, 10, 20, 20, kRed),          // the only visible one
       box(-30, 10, -10, 20, kRed),        // left of the canvas
       box(10, 90, 20, 95, kRed),          // below it
       box(10, 10, 20, 20, {1, 0, 0, 0}),  // transparent
@@ -61,14 +61,14 @@ TEST(Visible, WhatLaterOpaqueFillsCoverIsGone) {
   EXPECT_TRUE(hidden(Disc{{40, 40}, 0, 8, kRed}, {wall}));
   EXPECT_TRUE(hidden(stroke({25, 25}, {50, 50}), {wall}));
   EXPECT_TRUE(hidden(Text{"a", {40, 40}, 10}, {wall}));
-  // Two halves cover as one whole does.
+  // Two halves cover as much as one whole.
   EXPECT_TRUE(
       hidden(box(30, 30, 50, 40, kRed), {box(20, 20, 40, 60, kBlue), box(40, 20, 60, 60, kRed)}));
-  // A part of it shows, or the wall is glass, or it was painted before.
+  // A part of it shows, or the wall is translucent, or it was painted before.
   EXPECT_FALSE(hidden(box(50, 30, 70, 40, kRed), {wall}));
   EXPECT_FALSE(hidden(box(30, 30, 40, 40, kRed), {box(20, 20, 60, 60, kGlass)}));
   EXPECT_FALSE(hidden(wall, {box(30, 30, 40, 40, kRed)}));
-  // Soft borders reach a pixel further than the shape.
+  // Soft borders extend a pixel beyond the shape.
   EXPECT_FALSE(hidden(box(20, 20, 60, 60, kRed), {wall}));
 }
 
@@ -76,7 +76,7 @@ TEST(Pieces, NeighboursOfOneColourAreOnePath) {
   const std::vector<Piece> pieces =
       pieces_of(canvas({box(10, 10, 20, 20, kGlass), box(20, 10, 30, 20, kGlass),
                         box(25, 15, 35, 25, kGlass), box(40, 10, 50, 20, kBlue)}));
-  // The third overlaps the second, and is to be seen through.
+  // The third overlaps the second, and is translucent.
   ASSERT_EQ(pieces.size(), 3u);
   EXPECT_EQ(std::get<FillPath>(pieces[0]).polygons.size(), 2u);
   EXPECT_EQ(std::get<FillPath>(pieces[1]).polygons.size(), 1u);
@@ -88,7 +88,7 @@ TEST(Pieces, OpaquePolygonsJoinWhateverTheirWinding) {
   std::ranges::reverse(turned.polygon);
   const std::vector<Piece> pieces = pieces_of(canvas({box(10, 10, 20, 20, kRed), turned}));
   ASSERT_EQ(pieces.size(), 1u);
-  // Of one winding: a path that is filled by the rule "nonzero" has no hole where they overlap.
+  // All have one winding, so a path filled by the rule "nonzero" has no hole where they overlap.
   for (const std::vector<Point2>& polygon : std::get<FillPath>(pieces[0]).polygons)
     EXPECT_GT(cross(polygon[1] - polygon[0], polygon[2] - polygon[1]), 0);
 }
@@ -130,7 +130,7 @@ TEST(Pieces, DashesRunOnOrBeginAnew) {
   const auto dashed = [](const Point2& from, const Point2& to, float phase) {
     return Stroke{from, to, 2, kRed, Cap::Butt, 6, 4, phase};
   };
-  // 15 pixels on, the pattern of 10 is at 5.
+  // After 15 pixels, the pattern of 10 is at 5.
   const std::vector<Piece> running =
       pieces_of(canvas({dashed({10, 10}, {25, 10}, 0), dashed({25, 10}, {40, 10}, 15)}));
   ASSERT_EQ(running.size(), 1u);

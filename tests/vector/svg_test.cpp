@@ -113,7 +113,7 @@ TEST(Svg, WhatHasNoColourIsNotWritten) {
   drawing.primitives.push_back(draw::Disc{{5, 5}, 0, 3, {1, 0, 0, 0}});
   const std::string svg = svg_of(drawing, {.embed_font = false});
   EXPECT_THAT(svg, Not(HasSubstr("circle")));
-  EXPECT_THAT(svg, Not(HasSubstr("rect")));  // no ground either
+  EXPECT_THAT(svg, Not(HasSubstr("rect")));  // no background either
   drawing.background = {0, 0, 0, 0.5f};
   EXPECT_THAT(svg_of(drawing), HasSubstr("fill=\"#000\" fill-opacity=\".5\""));
 }

@@ -8,7 +8,7 @@
 
 #include "core/at.h"
 
-/// What is said of rollouts whose motion is known beforehand.
+/// Scores of rollouts whose motion is known in advance.
 namespace contactscope::versus {
 namespace {
 
@@ -31,7 +31,7 @@ trace::Shape ground() {
   return shape;
 }
 
-/// Balls of a kilogram and a metre across, each above the ground by its place in the list, and `frames` frames.
+/// Balls of 1 kg and 1 m in diameter at these places above the ground, and `frames` frames.
 trace::Trace request_of_balls(const std::vector<Vec3d>& places, int frames) {
   trace::Trace request;
   request.header.scalar = "double";
@@ -79,7 +79,7 @@ Pose<double> at_height(double height) {
   return {Quatd::Identity(), {0, height, 0}};
 }
 
-/// By semi-implicit Euler, which loses m g^2 dt^2 / 2 of energy in each step: y = y0 - g dt^2 k (k + 1) / 2.
+/// Semi-implicit Euler loses m g^2 dt^2 / 2 of energy a step: y = y0 - g dt^2 k (k + 1) / 2.
 TEST(Rollout, AFreeFallGainsNoEnergy) {
   const trace::Trace request = request_of_balls({{0, 10, 0}}, 100);
   const RolloutScore score =
@@ -104,7 +104,7 @@ TEST(Rollout, VelocitiesThatAreToldCount) {
   const auto still = [](int, int) { return at_height(10); };
   EXPECT_NEAR(judge_rollout(request, moved(request, still, true)).energy.back(),
               100 + 4.5 + 0.5 * 0.1 * 4, 1e-12);
-  // By differences only the first frame has the velocity of the start.
+  // With differences, only the first frame has the velocity of the start.
   const RolloutScore score = judge_rollout(request, moved(request, still));
   EXPECT_NEAR(score.energy.front(), 104.7, 1e-12);
   EXPECT_NEAR(score.energy.back(), 100, 1e-12);
@@ -122,7 +122,7 @@ TEST(Rollout, ASpinIsTakenFromThePoses) {
   EXPECT_NEAR(score.energy_gained, 0.45, 1e-9);
 }
 
-/// The lower ball stands on the ground, the upper one on it; the third hangs beside them.
+/// The lower ball rests on the ground, the upper one on it; the third hangs next to them.
 TEST(Rollout, WhatIsBorneRests) {
   const trace::Trace request = request_of_balls({{0, 0.5, 0}, {0, 1.499, 0}, {1.001, 1.5, 0}}, 2);
   const std::vector<RolloutBody> bodies = rollout_bodies(request);
@@ -158,8 +158,8 @@ TEST(Rollout, ABallThatStandsDoesNot) {
   EXPECT_NEAR(score.penetration.back(), 1e-3, 1e-9);
 }
 
-/// 3.4 m a frame: neither frame has the bullet in the ball that stands at 5 m. One that stops there does not pass, and
-/// one that goes by at a distance does not either.
+/// 3.4 m a frame: in no frame does the bullet overlap the ball at 5 m. A bullet that stops in the
+/// ball does not pass it, and neither does one that flies by at a distance.
 TEST(Rollout, ABallThatPassesThroughAnotherIsSeen) {
   const trace::Trace request = request_of_balls({{0, 5, 0}, {5, 5, 0}}, 4);
   const auto flown = [&](Path path) { return judge_rollout(request, moved(request, path)); };
@@ -179,7 +179,7 @@ TEST(Rollout, ABallThatPassesThroughAnotherIsSeen) {
   EXPECT_EQ(beside.passed, 0);
 }
 
-/// What comes behind a frame without a body, or with one that is nowhere, is not judged.
+/// Frames after one with a missing or non-finite body are not judged.
 TEST(Rollout, ABodyThatIsLostEndsTheJudging) {
   const trace::Trace request = request_of_balls({{0, 0.5, 0}}, 10);
   const auto still = [](int, int) { return at_height(0.5); };

@@ -1,4 +1,4 @@
-// A crate on the ground: its contacts, four of them, a trace and a picture.
+// A crate on the ground: its contacts reduced to four, a trace and a picture.
 #include <contactscope/collide.h>
 #include <contactscope/reduce.h>
 #include <contactscope/render.h>

@@ -1,4 +1,4 @@
-# The pipeline: which feature touches.
+# The pipeline: the choice of features.
 planted_bug(second_face_not_preferred FILE src/query/sat.cpp TESTS query
   WAS [[if (queries.separation(second) >= least) return second;]]
   IS [[if (!@BUG@ && queries.separation(second) >= least) return second;]])

@@ -75,7 +75,7 @@ planted_bug(support_kept_however_far FILE src/manifold/pair_cache.cpp TESTS mani
   WAS [[const bool still_deepest = S(2) * moved < cache.support_clearance;]]
   IS [[const bool still_deepest = @BUG@ || S(2) * moved < cache.support_clearance;]])
 
-# Two boxes, which have a path of their own.
+# Two boxes, which have a special path.
 planted_bug(box_normal_of_b_not_turned FILE src/manifold/box_face_contact.h TESTS manifold
   WAS [[contact.normal = of_a ? normal : -normal;]]
   IS [[contact.normal = of_a || @BUG@ ? normal : -normal;]])
@@ -83,7 +83,7 @@ planted_bug(box_ids_of_the_other_owner FILE src/manifold/box_face_contact.h TEST
   WAS [[const int incident = faces.incident + (of_a ? 6 : 0)]]
   IS [[const int incident = faces.incident + (of_a != @BUG@ ? 6 : 0)]])
 
-# Two capsules and a box on a mesh, which have paths of their own, too.
+# Two capsules and a box on a mesh, which have special paths too.
 planted_bug(capsule_normal_of_traded_shapes_not_turned FILE src/manifold/collide_two_capsules.cpp TESTS manifold
   WAS [[direction * (traded ? S(-1) : S(1))]]
   IS [[direction * (traded && !@BUG@ ? S(-1) : S(1))]])

@@ -1,4 +1,4 @@
-# What records tell.
+# Contents of records.
 planted_bug(best_is_what_was_kept FILE src/manifold/recorder.cpp TESTS manifold
   WAS [[reduction.best.assign(best.begin(), best.end());]]
   IS [[reduction.best.assign(best.begin(), best.end()); if (@BUG@) reduction.best = reduction.kept;]])
