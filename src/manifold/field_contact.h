@@ -39,21 +39,19 @@ struct FieldSearchLimits {
   std::vector<trace::FieldProbe>* probes = nullptr;  // record of the samples; null: not recorded
 };
 
-/// Finds points of `pieces` at or inside the surface. A corner that is a vertex is a one-point
-/// piece.
-///
-/// Steps: 1. skip a piece if the field's lower bound at its middle exceeds the piece's reach from
-/// there; 2. subdivide the others down to the spacing and test their middles; 3. conservative, if
-/// none was found: subdivide the piece of the least bound repeatedly, until a point is inside, or
-/// all bounds exceed the margin, or a piece is so small that the surfaces are within
-/// kFieldTolerance. Such a piece counts as a touch, with the separation of its middle. So an
-/// overlap is never missed, and shapes separated by less than the tolerance may count as touching;
+/// Finds points of `pieces` at or inside the surface. Vertices are pieces of one point. Steps:
+/// 1. skip a piece if the field's lower bound at its middle exceeds the piece's reach from there;
+/// 2. subdivide the others down to the spacing and test their middles;
+/// 3. conservative, if none was found: subdivide the piece of the least bound until a point is
+///    inside, or all bounds exceed the margin, or a piece is so small that the surfaces are within
+///    kFieldTolerance. Such a piece counts as a touch, with the separation of its middle. So no
+///    overlap is missed, and a separation below the tolerance may count as touching;
 /// 4. conservative: add the deepest point of all, in place of the result of 3. If the pieces do not
-/// cross the surface, it is the nearest point, exactly (field_gap.h). If they do, subdivide as in 3
-/// while a part may be deeper than the deepest touch by more than kFieldTolerance, according to a
-/// tangent at its middle. That is valid for fields of convex shapes, and for pieces that are small
-/// compared with the field's hollows. Sampled: only 2, for all pieces that the box around the
-/// field's surface reaches.
+///    cross the surface, it is the nearest point, exactly (field_gap.h). If they do, subdivide as
+///    in 3 while a part may be deeper than the deepest touch by more than kFieldTolerance, by a
+///    tangent at its middle. That is valid for fields of convex shapes, and for pieces that are
+///    small compared with the field's hollows.
+/// Sampled: only 2, for all pieces that the box around the field's surface reaches.
 ///
 /// Source of the search: Piyavskii 1972 and Shubert 1972 for functions of bounded slope; of 4
 /// Kelley 1960, "The Cutting-Plane Method for Solving Convex Programs", for convex ones.
