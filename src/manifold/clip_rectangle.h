@@ -23,8 +23,8 @@
 /// corner is known. Positions are not moved.
 namespace contactscope::boxes {
 
-/// Two rectangles. Either may be a triangle, without a fourth corner or a fourth side. Three packs
-/// have a lane per coordinate; `side` has one per side plane.
+/// Two rectangles. A triangle lacks the fourth corner, or has a fourth side that excludes nothing.
+/// Three packs have a lane per coordinate; `side` has one per side plane.
 template <class S>
 struct RectanglePair {
   Three<S> corners[4];  // of the incident face, in the order of its ring, A's frame, metres
