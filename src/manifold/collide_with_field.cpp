@@ -160,9 +160,8 @@ FieldTouches touches_of(const Shape<S>& a, const PlacedField& field, const Pose<
 }
 
 /// Reduces the touches of one direction to a manifold's capacity, vertices first. If there are too
-/// many, keeps those that no other can replace: the deepest, and the farthest along kDirections
-/// directions in the contact plane. Then vertices before points inside faces, each kind evenly
-/// spaced.
+/// many, keeps the irreplaceable ones: the deepest, and the farthest along kDirections directions
+/// in the contact plane. Then vertices before points inside faces, each kind evenly spaced.
 void fit_manifold(std::vector<FieldTouch>& touches, const Vec3d& outward) {
   constexpr int kDirections = 32;
   const auto is_vertex = [](const FieldTouch& t) { return t.feature.kind == FeatureKind::Vertex; };

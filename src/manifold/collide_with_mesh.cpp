@@ -107,9 +107,8 @@ SeenFromMesh<S> seen_from_mesh(const Hull<S>& hull, const Pose<S>& b_in_a) {
 template <class S>
 constexpr S kSliver = S(0.01);
 
-/// The face that wins when both are nearly as deep. The surface's, because with the hull's a small
-/// tilt on a large triangle would turn the normal. But a sliver's normal says little about the
-/// surface.
+/// The face that wins when both are nearly as deep: the surface's, because the hull's normal would
+/// turn with a small tilt on a large triangle. But a sliver's normal says little about the surface.
 template <class S>
 Owner preferred_face(const Mesh<S>& mesh, int triangle) {
   const Vec3<S> first = mesh.corner(triangle, 1) - mesh.corner(triangle, 0);

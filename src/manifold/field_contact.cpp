@@ -12,8 +12,8 @@
 namespace contactscope {
 namespace {
 
-/// This many cuts settle any pair that is not everywhere at the distance of the margin. Then the
-/// nearest piece counts as a touch.
+/// After this many cuts the nearest piece counts as a touch. Enough for any pair that is not
+/// everywhere at the distance of the margin.
 constexpr int kMostCuts = 1 << 14;
 /// Enough to settle the deepest touch, except where the shapes lie flat on each other.
 constexpr int kMaxDeepeningCuts = 1 << 11;
@@ -32,8 +32,7 @@ struct Part {
     if (count == 2) return 0.5 * (corners[0] + corners[1]);
     return (corners[0] + corners[1] + corners[2]) / 3;
   }
-  /// Minimum on the part (at most 0) of the linear function with this gradient and value 0 at
-  /// `from`.
+  /// Minimum (<= 0) on the part of the linear function with this gradient and value 0 at `from`.
   double lowest(const Vec3d& gradient, const Vec3d& from) const {
     double least = 0;
     for (int k = 0; k < count; ++k) least = std::min(least, gradient.dot(at(corners, k) - from));
