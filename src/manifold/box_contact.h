@@ -91,7 +91,7 @@ class PacksToWorld<float> {
   Columns<float> columns_;
   Three<float> position_;
 };
-/// In double, Eigen's matrix products give the same sums by rows as by columns.
+/// In double Eigen's matrix products may add by rows or by columns, so this calls Eigen.
 template <>
 class PacksToWorld<double> {
  public:

@@ -181,8 +181,8 @@ inline constexpr std::array<std::array<std::uint8_t, 4>, 12> kRingEdges = [] {
   return edges;
 }();
 
-/// The faces of a face contact. `directions` are those of B's axes, see BoxPair. Reports whether
-/// other vertices are deeper than the support less `slack` (metres).
+/// The faces of a face contact. `directions` are those of B's axes, see BoxPair. The result reports
+/// whether another vertex is as deep as the support within `slack` (metres).
 template <class S>
 [[gnu::always_inline]] inline FacePair<S> face_pair(const BoxPair<S>& pair, Owner reference,
                                                     int face, const Columns<S>& directions, S slack,

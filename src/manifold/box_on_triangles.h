@@ -37,9 +37,9 @@ class BoxOnTriangles {
   Pose<S> mesh_in_box_;
   S margin_;
   Preference preference_;
-  bool is_turn_;  // the rotation is one
+  bool is_turn_;  // the rotation is unit
   boxes::TurnMatrix<S> turn_;
-  boxes::Three<S> half_;  // extents of the box
+  boxes::Three<S> half_;  // half extents of the box
 };
 
 }  // namespace contactscope

@@ -33,8 +33,8 @@ void face_polygon(const Placed& hull, Owner owner, int face,
 /// p stays unless it is outside; an edge that crosses the plane adds the crossing.
 ///
 ///          p .            the crossing made here has the id (edge p q, side edge) and continues
-///              \           along the side edge; the crossing where the polygon comes back has the
-///      ---------x------    id (side edge, edge of that p) and continues along that edge
+///             \           along the side edge; the crossing where the polygon comes back has the
+///     ---------x------    id (side edge, edge of that p) and continues along that edge
 ///               \ q
 template <class S>
 bool clip(const ClipPolygon<S>& polygon, const Plane<S>& side, EdgeKey side_edge, S thickness,

@@ -155,9 +155,9 @@ bool add_point_over_face(const TouchingPair<S>& pair, const CapsuleTouch<S>& tou
 }
 
 /// Not in the talk: a capsule along an edge, outside of every face's prism, would rock on one
-/// point. Along an edge's normal the segment keeps its distance from the edge, so both ends of the
-/// common stretch are equally deep. If the segment rises from one end, that end is the deepest. At
-/// a vertex the edge may fall away, and the far end is less deep by that.
+/// point. Along an edge's normal, edge and segment keep their distance, so both ends of the common
+/// stretch are equally deep. If the segment rises from one end, that end is the deepest. At a
+/// vertex the edge may fall away, and the far end is less deep by that.
 template <class S>
 void add_point_beside_edge(const TouchingPair<S>& pair, const CapsuleTouch<S>& touch, S reach,
                            CorePoints<S>& result) {

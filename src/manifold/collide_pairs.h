@@ -180,9 +180,9 @@ template <class S>
 S collide_capsule_plane(const Capsule<S>& a, const HalfSpace<S>& b, const Pose<S>& b_in_a,
                         const CollideOptions& options, Contact<S>& contact, Recorder<S>* recorder);
 
-/// The triangle as a flat hull. A segment in the plane of a triangle, outside it, is on no axis of
-/// the separating axis test. It meets the triangle at the closest points of segment and outline,
-/// and along an edge at both ends of the common stretch.
+/// The triangle as a flat hull. No axis of the separating axis test is in the triangle's plane. So
+/// a segment in that plane, outside the triangle, meets it at the closest points of segment and
+/// outline, and along an edge at both ends of the common stretch.
 template <class S>
 S collide_capsule_mesh(const Capsule<S>& a, const Mesh<S>& b, const Pose<S>& b_in_a,
                        const CollideOptions& options, ContactSink<S>& sink, Recorder<S>* recorder);

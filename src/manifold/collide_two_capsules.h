@@ -5,7 +5,7 @@
 namespace contactscope {
 
 /// Fast path of collide() for two capsules without a record, from poses to manifold: the same bits
-/// in a third of the time, for pairs in contact at an end.
+/// in a third of the time, for pairs whose closest points include an end of an axis.
 ///
 /// Returns false without a manifold where the general path is needed: closest points in the middle
 /// of both axes, axes that are nearly parallel, that meet or have no length; capsules of very

@@ -242,7 +242,7 @@ S collide_with_triangles(const SeenFromMesh<S>& shape, const Mesh<S>& b, const P
   const NearTriangles<S> near(b, box);
   std::optional<TriangleHull<S>> hull;
   S least = std::numeric_limits<S>::infinity();
-  S kept = std::numeric_limits<S>::infinity();  // separation of what was added or skipped
+  S kept = std::numeric_limits<S>::infinity();  // of added or skipped contacts
   LeftOut<S> left_out;
   const auto collide_triangle = [&](int index) {
     if (is_clear(index)) return;

@@ -35,7 +35,7 @@ bool can_collide(ShapeKind one, ShapeKind other);
 /// Whether a pair of these kinds, in either order, uses a PairCache.
 bool can_cache(ShapeKind one, ShapeKind other);
 
-/// The default of the recorded stages.
+/// The stages recorded by default.
 inline constexpr trace::Stages kUsualStages{};
 
 /// Contacts of two shapes placed in the world, into `manifolds` (emptied first). A pair is always

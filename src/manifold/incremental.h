@@ -27,8 +27,8 @@
 /// the middle; ties are broken by features. So a box that comes down level gets its corners one by
 /// one, the second across the diagonal.
 ///
-/// A point persists until its two points are farther from each other than the breaking distance. So
-/// the separation of a manifold's points may be up to that, or the margin if larger.
+/// A contact persists until the two points that met are farther from each other than the breaking
+/// distance. So the separation of a manifold's points may be up to that, or the margin if larger.
 namespace contactscope {
 
 /// Without a reducer all points are kept, as in one-shot manifolds, up to this many; then the
@@ -88,7 +88,7 @@ struct IncrementalOptions {
 /// Shapes of one kind are processed in the given order, or the opposite one with options.b_first.
 /// `record` is null when not recording. Otherwise it gets the fate of each point, GJK and the
 /// reduction, as in collide(). A replaced point is listed as broken if it differs from its
-/// replacement by more than a hundredth of the breaking distance, which no picture shows.
+/// replacement by more than a hundredth of the breaking distance; less is invisible in pictures.
 template <class S>
 void collide_incremental(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b,
                          const Pose<S>& pose_b, const CollideOptions& options,

@@ -37,7 +37,7 @@ struct ContactNormal {
   Vec3<S> direction;
   S tolerance = kNormalTolerance<S>;
 
-  /// Whether a point at this offset from a feature is farther along the normal, by the tolerance.
+  /// Whether this offset from a feature rises along the normal by more than the tolerance.
   bool rises(const Vec3<S>& way) const { return direction.dot(way) > tolerance * way.norm(); }
 };
 
@@ -107,7 +107,7 @@ bool rises_across(const Mesh<S>& mesh, int triangle, int k, const ContactNormal<
 /// corner. `edge` is the edge known to have made the contact, or -1. The surface has that feature
 /// when no vertex of the triangles around it is farther along the normal. That holds for the face;
 /// never for an edge in a flat or hollow place; for a ridge or a peak if the normal is between
-/// those of its faces. An edge at the end of the surface belongs to it.
+/// those of its faces. Boundary edges belong to the surface.
 ///
 /// We test the vertices and not, as is usual, the angles between the faces: that works for corners
 /// as well as edges, and for both sides of a triangle.

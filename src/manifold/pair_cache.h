@@ -25,9 +25,9 @@
 ///
 /// 1. Any point q of B and p of A bound it: sep(n) <= n . (q - p).
 /// 2. Let q be the deepest point of the new manifold, s_q below the reference face, and p its foot
-///    there. So q - p = s_q n_c, and sep(n) <= s_q cos(n, n_c) for *every* n, s_q < 0. So axes near
-///    the kept one are no better than s_q times the cosine of the angle to it: among those within
-///    18 degrees it is deeper than the best by no more than 5%.
+///    there. Then q - p = s_q n_c, and sep(n) <= s_q cos(n, n_c) for *every* n, s_q < 0. So axes
+///    near the kept one are no better than s_q times the cosine of the angle to it: among those
+///    within 18 degrees it is deeper than the best by no more than 5%.
 /// 3. If no point of B, seen from A, has moved by more than m, no sep(n) has grown by more than m;
 ///    likewise for normals of B, seen from B. So axes far from the kept one are no better than m
 ///    plus the largest that they were, or could have been, at the full test: far_separation().
@@ -69,7 +69,7 @@ struct PairCache {
   Vec3<S> normal = Vec3<S>::UnitX();  // of the axis at the full test, from A to B, in A's frame
 
   // Bounds for the other axes, at the full test. These and all members below are set for features.
-  Quat<S> rotation = Quat<S>::Identity();  // b_in_a's
+  Quat<S> rotation = Quat<S>::Identity();  // of b_in_a
   Vec3<S> center_b = Vec3<S>::Zero();      // B's centroid in A's frame
   Vec3<S> center_a = Vec3<S>::Zero();      // A's centroid in B's frame
   S near_cosine = 1;                       // axes at a larger angle are far

@@ -65,8 +65,8 @@ void add_round_point(const Vec3<S>& core_a, S radius_a, const Vec3<S>& core_b, S
   contact.points.push_back({S(0.5) * (on_a + on_b), distance - (radius_a + radius_b), id});
 }
 
-// Shared by the pairs with hulls. They are computed in the hull's own frame: the hull's lanes are
-// stored in it, and its vertices are exact there.
+// Shared by the pairs with hulls. They are computed in the hull's own frame, in which its lanes are
+// stored and its vertices are exact.
 
 /// A core nearer to a vertex or an edge than this touches it. Closer, the difference of the closest
 /// points is about an ulp of the coordinates in each component and could turn the normal by a

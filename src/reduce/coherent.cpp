@@ -28,7 +28,7 @@ struct Reference {
   S size;           // measure()
   bool by_length;
   S deepest;  // separation
-  S slack;    // of the separation
+  S slack;    // allowed increase of the separation
 
   /// Whether one of the points is deep enough within this part of the slack.
   bool admits(S part, S separation) const { return separation <= deepest + part * slack; }
@@ -221,8 +221,8 @@ KeptIndices most_coherent(const Candidates<S>& points, const Patch<S>& patch,
 /// points, in their order, if all exist and are large and deep enough; 4. otherwise a new choice of
 /// the patch's corners within half of the tolerance and half of the slack, so that noise below that
 /// changes nothing: the most kept ids, then the largest area; old points first, then the new ones
-/// around the patch. With more than eight points, on a line, or if no id recurs, it is the
-/// reference itself.
+/// around the patch. For max_points above eight, on a line, or if no id recurs, it is the reference
+/// itself.
 constexpr auto reduce_coherently = []<class S>(const Candidates<S>& points,
                                                const ReduceOptions& options) {
   const int most = options.max_points;

@@ -108,7 +108,7 @@ constexpr auto reduce_like_bullet = []<class S>(const Candidates<S>& points,
       return squared_area<S>(points[arriving], other(1), other(2), other(3));
     };
     const int best = steps::highest(kPlaces, left_area, S(-1));
-    if (best >= 0) at(places, best) = arriving;  // best < 0 if areas overflow
+    if (best >= 0) at(places, best) = arriving;  // areas are NaN if floats overflow
   }
 
   const std::span<const int> held(places.data(), std::min<std::size_t>(points.points.size(), 4));

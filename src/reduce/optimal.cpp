@@ -208,7 +208,7 @@ CornerRing<S> largest_ring(const Candidates<S>& points, const Patch<S>& patch, i
     ring = best_ring_through(patch, corner, most);
     if (ring.doubled_area >= largest - patch.tie) return ring;
   }
-  return ring;  // areas are not numbers if S overflows
+  return ring;  // areas are NaN if S overflows
 }
 
 template <class S>

@@ -58,7 +58,7 @@ class Patch {
   /// Whether counter-clockwise corners are clockwise seen against the normal.
   bool is_mirrored() const { return up_ < S(0); }
 
-  int count;             // of the corners
+  int count;             // number of corners
   bool is_flat = false;  // all points are on a line or coincide: the area is only rounding
   S doubled_area;        // of the whole hull
   S tie;                 // doubled areas, and squared lengths, that differ by no more are ties

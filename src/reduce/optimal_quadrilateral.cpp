@@ -72,7 +72,7 @@ CornerRing<S> ring_across(const Patch<S>& patch, int from, int to, S doubled_are
   ring.corners.push_back(from);
   // On a side that is straight up to rounding, an end may come out farthest.
   if (right != from && right != to) ring.corners.push_back(right);
-  if (to != from) ring.corners.push_back(to);  // areas are not numbers if S overflows
+  if (to != from) ring.corners.push_back(to);  // areas are NaN if S overflows
   if (left != from && left != to) ring.corners.push_back(left);
   return ring;
 }

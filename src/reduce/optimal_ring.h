@@ -62,7 +62,7 @@ ChoiceWith<S> largest_with(const Candidates<S>& points, Patch<S>& patch, int poi
                            S depth_tie, KeptIndices& kept);
 
 /// The doubled area of the triangle of `centre` and the edge from corner i to j. 0 if the edge is
-/// seen from behind: then `centre` is outside the ring there, and its hull with the ring lacks that
+/// seen from behind: `centre` is then outside the ring there, and its hull with the ring lacks that
 /// edge.
 template <class S>
 S seen(const Patch<S>& patch, const Vec2<S>& centre, int i, int j) {

@@ -160,7 +160,6 @@ struct Candidates {
     }
     return found;
   }
-  /// Mean of the positions.
   Vec3<S> centre() const {
     Vec3<S> sum = Vec3<S>::Zero();
     for (int i = 1; i < count(); ++i) sum += (*this)[i] - (*this)[0];
