@@ -13,11 +13,10 @@
 namespace contactscope {
 
 /// Rejects most triangles near a hull that do not touch it, before they become placed hulls: many
-/// of the triangles whose bounds touch the hull's bounds are separated. It tests only cheap axes:
-/// the triangle's normal and the hull's faces; for hulls other than boxes also those of the hull's
-/// box in its own frame and one direction from the triangle to the centre. A rejection is certain:
-/// the separation exceeds the margin and rounding, so the separating axis test would reject the
-/// triangle, too.
+/// of the triangles whose bounds touch the hull's bounds are separated. Tests only cheap axes: the
+/// triangle's normal and the hull's faces; for hulls other than boxes also those of the hull's box
+/// in its own frame and one direction from the triangle to the centre. A rejection is certain: the
+/// separation exceeds the margin and rounding, so the separating axis test would also reject it.
 ///
 /// That test measures along faces and edges alone. For corners separated by a margin it may find
 /// only half the margin. So other axes are used only without a margin, and must be clearer, because

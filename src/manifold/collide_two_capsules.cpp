@@ -57,10 +57,10 @@ struct Nearest {
 /// The squared distance between the points at s of A and t of B is a convex function over a square.
 /// The products give its slopes along s and t.
 ///
-///     t = 1  c2--s3--c3      Where both slopes lead upwards into the square from a corner, the corner is the
-///            s0      s1      minimum: two ends. Where the minimum of a side is between its corners, and the
-///     t = 0  c0--s2--c1      other slope leads upwards from there: an end and its foot on the other axis.
-///         s = 0      s = 1   Else the minimum is inside.
+///     t = 1  c2--s3--c3      Two ends: a corner is the minimum if both slopes lead upwards from
+///            s0      s1      it into the square. An end and its foot on the other axis: a side has
+///     t = 0  c0--s2--c1      the minimum between its corners, and the other slope leads upwards
+///         s = 0      s = 1   from there. Otherwise the minimum is inside.
 ///
 /// closest_of_segments() takes the least of measured distances. It certainly finds the same minimum
 /// if the slopes exceed rounding and no corner is within rounding of the foot.

@@ -53,8 +53,8 @@ struct FieldSearchLimits {
 ///    small compared with the field's hollows.
 /// Sampled: only 2, for all pieces that the box around the field's surface reaches.
 ///
-/// Source of the search: Piyavskii 1972 and Shubert 1972 for functions of bounded slope; of 4
-/// Kelley 1960, "The Cutting-Plane Method for Solving Convex Programs", for convex ones.
+/// Sources: Piyavskii 1972 and Shubert 1972 for functions of bounded slope; for step 4 Kelley 1960,
+/// "The Cutting-Plane Method for Solving Convex Programs".
 FieldTouches find_touches(const PlacedField& field, std::span<const FieldPiece> pieces,
                           const FieldSearchLimits& limits);
 
