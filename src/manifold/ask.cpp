@@ -21,7 +21,7 @@ void record_question(const Question& question, trace::Pair& record) {
   told.skip_up_to = question.test.skip_up_to;
 }
 
-/// The same numbers, in double.
+/// The same numbers in double.
 template <class S>
 Pose<double> wide(const Pose<S>& pose) {
   if constexpr (std::is_same_v<S, float>)
@@ -36,7 +36,7 @@ Shape<double> wide(const Shape<float>& shape) {
   return in_double(shape);
 }
 
-/// Of a convex shape, which outlives the result.
+/// `shape` is convex and must outlive the result.
 PlacedCore core_of(const Shape<double>& shape, const Pose<double>& pose) {
   static const Vec3d kMiddle = Vec3d::Zero();
   if (const auto* sphere = std::get_if<Sphere<double>>(&shape))
@@ -54,7 +54,7 @@ void record_gap(const Gap& gap, const Pose<double>& pose_a, trace::Pair* record)
   record->query->point_b = to_world.point(gap.on_b);
 }
 
-/// Two convex shapes, or a convex one and a plane.
+/// Two convex shapes, or a convex shape and a plane.
 template <class S>
 Answer<S> ask_solids(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b,
                      const Pose<S>& pose_b, const Question& question, trace::Pair* record,
@@ -84,7 +84,7 @@ Answer<S> answer_where_near(const std::optional<Gap>& gap, const Question& quest
   return apart;
 }
 
-/// All contacts with a mesh or a field that `question` may count, which are not kept.
+/// All contacts with a mesh or a field within the margin. The record does not keep their manifolds.
 template <class S>
 Manifolds<S> contacts_within(double margin, const Shape<S>& a, const Pose<S>& pose_a,
                              const Shape<S>& b, const Pose<S>& pose_b, trace::Pair* record,
@@ -117,7 +117,7 @@ Answer<S> ask_mesh(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b,
   return answer_where_near<S>(gap, question);
 }
 
-/// Any shape and a field: their contacts.
+/// Any shape and a field, by their contacts.
 template <class S>
 Answer<S> ask_field(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b,
                     const Pose<S>& pose_b, const Question& question, trace::Pair* record,
@@ -151,7 +151,7 @@ Answer<S> ask_field(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b,
   return answer_where_near<S>(gap, question);
 }
 
-/// Of the shapes themselves, in the order of the table.
+/// Queries the shapes themselves, in the order of the table.
 template <class S>
 Answer<S> ask_shapes(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b,
                      const Pose<S>& pose_b, const Question& question, trace::Pair* record,
@@ -166,7 +166,7 @@ Answer<S> ask_shapes(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b
   return ask_solids(a, pose_a, b, pose_b, question, record, stages);
 }
 
-/// What the shapes say where their bounds are asked.
+/// The shapes' own answer, next to a query of their bounds.
 template <class S>
 trace::WithinBounds within_bounds(const AskedShape<S>& a, const AskedShape<S>& b,
                                   Question question) {
@@ -182,7 +182,7 @@ trace::WithinBounds within_bounds(const AskedShape<S>& a, const AskedShape<S>& b
   return told;
 }
 
-/// In the order of the table.
+/// `a` and `b` are in the order of the table.
 template <class S>
 Answer<S> ask_in_order(const AskedShape<S>& a, const AskedShape<S>& b, const Question& question,
                        trace::Pair* record, const trace::Stages& stages, MeshFront* front) {

@@ -10,41 +10,40 @@
 #include "query/mesh_overlap.h"
 #include "query/overlap.h"
 
-/// What two shapes are asked instead of their manifold: whether they overlap, whether they touch, how
-/// far apart they are, how deep they are in each other; of the shapes themselves or of their bounds.
+/// Queries of two shapes other than their manifold: overlap, touching, distance or depth, of the
+/// shapes themselves or of their bounds.
 namespace contactscope {
 
-/// What is asked, and how the answer is compared. Lengths in metres.
+/// A query and how its answer is compared. Lengths in metres.
 struct Question {
   QueryKind kind = QueryKind::Manifold;
-  /// Aabb, Obb or BoundingSphere: it is asked of the bounds; empty: of the shapes themselves.
+  /// Aabb, Obb or BoundingSphere: query these bounds; empty: query the shapes themselves.
   std::optional<QueryMethod> bounds{};
-  bool inclusive = true;  // what touches overlaps
+  bool inclusive = true;  // touching counts as overlap
   double tolerance =
-      0;  // of Overlap, inclusive, and of Touching: a gap of up to this counts as none
-  ObbTest<double> test{};                                  // of oriented boxes
-  PenetrationMethod penetration = PenetrationMethod::Sat;  // of convex shapes, one of them a hull
+      0;  // for inclusive Overlap and for Touching: separations up to this count as zero
+  ObbTest<double> test{};                                  // for oriented boxes
+  PenetrationMethod penetration = PenetrationMethod::Sat;  // for convex shapes, one of them a hull
 
   friend bool operator==(const Question&, const Question&) = default;
 };
 
-/// Why a question cannot be asked of two shapes of these kinds, with the remedy and without a full
-/// stop; nothing where it can. Of a manifold it is what collide() cannot do.
+/// Why two shapes of these kinds cannot answer a query, with the remedy and without a full stop;
+/// empty if they can. For a manifold: why collide() cannot do it.
 std::optional<std::string> refusal(const Question& question, ShapeKind one, ShapeKind other);
 
 template <class S>
 struct Answer {
-  bool overlap = false;            // they share a point, as the question compares it
-  std::optional<bool> touching{};  // of Touching: no more than that
-  /// Metres between them, negative: how deep. Of bounds the largest gap along an axis, unless the
-  /// distance was asked. Empty where the method does not say: GJK does not know how deep two hulls
-  /// are in each other.
+  bool overlap = false;            // they share a point, under the query's comparison
+  std::optional<bool> touching{};  // for Touching: the surfaces meet and no more than that
+  /// Metres between the shapes, negative: depth. For bounds the largest separation along an axis,
+  /// except for Distance. Empty where the method measures none: GJK gives no depth for two hulls.
   std::optional<S> gap{};
-  QueryMethod method = QueryMethod::Gjk;     // that answered
-  std::optional<MeshOverlapCounts> trees{};  // of two meshes that were asked themselves
+  QueryMethod method = QueryMethod::Gjk;     // the method that answered
+  std::optional<MeshOverlapCounts> trees{};  // for two meshes, except of their bounds
 };
 
-/// Bounds of one shape in its own frame, made when they are first asked for.
+/// Bounds of one shape in its own frame, computed at first use.
 template <class S>
 class OwnBounds {
  public:
@@ -62,8 +61,8 @@ class OwnBounds {
   std::optional<std::optional<BoundingSphere<S>>> sphere_;
 };
 
-/// A shape placed in the world, with what is kept of it. `bounds` belong to this shape alone, and are
-/// to be made anew when it is deformed.
+/// A shape placed in the world, with its cached bounds. `bounds` belong to this shape alone; reset
+/// them when it deforms.
 template <class S>
 struct AskedShape {
   const Shape<S>& shape;
@@ -71,30 +70,30 @@ struct AskedShape {
   OwnBounds<S>& bounds;
 };
 
-/// Answers a question that refusal() lets pass, and which is not for the manifold.
+/// Answers a query that refusal() accepts and whose kind is not Manifold.
 ///
-/// Of convex shapes: GJK of the cores less the radii; where the cores overlap and the depth matters,
-/// the penetration method of the question. Of a convex shape and a plane: the farthest point along
-/// the plane's normal. Of a convex shape and a mesh: contacts of its triangles, a surface; what is
-/// wholly inside a closed mesh does not touch it. Of two meshes: triangles that share a point, or,
-/// where there are none and both are watertight, one inside the other.
+/// Convex shapes: GJK of the cores less the radii; where the cores overlap and the depth matters,
+/// the query's penetration method. Convex shape and plane: the farthest point along the plane's
+/// normal. Convex shape and mesh: contacts of the mesh's triangles, which are a surface, so a shape
+/// wholly inside a closed mesh does not touch it. Two meshes: triangles that share a point; if
+/// there are none and both meshes are watertight, one inside the other.
 ///
-/// What lies within rounding of touching counts as touching: by how much the gap changes where each number
-/// that places the closest points changes by two roundings, in the scalar of the shapes, see
-/// rounding_along() in asked_pair.h. All is computed in double. So, inclusive, no shapes that overlap are
-/// called apart, and exclusive, none that are apart are called overlapping. Two meshes are compared
-/// exactly, see mesh_overlap.h; bounds have bounds of their own, see overlap.h.
+/// Separations within rounding count as touching. Rounding is the change of the separation when
+/// each number that places the closest points changes by two roundings in the shapes' scalar; see
+/// rounding_along() in asked_pair.h. Everything is computed in double. So an inclusive query never
+/// reports overlapping shapes as separated, and an exclusive one never reports separated shapes as
+/// overlapping. Two meshes are compared exactly, see mesh_overlap.h; for bounds see overlap.h.
 ///
-/// `b_first`, `record` and `stages` are those of collide(): the record is in the order of the
-/// arguments, and changes no bit of the answer. `front` is of two meshes, see mesh_overlap(): where the
-/// last call for this pair ended; nullptr: their trees are gone through from the roots.
+/// `b_first`, `record` and `stages` are as in collide(): the record is in the order of the
+/// arguments and does not change the answer. `front` is for two meshes, see mesh_overlap(): where
+/// the last call for this pair ended; null: their trees are traversed from the roots.
 template <class S>
 Answer<S> ask(const AskedShape<S>& a, const AskedShape<S>& b, const Question& question,
               bool b_first = false, trace::Pair* record = nullptr,
               const trace::Stages& stages = kUsualStages, MeshFront* front = nullptr);
 
-/// What a pair came to, also of one that nobody watched: its state, the answer, and the gap where it
-/// is known. Without it the record's separation stays.
+/// Records the state of a pair, the answer and, if known, the separation. Works without a Recorder.
+/// Without a separation the record keeps its own.
 template <class S>
 void record_answer(const Answer<S>& answer, trace::Pair& record);
 

@@ -28,7 +28,7 @@ trace::Volume told_volume(const BoundingSphere<S>& sphere) {
           .radius = static_cast<double>(sphere.radius)};
 }
 
-/// Metres; of bounds that are apart.
+/// Metres, for separated bounds.
 template <class S>
 S distance_of(const Aabb<S>& a, const Aabb<S>& b) {
   const Vec3<S> above = b.lower - a.upper, below = a.lower - b.upper;
@@ -40,7 +40,7 @@ S distance_of(const BoundingSphere<S>& a, const BoundingSphere<S>& b) {
   return (b.center - a.center).norm() - (a.radius + b.radius);
 }
 
-/// From its middle.
+/// Relative to its centre.
 template <class S>
 std::array<Vec3<S>, 8> corners_of(const Obb<S>& box) {
   std::array<Vec3<S>, 8> corners;
@@ -68,7 +68,7 @@ trace::TestedAxis told_axis(const OverlapAxis<S>& axis) {
                                                  : -1;
   told.direction = axis.direction.template cast<double>();
   told.length = static_cast<double>(axis.length);
-  // Halfway between the middles, so that a and b can trade places.
+  // Relative to the midpoint of the two centres, so that a and b can be swapped.
   const S middle =
       S(0.25) * (axis.interval_a[0] + axis.interval_a[1] + axis.interval_b[0] + axis.interval_b[1]);
   for (std::size_t end = 0; end < 2; ++end) {
@@ -81,7 +81,7 @@ trace::TestedAxis told_axis(const OverlapAxis<S>& axis) {
   return told;
 }
 
-/// The largest gap along an axis that was not skipped, metres.
+/// The largest separation along the axes that were not skipped, metres.
 template <class S>
 std::optional<S> largest_gap(const OverlapRecord<S>& record) {
   std::optional<S> largest;
@@ -91,7 +91,7 @@ std::optional<S> largest_gap(const OverlapRecord<S>& record) {
   return largest;
 }
 
-/// `overlap(comparison, record)` is the test of both bounds.
+/// `overlap(comparison, record)` tests the two bounds.
 template <class S, class Bound, class Overlap>
 Answer<S> ask_of(const Bound& a, const Bound& b, const Question& question, trace::Pair* record,
                  const Overlap& overlap) {

@@ -8,8 +8,8 @@
 namespace contactscope {
 namespace {
 
-/// Of what is computed in double. GJK and the separating axis test have differed by up to 36 epsilon, see
-/// may_overlap().
+/// Rounding of results computed in double. GJK and the separating axis test have differed by up to
+/// 36 epsilon, see may_overlap().
 double rounding_of_double(double lengths) {
   return depth_rounding(2 * lengths);
 }
@@ -24,8 +24,7 @@ double reach_of(const PlacedCore& core) {
   return reach_of(core.set) + core.radius + core.origin.norm() + core.given.position.norm();
 }
 
-/// Whether it matters how deep cores are in each other that may overlap: also where it may be no more
-/// than rounding.
+/// Whether the depth matters for cores that may overlap, also if it may be only rounding.
 bool needs_depth(const Question& question, double radii, double rounding) {
   if (question.kind == QueryKind::Penetration) return true;
   const bool compares = question.kind == QueryKind::Touching || !question.inclusive;
@@ -42,8 +41,8 @@ static_assert(query_method(PenetrationMethod::Sampling) == QueryMethod::Sampling
 double rounding_along(const Vec3d& normal, const Pose<double>& pose, const Vec3d& in_frame,
                       Epsilon epsilon) {
   const Vec3d local = pose.inverse_rotate(normal);
-  // The derivatives of normal . (q x q*) / |q|^2 with respect to the four numbers of q, halved; x is the
-  // point.
+  // The derivatives of normal . (q x q*) / |q|^2 with respect to the four numbers of q, halved; x
+  // is the point.
   const double w = pose.rotation.w();
   const Vec3d v = pose.rotation.vec(), &x = in_frame;
   const double along = local.dot(x);
@@ -91,7 +90,7 @@ Gap gap_of_cores(const PlacedCore& a, const PlacedCore& b, const Question& quest
     PenetrationResult<double> deep = by(method, penetration_steps(recorder));
     if (recorder) [[unlikely]]
       recorder->penetration(method, deep, nullptr);
-    // Others give more than the depth, which may be no more than rounding.
+    // The other methods give more than the least depth, which may be only rounding.
     if (method != PenetrationMethod::Sat && !question.inclusive && radii <= bound) {
       const PenetrationResult<double> least = by(PenetrationMethod::Sat, nullptr);
       if (!has_depth(least.status) || least.depth <= bound) {
@@ -104,7 +103,7 @@ Gap gap_of_cores(const PlacedCore& a, const PlacedCore& b, const Question& quest
       from_cores(-deep.depth, deep.normal, deep.on_a, deep.on_b);
       return found;
     }
-    // GJK has them touch, the other apart by a hair: within rounding of each other either way.
+    // Touching for GJK, just separated for the other method: the two agree within rounding.
     from_cores(cores.distance, deep.normal, cores.on_a, cores.on_b);
   }
   if (cores.status == GjkStatus::Separated) {

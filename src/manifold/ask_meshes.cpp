@@ -12,7 +12,7 @@ const char* to_word(TriangleOverlapKind kind) {
   return kWords[static_cast<int>(kind)];
 }
 
-/// Touching triangles share no point of their interiors.
+/// Touching triangles share no interior point.
 bool counts(TriangleOverlapKind kind, bool inclusive) {
   return inclusive ? kind != TriangleOverlapKind::None
                    : kind == TriangleOverlapKind::Proper || kind == TriangleOverlapKind::Coplanar;
@@ -40,11 +40,11 @@ void record_intersections(const MeshOverlap<S>& found, const Pose<S>& pose_a, tr
                                           static_cast<int>(found.counts.triangle_pairs)};
 }
 
-/// Which triangles, counted in the order of the tree, are below each node.
+/// For each node, the range of triangles below it, in the order of the tree.
 template <class S>
 std::vector<std::pair<int, int>> triangles_below(const AabbTree<S>& tree) {
-  std::vector<std::pair<int, int>> ranges(tree.nodes.size());  // the first one, and how many
-  // Backwards: whatever is below a node stands behind it.
+  std::vector<std::pair<int, int>> ranges(tree.nodes.size());  // first and count
+  // Backwards, because a node's children come after it.
   for (int i = count_of(tree.nodes) - 1; i >= 0; --i) {
     const auto& node = at(tree.nodes, i);
     at(ranges, i) = node.leaf()

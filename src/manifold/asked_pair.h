@@ -6,40 +6,40 @@
 #include "manifold/recorder.h"
 #include "query/support_set.h"
 
-/// The ways in which ask() answers, each in the file of its name. All work in A's frame; what they
-/// record goes into `query` of the record, in the world.
+/// The methods of ask(), each in the file of its name. All work in A's frame and record into the
+/// record's `query`, in the world.
 namespace contactscope {
 
-/// A convex shape as the points within `radius` of its core, in double whatever its numbers were
-/// given in. Refers to what it was made of.
+/// A convex shape as the points within `radius` of its core, in double whatever the scalar of the
+/// input. Refers to the shape it was made from.
 struct PlacedCore {
   SupportSet<double> set;
   double radius = 0;  // metres
   Pose<double> given;
-  Vec3d origin = Vec3d::Zero();  // of the set's frame in that of `given`, which has the same axes
+  Vec3d origin = Vec3d::Zero();  // of the set's frame in `given`'s frame, with the same axes
 
   Pose<double> pose() const { return {given.rotation, given.transform(origin)}; }
   bool has_volume() const { return set.hull != nullptr; }
 };
 
-/// What is known of two shapes as a whole, in A's frame, metres. In double, also of shapes in float:
-/// what is computed is then exact next to what rounding made of the numbers that were given.
+/// Separation of two shapes as a whole, in A's frame, metres. In double also for float shapes: the
+/// computation is then exact compared with the rounding of the input.
 struct Gap {
-  std::optional<double> gap{};  // negative: how deep; empty: they overlap, by nobody knows how much
-  double rounding = 0;          // gaps up to this count as none, see rounding_along()
+  std::optional<double> gap{};  // negative: depth; empty: they overlap by an unknown depth
+  double rounding = 0;          // separations up to this count as zero, see rounding_along()
   QueryMethod method = QueryMethod::Gjk;
   Vec3d normal = Vec3d::Zero();  // unit, from A to B; zero where the method has none
-  Vec3d on_a = Vec3d::Zero(), on_b = Vec3d::Zero();  // closest or deepest, with a normal
+  Vec3d on_a = Vec3d::Zero(), on_b = Vec3d::Zero();  // closest or deepest, if there is a normal
 };
 
-/// The answer that follows from a gap: the one rule of what overlaps and what touches.
+/// The answer that follows from a separation: the only rule for overlap and touching.
 template <class S>
 Answer<S> answer_of(const Gap& gap, const Question& question) {
   Answer<S> answer;
   answer.method = gap.method;
   if (gap.gap) answer.gap = static_cast<S>(*gap.gap);
   const double allowed = question.tolerance + gap.rounding;
-  // Where nobody knows how much they overlap, it is more than rounding, or does not matter.
+  // An unknown depth is more than rounding, or does not matter.
   const bool deep = !gap.gap;
   const bool within = deep || *gap.gap <= allowed;
   answer.overlap = question.inclusive ? within : deep || *gap.gap < -gap.rounding;
@@ -53,41 +53,40 @@ using Epsilon = double;
 template <class S>
 constexpr Epsilon kEpsilon = static_cast<double>(std::numeric_limits<S>::epsilon());
 
-/// How far a point of a shape moves along an axis, metres, where each number that says where it is
-/// changes by one epsilon of itself, which is two roundings: the position of its frame, the four
-/// numbers of its rotation, and `in_frame`, its coordinates there. To first order. `normal` is unit, in
-/// the world. A level floor's corners, however far out, move with its height and thickness alone; an
-/// inclined one has large coordinates along the normal that cancel, and their rounding is there.
+/// How far a point of a shape moves along an axis, metres, when each number that places it changes
+/// by one epsilon of itself (two roundings): the position of its frame, the four numbers of its
+/// rotation, and `in_frame`, its coordinates there. First order. `normal` is unit, in the world.
+/// Corners of a level floor, however far out, move with its height and thickness alone. An inclined
+/// floor has large coordinates along the normal that cancel, so their rounding counts.
 double rounding_along(const Vec3d& normal, const Pose<double>& pose, const Vec3d& in_frame,
                       Epsilon epsilon);
 
-/// Nothing that rounding_along() gives of two shapes is larger; `lengths` is the sum of how far each
-/// reaches from its frame's origin and how far these are from the world's.
+/// Upper bound of rounding_along() for two shapes. `lengths` is the sum of each shape's reach from
+/// its frame's origin and of the distances of these origins from the world's.
 double bound_of_rounding(double lengths, Epsilon epsilon);
 
-/// Two convex shapes. Computed by GJK and, where cores overlap, by the separating axis test or the method
-/// of the question. `recorder` is of double.
+/// Two convex shapes: GJK and, where the cores overlap, the separating axis test or the query's
+/// penetration method. `recorder` is of double.
 Gap gap_of_cores(const PlacedCore& a, const PlacedCore& b, const Question& question,
                  Epsilon epsilon, Recorder<double>* recorder);
 
-/// A convex shape and a plane.
+/// Convex shape and plane.
 Gap gap_to_plane(const PlacedCore& a, const HalfSpace<double>& b, const Pose<double>& pose_b,
                  Epsilon epsilon);
 
-/// A convex shape and the surface of a mesh: its triangle of least gap. Empty where none is nearer than
-/// what counts as none.
+/// Convex shape and the surface of a mesh: the triangle of least separation. Empty if every
+/// triangle is beyond the separations that count as zero.
 template <class S>
 std::optional<Gap> gap_to_mesh(const PlacedCore& a, const Mesh<S>& b, const Pose<double>& pose_b,
                                const Question& question);
 
-/// Two meshes. The record gets their intersections, and which nodes were compared where the stages
-/// ask for it.
+/// Two meshes. Records their intersections and, if the stages include it, the compared nodes.
 template <class S>
 Answer<S> ask_meshes(const Mesh<S>& a, const Pose<S>& pose_a, const Mesh<S>& b,
                      const Pose<S>& pose_b, const Question& question, trace::Pair* record,
                      const trace::Stages& stages, MeshFront* front);
 
-/// Their bounds. The record gets the bounds and the axes.
+/// Bounds of two shapes. Records the bounds and the axes.
 template <class S>
 Answer<S> ask_bounds(const AskedShape<S>& a, const AskedShape<S>& b, const Question& question,
                      trace::Pair* record);

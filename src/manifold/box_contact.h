@@ -9,13 +9,12 @@
 #include "query/box_edges.h"
 #include "reduce/reducer.h"
 
-/// What two boxes give, and how it becomes a manifold: Contact and finish_contact(), made for kernels
-/// that work on a whole vector at a time. Whatever is written here is written by one store of as many
-/// bytes as are loaded next: a load that takes the bytes of several stores waits until they have left the
-/// processor for the cache.
+/// Contact of two boxes and its manifold: Contact and finish_contact() for kernels that work on
+/// whole vectors. Each value is written by one store of as many bytes as the next load reads. A
+/// load across several stores waits until they reach the cache.
 namespace contactscope::boxes {
 
-/// Two rectangles clip to eight corners at most.
+/// Two rectangles clip to at most eight corners.
 inline constexpr int kMostPoints = 8;
 
 /// In A's frame.
@@ -28,12 +27,12 @@ struct BoxContact {
   S scale;          // metres, as in Contact
   ContactPoint<S> points[kMostPoints];
 
-  /// `first` and `second` are places in kEdgeRefs, in this order.
+  /// `first` and `second` are indices into kEdgeRefs, in this order.
   [[gnu::always_inline]] void put(const Three<S>& position, S separation, int first, int second);
 };
 
-/// The edges of both boxes in the order in which an id names them, A's before B's, as words: a reference
-/// that was written as two bytes and an int would be waited for when it is read as one.
+/// The edges of both boxes in the order of ids, A's before B's, as words: reading a reference as
+/// one word stalls if it was written as two bytes and an int.
 inline constexpr std::array<std::uint64_t, 24> kEdgeRefs = [] {
   std::array<std::uint64_t, 24> refs{};
   for (int i = 0; i < 24; ++i) {
@@ -50,7 +49,7 @@ inline constexpr std::array<std::uint64_t, 24> kEdgeRefs = [] {
   return refs;
 }();
 
-/// The three numbers of a position and its separation.
+/// A position and a separation in one pack.
 template <class S>
 [[gnu::always_inline]] inline Three<S> with_separation(const Three<S>& position,
                                                        const Three<S>& apart) {
@@ -72,7 +71,7 @@ template <class S>
   std::memcpy(to + sizeof four, &id, sizeof id);
 }
 
-/// ToWorld for packs, the same bits.
+/// ToWorld for packs, with the same bits.
 template <class S>
 class PacksToWorld;
 template <>
@@ -92,7 +91,7 @@ class PacksToWorld<float> {
   Columns<float> columns_;
   Three<float> position_;
 };
-/// In double Eigen adds up a matrix's products by rows as well as by columns.
+/// In double Eigen's matrix products may add by rows or by columns, so this calls Eigen.
 template <>
 class PacksToWorld<double> {
  public:
@@ -108,7 +107,7 @@ class PacksToWorld<double> {
   ToWorld<double> to_world_;
 };
 
-/// finish_contact(), with nobody watching.
+/// finish_contact() without a record.
 template <class S>
 [[gnu::always_inline]] inline void finish(const Pose<S>& pose_a, const CollideOptions& options,
                                           BoxContact<S>& contact, Manifold<S>& manifold) {
@@ -118,7 +117,7 @@ template <class S>
   const Three<S> normal = to_world.direction(contact.normal);
   manifold.normal = vector<S>(normal);
   const bool few = contact.count <= options.reduction.max_points;
-  // Zero times anything finite is zero, times anything else is not.
+  // Zero times a finite number is zero; times any other it is NaN.
   Three<S> nothing = S(0) * three(manifold.normal);
   for (int i = 0; i < contact.count; ++i) {
     const Three<S> in_a = lanes::load_pack<Three<S>>(contact.points[i].position.data());

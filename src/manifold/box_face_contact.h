@@ -14,16 +14,16 @@
 #include "query/box_pair.h"
 #include "query/tolerance.h"
 
-/// The face contact of two boxes: the incident face at the support vertex, clipped against the sides of
-/// the reference face, as create_face_contact() does it for any two hulls, bit for bit.
+/// The face contact of two boxes: the incident face at the support vertex, clipped against the
+/// sides of the reference face. Bit for bit the result of create_face_contact() for any two hulls.
 namespace contactscope::boxes {
 
 /// The vertex of a box that is deepest below a plane.
 template <class S>
 struct Support {
-  int vertex;     // the earliest of equals
+  int vertex;     // the earliest among equals
   S least;        // its distance, metres
-  bool is_alone;  // the others are farther by more than some slack
+  bool is_alone;  // the others are farther by more than the slack
 };
 template <class S>
 [[gnu::always_inline]] inline Support<S> support_below(const Three<S>& low, const Three<S>& high,
@@ -36,7 +36,7 @@ template <class S>
   return {std::countr_zero(below(least) | 0x100U), least[0], (near & (near - 1)) == 0};
 }
 
-/// A face of one box and the face of the other that is clipped against it.
+/// A reference face of one box and the incident face of the other.
 template <class S>
 struct FacePair {
   Plane<S> plane;         // of the reference face, A's frame
@@ -55,8 +55,8 @@ struct EightSums {
   Three<S> of[2];
 };
 
-/// The incident face at the support vertex, see incident_face(). `along` has the cosines of the
-/// reference normal with the axes of the other box.
+/// The incident face at the support vertex, see incident_face(). `along`: cosines of the reference
+/// normal with the other box's axes.
 template <class S>
 [[gnu::always_inline]] inline int incident_at(int support, const Vec3<S>& along) {
   int best = 0;
@@ -69,12 +69,12 @@ template <class S>
   return best;
 }
 
-/// What is known of a face's side planes before its box is: a lane for each, in the order of the ring.
+/// Constants of a face's side planes for any box: a lane per side, in the order of the ring.
 template <class S>
 struct FaceSides {
   std::array<S, 4> x{}, y{}, z{};  // of the normals, in the box's own frame
-  int axes[2] = {};                // along which edges 0 and 1 of the ring run, and 2 and 3 back
-  std::array<S, 4> up{};           // whether an edge runs up or down its axis: 1 or -1
+  int axes[2] = {};                // axes of edges 0 and 1 of the ring; 2 and 3 run back along them
+  std::array<S, 4> up{};           // edge direction along its axis: 1 or -1
 };
 template <class S>
 inline constexpr std::array<FaceSides<S>, 6> kFaceSides = [] {
@@ -105,7 +105,7 @@ template <class Vertices, class P>
   for (std::size_t i = 0; i < 4; ++i) corners[i] = vertices[kBox.origin(ring[i])];
 }
 
-/// Reference face of A: the side planes are faces of A, and every number of theirs is known.
+/// Reference face of A: its side planes are faces of A, so they need no computation.
 template <class S>
 [[gnu::always_inline]] inline FacePair<S> face_of_a(const BoxPair<S>& pair, int face, S slack,
                                                     RectanglePair<S>& rectangles) {
@@ -132,7 +132,7 @@ template <class S>
   return result;
 }
 
-/// Reference face of B: its side planes as side_plane() makes them.
+/// Reference face of B: computes its side planes as side_plane() does.
 template <class S>
 [[gnu::always_inline]] inline FacePair<S> face_of_b(const BoxPair<S>& pair,
                                                     const Columns<S>& directions, int face, S slack,
@@ -141,7 +141,7 @@ template <class S>
   const S sign = face % 2 == 0 ? S(1) : S(-1);
   const Vec3<S> cosines = vector<S>(sign * pair.columns.of[axis]);
   FacePair<S> result;
-  const Vec3<S> n = cosines;  // the axes of A are those of the frame
+  const Vec3<S> n = cosines;  // A's axes are the frame's
   result.plane.normal = n;
   const Vec3<S>& p = pair.position;
   result.plane.offset =
@@ -170,7 +170,7 @@ template <class S>
   return result;
 }
 
-/// Of each face the edges of its ring, as places in kEdgeRefs: of A's faces, then of B's.
+/// The edges of each face's ring, as indices into kEdgeRefs: A's faces, then B's.
 inline constexpr std::array<std::array<std::uint8_t, 4>, 12> kRingEdges = [] {
   std::array<std::array<std::uint8_t, 4>, 12> edges{};
   for (std::size_t face = 0; face < 12; ++face) {
@@ -181,8 +181,8 @@ inline constexpr std::array<std::array<std::uint8_t, 4>, 12> kRingEdges = [] {
   return edges;
 }();
 
-/// The faces of a face contact. `directions` are those of B's axes, see BoxPair. Vertices that are deeper
-/// than the support by no more than `slack` (metres) are told of.
+/// The faces of a face contact. `directions` are those of B's axes, see BoxPair. The result reports
+/// whether another vertex is as deep as the support within `slack` (metres).
 template <class S>
 [[gnu::always_inline]] inline FacePair<S> face_pair(const BoxPair<S>& pair, Owner reference,
                                                     int face, const Columns<S>& directions, S slack,
@@ -192,7 +192,7 @@ template <class S>
                                : face_of_b(pair, directions, face, slack, rectangles);
 }
 
-/// create_face_contact() for two boxes. False where it is to be asked.
+/// create_face_contact() for two boxes. Returns false where the caller must use that instead.
 template <class S>
 [[gnu::always_inline]] inline bool face_contact(const FacePair<S>& faces, Owner owner, int face,
                                                 const RectanglePair<S>& rectangles, S scale,
@@ -202,7 +202,7 @@ template <class S>
     return false;
 
   const bool of_a = owner == Owner::A;
-  // Places in kEdgeRefs of the edges that ClippedRectangle counts.
+  // Indices into kEdgeRefs of the edges that ClippedRectangle counts.
   std::array<std::uint8_t, 8> edges;
   const int incident = faces.incident + (of_a ? 6 : 0), reference = face + (of_a ? 0 : 6);
   std::memcpy(edges.data(), &kRingEdges[static_cast<std::size_t>(incident)], 4);

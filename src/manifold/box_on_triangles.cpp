@@ -24,7 +24,7 @@ using boxes::Three;
 using boxes::TriangleByBox;
 using boxes::vertex_of_box;
 
-/// How heights of vertices are added up: as query_faces() does it, and as Plane::distance().
+/// Order of the additions in heights of vertices: as in query_faces(), and as in Plane::distance().
 template <class S>
 inline constexpr auto kAsFaceQuery =
     [](const Three<S>& x, const Three<S>& y, const Three<S>& z) { return Three<S>((x + y) + z); };
@@ -32,8 +32,8 @@ template <class S>
 inline constexpr auto kAsDistance =
     [](const Three<S>& x, const Three<S>& y, const Three<S>& z) { return dot_sum<S>(x, y, z); };
 
-/// The vertices of a box by their heights along a normal, in two packs, and which is the lowest, the
-/// earliest of equals. `sum` adds the three terms up.
+/// The lowest vertex of a box along a normal, the earliest among equals. `sum` adds the three terms
+/// of a height.
 template <class S, class Sum>
 [[gnu::always_inline]] inline int lowest_vertex(const Three<S>& terms, S offset, const Sum& sum) {
   const S x = terms[0], y = terms[1], z = terms[2];
@@ -44,7 +44,7 @@ template <class S, class Sum>
   return std::countr_zero(lane_bits<S>(low == least) | lane_bits<S>(high == least) << 4 | 0x80U);
 }
 
-/// The face of a box at one of its vertices that looks most against a normal, as incident_face().
+/// The box's face at a vertex that is most anti-parallel to a normal, as incident_face().
 template <class S>
 [[gnu::always_inline]] inline int face_against(int vertex, const Three<S>& normal) {
   int best = 0;
@@ -57,15 +57,15 @@ template <class S>
   return best;
 }
 
-/// The edges of a box, then those of a triangle, in the order in which an id names them. A table, because a
-/// reference that was written as two bytes and an int would be waited for when it is read as one.
+/// The edges of a box, then those of a triangle, in the order of ids. A table, because reading a
+/// reference as one word stalls if it was written as two bytes and an int.
 constexpr std::array<FeatureRef, 15> kEdgeRefs = [] {
   std::array<FeatureRef, 15> refs;
   for (int i = 0; i < 15; ++i)
     refs[static_cast<std::size_t>(i)] = i < 12 ? edge_ref(Owner::A, i) : edge_ref(Owner::B, i - 12);
   return refs;
 }();
-using EdgePlaces = std::array<std::uint8_t, 4>;  // in that table, in the order of a ring
+using EdgePlaces = std::array<std::uint8_t, 4>;  // indices into kEdgeRefs, in the order of a ring
 constexpr std::array<EdgePlaces, 6> kBoxRings = [] {
   std::array<EdgePlaces, 6> rings{};
   for (std::size_t face = 0; face < 6; ++face) {
@@ -74,10 +74,10 @@ constexpr std::array<EdgePlaces, 6> kBoxRings = [] {
   }
   return rings;
 }();
-/// Of the front and of the back, as TriangleHull numbers them.
+/// For the front and the back, numbered as in TriangleHull.
 constexpr std::array<EdgePlaces, 2> kTriangleRings = {{{12, 13, 14}, {12, 14, 13}}};
 
-/// The side planes of a box's faces, a lane for each, in the order of the ring.
+/// The side planes of a box's faces, a lane per side, in the order of the ring.
 template <class S>
 struct FaceSides {
   std::array<S, 4> x{}, y{}, z{};
@@ -95,7 +95,7 @@ constexpr std::array<FaceSides<S>, 6> kFaceSides = [] {
   return sides;
 }();
 
-/// What clipping left that is below the reference face or up to `margin` above it, moved onto it.
+/// Adds the clipped corners below the reference face, or up to `margin` above it, moved onto it.
 template <class S>
 [[gnu::always_inline]] inline void add_points(const boxes::ClippedRectangle<S>& clipped,
                                               const EdgePlaces& incident, const EdgePlaces& sides,
@@ -135,7 +135,7 @@ BoxOnTriangles<S>::BoxOnTriangles(const Hull<S>& box, const Mesh<S>& mesh,
       turn_(mesh_in_box.rotation),
       half_(boxes::three(box.half_extents)) {}
 
-/// As collide_hull_hull(), in the same steps.
+/// The same steps as collide_hull_hull().
 template <class S>
 [[gnu::flatten]] bool BoxOnTriangles<S>::collide(int index, Contact<S>& contact) const {
   using Axis = BoxTriangleAxis<S>;
@@ -151,7 +151,7 @@ template <class S>
   const bool done = axis.reference == Owner::B
                         ? face_of_triangle(triangle, axis.face, kAsFaceQuery<S>, contact)
                         : face_of_box(triangle, axis.face, contact);
-  // As in create_contact(). Where the contact is not as deep as the axis, that takes another.
+  // As in create_contact(), which would use another axis for a contact less deep than its axis.
   if (done && is_deep_enough(contact.deepest(), axis.deepest, preference_, triangle.scale))
     return true;
   contact.points.clear();
@@ -165,9 +165,9 @@ template <class S>
   return face_of_triangle(triangle, face, kAsDistance<S>, contact);
 }
 
-/// create_face_contact() of the triangle's face with that of the box at its lowest vertex, by heights that
-/// `sum` adds up: the box's rectangle is clipped against three sides, and a fourth that nothing is outside
-/// of.
+/// create_face_contact() for the triangle's face and the box's incident face at its lowest vertex,
+/// with heights added by `sum`. The box's rectangle is clipped against three sides and a fourth
+/// that excludes nothing.
 template <class S>
 template <class Sum>
 [[gnu::always_inline]] inline bool BoxOnTriangles<S>::face_of_triangle(
@@ -181,7 +181,7 @@ template <class Sum>
   for (std::size_t i = 0; i < 4; ++i)
     rectangles.corners[i] =
         vertex_of_box<S>(half_, kBoxFaces[static_cast<std::size_t>(incident)][i]);
-  // Seen from the back the edges come in the order 0, 2, 1, each from its other end.
+  // From the back the edges come in the order 0, 2, 1, each starting at its other end.
   Three<S> sides[3], origins[3];
   for (int k = 0; k < 3; ++k) {
     sides[k] = boxes::cross<S>(triangle.directions[k], triangle.normal);
@@ -211,7 +211,7 @@ template <class Sum>
   return true;
 }
 
-/// create_face_contact() of the box's face with the side of the triangle that looks against it.
+/// create_face_contact() for the box's face and the triangle's side that faces it.
 template <class S>
 [[gnu::always_inline]] inline bool BoxOnTriangles<S>::face_of_box(const TriangleByBox<S>& triangle,
                                                                   int face,

@@ -7,23 +7,23 @@
 
 namespace contactscope {
 
-/// A box and one triangle of a mesh after the other, where nobody watches: what collide_hull_hull() gives
-/// for the box and the triangle as a flat hull, whose face is preferred, bit for bit, in a third of the
-/// time. The triangle stays what it is, three corners in registers, and no hull is made of it.
+/// A box against triangles of a mesh, one at a time, without a record: the result of
+/// collide_hull_hull() for the box and the triangle as a flat hull with the preferred face, bit for
+/// bit, in a third of the time. The triangle stays three corners in registers; no hull is built.
 ///
-/// Where rounding would choose between axes nothing is done, and collide_hull_hull() is to be asked.
+/// Where rounding would decide between axes, the caller must use collide_hull_hull() instead.
 template <class S>
 class BoxOnTriangles {
  public:
-  /// All outlive this. `box` is one (Hull::is_box).
+  /// All arguments must outlive this. `box` must be a box (Hull::is_box).
   BoxOnTriangles(const Hull<S>& box, const Mesh<S>& mesh, const Pose<S>& mesh_in_box,
                  const CollideOptions& options);
 
-  /// Whether the triangle was done: `contact`, empty when it is called, is filled, or stays so where it is
-  /// apart by more than the margin.
+  /// Returns whether the triangle was handled. `contact` must be empty; it is filled unless the
+  /// separation is above the margin.
   bool collide(int triangle, Contact<S>& contact) const;
 
-  /// The contact with the front (0) or the back (1) of the triangle, whatever the deepest axis is.
+  /// The contact with the front (0) or the back (1) of the triangle, whatever the deepest axis.
   bool collide_face(int triangle, int face, Contact<S>& contact) const;
 
  private:
@@ -37,9 +37,9 @@ class BoxOnTriangles {
   Pose<S> mesh_in_box_;
   S margin_;
   Preference preference_;
-  bool is_turn_;  // the rotation is one
+  bool is_turn_;  // the rotation is unit
   boxes::TurnMatrix<S> turn_;
-  boxes::Three<S> half_;  // extents of the box
+  boxes::Three<S> half_;  // half extents of the box
 };
 
 }  // namespace contactscope

@@ -14,8 +14,8 @@ using boxes::BoxPair;
 using boxes::Columns;
 using boxes::Three;
 
-/// How far any point of one box has moved, seen from the other, where both have turned by `turn`. The
-/// middle of each is the origin of its own frame.
+/// How far any point of one box has moved, seen from the other, if both have turned by `turn`. Each
+/// box's centre is the origin of its own frame.
 template <class S>
 [[gnu::always_inline]] inline S moved_since(const PairCache<S>& cache, const BoxPair<S>& pair,
                                             S turn) {
@@ -31,7 +31,7 @@ template <class S>
   return std::max(of_a, of_b);
 }
 
-/// Whether the cache gives the contact, which has no points where the kept axis separates.
+/// Whether the cache gives the contact; it has no points if the kept axis separates.
 template <class S>
 [[gnu::always_inline]] inline bool from_cache(const BoxPair<S>& pair, const Quat<S>& rotation,
                                               const PairCache<S>& cache,
@@ -46,7 +46,7 @@ template <class S>
       boxes::face_pair(pair, owner, cache.first, directions, slack, rectangles);
   if (!faces.separation.is_alone) return false;
   const S separation = faces.separation.least;
-  if (separation > margin) return true;  // still, or by now, a separating axis
+  if (separation > margin) return true;  // still, or now, a separating axis
   if (cache.kind != CachedKind::Features) return false;
 
   const S turn = turn_since(cache, rotation);
@@ -76,7 +76,7 @@ template <class S>
       options.preference != Preference::Relative)
     return false;
   const Pose<S> b_in_a = relative_pose(pose_a, pose_b);
-  // A rotation that is none, or not finite.
+  // Not a rotation, or not finite.
   if (!(std::abs(b_in_a.rotation.squaredNorm() - S(1)) <= S(8) * std::numeric_limits<S>::epsilon()))
     return false;
   const BoxPair<S> pair(a, b, b_in_a);

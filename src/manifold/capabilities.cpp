@@ -7,7 +7,7 @@
 namespace contactscope {
 namespace {
 
-/// What a method answers where it knows the shapes, and why it does not answer the rest.
+/// The queries that a method answers for shapes it supports, and why it does not answer the others.
 struct MethodRow {
   bool answers[kQueryKinds];  // overlap, touching, distance, penetration, manifold
   const char* otherwise;
@@ -50,7 +50,7 @@ bool is_bound(QueryMethod method) {
   return method <= QueryMethod::BoundingSphere;
 }
 
-/// Why a method does not know two shapes of these kinds; null where it does. `one` comes before
+/// Why a method does not support two shapes of these kinds; null if it does. `one` comes before
 /// `other` in the table.
 const char* unknown_shapes(QueryMethod method, ShapeKind one, ShapeKind other) {
   if (is_bound(method)) {
@@ -121,7 +121,7 @@ std::optional<std::string> refusal(QueryKind query, ShapeKind one, ShapeKind oth
   if (!methods_for(query, one, other).empty()) return std::nullopt;
   if (one == ShapeKind::Mesh && other == ShapeKind::Mesh)
     return refusal(QueryMethod::Triangles, query, one, other);
-  // Contacts know every other pair that anything here knows.
+  // Contacts support every other pair that any method supports.
   return refusal(QueryMethod::Contacts, QueryKind::Manifold, one, other)
       .value_or(
           other == ShapeKind::Field || one == ShapeKind::Field

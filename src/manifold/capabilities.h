@@ -6,16 +6,16 @@
 
 #include "geometry/shape.h"
 
-/// What can be asked of a pair of shapes, and which of the methods here answers it: the capability
-/// map of collision detection as a table. A question that no method answers is refused with the
-/// reason, and the reason says what to ask instead.
+/// The capability map of collision detection as a table: the queries of a pair of shapes and the
+/// methods here that answer them. A query that no method answers is refused; the reason names an
+/// alternative.
 namespace contactscope {
 
-/// What a pair is asked for.
+/// The query of a pair.
 enum class QueryKind {
   Overlap,      // do they share a point?
-  Touching,     // do their surfaces meet within a tolerance, and no more than that?
-  Distance,     // how far apart are they?
+  Touching,     // do the surfaces meet within a tolerance, without deeper overlap?
+  Distance,     // how far are they from each other?
   Penetration,  // how deep are they in each other, and along which normal?
   Manifold,     // where do they touch: points with ids and depths, along one normal
 };
@@ -27,17 +27,17 @@ constexpr const char* to_string(QueryKind kind) {
   return kNames[static_cast<int>(kind)];
 }
 
-/// What answers.
+/// The method that answers a query.
 enum class QueryMethod {
-  Aabb,            // overlaps() of the bounding boxes: of the bounds, not of the shapes
-  Obb,             // the same of the oriented ones
-  BoundingSphere,  // the same of the spheres
+  Aabb,            // overlaps() of the bounding boxes: the bounds, not the shapes
+  Obb,             // likewise the oriented boxes
+  BoundingSphere,  // likewise the bounding spheres
   Support,         // the farthest point of a convex shape against a plane's normal
   Gjk,             // gjk() of the cores, less their radii
   Sat,             // penetration() by the separating axis test
   Epa,             // by the expanding polytope
   Mpr,             // by Minkowski portal refinement
-  Sampling,        // by directions at random
+  Sampling,        // by random directions
   Triangles,       // mesh_overlap() and mesh_containment()
   Contacts,        // collide(): the table of shape against shape
 };
@@ -51,16 +51,16 @@ constexpr const char* to_string(QueryMethod method) {
   return kNames[static_cast<int>(method)];
 }
 
-/// Why a method cannot answer for two shapes of these kinds, in whichever order: a sentence for a
-/// reader, without a full stop; nothing where it answers.
+/// Why a method cannot answer for two shapes of these kinds, in either order: a sentence for a
+/// reader, without a full stop; empty if it can.
 std::optional<std::string> refusal(QueryMethod method, QueryKind query, ShapeKind one,
                                    ShapeKind other);
 
-/// The methods that answer of the shapes themselves, in the order in which to prefer them: what
-/// gives the least work beyond the question. None for what is refused; bounds are never among them.
+/// The methods that answer for the shapes themselves, preferred first: the least work beyond the
+/// query. Empty for refused queries; never includes bounds.
 std::vector<QueryMethod> methods_for(QueryKind query, ShapeKind one, ShapeKind other);
 
-/// Why no method answers of the shapes themselves; nothing where one does.
+/// Why no method answers for the shapes themselves; empty if one does.
 std::optional<std::string> refusal(QueryKind query, ShapeKind one, ShapeKind other);
 
 }  // namespace contactscope

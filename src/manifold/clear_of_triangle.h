@@ -12,19 +12,19 @@
 
 namespace contactscope {
 
-/// Tells of most triangles near a hull that they do not touch it, before one is made a hull and placed: a
-/// tree finds those whose bounds touch the hull's bounds, and many of these are apart. Only the axes that
-/// are at hand: the triangle's normal and the faces of the hull, of any hull but a box also the box around
-/// it in its own frame and one way from the triangle to its middle. What it says is certain: apart by more
-/// than the margin and rounding, so that the separating axis test would say so, too.
+/// Rejects most triangles near a hull that do not touch it, before they become placed hulls: many
+/// of the triangles whose bounds touch the hull's bounds are separated. Tests only cheap axes: the
+/// triangle's normal and the hull's faces; for hulls other than boxes also those of the hull's box
+/// in its own frame and one direction from the triangle to the centre. A rejection is certain: the
+/// separation exceeds the margin and rounding, so the separating axis test would also reject it.
 ///
-/// That test measures along faces and edges alone: of corners that are a margin apart it may find half of
-/// it. Other axes are asked only without a margin, and have to be clearer, since of sharp corners it finds
-/// but a small part.
+/// That test measures along faces and edges alone. For corners separated by a margin it may find
+/// only half the margin. So other axes are used only without a margin, and must be clearer, because
+/// the test finds only a small part of the separation of sharp corners.
 template <class S>
 class ClearOfTriangle {
  public:
-  /// No coordinate of the hull in either frame is larger than `reach`, metres.
+  /// `reach`, metres: no coordinate of the hull in either frame is larger.
   ClearOfTriangle(const Hull<S>& hull, const Mesh<S>& mesh, const Pose<S>& mesh_in_hull, S margin,
                   S reach)
       : hull_(hull),
@@ -48,7 +48,7 @@ class ClearOfTriangle {
     for (int k = 0; k < 3; ++k) corners[k] = turned(mesh_.corner(triangle, k)) + shift_;
     const Three least = lanes::smaller(lanes::smaller(corners[0], corners[1]), corners[2]);
     const Three most = lanes::larger(lanes::larger(corners[0], corners[1]), corners[2]);
-    // A triangle may be much larger than the hull, and then its own corners round.
+    // A triangle may be much larger than the hull; then its own corners decide the rounding.
     const Three far = lanes::larger(most, Three(-least));
     const S apart = apart_ + kRounding * std::max(std::max(far[0], far[1]), far[2]);
     const Three gaps = lanes::larger(Three(least - upper_), Three(lower_ - most));
@@ -76,7 +76,7 @@ class ClearOfTriangle {
     return to_hull_.of[0] * v.x() + to_hull_.of[1] * v.y() + to_hull_.of[2] * v.z();
   }
 
-  /// The hull's lanes, but padded with a vertex and not with zeros, which may lie outside.
+  /// The hull's lanes, padded with a vertex instead of zeros, which may be outside.
   void lay_vertices() {
     const int count = hull_.vertex_count(), stride = padded(count);
     const S* const from = hull_.lanes.vertices.data();
@@ -98,7 +98,7 @@ class ClearOfTriangle {
     }
   }
 
-  /// Of the hull's vertices.
+  /// Extent of the hull's vertices.
   struct Heights {
     S least, most;
   };
@@ -116,7 +116,7 @@ class ClearOfTriangle {
     return {lanes::smallest<S>(least)[0], lanes::largest<S>(most)[0]};
   }
 
-  /// `height` is that of the triangle's plane along its normal.
+  /// `height`: of the triangle's plane along its normal.
   bool beside_plane(const Three& normal, S height, S apart) const {
     const Heights heights = heights_along(normal);
     return heights.least - height > apart || height - heights.most > apart;
@@ -139,8 +139,8 @@ class ClearOfTriangle {
     return lanes::bits<S>(beside) != 0;
   }
 
-  /// Along the way to the hull's middle from the nearest point of the triangle's outline. Where edges, or
-  /// a corner and something else, are nearest to each other, what separates them is not far from that.
+  /// Along the direction to the hull's centre from the nearest point of the triangle's outline. If
+  /// edges, or a corner and any feature, are closest, a separating axis is near this direction.
   bool beside_outline(const Three (&corners)[3], S apart) const {
     const auto& [c0, c1, c2] = corners;
     const boxes::Coordinates<S> from(c0, c1, c2, c2), to(c1, c2, c0, c0);
@@ -168,11 +168,11 @@ class ClearOfTriangle {
   const Hull<S>& hull_;
   const Mesh<S>& mesh_;
   S apart_;
-  S other_axes_;         // infinity where only those of the separating axis test will do
-  Three lower_, upper_;  // of the box around the hull, own frame
+  S other_axes_;         // infinity to allow only the separating axis test's axes
+  Three lower_, upper_;  // box around the hull, own frame
   Three shift_;
   boxes::Columns<S> to_hull_;
-  Scratch<S, 3 * 64> vertices_;  // of any hull but a box
+  Scratch<S, 3 * 64> vertices_;  // unused for boxes
 };
 
 }  // namespace contactscope

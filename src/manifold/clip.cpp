@@ -6,8 +6,8 @@
 namespace contactscope {
 namespace {
 
-/// Sutherland and Hodgman assume that the polygon is convex, which rounding of a face with
-/// almost straight corners can break; then a plane may add more than one corner.
+/// Sutherland and Hodgman assume a convex polygon. Rounding of a face with almost straight corners
+/// can break that; then a plane may add more than one corner.
 template <class S>
 void append(ClipPolygon<S>& polygon, const ClipVertex<S>& vertex) {
   if (polygon.size() < polygon.capacity()) polygon.push_back(vertex);
@@ -29,13 +29,12 @@ void face_polygon(const Placed& hull, Owner owner, int face,
   polygon[0].crossing = Crossing::of(arriving, polygon[0].leaving);
 }
 
-/// Sutherland and Hodgman 1974, one plane, with a plane as thick as rounding. Each polygon edge
-/// from p to q in turn: p stays unless it is outside; an edge that runs from inside to outside or
-/// back leaves its crossing with the plane.
+/// Sutherland and Hodgman 1974, one plane, as thick as rounding. For each polygon edge from p to q:
+/// p stays unless it is outside; an edge that crosses the plane adds the crossing.
 ///
-///          p .            the crossing made here is named (edge p q, side edge) and goes on
-///             \           along the side edge; the one where the polygon comes back has the id
-///     ---------x------    (side edge, edge of that p) and goes on along that edge
+///          p .            the crossing made here has the id (edge p q, side edge) and continues
+///             \           along the side edge; the crossing where the polygon comes back has the
+///     ---------x------    id (side edge, edge of that p) and continues along that edge
 ///               \ q
 template <class S>
 bool clip(const ClipPolygon<S>& polygon, const Plane<S>& side, EdgeKey side_edge, S thickness,

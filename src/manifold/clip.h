@@ -8,8 +8,8 @@
 
 namespace contactscope {
 
-/// FeatureRef in one word, in the same order. Clipping copies corners about; an FeatureRef that is
-/// written as a byte and an int and read back as eight bytes stalls the processor each time.
+/// FeatureRef in one word, in the same order. Clipping copies corners often. Writing a FeatureRef
+/// as a byte and an int and reading it as eight bytes stalls the processor each time.
 enum class EdgeKey : std::uint32_t {};
 
 constexpr EdgeKey edge_key(Owner owner, int half_edge) {
@@ -22,7 +22,7 @@ constexpr FeatureRef edge_ref(EdgeKey key) {
   return {word >> 31 != 0 ? Owner::B : Owner::A, word & 0x7fffffffu};
 }
 
-/// FeatureId in keys: the two edges whose crossing made a corner, sorted.
+/// FeatureId as keys: the two edges whose crossing made a corner, sorted.
 struct Crossing {
   EdgeKey first;
   EdgeKey second;
@@ -35,16 +35,16 @@ struct Crossing {
   friend constexpr bool operator==(const Crossing&, const Crossing&) = default;
 };
 
-/// Corner of the polygon that clipping works on, in A's frame, metres.
+/// Corner of the clipped polygon, in A's frame, metres.
 template <class S>
 struct ClipVertex {
   Vec3<S> position;
-  EdgeKey leaving;    // the edge along which the polygon goes on from here
-  Crossing crossing;  // what made this corner; never changed by later clips
+  EdgeKey leaving;    // the polygon's edge that starts here
+  Crossing crossing;  // origin of this corner; later clips do not change it
 };
 
-/// Counter-clockwise seen from outside the face that it came from. A reference face adds at most
-/// one corner a side, so both faces together bound the size.
+/// Counter-clockwise seen from outside its face. A reference face adds at most one corner per side,
+/// so the two faces together bound the size.
 template <class S>
 using ClipPolygon = StaticVector<ClipVertex<S>, kMaxManifoldPoints>;
 
@@ -56,14 +56,13 @@ struct ClipFace {
   const ClipPolygon<S>& polygon;
 };
 
-/// A face as a polygon that starts at its face_edges entry; each corner's id is the two edges of
-/// the face that meet there.
-/// `Placed` is PlacedHull or PlacedFeatures.
+/// A face as a polygon that starts at its face_edges entry. A corner's id is the two edges of the
+/// face that meet there. `Placed` is PlacedHull or PlacedFeatures.
 template <class Placed>
 void face_polygon(const Placed& hull, Owner owner, int face,
                   ClipPolygon<typename Placed::Scalar>& polygon);
 
-/// The plane through a half-edge of a face, at right angles to the face. Unit normal, outward.
+/// The plane through a half-edge of a face, perpendicular to the face. Unit normal, outward.
 template <class Placed, class S = typename Placed::Scalar>
 inline Plane<S> side_plane(const Placed& hull, int half_edge) {
   const Vec3<S> face_normal = hull.normal(hull.half_edge(half_edge).face);
@@ -71,11 +70,11 @@ inline Plane<S> side_plane(const Placed& hull, int half_edge) {
   return {normal, normal.dot(hull.origin(half_edge))};
 }
 
-/// What is left of a convex `polygon` on the inner side of a side plane, into `result` (emptied
-/// first). `side_edge` is the edge that the plane belongs to. Corners within `thickness` (metres,
-/// > 0) of the plane are on it: they stay, and no second corner is made beside them.
+/// Clips a convex `polygon` to the inner side of a side plane, into `result` (emptied first).
+/// `side_edge` is the plane's edge. Corners within `thickness` (metres, > 0) of the plane count as
+/// on it: they stay, and no second corner is added next to them.
 ///
-/// Returns false, and leaves `result` alone, when nothing lies outside.
+/// Returns false and leaves `result` unchanged if no corner is outside.
 template <class S>
 bool clip(const ClipPolygon<S>& polygon, const Plane<S>& side, EdgeKey side_edge, S thickness,
           ClipPolygon<S>& result);

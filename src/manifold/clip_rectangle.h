@@ -6,25 +6,25 @@
 #include "manifold/clip.h"
 #include "query/box_pair.h"
 
-/// clip() for a rectangle against the four side planes of another, without a branch on which corner lies
-/// where. The same corners in the same order with the same bits as four calls of clip() would leave.
+/// clip() for a rectangle against the four side planes of another, without branches on the corners'
+/// positions. Gives the same corners in the same order with the same bits as four calls of clip().
 ///
-/// Sutherland and Hodgman 1974 go round the polygon once for each plane and ask of each corner whether
-/// it is outside. Here each corner is asked once, when it is made, about all four planes at a time, and
-/// keeps the answers as four bits: its outcode (Cohen and Sutherland; Newman and Sproull 1973). The
-/// polygon is a list of bytes in two words, eight corners at most. Outside of one plane is one run of
-/// the list, as both rectangles are convex:
+/// Sutherland and Hodgman 1974 traverse the polygon once per plane and test each corner. Here each
+/// new corner is tested once against all four planes, and keeps the results as four bits: its
+/// outcode (Cohen and Sutherland; Newman and Sproull 1973). The polygon is a list of bytes in two
+/// words, at most eight corners. The corners outside one plane are one run of the list, because
+/// both rectangles are convex:
 ///
 ///     list   p0 p1 p2 p3 p4        e: the last corner before the run, whose edge leaves
 ///     out     0  1  1  0  0        r: the last of the run, whose edge comes back
 ///            e^    r^              p0 [crossing of e] [crossing of r] p3 p4
 ///
-/// Bit operations find both and splice the list, which may turn as it likes, as long as its first corner
-/// is known. Positions stay where they are made.
+/// Bit operations find both edges and splice the list. The list may rotate, as long as its first
+/// corner is known. Positions are not moved.
 namespace contactscope::boxes {
 
-/// What is clipped: a rectangle, or a triangle, which has no fourth corner, or none of whose sides is the
-/// fourth. Three packs have a lane for a coordinate; `side` has one for each side plane.
+/// Two rectangles. A triangle lacks the fourth corner, or has a fourth side that excludes nothing.
+/// Three packs have a lane per coordinate; `side` has one per side plane.
 template <class S>
 struct RectanglePair {
   Three<S> corners[4];  // of the incident face, in the order of its ring, A's frame, metres
@@ -32,8 +32,8 @@ struct RectanglePair {
   S thickness;                                   // metres, see clip()
 };
 
-/// What is left. Corner i is positions[place(i)]; the two edges that cross there are below 4 an edge of
-/// the incident face, else 4 + a side, both in the order of their rings.
+/// The result. Corner i is positions[place(i)]. Its two edges in `crossings` are those of the
+/// incident face (below 4) or sides (4 + side), both in the order of their rings.
 template <class S>
 struct ClippedRectangle {
   static constexpr int kPlaces = 4 + 2 * 4;  // a side makes two corners at most
@@ -41,34 +41,34 @@ struct ClippedRectangle {
   int place(int i) const { return static_cast<int>(list >> (8 * i) & 15U); }
 
   int count = 0;
-  std::uint64_t list = 0;  // a byte a corner: its place, and in the upper half the edge that leaves
+  std::uint64_t list = 0;  // a byte per corner: its place; upper half: the edge that starts there
   Three<S> positions[kPlaces];
-  std::uint8_t crossings[kPlaces];  // two edges of four bits
+  std::uint8_t crossings[kPlaces];  // two edges of four bits each
 };
 
-/// A byte a corner: outside of which sides it lies, and in the upper half strictly inside of which.
+/// A byte per corner: which sides it is outside of; upper half: strictly inside of.
 template <class S>
 [[gnu::always_inline]] inline std::uint64_t outcode(const Three<S>& distances, S thickness) {
   return lane_bits<S>(distances > thickness) | lane_bits<S>(distances < -thickness) << 4;
 }
 
-/// Of a list, the run of corners outside of one side; see above. Places in a list are in bits, eight for
-/// each corner.
+/// The run of a list's corners that are outside one side; see above. Positions in a list are in
+/// bits, eight per corner.
 struct OutsideRun {
-  int end;                       // of the list
+  int end;                       // end of the list
   int after;                     // the corner that follows the run
-  int kept;                      // what is not of the run is so long
-  bool crosses_out, crosses_in;  // the corners before and after it are not on the plane but inside
+  int kept;                      // length of the rest of the list
+  bool crosses_out, crosses_in;  // the corners before and after it are strictly inside
 
-  /// A list of bytes, turned to begin behind the run, with those of the two crossings in its place.
+  /// Rotates a list of bytes to start after the run; replaces the run by the crossings' bytes.
   std::uint64_t splice(std::uint64_t bytes, std::uint64_t out, std::uint64_t in) const {
     const std::uint64_t turned = bytes >> after | bytes << 1 << (end - after - 1);
     const std::uint64_t crossings = (crosses_out ? out | in_bits(in) << 8 : in_bits(in));
     return (turned & ((std::uint64_t{1} << kept) - 1)) | crossings << kept;
   }
-  /// Where a corner stands then that is not of the run.
+  /// New position of a corner that is not in the run.
   int moved(int at) const { return at < after ? at - after + end : at - after; }
-  /// Where the way back begins: what goes on from the list's first corner when that is outside.
+  /// Start of the part that replaces the list's first corner if that is outside.
   int way_back() const { return crosses_in ? kept + (crosses_out ? 8 : 0) : 0; }
   int new_end() const { return kept + (crosses_out ? 8 : 0) + (crosses_in ? 8 : 0); }
 
@@ -76,7 +76,7 @@ struct OutsideRun {
   std::uint64_t in_bits(std::uint64_t in) const { return crosses_in ? in : 0; }
 };
 
-/// False where the run is not one: rounding of a sliver. clip() knows what to do. `kCorners`: 4 or 3.
+/// Returns false if rounding of a sliver breaks the run; then use clip(). `kCorners`: 4 or 3.
 template <int kCorners = 4, class S>
 [[gnu::always_inline]] inline bool clip_rectangle(const RectanglePair<S>& pair,
                                                   ClippedRectangle<S>& result) {
@@ -96,7 +96,7 @@ template <int kCorners = 4, class S>
   }
   std::uint64_t list = 0x33221100U & (~std::uint64_t{0} >> (64 - 8 * kCorners));
   int end = 8 * kCorners, first = 0,
-      places = kCorners;  // the list may begin anywhere: `first` is its first corner
+      places = kCorners;  // `first`: position of the first corner, the list may start anywhere
   for (int side = 0; side < 4; ++side) {
     constexpr std::uint64_t kOneEach = 0x0101010101010101U;
     const std::uint64_t valid = kOneEach >> (64 - end);
@@ -137,7 +137,7 @@ template <int kCorners = 4, class S>
     result.crossings[out] = static_cast<std::uint8_t>(out_edge | side_edge << 4);
     result.crossings[in] = static_cast<std::uint8_t>(in_edge | side_edge << 4);
     places += 2;
-    // A corner on the plane goes on along the side itself.
+    // From a corner on the plane the polygon continues along the side itself.
     const std::uint64_t turns = run.crosses_out ? 0 : (out_edge ^ side_edge) << (leaves + 4);
     list = run.splice(list ^ turns, out | side_edge << 4, in | in_edge << 4);
     codes = run.splice(codes, out_code, in_code);

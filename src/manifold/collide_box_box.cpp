@@ -26,13 +26,13 @@ template <class S>
               12 + axis.edges.edge_b / 2);
 }
 
-/// As collide_hull_hull(), in the same steps. False where that is to be asked; what is in `contact` then
-/// means nothing.
+/// The same steps as collide_hull_hull(). Returns false where the caller must use that instead;
+/// `contact` is then undefined.
 template <class S>
 [[gnu::always_inline]] inline bool collide(const Hull<S>& a, const Hull<S>& b,
                                            const Pose<S>& b_in_a, const CollideOptions& options,
                                            BoxContact<S>& contact) {
-  // A rotation that is none, or not finite.
+  // Not a rotation, or not finite.
   if (!(std::abs(b_in_a.rotation.squaredNorm() - S(1)) <= S(8) * std::numeric_limits<S>::epsilon()))
     return false;
   const BoxPair<S> pair(a, b, b_in_a);
@@ -52,7 +52,7 @@ template <class S>
   if (!boxes::face_contact(faces, axis.reference, axis.face.face, rectangles, pair.scale, margin,
                            contact, deepest))
     return false;
-  // As in create_contact(). Where the contact is not as deep as the axis, that takes another.
+  // As in create_contact(), which would use another axis for a contact less deep than its axis.
   return axis.deepest > S(0) ||
          is_deep_enough(deepest, axis.deepest, options.preference, pair.scale);
 }

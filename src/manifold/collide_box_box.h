@@ -9,24 +9,24 @@
 
 namespace contactscope {
 
-/// collide() for two boxes (Hull::is_box) by the separating axis test, where nobody watches and nothing
-/// is kept between calls: the same manifold, bit for bit, in a third of the time, or none where they are
-/// apart. `manifolds` is empty when it is called.
+/// Fast path of collide() for two boxes (Hull::is_box) by the separating axis test, without a
+/// record or a cache: the same manifold, bit for bit, in a third of the time; none if separated.
+/// `manifolds` must be empty.
 ///
-/// False, and `manifolds` empty, where rounding would decide: two axes that are equally deep within
-/// rounding, a rotation that is not unit, contacts that are to be taken from another axis than the
-/// preferred one. Then collide_hull_hull() is to be asked.
+/// Returns false, with `manifolds` empty, where rounding would decide: two equally deep axes, a
+/// rotation that is not unit, a contact that needs another axis than the preferred one. The caller
+/// then uses collide_hull_hull().
 template <class S>
 bool collide_box_box(const Hull<S>& a, const Pose<S>& pose_a, const Hull<S>& b,
                      const Pose<S>& pose_b, const CollideOptions& options,
                      std::vector<Manifold<S>>& manifolds);
 
-/// collide_from_cache() for two boxes whose cache holds a face axis, where nobody watches: what it takes
-/// for a hit is one here, with the same manifold. It does not look for the other box's support and
-/// incident face where they were, as it takes no longer to find them.
+/// Fast path of collide_from_cache() for two boxes whose cache holds a face axis, without a record:
+/// it has the same hits and manifolds. It does not check the cached support and incident face of
+/// the other box first, because finding them takes no longer.
 ///
-/// False, and `manifolds` empty, where the cache does not help or rounding would decide. Then
-/// collide_hull_hull() is to be asked, with the cache.
+/// Returns false, with `manifolds` empty, where the cache does not help or rounding would decide.
+/// The caller then uses collide_hull_hull() with the cache.
 template <class S>
 bool collide_boxes_from_cache(const Hull<S>& a, const Pose<S>& pose_a, const Hull<S>& b,
                               const Pose<S>& pose_b, const CollideOptions& options,

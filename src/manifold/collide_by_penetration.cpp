@@ -10,7 +10,7 @@
 namespace contactscope {
 namespace {
 
-/// Of the plane of `face` the other hull's deepest vertex.
+/// Separation of the other hull's deepest vertex from the plane of `face`.
 template <class S>
 FaceQuery<S> measured_face(const PlacedHull<S>& reference, const PlacedHull<S>& other, int face) {
   const Plane<S> plane = reference.plane(face);
@@ -25,7 +25,7 @@ FaceQuery<S> measured_face(const PlacedHull<S>& reference, const PlacedHull<S>& 
   return query;
 }
 
-/// The farthest of vertices, or the most parallel of normals, along a direction.
+/// Index of the farthest vertex, or most parallel normal, along a direction.
 template <class S>
 int farthest(const VectorLanes<S>& vectors, const Vec3<S>& direction) {
   int best = 0;
@@ -44,7 +44,7 @@ S measured_separation(const HullPair<S>& pair, const Vec3<S>& normal) {
   return normal.dot(Vec3<S>(on_b - on_a));
 }
 
-/// Of the edges at both support vertices the pair whose cross product is nearest to the normal.
+/// The pair of edges at the two support vertices whose cross product is nearest to the normal.
 template <class S>
 EdgeQuery<S> nearest_edge_pair(const HullPair<S>& pair, const Vec3<S>& normal) {
   const int vertex_a = farthest(pair.a.vertices, normal);
@@ -69,22 +69,22 @@ EdgeQuery<S> nearest_edge_pair(const HullPair<S>& pair, const Vec3<S>& normal) {
   return best;
 }
 
-/// The features that touch where two hulls overlap along a known normal: the other half of what the
-/// separating axis test finds, for methods that give a normal and nothing else.
+/// The touching features of two hulls that overlap along a known normal, for methods that give only
+/// a normal: the other half of the separating axis test's result.
 ///
-/// The rule. Three candidates: the face of A most parallel to the normal; the face of B most
-/// anti-parallel; the pair of edges at both support vertices whose cross product is nearest to the
-/// normal. Each is measured as the queries of sat() measure it, by support vertices of the whole
-/// other hull, and then sat()'s own preference chooses among them, so that the contact is made by the
-/// same code and flickers no more: a face as long as it is nearly as deep as the best candidate.
+/// Three candidates: the face of A most parallel to the normal; the face of B most anti-parallel;
+/// the pair of edges at the two support vertices whose cross product is nearest to the normal. Each
+/// is measured as in the queries of sat(), by support vertices of the whole other hull. Then
+/// sat()'s preference chooses among them, so that the same code makes the contact without more
+/// flicker: a face as long as it is nearly as deep as the best candidate.
 ///
-/// So the contact's normal is that of its features, not `normal` itself: a method that stopped short
-/// of the true normal is put right by the features next to it. Where all three are deeper than
-/// `depth` by more than the preference allows, the features say nothing of that normal, and the
-/// result's status is Separated; else it is Touching. Preference None grants a ten-thousandth of
-/// the smaller radius then, which is about the error of sampling's normal.
+/// So the contact's normal is its features' normal, not `normal`: this corrects a method that
+/// stopped short of the true normal. If all three are deeper than `depth` by more than the
+/// preference allows, they do not explain that normal, and the result's status is Separated;
+/// otherwise Touching. Preference::None allows a ten-thousandth of the smaller radius, about the
+/// error of sampling's normal.
 ///
-/// `queries_run` is 3; the edge query has no pair where all edges are nearly parallel.
+/// `queries_run` is 3; the edge query has no pair if all edges are nearly parallel.
 template <class S>
 SatResult<S> axes_of_normal(const HullPair<S>& pair, const Vec3<S>& normal, S depth,
                             Preference preference) {

@@ -10,14 +10,14 @@
 namespace contactscope {
 namespace {
 
-/// Two axes that part by no more than this times the sum of the radii, over the stretch on which
-/// they lie beside each other, are nearly parallel. Two points then stand for a contact that is as
-/// long as the stretch: where axes cross in its middle, the surfaces at its ends are farther apart
-/// than in the middle by at most 0.05^2 / 2 of the radii, which is under any slop.
+/// Two axes are nearly parallel if they diverge, over their common stretch, by no more than this
+/// times the sum of the radii. Two points then represent a contact as long as the stretch. If the
+/// axes cross in its middle, the surfaces at its ends are farther from each other than in the
+/// middle by at most 0.05^2 / 2 of the radii, which is below any slop.
 template <class S>
 inline constexpr S kNearlyParallel = S(0.1);
 
-/// Two points closer than this times the sum of the radii are one.
+/// Two points closer than this times the sum of the radii are merged.
 template <class S>
 inline constexpr S kShortStretch = S(0.01);
 
@@ -38,7 +38,7 @@ Axis<S> axis_in_own_frame(const Capsule<S>& capsule) {
   return {{capsule.points[0], capsule.points[1]}, along, along.norm()};
 }
 
-/// The direction is turned by itself: it does not lose what the ends lose far from A.
+/// Rotates the direction separately: it does not lose the digits that the ends lose far from A.
 template <class S>
 Axis<S> placed(const Axis<S>& axis, const Pose<S>& pose) {
   return {{pose.transform(axis.points[0]), pose.transform(axis.points[1])},
@@ -46,16 +46,16 @@ Axis<S> placed(const Axis<S>& axis, const Pose<S>& pose) {
           axis.length};
 }
 
-/// How far A's axis has B's beside it.
+/// The common stretch of the two axes, along A's.
 template <class S>
 struct Stretch {
   S from_b = 0, to_b = 0;  // B's ends along A's axis, metres from A's first
-  S length = 0;            // negative where they pass
-  /// Of the angle between nearly parallel axes.
+  S length = 0;            // negative if they do not overlap
+  /// Limit for the angle between nearly parallel axes.
   S largest_sine = kNearlyParallel<S>;
 };
 
-/// Two axes and how they lie to each other.
+/// Two axes and their relative position.
 template <class S>
 struct AxisPair {
   AxisPair(const Axis<S>& one, const Axis<S>& other, S sum_of_radii)
@@ -73,7 +73,7 @@ struct AxisPair {
     result.from_b = std::min(first, second);
     result.to_b = std::max(first, second);
     result.length = std::min(result.to_b, a.length) - std::max(result.from_b, S(0));
-    // Rounding must not decide between axes that were placed in parallel.
+    // Rounding must not decide for axes placed in parallel.
     result.largest_sine = std::max(kNearlyParallel<S> * radii / std::max(result.length, radii),
                                    S(2) * kParallelSine<S>);
     return result;
@@ -91,26 +91,26 @@ struct AxisPair {
   S sine;         // of the angle between them; 0 if one has no length
 };
 
-/// Without what lies along an axis. Of the cross product of nearly parallel axes that is rounding
-/// divided by the sine, which at the ends of the axes would show as depth.
+/// Removes the parts along the axes. For the cross product of nearly parallel axes they are
+/// rounding divided by the sine, and would appear as depth at the ends of the axes.
 template <class S>
 Vec3<S> perpendicular_to(const AxisPair<S>& axes, const Vec3<S>& direction) {
   const Vec3<S> to_a = axes.a.has_length() ? rejected(direction, axes.a.unit()) : direction;
   return safe_unit(axes.b.has_length() ? rejected(to_a, axes.b.unit()) : to_a);
 }
 
-/// From A to B by the closest points. Inside of an axis it is at right angles to it, and within an
-/// angle of rounding divided by distance that must be made so: at the end of a long axis it would
-/// show. Where lines cross, their cross product is the same direction, and less rounded if the
-/// points are very close.
+/// From A to B by the closest points. Inside an axis the normal is perpendicular to it. Rounding
+/// divided by the distance can turn it, which would show at the end of a long axis, so it is made
+/// perpendicular. Where lines cross, their cross product is the same direction, and less rounded if
+/// the points are very close.
 template <class S>
 Vec3<S> normal_between(const AxisPair<S>& axes, const ClosestOfSegments<S>& closest) {
   Vec3<S> between = closest.on_b - closest.on_a;
   const auto is_inside = [](const Axis<S>& axis, S parameter) {
     return axis.has_length() && S(0) < parameter && parameter < S(1);
   };
-  // A point that is nearer than an end by less than what rounding hides of the distance may still lie
-  // beside it by the root of that, and the axis leans towards the other shape. `towards` is the way there.
+  // Rounding may select an end although a point up to the square root of that rounding away is
+  // nearer. The axis then leans towards the other shape, in direction `towards`.
   const auto leans_from_end = [](const Axis<S>& axis, S parameter, const Vec3<S>& towards) {
     if (!axis.has_length()) return false;
     const S way = towards.dot(axis.along);
@@ -137,14 +137,14 @@ const char* degenerate_name(const AxisPair<S>& axes, const Stretch<S>& stretch) 
   return axes.sine < stretch.largest_sine ? "overlapping axes" : "crossing axes";
 }
 
-/// Up to this sine the direction of the axes' cross product is not trusted. What leans along an axis
-/// by no more is still at right angles to it within rounding.
+/// Up to this sine the direction of the axes' cross product is not trusted. A direction that leans
+/// along an axis by no more is still perpendicular to it within rounding.
 template <class S>
 inline constexpr S kUnsureSine = S(4) * kParallelSine<S>;
 
-/// Of axes that meet: their cross product, as where they are a little apart, and no other direction
-/// is at right angles to both. That of parallel axes is nothing but rounding; there it is a
-/// direction that is fixed to a body, and in between it turns from one to the other.
+/// For axes that meet: their cross product, as for slightly separated axes; no other direction is
+/// perpendicular to both. For parallel axes it is only rounding, so a direction fixed to a body is
+/// used. In between, the normal turns from one to the other.
 template <class S>
 Vec3<S> fallback_normal(const AxisPair<S>& axes, const Capsule<S>& a, const Capsule<S>& b,
                         const Pose<S>& b_in_a) {
@@ -159,9 +159,9 @@ Vec3<S> fallback_normal(const AxisPair<S>& axes, const Capsule<S>& a, const Caps
   return perpendicular_to(axes, safe_unit(Vec3<S>(cross + unsure * fixed)));
 }
 
-/// The points of A's and B's axis that face each other at the end of the stretch on the side of A's
-/// end `side`: the end of B's axis if it lies beside A's, else that of A's, each with the point of the
-/// other axis that is closest to it.
+/// The facing points of A's and B's axis at the end of the stretch at A's end `side`: the end of
+/// B's axis if it is within A's stretch, otherwise A's end, each with the closest point of the
+/// other axis.
 template <class S>
 std::pair<Vec3<S>, Vec3<S>> facing_at(const AxisPair<S>& axes, const Stretch<S>& stretch, int side,
                                       int end_of_b) {
@@ -174,7 +174,7 @@ std::pair<Vec3<S>, Vec3<S>> facing_at(const AxisPair<S>& axes, const Stretch<S>&
   return {end, closest_on_segment(end, axes.b.points[0], axes.b.points[1]).point};
 }
 
-/// Adds no points unless the axes are nearly parallel and lie beside each other for long enough.
+/// Adds points only if the axes are nearly parallel and overlap for long enough.
 template <class S>
 void add_two_points(const AxisPair<S>& axes, S radius_a, S radius_b, S margin,
                     Contact<S>& contact) {
@@ -195,13 +195,13 @@ void add_two_points(const AxisPair<S>& axes, S radius_a, S radius_b, S margin,
 
 }  // namespace
 
-/// Deviates from the talk in two ways. It clips the second axis against planes at the ends of the
-/// first; we take the closest point of either axis to the other's end, so that the closest points of
-/// the axes are among them and the depth does not jump when one point becomes two. And it keeps
-/// what is near to the first axis; we measure along the common normal, as the separation is.
-/// Steps: 1. closest points of the axes; 2. their direction is the normal, unless they meet; 3. two
-/// points if the axes are nearly parallel and long enough beside each other; 4. else, or if these
-/// are apart, the closest points.
+/// Two deviations from the talk. It clips the second axis against planes at the ends of the first.
+/// We take the closest point of either axis to the other's end, so that the closest points of the
+/// axes are included and the depth does not jump when one point becomes two. And it keeps points
+/// near the first axis, while we measure along the common normal, as for the separation. Steps: 1.
+/// closest points of the axes; 2. their direction is the normal, unless they meet; 3. two points if
+/// the axes are nearly parallel and overlap far enough; 4. otherwise, or if both are above the
+/// margin, the closest points.
 template <class S>
 S collide_capsule_capsule(const Capsule<S>& a, const Capsule<S>& b, const Pose<S>& b_in_a,
                           const CollideOptions& options, Contact<S>& contact,

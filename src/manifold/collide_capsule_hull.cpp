@@ -17,14 +17,14 @@ struct CorePoint {
   FeatureId id;
 };
 
-/// One or two, the deepest first but for rounding.
+/// One or two points, the deepest first up to rounding.
 template <class S>
 struct CorePoints {
   StaticVector<CorePoint<S>, 2> points;
   ContactType type;
 };
 
-/// The point of a segment at a parameter: from its nearer end, which is exact.
+/// The point of a segment at a parameter, from its nearer end, which is exact.
 template <class S, class Ends>
 Vec3<S> segment_point(const Ends& ends, S parameter) {
   const Vec3<S> along = ends[1] - ends[0];
@@ -40,15 +40,15 @@ struct TouchingPair {
   Vec3<S> along;
   S length;
   S scale;
-  S merging;  // metres: two points of the segment so near to each other are one
+  S merging;  // metres: points of the segment this close are merged
 
   bool are_one(S parameter, S other) const {
     return std::abs(parameter - other) * length <= merging;
   }
 };
 
-/// Two points closer than this times the capsule's radius are one even where a face reaches so far
-/// that rounding at its corners is more. The segment's ends are exact.
+/// Two points closer than this times the capsule's radius are merged, even on a face so large that
+/// rounding at its corners is more: the segment's ends are exact.
 template <class S>
 constexpr S kOnePoint = S(0.01);
 
@@ -61,13 +61,13 @@ CorePoint<S> face_point(const TouchingPair<S>& pair, const ClippedSegment<S>& cl
           clip_id(end, cut_by, face_ref(Owner::B, face), edge_ref(Owner::B, cut_by / 2))};
 }
 
-/// The deeper one first; of equals, rounding aside, the one nearer to the capsule's first end.
+/// The deeper one first; if equal up to rounding, the one nearer to the capsule's first end.
 template <class S>
 void in_order(CorePoint<S>& first, CorePoint<S>& second, S scale) {
   if (second.distance < first.distance - tie_tolerance(scale)) std::swap(first, second);
 }
 
-/// Talk, "Capsule vs Hull: Deep Face Contact" and "Clipping": both ends of what the side planes leave,
+/// Talk, "Capsule vs Hull: Deep Face Contact" and "Clipping": both ends of the clipped segment,
 /// each with its own distance from the face.
 template <class S>
 CorePoints<S> points_on_face(const TouchingPair<S>& pair, const CapsuleTouch<S>& touch, S reach) {
@@ -82,7 +82,7 @@ CorePoints<S> points_on_face(const TouchingPair<S>& pair, const CapsuleTouch<S>&
   return result;
 }
 
-/// Calls visit(half_edge) for the edge, or for all edges that leave the vertex.
+/// Calls visit(half_edge) for both half-edges of the edge, or for all that leave the vertex.
 template <class S, class Visit>
 void for_each_edge(const Hull<S>& hull, const HullFeature& feature, const Visit& visit) {
   if (feature.kind == FeatureKind::Edge) {
@@ -93,7 +93,7 @@ void for_each_edge(const Hull<S>& hull, const HullFeature& feature, const Visit&
   for (const int edge : hull.around_vertex(feature.index)) visit(edge);
 }
 
-/// The face at an edge or a vertex that looks along the normal, nearly; -1 if none does.
+/// The face at an edge or a vertex that is nearly aligned with the normal; -1 if there is none.
 template <class S>
 int face_along(const Hull<S>& hull, const CapsuleTouch<S>& touch) {
   int best = -1;
@@ -112,7 +112,7 @@ int face_along(const Hull<S>& hull, const CapsuleTouch<S>& touch) {
   return sine.squaredNorm() <= kSine * kSine ? best : -1;
 }
 
-/// The edge, of one or at a vertex, that the segment is nearly parallel to; -1 if none is.
+/// The edge (or edge at a vertex) that is nearly parallel to the segment; -1 if there is none.
 template <class S>
 int edge_along(const TouchingPair<S>& pair, const CapsuleTouch<S>& touch) {
   int best = -1;
@@ -120,7 +120,7 @@ int edge_along(const TouchingPair<S>& pair, const CapsuleTouch<S>& touch) {
   for_each_edge(pair.hull, touch.feature, [&](int edge) {
     const Vec3<S> along = pair.hull.target(edge) - pair.hull.origin(edge);
     const S squared_lengths = along.squaredNorm() * pair.length * pair.length;
-    // Most edges are far from it, which costs less to see than a cross product.
+    // Most edges are far from parallel, which is cheaper to detect than by a cross product.
     const S cosine = along.dot(pair.along);  // times both lengths
     if (cosine * cosine < S(0.9) * squared_lengths) return;
     const S squared_sine = along.cross(pair.along).squaredNorm();
@@ -132,8 +132,8 @@ int edge_along(const TouchingPair<S>& pair, const CapsuleTouch<S>& touch) {
   return best;
 }
 
-/// Talk, "Capsule vs Hull: Stacking": the contact normal is nearly a face's. The normal and the
-/// deepest point stay what they are; the far end of what the face's side planes leave joins them.
+/// Talk, "Capsule vs Hull: Stacking": the contact normal is nearly a face's. Keeps the normal and
+/// the deepest point, and adds the far end of the segment clipped by the face's side planes.
 template <class S>
 bool add_point_over_face(const TouchingPair<S>& pair, const CapsuleTouch<S>& touch, S reach,
                          CorePoints<S>& result) {
@@ -146,7 +146,7 @@ bool add_point_over_face(const TouchingPair<S>& pair, const CapsuleTouch<S>& tou
   const S behind = clipped.parameters[1] - touch.parameter;
   CorePoint<S> far = face_point(pair, clipped, face, behind > before ? 1 : 0);
   far.distance = std::max(far.distance, touch.distance);
-  // One edge can have both, the closest point and a cut, where it is parallel within rounding.
+  // A parallel edge, within rounding, can have both the closest point and a cut.
   if (far.id == result.points[0].id || pair.are_one(far.parameter, touch.parameter)) return false;
   if (far.distance > reach) return false;
   result.points.push_back(far);
@@ -154,10 +154,10 @@ bool add_point_over_face(const TouchingPair<S>& pair, const CapsuleTouch<S>& tou
   return true;
 }
 
-/// Beyond the talk: a capsule that lies along an edge, outside of every face's prism, would rock on
-/// one point. Along the normal of an edge, edge and segment keep their distance, so both ends of the
-/// stretch beside each other are as deep; where the segment rises from one end, that end is the deepest.
-/// From a vertex the edge may fall away, and the far end is as much less deep.
+/// Not in the talk: a capsule along an edge, outside of every face's prism, would rock on one
+/// point. Along an edge's normal, edge and segment keep their distance, so both ends of the common
+/// stretch are equally deep. If the segment rises from one end, that end is the deepest. At a
+/// vertex the edge may fall away, and the far end is less deep by that.
 template <class S>
 void add_point_beside_edge(const TouchingPair<S>& pair, const CapsuleTouch<S>& touch, S reach,
                            CorePoints<S>& result) {
@@ -177,7 +177,7 @@ void add_point_beside_edge(const TouchingPair<S>& pair, const CapsuleTouch<S>& t
     const int cut_by = clipped.edges[end];
     const int vertex = cut_by < 0 ? 0 : at(pair.hull.half_edges, cut_by).origin;
     const S of_edge =
-        fall * along_edge.dot(segment_point(pair.ends, parameter) - corner);  // m, never above it
+        fall * along_edge.dot(segment_point(pair.ends, parameter) - corner);  // m, never positive
     const S distance =
         std::max(touch.distance + (parameter - touch.parameter) * rise - of_edge, touch.distance);
     stretch[end] = {
@@ -208,7 +208,7 @@ CorePoints<S> points_on_edge_or_vertex(const TouchingPair<S>& pair, const Capsul
   return result;
 }
 
-/// A face makes the contact where two points lie on it, and wherever the segment itself overlaps.
+/// The axis is a face's if two points are on it, or if the segment itself overlaps.
 template <class S>
 AxisKind axis_of(const CapsuleTouch<S>& touch, const CorePoints<S>& core) {
   if (touch.kind == CapsuleTouchKind::Face) {
@@ -219,7 +219,7 @@ AxisKind axis_of(const CapsuleTouch<S>& touch, const CorePoints<S>& core) {
   return AxisKind::ClosestPoints;
 }
 
-/// On the hull; midway between the two edges when they have passed each other (talk, "Deep Contact").
+/// To the hull; midway between two edges that have passed each other (talk, "Deep Contact").
 template <class S>
 S way_to_hull(const CapsuleTouch<S>& touch, const CorePoint<S>& point) {
   const bool midway = touch.kind == CapsuleTouchKind::EdgePair && touch.distance < S(0) &&
@@ -249,8 +249,8 @@ void add_capsule_touch(const Capsule<S>& a, const Hull<S>& b, const Mat3<S>& rot
   }
 }
 
-/// Steps: 1. the separating axis test; farther than the radius: apart. 2. What the segment touches
-/// and where (capsule_touch.h). 3. One or two points of the segment; the talk's clipping for faces.
+/// Steps: 1. separating axis test; done if farther than the radius. 2. The touching feature and
+/// point (capsule_touch.h). 3. One or two points of the segment, by the talk's clipping for faces.
 /// 4. From the hull's frame to A's.
 template <class S>
 S collide_capsule_hull(const Capsule<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,

@@ -5,8 +5,8 @@
 
 namespace contactscope {
 
-/// A triangle without an area: the segment between its two farthest corners, as a capsule of radius 0.
-/// A point is one of length zero.
+/// A triangle without an area: the segment between its two farthest corners, as a capsule of radius
+/// 0. A point is a segment of length zero.
 template <class S>
 struct FlatTriangle {
   FlatTriangle(const Mesh<S>& mesh, int triangle, const Pose<S>& mesh_in_a)
@@ -17,21 +17,20 @@ struct FlatTriangle {
     in_a = {mesh_in_a.rotation, mesh_in_a.transform(from)};
   }
 
-  /// The triangle's feature for a feature of the capsule; features of A stay what they are.
+  /// The triangle's feature for a feature of the capsule. Features of A are returned as they are.
   FeatureRef named(const FeatureRef& ref) const {
     if (ref.owner == Owner::A) return ref;
     if (ref.kind == FeatureKind::Edge) return edge_ref(Owner::B, edge);
     return vertex_ref(Owner::B, (edge + static_cast<int>(ref.index)) % 3);
   }
 
-  int edge;  // of the triangle
-  Capsule<S>
-      axis;  // own frame: the mesh's axes, and the origin at the corner that the edge begins at
+  int edge;         // of the triangle
+  Capsule<S> axis;  // own frame: the mesh's axes, origin at the edge's first corner
   Pose<S> in_a;
 };
 
-/// A convex shape and a triangle without an area, in A's frame. Features count within the triangle.
-/// Returns the separation, metres.
+/// A convex shape and a triangle without an area, in A's frame. Feature indices are within the
+/// triangle. Returns the separation, metres.
 template <class S, class A>
 S collide_flat_triangle(const A& a, const Mesh<S>& mesh, int triangle, const Pose<S>& mesh_in_a,
                         const CollideOptions& options, Contact<S>& contact, Recorder<S>* recorder) {

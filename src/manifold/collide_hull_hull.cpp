@@ -11,7 +11,7 @@ S collide_hull_hull(const Hull<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
                     Recorder<S>* recorder, Owner preferred) {
   if (options.penetration != PenetrationMethod::Sat) [[unlikely]] {
     const auto separation = collide_by_penetration(a, b, b_in_a, options, contact, recorder);
-    // What a cache keeps bounds the axes of the separating axis test.
+    // The cache's bounds are for the axes of the separating axis test.
     if (cache) *cache = PairCache<S>();
     cache = nullptr;
     if (separation) return *separation;
@@ -32,7 +32,7 @@ S collide_hull_hull(const Hull<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
     if (axes.status == SatStatus::Touching) create_contact(pair, axes, options, contact, recorder);
     return axes.separation(axes.chosen);
   }
-  // A record tells of every face, and a cache keeps what bounds them all.
+  // The record contains every face; the cache bounds them all.
   FaceSeparations<S> faces_a(pair.a);
   FaceSeparations<S> faces_b(pair.b);
   const SatResult<S> axes =

@@ -5,24 +5,24 @@
 
 namespace contactscope {
 
-/// What to do where geometry gives no normal: coincident centres, crossing axes.
+/// Handling of geometry without a normal: coincident centres, crossing axes.
 enum class Degenerate {
-  Fallback,  // a normal that is as good as any other and changes continuously where it can
+  Fallback,  // an arbitrary normal that changes continuously where possible
   Skip,      // no contact
 };
 
-/// "fallback", "skip", as scenarios spell it.
+/// "fallback", "skip", as in scenarios.
 constexpr const char* to_string(Degenerate degenerate) {
   return degenerate == Degenerate::Fallback ? "fallback" : "skip";
 }
 
-/// How a shape looks for where its surface is inside a distance field.
+/// How the overlap of a shape's surface with a distance field is searched.
 enum class FieldSearch {
-  Conservative,  // parts that the field's bounds leave are cut until it is decided: none is missed
-  Sampled,       // at its vertices and at points about a cell apart: what is between is missed
+  Conservative,  // subdivides what the field's bounds do not decide: misses nothing
+  Sampled,       // samples vertices and points about one cell from each other: may miss overlaps
 };
 
-/// "conservative", "sampled", as scenarios spell it.
+/// "conservative", "sampled", as in scenarios.
 constexpr const char* to_string(FieldSearch search) {
   return search == FieldSearch::Conservative ? "conservative" : "sampled";
 }
@@ -32,15 +32,15 @@ struct CollideOptions {
   Preference preference = Preference::Relative;
   Degenerate degenerate = Degenerate::Fallback;
   FieldSearch field = FieldSearch::Conservative;
-  bool internal_edges = true;  // of meshes: contacts on edges that the surface lacks are mended
-  /// Of two hulls that overlap. Meshes and round shapes have ways of their own.
+  bool internal_edges = true;  // for meshes: fixes contacts on edges that the surface lacks
+  /// For two overlapping hulls. Meshes and round shapes have methods of their own.
   PenetrationMethod penetration = PenetrationMethod::Sat;
-  /// Two shapes between which the table has no order are worked on as if given the other way round.
+  /// Processes two shapes without an order in the table as if the arguments were swapped.
   bool b_first = false;
-  const ReducerInfo* reducer = nullptr;  // nullptr keeps all points
-  ReduceOptions reduction{};             // `previous` in the order of the arguments, as results are
+  const ReducerInfo* reducer = nullptr;  // null keeps all points
+  ReduceOptions reduction{};             // `previous` in the order of the arguments, like results
 
-  /// `reduction` of points from coordinates up to `scale`, metres (ReduceOptions::scale).
+  /// `reduction` for points computed from coordinates up to `scale`, metres (ReduceOptions::scale).
   template <class S>
   ReduceOptions reduction_at(S scale) const {
     ReduceOptions scaled = reduction;
@@ -51,11 +51,11 @@ struct CollideOptions {
 
 /// How points of an incremental manifold are confirmed in the next frame.
 enum class Confirm {
-  Distance,  // the two places that met are still near each other, along and across the normal
-  Ids,       // the features that made it are still those that the query finds, or still touch
+  Distance,  // the two points that met are still near each other, along and across the normal
+  Ids,       // the features that met are still the query's, or still touch
 };
 
-/// "distance", "ids", as scenarios and traces spell it.
+/// "distance", "ids", as in scenarios and traces.
 constexpr const char* to_string(Confirm confirm) {
   return confirm == Confirm::Distance ? "distance" : "ids";
 }
@@ -63,10 +63,10 @@ constexpr const char* to_string(Confirm confirm) {
 /// Gregorius 2015, "Building Incremental Manifolds". Lengths in metres.
 struct IncrementalSettings {
   Confirm confirm = Confirm::Distance;
-  /// Of hulls: how far the core lies within the surface. Spheres and capsules have their radius.
+  /// For hulls: depth of the core below the surface. Spheres and capsules have their radius.
   double core_margin = 0.02;
-  /// Two places that met are taken apart when they are farther than this, along the normal or
-  /// across it; a new point nearer than this to an old one replaces it.
+  /// Largest distance of the two points that met, along or across the normal, before the contact
+  /// breaks. A new point nearer than this to an old one replaces it.
   double breaking_distance = 0.02;
 
   friend bool operator==(const IncrementalSettings&, const IncrementalSettings&) = default;

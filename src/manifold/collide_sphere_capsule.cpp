@@ -8,8 +8,8 @@
 namespace contactscope {
 namespace {
 
-/// How far rounding can move the centre off the axis, metres: the centre has been turned into the
-/// capsule's frame, and a point on an axis that is oblique there has been rounded across it.
+/// How far rounding can move the centre off the axis, metres: the centre was turned into the
+/// capsule's frame, and points on an axis that is oblique there are rounded across it.
 template <class S>
 S rounding_across(const Vec3<S>& center, const Capsule<S>& capsule) {
   const Vec3<S> along = capsule.points[1] - capsule.points[0];
@@ -22,9 +22,9 @@ S rounding_across(const Vec3<S>& center, const Capsule<S>& capsule) {
 
 }  // namespace
 
-/// Works in the capsule's own frame: there its axis is as exact as it was given, also one that is
-/// very much longer than the distance. Steps: 1. the vector to the closest point of the axis; 2. its
-/// direction is the normal, unless it is rounding alone.
+/// Works in the capsule's own frame, where its axis is exact even if it is much longer than the
+/// distance. Steps: 1. the vector to the closest point of the axis; 2. its direction is the normal,
+/// unless it is only rounding.
 template <class S>
 S collide_sphere_capsule(const Sphere<S>& a, const Capsule<S>& b, const Pose<S>& b_in_a,
                          const CollideOptions& options, Contact<S>& contact,
@@ -35,7 +35,7 @@ S collide_sphere_capsule(const Sphere<S>& a, const Capsule<S>& b, const Pose<S>&
   const ClosestOnSegment<S> closest = closest_on_segment(center, b.points[0], b.points[1]);
   const FeatureRef feature = axis_feature(Owner::B, closest.parameter, !unit.isZero(S(0)));
   Vec3<S> to_axis = closest.point - center;
-  // The place along a long axis is rounded by more than a near centre is away from it.
+  // On a long axis the point is rounded by more than the distance of a near centre.
   if (feature.kind != FeatureKind::Vertex) to_axis = rejected(to_axis, unit);
   const S distance = safe_norm(to_axis);
   const S separation = distance - (a.radius + b.radius);

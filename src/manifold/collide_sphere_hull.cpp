@@ -12,7 +12,7 @@
 namespace contactscope {
 namespace {
 
-/// How the centre meets the hull, in the hull's frame.
+/// The closest feature of the hull to the centre, in the hull's frame.
 template <class S>
 struct Touch {
   HullFeature feature;
@@ -25,24 +25,24 @@ Touch<S> touch_face(const Hull<S>& hull, int face, S distance) {
   return {{FeatureKind::Face, face}, distance, at(hull.planes, face).normal};
 }
 
-/// From a point outside to an edge, at right angles to it, by way of the nearer vertex: what is
-/// rounded is then relative to the way and not to the coordinates.
+/// Perpendicular vector from an edge to a point outside, computed from the nearer vertex: its
+/// rounding is then relative to the vector, not to the coordinates.
 template <class S>
 Vec3<S> from_edge(const Hull<S>& hull, int half_edge, const Vec3<S>& point) {
   const Vec3<S> from_origin = point - hull.origin(half_edge);
   const Vec3<S> from_target = point - hull.target(half_edge);
   const Vec3<S> along = hull.target(half_edge) - hull.origin(half_edge);
   const S to_origin = from_origin.squaredNorm(), to_target = from_target.squaredNorm();
-  // Of two that are as near, the same from either side.
+  // For two equally near vertices, the same from either half-edge.
   const bool origin_is_nearer =
       to_origin < to_target || (to_origin == to_target && half_edge % 2 != 0);
   const Vec3<S>& from = origin_is_nearer ? from_origin : from_target;
   return from - (from.dot(along) / along.squaredNorm()) * along;
 }
 
-/// The closest feature of the hull to a centre that projects into none of its nearest faces, and lies
-/// beside the half-edge `beside` of one. Where the regions of edges and vertices have told it, only a
-/// record has GJK run.
+/// The closest feature of the hull to a centre that projects into none of its nearest faces and is
+/// beyond the half-edge `beside` of one. If the Voronoi regions of edges and vertices decide, GJK
+/// runs only for a record.
 template <class S>
 Touch<S> touch_edge_or_vertex(const Hull<S>& hull, const Vec3<S>& center, int nearest_face,
                               int beside, S scale, GjkRun<S>* run) {
@@ -68,14 +68,14 @@ Touch<S> touch_edge_or_vertex(const Hull<S>& hull, const Vec3<S>& center, int ne
 
 }  // namespace
 
-/// We deviate from the talk in the order: faces first. Their distances tell inside from outside,
-/// settle most spheres that are far off, and where the centre projects into the nearest face that is
-/// the closest point, with all digits of the face's normal, at any height. GJK is left with edges
-/// and vertices whose regions rounding leaves open.
+/// Deviation from the talk: faces first. Their distances separate inside from outside and reject
+/// most distant spheres. If the centre projects into the nearest face, that is the closest point,
+/// with all digits of the face's normal, at any height. GJK handles only edges and vertices whose
+/// regions are undecided by rounding.
 ///
-/// Steps: 1. distances from all faces; farther than the radius: apart. 2. The centre inside, or
-/// above a face: that face. 3. The edge or vertex in whose region it lies, or that of GJK. 4. On an
-/// edge or vertex within rounding: the face of step 1.
+/// Steps: 1. distances from all faces; done if above the radius. 2. The centre inside, or above a
+/// face: that face. 3. The edge or vertex whose region contains it, or GJK's. 4. On an edge or
+/// vertex within rounding: the face of step 1.
 template <class S>
 S collide_sphere_hull(const Sphere<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
                       const CollideOptions& options, Contact<S>& contact, Recorder<S>* recorder) {
@@ -112,7 +112,7 @@ S collide_sphere_hull(const Sphere<S>& a, const Hull<S>& b, const Pose<S>& b_in_
   contact.axis = faces.largest() > S(0) ? AxisKind::ClosestPoints : AxisKind::FaceB;
   contact.type = contact_type(FeatureKind::Vertex, touch.feature.kind);
   contact.normal = -b_in_a.rotate(touch.normal);
-  // The centre is the origin of A's frame. Outside, this is the closest point of the hull.
+  // The centre is the origin of A's frame. For a centre outside, this is the hull's closest point.
   const Vec3<S> position = touch.distance * contact.normal;
   const FeatureId id = FeatureId::of(vertex_ref(Owner::A, 0), touch.feature.ref(Owner::B));
   contact.points.push_back({position, separation, id});

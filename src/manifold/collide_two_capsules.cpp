@@ -32,7 +32,7 @@ struct Axis {
   Three<S> along = ends[1] - ends[0];
 };
 
-/// The products of the axes and of the way between their beginnings, square metres.
+/// Products of the axes and of the offset between their first ends, square metres.
 template <class S>
 struct Products {
   [[gnu::always_inline]] Products(const Axis<S>& a, const Axis<S>& b) {
@@ -43,27 +43,27 @@ struct Products {
     ways = Coordinates<S>(a_way, b_way, a_way, b_way).sums();
   }
 
-  Three<S> squares;  // a a, b b, a b, way way
-  Three<S> ways;     // a way, b way
+  Three<S> squares;  // a a, b b, a b, offset offset
+  Three<S> ways;     // a offset, b offset
 };
 
-/// Which ends of two axes, or which end of one and the other axis, are nearest.
+/// The nearest ends of two axes, or the nearest end of one and the other axis.
 struct Nearest {
   enum Kind { TwoEnds, EndAndAxis, Uncertain } kind = Uncertain;
   int which = 0;               // the corner or the side, see nearest()
   bool beyond_middle = false;  // the foot is in the second half of the axis
 };
 
-/// The squared distance between the points at s of A and t of B is a convex function over a square, and its
-/// slopes along s and t follow from the products.
+/// The squared distance between the points at s of A and t of B is a convex function over a square.
+/// The products give its slopes along s and t.
 ///
-///     t = 1  c2--s3--c3      Where both slopes lead upwards into the square from a corner, the corner is the
-///            s0      s1      minimum: two ends. Where the minimum of a side is between its corners, and the
-///     t = 0  c0--s2--c1      other slope leads upwards from there: an end and its foot on the other axis.
-///         s = 0      s = 1   Else the minimum is inside.
+///     t = 1  c2--s3--c3      Two ends: a corner is the minimum if both slopes lead upwards from
+///            s0      s1      it into the square. An end and its foot on the other axis: a side has
+///     t = 0  c0--s2--c1      the minimum between its corners, and the other slope leads upwards
+///         s = 0      s = 1   from there. Otherwise the minimum is inside.
 ///
-/// closest_of_segments() measures distances and takes the least. It is certain to find the same where the
-/// slopes are more than rounding, and a foot is farther from the corners than what rounding hides.
+/// closest_of_segments() takes the least of measured distances. It certainly finds the same minimum
+/// if the slopes exceed rounding and no corner is within rounding of the foot.
 template <class S>
 [[gnu::always_inline]] inline Nearest nearest(const Products<S>& products) {
   constexpr S kUnsure = S(2048) * std::numeric_limits<S>::epsilon();
@@ -86,42 +86,42 @@ template <class S>
   const Three<S> begins = __builtin_shufflevector(a_way, -b_way, 0, 0, 4, 4);
   const Three<S> far = __builtin_shufflevector(squares, squares, 0, 0, 1, 1);
   const Three<S> inwards = ((begins + far * kS) - foot * ab) * kInS;
-  // So far from the foot squared distances are more than rounding larger.
+  // At this distance from the foot, squared distances exceed the foot's by more than rounding.
   const auto is_between = to_end * absolute<S>(to_end) * lengths > unsure * S(1.0 / 16);
   const std::uint32_t sides = lane_bits<S>((inwards > unsure) & is_between);
   if (sides == 0) return {};
-  // Nor would it be certain near the middle from which end the foot is measured.
+  // Near the middle it is uncertain from which end closest_of_segments() measures the foot.
   const Three<S> from_middle = (foot - S(0.5)) * lengths;
   const std::uint32_t unclear = lane_bits<S>(absolute<S>(from_middle) <= unsure);
   if ((sides & unclear) != 0) return {};
   return {Nearest::EndAndAxis, std::countr_zero(sides), (sides & lane_bits<S>(foot > S(0.5))) != 0};
 }
 
-/// The point of an axis nearest to `point`, from the end that is nearer to both: as from_all_ends() and
-/// Segment::at() of closest_points.cpp have it.
+/// The point of an axis nearest to `point`, measured from the axis's nearer end, as in
+/// from_all_ends() and Segment::at() of closest_points.cpp.
 template <class S>
 [[gnu::always_inline]] inline Three<S> foot_on(const Axis<S>& axis, const Three<S>& point,
                                                S squared_length, bool beyond_middle) {
   const Three<S> end = axis.ends[beyond_middle ? 1 : 0];
   const Three<S> along = (point - end) * axis.along;
   const S way = (along[0] + (along[1] + along[2])) / squared_length;
-  // From the second end: the parameter 1 + way is rounded, and less than 1 by so much.
+  // From the second end: the parameter 1 + way is rounded before it is subtracted from 1.
   return end + (beyond_middle ? -(S(1) - (S(1) + way)) : way) * axis.along;
 }
 
-/// By number: the first end of an axis, the second, the axis.
+/// Indices: the first end of an axis, the second, the axis.
 constexpr int kOnAxis = 2;
 constexpr std::array<std::array<FeatureRef, 3>, 2> kFeatures = {
     {{vertex_ref(Owner::A, 0), vertex_ref(Owner::A, 1), edge_ref(Owner::A, 0)},
      {vertex_ref(Owner::B, 0), vertex_ref(Owner::B, 1), edge_ref(Owner::B, 0)}}};
 
-/// In the order in which the pair is worked on.
+/// In processing order.
 template <class S>
 [[gnu::always_inline]] inline bool collide_in_order(const Capsule<S>& a, const Pose<S>& pose_a,
                                                     const Capsule<S>& b, const Pose<S>& pose_b,
                                                     bool traded, const CollideOptions& options,
                                                     Manifolds<S>& manifolds) {
-  // Where B is, seen from A: as relative_pose().
+  // Pose of B in A, as in relative_pose().
   const Turn<S> to_a{four_of<S, 0>(pose_a.rotation) * Three<S>{-1, -1, -1, 1}};
   const Quat<S> turn = pose_a.rotation.conjugate() * pose_b.rotation;
   const Turn<S> b_to_a{four_of<S, 0>(turn)};
@@ -135,21 +135,21 @@ template <class S>
   const Axis<S> axes[2] = {{{four_of<S, 0>(a), four_of<S, 3>(a)}},
                            {{b_to_a.of(own_ends_b[0]) + way, b_to_a.of(own_ends_b[1]) + way}}};
 
-  // No coordinate is larger, in either frame.
+  // Upper bound of the coordinates, in either frame.
   const S scale = largest_of<S>(lanes::larger(
       lanes::larger(lanes::larger(absolute<S>(axes[0].ends[0]), absolute<S>(axes[0].ends[1])),
                     lanes::larger(absolute<S>(axes[1].ends[0]), absolute<S>(axes[1].ends[1]))),
       lanes::larger(absolute<S>(own_ends_b[0]), absolute<S>(own_ends_b[1]))));
   const Products<S> products(axes[0], axes[1]);
-  // Nearly parallel axes make two points. The squared sine would have to be less than 0.01; what the
-  // placed ends of B may be off by turns its axis by less than the rest.
+  // Nearly parallel axes make two points: those with a squared sine below 0.01. The rest of 0.011
+  // allows for the axis of B being turned by the rounding of its placed ends.
   const S rounding = S(8192) * std::numeric_limits<S>::epsilon() * scale;
   const S aa = products.squares[0], bb = products.squares[1], ab = products.squares[2];
   if (!(ab * ab < S(0.989) * (aa * bb) && bb > rounding * rounding)) return false;
   const Nearest found = nearest(products);
   if (found.kind == Nearest::Uncertain) return false;
 
-  // Of A and of B: the closest points, and what they lie on.
+  // For A and B: the closest points and their features.
   const int end = found.which & 1, owner = found.which >> 1;
   Three<S> on[2] = {axes[0].ends[end], axes[1].ends[owner]};
   int feature[2] = {end, owner};
@@ -166,13 +166,13 @@ template <class S>
   if (separation > options.margin) return true;
   if (!(distance > clip_thickness(scale))) return false;
   if constexpr (std::is_same_v<S, float>) {
-    // As belongs_in_double().
+    // As in belongs_in_double().
     if (!(tie_tolerance(scale + std::max(a.radius, b.radius)) <=
           preference_tolerance(S(0), std::min(a.radius, b.radius))))
       return false;
   }
 
-  // normal_between() of collide_capsule_capsule.cpp.
+  // As normal_between() in collide_capsule_capsule.cpp.
   Three<S> normal = between / distance;
   if (found.kind == Nearest::EndAndAxis) {
     const Three<S> own_along_b = own_ends_b[1] - own_ends_b[0];
@@ -183,10 +183,10 @@ template <class S>
     normal = across / std::sqrt(sum_of<S>(across * across));
   }
   const Three<S> middle = S(0.5) * ((on[0] + a.radius * normal) + (on[1] - b.radius * normal));
-  // As ToWorld.
+  // As in ToWorld.
   const TurnMatrix<S> to_world(pose_a.rotation);
   const Three<S> direction = to_world.of(normal), point = to_world.of(middle) + position_a;
-  // Zero times anything finite is zero.
+  // Zero times a finite number is zero; times any other it is NaN.
   if (!boxes::all<S>(S(0) * direction + S(0) * point == S(0))) return false;
 
   Manifold<S>& manifold = manifolds.emplace_back();

@@ -10,17 +10,17 @@
 #include "manifold/field_gap.h"
 #include "manifold/in_double.h"
 
-// A field answers points, so the other shape comes as points: its vertices, and pieces of its faces,
-// its axis or its triangles (field_contact.h). Normals are gradients of the field: points whose normals
-// differ by little share a manifold. Against a plane it is the other way round: the surface that the
-// field was made of is looked at, as of a hull.
+// A field can only be sampled at points, so the other shape is represented by points: its vertices,
+// and pieces of its faces, its axis or its triangles (field_contact.h). Normals are gradients of
+// the field; points with similar normals share a manifold. Against a plane it is the reverse: the
+// surface from which the field was built is treated as a hull.
 
 namespace contactscope {
 namespace {
 
-/// Normals within 15 degrees of the deepest point's are one manifold's.
+/// Normals within 15 degrees of the deepest point's belong to one manifold.
 constexpr double kSameDirection = 0.9659;
-/// A shape is looked at in no more than about so many places along its side, or that of the field.
+/// Maximum number of samples along a shape's side, or the field's side, approximately.
 constexpr double kMostPlaces = 16;
 
 /// Pieces of a shape in the field's frame.
@@ -32,7 +32,7 @@ struct Pieces {
 template <class S>
 class PieceMaker {
  public:
-  /// `near`: what of a mesh is looked at, the mesh's frame.
+  /// `near`: the part of a mesh to use, in the mesh's frame.
   PieceMaker(const Pose<double>& in_field, const Aabb<S>& near)
       : in_field_(in_field), near_(near) {}
 
@@ -89,7 +89,7 @@ class PieceMaker {
   void add(const Field<S>& field) {
     std::visit([&](const auto& kind) { add(kind); }, field.source->shape);
   }
-  /// Never: planes have a way of their own.
+  /// Unreachable: planes are handled separately.
   void add(const HalfSpace<S>&) {}
 
   const Pose<double>& in_field_;
@@ -101,7 +101,7 @@ Pose<double> inverse(const Pose<double>& pose) {
   return relative_pose(pose, Pose<double>{});
 }
 
-/// The surface's box in metres, around it the margin, as a parent of the field sees it.
+/// The surface's box in metres, grown by `around`, in the frame that the field is placed in.
 template <class S>
 Aabb<S> field_reach(const PlacedField& field, const Pose<double>& field_in, double around) {
   const Aabb<double>& box = field.field->surface_box();
@@ -112,14 +112,14 @@ Aabb<S> field_reach(const PlacedField& field, const Pose<double>& field_in, doub
       point[axis] = (corner >> axis & 1) != 0 ? box.upper[axis] : box.lower[axis];
     reach.include(field_in.transform(field.origin + field.cell * point));
   }
-  // What rounding to S takes off it is less than a cell's part of it.
+  // Exceeds the loss by rounding to S.
   const Vec3d out = Vec3d::Constant(around + 0.01 * field.cell);
   return Aabb<double>{reach.lower - out, reach.upper + out}.template cast<S>();
 }
 
-/// Distance between a shape that the field does not touch and the field's surface, metres. `near` are
-/// the pieces that the box around the surface reaches: all of a shape but of a mesh, of which others may
-/// be nearer to the surface.
+/// Distance between a shape that the field does not touch and the field's surface, metres. `near`:
+/// the pieces that the box around the surface reaches. That is the whole shape unless it is a mesh;
+/// other triangles of a mesh may be nearer to the surface.
 template <class S>
 double gap_of(const Shape<S>& a, const PlacedField& field, const Pose<double>& field_in_a,
               const Pieces& near) {
@@ -154,21 +154,21 @@ FieldTouches touches_of(const Shape<S>& a, const PlacedField& field, const Pose<
   const double spacing = std::max(field.cell, std::min(side_a, side_b) / kMostPlaces);
   FieldTouches touches = find_touches(
       field, made.pieces, {options.field, made.radius, options.margin, spacing, probes});
-  // Only for the record: nobody else reads how far shapes are from each other.
+  // Only for the record; the distance of separated shapes is not used otherwise.
   if (recorded && touches.found.empty()) touches.least = gap_of(a, field, field_in_a, made);
   return touches;
 }
 
-/// Leaves no more touches of one direction than a manifold has room for. Vertices come first. Where there
-/// are too many, those stay that no other can stand for: the deepest, and the farthest along kDirections
-/// directions in the contact plane; then vertices before points inside faces, each kind evenly.
+/// Reduces the touches of one direction to a manifold's capacity, vertices first. If there are too
+/// many, keeps the irreplaceable ones: the deepest, and the farthest along kDirections directions
+/// in the contact plane. Then vertices before points inside faces, each kind evenly spaced.
 void fit_manifold(std::vector<FieldTouch>& touches, const Vec3d& outward) {
   constexpr int kDirections = 32;
   const auto is_vertex = [](const FieldTouch& t) { return t.feature.kind == FeatureKind::Vertex; };
   const auto deepest = std::ranges::min_element(touches, {}, &FieldTouch::separation);
   const int deepest_at = static_cast<int>(deepest - touches.begin());
   const int count = count_of(touches);
-  std::vector<int> order;  // places in `touches`
+  std::vector<int> order;  // indices into `touches`
   for (const bool vertices : {true, false})
     for (int i = 0; i < count; ++i)
       if (is_vertex(at(touches, i)) == vertices) order.push_back(i);
@@ -206,8 +206,8 @@ void fit_manifold(std::vector<FieldTouch>& touches, const Vec3d& outward) {
   touches = mapped(order, [&](int i) { return at(touches, i); });
 }
 
-/// Gives the touches to the sink, deepest first, those of one direction together. `in_a` places the
-/// field's frame; `flipped`: the field is A's and the points are B's.
+/// Passes the touches to the sink, deepest first, grouped by direction. `in_a`: pose of the field's
+/// frame. `flipped`: the field is A's and the points are B's.
 template <class S>
 void add_manifolds(std::vector<FieldTouch> touches, double radius, const Pose<double>& in_a,
                    bool flipped, ContactSink<S>& sink) {
@@ -236,14 +236,14 @@ void add_manifolds(std::vector<FieldTouch> touches, double radius, const Pose<do
   }
 }
 
-/// A point of the surface that a field was made of, or of its core. The field's frame, metres.
+/// A point of the surface from which a field was built, or of its core. The field's frame, metres.
 Vec3d any_point_of(const PlacedField& placed) {
   const DistanceField& field = *placed.field;
   return placed.origin +
          placed.cell * (field.core() ? field.core()->points[0] : field.surface()->vertices[0]);
 }
 
-/// A hull around all of the field, which none of its faces meets: out by the face that is least deep.
+/// For a hull around the whole field, whose faces miss it: separates by the face of least depth.
 template <class S>
 void add_contained(const Hull<S>& hull, const Field<S>& field, const Pose<double>& field_in_a,
                    FieldTouches& touches) {
@@ -271,7 +271,7 @@ void add_contained(const Hull<S>& hull, const Field<S>& field, const Pose<double
         deepest = piece.corners[0] - pieces.radius * plane.normal;
       }
     }
-    if (highest > 0) return;  // it is not inside
+    if (highest > 0) return;  // the field is not inside
     if (-lowest < least_depth) {
       least_depth = -lowest;
       best = {a_in_field.transform(deepest - lowest * plane.normal), lowest,
@@ -281,7 +281,7 @@ void add_contained(const Hull<S>& hull, const Field<S>& field, const Pose<double
   touches = {{best}, best.separation};
 }
 
-/// The plane is A. The points of the surface that the field was made of, deepest first.
+/// The plane is A. The points of the surface from which the field was built, deepest first.
 template <class S>
 S collide_plane_field(const HalfSpace<S>& plane, const Field<S>& field, const Pose<double>& b_in_a,
                       const CollideOptions& options, ContactSink<S>& sink) {
@@ -318,7 +318,7 @@ S collide_with_field(const Shape<S>& a, const Field<S>& b, const Pose<S>& b_in_a
       touches_of(a, PlacedField::of(b), field_in_a, options, radius, recorded, probes);
   if (probes != nullptr) [[unlikely]]
     sink.recorder->field_search(options.field, field_in_a);
-  // Outside of the field, or around it: then what is within the margin is no way out.
+  // Outside the field, or around it. If around, the touches within the margin do not separate.
   if (conservative && (touches.found.empty() || touches.least > 0)) {
     if (const auto* hull = std::get_if<Hull<S>>(&a)) add_contained(*hull, b, field_in_a, touches);
     const auto* field = std::get_if<Field<S>>(&a);
@@ -327,7 +327,7 @@ S collide_with_field(const Shape<S>& a, const Field<S>& b, const Pose<S>& b_in_a
       return PlacedField::of(*field).bounds(first).lower < 0;
     };
     if (field != nullptr && (touches.found.empty() || is_around())) {
-      // B may be inside A: then its surface is.
+      // B may be inside A; then the surface of B is inside A's field.
       const Shape<S> other = b;
       const Pose<double> a_in_b = inverse(field_in_a);
       FieldTouches inside =

@@ -15,14 +15,14 @@
 namespace contactscope {
 namespace {
 
-/// Each triangle that the tree finds is looked at.
+/// Tests each triangle that the tree finds.
 constexpr auto kNoneIsClear = [](int) { return false; };
 
-/// The triangle's closest point to the centre, and what it lies on. Triangle's frame.
+/// The triangle's closest point to the centre and its feature. Triangle's frame.
 template <class S>
 struct Closest {
   FeatureRef feature;
-  Vec3<S> outward = Vec3<S>::Zero();  // from it to the centre, metres
+  Vec3<S> outward = Vec3<S>::Zero();  // from the point to the centre, metres
 };
 
 template <class S>
@@ -52,13 +52,13 @@ void add_point(const Vec3<S>& normal, S distance, S radius, const FeatureRef& fe
       {distance * normal, distance - radius, FeatureId::of(vertex_ref(Owner::A, 0), feature)});
 }
 
-/// A segment nearer to the triangle's plane than this part of the triangle's radius lies in it: the
-/// axes of the separating axis test, which all look out of the plane, say little then.
+/// A segment nearer to the triangle's plane than this fraction of the triangle's radius is in the
+/// plane. The separating axis test's axes all lead out of the plane and are then of little use.
 template <class S>
 constexpr S kInPlane = S(1e-3);
 
-/// A segment in the triangle's plane against the triangle's outline, in the triangle's frame. None
-/// of it is over or under the triangle, so the closest points are on the outline, exactly. Empty where
+/// A segment in the triangle's plane against the triangle's outline, in the triangle's frame. No
+/// part is above or below the triangle, so the closest points are exactly on the outline. Empty if
 /// the segment is not in the plane, reaches into the triangle, or is as near as `touching`.
 template <class S>
 std::optional<CapsuleTouch<S>> beside_in_plane(const Hull<S>& triangle, const Vec3<S> (&ends)[2],
@@ -91,7 +91,7 @@ std::optional<CapsuleTouch<S>> beside_in_plane(const Hull<S>& triangle, const Ve
   return touch;
 }
 
-/// The hull as the mesh sees it: the box of its vertices.
+/// The hull in the mesh's frame: the box of its vertices.
 template <class S>
 SeenFromMesh<S> seen_from_mesh(const Hull<S>& hull, const Pose<S>& b_in_a) {
   const Mat3<S> to_mesh = b_in_a.rotation.toRotationMatrix().transpose();
@@ -102,13 +102,13 @@ SeenFromMesh<S> seen_from_mesh(const Hull<S>& hull, const Pose<S>& b_in_a) {
   return seen;
 }
 
-/// A triangle lower than this part of its longest edge is a sliver: what moves a corner by a little
-/// turns its normal by much.
+/// A triangle lower than this fraction of its longest edge is a sliver: a small displacement of a
+/// corner turns its normal by a large angle.
 template <class S>
 constexpr S kSliver = S(0.01);
 
-/// Whose face decides where both are nearly as deep. The surface: by the hull's face a small tilt on
-/// a large triangle would turn the normal. But a sliver's own normal says little of the surface.
+/// The face that wins when both are nearly as deep: the surface's, because the hull's normal would
+/// turn with a small tilt on a large triangle. But a sliver's normal says little about the surface.
 template <class S>
 Owner preferred_face(const Mesh<S>& mesh, int triangle) {
   const Vec3<S> first = mesh.corner(triangle, 1) - mesh.corner(triangle, 0);
@@ -133,7 +133,7 @@ S collide_sphere_mesh(const Sphere<S>& a, const Mesh<S>& b, const Pose<S>& b_in_
     const Vec3<S> in_triangle = center - b.corner(triangle.index, 0);
     const S touching = touching_distance(length_scale(triangle.hull(), triangle.in_a(), S(0)));
     const S height = triangle.hull().planes[0].distance(in_triangle);
-    // In the plane, within rounding, both sides are as good: the front.
+    // In the plane, within rounding, both sides are equivalent: use the front.
     const int face = height >= -touching ? 0 : 1;
     Closest<S> closest;
     closest.feature = face_ref(Owner::B, face);
@@ -223,7 +223,7 @@ S collide_capsule_mesh(const Capsule<S>& a, const Mesh<S>& b, const Pose<S>& b_i
 template <class S>
 S collide_hull_mesh(const Hull<S>& a, const Mesh<S>& b, const Pose<S>& b_in_a,
                     const CollideOptions& options, ContactSink<S>& sink, Recorder<S>* recorder) {
-  // A record has every triangle and every axis.
+  // A record needs every triangle and every axis.
   std::optional<BoxOnTriangles<S>> as_box;
   if (a.is_box() && recorder == nullptr) as_box.emplace(a, b, b_in_a, options);
   const auto collide = [&](const PlacedTriangle<S>& triangle, Contact<S>& contact) {
@@ -231,7 +231,7 @@ S collide_hull_mesh(const Hull<S>& a, const Mesh<S>& b, const Pose<S>& b_in_a,
       return collide_flat_triangle(a, b, triangle.index, b_in_a, options, contact, recorder);
     const Owner preferred = preferred_face(b, triangle.index);
     if (as_box && preferred == Owner::B && as_box->collide(triangle.index, contact))
-      return S(0);  // only a record, or a contact that was skipped, has use of it
+      return S(0);  // used only for a record or a skipped contact
     PairCache<S>* const nothing_kept = nullptr;
     return collide_hull_hull(a, triangle.hull(), triangle.in_a(), options, nothing_kept, contact,
                              recorder, preferred);

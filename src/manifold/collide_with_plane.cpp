@@ -6,18 +6,18 @@
 #include "manifold/round_contact.h"
 #include "query/tolerance.h"
 
-// The plane is always B, and it is treated as a hull's face that has no end: points move onto it, as
-// the talk moves the points of a face contact onto the reference face ("Face Contact Clipping"). So a
-// floor gives the same manifold whether it is a plane or the top of a wide box, and the points share
-// a plane, as reducers want them. The lecture on contact generation ("Box-Plane Contact Generation")
-// puts them midway between the corner and the plane instead: half the depth further along the normal.
+// The plane is always B and is treated as an infinite face of a hull: points move onto it, as the
+// talk moves the points of a face contact onto the reference face ("Face Contact Clipping"). So a
+// floor gives the same manifold as a plane or as the top of a wide box, and the points are
+// coplanar, as reducers require. The lecture on contact generation ("Box-Plane Contact Generation")
+// instead puts them midway between the corner and the plane, at half the depth.
 
 namespace contactscope {
 namespace {
 
-/// Shapes whose ends differ in height by less than this part of their size lie level. The preference
-/// of the separating axis test has the same size: 0.2%, a tenth of a degree. Depth has no part in
-/// it: which feature lies lowest does not change as it sinks.
+/// Shapes whose ends differ in height by less than this fraction of their size are level. This
+/// equals the preference of the separating axis test: 0.2%, a tenth of a degree. It does not depend
+/// on the depth: the lowest feature does not change as it sinks.
 template <class S>
 constexpr S kLevel = S(0.002);
 
@@ -28,7 +28,7 @@ Plane<S> plane_in_a(const HalfSpace<S>& half_space, const Pose<S>& b_in_a) {
   return {normal, half_space.plane.offset + normal.dot(b_in_a.position)};
 }
 
-/// Begins a contact of A with that plane: the normal points into the ground.
+/// Initializes a contact of A with that plane: the normal points into the ground.
 template <class S>
 void begin_plane_contact(const Plane<S>& plane, ContactType type, Contact<S>& contact) {
   contact.axis = AxisKind::FaceB;
@@ -49,7 +49,7 @@ bool is_deeper(const ContactPoint<S>& one, const ContactPoint<S>& other) {
   return one.separation < other.separation;
 }
 
-/// Keeps the deepest of more points than a manifold holds: a heap with the highest of them on top.
+/// Keeps the deepest of more points than fit into a manifold: a heap with the highest on top.
 template <class S>
 void replace_highest(const ContactPoint<S>& point, bool& is_heap, Contact<S>& contact) {
   auto& points = contact.points;
@@ -118,7 +118,7 @@ S collide_hull_plane(const Hull<S>& a, const HalfSpace<S>& b, const Pose<S>& b_i
     }
   }
   if (lowest > options.margin) return lowest;
-  // Back to the order of the vertices.
+  // Restore the order of the vertices.
   if (is_heap) std::ranges::sort(contact.points, {}, &ContactPoint<S>::id);
 
   const S scale = a.centroid.cwiseAbs().maxCoeff() + a.radius + std::abs(plane.offset);

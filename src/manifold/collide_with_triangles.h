@@ -12,26 +12,26 @@
 
 namespace contactscope {
 
-/// A convex shape as a mesh sees it: mesh frame, metres.
+/// A convex shape in the mesh's frame, metres.
 template <class S>
 struct SeenFromMesh {
   Aabb<S> box;
   Vec3<S> center;  // a point inside
-  S radius = 0;    // of a round shape: so far is its surface from its core
+  S radius = 0;    // of a round shape: distance of the surface from the core
 };
 
-/// How far from the origin of either frame anything of the shape gets: a bound on what rounds.
+/// Upper bound of the shape's coordinates in either frame, for rounding.
 template <class S>
 S reach_of(const SeenFromMesh<S>& shape, const Pose<S>& b_in_a) {
   return shape.box.lower.cwiseAbs().cwiseMax(shape.box.upper.cwiseAbs()).maxCoeff() +
          b_in_a.position.norm();
 }
 
-/// One triangle, and when it is asked for, the triangle as a flat hull and where that is in A's frame.
+/// One triangle; on demand, the triangle as a flat hull and its pose in A's frame.
 template <class S>
 class PlacedTriangle {
  public:
-  /// All outlive this. `hull` is made, or set to this triangle, when it is asked for.
+  /// All arguments must outlive this. `hull` is created, or set to this triangle, on demand.
   PlacedTriangle(const Mesh<S>& mesh, int triangle, const Pose<S>& mesh_in_a,
                  std::optional<TriangleHull<S>>& hull)
       : index(triangle), mesh_(mesh), mesh_in_a_(mesh_in_a), hull_(hull) {}
@@ -63,14 +63,14 @@ class PlacedTriangle {
   mutable bool is_placed_ = false;
 };
 
-/// The corner or the edge of a triangle that is a hull, at a parameter of that edge.
+/// The corner or the edge of a triangle hull at a parameter of that edge.
 template <class S>
 FeatureRef outline_feature(int edge, S parameter) {
   if (parameter <= S(0)) return vertex_ref(Owner::B, edge);
   return parameter >= S(1) ? vertex_ref(Owner::B, (edge + 1) % 3) : edge_ref(Owner::B, edge);
 }
 
-/// Takes points out of a contact; what is left of the points of a face may be those of an edge.
+/// Removes points from a contact; the rest of a face's points may be those of an edge.
 template <class S, class Predicate>
 void remove_points(Contact<S>& contact, const Predicate& predicate) {
   const auto end = std::remove_if(contact.points.begin(), contact.points.end(), predicate);
@@ -79,14 +79,14 @@ void remove_points(Contact<S>& contact, const Predicate& predicate) {
   contact.type = face_contact_type(contact.points.size());
 }
 
-/// Points that are nearer to another part of the surface by more than this factor leave through it.
+/// Points that are nearer to another part of the surface by this factor leave through it.
 template <class S>
 constexpr S kNearerSurface = S(0.5);
 
-/// A contact that was moved to the face of its triangle leads out through that face, however far that
-/// is: a box that dips over the edge of a table reaches deep behind the table's side. Takes out the
-/// points to which another part of the surface is much nearer, and those that have come through
-/// another part. On a flat floor all triangles are equally far, and nothing is taken out.
+/// A contact moved to the face of its triangle leads out through that face, however far that is: a
+/// box that dips over the edge of a table is deep behind the table's side. Removes the points to
+/// which another part of the surface is much nearer, and those that have come through another part.
+/// On a flat floor all triangles are equally far and nothing is removed.
 template <class S>
 void drop_detours(const NearTriangles<S>& near, int triangle, const Pose<S>& b_in_a,
                   Contact<S>& contact) {
@@ -100,16 +100,16 @@ void drop_detours(const NearTriangles<S>& near, int triangle, const Pose<S>& b_i
   });
 }
 
-/// A contact of a round shape with its closest points on a triangle. Where its depth is more than the
-/// radius, the core has come through.
+/// Whether a contact is that of a round shape with its closest point on a triangle. At a depth
+/// above the radius the core has come through.
 template <class S>
 bool is_closest_of_round(const SeenFromMesh<S>& shape, S depth) {
   return shape.radius > S(0) && depth > -shape.radius;
 }
 
-/// By how much rounding may have turned the normal between closest points, radians: either point is off by
-/// up to four roundings of coordinates about the triangle's corner, which counts for more the closer the
-/// two are. `deepest`: of the contact.
+/// How far rounding may have turned the normal between the closest points, radians. Each point is
+/// off by up to four roundings of coordinates around the triangle's corner, which turns the normal
+/// more the closer the points are. `deepest`: the contact's.
 template <class S>
 S normal_tolerance(const SeenFromMesh<S>& shape, const Mesh<S>& mesh, int triangle, S deepest) {
   if (!is_closest_of_round(shape, deepest)) return kNormalTolerance<S>;
@@ -122,14 +122,14 @@ S normal_tolerance(const SeenFromMesh<S>& shape, const Mesh<S>& mesh, int triang
   return std::max(kNormalTolerance<S>, tie_tolerance(std::sqrt(squared)) / distance);
 }
 
-/// Takes out the points that are deeper than this separation.
+/// Removes the points that are deeper than this separation.
 template <class S>
 void drop_deeper(S separation, Contact<S>& contact) {
   remove_points(contact,
                 [&](const ContactPoint<S>& point) { return point.separation < separation; });
 }
 
-/// The deepest contact of those that were left out.
+/// The deepest of the dropped contacts.
 template <class S>
 struct LeftOut {
   Contact<S> contact;
@@ -144,14 +144,14 @@ struct LeftOut {
     depth = given_depth;
   }
 
-  /// Makes the contact what comes back of it next to others that are as deep as `kept`: all
-  /// of it while they are no more than a third as deep, nothing from two thirds on, and in between
-  /// moved out, three times as fast as they get deeper. So nothing jumps, and what is deepest is at
-  /// least half as deep as this.
+  /// Reduces the contact to the part that is restored next to others as deep as `kept`: all of it
+  /// while they are at most a third as deep, nothing from two thirds on. In between it is moved out
+  /// three times as fast as they get deeper. So nothing jumps, and the deepest contact is at least
+  /// half as deep as this.
   ///
-  /// The closest point of the whole mesh is on its surface, and nothing is between it and the core. So
-  /// where the closest points of a round shape are deeper than all that were kept, but for `rounding`, it was
-  /// rounding that left them out, and all of them come back.
+  /// The closest point of the whole mesh is on its surface, with nothing between it and the core.
+  /// So if the closest point of a round shape is deeper than all kept contacts by more than
+  /// `rounding`, it was dropped only by rounding, and is restored completely.
   void ease(S kept, S margin, bool is_closest, S rounding) {
     const S lifted = is_closest ? S(0) : std::max(S(0), depth - S(3) * std::min(kept, S(0)));
     const bool is_needed = is_closest ? depth < kept - rounding : lifted < -depth;
@@ -162,7 +162,7 @@ struct LeftOut {
   }
 };
 
-/// The triangle's edge that made a contact with an edge of a hull; -1 of others.
+/// The triangle's edge that made a contact with an edge of a hull; -1 for other contacts.
 template <class S>
 int edge_of_triangle(const Contact<S>& contact) {
   const FeatureRef& of_triangle = contact.points[0].id.second;
@@ -170,7 +170,7 @@ int edge_of_triangle(const Contact<S>& contact) {
   return is_edge ? static_cast<int>(of_triangle.index) : -1;
 }
 
-/// Whether the surface falls off from an edge of a triangle.
+/// Whether the surface falls off at an edge of a triangle.
 template <class S>
 bool at_rim(const Mesh<S>& b, int triangle) {
   for (int k = 0; k < 3; ++k)
@@ -178,8 +178,8 @@ bool at_rim(const Mesh<S>& b, int triangle) {
   return false;
 }
 
-/// Steps 3 and 4 of collide_with_triangles for a contact that `triangle` gives by itself. `normal` is
-/// the contact's, from the mesh to the shape, in the mesh's frame.
+/// Steps 3 and 4 of collide_with_triangles for the contact of `triangle` alone. `normal` is the
+/// contact's, from the mesh to the shape, in the mesh's frame.
 template <class S, class OnFace>
 void mend(const SeenFromMesh<S>& shape, const NearTriangles<S>& near, const Pose<S>& b_in_a,
           const PlacedTriangle<S>& triangle, const Vec3<S>& normal, bool belongs,
@@ -207,29 +207,29 @@ void mend(const SeenFromMesh<S>& shape, const NearTriangles<S>& near, const Pose
   }
 }
 
-/// What every convex shape does with a mesh. Gregorius 2015, "Mesh Contacts". Steps:
-/// 1. collect the triangles whose boxes the shape's box touches, grown by the margin;
-/// 2. each one is a flat hull that collides by itself (`collide`), one contact a triangle;
-/// 3. a contact on an edge or corner that the surface does not have gives way to one on the face
-///    (`on_face`), which has no points where the shape is not over it, see internal_edges.h, nor
-///    where that would be a detour, see drop_detours. At a rim, where the contact leads over the
-///    edge and to behind the face, that face is not the way out: the contact is left out;
-/// 4. such a contact, or one with the back of a triangle, is left out where other triangles hide it
+/// The steps for every convex shape against a mesh. Gregorius 2015, "Mesh Contacts":
+/// 1. collect the triangles whose boxes touch the shape's box, grown by the margin;
+/// 2. each one is a flat hull that collides by itself (`collide`), one contact per triangle;
+/// 3. a contact on an edge or corner that the surface lacks is replaced by one on the face
+///    (`on_face`). That has no points where the shape is not over the face, see internal_edges.h,
+///    nor where the path would be a detour, see drop_detours. At a rim, where the contact leads
+///    over the edge and behind the face, that face is no exit: the contact is dropped;
+/// 4. such a contact, or one with the back of a triangle, is dropped if other triangles hide it
 ///    from the shape's centre: a box on a table is not behind the table's side;
-/// 5. what was left out comes back where it is needed: the deepest of it, as step 2 made it, when
-///    nothing that was kept is about half as deep, see LeftOut::ease. To part from the whole mesh the
-///    shape has to part from that triangle, so this is never deeper than the mesh.
+/// 5. the deepest dropped contact, as step 2 made it, is restored if no kept contact is about half
+///    as deep, see LeftOut::ease. To separate from the whole mesh the shape must separate from that
+///    triangle, so this is never deeper than the mesh.
 ///
-/// A triangle without an area is a segment or a point. It has no face, so step 3 leaves its contact out.
+/// A triangle without an area is a segment or a point. It has no face, so step 3 drops its contact.
 ///
 /// collide(triangle, contact) returns the separation, and no points above the margin or where
-/// degenerate geometry is to be skipped: then nothing comes back in its place; on_face(triangle,
-/// face, contact) gets the face of the triangle on the side of the shape's centre. Both work in A's
-/// frame, where the triangle hull is placed by `triangle.in_a`. Returns the least separation, metres;
-/// when no triangle is near, that is a lower bound, for the record, from the boxes.
+/// degenerate geometry is skipped (then nothing is restored in its place). on_face(triangle, face,
+/// contact) gets the face of the triangle on the side of the shape's centre. Both work in A's
+/// frame; `triangle.in_a` places the triangle hull. Returns the least separation, metres; when no
+/// triangle is near, a lower bound from the boxes, for the record.
 ///
-/// is_clear(triangle) is true of triangles that are known to be apart by more than the margin; they are
-/// passed over.
+/// is_clear(triangle) is true for triangles whose separation is known to be above the margin; they
+/// are skipped.
 template <class S, class Collide, class OnFace, class IsClear>
 S collide_with_triangles(const SeenFromMesh<S>& shape, const Mesh<S>& b, const Pose<S>& b_in_a,
                          const CollideOptions& options, ContactSink<S>& sink, Recorder<S>* recorder,
@@ -242,7 +242,7 @@ S collide_with_triangles(const SeenFromMesh<S>& shape, const Mesh<S>& b, const P
   const NearTriangles<S> near(b, box);
   std::optional<TriangleHull<S>> hull;
   S least = std::numeric_limits<S>::infinity();
-  S kept = std::numeric_limits<S>::infinity();  // separation of what was added or skipped
+  S kept = std::numeric_limits<S>::infinity();  // of added or skipped contacts
   LeftOut<S> left_out;
   const auto collide_triangle = [&](int index) {
     if (is_clear(index)) return;
@@ -259,7 +259,7 @@ S collide_with_triangles(const SeenFromMesh<S>& shape, const Mesh<S>& b, const P
       ContactNormal<S> normal{-b_in_a.inverse_rotate(contact.normal)};
       const bool flat = !has_area(b, index);
       const auto belongs_to_mesh = [&] {
-        if (!flat && is_along_face(b, index, normal)) return true;  // most, and seen at little cost
+        if (!flat && is_along_face(b, index, normal)) return true;  // most contacts, at little cost
         normal.tolerance = normal_tolerance(shape, b, index, given_depth);
         if (!flat) return belongs_to_surface(b, index, normal, edge_of_triangle(contact));
         const Vec3<S> place = b_in_a.inverse_transform(contact.points[0].position);

@@ -10,14 +10,14 @@
 
 namespace contactscope {
 
-/// What one pair of convex shapes gives, in A's frame, before it is reduced. Empty when the shapes
-/// are apart by more than the margin.
+/// Contact of one pair of convex shapes, in A's frame, before reduction. Empty when the separation
+/// is above the margin.
 template <class S>
 struct Contact {
   AxisKind axis = AxisKind::FaceA;
   ContactType type = ContactType::FaceFace;
   Vec3<S> normal = Vec3<S>::UnitX();  // unit, from A to B
-  S scale = S(0);  // metres: no coordinate that made the points is larger; see ReduceOptions
+  S scale = S(0);  // metres: no coordinate behind the points is larger; see ReduceOptions
   StaticVector<ContactPoint<S>, kMaxManifoldPoints> points;  // as in Manifold, but in A's frame
 
   /// Separation of the deepest point, metres; +infinity without points.
@@ -28,7 +28,7 @@ struct Contact {
   }
 };
 
-/// From A's frame, where the pair is worked on, to the world, where results are given.
+/// From A's frame, where pairs are computed, to the world, where results are given.
 template <class S>
 class ToWorld {
  public:

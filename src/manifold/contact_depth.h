@@ -7,17 +7,16 @@
 /// `scale` is the pair's, see HullPair.
 namespace contactscope {
 
-/// Clipping keeps points up to this separation for a margin. Hulls whose axis is at the margin have
-/// their points there as well, but for rounding: without it all four corners of a face that kisses
-/// another could be dropped.
+/// Clipping keeps points up to this separation. It allows for rounding: otherwise all four corners
+/// of a face exactly at the margin could be dropped.
 template <class S>
 S highest_kept(S margin, S scale) {
   return margin + depth_rounding(scale);
 }
 
-/// Whether a manifold whose deepest point has the separation `deepest` is as deep as the hulls
-/// overlap; `best` (<= 0) is the largest separation of any axis. A preference may cost 5% of the
-/// depth but no more, however shallow that is: what a solver is not shown it does not push back.
+/// Whether a manifold whose deepest point has separation `deepest` is as deep as the hulls overlap.
+/// `best` (<= 0) is the largest separation of any axis. A preference may cost at most 5% of the
+/// depth, however shallow: a solver does not push back what it does not see.
 template <class S>
 bool is_deep_enough(S deepest, S best, Preference preference, S scale) {
   const S part = preference == Preference::Relative ? S(0.95) : S(1);

@@ -20,8 +20,8 @@ void create_contact(const HullPair<S>& pair, const SatResult<S>& axes,
     const bool overlap = deepest_axis <= S(0);
     if (!overlap || is_deep_enough(deepest, deepest_axis, options.preference, pair.scale)) return;
 
-    // The face's support vertex hangs over its side, which only a face that is not the deepest axis
-    // allows beyond rounding, or the clipped face is not the one that reaches under the other.
+    // Either the support vertex is outside the side planes (beyond rounding only if the face is not
+    // the deepest axis), or the clipped face is not the one that reaches below the reference face.
     if (axis == axes.deepest) {
       const ContactPoint<S> support = support_contact(pair, reference, query, recorder);
       if (contact.points.size() < contact.points.capacity()) contact.points.push_back(support);

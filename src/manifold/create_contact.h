@@ -11,47 +11,46 @@ template <class S>
 class Recorder;
 
 /// Gregorius 2015, "Hull vs Hull: Contact Creation": a face contact or an edge contact from the
-/// axis that the separating axis test chose. `axes` must be touching.
+/// axis chosen by the separating axis test. `axes` must be touching.
 ///
 /// An overlapping pair gets at least one point, and its deepest point is as deep as the deepest
-/// axis less 5% (with Preference::None, less rounding). Where clipping falls short of that, a
-/// preferred face gives way to the deepest axis; if that is a face itself, support_contact() joins
-/// the points. The record says so: a dropped point "cut off by the side planes; kept as the deepest
-/// point". Pairs that are separated by no more than the margin may get no point.
+/// axis less 5% (with Preference::None, less rounding). Where clipping falls short, a preferred
+/// face is replaced by the deepest axis; if that is a face as well, support_contact() is added to
+/// the points. The record then has a dropped point "cut off by the side planes; kept as the deepest
+/// point". Pairs with a separation between zero and the margin may get no point.
 template <class S>
 void create_contact(const HullPair<S>& pair, const SatResult<S>& axes,
                     const CollideOptions& options, Contact<S>& contact, Recorder<S>* recorder);
 
 // face_contact.cpp
 
-/// Gregorius 2015, "Hull vs Hull: Face Contact", "Face Contact Clipping", "Coherent Points". The
-/// incident face, clipped against the side planes of the reference face but not against the
-/// reference face itself; points up to `margin` (metres) above it are kept and moved onto it. Those
-/// above the margin by no more than rounding count as at the margin.
-/// `reference` says whose face `query.face` is. Fills `contact` anew and returns the separation of
-/// the deepest point in metres; +infinity when nothing is left.
+/// Gregorius 2015, "Hull vs Hull: Face Contact", "Face Contact Clipping", "Coherent Points". Clips
+/// the incident face against the side planes of the reference face, but not against the reference
+/// face itself. Keeps points up to `margin` (metres) above it and moves them onto it. Points above
+/// the margin by no more than rounding count as at the margin. `reference` owns `query.face`.
+/// Overwrites `contact` and returns the separation of the deepest point in metres; +infinity
+/// without points.
 template <class S>
 S create_face_contact(const HullPair<S>& pair, Owner reference, const FaceQuery<S>& query, S margin,
                       Contact<S>& contact, Recorder<S>* recorder);
 
-/// The same with an incident face that is known, of hulls that are PlacedHull or PlacedFeatures.
-/// `scale` is the pair's (see HullPair), metres.
+/// The same for a known incident face and hulls that are PlacedHull or PlacedFeatures. `scale` is
+/// the pair's (see HullPair), metres.
 template <class Reference, class Other, class S>
 S create_face_contact(const Reference& hull, const Other& other_hull, Owner reference,
                       const FaceQuery<S>& query, int incident, S scale, S margin,
                       Contact<S>& contact, Recorder<S>* recorder);
 
-/// The face of `hull` that is most anti-parallel to `reference_normal`, among those that meet at
-/// its vertex `support`, the deepest below the reference face. The talk looks through all faces.
-/// That is the same face unless the deepest vertex is a sharp one that sticks out beside it (a
-/// pencil standing on its tip, a box with a spike): then the talk's face does not have the deepest
-/// point, and the manifold would miss the overlap.
+/// The face most anti-parallel to `reference_normal` among those at `support`, the vertex of `hull`
+/// that is deepest below the reference face. The talk searches all faces. The result is the same
+/// unless a sharp vertex sticks out (a pencil standing on its tip, a box with a spike). Then the
+/// talk's face lacks the deepest point, and the manifold would miss the overlap.
 template <class Placed, class S = typename Placed::Scalar>
 int incident_face(const Placed& hull, int support, const Vec3<S>& reference_normal);
 
-/// The point of the reference face where the other hull is as deep below it as `query` says, for
-/// overlaps whose deepest point the clipping lost. Its id is the reference face, and of the other
-/// hull the vertex that is there or the incident face. Never outside of the reference face.
+/// The point of the reference face above the deepest point of the other hull (depth from `query`),
+/// for overlaps whose deepest point the clipping lost. Its id is the reference face and the other
+/// hull's vertex there or the incident face. Never outside the reference face.
 template <class S>
 ContactPoint<S> support_contact(const HullPair<S>& pair, Owner reference, const FaceQuery<S>& query,
                                 Recorder<S>* recorder);

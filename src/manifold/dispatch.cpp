@@ -16,7 +16,7 @@ namespace {
 template <class S>
 using Entry = void (*)(const PlacedPair<S>&, const CollideOptions&, Manifolds<S>&, Recorder<S>*);
 
-/// One manifold at most, from what `collide` does with the pose of b in a.
+/// At most one manifold, made by `collide` with the pose of b in a.
 template <class S, class Collide>
 void one_manifold(const PlacedPair<S>& pair, const CollideOptions& options, Manifolds<S>& manifolds,
                   Recorder<S>* recorder, const Collide& collide) {
@@ -29,7 +29,7 @@ void one_manifold(const PlacedPair<S>& pair, const CollideOptions& options, Mani
   sink.add(contact);
 }
 
-/// Two convex shapes of which nothing is kept between calls.
+/// Two convex shapes without a cache.
 template <class S, class A, class B, CollideConvex<S, A, B>* kCollide>
 void convex(const PlacedPair<S>& pair, const CollideOptions& options, Manifolds<S>& manifolds,
             Recorder<S>* recorder) {
@@ -53,7 +53,7 @@ void hulls(const PlacedPair<S>& pair, const CollideOptions& options, Manifolds<S
                                                      *pair.cache, manifolds);
     if (done) return;
   } else if (pair.cache == nullptr) {
-    // A cache spares most of a hull.
+    // With a cache most of a hull is not read.
     for (const Hull<S>* hull : {&b, &a}) prefetch_lanes(*hull);
     for (const Hull<S>* hull : {&a, &b}) prefetch_topology(*hull);
   }
@@ -67,8 +67,8 @@ void hulls(const PlacedPair<S>& pair, const CollideOptions& options, Manifolds<S
 template <class S, class A, CollideWithMesh<S, A>* kCollide>
 void with_mesh(const PlacedPair<S>& pair, const CollideOptions& options, Manifolds<S>& manifolds,
                Recorder<S>* recorder) {
-  // Ids count within a triangle, so those that were kept before say nothing without the triangle:
-  // every manifold is reduced as if it were new.
+  // Ids are local to a triangle, so previous ids mean nothing without the triangle: every manifold
+  // is reduced as if new.
   CollideOptions of_triangle = options;
   of_triangle.reduction.previous = {};
   of_triangle.penetration = PenetrationMethod::Sat;
@@ -83,7 +83,7 @@ void with_mesh(const PlacedPair<S>& pair, const CollideOptions& options, Manifol
 template <class S>
 void with_field(const PlacedPair<S>& pair, const CollideOptions& options, Manifolds<S>& manifolds,
                 Recorder<S>* recorder) {
-  // As of a mesh there may be several manifolds, which have no name of their own.
+  // As for a mesh there may be several manifolds, which have no ids of their own.
   CollideOptions of_part = options;
   of_part.reduction.previous = {};
   ContactSink<S> sink{ToWorld<S>(pair.pose_a), of_part, manifolds, recorder};
@@ -94,7 +94,7 @@ void with_field(const PlacedPair<S>& pair, const CollideOptions& options, Manifo
     recorder->separation(separation);
 }
 
-/// The upper half of the table; nullptr where there is nothing to do.
+/// The upper half of the table; null if the pair makes no contacts.
 template <class S>
 Entry<S> entry(ShapeKind a, ShapeKind b) {
   using Sp = Sphere<S>;
@@ -125,15 +125,15 @@ void collide_in_order(const PlacedPair<S>& pair, const CollideOptions& options,
   if (collide_pair == nullptr) return;
   if (record == nullptr) return collide_pair(pair, options, manifolds, nullptr);
   trace::Stages stages = given;
-  // Each triangle has these of its own, each part of a field a reduction, and a record has room for
-  // one of each.
+  // Each triangle has its own, and each part of a field its own reduction, but a record has room
+  // for one of each.
   if (kind_of(pair.b) >= ShapeKind::Mesh)
     stages.sat = stages.clip = stages.reduction = stages.gjk = stages.decisions = false;
   Recorder<S> recorder(ToWorld<S>(pair.pose_a), stages, *record);
   collide_pair(pair, options, manifolds, &recorder);
 }
 
-/// Every number rounded once.
+/// Rounds every number once.
 Manifold<float> in_float(const Manifold<double>& manifold) {
   Manifold<float> result;
   result.normal = manifold.normal.cast<float>();
@@ -159,8 +159,8 @@ void collide_in_double(const PlacedPair<float>& pair, const CollideOptions& opti
   manifolds = mapped(found, in_float);
 }
 
-/// Of two spheres or two capsules. Not inlined: collide() keeps its registers for the kinds that have no
-/// need of this.
+/// For two spheres or two capsules. Not inlined: collide() keeps its registers for the kinds that
+/// do not need this.
 template <class S>
 [[gnu::noinline]] bool round_against_order(const Shape<S>& a, const Pose<S>& pose_a,
                                            const Shape<S>& b, const Pose<S>& pose_b, bool b_first) {

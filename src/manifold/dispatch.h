@@ -14,59 +14,59 @@
 #include "manifold/pair_cache.h"
 #include "trace/trace.h"
 
-/// Gregorius 2015, "Collision Dispatching": a table of functions by the types of the two shapes, of
-/// which the upper half is enough. A pair is put in order once, by collide() or
-/// collide_incremental(), and what came of it is mirrored once where its shapes had been traded.
+/// Gregorius 2015, "Collision Dispatching": a table of functions by the types of the two shapes;
+/// its upper half suffices. collide() or collide_incremental() orders a pair once, and mirrors the
+/// result once if it swapped the shapes.
 namespace contactscope {
 
-/// One manifold for convex shapes, one a triangle for meshes, none when separated.
+/// One manifold for convex shapes, one per triangle for meshes, none when separated.
 template <class S>
 using Manifolds = std::vector<Manifold<S>>;
 
-/// "sphere-hull": what traces call a pair of such shapes.
+/// "sphere-hull": the name of such a pair in traces.
 template <class S>
 std::string pair_kind(const Shape<S>& a, const Shape<S>& b) {
   return std::string(to_string(kind_of(a))) + "-" + to_string(kind_of(b));
 }
 
-/// Whether shapes of these kinds make contacts, in whichever order: two planes do not.
+/// Whether shapes of these kinds make contacts, in either order. Two planes do not.
 bool can_collide(ShapeKind one, ShapeKind other);
 
-/// Whether a pair of these kinds, in whichever order, goes by a PairCache.
+/// Whether a pair of these kinds, in either order, uses a PairCache.
 bool can_cache(ShapeKind one, ShapeKind other);
 
-/// The stages that are recorded where nobody says which.
+/// The stages recorded by default.
 inline constexpr trace::Stages kUsualStages{};
 
 /// Contacts of two shapes placed in the world, into `manifolds` (emptied first). A pair is always
-/// worked on in the order of the table; two spheres or two capsules with the larger radius first, or
-/// else by their other data and how they stand. So trading the arguments mirrors the result, bit for
-/// bit, unless two round shapes are equal in all of that: no normal of theirs could be mirrored.
+/// processed in the order of the table, two spheres or two capsules in the order of their radii
+/// (larger first), other data and poses. So swapping the arguments mirrors the result bit for bit,
+/// unless two round shapes are equal in all of these: then there is no normal to mirror.
 ///
-/// Two hulls are worked on in the order given, or the other one with options.b_first: of faces that
-/// are nearly as deep the first one's makes the contact, and an order that turned round as bodies
-/// move would break its coherence. Trading them gives the other hull's face there, and else the same
-/// contact mirrored but for rounding.
+/// Two hulls are processed in the given order, or the opposite one with options.b_first. Among
+/// nearly equally deep faces the first hull's makes the contact, and an order that changed as
+/// bodies move would break its coherence. Swapping the hulls selects the other hull's face in that
+/// case, and otherwise mirrors the contact up to rounding.
 ///
-/// In float, convex shapes of which one is thousands of times larger than the other are worked on in
-/// double and have no use for a cache. `cache` keeps what helps the next call for the same pair in
-/// the same order, see pair_cache.h.
+/// In float, pairs of convex shapes with a size ratio of thousands are computed in double, without
+/// a cache. `cache` keeps what speeds up the next call for the same pair in the same order, see
+/// pair_cache.h.
 ///
-/// `record` is null when nobody watches. Else what each stage decided is written there, of the
-/// optional stages those in `stages`, in the order of the arguments; it is empty but for its names `a`
-/// and `b` and its label, which the caller sets. That changes no bit of the result.
+/// `record` is null when not recording. Otherwise each stage (optional ones if in `stages`) writes
+/// its decisions there, in the order of the arguments; the result does not change. The record must
+/// be empty except for its names `a` and `b` and its label, which the caller sets.
 template <class S>
 void collide(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b, const Pose<S>& pose_b,
              const CollideOptions& options, Manifolds<S>& manifolds,
              std::type_identity_t<PairCache<S>>* cache = nullptr, trace::Pair* record = nullptr,
              const trace::Stages& stages = kUsualStages);
 
-/// What a pair came to, also of one that nobody watched: its manifolds, and with them its state and
-/// the separation of its deepest point. Without manifolds the record's separation stays.
+/// Records the result of a pair, with or without recorded stages: its manifolds, its state and the
+/// separation of its deepest point. Without manifolds the record keeps its separation.
 template <class S>
 void record_manifolds(std::span<const Manifold<S>> manifolds, trace::Pair& record);
 
-/// The manifold of the same contact when the shapes trade places: normal negated, ids flipped.
+/// The same contact with the shapes swapped: negates the normal, flips the ids.
 template <class S>
 void mirror(Manifold<S>& manifold) {
   manifold.normal = -manifold.normal;
@@ -74,18 +74,18 @@ void mirror(Manifold<S>& manifold) {
   for (ContactPoint<S>& point : manifold.points) point.id = point.id.flipped();
 }
 
-/// Two shapes placed in the world, in the order in which they are worked on.
+/// Two shapes placed in the world, in processing order.
 template <class S>
 struct PlacedPair {
   const Shape<S>& a;
   const Pose<S>& pose_a;
   const Shape<S>& b;
   const Pose<S>& pose_b;
-  PairCache<S>* cache = nullptr;  // nullptr: nothing is kept
+  PairCache<S>* cache = nullptr;  // null: no cache
 };
 
-/// The ids that a reducer kept in the frame before are of the other shape where two have traded places.
-/// Not inlined: every pair would clear the room for these options.
+/// Runs `work` with the ids of the previous frame flipped, for swapped shapes. Not inlined: every
+/// pair would reserve stack for these options.
 template <class Work>
 [[gnu::noinline]] void with_flipped_ids(const CollideOptions& options, const Work& work) {
   const std::vector<FeatureId> previous = mapped(options.reduction.previous, &FeatureId::flipped);
@@ -94,9 +94,9 @@ template <class Work>
   work(flipped);
 }
 
-/// Runs work(pair, options), which fills `manifolds` and, where there is one, `record` for a pair in
-/// the order in which it is worked on: that of the arguments, `given`, or the other one where they
-/// are `traded`. Leaves both in the order of the arguments.
+/// Runs work(pair, options) in processing order: the order of the arguments, `given`, or the
+/// opposite one if `traded`. It fills `manifolds` and, if not null, `record`. Afterwards both are
+/// in the order of the arguments.
 template <class S, class Work>
 [[gnu::always_inline]] inline void work_in_order(const PlacedPair<S>& given, bool traded,
                                                  const CollideOptions& options,

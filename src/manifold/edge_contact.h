@@ -14,13 +14,13 @@ struct ClosestPoints {
   Vec3<S> on_b;
 };
 
-/// Closest points of the two edges of an edge query that found a pair. The hulls are PlacedHull or
+/// Closest points of the two edges that an edge query found. The hulls are PlacedHull or
 /// PlacedFeatures.
 ///
 /// Closest points of the two lines by Cramer's rule on the cross product of the directions, then
 /// clamped to the edges as in Ericson, "Real-Time Collision Detection", 5.1.9. With unit directions
-/// u, v and c = u x v the determinant is |c|^2; Ericson's 1 - (u . v)^2 is the same in exact
-/// arithmetic, but for edges at 1e-3 rad it keeps one digit of a float's seven.
+/// u, v and c = u x v the determinant is |c|^2. Ericson's 1 - (u . v)^2 is equal in exact
+/// arithmetic, but for edges at 1e-3 rad it keeps one of a float's seven digits.
 template <class PlacedA, class PlacedB, class S>
 ClosestPoints<S> closest_points(const PlacedA& a, const PlacedB& b, const EdgeQuery<S>& query) {
   const int edge_a = query.edge_a, edge_b = query.edge_b;
@@ -43,8 +43,8 @@ ClosestPoints<S> closest_points(const PlacedA& a, const PlacedB& b, const EdgeQu
   return {origin_a + along_a * u, origin_b + along_b * v};
 }
 
-/// Gregorius 2015, "Hull vs Hull: Edge Contact": one point in the middle of the closest points of
-/// the two edges, separation from the separating axis test, id the two edges. Fills `contact` anew.
+/// Gregorius 2015, "Hull vs Hull: Edge Contact": one point midway between the closest points of the
+/// two edges, separation from the separating axis test, id the two edges. Overwrites `contact`.
 template <class S>
 void create_edge_contact(const ClosestPoints<S>& closest, const EdgeQuery<S>& query,
                          Contact<S>& contact) {

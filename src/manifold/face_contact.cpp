@@ -49,9 +49,9 @@ S create_face_contact(const Reference& hull, const Other& other_hull, Owner refe
     recorder->incident_decision(other_hull, query.support, plane.normal, incident);
   }
   const S thickness = clip_thickness(scale);
-  // The side planes in the order of the face's edges. All at once, before the first clip: their square
-  // roots and divisions then overlap, where between clips each would wait for the branches of the
-  // last one.
+  // The side planes in the order of the face's edges. All are computed before the first clip, so
+  // that their square roots and divisions overlap. Between clips each would wait for the branches
+  // of the last.
   StaticVector<std::pair<Plane<S>, EdgeKey>, kMaxFaceVertices> sides;
   for (const int edge : hull.hull.around_face(query.face))
     sides.push_back({side_plane(hull, edge), edge_key(reference, edge)});
@@ -61,7 +61,7 @@ S create_face_contact(const Reference& hull, const Other& other_hull, Owner refe
     if (clip(*clipped, side, edge, thickness, *next)) std::swap(clipped, next);
     if (recorder) [[unlikely]]
       recorder->clip_step(side, *clipped);
-    // A record shows every side plane, also after nothing is left.
+    // A record shows every side plane, also once nothing is left.
     if (!recorder && clipped->empty()) break;
   }
 
@@ -96,9 +96,9 @@ S create_face_contact(const HullPair<S>& pair, Owner reference, const FaceQuery<
                              contact, recorder);
 }
 
-/// Moves the hulls along the axis by their overlap and the smaller radius, so that they are separated.
-/// Their closest points (GJK) are then those where the axis's separation is measured: inside the reference face,
-/// or of a face whose axis is not the deepest, on its border.
+/// Moves the hulls along the axis by their overlap and the smaller radius, so that they are
+/// separated. Their closest points (GJK) are then where the axis's separation is measured: inside
+/// the reference face, or on its border if the face's axis is not the deepest.
 template <class S>
 ContactPoint<S> support_contact(const HullPair<S>& pair, Owner reference, const FaceQuery<S>& query,
                                 Recorder<S>* recorder) {

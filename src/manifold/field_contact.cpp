@@ -12,15 +12,15 @@
 namespace contactscope {
 namespace {
 
-/// So many cuts settle any pair that is not all along at the distance of the margin; then the nearest
-/// piece counts as a touch.
+/// After this many cuts the nearest piece counts as a touch. Enough for any pair that is not
+/// everywhere at the distance of the margin.
 constexpr int kMostCuts = 1 << 14;
 /// Enough to settle the deepest touch, except where the shapes lie flat on each other.
 constexpr int kMaxDeepeningCuts = 1 << 11;
-/// A record is no longer than this: more points are not told apart in a picture.
+/// Maximum length of a record: pictures cannot distinguish more points.
 constexpr std::size_t kMostProbes = 4096;
 
-/// A piece of a piece. Its path says which: two bits for each cut.
+/// A subdivided part of a piece. Its path identifies it: two bits per cut.
 struct Part {
   std::array<Vec3d, 3> corners;
   int count;
@@ -32,7 +32,7 @@ struct Part {
     if (count == 2) return 0.5 * (corners[0] + corners[1]);
     return (corners[0] + corners[1] + corners[2]) / 3;
   }
-  /// The least value on the part of the linear function of this gradient that is 0 at `from`; at most 0.
+  /// Minimum (<= 0) on the part of the linear function with this gradient and value 0 at `from`.
   double lowest(const Vec3d& gradient, const Vec3d& from) const {
     double least = 0;
     for (int k = 0; k < count; ++k) least = std::min(least, gradient.dot(at(corners, k) - from));
@@ -44,8 +44,8 @@ struct Part {
       squared = std::max(squared, (at(corners, k) - from).squaredNorm());
     return std::sqrt(squared);
   }
-  /// The parts that it is cut into: two of a segment; of a triangle two across its longest side, so that
-  /// slivers become compact.
+  /// Cuts a segment into two, or a triangle across its longest side into two, so that slivers
+  /// become compact.
   std::array<Part, 2> cut() const {
     std::array<Part, 2> parts{*this, *this};
     parts[0].path = 2 * path + 1;
@@ -116,7 +116,7 @@ class Search {
   void deepen(std::span<const FieldPiece> pieces) {
     if (touches_.found.empty()) return;
     std::optional<FieldTouch> deepest;
-    // Not touches_.least, which may be a bound where step 3 ended at its tolerance.
+    // Not touches_.least, which may be a bound if step 3 ended at its tolerance.
     double least =
         std::ranges::min_element(touches_.found, {}, &FieldTouch::separation)->separation;
     if (least + limits_.radius > 0 && field_.field->settings().exact) {
@@ -159,13 +159,13 @@ class Search {
 
  private:
   struct Undecided {
-    double bound;  // of the separation of all its points
+    double bound;  // of the separation, for all its points
     Part part;
     bool operator<(const Undecided& other) const { return bound > other.bound; }
   };
 
-  /// Of the separation of all points of a part: by the slope at its middle, as the distance from a convex
-  /// shape is above its tangent.
+  /// Lower bound of the separation for all points of a part, by the slope at its middle: the
+  /// distance from a convex shape is above its tangent.
   double slope_bound(const Part& part, const Vec3d& middle, const FieldSample& sample) const {
     return sample.distance - limits_.radius + part.lowest(sample.gradient, middle);
   }
@@ -184,7 +184,7 @@ class Search {
     return false;
   }
 
-  /// The exact distance where the field knows it and the touch depends on it.
+  /// The exact distance if the field has it and the touch depends on it.
   FieldSample value(const Vec3d& point) const {
     const FieldSample sample = field_.sample(point);
     return conservative() && field_.field->settings().exact &&
@@ -193,7 +193,7 @@ class Search {
                : sample;
   }
 
-  /// A touch, or to be cut further, or neither.
+  /// Adds a touch, or queues the part for more cuts, or neither.
   void look_at(const Part& part, const Vec3d& middle, double reach, double bound) {
     const FieldSample sample = value(middle);
     const double separation = sample.distance - limits_.radius;
@@ -217,12 +217,12 @@ class Search {
 
   FieldTouch touch_at(const Part& part, const Vec3d& middle, const FieldSample& sample) const {
     FieldTouch touch{middle, sample.distance - limits_.radius, outward_of(sample), part.feature};
-    // As many cuts as one can tell apart in a name: 2^10 parts of each of four million triangles.
+    // Ids have room for 2^10 parts of each of four million triangles.
     if (part.path > 0) touch.feature.index = (touch.feature.index << 10U) + 1 + part.path % 1023;
     return touch;
   }
 
-  /// What step 3 ended at shows only that there is a touch.
+  /// The result of step 3 shows only that there is a touch.
   void replace_by(const FieldTouch& deepest) {
     if (none_sampled_) touches_.found.clear();
     add(deepest);
@@ -238,7 +238,7 @@ class Search {
   Aabb<double> box_;
   bool none_sampled_ = false;  // step 2 found no touch
   std::priority_queue<Undecided> undecided_;
-  std::priority_queue<Undecided> shallow_;  // looked at, and may be deeper elsewhere than any touch
+  std::priority_queue<Undecided> shallow_;  // tested; may be deeper elsewhere than any touch
   FieldTouches touches_{{}, std::numeric_limits<double>::infinity()};
 };
 

@@ -7,7 +7,7 @@
 #include "manifold/collide_options.h"
 #include "trace/field_slice.h"
 
-/// Where the surface of one shape is inside a distance field. Everything in the field's frame, metres.
+/// Points of a shape's surface inside a distance field. Everything in the field's frame, metres.
 namespace contactscope {
 
 /// A part of a surface, or of the core of a round shape: a point, a segment or a triangle.
@@ -17,7 +17,7 @@ struct FieldPiece {
   FeatureRef feature;
 };
 
-/// A point of the surface, or of the core, that is no farther from the field's than the margin.
+/// A point of the surface, or of the core, with a separation from the field up to the margin.
 struct FieldTouch {
   Vec3d point;
   double separation;  // less the radius; negative inside
@@ -27,39 +27,38 @@ struct FieldTouch {
 
 struct FieldTouches {
   std::vector<FieldTouch> found;
-  double least;  // separation; where no point was found a lower bound, infinite where none was near
+  double least;  // separation; without points a lower bound, infinite if the shape is not near
 };
 
-/// How the search goes about it. Lengths in metres.
+/// Parameters of the search. Lengths in metres.
 struct FieldSearchLimits {
   FieldSearch search = FieldSearch::Conservative;
-  double radius = 0;   // around each piece
-  double margin = 0;   // points up to this separation are found
-  double spacing = 0;  // of points on large pieces
-  std::vector<trace::FieldProbe>* probes =
-      nullptr;  // record of what is asked; null: nobody watches
+  double radius = 0;                                 // around each piece
+  double margin = 0;                                 // points up to this separation are found
+  double spacing = 0;                                // of points on large pieces
+  std::vector<trace::FieldProbe>* probes = nullptr;  // record of the samples; null: not recorded
 };
 
-/// Points of `pieces` at or inside the surface. Corners that are vertices come as pieces of one point.
+/// Finds points of `pieces` at or inside the surface. Vertices are pieces of one point. Steps:
+/// 1. skip a piece if the field's lower bound at its middle exceeds the piece's reach from there;
+/// 2. subdivide the others down to the spacing and test their middles;
+/// 3. conservative, if none was found: subdivide the piece of the least bound until a point is
+///    inside, or all bounds exceed the margin, or a piece is so small that the surfaces are within
+///    kFieldTolerance. Such a piece counts as a touch, with the separation of its middle. So no
+///    overlap is missed, and a separation below the tolerance may count as touching;
+/// 4. conservative: add the deepest point of all, in place of the result of 3. If the pieces do not
+///    cross the surface, it is the nearest point, exactly (field_gap.h). If they do, subdivide as
+///    in 3 while a part may be deeper than the deepest touch by more than kFieldTolerance, by a
+///    tangent at its middle. That is valid for fields of convex shapes, and for pieces that are
+///    small compared with the field's hollows.
+/// Sampled: only 2, for all pieces that the box around the field's surface reaches.
 ///
-/// Steps: 1. a piece is left out where the field's lower bound at its middle is larger than what reaches
-/// it from there; 2. others are cut until they are no larger than the spacing, and their middles are
-/// looked at; 3. conservative, and none was found: the piece of the least bound is cut, again and again,
-/// until a point is inside, or all bounds are larger than the margin, or a piece is so small that the
-/// surfaces are within kFieldTolerance: it counts as a touch, with what its middle has for a separation.
-/// So an overlap is never missed, and what is apart by less than the tolerance may be called touching;
-/// 4. conservative: the deepest point of all is added, in the place of what 3 found. Where the pieces do not cross the surface, it is
-/// the nearest, exactly (field_gap.h). Where they do, parts are cut as in 3 while they may be deeper than
-/// the deepest touch by more than kFieldTolerance, by a tangent at their middles: that holds for fields
-/// of convex shapes, and where pieces are small compared with the field's hollows.
-/// Sampled: only 2, of all pieces that the box around the field's surface reaches.
-///
-/// Source of the search: Piyavskii 1972 and Shubert 1972 for functions of bounded slope; 4 Kelley 1960, "The
-/// Cutting-Plane Method for Solving Convex Programs", for convex ones.
+/// Sources: Piyavskii 1972 and Shubert 1972 for functions of bounded slope; for step 4 Kelley 1960,
+/// "The Cutting-Plane Method for Solving Convex Programs".
 FieldTouches find_touches(const PlacedField& field, std::span<const FieldPiece> pieces,
                           const FieldSearchLimits& limits);
 
-/// Part of a cell.
+/// As a fraction of a cell.
 inline constexpr double kFieldTolerance = 0x1p-8;
 
 }  // namespace contactscope

@@ -47,7 +47,7 @@ class GapSearch {
     }
   }
   double best() const { return best_; }
-  /// Of the best; null where none is nearer than the limit.
+  /// Feature of the best; null if nothing is nearer than the limit.
   const FeatureRef* feature() const { return core_ ? &core_->feature : nullptr; }
   const Vec3d& on_core() const { return on_core_; }
   const Vec3d& outward() const { return outward_; }

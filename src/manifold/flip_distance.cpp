@@ -15,8 +15,8 @@
 namespace contactscope {
 namespace {
 
-constexpr double kReach = 0.01;  // of the smaller shape
-constexpr int kHalvings = 12;    // between two changes of which one is twice the other
+constexpr double kReach = 0.01;  // as a fraction of the smaller shape
+constexpr int kHalvings = 12;    // bisection steps between a change and its double
 constexpr int kMostPlaces = 1 << 20;
 
 Vec3d random_direction(std::mt19937_64& engine) {
@@ -26,7 +26,7 @@ Vec3d random_direction(std::mt19937_64& engine) {
   return {around * std::cos(angle), around * std::sin(angle), z};
 }
 
-/// The points of a pair by name: ids, with the triangle of a mesh.
+/// The identity of a pair's points: ids, with the triangle of a mesh.
 using Names = std::vector<std::pair<int, FeatureId>>;
 
 template <class S>
@@ -39,7 +39,7 @@ Names names_of(const Manifolds<S>& manifolds) {
   return names;
 }
 
-/// The least change for which `differs(change)`, from `first` on; `limit` where there is none below it.
+/// The least change, from `first` on, with `differs(change)`; `limit` if there is none below it.
 template <class Differs>
 double least_change(double first, double limit, const Differs& differs) {
   double same = 0, other = first;
@@ -55,7 +55,7 @@ double least_change(double first, double limit, const Differs& differs) {
   return other;
 }
 
-/// Half the diagonal of its box; infinite of a plane.
+/// Half the diagonal of its box; infinite for a plane.
 template <class S>
 double size_of(const Shape<S>& shape) {
   const std::optional<Aabb<S>> box = aabb_of(shape);

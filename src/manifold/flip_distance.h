@@ -10,17 +10,17 @@
 namespace contactscope {
 
 struct FlipOptions {
-  int directions =
-      16;  // ways and axes each that are tried, of which the first six are those of the normal
-  std::uint64_t seed = 1;  // of the others
+  int directions = 16;     // directions and axes to try; the first six are aligned with the normal
+  std::uint64_t seed = 1;  // for the other directions
 };
 
-/// How little the pose of b may change until the pair has other points: other ids, more or fewer of them. For each
-/// way and each axis the change is doubled from a rounding on until the points are others, and then halved between
-/// the last that were the same and the first that were not (bisection); so of points that come and go within
-/// a factor of two the smaller change may be missed. Axes go through the middle of the points. Up to a hundredth of the
-/// smaller shape's size, in metres and radians. The poses that are tried are rounded to S as any are. Contacts are made
-/// without a cache and without what was kept before.
+/// Smallest change of b's pose that gives the pair other points: other ids, more or fewer of them.
+/// Along each direction and about each axis the change is doubled, starting from a rounding, until
+/// the points differ. Bisection then halves the interval between the last change that kept the
+/// points and the first that did not. So a set of points that comes and goes within a factor of two
+/// may hide a smaller change. Axes pass through the middle of the points. The search ends at a
+/// hundredth of the smaller shape's size (metres, radians). Poses are rounded to S. Contacts are
+/// computed without a cache or previous ids.
 template <class S>
 trace::Flip flip_distance(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b,
                           const Pose<S>& pose_b, const CollideOptions& options,

@@ -6,16 +6,15 @@
 #include "geometry/shape.h"
 #include "query/tolerance.h"
 
-/// Pairs that single precision cannot hold together. A crate of 2 cm on a floor of 20 km: a corner of
-/// the floor is rounded by a millimetre, and so is what clipping makes of it, however close to the
-/// crate. Such a pair is worked on in double from what float holds of it, and the result is rounded
-/// once, in the world. Tolerances that look away from the far corners would not do: the numbers
-/// themselves are lost.
+/// Pairs beyond the range of single precision. A crate of 2 cm on a floor of 20 km: a corner of the
+/// floor is rounded to a millimetre, and so is every point that clipping computes from it, however
+/// close to the crate. Such a pair is computed in double from its float data, and the result is
+/// rounded once, in the world. Wider tolerances would not help: the numbers themselves are lost.
 namespace contactscope {
 
 /// Metres.
 struct Lengths {
-  float reach = 0;  // of any point, from the shape's middle or its origin
+  float reach = 0;  // largest distance of a point from the shape's centre or its origin
   float size = 0;   // radius
 };
 
@@ -27,10 +26,9 @@ inline Lengths lengths_of(const Shape<float>& shape) {
   return {points[0].cwiseAbs().cwiseMax(points[1].cwiseAbs()).maxCoeff() + radius, radius};
 }
 
-/// Whether the pair is one of these: four roundings of the larger shape are more than what the
-/// preference for an axis grants at a kiss, 0.2% of the smaller one (tolerance.h). That is where one is
-/// some four thousand times the other. Never of planes, which have no corners, nor of meshes, which
-/// are too large to be copied.
+/// Whether a pair is one of these: four roundings of the larger shape exceed the preference for an
+/// axis at touching, 0.2% of the smaller shape (tolerance.h). That is a size ratio of about four
+/// thousand. Never for planes, which have no corners, nor for meshes, which are too large to copy.
 inline bool belongs_in_double(const Shape<float>& a, const Shape<float>& b) {
   if (!is_convex(kind_of(a)) || !is_convex(kind_of(b))) return false;
   const Lengths of_a = lengths_of(a);
@@ -39,7 +37,7 @@ inline bool belongs_in_double(const Shape<float>& a, const Shape<float>& b) {
   return rounding > preference_tolerance(0.0F, std::min(of_a.size, of_b.size));
 }
 
-/// The same numbers; of convex shapes and planes.
+/// The same numbers, for convex shapes and planes.
 inline Shape<double> in_double(const Shape<float>& shape) {
   if (const auto* sphere = std::get_if<Sphere<float>>(&shape))
     return Sphere<double>{sphere->radius};
@@ -51,7 +49,7 @@ inline Shape<double> in_double(const Shape<float>& shape) {
   return hull_cast<double>(std::get<Hull<float>>(shape));
 }
 
-/// The rotation is made unit to double's precision, so that a long lever keeps its length.
+/// The rotation is normalized to double precision, so that a long lever keeps its length.
 template <class S>
 Pose<double> in_double(const Pose<S>& pose) {
   Pose<double> wide = pose.template cast<double>();

@@ -10,7 +10,7 @@
 namespace contactscope {
 namespace {
 
-/// `core_margin`: of hulls, metres. Not for meshes.
+/// `core_margin`: for hulls, metres. Not for meshes.
 template <class S>
 ShapeCore<S> core_of(const Shape<S>& shape, double core_margin) {
   ShapeCore<S> core;
@@ -23,7 +23,7 @@ ShapeCore<S> core_of(const Shape<S>& shape, double core_margin) {
     core.points[0] = capsule->points[0];
     core.points[1] = capsule->points[1];
   } else if (const auto* hull = std::get_if<Hull<S>>(&shape)) {
-    // The margin that the pipeline has, so that the faces move by exactly this.
+    // The margin in the pipeline's scalar, so that the faces move by exactly this.
     const auto margin = static_cast<double>(static_cast<S>(core_margin));
     CoreHull moved = core_hull(hull_cast<double>(*hull), margin);
     core.hull = hull_cast<S>(moved.hull);
@@ -37,11 +37,10 @@ ShapeCore<S> core_of(const Shape<S>& shape, double core_margin) {
   return core;
 }
 
-/// Replaced by a place this near, as a part of the breaking distance, a point has not moved for any
-/// eye.
+/// A point replaced within this fraction of the breaking distance has not visibly moved.
 constexpr double kSamePlace = 0.01;
 
-/// Whether the place that a replaced point had can be told from the one that it has now.
+/// Whether the previous position of a replaced point is distinguishable from its current one.
 template <class S>
 bool has_moved(const BrokenPoint<S>& old, const IncrementalStep<S>& step, double least) {
   for (const StandingPoint<S>& point : step.points) {
@@ -52,8 +51,8 @@ bool has_moved(const BrokenPoint<S>& old, const IncrementalStep<S>& step, double
   return true;
 }
 
-/// The type of a contact tells its features: of one point those that meet, of more what points
-/// along a line or across a plane make of it.
+/// The contact type follows from the features: for one point those that meet; for several, whether
+/// the points form a line or a plane.
 template <class S>
 ContactType type_of(const IncrementalStep<S>& step) {
   if (step.points.size() > 1) return face_contact_type(step.points.size());
@@ -61,7 +60,7 @@ ContactType type_of(const IncrementalStep<S>& step) {
   return contact_type(only.of_a.kind, only.of_b.kind);
 }
 
-/// Step 4, in the world. Points that stay keep their order. `scale` as in CoreQuery.
+/// Step 4, in the world. Kept points keep their order. `scale` as in CoreQuery.
 template <class S>
 void reduce_points(const CollideOptions& options, S scale, Manifold<S>& manifold,
                    IncrementalStep<S>& step, Recorder<S>* recorder) {
@@ -88,7 +87,7 @@ void reduce_points(const CollideOptions& options, S scale, Manifold<S>& manifold
   step.points.truncate(place);
 }
 
-/// One frame. Nothing where nothing can be said.
+/// One frame. Makes no manifold if the query has no result.
 template <class S>
 void step_in_order(const PlacedPair<S>& pair, const CollideOptions& options,
                    const IncrementalOptions& incremental, PersistentManifold<S>& persistent,
@@ -112,7 +111,7 @@ void step_in_order(const PlacedPair<S>& pair, const CollideOptions& options,
     persistent.points.clear();
     return;
   }
-  // The separating axis test has a record of its own, of the shapes' features and not the cores'.
+  // The separating axis test has its own record, of the shapes' features instead of the cores'.
   if (recorder && query->overlap && method != PenetrationMethod::Sat) [[unlikely]]
     recorder->penetration(method, query->deep, nullptr);
   const S separation = query->distance - (a.margin + b.margin);
@@ -183,7 +182,7 @@ void collide_incremental(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S
                          const IncrementalOptions& incremental, PersistentManifold<S>& persistent,
                          Manifolds<S>& manifolds, trace::Pair* record,
                          const trace::Stages& stages) {
-  // Sizes and places say nothing here: points persist in one order for as long as the pair does.
+  // Sizes and poses do not matter: the order must not change as long as the pair exists.
   const bool traded = kind_of(a) == kind_of(b) ? options.b_first : kind_of(a) > kind_of(b);
   const auto work = [&](const PlacedPair<S>& pair, const CollideOptions& in_order) {
     std::optional<Recorder<S>> recorder;

@@ -8,34 +8,34 @@
 /// Incremental manifolds. Sources: Gregorius 2015, "Building Incremental Manifolds (1)" to (3);
 /// Catto 2007, "GJK Contact Margins" to "Manifold Reduction".
 ///
-/// Spheres, capsules, hulls and planes have them; meshes do not (their points would have to be kept
-/// for each triangle). The margin of spheres and capsules is their radius, that of hulls
-/// IncrementalSettings::core_margin, less for a hull too thin for it; a plane needs none. Round
-/// corners are the price: a contact lies by the margin within the corner that makes it.
+/// Supported by spheres, capsules, hulls and planes, but not by meshes (points would have to be
+/// kept per triangle). The margin of spheres and capsules is their radius, that of hulls
+/// IncrementalSettings::core_margin, less for a hull too thin for it; a plane needs none. The price
+/// is round corners: a contact at a corner lies within it by the margin.
 ///
-/// **One normal.** A manifold has that of its newest query. Old points are measured along it, as
-/// engines do, so their separations follow a normal that none of them was found with.
+/// **One normal.** A manifold has the normal of its newest query. Old points are measured along it,
+/// as in engines, although they were found with other normals.
 ///
-/// **Ids.** A point is called after the two features whose meeting it was when it was found, and
-/// keeps this name for as long as it persists, also when a newer point takes its place: a solver
-/// that joins impulses to ids keeps them. No two points of a manifold have the same id. Two features
-/// meet in one place (parallel ones are told apart by their corners, see closest_patch), so a new
-/// point with features or an id that the manifold has already is the same point, elsewhere.
+/// **Ids.** A point's id is the two features that met when it was found. It keeps this id for as
+/// long as it persists, also when a newer point replaces it: solvers join impulses to ids. No two
+/// points of a manifold have the same id. Two features meet in one point (parallel ones are
+/// distinguished by their corners, see closest_patch). So a new point with features or an id
+/// already in the manifold is the same point at another position.
 ///
-/// **Which point.** Parallel faces are equally close in many places, and GJK gives any of them. Of
-/// such places the one farthest from the points that are there already is taken, of the first the
-/// one farthest from the middle, and of those as far the first by its features. So a box that
-/// comes down level gets its corners one by one, the second across the diagonal.
+/// **Choice of the point.** Parallel faces are equally close at many points, and GJK returns any of
+/// them. We take the candidate farthest from the existing points; the first point is farthest from
+/// the middle; ties are broken by features. So a box that comes down level gets its corners one by
+/// one, the second across the diagonal.
 ///
-/// A point persists until its two places are farther apart than the breaking distance, so the
-/// separation of a manifold's points may be up to that, or the margin if larger.
+/// A contact persists until the two points that met are farther from each other than the breaking
+/// distance. So the separation of a manifold's points may be up to that, or the margin if larger.
 namespace contactscope {
 
-/// Without a reducer all points are kept, as of one-shot manifolds, up to so many; then the oldest
-/// goes.
+/// Without a reducer all points are kept, as in one-shot manifolds, up to this many; then the
+/// oldest is dropped.
 inline constexpr std::size_t kMaxPersistentPoints = 64;
 
-/// A vertex, an edge or a face of a core, by its number there.
+/// A vertex, an edge or a face of a core, by its index there.
 struct CoreFeature {
   FeatureKind kind = FeatureKind::Vertex;
   int index = 0;
@@ -43,13 +43,13 @@ struct CoreFeature {
   friend bool operator==(const CoreFeature&, const CoreFeature&) = default;
 };
 
-/// A point of the manifold as it is kept between frames: in both bodies.
+/// A contact point kept between frames, in both bodies.
 template <class S>
 struct PersistentContact {
-  FeatureId id;                    // what it is called
-  FeatureId found;                 // the features that meet there now, of the shapes ...
-  CoreFeature of_a, of_b;          // ... and of their cores
-  Vec3<S> on_a = Vec3<S>::Zero();  // the places that met, on the surfaces: A's own frame
+  FeatureId id;                    // its id in manifolds
+  FeatureId found;                 // the features of the shapes that meet there now ...
+  CoreFeature of_a, of_b;          // ... and those of their cores
+  Vec3<S> on_a = Vec3<S>::Zero();  // the points that met, on the surfaces: A's own frame
   Vec3<S> on_b = Vec3<S>::Zero();  // B's own frame
   int age = 0;                     // frames since it was found
 };
@@ -57,38 +57,38 @@ struct PersistentContact {
 template <class S>
 struct ShapeCore;
 
-/// What one pair keeps from frame to frame; one for each pair, always in the same order. The cores
-/// are built at the first call, for the shapes and the margin of that call.
+/// Persisted state of a pair; one per pair, always in the same order. The cores are built at the
+/// first call, for its shapes and margin.
 template <class S>
 struct PersistentManifold {
   StaticVector<PersistentContact<S>, kMaxPersistentPoints> points;
   std::shared_ptr<const ShapeCore<S>> core_a, core_b;
 };
 
-/// Whether shapes of these kinds, in whichever order, make incremental manifolds.
+/// Whether shapes of these kinds, in either order, make incremental manifolds.
 bool can_persist(ShapeKind one, ShapeKind other);
 
 struct IncrementalOptions {
   IncrementalSettings settings;
-  PenetrationMethod penetration = PenetrationMethod::Sat;  // of cores that overlap
+  PenetrationMethod penetration = PenetrationMethod::Sat;  // for cores that overlap
 };
 
-/// One frame of a pair placed in the world: confirms what `persistent` holds, adds one point at
-/// most, and gives the manifold, as collide() of dispatch.h does and with the same promises about
-/// order. Of `options` margin, reducer and reduction count: cores that overlap always have a depth,
-/// and the preference of the one-shot test has no part in it. Steps:
-///   1. GJK on the cores; where they overlap, options.penetration;
-///   2. each old point is moved with its bodies, measured along the new normal, and dropped if it
-///      is apart, has slid, or its features no longer face each other;
-///   3. up to the margin there is one new point; it takes the place of an old one that has the same
-///      features or is nearer than the breaking distance;
-///   4. the reducer leaves at most max_points (4, unless told otherwise) of those and the new one;
-///      they stay in their order, the oldest first.
+/// One frame of a pair placed in the world: confirms the points in `persistent`, adds at most one
+/// point and returns the manifold, with the guarantees of collide() in dispatch.h about order. Uses
+/// the margin, reducer and reduction of `options`: overlapping cores always have a depth, and the
+/// preference of the one-shot test does not apply. Steps:
+///   1. GJK on the cores; if they overlap, options.penetration;
+///   2. each old point is moved with its bodies and measured along the new normal. It is dropped
+///      if it is separated, has slid, or its features no longer face each other;
+///   3. up to the margin there is one new point; it replaces an old one that has the same features
+///      or is nearer than the breaking distance;
+///   4. the reducer keeps at most max_points (4 by default) of all these points, in their order,
+///      the oldest first.
 ///
-/// Shapes of one kind are worked on in the order given, or the other one with options.b_first. `record`
-/// is null when nobody watches. Else what became of each point is written there, beside GJK and the
-/// reduction, as collide() does it. A point that another has replaced is listed as broken where
-/// their places differ by more than a hundredth of the breaking distance, which no picture shows.
+/// Shapes of one kind are processed in the given order, or the opposite one with options.b_first.
+/// `record` is null when not recording. Otherwise it gets the fate of each point, GJK and the
+/// reduction, as in collide(). A replaced point is listed as broken if it differs from its
+/// replacement by more than a hundredth of the breaking distance; less is invisible in pictures.
 template <class S>
 void collide_incremental(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b,
                          const Pose<S>& pose_b, const CollideOptions& options,

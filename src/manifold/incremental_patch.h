@@ -12,12 +12,12 @@
 
 namespace contactscope {
 
-/// Most corners of the patch on which two cores are closest that are looked at.
+/// Maximum number of corners of the patch on which two cores are closest.
 inline constexpr std::size_t kMaxPatchPoints = 128;
 template <class S>
 using CorePatch = StaticVector<CoreContact<S>, kMaxPatchPoints>;
 
-/// A vertex of a core, placed in A's frame and seen along the normal.
+/// A vertex of a core, in A's frame and projected along the normal.
 template <class S>
 struct PatchCorner {
   int vertex;
@@ -25,8 +25,8 @@ struct PatchCorner {
   Vec2<S> seen;
 };
 
-/// The vertices of a core that are as far along a direction as any, within rounding: the corners of
-/// its support feature in order, one, two, or more counter-clockwise; without points on edges.
+/// The vertices of a core that are farthest along a direction, within rounding: the corners of its
+/// support feature in order: one, two, or more counter-clockwise; without points on edges.
 template <class S>
 using SupportFeature = std::vector<PatchCorner<S>>;
 
@@ -53,13 +53,13 @@ SupportFeature<S> support_feature(const ShapeCore<S>& core, const Pose<S>& core_
   });
 }
 
-/// The edges of a support feature: none of a vertex, one of an edge.
+/// The number of edges of a support feature: none for a vertex, one for an edge.
 template <class S>
 std::size_t edge_count(const SupportFeature<S>& feature) {
   return feature.size() > 2 ? feature.size() : feature.size() / 2;
 }
 
-/// Within `tolerance` of the feature, seen along the normal.
+/// Whether a point is within `tolerance` of the feature, projected along the normal.
 template <class S>
 bool holds(const SupportFeature<S>& feature, const Vec2<S>& point, S tolerance) {
   const Vec2<S> from_first = point - feature[0].seen;
@@ -78,7 +78,7 @@ bool holds(const SupportFeature<S>& feature, const Vec2<S>& point, S tolerance) 
   return true;
 }
 
-/// The edge of a hull between two of its vertices, half-edge / 2; -1 where there is none.
+/// The edge of a hull between two of its vertices, half-edge / 2; -1 if there is none.
 template <class S>
 int edge_between(const Hull<S>& hull, int one, int other) {
   for (const int edge : hull.around_vertex(one)) {
@@ -87,7 +87,7 @@ int edge_between(const Hull<S>& hull, int one, int other) {
   return -1;
 }
 
-/// The feature of the core that two or more corners of it span. `outward` in the core's frame.
+/// The core's feature spanned by these corners. `outward` in the core's frame.
 template <class S>
 CoreFeature spanned(const ShapeCore<S>& core, const SupportFeature<S>& feature,
                     const Vec3<S>& outward) {
@@ -105,7 +105,7 @@ CoreFeature spanned(const ShapeCore<S>& core, const SupportFeature<S>& feature,
   return {FeatureKind::Face, best};
 }
 
-/// The edge from corner `i` to the next; its own number, or that of the whole where it has none.
+/// The edge from corner `i` to the next: its own index, or `whole` if it has none.
 template <class S>
 CoreFeature edge_of(const ShapeCore<S>& core, const SupportFeature<S>& feature, std::size_t i,
                     const CoreFeature& whole) {
@@ -121,8 +121,8 @@ auto order_of(const CoreContact<S>& contact) {
                     contact.feature_b.index);
 }
 
-/// Where the edges of both features cross, seen along the normal: calls visit(place, i, j) for edge i
-/// of A's and edge j of B's.
+/// Calls visit(place, i, j) where edge i of A's feature crosses edge j of B's, projected along the
+/// normal.
 template <class S, class Visit>
 void for_each_crossing(const SupportFeature<S>& on_a, const SupportFeature<S>& on_b, S tolerance,
                        const Visit& visit) {
@@ -135,7 +135,7 @@ void for_each_crossing(const SupportFeature<S>& on_a, const SupportFeature<S>& o
       const Vec2<S> along_b = on_b[(j + 1) % on_b.size()].seen - start;
       const S determinant = cross(along_a, along_b);
       const S rounding = tolerance * std::max(along_a.norm(), along_b.norm());
-      if (!(std::abs(determinant) > rounding)) continue;  // parallel: their ends say it all
+      if (!(std::abs(determinant) > rounding)) continue;  // parallel: their ends suffice
       const Vec2<S> between = start - from.seen;
       const S t = cross(between, along_b) / determinant;
       const S s = cross(between, along_a) / determinant;
@@ -145,9 +145,9 @@ void for_each_crossing(const SupportFeature<S>& on_a, const SupportFeature<S>& o
   }
 }
 
-/// All places where the cores are as close as in `query`, within rounding: of parallel features the
-/// corners of the patch that they share, seen along the normal; otherwise one. Each is named by the
-/// two features whose meeting it is, so no two have the same. At least one; sorted by features.
+/// All points where the cores are as close as in `query`, within rounding: for parallel features
+/// the corners of the shared patch, projected along the normal; otherwise one. Each is identified
+/// by the two features that meet there, which are unique. At least one; sorted by features.
 template <class S>
 CorePatch<S> closest_patch(const ShapeCore<S>& a, const ShapeCore<S>& b, const Pose<S>& b_in_a,
                            const CoreQuery<S>& query) {

@@ -14,20 +14,20 @@
 
 namespace contactscope {
 
-/// The core of a shape, own frame. Of a sphere the centre and of a capsule the segment, the radius
-/// is the margin; of a hull what core_hull() leaves; a half-space is its own core, margin 0.
+/// The core of a shape, own frame. Sphere: the centre; capsule: the segment; for both the margin is
+/// the radius. Hull: the result of core_hull(). A half-space is its own core, margin 0.
 template <class S>
 struct ShapeCore {
   ShapeKind kind = ShapeKind::Sphere;
   S margin = 0;                            // metres
-  Vec3<S> points[2];                       // of spheres (one) and capsules
-  Hull<S> hull;                            // of hulls
-  std::vector<FeatureRef> vertices{};      // of the shape, for those of `hull`
+  Vec3<S> points[2];                       // for spheres (one) and capsules
+  Hull<S> hull;                            // for hulls
+  std::vector<FeatureRef> vertices{};      // features of the shape for those of `hull`
   std::vector<FeatureRef> edges{};         // likewise
   std::vector<FeatureRef> faces{};         // likewise
-  Plane<S> plane{Vec3<S>::UnitX(), S(0)};  // of half-spaces
+  Plane<S> plane{Vec3<S>::UnitX(), S(0)};  // for half-spaces
 
-  /// How many vertices there are; a half-space has none.
+  /// Number of vertices; 0 for a half-space.
   int count() const {
     if (kind == ShapeKind::Hull) return hull.vertex_count();
     return kind == ShapeKind::Sphere ? 1 : kind == ShapeKind::Capsule ? 2 : 0;
@@ -35,16 +35,16 @@ struct ShapeCore {
   const Vec3<S>& vertex(int index) const {
     return kind == ShapeKind::Hull ? at(hull.vertices, index) : points[index];
   }
-  /// Not of half-spaces.
+  /// Not for half-spaces.
   SupportSet<S> support() const {
     if (kind == ShapeKind::Hull) return support_set(hull);
     return kind == ShapeKind::Capsule ? support_set(points) : support_set(points[0]);
   }
-  /// No coordinate of the core is larger than this, metres; of a half-space the offset.
+  /// Upper bound of the core's coordinates, metres; for a half-space the offset.
   S reach() const {
     return kind == ShapeKind::Plane ? std::abs(plane.offset) : reach_of(support());
   }
-  /// The feature of the shape that a feature of the core stands for.
+  /// The shape's feature for a feature of the core.
   FeatureRef ref(Owner owner, const CoreFeature& feature) const {
     if (kind != ShapeKind::Hull)
       return {owner, feature.kind, static_cast<std::uint32_t>(feature.index)};
@@ -61,22 +61,22 @@ struct ShapeCore {
 template <class S>
 struct CoreContact {
   Vec3<S> on_a, on_b;
-  CoreFeature feature_a, feature_b;  // the smallest that the points lie on
+  CoreFeature feature_a, feature_b;  // the smallest features that contain the points
 };
 
-/// What is known of two cores in one frame. In A's frame.
+/// Result for two cores in one frame. In A's frame.
 template <class S>
 struct CoreQuery {
-  bool overlap = false;               // the cores meet: `method` measured how deep
+  bool overlap = false;               // the cores meet; `method` measured the depth
   Vec3<S> normal = Vec3<S>::UnitX();  // unit, from A to B
-  S distance = 0;                     // metres, of the cores along it; negative in overlap
+  S distance = 0;                     // metres, of the cores along the normal; negative in overlap
   AxisKind axis = AxisKind::ClosestPoints;
-  CoreContact<S> closest;     // one of them
-  S scale = 1;                // metres: no coordinate is larger
-  PenetrationResult<S> deep;  // of cores that meet: what `method` found
+  CoreContact<S> closest;     // one of the closest
+  S scale = 1;                // metres: upper bound of the coordinates
+  PenetrationResult<S> deep;  // result of `method`, for cores that meet
 };
 
-/// A normal this far from a face's is another one, whatever rounding may do to it.
+/// Beyond this angle from a face's normal, a normal is a different one, whatever the rounding.
 template <class S>
 constexpr S kLargestSnap = S(0.01);
 
@@ -85,10 +85,10 @@ S scale_of_cores(const ShapeCore<S>& a, const ShapeCore<S>& b, const Pose<S>& b_
   return a.reach() + b.reach() + b_in_a.position.norm();
 }
 
-/// The smallest feature of a core with all of the simplex's points on it. `of_b`: which side.
+/// The smallest feature of a core that contains all of the simplex's points. `of_b`: which side.
 template <class S>
 CoreFeature simplex_feature(const ShapeCore<S>& core, const GjkSimplex<S>& simplex, bool of_b) {
-  GjkSimplex<S> own = simplex;  // with the core's points where feature_of_b looks for them
+  GjkSimplex<S> own = simplex;  // with the core's indices where feature_of_b reads them
   if (!of_b)
     for (GjkVertex<S>& vertex : own.vertices) std::swap(vertex.index_a, vertex.index_b);
   const GjkVertex<S>& vertex_0 = simplex.vertices[0];
@@ -156,13 +156,13 @@ CoreQuery<S> query_half_space(const ShapeCore<S>& a, const ShapeCore<S>& b, cons
   return query;
 }
 
-/// Gregorius 2015, "Building Incremental Manifolds (1)": GJK on the cores; where they overlap or
+/// Gregorius 2015, "Building Incremental Manifolds (1)": GJK on the cores; if they overlap or
 /// touch, `method`. `b` may be a half-space, which needs neither: its distance is exact at every
-/// depth, and it never overlaps. `run` and `steps`: where to leave the run of GJK and what `method`
-/// did, or nullptr. Empty where nothing can be said, as of coordinates that are not finite.
+/// depth, and it never overlaps. `run` and `steps`: records of GJK and of `method`, or null. Empty
+/// if there is no result, for example for coordinates that are not finite.
 ///
-/// Where the normal is within rounding of a face's, it is that face's: GJK finds it from points that
-/// are near each other and loses as many digits as they are nearer than the shapes are large.
+/// A normal within rounding of a face's is replaced by that face's. GJK computes it from points
+/// near each other and loses digits in the ratio of the shapes' size to that distance.
 template <class S>
 std::optional<CoreQuery<S>> query_cores(const ShapeCore<S>& a, const ShapeCore<S>& b,
                                         const Pose<S>& b_in_a, PenetrationMethod method,
@@ -186,7 +186,7 @@ std::optional<CoreQuery<S>> query_cores(const ShapeCore<S>& a, const ShapeCore<S
     if (has_depth(deep.status)) {
       query.overlap = true;
       query.deep = deep;
-      query.axis = AxisKind::EdgeEdge;  // unless it is a face's
+      query.axis = AxisKind::EdgeEdge;  // may become a face's below
       query.normal = deep.normal;
       query.distance = -deep.depth;
       query.closest.on_a = deep.on_a;

@@ -9,10 +9,10 @@
 #include "manifold/incremental_patch.h"
 #include "manifold/round_contact.h"
 
-/// One frame of an incremental manifold in A's frame, before it is reduced. Inside of incremental.h.
+/// One frame of an incremental manifold in A's frame, before reduction. Internal to incremental.h.
 namespace contactscope {
 
-/// The corners of a feature in the frame that the core is placed in; of a half-space's face none.
+/// The corners of a feature in A's frame; none for a half-space's face.
 template <class S>
 std::vector<Vec3<S>> feature_corners(const ShapeCore<S>& core, const CoreFeature& feature,
                                      const Pose<S>& core_in_a) {
@@ -49,7 +49,7 @@ std::optional<Vec3<S>> foot_on_edge(const Vec3<S>& point, const std::vector<Vec3
   return edge[0] + at / length * along;
 }
 
-/// The foot of a point on a face; empty beyond its border. A face without corners has none.
+/// The foot of a point on a face; empty beyond its border. A face without corners has no border.
 template <class S>
 std::optional<Vec3<S>> foot_on_face(const Vec3<S>& point, const Plane<S>& plane,
                                     const std::vector<Vec3<S>>& corners, S slack) {
@@ -62,8 +62,8 @@ std::optional<Vec3<S>> foot_on_face(const Vec3<S>& point, const Plane<S>& plane,
   return plane.project(point);
 }
 
-/// Ericson, "Real-Time Collision Detection", 5.1.8, by the cross product of the directions; empty
-/// where the closest points of the lines lie beyond an end, or the edges are parallel.
+/// Ericson, "Real-Time Collision Detection", 5.1.8, by the cross product of the directions. Empty
+/// if the closest points of the lines are beyond an end, or the edges are parallel.
 template <class S>
 std::optional<std::pair<Vec3<S>, Vec3<S>>> feet_of_edges(const std::vector<Vec3<S>>& one,
                                                          const std::vector<Vec3<S>>& other,
@@ -86,7 +86,7 @@ std::optional<std::pair<Vec3<S>, Vec3<S>>> feet_of_edges(const std::vector<Vec3<
   return std::pair<Vec3<S>, Vec3<S>>(one[0] + s * u, other[0] + t * v);
 }
 
-/// The foot of a point on the feature that has these corners.
+/// The foot of a point on a feature with these corners.
 template <class S>
 std::optional<Vec3<S>> foot_on(const ShapeCore<S>& core, const CoreFeature& feature,
                                const Pose<S>& core_in_a, const std::vector<Vec3<S>>& corners,
@@ -96,9 +96,8 @@ std::optional<Vec3<S>> foot_on(const ShapeCore<S>& core, const CoreFeature& feat
   return foot_on_face(point, face_plane(core, feature, core_in_a), corners, slack);
 }
 
-/// Where two features are nearest to each other now, in A's frame; empty where they do not face each
-/// other: their nearest points lie beyond the border of one of them, or they share more than a
-/// point. `scale` as in CoreQuery.
+/// The current closest points of two features, in A's frame. Empty if the features do not face each
+/// other: the points are beyond the border of one of them, or not unique. `scale` as in CoreQuery.
 template <class S>
 std::optional<CoreContact<S>> closest_on_features(const ShapeCore<S>& a, const CoreFeature& of_a,
                                                   const ShapeCore<S>& b, const CoreFeature& of_b,
@@ -119,7 +118,7 @@ std::optional<CoreContact<S>> closest_on_features(const ShapeCore<S>& a, const C
   return std::nullopt;
 }
 
-/// A point where it is in this frame: A's frame, metres.
+/// A point's state in this frame: A's frame, metres.
 template <class S>
 struct StandingPoint {
   PersistentContact<S> kept;
@@ -130,26 +129,26 @@ struct StandingPoint {
   Vec3<S> position() const { return S(0.5) * (on_a + on_b); }
 };
 
-/// A point that is no longer in the manifold.
+/// A point that was removed from the manifold.
 template <class S>
 struct BrokenPoint {
   StandingPoint<S> point;
   const char* reason;  // "apart", "slid", "other features", "replaced", "reduced"
 };
 
-/// Room for what is kept and one new point.
+/// Has room for the persisted points and one new one.
 template <class S>
 struct IncrementalStep {
   StaticVector<StandingPoint<S>, kMaxPersistentPoints + 1> points;
   StaticVector<BrokenPoint<S>, kMaxPersistentPoints + 1> broken;
 };
 
-/// Distances across the normal that differ by less than this part of the patch count as equal: the
-/// first place by its features is taken, whatever rounding says.
+/// Distances across the normal that differ by less than this fraction of the patch count as equal.
+/// Then the first by features is taken, whatever the rounding.
 template <class S>
 constexpr S kAsFar = S(1e-3);
 
-/// Puts a point where two places on the cores, inflated along the normal, are on the surfaces.
+/// Sets a point from two points on the cores, offset along the normal to the surfaces.
 template <class S>
 void put_on(const CoreContact<S>& cores, const PersistentManifold<S>& persistent,
             const Pose<S>& b_in_a, const Vec3<S>& normal, StandingPoint<S>& point) {
@@ -158,8 +157,8 @@ void put_on(const CoreContact<S>& cores, const PersistentManifold<S>& persistent
   point.kept.on_b = b_in_a.inverse_transform(point.on_b);
 }
 
-/// Of places that are equally close the one farthest from the points that are there; from the
-/// middle of all where there are none.
+/// The candidate farthest from the existing points; without any, farthest from the middle of the
+/// candidates.
 template <class S>
 const CoreContact<S>& farthest_place(const CorePatch<S>& patch, const CoreQuery<S>& query,
                                      const IncrementalStep<S>& step) {
@@ -187,8 +186,8 @@ const CoreContact<S>& farthest_place(const CorePatch<S>& patch, const CoreQuery<
   return patch[best];
 }
 
-/// The old point whose place a new one takes; -1: none. The same features first; then what is near,
-/// the nearest; then what has the new point's name, though other features meet there now.
+/// The old point that a new one replaces; -1: none. In this order: the same features; the nearest
+/// within the breaking distance; the same id, although other features meet there now.
 template <class S>
 int replaced_by(const StandingPoint<S>& fresh, const IncrementalStep<S>& step, S breaking) {
   int nearest = -1, namesake = -1;
@@ -206,7 +205,7 @@ int replaced_by(const StandingPoint<S>& fresh, const IncrementalStep<S>& step, S
   return nearest >= 0 ? nearest : namesake;
 }
 
-/// Step 2: what is left of `persistent`.
+/// Step 2: confirms the points of `persistent`.
 template <class S>
 void confirm_points(const PersistentManifold<S>& persistent, const Pose<S>& b_in_a,
                     const CoreQuery<S>& query, const IncrementalSettings& settings, S margin,
@@ -220,7 +219,7 @@ void confirm_points(const PersistentManifold<S>& persistent, const Pose<S>& b_in
     point.on_a = kept.on_a;
     point.on_b = b_in_a.transform(kept.on_b);
     bool faces = true;
-    if (by_ids) {  // the features that made the point are looked up again: it slides with them
+    if (by_ids) {  // finds the features that made the point again: it slides with them
       const auto cores = closest_on_features(*persistent.core_a, kept.of_a, *persistent.core_b,
                                              kept.of_b, b_in_a, query.scale);
       faces = cores.has_value();
@@ -240,7 +239,7 @@ void confirm_points(const PersistentManifold<S>& persistent, const Pose<S>& b_in
   }
 }
 
-/// Step 3: adds the newest point, or puts it in the place of an old one.
+/// Step 3: adds the newest point, or replaces an old one.
 template <class S>
 void add_point(const PersistentManifold<S>& persistent, const Pose<S>& b_in_a,
                const CoreQuery<S>& query, const IncrementalSettings& settings,

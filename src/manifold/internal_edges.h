@@ -10,46 +10,46 @@
 
 namespace contactscope {
 
-/// Radians. A normal so near to the limit of what a feature can give counts as given by it: what
-/// rounds a face's normal that is turned into the frame of the other shape and back. Any more, and
-/// a ball beside an edge of a flat floor would feel that edge, leaning by as much. Normals between
-/// close points are less exact, see normal_tolerance() in collide_with_triangles.h.
+/// Radians. A normal this near to the limit of a feature's normals counts as the feature's: the
+/// rounding of a face normal turned into the other shape's frame and back. With more, a ball next
+/// to an edge of a flat floor would feel that edge and lean by that angle. Normals between close
+/// points are less exact, see normal_tolerance() in collide_with_triangles.h.
 template <class S>
 constexpr S kNormalTolerance = S(16) * std::numeric_limits<S>::epsilon();
 
-/// No vertex of a surface has more triangles; ends the walk around one whose neighbours contradict
-/// each other.
+/// Upper bound of triangles at a vertex; ends the walk around one whose neighbours contradict each
+/// other.
 inline constexpr int kMostTrianglesAround = 1024;
 
 template <class S>
 int corner_of(const Mesh<S>& mesh, int triangle, int vertex_of, int k) {
-  // Neighbours may name an equal vertex by another index, so corners are found by their place.
+  // Neighbours may use another index for an equal vertex, so corners are found by position.
   const Vec3<S>& place = mesh.corner(vertex_of, k);
   for (int i = 0; i < 3; ++i)
     if (mesh.corner(triangle, i) == place) return i;
   return -1;
 }
 
-/// The normal of a contact, unit, from the mesh to the other shape, mesh frame; and by how many radians
-/// rounding may have turned it.
+/// The normal of a contact, unit, from the mesh to the other shape, mesh frame; and how far
+/// rounding may have turned it, radians.
 template <class S>
 struct ContactNormal {
   Vec3<S> direction;
   S tolerance = kNormalTolerance<S>;
 
-  /// Whether what lies that way from a feature is farther along the normal by more than the tolerance.
+  /// Whether this offset from a feature rises along the normal by more than the tolerance.
   bool rises(const Vec3<S>& way) const { return direction.dot(way) > tolerance * way.norm(); }
 };
 
-/// Whether the normal is that of a triangle with an area, or opposite to it.
+/// Whether the normal is that of a triangle with an area, or its opposite.
 template <class S>
 bool is_along_face(const Mesh<S>& mesh, int triangle, const ContactNormal<S>& normal) {
   const Vec3<S> sine = normal.direction.cross(mesh.normal(triangle));
   return sine.squaredNorm() <= normal.tolerance * normal.tolerance;
 }
 
-/// Walks around corner k of `triangle`, first across the edges that leave it, then, where that does
-/// not lead back, across those that arrive, and asks every triangle met.
+/// Walks around corner k of `triangle`, first across the edges that leave it. If that does not lead
+/// back, it walks across those that arrive. Tests every triangle met.
 template <class S>
 bool supports_around(const Mesh<S>& mesh, int triangle, int k, const ContactNormal<S>& normal) {
   const Vec3<S>& vertex = mesh.corner(triangle, k);
@@ -68,13 +68,13 @@ bool supports_around(const Mesh<S>& mesh, int triangle, int k, const ContactNorm
   return true;
 }
 
-/// As many triangles without an area lie next to each other at most where the surface is followed
-/// across them; ends the walk where they make a ring.
+/// Upper bound of adjacent triangles without an area that the surface is followed across; ends the
+/// walk where they form a ring.
 inline constexpr int kMaxFlatNeighbours = 16;
 
-/// Whether the surface beyond edge k of a triangle rises from it along the normal, so that the edge is
-/// none of the surface. A neighbour without an area is crossed: from one of its short edges the surface
-/// goes on beyond its longest, and from its longest beyond both of the others.
+/// Whether the surface beyond edge k of a triangle rises from it along the normal, so that the edge
+/// is not an edge of the surface. Crosses a neighbour without an area: from one of its short edges
+/// the surface continues beyond its longest, and from its longest beyond both others.
 template <class S>
 bool rises_across(const Mesh<S>& mesh, int triangle, int k, const ContactNormal<S>& normal,
                   int crossed = 0) {
@@ -93,27 +93,27 @@ bool rises_across(const Mesh<S>& mesh, int triangle, int k, const ContactNormal<
     }
     return true;
   }
-  // At right angles to the edge, by the normal: on a sliver the way to the apex is nearly along the edge,
-  // and what rounding leaves of the rest of it may point anywhere.
+  // Perpendicular to the edge, by the normal: on a sliver the direction to the apex is nearly along
+  // the edge, and the rounded rest of it may point anywhere.
   const Vec3<S> along = mesh.corner(across, (shared + 1) % 3) - mesh.corner(across, shared);
   return normal.rises(mesh.normal(across).cross(along));
 }
 
-/// Whether a contact normal can come from a mesh, or only from one of its triangles alone. A
-/// triangle that is looked at by itself has edges and corners that the surface does not have: a box
-/// that slides over a flat floor trips over them. Source: Terdiman, "Contact generation for meshes".
+/// Whether a contact normal can come from a mesh, or only from one of its triangles alone. A single
+/// triangle has edges and corners that the surface lacks: a box that slides over a flat floor would
+/// trip over them. Source: Terdiman, "Contact generation for meshes".
 ///
-/// `normal` touches the feature of the triangle that lies farthest along it: the face, an edge or a
-/// corner. `edge` is the one that is known to have made the contact, or -1. The surface has that
-/// feature when no vertex of the triangles around it lies farther along the normal. That is so for the
-/// face; never for an edge in a flat or hollow place; for a ridge or a peak where the normal lies
-/// between those of its faces. Where the surface ends, the edge is its own.
+/// `normal` touches the feature of the triangle that is farthest along it: the face, an edge or a
+/// corner. `edge` is the edge known to have made the contact, or -1. The surface has that feature
+/// when no vertex of the triangles around it is farther along the normal. That holds for the face;
+/// never for an edge in a flat or hollow place; for a ridge or a peak if the normal is between
+/// those of its faces. Boundary edges belong to the surface.
 ///
-/// We ask the vertices and not, as is usual, the angles between the faces: that serves corners as
-/// well as edges, and both sides of a triangle.
+/// We test the vertices and not, as is usual, the angles between the faces: that works for corners
+/// as well as edges, and for both sides of a triangle.
 ///
-/// Steps: 1. the face itself; 2. an edge of which both ends are the farthest corners of the triangle:
-/// the triangle across must not rise from it; 3. the one farthest corner: none around it must.
+/// Steps: 1. the face itself; 2. an edge whose two ends are the farthest corners of the triangle:
+/// the triangle across must not rise from it; 3. a single farthest corner: none around it may rise.
 template <class S>
 bool belongs_to_surface(const Mesh<S>& mesh, int triangle, const ContactNormal<S>& normal,
                         int edge = -1) {
@@ -136,8 +136,8 @@ bool belongs_to_surface(const Mesh<S>& mesh, int triangle, const ContactNormal<S
   return supports_around(mesh, triangle, top, normal);
 }
 
-/// The same for a triangle without an area, a segment or a point that is touched at `place`: where it
-/// closes a T-junction of a flat floor, the floor has no edge there.
+/// The same for a triangle without an area, a segment or a point, touched at `place`. If it closes
+/// a T-junction of a flat floor, the floor has no edge there.
 template <class S>
 bool flat_belongs_to_surface(const Mesh<S>& mesh, int triangle, const ContactNormal<S>& normal,
                              const Vec3<S>& place) {
@@ -156,7 +156,7 @@ bool flat_belongs_to_surface(const Mesh<S>& mesh, int triangle, const ContactNor
   return true;
 }
 
-/// A point at or above one of the triangle's points, along its normal. None is without an area.
+/// Whether the point projects into the triangle along its normal. False without an area.
 template <class S>
 bool over_triangle(const Mesh<S>& mesh, int triangle, const Vec3<S>& point) {
   if (!has_area(mesh, triangle)) return false;
@@ -181,8 +181,8 @@ S distance_to_triangle(const Mesh<S>& mesh, int triangle, const Vec3<S>& point) 
   return least;
 }
 
-/// Whether the segment goes through the triangle from one side to the other, between its ends. What
-/// meets only the triangle's outline or plane does not.
+/// Whether the segment passes through the triangle from one side to the other, between its ends.
+/// Touching only the triangle's outline or plane does not count.
 template <class S>
 bool crosses(const Mesh<S>& mesh, int triangle, const Vec3<S>& from, const Vec3<S>& to) {
   const Vec3<S>& normal = mesh.normal(triangle);
@@ -201,13 +201,13 @@ bool crosses(const Mesh<S>& mesh, int triangle, const Vec3<S>& from, const Vec3<
   return left == 0 || right == 0;
 }
 
-/// Whether another triangle stands between `eye` and the point `on_triangle` of a triangle, so that
-/// what has its centre at `eye` cannot have come to that side of it. Asks no winding. Mesh frame.
+/// Whether another triangle is between `eye` and the point `on_triangle` of a triangle, so that a
+/// shape centred at `eye` cannot have come to that side. Does not depend on winding. Mesh frame.
 template <class S>
 bool hidden_from(const NearTriangles<S>& near, int triangle, const Vec3<S>& eye,
                  const Vec3<S>& on_triangle) {
   const Mesh<S>& mesh = near.mesh();
-  // A little inside, for the neighbours of a point on an edge end there.
+  // Moved slightly inwards, because the neighbours of a point on an edge end there.
   const Vec3<S> middle =
       (mesh.corner(triangle, 0) + mesh.corner(triangle, 1) + mesh.corner(triangle, 2)) / S(3);
   const Vec3<S> target = on_triangle + S(0.01) * (middle - on_triangle);
@@ -216,7 +216,7 @@ bool hidden_from(const NearTriangles<S>& near, int triangle, const Vec3<S>& eye,
   });
 }
 
-/// Whether any of the mesh is nearer to `point` than `distance`. Mesh frame, metres.
+/// Whether any part of the mesh is nearer to `point` than `distance`. Mesh frame, metres.
 template <class S>
 bool surface_within(const NearTriangles<S>& near, const Vec3<S>& point, S distance) {
   const Vec3<S> reach = Vec3<S>::Constant(distance);

@@ -5,13 +5,12 @@
 
 namespace contactscope {
 
-/// The triangles whose boxes touch the box of a shape. What is asked about them later, and there is much
-/// of it, lies near the shape too, and then these few boxes are asked and not the tree: the answers are the
-/// tree's, in its order.
+/// The triangles whose boxes touch the box of a shape. Many later queries lie near the shape as
+/// well; they test these few boxes instead of the tree, with the same answers in the same order.
 template <class S>
 class NearTriangles {
  public:
-  /// `mesh` outlives this. `box`: mesh frame.
+  /// `mesh` must outlive this. `box`: mesh frame.
   NearTriangles(const Mesh<S>& mesh, const Aabb<S>& box) : mesh_(mesh), box_(box) {
     is_whole_ = !mesh.tree.any_place_of(box, [&](int place) {
       if (places_.size() == places_.capacity()) return true;
@@ -28,7 +27,7 @@ class NearTriangles {
     for (const int place : places_) visit(at(mesh_.tree.triangles, place));
   }
 
-  /// As AabbTree::any_of, of all triangles of the mesh.
+  /// As AabbTree::any_of, over all triangles of the mesh.
   template <class Holds>
   bool any_of(const Aabb<S>& box, const Holds& holds) const {
     const AabbTree<S>& tree = mesh_.tree;
@@ -43,8 +42,8 @@ class NearTriangles {
  private:
   const Mesh<S>& mesh_;
   Aabb<S> box_;
-  StaticVector<int, 128> places_;  // in the tree
-  bool is_whole_;                  // there is room for all
+  StaticVector<int, 128> places_;  // positions in the tree
+  bool is_whole_;                  // all of them fit into places_
 };
 
 }  // namespace contactscope

@@ -14,12 +14,12 @@
 namespace contactscope {
 namespace {
 
-/// How much worse than the kept axis another one must be to be of no further interest, as a part of
-/// the smaller radius: a pair that has moved so far has earned a full test.
+/// How much worse than the kept axis another must be to be ignored, as a fraction of the smaller
+/// radius. A pair that has moved this far gets a full test.
 template <class S>
 constexpr S kHorizon = S(0.2);
 
-/// Two hulls of which features are placed as they are asked for.
+/// Two hulls whose features are placed on demand.
 template <class S>
 struct FeaturePair {
   FeaturePair(const Hull<S>& hull_a, const Hull<S>& hull_b, const Pose<S>& b_in_a)
@@ -34,8 +34,8 @@ struct FeaturePair {
   PlacedFeatures<S, true> b;
 };
 
-/// The kept axis at the new pose. `separation` is valid for any direction, whatever has become of
-/// the features: it is that of the support points of both hulls.
+/// The kept axis at the new pose. `separation` is valid for any direction, whatever the features:
+/// it is that of the support points of both hulls.
 template <class S>
 struct MeasuredAxis {
   Vec3<S> normal;  // unit, from A to B
@@ -54,8 +54,8 @@ int support_of(const PlacedFeatures<S, kMoved>& placed, const Vec3<S>& direction
 }
 
 /// Whether the support of a hull along `direction` (its own frame, unit, perpendicular to the edge)
-/// is this edge, for certain: on the Gauss map the direction lies on the edge's arc, between the
-/// normals of its faces and nearer to their middle than the ends are, by more than rounding.
+/// is certainly this edge: on the Gauss map the direction is on the edge's arc, between the normals
+/// of its faces and nearer to their middle than the ends are, by more than rounding.
 template <class S>
 bool supports_along(const Hull<S>& hull, int edge, const Vec3<S>& direction) {
   const auto normal = [&](int half_edge) -> const Vec3<S>& {
@@ -67,7 +67,7 @@ bool supports_along(const Hull<S>& hull, int edge, const Vec3<S>& direction) {
   return of_direction > S(1) + left.dot(right) + S(32) * std::numeric_limits<S>::epsilon();
 }
 
-/// False where the edges are so nearly parallel that their cross product says little (see
+/// False if the edges are so nearly parallel that their cross product is unreliable (see
 /// kNoisySine).
 template <class S>
 bool measure_edges(const FeaturePair<S>& pair, int edge_a, int edge_b, const Vec3<S>& last_normal,
@@ -92,7 +92,7 @@ bool measure_edges(const FeaturePair<S>& pair, int edge_a, int edge_b, const Vec
   return true;
 }
 
-/// What `visit(reference, other)` returns, where `reference` owns the face of a face axis.
+/// Result of `visit(reference, other)`, where `reference` owns the face of a face axis.
 template <class S, class Visit>
 auto from_reference(const FeaturePair<S>& pair, AxisKind axis, const Visit& visit) {
   return axis == AxisKind::FaceA ? visit(pair.a, pair.b) : visit(pair.b, pair.a);
@@ -108,7 +108,7 @@ bool measure(const FeaturePair<S>& pair, const PairCache<S>& cache, S moved,
     // Along the face's normal no vertex has moved by more than the pair has.
     const bool still_deepest = S(2) * moved < cache.support_clearance;
     const int support = still_deepest ? cache.support : support_of(other, Vec3<S>(-plane.normal));
-    // As the face query measures it, bit for bit.
+    // As in the face query, bit for bit.
     const Vec3<S>&n = plane.normal, p = other.vertex(support);
     axis.separation = dot(n.x(), n.y(), n.z(), p.x(), p.y(), p.z()) - plane.offset;
     axis.face = {cache.first, support, axis.separation};
@@ -118,7 +118,7 @@ bool measure(const FeaturePair<S>& pair, const PairCache<S>& cache, S moved,
   return true;
 }
 
-/// Whether the cache can be about these hulls; if so, its indices are within them.
+/// Whether the cache may belong to these hulls; if so, its indices are valid for them.
 template <class S>
 bool belongs_to(const PairCache<S>& cache, const Hull<S>& a, const Hull<S>& b) {
   if (cache.radius_a != a.radius || cache.radius_b != b.radius) return false;
@@ -133,7 +133,7 @@ bool belongs_to(const PairCache<S>& cache, const Hull<S>& a, const Hull<S>& b) {
 template <class S>
 struct Motion {
   S farthest;  // metres: of any point of one hull, seen from the other
-  S turn;      // of any unit vector of one, seen from the other: the length of its change
+  S turn;      // length of the change of any unit vector of one, seen from the other
 };
 
 template <class S>
@@ -148,14 +148,14 @@ Motion<S> motion_since(const PairCache<S>& cache, const FeaturePair<S>& pair,
   return {std::max(of_a, of_b), turn};
 }
 
-/// Makes the kept axis's contact at the new pose, where both hulls have turned by no more than `turn`.
-/// Returns what it says of all near axes: a bound of the separation along unit directions whose
-/// cosine with the normal is at least `near_cosine`.
+/// Makes the kept axis's contact at the new pose, where both hulls have turned by at most `turn`.
+/// Returns its bound for all near axes: of the separation along unit directions whose cosine with
+/// the normal is at least `near_cosine`.
 template <class S>
 S rebuild(const FeaturePair<S>& pair, const PairCache<S>& cache, const MeasuredAxis<S>& axis,
           S turn, S near_cosine, S scale, S margin, Contact<S>& contact, Recorder<S>* recorder) {
   S deepest;   // separation of the deepest point
-  S slip = 0;  // metres between its points on both hulls, along the contact plane
+  S slip = 0;  // metres between its points on the two hulls, along the contact plane
   if (cache.axis == AxisKind::EdgeEdge) {
     const ClosestPoints<S> closest = closest_points(pair.a, pair.b, axis.edge);
     create_edge_contact(closest, axis.edge, contact);
@@ -180,8 +180,8 @@ S rebuild(const FeaturePair<S>& pair, const PairCache<S>& cache, const MeasuredA
 
 }  // namespace
 
-/// Steps: measure the axis; it may separate. If it does not and features were kept, bound the far
-/// axes by how far the pair has moved, rebuild the contact, and bound the near axes by it.
+/// Steps: measure the axis; done if it separates. Otherwise, if features were kept, bound the far
+/// axes by the pair's motion, rebuild the contact, and bound the near axes by it.
 template <class S>
 CacheAnswer<S> collide_from_cache(const Hull<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
                                   const CollideOptions& options, const PairCache<S>& cache,
@@ -200,7 +200,7 @@ CacheAnswer<S> collide_from_cache(const Hull<S>& a, const Hull<S>& b, const Pose
   answer.normal = axis.normal;
   answer.separation = axis.separation;
   const S margin = static_cast<S>(options.margin);
-  if (axis.separation > margin) {  // still, or by now, a separating axis
+  if (axis.separation > margin) {  // still, or now, a separating axis
     answer.kind = CachedKind::SeparatingAxis;
     answer.hit = true;
     contact.points.clear();
@@ -215,9 +215,9 @@ CacheAnswer<S> collide_from_cache(const Hull<S>& a, const Hull<S>& b, const Pose
   const S rounding = depth_rounding(scale);
   const S far_bound = cache.far + motion.farthest + rounding;
   if (!preferred(axis.separation, far_bound, margin, min_radius)) return answer;
-  if (!(axis.beyond <= rounding)) return answer;  // these edges cross no longer on the Gauss map
+  if (!(axis.beyond <= rounding)) return answer;  // these edges no longer cross on the Gauss map
 
-  // A face's normal stands still in its own hull; a cross product may turn more than the hulls do.
+  // A face's normal is fixed in its own hull; a cross product may turn more than the hulls do.
   const bool on_face = cache.axis != AxisKind::EdgeEdge;
   const S swing = motion.turn + (on_face ? S(0) : Vec3<S>(axis.normal - cache.normal).norm());
   const S near_bound = rebuild(pair, cache, axis, motion.turn, cache.near_cosine - swing, scale,
@@ -230,7 +230,7 @@ CacheAnswer<S> collide_from_cache(const Hull<S>& a, const Hull<S>& b, const Pose
   return answer;
 }
 
-/// Notes the support vertex and the incident face of a face axis, and how clear they are of others.
+/// Stores a face axis's support vertex and incident face, and their clearance from the next.
 template <class S>
 void note_features(const PlacedHull<S>& reference, const PlacedHull<S>& other_hull,
                    const FaceQuery<S>& query, S rounding, PairCache<S>& cache) {
@@ -279,11 +279,11 @@ PairCache<S> cache_of(const HullPair<S>& pair, const Pose<S>& b_in_a, const Coll
     return cache;
   }
   if (contact.points.empty() || options.preference != Preference::Relative) return cache;
-  if (a.flat()) return cache;  // far_separation goes along arcs of less than half a turn
+  if (a.flat()) return cache;  // far_separation follows arcs of less than half a turn
 
-  // An angle within which the kept axis is preferred to any other: about half of what the preference
-  // has to spare is given to the angle, the rest is left for turning and for a growing overlap. What
-  // clipping lost of the depth is spent already.
+  // The angle within which the kept axis is preferred to any other. About half of what the
+  // preference can spare goes to the angle; the rest is left for turning and a growing overlap.
+  // Depth lost by clipping is already subtracted.
   const S separation = axes.separation(cache.axis);
   const S depth = std::max(-separation, S(0));
   const S tolerance = preference_tolerance(depth, pair.min_radius);

@@ -7,12 +7,12 @@
 #include "query/tolerance.h"
 #include "reduce/polygon_area.h"
 
-/// By how much the pipeline chose what it chose: the change of what was compared after which it would choose
-/// otherwise. Worked out from what the stages measured, for who watches alone.
+/// Margins of the pipeline's choices: the smallest change of the compared quantities that would
+/// change a choice. Computed from the stages' measurements, only when recording.
 namespace contactscope {
 namespace {
 
-/// Most points of which all subsets are tried for the second best one.
+/// Maximum number of points for trying all subsets to find the second best.
 constexpr std::size_t kMostPoints = 8;
 
 /// "points 0 2 4".
@@ -22,8 +22,8 @@ std::string spell_points(const std::vector<int>& points) {
   return text;
 }
 
-/// What decided for a candidate at a step of a reducer: more is better. Of a chosen point the measures against
-/// all edges are there, and the one that decided is the least.
+/// The deciding measure of a candidate at a step of a reducer: more is better. A chosen point has
+/// measures against all edges; the least of them decided.
 double worth(const trace::Choice& choice, int point) {
   double least = std::numeric_limits<double>::infinity();
   for (const trace::Measure& measure : choice.measures)
@@ -34,7 +34,7 @@ double worth(const trace::Choice& choice, int point) {
 
 }  // namespace
 
-/// A later face has to beat an earlier one by more than the tie.
+/// A later face must beat an earlier one by more than the tie.
 template <class S>
 void Recorder<S>::face_decision(const char* stage, const FaceSeparations<S>& all, int count,
                                 int took, S tie) {
@@ -49,8 +49,8 @@ void Recorder<S>::face_decision(const char* stage, const FaceSeparations<S>& all
       static_cast<double>(margin);
 }
 
-/// As choose() in sat.cpp has it: faces of A as long as no other axis is ahead by more than the preference, then
-/// those of B, then edges.
+/// As choose() in sat.cpp: faces of A unless another axis is ahead by more than the preference,
+/// then those of B, then edges.
 template <class S>
 void Recorder<S>::axis_decisions(const HullPair<S>& pair, const FaceSeparations<S>& faces_a,
                                  const FaceSeparations<S>& faces_b, const SatResult<S>& axes,
@@ -119,7 +119,7 @@ void Recorder<S>::reduction_decisions(const trace::Reduction& reduction, const V
   const std::string& method = reduction.method;
   const std::size_t count = reduction.points.size(), kept = reduction.kept.size();
   if (!method.starts_with("optimal") || count > kMostPoints || kept < 3) return;
-  // All other subsets of as many points, of which one of the deepest is one where that is a rule.
+  // All other subsets of this size; except for "optimal" they need one of the deepest points.
   const auto depth = [&](int point) { return at(reduction.points, point).separation; };
   double deep = depth(0);
   for (int point = 1; point < count_of(reduction.points); ++point)

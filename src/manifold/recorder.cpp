@@ -14,8 +14,8 @@
 namespace contactscope {
 namespace {
 
-/// Most differences of two vertices of which the Minkowski difference is made: two hulls of 64
-/// vertices. It takes some milliseconds.
+/// Maximum number of vertex differences for the Minkowski difference: two hulls of 64 vertices,
+/// which take some milliseconds.
 constexpr int kMaxMinkowskiPoints = 4096;
 
 /// A result of the pipeline, in the world, as a fact.
@@ -25,7 +25,7 @@ trace::Point trace_point(const ContactPoint<S>& in_world) {
           to_string(in_world.id)};
 }
 
-/// What was chosen, held against the best that as many points can span.
+/// Compares the choice with the largest area that as many points can span.
 void measure(ContactPoints<double> points, const Vec3d& normal, int max_points,
              trace::Reduction& reduction) {
   const bool all_kept = reduction.kept.size() == points.size();
@@ -51,10 +51,10 @@ trace::Polygon Recorder<S>::polygon(const ClipPolygon<S>& in_a) const {
   return mapped(in_a, [&](const ClipVertex<S>& vertex) { return point(vertex.position); });
 }
 
-/// The edge query looks only for what beats the faces, and passes over the rest in whole arcs. Two
-/// questions that pictures ask are beyond that, and asked here: the best pair where none beats the
-/// faces, and all crossings. A query that kept both as it ran would cost a watched pair with an edge
-/// contact half its time again.
+/// The edge query looks only for pairs that beat the faces, and skips whole arcs of others.
+/// Pictures also need the best pair where none beats the faces, and all crossings; these are
+/// queried here. Collecting both in the query would slow a recorded pair with an edge contact by
+/// half.
 template <class S>
 void Recorder<S>::axes(const HullPair<S>& pair, const FaceSeparations<S>& faces_a,
                        const SatResult<S>& axes, Preference preference) {
@@ -121,7 +121,7 @@ template <class S>
 KeptIndices Recorder<S>::reduce(const ReducerInfo* reducer, ContactPoints<S> points,
                                 const Vec3<S>& normal, const ReduceOptions& options) {
   if (!stages_.reduction) return contactscope::reduce(reducer, points, normal, options);
-  // Two points span no area, and nothing is to be chosen among so few.
+  // Two points span no area, and so few leave no choice.
   const bool measured = count_of(points) > std::min(2, options.max_points);
   const auto exact = mapped(measured ? points : ContactPoints<S>{},
                             [](const ContactPoint<S>& point) -> ContactPoint<double> {
@@ -206,8 +206,7 @@ void Recorder<S>::field_search(FieldSearch method, const Pose<double>& field_in_
 }
 
 /// The Minkowski difference B - A in the world's axes: the hull of the differences of all vertices.
-/// None where these are more than kMaxMinkowskiPoints, and where the builder gives no hull of them:
-/// the picture goes without it.
+/// None if there are more than kMaxMinkowskiPoints or the builder fails: then the picture omits it.
 template <class S>
 void Recorder<S>::minkowski(const Hull<S>& a, const Hull<S>& b, const Pose<S>& b_in_a) {
   if (!stages_.minkowski || a.vertex_count() > kMaxMinkowskiPoints / b.vertex_count()) return;
@@ -239,7 +238,7 @@ void record_manifolds(std::span<const Manifold<S>> manifolds, trace::Pair& recor
     told.type = to_string(manifold.type);
     if (manifold.triangle >= 0) told.triangle = manifold.triangle;
     told.points = mapped(manifold.points, trace_point<S>);
-    // Of several manifolds, a mesh's, the deepest point stands for the pair.
+    // For several manifolds (a mesh's) the deepest point gives the pair's separation.
     for (const trace::Point& point : told.points)
       record.separation = std::min(record.separation, point.separation);
   }

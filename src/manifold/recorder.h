@@ -24,29 +24,28 @@ template <class S>
 struct PersistentManifold;
 struct IncrementalOptions;
 
-/// Writes what each stage decided into a trace::Pair: from A's frame to the world in the pipeline's
-/// own scalar, then exactly to double. The record is told in the order in which the pair is worked
-/// on; whoever traded the shapes mirrors it, see dispatch.h.
+/// Writes each stage's decisions into a trace::Pair: from A's frame to the world in the pipeline's
+/// own scalar, then exactly to double. The record is in processing order; whoever swapped the
+/// shapes mirrors it, see dispatch.h.
 ///
-/// Stages get a pointer to it, null when nobody watches, and tell what they did as they do it. Its
-/// functions are cold: a pipeline that nobody watches pays one untaken branch for each, and a test
-/// holds it to the same bits.
+/// Stages get a pointer to it, null when not recording, and record as they go. Its functions are
+/// cold: without a recorder each costs the pipeline one untaken branch. A test checks that
+/// recording changes no bit of the result.
 template <class S>
 class Recorder {
  public:
-  /// `pair` must outlive this. It is empty but for its names of the shapes, which are set already,
-  /// in the order in which the pair is worked on.
+  /// `pair` must outlive this. It is empty except for the names of the shapes, in processing order.
   Recorder(const ToWorld<S>& to_world, const trace::Stages& stages, trace::Pair& pair)
       : to_world_(to_world), stages_(stages), pair_(pair) {}
 
-  /// `faces_a` is what the face query left for A.
+  /// `faces_a`: A's separations from the face query.
   void axes(const HullPair<S>& pair, const FaceSeparations<S>& faces_a, const SatResult<S>& axes,
             Preference preference);
-  /// The margins by which faces and the axis were chosen. `faces_b` is looked at where that query ran.
+  /// The margins by which faces and the axis were chosen. `faces_b` is read only if that query ran.
   void axis_decisions(const HullPair<S>& pair, const FaceSeparations<S>& faces_a,
                       const FaceSeparations<S>& faces_b, const SatResult<S>& axes,
                       const CollideOptions& options);
-  /// The margin by which the incident face was chosen from the faces about a vertex.
+  /// The margin by which the incident face was chosen among the faces around a vertex.
   template <class Placed>
   void incident_decision(const Placed& hull, int support, const Vec3<S>& reference_normal,
                          int incident) {
@@ -63,59 +62,59 @@ class Recorder {
         decide("incident_face", "face " + std::to_string(incident), "face " + std::to_string(over));
     told.margin_cosine = static_cast<double>(next - reference_normal.dot(hull.normal(incident)));
   }
-  /// What the pair's cache held was tried.
+  /// The pair's cache was tried.
   void cache(const CacheAnswer<S>& answer);
   /// `reference` owns the first face.
   void clip_begins(Owner reference, const ClipFace<S>& reference_face,
                    const ClipFace<S>& incident_face);
-  /// A side plane of the reference face and what it left.
+  /// Clipping by a side plane of the reference face and its result.
   void clip_step(const Plane<S>& side, const ClipPolygon<S>& polygon);
   void dropped(const Vec3<S>& position, const char* reason) {
     if (stages_.clip) pair_.clip->dropped.push_back({point(position), reason});
   }
-  /// The face contact is given up for another axis.
+  /// The face contact is abandoned for another axis.
   void clip_abandoned() {
     pair_.clip.reset();
     std::erase_if(pair_.decisions, [](const trace::Decision& decision) {
       return decision.stage == "incident_face";
     });
   }
-  /// The axis that made the contact, when it is not the one that the test chose.
+  /// The axis that made the contact, if it is not the axis that the test chose.
   void contact_axis(AxisKind kind) {
     if (stages_.sat) pair_.sat->chosen = to_string(kind);
   }
-  /// Runs a reducer, and records its choices where the stages ask for them. `points` and `normal` in the world.
+  /// Runs a reducer and records its choices if the stages include them. `points` and `normal` in
+  /// the world.
   KeptIndices reduce(const ReducerInfo* reducer, ContactPoints<S> points, const Vec3<S>& normal,
                      const ReduceOptions& options);
-  /// Where a run of GJK leaves its steps; nullptr where they are not to be recorded.
+  /// Record of a run of GJK; null if it is not recorded.
   GjkRun<S>* gjk_run() { return stages_.gjk ? &gjk_run_ : nullptr; }
-  /// The run that was left in gjk_run(), if any; `frame` places what it worked in in A's frame.
+  /// Writes the run from gjk_run(), if any. `frame` is the pose of its frame in A's.
   void gjk(const Pose<S>& frame);
-  /// Where a penetration method leaves its steps; nullptr where they are not to be recorded.
+  /// Record of a penetration method's steps; null if they are not recorded.
   PenetrationSteps<S>* penetration_steps() {
     return stages_.penetration ? &penetration_steps_ : nullptr;
   }
-  /// What a method found, in A's frame, with the steps that were left in penetration_steps();
-  /// `fallback` names the method whose result stands instead, or is nullptr.
+  /// Result of a method, in A's frame, with the steps from penetration_steps(). `fallback` names
+  /// the method that replaced the result, or is null.
   void penetration(PenetrationMethod method, const PenetrationResult<S>& result,
                    const char* fallback);
-  /// The Minkowski difference of two hulls, where a view shows it: the pipeline has no need of it.
+  /// The Minkowski difference of two hulls, for views that show it; the pipeline does not need it.
   void minkowski(const Hull<S>& a, const Hull<S>& b, const Pose<S>& b_in_a);
-  /// Queries a mesh's tree with the other shape's box, both in the mesh's frame; returns the
-  /// triangles.
+  /// Queries a mesh's tree with the other shape's box (mesh frame); returns the triangles.
   std::vector<int> query_tree(const Mesh<S>& mesh, const Aabb<S>& box);
-  /// The geometry had no normal of its own; what was done about it.
+  /// The geometry has no normal of its own, and how that was handled.
   void degenerate(const char* geometry, Degenerate answer) {
     pair_.degenerate = trace::Degenerate{geometry, to_string(answer)};
   }
-  /// Of the pair, metres: what stands in the record when no point does.
+  /// The pair's separation, metres, for a record without points.
   void separation(S separation) { pair_.separation = separation; }
-  /// Where the search in a distance field leaves the points that it asked, in the field's frame;
-  /// nullptr where they are not to be recorded.
+  /// Record of the points that the search in a distance field sampled, in the field's frame; null
+  /// if they are not recorded.
   std::vector<trace::FieldProbe>* field_probes() { return stages_.fields ? &probes_ : nullptr; }
-  /// The points that were left there; `field_in_a` places the field's frame in A's.
+  /// Writes these points; `field_in_a` is the pose of the field's frame in A's.
   void field_search(FieldSearch method, const Pose<double>& field_in_a);
-  /// What became of every point of an incremental manifold.
+  /// The fate of every point of an incremental manifold.
   void incremental(const CoreQuery<S>& query, const IncrementalStep<S>& step,
                    const PersistentManifold<S>& persistent, const IncrementalOptions& options);
 
@@ -145,7 +144,7 @@ class Recorder {
   std::vector<trace::FieldProbe> probes_;
 };
 
-/// Where GJK and the penetration methods leave their steps, whether or not somebody watches.
+/// Records of GJK and of the penetration methods; null also without a recorder.
 template <class S>
 GjkRun<S>* gjk_run(Recorder<S>* recorder) {
   return recorder ? recorder->gjk_run() : nullptr;
@@ -155,7 +154,7 @@ PenetrationSteps<S>* penetration_steps(Recorder<S>* recorder) {
   return recorder ? recorder->penetration_steps() : nullptr;
 }
 
-/// Tells that the geometry has no normal of its own, and says whether such a contact is left out.
+/// Records that the geometry has no normal of its own; returns whether to skip the contact.
 template <class S>
 bool skips_degenerate(const char* geometry, const CollideOptions& options, Recorder<S>* recorder) {
   if (recorder) [[unlikely]]

@@ -6,17 +6,17 @@
 #include "geometry/hull.h"
 #include "manifold/contact.h"
 
-/// What spheres and capsules share: a contact between two points that carry radii.
+/// Shared by spheres and capsules: a contact between two points with radii.
 namespace contactscope {
 
-/// Length without overflow or underflow on the way, whatever the components.
+/// Length without intermediate overflow or underflow, whatever the components.
 template <class S>
 S safe_norm(const Vec3<S>& v) {
   const S largest = v.cwiseAbs().maxCoeff();
   return largest > S(0) ? largest * Vec3<S>(v / largest).norm() : S(0);
 }
 
-/// `v` at length one, also where its length is a denormal number of few digits; zero stays zero.
+/// `v` at length one, also for denormal lengths of few digits; zero stays zero.
 template <class S>
 Vec3<S> safe_unit(const Vec3<S>& v) {
   const S largest = v.cwiseAbs().maxCoeff();
@@ -25,39 +25,38 @@ Vec3<S> safe_unit(const Vec3<S>& v) {
   return scaled / scaled.norm();
 }
 
-/// The part of `v` at right angles to `unit`.
+/// The part of `v` perpendicular to `unit`.
 template <class S>
 Vec3<S> rejected(const Vec3<S>& v, const Vec3<S>& unit) {
   return v - v.dot(unit) * unit;
 }
 
-/// A direction at right angles to a capsule's axis `along`, both in the capsule's own frame; that of
-/// y if the axis has length zero. It depends on the shape alone, so that it turns with the body.
+/// A direction perpendicular to a capsule's axis `along`, both in the capsule's own frame; y if the
+/// axis has length zero. It depends on the shape alone, so it turns with the body.
 template <class S>
 Vec3<S> body_perpendicular(const Vec3<S>& along) {
   const Vec3<S> unit = safe_unit(along);
   return unit.isZero(S(0)) ? Vec3<S>(Vec3<S>::UnitY()) : any_perpendicular(unit);
 }
 
-/// The feature of a capsule's axis at `parameter`: one of its ends or the edge between them. An axis
-/// of length zero is its first end.
+/// The feature of a capsule's axis at `parameter`: an end or the edge between the ends. An axis of
+/// length zero is its first end.
 template <class S>
 FeatureRef axis_feature(Owner owner, S parameter, bool has_length = true) {
   if (!has_length || parameter <= S(0)) return vertex_ref(owner, 0);
   return parameter >= S(1) ? vertex_ref(owner, 1) : edge_ref(owner, 0);
 }
 
-/// The id of an end of the segment that a face or an edge left over: where it was cut off, what made
-/// the cut. Side planes are cut by edges; beside an edge, a vertex makes the cut.
+/// The id of an end of a segment clipped to a face or an edge; `cut` made the cut. At a face edges
+/// make the cuts, along an edge its vertices.
 inline FeatureId clip_id(int end, int cut_by, const FeatureRef& uncut, const FeatureRef& cut) {
   if (cut_by < 0) return FeatureId::of(vertex_ref(Owner::A, end), uncut);
   return FeatureId::of(edge_ref(Owner::A, 0), cut);
 }
 
-/// Adds the contact point between a ball of `radius_a` about `core_a` and one of `radius_b` about
-/// `core_b` along `normal` (unit, from A to B): in the middle of the two surface points, as the
-/// talk puts it. `distance` is that of the two cores along the normal. Everything in A's frame,
-/// metres.
+/// Adds the contact point between two balls of `radius_a` and `radius_b` about `core_a` and
+/// `core_b` along `normal` (unit, from A to B): midway between the two surface points, as in the
+/// talk. `distance` is that of the cores along the normal. Everything in A's frame, metres.
 template <class S>
 void add_round_point(const Vec3<S>& core_a, S radius_a, const Vec3<S>& core_b, S radius_b,
                      const Vec3<S>& normal, S distance, const FeatureId& id, Contact<S>& contact) {
@@ -66,23 +65,24 @@ void add_round_point(const Vec3<S>& core_a, S radius_a, const Vec3<S>& core_b, S
   contact.points.push_back({S(0.5) * (on_a + on_b), distance - (radius_a + radius_b), id});
 }
 
-// What those against hulls share. They are worked on in the hull's own frame: there the hull's lanes
-// stand ready, and its vertices are as exact as they were given.
+// Shared by the pairs with hulls. They are computed in the hull's own frame, in which its lanes are
+// stored and its vertices are exact.
 
-/// A core nearer to a vertex or an edge than this touches it: the difference of the closest points
-/// is an ulp of the coordinates or so in each component, and would turn the normal by a quarter.
+/// A core nearer to a vertex or an edge than this touches it. Closer, the difference of the closest
+/// points is about an ulp of the coordinates in each component and could turn the normal by a
+/// quarter.
 template <class S>
 S touching_distance(S scale) {
   return S(16) * std::numeric_limits<S>::epsilon() * scale;
 }
 
-/// Directions whose angle has less than this sine are nearly parallel. Separations along both differ
-/// by 0.1% then, a fiftieth of what a preference between axes accepts.
+/// Directions with a smaller sine of their angle are nearly parallel. Separations along both then
+/// differ by 0.1%, a fiftieth of what a preference between axes accepts.
 template <class S>
 constexpr S kNearlyParallelSine = S(0.05);
 
-/// No coordinate is larger than this, in either frame, nor was on the way from one to the other.
-/// `core_reach` is that of the round shape in its own frame.
+/// Upper bound of all coordinates in both frames and between them. `core_reach` is the round
+/// shape's in its own frame.
 template <class S>
 S length_scale(const Hull<S>& hull, const Pose<S>& b_in_a, S core_reach) {
   return hull.centroid.norm() + hull.radius + b_in_a.position.norm() + core_reach;

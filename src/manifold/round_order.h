@@ -6,11 +6,11 @@
 #include "core/pose.h"
 #include "geometry/shape.h"
 
-/// Two spheres, or two capsules, are worked on in an order of their own, so that trading the arguments
-/// mirrors the result: the larger radius first, or else by their other numbers.
+/// Two spheres, or two capsules, are processed in an order of their own, so that swapping the
+/// arguments mirrors the result: the larger radius first, then by their other numbers.
 namespace contactscope {
 
-/// Less, equal or more, by the numbers of two vectors one after the other.
+/// Lexicographic comparison of two vectors: less (-1), equal (0) or more (1).
 template <class V>
 int order_of(const V& one, const V& other) {
   for (int i = 0; i < static_cast<int>(one.size()); ++i) {
@@ -26,7 +26,7 @@ int order_of(const Sphere<S>& a, const Sphere<S>& b) {
 }
 template <class S>
 int order_of(const Capsule<S>& a, const Capsule<S>& b) {
-  // Capsules of one scene mostly are the same seven numbers: asked a pack at a time.
+  // Capsules of one scene usually have the same seven numbers: compared a pack at a time.
   constexpr int kNumbers = 7, kWidth = lanes::kWidth<S>;
   static_assert(sizeof(Capsule<S>) == kNumbers * sizeof(S));
   const S *const of_a = a.points[0].data(), *const of_b = b.points[0].data();
@@ -47,7 +47,7 @@ int order_of(const Pose<S>& a, const Pose<S>& b) {
   return order_of(a.position, b.position);
 }
 
-/// Whether B comes first. `b_first` decides between pairs that are the same in all.
+/// Whether B comes first. `b_first` decides for pairs that are equal in everything.
 template <class S, class Round>
 bool against_order(const Round& a, const Pose<S>& pose_a, const Round& b, const Pose<S>& pose_b,
                    bool b_first) {

@@ -5,10 +5,10 @@
 
 namespace contactscope {
 
-/// Whether every position and separation and the normal are numbers, without a branch for each.
+/// Whether all positions, separations and the normal are finite, without a branch for each.
 template <class S>
 bool all_finite(ContactPoints<S> points, const Vec3<S>& normal) {
-  // Zero times anything finite is zero, times anything else is not.
+  // Zero times a finite number is zero; times any other it is NaN.
   const S zero = S(0);
   lanes::Pack<S> sum = {};
   for (const ContactPoint<S>& point : points) {

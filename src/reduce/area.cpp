@@ -7,14 +7,14 @@ namespace {
 
 using steps::Added;
 
-/// What happens to a first point that lies between the extremes of points on one line.
+/// Treatment of a first point between the extremes of points on one line.
 enum class OnALine {
   ExchangeFirst,  // for the other extreme: two points
-  KeepFirst,      // with both extremes
+  KeepFirst,      // together with both extremes
 };
 
-/// The whole of "Contact Point Reduction" from a first point on. One point when all coincide. How the
-/// first was chosen has been told already where somebody watches.
+/// All of "Contact Point Reduction" after the first point, whose choice is already recorded. One
+/// point if all coincide.
 template <Added added, class S>
 KeptIndices grow_from(const Candidates<S>& points, int first, OnALine on_a_line,
                       const ReduceOptions& options) {
@@ -44,15 +44,14 @@ KeptIndices grow_from(const Candidates<S>& points, int first, OnALine on_a_line,
 
 /// The reducer of Gregorius 2015, "Contact Point Reduction: 1st Point" to "4th Point (5)": a
 /// support point in a fixed direction, the farthest point from it, the point that makes the largest
-/// triangle, then the point that adds the most area outside. More than four points go on as the
-/// fourth. Fewer than max_points come back when the rest would add no area: two extremes of points
-/// on one line, one of coincident ones. Separations are not looked at. Deviation: when all points
-/// lie on one line the first is exchanged for the other extreme, because the support point may lie
-/// between.
+/// triangle, then the point that adds the most area outside. Further points are chosen like the
+/// fourth. Keeps fewer than max_points if the rest would add no area: two extremes of points on one
+/// line, one of coincident ones. Ignores separations. Deviation: if all points are on one line the
+/// first is exchanged for the other extreme, because the support point may be between them.
 ///
-/// With `Added::Distance` the counter-example of "4th Point (5)" and "(6)": the fourth and later
-/// points are the ones farthest outside an edge, however short it is. "Maximize area, not distance!"
-/// A distance from an edge is the signed area over its length.
+/// `Added::Distance` is the counter-example of "4th Point (5)" and "(6)": the fourth and later
+/// points are the farthest outside an edge, however short the edge. "Maximize area, not distance!"
+/// The distance from an edge is the signed area over its length.
 template <Added added>
 constexpr auto reduce_from_support = []<class S>(const Candidates<S>& points,
                                                  const ReduceOptions& options) {
@@ -67,12 +66,12 @@ constexpr auto reduce_from_support = []<class S>(const Candidates<S>& points,
   return grow_from<added>(points, support, OnALine::ExchangeFirst, options);
 };
 
-/// `area` with the deepest point as the first, which is therefore always kept. Gregorius 2015,
-/// "Contact Point Reduction: 1st Point": with continuous collision "we want to start with the
-/// deepest point and guarantee it is in our reduced contact set". Of points on one line come back
-/// the deepest and the two extremes. Deviation: of points that are equally deep but for rounding the
-/// steps are taken from each, and the largest area stays; among equal areas that of the frame before,
-/// then the one from the first point by its id.
+/// `area` starting with the deepest point, which is therefore always kept. Gregorius 2015, "Contact
+/// Point Reduction: 1st Point": with continuous collision "we want to start with the deepest point
+/// and guarantee it is in our reduced contact set". Of points on one line it keeps the deepest and
+/// the two extremes. Deviation: if several points are equally deep within rounding, the steps start
+/// from each and the largest area wins; ties go to the previous frame's choice, then to the lowest
+/// id.
 constexpr auto reduce_by_area_from_deepest = []<class S>(const Candidates<S>& points,
                                                          const ReduceOptions& options) {
   int first = points.deepest();

@@ -15,13 +15,13 @@ constexpr int kEight = 8;
 template <class S>
 constexpr int kPacks = kEight / lanes::kWidest<S>;
 
-/// A number for each of eight points.
+/// One number for each of eight points.
 template <class S>
 struct Eight {
   using P = lanes::Widest<S>;
   P of[kPacks<S>];
 
-  /// what(pack of one's, pack of other's ...) of each.
+  /// Element-wise: what(pack of one, pack of another ...).
   template <class What, class... Others>
   [[gnu::always_inline]] static Eight from(const What& what, const Others&... others) {
     Eight result;
@@ -30,7 +30,7 @@ struct Eight {
   }
 };
 
-/// Bit i is set where holds(numbers of point i ...), a comparison of packs.
+/// Bit i is set if holds(numbers of point i ...), a comparison of packs.
 template <class S, class Holds, class... Others>
 [[gnu::always_inline]] inline std::uint32_t bits_of(const Holds& holds, const Others&... others) {
   std::uint32_t bits = 0;
@@ -54,13 +54,13 @@ template <class S>
                           1U << kEight);
 }
 
-/// Eight positions, a coordinate each. Where there are fewer points the first one comes again: it is
-/// never the earliest of equals but at its own place.
+/// Eight positions, one array per coordinate. Missing points repeat the first, which is the
+/// earliest among equals only at its own index.
 template <class S>
 struct Positions {
   Eight<S> x, y, z;
 
-  /// Vectors from one place, and to it.
+  /// Vectors from, and to, a position.
   [[gnu::always_inline]] Positions from(const Vec3<S>& place) const {
     using P = typename Eight<S>::P;
     const auto each = [](const Eight<S>& all, S one) {
@@ -111,7 +111,7 @@ template <class S>
   using P = typename Eight<S>::P;
   Positions<S> result;
   if constexpr (lanes::kWidest<S> == 4) {
-    // Four at a time, turned from a point to a register to a coordinate to a register.
+    // Loads four at a time, then transposes from one register per point to one per coordinate.
     const auto position = [&](int i) __attribute__((always_inline)) {
       return lanes::load_pack<P>(points[i < points.count() ? i : 0].data());
     };
@@ -144,8 +144,8 @@ template <class S>
 
 }  // namespace
 
-/// Gregorius 2015, "Contact Point Reduction: 1st Point" to "4th Point (5)", as in area.cpp and grow.h:
-/// the same sums and products in the same order, the earliest of equals.
+/// Gregorius 2015, "Contact Point Reduction: 1st Point" to "4th Point (5)", as in area.cpp and
+/// grow.h: the same sums and products in the same order, the earliest among equals.
 template <class S>
 [[gnu::flatten]] bool area_of_eight(const Candidates<S>& points, KeptIndices& kept) {
   using P = typename Eight<S>::P;
@@ -156,7 +156,7 @@ template <class S>
   const Positions<S> to_first = at.to(points[first]);
   const Eight<S> distances = to_first.squared_norm();
   const S farthest = most_of(distances);
-  // Squares of squares of lengths are numbers: so nothing below is none.
+  // Limits the fourth powers of lengths below to finite numbers.
   constexpr S kFar = sizeof(S) == 4 ? S(2e8) : S(2e74);
   if (!(farthest > S(0) && farthest < kFar)) return false;
   const int second = earliest(distances, farthest);
@@ -173,15 +173,15 @@ template <class S>
   kept.push_back(second);
   kept.push_back(third);
 
-  // Where the ring third, first, second is clockwise, areas outside of it are positive. The edge from
-  // first to second has been measured.
+  // If the ring third, first, second is clockwise, areas outside it are positive. The edge from
+  // first to second is already measured.
   const bool left =
       (bits_of<S>([](const P& area) { return area > P{}; }, beside) >> third & 1U) != 0;
   const S clockwise = left ? S(-1) : S(1);
   const Positions<S> to_third = at.to(points[third]);
   const Eight<S> of_edges[] = {doubled_areas(to_third, to_first, normal), beside,
                                doubled_areas(to_second, to_third, normal)};
-  // Points of the ring and places without a point add nothing.
+  // Points of the ring and unused indices add nothing.
   alignas(32) constexpr S kNumbers[kEight] = {0, 1, 2, 3, 4, 5, 6, 7};
   const S count = static_cast<S>(points.count());
   const S a = static_cast<S>(first), b = static_cast<S>(second), c = static_cast<S>(third);

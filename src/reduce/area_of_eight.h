@@ -4,12 +4,12 @@
 
 namespace contactscope {
 
-/// What `area` keeps of five to eight points where four are to be kept and nobody watches: the same
-/// points in the same order, with every score measured for all points at a time. Most manifolds have
-/// no more points: two boxes that touch with faces have eight at most.
+/// The result of `area` for five to eight points, keeping four, without a record: the same
+/// points in the same order, with each score measured for all points at once. Most manifolds have
+/// no more points: two boxes with face contact have at most eight.
 ///
-/// False, and nothing kept, where all points are on a line, and where squares of lengths leave the range of S; then the
-/// reducer goes point by point.
+/// Returns false and keeps nothing if all points are on a line, or if squared lengths leave the
+/// range of S. The reducer then proceeds point by point.
 template <class S>
 bool area_of_eight(const Candidates<S>& points, KeptIndices& kept);
 

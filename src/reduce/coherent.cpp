@@ -10,27 +10,27 @@
 namespace contactscope {
 namespace {
 
-/// Of the reference area, a choice may lose this much before another is made.
+/// Fraction of the reference area that a choice may lose before it is replaced.
 constexpr double kCoherentTolerance = 0.05;
-/// How much shallower than the deepest point the deepest kept one may be, of the square root of the
-/// largest area (of the length of points on a line), or if that is more, of the deepest
-/// separation. As the preference between the axes of the separating axis test.
+/// How much shallower than the deepest point the deepest kept one may be: this fraction of the
+/// square root of the largest area (of the length of points on a line) or, if more, of the deepest
+/// separation. Like the preference between the axes of the separating axis test.
 constexpr double kCoherentDepthOfLength = 0.002;
 constexpr double kCoherentDepthOfSeparation = 0.05;
 
 constexpr int kMostCoherentCorners = 8;
 
-/// The choice that others are measured against.
+/// The choice that others are compared with.
 template <class S>
 struct Reference {
   KeptIndices kept;
-  int beside = -1;  // the deep point in it that is no corner of the ring, if there is one
+  int beside = -1;  // its deep point that is not a corner of the ring, if any
   S size;           // measure()
   bool by_length;
   S deepest;  // separation
-  S slack;    // of the separation
+  S slack;    // allowed increase of the separation
 
-  /// Whether a point, or one of several, is deep enough with so much of the slack.
+  /// Whether one of the points is deep enough within this part of the slack.
   bool admits(S part, S separation) const { return separation <= deepest + part * slack; }
   bool admits(S part, const Candidates<S>& points, const KeptIndices& kept_points) const {
     return std::ranges::any_of(kept_points,
@@ -72,12 +72,12 @@ Reference<S> find_reference(const Candidates<S>& points, Patch<S>& patch,
   return reference;
 }
 
-/// What is asked of a ring of corners.
+/// Requirements for a ring of corners.
 template <class S>
 struct CoherentWish {
   StaticVector<bool, kMaxManifoldPoints> is_old, is_deep;  // by corner
-  // A deep point inside of the patch that is kept beside the ring: the hull with it counts. Without
-  // one the ring must have a deep corner.
+  // A deep point inside the patch that is kept in addition to the ring; the hull includes it.
+  // Without it the ring must have a deep corner.
   std::optional<Vec2<S>> beside;
   S least_doubled_area;
   int most;  // corners, 2 to kMostCoherentCorners
@@ -86,18 +86,18 @@ struct CoherentWish {
 template <class S>
 struct CoherentRing {
   int old = 0;
-  CornerRing<S> ring;  // empty when no ring has an old corner and all that is asked
+  CornerRing<S> ring;  // empty if no ring with an old corner meets the requirements
 };
 
-/// The best chain of so many corners, so many of them old, with or without a deep one, from the
-/// first corner to another.
+/// The best chain from the first corner to another with a given number of corners and of old
+/// corners, with or without a deep one.
 template <class S>
 struct Chain {
   S doubled_area = -std::numeric_limits<S>::infinity();
   int before = -1;  // the chain without the last corner
 };
 
-/// Over all rings that begin at corner `first`, once round.
+/// Over all rings that begin at corner `first`, for one round.
 template <class S>
 void improve_from(const Patch<S>& patch, const CoherentWish<S>& wish, int first,
                   std::vector<Chain<S>>& chains, CoherentRing<S>& best) {
@@ -152,9 +152,9 @@ void improve_from(const Patch<S>& patch, const CoherentWish<S>& wish, int first,
   std::reverse(best.ring.corners.begin(), best.ring.corners.end());
 }
 
-/// The ring that has the most old corners of those that fulfil the wish, and of equals the largest:
-/// the dynamic programming of best_ring(), with the number of old corners and whether a deep one is
-/// among them in the state. A ring with an old corner can begin there.
+/// The ring with the most old corners among those that meet the requirements; among equals the
+/// largest. The dynamic programming of best_ring() with the number of old corners and the presence
+/// of a deep one as state. A ring with an old corner can begin there.
 template <class S>
 CoherentRing<S> most_coherent_ring(const Patch<S>& patch, const CoherentWish<S>& wish) {
   CoherentRing<S> best;
@@ -165,8 +165,8 @@ CoherentRing<S> most_coherent_ring(const Patch<S>& patch, const CoherentWish<S>&
   return best;
 }
 
-/// The ring that keeps the most old points, of corners alone or with the point beside the ring that
-/// the reference has.
+/// The ring that keeps the most old points, of corners alone or with the reference's additional
+/// point.
 template <class S>
 KeptIndices most_coherent(const Candidates<S>& points, const Patch<S>& patch,
                           const Reference<S>& reference, const KeptIndices& old, int most) {
@@ -202,29 +202,27 @@ KeptIndices most_coherent(const Candidates<S>& points, const Patch<S>& patch,
   return kept;
 }
 
-/// A reducer that keeps the points of the frame before, by their ids, while they are good enough:
-/// an id that changes costs the solver its impulse. Two things are bounded in every frame, whatever
-/// went before:
-/// - Depth: one of the kept is no more than a slack (the constants above) shallower than the
-///   deepest. This comes first, because a corner that sinks while no point is there to hold it is
-///   worse than one that is held with a shorter lever.
-/// - Area: the hull of the kept, seen along the normal, is no less than 95% of the reference. That
-///   is the largest area of at most max_points points with one among them that is within half of
-///   the slack: as reduce_to_optimal has wherever the patch is nearly level or its best points
-///   include a deep one, else never less than 1 - 2 / max_points of it (without the corner that
-///   costs least there is room for a deep point), and never less than reduce_to_optimal_deepest. So
-///   of reduce_to_optimal never less than 0.95 (1 - 2 / max_points): 47.5% for four points.
-/// For one or two points, and for points on one line, the distance of the extremes takes the place
-/// of area.
+/// A reducer that keeps the points of the previous frame, by their ids, while they are good enough:
+/// a changed id costs the solver its impulse. Two bounds hold in every frame, whatever the history:
+/// - Depth: one kept point is at most a slack (the constants above) shallower than the deepest.
+///   This comes first, because a corner that sinks without a point to hold it is worse than one
+///   that is held with a shorter lever.
+/// - Area: the hull of the kept points, seen along the normal, is at least 95% of the reference:
+///   the largest area of at most max_points points, one of them within half of the slack. That is
+///   reduce_to_optimal's area if the patch is nearly level or its best points include a deep one.
+///   Otherwise it is at least 1 - 2 / max_points of that area (omitting the cheapest corner leaves
+///   room for a deep point), and always at least reduce_to_optimal_deepest's. So the area is at
+///   least 0.95 (1 - 2 / max_points) of reduce_to_optimal's: 47.5% for four points.
+/// For one or two points, and for points on one line, the distance of the extremes replaces area.
 ///
-/// Hysteresis as between the axes of the separating axis test (Catto 2007, "Feature Flip-Flop"), for
-/// the choice of points; no engine that we know of does this. Steps: 1. the points of the ids of the
-/// frame before; 2. the largest choice that is deep enough, the reference; 3. the old points, in
-/// their order, while all of them are there, large and deep enough; 4. if not, a new choice with half
-/// of the tolerance and half of the slack, so that noise which moves neither by that much changes
-/// nothing: of such choices of corners of the patch the one with the most kept ids, and of those the
-/// one of largest area; first the old points, then the new ones round the patch. With more than eight
-/// points, or on a line, or when no id is there again, it is the reference itself.
+/// Hysteresis as between the axes of the separating axis test (Catto 2007, "Feature Flip-Flop"),
+/// for the choice of points; no engine that we know of does this. Steps: 1. the points with the
+/// previous frame's ids; 2. the reference: the largest choice that is deep enough; 3. the old
+/// points, in their order, if all exist and are large and deep enough; 4. otherwise a new choice of
+/// the patch's corners within half of the tolerance and half of the slack, so that noise below that
+/// changes nothing: the most kept ids, then the largest area; old points first, then the new ones
+/// around the patch. For max_points above eight, on a line, or if no id recurs, it is the reference
+/// itself.
 constexpr auto reduce_coherently = []<class S>(const Candidates<S>& points,
                                                const ReduceOptions& options) {
   const int most = options.max_points;

@@ -13,7 +13,7 @@ namespace {
 template <class S>
 constexpr S kHandicap = S(0.95);
 
-/// Two points, the largest triangle with them, the most area outside it; one where the two are one.
+/// Two points, the largest triangle with them, the most area outside it; one if they coincide.
 template <class S>
 KeptIndices grow_to_four(const Candidates<S>& points, int first, int second, S handicap,
                          const ReduceOptions& options) {
@@ -25,11 +25,11 @@ KeptIndices grow_to_four(const Candidates<S>& points, int first, int second, S h
   return steps::first_of(kept, options);
 }
 
-/// As Box3D reduces the manifold of two hulls. Steps: the point with
-/// the largest sum of depth and way along a fixed direction in the plane; the farthest from it; the
-/// largest triangle; the most area outside. A later point must beat an earlier one by 5%, so that
-/// near ties do not flicker. Four points at most. Deviations: the way is measured from the centre
-/// of the points, because a reducer knows no bodies; no point is left out for being too far apart.
+/// Like Box3D for the manifold of two hulls. Steps: the point with the largest sum of depth and
+/// offset along a fixed direction in the plane; the farthest from it; the largest triangle; the
+/// most area outside. A later point must beat an earlier one by 5%, so that near ties do not
+/// flicker. At most four points. Deviations: the offset is from the centre of the points, because a
+/// reducer has no bodies; no point is dropped for a large separation.
 constexpr auto reduce_like_box3d = []<class S>(const Candidates<S>& points,
                                                const ReduceOptions& options) {
   const Vec3<S> direction = any_perpendicular(points.normal);
@@ -42,9 +42,9 @@ constexpr auto reduce_like_box3d = []<class S>(const Candidates<S>& points,
   return grow_to_four(points, first, second, kHandicap<S>, options);
 };
 
-/// As Box3D reduces a cluster of contacts with a mesh. Steps: the
-/// farthest pair; the largest triangle; the most area outside. Four points at most. Deviation:
-/// depth does not decide between near ties, because Box3D's tolerances for that are lengths.
+/// Like Box3D for a cluster of contacts with a mesh. Steps: the farthest pair; the largest
+/// triangle; the most area outside. At most four points. Deviation: depth does not break near ties,
+/// because Box3D's tolerances for that are lengths.
 constexpr auto reduce_like_box3d_mesh = []<class S>(const Candidates<S>& points,
                                                     const ReduceOptions& options) {
   const auto [a, b] = steps::farthest_two<S>(
@@ -52,12 +52,12 @@ constexpr auto reduce_like_box3d_mesh = []<class S>(const Candidates<S>& points,
   return grow_to_four(points, a, b, S(1), options);
 };
 
-/// As Jolt prunes contact points. Steps: the point with the largest
-/// distance from the centre times depth; the point with the largest distance from that one times
-/// depth; the farthest on either side of the line through both. Neither factor counts as less than
-/// a floor. Four points at most. Deviations: the centre is that of the points, because a reducer
-/// knows no bodies; factors are not squared, which chooses the same and does not underflow; the
-/// floor, 1 mm in Jolt, is a thousandth of the patch.
+/// Like Jolt's pruning of contact points. Steps: the point with the largest distance from the
+/// centre times depth; the point with the largest distance from that one times depth; the farthest
+/// on either side of the line through both. Both factors have a lower bound. At most four points.
+/// Deviations: the centre is that of the points, because a reducer has no bodies; factors are not
+/// squared, which chooses the same without underflow; the bound, 1 mm in Jolt, is a thousandth of
+/// the patch.
 constexpr auto reduce_like_jolt = []<class S>(const Candidates<S>& points,
                                               const ReduceOptions& options) {
   const Vec3<S> middle = points.centre();
@@ -79,21 +79,21 @@ constexpr auto reduce_like_jolt = []<class S>(const Candidates<S>& points,
 
 constexpr int kPlaces = 4;
 
-/// Four times the squared area of the quadrilateral a b c d in any order: whichever two of its
-/// segments cross span the most.
+/// Four times the squared area of the quadrilateral a b c d in any order: the two segments that
+/// cross span the most.
 template <class S>
 S squared_area(const Vec3<S>& a, const Vec3<S>& b, const Vec3<S>& c, const Vec3<S>& d) {
   return std::max({(a - b).cross(c - d).squaredNorm(), (a - c).cross(b - d).squaredNorm(),
                    (a - d).cross(b - c).squaredNorm()});
 }
 
-/// As Bullet's persistent manifold takes points one by one. Steps: the
-/// first four points take the four places; every further one looks which of the five is the
-/// deepest, and takes the place, other than that one's, which leaves the largest quadrilateral. The
-/// arriving point is never turned away, so that area gets lost, the more the more points there are.
-/// The deepest is always kept; the rest depends on the order of the points. Four points at most.
-/// Deviations: areas of all three pairings of diagonals, the more careful of Bullet's two ways;
-/// where no place gives an area, the first that is free to go is taken.
+/// Like Bullet's persistent manifold, which takes points one by one. Steps: the first four points
+/// fill the four places. For each further point, find the deepest of the five, then replace the
+/// point, other than the deepest, whose removal leaves the largest quadrilateral. The arriving
+/// point is never rejected, so area is lost, more with more points. The deepest is always kept; the
+/// rest depends on the order of the points. At most four points. Deviations: areas of all three
+/// pairings of diagonals, the more careful of Bullet's two methods; if no replacement gives an
+/// area, the first replaceable point is replaced.
 constexpr auto reduce_like_bullet = []<class S>(const Candidates<S>& points,
                                                 const ReduceOptions& options) {
   const auto separation = [&](int i) { return points.separation(i); };
@@ -108,7 +108,7 @@ constexpr auto reduce_like_bullet = []<class S>(const Candidates<S>& points,
       return squared_area<S>(points[arriving], other(1), other(2), other(3));
     };
     const int best = steps::highest(kPlaces, left_area, S(-1));
-    if (best >= 0) at(places, best) = arriving;  // no area is a number where float overflows
+    if (best >= 0) at(places, best) = arriving;  // areas are NaN if floats overflow
   }
 
   const std::span<const int> held(places.data(), std::min<std::size_t>(points.points.size(), 4));
@@ -127,8 +127,8 @@ struct Corner {
 template <class S>
 using Corners = StaticVector<Corner<S>, 2 * kMaxManifoldPoints>;
 
-/// The corners of the points' convex hull seen in their plane, counter-clockwise, without points on
-/// edges.
+/// The corners of the points' convex hull, projected into their plane, counter-clockwise, without
+/// points on edges.
 template <class S>
 Corners<S> convex_corners(const Candidates<S>& points, const PlaneFrame<S>& plane) {
   Corners<S> sorted;
@@ -141,7 +141,7 @@ Corners<S> convex_corners(const Candidates<S>& points, const PlaneFrame<S>& plan
   });
 }
 
-/// Of the area of the points' convex hull; of the corners when that has none.
+/// The centroid of the points' convex hull; the mean of its corners if the area is zero.
 template <class S>
 Vec3<S> centroid(const Candidates<S>& points) {
   const PlaneFrame<S> plane(points[0], points.normal);
@@ -162,11 +162,10 @@ Vec3<S> centroid(const Candidates<S>& points) {
                                            : Vec2<S>(mean / static_cast<S>(hull.size()))));
 }
 
-/// As ODE culls the contacts of two boxes. Steps: angles of all points
-/// around the centroid of the area, from the deepest one; the deepest, which is therefore always
-/// kept; for 90, 180 and 270 degrees the point not yet taken whose angle is nearest. Four points.
-/// Deviation: the area is that of the convex hull, so that the order in which the points come does
-/// not matter.
+/// Like ODE's culling of the contacts of two boxes. Steps: angles of all points around the area's
+/// centroid, relative to the deepest; the deepest, which is therefore always kept; for 90, 180 and
+/// 270 degrees the nearest remaining point by angle. Four points. Deviation: the area is the convex
+/// hull's, so the order of the points does not matter.
 constexpr auto reduce_like_ode = []<class S>(const Candidates<S>& points,
                                              const ReduceOptions& options) {
   constexpr S kTurn = S(2) * std::numbers::pi_v<S>;
@@ -194,21 +193,20 @@ constexpr auto reduce_like_ode = []<class S>(const Candidates<S>& points,
   return steps::first_of(choices, options);
 };
 
-/// As PhysX reduces a batch of contacts. Steps: the deepest point,
-/// which is therefore always kept; the farthest from it; the farthest on either side of the line
-/// through both. Four points at most. Deviation: where a side is empty three points come back.
+/// Like PhysX's reduction of a batch of contacts. Steps: the deepest point, which is therefore
+/// always kept; the farthest from it; the farthest on either side of the line through both. At most
+/// four points. Deviation: three points if a side is empty.
 constexpr auto reduce_like_physx = []<class S>(const Candidates<S>& points,
                                                const ReduceOptions& options) {
   const int first = points.deepest();
   return points.two_and_both_sides(first, points.farthest_from(first), options);
 };
 
-/// As PhysX reduces contacts by clusters. Steps: the point farthest
-/// from the centre, the farthest from it, and the farthest on either side of the line through both;
-/// every point joins the nearest of these; the deepest of each cluster is kept, so that the deepest
-/// of all always is, first. Four points at most. Deviations: the centre is that of the points,
-/// because a reducer knows no frame of a shape; where a side is empty three points come back; the
-/// clusters are listed by depth.
+/// Like PhysX's reduction of contacts by clusters. Steps: the point farthest from the centre, the
+/// farthest from it, and the farthest on either side of the line through both; every point joins
+/// the nearest of these; the deepest of each cluster is kept, so the deepest of all is always kept,
+/// first. At most four points. Deviations: the centre is that of the points, because a reducer has
+/// no shape frame; three points if a side is empty; the clusters are listed by depth.
 constexpr auto reduce_like_physx_cluster = []<class S>(const Candidates<S>& points,
                                                        const ReduceOptions& options) {
   const Vec3<S> middle = points.centre();
@@ -229,7 +227,7 @@ constexpr auto reduce_like_physx_cluster = []<class S>(const Candidates<S>& poin
 };
 
 /// Shamos 1978, "Computational Geometry": the farthest pair is antipodal. As the edge from corner i
-/// turns, the corner farthest from it only moves on.
+/// turns, the corner farthest from it only advances.
 template <class S>
 std::array<int, 2> diameter(const Corners<S>& hull) {
   std::array<int, 2> best = {hull[0].index, hull[0].index};
@@ -246,7 +244,7 @@ std::array<int, 2> diameter(const Corners<S>& hull) {
   for (std::size_t i = 0; i < hull.size(); ++i) {
     const Vec2<S> edge = hull[after(i)].place - hull[i].place;
     measure(i, k);
-    // Never past corner i, should rounding hold a turn for none.
+    // Never past corner i, in case rounding hides a turn.
     while (after(k) != i && cross(edge, hull[after(k)].place - hull[k].place) > S(0)) {
       k = after(k);
       measure(i, k);
@@ -256,9 +254,9 @@ std::array<int, 2> diameter(const Corners<S>& hull) {
   return best;
 }
 
-/// As Newton prunes contacts. Steps: the convex hull of the points in
-/// the plane; its diameter by rotating calipers; the farthest points on either side of it. Four
-/// points at most. Deviation: where a side is empty three points come back.
+/// Like Newton's pruning of contacts. Steps: the convex hull of the points in the plane; its
+/// diameter by rotating calipers; the farthest points on either side of it. At most four points.
+/// Deviation: three points if a side is empty.
 constexpr auto reduce_like_newton = []<class S>(const Candidates<S>& points,
                                                 const ReduceOptions& options) {
   const PlaneFrame<S> plane(points[0], points.normal);
@@ -266,11 +264,11 @@ constexpr auto reduce_like_newton = []<class S>(const Candidates<S>& points,
   return points.two_and_both_sides(a, b, options);
 };
 
-/// As MJX reduces a clip polygon. Steps: the first point given; the
-/// farthest from it; the farthest from the line through both, on either side; the farthest from the
-/// other two edges of that triangle, on either side of them, by area. A corner of the triangle may
-/// win, which wastes the fourth choice: three points are left. Four points at most. Deviation: that
-/// corner is not reported twice.
+/// Like MJX's reduction of a clip polygon. Steps: the first given point; the farthest from it; the
+/// farthest from the line through both, on either side; the farthest from the triangle's other two
+/// edges, on either side of them, by area. A corner of the triangle may win, which wastes the
+/// fourth choice and leaves three points. At most four points. Deviation: that corner is not
+/// reported twice.
 constexpr auto reduce_like_mjx = []<class S>(const Candidates<S>& points,
                                              const ReduceOptions& options) {
   const int a = 0;
@@ -292,7 +290,7 @@ constexpr auto reduce_like_mjx = []<class S>(const Candidates<S>& points,
 
 }  // namespace
 
-/// How engines reduce, each written from a description.
+/// Reducers like those of engines, each written from a description.
 std::vector<ReducerInfo> engine_reducers() {
   return {
       listed("box3d",

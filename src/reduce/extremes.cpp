@@ -4,7 +4,7 @@
 namespace contactscope {
 namespace {
 
-/// Both ways along two axes of the plane.
+/// Both directions along two axes of the plane.
 template <class S>
 std::array<Vec3<S>, 4> directions_in_plane(const Vec3<S>& normal) {
   const Vec3<S> u = any_perpendicular(normal);
@@ -13,11 +13,11 @@ std::array<Vec3<S>, 4> directions_in_plane(const Vec3<S>& normal) {
 }
 
 /// The alternative of Gregorius 2015, "Contact Point Reduction: AABB (1)" to "(3)": the extreme
-/// points along two axes in the contact plane. The axes follow the world's, so that the choice
-/// changes when the same patch turns: a diamond on its corner loses two of four points when its
-/// long diagonal lies at 45 degrees to them. Steps: an orthonormal basis (u, v) of the plane from
-/// the world axis that the normal leans on least; lowest and highest along u, then along v. Points
-/// that are extreme along both count once.
+/// points along two axes in the contact plane. The axes follow the world's, so the choice changes
+/// when the same patch turns: a diamond on its corner loses two of four points when its long
+/// diagonal is at 45 degrees to them. Steps: an orthonormal basis (u, v) of the plane from the
+/// world axis least aligned with the normal; lowest and highest along u, then along v. Points that
+/// are extreme along both count once.
 constexpr auto reduce_to_extremes = []<class S>(const Candidates<S>& points,
                                                 const ReduceOptions& options) {
   const std::array<Vec3<S>, 4> directions = directions_in_plane(points.normal);

@@ -8,14 +8,13 @@
 
 namespace contactscope::steps {
 
-/// What the fourth and later points maximise.
+/// The measure that the fourth and later points maximise.
 enum class Added {
   Area,      // of the triangle that they add outside an edge
   Distance,  // from an edge
 };
 
-/// The point outside of a ring of kept points that adds most, and the place in the ring that it
-/// takes.
+/// The point outside a ring of kept points that adds most, and its position in the ring.
 struct Addition {
   int index = -1;  // -1: no point is outside
   std::size_t place = 0;
@@ -44,10 +43,10 @@ Addition largest_addition(const Candidates<S>& points, const KeptIndices& ring, 
 }
 
 /// Gregorius 2015, "Contact Point Reduction: 3rd Point" to "4th Point (5)", from two different
-/// points on. The third makes the largest triangle, the fourth adds most outside, further ones go
-/// on as the fourth until none adds area. False, and nothing added, when all points lie on one
-/// line. Deviations: the third maximises the absolute area, so that winding does not hide half of
-/// the points, and fixes the winding of the triangle; areas within rounding of zero count as zero.
+/// points on. The third makes the largest triangle, the fourth and later ones add most outside,
+/// until none adds area. Returns false and adds nothing if all points are on one line. Deviations:
+/// the third maximises the absolute area, so that winding does not hide half of the points, and
+/// fixes the winding of the triangle; areas within rounding of zero count as zero.
 template <Added added, class S>
 bool grow(const Candidates<S>& points, KeptIndices& kept, const ReduceOptions& options,
           S handicap = S(1)) {
@@ -64,7 +63,7 @@ bool grow(const Candidates<S>& points, KeptIndices& kept, const ReduceOptions& o
 
   const bool left = points.doubled_area(third, first, second) > S(0);
   KeptIndices ring;  // the polygon kept so far, counter-clockwise
-  // One by one: a loop over a list of the three waits until the list is stored, a tenth of the time.
+  // One by one: a loop over a list of the three waits for its stores, a tenth of the time.
   ring.push_back(third);
   ring.push_back(left ? first : second);
   ring.push_back(left ? second : first);

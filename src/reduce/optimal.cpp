@@ -9,13 +9,13 @@
 namespace contactscope {
 namespace {
 
-/// The best chains of corners that begin at one corner: row r, column j holds the largest area of
-/// r + 1 corners that end at j, doubled. A column for each corner of the patch.
+/// The best chains of corners that begin at one corner: row r, column j holds the largest doubled
+/// area of r + 1 corners that end at j. One column per corner of the patch.
 template <class S>
 using Chains = Scratch<S, 5 * 64>;
 
 /// The best ring that begins at corner `first` and uses no corner after `last`, which may be in the
-/// second round. Replaces `best` when it is larger by more than rounding. `most` >= 2.
+/// second round. Replaces `best` if it is larger by more than rounding. `most` >= 2.
 template <class S>
 void improve_from(const Patch<S>& patch, const Vec2<S>& centre, int first, int last, int most,
                   Chains<S>& chains, CornerRing<S>& best) {
@@ -43,7 +43,7 @@ void improve_from(const Patch<S>& patch, const Vec2<S>& centre, int first, int l
   if (!(largest > before)) return;
   best.doubled_area = largest;
   best.corners.clear();
-  // Of equals always the first: rounding would choose another one each time.
+  // Always the first among equals: otherwise rounding would choose, differently each time.
   int used = 0;
   int end = 0;
   while (used == 0) {
@@ -70,14 +70,14 @@ CornerRing<S> every_corner(const Patch<S>& patch) {
   return ring;
 }
 
-/// The largest polygon of at most `most` corners, of any patch and `most` >= 2. With a point `inner`
-/// of the patch, the corners whose convex hull together with it has the largest area; doubled_area
-/// is then that of the hull.
+/// The largest polygon of at most `most` corners, for any patch and `most` >= 2. With a point
+/// `inner` of the patch: the corners whose convex hull together with it has the largest area, in
+/// doubled_area.
 ///
 /// The area of a polygon is the sum of the triangles that its edges make with one fixed point, and
-/// the best one has only corners of the convex hull: a longest path round the hull, by dynamic
-/// programming for each first corner. The hull of a ring and a point is made of the triangles
-/// between the point and those edges of the ring that it sees from within. O(most n^3).
+/// the best polygon has only corners of the convex hull. So this is a longest path around the hull,
+/// by dynamic programming for each first corner. The hull of a ring and a point consists of the
+/// triangles between the point and the edges of the ring that it sees from within. O(most n^3).
 template <class S>
 CornerRing<S> best_ring(const Patch<S>& patch, int most, const Vec2<S>* inner = nullptr) {
   if (patch.count <= most) return every_corner(patch);
@@ -90,8 +90,8 @@ CornerRing<S> best_ring(const Patch<S>& patch, int most, const Vec2<S>* inner = 
   return best;
 }
 
-/// The largest polygon that contains corner `through`: the same with only one first corner.
-/// O(most n^2).
+/// The largest polygon that contains corner `through`: the same with a single first corner. O(most
+/// n^2).
 template <class S>
 CornerRing<S> best_ring_through(const Patch<S>& patch, int through, int most) {
   if (patch.count <= most) return every_corner(patch);
@@ -103,7 +103,7 @@ CornerRing<S> best_ring_through(const Patch<S>& patch, int through, int most) {
   return best;
 }
 
-/// The points of a ring, counter-clockwise seen against the normal, from one place on.
+/// The points of a ring, counter-clockwise seen against the normal, starting at one position.
 template <class S>
 void append(KeptIndices& kept, const Patch<S>& patch, const CornerRing<S>& ring, int begin) {
   const int size = count_of(ring.corners);
@@ -113,8 +113,8 @@ void append(KeptIndices& kept, const Patch<S>& patch, const CornerRing<S>& ring,
   }
 }
 
-/// Place of the deepest in a ring, the earliest point of those whose separations differ by no more than
-/// `depth_tie`.
+/// Position of the deepest point in a ring: the earliest of those whose separations differ by no
+/// more than `depth_tie`.
 template <class S>
 int deepest_of(const Patch<S>& patch, const CornerRing<S>& ring, S depth_tie) {
   S least = std::numeric_limits<S>::infinity();
@@ -129,8 +129,8 @@ int deepest_of(const Patch<S>& patch, const CornerRing<S>& ring, S depth_tie) {
   return std::max(best, 0);
 }
 
-/// The points of a ring of four, in order from the deepest, as by append() and deepest_of(), but
-/// without a branch that nothing could foresee.
+/// The points of a ring of four, starting with the deepest, as by append() and deepest_of(), but
+/// without unpredictable branches.
 template <class S>
 KeptIndices kept_four(const Patch<S>& patch, const CornerRing<S>& ring, S depth_tie) {
   using lanes::Pack;
@@ -165,7 +165,7 @@ int corner_at(const Patch<S>& patch, const Vec2<S>& place) {
   return -1;
 }
 
-/// The corners to keep beside a place that is none of them. Of points on one line the two extremes.
+/// The corners to keep with a place that is not a corner. For points on one line the two extremes.
 template <class S>
 CornerRing<S> ring_beside(const Patch<S>& patch, const Vec2<S>& place, int most) {
   if (most > 2 && !patch.is_flat) return best_ring(patch, most - 1, &place);
@@ -208,7 +208,7 @@ CornerRing<S> largest_ring(const Candidates<S>& points, const Patch<S>& patch, i
     ring = best_ring_through(patch, corner, most);
     if (ring.doubled_area >= largest - patch.tie) return ring;
   }
-  return ring;  // no area is a number where S overflows
+  return ring;  // areas are NaN if S overflows
 }
 
 template <class S>
@@ -266,22 +266,22 @@ ChoiceWith<S> largest_with(const Candidates<S>& points, Patch<S>& patch, int poi
 
 namespace {
 
-/// The max_points points whose convex hull, seen along the normal, has the largest area of all such
-/// choices: exact but for rounding, at O(n^2) for four points. Of choices whose areas differ by
-/// less than the rounding of S (in float some 1e-6 of the area) that of the frame before stays; without
-/// one it is the first by the ids of its points (largest_ring()), so that noise which moves no area by
-/// more changes nothing. For two points the farthest pair, for one a support point in a fixed direction,
-/// which rolls over with the smallest change of the patch least. Points that would add no area are left
-/// out: all corners of the hull if there are no more than max_points, the two extremes of points on one
-/// line, one of coincident ones.
+/// The max_points points whose convex hull, seen along the normal, has the largest area: exact up
+/// to rounding, in O(n^2) for four points. Among choices whose areas differ by less than the
+/// rounding of S (in float some 1e-6 of the area) the previous frame's is kept. Otherwise the first
+/// by ids wins (largest_ring()), so noise that changes areas by no more changes nothing. For two
+/// points: the farthest pair. For one: a support point in a fixed direction, which is least likely
+/// to flip with small changes of the patch. Omits points that would add no area: keeps all corners
+/// of the hull if there are at most max_points, the two extremes of points on one line, one of
+/// coincident ones.
 ///
-/// Counter-clockwise seen against the normal, beginning with the deepest of those kept (the
-/// earliest of equally deep ones). Separations are not looked at otherwise.
+/// Counter-clockwise seen against the normal, beginning with the deepest kept point (the earliest
+/// among equals). Separations are not used otherwise.
 ///
-/// The talk grows four points one by one (Gregorius 2015, "Contact Point Reduction"); here they are
-/// chosen at once. Steps: project the points into the plane and take the corners of their convex
-/// hull, for no other point is a corner of the best polygon (Patch); the best of their rings
-/// (largest_ring()); go round from the deepest of them.
+/// The talk grows four points one by one (Gregorius 2015, "Contact Point Reduction"); this chooses
+/// them at once. Steps: project the points into the plane and take the corners of their convex
+/// hull, because no other point is a corner of the best polygon (Patch); find their best ring
+/// (largest_ring()); list it from its deepest point.
 constexpr auto reduce_to_optimal = []<class S>(const Candidates<S>& points,
                                                const ReduceOptions& options) {
   if (options.max_points == 1) {
@@ -295,20 +295,20 @@ constexpr auto reduce_to_optimal = []<class S>(const Candidates<S>& points,
                             std::numeric_limits<S>::infinity(), options);
 };
 
-/// Of the choices of at most max_points points that contain the deepest point, the one whose convex
-/// hull, seen along the normal, has the largest area: exact but for rounding. Points whose separations
-/// differ by rounding alone are equally deep (Candidates::depth_tie()), and any of them will do: of a
-/// level patch it is the choice of reduce_to_optimal. Ties in area are broken as there. The deepest
-/// may be inside of the hull, also of the kept ones. For two points the deepest and the one farthest
-/// from it; of points on one line the two extremes and the deepest, if it is neither.
+/// The choice of at most max_points points, including the deepest, whose convex hull, seen along
+/// the normal, has the largest area: exact up to rounding. Points whose separations differ only by
+/// rounding are equally deep (Candidates::depth_tie()), and any of them satisfies this: for a level
+/// patch the result is reduce_to_optimal's. Ties in area are broken as there. The deepest point may
+/// be inside the hull, even of the kept points. For two points: the deepest and the farthest from
+/// it. For points on one line: the two extremes and the deepest, if it is neither.
 ///
-/// The deepest comes first, the earliest of equals. When it is a corner of the patch the others follow
-/// counter-clockwise seen against the normal; when it is not they go round counter-clockwise from the
+/// The deepest comes first, the earliest among equals. If it is a corner of the patch, the others
+/// follow counter-clockwise seen against the normal; if not, they follow counter-clockwise from the
 /// next deepest.
 ///
-/// As reduce_to_optimal(), with one point given: Gregorius 2015 begins with the deepest, too, and
-/// then takes the farthest; here the others are chosen at once (largest_with()). Several deepest points
-/// are each tried where the largest ring has none of them.
+/// As reduce_to_optimal() with one given point. Gregorius 2015 also begins with the deepest and
+/// then takes the farthest; this chooses the others at once (largest_with()). Several deepest
+/// points are each tried if the largest ring contains none of them.
 constexpr auto reduce_to_optimal_deepest = []<class S>(const Candidates<S>& points,
                                                        const ReduceOptions& options) {
   const int deepest = points.deepest(), most = options.max_points;
@@ -339,7 +339,7 @@ constexpr auto reduce_to_optimal_deepest = []<class S>(const Candidates<S>& poin
 
 }  // namespace
 
-/// Those that choose all points at once.
+/// Reducers that choose all points at once.
 std::vector<ReducerInfo> optimal_reducers() {
   return {listed("optimal", "the largest area", reduce_to_optimal),
           listed("optimal_deepest", "the largest area of those with the deepest",

@@ -28,7 +28,7 @@ struct Positions {
   Pack<S> separation = {};
 };
 
-/// A pack of points: the separation behind each position is read along with it.
+/// Reads a pack of points; each separation follows its position in memory and is read with it.
 template <class S>
 Positions<S> read(const ContactPoint<S>* const (&points)[Patch<S>::kLanes]) {
   if constexpr (Patch<S>::kLanes == 2) {
@@ -68,8 +68,8 @@ Positions<S> read(const ContactPoint<S>* const (&points)[Patch<S>::kLanes]) {
 
 }  // namespace
 
-/// The basis of the plane after Duff et al. 2017, "Building an Orthonormal Basis, Revisited":
-/// neither a square root nor a case.
+/// The basis of the plane after Duff et al. 2017, "Building an Orthonormal Basis, Revisited": no
+/// square root and no branches.
 template <class S>
 Patch<S>::Patch(const Candidates<S>& points) : origin_(points[0]), count(points.count()) {
   const Vec3<S>& normal = points.normal;
@@ -80,7 +80,7 @@ Patch<S>::Patch(const Candidates<S>& points) : origin_(points[0]), count(points.
   v_ = {b, sign + normal.y() * normal.y() * a, -normal.y()};
   // Computed after the basis so that the two do not wait for each other.
   const int third = count / 3;
-  // Negative when points in convex order are clockwise seen against the normal.
+  // Negative if points in convex order are clockwise seen against the normal.
   up_ = std::copysign(S(1), points.doubled_area(0, third, 2 * third));
   project_all(points.points);
   if (!measure()) {
@@ -91,7 +91,7 @@ Patch<S>::Patch(const Candidates<S>& points) : origin_(points[0]), count(points.
 
 template <class S>
 void Patch<S>::project_all(ContactPoints<S> points) {
-  // Beside this object: the compiler need not read them again for each store.
+  // Local copies, so that the compiler need not reload the members after each store.
   const Positions<S> from = {all(origin_.x()), all(origin_.y()), all(origin_.z())};
   const Positions<S> u = {all(u_.x()), all(u_.y()), all(u_.z())};
   const Positions<S> v = {all(v_.x()), all(v_.y()), all(v_.z())};
@@ -118,7 +118,7 @@ void Patch<S>::project_all(ContactPoints<S> points) {
     lay(at, i);
   }
   if (i == corners) return;
-  // The lanes after the last are the first again.
+  // The lanes after the last point repeat the first ones.
   for (int lane = 0; lane < kLanes; ++lane) {
     at[lane] = points.data() + std::min(i + lane - (i + lane < corners ? 0 : corners), corners - 1);
   }
@@ -128,7 +128,7 @@ void Patch<S>::project_all(ContactPoints<S> points) {
 
 template <class S>
 Vec2<S> Patch<S>::project(const Vec3<S>& position) const {
-  // Relative to the first point, so that a place far from the origin costs no digits.
+  // Relative to the first point, so that positions far from the origin lose no digits.
   const S dx = position.x() - origin_.x();
   const S dy = position.y() - origin_.y();
   const S dz = position.z() - origin_.z();
@@ -142,7 +142,7 @@ void Patch<S>::repeat() {
   }
 }
 
-/// Of coincident points the earliest stays.
+/// Keeps the earliest of coincident points.
 template <class S>
 void Patch<S>::make_convex() {
   StaticVector<int, kMaxManifoldPoints + 1> sorted;
@@ -165,7 +165,7 @@ void Patch<S>::make_convex() {
   repeat();
 }
 
-/// Corners are in convex order when all turns are to the left and they go round once: then exactly
+/// Corners are in convex order if all turns are to the left and they go round once. Then exactly
 /// one corner is higher than the one before and no lower than the next.
 template <class S>
 bool Patch<S>::measure() {
@@ -175,7 +175,7 @@ bool Patch<S>::measure() {
   Pack<S> low = zero;
   Pack<S> area = zero;
   Flags<S> tops = {};
-  Flags<S> left = {};  // corners from here to the last, for an end amid a pack
+  Flags<S> left = {};  // remaining corners, for an end within a pack
   for (int lane = 0; lane < kLanes; ++lane) left[lane] = count - lane;
   Pack<S> x = load(xs);
   Pack<S> y = load(ys);
@@ -205,8 +205,8 @@ bool Patch<S>::measure() {
     rounds += static_cast<int>(tops[lane]);
   }
 
-  // A coordinate carries an error of half an ulp of its own size, so a difference of two of them
-  // does too however small it is itself, and an area that error times the length of the patch.
+  // A coordinate has an error of half an ulp of its own size. So has a difference of two, however
+  // small; an area has that error times the length of the patch.
   const S length = S(2) * lanes::largest<S>(lanes::larger(high, -low))[0];
   const S coordinate =
       std::max(std::max(std::abs(origin_.x()), std::abs(origin_.y())), std::abs(origin_.z()));

@@ -6,7 +6,7 @@
 
 namespace contactscope {
 
-/// Packs as wide as the build allows; the rest of namespace lanes works on them too.
+/// Packs as wide as the build allows; the rest of namespace lanes works on them, too.
 namespace widest {
 
 template <class S>
@@ -28,15 +28,15 @@ Pack<S> all(S value) {
 
 }  // namespace widest
 
-/// Contact points seen along the normal: the corners of their convex hull, each coordinate in an
-/// array of its own. It goes round twice and more, so that nothing that goes round has to wrap:
-/// corner i + count is corner i again, also in the lanes after the last corner.
+/// Contact points seen along the normal: the corners of their convex hull, one array per
+/// coordinate. The arrays repeat at least twice, so that loops need not wrap: corner i + count is
+/// corner i again, also in the lanes after the last corner.
 template <class S>
 class Patch {
   // The plane.
   Vec3<S> origin_;
   Vec3<S> u_, v_;
-  S up_;        // 1, or -1 when v_ is turned about
+  S up_;        // 1, or -1 if v_ is reversed
   S rounding_;  // of a coordinate, metres
 
   static constexpr int kRoom = static_cast<int>(2 * kMaxManifoldPoints) + 2 * lanes::kWidest<S>;
@@ -44,26 +44,26 @@ class Patch {
  public:
   static constexpr int kLanes = lanes::kWidest<S>;
 
-  /// At most kMaxManifoldPoints points, at least one. Points off a common plane are laid into it along
-  /// the normal.
+  /// At least one point and at most kMaxManifoldPoints. Points off a common plane are projected
+  /// along the normal.
   explicit Patch(const Candidates<S>& points);
 
   Vec2<S> corner(int i) const { return {xs[i], ys[i]}; }
   /// A contact point in the coordinates of the corners.
   Vec2<S> project(const Vec3<S>& position) const;
-  /// A distance within rounding is none.
+  /// A distance within rounding is zero.
   bool coincide(const Vec2<S>& a, const Vec2<S>& b) const {
     return (b - a).squaredNorm() <= rounding_ * rounding_;
   }
   /// Whether counter-clockwise corners are clockwise seen against the normal.
   bool is_mirrored() const { return up_ < S(0); }
 
-  int count;             // of the corners
-  bool is_flat = false;  // all points are on a line, or coincide: the area is nothing but rounding
+  int count;             // number of corners
+  bool is_flat = false;  // all points are on a line or coincide: the area is only rounding
   S doubled_area;        // of the whole hull
-  S tie;                 // doubled areas, and squared lengths, that differ by no more may be equal
+  S tie;                 // doubled areas, and squared lengths, that differ by no more are ties
   // Not initialised: only two rounds and the lanes after them are used.
-  int point[kMaxManifoldPoints];     // the contact point at each corner
+  int point[kMaxManifoldPoints];     // contact point at each corner
   S separation[kMaxManifoldPoints];  // of that point
   // Metres, relative to the first point. Counter-clockwise in these coordinates.
   alignas(sizeof(widest::Pack<S>)) S xs[kRoom];
@@ -72,10 +72,10 @@ class Patch {
  private:
   /// Reads and projects the points.
   void project_all(ContactPoints<S> points);
-  /// Lets the corners go round again.
+  /// Repeats the corners.
   void repeat();
   void make_convex();
-  /// Area and lengths. False when the corners are not in convex order.
+  /// Computes area and lengths. Returns false if the corners are not in convex order.
   bool measure();
 };
 

@@ -13,14 +13,14 @@ using widest::each;
 using widest::load;
 using widest::Pack;
 
-/// The first corner for which holds(packs of `values`) after one of them, going round counter-clockwise seen
-/// against the normal: at the latest that one itself. Where rounding could choose between several it is
-/// always the same one, whatever the order of the points.
+/// The first corner after `after`, counter-clockwise seen against the normal, for which holds(packs
+/// of `values`); at the latest `after` itself. Where rounding could choose between several, the
+/// result does not depend on the order of the points.
 template <class S, class Holds>
 int next_round(const Patch<S>& patch, const S* values, int after, const Holds& holds) {
   const int count = patch.count;
   const auto below = [count](int i) { return i < count ? i : i - count; };
-  constexpr int kHalf = 16;  // corners, of which two rounds fit into a word
+  constexpr int kHalf = 16;  // corners; two rounds of them fit into a word
   if (count <= kHalf) {
     std::uint32_t bits = 0;
     for (int i = 0; i < count; i += Patch<S>::kLanes)
@@ -41,8 +41,8 @@ int next_round(const Patch<S>& patch, const S* values, int after, const Holds& h
   return after;
 }
 
-/// The diagonal between two corners and the farthest corners on both sides of it, of equals the first
-/// round from `from`.
+/// The diagonal between two corners and the farthest corners on both sides of it, among equals the
+/// first in order from `from`.
 template <class S>
 CornerRing<S> ring_across(const Patch<S>& patch, int from, int to, S doubled_area) {
   constexpr int kLanes = Patch<S>::kLanes;
@@ -50,7 +50,7 @@ CornerRing<S> ring_across(const Patch<S>& patch, int from, int to, S doubled_are
   const S dx = patch.xs[to] - patch.xs[from];
   const S dy = patch.ys[to] - patch.ys[from];
   S across[kMaxManifoldPoints];
-  Pack<S> most = dx * load(patch.ys) - dy * load(patch.xs);  // the patch goes round twice at least
+  Pack<S> most = dx * load(patch.ys) - dy * load(patch.xs);  // the patch repeats at least twice
   Pack<S> least = most;
   store<S>(most, across);
   for (int i = kLanes; i < count; i += kLanes) {
@@ -61,7 +61,7 @@ CornerRing<S> ring_across(const Patch<S>& patch, int from, int to, S doubled_are
   }
   most = lanes::largest<S>(most) - patch.tie;
   least = lanes::smallest<S>(least) + patch.tie;
-  // The right side is passed between the first corner and the second, the left one on the way back.
+  // The right side is between the first corner and the second, the left one on the return.
   const bool back = patch.is_mirrored();
   const int right =
       next_round(patch, across, back ? to : from, [&](const Pack<S>& c) { return c <= least; });
@@ -70,17 +70,17 @@ CornerRing<S> ring_across(const Patch<S>& patch, int from, int to, S doubled_are
   CornerRing<S> ring;
   ring.doubled_area = doubled_area;
   ring.corners.push_back(from);
-  // On a side where all is straight but for rounding an end may come out farthest.
+  // On a side that is straight up to rounding, an end may come out farthest.
   if (right != from && right != to) ring.corners.push_back(right);
-  if (to != from) ring.corners.push_back(to);  // no area is a number where S overflows
+  if (to != from) ring.corners.push_back(to);  // areas are NaN if S overflows
   if (left != from && left != to) ring.corners.push_back(left);
   return ring;
 }
 
 constexpr int kEight = 8;
 
-/// Diagonals from every corner i of eight to i + kSteps, a lane each: the area of the farthest
-/// corners on both sides, of `kCount` of them.
+/// Diagonals from each corner i of eight to i + kSteps, one lane each: the area with the farthest
+/// corners on both sides, for `kCount` of them.
 template <class S, int kSteps, int kCount>
 inline void areas_of_eight(const Pack<S> (&x)[kEight], const Pack<S> (&y)[kEight], Pack<S>& most) {
   for (int i = 0; i < kCount; i += Patch<S>::kLanes) {
@@ -96,7 +96,7 @@ inline void areas_of_eight(const Pack<S> (&x)[kEight], const Pack<S> (&y)[kEight
   }
 }
 
-/// The area of corners i to i + 3 for every corner i of eight, a lane each: cross product of their
+/// The area of corners i to i + 3 for each corner i of eight, one lane each: cross product of their
 /// diagonals.
 template <class S>
 inline void areas_of_neighbours(const Pack<S> (&x)[kEight], const Pack<S> (&y)[kEight],
@@ -109,12 +109,12 @@ inline void areas_of_neighbours(const Pack<S> (&x)[kEight], const Pack<S> (&y)[k
   }
 }
 
-/// Five to eight corners: every diagonal over two others or more is tried, which needs no search for
-/// its other end. Quadrilaterals with none such are four neighbours. With fewer than eight the first
-/// corners come again after the last. So some diagonals are looked at with corners on the wrong side,
-/// and come out too small; but each quadrilateral is also there with all corners in place, because a
-/// way of two, three or four steps from an end of a diagonal does not cross the seam or crosses it
-/// where it only stays at a corner.
+/// For five to eight corners: tries every diagonal that skips at least two corners, without a
+/// search for its other end. Quadrilaterals without such a diagonal are four neighbours. With fewer
+/// than eight corners the first ones repeat after the last. Some diagonals then have corners on the
+/// wrong side and give too small an area. But each quadrilateral also occurs with all corners in
+/// place: a path of two, three or four steps from an end of a diagonal does not cross the seam, or
+/// crosses it while staying at a corner.
 template <class S, int... kFirst>
 S best_of_eight(const Patch<S>& patch, std::integer_sequence<int, kFirst...>) {
   constexpr int kLanes = Patch<S>::kLanes;
@@ -128,12 +128,12 @@ S best_of_eight(const Patch<S>& patch, std::integer_sequence<int, kFirst...>) {
   Pack<S> most = {};
   areas_of_neighbours<S>(x, y, most);
   areas_of_eight<S, 3, kEight>(x, y, most);
-  areas_of_eight<S, 4, kEight / 2>(x, y, most);  // of the longest diagonals half are enough
+  areas_of_eight<S, 4, kEight / 2>(x, y, most);  // half of the longest diagonals are enough
   return lanes::largest<S>(most)[0];
 }
 
-/// Steps of area_of_best_quadrilateral() for `kPacks` packs of edges from edge i on. The corner of a
-/// comparison with all is read once for all packs.
+/// Steps of area_of_best_quadrilateral() for `kPacks` packs of edges starting at edge i. Each
+/// corner is read once for all packs.
 template <class S, int kPacks>
 inline void roll(const Patch<S>& patch, const S* edge_x, const S* edge_y, int i, Pack<S>& most) {
   constexpr int kLanes = Patch<S>::kLanes;
@@ -177,23 +177,22 @@ inline void roll(const Patch<S>& patch, const S* edge_x, const S* edge_y, int i,
 
 }  // namespace
 
-/// Of the largest quadrilateral a b c d: a and c are the farthest corners on both sides of the diagonal
-/// b d, or it were not the largest, so they are an antipodal pair (two parallel lines through them
-/// have all corners between them); and so are b and d. A line that rolls round a convex polygon of
-/// n corners meets n such pairs (Shamos 1978, "Computational Geometry"), so only n diagonals are
-/// tried instead of n(n - 3) / 2.
+/// In the largest quadrilateral a b c d, a and c are the farthest corners on both sides of the
+/// diagonal b d; otherwise it would not be the largest. So they are an antipodal pair (two parallel
+/// lines through them have all corners between them), and so are b and d. A line that rolls round a
+/// convex polygon of n corners meets n such pairs (Shamos 1978, "Computational Geometry"), so only
+/// n diagonals need testing instead of n(n - 3) / 2.
 ///
-///          to ___          The line rolls over corner i and lies on the edge from i to i + 1; its
+///          to ___          The line rolls over corner i and lies on the edge from i to i + 1. Its
 ///        ---/-   \---      parallel on the other side touches `to`, the farthest corner from that
-///          |      |        edge. As it rolls on, i + 1 and `to` are a pair. When the parallel lies
-///        ---\__ _/---      on an edge as well, `to` is the later corner of that, because it rolls
-///          i   i+1         on, too.
+///          |      |        edge. As it rolls on, i + 1 and `to` are a pair. If the parallel lies
+///        ---\__ _/---      on an edge as well, `to` is the later corner of that edge, because the
+///          i   i+1         parallel rolls on, too.
 ///
 /// Steps: for each edge, count the edges ahead that do not lead back to it, up to the farthest
 /// corner; take the farthest corners on both sides of the diagonal from there to the end of the
-/// edge. Rotating calipers need O(n) steps for the pairs,
-/// but each waits for the one before: O(n^2) steps side by side and without a branch are faster for
-/// the sizes of manifolds.
+/// edge. Rotating calipers need O(n) steps for the pairs, but each waits for the previous one.
+/// O(n^2) parallel steps without branches are faster for the sizes of manifolds.
 template <class S>
 S area_of_best_quadrilateral(const Patch<S>& patch) {
   constexpr int kLanes = Patch<S>::kLanes;
@@ -218,9 +217,9 @@ S area_of_best_quadrilateral(const Patch<S>& patch) {
   return lanes::largest<S>(most)[0];
 }
 
-/// Only the diagonals that begin at the one corner, which a quadrilateral with it has at an end of a
-/// diagonal; of equals the first going round from there. Their two sides need not be distinguished: beyond the
-/// ends of a diagonal of a convex polygon there is nothing farther to the right or to the left.
+/// Tests only the diagonals at this corner, because a quadrilateral has a diagonal at each corner;
+/// among equals the first in order from there. The two sides need not be distinguished: beyond the
+/// ends of a diagonal of a convex polygon nothing is farther to the right or left.
 template <class S>
 CornerRing<S> best_quadrilateral_through(const Patch<S>& patch, int through) {
   const int count = patch.count;

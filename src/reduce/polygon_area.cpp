@@ -11,7 +11,7 @@ namespace contactscope {
 namespace {
 
 /// Largest sum of cross products over closed chains of at most `corners` corners that begin at
-/// corner `start` and go round in order. most[v] is the best open chain that ends at v.
+/// corner `start`, in order. most[v] is the best open chain that ends at v.
 double best_from(const std::vector<Vec2d>& polygon, std::size_t start, int corners) {
   constexpr double kNone = -std::numeric_limits<double>::infinity();
   std::vector<double> most(polygon.size(), kNone);
@@ -37,8 +37,8 @@ double convex_area(std::span<const Vec3d> points, const Vec3d& normal) {
 }
 
 /// The best corners are corners of the convex hull, and twice a polygon's area is the sum of the
-/// cross products along its edges: a longest path, found by dynamic programming for each first
-/// corner. For four corners and n <= 16, the sizes of manifolds, this is some thousand steps.
+/// cross products along its edges. So this is a longest path, by dynamic programming for each first
+/// corner. For four corners and n <= 16, the sizes of manifolds, it takes some thousand steps.
 double best_convex_area(std::span<const Vec3d> points, const Vec3d& normal, int max_points) {
   const std::vector<Vec2d> polygon = convex_polygon(project(points, normal));
   if (count_of(polygon) <= max_points) return area_of(polygon);

@@ -7,11 +7,11 @@
 namespace contactscope {
 
 /// Area in square metres of the convex hull of `points`, seen along unit `normal`. 0 for fewer than
-/// three points, or points on one line.
+/// three points or points on one line.
 double convex_area(std::span<const Vec3d> points, const Vec3d& normal);
 
-/// The largest such area that any `max_points` of the points can span: what a reducer is measured
-/// against. Exact but for rounding.
+/// The largest such area of any `max_points` of the points, the reference for reducers. Exact up to
+/// rounding.
 double best_convex_area(std::span<const Vec3d> points, const Vec3d& normal, int max_points);
 
 }  // namespace contactscope

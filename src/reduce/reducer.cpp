@@ -9,7 +9,7 @@
 
 namespace contactscope {
 
-// The reducers of a file: the talk's, those that look at no geometry, engines' ways, the optimal ones.
+// The reducers of each file: the talk's, those without geometry, engines', the optimal ones.
 std::vector<ReducerInfo> area_reducers(), extremes_reducers(), simple_reducers(), engine_reducers(),
     optimal_reducers(), coherent_reducers();
 

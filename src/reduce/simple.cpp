@@ -5,16 +5,16 @@
 namespace contactscope {
 namespace {
 
-/// The first max_points points in the order in which clipping made them. No source: what a buffer
-/// of fixed size does.
+/// The first max_points points in the order of clipping. No source: the behaviour of a fixed-size
+/// buffer.
 constexpr auto reduce_to_first = []<class S>(const Candidates<S>& /*points*/,
                                              const ReduceOptions& options) {
   return steps::numbers_up_to(options.max_points);
 };
 
 /// The deepest max_points points, deepest first, equally deep ones by index. No source: the obvious
-/// choice, and a bad one, because deep points lie side by side, and where two points exchange their
-/// depth the manifold jumps.
+/// choice, and a bad one. Deep points are next to each other, and the manifold jumps if two points
+/// exchange their depths.
 constexpr auto reduce_to_deepest = []<class S>(const Candidates<S>& points,
                                                const ReduceOptions& options) {
   KeptIndices order = steps::numbers_up_to(points.count());
@@ -25,8 +25,8 @@ constexpr auto reduce_to_deepest = []<class S>(const Candidates<S>& points,
   return steps::first_of(order, options);
 };
 
-/// Steele, Lea and Flood 2014, "Fast Splittable Pseudorandom Number Generators": any seed will do,
-/// 0 included.
+/// Steele, Lea and Flood 2014, "Fast Splittable Pseudorandom Number Generators": works with any
+/// seed, including 0.
 std::uint64_t split_mix(std::uint64_t& state) {
   state += 0x9e3779b97f4a7c15;
   std::uint64_t mixed = state;
@@ -35,11 +35,11 @@ std::uint64_t split_mix(std::uint64_t& state) {
   return mixed ^ (mixed >> 31);
 }
 
-/// Any max_points of the points, each as likely; options.seed chooses. The same on every platform.
+/// Any max_points of the points, equally likely, by options.seed. The same on every platform.
 ///
-/// Fisher and Yates 1938, stopped after max_points. Steps: exchange place i with a place from i on,
-/// drawn by multiplying 32 random bits by the number of places: a bias of less than 1e-7, and no
-/// standard distribution, which would differ between libraries.
+/// Fisher and Yates 1938, stopped after max_points. Steps: exchange position i with a random
+/// position >= i, drawn by multiplying 32 random bits by the number of positions. The bias is below
+/// 1e-7. A standard distribution would differ between libraries.
 constexpr auto reduce_at_random = []<class S>(const Candidates<S>& points,
                                               const ReduceOptions& options) {
   const int all = points.count();
@@ -55,7 +55,7 @@ constexpr auto reduce_at_random = []<class S>(const Candidates<S>& points,
 
 }  // namespace
 
-/// What looks at no geometry, for comparison.
+/// Reducers without geometry, for comparison.
 std::vector<ReducerInfo> simple_reducers() {
   return {listed("deepest", "the deepest", reduce_to_deepest),
           listed("first", "the first, in the order of clipping", reduce_to_first),

@@ -12,8 +12,8 @@
 namespace contactscope {
 namespace steps {
 
-/// Which of `count` has the highest score above `more_than`, -1 when none has; among equals the
-/// earliest. A later one must win by the factor 1 / `handicap`, and by more than `tie`.
+/// Index below `count` of the highest score above `more_than`, -1 if none; the earliest among
+/// equals. A later one must win by the factor 1 / `handicap`, and by more than `tie`.
 template <class Score, class S = std::invoke_result_t<Score, int>>
 int highest(int count, const Score& score, S more_than = -std::numeric_limits<S>::infinity(),
             S handicap = S(1), S tie = S(0)) {
@@ -29,7 +29,7 @@ int highest(int count, const Score& score, S more_than = -std::numeric_limits<S>
   return best;
 }
 
-/// The farthest two of `count`, lower index first; 0 twice when all coincide. A later pair must win
+/// The farthest two of `count`, lower index first; 0 twice if all coincide. A later pair must win
 /// by more than `tie`, square metres.
 template <class S, class SquaredDistance>
 std::array<int, 2> farthest_two(int count, const SquaredDistance& squared_distance, S tie = S(0)) {
@@ -47,8 +47,8 @@ std::array<int, 2> farthest_two(int count, const SquaredDistance& squared_distan
   return best;
 }
 
-/// Of the first `count` for which holds(i), the one whose id(i), or then index, comes after that of
-/// `after`; the first of all after -1. -1: none.
+/// Among the first `count` with holds(i), the next after `after` in the order of id(i), then index;
+/// the first of all after -1. -1: none.
 template <class Id, class Holds>
 int next_by_id(int count, const Id& id, int after, const Holds& holds) {
   const auto is_before = [&](int i, int j) {
@@ -63,13 +63,13 @@ int next_by_id(int count, const Id& id, int after, const Holds& holds) {
 }
 
 /// A direction in the plane with unit `normal` that depends on it alone; not of unit length. It
-/// leans on no coordinate axis, because boxes and floors do, and two corners of an aligned box would
-/// be equally far along an axis: rounding would then choose between them anew in every frame.
+/// avoids the coordinate axes of boxes and floors: two corners of an aligned box would be equally
+/// far along an axis, and rounding would choose between them again in every frame.
 template <class S>
 Vec3<S> fixed_direction(const Vec3<S>& normal) {
   const Vec3<S> one(S(0.76), S(0.31), S(0.57));
   const Vec3<S> two(S(-0.57), S(0.76), S(0.31));
-  // The steeper one would have a short projection, and swing with the smallest change of normal.
+  // The steeper one would have a short projection and swing with the smallest change of the normal.
   const Vec3<S>& chosen = std::abs(normal.dot(one)) <= S(0.9) ? one : two;
   return chosen - normal.dot(chosen) * normal;
 }
@@ -85,7 +85,7 @@ inline bool contains(const KeptIndices& kept, int index) {
   return std::find(kept.begin(), kept.end(), index) != kept.end();
 }
 
-/// Appends a choice unless it is none (-1) or was made before.
+/// Appends a choice unless it is -1 or already contained.
 inline void add_once(KeptIndices& kept, int index) {
   if (index >= 0 && !contains(kept, index)) kept.push_back(index);
 }
@@ -98,8 +98,8 @@ inline KeptIndices first_of(KeptIndices choices, const ReduceOptions& options) {
 
 }  // namespace steps
 
-/// The points that a reducer chooses from, and steps that several reducers take. All of them look at
-/// the points as given, relative to one of them, so that a place far from the origin costs no digits.
+/// The points that a reducer chooses from, and the steps that several reducers share. All use
+/// positions relative to one of the points, so that a place far from the origin loses no digits.
 template <class S>
 struct Candidates {
   ContactPoints<S> points;
@@ -122,19 +122,19 @@ struct Candidates {
   int deepest() const {
     return highest([&](int i) { return -separation(i); });
   }
-  /// Points whose separations differ by no more, metres, are equally deep: rounding would choose another
-  /// one of them in every frame.
+  /// Points whose separations differ by no more than this, metres, are equally deep: rounding would
+  /// choose a different one in every frame.
   S depth_tie(const ReduceOptions& options) const {
     S scale = static_cast<S>(options.scale);
     if (!(scale > S(0)))
       for (int i = 0; i < count(); ++i)
         scale = std::max(
             {scale, ((*this)[i] - (*this)[0]).cwiseAbs().maxCoeff(), std::abs(separation(i))});
-    // A separation is a sum of four products of unit vectors and coordinates, after a rotation of as many:
-    // eight roundings of half an ulp (tie_tolerance()), and two are compared.
+    // A separation is a sum of four products of unit vectors and coordinates, after a rotation of
+    // as many: eight roundings of half an ulp (tie_tolerance()); two separations are compared.
     return S(8) * std::numeric_limits<S>::epsilon() * scale;
   }
-  /// `from` itself when all points coincide.
+  /// `from` itself if all points coincide.
   int farthest_from(int from, S handicap = S(1)) const {
     const auto distance = [&](int i) { return ((*this)[i] - (*this)[from]).squaredNorm(); };
     const int farthest = highest(distance, S(0), handicap);
@@ -146,8 +146,8 @@ struct Candidates {
     return steps::next_by_id(
         count(), [&](int i) { return id(i); }, after, holds);
   }
-  /// The points that bear the ids of the frame before, in their order. Equal ids are distinguished by
-  /// their order among the points.
+  /// The points with the previous frame's ids, in their order. Equal ids are distinguished by their
+  /// order among the points.
   KeptIndices kept_before(const ReduceOptions& options) const {
     KeptIndices found;
     for (const FeatureId& before : options.previous) {
@@ -160,35 +160,34 @@ struct Candidates {
     }
     return found;
   }
-  /// Mean of the positions.
   Vec3<S> centre() const {
     Vec3<S> sum = Vec3<S>::Zero();
     for (int i = 1; i < count(); ++i) sum += (*this)[i] - (*this)[0];
     return (*this)[0] + sum / S(count());
   }
-  /// Twice the signed area of the triangle q, a, b; counter-clockwise seen against the normal is
-  /// positive. The talk's 0.5 (QA x QB) . n without the factor.
+  /// Twice the signed area of the triangle q, a, b; positive if counter-clockwise seen against the
+  /// normal. The talk's 0.5 (QA x QB) . n without the factor.
   S doubled_area(int q, int a, int b) const {
     const Vec3<S> qa = (*this)[a] - (*this)[q];
     const Vec3<S> qb = (*this)[b] - (*this)[q];
     return qa.cross(qb).dot(normal);
   }
-  /// Doubled areas up to here, over an edge as long as that from a to b, may be rounding. A
-  /// coordinate carries an error of half an ulp of its own size, so a difference of two of them does
-  /// too however small it is itself, and an area that error times the length of the edge.
+  /// Doubled areas up to this, over an edge from a to b, may be rounding. A coordinate has an error
+  /// of half an ulp of its own size. So has a difference of two, however small; an area has that
+  /// error times the length of the edge.
   S negligible_area(int a, int b) const {
     const S length = ((*this)[b] - (*this)[a]).norm();
     const S coordinate = (*this)[a].cwiseAbs().maxCoeff() + length;
     return S(8) * std::numeric_limits<S>::epsilon() * coordinate * length;
   }
-  /// The points farthest from the line through a and b on its left and right, -1 where none is.
+  /// The points farthest from the line through a and b on its left and right; -1 if there is none.
   std::array<int, 2> both_sides(int a, int b) const {
     const S negligible = negligible_area(a, b);
     return {highest([&](int q) { return doubled_area(q, a, b); }, negligible),
             highest([&](int q) { return -doubled_area(q, a, b); }, negligible)};
   }
-  /// Two points and the farthest on either side of the line through them; fewer where a side
-  /// is empty, or the two are one.
+  /// Two points and the farthest on either side of the line through them; fewer if a side is empty
+  /// or the two coincide.
   KeptIndices two_and_both_sides(int first, int second, const ReduceOptions& options) const {
     const auto [left, right] = both_sides(first, second);
     KeptIndices choices;
@@ -197,7 +196,7 @@ struct Candidates {
   }
 };
 
-/// The row of a reducer: a function object without data, which takes candidates in either scalar.
+/// The row of a reducer: a stateless function object that takes candidates in either scalar.
 template <class Reduce>
 ReducerInfo listed(std::string name, std::string summary, const Reduce&, bool remembers = false) {
   const auto run = []<class S>(ContactPoints<S> points, const Vec3<S>& normal,
