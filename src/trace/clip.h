@@ -14,10 +14,10 @@ struct ClipFace {
   Polygon polygon;
 
   static constexpr auto fields() {
-    return std::tuple(field::exact("shape", &ClipFace::shape),
-                      field::exact("face", &ClipFace::face),
-                      field::direction("normal", &ClipFace::normal).optional(),
-                      field::position("polygon", &ClipFace::polygon).says(""));
+    return field::list(field::exact("shape", &ClipFace::shape),
+                       field::exact("face", &ClipFace::face),
+                       field::direction("normal", &ClipFace::normal).optional(),
+                       field::position("polygon", &ClipFace::polygon).says(""));
   }
 };
 
@@ -28,9 +28,9 @@ struct ClipStep {
   Polygon polygon;
 
   static constexpr auto fields() {
-    return std::tuple(field::direction("normal", &ClipStep::normal).in("plane"),
-                      field::length("offset", &ClipStep::offset).in("plane"),
-                      field::position("polygon", &ClipStep::polygon).says(""));
+    return field::list(field::direction("normal", &ClipStep::normal).in("plane"),
+                       field::length("offset", &ClipStep::offset).in("plane"),
+                       field::position("polygon", &ClipStep::polygon).says(""));
   }
 };
 
@@ -39,8 +39,8 @@ struct DroppedPoint {
   std::string reason;  // "above the reference face"
 
   static constexpr auto fields() {
-    return std::tuple(field::position("position", &DroppedPoint::position).says(""),
-                      field::exact("reason", &DroppedPoint::reason));
+    return field::list(field::position("position", &DroppedPoint::position).says(""),
+                       field::exact("reason", &DroppedPoint::reason));
   }
 };
 
@@ -52,10 +52,10 @@ struct Clip {
   std::vector<DroppedPoint> dropped;
 
   static constexpr auto fields() {
-    return std::tuple(field::fact("reference", &Clip::reference).apart("reference face"),
-                      field::fact("incident", &Clip::incident).apart("incident face"),
-                      field::facts("steps", &Clip::steps).entries("clip step", "side planes"),
-                      field::facts("dropped", &Clip::dropped).entries("dropped point"));
+    return field::list(field::fact("reference", &Clip::reference).apart("reference face"),
+                       field::fact("incident", &Clip::incident).apart("incident face"),
+                       field::facts("steps", &Clip::steps).entries("clip step", "side planes"),
+                       field::facts("dropped", &Clip::dropped).entries("dropped point"));
   }
 };
 

@@ -16,7 +16,7 @@ struct Impulse {
   double warm_start = 0;           // newton seconds along the normal, kept of the step before
 
   static constexpr auto fields() {
-    return std::tuple(
+    return field::list(
         field::impulse("normal", &Impulse::normal).says("impulse"),
         field::impulse("friction", &Impulse::friction)
             .optional()
@@ -33,7 +33,7 @@ struct RelativeVelocity {
   Vec3d after = Vec3d::Zero();   // when it ends, at the places of both bodies that met
 
   static constexpr auto fields() {
-    return std::tuple(
+    return field::list(
         field::velocity("before", &RelativeVelocity::before).negated().says("relative velocity"),
         field::velocity("after", &RelativeVelocity::after)
             .negated()
@@ -54,14 +54,15 @@ struct Point {
   bool active = true;  // false: a speculative point that the solver did not act on
 
   static constexpr auto fields() {
-    return std::tuple(field::position("position", &Point::position).says(""),
-                      field::length("separation", &Point::separation),
-                      field::exact("id", &Point::id).optional().mirror(Mirrored::IdFlipped).finds(),
-                      field::fact("impulse", &Point::impulse),
-                      field::fact("relative_velocity", &Point::relative_velocity),
-                      field::position("on_a", &Point::on_a).swaps(&Point::on_b).says("place on a"),
-                      field::position("on_b", &Point::on_b).says("place on b"),
-                      field::exact("active", &Point::active).where_set().called("idle", "active"));
+    return field::list(
+        field::position("position", &Point::position).says(""),
+        field::length("separation", &Point::separation),
+        field::exact("id", &Point::id).optional().mirror(Mirrored::IdFlipped).finds(),
+        field::fact("impulse", &Point::impulse),
+        field::fact("relative_velocity", &Point::relative_velocity),
+        field::position("on_a", &Point::on_a).swaps(&Point::on_b).says("place on a"),
+        field::position("on_b", &Point::on_b).says("place on b"),
+        field::exact("active", &Point::active).where_set().called("idle", "active"));
   }
 };
 
@@ -73,11 +74,11 @@ struct Manifold {
   std::string type{};  // "point-face", ...: which features touch, the simpler one first
 
   static constexpr auto fields() {
-    return std::tuple(field::direction_to_b("normal", &Manifold::normal),
-                      field::axis("axis", &Manifold::axis).optional(),
-                      field::exact("type", &Manifold::type).where_set(),
-                      field::exact("triangle", &Manifold::triangle).or_null().finds(),
-                      field::facts("points", &Manifold::points).entries("point"));
+    return field::list(field::direction_to_b("normal", &Manifold::normal),
+                       field::axis("axis", &Manifold::axis).optional(),
+                       field::exact("type", &Manifold::type).where_set(),
+                       field::exact("triangle", &Manifold::triangle).or_null().finds(),
+                       field::facts("points", &Manifold::points).entries("point"));
   }
 };
 

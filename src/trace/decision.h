@@ -24,10 +24,10 @@ struct Decision {
 
   static constexpr auto fields() {
     using D = Decision;
-    return std::tuple(field::axis("stage", &D::stage).names(), field::axis("took", &D::took),
-                      field::axis("over", &D::over), field::length("margin", &D::margin),
-                      field::area("margin_area", &D::margin_area),
-                      field::direction("margin_cosine", &D::margin_cosine));
+    return field::list(field::axis("stage", &D::stage).names(), field::axis("took", &D::took),
+                       field::axis("over", &D::over), field::length("margin", &D::margin),
+                       field::area("margin_area", &D::margin_area),
+                       field::direction("margin_cosine", &D::margin_cosine));
   }
   friend bool operator==(const Decision&, const Decision&) = default;
 };
@@ -44,11 +44,12 @@ struct Flip {
 
   static constexpr auto fields() {
     using F = Flip;
-    return std::tuple(field::length("way", &F::way),
-                      field::direction_to_b("direction", &F::direction).where_set(),
-                      field::ratio("turn", &F::turn),
-                      field::direction_to_b("axis", &F::axis).where_set().says("axis of the turn"),
-                      field::exact("last_places", &F::last_places).says("units in the last place"));
+    return field::list(
+        field::length("way", &F::way),
+        field::direction_to_b("direction", &F::direction).where_set(),
+        field::ratio("turn", &F::turn),
+        field::direction_to_b("axis", &F::axis).where_set().says("axis of the turn"),
+        field::exact("last_places", &F::last_places).says("units in the last place"));
   }
   friend bool operator==(const Flip&, const Flip&) = default;
 };

@@ -29,17 +29,17 @@ struct ReducerAnswer {
 
   static constexpr auto fields() {
     using A = ReducerAnswer;
-    return std::tuple(field::exact("name", &A::name), field::exact("kept", &A::kept).into("points"),
-                      field::area("area", &A::area), field::exact("area_ratio", &A::area_ratio),
-                      field::exact("deepest_kept", &A::deepest_kept),
-                      field::exact("supports_center_of_mass", &A::supports_center_of_mass),
-                      field::exact("wrench_error", &A::wrench_error),
-                      field::length("depth_error", &A::depth_error),
-                      field::exact("ids_changed", &A::ids_changed),
-                      field::length("patch_moved", &A::patch_moved),
-                      field::exact("median", &A::median).in("nanoseconds"),
-                      field::exact("min", &A::min).in("nanoseconds"),
-                      field::exact("upper_quartile", &A::quarter).in("nanoseconds"));
+    return field::list(
+        field::exact("name", &A::name), field::exact("kept", &A::kept).into("points"),
+        field::area("area", &A::area), field::exact("area_ratio", &A::area_ratio),
+        field::exact("deepest_kept", &A::deepest_kept),
+        field::exact("supports_center_of_mass", &A::supports_center_of_mass),
+        field::exact("wrench_error", &A::wrench_error),
+        field::length("depth_error", &A::depth_error), field::exact("ids_changed", &A::ids_changed),
+        field::length("patch_moved", &A::patch_moved),
+        field::exact("median", &A::median).in("nanoseconds"),
+        field::exact("min", &A::min).in("nanoseconds"),
+        field::exact("upper_quartile", &A::quarter).in("nanoseconds"));
   }
 };
 
@@ -59,7 +59,7 @@ struct Exploration {
 
   static constexpr auto fields() {
     using E = Exploration;
-    return std::tuple(
+    return field::list(
         field::exact("scenario", &E::scenario), field::exact("frame", &E::frame),
         field::exact("a", &E::a).where_set(), field::exact("b", &E::b).where_set(),
         field::exact("label", &E::label).where_set(), field::exact("triangle", &E::triangle),

@@ -28,14 +28,14 @@ struct FieldSlice {
 
   static constexpr auto fields() {
     using F = FieldSlice;
-    return std::tuple(field::name(&F::name), field::exact("cell", &F::cell),
-                      field::position("origin", &F::origin).says("origin of the slice"),
-                      field::position("next", &F::next).says("way to the next value"),
-                      field::position("next_row", &F::next_row).says("way to the next row"),
-                      field::exact("columns", &F::columns),
-                      field::length("distances", &F::distances).says("distance"),
-                      field::exact("band", &F::band).says("band cell"),
-                      field::exact("exact", &F::exact).where_set().says("exact cell"));
+    return field::list(field::name(&F::name), field::exact("cell", &F::cell),
+                       field::position("origin", &F::origin).says("origin of the slice"),
+                       field::position("next", &F::next).says("way to the next value"),
+                       field::position("next_row", &F::next_row).says("way to the next row"),
+                       field::exact("columns", &F::columns),
+                       field::length("distances", &F::distances).says("distance"),
+                       field::exact("band", &F::band).says("band cell"),
+                       field::exact("exact", &F::exact).where_set().says("exact cell"));
   }
   friend bool operator==(const FieldSlice&, const FieldSlice&) = default;
 };
@@ -46,8 +46,8 @@ struct FieldProbe {
   double separation = 0;           // metres: the distance there, less the radius of a round shape
 
   static constexpr auto fields() {
-    return std::tuple(field::position("position", &FieldProbe::position).says("asked point"),
-                      field::length("separation", &FieldProbe::separation));
+    return field::list(field::position("position", &FieldProbe::position).says("asked point"),
+                       field::length("separation", &FieldProbe::separation));
   }
   friend bool operator==(const FieldProbe&, const FieldProbe&) = default;
 };
@@ -58,7 +58,7 @@ struct FieldProbes {
   std::vector<FieldProbe> probes;  // in the order in which they were asked
 
   static constexpr auto fields() {
-    return std::tuple(
+    return field::list(
         field::exact("method", &FieldProbes::method),
         field::facts("probes", &FieldProbes::probes).entries("asked point", "asked points"));
   }

@@ -17,9 +17,9 @@ struct Travel {
   Vec3d turn = Vec3d::Zero();          // axis times radians in the whole step, world
 
   static constexpr auto fields() {
-    return std::tuple(field::position("pivot", &Travel::pivot),
-                      field::position("displacement", &Travel::displacement),
-                      field::ratio("turn", &Travel::turn));
+    return field::list(field::position("pivot", &Travel::pivot),
+                       field::position("displacement", &Travel::displacement),
+                       field::ratio("turn", &Travel::turn));
   }
   friend bool operator==(const Travel&, const Travel&) = default;
 };
@@ -35,11 +35,11 @@ struct ImpactStep {
 
   static constexpr auto fields() {
     using I = ImpactStep;
-    return std::tuple(field::ratio("time", &I::time), field::length("distance", &I::distance),
-                      field::direction_to_b("axis", &I::axis),
-                      field::ratio("bracket_end", &I::bracket_end),
-                      field::length("bracket_separation", &I::bracket_separation),
-                      field::ratio("safe", &I::safe));
+    return field::list(field::ratio("time", &I::time), field::length("distance", &I::distance),
+                       field::direction_to_b("axis", &I::axis),
+                       field::ratio("bracket_end", &I::bracket_end),
+                       field::length("bracket_separation", &I::bracket_separation),
+                       field::ratio("safe", &I::safe));
   }
   friend bool operator==(const ImpactStep&, const ImpactStep&) = default;
 };
@@ -50,8 +50,8 @@ struct DistanceAt {
   double distance = 0;  // metres; 0 where they overlap
 
   static constexpr auto fields() {
-    return std::tuple(field::ratio("time", &DistanceAt::time),
-                      field::length("distance", &DistanceAt::distance));
+    return field::list(field::ratio("time", &DistanceAt::time),
+                       field::length("distance", &DistanceAt::distance));
   }
   friend bool operator==(const DistanceAt&, const DistanceAt&) = default;
 };
@@ -78,7 +78,7 @@ struct Impact {
 
   static constexpr auto fields() {
     using I = Impact;
-    return std::tuple(
+    return field::list(
         field::exact("method", &I::method), field::exact("status", &I::status),
         field::ratio("time", &I::time), field::length("distance", &I::distance),
         field::direction_to_b("normal", &I::normal).where_set(),

@@ -16,7 +16,7 @@ struct SimplexVertex {
   Vec3d b = Vec3d::Zero();
 
   static constexpr auto fields() {
-    return std::tuple(
+    return field::list(
         field::position("a", &SimplexVertex::a).swaps(&SimplexVertex::b).says("vertex"),
         field::position("b", &SimplexVertex::b).says("vertex"));
   }
@@ -34,7 +34,7 @@ struct Gjk {
   std::vector<Simplex> steps;  // the simplex after each iteration
 
   static constexpr auto fields() {
-    return std::tuple(
+    return field::list(
         field::exact("status", &Gjk::status), field::exact("iterations", &Gjk::iterations),
         field::length("distance", &Gjk::distance),
         field::position("point_a", &Gjk::point_a).swaps(&Gjk::point_b).says("point on a"),
@@ -51,7 +51,7 @@ struct Polytope {
   double distance = 0;  // metres, of its plane from the origin
 
   static constexpr auto fields() {
-    return std::tuple(
+    return field::list(
         field::position("vertices", &Polytope::vertices).says(""),
         field::exact("faces", &Polytope::faces).into("vertices").rewound().says("face"),
         field::exact("nearest", &Polytope::nearest)
@@ -69,8 +69,8 @@ struct SampledDirection {
   double separation = 0;         // metres along it, negative = overlap
 
   static constexpr auto fields() {
-    return std::tuple(field::direction_to_b("normal", &SampledDirection::normal),
-                      field::length("separation", &SampledDirection::separation));
+    return field::list(field::direction_to_b("normal", &SampledDirection::normal),
+                       field::length("separation", &SampledDirection::separation));
   }
   friend bool operator==(const SampledDirection&, const SampledDirection&) = default;
 };
@@ -92,15 +92,16 @@ struct Penetration {
 
   static constexpr auto fields() {
     using P = Penetration;
-    return std::tuple(field::exact("method", &P::method), field::exact("status", &P::status),
-                      field::exact("fallback", &P::fallback).where_set(),
-                      field::exact("iterations", &P::iterations), field::length("depth", &P::depth),
-                      field::direction_to_b("normal", &P::normal),
-                      field::position("point_a", &P::point_a).swaps(&P::point_b).says("point on a"),
-                      field::position("point_b", &P::point_b).says("point on b"),
-                      field::facts("polytopes", &P::polytopes).where_set().entries("polytope"),
-                      field::facts("portals", &P::portals).where_set().entries("portal"),
-                      field::facts("directions", &P::directions).where_set().entries("direction"));
+    return field::list(
+        field::exact("method", &P::method), field::exact("status", &P::status),
+        field::exact("fallback", &P::fallback).where_set(),
+        field::exact("iterations", &P::iterations), field::length("depth", &P::depth),
+        field::direction_to_b("normal", &P::normal),
+        field::position("point_a", &P::point_a).swaps(&P::point_b).says("point on a"),
+        field::position("point_b", &P::point_b).says("point on b"),
+        field::facts("polytopes", &P::polytopes).where_set().entries("polytope"),
+        field::facts("portals", &P::portals).where_set().entries("portal"),
+        field::facts("directions", &P::directions).where_set().entries("direction"));
   }
 };
 
@@ -111,7 +112,7 @@ struct Minkowski {
   std::vector<std::vector<int>> faces;  // counter-clockwise seen from outside
 
   static constexpr auto fields() {
-    return std::tuple(
+    return field::list(
         field::position("vertices", &Minkowski::vertices).negated().says(""),
         field::exact("faces", &Minkowski::faces).into("vertices").rewound().says("face"));
   }

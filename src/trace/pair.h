@@ -28,9 +28,9 @@ struct Measure {
   double value = 0;                   // metres, or square metres with a sign for areas
 
   static constexpr auto fields() {
-    return std::tuple(field::exact("point", &Measure::point).into("points"),
-                      field::exact("edge", &Measure::edge).into("points").where_set(),
-                      field::area("value", &Measure::value));
+    return field::list(field::exact("point", &Measure::point).into("points"),
+                       field::exact("edge", &Measure::edge).into("points").where_set(),
+                       field::area("value", &Measure::value));
   }
 };
 
@@ -47,9 +47,9 @@ struct Choice {
   }
 
   static constexpr auto fields() {
-    return std::tuple(field::exact("rule", &Choice::rule),
-                      field::direction("direction", &Choice::direction).where_set(),
-                      field::facts("measures", &Choice::measures).entries("measure"));
+    return field::list(field::exact("rule", &Choice::rule),
+                       field::direction("direction", &Choice::direction).where_set(),
+                       field::facts("measures", &Choice::measures).entries("measure"));
   }
 };
 
@@ -63,13 +63,13 @@ struct Reduction {
   std::vector<Choice> choices;  // for each kept point, where the method has such steps
 
   static constexpr auto fields() {
-    return std::tuple(field::exact("method", &Reduction::method),
-                      field::facts("points", &Reduction::points).entries("reduction point"),
-                      field::exact("kept", &Reduction::kept).into("points"),
-                      field::area("area", &Reduction::area),
-                      field::area("best_area", &Reduction::best_area),
-                      field::exact("best", &Reduction::best).into("points").where_set(),
-                      field::facts("choices", &Reduction::choices).where_set().entries("choice"));
+    return field::list(field::exact("method", &Reduction::method),
+                       field::facts("points", &Reduction::points).entries("reduction point"),
+                       field::exact("kept", &Reduction::kept).into("points"),
+                       field::area("area", &Reduction::area),
+                       field::area("best_area", &Reduction::best_area),
+                       field::exact("best", &Reduction::best).into("points").where_set(),
+                       field::facts("choices", &Reduction::choices).where_set().entries("choice"));
   }
 };
 
@@ -86,7 +86,7 @@ struct Cache {
   std::optional<double> moved;
 
   static constexpr auto fields() {
-    return std::tuple(
+    return field::list(
         field::exact("hit", &Cache::hit).says("").called("miss", "hit"),
         field::exact("kind", &Cache::kind), field::axis("axis", &Cache::axis).optional(),
         field::direction_to_b("normal", &Cache::normal), field::length("moved", &Cache::moved));
@@ -105,8 +105,9 @@ struct PersistentPoint {
 
   static constexpr auto fields() {
     using P = PersistentPoint;
-    return std::tuple(field::merged(&P::point), field::exact("state", &P::state),
-                      field::exact("reason", &P::reason).where_set(), field::exact("age", &P::age));
+    return field::list(field::merged(&P::point), field::exact("state", &P::state),
+                       field::exact("reason", &P::reason).where_set(),
+                       field::exact("age", &P::age));
   }
 };
 
@@ -119,7 +120,7 @@ struct Incremental {
 
   static constexpr auto fields() {
     using I = Incremental;
-    return std::tuple(
+    return field::list(
         field::exact("confirm", &I::confirm), field::exact("query", &I::query),
         field::length("margin_a", &I::margin_a).swaps(&I::margin_b).says("margin of a"),
         field::length("margin_b", &I::margin_b).says("margin of b"),
@@ -140,12 +141,12 @@ struct Stability {
 
   static constexpr auto fields() {
     using S = Stability;
-    return std::tuple(field::exact("shape", &S::shape),
-                      field::position("center_of_mass", &S::center_of_mass).says("centre of mass"),
-                      field::position("projection", &S::projection),
-                      field::position("support", &S::support), field::length("margin", &S::margin),
-                      field::exact("verdict", &S::verdict).told_first(),
-                      field::position("axis", &S::axis));
+    return field::list(field::exact("shape", &S::shape),
+                       field::position("center_of_mass", &S::center_of_mass).says("centre of mass"),
+                       field::position("projection", &S::projection),
+                       field::position("support", &S::support), field::length("margin", &S::margin),
+                       field::exact("verdict", &S::verdict).told_first(),
+                       field::position("axis", &S::axis));
   }
 };
 
@@ -155,8 +156,8 @@ struct Box {
   Vec3d upper = Vec3d::Zero();
 
   static constexpr auto fields() {
-    return std::tuple(field::position("lower", &Box::lower).says("lower corner of the box"),
-                      field::position("upper", &Box::upper).says("upper corner of the box"));
+    return field::list(field::position("lower", &Box::lower).says("lower corner of the box"),
+                       field::position("upper", &Box::upper).says("upper corner of the box"));
   }
   friend bool operator==(const Box&, const Box&) = default;
 };
@@ -169,9 +170,9 @@ struct TreeVisit {
   bool overlaps = false;  // with the box of the query; only then what is below was looked at
 
   static constexpr auto fields() {
-    return std::tuple(field::fact("box", &TreeVisit::box), field::exact("depth", &TreeVisit::depth),
-                      field::exact("leaf", &TreeVisit::leaf),
-                      field::exact("overlaps", &TreeVisit::overlaps));
+    return field::list(
+        field::fact("box", &TreeVisit::box), field::exact("depth", &TreeVisit::depth),
+        field::exact("leaf", &TreeVisit::leaf), field::exact("overlaps", &TreeVisit::overlaps));
   }
   friend bool operator==(const TreeVisit&, const TreeVisit&) = default;
 };
@@ -184,10 +185,10 @@ struct Tree {
   std::vector<int> candidates;  // triangles whose boxes the query's touches
 
   static constexpr auto fields() {
-    return std::tuple(field::exact("shape", &Tree::shape).says("of"),
-                      field::fact("box", &Tree::box),
-                      field::facts("visits", &Tree::visits).entries("tree box", "boxes"),
-                      field::exact("candidates", &Tree::candidates));
+    return field::list(field::exact("shape", &Tree::shape).says("of"),
+                       field::fact("box", &Tree::box),
+                       field::facts("visits", &Tree::visits).entries("tree box", "boxes"),
+                       field::exact("candidates", &Tree::candidates));
   }
 };
 
@@ -197,8 +198,8 @@ struct Degenerate {
   std::string answer;    // "fallback": a normal was chosen; "skip": no contact was made
 
   static constexpr auto fields() {
-    return std::tuple(field::exact("geometry", &Degenerate::geometry),
-                      field::exact("answer", &Degenerate::answer));
+    return field::list(field::exact("geometry", &Degenerate::geometry),
+                       field::exact("answer", &Degenerate::answer));
   }
   friend bool operator==(const Degenerate&, const Degenerate&) = default;
 };
@@ -266,7 +267,7 @@ struct Pair {
   static void not_told(Pair& pair) { pair.separation = std::numeric_limits<double>::quiet_NaN(); }
 
   static constexpr auto fields() {
-    return std::tuple(
+    return field::list(
         field::exact("a", &Pair::a).swaps(&Pair::b).names(), field::exact("b", &Pair::b).names(),
         field::exact("label", &Pair::label).where_set().names(),
         field::exact("kind", &Pair::kind).optional().mirror(Mirrored::KindTurned),

@@ -19,10 +19,10 @@ struct Volume {
   std::optional<double> radius{};       // metres, of a ball
 
   static constexpr auto fields() {
-    return std::tuple(field::position("center", &Volume::center).says("middle"),
-                      field::length("half_extents", &Volume::half_extents),
-                      field::rotation("quat_wxyz", &Volume::rotation).says("rotation"),
-                      field::length("radius", &Volume::radius));
+    return field::list(field::position("center", &Volume::center).says("middle"),
+                       field::length("half_extents", &Volume::half_extents),
+                       field::rotation("quat_wxyz", &Volume::rotation).says("rotation"),
+                       field::length("radius", &Volume::radius));
   }
   friend bool operator==(const Volume&, const Volume&) = default;
 };
@@ -43,19 +43,19 @@ struct TestedAxis {
 
   static constexpr auto fields() {
     using A = TestedAxis;
-    return std::tuple(field::axis("kind", &A::kind),
-                      field::exact("a", &A::a).swaps(&A::b).where_set().says("axis of a"),
-                      field::exact("b", &A::b).where_set().says("axis of b"),
-                      field::direction_to_b("direction", &A::direction).where_set(),
-                      field::ratio("length", &A::length).optional(),
-                      field::length("interval_a", &A::interval_a)
-                          .negated()
-                          .swaps(&A::interval_b)
-                          .says("interval of a"),
-                      field::length("interval_b", &A::interval_b).negated().says("interval of b"),
-                      field::length("gap", &A::gap),
-                      field::exact("skipped", &A::skipped).where_set(),
-                      field::exact("separates", &A::separates).where_set());
+    return field::list(field::axis("kind", &A::kind),
+                       field::exact("a", &A::a).swaps(&A::b).where_set().says("axis of a"),
+                       field::exact("b", &A::b).where_set().says("axis of b"),
+                       field::direction_to_b("direction", &A::direction).where_set(),
+                       field::ratio("length", &A::length).optional(),
+                       field::length("interval_a", &A::interval_a)
+                           .negated()
+                           .swaps(&A::interval_b)
+                           .says("interval of a"),
+                       field::length("interval_b", &A::interval_b).negated().says("interval of b"),
+                       field::length("gap", &A::gap),
+                       field::exact("skipped", &A::skipped).where_set(),
+                       field::exact("separates", &A::separates).where_set());
   }
   friend bool operator==(const TestedAxis&, const TestedAxis&) = default;
 };
@@ -67,8 +67,8 @@ struct WithinBounds {
   std::optional<double> gap{};  // metres, as Query has it
 
   static constexpr auto fields() {
-    return std::tuple(field::exact("overlap", &WithinBounds::overlap),
-                      field::length("gap", &WithinBounds::gap));
+    return field::list(field::exact("overlap", &WithinBounds::overlap),
+                       field::length("gap", &WithinBounds::gap));
   }
   friend bool operator==(const WithinBounds&, const WithinBounds&) = default;
 };
@@ -81,8 +81,8 @@ struct Containment {
   std::string b;
 
   static constexpr auto fields() {
-    return std::tuple(field::exact("a", &Containment::a).swaps(&Containment::b).says("a is"),
-                      field::exact("b", &Containment::b).says("b is"));
+    return field::list(field::exact("a", &Containment::a).swaps(&Containment::b).says("a is"),
+                       field::exact("b", &Containment::b).says("b is"));
   }
   friend bool operator==(const Containment&, const Containment&) = default;
 };
@@ -94,9 +94,9 @@ struct TreeCounts {
   int triangle_pairs = 0;  // triangles that were compared
 
   static constexpr auto fields() {
-    return std::tuple(field::exact("node_pairs", &TreeCounts::node_pairs),
-                      field::exact("leaf_pairs", &TreeCounts::leaf_pairs),
-                      field::exact("triangle_pairs", &TreeCounts::triangle_pairs));
+    return field::list(field::exact("node_pairs", &TreeCounts::node_pairs),
+                       field::exact("leaf_pairs", &TreeCounts::leaf_pairs),
+                       field::exact("triangle_pairs", &TreeCounts::triangle_pairs));
   }
   friend bool operator==(const TreeCounts&, const TreeCounts&) = default;
 };
@@ -113,10 +113,10 @@ struct NodePair {
 
   static constexpr auto fields() {
     using N = NodePair;
-    return std::tuple(field::exact("before_a", &N::before_a).swaps(&N::before_b),
-                      field::exact("count_a", &N::count_a).swaps(&N::count_b),
-                      field::exact("before_b", &N::before_b), field::exact("count_b", &N::count_b),
-                      field::exact("overlaps", &N::overlaps), field::exact("leaves", &N::leaves));
+    return field::list(field::exact("before_a", &N::before_a).swaps(&N::before_b),
+                       field::exact("count_a", &N::count_a).swaps(&N::count_b),
+                       field::exact("before_b", &N::before_b), field::exact("count_b", &N::count_b),
+                       field::exact("overlaps", &N::overlaps), field::exact("leaves", &N::leaves));
   }
   friend bool operator==(const NodePair&, const NodePair&) = default;
 };
@@ -132,7 +132,7 @@ struct Intersection {
 
   static constexpr auto fields() {
     using I = Intersection;
-    return std::tuple(
+    return field::list(
         field::exact("a", &I::a).swaps(&I::b).names(), field::exact("b", &I::b).names(),
         field::exact("kind", &I::kind), field::position("segment", &I::segment),
         field::exact("a_degenerate", &I::a_degenerate)
@@ -169,7 +169,7 @@ struct Query {
 
   static constexpr auto fields() {
     using Q = Query;
-    return std::tuple(
+    return field::list(
         field::exact("asked", &Q::asked), field::exact("bounds", &Q::bounds).where_set(),
         field::exact("comparison", &Q::comparison).optional(),
         field::exact("tolerance", &Q::tolerance).where_set(),

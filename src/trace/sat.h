@@ -17,7 +17,7 @@ struct FaceAxis {
   Vec3d support = Vec3d::Zero();  // deepest vertex of the other shape
 
   static constexpr auto fields() {
-    return std::tuple(
+    return field::list(
         field::exact("face", &FaceAxis::face), field::length("separation", &FaceAxis::separation),
         field::direction_to_b("normal", &FaceAxis::normal).optional(),
         field::position("support", &FaceAxis::support).optional().says("support point"));
@@ -34,15 +34,16 @@ struct EdgeAxis {
   Vec3d point_b = Vec3d::Zero();
 
   static constexpr auto fields() {
-    return std::tuple(field::exact("a", &EdgeAxis::a).swaps(&EdgeAxis::b).says("edge of a"),
-                      field::exact("b", &EdgeAxis::b).says("edge of b"),
-                      field::length("separation", &EdgeAxis::separation),
-                      field::direction_to_b("normal", &EdgeAxis::normal).optional(),
-                      field::position("point_a", &EdgeAxis::point_a)
-                          .optional()
-                          .swaps(&EdgeAxis::point_b)
-                          .says("point on a"),
-                      field::position("point_b", &EdgeAxis::point_b).optional().says("point on b"));
+    return field::list(
+        field::exact("a", &EdgeAxis::a).swaps(&EdgeAxis::b).says("edge of a"),
+        field::exact("b", &EdgeAxis::b).says("edge of b"),
+        field::length("separation", &EdgeAxis::separation),
+        field::direction_to_b("normal", &EdgeAxis::normal).optional(),
+        field::position("point_a", &EdgeAxis::point_a)
+            .optional()
+            .swaps(&EdgeAxis::point_b)
+            .says("point on a"),
+        field::position("point_b", &EdgeAxis::point_b).optional().says("point on b"));
   }
 };
 
@@ -55,10 +56,10 @@ struct EdgePair {
   Vec3d normal = Vec3d::Zero();  // unit, from a to b
 
   static constexpr auto fields() {
-    return std::tuple(field::exact("a", &EdgePair::a).swaps(&EdgePair::b).names(),
-                      field::exact("b", &EdgePair::b).names(),
-                      field::length("separation", &EdgePair::separation),
-                      field::direction_to_b("normal", &EdgePair::normal));
+    return field::list(field::exact("a", &EdgePair::a).swaps(&EdgePair::b).names(),
+                       field::exact("b", &EdgePair::b).names(),
+                       field::length("separation", &EdgePair::separation),
+                       field::direction_to_b("normal", &EdgePair::normal));
   }
   friend bool operator==(const EdgePair&, const EdgePair&) = default;
 };
@@ -72,7 +73,7 @@ struct Sat {
   std::vector<EdgePair> edge_pairs{};  // all that the edge query measured, for the Gauss map
 
   static constexpr auto fields() {
-    return std::tuple(
+    return field::list(
         field::fact("face_a", &Sat::face_a).swaps(&Sat::face_b).apart("sat face_a"),
         field::fact("face_b", &Sat::face_b).apart("sat face_b"),
         field::fact("edge", &Sat::edge).apart("sat edge"),  //

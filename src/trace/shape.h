@@ -18,8 +18,8 @@ struct HalfSpace {
   double offset = 0;              // metres
 
   static constexpr auto fields() {
-    return std::tuple(field::direction("normal", &HalfSpace::normal),
-                      field::length("offset", &HalfSpace::offset));
+    return field::list(field::direction("normal", &HalfSpace::normal),
+                       field::length("offset", &HalfSpace::offset));
   }
   friend bool operator==(const HalfSpace&, const HalfSpace&) = default;
 };
@@ -50,7 +50,7 @@ struct Shape {
   static void edges_from_faces(Shape& shape);
 
   static constexpr auto fields() {
-    return std::tuple(
+    return field::list(
         field::name(&Shape::name),  //
         field::exact("type", &Shape::type).optional(),
         field::position("vertices", &Shape::vertices).says(""),
@@ -75,9 +75,9 @@ struct ImpulseConvention {
   double step = 0;           // seconds; needed of forces
 
   static constexpr auto fields() {
-    return std::tuple(field::exact("unit", &ImpulseConvention::unit).optional(),
-                      field::exact("on", &ImpulseConvention::on).optional(),
-                      field::exact("step", &ImpulseConvention::step).where_set());
+    return field::list(field::exact("unit", &ImpulseConvention::unit).optional(),
+                       field::exact("on", &ImpulseConvention::on).optional(),
+                       field::exact("step", &ImpulseConvention::step).where_set());
   }
   friend bool operator==(const ImpulseConvention&, const ImpulseConvention&) = default;
 };
@@ -88,8 +88,8 @@ struct World {
   double time_step = 0;           // seconds, from frame to frame
 
   static constexpr auto fields() {
-    return std::tuple(field::exact("gravity", &World::gravity),
-                      field::exact("time_step", &World::time_step).says("time step"));
+    return field::list(field::exact("gravity", &World::gravity),
+                       field::exact("time_step", &World::time_step).says("time step"));
   }
   friend bool operator==(const World&, const World&) = default;
 };
@@ -112,18 +112,18 @@ struct Header {
   std::optional<World> world{};
 
   static constexpr auto fields() {
-    return std::tuple(field::exact("scenario", &Header::scenario),
-                      field::exact("title", &Header::title).optional(),
-                      field::exact("source", &Header::source).optional(),
-                      field::exact("scalar", &Header::scalar),  //
-                      field::exact("up", &Header::up),          //
-                      field::exact("frames", &Header::frames).optional(),
-                      field::facts("shapes", &Header::shapes).entries("shape"),
-                      field::exact("engine", &Header::engine).where_set(),
-                      field::exact("version", &Header::version).where_set(),
-                      field::exact("poses_at", &Header::poses_at).where_set(),
-                      field::fact("impulses", &Header::impulses).apart("convention of impulses"),
-                      field::fact("world", &Header::world).apart("world"));
+    return field::list(field::exact("scenario", &Header::scenario),
+                       field::exact("title", &Header::title).optional(),
+                       field::exact("source", &Header::source).optional(),
+                       field::exact("scalar", &Header::scalar),  //
+                       field::exact("up", &Header::up),          //
+                       field::exact("frames", &Header::frames).optional(),
+                       field::facts("shapes", &Header::shapes).entries("shape"),
+                       field::exact("engine", &Header::engine).where_set(),
+                       field::exact("version", &Header::version).where_set(),
+                       field::exact("poses_at", &Header::poses_at).where_set(),
+                       field::fact("impulses", &Header::impulses).apart("convention of impulses"),
+                       field::fact("world", &Header::world).apart("world"));
   }
 };
 

@@ -23,9 +23,9 @@ struct StudyContext {
 
   static constexpr auto fields() {
     using C = StudyContext;
-    return std::tuple(field::exact("cpu", &C::cpu), field::exact("compiler", &C::compiler),
-                      field::exact("build_type", &C::build_type), field::exact("date", &C::date),
-                      field::exact("scalar", &C::scalar));
+    return field::list(field::exact("cpu", &C::cpu), field::exact("compiler", &C::compiler),
+                       field::exact("build_type", &C::build_type), field::exact("date", &C::date),
+                       field::exact("scalar", &C::scalar));
   }
 };
 
@@ -37,8 +37,8 @@ struct Nanoseconds {
 
   static constexpr auto fields() {
     using N = Nanoseconds;
-    return std::tuple(field::exact("median", &N::median), field::exact("min", &N::min),
-                      field::exact("max", &N::max));
+    return field::list(field::exact("median", &N::median), field::exact("min", &N::min),
+                       field::exact("max", &N::max));
   }
 };
 
@@ -56,11 +56,11 @@ struct StudyPoint {
 
   static constexpr auto fields() {
     using P = StudyPoint;
-    return std::tuple(field::exact("parameter", &P::parameter),
-                      field::exact("error", &P::error).or_null(),
-                      field::exact("error_worst", &P::error_worst).or_null(),
-                      field::fact("nanoseconds", &P::nanoseconds),
-                      field::exact("failed", &P::failed), field::exact("of", &P::of));
+    return field::list(field::exact("parameter", &P::parameter),
+                       field::exact("error", &P::error).or_null(),
+                       field::exact("error_worst", &P::error_worst).or_null(),
+                       field::fact("nanoseconds", &P::nanoseconds),
+                       field::exact("failed", &P::failed), field::exact("of", &P::of));
   }
 };
 
@@ -76,9 +76,9 @@ struct StudySeries {
 
   static constexpr auto fields() {
     using S = StudySeries;
-    return std::tuple(field::exact("method", &S::method), field::exact("panel", &S::panel),
-                      field::exact("parameter", &S::parameter),
-                      field::exact("row", &S::row).or_null(), field::facts("points", &S::points));
+    return field::list(field::exact("method", &S::method), field::exact("panel", &S::panel),
+                       field::exact("parameter", &S::parameter),
+                       field::exact("row", &S::row).or_null(), field::facts("points", &S::points));
   }
 };
 
@@ -119,13 +119,13 @@ struct Study {
 
   static constexpr auto fields() {
     using S = Study;
-    return std::tuple(field::exact("study", &S::study), field::exact("measure", &S::measure),
-                      field::exact("title", &S::title), field::fact("context", &S::context),
-                      field::exact("reference", &S::reference), field::exact("error", &S::error),
-                      field::exact("unit", &S::unit), field::exact("resolution", &S::resolution),
-                      field::exact("parameter", &S::parameter), field::exact("form", &S::form),
-                      field::exact("row", &S::row), field::exact("signal", &S::signal),
-                      field::facts("series", &S::series));
+    return field::list(field::exact("study", &S::study), field::exact("measure", &S::measure),
+                       field::exact("title", &S::title), field::fact("context", &S::context),
+                       field::exact("reference", &S::reference), field::exact("error", &S::error),
+                       field::exact("unit", &S::unit), field::exact("resolution", &S::resolution),
+                       field::exact("parameter", &S::parameter), field::exact("form", &S::form),
+                       field::exact("row", &S::row), field::exact("signal", &S::signal),
+                       field::facts("series", &S::series));
   }
 };
 

@@ -28,7 +28,7 @@ struct Body {
   std::vector<Vec3d> inertia{};
 
   static constexpr auto fields() {
-    return std::tuple(
+    return field::list(
         field::name(&Body::name), field::ratio("mass", &Body::mass),
         field::position("center_of_mass", &Body::center_of_mass).says("centre of mass"),
         field::velocity("velocity", &Body::velocity),
@@ -49,10 +49,10 @@ struct Stop {
   bool for_good = false;         // they stay there until the next frame
 
   static constexpr auto fields() {
-    return std::tuple(field::exact("a", &Stop::a), field::exact("b", &Stop::b),
-                      field::ratio("time", &Stop::time), field::direction("normal", &Stop::normal),
-                      field::position("point", &Stop::point).says("stop"),
-                      field::exact("for_good", &Stop::for_good).where_set());
+    return field::list(field::exact("a", &Stop::a), field::exact("b", &Stop::b),
+                       field::ratio("time", &Stop::time), field::direction("normal", &Stop::normal),
+                       field::position("point", &Stop::point).says("stop"),
+                       field::exact("for_good", &Stop::for_good).where_set());
   }
   friend bool operator==(const Stop&, const Stop&) = default;
 };
@@ -72,7 +72,7 @@ struct Solver {
   std::vector<Stop> stops{};  // between this frame and the next, in the order of their times
 
   static constexpr auto fields() {
-    return std::tuple(
+    return field::list(
         field::exact("position_correction", &Solver::position_correction).optional(),
         field::exact("iterations", &Solver::iterations).optional(),
         field::exact("substeps", &Solver::substeps).optional().says("sub-steps"),
@@ -94,8 +94,8 @@ struct Bounds {
   bool large = false;  // too large for any cell: compared with all others
 
   static constexpr auto fields() {
-    return std::tuple(field::name(&Bounds::name), field::merged(&Bounds::box),
-                      field::exact("large", &Bounds::large).where_set());
+    return field::list(field::name(&Bounds::name), field::merged(&Bounds::box),
+                       field::exact("large", &Bounds::large).where_set());
   }
   friend bool operator==(const Bounds&, const Bounds&) = default;
 };
@@ -108,8 +108,9 @@ struct Cell {
   int tests = 0;    // of two boxes, of which one is in it, or is the box of the node itself
 
   static constexpr auto fields() {
-    return std::tuple(field::merged(&Cell::box), field::exact("depth", &Cell::depth).where_set(),
-                      field::exact("members", &Cell::members), field::exact("tests", &Cell::tests));
+    return field::list(field::merged(&Cell::box), field::exact("depth", &Cell::depth).where_set(),
+                       field::exact("members", &Cell::members),
+                       field::exact("tests", &Cell::tests));
   }
   friend bool operator==(const Cell&, const Cell&) = default;
 };
@@ -125,9 +126,9 @@ struct EndSwap {
 
   static constexpr auto fields() {
     using E = EndSwap;
-    return std::tuple(field::exact("axis", &E::axis), field::exact("place", &E::place),
-                      field::exact("lower", &E::lower), field::exact("upper", &E::upper),
-                      field::exact("meets", &E::meets), field::exact("counts", &E::counts));
+    return field::list(field::exact("axis", &E::axis), field::exact("place", &E::place),
+                       field::exact("lower", &E::lower), field::exact("upper", &E::upper),
+                       field::exact("meets", &E::meets), field::exact("counts", &E::counts));
   }
   friend bool operator==(const EndSwap&, const EndSwap&) = default;
 };
@@ -145,13 +146,13 @@ struct Deformed {
 
   static constexpr auto fields() {
     using D = Deformed;
-    return std::tuple(field::name(&D::name), field::position("vertices", &D::vertices).says(""),
-                      field::exact("tree", &D::tree).optional(),
-                      field::ratio("cost", &D::cost).optional().says("cost of the tree"),
-                      field::ratio("cost_when_built", &D::cost_when_built)
-                          .optional()
-                          .says("cost of the tree when built"),
-                      field::facts("boxes", &D::boxes).optional().entries("tree box", "boxes"));
+    return field::list(field::name(&D::name), field::position("vertices", &D::vertices).says(""),
+                       field::exact("tree", &D::tree).optional(),
+                       field::ratio("cost", &D::cost).optional().says("cost of the tree"),
+                       field::ratio("cost_when_built", &D::cost_when_built)
+                           .optional()
+                           .says("cost of the tree when built"),
+                       field::facts("boxes", &D::boxes).optional().entries("tree box", "boxes"));
   }
   friend bool operator==(const Deformed&, const Deformed&) = default;
 };
@@ -171,14 +172,14 @@ struct BroadPhase {
 
   static constexpr auto fields() {
     using B = BroadPhase;
-    return std::tuple(field::exact("method", &B::method), field::exact("pairs", &B::pairs),
-                      field::exact("comparisons", &B::comparisons).optional(),
-                      field::exact("visits", &B::visits).optional(),
-                      field::exact("swaps", &B::swaps).optional(),
-                      field::facts("bounds", &B::bounds).entries("box", "boxes").says("box"),
-                      field::facts("cells", &B::cells).where_set().entries("cell"),
-                      field::facts("end_swaps", &B::end_swaps).where_set().entries("end swap"),
-                      field::exact("swept", &B::swept).where_set());
+    return field::list(field::exact("method", &B::method), field::exact("pairs", &B::pairs),
+                       field::exact("comparisons", &B::comparisons).optional(),
+                       field::exact("visits", &B::visits).optional(),
+                       field::exact("swaps", &B::swaps).optional(),
+                       field::facts("bounds", &B::bounds).entries("box", "boxes").says("box"),
+                       field::facts("cells", &B::cells).where_set().entries("cell"),
+                       field::facts("end_swaps", &B::end_swaps).where_set().entries("end swap"),
+                       field::exact("swept", &B::swept).where_set());
   }
   friend bool operator==(const BroadPhase&, const BroadPhase&) = default;
 };
@@ -194,11 +195,11 @@ struct Totals {
   double potential_energy = 0;  // joules
 
   static constexpr auto fields() {
-    return std::tuple(field::length("penetration", &Totals::penetration),
-                      field::impulse("normal_impulse", &Totals::normal_impulse),
-                      field::exact("points", &Totals::points), field::exact("ids", &Totals::ids),
-                      field::energy("kinetic_energy", &Totals::kinetic_energy),
-                      field::energy("potential_energy", &Totals::potential_energy));
+    return field::list(field::length("penetration", &Totals::penetration),
+                       field::impulse("normal_impulse", &Totals::normal_impulse),
+                       field::exact("points", &Totals::points), field::exact("ids", &Totals::ids),
+                       field::energy("kinetic_energy", &Totals::kinetic_energy),
+                       field::energy("potential_energy", &Totals::potential_energy));
   }
   friend bool operator==(const Totals&, const Totals&) = default;
 };
@@ -209,14 +210,14 @@ using Placement = std::pair<std::string, Pose<double>>;
 template <>
 struct ListOf<Pose<double>> {
   static constexpr auto fields() {
-    return std::tuple(field::position("position", &Pose<double>::position).says(""),
-                      field::rotation("quat_wxyz", &Pose<double>::rotation).says(""));
+    return field::list(field::position("position", &Pose<double>::position).says(""),
+                       field::rotation("quat_wxyz", &Pose<double>::rotation).says(""));
   }
 };
 template <>
 struct ListOf<Placement> {
   static constexpr auto fields() {
-    return std::tuple(field::name(&Placement::first), field::merged(&Placement::second));
+    return field::list(field::name(&Placement::first), field::merged(&Placement::second));
   }
 };
 
@@ -235,20 +236,20 @@ struct Frame {
 
   static constexpr auto fields() {
     // The time is a product of two numbers of the file, which every processor rounds alike.
-    return std::tuple(field::exact("frame", &Frame::frame).names(),
-                      field::exact("time", &Frame::time),
-                      field::facts("poses", &Frame::poses).entries("pose"),
-                      field::facts("pairs", &Frame::pairs).entries("pair"),
-                      field::facts("deformed", &Frame::deformed)
-                          .where_set()
-                          .entries("deformed mesh", "deformed meshes"),
-                      field::facts("field_slices", &Frame::field_slices)
-                          .where_set()
-                          .entries("slice through a field", "slices through fields"),
-                      field::fact("broad_phase", &Frame::broad_phase).apart("broad phase"),
-                      field::fact("solver", &Frame::solver).apart("solver"),
-                      field::fact("totals", &Frame::totals).apart("totals"),
-                      field::facts("shapes", &Frame::shapes).where_set().entries("new shape"));
+    return field::list(field::exact("frame", &Frame::frame).names(),
+                       field::exact("time", &Frame::time),
+                       field::facts("poses", &Frame::poses).entries("pose"),
+                       field::facts("pairs", &Frame::pairs).entries("pair"),
+                       field::facts("deformed", &Frame::deformed)
+                           .where_set()
+                           .entries("deformed mesh", "deformed meshes"),
+                       field::facts("field_slices", &Frame::field_slices)
+                           .where_set()
+                           .entries("slice through a field", "slices through fields"),
+                       field::fact("broad_phase", &Frame::broad_phase).apart("broad phase"),
+                       field::fact("solver", &Frame::solver).apart("solver"),
+                       field::fact("totals", &Frame::totals).apart("totals"),
+                       field::facts("shapes", &Frame::shapes).where_set().entries("new shape"));
   }
 };
 
