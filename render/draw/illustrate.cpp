@@ -126,7 +126,7 @@ Legend seen_by(const Camera& camera, const Legend& legend) {
 }
 
 // Signs of panels have no anchor in the view.
-void explain_beside(const View& view, const trace::Frame& frame, Legend& legend) {
+void explain_side_panels(const View& view, const trace::Frame& frame, Legend& legend) {
   Legend of_panels;
   explain_panels(view, frame, of_panels);
   for (const LegendEntry& entry : of_panels.entries())
@@ -166,10 +166,10 @@ bool says(const std::string& text, const std::string& number) {
 }
 
 // If the title states a depth, writes it next to the deepest whisker, unless another label does.
-void label_told_depth(const Scene& scene, const std::string& title,
-                      const std::vector<Sketch>& others, Sketch& sketch) {
+void label_reported_depth(const Scene& scene, const std::string& title,
+                          const std::vector<Sketch>& others, Sketch& sketch) {
   constexpr float kSize = 17;
-  constexpr double kBeside = 13;  // pixels
+  constexpr double kSideGap = 13;  // pixels
   if (scene.crowded() || !scene.shows(Layer::Contacts)) return;
   const auto is_labelled = [](const std::string& number) {
     return [&](const Sketch& any) {
@@ -190,7 +190,7 @@ void label_told_depth(const Scene& scene, const std::string& title,
       if (std::ranges::any_of(others, is_labelled(words))) return;
       const OnBoth whisker = whisker_at(scene, pair, deepest);
       sketch.begin(name_of(Layer::Contacts), pair.a + " " + pair.b);
-      sketch.label(0.5 * (whisker.on_a + whisker.on_b), words, kContact, kSize, kBeside,
+      sketch.label(0.5 * (whisker.on_a + whisker.on_b), words, kContact, kSize, kSideGap,
                    Vec3d(-scene.camera.right()));
       return;
     }
@@ -253,7 +253,7 @@ LegendChoice legend_of(const Staging& staging, const trace::Frame& frame) {
     for (const Inset& inset : staging.insets)
       legend.explain(seen_by(inset.camera, sketch_inset(inset, scene).sketch.legend));
   }
-  explain_beside(staging.view, frame, legend);
+  explain_side_panels(staging.view, frame, legend);
   return choose_legend(said_entries(legend, staging));
 }
 
@@ -277,17 +277,17 @@ Drawing illustrate(const Staging& staging, const trace::Frame& frame) {
     insets.push_back(sketch_inset(inset, *shots.front().scene));
     legend.explain(seen_by(inset.camera, insets.back().sketch.legend));
   }
-  explain_beside(staging.view, frame, legend);
+  explain_side_panels(staging.view, frame, legend);
   const LegendChoice choice = choose_legend(said_entries(legend, staging));
   label_in_place(choice, sketches);
   const std::string title = fill_title(staging, frame);
-  auto told = sketches.begin();
-  const auto is_told_near_by = [&](const Shot& shot) {
+  auto record = sketches.begin();
+  const auto is_written_nearby = [&](const Shot& shot) {
     return shot.scene->scales.overlap != staging.scales.overlap;
   };
   for (const Shot& shot : shots) {
-    if (!is_told_near_by(shot)) label_told_depth(*shot.scene, title, sketches, *told);
-    ++told;
+    if (!is_written_nearby(shot)) label_reported_depth(*shot.scene, title, sketches, *record);
+    ++record;
   }
   auto sketch = sketches.begin();
   for (const Shot& shot : shots) {
@@ -312,7 +312,7 @@ Drawing illustrate(const Staging& staging, const trace::Frame& frame) {
       // Only labels at the middle are repeated in the magnifier.
       std::erase_if(sketch->labels,
                     [&](const Label& label) { return !label.at.isApprox(*middle, 1e-12); });
-      if (is_told_near_by(shot)) label_told_depth(magnified, title, {}, *sketch);
+      if (is_written_nearby(shot)) label_reported_depth(magnified, title, {}, *sketch);
       draw_magnified(*staging.magnifier, *middle, *sketch, note, camera, staging.layout, drawing);
     }
     ++sketch;

@@ -15,7 +15,7 @@ namespace {
 
 // Pixels at 720 lines.
 constexpr double kLargeEnough = 20;  // larger subjects need no magnifier
-constexpr double kLeastSubject = 0.002;
+constexpr double kMinSubject = 0.002;
 constexpr double kMagnified = 105;         // of the subject, in the smallest magnifier
 constexpr double kMagnifierHeight = 0.3;   // share of the view's height, for the smallest magnifier
 constexpr double kMagnifierAspect = 1.25;  // width to height
@@ -89,7 +89,7 @@ std::optional<Magnifier> stage_magnifier(const View& view, const Camera& camera,
     if (largest >= kLargeEnough * layout.scale) return std::nullopt;
     middles.push_back(center_of(points));
   }
-  if (middles.empty() || largest < kLeastSubject * layout.scale) return std::nullopt;
+  if (middles.empty() || largest < kMinSubject * layout.scale) return std::nullopt;
   const Rect& view_rect = layout.view;
   const std::optional<Point2> subject = camera.project(mean_of(middles));
   if (!subject || !view_rect.contains(*subject)) return std::nullopt;

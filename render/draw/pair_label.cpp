@@ -14,7 +14,7 @@ namespace {
 
 constexpr float kPairLabelSize = 20;  // pixels
 constexpr double kPairLabelGap = 9;   // pixels between a silhouette and the label
-constexpr int kMostRows = 4;          // for labels of pairs with a common body
+constexpr int kMaxRows = 4;           // for labels of pairs with a common body
 constexpr double kRowHeight = 24;     // pixels
 
 /// Number of labels of other pairs that contain this body.
@@ -109,12 +109,12 @@ void draw_pair_label(const Scene& scene, const trace::Pair& pair, Sketch& sketch
       std::ranges::find(&pair + 1, end, pair.label, &trace::Pair::label) != end)
     return;
   // If several queries use the same two shapes, no place in the picture identifies one of them.
-  const auto is_asked_beside = [&](const trace::Pair& other) {
+  const auto is_queried_too = [&](const trace::Pair& other) {
     const bool same =
         (other.a == pair.a && other.b == pair.b) || (other.a == pair.b && other.b == pair.a);
     return &other != &pair && same && (pair.query || other.query);
   };
-  if (std::ranges::any_of(scene.frame.pairs, is_asked_beside)) return;
+  if (std::ranges::any_of(scene.frame.pairs, is_queried_too)) return;
   const PlacedShape* body = labelled_body(scene, pair);
   if (body == nullptr) return;
   const Camera& camera = scene.camera;
@@ -176,7 +176,7 @@ void draw_pair_label(const Scene& scene, const trace::Pair& pair, Sketch& sketch
   };
   const Vec2d up(0, -1), right(1, 0);
   std::vector<Place> places;
-  for (int row = 0; row < kMostRows; ++row) {
+  for (int row = 0; row < kMaxRows; ++row) {
     std::array<Place, 5> around = {border(own, up), border(both, up), border(own, -up),
                                    border(own, right), border(own, -right)};
     if (on_plane) std::swap(around[2], around[4]);  // the ground is below

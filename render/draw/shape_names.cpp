@@ -14,16 +14,16 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr std::size_t kMostNamedShapes = 3;  // more names would crowd the picture
-constexpr std::size_t kMostCopies = 3;       // more copies are obviously a stack or a heap
-constexpr std::size_t kMostRoles = 12;       // shapes
-constexpr std::size_t kMostVertices = 5000;  // of a mesh whose exact outline is computed
-constexpr double kMostOfCore = 0.12;         // share of the outline's area, with visible cores
-constexpr double kMostOfMesh = 0.3;          // share of its width that a name may take
-constexpr float kNameSize = 16;              // pixels
+constexpr std::size_t kMaxNamedShapes = 3;  // more names would crowd the picture
+constexpr std::size_t kMaxCopies = 3;       // more copies are obviously a stack or a heap
+constexpr std::size_t kMaxRoles = 12;       // shapes
+constexpr std::size_t kMaxVertices = 5000;  // of a mesh whose exact outline is computed
+constexpr double kMaxOfCore = 0.12;         // share of the outline's area, with visible cores
+constexpr double kMaxOfMesh = 0.3;          // share of its width that a name may take
+constexpr float kNameSize = 16;             // pixels
 constexpr int kColumns = 18, kRowsTried = 12;
 constexpr double kNameFarEnough = 260;  // pixels from the contact; more is no better
-constexpr double kLeastEdge = 0.5;      // pixels
+constexpr double kMinEdge = 0.5;        // pixels
 constexpr double kFromBorder = 5;       // pixels between letters and the border of the shape
 constexpr double kFromPairLabel = 10;   // pixels
 constexpr double kFromFrame = 8;        // pixels between letters and the border of the view
@@ -47,7 +47,7 @@ std::vector<Vec2d> seen_outline(const Camera& camera, const PlacedShape& shape) 
   std::vector<Vec3d> points;
   if (shape.mesh->patch) {
     points = patch_corners(*shape.mesh->patch, shape.pose);
-  } else if (shape.is_mesh() && shape.vertices.size() <= kMostVertices) {
+  } else if (shape.is_mesh() && shape.vertices.size() <= kMaxVertices) {
     points = shape.vertices;
   } else if (shape.is_mesh()) {
     Eigen::AlignedBox3d box;
@@ -71,7 +71,7 @@ double depth_in(const std::vector<Vec2d>& polygon, const Vec2d& p) {
     const Vec2d edge = polygon[(i + 1) % polygon.size()] - polygon[i];
     const double length = edge.norm();
     // The direction of shorter edges is rounding noise.
-    if (length > kLeastEdge) depth = std::min(depth, cross(edge, Vec2d(p - polygon[i])) / length);
+    if (length > kMinEdge) depth = std::min(depth, cross(edge, Vec2d(p - polygon[i])) / length);
   }
   return polygon.size() < 3 ? -1 : depth;
 }
@@ -157,15 +157,15 @@ void draw_shape_names(const Scene& scene, Sketch& sketch) {
   if (!names_shapes(scene)) return;
   const std::vector<Named> named = named_shapes(scene);
   // With many names only roles are written, if normals show their direction.
-  const bool roles_alone = named.size() > kMostNamedShapes;
-  if (roles_alone && (scene.shapes.size() > kMostRoles || !scene.shows(Layer::Normals))) return;
+  const bool roles_alone = named.size() > kMaxNamedShapes;
+  if (roles_alone && (scene.shapes.size() > kMaxRoles || !scene.shows(Layer::Normals))) return;
   // Letters are meaningless if a body is B of one pair and A of another,
-  const bool trades_roles = std::ranges::any_of(scene.frame.pairs, [&](const trace::Pair& one) {
+  const bool swaps_roles = std::ranges::any_of(scene.frame.pairs, [&](const trace::Pair& one) {
     return std::ranges::any_of(scene.frame.pairs,
                                [&](const trace::Pair& other) { return one.a == other.b; });
   });
   // or if a solver moves the bodies and no normals are shown.
-  const bool tells_roles = !trades_roles && (!scene.frame.solver || scene.shows(Layer::Normals));
+  const bool names_roles = !swaps_roles && (!scene.frame.solver || scene.shows(Layer::Normals));
   const Camera& camera = scene.camera;
   const Rect& view = camera.viewport();
   const std::optional<Point2> touching = camera.project(sketch.center);
@@ -177,8 +177,8 @@ void draw_shape_names(const Scene& scene, Sketch& sketch) {
   const double pixel = scene.scales.pixel;
   const float size = static_cast<float>(pixel) * kNameSize;
   for (const Named& each : named) {
-    if (each.copies > kMostCopies) continue;
-    const bool has_role = each.of_a != each.of_b && tells_roles;
+    if (each.copies > kMaxCopies) continue;
+    const bool has_role = each.of_a != each.of_b && names_roles;
     if (roles_alone && !has_role) continue;
     // A name on one of several copies would seem to belong to that copy alone.
     if (each.copies > 1 && !has_role) continue;
@@ -201,13 +201,13 @@ void draw_shape_names(const Scene& scene, Sketch& sketch) {
     const std::optional<Point2> foot = camera.project(at);
     if (!foot) continue;
     const auto in_world = [&](const Vec2d& pixels) -> Vec3d {
-      const Vec2d way = (pixels - Vec2d(foot->x, foot->y)) / camera.pixels_per_metre(at);
-      return at + way.x() * camera.right() - way.y() * camera.up();
+      const Vec2d offset = (pixels - Vec2d(foot->x, foot->y)) / camera.pixels_per_metre(at);
+      return at + offset.x() * camera.right() - offset.y() * camera.up();
     };
     // On a small mesh a name would cover the edges, and on a small body the core.
-    const bool is_small = scene.shows(Layer::Core) && 4 * half.prod() > kMostOfCore * area;
+    const bool is_small = scene.shows(Layer::Core) && 4 * half.prod() > kMaxOfCore * area;
     const bool fits =
-        !is_small && (!each.shape->is_mesh() || 2 * half.x() < kMostOfMesh * width_of(own->first));
+        !is_small && (!each.shape->is_mesh() || 2 * half.x() < kMaxOfMesh * width_of(own->first));
     if (const auto place =
             !fits ? std::nullopt
                   : place_on(own->first, smaller, half, contact, view, sketch, pixel)) {

@@ -16,15 +16,15 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr double kFieldOfView = 30;     // degrees; stronger perspective would distort right angles
-constexpr double kParallelField = 2;    // degrees; a narrow lens in place of a parallel projection
-constexpr double kElevation = 30;       // degrees above the contact plane
-constexpr double kPatchShare = 0.46;    // share of the view's smaller side
-constexpr double kLeastPatch = 0.345;   // smallest share with all shapes visible
-constexpr double kShapesShare = 0.92;   // share of the view if all shapes should be visible
-constexpr double kLeastShapes = 0.72;   // share of the distance from which all shapes are visible
-constexpr double kLargeShape = 2.2;     // radii of the smallest: a floor, may be cropped
-constexpr double kLeastContext = 0.45;  // of the smaller shape's radius: a point has no size
+constexpr double kFieldOfView = 30;    // degrees; stronger perspective would distort right angles
+constexpr double kParallelField = 2;   // degrees; a narrow lens in place of a parallel projection
+constexpr double kElevation = 30;      // degrees above the contact plane
+constexpr double kPatchShare = 0.46;   // share of the view's smaller side
+constexpr double kMinPatch = 0.345;    // smallest share with all shapes visible
+constexpr double kShapesShare = 0.92;  // share of the view if all shapes should be visible
+constexpr double kMinShapes = 0.72;    // share of the distance from which all shapes are visible
+constexpr double kLargeShape = 2.2;    // radii of the smallest: a floor, may be cropped
+constexpr double kMinContext = 0.45;   // of the smaller shape's radius: a point has no size
 
 double radians(double degrees) {
   return degrees * std::numbers::pi / 180;
@@ -138,7 +138,7 @@ Extent gather(const trace::Header& header, const std::vector<trace::Frame>& fram
   // A point contact has no size, so its surroundings count instead.
   const Vec3d center = center_of(extent.contact);
   for (int axis = 0; axis < 3; ++axis) {
-    const Vec3d reach = kLeastContext * smallest * Vec3d::Unit(axis);
+    const Vec3d reach = kMinContext * smallest * Vec3d::Unit(axis);
     append(extent.contact, std::array<Vec3d, 2>{center + reach, center - reach});
   }
   return extent;
@@ -177,11 +177,11 @@ Camera fit_camera(const trace::Header& header, const Extent& extent, const View&
     ViewFit close = fit(extent.contact, kPatchShare);
     const ViewFit around = fit(extent.subject, kShapesShare, extent.contact);
     // Crop the subject if the patch would be smaller than a third of the view.
-    if (!extent.croppable || around.distance <= fit(extent.contact, kLeastPatch).distance)
+    if (!extent.croppable || around.distance <= fit(extent.contact, kMinPatch).distance)
       close = {around.target, std::max(around.distance, close.distance)};
     // Not so near that the shapes are no longer visible.
     if (close.distance < best.distance)
-      best = {close.target, std::max(close.distance, kLeastShapes * best.distance)};
+      best = {close.target, std::max(close.distance, kMinShapes * best.distance)};
   }
   const double parallel_height = 2 * half_height * best.distance;
   if (view.eye) best.distance = (*view.eye - best.target).norm();
@@ -230,7 +230,7 @@ void fit_viewports(const trace::Header& header, const std::vector<trace::Frame>&
                                   : center_of(own.shapes));
     const double whole = high(own.shapes, kShapesShare);
     height = std::max(height, close ? std::clamp(high(own.contact, kPatchShare),
-                                                 kLeastShapes * kLeastShapes * whole, whole)
+                                                 kMinShapes * kMinShapes * whole, whole)
                                     : whole);
     reach = std::max(reach, box_around(own.shapes).diagonal().norm());
   }
@@ -260,9 +260,9 @@ std::vector<std::vector<float>> legend_widths(const Staging& staging,
 }  // namespace
 
 Staging stage(const trace::Header& header, const std::vector<trace::Frame>& frames,
-              const View& asked, int width, int height, const FigureStyle& style,
+              const View& requested, int width, int height, const FigureStyle& style,
               const LayerTable& layers, const std::vector<int>& stored) {
-  View view = asked;
+  View view = requested;
   const std::vector<Panel> insets = take_insets(view);
   ShapeMeshes meshes(header.shapes);
   const Extent extent = gather(header, frames, view, meshes);

@@ -15,14 +15,14 @@ namespace {
 constexpr double kCaptionSize = 15, kCaptionLine = 18, kCaptionRoom = 24, kBetweenCells = 16;
 constexpr double kBodyType = 15;  // base size of a style's type
 // Text has its size at 720 lines in cells of this width, in pixels; limits for other widths.
-constexpr double kUsualCell = 360, kLeastType = 0.72, kMostType = 1.25;
+constexpr double kUsualCell = 360, kMinType = 0.72, kMaxType = 1.25;
 constexpr double kCellShape = 0.75;  // height by width
 constexpr double kThumbnailShape = 0.66;
 
 /// Without an author's text size, it follows the width of a cell, because rows are not high.
 FigureStyle with_type(FigureStyle style, double cell_width) {
   if (style.type > 0) return style;
-  style.type = kBodyType * std::clamp(cell_width / kUsualCell, kLeastType, kMostType);
+  style.type = kBodyType * std::clamp(cell_width / kUsualCell, kMinType, kMaxType);
   return style;
 }
 
@@ -83,8 +83,8 @@ Rect CellGrid::cell(int i) const {
 }
 
 int usual_columns(int cells) {
-  constexpr int kMost = 4;
-  const int rows = (cells + kMost - 1) / kMost;
+  constexpr int kMax = 4;
+  const int rows = (cells + kMax - 1) / kMax;
   return (cells + rows - 1) / std::max(1, rows);
 }
 
@@ -102,9 +102,9 @@ Strip::Strip(const trace::Header& header, const std::vector<trace::Frame>& frame
     : header_(&header), shown_(&shown), style_(with_type(style, double(width) / columns)) {
   // Use the author's title without numbers, which differ from cell to cell, if possible. Otherwise,
   // or if the title changes over time, use the title of the last frame.
-  const std::string asked = view.title.value_or(header.title);
-  title_ = plain_title(asked);
-  if (title_.find("…") != std::string::npos || asked.find("{from ") != std::string::npos) {
+  const std::string requested = view.title.value_or(header.title);
+  title_ = plain_title(requested);
+  if (title_.find("…") != std::string::npos || requested.find("{from ") != std::string::npos) {
     lay_out(frames, view, width, height, columns);
     title_ = fill_title(*cell_, shown.back());
   }

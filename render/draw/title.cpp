@@ -334,8 +334,8 @@ std::string fill_title(const Staging& staging, const trace::Frame& frame) {
       if (!piece.fact) continue;
       Words value;
       if (is_of_sequence(*piece.fact)) {
-        const std::string& told = staged.of_sequence[next++];
-        if (!told.empty()) value = told;
+        const std::string& record = staged.of_sequence[next++];
+        if (!record.empty()) value = record;
       } else if (whole || is_last) {
         value = fill(piece);
       }

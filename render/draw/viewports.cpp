@@ -31,7 +31,7 @@ std::vector<PairViewport> split_view(const std::vector<trace::Frame>& frames,
   const auto has_no_label = [](const trace::Pair* pair) { return pair->label.empty(); };
   if (!std::ranges::all_of(pairs, has_no_label)) std::erase_if(pairs, has_no_label);
   const std::size_t count = pairs.size();
-  if (count < 2 || count > kMostViewports) return {};
+  if (count < 2 || count > kMaxViewports) return {};
   const double gap = layout.px(kViewportGap);
   std::size_t columns = count;
   double best = 1e300;

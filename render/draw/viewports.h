@@ -13,7 +13,7 @@
 /// direction, so that only real differences are visible.
 namespace contactscope::draw {
 
-inline constexpr std::size_t kMostViewports = 12;
+inline constexpr std::size_t kMaxViewports = 12;
 
 struct PairViewport {
   std::string a, b, label;  // the pair

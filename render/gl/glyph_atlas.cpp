@@ -24,25 +24,25 @@ GlyphPlace GlyphAtlas::store(const GlyphBitmap& bitmap) {
   if (bitmap.width > kSide || bitmap.height > kSide) {
     throw std::length_error("a glyph is larger than a page of the atlas");
   }
-  if (!pages_.empty() && pages_.back().shelf_x + bitmap.width > kSide) {
+  if (!pages_.empty() && pages_.back().row_x + bitmap.width > kSide) {
     Page& full = pages_.back();
-    full.shelf_top += full.shelf_height;
-    full.shelf_height = full.shelf_x = 0;
+    full.row_top += full.row_height;
+    full.row_height = full.row_x = 0;
   }
   if (pages_.empty() ||
-      pages_.back().shelf_top + std::max(pages_.back().shelf_height, bitmap.height) > kSide)
+      pages_.back().row_top + std::max(pages_.back().row_height, bitmap.height) > kSide)
     pages_.emplace_back();
   Page& page = pages_.back();
   place.page = static_cast<int>(pages_.size()) - 1;
-  place.x = page.shelf_x;
-  place.y = page.shelf_top;
+  place.x = page.row_x;
+  place.y = page.row_top;
   for (int row = 0; row < bitmap.height; ++row) {
     std::copy_n(
         bitmap.coverage.begin() + static_cast<std::ptrdiff_t>(row) * bitmap.width, bitmap.width,
         page.coverage.begin() + static_cast<std::ptrdiff_t>(place.y + row) * kSide + place.x);
   }
-  page.shelf_x += bitmap.width;
-  page.shelf_height = std::max(page.shelf_height, bitmap.height);
+  page.row_x += bitmap.width;
+  page.row_height = std::max(page.row_height, bitmap.height);
   const bool clean = page.changed_from == page.changed_to;
   page.changed_from = clean ? place.y : std::min(page.changed_from, place.y);
   page.changed_to = std::max(clean ? 0 : page.changed_to, place.y + bitmap.height);

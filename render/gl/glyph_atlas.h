@@ -36,7 +36,7 @@ class GlyphAtlas {
   struct Page {
     std::vector<std::uint8_t> coverage = std::vector<std::uint8_t>(kSide * kSide);  // from the top
     int changed_from = 0, changed_to = 0;  // rows to upload to the texture
-    int shelf_top = 0, shelf_height = 0, shelf_x = 0;
+    int row_top = 0, row_height = 0, row_x = 0;
   };
 
   /// The result is valid as long as the atlas. Throws std::length_error if a glyph is larger than a

@@ -58,11 +58,11 @@ void PrimitiveVertices::add(const draw::Fill& fill) {
 
 void PrimitiveVertices::add(const draw::Stroke& stroke) {
   assert(finite(stroke.from) && finite(stroke.to));
-  const Point2 way = stroke.to - stroke.from;
-  const float run = std::sqrt(dot(way, way));
+  const Point2 offset = stroke.to - stroke.from;
+  const float run = std::sqrt(dot(offset, offset));
   const bool round = stroke.cap == draw::Cap::Round;
   if (!(stroke.width > 0) || (run == 0 && !round)) return;
-  const Point2 direction = run > 0 ? way / run : Point2{1, 0};
+  const Point2 direction = run > 0 ? offset / run : Point2{1, 0};
   const float half = stroke.width / 2;
   const bool dashed = stroke.gap > 0 && stroke.dash >= 0;
   const float cap = (round ? half : 0) + kFringe;

@@ -19,15 +19,15 @@ std::string gzip(std::string_view bytes) {
 }
 
 std::string gunzip(std::string_view file) {
-  constexpr std::size_t kLeast = 18, kMost = std::size_t{2} << 30;  // header and trailer
+  constexpr std::size_t kMin = 18, kMax = std::size_t{2} << 30;  // header and trailer
   const auto fail = [] { throw std::runtime_error("it is no whole gzip file"); };
-  if (file.size() < kLeast) fail();
+  if (file.size() < kMin) fail();
   // The last four bytes are the size, little-endian.
   std::size_t size = 0;
   for (std::size_t i = 0; i < 4; ++i)
     size |= std::size_t{static_cast<unsigned char>(file[file.size() - 4 + i])} << (8 * i);
   // Deflate expands by a factor of at most about a thousand.
-  if (size > kMost || size / 1100 > file.size()) fail();
+  if (size > kMax || size / 1100 > file.size()) fail();
   const std::unique_ptr<libdeflate_decompressor, decltype(&libdeflate_free_decompressor)>
       decompressor(libdeflate_alloc_decompressor(), &libdeflate_free_decompressor);
   if (!decompressor) throw std::bad_alloc();

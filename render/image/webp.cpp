@@ -15,8 +15,7 @@ WebPConfig lossless() {
   WebPConfig config;
   if (!WebPConfigInit(&config) || !WebPConfigLosslessPreset(&config, kEffort))
     throw WebpError("libwebp is of another version than its headers");
-  config.exact =
-      1;  // keep colours of transparent pixels, so that decoding is exact
+  config.exact = 1;  // keep colours of transparent pixels, so that decoding is exact
   return config;
 }
 

@@ -171,14 +171,14 @@ std::vector<int> Page::legend_of(const Drawing& drawing, Drawing& view) {
                                  text->at.y - 0.36f * text->size};
     entry.append(sign, draw::Point2{scale * 2, 0.5f * row} - middle);
     sign.primitives.clear();
-    const std::pair<std::string, std::string> told = {
+    const std::pair<std::string, std::string> record = {
         vector::svg_of(entry, {.embed_font = false,
                                .width = vector::number(kSignWidth),
                                .height = vector::number(draw::kLegendRow)}),
         text->text};
-    const auto known = std::ranges::find(legend_, told);
+    const auto known = std::ranges::find(legend_, record);
     numbers.push_back(static_cast<int>(known - legend_.begin()));
-    if (known == legend_.end()) legend_.push_back(told);
+    if (known == legend_.end()) legend_.push_back(record);
   }
   return numbers;
 }

@@ -163,9 +163,10 @@ std::vector<PairFacts> pair_facts(const trace::Frame& frame) {
     if (is_known && (pair.separation != 0 || !pair.manifolds.empty()))
       rows.push_back(gap_row(pair.query && pair.query->gap ? *pair.query->gap : pair.separation));
     if (pair.query) {
-      rows.emplace_back("asked", pair.query->asked + (pair.query->bounds.empty()
-                                                          ? std::string()
-                                                          : " of bounds, " + pair.query->bounds));
+      rows.emplace_back(
+          "asked",
+          pair.query->requested +
+              (pair.query->bounds.empty() ? std::string() : " of bounds, " + pair.query->bounds));
       if (!pair.query->method.empty()) rows.emplace_back("answered by", pair.query->method);
     } else {
       rows.emplace_back("points", count_words(pair));

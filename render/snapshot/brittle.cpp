@@ -62,7 +62,7 @@ std::vector<std::string> brittle_decisions(const trace::Header& header, const tr
 
 TakenDecisions take_decisions(const std::vector<int>& stored, const std::vector<View>& views,
                               const trace::Header& header, std::vector<trace::Frame>& frames) {
-  const bool asked =
+  const bool requested =
       std::ranges::any_of(views, [](const View& view) { return view.shows(Layer::FlipDistance); });
   TakenDecisions taken;
   for (trace::Frame& frame : frames) {
@@ -71,7 +71,7 @@ TakenDecisions take_decisions(const std::vector<int>& stored, const std::vector<
       for (const trace::Pair& pair : frame.pairs)
         if (!pair.decisions.empty()) taken.margins[{frame.frame, key_of(pair)}] = pair.decisions;
     }
-    if (asked) continue;
+    if (requested) continue;
     for (trace::Pair& pair : frame.pairs) pair.decisions.clear();
   }
   return taken;

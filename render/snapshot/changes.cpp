@@ -56,9 +56,9 @@ std::vector<Vec3d> points_of(const trace::Simplex& simplex) {
 }  // namespace
 
 void Changes::add(const Wording& field, const std::string& change) {
-  const std::string told = field.words + change;
+  const std::string record = field.words + change;
   const std::string comma = text_.empty() ? "" : ", ";
-  text_ = field.is_first ? told + comma + text_ : text_ + comma + told;
+  text_ = field.is_first ? record + comma + text_ : text_ + comma + record;
   has_more_ = has_more_ || !field.is_last;
   what_.push_back({field.kind, field.words});
 }

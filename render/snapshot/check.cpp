@@ -39,15 +39,15 @@ std::string spell(const PixelLimits& limits) {
 }
 
 /// A finding about a file, with a remedy unless it is obvious.
-Finding found(FindingKind kind, const Shelf& shelf, const fs::path& stored,
+Finding found(FindingKind kind, const StoredScenario& archive, const fs::path& stored,
               const std::string& subject, const Policy& policy) {
-  Finding finding{kind, shelf.scenario};
-  finding.file = stored.lexically_relative(shelf.root).generic_string();
+  Finding finding{kind, archive.scenario};
+  finding.file = stored.lexically_relative(archive.root).generic_string();
   finding.done = decide(kind, policy);
   finding.cause = name_of(kind);
   const std::string file = stored.generic_string();
   if (kind == FindingKind::New)
-    finding.sentence = subject + ": new, nothing is stored of " + shelf.scenario;
+    finding.sentence = subject + ": new, nothing is stored of " + archive.scenario;
   if (kind == FindingKind::Missing)
     finding.sentence = subject + ": missing, nothing is stored at " + file;
   if (kind == FindingKind::Orphaned)
@@ -55,18 +55,18 @@ Finding found(FindingKind kind, const Shelf& shelf, const fs::path& stored,
   return finding;
 }
 
-FindingKind absent(const Shelf& shelf) {
-  return shelf.is_new ? FindingKind::New : FindingKind::Missing;
+FindingKind absent(const StoredScenario& archive) {
+  return archive.is_new ? FindingKind::New : FindingKind::Missing;
 }
 
-std::vector<Checked> found_stale(const Shelf& shelf, const std::vector<fs::path>& files,
+std::vector<Checked> found_stale(const StoredScenario& archive, const std::vector<fs::path>& files,
                                  const Policy& policy) {
   std::vector<Checked> all;
   for (const fs::path& file : files) {
-    Finding finding = found(FindingKind::Orphaned, shelf, file, shelf.scenario, policy);
+    Finding finding = found(FindingKind::Orphaned, archive, file, archive.scenario, policy);
     finding.stored_sha256 = sha256_of_file(file);
     const bool is_removed = finding.done == Done::Removed;
-    if (is_removed) remove_with_meshes(shelf.root, file);
+    if (is_removed) remove_with_meshes(archive.root, file);
     all.push_back({std::move(finding), is_removed});
   }
   return all;
@@ -83,7 +83,7 @@ std::string note_of(const fs::path& baseline) {
 
 }  // namespace
 
-Shelf shelf_of(const fs::path& root, const std::string& scenario) {
+StoredScenario archive_of(const fs::path& root, const std::string& scenario) {
   return {root, scenario, stored_files(root, scenario).empty()};
 }
 
@@ -95,12 +95,12 @@ void write_stored_picture(const fs::path& path, const Image& image) {
   write_png(path.string(), image, kStoredLevel);
 }
 
-CheckedPicture check_picture(const Shelf& shelf, const PictureKey& key, const Image& actual,
-                             const Policy& policy, const PixelLimits& limits) {
+CheckedPicture check_picture(const StoredScenario& archive, const PictureKey& key,
+                             const Image& actual, const Policy& policy, const PixelLimits& limits) {
   CheckedPicture checked;
-  const fs::path own = picture_path(shelf.root, key);
+  const fs::path own = picture_path(archive.root, key);
   const auto finding = [&](FindingKind kind, const fs::path& file) -> Finding& {
-    checked.finding = found(kind, shelf, file, to_string(key), policy);
+    checked.finding = found(kind, archive, file, to_string(key), policy);
     checked.finding->view = key.view.value_or("");
     checked.finding->frame = key.frame;
     return *checked.finding;
@@ -150,29 +150,30 @@ CheckedPicture check_picture(const Shelf& shelf, const PictureKey& key, const Im
   } else if (!unreadable.empty()) {
     finding(FindingKind::Unreadable, own).sentence = to_string(key) + ": " + unreadable;
   } else {
-    finding(absent(shelf), own);
+    finding(absent(archive), own);
   }
   if (checked.finding)
-    checked.finding->stored_sha256 = sha256_of_file(shelf.root / checked.finding->file);
+    checked.finding->stored_sha256 = sha256_of_file(archive.root / checked.finding->file);
   const bool is_written = checked.finding ? checked.finding->done != Done::Nothing
                                           : policy.allowed() == Update::All && is_same;
   if (is_written) {
-    write_stored_picture(checked.finding ? shelf.root / checked.finding->file : own, actual);
+    write_stored_picture(checked.finding ? archive.root / checked.finding->file : own, actual);
     checked.is_written = true;
   }
   return checked;
 }
 
-CheckedTrace check_trace(const Shelf& shelf, const trace::Trace& actual, const Policy& policy,
-                         const Margins& margins) {
+CheckedTrace check_trace(const StoredScenario& archive, const trace::Trace& actual,
+                         const Policy& policy, const Margins& margins) {
   CheckedTrace checked;
-  const fs::path own = trace_path(shelf.root, shelf.scenario);
+  const fs::path own = trace_path(archive.root, archive.scenario);
   const auto finding = [&](FindingKind kind) -> Finding& {
-    checked.finding = found(kind, shelf, own, shelf.scenario, policy);
+    checked.finding = found(kind, archive, own, archive.scenario, policy);
     return *checked.finding;
   };
   try {
-    if (const std::optional<std::string> stored = read_stored_trace(shelf.root, shelf.scenario)) {
+    if (const std::optional<std::string> stored =
+            read_stored_trace(archive.root, archive.scenario)) {
       checked.differences = compare_with_stored(*stored, own.string(), actual, margins);
       if (!checked.differences.sentences.empty()) {
         Finding& changed = finding(FindingKind::Changed);
@@ -185,35 +186,36 @@ CheckedTrace check_trace(const Shelf& shelf, const trace::Trace& actual, const P
               !compare_with_stored(with_meshes(*read_text_file(bad), bad), bad.string(), actual)
                    .sentences.empty())
             continue;
-          finding(FindingKind::KnownBad).sentence = shelf.scenario + ": " + note_of(bad);
+          finding(FindingKind::KnownBad).sentence = archive.scenario + ": " + note_of(bad);
           checked.finding->cause = "known bad: " + note_of(bad);
           break;
         }
       }
     } else {
-      finding(absent(shelf));
+      finding(absent(archive));
     }
   } catch (const std::exception& error) {
-    finding(FindingKind::Unreadable).sentence = shelf.scenario + ": " + error.what();
+    finding(FindingKind::Unreadable).sentence = archive.scenario + ": " + error.what();
   }
   if (checked.finding) checked.finding->stored_sha256 = sha256_of_file(own);
   checked.is_written =
       checked.finding ? checked.finding->done != Done::Nothing : policy.allowed() == Update::All;
-  if (checked.is_written) write_stored_trace(shelf.root, own, to_json_lines(actual));
+  if (checked.is_written) write_stored_trace(archive.root, own, to_json_lines(actual));
   return checked;
 }
 
-CheckedFrames check_frames(const Shelf& shelf, const FrameHashes& actual, const Policy& policy) {
+CheckedFrames check_frames(const StoredScenario& archive, const FrameHashes& actual,
+                           const Policy& policy) {
   CheckedFrames checked;
-  const fs::path own = hashes_path(shelf.root, shelf.scenario);
+  const fs::path own = hashes_path(archive.root, archive.scenario);
   const auto finding = [&](FindingKind kind) -> Finding& {
-    checked.finding = found(kind, shelf, own, shelf.scenario, policy);
+    checked.finding = found(kind, archive, own, archive.scenario, policy);
     return *checked.finding;
   };
   const std::optional<std::string> text = read_text_file(own);
   try {
     if (!text) {
-      if (!actual.hashes.empty()) finding(absent(shelf));
+      if (!actual.hashes.empty()) finding(absent(archive));
     } else {
       const FrameHashes stored = parse_hashes(*text, own.string());
       checked.is_compared = stored.rounding == actual.rounding;
@@ -238,12 +240,12 @@ CheckedFrames check_frames(const Shelf& shelf, const FrameHashes& actual, const 
       add(went, "gone");
       if (!what.empty()) {
         Finding& changed = finding(FindingKind::Changed);
-        changed.sentence = shelf.scenario + ": of the frames that are not stored, " + what;
+        changed.sentence = archive.scenario + ": of the frames that are not stored, " + what;
         changed.cause = "frames";
       }
     }
   } catch (const std::exception& error) {
-    finding(FindingKind::Unreadable).sentence = shelf.scenario + ": " + error.what();
+    finding(FindingKind::Unreadable).sentence = archive.scenario + ": " + error.what();
   }
   if (checked.finding) checked.finding->stored_sha256 = sha256_of_file(own);
   const bool has_any = !actual.hashes.empty();
@@ -257,9 +259,9 @@ CheckedFrames check_frames(const Shelf& shelf, const FrameHashes& actual, const 
   return checked;
 }
 
-std::vector<Checked> check_stale(const Shelf& shelf, std::span<const std::string> views,
+std::vector<Checked> check_stale(const StoredScenario& archive, std::span<const std::string> views,
                                  std::span<const int> frames, const Policy& policy) {
-  return found_stale(shelf, stale_files(shelf.root, shelf.scenario, views, frames), policy);
+  return found_stale(archive, stale_files(archive.root, archive.scenario, views, frames), policy);
 }
 
 std::vector<Checked> check_stale_scenarios(const fs::path& root,

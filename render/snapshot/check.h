@@ -18,12 +18,12 @@
 namespace contactscope::snapshot {
 
 /// Stored files of one scenario.
-struct Shelf {
+struct StoredScenario {
   std::filesystem::path root;  // the folder "snapshots"
   std::string scenario;
   bool is_new = false;  // nothing is stored yet
 };
-Shelf shelf_of(const std::filesystem::path& root, const std::string& scenario);
+StoredScenario archive_of(const std::filesystem::path& root, const std::string& scenario);
 
 /// Result for one stored file.
 struct Checked {
@@ -40,8 +40,9 @@ struct CheckedPicture : Checked {
 /// frame_0012.osmesa.png of another driver. Matching one of them is enough. A match with
 /// frame_0012.bad_31.png is known to be bad; the note is in frame_0012.bad_31.txt. An unreadable
 /// stored picture is a finding of its own kind.
-CheckedPicture check_picture(const Shelf& shelf, const PictureKey& key, const Image& actual,
-                             const Policy& policy, const PixelLimits& limits = {});
+CheckedPicture check_picture(const StoredScenario& archive, const PictureKey& key,
+                             const Image& actual, const Policy& policy,
+                             const PixelLimits& limits = {});
 
 struct CheckedTrace : Checked {
   TraceDifferences differences{};
@@ -49,20 +50,20 @@ struct CheckedTrace : Checked {
 
 /// `actual` has exactly the frames that the scenario stores; `margins` belong to it. Throws
 /// std::domain_error if a number in a trace to be written is not finite.
-CheckedTrace check_trace(const Shelf& shelf, const trace::Trace& actual, const Policy& policy,
-                         const Margins& margins = {});
+CheckedTrace check_trace(const StoredScenario& archive, const trace::Trace& actual,
+                         const Policy& policy, const Margins& margins = {});
 
 struct CheckedFrames : Checked {
-  bool is_compared =
-      false;  // false also if the machine that stored them rounds differently
+  bool is_compared = false;    // false also if the machine that stored them rounds differently
   std::vector<int> changed{};  // frame numbers
 };
 
 /// Checks the hashes of frames that are not stored.
-CheckedFrames check_frames(const Shelf& shelf, const FrameHashes& actual, const Policy& policy);
+CheckedFrames check_frames(const StoredScenario& archive, const FrameHashes& actual,
+                           const Policy& policy);
 
 /// Stored files that the scenario no longer stores; see stale_files().
-std::vector<Checked> check_stale(const Shelf& shelf, std::span<const std::string> views,
+std::vector<Checked> check_stale(const StoredScenario& archive, std::span<const std::string> views,
                                  std::span<const int> frames, const Policy& policy);
 
 /// For a check of all scenarios: stored files of scenarios that are neither in `scenarios` nor of

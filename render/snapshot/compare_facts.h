@@ -167,8 +167,8 @@ class Comparison {
     return {words,
             field.kind,
             {field.states[0], field.states[1]},
-            field.is_told_first,
-            field.is_told_last};
+            field.is_reported_first,
+            field.is_reported_last};
   }
 
   template <trace::Listed T>

@@ -84,14 +84,14 @@ class Scale {
 };
 
 /// Adds the sentences of the header or of one frame.
-void tell(const std::string& place, const std::vector<Difference>& differences,
-          std::vector<std::string>& sentences) {
-  for (std::size_t i = 0; i < differences.size() && i < kMostSentences; ++i) {
+void report(const std::string& place, const std::vector<Difference>& differences,
+            std::vector<std::string>& sentences) {
+  for (std::size_t i = 0; i < differences.size() && i < kMaxSentences; ++i) {
     const auto& [subject, text, stage, what] = differences[i];
     sentences.push_back(place + (subject.empty() ? "" : ", " + subject) + ": " + text);
   }
-  if (differences.size() > kMostSentences) {
-    sentences.push_back(place + ": and " + std::to_string(differences.size() - kMostSentences) +
+  if (differences.size() > kMaxSentences) {
+    sentences.push_back(place + ": and " + std::to_string(differences.size() - kMaxSentences) +
                         " more");
   }
 }
@@ -99,7 +99,7 @@ void tell(const std::string& place, const std::vector<Difference>& differences,
 /// Settles `actual`; see Changes.
 TraceDifferences compare_and_settle(const Trace& expected, Trace& actual,
                                     const Margins& margins = {}) {
-  TraceDifferences told;
+  TraceDifferences record;
   std::vector<FrameDifferences> all;
   const std::string name = actual.header.scenario;
   const Scale scale(expected.header);
@@ -122,10 +122,10 @@ TraceDifferences compare_and_settle(const Trace& expected, Trace& actual,
   for (const std::size_t i : match.added)
     header.push_back({number(actual.frames[i]), "added", Stage::Frames});
   if (match.reordered()) header.push_back({"", "frames in another order", Stage::Frames});
-  tell(name, header, told.sentences);
+  report(name, header, record.sentences);
   for (const Difference& difference : header) {
-    told.is_words = told.is_words || difference.stage == Stage::Words;
-    told.is_setup = told.is_setup || difference.stage == Stage::Setup;
+    record.is_words = record.is_words || difference.stage == Stage::Words;
+    record.is_setup = record.is_setup || difference.stage == Stage::Setup;
   }
   if (!header.empty()) all.push_back({-1, nullptr, nullptr, std::move(header)});
 
@@ -135,18 +135,18 @@ TraceDifferences compare_and_settle(const Trace& expected, Trace& actual,
     Comparison([&](const std::string& a, const std::string& b) {
       return scale.of(frame, a, b);
     }).compare(frame, actual.frames[j], {"", "", scale.of(frame)}, "", differences);
-    tell(name + " " + number(frame), differences, told.sentences);
+    report(name + " " + number(frame), differences, record.sentences);
     if (differences.empty()) continue;
-    told.frames.push_back(frame.frame);
+    record.frames.push_back(frame.frame);
     all.push_back({frame.frame, &frame, &actual.frames[j], std::move(differences)});
   }
   if (!all.empty()) {
     FirstCause cause = first_cause(name, all, margins);
-    told.cause = std::move(cause.sentence);
-    told.signature = std::move(cause.signature);
-    told.is_input = cause.is_input;
+    record.cause = std::move(cause.sentence);
+    record.signature = std::move(cause.signature);
+    record.is_input = cause.is_input;
   }
-  return told;
+  return record;
 }
 
 /// Characters around a position of a line.
@@ -167,8 +167,8 @@ TraceDifferences compare_with_stored(const std::string& text, const std::string&
   std::istringstream stored(text);
   Trace settled = actual;
   const Trace expected = trace::read_trace(stored, path);
-  TraceDifferences told = compare_and_settle(expected, settled, margins);
-  if (!told.sentences.empty()) return told;
+  TraceDifferences record = compare_and_settle(expected, settled, margins);
+  if (!record.sentences.empty()) return record;
   const std::string written = to_json_lines(settled);
   const auto [at, other] = std::ranges::mismatch(text, written);
   if (at == text.end() && other == written.end()) return {};
@@ -178,13 +178,13 @@ TraceDifferences compare_with_stored(const std::string& text, const std::string&
   const auto place = static_cast<std::size_t>(at - text.begin());
   const std::size_t begin = place == 0 ? 0 : text.rfind('\n', place - 1) + 1;
   const auto line = std::count(text.begin(), at, '\n');
-  told.cause = actual.header.scenario + ": line " + std::to_string(line + 1) + " of " + path +
-               " is not as it would be written, though no fact in it differs: it has '" +
-               about(line_of(text, begin), place - begin) + "', where '" +
-               about(line_of(written, begin), place - begin) + "' would be";
-  told.sentences = {told.cause};
-  told.signature = "bytes";
-  return told;
+  record.cause = actual.header.scenario + ": line " + std::to_string(line + 1) + " of " + path +
+                 " is not as it would be written, though no fact in it differs: it has '" +
+                 about(line_of(text, begin), place - begin) + "', where '" +
+                 about(line_of(written, begin), place - begin) + "' would be";
+  record.sentences = {record.cause};
+  record.signature = "bytes";
+  return record;
 }
 
 }  // namespace contactscope::snapshot

@@ -9,7 +9,7 @@
 namespace contactscope::snapshot {
 
 /// Limit of sentences per frame; "and N more" follows.
-inline constexpr int kMostSentences = 8;
+inline constexpr int kMaxSentences = 8;
 
 /// Differences between a stored trace and the one of this run, as sentences such as
 /// "hull/face_contact frame 12, crate-floor: point 2 moved 1.3 mm along x, separation -0.0050 ->

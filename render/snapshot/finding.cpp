@@ -24,7 +24,7 @@ int largest(const Cause& cause) {
 }
 
 /// More scenarios than an author edits by hand: then the program reads or builds them differently.
-constexpr std::size_t kMostEdited = 5;
+constexpr std::size_t kMaxEdited = 5;
 
 /// Splits a cause by scenario.
 std::vector<Cause> by_scenario(const Cause& cause) {
@@ -108,7 +108,7 @@ std::vector<Cause> causes(const Outcome& outcome) {
   for (auto& [name, cause] : by_cause) {
     std::ranges::stable_sort(
         cause.findings, [](const Finding* a, const Finding* b) { return weight(*a) > weight(*b); });
-    if (name.starts_with(kInputCause) && cause.scenarios.size() <= kMostEdited)
+    if (name.starts_with(kInputCause) && cause.scenarios.size() <= kMaxEdited)
       std::ranges::move(by_scenario(cause), std::back_inserter(all));
     else
       all.push_back(std::move(cause));

@@ -54,13 +54,12 @@ struct Finding {
   std::string scenario;
   std::string view{};          // empty: a single view, or not a picture
   std::optional<int> frame{};  // set for pictures
-  std::string file{};      // relative to the snapshot folder, with slashes; empty: expectation
-  std::string sentence{};  // summary
+  std::string file{};          // relative to the snapshot folder, with slashes; empty: expectation
+  std::string sentence{};      // summary
   std::vector<std::string> details{};  // all differences, one per line
   std::string cause{};                 // equal for findings that may share a cause; never empty
   std::optional<PixelMeasures> pixels{};
-  std::vector<std::string>
-      layers{};  // for pictures with changed facts: layers that changed
+  std::vector<std::string> layers{};  // for pictures with changed facts: layers that changed
   // Paths relative to the report folder; empty: no such file.
   std::string candidate{};       // result of the run, stored when accepted
   std::string expected{};        // stored file

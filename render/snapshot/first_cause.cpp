@@ -97,8 +97,8 @@ int count_points(const FrameDifferences& frame, const std::string& subject) {
 struct Origin {
   std::string subject;
   Stage stage;
-  const Difference* told = nullptr;  // not an effect of itself
-  const Flipped* flip = nullptr;     // likewise
+  const Difference* record = nullptr;  // not an effect of itself
+  const Flipped* flip = nullptr;       // likewise
 };
 
 /// "the reference face, 4 clip steps and 3 of 4 ids changed": effects in the pair of the cause, or
@@ -123,9 +123,9 @@ std::string spell_effects(const FrameDifferences& frame, const Origin& origin) {
   const int points = is_pair ? count_points(frame, origin.subject) : 0;
   for (const Difference& difference : frame.differences) {
     if (is_pair && difference.subject != origin.subject) continue;
-    const bool is_told =
-        &difference == origin.told || (origin.flip && origin.flip->says(difference));
-    if (!is_told && difference.stage >= origin.stage) {
+    const bool is_named =
+        &difference == origin.record || (origin.flip && origin.flip->says(difference));
+    if (!is_named && difference.stage >= origin.stage) {
       if (const auto thing = thing_of(difference)) add(difference.stage, *thing);
     }
     const bool is_kept = difference.stage == Stage::Points || difference.stage == Stage::Ids;

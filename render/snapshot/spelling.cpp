@@ -81,8 +81,8 @@ std::string spell_numbers(std::span<const int> numbers) {
 
 std::array<std::string, 2> spell_both(double expected, double actual) {
   const double difference = std::abs(actual - expected);
-  constexpr int kMostDecimals = 15;  // more digits are noise for numbers near one
-  int decimals = kMostDecimals + 1;
+  constexpr int kMaxDecimals = 15;  // more digits are noise for numbers near one
+  int decimals = kMaxDecimals + 1;
   if (std::isfinite(difference) && difference > 0) {
     decimals = std::max(0, 1 - exponent(difference));
     // -0.005 next to -0.25 must not read 0.00; much smaller numbers may.
@@ -92,7 +92,7 @@ std::array<std::string, 2> spell_both(double expected, double actual) {
     }
   }
   const bool large = std::max(std::abs(expected), std::abs(actual)) >= 1e15;
-  if (decimals > kMostDecimals || large) {
+  if (decimals > kMaxDecimals || large) {
     return {format("%.*g", 17, expected), format("%.*g", 17, actual)};
   }
   return {fixed(expected, decimals), fixed(actual, decimals)};

@@ -105,9 +105,9 @@ void require_font_subsets() {
 }
 
 std::string FontFaces::css(const UsedCharacters& used) {
-  constexpr std::size_t kMostKept = 64;  // rules; a sequence uses few sets of characters
+  constexpr std::size_t kMaxKept = 64;  // rules; a sequence uses few sets of characters
   const std::lock_guard lock(mutex_);
-  if (rules_.size() > kMostKept) rules_.clear();
+  if (rules_.size() > kMaxKept) rules_.clear();
   std::string css;
   for (const auto& key : used) {
     std::string& rule = rules_[key];

@@ -20,7 +20,7 @@ constexpr float kLapTurn = 0.9f;  // cosine
 // Neighbours with a rounded common edge overlap by less, pixels.
 constexpr float kTouching = 0.02f;
 // limit of translucent polygons per path: each is compared with all before it
-constexpr std::size_t kMostTranslucent = 256;
+constexpr std::size_t kMaxTranslucent = 256;
 
 bool same(const Color& a, const Color& b) {
   return a.r == b.r && a.g == b.g && a.b == b.b && a.a == b.a;
@@ -45,7 +45,7 @@ struct PolygonExtent {
       bottom = std::max(bottom, p.y);
     }
   }
-  bool apart(const PolygonExtent& other) const {
+  bool separated(const PolygonExtent& other) const {
     return left > other.right - kTouching || other.left > right - kTouching ||
            top > other.bottom - kTouching || other.top > bottom - kTouching;
   }
@@ -65,9 +65,8 @@ bool has_parting_side(const std::vector<Point2>& a, const std::vector<Point2>& b
 struct Grouping {
   Rect canvas;
   std::vector<Group> groups{};
-  std::vector<PolygonExtent>
-      extents{};  // of the current path's polygons, if it is translucent
-  float run = 0;  // length of the current line, pixels
+  std::vector<PolygonExtent> extents{};  // of the current path's polygons, if it is translucent
+  float run = 0;                         // length of the current line, pixels
 
   std::vector<Piece>& pieces() { return groups.back().pieces; }
   template <class Kind>
@@ -96,10 +95,10 @@ struct Grouping {
   // Overlapping translucent polygons must stay distinct.
   bool may_join(const FillPath& path, const std::vector<Point2>& polygon) const {
     if (path.color.a >= 1) return true;
-    if (path.polygons.size() >= kMostTranslucent) return false;
+    if (path.polygons.size() >= kMaxTranslucent) return false;
     const PolygonExtent extent(polygon);
     for (std::size_t i = 0; i < extents.size(); ++i) {
-      if (!extents[i].apart(extent) && !has_parting_side(path.polygons[i], polygon) &&
+      if (!extents[i].separated(extent) && !has_parting_side(path.polygons[i], polygon) &&
           !has_parting_side(polygon, path.polygons[i]))
         return false;
     }

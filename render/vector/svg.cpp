@@ -122,8 +122,8 @@ struct SvgWriter {
     out += "<svg xmlns=\"http://www.w3.org/2000/svg\"";
     const double points = drawing.points_per_pixel;
     const bool pixels = std::abs(points - kPixelOfCss) < 1e-6;
-    const auto size = [&](const std::string& asked, int length) {
-      if (!asked.empty()) return asked;
+    const auto size = [&](const std::string& requested, int length) {
+      if (!requested.empty()) return requested;
       return pixels ? std::to_string(length) : number(points * length) + "pt";
     };
     attribute("width", size(options.width, drawing.width));
@@ -147,11 +147,11 @@ struct SvgWriter {
   void add_origin(const PictureOrigin& origin) {
     if (!origin.title.empty()) out += "<title>" + escaped(origin.title) + "</title>\n";
     const auto entries = entries_of(origin);
-    std::string told;
+    std::string record;
     for (const auto& [key, value] : entries) {
-      if (key != "Title") told += (told.empty() ? "" : "; ") + key + ": " + value;
+      if (key != "Title") record += (record.empty() ? "" : "; ") + key + ": " + value;
     }
-    out += "<desc>" + escaped(told) + "</desc>\n<metadata>";
+    out += "<desc>" + escaped(record) + "</desc>\n<metadata>";
     out += "<picture xmlns=\"urn:contactscope:picture\"";
     for (const auto& [key, value] : entries) {
       std::string name = key;  // "Scenario SHA-256" becomes "scenario-sha-256"

@@ -130,12 +130,12 @@ std::vector<Point2> around(const draw::Fill& fill) {
   return fill.polygon;
 }
 std::vector<Point2> around(const draw::Stroke& stroke) {
-  const Point2 way = stroke.to - stroke.from;
-  const float run = length(way);
+  const Point2 offset = stroke.to - stroke.from;
+  const float run = length(offset);
   const bool round = stroke.cap == draw::Cap::Round;
   if (!(stroke.width > 0) || (run == 0 && !round) || !has_color(stroke.color)) return {};
   const float half = 0.5f * stroke.width;
-  const Point2 along = run > 0 ? way / run : Point2{1, 0};
+  const Point2 along = run > 0 ? offset / run : Point2{1, 0};
   const Point2 aside = half * perpendicular(along), ahead = (round ? half : 0) * along;
   return {stroke.from - ahead - aside, stroke.to + ahead - aside, stroke.to + ahead + aside,
           stroke.from - ahead + aside};

@@ -71,9 +71,9 @@ class FclRecorder {
     for (std::size_t i = 0; i < result.numContacts(); ++i) {
       const fcl::Contact<S>& contact = result.getContact(i);
       // FCL swaps pairs that it implements in one order only; o1 and o2 show it.
-      const bool is_traded =
+      const bool is_swapped =
           contact.o1 != a.collisionGeometry().get() && contact.o1 == b.collisionGeometry().get();
-      const double sign = is_traded ? -1 : 1;
+      const double sign = is_swapped ? -1 : 1;
       const fcl::Vector3<S>& n = contact.normal;  // from o1 to o2
       const int triangle = triangle_of(contact.o1, contact.b1) >= 0
                                ? triangle_of(contact.o1, contact.b1)

@@ -106,8 +106,7 @@ class MujocoRecorder {
         continue;
       }
       if (whole < 0) whole = cs_compound(recorder_, name_of(mjOBJ_BODY, body, "body").c_str());
-      const double place[3] = {0, 0, 0},
-                   unturned[4] = {1, 0, 0, 0};  // geoms have their own poses
+      const double place[3] = {0, 0, 0}, unturned[4] = {1, 0, 0, 0};  // geoms have their own poses
       cs_part(recorder_, whole, shape, place, unturned);
     }
   }

@@ -164,11 +164,11 @@ class OdeRecorder {
   }
 
   int add(dGeomID geom, const Signature& is) {
-    const auto told = forms_.find(geom);
-    if (told != forms_.end())
-      return cs_mesh(recorder_, called(geom, "mesh").c_str(), told->second.vertices.data(),
-                     int(told->second.vertices.size() / 3), told->second.triangles.data(),
-                     int(told->second.triangles.size() / 3));
+    const auto record = forms_.find(geom);
+    if (record != forms_.end())
+      return cs_mesh(recorder_, called(geom, "mesh").c_str(), record->second.vertices.data(),
+                     int(record->second.vertices.size() / 3), record->second.triangles.data(),
+                     int(record->second.triangles.size() / 3));
     const double x = double(is.numbers[0]), y = double(is.numbers[1]), z = double(is.numbers[2]);
     const Vector half = {{0, 0, y / 2}}, other = {{0, 0, -y / 2}}, normal = {{x, y, z}};
     switch (is.type) {
@@ -370,11 +370,11 @@ class OdeRecorder {
     // ODE swaps the bodies of a joint whose first body is the world; f1 acts on the only body.
     const dBodyID first = dJointGetBody(contact.joint, 0), second = dJointGetBody(contact.joint, 1);
     if (!(first && dBodyIsEnabled(first)) && !(second && dBodyIsEnabled(second))) return false;
-    const dJointFeedback& told = *contact.feedback;
+    const dJointFeedback& record = *contact.feedback;
     const dBodyID a = dGeomGetBody(contact.geom.g1), b = dGeomGetBody(contact.geom.g2);
     const bool is_on_b = b && (b == first || b == second);
     const dBodyID subject = is_on_b ? b : a;
-    const dReal* on_subject = subject == first || !first ? told.f1 : told.f2;
+    const dReal* on_subject = subject == first || !first ? record.f1 : record.f2;
     for (int k = 0; k < 3; ++k) force[k] = double(on_subject[k]) * (is_on_b ? 1 : -1);
     return true;
   }

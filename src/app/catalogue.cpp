@@ -118,9 +118,9 @@ Input input_of(Sequence&& trace, const Options& options) {
   input.scenario.views = {default_view()};
   input.scenario.views.front().panels = {Panel::Summary};
   // The legend names two shapes; names of very many shapes would hide them.
-  constexpr std::size_t kFewest = 3, kMost = 24;
+  constexpr std::size_t kFewest = 3, kMax = 24;
   const std::size_t shapes = trace.header.shapes.size();
-  if (shapes >= kFewest && shapes <= kMost)
+  if (shapes >= kFewest && shapes <= kMax)
     input.scenario.views.front().layers.push_back(Layer::Names);
   input.trace = std::move(trace);
   if (std::vector<View> views = views_of_file(options); !views.empty())

@@ -26,7 +26,7 @@ struct Input {
   std::vector<int> frames{};        // numbers of the frames to draw
   std::optional<Sequence> trace{};  // unset: run the scenario
   std::string file{};               // file name of a trace for messages
-  std::string unreadable{};  // error, with only name and path set; empty if readable
+  std::string unreadable{};         // error, with only name and path set; empty if readable
 };
 
 /// Handling of files that cannot be read or parsed.

@@ -27,7 +27,7 @@ ExitCode run_check_verb(const Options& options) {
                              "contactscope check --facts-only");
     }
   }();
-  tell_all({outcome, report_folder(options), options});
+  write_reports({outcome, report_folder(options), options});
   return exit_code(outcome);
 }
 

@@ -16,10 +16,10 @@ snapshot::Update parse_update(const std::string& text) {
 }
 
 snapshot::Shard parse_shard(const std::string& text) {
-  constexpr int kMost = 100000;
+  constexpr int kMax = 100000;
   int part = 0, of = 0, length = 0;
   const bool is_read = std::sscanf(text.c_str(), "%6d/%6d%n", &part, &of, &length) == 2;
-  if (is_read && length == static_cast<int>(text.size()) && part >= 1 && part <= of && of <= kMost)
+  if (is_read && length == static_cast<int>(text.size()) && part >= 1 && part <= of && of <= kMax)
     return {part, of};
   throw UsageError("--shard '" + text + "' is no part; write K/N with 1 <= K <= N, as 2/5");
 }

@@ -14,9 +14,9 @@
 #include "app/moved_layers.h"
 #include "app/program_id.h"
 #include "app/progress.h"
+#include "app/renderer.h"
 #include "app/reports/report.h"
 #include "app/shard.h"
-#include "app/studio.h"
 #include "core/at.h"
 #include "core/input_error.h"
 #include "draw/staging.h"
@@ -94,30 +94,32 @@ class Checker {
  public:
   Checker(const Options& options, snapshot::ReportFolder& report)
       : options_(options),
-        studio_(options.backend, ledger_),
+        renderer_(options.backend, log_),
         report_(report),
         policy_{snapshot::is_ci(std::getenv("CI")), options.update} {}
 
   ScenarioOutcome check(Input& input) {
     const Scenario& scenario = input.scenario;
     ScenarioOutcome outcome{scenario.name, scenario.path};
-    const snapshot::Shelf shelf = snapshot::shelf_of(options_.snapshot_root, scenario.name);
+    const snapshot::StoredScenario archive =
+        snapshot::archive_of(options_.snapshot_root, scenario.name);
     snapshot::Margins margins;
     Sequence sequence = facts_of(input, outcome, margins);
     snapshot::CheckedFrames frames;
     const bool has_hashes = !input.trace;
-    if (has_hashes) frames = check_frames(shelf, scenario, sequence, outcome);
+    if (has_hashes) frames = check_frames(archive, scenario, sequence, outcome);
 
     trace::Trace stored{sequence.header, {}};
     sequence.each(scenario.snapshots.frames,
                   [&](std::size_t index) { stored.frames.push_back(sequence.frames[index]); });
     // Runs while the pictures are drawn.
-    std::future<snapshot::CheckedTrace> pending = std::async(
-        std::launch::async, [&] { return snapshot::check_trace(shelf, stored, policy_, margins); });
+    std::future<snapshot::CheckedTrace> pending = std::async(std::launch::async, [&] {
+      return snapshot::check_trace(archive, stored, policy_, margins);
+    });
     std::vector<Finding> pictures;
     if (!options_.facts_only) {
       for (const View& view : selected_views(scenario, options_))
-        check_pictures(shelf, scenario, view, sequence, outcome, pictures);
+        check_pictures(archive, scenario, view, sequence, outcome, pictures);
     }
     snapshot::CheckedTrace trace = pending.get();
     const snapshot::TraceDifferences differences = trace.differences;
@@ -137,12 +139,12 @@ class Checker {
     take(std::move(trace), outcome);
     take(std::move(frames), outcome);
     if (!pictures.empty() && !differences.frames.empty())
-      name_layers(shelf, scenario, sequence, differences, pictures);
+      name_layers(archive, scenario, sequence, differences, pictures);
     for (Finding& picture : pictures) {
       explain(picture, facts);
       outcome.findings.push_back(std::move(picture));
     }
-    if (options_.view.empty()) check_stale(shelf, scenario, outcome);
+    if (options_.view.empty()) check_stale(archive, scenario, outcome);
     return outcome;
   }
 
@@ -162,12 +164,12 @@ class Checker {
     return outcomes;
   }
 
-  const Ledger& ledger() const { return ledger_; }
+  const RunLog& log() const { return log_; }
 
   /// Content that all findings depend on. Opens OpenGL unless pictures are off.
   std::string surroundings() {
     return program_id() + " " + snapshot::rounding() + " " +
-           (options_.facts_only ? "facts" : studio_.driver());
+           (options_.facts_only ? "facts" : renderer_.driver());
   }
 
  private:
@@ -195,7 +197,7 @@ class Checker {
     const Scenario& scenario = input.scenario;
     trace::Stages stages;
     stages.decisions = true;
-    Sequence sequence = run_sequence(scenario, stages, false, ledger_);
+    Sequence sequence = run_sequence(scenario, stages, false, log_);
     snapshot::TakenDecisions decisions = snapshot::take_decisions(
         scenario.snapshots.frames, scenario.views, sequence.header, sequence.frames);
     outcome.brittle = std::move(decisions.brittle);
@@ -211,42 +213,43 @@ class Checker {
     return sequence;
   }
 
-  snapshot::CheckedFrames check_frames(const snapshot::Shelf& shelf, const Scenario& scenario,
-                                       const Sequence& sequence, ScenarioOutcome& outcome) {
-    const Timed timed(ledger_, "hash frames");
+  snapshot::CheckedFrames check_frames(const snapshot::StoredScenario& archive,
+                                       const Scenario& scenario, const Sequence& sequence,
+                                       ScenarioOutcome& outcome) {
+    const Timed timed(log_, "hash frames");
     snapshot::FrameHashes hashes{snapshot::rounding(), {}};
     for (const trace::Frame& frame : sequence.frames) {
       if (!contains(scenario.snapshots.frames, frame.frame))
         hashes.hashes[frame.frame] = snapshot::hash_of(frame);
     }
-    snapshot::CheckedFrames checked = snapshot::check_frames(shelf, hashes, policy_);
+    snapshot::CheckedFrames checked = snapshot::check_frames(archive, hashes, policy_);
     const bool is_stored = !checked.finding || checked.finding->kind == FindingKind::Changed;
     if (!hashes.hashes.empty() && is_stored && !checked.is_compared)
       outcome.notes.push_back(
           "frames that are not stored were not compared, for this machine rounds otherwise than "
           "the one that wrote " +
-          snapshot::hashes_path(shelf.root, shelf.scenario).generic_string());
+          snapshot::hashes_path(archive.root, archive.scenario).generic_string());
     outcome.frames =
         count_of(scenario.snapshots.frames) + (checked.is_compared ? count_of(hashes.hashes) : 0);
     if (checked.finding) report_.add_text(*checked.finding, to_text(hashes));
     return checked;
   }
 
-  void check_pictures(const snapshot::Shelf& shelf, const Scenario& scenario, const View& view,
-                      Sequence& sequence, ScenarioOutcome& outcome,
+  void check_pictures(const snapshot::StoredScenario& archive, const Scenario& scenario,
+                      const View& view, Sequence& sequence, ScenarioOutcome& outcome,
                       std::vector<Finding>& findings) {
     const draw::Staging staging = draw::stage(
         sequence.header, sequence.frames, view, scenario.snapshots.width, scenario.snapshots.height,
         style_of(scenario), draw::kLayers, scenario.snapshots.frames);
-    studio_.render(
+    renderer_.render(
         staging, sequence, scenario.snapshots.frames, [&](const trace::Frame& shown, Image image) {
-          const Timed timed(ledger_, "compare");
+          const Timed timed(log_, "compare");
           // With --view the path still has the view's folder if there are several.
           const snapshot::PictureKey key{
               scenario.name, scenario.views.size() > 1 ? std::optional(view.name) : std::nullopt,
               shown.frame};
           snapshot::CheckedPicture checked = snapshot::check_picture(
-              shelf, key, image, policy_, limits_of(scenario.snapshots, view.name));
+              archive, key, image, policy_, limits_of(scenario.snapshots, view.name));
           ++outcome.pictures;
           outcome.written += checked.is_written;
           if (!checked.finding) return;
@@ -257,16 +260,17 @@ class Checker {
   }
 
   /// Finds the layers of pictures that the stored facts draw differently.
-  void name_layers(const snapshot::Shelf& shelf, const Scenario& scenario, const Sequence& sequence,
-                   const snapshot::TraceDifferences& differences, std::vector<Finding>& pictures) {
-    constexpr int kMost = 4;  // each takes as long as drawing the picture twice
-    const Timed timed(ledger_, "compare layers");
-    std::istringstream text(*snapshot::read_stored_trace(shelf.root, shelf.scenario));
+  void name_layers(const snapshot::StoredScenario& archive, const Scenario& scenario,
+                   const Sequence& sequence, const snapshot::TraceDifferences& differences,
+                   std::vector<Finding>& pictures) {
+    constexpr int kMax = 4;  // each takes as long as drawing the picture twice
+    const Timed timed(log_, "compare layers");
+    std::istringstream text(*snapshot::read_stored_trace(archive.root, archive.scenario));
     const trace::Trace stored = trace::read_trace(text, "stored");
     int named = 0;
     for (Finding& picture : pictures) {
       if (picture.kind != FindingKind::Changed || !contains(differences.frames, *picture.frame) ||
-          named++ >= kMost)
+          named++ >= kMax)
         continue;
       const auto find = [&](const std::vector<trace::Frame>& frames) {
         return std::ranges::find(frames, *picture.frame, &trace::Frame::frame);
@@ -284,23 +288,23 @@ class Checker {
         picture.layers = std::move(moved.names);
         report_.add_layers(picture, moved.svg);
       } catch (const std::exception& error) {
-        ledger_.note(picture.key() + ": layers were not compared: " + error.what());
+        log_.note(picture.key() + ": layers were not compared: " + error.what());
       }
     }
   }
 
-  void check_stale(const snapshot::Shelf& shelf, const Scenario& scenario,
+  void check_stale(const snapshot::StoredScenario& archive, const Scenario& scenario,
                    ScenarioOutcome& outcome) {
     std::vector<std::string> views;
     if (scenario.views.size() > 1) views = mapped(scenario.views, &View::name);
     for (snapshot::Checked& file :
-         snapshot::check_stale(shelf, views, scenario.snapshots.frames, policy_))
+         snapshot::check_stale(archive, views, scenario.snapshots.frames, policy_))
       take(std::move(file), outcome);
   }
 
   const Options& options_;
-  Ledger ledger_;
-  Studio studio_;
+  RunLog log_;
+  Renderer renderer_;
   snapshot::ReportFolder& report_;
   snapshot::Policy policy_;
 };
@@ -421,7 +425,7 @@ snapshot::Outcome run_check(std::vector<Input>& inputs, const Options& options) 
   if (known) report.add_file("known_same.json", known->text());
   retell_page(report.aside(), outcome, options);
   report.publish(outcome);
-  if (options.verbose) checker.ledger().print(std::cerr, "check");
+  if (options.verbose) checker.log().print(std::cerr, "check");
   return outcome;
 }
 

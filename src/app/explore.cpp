@@ -7,7 +7,7 @@
 #include "app/catalogue.h"
 #include "app/figure_canvas.h"
 #include "app/progress.h"
-#include "app/studio.h"
+#include "app/renderer.h"
 #include "app/table.h"
 #include "app/verbs.h"
 #include "core/at.h"
@@ -100,7 +100,7 @@ std::filesystem::path folder_of(const Options& options, const trace::Exploration
 }
 
 void write_pictures(const Scenario& scenario, const Explorations& explorations,
-                    const Options& options, std::shared_ptr<const Words> words, Ledger& ledger) {
+                    const Options& options, std::shared_ptr<const Words> words, RunLog& log) {
   View plane;
   plane.kind = ViewKind::ContactPlane;
   const auto [size, style] = canvas_of(
@@ -115,7 +115,7 @@ void write_pictures(const Scenario& scenario, const Explorations& explorations,
   for (const Explorations& sequence : sequences) pictures += sequence.size();
   std::vector<std::string> left_out;
   if (pictures > 0) {
-    Studio studio(options.backend, ledger);
+    Renderer renderer(options.backend, log);
     EncoderPool encoders(options.jobs);
     {
       Progress progress(static_cast<int>(pictures), options.quiet);
@@ -136,13 +136,13 @@ void write_pictures(const Scenario& scenario, const Explorations& explorations,
         for (const trace::Exploration& exploration : sequence) {
           const std::string name = snapshot::frame_stem(exploration.frame) + ".png";
           draw::Drawing drawing = cells.frame(exploration.frame);
-          studio.finish(style, drawing);
-          encoders.submit((folder / name).string(), studio.paint(drawing));
+          renderer.finish(style, drawing);
+          encoders.submit((folder / name).string(), renderer.paint(drawing));
           progress.advance(scenario.name);
         }
       }
       encoders.finish();
-      if (!options.quiet) studio.missing_glyphs().tell(std::cerr);
+      if (!options.quiet) renderer.missing_glyphs().report(std::cerr);
     }
   }
   if (options.quiet) return;
@@ -223,13 +223,13 @@ ExitCode run_explore(const Options& options) {
     print_table(explorations, std::cout);
   }
   if (!options.quiet) print_note(explorations, scenario);
-  Ledger ledger;
+  RunLog log;
   if (options.tables_only) {
-    ledger.left_out("pictures and OpenGL, for --table asks for the table alone");
+    log.left_out("pictures and OpenGL, for --table asks for the table alone");
   } else if (!explorations.empty()) {
-    write_pictures(scenario, explorations, options, words, ledger);
+    write_pictures(scenario, explorations, options, words, log);
   }
-  if (options.verbose) ledger.print(std::cerr, "explore");
+  if (options.verbose) log.print(std::cerr, "explore");
   return ExitCode::Same;
 }
 

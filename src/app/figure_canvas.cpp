@@ -13,14 +13,14 @@
 namespace contactscope::app {
 namespace {
 
-constexpr int kLeastSide = 64, kMostSide = 8192;          // pixels, as for --size
+constexpr int kMinSide = 64, kMaxSide = 8192;             // pixels, as for --size
 constexpr double kViewShape = 0.7;                        // height of a view relative to its width
 constexpr double kChartShape = 0.5;                       // of a chart or map
 constexpr double kAroundPanel = 20, kBetweenPanels = 12;  // pixels at 720 lines
 
 int side_of(const char* option, double pixels) {
   const int side = static_cast<int>(std::lround(pixels));
-  if (side >= kLeastSide && side <= kMostSide) return side;
+  if (side >= kMinSide && side <= kMaxSide) return side;
   throw UsageError(std::string(option) + " makes " + std::to_string(side) +
                    " pixels, and a picture has 64 to 8192; another --dpi changes that");
 }
@@ -72,8 +72,8 @@ void fit_height(const trace::Header& header, const std::vector<trace::Frame>& fr
 }
 
 /// Warns about content that does not fit into a requested height.
-void tell_left_out(const trace::Header& header, const std::vector<trace::Frame>& frames,
-                   const View& view, const FigureCanvas& canvas) {
+void report_left_out(const trace::Header& header, const std::vector<trace::Frame>& frames,
+                     const View& view, const FigureCanvas& canvas) {
   if (view.kind == ViewKind::ContactPlane || frames.empty()) return;
   const draw::Staging staging =
       draw::stage(header, frames, view, canvas.size.width, canvas.size.height, canvas.style);
@@ -126,7 +126,7 @@ FigureCanvas canvas_of(const trace::Header& header, const std::vector<trace::Fra
     return canvas;
   }
   canvas.size.height = side_of("--height", figure.height->pixels(figure.dpi));
-  if (!options.quiet) tell_left_out(header, frames, view, canvas);
+  if (!options.quiet) report_left_out(header, frames, view, canvas);
   return canvas;
 }
 

@@ -21,7 +21,7 @@ constexpr double kUsualType = 8;  // points
 constexpr double kFigureMargin = 2;
 // Printed lines next to 8 point type are 0.5 to 1 point wide.
 constexpr double kPaperLines = 0.65;
-constexpr double kLeastContrast = 4.5;  // of text with its background (WCAG 2.2, 1.4.3)
+constexpr double kMinContrast = 4.5;  // of text with its background (WCAG 2.2, 1.4.3)
 
 FigureLength parse_length(const std::string& option, const std::string& text) {
   struct Unit {
@@ -76,7 +76,7 @@ void check_ground(const draw::FigureStyle& style) {
   if (!style.background || style.background->a < 1) return;
   const draw::Color text =
       draw::themed(draw::kText, draw::ColorUse::Text, style.theme, *style.background);
-  if (draw::contrast(text, *style.background) < kLeastContrast)
+  if (draw::contrast(text, *style.background) < kMinContrast)
     throw UsageError(std::string("--background is too ") +
                      (style.theme == draw::Theme::Dark
                           ? "light for --theme dark; leave the theme out"
@@ -128,18 +128,18 @@ void MissingGlyphs::look(const draw::Drawing& drawing) {
   }
 }
 
-void MissingGlyphs::tell(std::ostream& out) const {
+void MissingGlyphs::report(std::ostream& out) const {
   if (missing_.empty()) return;
-  constexpr std::size_t kMost = 12;
+  constexpr std::size_t kMax = 12;
   out << "no font has the character" << (missing_.size() == 1 ? "" : "s");
-  std::size_t told = 0;
+  std::size_t record = 0;
   for (const char32_t code : missing_) {
-    if (told++ == kMost) break;
+    if (record++ == kMax) break;
     std::array<char, 16> number{};
     std::snprintf(number.data(), number.size(), "U+%04X", static_cast<unsigned>(code));
     out << ' ' << utf8_of(code) << " (" << number.data() << ')';
   }
-  if (missing_.size() > kMost) out << " and " << missing_.size() - kMost << " more";
+  if (missing_.size() > kMax) out << " and " << missing_.size() - kMax << " more";
   out << "; '?' stands for " << (missing_.size() == 1 ? "it" : "them")
       << ". Name a TrueType file that has " << (missing_.size() == 1 ? "it" : "them")
       << " with --font FILE\n";

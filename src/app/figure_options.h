@@ -54,7 +54,7 @@ class MissingGlyphs {
  public:
   void look(const draw::Drawing& drawing);
   /// Prints the characters and a remedy once; nothing if none is missing.
-  void tell(std::ostream& out) const;
+  void report(std::ostream& out) const;
 
  private:
   std::set<char32_t> missing_;

@@ -47,7 +47,7 @@ std::vector<lint::Finding> lint_trace(TraceFile& file, const Options& options,
   return findings;
 }
 
-std::string told(const std::string& file, const lint::Finding& finding) {
+std::string record(const std::string& file, const lint::Finding& finding) {
   std::string text = file + ":" + std::to_string(std::max(finding.line, 1)) + ":1: " + finding.what;
   if (finding.of > 0)
     text += ", " + std::to_string(finding.count) + " of " + std::to_string(finding.of);
@@ -86,19 +86,19 @@ ExitCode run_lint(const Options& options) {
   bool clean = true;
   nlohmann::ordered_json json{{"schema", "contactscope.lint/1"},
                               {"files", nlohmann::ordered_json::array()}};
-  const auto tell = [&](const std::string& file, const std::vector<lint::Finding>& findings) {
+  const auto report = [&](const std::string& file, const std::vector<lint::Finding>& findings) {
     clean = clean && findings.empty();
     nlohmann::ordered_json one{{"file", file}, {"findings", nlohmann::ordered_json::array()}};
     for (const lint::Finding& finding : findings) {
       one["findings"].push_back(to_json(finding));
-      if (!options.json) std::cout << told(file, finding) << '\n';
+      if (!options.json) std::cout << record(file, finding) << '\n';
     }
     json["files"].push_back(one);
     if (findings.empty() && !options.json && !options.quiet) std::cout << "ok  " << file << '\n';
   };
   each_input(
-      options, [&](const Input& input) { tell(input.scenario.path, lint_scenario(input)); },
-      [&](TraceFile& file) { tell(file.name(), lint_trace(file, options)); });
+      options, [&](const Input& input) { report(input.scenario.path, lint_scenario(input)); },
+      [&](TraceFile& file) { report(file.name(), lint_trace(file, options)); });
   if (options.json) std::cout << json.dump() << '\n';
   return clean ? ExitCode::Same : ExitCode::Different;
 }

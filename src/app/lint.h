@@ -20,7 +20,7 @@ std::vector<lint::Finding> lint_trace(TraceFile& file, const Options& options,
                                       const std::function<void(const trace::Frame&)>& look = {});
 
 /// Text of a finding: two or three lines, without the last line break.
-std::string told(const std::string& file, const lint::Finding& finding);
+std::string record(const std::string& file, const lint::Finding& finding);
 
 /// JSON of a finding.
 nlohmann::ordered_json to_json(const lint::Finding& finding);

@@ -79,10 +79,10 @@ FrameRange parse_frame_range(const std::string& text) {
 }
 
 Size parse_size(const std::string& text) {
-  constexpr int kLeast = 64, kMost = 8192;  // supported by every OpenGL 3.3 driver
+  constexpr int kMin = 64, kMax = 8192;  // supported by every OpenGL 3.3 driver
   const auto side = [](std::string_view part) {
     const int pixels = whole_number(part).value_or(0);
-    return pixels >= kLeast && pixels <= kMost ? pixels : 0;
+    return pixels >= kMin && pixels <= kMax ? pixels : 0;
   };
   const std::vector<std::string_view> parts = split(text, 'x');
   const Size size = parts.size() == 2 ? Size{side(parts[0]), side(parts[1])} : Size{0, 0};
@@ -326,7 +326,7 @@ void flush_output() {
 }
 
 /// `help render` becomes `render --help`.
-void ask_for_help(std::vector<std::string>& arguments) {
+void request_help(std::vector<std::string>& arguments) {
   if (arguments.empty() || arguments.front() != "help") return;
   arguments.erase(arguments.begin());
   if (arguments.size() > 1) arguments.resize(1);
@@ -362,7 +362,7 @@ int run(int argc, char** argv) {
   }
 
   std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
-  ask_for_help(arguments);
+  request_help(arguments);
   check_usage(arguments);
   try {
     std::ranges::reverse(arguments);  // CLI11 expects them reversed

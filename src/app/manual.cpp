@@ -36,8 +36,8 @@ void print_argument(const ManualArgument& argument, std::ostream& out) {
   if (argument.is_option() && argument.takes_value) out << " \\fIVALUE\\fR";
   out << '\n' << roff(argument.help);
   const Completion completion = completion_of(argument);
-  const bool is_told = argument.help.find(',') != std::string::npos;
-  if (!completion.words.empty() && !is_told) {
+  const bool is_named = argument.help.find(',') != std::string::npos;
+  if (!completion.words.empty() && !is_named) {
     const char* before = argument.help.empty() ? "one of " : "; one of ";
     for (const std::string& word : completion.words) {
       out << before << roff(word);

@@ -113,7 +113,7 @@ ExitCode merge_checks(const Options& options) {
   report.add_file("times.json", times.dump(1) + "\n");
   retell_page(report.aside(), outcome, options);
   report.publish(outcome);
-  tell_all({outcome, report_folder(options), options});
+  write_reports({outcome, report_folder(options), options});
   return exit_code(outcome);
 }
 

@@ -129,9 +129,9 @@ std::vector<View> views_of_file(const Options& options) {
 
 std::vector<std::string> idle_layers(const draw::Staging& staging,
                                      const std::vector<trace::Frame>& frames) {
-  constexpr std::size_t kMostFrames = 50;
+  constexpr std::size_t kMaxFrames = 50;
   if (staging.cells != nullptr) return {};  // contact planes have no layers
-  const std::size_t step = std::max<std::size_t>(1, frames.size() / kMostFrames);
+  const std::size_t step = std::max<std::size_t>(1, frames.size() / kMaxFrames);
   draw::Staging none = staging;
   none.view.layers.clear();
   std::vector<std::string> idle;

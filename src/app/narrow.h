@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/catalogue.h"
-#include "app/studio.h"
+#include "app/renderer.h"
 
 namespace contactscope::app {
 

@@ -14,9 +14,9 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string hash_of_file(const std::string& path) {
-  constexpr std::uintmax_t kMost = 64u << 20;
+  constexpr std::uintmax_t kMax = 64u << 20;
   std::error_code unknown;
-  if (!fs::is_regular_file(path, unknown) || fs::file_size(path, unknown) > kMost) return "";
+  if (!fs::is_regular_file(path, unknown) || fs::file_size(path, unknown) > kMax) return "";
   std::ifstream file(path, std::ios::binary);
   const std::string bytes(std::istreambuf_iterator<char>(file), {});
   return file ? sha256(bytes) : "";

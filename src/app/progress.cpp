@@ -49,22 +49,22 @@ void Progress::advance(const std::string& what) {
   std::fprintf(stderr, "\r\033[K[%s] %d/%d %s", bar.c_str(), done_, total_, what.c_str());
 }
 
-void Ledger::add(const std::string& stage, std::chrono::nanoseconds time, int count) {
+void RunLog::add(const std::string& stage, std::chrono::nanoseconds time, int count) {
   auto found = std::ranges::find(entries_, stage, &Entry::stage);
   if (found == entries_.end()) found = entries_.insert(entries_.end(), Entry{stage, {}, 0});
   found->time += time;
   found->count += count;
 }
 
-void Ledger::left_out(const std::string& what) {
+void RunLog::left_out(const std::string& what) {
   if (std::ranges::find(left_out_, what) == left_out_.end()) left_out_.push_back(what);
 }
 
-void Ledger::note(const std::string& text) {
+void RunLog::note(const std::string& text) {
   notes_.push_back(text);
 }
 
-void Ledger::print(std::ostream& out, const std::string& heading) const {
+void RunLog::print(std::ostream& out, const std::string& heading) const {
   out << heading << '\n';
   for (const std::string& text : notes_) out << "  " << text << '\n';
   for (const Entry& entry : entries_) {

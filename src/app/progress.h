@@ -46,7 +46,7 @@ class Interrupted : public std::runtime_error {
 void stop_if_interrupted();
 
 /// Stages of a run with their times, and omitted work, for --verbose.
-class Ledger {
+class RunLog {
  public:
   /// Adds to the time of a stage; `count` is the number of calls.
   void add(const std::string& stage, std::chrono::nanoseconds time, int count = 1);
@@ -69,14 +69,14 @@ class Ledger {
 /// Adds the time of its lifetime to a stage.
 class Timed {
  public:
-  Timed(Ledger& ledger, std::string stage)
-      : ledger_(ledger), stage_(std::move(stage)), begin_(std::chrono::steady_clock::now()) {}
-  ~Timed() { ledger_.add(stage_, std::chrono::steady_clock::now() - begin_); }
+  Timed(RunLog& log, std::string stage)
+      : log_(log), stage_(std::move(stage)), begin_(std::chrono::steady_clock::now()) {}
+  ~Timed() { log_.add(stage_, std::chrono::steady_clock::now() - begin_); }
   Timed(const Timed&) = delete;
   Timed& operator=(const Timed&) = delete;
 
  private:
-  Ledger& ledger_;
+  RunLog& log_;
   std::string stage_;
   std::chrono::steady_clock::time_point begin_;
 };

@@ -9,9 +9,9 @@
 #include "app/narrow.h"
 #include "app/origin.h"
 #include "app/progress.h"
+#include "app/renderer.h"
 #include "app/shard.h"
 #include "app/strip.h"
-#include "app/studio.h"
 #include "app/verbs.h"
 #include "core/at.h"
 #include "draw/staging.h"
@@ -21,7 +21,7 @@ namespace {
 
 // Logs which stages recorded facts and which panels were drawn, for --verbose.
 void account_facts(const std::string& name, const std::vector<View>& views,
-                   const Sequence& sequence, Ledger& ledger) {
+                   const Sequence& sequence, RunLog& log) {
   int sat = 0, clip = 0, reduction = 0;
   for (const trace::Frame& frame : sequence.frames) {
     for (const trace::Pair& pair : frame.pairs) {
@@ -30,41 +30,41 @@ void account_facts(const std::string& name, const std::vector<View>& views,
       reduction += pair.reduction.has_value();
     }
   }
-  ledger.note(name + ": recorded sat " + std::to_string(sat) + ", clip " + std::to_string(clip) +
-              ", reduction " + std::to_string(reduction) + " times");
+  log.note(name + ": recorded sat " + std::to_string(sat) + ", clip " + std::to_string(clip) +
+           ", reduction " + std::to_string(reduction) + " times");
   for (const View& view : views) {
     std::string what = name + ": view " + view.name + " paints";
     if (view.layers.empty()) what += " no layers";
     for (const Layer layer : view.layers) what += " " + std::string(name_of(layer));
     what += view.panels.empty() ? "; no panels" : "; panels";
     for (const Panel panel : view.panels) what += " " + std::string(name_of(panel));
-    ledger.note(what);
+    log.note(what);
     if (view.panels.empty()) {
-      ledger.left_out(name + ": Dear ImGui, for view " + view.name + " names no panel");
+      log.left_out(name + ": Dear ImGui, for view " + view.name + " names no panel");
     }
   }
 }
 
 // Logs the stages that were not needed, for --verbose.
-void account_stages(const Scenario& scenario, const trace::Stages& stages, Ledger& ledger) {
+void account_stages(const Scenario& scenario, const trace::Stages& stages, RunLog& log) {
   for (const auto& [recorded, stage] : {std::pair{stages.sat, "sat"},
                                         {stages.clip, "clip"},
                                         {stages.reduction, "reduction"},
                                         {stages.tree, "tree"},
                                         {stages.gjk, "gjk"}}) {
     if (recorded) continue;
-    ledger.left_out(scenario.name + ": record of stage " + stage + ", for no view shows it");
+    log.left_out(scenario.name + ": record of stage " + stage + ", for no view shows it");
   }
   const bool has_mesh = std::ranges::any_of(scenario.shapes, [](const ScenarioShape& shape) {
     return kind_of(*shape.geometry) == ShapeKind::Mesh;
   });
-  if (!has_mesh) ledger.left_out("bounding volume tree, for no shape is a mesh");
+  if (!has_mesh) log.left_out("bounding volume tree, for no shape is a mesh");
   if (std::ranges::none_of(scenario.shapes, &ScenarioShape::dynamic))
-    ledger.left_out("solver, for no shape is dynamic");
+    log.left_out("solver, for no shape is dynamic");
 }
 
 /// Warns about requested layers without data: most traces of engines lack data for many layers.
-void tell_idle(const std::string& file, const std::vector<std::string>& layers) {
+void report_idle(const std::string& file, const std::vector<std::string>& layers) {
   std::string names;
   for (const std::string& layer : layers) names += (names.empty() ? "" : ", ") + layer;
   std::cerr << file << ": nothing to draw in layer" << (layers.size() == 1 ? " " : "s ") << names
@@ -81,42 +81,42 @@ std::string title_of(const trace::Header& header) {
 
 // Runs the scenario or takes the trace.
 Sequence sequence_of(Input& input, const std::vector<View>& views, const Options& options,
-                     Ledger& ledger) {
+                     RunLog& log) {
   Sequence sequence;
   if (input.trace) {
     sequence = std::move(*input.trace);
     // Traces of this program may have an empty title on purpose.
     if (sequence.header.title.empty() && !sequence.header.engine.empty())
       sequence.header.title = title_of(sequence.header);
-    ledger.left_out(input.scenario.name + ": the pipeline, for its trace is drawn as it stands");
+    log.left_out(input.scenario.name + ": the pipeline, for its trace is drawn as it stands");
   } else {
     const trace::Stages stages = draw::stages_shown(views);
-    sequence = run_sequence(input.scenario, stages, options.timing, ledger);
-    account_stages(input.scenario, stages, ledger);
+    sequence = run_sequence(input.scenario, stages, options.timing, log);
+    account_stages(input.scenario, stages, log);
   }
   narrow(sequence, options);
-  account_facts(input.scenario.name, views, sequence, ledger);
+  account_facts(input.scenario.name, views, sequence, log);
   return sequence;
 }
 
 /// Warns about requested layers that stay empty.
-void tell_idle_layers(const Input& input, const draw::Staging& staging, const Sequence& sequence,
-                      const Options& options) {
-  const bool asked = options.layers || views_are_of_file(options);
-  if (!input.trace || !asked || options.quiet) return;
+void report_idle_layers(const Input& input, const draw::Staging& staging, const Sequence& sequence,
+                        const Options& options) {
+  const bool requested = options.layers || views_are_of_file(options);
+  if (!input.trace || !requested || options.quiet) return;
   const std::vector<std::string> idle = idle_layers(staging, sequence.frames);
-  if (!idle.empty()) tell_idle(input.file, idle);
+  if (!idle.empty()) report_idle(input.file, idle);
 }
 
-void draw_sequences(Input& input, const Options& options, Studio& studio, Sinks& sinks,
-                    Progress& progress, Ledger& ledger) {
+void draw_sequences(Input& input, const Options& options, Renderer& renderer, Sinks& sinks,
+                    Progress& progress, RunLog& log) {
   const Scenario& scenario = input.scenario;
   const std::vector<View> views = selected_views(scenario, options);
-  Sequence sequence = sequence_of(input, views, options, ledger);
+  Sequence sequence = sequence_of(input, views, options, log);
   const std::shared_ptr<const Words> words = words_of(input, options);
   const PictureOrigin origin = origin_of(input, sequence.header, options);
   if (options.strip) {
-    draw_strips(input, sequence, origin, words, options, studio, sinks);
+    draw_strips(input, sequence, origin, words, options, renderer, sinks);
     progress.advance(scenario.name);
     return;
   }
@@ -126,16 +126,16 @@ void draw_sequences(Input& input, const Options& options, Studio& studio, Sinks&
     const draw::Staging staging =
         draw::stage(sequence.header, sequence.frames, view, canvas.size.width, canvas.size.height,
                     canvas.style, draw::kLayers, scenario.snapshots.frames);
-    tell_idle_layers(input, staging, sequence, options);
+    report_idle_layers(input, staging, sequence, options);
     const bool is_one_of_several = scenario.views.size() > 1;
     sinks.begin({scenario.name, is_one_of_several ? std::optional(view.name) : std::nullopt,
                  of_view(origin, view, is_one_of_several, options), &staging, &sequence,
                  input.frames});
-    studio.each_drawing(staging, sequence, input.frames,
-                        [&](const trace::Frame& frame, draw::Drawing drawing) {
-                          sinks.add(frame, std::move(drawing));
-                          progress.advance(scenario.name);
-                        });
+    renderer.each_drawing(staging, sequence, input.frames,
+                          [&](const trace::Frame& frame, draw::Drawing drawing) {
+                            sinks.add(frame, std::move(drawing));
+                            progress.advance(scenario.name);
+                          });
     sinks.end();
   }
 }
@@ -146,7 +146,7 @@ ExitCode run_render(const Options& options) {
   for (const Format* format : chosen)
     if (format->require != nullptr) format->require();
   const bool cells = wants_cells(options, chosen);
-  Ledger total;
+  RunLog total;
   std::vector<Input> inputs;
   {
     const Timed timed(total, "read scenarios");
@@ -164,17 +164,17 @@ ExitCode run_render(const Options& options) {
         cells ? 1 : count_of(input.frames) * count_of(selected_views(input.scenario, options));
 
   const auto begin = std::chrono::steady_clock::now();
-  Studio studio(options.backend, total);
-  Sinks sinks(chosen, options, studio);
+  Renderer renderer(options.backend, total);
+  Sinks sinks(chosen, options, renderer);
   {
     Progress progress(pictures, options.quiet);
     if (options.sheet) {
       const auto run = [&](Input& input) {
         return sequence_of(input, selected_views(input.scenario, options), options, total);
       };
-      draw_sheet(inputs, run, options, studio, sinks, progress);
+      draw_sheet(inputs, run, options, renderer, sinks, progress);
     } else {
-      for (Input& input : inputs) draw_sequences(input, options, studio, sinks, progress, total);
+      for (Input& input : inputs) draw_sequences(input, options, renderer, sinks, progress, total);
     }
     sinks.finish();
   }
@@ -193,7 +193,7 @@ ExitCode run_render(const Options& options) {
                std::to_string(pictures / seconds.count()) + " pictures a second");
     total.print(std::cerr, "render");
   }
-  if (!options.quiet) studio.missing_glyphs().tell(std::cerr);
+  if (!options.quiet) renderer.missing_glyphs().report(std::cerr);
   if (!options.quiet) {
     std::filesystem::path where = options.out;
     if (inputs.size() == 1 && !options.sheet) where /= inputs.front().scenario.name;

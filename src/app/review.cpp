@@ -106,7 +106,7 @@ class ReviewSession {
       std::cout << "\n[" << i + 1 << "/" << open_.size() << "] " << finding.key() << "  "
                 << snapshot::name_of(finding.kind) << '\n'
                 << finding.sentence << '\n';
-      if (!ask(open_[i], keys)) break;
+      if (!query_pair(open_[i], keys)) break;
     }
   }
 
@@ -117,8 +117,8 @@ class ReviewSession {
   };
 
   /// False to quit.
-  bool ask(const Waiting& asked, const Keys& keys) {
-    Finding& finding = *asked.finding;
+  bool query_pair(const Waiting& requested, const Keys& keys) {
+    Finding& finding = *requested.finding;
     while (true) {
       std::cout << "a c r s w q? " << std::flush;
       const char key = keys.next();
@@ -130,7 +130,7 @@ class ReviewSession {
       if (key == 'a' && accept(finding)) return true;
       if (key == 'c') {
         for (const Waiting& other : open_)
-          if (other.cause == asked.cause && other.finding->review == Review::Open)
+          if (other.cause == requested.cause && other.finding->review == Review::Open)
             accept(*other.finding);
         return true;
       }

@@ -5,12 +5,12 @@
 #include <nlohmann/json.hpp>
 
 #include "app/catalogue.h"
-#include "app/contenders.h"
+#include "app/engine_runs.h"
 #include "app/lint.h"
 #include "app/progress.h"
+#include "app/renderer.h"
 #include "app/rollout_picture.h"
 #include "app/rollout_request.h"
-#include "app/studio.h"
 #include "app/table.h"
 #include "app/trace_file.h"
 #include "core/at.h"
@@ -21,15 +21,15 @@
 namespace contactscope::app {
 namespace {
 
-using versus::Contender;
+using versus::EngineRun;
 using versus::RolloutScore;
 using Json = nlohmann::ordered_json;
 
-constexpr int kMostFindings = 2;  // per engine, in the table and below it; JSON has all
+constexpr int kMaxFindings = 2;  // per engine, in the table and below it; JSON has all
 
 /// This program's solver with the scenario's settings.
-Contender own_rollout(const Scenario& scenario) {
-  Contender own{kOwn, kOwn, CONTACTSCOPE_VERSION, "", "", {}};
+EngineRun own_rollout(const Scenario& scenario) {
+  EngineRun own{kOwn, kOwn, CONTACTSCOPE_VERSION, "", "", {}};
   Runner runner(scenario, trace::Stages::none());
   own.trace.header = runner.header();
   for (int frame = 0; frame < scenario.frames; ++frame) {
@@ -47,10 +47,11 @@ Rollout rollout_of(const Scenario& scenario, const std::vector<std::string>& eng
   Rollout rollout{scenario.name, rollout_request(scenario)};
   for (const std::string& name : engines) {
     stop_if_interrupted();
-    rollout.contenders.push_back(programs.contains(name) ? ask(name, programs.at(name), "rollout",
-                                                               rollout.request, time_limit)
-                                                         : own_rollout(scenario));
-    rollout.scores.push_back(versus::judge_rollout(rollout.request, rollout.contenders.back()));
+    rollout.engine_runs.push_back(
+        programs.contains(name)
+            ? query_pair(name, programs.at(name), "rollout", rollout.request, time_limit)
+            : own_rollout(scenario));
+    rollout.scores.push_back(versus::judge_rollout(rollout.request, rollout.engine_runs.back()));
   }
   return rollout;
 }
@@ -58,9 +59,9 @@ Rollout rollout_of(const Scenario& scenario, const std::vector<std::string>& eng
 /// The most frequent causes.
 std::string causes_of(const RolloutScore& score) {
   std::string causes;
-  for (int i = 0; i < std::min(kMostFindings, count_of(score.findings)); ++i)
+  for (int i = 0; i < std::min(kMaxFindings, count_of(score.findings)); ++i)
     causes += (i == 0 ? "" : ",") + at(score.findings, i).cause;
-  const int left = count_of(score.findings) - kMostFindings;
+  const int left = count_of(score.findings) - kMaxFindings;
   return causes.empty() ? "-" : left > 0 ? causes + ",+" + std::to_string(left) : causes;
 }
 
@@ -85,16 +86,16 @@ Table table_of(const Rollout& rollout) {
   return table;
 }
 
-Json json_of(const RolloutScore& score, const Contender& contender) {
+Json json_of(const RolloutScore& score, const EngineRun& engine_run) {
   Json json{{"name", score.name}};
-  if (!contender.engine.empty()) json["engine"] = contender.engine;
-  if (!contender.version.empty()) json["version"] = contender.version;
+  if (!engine_run.engine.empty()) json["engine"] = engine_run.engine;
+  if (!engine_run.version.empty()) json["version"] = engine_run.version;
   if (!score.refusal.empty()) {
     json["no_rollout"] = score.refusal;
     return json;
   }
   if (!score.failure.empty()) json["failure"] = score.failure;
-  if (!contender.notes.empty()) json["said"] = contender.notes;
+  if (!engine_run.notes.empty()) json["said"] = engine_run.notes;
   json["frames"] = score.time.size();
   json["resting"] = score.resting;
   json["fallen"] = score.fallen;
@@ -105,7 +106,7 @@ Json json_of(const RolloutScore& score, const Contender& contender) {
   if (score.passed > 0) json["passed"]["first"] = score.first_passed;
   if (!score.unknown.empty()) json["penetration"]["unknown"] = score.unknown;
   json["energy_gained"] = score.energy_gained;
-  json["velocities"] = score.tells_velocities ? "told" : "differences";
+  json["velocities"] = score.has_velocities ? "told" : "differences";
   json["points"] = score.points;
   json["series"] = {{"time", score.time},
                     {"height", score.height},
@@ -125,7 +126,7 @@ void print_notes(const Rollout& rollout, std::ostream& out) {
       out << score.name << ": " << score.refusal << '\n';
       continue;
     }
-    print_words(rollout.contenders[i], out);
+    print_words(rollout.engine_runs[i], out);
     if (!score.failure.empty()) out << score.name << ": " << score.failure << '\n';
     if (score.fell_at)
       out << score.name << ": '" << score.first_fallen << "' is the first to fall, at "
@@ -136,10 +137,10 @@ void print_notes(const Rollout& rollout, std::ostream& out) {
       out << score.name << ": the first to pass through another in " << score.first_passed << '\n';
     if (!score.unknown.empty())
       out << score.name << ": how deep " << score.unknown << " are is not known, of two meshes\n";
-    if (!score.tells_velocities && !score.time.empty())
+    if (!score.has_velocities && !score.time.empty())
       out << score.name << ": tells no velocities; its energy is of the differences of poses\n";
-    for (int k = 0; k < std::min(kMostFindings, count_of(score.findings)); ++k)
-      out << told(score.name, at(score.findings, k)) << '\n';
+    for (int k = 0; k < std::min(kMaxFindings, count_of(score.findings)); ++k)
+      out << record(score.name, at(score.findings, k)) << '\n';
   }
 }
 
@@ -163,12 +164,12 @@ std::vector<Scenario> scenarios_of(const Options& options) {
   return load_scenarios(options);
 }
 
-void write_picture(const Rollout& rollout, const Options& options, Studio& studio) {
+void write_picture(const Rollout& rollout, const Options& options, Renderer& renderer) {
   const std::vector<int> shown = options.selected(rollout.request.header.frames);
   const std::filesystem::path path =
       std::filesystem::path(options.out) / "versus" / rollout.name / "rollout.png";
   std::filesystem::create_directories(path.parent_path());
-  write_png(path.string(), rollout_picture(rollout, shown.back(), options.size, studio));
+  write_png(path.string(), rollout_picture(rollout, shown.back(), options.size, renderer));
   if (!options.quiet) std::cerr << "a picture in " << path.string() << '\n';
 }
 
@@ -179,22 +180,22 @@ ExitCode run_rollout(const Options& options, const std::vector<std::string>& eng
   const std::vector<Scenario> scenarios = scenarios_of(options);
   Json json{{"schema", "contactscope.versus/1"}, {"matches", Json::array()}};
   bool all_agree = true;
-  Ledger ledger;
-  std::optional<Studio> studio;
-  if (!options.tables_only) studio.emplace(options.backend, ledger);
+  RunLog log;
+  std::optional<Renderer> renderer;
+  if (!options.tables_only) renderer.emplace(options.backend, log);
   for (const Scenario& scenario : scenarios) {
     const Rollout rollout = rollout_of(scenario, engines, programs, options.time_limit);
     all_agree = all_agree && agree(rollout);
     Json one{{"scenario", rollout.name}, {"rollout", true}, {"engines", Json::array()}};
     for (std::size_t i = 0; i < rollout.scores.size(); ++i)
-      one["engines"].push_back(json_of(rollout.scores[i], rollout.contenders[i]));
+      one["engines"].push_back(json_of(rollout.scores[i], rollout.engine_runs[i]));
     json["matches"].push_back(one);
     if (!options.json) {
       std::cout << rollout.name << '\n';
       print(table_of(rollout), std::cout);
       print_notes(rollout, std::cout);
     }
-    if (studio) write_picture(rollout, options, *studio);
+    if (renderer) write_picture(rollout, options, *renderer);
   }
   if (options.json) std::cout << json.dump() << '\n';
   return all_agree ? ExitCode::Same : ExitCode::Different;

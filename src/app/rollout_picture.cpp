@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "app/studio.h"
+#include "app/renderer.h"
 #include "app/table.h"
 #include "core/at.h"
 #include "core/title.h"
@@ -27,7 +27,7 @@ std::string listed(const std::vector<std::string>& names) {
 
 /// Name in the engine's own spelling; the requested name if it returned nothing.
 std::string name_of(const Rollout& rollout, std::size_t i) {
-  const std::string& engine = rollout.contenders[i].engine;
+  const std::string& engine = rollout.engine_runs[i].engine;
   return engine.empty() ? rollout.scores[i].name : engine;
 }
 
@@ -46,11 +46,11 @@ std::string overlaps_of(const Rollout& rollout) {
            listed(stopped);
   const auto overlap = [&](std::size_t i) { return rollout.scores[i].worst_penetration; };
   std::ranges::sort(engines, {}, overlap);
-  const auto told = [&](std::size_t i) {
+  const auto record = [&](std::size_t i) {
     return draw::spell_length(overlap(i)) + " in " + name_of(rollout, i);
   };
-  if (engines.size() == 1) return "Overlaps of up to " + told(engines.front());
-  return "Overlaps of up to " + told(engines.front()) + ", and " + told(engines.back());
+  if (engines.size() == 1) return "Overlaps of up to " + record(engines.front());
+  return "Overlaps of up to " + record(engines.front()) + ", and " + record(engines.back());
 }
 
 /// Engines with frames: first those in which a body fell, by time, then by increasing drift.
@@ -66,9 +66,9 @@ std::vector<std::size_t> by_outcome(const Rollout& rollout) {
 }
 
 /// True for a few bodies of different masses: the mass may be why a body falls.
-bool are_masses_told(const std::vector<versus::RolloutBody>& bodies) {
-  constexpr std::size_t kMostBodies = 4;
-  return bodies.size() <= kMostBodies &&
+bool have_masses(const std::vector<versus::RolloutBody>& bodies) {
+  constexpr std::size_t kMaxBodies = 4;
+  return bodies.size() <= kMaxBodies &&
          std::ranges::any_of(bodies, [&](const versus::RolloutBody& body) {
            return body.mass != bodies.front().mass;
          });
@@ -85,7 +85,7 @@ std::string fallen_body(const Rollout& rollout) {
   const auto body = names.size() == 1
                         ? std::ranges::find(bodies, names.front(), &versus::RolloutBody::name)
                         : bodies.end();
-  if (body == bodies.end() || !are_masses_told(bodies) ||
+  if (body == bodies.end() || !have_masses(bodies) ||
       std::ranges::count(bodies, body->mass, &versus::RolloutBody::mass) > 1)
     return "A body";
   return "The body of " + draw::spell_number(body->mass) + " kg";
@@ -107,13 +107,13 @@ std::string result_of(const Rollout& rollout) {
   const std::string bodies = resting == 1   ? "The body"
                              : resting == 2 ? "Both bodies"
                                             : "All " + std::to_string(resting) + " bodies";
-  constexpr std::size_t kMostNamed = 4;
+  constexpr std::size_t kMaxNamed = 4;
   const std::string stand = resting == 1 ? " stands in " : " stand in ";
   if (resting == 0 || (fallen.empty() && standing.empty())) return overlaps_of(rollout);
   if (fallen.empty())
     return bodies + stand +
-           (standing.size() > kMostNamed ? "all " + std::to_string(standing.size()) + " engines"
-                                         : listed(standing));
+           (standing.size() > kMaxNamed ? "all " + std::to_string(standing.size()) + " engines"
+                                        : listed(standing));
   const std::string falls = fallen_body(rollout) + " falls in " + listed(fallen);
   if (standing.empty()) return falls;
   // Engines with falls are always named with times; the others if there is room.
@@ -128,7 +128,7 @@ std::string result_of(const Rollout& rollout) {
 
 /// Limit of scenes in a row. Beyond it, only engines in which a body falls get a scene, and the one
 /// with the largest drift of the others. The chart shows all engines.
-constexpr std::size_t kMostScenes = 5;
+constexpr std::size_t kMaxScenes = 5;
 
 bool stands(const RolloutScore& score) {
   return score.resting > 0 && !score.fell_at && score.failure.empty();
@@ -141,7 +141,7 @@ bool any_fell(const Rollout& rollout) {
 
 std::vector<std::size_t> scenes_of(const Rollout& rollout) {
   std::vector<std::size_t> scenes = by_outcome(rollout);
-  if (scenes.size() <= kMostScenes || !any_fell(rollout)) return scenes;
+  if (scenes.size() <= kMaxScenes || !any_fell(rollout)) return scenes;
   const auto is_standing = [&](std::size_t i) { return stands(rollout.scores[i]); };
   const auto drift = [&](std::size_t i) {
     return is_standing(i) ? rollout.scores[i].worst_drift : -1;
@@ -182,7 +182,7 @@ struct Look {
 std::vector<Look> looks_of(const Rollout& rollout) {
   const std::vector<std::size_t> order = by_outcome(rollout);
   std::vector<Look> looks(rollout.scores.size());
-  const bool some_are_quiet = order.size() > kMostScenes && any_fell(rollout);
+  const bool some_are_quiet = order.size() > kMaxScenes && any_fell(rollout);
   for (std::size_t k = 0; k < order.size(); ++k)
     looks[order[k]] = {k, some_are_quiet && !rollout.scores[order[k]].fell_at};
   return looks;
@@ -229,19 +229,19 @@ void place_masses(const trace::Trace& request, trace::Frame& frame) {
 
 /// The frame of an engine to draw; poses that it omits are those of the request.
 trace::Frame frame_of(const Rollout& rollout, std::size_t engine, int shown) {
-  const std::vector<trace::Frame>& told = rollout.contenders[engine].trace.frames;
+  const std::vector<trace::Frame>& record = rollout.engine_runs[engine].trace.frames;
   const std::size_t judged = rollout.scores[engine].time.size();
   std::size_t last = 0;
-  while (last + 1 < judged && told[last + 1].frame <= shown) ++last;
+  while (last + 1 < judged && record[last + 1].frame <= shown) ++last;
   trace::Frame frame;
-  frame.frame = told[last].frame;
-  frame.poses = told[last].poses;
+  frame.frame = record[last].frame;
+  frame.poses = record[last].poses;
   for (const trace::Shape& shape : rollout.request.header.shapes) {
     if (std::ranges::count(frame.poses, shape.name, &trace::Placement::first) > 0) continue;
     for (int k = frame.frame; k >= 0; --k) {
-      const auto& asked = at(rollout.request.frames, k).poses;
-      const auto pose = std::ranges::find(asked, shape.name, &trace::Placement::first);
-      if (pose == asked.end()) continue;
+      const auto& requested = at(rollout.request.frames, k).poses;
+      const auto pose = std::ranges::find(requested, shape.name, &trace::Placement::first);
+      if (pose == requested.end()) continue;
       frame.poses.push_back(*pose);
       break;
     }
@@ -328,7 +328,7 @@ void paste(const Image& from, const draw::Rect& part, const draw::Rect& cell, Im
 }  // namespace
 
 Image rollout_picture(const Rollout& rollout, int shown, const std::optional<Size>& size,
-                      Studio& studio) {
+                      Renderer& renderer) {
   const std::vector<std::size_t> drawn = scenes_of(rollout);
   const std::size_t left_out = by_outcome(rollout).size() - drawn.size();
   const std::vector<Look> looks = looks_of(rollout);
@@ -342,21 +342,21 @@ Image rollout_picture(const Rollout& rollout, int shown, const std::optional<Siz
          looks[i].style, looks[i].quiet});
   }
   const Size page_size = size.value_or(Size{1280, draw::rollout_page_height(cells.size())});
-  const trace::Header& asked = rollout.request.header;
+  const trace::Header& requested = rollout.request.header;
   const draw::RolloutPage page = draw::rollout_page(
-      result_of(rollout), scene_of(rollout.request), asked.source,
+      result_of(rollout), scene_of(rollout.request), requested.source,
       "scenes at " + spelled("%.3g", at(rollout.request.frames, shown).time) + " s",
       charts_of(rollout, looks), cells, page_size.width, page_size.height);
-  Image picture = studio.paint(page.drawing);
+  Image picture = renderer.paint(page.drawing);
   if (drawn.empty()) return picture;
 
-  trace::Header header = asked;
+  trace::Header header = requested;
   header.title.clear();
   header.source.clear();
   View view;
   view.focus = Focus::Shapes;
   view.layers = {Layer::Shapes};
-  const bool with_masses = are_masses_told(versus::rollout_bodies(rollout.request));
+  const bool with_masses = have_masses(versus::rollout_bodies(rollout.request));
   if (with_masses) view.layers.push_back(Layer::Masses);
   // One camera for all engines; ignores bodies that flew away.
   std::vector<trace::Frame> frames = {rollout.request.frames.front()};
@@ -366,12 +366,12 @@ Image rollout_picture(const Rollout& rollout, int shown, const std::optional<Siz
     if (is_near(frame, frames.front())) frames.push_back(std::move(frame));
   }
   // Zoom in on the bodies as far as the cell allows; the ground may be cut off.
-  constexpr double kMostNearer = 1.6, kOfCell = 0.88;
+  constexpr double kMaxNearer = 1.6, kOfCell = 0.88;
   const draw::Rect& cell = page.cells.front();
   draw::Staging staging = staged(header, frames, view, cell);
   const draw::Rect far = reach_of_bodies(staging, frames, rollout.request);
   const double nearer = std::clamp(
-      kOfCell * std::min(cell.width / far.width, cell.height / far.height), 1.0, kMostNearer);
+      kOfCell * std::min(cell.width / far.width, cell.height / far.height), 1.0, kMaxNearer);
   staging =
       staged(header, frames, view,
              {cell.x, cell.y, std::floor(nearer * cell.width), std::floor(nearer * cell.height)});
@@ -380,7 +380,7 @@ Image rollout_picture(const Rollout& rollout, int shown, const std::optional<Siz
   for (std::size_t k = 0; k < drawn.size(); ++k) {
     trace::Frame frame = frame_of(rollout, drawn[k], shown);
     if (with_masses) place_masses(rollout.request, frame);
-    paste(studio.paint(draw::illustrate(staging, frame)), part, page.cells[k], picture);
+    paste(renderer.paint(draw::illustrate(staging, frame)), part, page.cells[k], picture);
   }
   return picture;
 }

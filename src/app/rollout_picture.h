@@ -10,20 +10,20 @@
 
 namespace contactscope::app {
 
-class Studio;
+class Renderer;
 struct Size;
 
 /// One scenario stepped by every engine.
 struct Rollout {
   std::string name;  // "group/idea"
   trace::Trace request;
-  std::vector<versus::Contender> contenders{};
+  std::vector<versus::EngineRun> engine_runs{};
   std::vector<versus::RolloutScore> scores{};  // one per engine
 };
 
 /// Height, penetration and, if nothing falls, energy over time with a line per engine, above each
 /// engine's scene at frame `shown` or its last before. Engines without frames are only named.
 Image rollout_picture(const Rollout& rollout, int shown, const std::optional<Size>& size,
-                      Studio& studio);
+                      Renderer& renderer);
 
 }  // namespace contactscope::app

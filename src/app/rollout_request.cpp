@@ -13,7 +13,7 @@ namespace {
 Pose<double> scripted_pose(const Scenario& scenario, const ScenarioShape& shape, double time) {
   Pose<double> pose = collider_pose_at(shape, time);
   if (scenario.scalar == Scalar::Float) pose = pose.cast<float>().cast<double>();
-  return told_pose(shape, time, pose);
+  return recorded_pose(shape, time, pose);
 }
 
 std::vector<Vec3d> inertia_of(const ScenarioShape& shape) {
@@ -37,9 +37,9 @@ trace::Trace rollout_request(const Scenario& scenario) {
   request.header.world = trace::World{scenario.world.gravity, scenario.dt};
   for (std::size_t i = 0; i < scenario.shapes.size(); ++i) {
     const ScenarioShape& shape = scenario.shapes[i];
-    trace::Shape& told = request.header.shapes[i];
-    told.friction = shape.friction.value_or(scenario.world.friction);
-    told.restitution = shape.restitution.value_or(scenario.world.restitution);
+    trace::Shape& record = request.header.shapes[i];
+    record.friction = shape.friction.value_or(scenario.world.friction);
+    record.restitution = shape.restitution.value_or(scenario.world.restitution);
   }
   trace::Solver& solver = request.frames.front().solver.emplace();
   solver = *start.frames.front().solver;

@@ -112,7 +112,7 @@ Sequence read_sequence(const std::string& path, Hold hold, std::size_t budget) {
     sequence.numbers.push_back(frame->frame);
     sampler.add(std::move(*frame), file->bytes());
   }
-  file->tell_torn();
+  file->report_torn();
   sequence.every = sampler.every();
   sequence.frames = sampler.frames();
   sequence.header = file->header();

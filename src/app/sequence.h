@@ -13,10 +13,9 @@ namespace contactscope::app {
 /// keeps a sample that represents the others for camera fitting and curves.
 struct Sequence {
   trace::Header header;
-  std::vector<trace::Frame> frames;  // in memory, one of each `every`
-  std::vector<double>
-      nanoseconds{};           // measured pipeline time per frame; empty unless requested
-  std::vector<int> numbers{};  // for a trace: numbers of all frames, in order
+  std::vector<trace::Frame> frames;   // in memory, one of each `every`
+  std::vector<double> nanoseconds{};  // measured pipeline time per frame; empty unless requested
+  std::vector<int> numbers{};         // for a trace: numbers of all frames, in order
   std::size_t every = 1;
   std::shared_ptr<TraceFile> file{};  // for a long trace: source of the other frames
   std::function<void(trace::Frame&)>

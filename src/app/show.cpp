@@ -25,8 +25,8 @@ std::string variable(const char* name) {
 int columns() {
   winsize size{};
   if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) return size.ws_col;
-  const int told = std::atoi(variable("COLUMNS").c_str());
-  return told > 0 ? told : 80;
+  const int record = std::atoi(variable("COLUMNS").c_str());
+  return record > 0 ? record : 80;
 }
 
 std::string drawn(const std::string& path, TerminalPictures how) {

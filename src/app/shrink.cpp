@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/catalogue.h"
-#include "app/contenders.h"
+#include "app/engine_runs.h"
 #include "app/progress.h"
 #include "app/trace_file.h"
 #include "app/verbs.h"
@@ -71,7 +71,7 @@ std::map<std::string, shrink::Engine> engines_of(const shrink::Expression& expre
   for (const auto& [name, program] : programs_of(names))
     engines[name] = [name = name, program = program,
                      limit = options.time_limit](const trace::Trace& request) {
-      return ask(name, program, "contacts", request, limit).trace;
+      return query_pair(name, program, "contacts", request, limit).trace;
     };
   return engines;
 }
@@ -142,8 +142,8 @@ ExitCode run_shrink(const Options& options) {
   if (!found) {
     std::cerr
         << "in no frame of " << source.name << " do two shapes show by themselves that "
-        << expression.text() << "; " << judge.asked()
-        << (judge.asked() == 1 ? " pair was" : " pairs were")
+        << expression.text() << "; " << judge.requested()
+        << (judge.requested() == 1 ? " pair was" : " pairs were")
         << " tried. What needs more than two shapes, or the frames before, cannot be shrunk\n";
     return ExitCode::Different;
   }

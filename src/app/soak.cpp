@@ -57,7 +57,7 @@ std::string within(const SoakLine& line, double share) {
   return "-";
 }
 
-ExitCode tell(const Soak& soak, const std::string& file, const Options& options) {
+ExitCode report(const Soak& soak, const std::string& file, const Options& options) {
   if (options.json) {
     std::cout << to_json(soak, options.shard);
   } else {
@@ -127,15 +127,15 @@ ExitCode run_soak(const Options& options) {
                      last = cases * shard.part / shard.of;
   constexpr int kSteps = 100;
   Progress progress(kSteps, options.quiet);
-  int told = 0;
+  int record = 0;
   const Soak soak = soak_pairs(options.seed, cases, first, last, [&](std::int64_t done) {
     stop_if_interrupted();
-    for (; told < kSteps * done / std::max<std::int64_t>(last - first, 1); ++told)
+    for (; record < kSteps * done / std::max<std::int64_t>(last - first, 1); ++record)
       progress.advance(std::to_string(done) + " pairs");
   });
   const std::string file = (fs::path(options.out) / file_of(shard)).generic_string();
   snapshot::write_text(file, to_json(soak, shard));
-  return tell(soak, file, options);
+  return report(soak, file, options);
 }
 
 std::vector<std::string> soak_parts(const std::vector<std::string>& names) {
@@ -165,7 +165,7 @@ ExitCode merge_soak(const std::vector<std::string>& files, const Options& option
   const std::string file =
       (fs::path(options.out) / "study" / "stability" / "soak.json").generic_string();
   snapshot::write_text(file, to_json(whole, {}));
-  return tell(whole, file, options);
+  return report(whole, file, options);
 }
 
 }  // namespace contactscope::app

@@ -15,8 +15,8 @@ namespace {
 
 /// Default width in pixels.
 int page_width(int columns) {
-  constexpr int kCell = 400, kLeast = 960, kMost = 8192;
-  return std::clamp(columns * kCell, kLeast, kMost);
+  constexpr int kCell = 400, kMin = 960, kMax = 8192;
+  return std::clamp(columns * kCell, kMin, kMax);
 }
 
 std::string group_of(const std::string& scenario) {
@@ -80,8 +80,8 @@ std::vector<int> evenly(const std::vector<int>& frames, int count) {
 }
 
 void draw_strips(const Input& input, Sequence& sequence, const PictureOrigin& origin,
-                 const std::shared_ptr<const Words>& words, const Options& options, Studio& studio,
-                 Sinks& sinks) {
+                 const std::shared_ptr<const Words>& words, const Options& options,
+                 Renderer& renderer, Sinks& sinks) {
   const Scenario& scenario = input.scenario;
   std::vector<View> views = selected_views(scenario, options);
   std::erase_if(views, [](const View& view) { return !has_cells(view); });
@@ -100,12 +100,12 @@ void draw_strips(const Input& input, Sequence& sequence, const PictureOrigin& or
     const draw::Strip strip(sequence.header, sequence.frames, shown, view, canvas.size.width,
                             canvas.size.height, columns, canvas.style);
     draw::Drawing page = strip.page();
-    studio.finish(canvas.style, page);
+    renderer.finish(canvas.style, page);
     int cell = 0;
-    studio.each_drawing(strip.cell(), sequence, chosen,
-                        [&](const trace::Frame&, const draw::Drawing& drawing) {
-                          strip.place(cell++, drawing, page);
-                        });
+    renderer.each_drawing(strip.cell(), sequence, chosen,
+                          [&](const trace::Frame&, const draw::Drawing& drawing) {
+                            strip.place(cell++, drawing, page);
+                          });
     const bool is_one_of_several = scenario.views.size() > 1;
     PictureOrigin of_strip = of_view(origin, view, is_one_of_several, options);
     of_strip.frames = joined(chosen);
@@ -117,7 +117,7 @@ void draw_strips(const Input& input, Sequence& sequence, const PictureOrigin& or
 }
 
 void draw_sheet(std::vector<Input>& inputs, const std::function<Sequence(Input&)>& run,
-                const Options& options, Studio& studio, Sinks& sinks, Progress& progress) {
+                const Options& options, Renderer& renderer, Sinks& sinks, Progress& progress) {
   std::set<std::string> groups;
   for (const Input& input : inputs) groups.insert(group_of(input.scenario.name));
   const std::string group = groups.size() == 1 ? *groups.begin() : "";
@@ -146,16 +146,16 @@ void draw_sheet(std::vector<Input>& inputs, const std::function<Sequence(Input&)
                       sheet.cell_height(), sheet.thumbnail_style());
       const std::vector<int>& stored = input.scenario.snapshots.frames;
       const int frame = options.frames || stored.empty() ? input.frames.front() : stored.front();
-      studio.each_drawing(staging, sequence, {frame},
-                          [&](const trace::Frame& shown, draw::Drawing drawing) {
-                            entries.back().title = draw::fill_title(staging, shown);
-                            thumbnails.back() = std::move(drawing);
-                          });
+      renderer.each_drawing(staging, sequence, {frame},
+                            [&](const trace::Frame& shown, draw::Drawing drawing) {
+                              entries.back().title = draw::fill_title(staging, shown);
+                              thumbnails.back() = std::move(drawing);
+                            });
     }
     progress.advance(input.scenario.name);
   }
   draw::Drawing page = sheet.page(entries);
-  studio.finish(canvas.style, page);
+  renderer.finish(canvas.style, page);
   for (int i = 0; i < count; ++i) sheet.place(i, at(thumbnails, i), page);
   PictureOrigin origin;
   origin.title = group;

@@ -3,7 +3,7 @@
 #include "app/catalogue.h"
 #include "app/formats/sinks.h"
 #include "app/progress.h"
-#include "app/studio.h"
+#include "app/renderer.h"
 
 namespace contactscope::app {
 
@@ -16,12 +16,12 @@ std::vector<int> evenly(const std::vector<int>& frames, int count);
 
 /// --strip: one picture per view, OUT/GROUP/IDEA/[VIEW/]strip.EXTENSION.
 void draw_strips(const Input& input, Sequence& sequence, const PictureOrigin& origin,
-                 const std::shared_ptr<const Words>& words, const Options& options, Studio& studio,
-                 Sinks& sinks);
+                 const std::shared_ptr<const Words>& words, const Options& options,
+                 Renderer& renderer, Sinks& sinks);
 
 /// --sheet: the first stored frame of each input, as OUT/GROUP/sheet.EXTENSION, or
 /// OUT/sheet.EXTENSION for several groups. `run` makes the sequence of an input.
 void draw_sheet(std::vector<Input>& inputs, const std::function<Sequence(Input&)>& run,
-                const Options& options, Studio& studio, Sinks& sinks, Progress& progress);
+                const Options& options, Renderer& renderer, Sinks& sinks, Progress& progress);
 
 }  // namespace contactscope::app

@@ -9,8 +9,8 @@
 
 #include "app/catalogue.h"
 #include "app/progress.h"
+#include "app/renderer.h"
 #include "app/soak.h"
-#include "app/studio.h"
 #include "app/table.h"
 #include "app/verbs.h"
 #include "draw/charts/plot.h"
@@ -40,8 +40,8 @@ std::vector<Scenario> scenarios_of(const StudyInfo& info, const Options& options
   return load_scenarios(options);
 }
 
-std::vector<trace::Study> run_study(const StudyInfo& info, const Options& options, Ledger& ledger) {
-  const Timed timed(ledger, "study");
+std::vector<trace::Study> run_study(const StudyInfo& info, const Options& options, RunLog& log) {
+  const Timed timed(log, "study");
   const std::vector<Scenario> scenarios = scenarios_of(info, options);
   StudyOptions study_options;
   study_options.scenarios = &scenarios;
@@ -78,13 +78,13 @@ ExitCode run_study(const Options& options) {
                        " has no parts; --shard is of stability, whose cases are judged one by one");
     return run_soak(options);
   }
-  constexpr int kMostCases = 1000000;
-  if (options.cases.value_or(1) > kMostCases)
+  constexpr int kMaxCases = 1000000;
+  if (options.cases.value_or(1) > kMaxCases)
     throw UsageError("--cases " + std::to_string(*options.cases) +
                      " is more than a study holds; leave it below 1000001, or judge stability in "
                      "parts, with --shard 1/1 or more");
-  Ledger ledger;
-  const std::vector<trace::Study> results = run_study(info, options, ledger);
+  RunLog log;
+  const std::vector<trace::Study> results = run_study(info, options, log);
   if (info.of_scenarios && results.front().series.empty())
     throw UsageError("no pair touches in these frames, so there is nothing to study");
 
@@ -93,20 +93,20 @@ ExitCode run_study(const Options& options) {
   const auto keep = [&](const std::string& name, const auto& bytes) {
     files[folder / name] = {bytes.begin(), bytes.end()};
   };
-  Studio studio(options.backend, ledger);
+  Renderer renderer(options.backend, log);
   for (const trace::Study& result : results) {
     // The main measure has no suffix.
     const std::string suffix = &result == &results.front() ? "" : "_" + result.measure;
     keep("results" + suffix + ".json", trace::to_json(result));
     keep("results" + suffix + ".csv", trace::to_csv(result));
     if (options.tables_only) continue;
-    const trace::Study told = info.picture ? info.picture(result) : result;
-    const Size size = options.size.value_or(size_of(told));
+    const trace::Study record = info.picture ? info.picture(result) : result;
+    const Size size = options.size.value_or(size_of(record));
     keep("plot" + suffix + ".png",
-         encode_png(studio.paint(draw::plot(told, size.width, size.height))));
+         encode_png(renderer.paint(draw::plot(record, size.width, size.height))));
   }
   if (options.tables_only) {
-    ledger.left_out("plots and OpenGL, for --table asks for the numbers alone");
+    log.left_out("plots and OpenGL, for --table asks for the numbers alone");
   }
   stop_if_interrupted();
   std::filesystem::create_directories(folder);
@@ -116,7 +116,7 @@ ExitCode run_study(const Options& options) {
   } else {
     print_tables(results, std::cout);
   }
-  if (options.verbose) ledger.print(std::cerr, "study");
+  if (options.verbose) log.print(std::cerr, "study");
   if (!options.quiet) std::cerr << files.size() << " files in " << folder.string() << '\n';
   return ExitCode::Same;
 }

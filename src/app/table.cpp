@@ -93,16 +93,16 @@ std::vector<SeriesRange> by_panel(const trace::Study& result) {
 /// Columns to print: all if there are few, else whole decades, or if those are fewer than three,
 /// evenly spaced ones and the last.
 std::vector<bool> columns_shown(const SeriesRange& panel) {
-  constexpr std::size_t kMost = 8, kLeast = 3;
+  constexpr std::size_t kMax = 8, kMin = 3;
   const std::vector<trace::StudyPoint>& points = panel.front().points;
-  std::vector<bool> shown(points.size(), points.size() <= kMost);
-  if (points.size() <= kMost) return shown;
+  std::vector<bool> shown(points.size(), points.size() <= kMax);
+  if (points.size() <= kMax) return shown;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double decade = std::log10(points[i].parameter);
     shown[i] = points[i].parameter > 0 && std::abs(std::remainder(decade, 1)) < 1e-6;
   }
-  if (std::ranges::count(shown, true) >= static_cast<std::ptrdiff_t>(kLeast)) return shown;
-  const std::size_t step = (points.size() + kMost - 1) / kMost;
+  if (std::ranges::count(shown, true) >= static_cast<std::ptrdiff_t>(kMin)) return shown;
+  const std::size_t step = (points.size() + kMax - 1) / kMax;
   for (std::size_t i = 0; i < points.size(); ++i) shown[i] = (points.size() - 1 - i) % step == 0;
   return shown;
 }

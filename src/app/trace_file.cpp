@@ -144,7 +144,7 @@ void TraceFile::rewind() {
   frames_ = 0;
 }
 
-void TraceFile::tell_torn() const {
+void TraceFile::report_torn() const {
   if (!torn()) return;
   std::cerr << InputError(name_, torn()->line, torn()->column,
                           "the file is cut off here, within its last line; what stands before it "
@@ -157,7 +157,7 @@ void TraceFile::tell_torn() const {
 trace::Trace load_trace(const std::string& path) {
   TraceFile file(path);
   trace::Trace trace = read_whole(file);
-  file.tell_torn();
+  file.report_torn();
   return trace;
 }
 

@@ -49,7 +49,7 @@ class TraceFile {
   /// Truncated last line, after a crash of the writer. Known after the last frame.
   const std::optional<trace::Torn>& torn() const { return reader_->torn(); }
   /// Prints a warning about it to stderr.
-  void tell_torn() const;
+  void report_torn() const;
 
  private:
   void begin();

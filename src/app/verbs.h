@@ -51,18 +51,18 @@ struct Options {
   std::optional<Size> size;
   std::optional<FrameRange> frames;
   std::vector<std::string> formats = {"png"};  // for `render`
-  std::optional<double> fps;   // pictures per second of animations; nullopt: by frame times
-  std::optional<int> strip;    // number of frames in one picture
-  std::optional<int> columns;  // of a strip or sheet
-  bool sheet = false;          // one picture of all scenarios
-  bool anchors = false;        // also write the positions of objects in each picture
-  std::string given;  // other arguments that pictures depend on, " --size 640x360"
-  std::string view;   // a name; for traces also a TOML file, or file:name
-  std::vector<std::string> pair;              // two shapes; hides all others
-  std::vector<std::string> shapes;            // shapes to show; empty: all
-  std::vector<double> eye, target;            // camera, metres; empty: the view's
-  double fov_degrees = 0;                     // 0: the view's
-  std::vector<double> camera;                 // eye, target and optionally field of view
+  std::optional<double> fps;        // pictures per second of animations; nullopt: by frame times
+  std::optional<int> strip;         // number of frames in one picture
+  std::optional<int> columns;       // of a strip or sheet
+  bool sheet = false;               // one picture of all scenarios
+  bool anchors = false;             // also write the positions of objects in each picture
+  std::string given;                // other arguments that pictures depend on, " --size 640x360"
+  std::string view;                 // a name; for traces also a TOML file, or file:name
+  std::vector<std::string> pair;    // two shapes; hides all others
+  std::vector<std::string> shapes;  // shapes to show; empty: all
+  std::vector<double> eye, target;  // camera, metres; empty: the view's
+  double fov_degrees = 0;           // 0: the view's
+  std::vector<double> camera;       // eye, target and optionally field of view
   std::optional<double> orthographic_height;  // metres; 0: fitted; nullopt: the view's projection
   FigureOptions figure;
   std::string reducer;

@@ -3,11 +3,11 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "app/contenders.h"
+#include "app/engine_runs.h"
 #include "app/lint.h"
 #include "app/progress.h"
+#include "app/renderer.h"
 #include "app/rollout.h"
-#include "app/studio.h"
 #include "app/table.h"
 #include "core/title.h"
 #include "draw/insets/contact_cells.h"
@@ -24,7 +24,7 @@ namespace contactscope::app {
 namespace {
 
 namespace fs = std::filesystem;
-using versus::Contender;
+using versus::EngineRun;
 using versus::Score;
 
 /// A request and its context.
@@ -32,7 +32,7 @@ struct Match {
   std::string name;  // "group/idea"
   std::string title, source;
   trace::Trace request;
-  std::vector<Contender> contenders{};
+  std::vector<EngineRun> engine_runs{};
 };
 
 trace::Trace run_whole(const Input& input) {
@@ -41,7 +41,7 @@ trace::Trace run_whole(const Input& input) {
   whole.header = runner.header();
   for (const int frame : input.frames) {
     whole.frames.push_back(runner.frame(frame));
-    versus::keep_asked_pairs(whole.frames.back());
+    versus::keep_queried_pairs(whole.frames.back());
   }
   return whole;
 }
@@ -60,11 +60,11 @@ Match match_of(Input input, const std::vector<std::string>& engines) {
   const bool is_own = whole.header.engine.empty();
   if (input.trace && !is_own) {
     const std::string name = whole.header.engine + ", as recorded";
-    match.contenders.push_back({name, whole.header.engine, whole.header.version, "", "", whole});
+    match.engine_runs.push_back({name, whole.header.engine, whole.header.version, "", "", whole});
   }
   if (wants_own) {
     trace::Trace own = is_own ? std::move(whole) : versus::own_contacts(match.request);
-    match.contenders.push_back({kOwn, kOwn, CONTACTSCOPE_VERSION, "", "", std::move(own)});
+    match.engine_runs.push_back({kOwn, kOwn, CONTACTSCOPE_VERSION, "", "", std::move(own)});
   }
   return match;
 }
@@ -92,12 +92,12 @@ Table table_of(const std::vector<Score>& scores) {
   return table;
 }
 
-nlohmann::ordered_json json_of(const Score& score, const Contender& contender) {
+nlohmann::ordered_json json_of(const Score& score, const EngineRun& engine_run) {
   nlohmann::ordered_json json{{"name", score.name}};
-  if (!contender.engine.empty()) json["engine"] = contender.engine;
-  if (!contender.version.empty()) json["version"] = contender.version;
+  if (!engine_run.engine.empty()) json["engine"] = engine_run.engine;
+  if (!engine_run.version.empty()) json["version"] = engine_run.version;
   if (!score.failure.empty()) json["failure"] = score.failure;
-  if (!contender.notes.empty()) json["said"] = contender.notes;
+  if (!engine_run.notes.empty()) json["said"] = engine_run.notes;
   json["pairs"] = score.pairs;
   json["missed"] = score.missed;
   json["invented"] = score.invented;
@@ -118,10 +118,11 @@ nlohmann::ordered_json json_of(const Score& score, const Contender& contender) {
 /// Prints what does not fit into the table: failures, the largest error, lint findings.
 void print_notes(const Match& match, const std::vector<Score>& scores, std::ostream& out) {
   for (const Score& score : scores) {
-    const Contender& contender = *std::ranges::find(match.contenders, score.name, &Contender::name);
-    print_words(contender, out);
+    const EngineRun& engine_run =
+        *std::ranges::find(match.engine_runs, score.name, &EngineRun::name);
+    print_words(engine_run, out);
     if (!score.failure.empty()) out << score.name << ": " << score.failure << '\n';
-    for (const lint::Finding& finding : score.findings) out << told(score.name, finding) << '\n';
+    for (const lint::Finding& finding : score.findings) out << record(score.name, finding) << '\n';
   }
 }
 
@@ -130,8 +131,8 @@ using Names = std::pair<std::string, std::string>;
 /// Pairs in which any engine has contacts, in order.
 std::vector<Names> touching_pairs(const Match& match) {
   std::vector<Names> pairs;
-  for (const Contender& contender : match.contenders)
-    for (const trace::Frame& frame : contender.trace.frames)
+  for (const EngineRun& engine_run : match.engine_runs)
+    for (const trace::Frame& frame : engine_run.trace.frames)
       for (const trace::Pair& pair : frame.pairs) {
         const bool known = std::ranges::any_of(pairs, [&](const Names& names) {
           return names == Names{pair.a, pair.b} || names == Names{pair.b, pair.a};
@@ -141,10 +142,10 @@ std::vector<Names> touching_pairs(const Match& match) {
   return pairs;
 }
 
-draw::ContactCell cell_of(const Contender& contender, const trace::Frame* frame,
+draw::ContactCell cell_of(const EngineRun& engine_run, const trace::Frame* frame,
                           const Names& names) {
   draw::ContactCell cell;
-  cell.name = contender.name;
+  cell.name = engine_run.name;
   const std::optional<trace::Pair> pair =
       frame == nullptr ? std::nullopt : versus::pair_of(*frame, names.first, names.second);
   if (!pair || pair->manifolds.empty()) {
@@ -165,33 +166,33 @@ draw::ContactCell cell_of(const Contender& contender, const trace::Frame* frame,
   return cell;
 }
 
-void write_pictures(const Match& match, const Options& options, Studio& studio) {
+void write_pictures(const Match& match, const Options& options, Renderer& renderer) {
   const std::vector<Names> pairs = touching_pairs(match);
-  const Size size = options.size.value_or(roomy_size(match.contenders.size()));
+  const Size size = options.size.value_or(roomy_size(match.engine_runs.size()));
   EncoderPool encoders(options.jobs);
   int pictures = 0;
   const fs::path root = fs::path(options.out) / "versus" / match.name;
   for (const Names& names : pairs) {
     std::vector<draw::ContactMoment> moments;
-    for (const trace::Frame& asked : match.request.frames) {
+    for (const trace::Frame& requested : match.request.frames) {
       draw::ContactMoment& moment = moments.emplace_back();
-      moment.frame = asked.frame;
+      moment.frame = requested.frame;
       moment.caption =
-          names.first + " and " + names.second + ", frame " + std::to_string(asked.frame);
-      for (const Contender& contender : match.contenders) {
-        const auto& frames = contender.trace.frames;
-        const auto frame = std::ranges::find(frames, asked.frame, &trace::Frame::frame);
+          names.first + " and " + names.second + ", frame " + std::to_string(requested.frame);
+      for (const EngineRun& engine_run : match.engine_runs) {
+        const auto& frames = engine_run.trace.frames;
+        const auto frame = std::ranges::find(frames, requested.frame, &trace::Frame::frame);
         moment.cells.push_back(
-            cell_of(contender, frame == frames.end() ? nullptr : &*frame, names));
+            cell_of(engine_run, frame == frames.end() ? nullptr : &*frame, names));
       }
     }
     const draw::ContactCells cells(plain_title(match.title), match.source, match.request.header.up,
                                    moments, 0, size.width, size.height);
     const fs::path folder = pairs.size() > 1 ? root / (names.first + "-" + names.second) : root;
     fs::create_directories(folder);
-    for (const trace::Frame& asked : match.request.frames) {
-      const std::string name = snapshot::frame_stem(asked.frame) + ".png";
-      encoders.submit((folder / name).string(), studio.paint(cells.frame(asked.frame)));
+    for (const trace::Frame& requested : match.request.frames) {
+      const std::string name = snapshot::frame_stem(requested.frame) + ".png";
+      encoders.submit((folder / name).string(), renderer.paint(cells.frame(requested.frame)));
       ++pictures;
     }
   }
@@ -203,31 +204,32 @@ void write_pictures(const Match& match, const Options& options, Studio& studio) 
 
 ExitCode run_versus(const Options& options) {
   note_interrupts();
-  const std::vector<std::string> engines = engines_asked(options);
+  const std::vector<std::string> engines = requested_engines(options);
   const std::map<std::string, std::string> programs = programs_of(engines);
   if (options.rollout) return run_rollout(options, engines, programs);
-  Ledger ledger;
-  std::optional<Studio> studio;
-  if (!options.tables_only) studio.emplace(options.backend, ledger);
+  RunLog log;
+  std::optional<Renderer> renderer;
+  if (!options.tables_only) renderer.emplace(options.backend, log);
   nlohmann::ordered_json json{{"schema", "contactscope.versus/1"},
                               {"matches", nlohmann::ordered_json::array()}};
   bool all_right = true;
   for (Input& input : load_inputs(options)) {
     if (!input.scenario.patches.empty())
-      throw InputError(input.scenario.path, 0, 0,
-                       "a [[patch]] has no shapes to ask engines about; `explore` compares how they "
-                       "reduce its points");
+      throw InputError(
+          input.scenario.path, 0, 0,
+          "a [[patch]] has no shapes to ask engines about; `explore` compares how they "
+          "reduce its points");
     Match match = match_of(std::move(input), engines);
     for (const std::string& name : engines)
       if (programs.contains(name))
-        match.contenders.push_back(
-            ask(name, programs.at(name), "contacts", match.request, options.time_limit));
+        match.engine_runs.push_back(
+            query_pair(name, programs.at(name), "contacts", match.request, options.time_limit));
     std::vector<Score> scores;
     nlohmann::ordered_json one{{"scenario", match.name},
                                {"engines", nlohmann::ordered_json::array()}};
-    for (const Contender& contender : match.contenders) {
-      const Score score = versus::judge(match.request, contender);
-      one["engines"].push_back(json_of(score, contender));
+    for (const EngineRun& engine_run : match.engine_runs) {
+      const Score score = versus::judge(match.request, engine_run);
+      one["engines"].push_back(json_of(score, engine_run));
       all_right = all_right && score.failure.empty() && score.missed == 0 && score.invented == 0 &&
                   score.findings.empty();
       scores.push_back(score);
@@ -238,7 +240,7 @@ ExitCode run_versus(const Options& options) {
       print(table_of(scores), std::cout);
       print_notes(match, scores, std::cout);
     }
-    if (studio) write_pictures(match, options, *studio);
+    if (renderer) write_pictures(match, options, *renderer);
   }
   if (options.json) std::cout << json.dump() << '\n';
   return all_right ? ExitCode::Same : ExitCode::Different;

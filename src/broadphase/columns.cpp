@@ -15,9 +15,9 @@ using Lanes = lanes::Widest<float>;
 constexpr int kLanes = lanes::kLanesOf<float, Lanes>;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-constexpr int kEnough = 256;     // boxes in a column: halving it would copy more than it saves
-constexpr int kSample = 32;      // boxes sampled to choose the border
-constexpr int kMostAcross = 12;  // of them across the border: with more, halves share too much
+constexpr int kEnough = 256;    // boxes in a column: halving it would copy more than it saves
+constexpr int kSample = 32;     // boxes sampled to choose the border
+constexpr int kMaxAcross = 12;  // of them across the border: with more, halves share too much
 constexpr int kDeepest = 48;
 
 /// Finds all pairs from scratch, at the processor's full speed. Sorts boxes along one axis, and
@@ -150,7 +150,7 @@ class Columns : public Clonable<Columns> {
 
   /// False if the halves would share too many boxes.
   bool choose_border(std::size_t begin, std::size_t end, int& axis, float& border) const {
-    int least_across = kMostAcross;
+    int least_across = kMaxAcross;
     for (const int candidate : {1, 2}) {
       std::array<float, kSample> middles;
       const auto entry = [&](int i) -> const Entry& {
@@ -232,10 +232,10 @@ class Columns : public Clonable<Columns> {
     for (std::size_t k = 0; k < hits; ++k)
       report(entries[hits_[k].first].handle, entries[hits_[k].second].handle);
     counts_.comparisons += compared;
-    if (record_ != nullptr) tell(region, count, compared);
+    if (record_ != nullptr) report_it(region, count, compared);
   }
 
-  void tell(const Region& region, int members, std::int64_t tests) {
+  void report_it(const Region& region, int members, std::int64_t tests) {
     BroadPhaseCell& cell = record_->cells.emplace_back();
     for (std::size_t i = 0; i < 3; ++i) {
       cell.box.lower[axes_[i]] = region.lower[i];

@@ -11,7 +11,7 @@ namespace {
 using Cell = std::array<std::int32_t, 3>;
 
 /// Boxes that cover more cells are compared with all others instead.
-constexpr std::int64_t kMostCells = 64;
+constexpr std::int64_t kMaxCells = 64;
 /// Cell size over the median of the boxes' largest sides. With 1, a box of that size is in up to
 /// eight cells; larger cells contain more boxes that do not meet.
 constexpr float kCellOfMedian = 1.5f;
@@ -32,7 +32,7 @@ class Grid : public Clonable<Grid> {
   void find_pairs(BroadPhaseRecord* record) override {
     choose_cells();
     sort_into_cells();
-    if (record != nullptr) tell(*record);
+    if (record != nullptr) report_it(*record);
     for (std::size_t bucket = 0; bucket + 1 < first_.size(); ++bucket) {
       for (int i = first_[bucket]; i < first_[bucket + 1]; ++i) {
         for (int j = i + 1; j < first_[bucket + 1]; ++j)
@@ -43,7 +43,7 @@ class Grid : public Clonable<Grid> {
   }
 
   /// Cells by bucket, and in a bucket in order of appearance.
-  void tell(BroadPhaseRecord& record) const {
+  void report_it(BroadPhaseRecord& record) const {
     for (std::size_t bucket = 0; bucket + 1 < first_.size(); ++bucket) {
       const auto begin = record.cells.size();
       std::vector<Cell> cells;
@@ -54,9 +54,9 @@ class Grid : public Clonable<Grid> {
           const Vec3<float> lower = cell_ * Vec3<int>(cell[0], cell[1], cell[2]).cast<float>();
           record.cells.push_back({.box = {lower, lower + Vec3<float>::Constant(cell_)}});
         }
-        BroadPhaseCell& told =
+        BroadPhaseCell& recorded =
             record.cells[begin + static_cast<std::size_t>(found - cells.begin())];
-        told.tests += told.members++;
+        recorded.tests += recorded.members++;
         if (found == cells.end()) cells.push_back(cell);
       }
     }
@@ -92,13 +92,13 @@ class Grid : public Clonable<Grid> {
     for (int i = 0; i < handles(); ++i) {
       if (!has(i)) continue;
       Cell lower{}, upper{};
-      std::int64_t cells = kMostCells + 1;
+      std::int64_t cells = kMaxCells + 1;
       if (is_bounded(box(i)) && cell_at(box(i).lower, lower) && cell_at(box(i).upper, upper)) {
         cells = 1;
-        for (std::size_t axis = 0; axis < 3 && cells <= kMostCells; ++axis)
+        for (std::size_t axis = 0; axis < 3 && cells <= kMaxCells; ++axis)
           cells *= std::int64_t{upper[axis]} - lower[axis] + 1;
       }
-      if (cells > kMostCells) {
+      if (cells > kMaxCells) {
         large_.push_back(i);
         continue;
       }

@@ -100,10 +100,10 @@ class Octree : public Clonable<Octree> {
         if (record != nullptr) ++at(tests, at(homes_, j));
       });
     }
-    if (record != nullptr) tell(tests, *record);
+    if (record != nullptr) report(tests, *record);
   }
 
-  void tell(const std::vector<int>& tests, BroadPhaseRecord& record) const {
+  void report(const std::vector<int>& tests, BroadPhaseRecord& record) const {
     from_root_down(root_, [&](int index, int depth, const auto& open) {
       const Node& node = at(nodes_, index);
       record.cells.push_back({node.reach, depth, count_of(node.here), at(tests, index)});

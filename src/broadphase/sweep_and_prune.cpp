@@ -9,7 +9,7 @@ namespace contactscope {
 namespace {
 
 /// Mean swaps per endpoint beyond which sorting from scratch is faster.
-constexpr std::int64_t kMostSwaps = 32;
+constexpr std::int64_t kMaxSwaps = 32;
 
 /// Sweep and prune: keeps the ends of all boxes sorted on each of the three axes, and the
 /// overlapping pairs. From call to call few ends are swapped, and an insertion sort fixes the
@@ -42,11 +42,11 @@ class SweepAndPrune : public Clonable<SweepAndPrune> {
       }
     }
     // Each new end moves past about a third of the others.
-    const bool many_came = came_.size() > 4 * static_cast<std::size_t>(kMostSwaps);
+    const bool many_came = came_.size() > 4 * static_cast<std::size_t>(kMaxSwaps);
     came_.clear();
     went_.clear();
     update_ends();
-    if (many_came || !mend_order(record)) sort_anew();
+    if (many_came || !restore_order(record)) sort_from_scratch();
     for (const std::uint64_t key : kept_)
       report(static_cast<int>(key >> 32), static_cast<int>(key & 0xffffffffu));
   }
@@ -73,8 +73,8 @@ class SweepAndPrune : public Clonable<SweepAndPrune> {
   }
 
   /// False if too much jumped; then neither order nor pairs are valid.
-  bool mend_order(BroadPhaseRecord* record) {
-    std::int64_t left = kMostSwaps * static_cast<std::int64_t>(axes_[0].size());
+  bool restore_order(BroadPhaseRecord* record) {
+    std::int64_t left = kMaxSwaps * static_cast<std::int64_t>(axes_[0].size());
     for (int axis = 0; axis < 3; ++axis) {
       std::vector<End>& ends = at(axes_, axis);
       for (std::size_t i = 1; i < ends.size(); ++i) {
@@ -113,7 +113,7 @@ class SweepAndPrune : public Clonable<SweepAndPrune> {
   }
 
   /// Sorts all three axes, and finds the pairs along the axis with the largest spread of ends.
-  void sort_anew() {
+  void sort_from_scratch() {
     kept_.clear();
     std::size_t longest = 0;
     double most = -1;
@@ -163,7 +163,7 @@ class SweepAndPrune : public Clonable<SweepAndPrune> {
   std::vector<End> axes_[3];
   std::unordered_set<std::uint64_t> kept_;  // pairs that overlap
   std::vector<int> came_, went_;            // since the last call
-  std::vector<int> open_, place_;  // boxes at the sweep's position, and their index there
+  std::vector<int> open_, place_;           // boxes at the sweep's position, and their index there
 };
 
 }  // namespace

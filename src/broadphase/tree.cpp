@@ -60,7 +60,7 @@ class Tree : public Clonable<Tree> {
     const int sibling = child_of(parent, at(nodes_, parent).children[0] == leaf ? 1 : 0);
     replace(parent, sibling);
     free_.push_back(parent);
-    mend_above(at(nodes_, sibling).parent);
+    refit_above(at(nodes_, sibling).parent);
   }
 
   static Aabb<float> widened(const Aabb<float>& box) {
@@ -111,7 +111,7 @@ class Tree : public Clonable<Tree> {
     replace(sibling, above);
     hang(above, 0, sibling);
     hang(above, 1, leaf);
-    mend_above(above);
+    refit_above(above);
   }
 
   /// Descends to the node of least cost: this one, or one below a child, whose boxes then grow.
@@ -137,7 +137,7 @@ class Tree : public Clonable<Tree> {
     return node;
   }
 
-  void mend_above(int node) {
+  void refit_above(int node) {
     while (node >= 0) {
       node = balanced(node);
       fit(node);
@@ -206,10 +206,10 @@ class Tree : public Clonable<Tree> {
         for (const int child : second.children) open_.emplace_back(a, child);
       }
     }
-    if (record != nullptr) tell(tests, *record);
+    if (record != nullptr) report(tests, *record);
   }
 
-  void tell(const std::vector<int>& tests, BroadPhaseRecord& record) const {
+  void report(const std::vector<int>& tests, BroadPhaseRecord& record) const {
     from_root_down(root_, [&](int index, int depth, const auto& open) {
       const Node& node = at(nodes_, index);
       record.cells.push_back({node.box, depth, node.is_leaf() ? 1 : 0, at(tests, index)});

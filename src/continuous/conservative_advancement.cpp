@@ -9,21 +9,22 @@ namespace {
 struct DistanceOverSpeed {
   /// Makes no prediction.
   template <class Approach, class S>
-  std::optional<Closest<S>> foresee(Approach& /*approach*/, S /*radii*/, const Apart<S>& /*apart*/,
-                                    ImpactResult<S>& /*result*/, ImpactRun<S>* /*run*/) const {
+  std::optional<Closest<S>> foresee(Approach& /*approach*/, S /*radii*/,
+                                    const Separation<S>& /*apart*/, ImpactResult<S>& /*result*/,
+                                    ImpactRun<S>* /*run*/) const {
     return std::nullopt;
   }
   template <class Approach, class S>
-  void operator()(const Approach& approach, const Apart<S>& apart, ImpactResult<S>& result,
+  void operator()(const Approach& approach, const Separation<S>& spacing, ImpactResult<S>& result,
                   ImpactStep<S>& step) const {
-    const S speed = approach.closing_speed(apart.axis);
-    const S left = apart.until - result.time;
+    const S speed = approach.closing_speed(spacing.axis);
+    const S left = spacing.until - result.time;
     ++result.bounds;
-    const S gap = apart.separation - apart.target;
-    result.time = gap >= speed * left ? apart.until : result.time + gap / speed;
+    const S gap = spacing.separation - spacing.target;
+    result.time = gap >= speed * left ? spacing.until : result.time + gap / speed;
     step.bracket_end =
-        step.distance >= speed * left ? apart.until : step.time + step.distance / speed;
-    step.bracket_separation = apart.separation - speed * (step.bracket_end - step.time);
+        step.distance >= speed * left ? spacing.until : step.time + step.distance / speed;
+    step.bracket_separation = spacing.separation - speed * (step.bracket_end - step.time);
   }
 };
 

@@ -13,9 +13,9 @@ class ContactEquation {
     corner_ = from[0];
     side_u_ = from[1] - from[0];
     side_v_ = from[kLast] - from[0];
-    corner_way_ = to[0] - from[0];
-    way_u_ = (to[1] - to[0]) - side_u_;
-    way_v_ = (to[kLast] - to[0]) - side_v_;
+    corner_motion_ = to[0] - from[0];
+    u_motion_ = (to[1] - to[0]) - side_u_;
+    v_motion_ = (to[kLast] - to[0]) - side_v_;
     // Each term above is less than four times the size, and its error is at most four roundings of
     // that. A value or a derivative has nine of them.
     rounding_ = 0x1p-45 * polygon.size();
@@ -23,30 +23,30 @@ class ContactEquation {
 
   /// `x` is time, u, v, in the order of the derivative's columns.
   Vec3d value(const Vec3d& x) const {
-    return (corner_ + x[0] * corner_way_) + x[1] * (side_u_ + x[0] * way_u_) +
-           x[2] * (side_v_ + x[0] * way_v_);
+    return (corner_ + x[0] * corner_motion_) + x[1] * (side_u_ + x[0] * u_motion_) +
+           x[2] * (side_v_ + x[0] * v_motion_);
   }
   Mat3<double> derivative(const Vec3d& x) const {
     Mat3<double> result;
-    result.col(0) = corner_way_ + x[1] * way_u_ + x[2] * way_v_;
-    result.col(1) = side_u_ + x[0] * way_u_;
-    result.col(2) = side_v_ + x[0] * way_v_;
+    result.col(0) = corner_motion_ + x[1] * u_motion_ + x[2] * v_motion_;
+    result.col(1) = side_u_ + x[0] * u_motion_;
+    result.col(2) = side_v_ + x[0] * v_motion_;
     return result;
   }
   /// Largest deviation of the derivative from its value in the middle of a box of half widths `r`.
   Mat3<double> change(const Vec3d& r) const {
     Mat3<double> result;
-    result.col(0) = r[1] * way_u_.cwiseAbs() + r[2] * way_v_.cwiseAbs();
-    result.col(1) = r[0] * way_u_.cwiseAbs();
-    result.col(2) = r[0] * way_v_.cwiseAbs();
+    result.col(0) = r[1] * u_motion_.cwiseAbs() + r[2] * v_motion_.cwiseAbs();
+    result.col(1) = r[0] * u_motion_.cwiseAbs();
+    result.col(2) = r[0] * v_motion_.cwiseAbs();
     return result;
   }
   /// Error bound of each coordinate of a value and each entry of a derivative.
   double rounding() const { return rounding_; }
 
  private:
-  Vec3d corner_, side_u_, side_v_;    // at time 0
-  Vec3d corner_way_, way_u_, way_v_;  // in the step
+  Vec3d corner_, side_u_, side_v_;             // at time 0
+  Vec3d corner_motion_, u_motion_, v_motion_;  // in the step
   double rounding_;
 };
 

@@ -12,8 +12,8 @@ namespace contactscope {
 namespace {
 
 template <class S>
-CastLimits<S> limits_from(S time, const Apart<S>& apart) {
-  return {apart.target, S(0.5) * (apart.near - apart.target), apart.until - time};
+CastLimits<S> limits_from(S time, const Separation<S>& gap) {
+  return {gap.target, S(0.5) * (gap.near - gap.target), gap.until - time};
 }
 
 /// Only when recording. Measures on a copy, so that later results stay the same to the bit.
@@ -39,29 +39,28 @@ void record_planes(const Approach<S>& approach, const std::vector<SupportPlane<S
 /// Closest points of a cast's portal at `time` if a hit; else GJK will start from the portal.
 template <class S>
 std::optional<Closest<S>> hit_at(S time, S time_of_cast, const PortalCast<S>& cast,
-                                 const Apart<S>& apart, Approach<S>& approach) {
+                                 const Separation<S>& gap, Approach<S>& approach) {
   Closest<S> closest = cast.closest(time_of_cast);
   closest.time = time;
-  if (closest.distance <= apart.near) return closest;
+  if (closest.distance <= gap.near) return closest;
   approach.measure_from(cast.portal());
   return std::nullopt;
 }
 
 template <class S>
-std::optional<Closest<S>> cast_straight(Approach<S>& approach, const Apart<S>& apart,
+std::optional<Closest<S>> cast_straight(Approach<S>& approach, const Separation<S>& gap,
                                         ImpactResult<S>& result, ImpactRun<S>* run) {
   const S begin = result.time;
   PortalCast<S> cast(approach.a(), approach.b(), approach.scale());
   cast.place(begin, approach.between_pivots_at(begin), approach.displacement());
   std::vector<SupportPlane<S>> planes;
-  const CastStatus status =
-      cast.cast(limits_from(begin, apart), run != nullptr ? &planes : nullptr);
+  const CastStatus status = cast.cast(limits_from(begin, gap), run != nullptr ? &planes : nullptr);
   result.bounds += cast.supports();
-  result.time = status == CastStatus::Separated ? apart.until : begin + cast.safe_time();
+  result.time = status == CastStatus::Separated ? gap.until : begin + cast.safe_time();
   if (run != nullptr) [[unlikely]]
-    record_planes(approach, planes, begin, apart.until, *run);
+    record_planes(approach, planes, begin, gap.until, *run);
   if (status != CastStatus::Hit) return std::nullopt;
-  return hit_at(result.time, cast.safe_time(), cast, apart, approach);
+  return hit_at(result.time, cast.safe_time(), cast, gap, approach);
 }
 
 /// Whether balls about the pivots prove separation along an axis until `time`, if separated then.
@@ -84,36 +83,36 @@ bool balls_prove(const Approach<S>& approach, const Vec3<S>& axis, S time, S tar
 }
 
 template <class S>
-std::optional<Closest<S>> cast_turning(Approach<S>& approach, const Apart<S>& apart,
+std::optional<Closest<S>> cast_turning(Approach<S>& approach, const Separation<S>& gap,
                                        ImpactResult<S>& result, ImpactRun<S>* run) {
   // Each cast about squares the error. Shapes that need more also spin too fast for the bound.
-  constexpr int kMostCasts = 4;
+  constexpr int kMaxCasts = 4;
   // Fraction of the time in which the balls are near, where most impacts are. There the first cast
   // sees about the orientations of the impact.
   constexpr S kFirstGuess = S(0.15);
   const S begin = result.time;
-  const S aim = S(0.5) * (apart.target + apart.near);
+  const S aim = S(0.5) * (gap.target + gap.near);
   PortalCast<S> cast(approach.a(), approach.b(), approach.scale());
   Vec3<S> velocity = approach.displacement();
-  S time = begin + kFirstGuess * (apart.until - begin), at_end = 0;
-  if (apart.speed > S(0)) time = std::min(time, begin + apart.separation / apart.speed);
+  S time = begin + kFirstGuess * (gap.until - begin), at_end = 0;
+  if (gap.speed > S(0)) time = std::min(time, begin + gap.separation / gap.speed);
   CastStatus status = CastStatus::Hit;
   bool is_met = false;
-  for (int i = 0; i < kMostCasts && time < apart.until; ++i) {
+  for (int i = 0; i < kMaxCasts && time < gap.until; ++i) {
     cast.place(time, approach.between_pivots_at(time), velocity);
-    const CastLimits<S> limits = limits_from(time, apart);
+    const CastLimits<S> limits = limits_from(time, gap);
     status = i == 0 ? cast.cast(limits) : cast.cast_again(limits);
-    if (status == CastStatus::Separated) time = apart.until;
+    if (status == CastStatus::Separated) time = gap.until;
     if (status != CastStatus::Hit) break;
     at_end = cast.plane().separation;
-    is_met = at_end > apart.target && at_end < apart.near;
+    is_met = at_end > gap.target && at_end < gap.near;
     if (is_met) break;
     const GjkSimplex<S> portal = cast.portal();
     velocity = approach.displacement() + approach.b().velocity(weighted(portal, &GjkVertex<S>::b)) -
                approach.a().velocity(weighted(portal, &GjkVertex<S>::a));
     const S closing = cast.plane().normal.dot(velocity);
     if (!(closing > S(0))) break;
-    time = std::clamp(time + (at_end - aim) / closing, begin, apart.until);
+    time = std::clamp(time + (at_end - aim) / closing, begin, gap.until);
   }
   result.bounds += cast.supports();
 
@@ -125,17 +124,17 @@ std::optional<Closest<S>> cast_turning(Approach<S>& approach, const Apart<S>& ap
     ++result.bounds;
   }
   S fraction = 1;
-  if (!(at_end > apart.target && balls_prove(approach, axis, time, apart.target))) {
+  if (!(at_end > gap.target && balls_prove(approach, axis, time, gap.target))) {
     const S at_begin = approach.separation(axis, begin);
     ++result.bounds;
-    if (!(at_begin > apart.target)) return std::nullopt;
-    fraction = safe_fraction(at_begin, at_end, approach.acceleration(axis), width, apart.target);
+    if (!(at_begin > gap.target)) return std::nullopt;
+    fraction = safe_fraction(at_begin, at_end, approach.acceleration(axis), width, gap.target);
   }
   const bool is_safe = fraction == S(1);
   result.time = is_safe ? time : begin + fraction * width;
   if (run != nullptr) [[unlikely]]
     record(approach, {begin, 0, axis, time, at_end, result.time}, *run);
-  if (is_met && is_safe) return hit_at(time, S(0), cast, apart, approach);
+  if (is_met && is_safe) return hit_at(time, S(0), cast, gap, approach);
   if (status == CastStatus::Hit) approach.measure_from(cast.portal());
   return std::nullopt;
 }
@@ -143,12 +142,12 @@ std::optional<Closest<S>> cast_turning(Approach<S>& approach, const Apart<S>& ap
 }  // namespace
 
 template <class S>
-std::optional<Closest<S>> foresee_impact(Approach<S>& approach, S radii, const Apart<S>& apart,
+std::optional<Closest<S>> foresee_impact(Approach<S>& approach, S radii, const Separation<S>& gap,
                                          ImpactResult<S>& result, ImpactRun<S>* run) {
   if (radii > S(0)) return std::nullopt;
   const bool turns = approach.a().turns() || approach.b().turns();
-  return turns ? cast_turning(approach, apart, result, run)
-               : cast_straight(approach, apart, result, run);
+  return turns ? cast_turning(approach, gap, result, run)
+               : cast_straight(approach, gap, result, run);
 }
 
 template decltype(foresee_impact<float>) foresee_impact<float>;

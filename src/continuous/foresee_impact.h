@@ -16,7 +16,8 @@ namespace contactscope {
 /// safe_fraction() bounds the safe part, for two more support points. Round shapes do not advance:
 /// their difference has no faces, so a portal would shrink to a point, and GJK is cheaper.
 template <class S>
-std::optional<Closest<S>> foresee_impact(Approach<S>& approach, S radii, const Apart<S>& apart,
-                                         ImpactResult<S>& result, ImpactRun<S>* run);
+std::optional<Closest<S>> foresee_impact(Approach<S>& approach, S radii,
+                                         const Separation<S>& separation, ImpactResult<S>& result,
+                                         ImpactRun<S>* run);
 
 }  // namespace contactscope

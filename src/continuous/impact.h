@@ -46,8 +46,7 @@ struct ImpactResult {
   S distance = 0;
   /// Unit, from A to B, world, at `time` of a Hit; the last one seen when out of iterations.
   Vec3<S> normal = Vec3<S>::UnitX();
-  Vec3<S> on_a =
-      Vec3<S>::Zero();  // closest surface points of a Hit at `time`, world
+  Vec3<S> on_a = Vec3<S>::Zero();  // closest surface points of a Hit at `time`, world
   Vec3<S> on_b = Vec3<S>::Zero();
   int steps = 0;   // distances measured, including the one that ends a cast
   int bounds = 0;  // projections on an axis, including support points of casts

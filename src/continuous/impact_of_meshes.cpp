@@ -25,7 +25,7 @@ template <class S>
 double first_overlap(const SweptBox<S>& a, const SweptBox<S>& b, double gap) {
   constexpr double kUp = 0x1p-50;  // more than the rounding below
   double begin = 0, end = 1;
-  const auto is_apart = [&](S low_at_start, S high_at_start, S low_at_end, S high_at_end) {
+  const auto is_separated = [&](S low_at_start, S high_at_start, S low_at_end, S high_at_end) {
     double at_start = static_cast<double>(low_at_start) - static_cast<double>(high_at_start);
     double at_end = static_cast<double>(low_at_end) - static_cast<double>(high_at_end);
     if (gap > 0) {
@@ -40,8 +40,8 @@ double first_overlap(const SweptBox<S>& a, const SweptBox<S>& b, double gap) {
     return begin > end;
   };
   for (int i = 0; i < 3; ++i) {
-    if (is_apart(b.start.lower[i], a.start.upper[i], b.end.lower[i], a.end.upper[i]) ||
-        is_apart(a.start.lower[i], b.start.upper[i], a.end.lower[i], b.end.upper[i]))
+    if (is_separated(b.start.lower[i], a.start.upper[i], b.end.lower[i], a.end.upper[i]) ||
+        is_separated(a.start.lower[i], b.start.upper[i], a.end.lower[i], b.end.upper[i]))
       return kNoOverlap;
   }
   return begin;

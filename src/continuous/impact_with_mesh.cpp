@@ -19,15 +19,15 @@ Aabb<double> swept_box(const MovingShape<double>& shape, const Sweep<double>& of
   const Turning<double> turning(shape);
   const bool turns = !of_mesh.turn.isZero(0) || !shape.motion.turn.isZero(0);
   const Vec3d between = between_pivots(of_mesh, shape.motion);
-  const Vec3d way = shape.motion.displacement - of_mesh.displacement;
+  const Vec3d offset = shape.motion.displacement - of_mesh.displacement;
   const double angle = of_mesh.turn.norm();
-  const double reach = std::max(between.norm(), Vec3d(between + way).norm()) + turning.reach();
-  const double acceleration =
-      turning.acceleration() + 2 * angle * (way.norm() + turning.speed()) + angle * angle * reach;
+  const double reach = std::max(between.norm(), Vec3d(between + offset).norm()) + turning.reach();
+  const double acceleration = turning.acceleration() +
+                              2 * angle * (offset.norm() + turning.speed()) + angle * angle * reach;
   // Enough samples that the box grows by no more than about a tenth of the shape.
-  constexpr int kMostLooks = 32;
+  constexpr int kMaxLooks = 32;
   const double wanted = std::sqrt(acceleration / std::max(0.8 * turning.reach(), 1e-30));
-  const int looks = turns ? static_cast<int>(std::clamp<double>(wanted, 1, kMostLooks)) : 1;
+  const int looks = turns ? static_cast<int>(std::clamp<double>(wanted, 1, kMaxLooks)) : 1;
   Aabb<double> box;
   for (int i = 0; i <= looks; ++i) {
     const double time = static_cast<double>(i) / static_cast<double>(looks);
@@ -36,7 +36,7 @@ Aabb<double> swept_box(const MovingShape<double>& shape, const Sweep<double>& of
     turning_mesh.turn = of_mesh.turn;
     const Quatd to_mesh = turning_mesh.at(time).rotation.conjugate();
     const Quatd rotation = to_mesh * turning.rotation(time);
-    const Vec3d pivot = to_mesh * Vec3d(between + time * way) + of_mesh.pivot;
+    const Vec3d pivot = to_mesh * Vec3d(between + time * offset) + of_mesh.pivot;
     for (int p = 0; p < shape.core.count; ++p)
       box.include(pivot + rotation * Vec3d(shape.core.points[p] - turning.pivot()));
   }
@@ -54,8 +54,8 @@ ImpactResult<double> ball_against(const std::array<Vec3d, 3>& corners, const Swe
                       ball.motion.start.rotate(ball.core.points[0]);
   std::array<Vec3d, 3> placed;
   for (std::size_t i = 0; i < 3; ++i) placed[i] = of_mesh.start.rotate(corners[i]);
-  const Vec3d way = ball.motion.displacement - of_mesh.displacement;
-  const SweptSphereHit hit = sweep_sphere_triangle(start, way, ball.radius, placed);
+  const Vec3d offset = ball.motion.displacement - of_mesh.displacement;
+  const SweptSphereHit hit = sweep_sphere_triangle(start, offset, ball.radius, placed);
   ImpactResult<double> result;
   result.steps = 1;
   result.time = hit.time;

@@ -51,9 +51,9 @@ template <class S>
 Aabb<float> swept_world_box(const Shape<S>& shape, const Sweep<S>& sweep, double margin) {
   // Between two samples a turning point is off its chord by the height of the arc, the square of
   // the angle over eight radii. Three samples per radian keep that below 1/50 of the reach.
-  constexpr double kLooksARadian = 3, kMostLooks = 64;
+  constexpr double kLooksARadian = 3, kMaxLooks = 64;
   const double angle = static_cast<double>(sweep.turn.norm());
-  const double looks = std::clamp(std::ceil(kLooksARadian * angle), 1.0, kMostLooks);
+  const double looks = std::clamp(std::ceil(kLooksARadian * angle), 1.0, kMaxLooks);
   double off = 0;
   if (angle > 0)
     off = std::min(angle * angle / (looks * looks) / 8, 2.0) *

@@ -40,17 +40,17 @@ class FeatureSearch {
       : polygon_(polygon), size_(polygon.size()), until_(until) {
     rounding_ = kProductRounding * size_;
     gap_ = gap;
-    apart_ = gap * (1 + 0x1p-50) + rounding_;
-    near_ = apart_ + 3 * rounding_;
-    for (int i = 0; i < kCorners; ++i) at(way_, i) = at(polygon.end, i) - at(polygon.start, i);
+    separation_ = gap * (1 + 0x1p-50) + rounding_;
+    near_ = separation_ + 3 * rounding_;
+    for (int i = 0; i < kCorners; ++i) at(offset_, i) = at(polygon.end, i) - at(polygon.start, i);
   }
 
   FeatureImpact first() {
     // A polygon of size 0 is the origin itself.
-    constexpr double kLeast = 1e-45, kMost = 1e45;
+    constexpr double kMin = 1e-45, kMax = 1e45;
     impact_.begin = 0;
     if (size_ == 0) return ended(FeatureStatus::Overlapping);
-    if (!(size_ > kLeast && size_ < kMost)) return ended(FeatureStatus::Near);
+    if (!(size_ > kMin && size_ < kMax)) return ended(FeatureStatus::Near);
     for (impact_.steps = 1; impact_.steps <= kMaxFeatureSteps; ++impact_.steps) {
       ring_ = polygon_.at_time(impact_.begin);
       const NearestOfPolygon nearest = nearest_of_polygon(ring_);
@@ -98,12 +98,13 @@ class FeatureSearch {
   }
 
   TurningAxis on_edge(const Vec3d& direction, int from, int to) const {
-    return axis_of_edge(direction, at(ring_, to) - at(ring_, from), at(way_, to) - at(way_, from));
+    return axis_of_edge(direction, at(ring_, to) - at(ring_, from),
+                        at(offset_, to) - at(offset_, from));
   }
   TurningAxis in_plane(const Vec3d& direction) const {
     constexpr int kLast = kCorners - 1;
-    return axis_of_plane(direction, ring_[1] - ring_[0], ring_[kLast] - ring_[0], way_[1] - way_[0],
-                         way_[kLast] - way_[0]);
+    return axis_of_plane(direction, ring_[1] - ring_[0], ring_[kLast] - ring_[0],
+                         offset_[1] - offset_[0], offset_[kLast] - offset_[0]);
   }
 
   /// Raises `safe_` to the time for which all corners are farther along the axis than the gap.
@@ -120,11 +121,11 @@ class FeatureSearch {
     if (!(until > safe_)) return;
     for (int i = 0; i < kCorners; ++i) {
       const Vec3d& corner = at(ring_, i);
-      const Vec3d& way = at(way_, i);
-      const double now = axis.dot(corner) - apart_;
+      const Vec3d& offset = at(offset_, i);
+      const double now = axis.dot(corner) - separation_;
       if (!(now > 0)) return;
-      until =
-          first_fall(now, axis.dot(way) + turn.dot(corner), turn.dot(way) - gap_ * longer, until);
+      until = first_fall(now, axis.dot(offset) + turn.dot(corner), turn.dot(offset) - gap_ * longer,
+                         until);
       if (until <= safe_) return;
     }
     safe_ = until;
@@ -161,8 +162,8 @@ class FeatureSearch {
 
   const MovingPolygon<kCorners>& polygon_;
   double size_, until_, rounding_, gap_;
-  double apart_, near_;          // metres along a unit axis: surely separated; a hit
-  Ring way_, ring_;              // of the corners: motion in the step; current place
+  double separation_, near_;     // metres along a unit axis: surely separated; a hit
+  Ring offset_, ring_;           // of the corners: motion in the step; current place
   double safe_ = 0;              // separated for this much of the step from now on
   Vec3d axis_ = Vec3d::UnitX();  // the last separating axis, from the second to the first
   FeatureImpact impact_;
@@ -170,7 +171,7 @@ class FeatureSearch {
 
 template <int kCorners>
 FeatureImpact first_impact(const MovingPolygon<kCorners>& polygon, double gap, double until) {
-  if (polygon.is_apart_along_coordinates(gap)) return {};
+  if (polygon.is_separated_along_coordinates(gap)) return {};
   return FeatureSearch<kCorners>(polygon, gap, until).first();
 }
 

@@ -21,9 +21,9 @@ template <class S>
 using MovingFace = std::array<MovingCorner<S>, 3>;
 
 enum class FeatureStatus {
-  Separated,  // at all times of the step farther than the gap: proved
-  Hit,        // they meet between `begin` and `end`: proved, including rounding
-  Near,       // at `begin` closer than rounding or the search can resolve: possibly a hit
+  Separated,    // at all times of the step farther than the gap: proved
+  Hit,          // they meet between `begin` and `end`: proved, including rounding
+  Near,         // at `begin` closer than rounding or the search can resolve: possibly a hit
   Overlapping,  // at time 0, or closer than rounding then
 };
 
@@ -36,8 +36,8 @@ constexpr const char* to_string(FeatureStatus status) {
 /// First impact of two features. Callers that must not miss a contact treat Near as a Hit.
 struct FeatureImpact {
   FeatureStatus status = FeatureStatus::Separated;
-  double begin = 1;  // fraction of the step; separated before it, whatever the status
-  double end = 1;    // of a Hit: they have met by this time
+  double begin = 1;     // fraction of the step; separated before it, whatever the status
+  double end = 1;       // of a Hit: they have met by this time
   double distance = 0;  // metres, at `begin`; valid unless Separated
   Vec3d normal =
       Vec3d::UnitX();  // unit, from the first feature to the second, at `begin`; likewise

@@ -39,7 +39,7 @@ struct MovingPolygon {
   }
   /// Whether a coordinate axis separates the features by more than `gap` from 0 to 1. Differences
   /// are rounded, but their signs are exact.
-  bool is_apart_along_coordinates(double gap) const {
+  bool is_separated_along_coordinates(double gap) const {
     Vec3d least = start[0], most = start[0];
     for (int i = 0; i < kCorners; ++i) {
       least = least.cwiseMin(at(start, i)).cwiseMin(at(end, i));

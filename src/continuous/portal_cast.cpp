@@ -15,11 +15,11 @@ namespace {
 
 /// Limits of one search. Pairs of hulls of 32 vertices take six support points on average; beyond
 /// these limits the search is Undecided.
-constexpr int kMostDiscoveries = 16, kMostRefinements = 64;
+constexpr int kMaxDiscoveries = 16, kMaxRefinements = 64;
 
 /// Smaller squares of lengths in units have lost digits to underflow.
 template <class S>
-constexpr S kLeastSquare = std::numeric_limits<S>::min() / std::numeric_limits<S>::epsilon();
+constexpr S kMinSquare = std::numeric_limits<S>::min() / std::numeric_limits<S>::epsilon();
 
 /// A point of the core. A hull's are read from its lanes, which the support search has cached.
 template <class S>
@@ -39,11 +39,11 @@ PortalCast<S>::PortalCast(const Turning<S>& a, const Turning<S>& b, S scale) : a
 }
 
 template <class S>
-void PortalCast<S>::place(S time, const Vec3<S>& between, const Vec3<S>& way) {
+void PortalCast<S>::place(S time, const Vec3<S>& between, const Vec3<S>& offset) {
   rotation_a_ = per_unit_ * a_.rotation(time).toRotationMatrix();
   rotation_b_ = per_unit_ * b_.rotation(time).toRotationMatrix();
   between_ = per_unit_ * between;
-  way_ = per_unit_ * way;
+  offset_ = per_unit_ * offset;
 }
 
 template <class S>
@@ -65,7 +65,7 @@ bool PortalCast<S>::measure(const Vec3<S>& outward, Corner& support) {
   const Vec3<S> along_b = rotation_b_.transpose() * outward;
   support = corner(support_index(a_.core(), against_a), support_index(b_.core(), along_b));
   const S separation = -plane_.normal.dot(support.point);
-  const S gap = separation - limits_.target, speed = plane_.normal.dot(way_);
+  const S gap = separation - limits_.target, speed = plane_.normal.dot(offset_);
   plane_.separation = unit_ * separation;
   plane_.time = speed > S(0) ? gap / speed : limits_.until;
   if (!(gap > S(0) && plane_.time > safe_time_)) return false;
@@ -77,33 +77,33 @@ bool PortalCast<S>::measure(const Vec3<S>& outward, Corner& support) {
 
 template <class S>
 CastStatus PortalCast<S>::discover() {
-  const S way_squared = way_.squaredNorm();
+  const S offset_squared = offset_.squaredNorm();
   const Vec3<S> arm_a = rotation_a_ * (middle_of(a_.core()) - a_.pivot());
   const Vec3<S> arm_b = rotation_b_ * (middle_of(b_.core()) - b_.pivot());
   Vec3<S> first = -(between_ + (arm_b - arm_a));
   const S far = first.norm();
-  if (!(way_squared > kLeastSquare<S> && far * far > kLeastSquare<S>)) return CastStatus::Undecided;
+  if (!(offset_squared > kMinSquare<S> && far * far > kMinSquare<S>)) return CastStatus::Undecided;
   first /= far;
   if (measure(first, corners_[0])) return CastStatus::Separated;
 
   // Offset of the point from the path. For ball-like shapes, half of this tilt moves the point to
   // the path. The limit keeps the direction from vanishing.
-  constexpr S kMostTilt = S(0.9), kTilt = S(5);
+  constexpr S kMaxTilt = S(0.9), kTilt = S(5);
   const Vec3<S>& point = corners_[0].point;
-  Vec3<S> beside = point - (point.dot(way_) / way_squared) * way_;
-  S off = beside.norm();
-  if (!(off * off > kLeastSquare<S>)) beside = any_perpendicular(way_), off = S(1);
-  beside /= off;
-  const S tilt = std::min(kMostTilt, kTilt * off / far);
-  if (measure(first - tilt * beside, corners_[1])) return CastStatus::Separated;
+  Vec3<S> next_to = point - (point.dot(offset_) / offset_squared) * offset_;
+  S off = next_to.norm();
+  if (!(off * off > kMinSquare<S>)) next_to = any_perpendicular(offset_), off = S(1);
+  next_to /= off;
+  const S tilt = std::min(kMaxTilt, kTilt * off / far);
+  if (measure(first - tilt * next_to, corners_[1])) return CastStatus::Separated;
   const bool same = corners_[0].index_a == corners_[1].index_a &&  //
                     corners_[0].index_b == corners_[1].index_b;
-  if (same && measure(-beside, corners_[1])) return CastStatus::Separated;
+  if (same && measure(-next_to, corners_[1])) return CastStatus::Separated;
 
-  for (int i = 0; i < kMostDiscoveries; ++i) {
-    Vec3<S> across = way_.cross(corners_[1].point - corners_[0].point);
+  for (int i = 0; i < kMaxDiscoveries; ++i) {
+    Vec3<S> across = offset_.cross(corners_[1].point - corners_[0].point);
     const S squared = across.squaredNorm();
-    if (!(squared > kLeastSquare<S>)) return CastStatus::Undecided;
+    if (!(squared > kMinSquare<S>)) return CastStatus::Undecided;
     across /= std::sqrt(squared);
     if (across.dot(corners_[0].point) > S(0)) {
       across = -across;
@@ -112,7 +112,7 @@ CastStatus PortalCast<S>::discover() {
     // Search near the impact first. Searching across the path finds any point beyond it.
     constexpr int kTilted = 3;
     const bool tilted = i < kTilted;
-    if (tilted && measure(across + kMostTilt * first, corners_[2])) return CastStatus::Separated;
+    if (tilted && measure(across + kMaxTilt * first, corners_[2])) return CastStatus::Separated;
     if (!tilted || across.dot(corners_[2].point) <= S(0)) {
       if (measure(across, corners_[2])) return CastStatus::Separated;
       if (across.dot(corners_[2].point) <= S(0)) return CastStatus::Undecided;
@@ -130,18 +130,18 @@ CastStatus PortalCast<S>::discover() {
 
 template <class S>
 CastStatus PortalCast<S>::refine() {
-  for (int i = 0; i < kMostRefinements; ++i) {
+  for (int i = 0; i < kMaxRefinements; ++i) {
     const Vec3<S> side_01 = corners_[1].point - corners_[0].point;
     const Vec3<S> side_02 = corners_[2].point - corners_[0].point;
     const Vec3<S> normal = side_01.cross(side_02);
-    if (!(normal.squaredNorm() > kLeastSquare<S> && normal.dot(way_) > S(0)))
+    if (!(normal.squaredNorm() > kMinSquare<S> && normal.dot(offset_) > S(0)))
       return CastStatus::Undecided;
     Corner support;
     if (measure(normal, support)) return CastStatus::Separated;
     if (plane_.normal.dot(support.point - corners_[0].point) <= limits_.slack)
       return CastStatus::Hit;
     // Replace corner 2, 0 or 1. If rounding makes none right, any will do.
-    const Vec3<S> about = way_.cross(support.point);
+    const Vec3<S> about = offset_.cross(support.point);
     const bool left_0 = about.dot(corners_[0].point) >= S(0);
     const bool left_1 = about.dot(corners_[1].point) >= S(0);
     const bool left_2 = about.dot(corners_[2].point) >= S(0);
@@ -192,7 +192,7 @@ GjkSimplex<S> PortalCast<S>::portal() const {
 
 template <class S>
 Closest<S> PortalCast<S>::closest(S time) const {
-  const Vec3<S> gone = time * way_;
+  const Vec3<S> gone = time * offset_;
   std::array<Vec3<S>, 4> points;
   for (int i = 0; i < 3; ++i) at(points, i) = at(corners_, i).point + gone;
   NearestOnSimplex<S> nearest;

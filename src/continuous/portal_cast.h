@@ -53,7 +53,7 @@ class PortalCast {
 
   /// Places the shapes in their orientations at a time of the step. `between`: B's pivot from A's
   /// at time 0 of the cast, metres. `way`: its displacement until time 1, metres.
-  void place(S time, const Vec3<S>& between, const Vec3<S>& way);
+  void place(S time, const Vec3<S>& between, const Vec3<S>& offset);
 
   /// `planes`: receives the planes that increased the safe time; null: not recorded.
   CastStatus cast(const CastLimits<S>& limits, std::vector<SupportPlane<S>>* planes = nullptr);
@@ -90,7 +90,7 @@ class PortalCast {
   CastStatus refine();
   /// Its sign is the side of the path on which one point lies as seen from another.
   S side(const Corner& from, const Corner& to) const {
-    return way_.dot(from.point.cross(to.point));
+    return offset_.dot(from.point.cross(to.point));
   }
   GjkVertex<S> vertex(int i) const;
 
@@ -98,7 +98,7 @@ class PortalCast {
   const Turning<S>& b_;
   S unit_ = 1, per_unit_ = 1;        // a power of two that keeps products within the range of S
   Mat3<S> rotation_a_, rotation_b_;  // from the shapes' frames, to units
-  Vec3<S> between_, way_;            // in units
+  Vec3<S> between_, offset_;         // in units
   CastLimits<S> limits_;             // in units
   std::array<Corner, 3> corners_;    // of the portal, counter-clockwise seen from outside
   SupportPlane<S> plane_;

@@ -9,13 +9,13 @@ namespace contactscope {
 
 /// Two cores that are separated at some time, and the limits of the search after it.
 template <class S>
-struct Apart {
+struct Separation {
   Vec3<S> axis = Vec3<S>::UnitX();  // unit, from A to B, world
   S separation = 0;                 // of the cores along the axis, metres
-  S speed = 0;   // closing speed of the nearest points along the axis, per step
-  S target = 0;  // smallest separation that is safe
-  S near = 0;    // > target: separation of a hit
-  S until = 1;   // end of the search
+  S speed = 0;                      // closing speed of the nearest points along the axis, per step
+  S target = 0;                     // smallest separation that is safe
+  S near = 0;                       // > target: separation of a hit
+  S until = 1;                      // end of the search
 };
 
 /// Measures the distance of two moving shapes, lets advance(approach, apart, result, step) move
@@ -37,46 +37,47 @@ ImpactResult<S> search_impact(Approach&& approach, S radius_a, S radius_b, const
       run->result = result;
     return result;
   };
-  Apart<S> apart;
-  apart.until = allowed.until;
+  Separation<S> disjoint;
+  disjoint.until = allowed.until;
   const TimeSpan<S> balls = approach.balls_near(radii, tolerance);
   const S begin = balls.begin;
   result.time = begin;
-  apart.until = std::min(allowed.until, balls.end);
+  disjoint.until = std::min(allowed.until, balls.end);
   const auto separated = [&] {
     result.time = allowed.until;
     return ended(ImpactStatus::Separated);
   };
   // Shapes nearer than the tolerance at the start get their distance as the tolerance.
   const auto come_within = [&](S within) {
-    apart.target = radii + S(0.5) * within + rounding;
-    apart.near = radii + S(0.75) * within;
+    disjoint.target = radii + S(0.5) * within + rounding;
+    disjoint.near = radii + S(0.75) * within;
   };
   std::optional<Closest<S>> foreseen;
   if (begin > S(0)) {
-    if (begin >= apart.until) return separated();
+    if (begin >= disjoint.until) return separated();
     come_within(tolerance);
-    foreseen = advance.foresee(approach, radii, apart, result, run);
-    if (result.time >= apart.until) return separated();
+    foreseen = advance.foresee(approach, radii, disjoint, result, run);
+    if (result.time >= disjoint.until) return separated();
   }
   for (result.steps = 1; result.steps <= kMaxImpactSteps; ++result.steps) {
     const Closest<S> closest = foreseen ? *foreseen : approach.measure(result.time);
     foreseen.reset();
-    apart.separation = closest.distance;
-    apart.axis = closest.axis;
-    apart.speed = approach.closing_speed(closest);
+    disjoint.separation = closest.distance;
+    disjoint.axis = closest.axis;
+    disjoint.speed = approach.closing_speed(closest);
     result.distance = closest.distance - radii;
     if (result.steps == 1 && begin == S(0)) {
       if (result.distance <= S(8) * rounding) {
         // Rounding of the motion exceeds the distance: the outcome is unknown.
         const S at_rest = approach.scale() + radii - approach.largest_motion();
-        const bool apart_at_rest = result.distance > S(8) * tie_tolerance(std::max(at_rest, S(0)));
+        const bool separated_at_rest =
+            result.distance > S(8) * tie_tolerance(std::max(at_rest, S(0)));
         result.normal = closest.axis;
-        return ended(apart_at_rest ? ImpactStatus::OutOfIterations : ImpactStatus::Overlapping);
+        return ended(separated_at_rest ? ImpactStatus::OutOfIterations : ImpactStatus::Overlapping);
       }
       come_within(std::min(tolerance, result.distance));
     }
-    if (closest.distance <= apart.near) {
+    if (closest.distance <= disjoint.near) {
       const Vec3<S> origin = of_a.start.transform(of_a.pivot) + result.time * of_a.displacement;
       result.normal = closest.axis;
       result.on_a = origin + closest.on_a + radius_a * closest.axis;
@@ -84,21 +85,21 @@ ImpactResult<S> search_impact(Approach&& approach, S radius_a, S radius_b, const
       return ended(ImpactStatus::Hit);
     }
     if (result.steps == 1 && begin == S(0)) {
-      foreseen = advance.foresee(approach, radii, apart, result, run);
-      if (result.time >= apart.until) return separated();
+      foreseen = advance.foresee(approach, radii, disjoint, result, run);
+      if (result.time >= disjoint.until) return separated();
       if (result.time > begin) continue;
     }
-    ImpactStep<S> step{result.time, result.distance, apart.axis, apart.until, 0, 0};
-    advance(approach, apart, result, step);
+    ImpactStep<S> step{result.time, result.distance, disjoint.axis, disjoint.until, 0, 0};
+    advance(approach, disjoint, result, step);
     if (run != nullptr) [[unlikely]] {
       step.bracket_separation -= radii;
       step.safe = result.time;
       run->steps.push_back(step);
     }
-    if (result.time >= apart.until) return separated();
+    if (result.time >= disjoint.until) return separated();
   }
   result.steps = kMaxImpactSteps;
-  result.normal = apart.axis;
+  result.normal = disjoint.axis;
   return ended(ImpactStatus::OutOfIterations);
 }
 

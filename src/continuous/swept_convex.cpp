@@ -30,10 +30,10 @@ bool is_pierced(const std::array<Vec3d, 3>& triangle, const Vec3d& segment) {
 /// start, the nearest point is on a face whose plane is near. All other faces are skipped.
 struct PrismFaces {
   bool is_solid = false;
-  bool is_apart = false;  // at all times
+  bool is_separated = false;  // at all times
   std::array<bool, 5> can_be_first = {true, true, true, true, true};
 
-  PrismFaces(const std::array<Vec3d, 3>& near, const Vec3d& segment, const Vec3d& way,
+  PrismFaces(const std::array<Vec3d, 3>& near, const Vec3d& segment, const Vec3d& offset,
              double radius) {
     // Rounding may hide the outer side of a flatter prism.
     constexpr double kFlat = 1e-12;
@@ -45,8 +45,8 @@ struct PrismFaces {
     const Vec3d upright = volume > 0 ? normal : Vec3d(-normal);
     const auto look_at = [&](int face, const Vec3d& outward, const Vec3d& point) {
       const double reach = radius * outward.norm();
-      const double height = -outward.dot(point), toward = -outward.dot(way);
-      is_apart = is_apart || (height > reach && height - reach > toward);
+      const double height = -outward.dot(point), toward = -outward.dot(offset);
+      is_separated = is_separated || (height > reach && height - reach > toward);
       at(can_be_first, face) = height >= -reach && (toward >= 0 || height <= reach);
     };
     look_at(0, upright, near[0]);
@@ -59,8 +59,8 @@ struct PrismFaces {
 /// Time span in which two intervals on an axis overlap, narrowed axis by axis.
 class OverlapTime {
  public:
-  OverlapTime(const std::array<Vec3d, 3>& corners, const Vec3d& centre, const Vec3d& way)
-      : corners_(corners), centre_(centre), way_(way) {}
+  OverlapTime(const std::array<Vec3d, 3>& corners, const Vec3d& centre, const Vec3d& offset)
+      : corners_(corners), centre_(centre), offset_(offset) {}
 
   /// `axis` has any length > 0; `reach` is the box's extent along it. False if they never overlap.
   bool narrow(const Vec3d& axis, double reach) {
@@ -69,7 +69,7 @@ class OverlapTime {
       low = std::min(low, axis.dot(corner));
       high = std::max(high, axis.dot(corner));
     }
-    const double centre = axis.dot(centre_), speed = axis.dot(way_);
+    const double centre = axis.dot(centre_), speed = axis.dot(offset_);
     const double below = (low - reach) - centre, above = centre - (high + reach);  // gaps
     if (below > 0 || above > 0) {
       const bool is_below = below > 0;
@@ -93,7 +93,7 @@ class OverlapTime {
 
  private:
   const std::array<Vec3d, 3>& corners_;
-  const Vec3d &centre_, &way_;
+  const Vec3d &centre_, &offset_;
   double first_ = 0, last_ = 1;
   Vec3d normal_ = Vec3d::UnitX();
 };
@@ -106,7 +106,7 @@ SweptHit sweep_capsule_triangle(const std::array<Vec3<S>, 2>& ends, const Vec3<S
   // Relative to the first end: a ball there, and the triangle swept against the segment.
   const Vec3d origin = ends[0].template cast<double>();
   const Vec3d segment = ends[1].template cast<double>() - origin;
-  const Vec3d way = displacement.template cast<double>();
+  const Vec3d offset = displacement.template cast<double>();
   const auto size = static_cast<double>(radius);
   std::array<Vec3d, 3> near, far;
   for (int i = 0; i < 3; ++i) {
@@ -114,8 +114,8 @@ SweptHit sweep_capsule_triangle(const std::array<Vec3<S>, 2>& ends, const Vec3<S
     at(far, i) = at(near, i) - segment;
   }
   SweptHit first;
-  const PrismFaces faces(near, segment, way, size);
-  if (faces.is_apart) return first;
+  const PrismFaces faces(near, segment, offset, size);
+  if (faces.is_separated) return first;
   if (is_pierced(near, segment)) {
     first.status = SweptStatus::Overlapping;
     first.time = 0;
@@ -124,7 +124,8 @@ SweptHit sweep_capsule_triangle(const std::array<Vec3<S>, 2>& ends, const Vec3<S
   bool is_settled = false;
   const auto meet = [&](const Vec3d& a, const Vec3d& b, const Vec3d& c) {
     if (is_settled) return;
-    const SweptSphereHit hit = sweep_sphere_triangle<double>(Vec3d::Zero(), way, size, {a, b, c});
+    const SweptSphereHit hit =
+        sweep_sphere_triangle<double>(Vec3d::Zero(), offset, size, {a, b, c});
     const bool is_first = hit.status == SweptStatus::Overlapping ||
                           (hit.status == SweptStatus::Hit &&
                            (first.status == SweptStatus::Separated || hit.time < first.time));
@@ -153,10 +154,10 @@ SweptHit sweep_box_triangle(const Obb<S>& box, const Vec3<S>& displacement,
   std::array<Vec3d, 3> corners;
   for (int i = 0; i < 3; ++i) at(corners, i) = at(triangle, i).template cast<double>() - origin;
   const Vec3d centre = box.center.template cast<double>() - origin;
-  const Vec3d way = displacement.template cast<double>();
+  const Vec3d offset = displacement.template cast<double>();
   const Mat3<double> axes = box.axes.template cast<double>();
   const Vec3d half = box.half_extents.template cast<double>();
-  OverlapTime overlap(corners, centre, way);
+  OverlapTime overlap(corners, centre, offset);
   const auto narrow = [&](const Vec3d& axis) {
     return overlap.narrow(axis, (axes.transpose() * axis).cwiseAbs().dot(half));
   };

@@ -19,9 +19,9 @@ double first_root(double a, double b, double c) {
 
 class RoundedPrism {
  public:
-  RoundedPrism(const Vec3d& start, const Vec3d& way, double radius,
+  RoundedPrism(const Vec3d& start, const Vec3d& shift, double radius,
                const std::array<Vec3d, 3>& corners)
-      : start_(start), way_(way), radius_(radius), corners_(corners) {}
+      : start_(start), offset_(shift), radius_(radius), corners_(corners) {}
 
   SweptSphereHit first_hit() {
     if (overlaps_at_start()) {
@@ -37,7 +37,7 @@ class RoundedPrism {
 
  private:
   const Vec3d& corner(int i) const { return corners_[static_cast<std::size_t>(i % 3)]; }
-  Vec3d centre(double time) const { return start_ + time * way_; }
+  Vec3d centre(double time) const { return start_ + time * offset_; }
 
   /// Whether a point is on the inner side of all edges, seen along the face's normal.
   bool inside(const Vec3d& point) const {
@@ -79,7 +79,7 @@ class RoundedPrism {
   /// False when the answer is known: the face is hit, or its plane is never reached.
   bool face() {
     if (is_flat_ || height_ <= radius_) return true;
-    const double down = -normal_.dot(way_);
+    const double down = -normal_.dot(offset_);
     if (!(down >= height_ - radius_)) return false;  // not as far as the plane
     const double time = (height_ - radius_) / down;
     const Vec3d foot = centre(time) - radius_ * normal_;
@@ -94,20 +94,20 @@ class RoundedPrism {
     const Vec3d along = corner(i + 1) - corner(i);
     const double squared = along.squaredNorm();
     const Vec3d from = start_ - corner(i);
-    const Vec3d offset = along.cross(from), way = along.cross(way_);
+    const Vec3d offset = along.cross(from), shift = along.cross(offset_);
     const double c = offset.squaredNorm() - radius_ * radius_ * squared;
     if (c <= 0) return;  // inside the infinite cylinder: enters through an end, hits a vertex first
-    const double time = first_root(way.squaredNorm(), way.dot(offset), c);
+    const double time = first_root(shift.squaredNorm(), shift.dot(offset), c);
     if (!(time < hit_.time)) return;
-    const double at = (from + time * way_).dot(along);
+    const double at = (from + time * offset_).dot(along);
     if (at < 0 || at > squared) return;
     take(time, TriangleFeature::Edge, i, corner(i) + at / squared * along);
   }
 
   void vertex(int i) {
     const Vec3d offset = start_ - corner(i);
-    const double time =
-        first_root(way_.squaredNorm(), way_.dot(offset), offset.squaredNorm() - radius_ * radius_);
+    const double time = first_root(offset_.squaredNorm(), offset_.dot(offset),
+                                   offset.squaredNorm() - radius_ * radius_);
     if (time < hit_.time) take(time, TriangleFeature::Vertex, i, corner(i));
   }
 
@@ -122,7 +122,7 @@ class RoundedPrism {
     hit_.normal = (centre(time) - point).normalized();
   }
 
-  Vec3d start_, way_;
+  Vec3d start_, offset_;
   double radius_;
   std::array<Vec3d, 3> corners_;
   Vec3d normal_ = Vec3d::Zero();  // towards the sphere

@@ -14,37 +14,37 @@ namespace {
 /// the target at their present speed. It is narrow enough for a bound close to the root.
 struct RootBrackets {
   template <class S>
-  std::optional<Closest<S>> foresee(Approach<S>& approach, S radii, const Apart<S>& apart,
+  std::optional<Closest<S>> foresee(Approach<S>& approach, S radii, const Separation<S>& distance,
                                     ImpactResult<S>& result, ImpactRun<S>* run) const {
-    return foresee_impact(approach, radii, apart, result, run);
+    return foresee_impact(approach, radii, distance, result, run);
   }
   template <class S>
   std::optional<Closest<S>> foresee(const ApproachToPlane<S>& /*approach*/, S /*radii*/,
-                                    const Apart<S>& /*apart*/, ImpactResult<S>& /*result*/,
+                                    const Separation<S>& /*apart*/, ImpactResult<S>& /*result*/,
                                     ImpactRun<S>* /*run*/) const {
     return std::nullopt;
   }
   template <class Approach, class S>
-  void operator()(const Approach& approach, const Apart<S>& apart, ImpactResult<S>& result,
+  void operator()(const Approach& approach, const Separation<S>& distance, ImpactResult<S>& result,
                   ImpactStep<S>& step) const {
-    const S acceleration = approach.acceleration(apart.axis);
-    const S gap = apart.separation - apart.target, left = apart.until - result.time;
-    const S fastest = approach.closing_speed(apart.axis);
-    step.bracket_end = apart.until;
-    step.bracket_separation = apart.separation - fastest * left;
+    const S acceleration = approach.acceleration(distance.axis);
+    const S gap = distance.separation - distance.target, left = distance.until - result.time;
+    const S fastest = approach.closing_speed(distance.axis);
+    step.bracket_end = distance.until;
+    step.bracket_separation = distance.separation - fastest * left;
     if (gap >= fastest * left) {
-      result.time = apart.until;
+      result.time = distance.until;
       return;
     }
     const S sure = gap / fastest;
     S width = sure;
     if (acceleration > S(0)) {
-      width = apart.speed * left > gap ? std::max(gap / apart.speed, sure) : left;
-      const S at_end = approach.separation(apart.axis, result.time + width);
+      width = distance.speed * left > gap ? std::max(gap / distance.speed, sure) : left;
+      const S at_end = approach.separation(distance.axis, result.time + width);
       ++result.bounds;
       step.bracket_end = result.time + width;
       step.bracket_separation = at_end;
-      width *= safe_fraction(apart.separation, at_end, acceleration, width, apart.target);
+      width *= safe_fraction(distance.separation, at_end, acceleration, width, distance.target);
     }
     result.time += std::max(width, sure);
   }

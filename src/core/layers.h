@@ -37,7 +37,7 @@
   ROW(Support, "support")                      \
   ROW(Coherent, "coherent")                    \
   ROW(Normals, "normals")                      \
-  ROW(WaysOut, "ways_out")                     \
+  ROW(Exits, "ways_out")                     \
   ROW(Contacts, "contacts")                    \
   ROW(Reduced, "reduced")                      \
   ROW(SurfacePoints, "surface_points")         \

@@ -349,10 +349,10 @@ void follow(const BodyPair<S>& bodies, ContactConstraint<S>& contact) {
   for (ConstraintPoint<S>& point : contact.points) {
     point.arm_a = point.core_a + point.reach_a * contact.normal;
     point.arm_b = point.core_b + point.reach_b * contact.normal;
-    const Vec3<S> apart =
+    const Vec3<S> gap =
         moved + (point.reach_b - point.reach_a) * (contact.normal - contact.normal_began);
-    point.arm_a += contact.share_a * apart;
-    point.arm_b -= (S(1) - contact.share_a) * apart;
+    point.arm_a += contact.share_a * gap;
+    point.arm_b -= (S(1) - contact.share_a) * gap;
   }
 }
 

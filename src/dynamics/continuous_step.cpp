@@ -19,7 +19,7 @@ namespace contactscope {
 namespace {
 
 /// Box2D allows the same number of sub-steps per contact and step.
-constexpr int kMostStopsOfAPair = 8;
+constexpr int kMaxStopsOfAPair = 8;
 
 /// Motion of a body through the rest of the step.
 template <class S>
@@ -146,7 +146,7 @@ class Stopper {
     const int a = std::min(one, other), b = std::max(one, other);
     if (!moves(a) && !moves(b)) return;
     if (const auto before = stops_of_.find({a, b});
-        before != stops_of_.end() && before->second >= kMostStopsOfAPair)
+        before != stops_of_.end() && before->second >= kMaxStopsOfAPair)
       return;
     const auto pair = near_pair(a, b);
     if (!pair || pair->method == ImpactMethod::Speculative) return;
@@ -173,11 +173,11 @@ class Stopper {
   ImpactStop<S> stop(const Meeting<S>& meeting, std::vector<int>& turned) {
     const int a = meeting.a, b = meeting.b;
     const S time = meeting.time;
-    const bool for_good = ++stops_of_[{a, b}] >= kMostStopsOfAPair;
+    const bool for_good = ++stops_of_[{a, b}] >= kMaxStopsOfAPair;
     cut(a, time);
     cut(b, time);
-    move_apart(meeting);
-    turned = push_apart(a, b, time);
+    separate_at_rest(meeting);
+    turned = push_separate(a, b, time);
     for (const int i : turned) {
       const Body<S>& body = at(bodies_, i);
       if (!body.dynamic()) continue;
@@ -206,17 +206,17 @@ class Stopper {
     constexpr double kNearest = 0.25, kMovedTo = 0.5;
     return distance < kNearest * gap ? kMovedTo * gap - distance : 0;
   }
-  void move_apart(const Meeting<S>& meeting) {
+  void separate_at_rest(const Meeting<S>& meeting) {
     const S masses = at(bodies_, meeting.a).inverse_mass + at(bodies_, meeting.b).inverse_mass;
-    const Vec3<S> way = meeting.lacking / masses * meeting.normal;
-    at(paths_, meeting.a).rest.start.position -= at(bodies_, meeting.a).inverse_mass * way;
-    at(paths_, meeting.b).rest.start.position += at(bodies_, meeting.b).inverse_mass * way;
+    const Vec3<S> offset = meeting.lacking / masses * meeting.normal;
+    at(paths_, meeting.a).rest.start.position -= at(bodies_, meeting.a).inverse_mass * offset;
+    at(paths_, meeting.b).rest.start.position += at(bodies_, meeting.b).inverse_mass * offset;
   }
 
   /// Solves the contacts of both bodies and of all near them at `time` for their velocities.
   /// Returns both and all whose velocity has changed, in order. (A body that is only near must
   /// yield too: with infinite mass it would drive them on at its velocity.)
-  std::vector<int> push_apart(int a, int b, S time) {
+  std::vector<int> push_separate(int a, int b, S time) {
     std::vector<int> who{a, b};
     for (int other = 0; other < count_of(bodies_); ++other)
       if (other != a && other != b && (near_pair(a, other) || near_pair(b, other)))
@@ -310,7 +310,7 @@ std::vector<ImpactCore> impact_cores(const std::vector<Body<S>>& bodies,
                                      const std::vector<Shape<S>>& shapes,
                                      const SolverSettings& settings) {
   // Bodies rest at about the slop, and are stopped at one and a half times that.
-  constexpr double kSlops = 3, kLeastShare = 0.005;
+  constexpr double kSlops = 3, kMinShare = 0.005;
   const double slop = settled(settings, bodies).slop.value_or(0);
   std::vector<ImpactCore> cores;
   for (int i = 0; i < count_of(bodies); ++i) {
@@ -321,7 +321,7 @@ std::vector<ImpactCore> impact_cores(const std::vector<Body<S>>& bodies,
     }
     const double thin =
         shortest_edge(static_cast<double>(body.mass), body.inertia.template cast<double>());
-    cores.push_back(core_of(widened(at(shapes, i)), std::max(kSlops * slop, kLeastShare * thin)));
+    cores.push_back(core_of(widened(at(shapes, i)), std::max(kSlops * slop, kMinShare * thin)));
   }
   return cores;
 }

@@ -36,14 +36,14 @@ struct Midpoint {
 
 template <class S>
 Midpoint<S> midpoint_velocity(const Body<S>& body, const Vec3<S>& w, S h) {
-  constexpr int kMostIterations = 10;  // three or four at a radian per step
+  constexpr int kMaxIterations = 10;  // three or four at a radian per step
   const Vec3<S> momentum = body.inertia * w;
   Midpoint<S> best{w};
   S least = std::numeric_limits<S>::infinity();
   // Newton continues until rounding stops it: the error left by a tolerance would have the same
   // sign in every step, and add up.
   Vec3<S> m = w;
-  for (int i = 0; i < kMostIterations; ++i) {
+  for (int i = 0; i < kMaxIterations; ++i) {
     const Vec3<S> at_m = body.inertia * m;
     const Vec3<S> residual = at_m - momentum - S(0.5) * h * at_m.cross(m);
     const S size = residual.norm();

@@ -14,12 +14,12 @@ namespace contactscope {
 inline constexpr int kManifoldSweeps = 8;
 // Largest turn of a body by one manifold in one sweep, radians. Separations are linear in the turn
 // only to first order; the error, its square, is left for the next sweep.
-inline constexpr double kMostTurn = 0.1;
+inline constexpr double kMaxTurn = 0.1;
 
 /// Relative displacement of a manifold's bodies.
 template <class S>
 struct Displacement {
-  S apart = 0;  // of the centres along the normal, metres
+  S gap = 0;  // of the centres along the normal, metres
   Vec3<S> turn_a = Vec3<S>::Zero(), turn_b = Vec3<S>::Zero();  // radians, world
 };
 
@@ -32,8 +32,8 @@ struct ProjectedPoint {
   S inverse_mass = 0;  // 1/kg
   S impulse = 0;       // kg m, in addition to the sweeps before
 
-  S separation_after(const Displacement<S>& way) const {
-    return separation + way.apart + lever_b.dot(way.turn_b) - lever_a.dot(way.turn_a);
+  S separation_after(const Displacement<S>& offset) const {
+    return separation + offset.gap + lever_b.dot(offset.turn_b) - lever_a.dot(offset.turn_a);
   }
 };
 
@@ -61,14 +61,14 @@ void project_manifold(const BodyPair<S>& bodies, ContactConstraint<S>& contact,
   for (const ConstraintPoint<S>& point : contact.points)
     points.push_back(projected(bodies, point, contact));
 
-  Displacement<S> way;
+  Displacement<S> offset;
   S sum = 0;
   bool pushed = false;
   for (int sweep = 0; sweep < kManifoldSweeps; ++sweep) {
     bool changed = false;
     for (std::size_t i = 0; i < points.size(); ++i) {
       ProjectedPoint<S>& point = points[i];
-      const S error = point.separation_after(way) - contact.points[i].position_target;
+      const S error = point.separation_after(offset) - contact.points[i].position_target;
       const S least = -contact.points[i].position_impulse;
       const S impulse = std::max(point.impulse - error / point.inverse_mass, least);
       const S change = impulse - point.impulse;
@@ -76,21 +76,21 @@ void project_manifold(const BodyPair<S>& bodies, ContactConstraint<S>& contact,
       changed = true;
       point.impulse = impulse;
       sum += change;
-      way.apart += change * bodies.inverse_mass();
-      way.turn_a -= change * point.turned_a;
-      way.turn_b += change * point.turned_b;
+      offset.gap += change * bodies.inverse_mass();
+      offset.turn_a -= change * point.turned_a;
+      offset.turn_b += change * point.turned_b;
     }
     if (!changed) break;
     pushed = true;
   }
   if (!pushed) return;
-  const S turn = std::max(way.turn_a.norm(), way.turn_b.norm());
-  const S share = turn > static_cast<S>(kMostTurn) ? static_cast<S>(kMostTurn) / turn : S(1);
+  const S turn = std::max(offset.turn_a.norm(), offset.turn_b.norm());
+  const S share = turn > static_cast<S>(kMaxTurn) ? static_cast<S>(kMaxTurn) / turn : S(1);
   for (std::size_t i = 0; i < points.size(); ++i)
     contact.points[i].position_impulse += share * points[i].impulse;
   const Vec3<S> impulse = share * sum * contact.normal;
-  bodies.a.displace(-bodies.a.body.inverse_mass * impulse, share * way.turn_a);
-  bodies.b.displace(bodies.b.body.inverse_mass * impulse, share * way.turn_b);
+  bodies.a.displace(-bodies.a.body.inverse_mass * impulse, share * offset.turn_a);
+  bodies.b.displace(bodies.b.body.inverse_mass * impulse, share * offset.turn_b);
   take_back(bodies, contact,
             impulse.cross(Vec3<S>(bodies.b.body.velocity - bodies.a.body.velocity)));
 }

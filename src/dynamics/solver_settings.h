@@ -8,8 +8,8 @@ namespace contactscope {
 
 /// Method that reduces existing overlaps.
 enum class PositionCorrection {
-  Baumgarte,  // a share of it as a velocity (Gregorius 2015, "Recap: Solving Contact (4)");
-              // bodies keep at most the push speed
+  Baumgarte,   // a share of it as a velocity (Gregorius 2015, "Recap: Solving Contact (4)");
+               // bodies keep at most the push speed
   Projection,  // a sweep over the positions after the velocities (the same slide)
   Soft,        // a damped spring in sub-steps, then relaxed (Catto 2024, "Solver2D", soft step)
 };

@@ -14,7 +14,7 @@ class BlockFiller {
   /// Fills the nodes of a block, and appends the triangles of its cells to its layer.
   void fill(int fine, FieldBuilder::Layer& layer);
   /// Marks surface cells that are not smooth: their samples query their triangles.
-  void ask_triangles(int fine);
+  void query_triangles(int fine);
 
  private:
   using Node = FieldBuilder::Node;
@@ -46,13 +46,12 @@ class BlockFiller {
   const TriangleSieve* sieve_;  // null for a core
   TriangleSieve::List of_block_, of_part_, of_group_, of_cell_;
   // For the current block:
-  std::vector<NodePair*> asking_;
+  std::vector<NodePair*> querying_;
   Vec3d corner_ = Vec3d::Zero();
   std::span<Node> nodes_;  // without signs until all are known
   std::array<NodeSign, kNodes> signs_{};
   std::array<bool, kNodes> known_{};
-  std::array<signed char, kNodes>
-      side_{};  // 1: in front of the nearest face, -1: behind it
+  std::array<signed char, kNodes> side_{};  // 1: in front of the nearest face, -1: behind it
   std::array<std::vector<int>, kCells> triangles_;
   Vec3d last_ = Vec3d::Zero();  // surface point nearest to the last node
   Vec3d part_middle_ = Vec3d::Zero();

@@ -58,9 +58,9 @@ PlacedField build_on_core(const Capsule<double>& core, const FieldSettings& sett
 }  // namespace
 
 PlacedField build_distance_field(const Shape<double>& shape, const FieldSettings& settings) {
-  if (settings.cells < kFewestFieldCells || settings.cells > kMostFieldCells)
+  if (settings.cells < kFewestFieldCells || settings.cells > kMaxFieldCells)
     throw ShapeError("a field has " + std::to_string(kFewestFieldCells) + " to " +
-                     std::to_string(kMostFieldCells) + " cells along its longest side");
+                     std::to_string(kMaxFieldCells) + " cells along its longest side");
   if (settings.band < 0) throw ShapeError("the band of a field is 1 cell or more; 0 is dense");
   if (const auto* sphere = std::get_if<Sphere<double>>(&shape))
     return build_on_core({{Vec3d::Zero(), Vec3d::Zero()}, sphere->radius}, settings);

@@ -117,9 +117,9 @@ FieldBounds DistanceField::bounds_by_nodes(const Place& place, const Vec3d& insi
                      std::numeric_limits<double>::infinity()};
   const double rounding = slack(place);
   for_nodes(place, [&](const Vec3d& node, double value) {
-    const double way = (node - inside).norm() + rounding;
-    bounds.lower = std::max(bounds.lower, value - way);
-    bounds.upper = std::min(bounds.upper, value + way);
+    const double displacement = (node - inside).norm() + rounding;
+    bounds.lower = std::max(bounds.lower, value - displacement);
+    bounds.upper = std::min(bounds.upper, value + displacement);
     return true;
   });
   return bounds;
@@ -137,11 +137,11 @@ FieldBounds DistanceField::bounds(const Vec3d& point) const {
     bounds = {distance - kExactSlack, distance + kExactSlack};
   }
   if (inside != point) [[unlikely]] {
-    const double way = (point - inside).norm() * (1 + 0x1p-50);
+    const double displacement = (point - inside).norm() * (1 + 0x1p-50);
     const double beyond =
         (surface_box_.lower - point).cwiseMax(point - surface_box_.upper).cwiseMax(0.0).norm();
-    bounds.lower = std::max(bounds.lower - way, beyond * (1 - 0x1p-50) - 0x1p-32);
-    bounds.upper += way;
+    bounds.lower = std::max(bounds.lower - displacement, beyond * (1 - 0x1p-50) - 0x1p-32);
+    bounds.upper += displacement;
   }
   return bounds;
 }

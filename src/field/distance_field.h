@@ -24,7 +24,7 @@ namespace contactscope {
 
 enum class FieldInterpolation : std::uint8_t {
   Trilinear,  // blends eight nodes' distances; error: cell squared over radius of curvature
-  Cubic,  // blends their gradients as well
+  Cubic,      // blends their gradients as well
 };
 
 /// "trilinear", "cubic", as written in scenarios.
@@ -33,12 +33,12 @@ constexpr const char* to_string(FieldInterpolation interpolation) {
 }
 
 inline constexpr int kFewestFieldCells = 2;
-inline constexpr int kMostFieldCells = 4096;
+inline constexpr int kMaxFieldCells = 4096;
 /// See FieldSettings::smooth.
 inline constexpr double kSmoothPart = 1.0 / 32;
 
 struct FieldSettings {
-  int cells = 64;  // along the longest side of the shape, kFewestFieldCells to kMostFieldCells
+  int cells = 64;  // along the longest side of the shape, kFewestFieldCells to kMaxFieldCells
   int band = 3;    // cells with fine nodes on each side of the surface; 0: all
   FieldInterpolation interpolation = FieldInterpolation::Cubic;
   bool exact = true;  // surface cells store their triangles
@@ -103,7 +103,7 @@ class DistanceField {
   static constexpr int kPairs = kBlock * kSide * kSide;
   static constexpr int kCells = kBlock * kBlock * kBlock;
 
-  /// Error bound of exact distances: coordinates up to kMostFieldCells round by some 2^-37 cells.
+  /// Error bound of exact distances: coordinates up to kMaxFieldCells round by some 2^-37 cells.
   static constexpr double kExactSlack = 0x1p-33;
 
  private:
@@ -209,7 +209,7 @@ inline FieldSample DistanceField::sample(const Vec3d& point) const {
 }
 
 inline FieldSample DistanceField::sample(const Place& place, const Vec3d& point) const {
-  if (place.first->asks_triangles()) return exact_in_cell(point);
+  if (place.first->queries_triangles()) return exact_in_cell(point);
   const lanes::Pack<float> node = settings_.interpolation == FieldInterpolation::Cubic
                                       ? blend<true>(place.first, *place.layout, place.weights)
                                       : blend<false>(place.first, *place.layout, place.weights);

@@ -221,7 +221,7 @@ void FieldBuilder::fill_blocks() {
   gather_triangles();
   workers_->for_each(count_of(layers_), [&](int z, int worker) {
     for (int fine = at(layers_, z).first; fine < at(layers_, z).end; ++fine)
-      at(fillers, worker).ask_triangles(fine);
+      at(fillers, worker).query_triangles(fine);
   });
 }
 

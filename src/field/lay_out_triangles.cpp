@@ -60,9 +60,11 @@ TriangleSieve::Flat TriangleSieve::flat(const Mesh<double>& mesh, int triangle, 
     return static_cast<float>(direction.lpNorm<1>() * (1 + 0x1p-20));
   };
   numbers[kInward] = sum_of(second_axis);
-  const Eigen::Vector2d second_way = second.normalized(), third_way = tip.normalized();
-  numbers[kInward + 1] = sum_of(second_way.x() * second_axis - second_way.y() * first_axis);
-  numbers[kInward + 2] = sum_of(third_way.y() * first_axis - third_way.x() * second_axis);
+  const Eigen::Vector2d second_direction = second.normalized(), third_direction = tip.normalized();
+  numbers[kInward + 1] =
+      sum_of(second_direction.x() * second_axis - second_direction.y() * first_axis);
+  numbers[kInward + 2] =
+      sum_of(third_direction.y() * first_axis - third_direction.x() * second_axis);
   numbers[kNormal] = sum_of(normal);
   return numbers;
 }

@@ -12,18 +12,18 @@ namespace {
 
 /// Larger tangents are treated as unknown.
 constexpr double kLargestLean = 8;
-constexpr double kLeastCosine = 0.1;
+constexpr double kMinCosine = 0.1;
 
 /// Tangent of the angle between two unit vectors.
 double tangent_between(const Vec3d& one, const Vec3d& other) {
   const double cosine = one.dot(other);
-  return cosine > kLeastCosine ? one.cross(other).norm() / cosine : double{kAnyLean};
+  return cosine > kMinCosine ? one.cross(other).norm() / cosine : double{kAnyLean};
 }
 
 /// Tangent of the sum of two angles, from their tangents.
 double tangent_of_sum(double one, double other) {
   const double cosines = 1 - one * other;
-  return cosines > kLeastCosine ? (one + other) / cosines : double{kAnyLean};
+  return cosines > kMinCosine ? (one + other) / cosines : double{kAnyLean};
 }
 
 /// A corner of a triangle, at the start of the edge with that number.
@@ -88,12 +88,12 @@ class LeanFinder {
     across_.clear();
     double steepest = 0;
     for (const auto& [triangle, k] : fan_) {
-      if (!(mesh_.normal(triangle).dot(mean) > kLeastCosine)) return kAnyLean;
+      if (!(mesh_.normal(triangle).dot(mean) > kMinCosine)) return kAnyLean;
       const Vec3d edge = mesh_.corner(triangle, (k + 1) % 3) - mesh_.corner(triangle, k);
       const double height = edge.dot(mean);
       const Vec3d across = edge - height * mean;
       const double length = across.norm();
-      if (!(length > kLeastCosine * std::abs(height))) return kAnyLean;
+      if (!(length > kMinCosine * std::abs(height))) return kAnyLean;
       steepest = std::max(steepest, std::abs(height) / length);
       across_.emplace_back(across / length);
     }
@@ -102,7 +102,7 @@ class LeanFinder {
     for (std::size_t i = 0; i < across_.size(); ++i)
       least = std::min(least, across_[i].dot(across_[(i + 1) % across_.size()]));
     const double of_half = std::sqrt(0.5 * std::max(0.0, 1 + least));
-    return of_half > kLeastCosine ? steepest / of_half : double{kAnyLean};
+    return of_half > kMinCosine ? steepest / of_half : double{kAnyLean};
   }
 
   const Mesh<double>& mesh_;

@@ -38,23 +38,23 @@ struct alignas(16) NodePair {
   /// Queries need no other memory to know.
   std::array<std::array<std::int16_t, 2>, 3> gradient;
 
-  bool asks_triangles() const {
+  bool queries_triangles() const {
     return (gradient[2][1] & 1) != 0;
   }
-  void ask_triangles() {
+  void query_triangles() {
     gradient[2][1] = static_cast<std::int16_t>(gradient[2][1] | 1);
   }
 };
 
 inline constexpr float kGradientScale = 32766;
-inline constexpr double kMostSteps = 32767;
+inline constexpr double kMaxSteps = 32767;
 
 /// Rounds distance and gradient. A distance has an error of 0.5 steps, and of less
 /// than 0.01 from float rounding.
 inline FieldNode rounded_node(const lanes::Pack<float>& node, float steps_per_cell) {
   lanes::Pack<float> scale = lanes::all(0.5F * kGradientScale);
   scale[0] = steps_per_cell;
-  const lanes::Pack<float> most = lanes::all(static_cast<float>(kMostSteps));
+  const lanes::Pack<float> most = lanes::all(static_cast<float>(kMaxSteps));
   const lanes::Pack<float> scaled = lanes::larger(-most, lanes::smaller(most, node * scale));
   constexpr lanes::Flags<float> kOfGradient = {0, -1, -1, -1};
   FieldNode rounded;
@@ -86,7 +86,7 @@ struct NodeLayout {
   NodeLayout(std::ptrdiff_t row, std::ptrdiff_t layer, int side, float most)
       : next_y(row),
         next_z(layer),
-        step(most / static_cast<float>(kMostSteps)),
+        step(most / static_cast<float>(kMaxSteps)),
         rise(static_cast<float>(1 << side) / (kGradientScale * step)),
         side_bits(side) {
     constexpr float kPart = 1.0F / kWeightOne;
@@ -94,8 +94,7 @@ struct NodeLayout {
     counts[0] = kPart * step;
   }
 
-  lanes::Pack<float>
-      counts{};  // units of a node's numbers, after multiplication by weights
+  lanes::Pack<float> counts{};  // units of a node's numbers, after multiplication by weights
   std::ptrdiff_t next_y = 0, next_z = 0;
   float step = 1;  // unit of a distance, cells
   float rise = 1;  // unit of a gradient from node to node, steps

@@ -13,9 +13,9 @@ class SignSpreader {
   SignSpreader(const std::array<int, 3>& counts, double side,
                std::span<const lanes::Pack<float>> nodes, std::span<NodeSign> signs)
       : counts_(counts), nodes_(nodes), signs_(signs) {
-    constexpr std::array<double, 4> kWays = {0, 1, 1.4142135623730951, 1.7320508075688772};
+    constexpr std::array<double, 4> kStepLengths = {0, 1, 1.4142135623730951, 1.7320508075688772};
     for (std::size_t axes = 0; axes < 4; ++axes)
-      ways_[axes] = static_cast<float>(side * kWays[axes] + kSignSlack);
+      lengths_[axes] = static_cast<float>(side * kStepLengths[axes] + kSignSlack);
   }
 
   int index(int x, int y, int z) const { return (z * counts_[1] + y) * counts_[0] + x; }
@@ -25,7 +25,7 @@ class SignSpreader {
   bool one_sign() const {
     lanes::Pack<float> least = nodes_.front();
     for (const lanes::Pack<float>& node : nodes_) least = lanes::smaller(least, node);
-    if (!(least[0] + least[0] > ways_[1])) return false;
+    if (!(least[0] + least[0] > lengths_[1])) return false;
     const auto known =
         std::ranges::find_if(signs_, [](NodeSign own) { return own != NodeSign::Unknown; });
     if (known == signs_.end()) return false;
@@ -50,7 +50,7 @@ class SignSpreader {
         for (int u = std::max(x - 1, 0); u <= std::min(x + 1, counts_[0] - 1); ++u) {
           const int from = index(u, v, w);
           if (sign(from) == NodeSign::Unknown ||
-              !leaves_way(from, to, (u != x) + (v != y) + (w != z)))
+              !is_passable(from, to, (u != x) + (v != y) + (w != z)))
             continue;
           sign(to) = sign(from);
           return true;
@@ -71,7 +71,7 @@ class SignSpreader {
           for (int u = std::max(x - 1, 0); u <= std::min(x + 1, counts_[0] - 1); ++u) {
             const int to = index(u, v, w);
             if (sign(to) != NodeSign::Unknown ||
-                !leaves_way(from, to, (u != x) + (v != y) + (w != z)))
+                !is_passable(from, to, (u != x) + (v != y) + (w != z)))
               continue;
             sign(to) = sign(from);
             open_.push_back({u, v, w});
@@ -83,8 +83,8 @@ class SignSpreader {
   void open(int x, int y, int z) { open_.push_back({x, y, z}); }
 
  private:
-  bool leaves_way(int from, int to, int axes) const {
-    return at(nodes_, from)[0] + at(nodes_, to)[0] > at(ways_, axes);
+  bool is_passable(int from, int to, int axes) const {
+    return at(nodes_, from)[0] + at(nodes_, to)[0] > at(lengths_, axes);
   }
   bool take_from_neighbour(int i, int toward) const {
     if (sign(i) != NodeSign::Unknown) return true;
@@ -96,7 +96,7 @@ class SignSpreader {
       const int from = i + step;
       step *= counts_[axis];
       if (next < 0 || next >= counts_[axis]) continue;
-      if (sign(from) == NodeSign::Unknown || !leaves_way(from, i, 1)) continue;
+      if (sign(from) == NodeSign::Unknown || !is_passable(from, i, 1)) continue;
       sign(i) = sign(from);
       return true;
     }
@@ -106,7 +106,7 @@ class SignSpreader {
   std::array<int, 3> counts_;
   std::span<const lanes::Pack<float>> nodes_;
   std::span<NodeSign> signs_;
-  std::array<float, 4> ways_{};
+  std::array<float, 4> lengths_{};
   std::vector<std::array<int, 3>> open_;
 };
 

@@ -5,7 +5,7 @@
 
 namespace contactscope {
 
-void BlockFiller::ask_triangles(int fine) {
+void BlockFiller::query_triangles(int fine) {
   const auto [x, y, z] = shared_.block_at(at(shared_.blocks_, fine));
   for (int cell = 0; cell < kCells; ++cell) {
     const std::uint32_t* range = &at(field_.first_triangle_, fine * kCells + cell);
@@ -15,11 +15,11 @@ void BlockFiller::ask_triangles(int fine) {
         std::span(field_.cell_triangles_).subspan(range[0], range[1] - range[0]);
     NodePair* first = pairs_of(fine) + (k * kSide + j) * kBlock + i;
     if (!is_smooth(kBlock * Vec3d(x, y, z) + Vec3d(i, j, k), first, triangles))
-      asking_.push_back(first);
+      querying_.push_back(first);
   }
   // Only after all are tested: the mark is in a gradient that neighbouring cells share.
-  for (NodePair* pair : asking_) pair->ask_triangles();
-  asking_.clear();
+  for (NodePair* pair : querying_) pair->query_triangles();
+  querying_.clear();
 }
 
 /// Whether a cell can have nothing thin in it, and its blend is good.
@@ -33,8 +33,8 @@ bool BlockFiller::is_smooth(const Vec3d& corner, const NodePair* first,
   constexpr double kSameSide = 0.5;  // cosine of 60 degrees
   if (field_.core_) {
     // The surface in a cell bends by less than 60 degrees: its diagonal is 1.73 cells.
-    constexpr double kLeastRadius = 2;
-    return field_.core_->radius >= kLeastRadius && blends_well(corner, first);
+    constexpr double kMinRadius = 2;
+    return field_.core_->radius >= kMinRadius && blends_well(corner, first);
   }
   if (!field_.regular_) return false;
   const Vec3d& normal = field_.triangles_.normal(triangles.front());

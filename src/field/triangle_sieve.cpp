@@ -206,10 +206,10 @@ void TriangleSieve::append_if(const List& from, std::vector<int>& found, const S
 
 void TriangleSieve::append(const List& from, const Vec3d& middle, double half_side,
                            const Vec3d& near, std::vector<int>& found) const {
-  const Cube asked = cube(middle, half_side, near);
+  const Cube requested = cube(middle, half_side, near);
   append_if(from, found, [&](std::size_t i) {
-    const std::uint32_t over = over_triangles(from.fours_[i], asked);
-    return over == 0 ? 0 : over & near_enough(from.fours_[i], asked);
+    const std::uint32_t over = over_triangles(from.fours_[i], requested);
+    return over == 0 ? 0 : over & near_enough(from.fours_[i], requested);
   });
 }
 
@@ -221,14 +221,14 @@ void TriangleSieve::fill(std::span<const int> triangles, List& list) const {
 void TriangleSieve::fill_around(const Vec3d& middle, double half_side, const Vec3d& near,
                                 List& list) const {
   list.triangles_.clear();
-  const Cube asked = cube(middle, half_side, near);
+  const Cube requested = cube(middle, half_side, near);
   const std::vector<int>& in_order = triangles_.mesh().tree.triangles;
   triangles_.around(middle, half_side, near, [&](int leaf, int first, int count) {
     for (int k = 0; k < count; k += 4) {
       const Four& four = at(leaves_, at(first_of_leaf_, leaf) + k / 4);
-      std::uint32_t kept = over_triangles(four, asked);
+      std::uint32_t kept = over_triangles(four, requested);
       if (kept == 0) continue;
-      kept &= near_enough(four, asked);
+      kept &= near_enough(four, requested);
       for (int lane = 0; lane < std::min(4, count - k); ++lane)
         if ((kept >> lane & 1U) != 0) list.triangles_.push_back(at(in_order, first + k + lane));
     }
@@ -241,18 +241,18 @@ void TriangleSieve::fill_within(List& from, const Vec3d& middle, double half_sid
   list.triangles_.clear();
   if (from.leaning_) {
     // Distances decide here, so the nearest point itself is worth its search.
-    const Cube asked = cube(middle, half_side, nearest(from, middle).point);
+    const Cube requested = cube(middle, half_side, nearest(from, middle).point);
     append_if(from, list.triangles_, [&](std::size_t i) {
-      const std::uint32_t in_reach = lanes::bits<float>(from.squared_[i] <= asked.most);
-      return in_reach == 0 ? 0 : in_reach & near_enough(from.fours_[i], asked);
+      const std::uint32_t in_reach = lanes::bits<float>(from.squared_[i] <= requested.most);
+      return in_reach == 0 ? 0 : in_reach & near_enough(from.fours_[i], requested);
     });
   } else {
-    const Cube asked = cube(middle, half_side, near);
+    const Cube requested = cube(middle, half_side, near);
     append_if(from, list.triangles_, [&](std::size_t i) {
       const Four& four = from.fours_[i];
-      const std::uint32_t over = over_triangles(four, asked);
+      const std::uint32_t over = over_triangles(four, requested);
       const auto leaning = lanes::bits<float>(four[kLean] >= lanes::all(kTrustedLean));
-      return (over & leaning) == 0 ? over : over & near_enough(four, asked);
+      return (over & leaning) == 0 ? over : over & near_enough(four, requested);
     });
   }
   lay_out(list);

@@ -19,7 +19,7 @@ using Extended = Vec3<long double>;
 /// A box must have a surface this much smaller to replace an earlier one.
 constexpr double kBetter = 1 - 1e-9;
 /// Limit for edge pairs, whose number grows with the square.
-constexpr int kMostPairedEdges = 64;
+constexpr int kMaxPairedEdges = 64;
 
 /// Box along axes that are orthonormal up to rounding. The box has the same axes.
 template <class S>
@@ -37,9 +37,9 @@ Obb<S> box_along(const Mat3<S>& axes, std::span<const Vec3<S>> points) {
   // origin cost no digits.
   Extended reach = Extended::Zero();
   for (const Vec3<S>& point : points) {
-    const Extended way =
+    const Extended offset =
         point.template cast<long double>() - box.center.template cast<long double>();
-    reach = reach.cwiseMax(Extended(to_axes * way).cwiseAbs());
+    reach = reach.cwiseMax(Extended(to_axes * offset).cwiseAbs());
   }
   for (int k = 0; k < 3; ++k) box.half_extents[k] = rounded_up<S>(reach[k]);
   return box;
@@ -165,7 +165,7 @@ Obb<S> obb_of_kind(const Hull<S>& hull) {
   smallest.offer(principal.axes());
   for (const Plane<S>& plane : hull.planes)
     smallest.offer_about(plane.normal.template cast<double>());
-  if (hull.edge_count() > kMostPairedEdges) return box_of_vertices(smallest, hull.vertices);
+  if (hull.edge_count() > kMaxPairedEdges) return box_of_vertices(smallest, hull.vertices);
   const auto direction = [&](int edge) -> Vec3d {
     const Vec3<S> along = hull.target(2 * edge) - hull.origin(2 * edge);
     return along.template cast<double>().normalized();

@@ -21,7 +21,7 @@ constexpr int kMaxLeaf = 4;
 constexpr int kMaxSahDepth = kMaxAabbTreeDepth - 32;
 // A part smaller than this, relative to the current unit, gets a unit of its own. Cuts are chosen
 // with the 24 bits of a float; 14 of them are enough for 16 bins.
-constexpr float kLeastExtent = 0x1p-10F;
+constexpr float kMinExtent = 0x1p-10F;
 
 using Box = Aabb<double>;
 using Lanes = lanes::Pack<float>;  // x, y, z and one unused lane
@@ -213,7 +213,7 @@ class Builder {
       std::ranges::sort(items, {}, &Item::triangle);
       return;
     }
-    if (largest_of(bounds.extent()) < kLeastExtent) bounds = measure(items);
+    if (largest_of(bounds.extent()) < kMinExtent) bounds = measure(items);
     const Cut cut = split(items, depth);
     build(items.first(cut.left_count), cut.left, depth + 1);
     build(items.subspan(cut.left_count), cut.right, depth + 1);

@@ -77,8 +77,8 @@ int vertex_that_it_stands_for(const Hull<double>& hull,
     const auto shared = std::ranges::count_if(corner.faces, [&](int face) {
       return std::ranges::find(at(faces_of, vertex), face) != at(faces_of, vertex).end();
     });
-    const Vec3d way = at(hull.vertices, vertex) - corner.place;
-    best = std::min(best, {-shared, way.squaredNorm(), vertex});
+    const Vec3d displacement = at(hull.vertices, vertex) - corner.place;
+    best = std::min(best, {-shared, displacement.squaredNorm(), vertex});
   }
   return std::get<int>(best);
 }

@@ -19,7 +19,7 @@ namespace {
 // Rounding a triangle's coordinates, by at most half a unit of 2^-52 of the largest, moves its
 // height over the longest edge by at most sqrt(3) units. At a height of 128 units its normal turns
 // by less than 0.8 degrees; kFlatEdgeAngle is one degree.
-constexpr double kLeastHeight = 128 * std::numeric_limits<double>::epsilon();
+constexpr double kMinHeight = 128 * std::numeric_limits<double>::epsilon();
 
 // In lengths of the longest edge. Below it, the normal's error exceeds about 30 roundings.
 constexpr double kSliverHeight = 1.0 / 16;
@@ -159,7 +159,7 @@ Vec3d triangle_normal(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
   const Vec3d after = edges[(longest + 2) % 3] / length;
   Vec3d normal = before.cross(after);
   const double height = normal.norm();  // over the longest edge, in lengths of that edge
-  if (!(height * length > kLeastHeight * largest)) return Vec3d::Zero();
+  if (!(height * length > kMinHeight * largest)) return Vec3d::Zero();
   normal /= height;
   // A sliver's normal leans by a rounding over its height, also along the edge: a plane through one
   // end would miss the other. Make it perpendicular to the edge again.

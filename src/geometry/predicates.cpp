@@ -47,9 +47,9 @@ Exact two_product(double a, double b, const Exact& halves) {
 
 /// A number as an exact sum of terms. They do not overlap, ascend in magnitude and are never 0, so
 /// the last term has the sign of the sum.
-template <int kMost>
+template <int kMax>
 struct Expansion {
-  std::array<double, static_cast<std::size_t>(kMost)> terms;  // only the first `count` are set
+  std::array<double, static_cast<std::size_t>(kMax)> terms;  // only the first `count` are set
   int count = 0;
 
   void push(double term) {
@@ -152,12 +152,12 @@ template <std::size_t kCount>
 std::optional<Grid<kCount>> on_grid(const std::array<double, kCount>& numbers) {
   constexpr std::uint64_t kBias = 1023, kMantissaBits = 52;
   // Range in which the predicates are valid; the cube of the grid's unit is normal there.
-  constexpr std::uint64_t kLeast = kBias - 303, kMost = kBias + 337;
+  constexpr std::uint64_t kMin = kBias - 303, kMax = kBias + 337;
   double largest = 0;
   for (const double number : numbers) largest = std::max(largest, std::abs(number));
   // The scale is a power of two, built from its bits.
   const std::uint64_t exponent = std::bit_cast<std::uint64_t>(largest) >> kMantissaBits;
-  if (exponent < kLeast || exponent > kMost) return std::nullopt;
+  if (exponent < kMin || exponent > kMax) return std::nullopt;
   Grid<kCount> grid;
   grid.scale = std::bit_cast<double>((2 * kBias + kGridBits - 1 - exponent) << kMantissaBits);
   for (std::size_t i = 0; i < kCount; ++i) {

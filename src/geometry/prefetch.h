@@ -13,9 +13,9 @@ namespace contactscope {
 /// Prefetches only the beginning of a long list: the hardware prefetcher loads the rest.
 template <class T>
 void prefetch(const std::vector<T>& list) {
-  constexpr std::size_t kCacheLine = 64, kMost = 4096;  // bytes
+  constexpr std::size_t kCacheLine = 64, kMax = 4096;  // bytes
   const auto* bytes = reinterpret_cast<const char*>(list.data());
-  const std::size_t size = std::min(list.size() * sizeof(T), kMost);
+  const std::size_t size = std::min(list.size() * sizeof(T), kMax);
   for (std::size_t i = 0; i < size; i += kCacheLine) __builtin_prefetch(bytes + i);
 }
 

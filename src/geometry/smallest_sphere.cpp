@@ -25,13 +25,13 @@ std::optional<Ball> ball_through(const Support& points) {
   const Vec3d origin = points[0];
   const int count = static_cast<int>(points.size()) - 1;
   if (count == 0) return Ball{origin, 0};
-  Eigen::MatrixXd ways(3, count);
-  for (int i = 0; i < count; ++i) ways.col(i) = points[static_cast<std::size_t>(i) + 1] - origin;
-  const Eigen::MatrixXd gram = 2 * ways.transpose() * ways;
+  Eigen::MatrixXd methods(3, count);
+  for (int i = 0; i < count; ++i) methods.col(i) = points[static_cast<std::size_t>(i) + 1] - origin;
+  const Eigen::MatrixXd gram = 2 * methods.transpose() * methods;
   const Eigen::VectorXd squares = 0.5 * gram.diagonal();
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> solver(gram);
   if (solver.rank() < count) return std::nullopt;
-  const Vec3d out = ways * solver.solve(squares);
+  const Vec3d out = methods * solver.solve(squares);
   return Ball{origin + out, out.squaredNorm()};
 }
 
@@ -67,13 +67,13 @@ std::optional<Ball> smallest_of_few(Support& support) {
 }
 
 /// Each step grows the ball, so no support set repeats. No known input takes nearly as many steps.
-constexpr int kMostPivots = 200;
+constexpr int kMaxPivots = 200;
 
 Ball smallest_ball(const std::vector<Vec3d>& points) {
   Support support;
   support.push_back(points.front());
   Ball ball{points.front(), 0};
-  for (int pivot = 0; pivot < kMostPivots; ++pivot) {
+  for (int pivot = 0; pivot < kMaxPivots; ++pivot) {
     double farthest = 0;
     const Vec3d* outside = nullptr;
     for (const Vec3d& point : points) {
@@ -111,9 +111,9 @@ BoundingSphere<S> sphere_around(std::span<const Vec3<S>> points) {
   // This radius contains all points, whatever error the search has left.
   long double squared = 0;
   for (const Vec3<S>& point : points) {
-    const Vec3<long double> way =
+    const Vec3<long double> offset =
         point.template cast<long double>() - sphere.center.template cast<long double>();
-    squared = std::max(squared, way.squaredNorm());
+    squared = std::max(squared, offset.squaredNorm());
   }
   sphere.radius = rounded_up<S>(std::sqrt(squared));
   return sphere;

@@ -27,47 +27,47 @@ constexpr double kSpeculativeShare = 0.25;
 /// The same of points that 'on_a' and 'on_b' are told of.
 constexpr double kSideTolerances = 4;
 
-Quat<double> read(const Quat<double>& told, Rotation how) {
+Quat<double> read(const Quat<double>& record, Rotation how) {
   switch (how) {
     case Rotation::Wxyz:
       break;
     case Rotation::Xyzw:  // the numbers as written are w, x, y, z; they are meant as x, y, z, w
-      return {told.z(), told.w(), told.x(), told.y()};
+      return {record.z(), record.w(), record.x(), record.y()};
     case Rotation::Inverse:
-      return told.conjugate();
+      return record.conjugate();
     case Rotation::HalfTheAngle: {
-      const Quat<double> half(1 + std::abs(told.w()), told.x(), told.y(), told.z());
-      return (told.w() < 0 ? Quat<double>(half.w(), -half.x(), -half.y(), -half.z()) : half)
+      const Quat<double> half(1 + std::abs(record.w()), record.x(), record.y(), record.z());
+      return (record.w() < 0 ? Quat<double>(half.w(), -half.x(), -half.y(), -half.z()) : half)
           .normalized();
     }
     case Rotation::MirroredX:
-      return {told.w(), told.x(), -told.y(), -told.z()};
+      return {record.w(), record.x(), -record.y(), -record.z()};
     case Rotation::MirroredY:
-      return {told.w(), -told.x(), told.y(), -told.z()};
+      return {record.w(), -record.x(), record.y(), -record.z()};
     case Rotation::MirroredZ:
-      return {told.w(), -told.x(), -told.y(), told.z()};
+      return {record.w(), -record.x(), -record.y(), record.z()};
   }
-  return told;
+  return record;
 }
 
-Vec3d read(const Vec3d& told, Axes axes) {
+Vec3d read(const Vec3d& record, Axes axes) {
   switch (axes) {
     case Axes::Same:
       break;
     case Axes::MirroredX:
-      return {-told.x(), told.y(), told.z()};
+      return {-record.x(), record.y(), record.z()};
     case Axes::MirroredY:
-      return {told.x(), -told.y(), told.z()};
+      return {record.x(), -record.y(), record.z()};
     case Axes::MirroredZ:
-      return {told.x(), told.y(), -told.z()};
+      return {record.x(), record.y(), -record.z()};
     case Axes::YzSwapped:
-      return {told.x(), told.z(), told.y()};
+      return {record.x(), record.z(), record.y()};
     case Axes::ZUp:
-      return {told.x(), told.z(), -told.y()};
+      return {record.x(), record.z(), -record.y()};
     case Axes::YUp:
-      return {told.x(), -told.z(), told.y()};
+      return {record.x(), -record.z(), record.y()};
   }
-  return told;
+  return record;
 }
 
 Vec3d in_world(Frame frame, const Placed& a, const Placed& b, const Vec3d& point) {
@@ -80,9 +80,9 @@ Vec3d turned_to_world(Frame frame, const Placed& a, const Placed& b, const Vec3d
 }
 
 /// Collects what is wrong: of the kind that comes first in Wrong what is farthest off.
-class Court {
+class WorstProblem {
  public:
-  explicit Court(Verdict& verdict) : verdict_(verdict) {}
+  explicit WorstProblem(Verdict& verdict) : verdict_(verdict) {}
 
   void claim(const Problem& problem, double off, double allowed) {
     ++verdict_.claims;
@@ -146,12 +146,12 @@ void Solids::deform(const std::vector<trace::Deformed>& now) {
 }
 
 const Solid* Solids::find(const std::string& name, Form form) const {
-  if (form != Form::AsTold) {
+  if (form != Form::AsReported) {
     if (const auto known = reformed_.find({name, form}); known != reformed_.end())
       return &known->second;
-    const auto told = shapes_.find(name);
-    if (told != shapes_.end() && takes(told->second, form))
-      return &reformed_.emplace(std::pair(name, form), Solid(reformed(told->second, form)))
+    const auto record = shapes_.find(name);
+    if (record != shapes_.end() && takes(record->second, form))
+      return &reformed_.emplace(std::pair(name, form), Solid(reformed(record->second, form)))
                   .first->second;
   }
   if (const auto found = deformed_.find(name); found != deformed_.end()) return &found->second;
@@ -175,10 +175,10 @@ std::optional<Placed> place(const Solids& solids, const trace::Frame* frame,
                             const std::string& name, const Reading& reading) {
   const Solid* const solid = solids.find(name, reading.form);
   if (solid == nullptr || frame == nullptr) return std::nullopt;
-  const Pose<double>* const told = trace::find_pose(*frame, name);
-  if (told == nullptr) return std::nullopt;
-  Placed placed{solid, *told, solid->is_plane() ? 1.0 : reading.shape_scale};
-  placed.pose.rotation = read(told->rotation, reading.rotation);
+  const Pose<double>* const record = trace::find_pose(*frame, name);
+  if (record == nullptr) return std::nullopt;
+  Placed placed{solid, *record, solid->is_plane() ? 1.0 : reading.shape_scale};
+  placed.pose.rotation = read(record->rotation, reading.rotation);
   if (reading.at_center_of_mass)
     placed.pose.position -= placed.pose.rotate(solid->center_of_mass());
   return placed;
@@ -197,11 +197,11 @@ std::optional<Verdict> judge(const Solids& solids, const Moments& frames, const 
   Verdict verdict;
   verdict.tolerance = tolerance_of(*a, *b);
   const double tolerance = verdict.tolerance;
-  Court court(verdict);
+  WorstProblem worst(verdict);
   for (int m = 0; m < count_of(pair.manifolds); ++m) {
     const trace::Manifold& manifold = at(pair.manifolds, m);
-    const Vec3d told_normal = read(manifold.normal, reading.axes);
-    Vec3d normal = turned_to_world(reading.normals, *a, *b, told_normal).normalized();
+    const Vec3d recorded_normal = read(manifold.normal, reading.axes);
+    Vec3d normal = turned_to_world(reading.normals, *a, *b, recorded_normal).normalized();
     if (reading.normals_flipped) normal = -normal;
     double deepest = std::numeric_limits<double>::infinity();
     for (int p = 0; p < count_of(manifold.points); ++p) {
@@ -215,7 +215,7 @@ std::optional<Verdict> judge(const Solids& solids, const Moments& frames, const 
       const Measured of_b = measure(*b, position, -normal, said);
       const double off = std::max(of_a.off, of_b.off);
       const double roughly = tolerance + kSpeculativeShare * std::max(said, 0.0);
-      court.claim({Wrong::Surface, m, p, std::abs(said), off + std::abs(said),
+      worst.claim({Wrong::Surface, m, p, std::abs(said), off + std::abs(said),
                    of_a.off > of_b.off ? pair.a : pair.b},
                   off, roughly);
       if (of_a.exit && of_b.exit && off <= roughly) {
@@ -225,11 +225,11 @@ std::optional<Verdict> judge(const Solids& solids, const Moments& frames, const 
         const double is = std::clamp(said, std::min(least, most), std::max(least, most));
         verdict.deeper.push_back(is - said);
         verdict.separations.push_back(is);
-        court.claim({Wrong::Separation, m, p, said, is}, std::abs(is - said),
+        worst.claim({Wrong::Separation, m, p, said, is}, std::abs(is - said),
                     std::max(roughly, kNormalShare * std::abs(is)));
       } else if (!of_a.exit || !of_b.exit) {  // the normal does not leave a plane
         const double infinite = -std::numeric_limits<double>::infinity();
-        court.claim({Wrong::Normal,
+        worst.claim({Wrong::Normal,
                      m,
                      p,
                      infinite,
@@ -240,13 +240,13 @@ std::optional<Verdict> judge(const Solids& solids, const Moments& frames, const 
       }
       const std::optional<Vec3d>& on_a = reading.sides_swapped ? point.on_b : point.on_a;
       const std::optional<Vec3d>& on_b = reading.sides_swapped ? point.on_a : point.on_b;
-      const auto on_its_surface = [&](const std::optional<Vec3d>& told, const Placed& solid,
+      const auto on_its_surface = [&](const std::optional<Vec3d>& record, const Placed& solid,
                                       const std::string& name) {
-        if (!told) return;
+        if (!record) return;
         const Vec3d where =
-            in_world(reading.points, *a, *b, reading.point_scale * read(*told, reading.axes));
-        const double beside = std::abs(solid.distance(where));
-        court.claim({Wrong::Side, m, p, 0, beside, name}, beside, kSideTolerances * tolerance);
+            in_world(reading.points, *a, *b, reading.point_scale * read(*record, reading.axes));
+        const double next_to = std::abs(solid.distance(where));
+        worst.claim({Wrong::Side, m, p, 0, next_to, name}, next_to, kSideTolerances * tolerance);
       };
       on_its_surface(on_a, *a, pair.a);
       on_its_surface(on_b, *b, pair.b);
@@ -254,13 +254,13 @@ std::optional<Verdict> judge(const Solids& solids, const Moments& frames, const 
     if (!best || pair.degenerate || manifold.points.empty() || pair.manifolds.size() > 1) continue;
     const double along = separation_along(*a, *b, normal);
     const bool is_near = normal.dot(best->normal) >= kSameNormal;
-    court.claim({Wrong::Normal, m, 0, along, best->distance, {}, best->normal},
+    worst.claim({Wrong::Normal, m, 0, along, best->distance, {}, best->normal},
                 is_near ? 0 : best->distance - along,
                 std::max(kNormalTolerances * tolerance, kNormalShare * std::abs(best->distance)));
     // Of long shapes what overlaps most along a normal that is off by little is beside the patch.
     const double depth = is_near ? best->distance : along;
     if (!pair.reduction && std::isfinite(depth))
-      court.claim({Wrong::Deepest, m, 0, deepest, depth}, deepest - depth,
+      worst.claim({Wrong::Deepest, m, 0, deepest, depth}, deepest - depth,
                   std::max(kNormalTolerances * tolerance, kNormalShare * std::abs(depth)));
   }
   return verdict;

@@ -47,7 +47,7 @@ class Solids {
   /// Meshes that are no longer as they were; undone by the next frame.
   void deform(const std::vector<trace::Deformed>& now);
   /// nullptr: refused, or not there.
-  const Solid* find(const std::string& name, Form form = Form::AsTold) const;
+  const Solid* find(const std::string& name, Form form = Form::AsReported) const;
   /// The body that a shape is a part of, or is.
   const std::string& body_of(const std::string& name) const;
 

@@ -20,7 +20,7 @@ constexpr double kFewLeft = 0.25;
 constexpr double kOfWrong = 0.3;
 constexpr int kNoChance = 3;
 /// One wrong claim of so many may have a cause of its own.
-constexpr int kMended = 5;
+constexpr int kFixed = 5;
 constexpr double kFar = 1000;  // tolerances: twice the size of the smaller shape
 /// The same amount at every point, beyond the tolerance; else 0.
 double common_depth(const Verdict& verdict) {
@@ -33,7 +33,7 @@ double common_depth(const Verdict& verdict) {
 
 /// Whether a form makes another shape of one of the two.
 bool is_about(Form form, const Solids& solids, const trace::Pair& pair) {
-  return form == Form::AsTold || solids.find(pair.a, form) != solids.find(pair.a) ||
+  return form == Form::AsReported || solids.find(pair.a, form) != solids.find(pair.a) ||
          solids.find(pair.b, form) != solids.find(pair.b);
 }
 
@@ -110,15 +110,15 @@ class ClaimsWatch final : public Watch {
     }
   }
 
-  void tell(std::vector<Finding>& findings) override {
-    tell_small_depths(findings);
-    while (tell_best_explanation(findings)) continue;
+  void report(std::vector<Finding>& findings) override {
+    report_small_depths(findings);
+    while (report_best_explanation(findings)) continue;
     // Where a cause is found for nearly all, the others mostly have it as well, and something else beside.
     if (wrong_.untold() < kFewLeft * wrong_.count()) return;
-    tell_margin(findings);
+    report_margin(findings);
     std::vector<Finding> unexplained;
     for (int kind = 0; kind < kWrongs; ++kind)
-      tell_unexplained(static_cast<Wrong>(kind), unexplained);
+      report_unexplained(static_cast<Wrong>(kind), unexplained);
     std::ranges::stable_sort(unexplained, std::greater(), &Finding::count);
     std::ranges::move(unexplained, std::back_inserter(findings));
   }
@@ -145,7 +145,7 @@ class ClaimsWatch final : public Watch {
     wrong.gross = !(verdict->farthest <= kGross * verdict->tolerance);
     put_in_words(pair, wrong);
     const std::vector<Explanation>& all = explanations();
-    for (std::size_t e = 0; e < std::min(all.size(), kMostExplanations); ++e) {
+    for (std::size_t e = 0; e < std::min(all.size(), kMaxExplanations); ++e) {
       if (wrong_.count() >= kTried && !has_explained_.test(e)) continue;
       if (options_.shapes_are_given && all[e].reading.moves_shapes()) continue;
       if (after_step_ && all[e].reading.moment == Moment::FrameBefore) continue;
@@ -154,7 +154,7 @@ class ClaimsWatch final : public Watch {
       const bool are_far = verdict->farthest > kFar * verdict->tolerance;
       if (all[e].reading.point_scale < 1 && !are_far) continue;
       const std::optional<Verdict> then = judge(solids, frames, pair, all[e].reading);
-      wrong.explained_by.set(e, then && kMended * then->wrong <= verdict->wrong);
+      wrong.explained_by.set(e, then && kFixed * then->wrong <= verdict->wrong);
     }
     has_explained_ |= wrong.explained_by;
     wrong_.add(std::move(wrong));
@@ -173,7 +173,7 @@ class ClaimsWatch final : public Watch {
     }
   }
 
-  void tell_small_depths(std::vector<Finding>& findings) const {
+  void report_small_depths(std::vector<Finding>& findings) const {
     constexpr int kEnough = 8;
     constexpr const char* kNames[] = {"positive_depths", "half_depths", "double_depths"};
     if (small_ < kEnough) return;
@@ -192,11 +192,11 @@ class ClaimsWatch final : public Watch {
 
   /// What most of the wrong pairs that are left would be right under: of several the first, which is the
   /// simplest.
-  bool tell_best_explanation(std::vector<Finding>& findings) {
+  bool report_best_explanation(std::vector<Finding>& findings) {
     const std::vector<Explanation>& all = explanations();
     std::vector<int> counts(all.size());
     for (const WrongPair& wrong : wrong_)
-      for (std::size_t e = 0; e < all.size() && !wrong.told; ++e)
+      for (std::size_t e = 0; e < all.size() && !wrong.record; ++e)
         counts[e] += wrong.explained_by.test(e) ? wrong.times : 0;
     // Two mistakes at once explain a few pairs by chance, but for the two that are about signs.
     for (std::size_t e = 0; e < all.size(); ++e) {
@@ -216,11 +216,11 @@ class ClaimsWatch final : public Watch {
     const auto e = static_cast<std::size_t>(chosen - counts.begin());
     const WrongPair* first = nullptr;
     for (const WrongPair& wrong : wrong_) {
-      if (wrong.told || !wrong.explained_by.test(e)) continue;
+      if (wrong.record || !wrong.explained_by.test(e)) continue;
       if (first == nullptr || (wrong.gross && !first->gross)) first = &wrong;
     }
     if (!first->gross && *chosen < kOften * judged_) return false;
-    for (WrongPair& wrong : wrong_) wrong.told = wrong.told || wrong.explained_by.test(e);
+    for (WrongPair& wrong : wrong_) wrong.record = wrong.record || wrong.explained_by.test(e);
     for (const Mistake* mistake : all[e].made) {
       Finding one = finding(mistake->name, mistake->what, mistake->remedy, *chosen, *first);
       const auto same = std::ranges::find(findings, one.cause, &Finding::cause);
@@ -233,11 +233,11 @@ class ClaimsWatch final : public Watch {
     return true;
   }
 
-  void tell_margin(std::vector<Finding>& findings) {
+  void report_margin(std::vector<Finding>& findings) {
     std::vector<std::pair<double, int>> depths;  // and how often
     int all = 0;
     for (const WrongPair& wrong : wrong_) {
-      if (wrong.told || wrong.deeper == 0) continue;
+      if (wrong.record || wrong.deeper == 0) continue;
       depths.emplace_back(wrong.deeper, wrong.times);
       all += wrong.times;
     }
@@ -247,7 +247,7 @@ class ClaimsWatch final : public Watch {
     for (int below = middle->second; below <= all / 2; below += middle->second) ++middle;
     const double margin = middle->first;
     const auto has_margin = [&](const WrongPair& wrong) {
-      return !wrong.told && std::abs(wrong.deeper - margin) <= 0.1 * std::abs(margin);
+      return !wrong.record && std::abs(wrong.deeper - margin) <= 0.1 * std::abs(margin);
     };
     const WrongPair* first = nullptr;
     int count = 0;
@@ -258,7 +258,7 @@ class ClaimsWatch final : public Watch {
     }
     // One body out of its place has a depth as well.
     if (count < kOfWrong * wrong_.untold() || (count < kNoChance && 2 * count < judged_)) return;
-    for (WrongPair& wrong : wrong_) wrong.told = wrong.told || has_margin(wrong);
+    for (WrongPair& wrong : wrong_) wrong.record = wrong.record || has_margin(wrong);
     const bool larger = margin > 0;
     findings.push_back(finding(larger ? "margin_added" : "margin_taken_off",
                                "contacts are those of shapes that are together " +
@@ -273,11 +273,11 @@ class ClaimsWatch final : public Watch {
                                count, *first));
   }
 
-  void tell_unexplained(Wrong kind, std::vector<Finding>& findings) {
+  void report_unexplained(Wrong kind, std::vector<Finding>& findings) {
     int count = 0;
     const WrongPair* first = nullptr;
     for (const WrongPair& wrong : wrong_) {
-      if (wrong.told || wrong.problem.kind != kind) continue;
+      if (wrong.record || wrong.problem.kind != kind) continue;
       count += wrong.times;
       if (first == nullptr || (wrong.gross && !first->gross)) first = &wrong;
     }
@@ -293,7 +293,7 @@ class ClaimsWatch final : public Watch {
   int small_ = 0;
   int small_by_[std::size(kFactors)] = {};
   WrongPairs wrong_;
-  std::bitset<kMostExplanations> has_explained_;
+  std::bitset<kMaxExplanations> has_explained_;
 };
 
 }  // namespace

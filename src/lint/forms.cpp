@@ -4,7 +4,7 @@ namespace contactscope::lint {
 
 bool takes(const trace::Shape& shape, Form form) {
   switch (form) {
-    case Form::AsTold:
+    case Form::AsReported:
       return false;
     case Form::BoxesHalf:
     case Form::BoxesTwice:
@@ -49,7 +49,7 @@ void lay_along(trace::Shape& capsule, int axis) {
 
 trace::Shape reformed(trace::Shape shape, Form form) {
   switch (form) {
-    case Form::AsTold:
+    case Form::AsReported:
       break;
     case Form::BoxesHalf:
     case Form::CapsulesHalf:

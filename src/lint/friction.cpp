@@ -10,7 +10,7 @@ namespace {
 /// Cosine: what is nearer to the normal than this is no rounding of what is across it.
 constexpr double kAcross = 0.1;
 /// Coefficients of friction are hardly ever larger: rubber on rubber has 1.2, and games do not have more than 2.
-constexpr double kMostFriction = 4;
+constexpr double kMaxFriction = 4;
 /// Of the normal impulse of its manifold: what is smaller says nothing.
 constexpr double kSome = 1e-3;
 /// Metres a second, of what slides: faster than that it does so in the next frame as well.
@@ -44,7 +44,7 @@ class FrictionWatch final : public Watch {
           });
         const Vec3d across = friction - friction.dot(manifold.normal) * manifold.normal;
         ++beyond_.of;
-        if (across.norm() > kMostFriction * normal)
+        if (across.norm() > kMaxFriction * normal)
           beyond_.wrong(frames, pair.a, pair.b, [&] {
             return std::pair("friction of " + metres(across.norm()) + " N s",
                              "the normal impulse is " + metres(normal) + " N s");
@@ -55,19 +55,21 @@ class FrictionWatch final : public Watch {
     }
   }
 
-  void tell(std::vector<Finding>& findings) override {
-    along_.tell("friction_along_normal", "friction has a part along the normal",
-                "take it away, friction - (friction . normal) normal: it may be the whole impulse, "
-                "of which 'normal' has "
-                "that part",
-                kFewest, 0.2, findings);
-    beyond_.tell("friction_beyond_normal", "friction is many times the normal impulse",
-                 "both are impulses over the step, in newton seconds: look at the unit of either",
-                 kFewest, 0.2, findings);
-    forward_.tell("friction_on_a", "friction pushes on what slides",
-                  "negate it: friction acts on b as the normal impulse does, against the velocity "
-                  "of b beside a",
-                  kFewest, 0.8, findings);
+  void report(std::vector<Finding>& findings) override {
+    along_.report(
+        "friction_along_normal", "friction has a part along the normal",
+        "take it away, friction - (friction . normal) normal: it may be the whole impulse, "
+        "of which 'normal' has "
+        "that part",
+        kFewest, 0.2, findings);
+    beyond_.report("friction_beyond_normal", "friction is many times the normal impulse",
+                   "both are impulses over the step, in newton seconds: look at the unit of either",
+                   kFewest, 0.2, findings);
+    forward_.report(
+        "friction_on_a", "friction pushes on what slides",
+        "negate it: friction acts on b as the normal impulse does, against the velocity "
+        "of b beside a",
+        kFewest, 0.8, findings);
   }
 
  private:

@@ -41,7 +41,7 @@ class IdsWatch final : public Watch {
       if (!same_places(pair, *before, near)) continue;
       ++still_;
       if (ids == old) {
-        see_traded(frames, pair, *before, near);
+        see_swapped(frames, pair, *before, near);
         continue;
       }
       ++changed_;
@@ -56,7 +56,7 @@ class IdsWatch final : public Watch {
     }
   }
 
-  void tell(std::vector<Finding>& findings) override {
+  void report(std::vector<Finding>& findings) override {
     constexpr int kFewest = 3;
     constexpr double kShare = 0.2;
     if (alike_ >= kFewest && alike_ >= kShare * several_) {
@@ -107,8 +107,8 @@ class IdsWatch final : public Watch {
   }
 
   /// Names that are all there, each on another point than in the frame before.
-  void see_traded(const Moments& frames, const trace::Pair& pair, const trace::Pair& before,
-                  double near) {
+  void see_swapped(const Moments& frames, const trace::Pair& pair, const trace::Pair& before,
+                   double near) {
     const auto places = [](const trace::Pair& of) {
       std::map<std::pair<int, std::string>, std::vector<Vec3d>> all;
       for (const trace::Manifold& manifold : of.manifolds)

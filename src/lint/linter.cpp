@@ -44,8 +44,8 @@ struct Linter::State {
 
   void look() {
     solids.deform(now->deformed);
-    const auto neighbour = [&](const trace::Frame* frame, int way) {
-      return frame != nullptr && frame->frame == now->frame + way ? frame : nullptr;
+    const auto neighbour = [&](const trace::Frame* frame, int offset) {
+      return frame != nullptr && frame->frame == now->frame + offset ? frame : nullptr;
     };
     const Moments moments{neighbour(before, -1), now, neighbour(after, 1)};
     for (const std::unique_ptr<Watch>& watch : watches) watch->see(solids, moments);
@@ -81,7 +81,7 @@ void Linter::look_at(const trace::Frame& frame) {
 std::vector<Finding> Linter::findings() {
   state_->see(nullptr);
   std::vector<Finding> all;
-  for (const std::unique_ptr<Watch>& watch : state_->watches) watch->tell(all);
+  for (const std::unique_ptr<Watch>& watch : state_->watches) watch->report(all);
   for (const auto& [name, why] : state_->solids.refused)
     all.push_back(
         {"shape",

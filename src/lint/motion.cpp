@@ -28,11 +28,11 @@ struct Samples {
     most = std::max(most, value);
     if (count++ % every != 0) return;
     values.push_back(value);
-    constexpr std::size_t kMost = 10'000;
-    if (values.size() < kMost) return;
+    constexpr std::size_t kMax = 10'000;
+    if (values.size() < kMax) return;
     every *= 2;
-    for (std::size_t i = 0; 2 * i < kMost; ++i) values[i] = values[2 * i];
-    values.resize(kMost / 2);
+    for (std::size_t i = 0; 2 * i < kMax; ++i) values[i] = values[2 * i];
+    values.resize(kMax / 2);
   }
   /// The middle one, where most are like it.
   std::optional<double> common() const {
@@ -84,12 +84,12 @@ class MotionWatch final : public Watch {
     see_rests(solids, frames, step);
   }
 
-  void tell(std::vector<Finding>& findings) override {
-    tell_axis(findings);
-    if (tell_time(findings)) return;
-    tell_unit(findings);
-    tell_densities(findings);
-    tell_impulses(findings);
+  void report(std::vector<Finding>& findings) override {
+    report_axis(findings);
+    if (report_time(findings)) return;
+    report_unit(findings);
+    report_densities(findings);
+    report_impulses(findings);
   }
 
  private:
@@ -157,7 +157,7 @@ class MotionWatch final : public Watch {
     }
   }
 
-  void tell_axis(std::vector<Finding>& findings) const {
+  void report_axis(std::vector<Finding>& findings) const {
     for (int axis = 0; axis < 3; ++axis) {
       if (up_[axis] != 0) continue;
       const std::optional<double> fall = at(falls_, axis).common();
@@ -180,7 +180,7 @@ class MotionWatch final : public Watch {
   }
 
   /// Gravity and weights are those of a time that runs a thousand times too fast.
-  bool tell_time(std::vector<Finding>& findings) const {
+  bool report_time(std::vector<Finding>& findings) const {
     constexpr double kThousand = 1000;
     const std::optional<double> share = weights_.common();
     const bool bears = share && is_near(std::abs(*share), 1 / kThousand);
@@ -199,7 +199,7 @@ class MotionWatch final : public Watch {
     return true;
   }
 
-  void tell_unit(std::vector<Finding>& findings) const {
+  void report_unit(std::vector<Finding>& findings) const {
     for (const Samples& samples : falls_) {
       const std::optional<double> fall = samples.common();
       if (!fall) continue;
@@ -216,7 +216,7 @@ class MotionWatch final : public Watch {
   }
 
   /// Of all bodies the density is that of something solid, if lengths are in a smaller unit.
-  void tell_densities(std::vector<Finding>& findings) const {
+  void report_densities(std::vector<Finding>& findings) const {
     if (densities_.values.empty()) return;
     constexpr double kLightest = 5, kHeaviest = 30'000;  // kilograms a cubic metre: foam, platinum
     for (const auto& [unit, factor] : {std::pair("centimetres", 100.0), {"millimetres", 1000.0}}) {
@@ -233,7 +233,7 @@ class MotionWatch final : public Watch {
     }
   }
 
-  void tell_impulses(std::vector<Finding>& findings) const {
+  void report_impulses(std::vector<Finding>& findings) const {
     const std::optional<double> share = weights_.common();
     if (!share) return;
     const auto say = [&](const char* cause, const char* what, const char* remedy) {

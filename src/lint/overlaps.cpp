@@ -41,13 +41,13 @@ struct Missing {
 class OverlapsWatch final : public Watch {
  public:
   void see(const Solids& solids, const Moments& frames) override {
-    std::set<Names> told;
+    std::set<Names> record;
     for (const trace::Pair& pair : frames.now->pairs) {
       const Names names = in_order(pair.a, pair.b);
-      told.insert(names);
+      record.insert(names);
       if (!pair.manifolds.empty()) with_contacts_.insert(names);
       if (pair.manifolds.empty() && !pair.query && pair.state == "separated" && !pair.degenerate)
-        look(solids, frames, names, apart_);
+        look(solids, frames, names, separation_);
     }
     std::vector<std::pair<Aabb<double>, const std::string*>> boxes;
     for (const trace::Placement& one : frames.now->poses) {
@@ -64,21 +64,22 @@ class OverlapsWatch final : public Watch {
         if (boxes[j].first.lower.x() > boxes[i].first.upper.x()) break;
         if (!overlaps(boxes[i].first, boxes[j].first)) continue;
         const Names names = in_order(*boxes[i].second, *boxes[j].second);
-        if (!told.contains(names)) look(solids, frames, names, untold_);
+        if (!record.contains(names)) look(solids, frames, names, untold_);
       }
   }
 
-  void tell(std::vector<Finding>& findings) override {
+  void report(std::vector<Finding>& findings) override {
     for (const Finding& finding : findings)
       if (moves_shapes(finding.cause)) return;
-    tell_of("overlap_told_apart", "shapes that overlap are told to be apart",
-            "look at the test that finds them apart, and at the poses", apart_, findings);
+    report_kind("overlap_told_apart", "shapes that overlap are told to be apart",
+                "look at the test that finds them apart, and at the poses", separation_, findings);
     std::erase_if(untold_, [&](const auto& one) { return !with_contacts_.contains(one.first); });
-    tell_of("overlap_without_contact", "shapes overlap, and no contact of them is told",
-            "in other frames they have contacts: look at the broad phase, and at what is left out "
-            "when a frame "
-            "is written",
-            untold_, findings);
+    report_kind(
+        "overlap_without_contact", "shapes overlap, and no contact of them is told",
+        "in other frames they have contacts: look at the broad phase, and at what is left out "
+        "when a frame "
+        "is written",
+        untold_, findings);
   }
 
  private:
@@ -98,8 +99,8 @@ class OverlapsWatch final : public Watch {
     missing.frame = frames.now->frame;
   }
 
-  static void tell_of(const char* cause, const char* what, const char* remedy, const List& list,
-                      std::vector<Finding>& findings) {
+  static void report_kind(const char* cause, const char* what, const char* remedy, const List& list,
+                          std::vector<Finding>& findings) {
     const auto deepest =
         std::ranges::max_element(list, {}, [](const auto& one) { return one.second.deepest; });
     if (deepest == list.end()) return;
@@ -111,7 +112,7 @@ class OverlapsWatch final : public Watch {
   }
 
   std::set<Names> with_contacts_;
-  List apart_, untold_;
+  List separation_, untold_;
 };
 
 }  // namespace

@@ -148,14 +148,15 @@ bool go_together(const Mistake& one, const Mistake& other) {
   Reading first, second;
   one.apply(first);
   other.apply(second);
-  const auto apart = [&](auto member) {
+  const auto separated = [&](auto member) {
     const Reading plain;
     return first.*member == plain.*member || second.*member == plain.*member;
   };
-  return apart(&Reading::normals) && apart(&Reading::normals_flipped) &&
-         apart(&Reading::separations_negated) && apart(&Reading::separation_scale) &&
-         apart(&Reading::points) && apart(&Reading::point_scale) && apart(&Reading::moment) &&
-         apart(&Reading::rotation) && apart(&Reading::shape_scale);
+  return separated(&Reading::normals) && separated(&Reading::normals_flipped) &&
+         separated(&Reading::separations_negated) && separated(&Reading::separation_scale) &&
+         separated(&Reading::points) && separated(&Reading::point_scale) &&
+         separated(&Reading::moment) && separated(&Reading::rotation) &&
+         separated(&Reading::shape_scale);
 }
 
 std::vector<Explanation> all_explanations() {

@@ -22,7 +22,7 @@ enum class Axes { Same, MirroredX, MirroredY, MirroredZ, YzSwapped, ZUp, YUp };
 
 /// What shapes collided as, where that is not what the trace says.
 enum class Form {
-  AsTold,
+  AsReported,
   BoxesHalf,
   BoxesTwice,
   RadiiHalf,
@@ -51,12 +51,12 @@ struct Reading {
   double shape_scale = 1;
   bool sides_swapped = false;  // on_a is on b, and on_b on a
   Axes axes = Axes::Same;
-  Form form = Form::AsTold;
+  Form form = Form::AsReported;
 
   /// Whether it has shapes elsewhere, or otherwise, than the trace says.
   bool moves_shapes() const {
     return moment != Moment::OfFrame || rotation != Rotation::Wxyz || at_center_of_mass ||
-           shape_scale != 1 || form != Form::AsTold;
+           shape_scale != 1 || form != Form::AsReported;
   }
 
   friend bool operator==(const Reading&, const Reading&) = default;

@@ -12,11 +12,11 @@ class RecordsWatch final : public Watch {
  public:
   void see(const Solids&, const Moments& frames) override {
     see_time(frames);
-    std::set<std::array<std::string, 3>> told;
+    std::set<std::array<std::string, 3>> record;
     for (const trace::Pair& pair : frames.now->pairs) {
       ++twice_.of;
       const auto [first, second] = std::minmax(pair.a, pair.b);
-      if (!told.insert({first, second, pair.label}).second)
+      if (!record.insert({first, second, pair.label}).second)
         twice_.wrong(frames, pair.a, pair.b, [&] {
           return std::pair<std::string, std::string>(
               "it stands in this frame before",
@@ -32,17 +32,17 @@ class RecordsWatch final : public Watch {
     }
   }
 
-  void tell(std::vector<Finding>& findings) override {
-    twice_.tell("pairs_twice", "pairs are told twice in a frame",
-                "leave one out: many engines report a pair in both orders, or once for each body",
-                1, 0, findings);
-    empty_.tell("touching_without_points", "pairs are 'touching' and have no points",
-                "write their manifolds, or leave 'state' out: it follows from them", 1, 0,
-                findings);
-    time_.tell("times_do_not_rise", "'time' does not rise from frame to frame",
-               "write the time at which each frame is, in seconds: velocities and impulses are "
-               "held against it",
-               1, 0, findings);
+  void report(std::vector<Finding>& findings) override {
+    twice_.report("pairs_twice", "pairs are told twice in a frame",
+                  "leave one out: many engines report a pair in both orders, or once for each body",
+                  1, 0, findings);
+    empty_.report("touching_without_points", "pairs are 'touching' and have no points",
+                  "write their manifolds, or leave 'state' out: it follows from them", 1, 0,
+                  findings);
+    time_.report("times_do_not_rise", "'time' does not rise from frame to frame",
+                 "write the time at which each frame is, in seconds: velocities and impulses are "
+                 "held against it",
+                 1, 0, findings);
   }
 
  private:

@@ -32,7 +32,7 @@ class RotationsWatch final : public Watch {
     }
   }
 
-  void tell(std::vector<Finding>& findings) override {
+  void report(std::vector<Finding>& findings) override {
     constexpr int kFewest = 2;
     if (half_turns_ < kFewest || upright_ > 0 || 2 * half_turns_ < poses_) return;
     for (const Finding& finding : findings)

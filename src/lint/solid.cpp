@@ -97,9 +97,9 @@ std::optional<double> Solid::exit_of_round(const Vec3d& point, const Vec3d& dire
   const auto leave_ball = [&](double where) {
     const Vec3d center = from + where * axis;
     const double along = direction.dot(center);
-    const double beside = (center - along * direction).squaredNorm();
-    if (beside <= radius_ * radius_)
-      last = std::max(last.value_or(-kInfinity), along + std::sqrt(radius_ * radius_ - beside));
+    const double next_to = (center - along * direction).squaredNorm();
+    if (next_to <= radius_ * radius_)
+      last = std::max(last.value_or(-kInfinity), along + std::sqrt(radius_ * radius_ - next_to));
   };
   leave_ball(0);
   leave_ball(1);
@@ -156,8 +156,8 @@ std::optional<double> Solid::exit_of_surface(const Vec3d& point, const Vec3d& di
     const Vec3d crossing = point + where * direction;
     for (int k = 0; k < 3; ++k) {
       const Vec3d edge = mesh.corner(t, (k + 1) % 3) - mesh.corner(t, k);
-      const double beside = mesh.normal(t).cross(edge).dot(crossing - mesh.corner(t, k));
-      if (beside < -1e-9 * edge.norm() * size_) return;
+      const double next_to = mesh.normal(t).cross(edge).dot(crossing - mesh.corner(t, k));
+      if (next_to < -1e-9 * edge.norm() * size_) return;
     }
     found = where;
   });
@@ -227,11 +227,11 @@ std::optional<Separation> best_separation(const Placed& a, const Placed& b) {
   const SupportSet<double> core_a = a.solid->core(), core_b = b.solid->core();
   const Pose<double> b_in_a = relative_pose(a.pose, b.pose);
   const GjkResult<double> gap = gjk(core_a, core_b, b_in_a);
-  const Separation apart{gap.distance - radii, a.pose.rotate(gap.normal)};
-  if (!may_overlap(gap, core_a, core_b, b_in_a)) return apart;
+  const Separation separation{gap.distance - radii, a.pose.rotate(gap.normal)};
+  if (!may_overlap(gap, core_a, core_b, b_in_a)) return separation;
   const PenetrationResult<double> deep = penetration(PenetrationMethod::Epa, core_a, core_b, b_in_a,
                                                      PenetrationOptions<double>{}, &gap.simplex);
-  if (!has_depth(deep.status)) return apart;
+  if (!has_depth(deep.status)) return separation;
   return Separation{-deep.depth - radii, a.pose.rotate(deep.normal)};
 }
 

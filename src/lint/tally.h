@@ -23,8 +23,8 @@ struct Tally {
   }
 
   /// Tells it where it is that often: `least` times, and that share.
-  void tell(const char* cause, const char* what, const char* remedy, int least, double share,
-            std::vector<Finding>& findings) const {
+  void report(const char* cause, const char* what, const char* remedy, int least, double share,
+              std::vector<Finding>& findings) const {
     if (count < least || count < share * of) return;
     Finding finding = first;
     finding.cause = cause;

@@ -13,7 +13,7 @@ namespace {
 /// What a velocity may be instead of one in metres, or radians, a second in the world.
 struct Other {
   const char *cause, *what, *remedy;
-  Vec3d (*meant)(const Vec3d& told, const Quat<double>& rotation, double step);
+  Vec3d (*meant)(const Vec3d& record, const Quat<double>& rotation, double step);
 };
 
 constexpr const char* kOfTheBody = "turn them by the rotation of the body: they are in the world";
@@ -49,29 +49,30 @@ class Readings {
       : others_(others), name_(name), unit_(unit) {}
 
   /// `moved`: what it was from the frame before, and to the one after.
-  void see(const Moments& frames, const std::string& body, const Vec3d& told,
+  void see(const Moments& frames, const std::string& body, const Vec3d& record,
            const std::array<Vec3d, 2>& moved, const Quat<double>& rotation, double step) {
     const auto fits = [&](const Vec3d& velocity) {
-      return std::ranges::any_of(
-          moved, [&](const Vec3d& way) { return (velocity - way).norm() <= kAlike * way.norm(); });
+      return std::ranges::any_of(moved, [&](const Vec3d& offset) {
+        return (velocity - offset).norm() <= kAlike * offset.norm();
+      });
     };
     ++wrong_.of;
-    if (fits(told)) return;
+    if (fits(record)) return;
     wrong_.wrong(frames, body, "", [&] {
-      return std::pair(std::string(name_) + " " + spelled(told) + " " + unit_,
+      return std::pair(std::string(name_) + " " + spelled(record) + " " + unit_,
                        "to the next frame it is " + spelled(moved[1]));
     });
     for (std::size_t i = 0; i < Count; ++i)
-      explained_[i] += fits(others_[i].meant(told, rotation, step));
+      explained_[i] += fits(others_[i].meant(record, rotation, step));
   }
 
   /// Contacts stop bodies, and solvers push them: only what is so nearly everywhere is told.
-  void tell(std::vector<Finding>& findings) const {
+  void report(std::vector<Finding>& findings) const {
     constexpr int kFewest = 5;
     for (std::size_t i = 0; i < Count; ++i)
       if (explained_[i] > 0.7 * wrong_.count && explained_[i] > 0.5 * wrong_.of)
-        return wrong_.tell(others_[i].cause, others_[i].what, others_[i].remedy, kFewest, 0.5,
-                           findings);
+        return wrong_.report(others_[i].cause, others_[i].what, others_[i].remedy, kFewest, 0.5,
+                             findings);
   }
 
  private:
@@ -98,22 +99,22 @@ class VelocitiesWatch final : public Watch {
       const auto middle = [](const Placed& placed) {
         return placed.pose.transform(placed.solid->center_of_mass());
       };
-      const std::array<Vec3d, 2> ways = {(middle(*now) - middle(*before)) / last,
-                                         (middle(*after) - middle(*now)) / step};
+      const std::array<Vec3d, 2> methods = {(middle(*now) - middle(*before)) / last,
+                                            (middle(*after) - middle(*now)) / step};
       constexpr double kMoving = 0.2,
                        kTurning = 0.5;  // metres and radians a second: more than solvers correct
-      if (std::ranges::all_of(ways, [](const Vec3d& way) { return way.norm() > kMoving; }))
-        velocities_.see(frames, body.name, body.velocity, ways, now->pose.rotation, step);
+      if (std::ranges::all_of(methods, [](const Vec3d& offset) { return offset.norm() > kMoving; }))
+        velocities_.see(frames, body.name, body.velocity, methods, now->pose.rotation, step);
       const std::array<Vec3d, 2> turns = {turn(before->pose, now->pose) / last,
                                           turn(now->pose, after->pose) / step};
-      if (std::ranges::all_of(turns, [](const Vec3d& way) { return way.norm() > kTurning; }))
+      if (std::ranges::all_of(turns, [](const Vec3d& offset) { return offset.norm() > kTurning; }))
         spins_.see(frames, body.name, body.angular_velocity, turns, now->pose.rotation, step);
     }
   }
 
-  void tell(std::vector<Finding>& findings) override {
-    velocities_.tell(findings);
-    spins_.tell(findings);
+  void report(std::vector<Finding>& findings) override {
+    velocities_.report(findings);
+    spins_.report(findings);
   }
 
  private:

@@ -14,7 +14,7 @@ class Watch {
   virtual ~Watch() = default;
   /// frames.now is there; its neighbours are where the trace has the frame before and the one after.
   virtual void see(const Solids& solids, const Moments& frames) = 0;
-  virtual void tell(std::vector<Finding>& findings) = 0;
+  virtual void report(std::vector<Finding>& findings) = 0;
 };
 
 /// claims_watch.cpp: points, normals and separations against the shapes, and what they would be right under.

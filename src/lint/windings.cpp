@@ -16,14 +16,15 @@ class WindingsWatch final : public Watch {
     }
   }
 
-  void tell(std::vector<Finding>& findings) override {
+  void report(std::vector<Finding>& findings) override {
     constexpr int kFewest = 5;
     for (const auto& [name, met] : met_)
-      met.tell("mesh_inside_out", "a mesh is met from behind, wherever it is met",
-               "list the vertices of each triangle counter-clockwise as seen from outside: engines "
-               "of which x, y, z are "
-               "left-handed, and some files, have them the other way",
-               kFewest, 0.95, findings);
+      met.report(
+          "mesh_inside_out", "a mesh is met from behind, wherever it is met",
+          "list the vertices of each triangle counter-clockwise as seen from outside: engines "
+          "of which x, y, z are "
+          "left-handed, and some files, have them the other way",
+          kFewest, 0.95, findings);
   }
 
  private:

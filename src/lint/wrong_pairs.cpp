@@ -7,45 +7,45 @@ namespace {
 
 /// Kept one by one. Together with the ways to be wrong that are told apart after them, some megabytes.
 constexpr std::size_t kWhole = 4000;
-constexpr std::size_t kMost = 2 * kWhole;
+constexpr std::size_t kMax = 2 * kWhole;
 /// Depths that differ by less than so much are the same way.
 constexpr double kSameDepth = 1.05;
 
 /// What all that is told of a pair depends on, but for its place.
-std::string way_of(const WrongPair& pair) {
-  std::string way = pair.explained_by.to_string();
-  way += pair.gross ? '!' : '.';
-  way += std::to_string(static_cast<int>(pair.problem.kind));
+std::string offset_of(const WrongPair& pair) {
+  std::string offset = pair.explained_by.to_string();
+  offset += pair.gross ? '!' : '.';
+  offset += std::to_string(static_cast<int>(pair.problem.kind));
   if (pair.deeper != 0) {
-    way += pair.deeper > 0 ? '+' : '-';
-    way += std::to_string(std::lround(std::log(std::abs(pair.deeper)) / std::log(kSameDepth)));
+    offset += pair.deeper > 0 ? '+' : '-';
+    offset += std::to_string(std::lround(std::log(std::abs(pair.deeper)) / std::log(kSameDepth)));
   }
-  return way;
+  return offset;
 }
 
 }  // namespace
 
 void WrongPairs::add(WrongPair pair) {
   ++count_;
-  std::string way;
+  std::string offset;
   if (kept_.size() >= kWhole) {
     if (places_.empty())
-      for (std::size_t i = 0; i < kept_.size(); ++i) places_.emplace(way_of(kept_[i]), i);
-    way = way_of(pair);
-    const auto known = places_.find(way);
+      for (std::size_t i = 0; i < kept_.size(); ++i) places_.emplace(offset_of(kept_[i]), i);
+    offset = offset_of(pair);
+    const auto known = places_.find(offset);
     // Of a trace that is wrong in thousands of ways, it no longer matters which one is the most frequent.
-    if (known != places_.end() || kept_.size() >= kMost) {
+    if (known != places_.end() || kept_.size() >= kMax) {
       ++kept_[known != places_.end() ? known->second : kept_.size() - 1].times;
       return;
     }
-    places_.emplace(std::move(way), kept_.size());
+    places_.emplace(std::move(offset), kept_.size());
   }
   kept_.push_back(std::move(pair));
 }
 
 int WrongPairs::untold() const {
   int count = 0;
-  for (const WrongPair& pair : kept_) count += pair.told ? 0 : pair.times;
+  for (const WrongPair& pair : kept_) count += pair.record ? 0 : pair.times;
   return count;
 }
 

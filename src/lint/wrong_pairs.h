@@ -10,7 +10,7 @@
 namespace contactscope::lint {
 
 /// Room for all explanations.
-inline constexpr std::size_t kMostExplanations = 512;
+inline constexpr std::size_t kMaxExplanations = 512;
 
 /// A pair of a frame whose claims are wrong, or several that are wrong in the same way.
 struct WrongPair {
@@ -19,9 +19,9 @@ struct WrongPair {
   Problem problem;
   std::string said, is;
   double deeper = 0;  // metres of more overlap than there is, where all points say the same; else 0
-  std::bitset<kMostExplanations> explained_by;
+  std::bitset<kMaxExplanations> explained_by;
   bool gross = false;  // beyond what an engine's approximations can be
-  bool told = false;
+  bool record = false;
   int times = 1;  // as often
 };
 

@@ -15,7 +15,7 @@
 namespace contactscope::boxes {
 
 /// Two rectangles clip to at most eight corners.
-inline constexpr int kMostPoints = 8;
+inline constexpr int kMaxPoints = 8;
 
 /// In A's frame.
 template <class S>
@@ -25,7 +25,7 @@ struct BoxContact {
   int count = 0;
   Three<S> normal;  // unit, from A to B
   S scale;          // metres, as in Contact
-  ContactPoint<S> points[kMostPoints];
+  ContactPoint<S> points[kMaxPoints];
 
   /// `first` and `second` are indices into kEdgeRefs, in this order.
   [[gnu::always_inline]] void put(const Three<S>& position, S separation, int first, int second);
@@ -52,8 +52,8 @@ inline constexpr std::array<std::uint64_t, 24> kEdgeRefs = [] {
 /// A position and a separation in one pack.
 template <class S>
 [[gnu::always_inline]] inline Three<S> with_separation(const Three<S>& position,
-                                                       const Three<S>& apart) {
-  const Three<S> z = __builtin_shufflevector(position, apart, 2, 2, 7, 7);
+                                                       const Three<S>& distance) {
+  const Three<S> z = __builtin_shufflevector(position, distance, 2, 2, 7, 7);
   return __builtin_shufflevector(position, z, 0, 1, 4, 6);
 }
 

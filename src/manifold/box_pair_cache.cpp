@@ -22,11 +22,11 @@ template <class S>
   const auto norm = [](const Three<S>& v) __attribute__((always_inline)) {
     return std::sqrt(boxes::dot<S>(v, v));
   };
-  const Three<S> back = -pair.way;
+  const Three<S> back = -pair.offset;
   const Three<S> center_a = dot_sum<S>(Three<S>(pair.rows.of[0] * boxes::spread<0>(back)),
                                        Three<S>(pair.rows.of[1] * boxes::spread<1>(back)),
                                        Three<S>(pair.rows.of[2] * boxes::spread<2>(back)));
-  const S of_b = norm(pair.way - boxes::three(cache.center_b)) + turn * pair.b.radius;
+  const S of_b = norm(pair.offset - boxes::three(cache.center_b)) + turn * pair.b.radius;
   const S of_a = norm(center_a - boxes::three(cache.center_a)) + turn * pair.a.radius;
   return std::max(of_a, of_b);
 }

@@ -15,7 +15,7 @@ struct MethodRow {
 
 constexpr const char* kYesOrNo =
     "an overlap test of bounds says yes or no; ask the shapes themselves for more";
-constexpr const char* kOnePointApart =
+constexpr const char* kOnePointSeparated =
     "it finds a normal and a depth, and no points; ask \"contacts\", which clips the features "
     "there";
 
@@ -23,14 +23,14 @@ constexpr MethodRow kRows[kQueryMethods] = {
     {{true, true, false, false, false}, kYesOrNo},
     {{true, true, false, false, false}, kYesOrNo},
     {{true, true, false, false, false}, kYesOrNo},
-    {{true, true, true, true, false}, kOnePointApart},
+    {{true, true, true, true, false}, kOnePointSeparated},
     {{true, true, true, false, false},
      "GJK ends where the shapes overlap, and finds one pair of points where they do not; ask "
      "\"sat\" or \"epa\" for the depth, \"contacts\" for a manifold"},
-    {{true, true, false, true, false}, kOnePointApart},
-    {{true, true, false, true, false}, kOnePointApart},
-    {{true, true, false, true, false}, kOnePointApart},
-    {{true, true, false, true, false}, kOnePointApart},
+    {{true, true, false, true, false}, kOnePointSeparated},
+    {{true, true, false, true, false}, kOnePointSeparated},
+    {{true, true, false, true, false}, kOnePointSeparated},
+    {{true, true, false, true, false}, kOnePointSeparated},
     {{true, false, false, false, false},
      "of two meshes the triangles that share a point are found, and neither a gap nor a depth; ask "
      "for the overlap of their triangles, query = \"overlap\""},

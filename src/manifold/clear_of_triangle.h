@@ -29,7 +29,7 @@ class ClearOfTriangle {
                   S reach)
       : hull_(hull),
         mesh_(mesh),
-        apart_(margin + kRounding * reach),
+        separation_(margin + kRounding * reach),
         other_axes_(margin > S(0) ? std::numeric_limits<S>::infinity() : S(0)),
         shift_(boxes::three(mesh_in_hull.position)),
         vertices_(hull.is_box() ? 0 : 3 * padded(hull.vertex_count())) {
@@ -50,9 +50,9 @@ class ClearOfTriangle {
     const Three most = lanes::larger(lanes::larger(corners[0], corners[1]), corners[2]);
     // A triangle may be much larger than the hull; then its own corners decide the rounding.
     const Three far = lanes::larger(most, Three(-least));
-    const S apart = apart_ + kRounding * std::max(std::max(far[0], far[1]), far[2]);
+    const S separation = separation_ + kRounding * std::max(std::max(far[0], far[1]), far[2]);
     const Three gaps = lanes::larger(Three(least - upper_), Three(lower_ - most));
-    const S clearly = hull_.is_box() ? apart : kSharp * apart + other_axes_;
+    const S clearly = hull_.is_box() ? separation : kSharp * separation + other_axes_;
     if ((boxes::lane_bits<S>(gaps > clearly) & 7U) != 0) return true;
 
     const Three normal = turned(mesh_.normal(triangle));
@@ -60,10 +60,10 @@ class ClearOfTriangle {
     const S height = heights[0] + heights[1] + heights[2];
     if (hull_.is_box()) {
       const Three reach = boxes::absolute<S>(normal) * upper_;
-      return std::abs(height) - (reach[0] + reach[1] + reach[2]) > apart;
+      return std::abs(height) - (reach[0] + reach[1] + reach[2]) > separation;
     }
-    return beside_plane(normal, height, apart) || beside_face(corners, apart) ||
-           beside_outline(corners, clearly);
+    return off_plane(normal, height, separation) || outside_face(corners, separation) ||
+           outside_outline(corners, clearly);
   }
 
  private:
@@ -102,9 +102,9 @@ class ClearOfTriangle {
   struct Heights {
     S least, most;
   };
-  Heights heights_along(const Three& way) const {
+  Heights heights_along(const Three& offset) const {
     const int stride = padded(hull_.vertex_count());
-    const Pack x = lanes::all(way[0]), y = lanes::all(way[1]), z = lanes::all(way[2]);
+    const Pack x = lanes::all(offset[0]), y = lanes::all(offset[1]), z = lanes::all(offset[2]);
     Pack least = lanes::all(std::numeric_limits<S>::infinity()), most = -least;
     for (int i = 0; i < stride; i += lanes::kWidth<S>) {
       const S* const from = vertices_.data() + i;
@@ -117,15 +117,15 @@ class ClearOfTriangle {
   }
 
   /// `height`: of the triangle's plane along its normal.
-  bool beside_plane(const Three& normal, S height, S apart) const {
+  bool off_plane(const Three& normal, S height, S separation) const {
     const Heights heights = heights_along(normal);
-    return heights.least - height > apart || height - heights.most > apart;
+    return heights.least - height > separation || height - heights.most > separation;
   }
 
-  bool beside_face(const Three (&corners)[3], S apart) const {
+  bool outside_face(const Three (&corners)[3], S separation) const {
     const int stride = padded(hull_.face_count());
     const S* const normals = hull_.lanes.normals.data();
-    lanes::Flags<S> beside = {};
+    lanes::Flags<S> next_to = {};
     for (int i = 0; i < stride; i += lanes::kWidth<S>) {
       const Pack x = lanes::load(normals + i), y = lanes::load(normals + stride + i),
                  z = lanes::load(normals + 2 * stride + i);
@@ -134,14 +134,14 @@ class ClearOfTriangle {
       };
       const Pack least =
           lanes::smaller(lanes::smaller(along(corners[0]), along(corners[1])), along(corners[2]));
-      beside |= least - lanes::load(hull_.lanes.offsets.data() + i) > apart;
+      next_to |= least - lanes::load(hull_.lanes.offsets.data() + i) > separation;
     }
-    return lanes::bits<S>(beside) != 0;
+    return lanes::bits<S>(next_to) != 0;
   }
 
   /// Along the direction to the hull's centre from the nearest point of the triangle's outline. If
   /// edges, or a corner and any feature, are closest, a separating axis is near this direction.
-  bool beside_outline(const Three (&corners)[3], S apart) const {
+  bool outside_outline(const Three (&corners)[3], S separation) const {
     const auto& [c0, c1, c2] = corners;
     const boxes::Coordinates<S> from(c0, c1, c2, c2), to(c1, c2, c0, c0);
     const Three along[] = {to.x - from.x, to.y - from.y, to.z - from.z};
@@ -151,23 +151,23 @@ class ClearOfTriangle {
     const Three squared = along[0] * along[0] + along[1] * along[1] + along[2] * along[2];
     const Three zero = {}, one = boxes::all_of(S(1));
     const Three part = lanes::smaller(lanes::larger(Three(ahead / squared), zero), one);
-    const Three ways[] = {rest[0] - part * along[0], rest[1] - part * along[1],
-                          rest[2] - part * along[2]};
-    const Three far = ways[0] * ways[0] + ways[1] * ways[1] + ways[2] * ways[2];
+    const Three methods[] = {rest[0] - part * along[0], rest[1] - part * along[1],
+                             rest[2] - part * along[2]};
+    const Three far = methods[0] * methods[0] + methods[1] * methods[1] + methods[2] * methods[2];
     const int nearest = far[0] <= far[1] ? (far[0] <= far[2] ? 0 : 2) : (far[1] <= far[2] ? 1 : 2);
-    const Three way = {ways[0][nearest], ways[1][nearest], ways[2][nearest], S(0)};
+    const Three offset = {methods[0][nearest], methods[1][nearest], methods[2][nearest], S(0)};
     S highest = -std::numeric_limits<S>::infinity();
     for (const Three& corner : corners) {
-      const Three terms = way * corner;
+      const Three terms = offset * corner;
       highest = std::max(highest, terms[0] + terms[1] + terms[2]);
     }
-    const S gap = heights_along(way).least - highest;
-    return gap > S(0) && gap * gap > apart * apart * far[nearest];
+    const S gap = heights_along(offset).least - highest;
+    return gap > S(0) && gap * gap > separation * separation * far[nearest];
   }
 
   const Hull<S>& hull_;
   const Mesh<S>& mesh_;
-  S apart_;
+  S separation_;
   S other_axes_;         // infinity to allow only the separating axis test's axes
   Three lower_, upper_;  // box around the hull, own frame
   Three shift_;

@@ -69,7 +69,7 @@ struct OutsideRun {
   /// New position of a corner that is not in the run.
   int moved(int at) const { return at < after ? at - after + end : at - after; }
   /// Start of the part that replaces the list's first corner if that is outside.
-  int way_back() const { return crosses_in ? kept + (crosses_out ? 8 : 0) : 0; }
+  int return_steps() const { return crosses_in ? kept + (crosses_out ? 8 : 0) : 0; }
   int new_end() const { return kept + (crosses_out ? 8 : 0) + (crosses_in ? 8 : 0); }
 
  private:
@@ -141,7 +141,7 @@ template <int kCorners = 4, class S>
     const std::uint64_t turns = run.crosses_out ? 0 : (out_edge ^ side_edge) << (leaves + 4);
     list = run.splice(list ^ turns, out | side_edge << 4, in | in_edge << 4);
     codes = run.splice(codes, out_code, in_code);
-    first = (outside >> first & 1U) != 0 ? run.way_back() : run.moved(first);
+    first = (outside >> first & 1U) != 0 ? run.return_steps() : run.moved(first);
     end = run.new_end();
     if (end > 64) [[unlikely]]
       return false;

@@ -113,8 +113,8 @@ Vec3<S> normal_between(const AxisPair<S>& axes, const ClosestOfSegments<S>& clos
   // nearer. The axis then leans towards the other shape, in direction `towards`.
   const auto leans_from_end = [](const Axis<S>& axis, S parameter, const Vec3<S>& towards) {
     if (!axis.has_length()) return false;
-    const S way = towards.dot(axis.along);
-    return (parameter == S(0) && way > S(0)) || (parameter == S(1) && way < S(0));
+    const S offset = towards.dot(axis.along);
+    return (parameter == S(0) && offset > S(0)) || (parameter == S(1) && offset < S(0));
   };
   const bool inside_a = is_inside(axes.a, closest.parameter_a);
   const bool inside_b = is_inside(axes.b, closest.parameter_b);
@@ -181,9 +181,9 @@ void add_two_points(const AxisPair<S>& axes, S radius_a, S radius_b, S margin,
   if (axes.sine > kNearlyParallel<S>) return;
   const Stretch<S> stretch = axes.stretch();
   if (stretch.length <= kShortStretch<S> * axes.radii || axes.sine > stretch.largest_sine) return;
-  const bool same_way = axes.a.along.dot(axes.b.along) > S(0);
+  const bool same_direction = axes.a.along.dot(axes.b.along) > S(0);
   for (int side = 0; side < 2; ++side) {
-    const int end_of_b = same_way ? side : 1 - side;
+    const int end_of_b = same_direction ? side : 1 - side;
     const auto [on_a, on_b] = facing_at(axes, stretch, side, end_of_b);
     const S distance = contact.normal.dot(on_b - on_a);
     if (distance - axes.radii > margin) continue;

@@ -159,8 +159,8 @@ bool add_point_over_face(const TouchingPair<S>& pair, const CapsuleTouch<S>& tou
 /// stretch are equally deep. If the segment rises from one end, that end is the deepest. At a
 /// vertex the edge may fall away, and the far end is less deep by that.
 template <class S>
-void add_point_beside_edge(const TouchingPair<S>& pair, const CapsuleTouch<S>& touch, S reach,
-                           CorePoints<S>& result) {
+void add_point_next_to_edge(const TouchingPair<S>& pair, const CapsuleTouch<S>& touch, S reach,
+                            CorePoints<S>& result) {
   const int edge = edge_along(pair, touch);
   if (edge < 0) return;
   const ClippedSegment<S> clipped = clip_to_edge(pair.hull, edge, pair.ends);
@@ -204,7 +204,7 @@ CorePoints<S> points_on_edge_or_vertex(const TouchingPair<S>& pair, const Capsul
   result.type = contact_type(id.first.kind, id.second.kind);
   if (!(pair.length > S(0)) || touch.feature.kind == FeatureKind::Face) return result;
   if (!add_point_over_face(pair, touch, reach, result))
-    add_point_beside_edge(pair, touch, reach, result);
+    add_point_next_to_edge(pair, touch, reach, result);
   return result;
 }
 
@@ -221,7 +221,7 @@ AxisKind axis_of(const CapsuleTouch<S>& touch, const CorePoints<S>& core) {
 
 /// To the hull; midway between two edges that have passed each other (talk, "Deep Contact").
 template <class S>
-S way_to_hull(const CapsuleTouch<S>& touch, const CorePoint<S>& point) {
+S distance_to_hull(const CapsuleTouch<S>& touch, const CorePoint<S>& point) {
   const bool midway = touch.kind == CapsuleTouchKind::EdgePair && touch.distance < S(0) &&
                       point.distance <= touch.distance;
   return midway ? S(0.5) * point.distance : point.distance;
@@ -244,7 +244,7 @@ void add_capsule_touch(const Capsule<S>& a, const Hull<S>& b, const Mat3<S>& rot
   contact.normal = -(rotation * touch.normal);
   for (const CorePoint<S>& point : core.points) {
     const Vec3<S> position =
-        segment_point(a.points, point.parameter) + way_to_hull(touch, point) * contact.normal;
+        segment_point(a.points, point.parameter) + distance_to_hull(touch, point) * contact.normal;
     contact.points.push_back({position, point.distance - a.radius, point.id});
   }
 }

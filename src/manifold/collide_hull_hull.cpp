@@ -54,11 +54,11 @@ template <class S>
 Manifold<S> collide_hull_hull(const Hull<S>& a, const Pose<S>& pose_a, const Hull<S>& b,
                               const Pose<S>& pose_b, const CollideOptions& options,
                               PairCache<S>* cache) {
-  Recorder<S>* const nobody = nullptr;
+  Recorder<S>* const no_record = nullptr;
   Contact<S> contact;
   Manifold<S> manifold;
-  collide_hull_hull(a, b, relative_pose(pose_a, pose_b), options, cache, contact, nobody);
-  finish_contact(ToWorld<S>(pose_a), options, contact, manifold, nobody);
+  collide_hull_hull(a, b, relative_pose(pose_a, pose_b), options, cache, contact, no_record);
+  finish_contact(ToWorld<S>(pose_a), options, contact, manifold, no_record);
   return manifold;
 }
 

@@ -45,10 +45,11 @@ Vec3<S> from_edge(const Hull<S>& hull, int half_edge, const Vec3<S>& point) {
 /// runs only for a record.
 template <class S>
 Touch<S> touch_edge_or_vertex(const Hull<S>& hull, const Vec3<S>& center, int nearest_face,
-                              int beside, S scale, GjkRun<S>* run) {
-  const std::optional<HullFeature> region = voronoi_region(hull, beside, center, scale);
+                              int next_to, S scale, GjkRun<S>* run) {
+  const std::optional<HullFeature> region = voronoi_region(hull, next_to, center, scale);
   const auto by_gjk = [&] {
-    const GjkSimplex<S> start = simplex_near(hull, edge_beside(hull, nearest_face, center), 0);
+    const GjkSimplex<S> start =
+        simplex_near(hull, nearest_outside_edge(hull, nearest_face, center), 0);
     return feature_of_b(
         hull, gjk(support_set(center), support_set(hull), Pose<S>{}, &start, run).simplex);
   };
@@ -94,9 +95,9 @@ S collide_sphere_hull(const Sphere<S>& a, const Hull<S>& b, const Pose<S>& b_in_
     if (tied) {
       degenerate = on_surface ? "centre on an edge or a vertex" : "centre as near to several faces";
     }
-  } else if (const int beside = side_beside(b, face, center); beside >= 0) {
+  } else if (const int next_to = outside_side(b, face, center); next_to >= 0) {
     const Touch<S> closest =
-        touch_edge_or_vertex(b, center, face, beside, scale, gjk_run(recorder));
+        touch_edge_or_vertex(b, center, face, next_to, scale, gjk_run(recorder));
     if (recorder) [[unlikely]]
       recorder->gjk(b_in_a);
     if (closest.distance > touching_distance(scale)) {

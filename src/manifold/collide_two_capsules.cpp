@@ -36,15 +36,16 @@ struct Axis {
 template <class S>
 struct Products {
   [[gnu::always_inline]] Products(const Axis<S>& a, const Axis<S>& b) {
-    const Three<S> way = a.ends[0] - b.ends[0];
-    const Three<S> a_way = a.along * way, b_way = b.along * way;
+    const Three<S> offset = a.ends[0] - b.ends[0];
+    const Three<S> a_offset = a.along * offset, b_offset = b.along * offset;
     squares =
-        Coordinates<S>(a.along * a.along, b.along * b.along, a.along * b.along, way * way).sums();
-    ways = Coordinates<S>(a_way, b_way, a_way, b_way).sums();
+        Coordinates<S>(a.along * a.along, b.along * b.along, a.along * b.along, offset * offset)
+            .sums();
+    methods = Coordinates<S>(a_offset, b_offset, a_offset, b_offset).sums();
   }
 
   Three<S> squares;  // a a, b b, a b, offset offset
-  Three<S> ways;     // a offset, b offset
+  Three<S> methods;  // a offset, b offset
 };
 
 /// The nearest ends of two axes, or the nearest end of one and the other axis.
@@ -69,21 +70,21 @@ template <class S>
   constexpr S kUnsure = S(2048) * std::numeric_limits<S>::epsilon();
   const Three<S>& squares = products.squares;
   const Three<S> aa = spread<0>(squares), bb = spread<1>(squares), ab = spread<2>(squares);
-  const Three<S> a_way = spread<0>(products.ways), b_way = spread<1>(products.ways);
+  const Three<S> a_offset = spread<0>(products.methods), b_offset = spread<1>(products.methods);
   const Three<S> unsure = kUnsure * (aa + bb + spread<3>(squares));
   constexpr Three<S> kS = {0, 1, 0, 1}, kT = {0, 0, 1, 1};
   constexpr Three<S> kInS = S(1) - S(2) * kS, kInT = S(1) - S(2) * kT;
-  const Three<S> inwards_s = (a_way * kInS - aa * kS) - ab * (kT * kInS);
-  const Three<S> inwards_t = (bb * -kT - b_way * kInT) - ab * (kS * kInT);
+  const Three<S> inwards_s = (a_offset * kInS - aa * kS) - ab * (kT * kInS);
+  const Three<S> inwards_t = (bb * -kT - b_offset * kInT) - ab * (kS * kInT);
   const std::uint32_t corners = lane_bits<S>(lanes::smaller(inwards_s, inwards_t) > unsure);
   if (corners != 0) return {Nearest::TwoEnds, std::countr_zero(corners), false};
 
   // s = 0, s = 1, t = 0, t = 1.
   const Three<S> lengths = __builtin_shufflevector(squares, squares, 1, 1, 0, 0);
-  const Three<S> ways = __builtin_shufflevector(b_way, -a_way, 0, 0, 4, 4);
-  const Three<S> foot = (ways + ab * kS) / lengths;
+  const Three<S> methods = __builtin_shufflevector(b_offset, -a_offset, 0, 0, 4, 4);
+  const Three<S> foot = (methods + ab * kS) / lengths;
   const Three<S> to_end = lanes::smaller(foot, S(1) - foot);
-  const Three<S> begins = __builtin_shufflevector(a_way, -b_way, 0, 0, 4, 4);
+  const Three<S> begins = __builtin_shufflevector(a_offset, -b_offset, 0, 0, 4, 4);
   const Three<S> far = __builtin_shufflevector(squares, squares, 0, 0, 1, 1);
   const Three<S> inwards = ((begins + far * kS) - foot * ab) * kInS;
   // At this distance from the foot, squared distances exceed the foot's by more than rounding.
@@ -104,9 +105,9 @@ template <class S>
                                                S squared_length, bool beyond_middle) {
   const Three<S> end = axis.ends[beyond_middle ? 1 : 0];
   const Three<S> along = (point - end) * axis.along;
-  const S way = (along[0] + (along[1] + along[2])) / squared_length;
+  const S offset = (along[0] + (along[1] + along[2])) / squared_length;
   // From the second end: the parameter 1 + way is rounded before it is subtracted from 1.
-  return end + (beyond_middle ? -(S(1) - (S(1) + way)) : way) * axis.along;
+  return end + (beyond_middle ? -(S(1) - (S(1) + offset)) : offset) * axis.along;
 }
 
 /// Indices: the first end of an axis, the second, the axis.
@@ -119,7 +120,7 @@ constexpr std::array<std::array<FeatureRef, 3>, 2> kFeatures = {
 template <class S>
 [[gnu::always_inline]] inline bool collide_in_order(const Capsule<S>& a, const Pose<S>& pose_a,
                                                     const Capsule<S>& b, const Pose<S>& pose_b,
-                                                    bool traded, const CollideOptions& options,
+                                                    bool swapped, const CollideOptions& options,
                                                     Manifolds<S>& manifolds) {
   // Pose of B in A, as in relative_pose().
   const Turn<S> to_a{four_of<S, 0>(pose_a.rotation) * Three<S>{-1, -1, -1, 1}};
@@ -130,10 +131,11 @@ template <class S>
     return __builtin_shufflevector(last, last, 1, 2, 3, 0);
   };
   const Three<S> position_a = position(pose_a);
-  const Three<S> way = to_a.of(position(pose_b) - position_a);
+  const Three<S> offset = to_a.of(position(pose_b) - position_a);
   const Three<S> own_ends_b[2] = {four_of<S, 0>(b), four_of<S, 3>(b)};
-  const Axis<S> axes[2] = {{{four_of<S, 0>(a), four_of<S, 3>(a)}},
-                           {{b_to_a.of(own_ends_b[0]) + way, b_to_a.of(own_ends_b[1]) + way}}};
+  const Axis<S> axes[2] = {
+      {{four_of<S, 0>(a), four_of<S, 3>(a)}},
+      {{b_to_a.of(own_ends_b[0]) + offset, b_to_a.of(own_ends_b[1]) + offset}}};
 
   // Upper bound of the coordinates, in either frame.
   const S scale = largest_of<S>(lanes::larger(
@@ -190,12 +192,12 @@ template <class S>
   if (!boxes::all<S>(S(0) * direction + S(0) * point == S(0))) return false;
 
   Manifold<S>& manifold = manifolds.emplace_back();
-  manifold.normal = boxes::vector<S>(direction * (traded ? S(-1) : S(1)));
+  manifold.normal = boxes::vector<S>(direction * (swapped ? S(-1) : S(1)));
   manifold.axis = AxisKind::ClosestPoints;
   manifold.type = found.kind == Nearest::TwoEnds ? ContactType::PointPoint : ContactType::PointEdge;
   manifold.points.push_back({boxes::vector<S>(point), separation, {}});
-  manifold.points[0].id.first = at(kFeatures[0], feature[traded ? 1 : 0]);
-  manifold.points[0].id.second = at(kFeatures[1], feature[traded ? 0 : 1]);
+  manifold.points[0].id.first = at(kFeatures[0], feature[swapped ? 1 : 0]);
+  manifold.points[0].id.second = at(kFeatures[1], feature[swapped ? 0 : 1]);
   return true;
 }
 
@@ -206,9 +208,9 @@ bool collide_two_capsules(const Capsule<S>& a, const Pose<S>& pose_a, const Caps
                           const Pose<S>& pose_b, const CollideOptions& options,
                           Manifolds<S>& manifolds) {
   manifolds.clear();
-  const bool traded = against_order(a, pose_a, b, pose_b, options.b_first);
-  return collide_in_order(traded ? b : a, traded ? pose_b : pose_a, traded ? a : b,
-                          traded ? pose_a : pose_b, traded, options, manifolds);
+  const bool swapped = against_order(a, pose_a, b, pose_b, options.b_first);
+  return collide_in_order(swapped ? b : a, swapped ? pose_b : pose_a, swapped ? a : b,
+                          swapped ? pose_a : pose_b, swapped, options, manifolds);
 }
 
 template decltype(collide_two_capsules<float>) collide_two_capsules<float>;

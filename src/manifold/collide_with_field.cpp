@@ -21,7 +21,7 @@ namespace {
 /// Normals within 15 degrees of the deepest point's belong to one manifold.
 constexpr double kSameDirection = 0.9659;
 /// Maximum number of samples along a shape's side, or the field's side, approximately.
-constexpr double kMostPlaces = 16;
+constexpr double kMaxPlaces = 16;
 
 /// Pieces of a shape in the field's frame.
 struct Pieces {
@@ -151,7 +151,7 @@ FieldTouches touches_of(const Shape<S>& a, const PlacedField& field, const Pose<
   radius = made.radius;
   const double side_a = box.empty() ? 0 : box.extent().maxCoeff();
   const double side_b = field.cell * field.field->surface_box().extent().maxCoeff();
-  const double spacing = std::max(field.cell, std::min(side_a, side_b) / kMostPlaces);
+  const double spacing = std::max(field.cell, std::min(side_a, side_b) / kMaxPlaces);
   FieldTouches touches = find_touches(
       field, made.pieces, {options.field, made.radius, options.margin, spacing, probes});
   // Only for the record; the distance of separated shapes is not used otherwise.

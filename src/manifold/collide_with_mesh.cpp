@@ -61,8 +61,8 @@ constexpr S kInPlane = S(1e-3);
 /// part is above or below the triangle, so the closest points are exactly on the outline. Empty if
 /// the segment is not in the plane, reaches into the triangle, or is as near as `touching`.
 template <class S>
-std::optional<CapsuleTouch<S>> beside_in_plane(const Hull<S>& triangle, const Vec3<S> (&ends)[2],
-                                               S touching) {
+std::optional<CapsuleTouch<S>> next_to_in_plane(const Hull<S>& triangle, const Vec3<S> (&ends)[2],
+                                                S touching) {
   const Plane<S>& plane = triangle.planes[0];
   const S height = std::max(std::abs(plane.distance(ends[0])), std::abs(plane.distance(ends[1])));
   if (height > kInPlane<S> * triangle.radius) return std::nullopt;
@@ -185,7 +185,7 @@ S collide_capsule_mesh(const Capsule<S>& a, const Mesh<S>& b, const Pose<S>& b_i
     const Vec3<S> in_triangle[2] = {ends[0] - origin, ends[1] - origin};
     const S scale = length_scale(triangle.hull(), triangle.in_a(), core_reach);
     const std::optional<CapsuleTouch<S>> touch =
-        beside_in_plane(triangle.hull(), in_triangle, touching_distance(scale));
+        next_to_in_plane(triangle.hull(), in_triangle, touching_distance(scale));
     if (!touch)
       return collide_capsule_hull(a, triangle.hull(), triangle.in_a(), options, contact, recorder);
     const S margin = static_cast<S>(options.margin);

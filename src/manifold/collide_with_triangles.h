@@ -181,9 +181,10 @@ bool at_rim(const Mesh<S>& b, int triangle) {
 /// Steps 3 and 4 of collide_with_triangles for the contact of `triangle` alone. `normal` is the
 /// contact's, from the mesh to the shape, in the mesh's frame.
 template <class S, class OnFace>
-void mend(const SeenFromMesh<S>& shape, const NearTriangles<S>& near, const Pose<S>& b_in_a,
-          const PlacedTriangle<S>& triangle, const Vec3<S>& normal, bool belongs,
-          const OnFace& on_face, Contact<S>& contact) {
+void fix_near_points(const SeenFromMesh<S>& shape, const NearTriangles<S>& near,
+                     const Pose<S>& b_in_a, const PlacedTriangle<S>& triangle,
+                     const Vec3<S>& normal, bool belongs, const OnFace& on_face,
+                     Contact<S>& contact) {
   const Mesh<S>& b = near.mesh();
   const Vec3<S>& front = b.normal(triangle.index);
   if (!belongs) {
@@ -272,7 +273,7 @@ S collide_with_triangles(const SeenFromMesh<S>& shape, const Mesh<S>& b, const P
         if (flat)
           contact.points.clear();
         else
-          mend(shape, near, b_in_a, placed, normal.direction, belongs, on_face, contact);
+          fix_near_points(shape, near, b_in_a, placed, normal.direction, belongs, on_face, contact);
         const bool is_closest = is_closest_of_round(shape, given_depth);
         // Behind the face: a core that does not cross the triangle has come around its edge.
         if (is_closest) drop_deeper(given_depth - depth_rounding(reach), contact);

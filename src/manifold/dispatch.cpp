@@ -198,7 +198,7 @@ void collide(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b, const 
       collide_two_capsules(*std::get_if<Capsule<S>>(&a), pose_a, *std::get_if<Capsule<S>>(&b),
                            pose_b, options, manifolds))
     return;
-  const bool traded = against_the_table(a, pose_a, b, pose_b, options.b_first);
+  const bool swapped = against_the_table(a, pose_a, b, pose_b, options.b_first);
   const auto work = [&](const PlacedPair<S>& pair, const CollideOptions& in_order) {
     if constexpr (std::is_same_v<S, float>) {
       if (belongs_in_double(a, b)) [[unlikely]]
@@ -206,7 +206,7 @@ void collide(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b, const 
     }
     collide_in_order(pair, in_order, manifolds, record, stages);
   };
-  work_in_order<S>({a, pose_a, b, pose_b, cache}, traded, options, manifolds, record, work);
+  work_in_order<S>({a, pose_a, b, pose_b, cache}, swapped, options, manifolds, record, work);
 }
 
 template decltype(collide<float>) collide<float>;

@@ -98,25 +98,25 @@ template <class Work>
 /// opposite one if `traded`. It fills `manifolds` and, if not null, `record`. Afterwards both are
 /// in the order of the arguments.
 template <class S, class Work>
-[[gnu::always_inline]] inline void work_in_order(const PlacedPair<S>& given, bool traded,
+[[gnu::always_inline]] inline void work_in_order(const PlacedPair<S>& given, bool swapped,
                                                  const CollideOptions& options,
                                                  Manifolds<S>& manifolds, trace::Pair* record,
                                                  const Work& work) {
   const auto& [a, pose_a, b, pose_b, cache] = given;
-  const PlacedPair<S> pair = traded ? PlacedPair<S>{b, pose_b, a, pose_a, cache} : given;
+  const PlacedPair<S> pair = swapped ? PlacedPair<S>{b, pose_b, a, pose_a, cache} : given;
   if (record != nullptr) [[unlikely]] {
-    if (traded) std::swap(record->a, record->b);
+    if (swapped) std::swap(record->a, record->b);
     record->kind = pair_kind(pair.a, pair.b);
   }
-  if (traded && !options.reduction.previous.empty()) [[unlikely]]
+  if (swapped && !options.reduction.previous.empty()) [[unlikely]]
     with_flipped_ids(options, [&](const CollideOptions& flipped) { work(pair, flipped); });
   else
     work(pair, options);
   if (record != nullptr) [[unlikely]] {
     record_manifolds<S>(manifolds, *record);
-    if (traded) trace::mirror(*record);
+    if (swapped) trace::mirror(*record);
   }
-  if (!traded) return;
+  if (!swapped) return;
   for (Manifold<S>& manifold : manifolds) mirror(manifold);
 }
 

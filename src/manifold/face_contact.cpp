@@ -108,15 +108,15 @@ ContactPoint<S> support_contact(const HullPair<S>& pair, Owner reference, const 
   const Vec3<S> pull =
       (of_a ? plane.normal : Vec3<S>(-plane.normal)) * (pair.min_radius - query.separation);
   const Vec3<S> position = pair.b.vertices[0] - pair.b.rotation * pair.b.hull.vertices[0];
-  const GjkResult<S> apart = gjk(support_set(pair.a.hull), support_set(pair.b.hull),
-                                 {Quat<S>(pair.b.rotation), Vec3<S>(position + pull)});
-  const Vec3<S> on_face = of_a ? apart.on_a : Vec3<S>(apart.on_b - pull);
+  const GjkResult<S> separated = gjk(support_set(pair.a.hull), support_set(pair.b.hull),
+                                     {Quat<S>(pair.b.rotation), Vec3<S>(position + pull)});
+  const Vec3<S> on_face = of_a ? separated.on_a : Vec3<S>(separated.on_b - pull);
   if (recorder) [[unlikely]]
-    recorder->dropped(of_a ? Vec3<S>(apart.on_b - pull) : apart.on_a,
+    recorder->dropped(of_a ? Vec3<S>(separated.on_b - pull) : separated.on_a,
                       "cut off by the side planes; kept as the deepest point");
 
-  int vertex = of_a ? apart.simplex.vertices[0].index_b : apart.simplex.vertices[0].index_a;
-  for (const GjkVertex<S>& corner : apart.simplex.vertices)
+  int vertex = of_a ? separated.simplex.vertices[0].index_b : separated.simplex.vertices[0].index_a;
+  for (const GjkVertex<S>& corner : separated.simplex.vertices)
     if ((of_a ? corner.index_b : corner.index_a) != vertex) vertex = -1;
   const FeatureRef feature =
       vertex >= 0

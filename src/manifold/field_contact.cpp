@@ -14,11 +14,11 @@ namespace {
 
 /// After this many cuts the nearest piece counts as a touch. Enough for any pair that is not
 /// everywhere at the distance of the margin.
-constexpr int kMostCuts = 1 << 14;
+constexpr int kMaxCuts = 1 << 14;
 /// Enough to settle the deepest touch, except where the shapes lie flat on each other.
 constexpr int kMaxDeepeningCuts = 1 << 11;
 /// Maximum length of a record: pictures cannot distinguish more points.
-constexpr std::size_t kMostProbes = 4096;
+constexpr std::size_t kMaxProbes = 4096;
 
 /// A subdivided part of a piece. Its path identifies it: two bits per cut.
 struct Part {
@@ -99,7 +99,7 @@ class Search {
       const Part part = undecided_.top().part;
       undecided_.pop();
       const Vec3d middle = part.middle();
-      if (part.reach(middle) <= kFieldTolerance * field_.cell || cuts == kMostCuts) {
+      if (part.reach(middle) <= kFieldTolerance * field_.cell || cuts == kMaxCuts) {
         add(touch_at(part, middle, value(middle)));
         return;
       }
@@ -197,7 +197,7 @@ class Search {
   void look_at(const Part& part, const Vec3d& middle, double reach, double bound) {
     const FieldSample sample = value(middle);
     const double separation = sample.distance - limits_.radius;
-    if (limits_.probes != nullptr && limits_.probes->size() < kMostProbes) [[unlikely]]
+    if (limits_.probes != nullptr && limits_.probes->size() < kMaxProbes) [[unlikely]]
       limits_.probes->push_back({middle, separation});
     if (conservative()) {
       const double deeper = slope_bound(part, middle, sample);

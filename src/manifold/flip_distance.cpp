@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kReach = 0.01;  // as a fraction of the smaller shape
 constexpr int kHalvings = 12;    // bisection steps between a change and its double
-constexpr int kMostPlaces = 1 << 20;
+constexpr int kMaxPlaces = 1 << 20;
 
 Vec3d random_direction(std::mt19937_64& engine) {
   const double z = uniform(engine, -1, 1);
@@ -101,15 +101,15 @@ trace::Flip flip_distance(const Shape<S>& a, const Pose<S>& pose_a, const Shape<
   const double rounding =
       std::numeric_limits<S>::epsilon() * (size + exact.position.lpNorm<Eigen::Infinity>());
 
-  double way = limit, turn = kReach;
+  double offset = limit, turn = kReach;
   for (const Vec3d& direction : directions) {
-    const double moved = least_change(rounding, way, [&](double change) {
+    const double moved = least_change(rounding, offset, [&](double change) {
       const Pose<double> pose{exact.rotation, exact.position + change * direction};
       return names_at(pose.template cast<S>()) != names;
     });
-    if (moved < way) {
-      way = moved;
-      found.way = moved;
+    if (moved < offset) {
+      offset = moved;
+      found.offset = moved;
       found.direction = direction;
     }
     const double turned = least_change(rounding / size, turn, [&](double change) {
@@ -127,7 +127,7 @@ trace::Flip flip_distance(const Shape<S>& a, const Pose<S>& pose_a, const Shape<
 
   const S largest = static_cast<S>(std::max(size, exact.position.lpNorm<Eigen::Infinity>()));
   const S unit = std::nextafter(largest, std::numeric_limits<S>::infinity()) - largest;
-  double places = kMostPlaces;
+  double places = kMaxPlaces;
   for (int axis = 0; axis < 3; ++axis)
     for (const S sign : {S(1), S(-1)})
       places = std::floor(least_change(1, places, [&](double change) {
@@ -135,7 +135,7 @@ trace::Flip flip_distance(const Shape<S>& a, const Pose<S>& pose_a, const Shape<
         pose.position[axis] += sign * unit * static_cast<S>(std::floor(change));
         return names_at(pose) != names;
       }));
-  if (places < kMostPlaces) found.last_places = static_cast<int>(places);
+  if (places < kMaxPlaces) found.last_places = static_cast<int>(places);
   return found;
 }
 

@@ -45,8 +45,8 @@ template <class S>
 bool has_moved(const BrokenPoint<S>& old, const IncrementalStep<S>& step, double least) {
   for (const StandingPoint<S>& point : step.points) {
     if (point.kept.id != old.point.kept.id) continue;
-    const Vec3<S> way = point.position() - old.point.position();
-    return static_cast<double>(way.norm()) > least;
+    const Vec3<S> offset = point.position() - old.point.position();
+    return static_cast<double>(offset.norm()) > least;
   }
   return true;
 }
@@ -146,15 +146,15 @@ template <class S>
 void Recorder<S>::incremental(const CoreQuery<S>& query, const IncrementalStep<S>& step,
                               const PersistentManifold<S>& persistent,
                               const IncrementalOptions& options) {
-  trace::Incremental& told = pair_.incremental.emplace();
-  told.confirm = to_string(options.settings.confirm);
-  told.query = persistent.core_b->kind == ShapeKind::Plane ? "plane"
-               : query.overlap                             ? to_string(options.penetration)
-                                                           : "gjk";
-  told.margin_a = static_cast<double>(persistent.core_a->margin);
-  told.margin_b = static_cast<double>(persistent.core_b->margin);
-  const auto tell = [&](const StandingPoint<S>& standing, const char* state, const char* reason) {
-    trace::PersistentPoint& persists = told.points.emplace_back();
+  trace::Incremental& recorded = pair_.incremental.emplace();
+  recorded.confirm = to_string(options.settings.confirm);
+  recorded.query = persistent.core_b->kind == ShapeKind::Plane ? "plane"
+                   : query.overlap                             ? to_string(options.penetration)
+                                                               : "gjk";
+  recorded.margin_a = static_cast<double>(persistent.core_a->margin);
+  recorded.margin_b = static_cast<double>(persistent.core_b->margin);
+  const auto report = [&](const StandingPoint<S>& standing, const char* state, const char* reason) {
+    trace::PersistentPoint& persists = recorded.points.emplace_back();
     persists.point = {point(standing.position()), static_cast<double>(standing.separation),
                       to_string(standing.kept.id)};
     persists.point.on_a = point(standing.on_a);
@@ -164,11 +164,11 @@ void Recorder<S>::incremental(const CoreQuery<S>& query, const IncrementalStep<S
     persists.age = standing.kept.age;
   };
   for (const StandingPoint<S>& standing : step.points)
-    tell(standing, standing.is_new ? "new" : "persisted", "");
+    report(standing, standing.is_new ? "new" : "persisted", "");
   const double least = kSamePlace * options.settings.breaking_distance;
   for (const BrokenPoint<S>& broken : step.broken) {
     const bool replaced = broken.reason == std::string_view("replaced");
-    if (!replaced || has_moved(broken, step, least)) tell(broken.point, "broken", broken.reason);
+    if (!replaced || has_moved(broken, step, least)) report(broken.point, "broken", broken.reason);
   }
 }
 
@@ -183,7 +183,7 @@ void collide_incremental(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S
                          Manifolds<S>& manifolds, trace::Pair* record,
                          const trace::Stages& stages) {
   // Sizes and poses do not matter: the order must not change as long as the pair exists.
-  const bool traded = kind_of(a) == kind_of(b) ? options.b_first : kind_of(a) > kind_of(b);
+  const bool swapped = kind_of(a) == kind_of(b) ? options.b_first : kind_of(a) > kind_of(b);
   const auto work = [&](const PlacedPair<S>& pair, const CollideOptions& in_order) {
     std::optional<Recorder<S>> recorder;
     if (record != nullptr) [[unlikely]]
@@ -191,7 +191,7 @@ void collide_incremental(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S
     step_in_order(pair, in_order, incremental, persistent, manifolds,
                   recorder ? &*recorder : nullptr);
   };
-  work_in_order<S>({a, pose_a, b, pose_b}, traded, options, manifolds, record, work);
+  work_in_order<S>({a, pose_a, b, pose_b}, swapped, options, manifolds, record, work);
 }
 
 #define CONTACTSCOPE_INSTANTIATE(S)                                                                \

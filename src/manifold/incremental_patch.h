@@ -154,13 +154,13 @@ CorePatch<S> closest_patch(const ShapeCore<S>& a, const ShapeCore<S>& b, const P
   // Four ties: both normals and both poses have been rounded.
   const S tie = S(4) * tie_tolerance(query.scale);
   const S aside = S(4) * tie;
-  const Vec3<S> way = query.distance * query.normal;
+  const Vec3<S> offset = query.distance * query.normal;
   const PlaneFrame<S> frame(query.closest.on_a, query.normal);
   CorePatch<S> patch;
   const auto add = [&](const CoreContact<S>& contact) {
     const bool is_known = std::ranges::any_of(patch, [&](const CoreContact<S>& known) {
-      const Vec2<S> apart = frame.seen(known.on_a) - frame.seen(contact.on_a);
-      return apart.norm() <= aside || order_of(known) == order_of(contact);
+      const Vec2<S> separation = frame.seen(known.on_a) - frame.seen(contact.on_a);
+      return separation.norm() <= aside || order_of(known) == order_of(contact);
     });
     if (!is_known && patch.size() < patch.capacity()) patch.push_back(contact);
   };
@@ -175,14 +175,14 @@ CorePatch<S> closest_patch(const ShapeCore<S>& a, const ShapeCore<S>& b, const P
                                        : spanned(b, on_b, b_in_a.inverse_rotate(against));
   for (const PatchCorner<S>& corner : on_a) {
     if (on_plane || holds(on_b, corner.seen, aside))
-      add({corner.place, corner.place + way, {FeatureKind::Vertex, corner.vertex}, whole_b});
+      add({corner.place, corner.place + offset, {FeatureKind::Vertex, corner.vertex}, whole_b});
   }
   for (const PatchCorner<S>& corner : on_b) {
     if (holds(on_a, corner.seen, aside))
-      add({corner.place - way, corner.place, whole_a, {FeatureKind::Vertex, corner.vertex}});
+      add({corner.place - offset, corner.place, whole_a, {FeatureKind::Vertex, corner.vertex}});
   }
   for_each_crossing(on_a, on_b, aside, [&](const Vec3<S>& place, std::size_t i, std::size_t j) {
-    add({place, place + way, edge_of(a, on_a, i, whole_a), edge_of(b, on_b, j, whole_b)});
+    add({place, place + offset, edge_of(a, on_a, i, whole_a), edge_of(b, on_b, j, whole_b)});
   });
   if (patch.empty()) add(query.closest);
   std::ranges::sort(patch, {}, order_of<S>);

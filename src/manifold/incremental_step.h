@@ -75,10 +75,10 @@ std::optional<std::pair<Vec3<S>, Vec3<S>>> feet_of_edges(const std::vector<Vec3<
   const S squared = c.squaredNorm();
   const S sine = kParallelSine<S>;
   if (!(squared > sine * sine * u.squaredNorm() * v.squaredNorm())) return std::nullopt;
-  const Vec3<S> beside_v = between.cross(v);
-  const Vec3<S> beside_u = between.cross(u);
-  const S s = beside_v.dot(c) / squared;
-  const S t = beside_u.dot(c) / squared;
+  const Vec3<S> perpendicular_v = between.cross(v);
+  const Vec3<S> perpendicular_u = between.cross(u);
+  const S s = perpendicular_v.dot(c) / squared;
+  const S t = perpendicular_u.dot(c) / squared;
   const auto within = [&](S parameter, S length) {
     return parameter * length >= -slack && (parameter - S(1)) * length <= slack;
   };
@@ -175,8 +175,8 @@ const CoreContact<S>& farthest_place(const CorePatch<S>& patch, const CoreQuery<
     if (!step.points.empty()) distance = std::numeric_limits<S>::infinity();
     for (const StandingPoint<S>& point : step.points) {
       const Vec3<S> middle_of_place = S(0.5) * (patch[i].on_a + patch[i].on_b);
-      const Vec3<S> way = middle_of_place - point.position();
-      distance = std::min(distance, rejected(way, query.normal).norm());
+      const Vec3<S> displacement = middle_of_place - point.position();
+      distance = std::min(distance, rejected(displacement, query.normal).norm());
     }
     if (distance > farthest + kAsFar<S> * reach) {
       farthest = distance;
@@ -225,9 +225,9 @@ void confirm_points(const PersistentManifold<S>& persistent, const Pose<S>& b_in
       faces = cores.has_value();
       if (faces) put_on(*cores, persistent, b_in_a, query.normal, point);
     }
-    const Vec3<S> way = point.on_b - point.on_a;
-    point.separation = query.normal.dot(way);
-    const bool slid = rejected(way, query.normal).norm() > breaking;
+    const Vec3<S> displacement = point.on_b - point.on_a;
+    point.separation = query.normal.dot(displacement);
+    const bool slid = rejected(displacement, query.normal).norm() > breaking;
     if (!faces || (by_ids && slid))
       step.broken.push_back({point, "other features"});
     else if (point.separation > std::max(breaking, margin))

@@ -19,7 +19,7 @@ constexpr S kNormalTolerance = S(16) * std::numeric_limits<S>::epsilon();
 
 /// Upper bound of triangles at a vertex; ends the walk around one whose neighbours contradict each
 /// other.
-inline constexpr int kMostTrianglesAround = 1024;
+inline constexpr int kMaxTrianglesAround = 1024;
 
 template <class S>
 int corner_of(const Mesh<S>& mesh, int triangle, int vertex_of, int k) {
@@ -38,7 +38,9 @@ struct ContactNormal {
   S tolerance = kNormalTolerance<S>;
 
   /// Whether this offset from a feature rises along the normal by more than the tolerance.
-  bool rises(const Vec3<S>& way) const { return direction.dot(way) > tolerance * way.norm(); }
+  bool rises(const Vec3<S>& offset) const {
+    return direction.dot(offset) > tolerance * offset.norm();
+  }
 };
 
 /// Whether the normal is that of a triangle with an area, or its opposite.
@@ -56,7 +58,7 @@ bool supports_around(const Mesh<S>& mesh, int triangle, int k, const ContactNorm
   for (const bool leaving : {true, false}) {
     int corner = k;
     int next = triangle;
-    for (int step = 0; step < kMostTrianglesAround; ++step) {
+    for (int step = 0; step < kMaxTrianglesAround; ++step) {
       next = mesh.neighbour(next, leaving ? corner : (corner + 2) % 3);
       if (next == triangle) return true;
       corner = next < 0 ? -1 : corner_of(mesh, next, triangle, k);
@@ -121,12 +123,12 @@ bool belongs_to_surface(const Mesh<S>& mesh, int triangle, const ContactNormal<S
   if (edge >= 0) return !rises_across(mesh, triangle, edge, normal);
   int top = 0;
   for (int k = 1; k < 3; ++k) {
-    const Vec3<S> way = mesh.corner(triangle, k) - mesh.corner(triangle, top);
-    if (normal.direction.dot(way) > S(0)) top = k;
+    const Vec3<S> offset = mesh.corner(triangle, k) - mesh.corner(triangle, top);
+    if (normal.direction.dot(offset) > S(0)) top = k;
   }
   const auto fall = [&](int k) {
-    const Vec3<S> way = mesh.corner(triangle, top) - mesh.corner(triangle, k);
-    return normal.direction.dot(way) / way.norm();
+    const Vec3<S> offset = mesh.corner(triangle, top) - mesh.corner(triangle, k);
+    return normal.direction.dot(offset) / offset.norm();
   };
   const int one = (top + 1) % 3;
   const int other = (top + 2) % 3;
@@ -189,12 +191,12 @@ bool crosses(const Mesh<S>& mesh, int triangle, const Vec3<S>& from, const Vec3<
   const S before = normal.dot(Vec3<S>(from - mesh.corner(triangle, 0)));
   const S behind = normal.dot(Vec3<S>(to - mesh.corner(triangle, 0)));
   if (!(before * behind < S(0))) return false;
-  const Vec3<S> way = to - from;
+  const Vec3<S> offset = to - from;
   int left = 0, right = 0;
   for (int k = 0; k < 3; ++k) {
     const Vec3<S> corner = mesh.corner(triangle, k) - from;
     const Vec3<S> next = mesh.corner(triangle, (k + 1) % 3) - from;
-    const S turn = way.dot(corner.cross(next));
+    const S turn = offset.dot(corner.cross(next));
     left += turn > S(0) ? 1 : 0;
     right += turn < S(0) ? 1 : 0;
   }

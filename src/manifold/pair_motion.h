@@ -16,9 +16,9 @@ namespace contactscope {
 /// signs that bring them nearest.
 template <class S>
 S turn_since(const PairCache<S>& cache, const Quat<S>& rotation) {
-  const S apart = (rotation.coeffs() - cache.rotation.coeffs()).squaredNorm();
+  const S gap = (rotation.coeffs() - cache.rotation.coeffs()).squaredNorm();
   const S opposite = (rotation.coeffs() + cache.rotation.coeffs()).squaredNorm();
-  return S(2) * std::sqrt(std::min(apart, opposite));
+  return S(2) * std::sqrt(std::min(gap, opposite));
 }
 
 /// Whether the preference accepts an axis of this separation if no axis has more than `bound`, and

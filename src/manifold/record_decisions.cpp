@@ -13,7 +13,7 @@ namespace contactscope {
 namespace {
 
 /// Maximum number of points for trying all subsets to find the second best.
-constexpr std::size_t kMostPoints = 8;
+constexpr std::size_t kMaxPoints = 8;
 
 /// "points 0 2 4".
 std::string spell_points(const std::vector<int>& points) {
@@ -110,15 +110,16 @@ void Recorder<S>::reduction_decisions(const trace::Reduction& reduction, const V
       if (measure.point != took && value > next) next = value, over = measure.point;
     }
     if (over < 0) continue;
-    trace::Decision& told = decide("point " + std::to_string(step), "point " + std::to_string(took),
-                                   "point " + std::to_string(over));
+    trace::Decision& record =
+        decide("point " + std::to_string(step), "point " + std::to_string(took),
+               "point " + std::to_string(over));
     const bool is_area =
         choice.rule == "outside" || choice.rule == "triangle" || choice.rule == "equally_deep";
-    (is_area ? told.margin_area : told.margin) = worth(choice, took) - next;
+    (is_area ? record.margin_area : record.margin) = worth(choice, took) - next;
   }
   const std::string& method = reduction.method;
   const std::size_t count = reduction.points.size(), kept = reduction.kept.size();
-  if (!method.starts_with("optimal") || count > kMostPoints || kept < 3) return;
+  if (!method.starts_with("optimal") || count > kMaxPoints || kept < 3) return;
   // All other subsets of this size; except for "optimal" they need one of the deepest points.
   const auto depth = [&](int point) { return at(reduction.points, point).separation; };
   double deep = depth(0);

@@ -62,14 +62,14 @@ void Recorder<S>::axes(const HullPair<S>& pair, const FaceSeparations<S>& faces_
   trace::Sat& sat = pair_.sat.emplace();
   sat.chosen = to_string(axes.chosen);
   sat.preference = to_string(preference);
-  const auto told = [&](const FaceQuery<S>& query, const Vec3<S>& normal,
-                        const PlacedHull<S>& other) -> trace::FaceAxis {
+  const auto recorded = [&](const FaceQuery<S>& query, const Vec3<S>& normal,
+                            const PlacedHull<S>& other) -> trace::FaceAxis {
     return {query.face, query.separation, direction(normal), point(other.vertices[query.support])};
   };
   if (axes.queries_run >= 1)
-    sat.face_a = told(axes.face_a, pair.a.normals[axes.face_a.face], pair.b);
+    sat.face_a = recorded(axes.face_a, pair.a.normals[axes.face_a.face], pair.b);
   if (axes.queries_run >= 2)
-    sat.face_b = told(axes.face_b, -pair.b.normals[axes.face_b.face], pair.a);
+    sat.face_b = recorded(axes.face_b, -pair.b.normals[axes.face_b.face], pair.a);
   if (stages_.gauss_map) {
     for (const EdgeQuery<S>& query : all_crossings(pair, faces_a)) {
       sat.edge_pairs.push_back(
@@ -101,13 +101,13 @@ template <class S>
 void Recorder<S>::clip_begins(Owner reference, const ClipFace<S>& reference_face,
                               const ClipFace<S>& incident_face) {
   if (!stages_.clip) return;
-  const auto told_face = [&](Owner owner, const ClipFace<S>& face) -> trace::ClipFace {
+  const auto recorded_face = [&](Owner owner, const ClipFace<S>& face) -> trace::ClipFace {
     return {owner == Owner::A ? pair_.a : pair_.b, face.face, direction(face.normal),
             polygon(face.polygon)};
   };
   trace::Clip& clip = pair_.clip.emplace();
-  clip.reference = told_face(reference, reference_face);
-  clip.incident = told_face(other(reference), incident_face);
+  clip.reference = recorded_face(reference, reference_face);
+  clip.incident = recorded_face(other(reference), incident_face);
 }
 
 template <class S>
@@ -176,31 +176,31 @@ template <class S>
 void Recorder<S>::penetration(PenetrationMethod method, const PenetrationResult<S>& result,
                               const char* fallback) {
   if (!stages_.penetration) return;
-  trace::Penetration& told = pair_.penetration.emplace();
-  told.method = to_string(method);
-  told.status = to_string(result.status);
-  if (fallback != nullptr) told.fallback = fallback;
-  told.iterations = result.iterations;
-  told.depth = static_cast<double>(result.depth);
-  told.normal = direction(result.normal);
-  told.point_a = point(result.on_a);
-  told.point_b = point(result.on_b);
+  trace::Penetration& recorded = pair_.penetration.emplace();
+  recorded.method = to_string(method);
+  recorded.status = to_string(result.status);
+  if (fallback != nullptr) recorded.fallback = fallback;
+  recorded.iterations = result.iterations;
+  recorded.depth = static_cast<double>(result.depth);
+  recorded.normal = direction(result.normal);
+  recorded.point_a = point(result.on_a);
+  recorded.point_b = point(result.on_b);
   const auto placed = [&](const GjkVertex<S>& corner) { return vertex(corner.a, corner.b); };
   for (const PolytopeStep<S>& step : penetration_steps_.polytopes)
-    told.polytopes.push_back({mapped(step.vertices, placed), step.faces, step.nearest,
-                              static_cast<double>(step.distance)});
+    recorded.polytopes.push_back({mapped(step.vertices, placed), step.faces, step.nearest,
+                                  static_cast<double>(step.distance)});
   for (const std::array<GjkVertex<S>, 4>& portal : penetration_steps_.portals)
-    told.portals.push_back(mapped(portal, placed));
+    recorded.portals.push_back(mapped(portal, placed));
   for (const DirectionStep<S>& step : penetration_steps_.directions)
-    told.directions.push_back({direction(step.normal), static_cast<double>(step.separation)});
+    recorded.directions.push_back({direction(step.normal), static_cast<double>(step.separation)});
 }
 
 template <class S>
 void Recorder<S>::field_search(FieldSearch method, const Pose<double>& field_in_a) {
-  trace::FieldProbes& told = pair_.field_probes.emplace();
-  told.method = to_string(method);
+  trace::FieldProbes& recorded = pair_.field_probes.emplace();
+  recorded.method = to_string(method);
   for (const trace::FieldProbe& probe : probes_)
-    told.probes.push_back(
+    recorded.probes.push_back(
         {point(field_in_a.transform(probe.position).template cast<S>()), probe.separation});
   probes_.clear();
 }
@@ -218,10 +218,10 @@ void Recorder<S>::minkowski(const Hull<S>& a, const Hull<S>& b, const Pose<S>& b
   }
   try {
     const Hull<double> hull = build_hull(differences, {.weld_duplicates = true});
-    trace::Minkowski& told = pair_.minkowski.emplace();
-    told.vertices = hull.vertices;
+    trace::Minkowski& recorded = pair_.minkowski.emplace();
+    recorded.vertices = hull.vertices;
     for (int face = 0; face < hull.face_count(); ++face)
-      told.faces.push_back(face_vertices(hull, face));
+      recorded.faces.push_back(face_vertices(hull, face));
   } catch (const ShapeError&) {
     return;
   }
@@ -232,14 +232,14 @@ void record_manifolds(std::span<const Manifold<S>> manifolds, trace::Pair& recor
   record.state = manifolds.empty() ? "separated" : "touching";
   if (!manifolds.empty()) record.separation = std::numeric_limits<double>::infinity();
   for (const Manifold<S>& manifold : manifolds) {
-    trace::Manifold& told = record.manifolds.emplace_back();
-    told.normal = manifold.normal.template cast<double>();
-    told.axis = to_string(manifold.axis);
-    told.type = to_string(manifold.type);
-    if (manifold.triangle >= 0) told.triangle = manifold.triangle;
-    told.points = mapped(manifold.points, trace_point<S>);
+    trace::Manifold& recorded = record.manifolds.emplace_back();
+    recorded.normal = manifold.normal.template cast<double>();
+    recorded.axis = to_string(manifold.axis);
+    recorded.type = to_string(manifold.type);
+    if (manifold.triangle >= 0) recorded.triangle = manifold.triangle;
+    recorded.points = mapped(manifold.points, trace_point<S>);
     // For several manifolds (a mesh's) the deepest point gives the pair's separation.
-    for (const trace::Point& point : told.points)
+    for (const trace::Point& point : recorded.points)
       record.separation = std::min(record.separation, point.separation);
   }
 }

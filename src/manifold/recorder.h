@@ -58,9 +58,9 @@ class Recorder {
       if (face != incident && along < next) next = along, over = face;
     }
     if (over < 0) return;
-    trace::Decision& told =
+    trace::Decision& record =
         decide("incident_face", "face " + std::to_string(incident), "face " + std::to_string(over));
-    told.margin_cosine = static_cast<double>(next - reference_normal.dot(hull.normal(incident)));
+    record.margin_cosine = static_cast<double>(next - reference_normal.dot(hull.normal(incident)));
   }
   /// The pair's cache was tried.
   void cache(const CacheAnswer<S>& answer);

@@ -42,16 +42,16 @@ contactscope::CollideOptions inside(const CollideOptions& options) {
 
 template <class S>
 Manifold outside(const contactscope::Manifold<S>& manifold) {
-  Manifold told;
-  told.normal = to_outside(manifold.normal.template cast<double>());
-  told.axis = contactscope::to_string(manifold.axis);
-  told.type = contactscope::to_string(manifold.type);
-  told.triangle = manifold.triangle;
+  Manifold recorded;
+  recorded.normal = to_outside(manifold.normal.template cast<double>());
+  recorded.axis = contactscope::to_string(manifold.axis);
+  recorded.type = contactscope::to_string(manifold.type);
+  recorded.triangle = manifold.triangle;
   for (const contactscope::ContactPoint<S>& point : manifold.points)
-    told.points.push_back({to_outside(point.position.template cast<double>()),
-                           static_cast<double>(point.separation),
-                           contactscope::to_string(point.id)});
-  return told;
+    recorded.points.push_back({to_outside(point.position.template cast<double>()),
+                               static_cast<double>(point.separation),
+                               contactscope::to_string(point.id)});
+  return recorded;
 }
 
 bool is_placed(const contactscope::Pose<double>& pose) {

@@ -93,10 +93,10 @@ contactscope::trace::Manifold to_inside(const Manifold& manifold) {
   inside.type = manifold.type;
   if (manifold.triangle >= 0) inside.triangle = manifold.triangle;
   for (const ContactPoint& point : manifold.points) {
-    contactscope::trace::Point& told = inside.points.emplace_back();
-    told.position = to_inside(point.position);
-    told.separation = point.separation;
-    told.id = point.id;
+    contactscope::trace::Point& record = inside.points.emplace_back();
+    record.position = to_inside(point.position);
+    record.separation = point.separation;
+    record.id = point.id;
   }
   return inside;
 }

@@ -53,8 +53,8 @@ View view_of(const RenderOptions& options) {
 }
 
 void require_size(int side) {
-  constexpr int kLeast = 64, kMost = 8192;  // a size that every OpenGL 3.3 driver supports
-  if (side < kLeast || side > kMost)
+  constexpr int kMin = 64, kMax = 8192;  // a size that every OpenGL 3.3 driver supports
+  if (side < kMin || side > kMax)
     throw std::invalid_argument("a picture of " + std::to_string(side) +
                                 " pixels; width and height are between 64 and 8192");
 }

@@ -38,8 +38,8 @@ std::string joined(const std::vector<std::string>& sentences) {
 }
 
 /// The first frame that a sentence mentions, else the first frame.
-std::optional<std::size_t> frame_told(const std::string& name, const Facts& facts,
-                                      const std::vector<std::string>& sentences) {
+std::optional<std::size_t> recorded_frame(const std::string& name, const Facts& facts,
+                                          const std::vector<std::string>& sentences) {
   for (std::size_t i = 0; i < facts.frames.size(); ++i) {
     const std::string start = name + " frame " + std::to_string(facts.frames[i].frame);
     for (const std::string& sentence : sentences)
@@ -70,7 +70,8 @@ std::array<Image, 2> both_drawn(const Facts& expected, std::size_t i, const Fact
 /// Draws the differences; returns where the pictures are, or why there are none.
 std::string pictures_of(const std::string& name, const Facts& expected, const Facts& actual,
                         const std::vector<std::string>& sentences, const fs::path& out) {
-  const auto i = frame_told(name, expected, sentences), j = frame_told(name, actual, sentences);
+  const auto i = recorded_frame(name, expected, sentences),
+             j = recorded_frame(name, actual, sentences);
   if (!i || !j) return "no pictures: there is no frame in one of them";
   try {
     const std::array<Image, 2> drawn = both_drawn(expected, *i, actual, *j);

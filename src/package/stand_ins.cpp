@@ -10,7 +10,7 @@ namespace {
 
 constexpr const char* kA = "a";
 constexpr const char* kB = "b";
-constexpr double kBall = 0.05;  // metres: the shapes of a single point have no known size
+constexpr double kBall = 0.05;       // metres: the shapes of a single point have no known size
 constexpr double kThickness = 0.05;  // of a capsule, relative to the distance of its ends
 
 contactscope::trace::Shape plane_of(const contactscope::trace::Manifold* manifold) {

@@ -57,18 +57,18 @@ Trace read_by_name(const std::string& name, Arguments&&... arguments) {
 }
 
 contactscope::trace::Frame inside(const Frame& frame) {
-  contactscope::trace::Frame told;
-  told.frame = frame.number;
-  told.time = frame.time;
-  for (const NamedPose& one : frame.poses) told.poses.emplace_back(one.name, to_inside(one.pose));
+  contactscope::trace::Frame record;
+  record.frame = frame.number;
+  record.time = frame.time;
+  for (const NamedPose& one : frame.poses) record.poses.emplace_back(one.name, to_inside(one.pose));
   for (const Pair& pair : frame.pairs) {
-    contactscope::trace::Pair& to = told.pairs.emplace_back();
+    contactscope::trace::Pair& to = record.pairs.emplace_back();
     to.a = pair.a;
     to.b = pair.b;
     to.manifolds = mapped(pair.manifolds, [](const Manifold& one) { return to_inside(one); });
     to.separation = separation_of(pair.manifolds);
   }
-  return told;
+  return record;
 }
 
 }  // namespace
@@ -115,10 +115,10 @@ int Trace::frame_count() const {
 }
 
 Frame Trace::frame(int index) const {
-  const contactscope::trace::Frame& told = at(facts_->trace.frames, index);
-  Frame frame{told.frame, told.time};
-  for (const auto& [name, pose] : told.poses) frame.poses.push_back({name, to_outside(pose)});
-  for (const contactscope::trace::Pair& pair : told.pairs)
+  const contactscope::trace::Frame& record = at(facts_->trace.frames, index);
+  Frame frame{record.frame, record.time};
+  for (const auto& [name, pose] : record.poses) frame.poses.push_back({name, to_outside(pose)});
+  for (const contactscope::trace::Pair& pair : record.pairs)
     frame.pairs.push_back(
         {pair.a, pair.b, mapped(pair.manifolds, [](const contactscope::trace::Manifold& one) {
            return to_outside(one);

@@ -58,10 +58,10 @@ class BoxAxes {
     const Columns<S> axes_a{{load(a, 3), load(a, 6), load(a, 9)}};
     const Columns<S> axes_b{{load(b, 3), load(b, 6), load(b, 9)}};
     const Columns<S> to_a = axes_a.transposed();
-    const Three<S> way = load(b, 0) - load(a, 0);
+    const Three<S> offset = load(b, 0) - load(a, 0);
     half_a_ = half_extents(a);
     half_b_ = half_extents(b);
-    way_ = to_a.times(way);
+    offset_ = to_a.times(offset);
     for (int j = 0; j < 3; ++j) {
       rotation_.of[j] = to_a.times(axes_b.of[j]);
       absolute_.of[j] = absolute<S>(rotation_.of[j]);
@@ -69,13 +69,13 @@ class BoxAxes {
   }
 
   [[gnu::always_inline]] Projections<S> faces_of_a() const {
-    return {absolute<S>(way_), half_a_, absolute_.times(half_b_)};
+    return {absolute<S>(offset_), half_a_, absolute_.times(half_b_)};
   }
   [[gnu::always_inline]] Projections<S> faces_of_b() const {
     const Columns<S> rows = rotation_.transposed();
     const Columns<S> sizes{
         {absolute<S>(rows.of[0]), absolute<S>(rows.of[1]), absolute<S>(rows.of[2])}};
-    return {absolute<S>(rows.times(way_)), sizes.times(half_a_), half_b_};
+    return {absolute<S>(rows.times(offset_)), sizes.times(half_a_), half_b_};
   }
   /// Projections on the cross products of the three axes of A with axis j of B.
   template <int kJ>
@@ -83,7 +83,7 @@ class BoxAxes {
     constexpr int kNext = (kJ + 1) % 3, kAfter = (kJ + 2) % 3;
     const Three<S>& column = rotation_.of[kJ];
     const Three<S>& size = absolute_.of[kJ];
-    return {absolute<S>(after_next(way_) * next(column) - next(way_) * after_next(column)),
+    return {absolute<S>(after_next(offset_) * next(column) - next(offset_) * after_next(column)),
             next(half_a_) * after_next(size) + after_next(half_a_) * next(size),
             spread<kNext>(half_b_) * absolute_.of[kAfter] +
                 spread<kAfter>(half_b_) * absolute_.of[kNext]};
@@ -102,7 +102,7 @@ class BoxAxes {
 
   /// Sum of all half extents and of the offset between the centres: scale of the rounding.
   [[gnu::always_inline]] S size() const {
-    const Three<S> sum = absolute<S>(way_) + half_a_ + half_b_;
+    const Three<S> sum = absolute<S>(offset_) + half_a_ + half_b_;
     return sum[0] + sum[1] + sum[2];
   }
   /// True if no half extent is negative or NaN, and no length infinite.
@@ -117,7 +117,7 @@ class BoxAxes {
   }
 
   Columns<S> rotation_, absolute_;
-  Three<S> way_, half_a_, half_b_;
+  Three<S> offset_, half_a_, half_b_;
 };
 
 }  // namespace contactscope::boxes

@@ -28,7 +28,7 @@ template <class S>
   const Three<S> signs =
       lanes::load_pack<Three<S>>(kVertexSigns<S>[static_cast<std::size_t>(vertex)].data());
   const auto& [x, y, z] = pair.arms.of;
-  return ((x * spread<0>(signs) + y * spread<1>(signs)) + z * spread<2>(signs)) + pair.way;
+  return ((x * spread<0>(signs) + y * spread<1>(signs)) + z * spread<2>(signs)) + pair.offset;
 }
 
 /// Two edges that are support features along the cross product of axis i of A and axis j of B, or

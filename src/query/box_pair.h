@@ -65,7 +65,7 @@ struct BoxPair {
         // The fourth lane is infinite and therefore wins no comparison.
         half_a(three(hull_a.half_extents, std::numeric_limits<S>::infinity())),
         half_b(three(hull_b.half_extents, std::numeric_limits<S>::infinity())),
-        way(three(position)),
+        offset(three(position)),
         columns(lanes::rotation_columns(b_in_a.rotation)),
         rows(columns.transposed()) {
     arms.of[0] = columns.of[0] * spread<0>(half_b);
@@ -92,7 +92,7 @@ struct BoxPair {
   const Hull<S>& b;
   Vec3<S> position;     // of B in A's frame
   S scale, min_radius;  // as in HullPair, metres
-  Three<S> half_a, half_b, way;
+  Three<S> half_a, half_b, offset;
   Columns<S> columns, rows;  // of the rotation: B's axes in A's frame, A's axes in B's
   Columns<S> arms;           // from B's centre to the centres of its faces +x, +y, +z
 };
@@ -120,14 +120,14 @@ class VerticesOfB {
     const auto& [x, y, z] = pair.arms.of;
     const Three<S> sum = x + y, difference = x - y;
     const Three<S> sums[] = {sum + z, difference + z, sum - z, difference - z};
-    placed_[7] = sums[0] + pair.way;
-    placed_[5] = sums[1] + pair.way;
-    placed_[3] = sums[2] + pair.way;
-    placed_[1] = sums[3] + pair.way;
-    placed_[0] = pair.way - sums[0];
-    placed_[2] = pair.way - sums[1];
-    placed_[4] = pair.way - sums[2];
-    placed_[6] = pair.way - sums[3];
+    placed_[7] = sums[0] + pair.offset;
+    placed_[5] = sums[1] + pair.offset;
+    placed_[3] = sums[2] + pair.offset;
+    placed_[1] = sums[3] + pair.offset;
+    placed_[0] = pair.offset - sums[0];
+    placed_[2] = pair.offset - sums[1];
+    placed_[4] = pair.offset - sums[2];
+    placed_[6] = pair.offset - sums[3];
   }
   [[gnu::always_inline]] const Three<S>& operator[](int vertex) const { return placed_[vertex]; }
 

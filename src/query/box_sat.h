@@ -62,14 +62,15 @@ template <class S>
 [[gnu::always_inline]] inline BestFace<S> query_faces_of_a(const BoxPair<S>& pair, S tie) {
   const Three<S> reach =
       (absolute<S>(pair.arms.of[0]) + absolute<S>(pair.arms.of[1])) + absolute<S>(pair.arms.of[2]);
-  return best_face<S>((pair.way - reach) - pair.half_a, -(pair.way + reach) - pair.half_a, tie);
+  return best_face<S>((pair.offset - reach) - pair.half_a, -(pair.offset + reach) - pair.half_a,
+                      tie);
 }
 
 /// Offset of B's centre from A's origin along each axis of B.
 template <class S>
 [[gnu::always_inline]] inline Three<S> middle_of_b(const BoxPair<S>& pair) {
-  return (pair.rows.of[0] * spread<0>(pair.way) + pair.rows.of[1] * spread<1>(pair.way)) +
-         pair.rows.of[2] * spread<2>(pair.way);
+  return (pair.rows.of[0] * spread<0>(pair.offset) + pair.rows.of[1] * spread<1>(pair.offset)) +
+         pair.rows.of[2] * spread<2>(pair.offset);
 }
 
 template <class S>
@@ -84,7 +85,7 @@ template <class S>
 /// Cross products of the three axes of A with axis j of B: three of the nine.
 template <class S>
 struct Crosses {
-  Three<S> way;  // B's centre along the cross product: the sign gives the direction from A to B
+  Three<S> offset;  // B's centre along the cross product: the sign gives the direction from A to B
   Three<S> sine, over_sine;  // length of the cross product, and 1 over it
   Three<S> lower, upper;     // metres: bounds of the separation along it
 };
@@ -101,18 +102,19 @@ template <int kJ, class S>
   constexpr int kNext = (kJ + 1) % 3, kAfter = (kJ + 2) % 3;
   const Three<S>& column = directions.of[kJ];
   const Three<S> size = absolute<S>(column);
-  const Three<S> way = next(column) * after_next(pair.way) - after_next(column) * next(pair.way);
+  const Three<S> offset =
+      next(column) * after_next(pair.offset) - after_next(column) * next(pair.offset);
   const Three<S> reach_a =
       next(pair.half_a) * after_next(size) + after_next(pair.half_a) * next(size);
   const Three<S> reach_b = spread<kNext>(pair.half_b) * absolute<S>(pair.columns.of[kAfter]) +
                            spread<kAfter>(pair.half_b) * absolute<S>(pair.columns.of[kNext]);
-  const Three<S> gap = absolute<S>(way) - (reach_a + reach_b);
+  const Three<S> gap = absolute<S>(offset) - (reach_a + reach_b);
   const Three<S> squares = column * column;
   const Three<S> squared = next(squares) + after_next(squares);
   Three<S> sine;
   for (int i = 0; i < 4; ++i) sine[i] = std::sqrt(squared[i]);
   const Three<S> over_sine = S(1) / sine;  // infinite if parallel
-  return {way, sine, over_sine, (gap - off) * over_sine,
+  return {offset, sine, over_sine, (gap - off) * over_sine,
           lanes::smaller<Three<S>>((gap + off) * over_sine, floor + sliver * sine)};
 }
 
@@ -185,9 +187,9 @@ template <class S>
       if (near != best || (best & (best - 1)) != 0 || !(most_lower > floor + tie + handicap))
         return result;
       const int bit = std::countr_zero(best | 0x1000U), i = bit & 3, j = bit >> 2;
-      const S way = nine[j].way[i];
-      if (!(nine[j].sine[i] > S(1.1) * kNoisySine<S> && std::abs(way) > off)) return result;
-      const int against = way < S(0) ? 1 : 0;
+      const S offset = nine[j].offset[i];
+      if (!(nine[j].sine[i] > S(1.1) * kNoisySine<S> && std::abs(offset) > off)) return result;
+      const int against = offset < S(0) ? 1 : 0;
       result.edges = edges_along(pair, i, j, against);
       result.edge =
           measure(pair, result.edges, i, j, against, result.directions.of[j], nine[j].over_sine[i]);

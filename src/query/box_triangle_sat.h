@@ -38,8 +38,8 @@ struct TriangleByBox {
     offset = (along[0] + along[1]) + along[2];
 
     const Three<S> centroid = (second + third) / S(3);
-    const Coordinates<S> ways(centroid, second - centroid, third - centroid, position);
-    const Three<S> lengths = square_roots<S>(ways.dot(ways));
+    const Coordinates<S> methods(centroid, second - centroid, third - centroid, position);
+    const Three<S> lengths = square_roots<S>(methods.dot(methods));
     radius = largest_of<S>(lengths);
     scale = ((box_radius + lengths[0]) + radius) + lengths[3];
 
@@ -104,7 +104,7 @@ template <class S>
 /// Cross products of the box's axes, one per lane, with one edge of the triangle.
 template <class S>
 struct EdgeAxes {
-  Three<S> way;  // from the edge to the third corner along the cross product
+  Three<S> displacement;  // from the edge to the third corner along the cross product
   Three<S> sine;
   Three<S> lower, upper;  // metres: bounds of the separation
 };
@@ -120,12 +120,12 @@ template <class S>
   const Three<S>& along = triangle.directions[k];
   const Three<S> edge = cross<S>(along, triangle.corners[k]);
   EdgeAxes<S> axes;
-  axes.way = cross<S>(along, triangle.corners[(k + 2) % 3]) - edge;
+  axes.displacement = cross<S>(along, triangle.corners[(k + 2) % 3]) - edge;
   const Three<S> size = absolute<S>(along);
   const Three<S> reach = next(half) * after_next(size) + after_next(half) * next(size);
-  const Three<S> gap = (axes.way > S(0) ? edge : -edge) - reach;
+  const Three<S> gap = (axes.displacement > S(0) ? edge : -edge) - reach;
   // If the side of the third corner is uncertain, allow both.
-  const Three<S> most = absolute<S>(axes.way) > off ? gap : absolute<S>(edge) - reach;
+  const Three<S> most = absolute<S>(axes.displacement) > off ? gap : absolute<S>(edge) - reach;
   const Three<S> squares = along * along;
   axes.sine = square_roots<S>(next(squares) + after_next(squares));
   axes.lower = (gap - off) / axes.sine;
@@ -229,8 +229,8 @@ template <class S>
     if (near != best || (best & (best - 1)) != 0 || !(most_lower > floor + tie + handicap))
       return result;
     const int bit = std::countr_zero(best | 0x1000U), i = bit % 4, k = bit / 4;
-    const S way = axes[k].way[i], sine = axes[k].sine[i];
-    if (!(sine > S(1.1) * kNoisySine<S> && std::abs(way) > off)) return result;
+    const S displacement = axes[k].displacement[i], sine = axes[k].sine[i];
+    if (!(sine > S(1.1) * kNoisySine<S> && std::abs(displacement) > off)) return result;
 
     // Measured as in query_edges(): B's half-edge runs in the direction of the arc of A's edge on
     // the Gauss map, from the normal of its left face to the other.
@@ -238,7 +238,7 @@ template <class S>
     const auto along_face = [](int face, const Vec3<S>& v) {
       return face % 2 == 0 ? v[face / 2] : -v[face / 2];
     };
-    result.edge_a = edge_of_box<S>(half, i, way > S(0) ? across : Vec3<S>(-across));
+    result.edge_a = edge_of_box<S>(half, i, displacement > S(0) ? across : Vec3<S>(-across));
     const int first = kBox.face(result.edge_a.edge), second = kBox.face(result.edge_a.edge ^ 1);
     const bool falls = along_face(second, vector<S>(triangle.directions[k])) < S(0);
     result.edge_b = edge_of_triangle(triangle, k, falls);

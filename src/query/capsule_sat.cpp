@@ -76,7 +76,8 @@ void best_face(const Hull<S>& hull, const Vec3<S> (&ends)[2], const FaceDistance
       return projects_into(hull, candidate, ends[lower_end], tie);
     };
     settled = settled || holds(result.face);
-    if (!look_the_same_way(hull, result.face, face, kSameDirection<S>)) result.face_tied = true;
+    if (!face_the_same_direction(hull, result.face, face, kSameDirection<S>))
+      result.face_tied = true;
     if (!settled && holds(face)) {
       result.face = face;
       settled = true;

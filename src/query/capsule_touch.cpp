@@ -81,7 +81,7 @@ CapsuleTouch<S> closest_touch(const Hull<S>& hull, const Vec3<S> (&ends)[2],
   const int near_end = best.parameter > S(0.5) ? 1 : 0;
   const int near_edge = best.feature.kind == FeatureKind::Edge
                             ? best.feature.index
-                            : edge_beside(hull, best.feature.index, ends[near_end]);
+                            : nearest_outside_edge(hull, best.feature.index, ends[near_end]);
   const GjkSimplex<S> start = simplex_near(hull, near_edge, near_end);
   const GjkResult<S> closest = gjk(support_set(ends), support_set(hull), Pose<S>{}, &start, run);
   CapsuleTouch<S> touch{.kind = CapsuleTouchKind::Closest,
@@ -98,9 +98,9 @@ CapsuleTouch<S> closest_touch(const Hull<S>& hull, const Vec3<S> (&ends)[2],
     }
     touch.parameter = closest_on_segment(closest.on_b, ends[0], ends[1]).parameter;
   } else {
-    const Vec3<S> way = outward(hull, ends, touch.feature, touch.parameter);
-    touch.distance = way.norm();
-    if (touch.distance > touching) touch.normal = way / touch.distance;
+    const Vec3<S> displacement = outward(hull, ends, touch.feature, touch.parameter);
+    touch.distance = displacement.norm();
+    if (touch.distance > touching) touch.normal = displacement / touch.distance;
   }
   if (closest.status == GjkStatus::Separated && touch.distance > touching) return touch;
   touch.normal = best.normal;

@@ -55,7 +55,7 @@ struct Candidate {
 /// True if the point is alongside the other segment. The foot is uncertain by a few roundings of
 /// the distance and of the segment's length.
 template <class S>
-bool is_beside(const Candidate<S>& candidate, const Segment<S>& a, const Segment<S>& b) {
+bool is_outside(const Candidate<S>& candidate, const Segment<S>& a, const Segment<S>& b) {
   constexpr S kRounding = S(8) * std::numeric_limits<S>::epsilon();
   const S squared_scale = candidate.squared_distance + a.squared_length + b.squared_length;
   return candidate.squared_overhang <= kRounding * kRounding * squared_scale;
@@ -214,9 +214,9 @@ ClosestOfSegments<S> closest_of_segments(const Vec3<S>& from_a, const Vec3<S>& t
   const std::span<const Candidate<S>> all(candidates, static_cast<std::size_t>(count + 4));
 
   if (is_parallel && squared_lengths > S(0)) {
-    const Middle<S> beside = middle_where(
-        all, [&](const Candidate<S>& candidate) { return is_beside(candidate, a, b); });
-    if (!beside.empty()) return at_parameters(beside.a(), beside.b(), a, b);
+    const Middle<S> next_to = middle_where(
+        all, [&](const Candidate<S>& candidate) { return is_outside(candidate, a, b); });
+    if (!next_to.empty()) return at_parameters(next_to.a(), next_to.b(), a, b);
   }
   // Candidates at the same distance meet in the middle.
   S least = std::numeric_limits<S>::infinity();

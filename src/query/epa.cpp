@@ -124,12 +124,12 @@ void record(const Polytope<S>& polytope, int nearest, const MinkowskiDifference<
     if (&face == &at(polytope.faces, nearest)) step.nearest = count_of(step.faces);
     std::array<int, 3>& corners = step.faces.emplace_back();
     for (std::size_t k = 0; k < 3; ++k) {
-      int& told = at(place, face.vertices[k]);
-      if (told < 0) {
-        told = count_of(step.vertices);
+      int& recorded = at(place, face.vertices[k]);
+      if (recorded < 0) {
+        recorded = count_of(step.vertices);
         step.vertices.push_back(difference.vertex(at(polytope.vertices, face.vertices[k]).pair));
       }
-      corners[k] = told;
+      corners[k] = recorded;
     }
   }
 }
@@ -267,16 +267,16 @@ PenetrationResult<S> epa(const SupportSet<S>& a, const SupportSet<S>& b, const P
   }
   const GjkResult<S> query = gjk(a, b, b_in_a);
   if (!query.on_a.allFinite() || !query.on_b.allFinite()) return {};
-  const PenetrationResult<S> apart{.status = PenetrationStatus::Separated,
-                                   .normal = query.normal,
-                                   .on_a = query.on_a,
-                                   .on_b = query.on_b};
-  if (!may_overlap(query, a, b, b_in_a)) return apart;
+  const PenetrationResult<S> separated{.status = PenetrationStatus::Separated,
+                                       .normal = query.normal,
+                                       .on_a = query.on_a,
+                                       .on_b = query.on_b};
+  if (!may_overlap(query, a, b, b_in_a)) return separated;
   const StartSimplex<S> start = blow_up(query.simplex, difference);
   if (!difference.is_finite()) return {};
   if (start.count < 4) {
-    const bool is_apart = query.status == GjkStatus::Separated;
-    return is_apart ? apart : flat_result(query.simplex, start, difference);
+    const bool is_separated = query.status == GjkStatus::Separated;
+    return is_separated ? separated : flat_result(query.simplex, start, difference);
   }
   return expand(start, options, difference, steps);
 }

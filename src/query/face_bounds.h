@@ -64,7 +64,7 @@ class FaceBounds {
       : reference_(reference),
         other_(other),
         count_(reference.normals.padded_count()),
-        distances_(kMostVertices * count_),
+        distances_(kMaxVertices * count_),
         bounds_(count_) {}
 
   /// Lowers the bounds of all faces by some vertices of the other hull. Must be called before all
@@ -88,7 +88,7 @@ class FaceBounds {
       if (face < 0) return false;  // NaN
       best_ = measure_face(reference_, face, other_);
       if (best_.separation == largest[0]) break;
-      if (looked_at_ == kMostVertices) return false;
+      if (looked_at_ == kMaxVertices) return false;
       look_at({best_.support});
     }
     const Pack<S> largest = largest_, ties = lanes::all(tie);
@@ -133,7 +133,7 @@ class FaceBounds {
   }
 
  private:
-  static constexpr int kMostVertices = 8;
+  static constexpr int kMaxVertices = 8;
 
   template <int kVertices, bool kFirst>
   void lower(const int (&vertices)[kVertices]) {
@@ -171,7 +171,7 @@ class FaceBounds {
   int looked_at_ = 0;         // number of vertices
   lanes::Pack<S> largest_{};  // largest bound, in all lanes
   FaceQuery<S> best_;
-  Scratch<S, kMostVertices * 128> distances_;  // of each vertex from all planes
+  Scratch<S, kMaxVertices * 128> distances_;  // of each vertex from all planes
   Scratch<S, 128> bounds_;
 };
 

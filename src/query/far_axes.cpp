@@ -63,8 +63,8 @@ S largest_between(const Search<S>& search, const Vec3<S>& e, Sample<S> left, Sam
     const S above_right = std::max(left_at_right - right_value, S(0));
     const S above = above_left + above_right;
     const S t = above > S(0) ? above_left / above : S(0);
-    const Vec3<S> way = right.direction - left.direction;
-    const Vec3<S> crossing = left.direction + t * way;
+    const Vec3<S> offset = right.direction - left.direction;
+    const Vec3<S> crossing = left.direction + t * offset;
     const S length = crossing.norm();
     const S at_crossing = (left_value + t * (left_at_right - left_value)) / length;
     const S ends = std::max(left_value, right_value);
@@ -73,7 +73,7 @@ S largest_between(const Search<S>& search, const Vec3<S>& e, Sample<S> left, Sam
     const Sample<S> middle = search.sample(Vec3<S>(crossing / length));
     if (middle.support == left.support || middle.support == right.support) return bound;
     const Vec3<S> middle_line = search.pair.b.vertices[middle.support] - e;
-    if (way.dot(middle_line) > S(0)) {
+    if (offset.dot(middle_line) > S(0)) {
       done = std::max(done, left.direction.dot(middle_line));
       left = middle;
     } else {

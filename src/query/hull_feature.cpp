@@ -75,7 +75,7 @@ HullFeature feature_of_b(const Hull<S>& hull, const GjkSimplex<S>& simplex) {
 }
 
 template <class S>
-int edge_beside(const Hull<S>& hull, int face, const Vec3<S>& point) {
+int nearest_outside_edge(const Hull<S>& hull, int face, const Vec3<S>& point) {
   const Vec3<S>& normal = at(hull.planes, face).normal;
   int best = at(hull.face_edges, face);
   S farthest = S(0);  // squared
@@ -127,8 +127,8 @@ ClippedSegment<S> clip_to_edge(const Hull<S>& hull, int half_edge, const Vec3<S>
 
 template decltype(feature_of_b<float>) feature_of_b<float>;
 template decltype(feature_of_b<double>) feature_of_b<double>;
-template decltype(edge_beside<float>) edge_beside<float>;
-template decltype(edge_beside<double>) edge_beside<double>;
+template decltype(nearest_outside_edge<float>) nearest_outside_edge<float>;
+template decltype(nearest_outside_edge<double>) nearest_outside_edge<double>;
 template decltype(projects_into<float>) projects_into<float>;
 template decltype(projects_into<double>) projects_into<double>;
 template decltype(clip_to_prism<float>) clip_to_prism<float>;

@@ -29,7 +29,7 @@ HullFeature feature_of_b(const Hull<S>& hull, const GjkSimplex<S>& simplex);
 /// The closest edge of a face, as a half-edge of it, to a point that is not over the face: the edge
 /// whose side plane the point is farthest outside of. Hull's frame.
 template <class S>
-int edge_beside(const Hull<S>& hull, int face, const Vec3<S>& point);
+int nearest_outside_edge(const Hull<S>& hull, int face, const Vec3<S>& point);
 
 /// True if the foot of the perpendicular from `point` to the face's plane is inside the face.
 template <class S>

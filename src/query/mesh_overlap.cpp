@@ -82,13 +82,13 @@ class MeshTraversal {
     std::vector<NodeIndices> before;
     before.swap(front.pairs);
     front.pairs.reserve(before.size());
-    apart_ = 0;
+    separation_ = 0;
     for (std::size_t place = 0; place < before.size(); ++place) {
       const auto [i, j] = before[place];
       if (compare(i, j)) {
         descend(i, j, front);
       } else {
-        keep_apart(i, j, front);
+        keep_separated(i, j, front);
         if (front.may_climb(place, before.size())) climb(front);
       }
     }
@@ -99,20 +99,20 @@ class MeshTraversal {
     if (at(a_.tree.nodes, i).leaf() && at(tree_b_.nodes, j).leaf()) {
       compare_leaves(i, j);
       front.pairs.push_back({i, j});
-      apart_ = 0;
+      separation_ = 0;
       return;
     }
     for_children(i, j, [&](int child_i, int child_j) {
       if (compare(child_i, child_j))
         descend(child_i, child_j, front);
       else
-        keep_apart(child_i, child_j, front);
+        keep_separated(child_i, child_j, front);
     });
   }
 
-  void keep_apart(int i, int j, MeshFront& front) {
+  void keep_separated(int i, int j, MeshFront& front) {
     front.pairs.push_back({i, j});
-    ++apart_;
+    ++separation_;
   }
 
   /// Replaces children at the end of the front by their parents, as long as all children are
@@ -120,13 +120,13 @@ class MeshTraversal {
   void climb(MeshFront& front) {
     while (const auto parent = front.parent_of_last_child(front.pairs.back())) {
       const auto [i, j] = parent->nodes;
-      if (apart_ < parent->children ||
+      if (separation_ < parent->children ||
           *(front.pairs.end() - parent->children) != parent->first_child)
         return;
       if ((i == 0 && j == 0) || compare(i, j)) return;  // the roots are known to overlap
       front.pairs.resize(front.pairs.size() - static_cast<std::size_t>(parent->children));
-      apart_ -= parent->children;
-      keep_apart(i, j, front);
+      separation_ -= parent->children;
+      keep_separated(i, j, front);
     }
   }
 
@@ -181,7 +181,7 @@ class MeshTraversal {
   Tree tree_b_;                      // a's frame
   std::vector<NodePairVisit>* visits_;
   std::vector<std::pair<int, int>> open_;  // overlapping nodes
-  int apart_ = 0;  // number of consecutive separated pairs at the end of the front
+  int separation_ = 0;  // number of consecutive separated pairs at the end of the front
   MeshOverlap<S> result_;
 };
 

@@ -52,7 +52,7 @@ class MeshQueryCost {
   }
 
   /// Call this when one of the trees was rebuilt.
-  void begin_anew() { base_ = {}; }
+  void restart() { base_ = {}; }
 
  private:
   static constexpr std::int64_t kFewestTrianglePairs = 64;

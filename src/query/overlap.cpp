@@ -64,14 +64,15 @@ struct BoxAndSphere {
 
   /// Records the three axes of the box and the axis to the closest point, if any. No face axis has
   /// a larger gap than that one. `axes`: the box's axes as columns.
-  void tell(const Mat3<S>& axes, const Comparison<S>& comparison, OverlapRecord<S>& record) const {
-    const Vec3<S> way = axes * middle;
-    const bool apart = !overlap(comparison);
+  void report(const Mat3<S>& axes, const Comparison<S>& comparison,
+              OverlapRecord<S>& record) const {
+    const Vec3<S> offset = axes * middle;
+    const bool separated = !overlap(comparison);
     for (int k = 0; k < 3; ++k) {
-      OverlapAxis<S> axis = overlap_axis<S>(OverlapAxisKind::FaceA, k, -1, axes.col(k), S(1), way,
-                                            std::abs(middle[k]), half_extents[k], radius);
+      OverlapAxis<S> axis = overlap_axis<S>(OverlapAxisKind::FaceA, k, -1, axes.col(k), S(1),
+                                            offset, std::abs(middle[k]), half_extents[k], radius);
       axis.separates =
-          apart && (comparison.touching ? axis.gap > comparison.tolerance : axis.gap >= 0);
+          separated && (comparison.touching ? axis.gap > comparison.tolerance : axis.gap >= 0);
       record.axes.push_back(axis);
     }
     const S distance = excess.norm();
@@ -79,18 +80,18 @@ struct BoxAndSphere {
     if (distance > 0) local = excess / distance;
     OverlapAxis<S> axis =
         overlap_axis<S>(OverlapAxisKind::Closest, -1, -1, axes * local, distance > 0 ? S(1) : S(0),
-                        way, middle.dot(local), half_extents.dot(local.cwiseAbs()), radius);
+                        offset, middle.dot(local), half_extents.dot(local.cwiseAbs()), radius);
     if (distance > 0) axis.gap = distance - radius;
     axis.skipped = !(distance > 0);
-    axis.separates = apart;
+    axis.separates = separated;
     record.axes.push_back(axis);
   }
 };
 
 template <class S>
 BoxAndSphere<S> in_box(const Obb<S>& box, const BoundingSphere<S>& sphere) {
-  const Vec3<S> way = sphere.center - box.center;
-  const Vec3<S> middle = box.axes.transpose() * way;
+  const Vec3<S> offset = sphere.center - box.center;
+  const Vec3<S> middle = box.axes.transpose() * offset;
   Vec3<S> excess;
   for (int k = 0; k < 3; ++k)
     excess[k] = std::copysign(std::max(std::abs(middle[k]) - box.half_extents[k], S(0)), middle[k]);
@@ -113,7 +114,7 @@ bool box_and_sphere(const Box& box, const BoundingSphere<S>& sphere, const Mat3<
   if (box.empty() || sphere.empty()) return false;
   const BoxAndSphere<S> local = in_box(box, sphere);
   if (record != nullptr) [[unlikely]]
-    local.tell(axes, comparison, *record);
+    local.report(axes, comparison, *record);
   return local.overlap(comparison);
 }
 
@@ -131,11 +132,11 @@ bool overlaps(const Aabb<S>& a, const Aabb<S>& b, const Comparison<S>& compariso
   for (int k = 0; k < 3; ++k) result = result && !separated_along(a, b, k, comparison);
   if (record == nullptr) [[likely]]
     return result;
-  const Vec3<S> way = b.center() - a.center();
+  const Vec3<S> offset = b.center() - a.center();
   for (int k = 0; k < 3; ++k) {
     OverlapAxis<S> axis =
-        overlap_axis<S>(OverlapAxisKind::FaceA, k, -1, Vec3<S>::Unit(k), 1, way, std::abs(way[k]),
-                        S(0.5) * a.extent()[k], S(0.5) * b.extent()[k]);
+        overlap_axis<S>(OverlapAxisKind::FaceA, k, -1, Vec3<S>::Unit(k), 1, offset,
+                        std::abs(offset[k]), S(0.5) * a.extent()[k], S(0.5) * b.extent()[k]);
     axis.gap = gap_along(a, b, k);
     axis.separates = separated_along(a, b, k, comparison);
     record->axes.push_back(axis);
@@ -148,15 +149,15 @@ bool overlaps(const BoundingSphere<S>& a, const BoundingSphere<S>& b,
               const Comparison<S>& comparison, OverlapRecord<S>* record) {
   if (record != nullptr) record->axes.clear();
   if (a.empty() || b.empty()) return false;
-  const Vec3<S> way = b.center - a.center;
+  const Vec3<S> offset = b.center - a.center;
   const S reach = a.radius + b.radius;
   const bool result =
-      within_reach(way.squaredNorm(), reach,
-                   way.template lpNorm<1>() + reach + comparison.tolerance, comparison);
+      within_reach(offset.squaredNorm(), reach,
+                   offset.template lpNorm<1>() + reach + comparison.tolerance, comparison);
   if (record != nullptr) [[unlikely]] {
-    const S distance = way.norm();
-    record->axes.push_back(overlap_axis<S>(OverlapAxisKind::Closest, -1, -1, way, distance, way,
-                                           distance * distance, a.radius * distance,
+    const S distance = offset.norm();
+    record->axes.push_back(overlap_axis<S>(OverlapAxisKind::Closest, -1, -1, offset, distance,
+                                           offset, distance * distance, a.radius * distance,
                                            b.radius * distance));
     record->axes.back().length = 1;
     record->axes.back().separates = !result;

@@ -59,7 +59,7 @@ constexpr int kQuickParallel = 16;
 constexpr int kInclusiveBound = 8;
 constexpr int kExclusiveBound = 24;
 
-enum class Verdict { Apart, Overlap, Undecided };
+enum class Verdict { Separation, Overlap, Undecided };
 
 /// Gaps along three axes, minus the tolerance.
 template <class S>
@@ -83,7 +83,7 @@ template <bool kTolerant, class S>
   const S bound = S(kQuickBound) * kEpsilon<S> * (axes.size() + tolerance);
   const auto verdict_of = [&](const Three<S>& gaps) {
     // NaN is undecided.
-    return gaps[0] > bound || gaps[1] > bound || gaps[2] > bound ? Verdict::Apart
+    return gaps[0] > bound || gaps[1] > bound || gaps[2] > bound ? Verdict::Separation
                                                                  : Verdict::Undecided;
   };
 
@@ -147,9 +147,9 @@ S reach_along(const Obb<S>& box, const Vec3<S>& direction) {
 }
 
 template <class S>
-Measured<S> measure(const Obb<S>& a, const Obb<S>& b, const Vec3<S>& way, S size,
+Measured<S> measure(const Obb<S>& a, const Obb<S>& b, const Vec3<S>& offset, S size,
                     const Vec3<S>& direction, const Comparison<S>& comparison) {
-  Measured<S> found{std::abs(way.dot(direction)), reach_along(a, direction),
+  Measured<S> found{std::abs(offset.dot(direction)), reach_along(a, direction),
                     reach_along(b, direction), direction.norm(), false};
   if (found.length == 0) return found;
   const S gap =
@@ -193,14 +193,14 @@ bool all_finite(const Obb<S>& box) {
 
 /// Offset between the centres, and the D of the derivation.
 template <class S>
-struct BoxWay {
-  Vec3<S> way;
+struct BoxOffset {
+  Vec3<S> offset;
   S size;
 
-  BoxWay(const Obb<S>& a, const Obb<S>& b, S tolerance)
-      : way(b.center - a.center),
-        size(way.template lpNorm<1>() + (a.half_extents.sum() + b.half_extents.sum()) + tolerance) {
-  }
+  BoxOffset(const Obb<S>& a, const Obb<S>& b, S tolerance)
+      : offset(b.center - a.center),
+        size(offset.template lpNorm<1>() + (a.half_extents.sum() + b.half_extents.sum()) +
+             tolerance) {}
 };
 
 /// Not inlined, because few pairs get here.
@@ -208,9 +208,9 @@ template <class S>
 [[gnu::noinline]] bool slow_overlap(const Obb<S>& a, const Obb<S>& b,
                                     const Comparison<S>& comparison) {
   if (!all_finite(a) || !all_finite(b)) return false;
-  const BoxWay<S> between(a, b, comparison.tolerance);
+  const BoxOffset<S> between(a, b, comparison.tolerance);
   return for_each_axis(a, b, [&](OverlapAxisKind, int, int, const Vec3<S>& direction) {
-    return !measure(a, b, between.way, between.size, direction, comparison).separates;
+    return !measure(a, b, between.offset, between.size, direction, comparison).separates;
   });
 }
 
@@ -218,10 +218,10 @@ template <class S>
 template <class S>
 void record_guarded(const Obb<S>& a, const Obb<S>& b, const Comparison<S>& comparison,
                     OverlapRecord<S>& record) {
-  const BoxWay<S> between(a, b, comparison.tolerance);
+  const BoxOffset<S> between(a, b, comparison.tolerance);
   for_each_axis(a, b, [&](OverlapAxisKind kind, int i, int j, const Vec3<S>& direction) {
-    const auto found = measure(a, b, between.way, between.size, direction, comparison);
-    record.axes.push_back(overlap_axis(kind, i, j, direction, found.length, between.way,
+    const auto found = measure(a, b, between.offset, between.size, direction, comparison);
+    record.axes.push_back(overlap_axis(kind, i, j, direction, found.length, between.offset,
                                        found.distance, found.reach_a, found.reach_b));
     record.axes.back().skipped = found.length == 0;
     record.axes.back().separates = found.separates;
@@ -234,13 +234,13 @@ template <class S>
 void record_plain(const Obb<S>& a, const Obb<S>& b, const Comparison<S>& comparison,
                   const ObbTest<S>& test, OverlapRecord<S>& record) {
   const BoxAxes<S> axes(a, b);
-  const Vec3<S> way = b.center - a.center;
+  const Vec3<S> offset = b.center - a.center;
   const auto add = [&](OverlapAxisKind kind, int lane, int j, const Vec3<S>& direction,
                        const Projections<S>& projections, const Three<S>& squared) {
     const S length = std::sqrt(squared[lane]);
     const S gap = beyond<S>(projections, comparison.tolerance, squared)[lane];
     const int i = kind == OverlapAxisKind::FaceB ? -1 : lane;
-    record.axes.push_back(overlap_axis(kind, i, j, direction, length, way,
+    record.axes.push_back(overlap_axis(kind, i, j, direction, length, offset,
                                        projections.distance[lane], projections.reach_a[lane],
                                        projections.reach_b[lane]));
     OverlapAxis<S>& axis = record.axes.back();

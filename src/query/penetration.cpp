@@ -16,13 +16,13 @@ template <class S>
 PenetrationResult<S> axis_result(S separation, const Vec3<S>& normal, const Vec3<S>& deepest,
                                  bool is_of_b) {
   const S depth = std::max(-separation, S(0));
-  const Vec3<S> way = depth * normal;
+  const Vec3<S> offset = depth * normal;
   return {.status = PenetrationStatus::Converged,
           .depth = depth,
           .least_depth = depth,
           .normal = normal,
-          .on_a = is_of_b ? Vec3<S>(deepest + way) : deepest,
-          .on_b = is_of_b ? deepest : Vec3<S>(deepest - way),
+          .on_a = is_of_b ? Vec3<S>(deepest + offset) : deepest,
+          .on_b = is_of_b ? deepest : Vec3<S>(deepest - offset),
           .iterations = 1};
 }
 
@@ -47,10 +47,10 @@ template <class S>
 PenetrationResult<S> of_hulls(const Hull<S>& a, const Hull<S>& b, const Pose<S>& b_in_a) {
   const HullPair<S> pair(a, b, b_in_a);
   const SatResult<S> axes = sat(pair, tie_tolerance(pair.scale), Preference::None);
-  const bool is_apart = axes.status == SatStatus::Separated;
+  const bool is_separated = axes.status == SatStatus::Separated;
   if (axes.chosen == AxisKind::EdgeEdge) {
     const auto [edge_a, edge_b, separation, normal] = axes.edge;
-    if (is_apart) return separated_along(normal);
+    if (is_separated) return separated_along(normal);
     return edge_result(separation, normal, pair.a.origin(edge_a),
                        pair.a.origin(Hull<S>::twin(edge_a)), pair.b.origin(edge_b),
                        pair.b.origin(Hull<S>::twin(edge_b)));
@@ -58,7 +58,7 @@ PenetrationResult<S> of_hulls(const Hull<S>& a, const Hull<S>& b, const Pose<S>&
   const bool is_of_a = axes.chosen == AxisKind::FaceA;
   const FaceQuery<S>& best = is_of_a ? axes.face_a : axes.face_b;
   const Vec3<S> normal = is_of_a ? pair.a.normals[best.face] : Vec3<S>(-pair.b.normals[best.face]);
-  if (is_apart) return separated_along(normal);
+  if (is_separated) return separated_along(normal);
   const PlacedHull<S>& other = is_of_a ? pair.b : pair.a;
   return axis_result(best.separation, normal, other.vertex(best.support), is_of_a);
 }
@@ -103,12 +103,12 @@ PenetrationResult<S> sat_penetration(const SupportSet<S>& a, const SupportSet<S>
   if (b.hull != nullptr) {
     const Vec3<S> ends[2] = {b_in_a.inverse_transform(a.points[0]),
                              b_in_a.inverse_transform(a.points[a.count - 1])};
-    PenetrationResult<S> told = of_hull_and_segment(*b.hull, ends);
-    std::swap(told.on_a, told.on_b);
-    told.on_a = b_in_a.transform(told.on_a);
-    told.on_b = b_in_a.transform(told.on_b);
-    told.normal = -b_in_a.rotate(told.normal);
-    return told;
+    PenetrationResult<S> record = of_hull_and_segment(*b.hull, ends);
+    std::swap(record.on_a, record.on_b);
+    record.on_a = b_in_a.transform(record.on_a);
+    record.on_b = b_in_a.transform(record.on_b);
+    record.normal = -b_in_a.rotate(record.normal);
+    return record;
   }
   return epa<S>(a, b, b_in_a, {}, nullptr, nullptr);
 }

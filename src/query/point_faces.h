@@ -62,7 +62,7 @@ inline void for_each_with_bits(const int* values, int count, int bits, const Vis
 /// True if the sine of the angle between two face normals is at most `sine`, so that a tie between
 /// these faces hardly affects the normal.
 template <class S>
-bool look_the_same_way(const Hull<S>& hull, int one, int other, S sine) {
+bool face_the_same_direction(const Hull<S>& hull, int one, int other, S sine) {
   const Vec3<S>& n = at(hull.planes, one).normal;
   const Vec3<S>& m = at(hull.planes, other).normal;
   return n.dot(m) > S(0) && n.cross(m).squaredNorm() <= sine * sine;
@@ -116,7 +116,7 @@ class PointFaces {
   bool is_tied(int face, S tie, S sine) const {
     for (int other = 0; other < hull_.face_count(); ++other) {
       if (other == face || distances_[other] < largest_ - tie) continue;
-      if (!look_the_same_way(hull_, face, other, sine)) return true;
+      if (!face_the_same_direction(hull_, face, other, sine)) return true;
     }
     return false;
   }

@@ -29,7 +29,7 @@ S tie_of(const HullPair<S>& pair, Preference preference) {
 
 /// Stores the result of a face query of A or B. Returns true if it found a separating axis.
 template <class S>
-bool is_apart(SatResult<S>& result, AxisKind kind, const FaceQuery<S>& query, S margin) {
+bool is_separated(SatResult<S>& result, AxisKind kind, const FaceQuery<S>& query, S margin) {
   (kind == AxisKind::FaceA ? result.face_a : result.face_b) = query;
   ++result.queries_run;
   result.chosen = result.deepest = kind;
@@ -38,7 +38,7 @@ bool is_apart(SatResult<S>& result, AxisKind kind, const FaceQuery<S>& query, S 
 
 /// The same for the edge query, which may have found no pair.
 template <class S>
-bool is_apart(SatResult<S>& result, const EdgeQuery<S>& query, S margin) {
+bool is_separated(SatResult<S>& result, const EdgeQuery<S>& query, S margin) {
   result.edge = query;
   ++result.queries_run;
   result.chosen = result.deepest = AxisKind::EdgeEdge;
@@ -100,15 +100,16 @@ bool sat_by_bounds(const HullPair<S>& pair, S margin, Preference preference, Own
   FaceBounds<S> faces_a(pair.a, pair.b);
   faces_a.look_at({vertex_towards_a(pair)});
   if (!faces_a.find_best(result.tie)) return false;
-  if (is_apart(result, AxisKind::FaceA, faces_a.best(), margin)) return true;
+  if (is_separated(result, AxisKind::FaceA, faces_a.best(), margin)) return true;
 
   FaceBounds<S> faces_b(pair.b, pair.a);
   look_at_face(pair.a.hull, result.face_a.face, faces_b);
   if (!faces_b.find_best(result.tie)) return false;
-  if (is_apart(result, AxisKind::FaceB, faces_b.best(), margin)) return true;
+  if (is_separated(result, AxisKind::FaceB, faces_b.best(), margin)) return true;
 
-  if (!is_apart(result, query_edges(pair, faces_a, floor_of(pair, preference, result), result.tie),
-                margin))
+  if (!is_separated(result,
+                    query_edges(pair, faces_a, floor_of(pair, preference, result), result.tie),
+                    margin))
     touch(pair, preference, preferred, result);
   return true;
 }
@@ -121,11 +122,11 @@ SatResult<S> sat(const HullPair<S>& pair, S margin, Preference preference,
   SatResult<S> result;
   const S tie = result.tie = tie_of(pair, preference);
   const FaceQuery<S> face_a = query_faces(pair.a, pair.b, tie, faces_a);
-  if (is_apart(result, AxisKind::FaceA, face_a, margin)) return result;
+  if (is_separated(result, AxisKind::FaceA, face_a, margin)) return result;
   const FaceQuery<S> face_b = query_faces(pair.b, pair.a, tie, faces_b);
-  if (is_apart(result, AxisKind::FaceB, face_b, margin)) return result;
+  if (is_separated(result, AxisKind::FaceB, face_b, margin)) return result;
   const EdgeQuery<S> edge = query_edges(pair, faces_a, floor_of(pair, preference, result), tie);
-  if (is_apart(result, edge, margin)) return result;
+  if (is_separated(result, edge, margin)) return result;
 
   if (pair.a.hull.flat() && pair.b.hull.flat()) [[unlikely]] {
     const EdgeQuery<S> side = query_sides(pair);

@@ -21,10 +21,10 @@ Triangle<double> widened(const Triangle<float>& t) {
 
 /// Position of a triangle relative to a plane, by the signs of its corners.
 enum class Side : std::uint8_t {
-  Apart,    // all strictly on one side
-  Leaning,  // on one side, with a corner or an edge in the plane
-  Across,   // on both sides
-  Within,   // all in the plane
+  Separation,  // all strictly on one side
+  Leaning,     // on one side, with a corner or an edge in the plane
+  Across,      // on both sides
+  Within,      // all in the plane
 };
 struct Lie {
   Side side;
@@ -44,7 +44,7 @@ constexpr Lie lie_of(int a, int b, int c) {
     below += sign < 0;
   }
   if (above + below == 0) return {Side::Within, 0, false};
-  if (above == 3 || below == 3) return {Side::Apart, 0, false};
+  if (above == 3 || below == 3) return {Side::Separation, 0, false};
   const Side side = above > 0 && below > 0 ? Side::Across : Side::Leaning;
   // One corner above and the others not, or the opposite.
   const bool lone_above = above == 1 || (above == 0 && below == 2);
@@ -117,9 +117,9 @@ Vec3d end_at(const Vec3d& p, const Vec3d& to, const Triangle<double>& of) {
 template <bool kWantsSegment>
 TriangleOverlap<double> overlap(const Triangle<double>& a, const Triangle<double>& b) {
   const Lie of_b = lie(b, a);
-  if (of_b.side == Side::Apart) return {};
+  if (of_b.side == Side::Separation) return {};
   const Lie of_a = lie(a, b);
-  if (of_a.side == Side::Apart) return {};
+  if (of_a.side == Side::Separation) return {};
   if (of_a.side == Side::Within || of_b.side == Side::Within)
     return flat_triangle_overlap(a, b, kWantsSegment);
 

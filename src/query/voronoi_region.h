@@ -10,7 +10,7 @@ namespace contactscope {
 /// The half-edge of a face whose side plane a point is farthest outside of; -1 if the point is over
 /// the face, as in projects_into() with thickness 0.
 template <class S>
-int side_beside(const Hull<S>& hull, int face, const Vec3<S>& point) {
+int outside_side(const Hull<S>& hull, int face, const Vec3<S>& point) {
   const Vec3<S>& normal = at(hull.planes, face).normal;
   int best = -1;
   S farthest = S(0), squared_length = S(1);  // both scaled by the edge's squared length
@@ -48,13 +48,13 @@ int side_beside(const Hull<S>& hull, int face, const Vec3<S>& point) {
 template <class S>
 std::optional<HullFeature> voronoi_region(const Hull<S>& hull, int half_edge, const Vec3<S>& point,
                                           S scale) {
-  constexpr int kMostSteps = 8;
+  constexpr int kMaxSteps = 8;
   const S rounding = S(64) * std::numeric_limits<S>::epsilon() * scale;
   const auto length = [](const Vec3<S>& v) {
     return v.cwiseAbs().sum();
   };  // overestimates by a factor of up to 1.8
   int edge = half_edge;
-  for (int step = 0; step < kMostSteps; ++step) {
+  for (int step = 0; step < kMaxSteps; ++step) {
     const Vec3<S>& origin = hull.origin(edge);
     const Vec3<S> along = hull.target(edge) - origin;
     const Vec3<S> from_origin = point - origin;
@@ -63,17 +63,19 @@ std::optional<HullFeature> voronoi_region(const Hull<S>& hull, int half_edge, co
     const S before_target = -along.dot(from_target) - rounding * length(from_target);
     if (past_origin > S(0) && before_target > S(0)) {
       // Distance outside of the face to the left of either half-edge, times the edge's length.
-      const auto beside = [&](int of, S sign) {
+      const auto next_to = [&](int of, S sign) {
         const Vec3<S>& normal = at(hull.planes, at(hull.half_edges, of).face).normal;
         return sign * along.cross(normal).dot(from_origin);
       };
       const S least = rounding * length(along);
-      const S beside_left = beside(edge, S(1)), beside_right = beside(Hull<S>::twin(edge), S(-1));
-      if (beside_left > least && beside_right > least) return HullFeature{FeatureKind::Edge, edge};
-      if (beside_left >= -least && beside_right >= -least) return std::nullopt;
-      const int over = beside_left < -least ? edge : Hull<S>::twin(edge);
+      const S outside_left = next_to(edge, S(1)),
+              outside_right = next_to(Hull<S>::twin(edge), S(-1));
+      if (outside_left > least && outside_right > least)
+        return HullFeature{FeatureKind::Edge, edge};
+      if (outside_left >= -least && outside_right >= -least) return std::nullopt;
+      const int over = outside_left < -least ? edge : Hull<S>::twin(edge);
       const int face = at(hull.half_edges, over).face;
-      edge = side_beside(hull, face, point);
+      edge = outside_side(hull, face, point);
       if (edge < 0) return std::nullopt;
       continue;
     }

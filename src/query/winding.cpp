@@ -122,7 +122,7 @@ Containment mesh_containment(const Mesh<S>& a, const Mesh<S>& b, const Pose<S>& 
     if (winding_around(vertices_b, b.triangles, at(a.vertices, vertex)).number != 0)
       return Containment::AInB;
   }
-  return Containment::Apart;
+  return Containment::Separation;
 }
 
 template Winding winding_number(const Mesh<float>&, const Vec3<float>&);

@@ -42,11 +42,11 @@ std::vector<MeshEdge> open_edges(const Mesh<S>& mesh);
 
 /// Relative position of two meshes that do not intersect.
 enum class Containment : std::uint8_t {
-  Apart,      // no part of either mesh is inside the other
-  AInB,       // a connected part of a is inside b
-  BInA,       // a connected part of b is inside a
-  AHasHoles,  // a has open edges and therefore no inside; unknown
-  BHasHoles,  // b has open edges, a has none
+  Separation,  // no part of either mesh is inside the other
+  AInB,        // a connected part of a is inside b
+  BInA,        // a connected part of b is inside a
+  AHasHoles,   // a has open edges and therefore no inside; unknown
+  BHasHoles,   // b has open edges, a has none
 };
 
 /// Tests if one mesh is inside the other, if mesh_overlap found no intersection: computes the

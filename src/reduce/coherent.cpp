@@ -18,14 +18,14 @@ constexpr double kCoherentTolerance = 0.05;
 constexpr double kCoherentDepthOfLength = 0.002;
 constexpr double kCoherentDepthOfSeparation = 0.05;
 
-constexpr int kMostCoherentCorners = 8;
+constexpr int kMaxCoherentCorners = 8;
 
 /// The choice that others are compared with.
 template <class S>
 struct Reference {
   KeptIndices kept;
-  int beside = -1;  // its deep point that is not a corner of the ring, if any
-  S size;           // measure()
+  int next_to = -1;  // its deep point that is not a corner of the ring, if any
+  S size;            // measure()
   bool by_length;
   S deepest;  // separation
   S slack;    // allowed increase of the separation
@@ -64,7 +64,7 @@ Reference<S> find_reference(const Candidates<S>& points, Patch<S>& patch,
     if (!reference.kept.empty() && size <= reference.size + patch.tie) return;
     reference.size = size;
     reference.kept = kept;
-    reference.beside = choice.is_in_ring ? -1 : i;
+    reference.next_to = choice.is_in_ring ? -1 : i;
   };
   improve_with(deepest);
   for (int i = 0; i < points.count(); ++i)
@@ -78,9 +78,9 @@ struct CoherentWish {
   StaticVector<bool, kMaxManifoldPoints> is_old, is_deep;  // by corner
   // A deep point inside the patch that is kept in addition to the ring; the hull includes it.
   // Without it the ring must have a deep corner.
-  std::optional<Vec2<S>> beside;
+  std::optional<Vec2<S>> next_to;
   S least_doubled_area;
-  int most;  // corners, 2 to kMostCoherentCorners
+  int most;  // corners, 2 to kMaxCoherentCorners
 };
 
 template <class S>
@@ -107,8 +107,8 @@ void improve_from(const Patch<S>& patch, const CoherentWish<S>& wish, int first,
   };
   const auto corner = [&](int i) { return (first + i) % columns; };
   const auto is_old = [&](int i) { return static_cast<int>(at(wish.is_old, corner(i))); };
-  const auto is_deep = [&](int i) { return wish.beside || at(wish.is_deep, corner(i)); };
-  const Vec2<S> centre = wish.beside.value_or(patch.corner(first));
+  const auto is_deep = [&](int i) { return wish.next_to || at(wish.is_deep, corner(i)); };
+  const Vec2<S> centre = wish.next_to.value_or(patch.corner(first));
 
   chains.assign(static_cast<std::size_t>(place(wish.most, 0, false, 0)), {});
   at(chains, place(0, is_old(0), is_deep(0), 0)).doubled_area = S(0);
@@ -179,16 +179,16 @@ KeptIndices most_coherent(const Candidates<S>& points, const Patch<S>& patch,
   wish.most = most;
   CoherentRing<S> best = most_coherent_ring(patch, wish);
   KeptIndices chosen;
-  if (reference.beside >= 0) {
-    wish.beside = patch.project(points[reference.beside]);
+  if (reference.next_to >= 0) {
+    wish.next_to = patch.project(points[reference.next_to]);
     wish.most = most - 1;
     CoherentRing<S> around = most_coherent_ring(patch, wish);
     if (!around.ring.corners.empty()) {
-      around.old += static_cast<int>(steps::contains(old, reference.beside));
+      around.old += static_cast<int>(steps::contains(old, reference.next_to));
     }
     if (around.old > best.old) {
       best = around;
-      chosen.push_back(reference.beside);
+      chosen.push_back(reference.next_to);
     }
   }
   if (best.ring.corners.empty()) return reference.kept;
@@ -238,7 +238,7 @@ constexpr auto reduce_coherently = []<class S>(const Candidates<S>& points,
       measure(points, old, reference.by_length) >= enough) {
     return old;
   }
-  if (old.empty() || reference.by_length || most > kMostCoherentCorners) return reference.kept;
+  if (old.empty() || reference.by_length || most > kMaxCoherentCorners) return reference.kept;
   return most_coherent(points, patch, reference, old, most);
 };
 

@@ -186,8 +186,8 @@ constexpr auto reduce_like_ode = []<class S>(const Candidates<S>& points,
     const S wanted = S(quarter) * (kTurn / S(4));
     steps::add_once(choices, points.highest([&](int i) {
       if (steps::contains(choices, i)) return -std::numeric_limits<S>::infinity();
-      const S apart = std::abs(wanted - at(angles, i));
-      return -std::min(apart, kTurn - apart);
+      const S gap = std::abs(wanted - at(angles, i));
+      return -std::min(gap, kTurn - gap);
     }));
   }
   return steps::first_of(choices, options);

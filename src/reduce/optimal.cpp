@@ -167,19 +167,19 @@ int corner_at(const Patch<S>& patch, const Vec2<S>& place) {
 
 /// The corners to keep with a place that is not a corner. For points on one line the two extremes.
 template <class S>
-CornerRing<S> ring_beside(const Patch<S>& patch, const Vec2<S>& place, int most) {
+CornerRing<S> ring_around(const Patch<S>& patch, const Vec2<S>& place, int most) {
   if (most > 2 && !patch.is_flat) return best_ring(patch, most - 1, &place);
-  CornerRing<S> beside;
+  CornerRing<S> next_to;
   const auto add = [&](int corner) {
-    if (!patch.coincide(patch.corner(corner), place)) beside.corners.push_back(corner);
+    if (!patch.coincide(patch.corner(corner), place)) next_to.corners.push_back(corner);
   };
   if (most == 2) {
-    const auto apart = [&](int i) { return (place - patch.corner(i)).squaredNorm(); };
-    add(std::max(0, steps::highest(patch.count, apart, S(0), S(1), patch.tie)));
+    const auto separated = [&](int i) { return (place - patch.corner(i)).squaredNorm(); };
+    add(std::max(0, steps::highest(patch.count, separated, S(0), S(1), patch.tie)));
   } else if (most > 2) {
     for (const int corner : farthest_pair(patch).corners) add(corner);
   }
-  return beside;
+  return next_to;
 }
 
 }  // namespace
@@ -250,7 +250,7 @@ ChoiceWith<S> largest_with(const Candidates<S>& points, Patch<S>& patch, int poi
   const Vec2<S> place = patch.project(points[point]);
   const int corner = most > 2 && !patch.is_flat ? corner_at(patch, place) : -1;
   if (corner < 0) {
-    const CornerRing<S> ring = ring_beside(patch, place, most);
+    const CornerRing<S> ring = ring_around(patch, place, most);
     kept.push_back(point);
     append(kept, patch, ring, deepest_of(patch, ring, depth_tie));
     return {ring.doubled_area, false};

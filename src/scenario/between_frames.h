@@ -61,7 +61,7 @@ class BetweenFrames {
     return is_speculative(pair) ? approach(pair, frame, bodies) : 0;
   }
   bool is_speculative(const ScenarioPair& pair) const {
-    return pair.pipeline.continuous == ImpactMethod::Speculative && asks(pair);
+    return pair.pipeline.continuous == ImpactMethod::Speculative && queries(pair);
   }
 
   /// Metres by which two shapes that keep their form can come nearer in the step.
@@ -74,7 +74,7 @@ class BetweenFrames {
   /// When the pair meets, where that is asked.
   void record(const ScenarioPair& pair, int frame, const Bodies& bodies,
               trace::Pair& record) const {
-    if (!asks(pair)) return;
+    if (!queries(pair)) return;
     const ScenarioShape &a = scenario_.shape(pair.a), &b = scenario_.shape(pair.b);
     if (a.deforms() || b.deforms()) {
       record.impact = mesh_impact_facts(a, b, frame * scenario_.dt, (frame + 1) * scenario_.dt);
@@ -85,7 +85,7 @@ class BetweenFrames {
                      sweep(pair.b, frame, bodies), *pair.pipeline.continuous);
     if (pair.pipeline.continuous != ImpactMethod::Speculative) return;
     record.impact->margin = margin(pair, frame, bodies);
-    tell_ghosts(record);
+    report_ghosts(record);
   }
 
   /// Puts bodies back to where they meet on their way from `before`. `settings_of(a, b)`: how the two are
@@ -96,7 +96,7 @@ class BetweenFrames {
     if (!cores_) return {};
     const auto pair_of = [&](int a, int b) -> std::optional<ContinuousPair<S>> {
       const PipelineSettings* settings = settings_of(a, b);
-      if (settings == nullptr || !asks(a, b, settings->continuous)) return std::nullopt;
+      if (settings == nullptr || !queries(a, b, settings->continuous)) return std::nullopt;
       const auto [friction, restitution] = surfaces_of<S>(scenario_, a, b);
       return ContinuousPair<S>{*settings->continuous, friction, restitution};
     };
@@ -105,10 +105,10 @@ class BetweenFrames {
   }
 
  private:
-  bool asks(const ScenarioPair& pair) const {
-    return asks(pair.a, pair.b, pair.pipeline.continuous);
+  bool queries(const ScenarioPair& pair) const {
+    return queries(pair.a, pair.b, pair.pipeline.continuous);
   }
-  bool asks(int a, int b, const std::optional<ImpactMethod>& method) const {
+  bool queries(int a, int b, const std::optional<ImpactMethod>& method) const {
     return method && !impact_refusal(scenario_.shape(a), scenario_.shape(b), *method);
   }
 

@@ -43,11 +43,11 @@ class DeformingMesh {
 
   trace::Deformed facts() const {
     const Mesh<S>& now = std::get<Mesh<S>>(shape_);
-    trace::Deformed told{scripted_->name,
-                         scripted_->is_moved() ? exact_ : cast_each<Vec3d>(now.vertices), tree_,
-                         now.tree.expected_cost(), cost_when_built_};
-    tell_boxes(now.tree, 0, 0, told.boxes);
-    return told;
+    trace::Deformed record{scripted_->name,
+                           scripted_->is_moved() ? exact_ : cast_each<Vec3d>(now.vertices), tree_,
+                           now.tree.expected_cost(), cost_when_built_};
+    report_boxes(now.tree, 0, 0, record.boxes);
+    return record;
   }
 
  private:
@@ -55,13 +55,13 @@ class DeformingMesh {
 
   // Boxes so many levels below the root, and leaves above them, are told: sixteen at most, which a
   // picture has room for.
-  static constexpr int kToldLevel = 4;
+  static constexpr int kRecordedLevel = 4;
 
-  void tell_boxes(const AabbTree<S>& tree, int node, int level,
-                  std::vector<trace::Box>& boxes) const {
-    if (level < kToldLevel && !at(tree.nodes, node).leaf()) {
-      tell_boxes(tree, node + 1, level + 1, boxes);
-      tell_boxes(tree, tree.right_of(node), level + 1, boxes);
+  void report_boxes(const AabbTree<S>& tree, int node, int level,
+                    std::vector<trace::Box>& boxes) const {
+    if (level < kRecordedLevel && !at(tree.nodes, node).leaf()) {
+      report_boxes(tree, node + 1, level + 1, boxes);
+      report_boxes(tree, tree.right_of(node), level + 1, boxes);
       return;
     }
     const Aabb<double> box = at(tree.nodes, node).box.template cast<double>();

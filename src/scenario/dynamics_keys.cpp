@@ -10,11 +10,11 @@ namespace {
 
 // A float holds the inverse of each, and of its moments of inertia at every length of a scenario.
 constexpr double kSmallestMass = 1e-9, kLargestMass = 1e9;  // kilograms
-constexpr double kMostFriction = 1000;
-constexpr double kMostGravity = 1e6;  // metres a second, a second
-constexpr int kMostIterations = 10000;
-constexpr int kMostSubsteps = 1000;
-constexpr double kMostHertz = 1e6;
+constexpr double kMaxFriction = 1000;
+constexpr double kMaxGravity = 1e6;  // metres a second, a second
+constexpr int kMaxIterations = 10000;
+constexpr int kMaxSubsteps = 1000;
+constexpr double kMaxHertz = 1e6;
 constexpr double kLongestRest = 1e6;  // seconds
 
 double read_mass(const Value& table, const ScenarioShape& shape) {
@@ -60,8 +60,8 @@ SolverSettings read_solver_keys(const Value& value) {
                                     "baumgarte", "push_speed", "slop", "hertz", "damping_ratio",
                                     "speculative_margin", "sleep_after", "sleep_speed"});
   SolverSettings solver;
-  table.read("iterations", solver.iterations, integer_in(1, kMostIterations));
-  table.read("substeps", solver.substeps, integer_in(1, kMostSubsteps));
+  table.read("iterations", solver.iterations, integer_in(1, kMaxIterations));
+  table.read("substeps", solver.substeps, integer_in(1, kMaxSubsteps));
   table.read(
       "position_correction", solver.position_correction,
       word_of<PositionCorrection>({"baumgarte", "projection", "soft"}, "position correction"));
@@ -71,9 +71,9 @@ SolverSettings read_solver_keys(const Value& value) {
   table.read("slop", solver.slop, at_most(kLargestLength, "metres"));
   table.read("hertz", solver.hertz, [](const Value& hertz) {
     hertz.positive("hertz");
-    return at_most(kMostHertz, "hertz")(hertz);
+    return at_most(kMaxHertz, "hertz")(hertz);
   });
-  table.read("damping_ratio", solver.damping_ratio, at_most(kMostHertz));
+  table.read("damping_ratio", solver.damping_ratio, at_most(kMaxHertz));
   table.read("speculative_margin", solver.speculative_margin, at_most(kLargestLength, "metres"));
   table.read("sleep_after", solver.sleep_after, at_most(kLongestRest, "seconds"));
   table.read("sleep_speed", solver.sleep_speed, at_most(kLargestLength, "metres a second"));
@@ -121,7 +121,7 @@ WorldSettings read_world(const std::optional<Value>& value, const std::string& u
   const Value& table = value->table({"gravity", "friction", "restitution", "broad_phase"});
   if (const auto gravity = table.find("gravity")) {
     world.gravity = gravity->vector3();
-    if (world.gravity.cwiseAbs().maxCoeff() > kMostGravity)
+    if (world.gravity.cwiseAbs().maxCoeff() > kMaxGravity)
       gravity->fail("'gravity' is stronger than 1e6 m/s^2; lower it");
   }
   table.read("friction", world.friction, read_friction);
@@ -135,7 +135,7 @@ SolverSettings read_solver(const std::optional<Value>& value,
 }
 
 double read_friction(const Value& value) {
-  return at_most(kMostFriction)(value);
+  return at_most(kMaxFriction)(value);
 }
 
 double read_share(const Value& value) {

@@ -3,15 +3,15 @@
 #include <cmath>
 
 #include "core/at.h"
-#include "manifold/ask.h"
+#include "manifold/pair_query.h"
 #include "scenario/readers.h"
 #include "scenario/run.h"
 
 namespace contactscope::scenario_file {
 namespace {
 
-constexpr int kMostPoints = 4096;  // more than any manifold holds; catches a slip of the pen
-constexpr int kMostIntersections = 1 << 30;
+constexpr int kMaxCount = 4096;  // more than any manifold holds; catches a slip of the pen
+constexpr int kMaxIntersections = 1 << 30;
 
 /// Refuses an expectation of a pair that does not run; `at` is the key that names its shape a.
 void require_pair(const Expectation& expectation, const Scenario& scenario, const Value& at) {
@@ -90,9 +90,8 @@ void read_between_frames(const Value& table, const Scenario& scenario, Expectati
   });
   if (expectation.impact_time && expectation.impact.value_or("hit") != "hit")
     table.find("impact_time")->fail("'impact_time' contradicts 'impact'; only a hit has a time");
-  if (const auto ghosts = table.find("ghosts"))
-    expectation.ghosts = ghosts->integer(0, kMostPoints);
-  if (const auto stops = table.find("stops")) expectation.stops = stops->integer(0, kMostPoints);
+  if (const auto ghosts = table.find("ghosts")) expectation.ghosts = ghosts->integer(0, kMaxCount);
+  if (const auto stops = table.find("stops")) expectation.stops = stops->integer(0, kMaxCount);
 }
 
 /// Refuses keys of contacts where the pair has none, and of answers where it is not asked.
@@ -101,18 +100,19 @@ void require_answers(const Value& table, const Question& question) {
     for (const std::string_view key : keys)
       if (const auto value = table.find(key)) value->fail("'" + std::string(key) + "' " + why);
   };
-  const std::string asked = std::string("\"") + to_string(question.kind) + "\"";
+  const std::string requested = std::string("\"") + to_string(question.kind) + "\"";
   if (question.kind == QueryKind::Manifold) {
     refuse({"overlap", "touching", "intersections"},
            "is answered where a pair is asked for it; set query = \"overlap\" there, or expect a "
            "state");
     return;
   }
-  refuse({"points", "axis", "type", "load"}, "is of contacts, and the pair is asked for " + asked +
+  refuse({"points", "axis", "type", "load"}, "is of contacts, and the pair is asked for " +
+                                                 requested +
                                                  "; expect overlap, separation or normal");
   if (question.kind != QueryKind::Touching)
     refuse({"touching"}, "is the answer to query = \"touching\", and the pair is asked for " +
-                             asked + "; expect overlap");
+                             requested + "; expect overlap");
 }
 
 /// Refuses intersections of a pair that is not asked triangle by triangle.
@@ -159,7 +159,7 @@ Expectation read_expectation(const Value& value, const Scenario& scenario) {
   if (const auto state = table.find("state"))
     expectation.state = state->one_of({"touching", "separated"}, "state");
   if (const auto points = table.find("points")) {
-    expectation.points = points->integer(0, kMostPoints);
+    expectation.points = points->integer(0, kMaxCount);
     if (expectation.state && (*expectation.state == "touching") == (*expectation.points == 0))
       points->fail(
           "'points' contradicts 'state'; a touching pair has points, a separated has none");
@@ -195,7 +195,7 @@ Expectation read_expectation(const Value& value, const Scenario& scenario) {
   if (const auto touching = table.find("touching")) expectation.touching = touching->boolean();
   if (const auto count = table.find("intersections")) {
     require_triangles(*count, expectation, scenario);
-    expectation.intersections = count->integer(0, kMostIntersections);
+    expectation.intersections = count->integer(0, kMaxIntersections);
   }
   read_between_frames(table, scenario, expectation);
   if (!expectation.impact && !expectation.impact_time && !expectation.ghosts &&
@@ -388,10 +388,10 @@ std::vector<Unmet> unmet(const Scenario& scenario, const Expectation& expected,
            p.label == expected.label;
   });
   if (pair == frame.pairs.end() && !scenario.broad_phase.empty()) {
-    trace::Pair apart;
-    apart.state = "separated";
+    trace::Pair gap;
+    gap.state = "separated";
     if (expected.separation) return {{"the boxes of the two are apart", ""}};
-    return unmet(expected, apart, scenario.dt, nullptr);
+    return unmet(expected, gap, scenario.dt, nullptr);
   }
   if (pair == frame.pairs.end()) return {{"the frame has no such pair", ""}};
   return unmet(expected, *pair, scenario.dt, &frame);

@@ -9,7 +9,7 @@ namespace {
 using Sentences = std::vector<std::string>;
 
 /// Tells that `key` of `table` has no effect, where it is written down.
-void tell(const Value& table, const char* key, const std::string& why, Sentences& sentences) {
+void report(const Value& table, const char* key, const std::string& why, Sentences& sentences) {
   if (const auto value = table.find(key))
     sentences.push_back(
         "line " + std::to_string(value->line()) + ": " +
@@ -19,17 +19,17 @@ void tell(const Value& table, const char* key, const std::string& why, Sentences
 
 /// Why a key of the question changes nothing of a pair; empty: it does.
 std::string idle_question(std::string_view key, const Question& question) {
-  const std::string asked =
+  const std::string requested =
       std::string("the pair is asked for \"") + to_string(question.kind) + "\"";
   if (question.kind == QueryKind::Manifold)
-    return asked + "; set query = \"overlap\", or remove it";
+    return requested + "; set query = \"overlap\", or remove it";
   const bool is_overlap = question.kind == QueryKind::Overlap;
   if (key == "comparison")
-    return is_overlap ? "" : asked + ", and only \"overlap\" is compared; remove it";
+    return is_overlap ? "" : requested + ", and only \"overlap\" is compared; remove it";
   if (key == "tolerance")
     return is_overlap || question.kind == QueryKind::Touching
                ? ""
-               : asked + ", which is told in metres; remove it";
+               : requested + ", which is told in metres; remove it";
   if (question.bounds != QueryMethod::Obb)
     return "only oriented boxes are tested along axes; set bounds = \"obb\", or remove it";
   if (key == "skip_up_to" && question.test.axes != ObbAxes::Fifteen)
@@ -84,18 +84,18 @@ std::string idle_reason(std::string_view key, const ScenarioPair& pair, const Sc
 }
 
 /// Keys of `table` that change none of `pairs`.
-void tell_pair_keys(const Value& table, std::span<const ScenarioPair> pairs,
-                    const Scenario& scenario, Sentences& sentences) {
-  const auto tell_where_idle = [&](const char* key) {
+void report_pair_keys(const Value& table, std::span<const ScenarioPair> pairs,
+                      const Scenario& scenario, Sentences& sentences) {
+  const auto report_where_idle = [&](const char* key) {
     const auto reason = [&](const ScenarioPair& pair) { return idle_reason(key, pair, scenario); };
     const auto idle = [&](const ScenarioPair& pair) { return !reason(pair).empty(); };
     if (!pairs.empty() && std::ranges::all_of(pairs, idle))
-      tell(table, key, reason(pairs[0]), sentences);
+      report(table, key, reason(pairs[0]), sentences);
   };
-  tell_where_idle("penetration");
-  tell_where_idle("traversal");
-  std::ranges::for_each(kContactKeys, tell_where_idle);
-  std::ranges::for_each(kQuestionKeys, tell_where_idle);
+  report_where_idle("penetration");
+  report_where_idle("traversal");
+  std::ranges::for_each(kContactKeys, report_where_idle);
+  std::ranges::for_each(kQuestionKeys, report_where_idle);
 }
 
 /// The pair that an entry of [[pairs]] has become; none where the entry was left out.
@@ -110,7 +110,7 @@ std::span<const ScenarioPair> pair_of(const Value& entry, const Scenario& scenar
 }
 
 /// Keys of [solver] that belong to another position correction.
-void tell_solver_keys(const Value& table, PositionCorrection correction, Sentences& sentences) {
+void report_solver_keys(const Value& table, PositionCorrection correction, Sentences& sentences) {
   constexpr struct {
     const char* key;
     PositionCorrection of;
@@ -120,10 +120,10 @@ void tell_solver_keys(const Value& table, PositionCorrection correction, Sentenc
                {"damping_ratio", PositionCorrection::Soft}};
   for (const auto& [key, of] : kKeys)
     if (correction != of)
-      tell(table, key,
-           std::string("overlaps are worked off by \"") + to_string(correction) +
-               "\"; set position_correction = \"" + to_string(of) + "\", or remove it",
-           sentences);
+      report(table, key,
+             std::string("overlaps are worked off by \"") + to_string(correction) +
+                 "\"; set position_correction = \"" + to_string(of) + "\", or remove it",
+             sentences);
 }
 
 }  // namespace
@@ -131,31 +131,32 @@ void tell_solver_keys(const Value& table, PositionCorrection correction, Sentenc
 void warn_of_idle_keys(const Value& file, Scenario& scenario) {
   Sentences& sentences = scenario.warnings;
   if (const auto pipeline = file.find("pipeline"))
-    tell_pair_keys(*pipeline, scenario.pairs, scenario, sentences);
+    report_pair_keys(*pipeline, scenario.pairs, scenario, sentences);
   if (const auto pairs = file.find("pairs")) {
     for (const Value& entry : pairs->array_of_tables())
-      tell_pair_keys(entry, pair_of(entry, scenario), scenario, sentences);
+      report_pair_keys(entry, pair_of(entry, scenario), scenario, sentences);
   }
   const std::vector<Value> shapes = file.require("shapes", "").members();
   for (int i = 0; i < count_of(shapes); ++i)
     if (!scenario.shape(i).deforms())
-      tell(at(shapes, i), "tree",
-           "the mesh keeps its form; give it motion = { deform = .. }, or remove it", sentences);
+      report(at(shapes, i), "tree",
+             "the mesh keeps its form; give it motion = { deform = .. }, or remove it", sentences);
   if (std::ranges::any_of(scenario.shapes, &ScenarioShape::dynamic)) {
     if (const auto solver = file.find("solver"))
-      tell_solver_keys(*solver, scenario.solver.position_correction, sentences);
+      report_solver_keys(*solver, scenario.solver.position_correction, sentences);
     return;
   }
   for (const char* name : {"world", "solver"}) {
     // A broad phase also chooses where nothing is dynamic.
     if (name == std::string_view("world") && !scenario.broad_phase.empty()) continue;
-    tell(file, name,
-         "no shape is dynamic; give one motion = { dynamic = true, mass = 1.0 }, or remove it",
-         sentences);
+    report(file, name,
+           "no shape is dynamic; give one motion = { dynamic = true, mass = 1.0 }, or remove it",
+           sentences);
   }
   for (const Value& shape : shapes)
     for (const char* key : {"friction", "restitution"})
-      tell(shape, key, "no shape is dynamic, and only the solver goes by it; remove it", sentences);
+      report(shape, key, "no shape is dynamic, and only the solver goes by it; remove it",
+             sentences);
 }
 
 }  // namespace contactscope::scenario_file

@@ -66,7 +66,7 @@ trace::Impact impact_facts(const Shape<S>& a, const Sweep<S>& sweep_a, const Sha
 
 /// Which points of a speculative pair are ghosts: those that the motion closes, where the shapes would
 /// not meet.
-inline void tell_ghosts(trace::Pair& pair) {
+inline void report_ghosts(trace::Pair& pair) {
   trace::Impact& impact = *pair.impact;
   if (impact.status != "separated") return;
   const auto moved = [](const trace::Travel& travel, const Vec3d& point) -> Vec3d {
@@ -77,9 +77,9 @@ inline void tell_ghosts(trace::Pair& pair) {
   };
   for (const trace::Manifold& manifold : pair.manifolds) {
     for (const trace::Point& point : manifold.points) {
-      const Vec3d apart =
+      const Vec3d gap =
           moved(impact.travel_b, point.position) - moved(impact.travel_a, point.position);
-      if (point.separation > 0 && point.separation + apart.dot(manifold.normal) < 0)
+      if (point.separation > 0 && point.separation + gap.dot(manifold.normal) < 0)
         impact.ghosts.push_back(point.position);
     }
   }

@@ -11,12 +11,12 @@ constexpr std::size_t kMaxTriangles = 4'000'000;  // as many as a grid may have
 
 /// "triangle 3 has", "triangles 3, 5 and 9 more have"
 std::string some_triangles(const std::vector<int>& triangles) {
-  constexpr std::size_t kMostListed = 3;
+  constexpr std::size_t kMaxListed = 3;
   std::string text = triangles.size() == 1 ? "triangle " : "triangles ";
-  for (std::size_t i = 0; i < std::min(triangles.size(), kMostListed); ++i)
+  for (std::size_t i = 0; i < std::min(triangles.size(), kMaxListed); ++i)
     text += (i == 0 ? "" : ", ") + std::to_string(triangles[i]);
-  if (triangles.size() > kMostListed)
-    text += " and " + std::to_string(triangles.size() - kMostListed) + " more";
+  if (triangles.size() > kMaxListed)
+    text += " and " + std::to_string(triangles.size() - kMaxListed) + " more";
   return text + (triangles.size() == 1 ? " has" : " have");
 }
 

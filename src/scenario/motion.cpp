@@ -43,7 +43,7 @@ Pose<double> collider_pose_at(const ScenarioShape& shape, double time) {
   return shape.is_moved() ? compose(pose, {Quatd::Identity(), shape.collider_origin}) : pose;
 }
 
-Pose<double> told_pose(const ScenarioShape& shape, double time, const Pose<double>& collider) {
+Pose<double> recorded_pose(const ScenarioShape& shape, double time, const Pose<double>& collider) {
   if (!shape.is_moved()) return collider;
   if (!shape.body) return pose_at(shape, time);
   Pose<double> pose = collider;

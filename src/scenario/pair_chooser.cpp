@@ -63,11 +63,11 @@ std::vector<BoxPair> PairChooser::choose(const std::vector<Aabb<float>>& boxes,
                             {box.lower, box.upper},
                             std::ranges::binary_search(structure.large, i)});
   }
-  tell(structure, facts);
+  report(structure, facts);
   return chosen;
 }
 
-void PairChooser::tell(const BroadPhaseRecord& structure, trace::BroadPhase& facts) const {
+void PairChooser::report(const BroadPhaseRecord& structure, trace::BroadPhase& facts) const {
   Aabb<double> world;
   for (const trace::Bounds& bounds : facts.bounds) {
     world.include(bounds.box.lower);

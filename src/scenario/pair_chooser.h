@@ -31,14 +31,14 @@ class PairChooser {
 
   /// The next frame's pairs, ascending: boxes that overlap, of shapes that make contacts, one of them
   /// dynamic where any is. `boxes`: one a shape, world; an empty one is that of a body which the
-  /// solver lost, and meets all. Told in `record` unless that is null.
+  /// solver lost, and meets all. ReportInput in `record` unless that is null.
   /// `cells`: with what Stages::cells is about.
   std::vector<BoxPair> choose(const std::vector<Aabb<float>>& boxes, trace::Frame* record,
                               bool cells);
 
  private:
   /// What the structure looks like, cut to the world's boxes.
-  void tell(const BroadPhaseRecord& structure, trace::BroadPhase& facts) const;
+  void report(const BroadPhaseRecord& structure, trace::BroadPhase& facts) const;
 
   const Scenario& scenario_;
   std::unique_ptr<BroadPhase> phase_;

@@ -149,15 +149,15 @@ PipelineSettings read_settings(const Value& table, PipelineSettings settings) {
 /// Calls tell(a, b) for every two of these shapes of which one is dynamic, or for every two where
 /// none of the scenario is: what the solver cannot move apart is of interest only where it moves
 /// nothing at all. Returns how many.
-template <class Tell>
+template <class Report>
 std::size_t pairs_among(const std::vector<int>& indices, const std::vector<ScenarioShape>& shapes,
-                        const Tell& tell) {
+                        const Report& report) {
   const bool any_dynamic = std::ranges::any_of(shapes, &ScenarioShape::dynamic);
   std::size_t count = 0;
   for (auto a = indices.begin(); a != indices.end(); ++a) {
     for (auto b = a + 1; b != indices.end(); ++b) {
       if (any_dynamic && !at(shapes, *a).dynamic() && !at(shapes, *b).dynamic()) continue;
-      tell(*a, *b);
+      report(*a, *b);
       ++count;
     }
   }
@@ -179,9 +179,9 @@ int shape_named(const Value& value, const std::vector<ScenarioShape>& shapes) {
   if (found != shapes.end()) return static_cast<int>(found - shapes.begin());
   Keys names = names_in(shapes);
   const std::string near = did_you_mean(name, names);
-  constexpr std::size_t kMostListed = 16;
-  const bool all = names.size() <= kMostListed;
-  if (!all) names.resize(kMostListed);
+  constexpr std::size_t kMaxListed = 16;
+  const bool all = names.size() <= kMaxListed;
+  if (!all) names.resize(kMaxListed);
   value.fail("there is no shape '" + name + "'; " + near + "the file has " + quoted_list(names) +
              (all ? "" : " and more"));
 }
@@ -261,7 +261,7 @@ std::vector<ScenarioPair> one_of_each_kind(const std::vector<ScenarioShape>& sha
 }
 
 void leave_out_unanswered(Scenario& scenario) {
-  std::set<std::string> told;
+  std::set<std::string> record;
   std::erase_if(scenario.pairs, [&](const ScenarioPair& pair) {
     const ScenarioShape& a = scenario.shape(pair.a);
     const ScenarioShape& b = scenario.shape(pair.b);
@@ -270,7 +270,7 @@ void leave_out_unanswered(Scenario& scenario) {
     const auto reason = refusal(question, kind_a, kind_b);
     if (!reason) return false;
     const std::string kind = pair_kind(*a.geometry, *b.geometry);
-    if (!told.insert(kind).second) return true;
+    if (!record.insert(kind).second) return true;
     const std::string both = "'" + a.name + "' and '" + b.name + "' ";
     scenario.warnings.push_back(
         both +

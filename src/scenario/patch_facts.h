@@ -27,16 +27,16 @@ trace::Pair patch_facts(const ScenarioPatch& patch, const PipelineSettings& sett
   recorded.reduction = stages.reduction && reducer != nullptr;
   const KeptIndices kept =
       Recorder<S>(ToWorld<S>(Pose<S>()), recorded, pair).reduce(reducer, points, normal, options);
-  const auto told = [&](int index) -> trace::Point {
+  const auto record = [&](int index) -> trace::Point {
     const ContactPoint<S>& point = at(points, index);
     return {point.position.template cast<double>(), static_cast<double>(point.separation),
             std::to_string(index + 1)};
   };
   trace::Manifold& manifold = pair.manifolds.emplace_back();
   manifold.normal = normal.template cast<double>();
-  for (const int index : kept) manifold.points.push_back(told(index));
+  for (const int index : kept) manifold.points.push_back(record(index));
   if (pair.reduction) {
-    for (int i = 0; i < count_of(points); ++i) at(pair.reduction->points, i) = told(i);
+    for (int i = 0; i < count_of(points); ++i) at(pair.reduction->points, i) = record(i);
   }
   pair.separation = manifold.points.front().separation;
   for (const trace::Point& point : manifold.points)

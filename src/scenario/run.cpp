@@ -74,8 +74,8 @@ class Runner::In final : public Runner::InScalar {
       header.shapes.push_back(traced_shape(scenario_.shapes[i], (*shapes_)[i]));
     // As at the start, though this may have gone on.
     for (const DeformingMesh<S>& now : deforming_)
-      tell_vertices(DeformingMesh<S>(now.index(), scenario_.shape(now.index())).facts(),
-                    at(header.shapes, now.index()));
+      report_vertices(DeformingMesh<S>(now.index(), scenario_.shape(now.index())).facts(),
+                      at(header.shapes, now.index()));
     return header;
   }
 
@@ -108,8 +108,7 @@ class Runner::In final : public Runner::InScalar {
     for (DeformingMesh<S>& mesh : deforming_) {
       if (mesh.move_to(time)) {
         for (ActivePair<S>& pair : pairs_)
-          if (pair.pair.a == mesh.index() || pair.pair.b == mesh.index())
-            pair.query_cost.begin_anew();
+          if (pair.pair.a == mesh.index() || pair.pair.b == mesh.index()) pair.query_cost.restart();
       }
       at(own_bounds_, mesh.index()) = {};
       if (result) result->deformed.push_back(mesh.facts());
@@ -120,8 +119,8 @@ class Runner::In final : public Runner::InScalar {
       poses.push_back(dynamic_ ? bodies_[i].pose()
                                : collider_pose_at(shape, time).template cast<S>());
       if (result)
-        result->poses.emplace_back(shape.name,
-                                   told_pose(shape, time, poses.back().template cast<double>()));
+        result->poses.emplace_back(
+            shape.name, recorded_pose(shape, time, poses.back().template cast<double>()));
     }
     if (recorded && stages_.fields) record_field_slices(poses, *result);
     if (dynamic_ && recorded) result->solver = solver_facts(scenario_, bodies_);
@@ -148,7 +147,7 @@ class Runner::In final : public Runner::InScalar {
       record.b = scenario_.shape(pair.b).name;
       record.label = pair.label;
       if (!pair.pipeline.makes_contacts()) {
-        ask_pair(pairs_[i], poses, recorded, record);
+        run_query(pairs_[i], poses, recorded, record);
         if (recorded) between_.record(pair, next_, bodies_, record);
         move_boxes(pair, record);
         continue;
@@ -215,8 +214,8 @@ class Runner::In final : public Runner::InScalar {
 
   /// A pair that makes no contacts. The answer depends on nothing but the poses; what it cost, with
   /// trees, also on the frames before.
-  void ask_pair(ActivePair<S>& memory, const std::vector<Pose<S>>& poses, bool recorded,
-                trace::Pair& record) {
+  void run_query(ActivePair<S>& memory, const std::vector<Pose<S>>& poses, bool recorded,
+                 trace::Pair& record) {
     const Answer<S> answer = answer_pair(memory, poses, recorded ? &record : nullptr);
     if (recorded) return;
     record.kind = pair_kind(shape(memory.pair.a), shape(memory.pair.b));
@@ -226,13 +225,13 @@ class Runner::In final : public Runner::InScalar {
   Answer<S> answer_pair(ActivePair<S>& memory, const std::vector<Pose<S>>& poses,
                         trace::Pair* record) {
     const ScenarioPair& pair = memory.pair;
-    const auto placed = [&](int i) -> AskedShape<S> {
+    const auto placed = [&](int i) -> QueriedShape<S> {
       return {shape(i), at(poses, i), at(own_bounds_, i)};
     };
     MeshFront* const front =
         pair.pipeline.traversal == Traversal::Coherent ? &memory.front : nullptr;
-    const Answer<S> answer = ask(placed(pair.a), placed(pair.b), pair.pipeline.question,
-                                 pair.b < pair.a, record, stages_, front);
+    const Answer<S> answer = query_pair(placed(pair.a), placed(pair.b), pair.pipeline.question,
+                                        pair.b < pair.a, record, stages_, front);
     if (answer.trees) {
       const MeshQueryCost::Verdict verdict = memory.query_cost.judge(*answer.trees);
       for (DeformingMesh<S>& mesh : deforming_)
@@ -383,7 +382,7 @@ class Runner::In final : public Runner::InScalar {
       sleepers_.wake(stop.a);
       sleepers_.wake(stop.b);
     }
-    if (result && result->solver) tell_sleepers(*result->solver);
+    if (result && result->solver) report_sleepers(*result->solver);
     sleepers_.settle(bodies_, touches, scenario_.dt);
   }
 
@@ -409,11 +408,11 @@ class Runner::In final : public Runner::InScalar {
     return sleepers_.asleep(pair.a) || sleepers_.asleep(pair.b);
   }
 
-  void tell_sleepers(trace::Solver& facts) const {
+  void report_sleepers(trace::Solver& facts) const {
     if (!sleepers_.may_sleep()) return;
-    auto told = facts.bodies.begin();  // of the dynamic shapes, in their order
+    auto reported = facts.bodies.begin();  // of the dynamic shapes, in their order
     for (int i = 0; i < count_of(bodies_); ++i)
-      if (at(bodies_, i).dynamic()) (told++)->asleep = sleepers_.asleep(i);
+      if (at(bodies_, i).dynamic()) (reported++)->asleep = sleepers_.asleep(i);
   }
 
   const Scenario& scenario_;

@@ -81,7 +81,7 @@ trace::Shape traced_shape(const ScenarioShape& shape, const Shape<S>& rounded) {
 }
 
 /// Makes a shape of the header what a frame tells of it.
-inline void tell_vertices(const trace::Deformed& deformed, trace::Shape& traced) {
+inline void report_vertices(const trace::Deformed& deformed, trace::Shape& traced) {
   traced.vertices = deformed.vertices;
   traced.center_of_mass = box_around(deformed.vertices).center();
 }

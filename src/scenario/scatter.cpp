@@ -7,7 +7,7 @@
 namespace contactscope::scenario_file {
 namespace {
 
-constexpr int kMostCopies = 20000;  // of one shape
+constexpr int kMaxCopies = 20000;  // of one shape
 constexpr double kLargestFactor = 1e3;
 
 /// The key `scatter` of a shape.
@@ -25,9 +25,9 @@ std::array<int, 3> read_cells(const Value& value) {
   if (numbers.size() != 3)
     value.fail("'cells' are three numbers, along x, y and z; write cells = [4, 1, 4]");
   std::array<int, 3> cells{};
-  for (std::size_t i = 0; i < 3; ++i) cells[i] = numbers[i].integer(1, kMostCopies);
-  if (std::int64_t{cells[0]} * cells[1] * cells[2] > kMostCopies)
-    value.fail("'cells' make more than " + std::to_string(kMostCopies) + " copies; lower them");
+  for (std::size_t i = 0; i < 3; ++i) cells[i] = numbers[i].integer(1, kMaxCopies);
+  if (std::int64_t{cells[0]} * cells[1] * cells[2] > kMaxCopies)
+    value.fail("'cells' make more than " + std::to_string(kMaxCopies) + " copies; lower them");
   return cells;
 }
 
@@ -47,7 +47,7 @@ Scatter read_scatter(const Value& value) {
   if (count && cells) cells->fail("give 'count' or 'cells', not both");
   if (!count && !cells)
     table.fail("'scatter' does not say how many; add count = 100, or cells = [10, 1, 10]");
-  if (count) scatter.count = count->integer(1, kMostCopies);
+  if (count) scatter.count = count->integer(1, kMaxCopies);
   if (cells) scatter.cells = read_cells(*cells);
   if (cells) scatter.count = scatter.cells[0] * scatter.cells[1] * scatter.cells[2];
   scatter.lower = read_position(table.require("lower", "lower = [-1, 0, -1] (metres)"));

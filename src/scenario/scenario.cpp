@@ -254,11 +254,11 @@ std::vector<std::string_view> names_in_pictures(const Scenario& scenario) {
   std::vector<std::string_view> names = {scenario.source};
   // Each alternative of a title; what its placeholders are filled with stands in the word's braces.
   const auto add_title = [&](std::string_view title) {
-    constexpr std::string_view kParted = " | ";
+    constexpr std::string_view kSeparator = " | ";
     while (!title.empty()) {
-      const std::size_t end = std::min(title.find(kParted), title.size());
+      const std::size_t end = std::min(title.find(kSeparator), title.size());
       names.push_back(title.substr(0, end));
-      title.remove_prefix(std::min(end + kParted.size(), title.size()));
+      title.remove_prefix(std::min(end + kSeparator.size(), title.size()));
     }
   };
   add_title(scenario.title);

@@ -13,8 +13,8 @@
 #include "core/view.h"
 #include "dynamics/solver_settings.h"
 #include "geometry/shape.h"
-#include "manifold/ask.h"
 #include "manifold/collide_options.h"
+#include "manifold/pair_query.h"
 #include "reduce/reducer.h"
 #include "scenario/deform.h"
 
@@ -223,6 +223,6 @@ Pose<double> pose_at(const ScenarioShape& shape, double time);
 Pose<double> collider_pose_at(const ScenarioShape& shape, double time);
 /// What a trace tells where the collider has this pose, as the pipeline has it: that pose, or of a
 /// moved shape its own, not rounded, because rounding would be multiplied by the distance.
-Pose<double> told_pose(const ScenarioShape& shape, double time, const Pose<double>& collider);
+Pose<double> recorded_pose(const ScenarioShape& shape, double time, const Pose<double>& collider);
 
 }  // namespace contactscope

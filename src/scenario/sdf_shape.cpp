@@ -37,7 +37,7 @@ Shape<double> read_sdf(const Value& table, const Surroundings& surroundings) {
   const Shape<double> shape = read_plain_shape(of, surroundings);
   FieldSettings settings;
   table.read("cells", settings.cells,
-             [](const Value& value) { return value.integer(kFewestFieldCells, kMostFieldCells); });
+             [](const Value& value) { return value.integer(kFewestFieldCells, kMaxFieldCells); });
   table.read("band", settings.band, read_band);
   table.read("interpolation", settings.interpolation,
              word_of<FieldInterpolation>({"trilinear", "cubic"}, "interpolation"));

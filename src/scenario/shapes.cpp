@@ -23,7 +23,7 @@ const Keys kCommonKeys = {"type",     "position",    "rotation", "motion",
 // Half of what one face may have: a clip polygon of two such caps fits with room to spare.
 constexpr int kMaxSegments = 64;
 constexpr std::size_t kMaxHullPoints = 100000;
-constexpr int kMostShapes = 100000;  // of one scenario, once they are scattered
+constexpr int kMaxShapes = 100000;  // of one scenario, once they are scattered
 
 /// Of shapes that are hulls.
 bool merges_coplanar(const Value& table) {
@@ -205,15 +205,15 @@ void read_shape(const Value& value, const Surroundings& surroundings, double end
     return;
   }
   for (ScenarioShape& copy : scattered(shape, *scatter, table)) {
-    if (count_of(shapes) == kMostShapes)
-      scatter->fail("the scene has more than " + std::to_string(kMostShapes) +
+    if (count_of(shapes) == kMaxShapes)
+      scatter->fail("the scene has more than " + std::to_string(kMaxShapes) +
                     " shapes; scatter fewer");
     shapes.push_back(completed(std::move(copy), table, surroundings, end_time));
   }
 }
 
 /// The solver takes the surface of a scripted shape to move as its pose does.
-void refuse_deforming_beside_bodies(const Value& value, const std::vector<ScenarioShape>& shapes) {
+void refuse_deforming_with_bodies(const Value& value, const std::vector<ScenarioShape>& shapes) {
   const auto body = std::ranges::find_if(shapes, &ScenarioShape::dynamic);
   const auto deforming = std::ranges::find_if(shapes, &ScenarioShape::deforms);
   if (body == shapes.end() || deforming == shapes.end()) return;
@@ -285,7 +285,7 @@ std::vector<ScenarioShape> read_shapes(const Value& value, const Surroundings& s
       value.fail("two shapes are named '" + shape.name +
                  "', of which one is a copy that 'scatter' makes; give the other another name");
   if (shapes.empty()) value.fail("[shapes] is empty; add a shape as [shapes.NAME]");
-  refuse_deforming_beside_bodies(value, shapes);
+  refuse_deforming_with_bodies(value, shapes);
   return shapes;
 }
 

@@ -23,21 +23,21 @@ PairOfTwo with_scalar(PairOfTwo pair, const std::string& scalar) {
 
 /// What is told where a claim is: as the trace of the engine had it, in the frame of a.
 trace::Pair claimed(const PairOfTwo& pair) {
-  trace::Pair told;
-  told.a = pair.a.name;
-  told.b = pair.b.name;
-  told.manifolds = *pair.claims;
-  told.state = told.manifolds.empty() ? "separated" : "touching";
-  told.separation = told.manifolds.empty() ? 0 : std::numeric_limits<double>::infinity();
+  trace::Pair record;
+  record.a = pair.a.name;
+  record.b = pair.b.name;
+  record.manifolds = *pair.claims;
+  record.state = record.manifolds.empty() ? "separated" : "touching";
+  record.separation = record.manifolds.empty() ? 0 : std::numeric_limits<double>::infinity();
   const Pose<double> pose = pair.a.pose();
-  for (trace::Manifold& manifold : told.manifolds) {
+  for (trace::Manifold& manifold : record.manifolds) {
     manifold.normal = pose.rotate(manifold.normal);
     for (trace::Point& point : manifold.points) {
       point.position = pose.transform(point.position);
-      told.separation = std::min(told.separation, point.separation);
+      record.separation = std::min(record.separation, point.separation);
     }
   }
-  return told;
+  return record;
 }
 
 std::string spelled_claims(const PairOfTwo& pair) {
@@ -140,11 +140,11 @@ bool Judge::holds(const PairOfTwo& pair) {
   const std::string key = text + spelled_claims(pair);
   const auto [known, is_new] = known_.emplace(key, false);
   if (!is_new) return known->second;
-  ++asked_;
-  std::map<std::string, trace::Pair> told;
-  const auto tell = [&](const std::string& side) -> const trace::Pair& {
-    const auto found = told.find(side);
-    if (found != told.end()) return found->second;
+  ++queries_;
+  std::map<std::string, trace::Pair> record;
+  const auto report = [&](const std::string& side) -> const trace::Pair& {
+    const auto found = record.find(side);
+    if (found != record.end()) return found->second;
     trace::Pair answer;
     if (side == "float" || side == "double") {
       answer = Run(with_scalar(pair, side)).pair();
@@ -167,7 +167,7 @@ bool Judge::holds(const PairOfTwo& pair) {
           answer.separation = std::min(answer.separation, point.separation);
       if (!answer.manifolds.empty()) answer.state = "touching";
     }
-    return told.emplace(side, std::move(answer)).first->second;
+    return record.emplace(side, std::move(answer)).first->second;
   };
   try {
     // Hulls do not become flat ones, which is another kind of pair, unless one was from the start.
@@ -179,7 +179,7 @@ bool Judge::holds(const PairOfTwo& pair) {
         const std::vector<std::string> unmet = unmet_of(Run(pair));
         return Value(unmet_ && unmet != *unmet_ ? 0.0 : double(unmet.size()));
       }
-      return quantity_of(tell(side), quantity);
+      return quantity_of(report(side), quantity);
     });
     if (holds && !warnings_) warnings_ = warnings;
     return known_[key] = holds;

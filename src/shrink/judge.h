@@ -30,7 +30,7 @@ class Judge {
   /// From here on `unmet` is what the expectations of this pair are not met by, and nothing else: a pair that
   /// was expected to have four points and has two does not become one that has none.
   void remember_unmet(const PairOfTwo& pair);
-  int asked() const { return asked_; }
+  int requested() const { return queries_; }
 
   /// What the pipeline in double says: what is expected where nobody wrote it. Empty where it is no scenario.
   static std::optional<trace::Pair> in_double(const PairOfTwo& pair);
@@ -43,7 +43,7 @@ class Judge {
   std::unordered_map<std::string, bool> known_;
   std::optional<std::vector<std::string>> unmet_;
   std::optional<std::size_t> warnings_;  // of the first pair for which it held
-  int asked_ = 0;
+  int queries_ = 0;
 };
 
 }  // namespace contactscope::shrink

@@ -237,7 +237,7 @@ class Shrinker {
 Shrunk shrink(const PairOfTwo& start, Judge& judge,
               const std::function<void(const PairOfTwo&)>& progress) {
   PairOfTwo smallest = Shrinker(start, judge, progress).run();
-  return {std::move(smallest), judge.asked()};
+  return {std::move(smallest), judge.requested()};
 }
 
 }  // namespace contactscope::shrink

@@ -88,11 +88,11 @@ std::vector<Setting> settings_of(const PipelineSettings& settings) {
   word("degenerate", settings.degenerate, usual.degenerate);
   word("penetration", settings.penetration, usual.penetration);
   if (!settings.internal_edges) keys.emplace_back("internal_edges", "false");
-  const Question& asked = settings.question;
-  word("query", asked.kind, usual.question.kind);
-  if (asked.bounds) keys.emplace_back("bounds", quoted(to_string(*asked.bounds)));
-  if (!asked.inclusive) keys.emplace_back("comparison", "\"exclusive\"");
-  if (asked.tolerance > 0) keys.emplace_back("tolerance", spell(asked.tolerance));
+  const Question& requested = settings.question;
+  word("query", requested.kind, usual.question.kind);
+  if (requested.bounds) keys.emplace_back("bounds", quoted(to_string(*requested.bounds)));
+  if (!requested.inclusive) keys.emplace_back("comparison", "\"exclusive\"");
+  if (requested.tolerance > 0) keys.emplace_back("tolerance", spell(requested.tolerance));
   return keys;
 }
 

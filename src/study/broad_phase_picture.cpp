@@ -6,7 +6,7 @@
 namespace contactscope {
 namespace {
 
-using namespace told;
+using namespace record;
 
 constexpr const char* kPanel = "Made from nothing in each step";
 
@@ -51,7 +51,7 @@ trace::Study picture_broad_phase(const trace::Study& measured) {
   }
   if (study.measure != "time") return study;
   study.shown = "Up: milliseconds to find all pairs of boxes that overlap, median of the steps";
-  if (!measured.series.empty()) tell(study, [&] { return result_of(measured, study); });
+  if (!measured.series.empty()) report(study, [&] { return result_of(measured, study); });
   return study;
 }
 

@@ -19,7 +19,7 @@ enum class Spread { Uniform, Clustered };
 
 /// What happens between two steps.
 enum class Change {
-  Anew,      // nothing is kept: the finder is made again
+  Again,     // nothing is kept: the finder is made again
   All,       // every box moves by 1 % of its sides
   Tenth,     // every tenth box does
   Teleport,  // every tenth box goes anywhere
@@ -32,8 +32,8 @@ struct BoxScene {
 };
 
 constexpr BoxScene kScenes[] = {
-    {"from nothing", Spread::Uniform, Change::Anew},
-    {"from nothing, three decades of sizes", Spread::Clustered, Change::Anew},
+    {"from nothing", Spread::Uniform, Change::Again},
+    {"from nothing, three decades of sizes", Spread::Clustered, Change::Again},
     {"all move by 1 %", Spread::Uniform, Change::All},
     {"a tenth moves by 1 %", Spread::Uniform, Change::Tenth},
     {"a tenth teleports", Spread::Uniform, Change::Teleport},
@@ -87,12 +87,12 @@ struct MovingBoxes {
 
   void advance() {
     ++step;
-    if (scene.change != Change::Anew) moved.clear();
-    const bool all = scene.change == Change::Anew || scene.change == Change::All;
+    if (scene.change != Change::Again) moved.clear();
+    const bool all = scene.change == Change::Again || scene.change == Change::All;
     for (int i = all ? 0 : step % 10; i < count_of(boxes); i += all ? 1 : 10) {
-      if (scene.change != Change::Anew) moved.push_back(i);
+      if (scene.change != Change::Again) moved.push_back(i);
       Aabb<float>& box = at(boxes, i);
-      if (scene.change == Change::Anew) {
+      if (scene.change == Change::Again) {
         box = make(engine);
         continue;
       }
@@ -129,7 +129,7 @@ int most_boxes(const PairFinderInfo& info, const BoxScene& scene) {
 }
 
 /// One finder on one scene.
-struct Contender {
+struct EngineRun {
   const PairFinderInfo& info;
   std::unique_ptr<PairFinder> finder{};
   std::vector<BoxPair> found{};
@@ -139,7 +139,7 @@ struct Contender {
 
   /// The finder's pairs, ascending. Where `judged`, what they took counts.
   const std::vector<BoxPair>& run(const MovingBoxes& now, bool judged) {
-    if (!finder || now.scene.change == Change::Anew) finder = info.make();
+    if (!finder || now.scene.change == Change::Again) finder = info.make();
     const std::int64_t before = finder->comparisons();
     found.clear();
     PassTimes time;
@@ -204,7 +204,7 @@ std::vector<trace::Study> study_pair_finders(const std::vector<PairFinderInfo>& 
        {"comparisons", "How many boxes are held against each other",
         "comparisons a box and step"}});
   for (trace::Study& study : results) study.form = trace::StudyForm::Curves;
-  const StudyStep tell =
+  const StudyStep report =
       counted(progress, static_cast<int>(std::size(kScenes) * numbers_of_boxes.size()));
   for (const BoxScene& scene : kScenes) {
     const std::size_t first = results[0].series.size();
@@ -216,27 +216,27 @@ std::vector<trace::Study> study_pair_finders(const std::vector<PairFinderInfo>& 
         return count <= most_boxes(info, scene);
       };
       if (std::ranges::none_of(finders, takes_part)) continue;
-      tell(std::string(scene.name) + ", " + std::to_string(count) + " boxes");
+      report(std::string(scene.name) + ", " + std::to_string(count) + " boxes");
       MovingBoxes now(scene, count, options.seed);
       const std::unique_ptr<PairFinder> judge = std::make_unique<OwnPairFinder>("columns");
       std::vector<BoxPair> all;
-      std::vector<Contender> contenders;
-      for (const PairFinderInfo& info : finders) contenders.push_back({.info = info});
+      std::vector<EngineRun> engine_runs;
+      for (const PairFinderInfo& info : finders) engine_runs.push_back({.info = info});
       for (int step = 0; step <= steps; ++step) {
         if (step > 0) now.advance();
         judge->place(now.boxes, now.moved);
         all.clear();
         judge->find(all);
-        for (Contender& contender : contenders) {
-          if (count > most_boxes(contender.info, scene)) continue;
+        for (EngineRun& engine_run : engine_runs) {
+          if (count > most_boxes(engine_run.info, scene)) continue;
           // The first step is no step from one to the next.
-          const bool has_all = std::ranges::includes(contender.run(now, step > 0), all);
-          if (!has_all && step > 0) ++contender.failed;
+          const bool has_all = std::ranges::includes(engine_run.run(now, step > 0), all);
+          if (!has_all && step > 0) ++engine_run.failed;
         }
       }
-      for (std::size_t i = 0; i < contenders.size(); ++i) {
-        if (contenders[i].of == 0) continue;
-        const std::vector<trace::StudyPoint> points = contenders[i].points(count);
+      for (std::size_t i = 0; i < engine_runs.size(); ++i) {
+        if (engine_runs[i].of == 0) continue;
+        const std::vector<trace::StudyPoint> points = engine_runs[i].points(count);
         for (std::size_t m = 0; m < results.size(); ++m)
           results[m].series[first + i].points.push_back(points[m]);
       }

@@ -6,7 +6,7 @@
 namespace contactscope {
 namespace {
 
-using namespace told;
+using namespace record;
 
 constexpr const char* kByCells = "by cells";
 constexpr double kUsualCells = 64;
@@ -77,13 +77,13 @@ trace::Study picture_errors(const trace::Study& measured) {
       " cells along the longest side, asked within 2 cm of the surface of a ball 1 m wide. Exact "
       "cells ask their triangles";
   if (study.measure != "distance") return study;
-  tell(study, [&] {
+  report(study, [&] {
     const auto at_usual = [&](const char* method) -> const trace::StudyPoint& {
       return point_at(series_of(measured, method, kByCells), kUsualCells);
     };
     const trace::StudyPoint& base = at_usual("trilinear");
     const auto ratio = [&](double over, double under) { return number(over / under) + " ×"; };
-    const auto beside = [&](const trace::StudyPoint& other) {
+    const auto next_to = [&](const trace::StudyPoint& other) {
       return ratio(base.error.value(), other.error.value());
     };
     const auto slower = [&](const trace::StudyPoint& other) {
@@ -93,13 +93,13 @@ trace::Study picture_errors(const trace::Study& measured) {
     // The name is in the mark.
     const auto compare = [&](const std::string& name, const trace::StudyPoint& other) {
       mark(study, name, "", kUsualCells,
-           name + ": " + beside(other) + " as close as trilinear, " + slower(other) + " the time");
+           name + ": " + next_to(other) + " as close as trilinear, " + slower(other) + " the time");
       for (trace::StudySeries& series : study.series)
         if (series.method == name) series.method.clear();
     };
     compare("cubic", cubic);
     compare("cubic, exact cells", exact);
-    return "A cubic field with exact cells is " + beside(exact) +
+    return "A cubic field with exact cells is " + next_to(exact) +
            " as close as a trilinear one, in " + slower(exact) + " the time";
   });
   return study;
@@ -111,16 +111,16 @@ trace::Study picture_build(const trace::Study& measured) {
   show_cells_alone(study);
   // "all triangles in long double, 2000 points within 2 cm of a wavy ball, by band": what was built.
   const std::size_t begin = study.reference.find(" of a "), end = study.reference.find(", by band");
-  const bool is_told = begin != std::string::npos && end != std::string::npos && begin < end;
+  const bool is_named = begin != std::string::npos && end != std::string::npos && begin < end;
   study.shown =
       "Up: milliseconds to build" +
-      (is_told ? " the field" + study.reference.substr(begin, end - begin) : std::string()) +
+      (is_named ? " the field" + study.reference.substr(begin, end - begin) : std::string()) +
       ", on one thread";
   if (study.measure != "build") {
     study.shown = "Up: megabytes";
     return study;
   }
-  tell(study, [&] {
+  report(study, [&] {
     const double most = 128;
     double slowest = 0, peer = 0;
     std::string slow_name;
@@ -193,7 +193,7 @@ trace::Study picture_missed(const trace::Study& measured) {
   study.shown =
       "A cube overlaps a ball, whose distance field is asked at points of the cube's faces; "
       "conservative: faces are halved until a bound decides. Up: share missed";
-  tell(study, [&] {
+  report(study, [&] {
     const double usual = 1;
     const double missed = error_at(series_of(measured, "sampled", "0.01 cells deep"), usual);
     mark(study, shallowest, "", usual, percent(missed));
@@ -216,7 +216,7 @@ trace::Study picture_plate(const trace::Study& measured) {
   study.unit = trace::kShare;
   study.shown =
       "Up: share of a plate's middle that a field calls outside. Exact cells ask their triangles";
-  tell(study, [&] {
+  report(study, [&] {
     const double quarter = 0.25;
     const char* const kPlate = "a plate beside a wall";
     const auto lost = [&](const char* method) {

@@ -128,7 +128,7 @@ void add_field_peer(const StudyOptions& options, const Mesh<double>& mesh,
   const std::vector<Vec3d> places = mapped(points, &TruePoint::place);
   std::vector<PeerField> fields;
   for (const int cells : kFieldCells) {
-    std::optional<PeerField> field = ask_field_peer(options.peer_folders, "openvdb", mesh, cells,
+    std::optional<PeerField> field = run_field_peer(options.peer_folders, "openvdb", mesh, cells,
                                                     kPeerBand, repetitions, places);
     if (!field) return;
     fields.push_back(std::move(*field));

@@ -121,14 +121,14 @@ class Explorations {
     std::vector<Line*> lines;
     for (auto& [name, line] : lines_) lines.push_back(&line);
     std::vector<typename Explorer<S>::Memory> memories(result_.size());
-    std::mutex telling;
+    std::mutex labelled;
     Workers workers(options_.threads > 0 ? options_.threads : hardware_threads());
     workers.for_each(count_of(lines), [&](int i, int) {
       Line& line = *at(lines, i);
       for (const std::size_t place : line.places)
         memories[place] = line.explorer.answer(result_[place]);
-      const std::lock_guard lock(telling);
-      tell("manifolds", count_of(lines));
+      const std::lock_guard lock(labelled);
+      report("manifolds", count_of(lines));
     });
     workers.for_each(count_of(resting_), [&](int i, int) { rest(at(resting_, i)); });
     if (options_.measure_time) {
@@ -136,13 +136,13 @@ class Explorations {
         for (const std::size_t place : line->places)
           if (line->explorer.has_times(result_[place]))
             line->explorer.measure_time(result_[place], memories[place]);
-        tell("manifolds that are timed", count_of(lines));
+        report("manifolds that are timed", count_of(lines));
       }
     }
     return std::move(result_);
   }
 
-  void tell(const char* what, int total) const {
+  void report(const char* what, int total) const {
     if (options_.progress) options_.progress(what, total);
   }
 
@@ -223,7 +223,7 @@ std::vector<trace::Exploration> explore_in(const Scenario& scenario, int last_fr
       return source.patches.empty() ? at(source.pairs, pair).pipeline.max_points
                                     : source.pipeline.max_points;
     });
-    explorations.tell("frames", last_frame + 1);
+    explorations.report("frames", last_frame + 1);
   }
   return explorations.explored();
 }

@@ -39,7 +39,7 @@ struct ExploreOptions {
   bool measure_time = true;
   int threads =
       0;  // of what is not timed; 0: as many as the processor runs. Answers are the same for any
-  /// Told of each step, in any thread, but by one at a time; may throw to stop. `what`: of which there are `total`.
+  /// ReportInput of each step, in any thread, but by one at a time; may throw to stop. `what`: of which there are `total`.
   std::function<void(const std::string& what, int total)> progress{};
 };
 

@@ -30,15 +30,15 @@ inline int changed(const Points& before, const Points& now) {
 }
 
 /// The largest way of a point of `some` to where `others` have its id, or else to the nearest.
-inline double farthest_way(const Points& some, const Points& others) {
+inline double largest_distance(const Points& some, const Points& others) {
   double most = 0;
   for (const trace::Point& place : some) {
-    const auto way = [&](const trace::Point& other) {
+    const auto offset = [&](const trace::Point& other) {
       return (place.position - other.position).norm();
     };
     const auto same = std::ranges::find(others, place.id, &trace::Point::id);
-    most =
-        std::max(most, same != others.end() ? way(*same) : std::ranges::min(mapped(others, way)));
+    most = std::max(
+        most, same != others.end() ? offset(*same) : std::ranges::min(mapped(others, offset)));
   }
   return most;
 }
@@ -57,7 +57,7 @@ inline Vec3d middle_of(const Points& places) {
 /// points.
 inline double patch_move(const Points& before, const Points& now) {
   if (before.empty() || now.empty()) return 0;
-  return std::max({farthest_way(before, now), farthest_way(now, before),
+  return std::max({largest_distance(before, now), largest_distance(now, before),
                    (middle_of(now) - middle_of(before)).norm()});
 }
 

@@ -37,7 +37,7 @@ PeerField read_answer(const std::string& program, const std::string& text, std::
 
 }  // namespace
 
-std::optional<PeerField> ask_field_peer(const std::vector<std::string>& folders,
+std::optional<PeerField> run_field_peer(const std::vector<std::string>& folders,
                                         const std::string& name, const Mesh<double>& mesh,
                                         int cells, int band, int repetitions,
                                         const std::vector<Vec3d>& points) {

@@ -25,7 +25,7 @@ struct PeerField {
 /// `vertices`, `triangles` and `points`, each with its number and then all numbers. It writes `name` and its
 /// line, `build`, `bytes`, `nanoseconds` with their number and each, and a line a point: distance and
 /// gradient.
-std::optional<PeerField> ask_field_peer(const std::vector<std::string>& folders,
+std::optional<PeerField> run_field_peer(const std::vector<std::string>& folders,
                                         const std::string& name, const Mesh<double>& mesh,
                                         int cells, int band, int repetitions,
                                         const std::vector<Vec3d>& points);

@@ -5,7 +5,7 @@
 namespace contactscope {
 namespace {
 
-using namespace told;
+using namespace record;
 
 /// "a way of 2 mm", in the measure of the study.
 std::string change_of(const trace::Study& study, double smallest) {
@@ -34,13 +34,13 @@ trace::Study picture_flip_distance(const trace::Study& measured) {
   least->mark = study.measure == "way"    ? length(*least->error)
                 : study.measure == "turn" ? power(*least->error) + " rad"
                                           : count(*least->error);
-  const bool is_way = study.measure == "way";
+  const bool is_distance = study.measure == "way";
   for (trace::StudySeries& series : study.series)
     for (trace::StudyPoint& point : series.points)
       for (std::optional<double>* error : {&point.error, &point.error_worst})
-        if (*error && is_way) **error *= 1000;  // millimetres
+        if (*error && is_distance) **error *= 1000;  // millimetres
   study.shown = "Up: " + study.error + " of the second shape after which a pair has other points" +
-                (is_way               ? ", mm"
+                (is_distance          ? ", mm"
                  : study.unit.empty() ? ""
                                       : ", " + study.unit) +
                 ". Crosses: nothing changes it";

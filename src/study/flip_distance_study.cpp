@@ -56,7 +56,7 @@ std::vector<trace::Study> study_flip_distance(const StudyOptions& options,
       for (const trace::Pair& pair : facts.pairs) {
         if (!pair.flip) continue;
         const std::optional<double> numbers[] = {
-            pair.flip->way, pair.flip->turn,
+            pair.flip->offset, pair.flip->turn,
             pair.flip->last_places ? std::optional<double>(*pair.flip->last_places) : std::nullopt};
         for (std::size_t i = 0; i < 3; ++i) {
           trace::StudySeries& line = lines[name_of(pair)][i];

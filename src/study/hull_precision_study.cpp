@@ -23,7 +23,7 @@ constexpr int kSteps = 8;  // of the motion that a cache has seen
 Pose<double> earlier(const OverlappingHulls& hulls, int back) {
   const Quatd turn(Eigen::AngleAxisd(5e-4 * back, hulls.turn_axis));
   return {(turn * hulls.b_in_a.rotation).normalized(),
-          hulls.b_in_a.position + 2e-4 * hulls.size * back * hulls.way};
+          hulls.b_in_a.position + 2e-4 * hulls.size * back * hulls.offset};
 }
 
 /// Leaves in the cache what the steps up to this pose have found.
@@ -153,7 +153,7 @@ std::vector<Method> methods() {
     const bool separated = result.status == SatStatus::Separated;
     return {static_cast<double>(result.separation(separated ? result.chosen : result.deepest))};
   };
-  const auto asked = [](const auto& c) -> Found {
+  const auto requested = [](const auto& c) -> Found {
     return {static_cast<double>(separation_by_minkowski_faces(HullPair(c.a, c.b, c.b_in_a)))};
   };
   const auto all_pairs = [](const auto& c) -> Found {
@@ -162,7 +162,7 @@ std::vector<Method> methods() {
   constexpr auto kDeepest = Preference::None, kCoherent = Preference::Relative;
   const Method in_both[] = {
       {"walked arcs", walked, walked},
-      {"every pair asked", asked, asked},
+      {"every pair asked", requested, requested},
       {"every pair measured", all_pairs, all_pairs},
       {"contact", contact<kDeepest, false>, contact<kDeepest, false>},
       {"coherent contact", contact<kCoherent, false>, contact<kCoherent, false>},

@@ -45,15 +45,15 @@ double fastest_turn(const Hull<double>& hull, const Sweep<float>& motion) {
 
 double first_touch(const ImpactCase& of) {
   constexpr double kNever = 2, kNear = 1e-7;
-  constexpr int kMost = 3000;
+  constexpr int kMax = 3000;
   const Hull<double> a = hull_cast<double>(of.a), b = hull_cast<double>(of.b);
-  const Vec3d way = (of.of_b.displacement - of.of_a.displacement).cast<double>();
+  const Vec3d offset = (of.of_b.displacement - of.of_a.displacement).cast<double>();
   const double turning = fastest_turn(a, of.of_a) + fastest_turn(b, of.of_b);
   double time = 0;
-  for (int i = 0; i < kMost && time <= 1; ++i) {
+  for (int i = 0; i < kMax && time <= 1; ++i) {
     const OracleAxis axis = axis_at(of, a, b, time);
     if (axis.separation <= kNear) return time;
-    const double closing = turning - axis.normal.dot(way);
+    const double closing = turning - axis.normal.dot(offset);
     if (closing <= 0) return kNever;
     time += axis.separation / closing;
   }
@@ -119,14 +119,14 @@ ImpactCase random_impact_case(std::mt19937_64& engine, int vertices, const Impac
   const auto unit_vector = [&]() -> Vec3d { return uniform_rotation(engine) * Vec3d::UnitX(); };
   const Vec3d aim = uniform(engine, 0, 2) * unit_vector();
   const Vec3d from = unit_vector();
-  const Vec3d start = (2.05 + 0.9 * uniform(engine, 0, 1) * motion.way) * from;
-  const Vec3d way = motion.way * (aim - start).normalized();
-  const Vec3d drift = motion.way * unit_vector();
+  const Vec3d start = (2.05 + 0.9 * uniform(engine, 0, 1) * motion.offset) * from;
+  const Vec3d offset = motion.offset * (aim - start).normalized();
+  const Vec3d drift = motion.offset * unit_vector();
   const Vec3d origin = motion.origin * unit_vector();
   of_a.start.position = origin;
   of_b.start.position = origin + start;
   of_a.displacement = drift;
-  of_b.displacement = drift + way;
+  of_b.displacement = drift + offset;
   for (Sweep<double>* of : {&of_a, &of_b}) {
     const double turn = uniform(engine, 0, motion.turn);
     of->turn = turn * unit_vector();

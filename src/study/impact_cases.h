@@ -23,9 +23,9 @@ struct ImpactCase {
 
 /// How the hulls of a case move.
 struct ImpactMotion {
-  double way = 10;    // of B beside A in the step, metres
-  double turn = 0;    // of each, at most, radians a step
-  double origin = 0;  // how far from the world's origin they are, metres
+  double offset = 10;  // of B beside A in the step, metres
+  double turn = 0;     // of each, at most, radians a step
+  double origin = 0;   // how far from the world's origin they are, metres
 };
 
 /// Hulls of `vertices` on ellipsoids with semi-axes of 0.5 to 1 m. B begins somewhere on its way to a

@@ -16,8 +16,8 @@ constexpr double kCapsuleRadius = 0.3;
 constexpr double kCapsuleHalfLength = 0.5;
 constexpr double kHalfCube = 0.5;
 constexpr double kHalfMesh = 4;
-constexpr double kLeastCrossing = 0.3;  // radians, between the axes of capsules
-constexpr double kShift = 0.2;          // of the size: whatever is on top stays over what is below
+constexpr double kMinCrossing = 0.3;  // radians, between the axes of capsules
+constexpr double kShift = 0.2;        // of the size: whatever is on top stays over what is below
 
 Quatd turn(const Vec3d& axis, double radians) {
   return Quatd(Eigen::AngleAxisd(radians, axis));
@@ -75,8 +75,7 @@ Quatd rotation_on_top(const PairKind& kind, const Stacking& stacking, bool on_a_
   // An end that points down would miss the lower one's axis; nearly parallel axes have a study of
   // their own, and rules of their own where they meet.
   if (kind.below == Stacked::Capsule)
-    return turn(Vec3d::UnitY(),
-                kLeastCrossing + yaw / 2 * (1 - 2 * kLeastCrossing / std::numbers::pi));
+    return turn(Vec3d::UnitY(), kMinCrossing + yaw / 2 * (1 - 2 * kMinCrossing / std::numbers::pi));
   return on_a_corner ? any : turn(Vec3d::UnitY(), yaw);
 }
 

@@ -7,7 +7,7 @@
 namespace contactscope {
 namespace {
 
-using namespace told;
+using namespace record;
 
 constexpr double kKilometre = 1000;
 constexpr const char* kDistance = "distance";
@@ -36,7 +36,7 @@ trace::Study picture_sweeps(const trace::Study& measured) {
   study.shown =
       "Up: largest error of a contact over the size of its shapes, whose poses float or double "
       "rounds; both axes logarithmic";
-  tell(study, [&] {
+  report(study, [&] {
     const auto far = [&](const char* scalar) {
       const trace::StudySeries& series =
           series_of(measured, std::string(scalar) + std::string(kAsMeant), kDistance);
@@ -81,7 +81,7 @@ trace::Study picture_map(const trace::Study& measured) {
   study.shown =
       "Up: overlap / size of the shapes. Colour: share of the contacts that are lost, not found or "
       "off by half of their depth.";
-  tell(study, [&] {
+  report(study, [&] {
     const double in_float = lost_at(measured, "float, unrounded", kKilometre);
     const double in_double = nearest_loss(measured, "double, unrounded");
     for (trace::StudySeries& series : study.series)

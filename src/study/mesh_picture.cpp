@@ -6,7 +6,7 @@
 namespace contactscope {
 namespace {
 
-using namespace told;
+using namespace record;
 
 const std::vector<Named> kTrees = {
     {"rebuild", "always rebuilt"}, {"refit", "only refitted"}, {"auto", "rebuilt where needed"}};
@@ -47,7 +47,7 @@ trace::Study picture_times(const trace::Study& measured) {
   study.unit = trace::kSum;
   study.shown = "Up: time of all frames so far, in which a ball of " + triangles +
                 " triangles is twisted, its tree brought up to date and queried";
-  tell(study, [&] {
+  report(study, [&] {
     const trace::StudySeries& rebuilt = any_series_of(measured, "rebuild");
     const auto total = [](const trace::StudySeries& series) {
       return duration(1e6 * sum_of(series), 3);

@@ -15,14 +15,14 @@ constexpr int kMeridians[] = {8, 16, 32, 64, 128, 256};  // of a sphere, half as
 constexpr int kMeshRepetitions = 7;
 constexpr int kDeformingFrames = 50;
 constexpr int kDeformingMeridians = 96;
-constexpr double kMostTwist = 5;     // radians a metre, in the last frame
+constexpr double kMaxTwist = 5;      // radians a metre, in the last frame
 constexpr double kInnerBall = 0.97;  // of a radius of 1 m
 constexpr int kMovingFrames = 40;
 constexpr int kMicrometres[] = {10, 100, 1000, 10000, 100000};  // a frame
 constexpr double kMilliseconds = 1e-6;
 
 /// So far and so turned that they cut each other in a ring.
-Pose<float> beside() {
+Pose<float> next_to() {
   const Quatd turn(Eigen::AngleAxisd(0.7, Vec3d(1, 2, 3).normalized()));
   return Pose<double>{turn, {1.1, 0.35, 0.2}}.cast<float>();
 }
@@ -69,11 +69,11 @@ void study_sizes(const StudyOptions& options, const StudyStep& step, trace::Stud
       return nodes;
     });
     const trace::Nanoseconds query = timed(repetitions, [&] {
-      return static_cast<double>(mesh_overlap(mesh, mesh, beside()).intersections.size());
+      return static_cast<double>(mesh_overlap(mesh, mesh, next_to()).intersections.size());
     });
     AabbTree<float> tree = mesh.tree;
     const trace::Nanoseconds refit = timed(repetitions, [&] {
-      const std::vector<Vec3f> moved = vertices_in(mesh, beside());
+      const std::vector<Vec3f> moved = vertices_in(mesh, next_to());
       tree.refit(moved, mesh.triangles);
       return static_cast<double>(tree.bounds().lower.x());
     });
@@ -91,17 +91,17 @@ void study_deformation(const StudyOptions& options, const StudyStep& step, trace
   const int frames = options.frames.value_or(kDeformingFrames);
   const int repetitions = std::max(1, options.repetitions.value_or(kMeshRepetitions) / 2);
   const Mesh<float> at_rest = mesh_cast<float>(ball_mesh(kDeformingMeridians));
-  struct Way {
+  struct Method {
     const char* name;
     TreeUpdate how;
   };
-  constexpr Way kWays[] = {
+  constexpr Method kStepLengths[] = {
       {"refit", TreeUpdate::Refit}, {"rebuild", TreeUpdate::Rebuild}, {"auto", TreeUpdate::Auto}};
   const std::string balls =
       std::to_string(at_rest.triangle_count()) + " triangles, one ball twisted";
   std::vector<std::size_t> expected;
-  for (const Way& way : kWays) {
-    trace::StudySeries frame{way.name, {}, balls, "frames, a tenth of a radian a metre each"};
+  for (const Method& offset : kStepLengths) {
+    trace::StudySeries frame{offset.name, {}, balls, "frames, a tenth of a radian a metre each"};
     trace::StudySeries cost = frame, compared = frame;
     cost.panel = "boxes that a small query is expected to test";
     compared.panel = "node pairs compared";
@@ -112,7 +112,7 @@ void study_deformation(const StudyOptions& options, const StudyStep& step, trace
     MeshQueryCost query_cost;
     MeshQueryCost::Verdict verdict = MeshQueryCost::Verdict::Unknown;
     for (int k = 1; k <= frames; ++k) {
-      mesh.vertices = twisted(at_rest.vertices, kMostTwist * k / frames);
+      mesh.vertices = twisted(at_rest.vertices, kMaxTwist * k / frames);
       const AabbTree<float> before = mesh.tree;
       const double built_before = cost_when_built;
       bool rebuilt = false;
@@ -123,18 +123,18 @@ void study_deformation(const StudyOptions& options, const StudyStep& step, trace
         cost_when_built = built_before;
         spent.measure(1, [&](int) {
           rebuilt =
-              update_tree(mesh, MeshQueryCost::update_after(verdict, way.how), cost_when_built);
-          found = mesh_overlap(mesh, at_rest, beside());
+              update_tree(mesh, MeshQueryCost::update_after(verdict, offset.how), cost_when_built);
+          found = mesh_overlap(mesh, at_rest, next_to());
           return static_cast<double>(found.counts.node_pairs);
         });
       }
-      if (rebuilt) query_cost.begin_anew();
+      if (rebuilt) query_cost.restart();
       verdict = query_cost.judge(found.counts);
       const trace::Nanoseconds time = spent.summary();
       add_point(frame, k, time.min * kMilliseconds, time);
       add_point(cost, k, mesh.tree.expected_cost(), time);
       add_point(compared, k, static_cast<double>(found.counts.node_pairs), time);
-      if (&way == &kWays[0])
+      if (&offset == &kStepLengths[0])
         expected.push_back(found.intersections.size());
       else if (found.intersections.size() != at(expected, k - 1))
         frame.points.back().failed = 1;
@@ -142,7 +142,7 @@ void study_deformation(const StudyOptions& options, const StudyStep& step, trace
     times.series.push_back(std::move(frame));
     costs.series.push_back(std::move(cost));
     costs.series.push_back(std::move(compared));
-    step(std::string("twisted, ") + way.name);
+    step(std::string("twisted, ") + offset.name);
   }
 }
 
@@ -161,7 +161,7 @@ void study_motion(const StudyOptions& options, const StudyStep& step, trace::Stu
     const Mesh<float>& mesh;
     Pose<float> pose;
   };
-  const Moved both[] = {{"one ball moves beside the other", outer, beside()},
+  const Moved both[] = {{"one ball moves beside the other", outer, next_to()},
                         {"one ball moves in the other", inner, Pose<float>{}}};
   for (const Moved& moved : both) {
     const std::string by = "micrometres a frame, " + std::string(moved.name);
@@ -171,7 +171,7 @@ void study_motion(const StudyOptions& options, const StudyStep& step, trace::Stu
       frame[coherent] = {name, {}, moved.name, by};
       compared[coherent] = {name, {}, "node pairs compared, " + by, "node pairs compared, " + by};
     }
-    for (const int way : kMicrometres) {
+    for (const int offset : kMicrometres) {
       std::array<PassTimes, 2> spent;
       std::array<std::int64_t, 2> node_pairs{};
       std::array<std::size_t, 2> found{};
@@ -182,7 +182,7 @@ void study_motion(const StudyOptions& options, const StudyStep& step, trace::Stu
         found[coherent] = 0;
         spent[coherent].measure(kMovingFrames, [&](int k) {
           Pose<float> pose = moved.pose;
-          pose.position.x() += 1e-6F * static_cast<float>(way * std::abs(k - kMovingFrames / 2));
+          pose.position.x() += 1e-6F * static_cast<float>(offset * std::abs(k - kMovingFrames / 2));
           const MeshOverlap<float> overlap =
               mesh_overlap(outer, moved.mesh, pose, nullptr, coherent == 1 ? &front : nullptr);
           node_pairs[coherent] += overlap.counts.node_pairs;
@@ -192,8 +192,8 @@ void study_motion(const StudyOptions& options, const StudyStep& step, trace::Stu
       }
       for (std::size_t coherent = 0; coherent < 2; ++coherent) {
         const trace::Nanoseconds time = spent[coherent].summary();
-        add_point(frame[coherent], way, time.min * kMilliseconds, time);
-        add_point(compared[coherent], way,
+        add_point(frame[coherent], offset, time.min * kMilliseconds, time);
+        add_point(compared[coherent], offset,
                   static_cast<double>(node_pairs[coherent]) / kMovingFrames, time);
       }
       if (found[0] != found[1]) frame[1].points.back().failed = 1;

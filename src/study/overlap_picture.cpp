@@ -7,7 +7,7 @@
 namespace contactscope {
 namespace {
 
-using namespace told;
+using namespace record;
 
 constexpr double kRod = 10;  // times as long as wide
 
@@ -25,7 +25,7 @@ trace::Study picture_bounds(const trace::Study& measured) {
   study.shown =
       "Up: of the pairs that a bound lets through, the share that is apart. Rods: " + number(kRod) +
       " times as long as wide";
-  tell(study, [&] {
+  report(study, [&] {
     const auto at_rod = [&](const char* method) {
       return percent(error_at(series_of(measured, method), kRod));
     };
@@ -106,7 +106,7 @@ trace::Study picture_thresholds(const trace::Study& measured) {
     study.shown =
         "Up: the deepest overlap that is called apart, the widest gap that is called an overlap, "
         "mm";
-    tell(study, [&] { return result_of_thresholds(measured, study); });
+    report(study, [&] { return result_of_thresholds(measured, study); });
   } else {
     study.unit = trace::kShare;
   }

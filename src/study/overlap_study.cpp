@@ -98,10 +98,10 @@ std::vector<BoundedPair> bounded_pairs(std::mt19937_64& engine, double elongatio
   const double reach = 2 * half.norm();
   std::vector<BoundedPair> pairs;
   for (int i = 0; i < count; ++i) {
-    Vec3d way;
-    for (int k = 0; k < 3; ++k) way[k] = uniform(engine, -reach, reach);
+    Vec3d offset;
+    for (int k = 0; k < 3; ++k) offset[k] = uniform(engine, -reach, reach);
     const BoundedPair::Bounded a(Vec3d::Zero(), uniform_rotation(engine), half);
-    pairs.emplace_back(a, BoundedPair::Bounded(way, uniform_rotation(engine), half));
+    pairs.emplace_back(a, BoundedPair::Bounded(offset, uniform_rotation(engine), half));
   }
   return pairs;
 }
@@ -175,21 +175,21 @@ NearParallelPair<S> near_parallel_pair(std::mt19937_64& engine, int index) {
   const double angle = std::pow(10.0, uniform(engine, -17, -1));
   Quatd other = turn;
   if (index % 3 != 0) other = Quatd(Eigen::AngleAxisd(angle, about)) * turn;
-  Vec3d way = uniform(engine, 0, 2.2) * (uniform_rotation(engine) * Vec3d::UnitX());
+  Vec3d offset = uniform(engine, 0, 2.2) * (uniform_rotation(engine) * Vec3d::UnitX());
   if (index % 3 == 1) {
     // The cross product of an edge with the same one turned, but for its length.
     const Vec3d edge = turn * Vec3d::Unit(index / 3 % 3);
     const Vec3d axis = edge.cross(about.cross(edge)).normalized();
     const double gap = std::pow(10.0, uniform(engine, -5, -1));
-    way = (uniform(engine, 0, 1) < 0.5 ? gap : -gap) * axis;
+    offset = (uniform(engine, 0, 1) < 0.5 ? gap : -gap) * axis;
     for (int k = 0; k < 3; ++k) {
       if (k == index / 3 % 3) continue;
       const Vec3d side = turn * Vec3d::Unit(k);
-      way += std::copysign(half_a[k] + half_b[k], axis.dot(side)) * side;
+      offset += std::copysign(half_a[k] + half_b[k], axis.dot(side)) * side;
     }
   }
   NearParallelPair<S> pair{{Vec3<S>::Zero(), turn.toRotationMatrix().cast<S>(), half_a.cast<S>()},
-                           {way.cast<S>(), other.toRotationMatrix().cast<S>(), half_b.cast<S>()},
+                           {offset.cast<S>(), other.toRotationMatrix().cast<S>(), half_b.cast<S>()},
                            0};
   pair.gap = largest_gap(pair.a, pair.b);
   return pair;

@@ -8,7 +8,7 @@
 
 #include "core/at.h"
 
-namespace contactscope::told {
+namespace contactscope::record {
 namespace {
 
 /// Place in the list of all methods of the study, each once.
@@ -215,4 +215,4 @@ std::string listed(const std::vector<std::string>& names) {
   return text;
 }
 
-}  // namespace contactscope::told
+}  // namespace contactscope::record

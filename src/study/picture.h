@@ -22,7 +22,7 @@ StudyPicture picture_reducers, picture_overlap, picture_broad_phase, picture_mes
     picture_triangles, picture_time_of_impact, picture_tunnelling, picture_distance_field,
     picture_solver, picture_limits, picture_flip_distance;
 
-namespace told {
+namespace record {
 
 /// The series of a method, in the panel of this name. Throws std::out_of_range where there is none.
 const trace::StudySeries& series_of(const trace::Study& study, const std::string& method,
@@ -52,7 +52,7 @@ void drop_resolution(trace::Study& study);
 
 /// What `result()` says becomes the title. Where the study lacks a number for it, the title stays.
 template <class Result>
-void tell(trace::Study& study, const Result& result) {
+void report(trace::Study& study, const Result& result) {
   try {
     study.title = result();
   } catch (const std::out_of_range&) {
@@ -75,5 +75,5 @@ std::string power(double value);
 /// "spheres, boxes and rods".
 std::string listed(const std::vector<std::string>& names);
 
-}  // namespace told
+}  // namespace record
 }  // namespace contactscope

@@ -115,7 +115,7 @@ OverlappingHulls overlapping_hulls(std::mt19937_64& engine, int vertices) {
     hulls.a = ellipsoid_hull(engine, vertices, hulls.size);
     hulls.b = ellipsoid_hull(engine, vertices, hulls.size);
     hulls.b_in_a.rotation = uniform_rotation(engine);
-    hulls.way = unit_vector(engine);
+    hulls.offset = unit_vector(engine);
     hulls.turn_axis = unit_vector(engine);
     const Vec3d direction = unit_vector(engine);
     const double overlap = hulls.size * uniform(engine, 0.01, 0.1);

@@ -45,9 +45,9 @@ ContactPolygon levelled(const ContactPolygon& polygon, std::mt19937_64& engine);
 struct OverlappingHulls {
   Hull<double> a, b;
   Pose<double> b_in_a;
-  double size = 1;             // metres: the longest semi-axis of both
-  OracleAxis deepest;          // of least overlap
-  Vec3d way = Vec3d::UnitX();  // unit, A's frame: from where B came, for methods that look back
+  double size = 1;                // metres: the longest semi-axis of both
+  OracleAxis deepest;             // of least overlap
+  Vec3d offset = Vec3d::UnitX();  // unit, A's frame: from where B came, for methods that look back
   Vec3d turn_axis = Vec3d::UnitX();  // unit, A's frame: about which it turned
 };
 

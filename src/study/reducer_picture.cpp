@@ -6,7 +6,7 @@
 namespace contactscope {
 namespace {
 
-using namespace told;
+using namespace record;
 
 constexpr double kUsualPoints = 8;
 const std::vector<Named> kOwn = {{"optimal_deepest", "best four with the deepest"},
@@ -50,7 +50,7 @@ trace::Study picture_reducers(const trace::Study& measured) {
   drop_resolution(study);
   study.unit = trace::kShare;
   study.error = "share of the area that is lost";
-  tell(study, [&] {
+  report(study, [&] {
     const auto lost = [&](const char* method) {
       return error_at(series_of(measured, method), kUsualPoints);
     };
@@ -62,12 +62,12 @@ trace::Study picture_reducers(const trace::Study& measured) {
     const double least = of(by_loss.front()), most = of(by_loss.back());
     const double own = error_at(series_of(study, kOwn[0].second), kUsualPoints);
     for (trace::StudySeries& series : study.series) {
-      const std::string told = series.method + ": " + percent(error_at(series, kUsualPoints));
+      const std::string record = series.method + ": " + percent(error_at(series, kUsualPoints));
       if (series.method != kOwn[0].second) {
-        series.method = told;
+        series.method = record;
         continue;
       }
-      mark(study, series.method, "", kUsualPoints, told);
+      mark(study, series.method, "", kUsualPoints, record);
       series.method.clear();  // the mark has it
     }
     const std::string best = is_flat ? "Where all points are equally deep, the default loses "

@@ -297,10 +297,10 @@ double SeparationOracle::leverage() const {
   if (a_.is_plane || b_.is_plane || a_.cores.size() > 1 || b_.cores.size() > 1) return 1;
   const Real radii = a_.cores.front().radius + b_.cores.front().radius;
   if (!(radii > 0)) return 1;
-  const Real apart = static_cast<Real>(separation()) + radii;
+  const Real gap = static_cast<Real>(separation()) + radii;
   const bool solid = !a_.cores.front().faces.empty() || !b_.cores.front().faces.empty();
-  if (solid && !(apart > 0)) return 1;
-  return static_cast<double>(apart > 0 ? std::max(Real(1), scale_ / apart) : kInfinity);
+  if (solid && !(gap > 0)) return 1;
+  return static_cast<double>(gap > 0 ? std::max(Real(1), scale_ / gap) : kInfinity);
 }
 
 double SeparationOracle::separation_along(const Vec3d& normal, int triangle) const {

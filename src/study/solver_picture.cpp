@@ -8,7 +8,7 @@
 namespace contactscope {
 namespace {
 
-using namespace told;
+using namespace record;
 
 constexpr double kUsualSubsteps = 8;
 constexpr const char* kSubsteps = "More sub-steps, an iteration each";
@@ -42,7 +42,7 @@ void show_jitter(const trace::Study& measured, trace::Study& study) {
   }
   study.form = trace::StudyForm::Curves;
   study.shown = "Up: mean speed of the fastest box in the third second, mm/s";
-  tell(study, [&] {
+  report(study, [&] {
     const auto speed = [&](const char* method) {
       return error_at(series_of(measured, method, kSubsteps), kUsualSubsteps);
     };
@@ -114,7 +114,7 @@ trace::Study picture_map(const trace::Study& measured) {
   std::erase_if(study.series, [](const trace::StudySeries& series) {
     return series.panel.ends_with(kColdPanel);
   });
-  tell(study, [&] {
+  report(study, [&] {
     double most = 0;  // at which anything stands
     for (const trace::StudySeries& series : measured.series)
       for (const trace::StudyPoint& point : series.points)
@@ -151,7 +151,7 @@ trace::Study picture_energy(const trace::Study& measured) {
     }
   }
   study.shown = "Up: energy gained, of that at the start; the worst of twenty scenes";
-  tell(study, [&] {
+  report(study, [&] {
     return holds ? std::string(
                        "No position correction adds more than 1 % of energy in any of twenty ") +
                        "scenes; Baumgarte would, if all of its push were kept"

@@ -204,13 +204,13 @@ std::vector<trace::Study> maps(const StudyOptions& options, const StudyStep& ste
     for (const int boxes : kHeights)
       rows.push_back({kSolverMethods[turn], boxes, {ratios.size(), Measurement(0)}});
   // A map shows no times, so its stacks are run side by side.
-  std::mutex telling;
+  std::mutex labelled;
   Workers(options.thread_count()).for_each(count_of(rows) * kRatioSteps, [&](int piece, int) {
     Row& row = at(rows, piece / kRatioSteps);
     const int i = piece % kRatioSteps;
     at(row.cells, i) = stacks.judge(row.boxes, at(ratios, i), row.method, row.method.map_iterations,
                                     row.method.map_substeps);
-    const std::lock_guard lock(telling);
+    const std::lock_guard lock(labelled);
     if (++row.judged == kRatioSteps) step(std::string(row.method.name) + ", " + row.name());
   });
   for (const Row& row : rows) {

@@ -33,7 +33,7 @@ struct StudyOptions {
   int thread_count() const { return threads > 0 ? threads : hardware_threads(); }
 };
 
-/// Told of each step, in any thread, but by one at a time; may throw to stop the study.
+/// ReportInput of each step, in any thread, but by one at a time; may throw to stop the study.
 using StudyProgress = std::function<void(int done, int total, const std::string& what)>;
 
 /// One result for each measure of error, the main one first.
@@ -176,13 +176,13 @@ void measure_grid(const StudyGrid& grid, std::vector<trace::Study>& results,
       methods, {parameters, Measurement(results.size(), grid.cases)});
   const StudyStep step = counted(progress, static_cast<int>(parameters) + grid.repetitions);
   for (std::size_t p = 0; p < parameters; ++p) prepare(p);
-  std::mutex telling;
+  std::mutex labelled;
   std::vector<std::size_t> judged(parameters);
   Workers(grid.threads).for_each(static_cast<int>(methods * parameters), [&](int piece, int) {
     const std::size_t p = static_cast<std::size_t>(piece) / methods;
     const std::size_t m = static_cast<std::size_t>(piece) % methods;
     judge(m, p, measured[m][p]);
-    const std::lock_guard lock(telling);
+    const std::lock_guard lock(labelled);
     if (++judged[p] == methods)
       step("errors of " + std::to_string(grid.parameters[p]) + " " + results.front().parameter);
   });

@@ -14,9 +14,9 @@ namespace {
 using LongPoint = Vec3<long double>;
 
 LongPoint nearest_on_segment(const LongPoint& p, const LongPoint& from, const LongPoint& to) {
-  const LongPoint way = to - from;
-  const long double part = (p - from).dot(way) / way.squaredNorm();
-  return from + std::clamp(part, 0.0L, 1.0L) * way;
+  const LongPoint offset = to - from;
+  const long double part = (p - from).dot(offset) / offset.squaredNorm();
+  return from + std::clamp(part, 0.0L, 1.0L) * offset;
 }
 
 LongPoint nearest_on_triangle(const LongPoint& p, const std::array<LongPoint, 3>& corners) {

@@ -6,27 +6,28 @@
 namespace contactscope {
 namespace {
 
-using namespace told;
+using namespace record;
 
-constexpr double kUsualWay = 10;  // metres in the step
-constexpr double kPercent = 100;  // of one
+constexpr double kUsualDistance = 10;  // metres in the step
+constexpr double kPercent = 100;       // of one
 constexpr const char* kSampled = "64 samples of the step";
 
 std::string result_of(const trace::Study& measured, trace::Study& study) {
   const auto at_usual = [&](const char* method) -> const trace::StudyPoint& {
-    return point_at(series_of(measured, method, "rotating"), kUsualWay);
+    return point_at(series_of(measured, method, "rotating"), kUsualDistance);
   };
   const trace::StudyPoint &own = at_usual("time of impact"), &sampled = at_usual("64 samples");
   if (!own.error || !sampled.error) throw std::out_of_range("all failed");
-  const auto told_of = [&](const char* method, const trace::StudyPoint& point) {
+  const auto record_of = [&](const char* method, const trace::StudyPoint& point) {
     for (trace::StudySeries& series : study.series)
       if (series.method.starts_with(method))
-        mark(study, series.method, "", kUsualWay, "off by " + percent(*point.error));
+        mark(study, series.method, "", kUsualDistance, "off by " + percent(*point.error));
   };
-  told_of("search", own);
-  told_of("64 samples", sampled);
-  return "Over " + number(kUsualWay) + " m in a step a search for the time of impact is off by " +
-         percent(*own.error) + " of the step, 64 samples by " + percent(*sampled.error);
+  record_of("search", own);
+  record_of("64 samples", sampled);
+  return "Over " + number(kUsualDistance) +
+         " m in a step a search for the time of impact is off by " + percent(*own.error) +
+         " of the step, 64 samples by " + percent(*sampled.error);
 }
 
 /// The most hits that a line misses at one of its points, in words; nothing where it misses none. Its means are of the
@@ -68,7 +69,7 @@ trace::Study picture_time_of_impact(const trace::Study& measured) {
     }
   }
   study.form = trace::StudyForm::Curves;
-  tell(study, [&] { return result_of(measured, study); });
+  report(study, [&] { return result_of(measured, study); });
   return study;
 }
 

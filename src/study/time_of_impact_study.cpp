@@ -13,7 +13,7 @@ namespace {
 constexpr int kImpactCases = 200;
 constexpr int kImpactRepetitions = 5;
 constexpr int kImpactVertices = 32;
-constexpr std::array<double, 4> kWays = {1, 3, 10, 100};
+constexpr std::array<double, 4> kStepLengths = {1, 3, 10, 100};
 constexpr std::array<double, 6> kOrigins = {1, 10, 100, 1000, 10'000, 100'000};
 constexpr double kFullTurn = 2;  // radians a step, of what turns
 
@@ -73,10 +73,10 @@ std::vector<trace::Study> study_impact_finders(const std::vector<ImpactFinderInf
                                                const StudyOptions& options,
                                                const StudyProgress& progress) {
   std::vector<ImpactWorkload> workloads;
-  for (const double way : kWays)
-    workloads.push_back({"translating", "metres in the step", way, {way, 0, 0}});
-  for (const double way : kWays)
-    workloads.push_back({"rotating", "metres in the step", way, {way, kFullTurn, 0}});
+  for (const double offset : kStepLengths)
+    workloads.push_back({"translating", "metres in the step", offset, {offset, 0, 0}});
+  for (const double offset : kStepLengths)
+    workloads.push_back({"rotating", "metres in the step", offset, {offset, kFullTurn, 0}});
   for (const double origin : kOrigins)
     workloads.push_back({"far from the origin", "metres away", origin, {10, kFullTurn, origin}});
   const int count = options.cases.value_or(kImpactCases);
@@ -88,13 +88,13 @@ std::vector<trace::Study> study_impact_finders(const std::vector<ImpactFinderInf
       {{"error", "How far off the time of impact is", "fraction of the step", "", 1e-7},
        {"missed", "How many hits are missed", "share of the pairs", "", 0.5 / count}});
   results[1].form = trace::StudyForm::Curves;
-  const StudyStep tell = counted(progress, static_cast<int>(workloads.size()));
+  const StudyStep report = counted(progress, static_cast<int>(workloads.size()));
   Workers workers(options.thread_count());
   const char* panel = nullptr;
   std::size_t first = 0;
   for (const ImpactWorkload& workload : workloads) {
-    tell(std::string(workload.panel) + ", " + std::to_string(static_cast<int>(workload.parameter)) +
-         " " + workload.parameter_name);
+    report(std::string(workload.panel) + ", " +
+           std::to_string(static_cast<int>(workload.parameter)) + " " + workload.parameter_name);
     if (panel == nullptr || std::string(panel) != workload.panel) {
       panel = workload.panel;
       first = results[0].series.size();

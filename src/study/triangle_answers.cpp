@@ -79,9 +79,9 @@ trace::Study triangle_answers() {
           trace::StudySeries{test.panel, {}, test.panel, parameter, double(j)});
       for (int i = kFirstUnit; i <= kLastUnit; ++i) {
         const TriangleOverlapKind answer = test.answer(i, j);
-        const double told = static_cast<double>(answer);
+        const double record = static_cast<double>(answer);
         row.points.push_back(
-            {double(i), told, std::nullopt, {}, answer == right_answer(i, j) ? 0 : 1, 1});
+            {double(i), record, std::nullopt, {}, answer == right_answer(i, j) ? 0 : 1, 1});
       }
     }
   }

@@ -7,7 +7,7 @@
 namespace contactscope {
 namespace {
 
-using namespace told;
+using namespace record;
 
 /// The first of the worst.
 trace::StudyPoint& worst_of(trace::Study& study, const std::string& method) {
@@ -58,7 +58,7 @@ trace::Study picture_wrong(const trace::Study& measured) {
     series.parameter = "units in the last place off the plane";
   study.unit = trace::kShare;
   study.shown = "Up: share of wrong answers to whether two triangles of 1 m share a point";
-  tell(study, [&] {
+  report(study, [&] {
     const auto most = [&](trace::Study& whose, const char* method) {
       trace::StudyPoint& worst = worst_of(whose, method);
       return worst.mark = share_of(worst.error.value_or(0));

@@ -37,10 +37,10 @@ __extension__ using Wide = __int128;
 
 /// The sign of (b - a) x (c - a) . (d - a).
 int grid_orient(const GridVec& a, const GridVec& b, const GridVec& c, const GridVec& d) {
-  const auto way = [&a](const GridVec& to, std::size_t k) { return Wide(to[k] - a[k]); };
-  const Wide volume = (way(b, 1) * way(c, 2) - way(b, 2) * way(c, 1)) * way(d, 0) +
-                      (way(b, 2) * way(c, 0) - way(b, 0) * way(c, 2)) * way(d, 1) +
-                      (way(b, 0) * way(c, 1) - way(b, 1) * way(c, 0)) * way(d, 2);
+  const auto offset = [&a](const GridVec& to, std::size_t k) { return Wide(to[k] - a[k]); };
+  const Wide volume = (offset(b, 1) * offset(c, 2) - offset(b, 2) * offset(c, 1)) * offset(d, 0) +
+                      (offset(b, 2) * offset(c, 0) - offset(b, 0) * offset(c, 2)) * offset(d, 1) +
+                      (offset(b, 0) * offset(c, 1) - offset(b, 1) * offset(c, 0)) * offset(d, 2);
   return (volume > 0) - (volume < 0);
 }
 

@@ -7,7 +7,7 @@
 namespace contactscope {
 namespace {
 
-using namespace told;
+using namespace record;
 
 constexpr double kUsualSpeed = 10;  // m/s
 constexpr const char* kAtEnds = "tested at ends of steps";
@@ -63,7 +63,7 @@ trace::Study picture_tunnelling(const trace::Study& measured) {
   for (std::size_t i = 0; (i = study.reference.find(kBullet, i)) != std::string::npos;
        i += kSphere.size())
     study.reference.replace(i, kBullet.size(), kSphere);
-  tell(study, [&] { return result_of(measured, study); });
+  report(study, [&] { return result_of(measured, study); });
   return study;
 }
 

@@ -83,18 +83,18 @@ Flight::Flight(BulletKind kind, double speed, double millimetres, std::mt19937_6
   }
   wall =
       shape_cast<float>(Shape<double>(make_box(Vec3d(0.5e-3 * millimetres, kWallSide, kWallSide))));
-  const double way = speed * kStepTime;
+  const double offset = speed * kStepTime;
   // Anywhere in its step when it meets the wall.
   const double before = static_cast<double>(reach) + 0.5e-3 * millimetres + 0.01;
-  const double start = -before - way * uniform(engine, 0, 1);
+  const double start = -before - offset * uniform(engine, 0, 1);
   motion.start.rotation = uniform_rotation(engine).cast<float>();
   const double up = uniform(engine, -1, 1), aside = uniform(engine, -1, 1);
   motion.start.position = Vec3d(start, up, aside).cast<float>();
-  motion.displacement = Vec3f(static_cast<float>(way), 0, 0);
+  motion.displacement = Vec3f(static_cast<float>(offset), 0, 0);
   const double spin = uniform(engine, 0, std::numbers::pi);
   if (kind == BulletKind::Rod)
     motion.turn = (spin * (uniform_rotation(engine) * Vec3d::UnitX())).cast<float>();
-  steps = static_cast<int>(std::ceil((before - start) / way));
+  steps = static_cast<int>(std::ceil((before - start) / offset));
 }
 
 /// Metres from the wall when the method stops it; nothing where it passes.
@@ -183,11 +183,11 @@ std::vector<trace::Study> study_tunnelling(const StudyOptions& options,
         0.5 / count},
        {"early", "How far from the wall a bullet is stopped", "distance when stopped", "m", 1e-6}});
   for (trace::Study& study : results) study.form = trace::StudyForm::Curves;
-  const StudyStep tell = counted(progress, 2 * static_cast<int>(kBulletNames.size()));
+  const StudyStep report = counted(progress, 2 * static_cast<int>(kBulletNames.size()));
   const auto panel_of = [&](BulletKind kind, bool by_speed) {
     const std::string name = at(kBulletNames, static_cast<int>(kind));
     const std::string panel = name + (by_speed ? ", a wall of 1 cm" : ", at 20 m/s");
-    tell(panel);
+    report(panel);
     const std::size_t first = results[0].series.size();
     for (trace::Study& study : results)
       for (const StopMethod& method : kStopMethods)

@@ -52,8 +52,8 @@ struct Clip {
   std::vector<DroppedPoint> dropped;
 
   static constexpr auto fields() {
-    return field::list(field::fact("reference", &Clip::reference).apart("reference face"),
-                       field::fact("incident", &Clip::incident).apart("incident face"),
+    return field::list(field::fact("reference", &Clip::reference).called("reference face"),
+                       field::fact("incident", &Clip::incident).called("incident face"),
                        field::facts("steps", &Clip::steps).entries("clip step", "side planes"),
                        field::facts("dropped", &Clip::dropped).entries("dropped point"));
   }

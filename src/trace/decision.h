@@ -35,7 +35,7 @@ struct Decision {
 /// The smallest change of the second shape's pose, along the directions that were tried, that changes which
 /// points the pair has, by their ids.
 struct Flip {
-  std::optional<double> way{};      // metres; none: not within a hundredth of the smaller shape
+  std::optional<double> offset{};   // metres; none: not within a hundredth of the smaller shape
   Vec3d direction = Vec3d::Zero();  // unit, in which b is moved
   std::optional<double> turn{};     // radians, about the middle of the points; likewise
   Vec3d axis = Vec3d::Zero();       // unit, about which b is turned
@@ -45,7 +45,7 @@ struct Flip {
   static constexpr auto fields() {
     using F = Flip;
     return field::list(
-        field::length("way", &F::way),
+        field::length("way", &F::offset),
         field::direction_to_b("direction", &F::direction).where_set(),
         field::ratio("turn", &F::turn),
         field::direction_to_b("axis", &F::axis).where_set().says("axis of the turn"),

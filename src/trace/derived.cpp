@@ -24,8 +24,8 @@ std::string flipped_id(const std::string& id) {
     return feature;
   };
   const std::string first = flipped(id.substr(0, space)), second = flipped(id.substr(space + 1));
-  const bool trade = first.starts_with("b:") && second.starts_with("a:");
-  return trade ? second + " " + first : first + " " + second;
+  const bool swap = first.starts_with("b:") && second.starts_with("a:");
+  return swap ? second + " " + first : first + " " + second;
 }
 
 void mirror_value(std::string& text, Mirrored how) {

@@ -108,8 +108,8 @@ struct Field {
   bool may_be_none = false;         // of an index: -1 points at nothing
   bool is_object_key = false;       // it is the key under which its struct stands
   bool is_merged = false;           // its keys stand among those of its owner
-  bool is_told_first = false;
-  bool is_told_last = false;
+  bool is_reported_first = false;
+  bool is_reported_last = false;
   const char* words = nullptr;  // what a sentence calls it; the key where nothing is said
   const char* noun = nullptr;   // what a sentence calls a struct by itself, or an entry of a list
   const char* plural = nullptr;
@@ -130,11 +130,11 @@ struct Field {
     return with(&Field::counts_in, list).with(&Field::things, entries ? entries : list);
   }
   constexpr Field or_none() const { return with(&Field::may_be_none, true); }
-  constexpr Field told_first() const { return with(&Field::is_told_first, true); }
-  constexpr Field told_last() const { return with(&Field::is_told_last, true); }
+  constexpr Field reported_first() const { return with(&Field::is_reported_first, true); }
+  constexpr Field reported_last() const { return with(&Field::is_reported_last, true); }
   constexpr Field says(const char* text) const { return with(&Field::words, text); }
   /// A struct that has sentences of its own: "sat face_a: face 1 -> 3".
-  constexpr Field apart(const char* name) const { return with(&Field::noun, name); }
+  constexpr Field called(const char* name) const { return with(&Field::noun, name); }
   /// The entries of a list: "clip step 2: offset 0.5 -> 0.6", "number of side planes 4 -> 3".
   constexpr Field entries(const char* one, const char* many = nullptr) const {
     return with(&Field::noun, one).with(&Field::plural, many);

@@ -14,11 +14,11 @@ constexpr const char* kNoJson =
     "again";
 
 /// What keeps a line from being JSON at a column, from 1.
-std::string why_no_json(const std::string& line, std::size_t column, const std::string& told) {
+std::string why_no_json(const std::string& line, std::size_t column, const std::string& record) {
   if (line.starts_with("\x1f\x8b")) return "the file is compressed; unpack it first";
   if (line.starts_with("\xff\xfe") || line.starts_with("\xfe\xff"))
     return "the file is UTF-16; a trace is UTF-8";
-  if (told.find("UTF-8") != std::string::npos)
+  if (record.find("UTF-8") != std::string::npos)
     return "from here on this line is no UTF-8, as names have to be; it may be Latin-1, or binary";
   constexpr std::size_t kBefore = 6;  // a sign, and the letters that were taken for a literal
   std::string near = line.substr(column > kBefore ? column - kBefore : 0, 2 * kBefore);
@@ -46,7 +46,7 @@ Node JsonLine::parse(std::string& line) {
 /// What the fast parser refuses: it says neither where nor why, which another one does; and that takes some
 /// spellings more, such as whole numbers of twenty digits and a mark of the byte order, and spells them anew.
 Node JsonLine::parse_again(const std::string& line) {
-  std::string anew;
+  std::string again;
   int deepest = 0;
   // What is deeper is left out of the tree, whose end would take a call a level.
   const auto is_shallow = [&](int depth, nlohmann::json::parse_event_t, const auto&) {
@@ -54,21 +54,21 @@ Node JsonLine::parse_again(const std::string& line) {
     return depth < kDeepest;
   };
   try {
-    anew = nlohmann::ordered_json::parse(line, is_shallow).dump();
+    again = nlohmann::ordered_json::parse(line, is_shallow).dump();
     if (deepest >= kDeepest)
       throw Complaint{"lists and objects are in each other more than " + std::to_string(kDeepest) +
                       " deep; a trace needs a dozen"};
   } catch (const nlohmann::json::parse_error& error) {
     throw NoJson{static_cast<int>(error.byte), why_no_json(line, error.byte, error.what())};
   } catch (const nlohmann::json::out_of_range& error) {
-    const std::string told = error.what();
+    const std::string record = error.what();
     throw Complaint{"a number is too large for a double: " +
-                    told.substr(told.find_last_of(' ') + 1)};
+                    record.substr(record.find_last_of(' ') + 1)};
   } catch (const nlohmann::json::exception& error) {
     throw Complaint{std::string("not read: ") + error.what()};
   }
   simdjson::dom::element tree;
-  if (const auto error = parser_.parse(anew).get(tree); error != simdjson::SUCCESS)
+  if (const auto error = parser_.parse(again).get(tree); error != simdjson::SUCCESS)
     throw Complaint{std::string("not read: ") + simdjson::error_message(error)};
   return Node(tree);
 }

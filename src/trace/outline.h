@@ -40,7 +40,7 @@ struct PlacedShape {
 
 /// Of the shape's side that looks `way` (unit, world), at the place of a manifold of it: of a mesh that of the triangle
 /// that the manifold names, or of the nearest one. Empty where there is no such side.
-Outline outline_of(const PlacedShape& placed, const Manifold& manifold, const Vec3d& way,
+Outline outline_of(const PlacedShape& placed, const Manifold& manifold, const Vec3d& offset,
                    const ContactPlane& plane);
 
 /// Where on an outline a point lies: a corner, the edge from it, or neither.

@@ -145,7 +145,7 @@ struct Stability {
                        field::position("center_of_mass", &S::center_of_mass).says("centre of mass"),
                        field::position("projection", &S::projection),
                        field::position("support", &S::support), field::length("margin", &S::margin),
-                       field::exact("verdict", &S::verdict).told_first(),
+                       field::exact("verdict", &S::verdict).reported_first(),
                        field::position("axis", &S::axis));
   }
 };
@@ -264,7 +264,9 @@ struct Pair {
   Stage<Flip> flip{};
 
   /// A trace may leave the separation out; see complete().
-  static void not_told(Pair& pair) { pair.separation = std::numeric_limits<double>::quiet_NaN(); }
+  static void mark_missing(Pair& pair) {
+    pair.separation = std::numeric_limits<double>::quiet_NaN();
+  }
 
   static constexpr auto fields() {
     return field::list(
@@ -273,25 +275,27 @@ struct Pair {
         field::exact("kind", &Pair::kind).optional().mirror(Mirrored::KindTurned),
         field::exact("state", &Pair::state).optional().says(""),
         // It mostly repeats what a point says.
-        field::length("separation", &Pair::separation).otherwise_by(&Pair::not_told).told_last(),
+        field::length("separation", &Pair::separation)
+            .otherwise_by(&Pair::mark_missing)
+            .reported_last(),
         field::facts("manifolds", &Pair::manifolds).entries("manifold"),  //
-        field::fact("sat", &Pair::sat).apart("sat"),                      //
-        field::fact("clip", &Pair::clip).apart("clip"),
-        field::fact("reduction", &Pair::reduction).apart("reduction"),
-        field::fact("gjk", &Pair::gjk).apart("gjk"),     //
-        field::fact("tree", &Pair::tree).apart("tree"),  //
-        field::fact("degenerate", &Pair::degenerate).apart("degenerate"),
-        field::fact("cache", &Pair::cache).apart("cache"),
-        field::fact("penetration", &Pair::penetration).apart("penetration"),
-        field::fact("minkowski", &Pair::minkowski).apart("minkowski"),
-        field::fact("incremental", &Pair::incremental).apart("incremental"),
-        field::fact("stability", &Pair::stability).apart("stability"),
-        field::exact("overlap", &Pair::overlap), field::fact("query", &Pair::query).apart("query"),
+        field::fact("sat", &Pair::sat).called("sat"),                     //
+        field::fact("clip", &Pair::clip).called("clip"),
+        field::fact("reduction", &Pair::reduction).called("reduction"),
+        field::fact("gjk", &Pair::gjk).called("gjk"),     //
+        field::fact("tree", &Pair::tree).called("tree"),  //
+        field::fact("degenerate", &Pair::degenerate).called("degenerate"),
+        field::fact("cache", &Pair::cache).called("cache"),
+        field::fact("penetration", &Pair::penetration).called("penetration"),
+        field::fact("minkowski", &Pair::minkowski).called("minkowski"),
+        field::fact("incremental", &Pair::incremental).called("incremental"),
+        field::fact("stability", &Pair::stability).called("stability"),
+        field::exact("overlap", &Pair::overlap), field::fact("query", &Pair::query).called("query"),
         field::facts("intersections", &Pair::intersections).where_set().entries("intersection"),
-        field::fact("impact", &Pair::impact).apart("impact"),
-        field::fact("field_probes", &Pair::field_probes).apart("field probes"),
+        field::fact("impact", &Pair::impact).called("impact"),
+        field::fact("field_probes", &Pair::field_probes).called("field probes"),
         field::facts("decisions", &Pair::decisions).where_set().entries("decision"),
-        field::fact("flip", &Pair::flip).apart("flip"));
+        field::fact("flip", &Pair::flip).called("flip"));
   }
 };
 

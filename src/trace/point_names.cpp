@@ -16,7 +16,7 @@ namespace {
 
 // Triangles of a mesh that are searched one by one for the one that is met; in larger meshes that would
 // take longer than to draw them.
-constexpr std::size_t kMostSearched = 20000;
+constexpr std::size_t kMaxSearched = 20000;
 
 FeatureRef feature(const Outline& outline, const Place& place, Owner owner) {
   const auto number = [&] {
@@ -43,19 +43,19 @@ FeatureId corner_id(const Outline& outline, const Place& place, Owner owner) {
 }
 
 /// Unit, along the edge from the corner of a place.
-Vec2d edge_way(const Outline& outline, const Place& place) {
+Vec2d edge_direction(const Outline& outline, const Place& place) {
   const std::size_t next = (place.corner + 1) % outline.corners.size();
   return (outline.corners[next] - outline.corners[place.corner]).normalized();
 }
 
 /// Of the two edges that meet in a corner the one more across `way`.
-std::uint32_t steeper_edge(const Outline& outline, const Place& corner, const Vec2d& way) {
+std::uint32_t steeper_edge(const Outline& outline, const Place& corner, const Vec2d& offset) {
   const std::size_t count = outline.corners.size();
   const Place before{FeatureKind::Edge, (corner.corner + count - 1) % count};
-  const Place& steeper =
-      std::abs(edge_way(outline, before).dot(way)) < std::abs(edge_way(outline, corner).dot(way))
-          ? before
-          : corner;
+  const Place& steeper = std::abs(edge_direction(outline, before).dot(offset)) <
+                                 std::abs(edge_direction(outline, corner).dot(offset))
+                             ? before
+                             : corner;
   return static_cast<std::uint32_t>(std::max(0, outline.edges[steeper.corner]));
 }
 
@@ -80,7 +80,7 @@ FeatureId id_of(const Outline& a, const Outline& b, const Place& on_a, const Pla
   // A corner of the reference face on an edge of the incident one: that edge was cut there, by the
   // side plane that it crosses more steeply.
   return FeatureId::of(
-      edge_ref(owner, steeper_edge(outline, corner, edge_way(other_outline, other_place))),
+      edge_ref(owner, steeper_edge(outline, corner, edge_direction(other_outline, other_place))),
       feature(other_outline, other_place, other(owner)));
 }
 
@@ -103,7 +103,7 @@ void name_manifold(const PlacedShape& a, const PlacedShape& b, Manifold& manifol
 }
 
 bool knows_triangle(const Shape& shape, const Manifold& manifold) {
-  return shape.type != "mesh" || manifold.triangle || shape.faces.size() <= kMostSearched;
+  return shape.type != "mesh" || manifold.triangle || shape.faces.size() <= kMaxSearched;
 }
 
 /// Also of a pair without points.

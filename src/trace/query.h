@@ -145,7 +145,7 @@ struct Intersection {
 };
 
 struct Query {
-  std::string asked;       // "overlap", "touching", "distance", "penetration"
+  std::string requested;   // "overlap", "touching", "distance", "penetration"
   std::string bounds;      // that were asked: "aabb", "obb", "sphere"; empty: the shapes themselves
   std::string comparison;  // "inclusive", "exclusive"
   double tolerance = 0;    // metres
@@ -170,7 +170,7 @@ struct Query {
   static constexpr auto fields() {
     using Q = Query;
     return field::list(
-        field::exact("asked", &Q::asked), field::exact("bounds", &Q::bounds).where_set(),
+        field::exact("asked", &Q::requested), field::exact("bounds", &Q::bounds).where_set(),
         field::exact("comparison", &Q::comparison).optional(),
         field::exact("tolerance", &Q::tolerance).where_set(),
         field::exact("test", &Q::test).where_set(),
@@ -180,12 +180,12 @@ struct Query {
         field::direction_to_b("normal", &Q::normal),
         field::position("point_a", &Q::point_a).swaps(&Q::point_b).says("point on a"),
         field::position("point_b", &Q::point_b).says("point on b"),
-        field::fact("bounds_a", &Q::bounds_a).swaps(&Q::bounds_b).apart("bounds of a"),
-        field::fact("bounds_b", &Q::bounds_b).apart("bounds of b"),
+        field::fact("bounds_a", &Q::bounds_a).swaps(&Q::bounds_b).called("bounds of a"),
+        field::fact("bounds_b", &Q::bounds_b).called("bounds of b"),
         field::facts("axes", &Q::axes).where_set().entries("tested axis", "tested axes"),
-        field::fact("shapes", &Q::shapes).apart("shapes within the bounds"),
-        field::fact("containment", &Q::containment).apart("containment"),
-        field::fact("trees", &Q::trees).apart("trees"),
+        field::fact("shapes", &Q::shapes).called("shapes within the bounds"),
+        field::fact("containment", &Q::containment).called("containment"),
+        field::fact("trees", &Q::trees).called("trees"),
         field::facts("node_pairs", &Q::node_pairs).where_set().entries("node pair", "node pairs"));
   }
 };

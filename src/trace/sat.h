@@ -74,9 +74,9 @@ struct Sat {
 
   static constexpr auto fields() {
     return field::list(
-        field::fact("face_a", &Sat::face_a).swaps(&Sat::face_b).apart("sat face_a"),
-        field::fact("face_b", &Sat::face_b).apart("sat face_b"),
-        field::fact("edge", &Sat::edge).apart("sat edge"),  //
+        field::fact("face_a", &Sat::face_a).swaps(&Sat::face_b).called("sat face_a"),
+        field::fact("face_b", &Sat::face_b).called("sat face_b"),
+        field::fact("edge", &Sat::edge).called("sat edge"),  //
         field::axis("chosen", &Sat::chosen),
         field::exact("preference", &Sat::preference).optional(),
         field::facts("edge_pairs", &Sat::edge_pairs).where_set().entries("sat edge pair"));

@@ -122,8 +122,8 @@ struct Header {
                        field::exact("engine", &Header::engine).where_set(),
                        field::exact("version", &Header::version).where_set(),
                        field::exact("poses_at", &Header::poses_at).where_set(),
-                       field::fact("impulses", &Header::impulses).apart("convention of impulses"),
-                       field::fact("world", &Header::world).apart("world"));
+                       field::fact("impulses", &Header::impulses).called("convention of impulses"),
+                       field::fact("world", &Header::world).called("world"));
   }
 };
 

@@ -246,9 +246,9 @@ struct Frame {
                        field::facts("field_slices", &Frame::field_slices)
                            .where_set()
                            .entries("slice through a field", "slices through fields"),
-                       field::fact("broad_phase", &Frame::broad_phase).apart("broad phase"),
-                       field::fact("solver", &Frame::solver).apart("solver"),
-                       field::fact("totals", &Frame::totals).apart("totals"),
+                       field::fact("broad_phase", &Frame::broad_phase).called("broad phase"),
+                       field::fact("solver", &Frame::solver).called("solver"),
+                       field::fact("totals", &Frame::totals).called("totals"),
                        field::facts("shapes", &Frame::shapes).where_set().entries("new shape"));
   }
 };

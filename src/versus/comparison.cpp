@@ -21,20 +21,21 @@ const trace::Frame* frame_of(const trace::Trace& trace, int number) {
 /// Sums, of which a score has the means.
 class Scorer {
  public:
-  Scorer(const trace::Trace& request, const Contender& contender)
-      : request_(request), contender_(contender) {
-    score_.name = contender.name;
-    score_.failure = contender.failure;
+  Scorer(const trace::Trace& request, const EngineRun& engine_run)
+      : request_(request), engine_run_(engine_run) {
+    score_.name = engine_run.name;
+    score_.failure = engine_run.failure;
     add(request.header.shapes);
   }
 
   Score score() {
-    for (const trace::Frame& asked : request_.frames) {
-      add(asked.shapes);
-      const trace::Frame* const told = frame_of(contender_.trace, asked.frame);
-      if (told == nullptr) continue;
-      solids_.deform(asked.deformed);
-      for (const Truth& truth : truths_of(solids_, asked)) judge_pair(asked, *told, truth);
+    for (const trace::Frame& requested : request_.frames) {
+      add(requested.shapes);
+      const trace::Frame* const record = frame_of(engine_run_.trace, requested.frame);
+      if (record == nullptr) continue;
+      solids_.deform(requested.deformed);
+      for (const Truth& truth : truths_of(solids_, requested))
+        judge_pair(requested, *record, truth);
     }
     finish();
     return score_;
@@ -46,8 +47,8 @@ class Scorer {
     for (const trace::Shape& shape : shapes) solids_.add(shape);
   }
 
-  void judge_pair(const trace::Frame& asked, const trace::Frame& told, const Truth& truth) {
-    const std::optional<trace::Pair> pair = pair_of(told, truth.a, truth.b);
+  void judge_pair(const trace::Frame& requested, const trace::Frame& record, const Truth& truth) {
+    const std::optional<trace::Pair> pair = pair_of(record, truth.a, truth.b);
     if (!truth.separation) return;
     ++score_.pairs;
     const trace::Point* const deepest = pair ? trace::deepest_point(*pair) : nullptr;
@@ -55,7 +56,7 @@ class Scorer {
       score_.missed += truth.touches();
       return;
     }
-    if (truth.is_apart()) {
+    if (truth.is_separated()) {
       score_.invented += deepest->separation < -truth.tolerance;
       return;
     }
@@ -65,11 +66,12 @@ class Scorer {
     score_.mean_depth_error += error;
     if (!(error <= score_.worst_depth_error)) {
       score_.worst_depth_error = error;
-      score_.worst_place = "frame " + std::to_string(asked.frame) + ", " + truth.a + "-" + truth.b;
+      score_.worst_place =
+          "frame " + std::to_string(requested.frame) + ", " + truth.a + "-" + truth.b;
     }
     for (const trace::Manifold& manifold : pair->manifolds)
       score_.points += static_cast<double>(manifold.points.size());
-    judge_normal(asked, *pair, truth);
+    judge_normal(requested, *pair, truth);
     if (truth.area > 0) {
       ++score_.patches;
       double area = 0;  // engines may tell a patch in several manifolds
@@ -80,12 +82,12 @@ class Scorer {
       area = area_of(all);
       score_.area += area / truth.area;
     }
-    judge_ids(asked, *pair);
+    judge_ids(requested, *pair);
   }
 
-  void judge_normal(const trace::Frame& asked, const trace::Pair& pair, const Truth& truth) {
-    const auto a = lint::place(solids_, &asked, pair.a, {});
-    const auto b = lint::place(solids_, &asked, pair.b, {});
+  void judge_normal(const trace::Frame& requested, const trace::Pair& pair, const Truth& truth) {
+    const auto a = lint::place(solids_, &requested, pair.a, {});
+    const auto b = lint::place(solids_, &requested, pair.b, {});
     const auto has_end = [](const lint::Placed& placed) {
       return placed.solid->is_convex() || placed.solid->is_plane();
     };
@@ -98,23 +100,23 @@ class Scorer {
     }
   }
 
-  void judge_ids(const trace::Frame& asked, const trace::Pair& pair) {
+  void judge_ids(const trace::Frame& requested, const trace::Pair& pair) {
     std::multiset<std::string> all = trace::point_ids(pair);
     if (all.empty()) {
-      trace::Frame named{.frame = asked.frame, .poses = asked.poses, .pairs = {pair}};
+      trace::Frame named{.frame = requested.frame, .poses = requested.poses, .pairs = {pair}};
       trace::name_points(shapes_, named);
       all = trace::point_ids(named.pairs.front());
       score_.ids_are_made_up = score_.ids_are_made_up || !all.empty();
     }
     const std::set<std::string> ids(all.begin(), all.end());
     auto& [frame, before] = last_ids_[{pair.a, pair.b}];
-    if (!ids.empty() && !before.empty() && frame + 1 == asked.frame) {
+    if (!ids.empty() && !before.empty() && frame + 1 == requested.frame) {
       std::size_t kept = 0;
       for (const std::string& id : ids) kept += before.count(id);
       score_.ids_kept += static_cast<double>(kept) / static_cast<double>(ids.size());
       ++score_.id_frames;
     }
-    frame = asked.frame;
+    frame = requested.frame;
     before = ids;
   }
 
@@ -126,12 +128,12 @@ class Scorer {
     mean(score_.points, score_.touching);
     mean(score_.area, score_.patches);
     mean(score_.ids_kept, score_.id_frames);
-    if (!contender_.trace.frames.empty())
-      score_.findings = lint::lint(contender_.trace, {.shapes_are_given = true});
+    if (!engine_run_.trace.frames.empty())
+      score_.findings = lint::lint(engine_run_.trace, {.shapes_are_given = true});
   }
 
   const trace::Trace& request_;
-  const Contender& contender_;
+  const EngineRun& engine_run_;
   lint::Solids solids_;
   std::vector<trace::Shape> shapes_;
   std::map<std::pair<std::string, std::string>, std::pair<int, std::set<std::string>>> last_ids_;
@@ -158,8 +160,8 @@ std::optional<trace::Pair> pair_of(const trace::Frame& frame, const std::string&
   return whole;
 }
 
-Score judge(const trace::Trace& request, const Contender& contender) {
-  return Scorer(request, contender).score();
+Score judge(const trace::Trace& request, const EngineRun& engine_run) {
+  return Scorer(request, engine_run).score();
 }
 
 }  // namespace contactscope::versus

@@ -9,7 +9,7 @@
 namespace contactscope::versus {
 
 /// What an engine made of a request.
-struct Contender {
+struct EngineRun {
   std::string name;
   std::string engine, version;  // as its trace says
   std::string failure;          // why there is no trace, or less than was asked; empty: none
@@ -41,7 +41,7 @@ struct Score {
 };
 
 /// Judges what an engine answered to `request`. Pairs that it lists in the other order are turned round.
-Score judge(const trace::Trace& request, const Contender& contender);
+Score judge(const trace::Trace& request, const EngineRun& engine_run);
 
 /// The pair of a frame of a contender's trace, a first; empty: it told no contacts of it.
 std::optional<trace::Pair> pair_of(const trace::Frame& frame, const std::string& a,

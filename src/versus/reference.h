@@ -20,7 +20,7 @@ struct Truth {
   double area = 0;
 
   bool touches() const { return separation && *separation < -tolerance; }
-  bool is_apart() const { return separation && *separation > tolerance; }
+  bool is_separated() const { return separation && *separation > tolerance; }
 };
 
 /// Metres between two shapes, negative: how deep. Of a mesh that nothing touches infinite; empty of shapes of which

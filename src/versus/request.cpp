@@ -4,7 +4,7 @@
 
 namespace contactscope::versus {
 
-void keep_asked_pairs(trace::Frame& frame) {
+void keep_queried_pairs(trace::Frame& frame) {
   std::set<std::pair<std::string, std::string>> seen;
   std::erase_if(frame.pairs, [&](const trace::Pair& pair) {
     return pair.query || !seen.emplace(pair.a, pair.b).second;
@@ -15,15 +15,15 @@ trace::Trace request_of(const trace::Trace& whole) {
   trace::Trace request;
   request.header = whole.header;
   for (const trace::Frame& frame : whole.frames) {
-    trace::Frame& asked = request.frames.emplace_back();
-    asked.frame = frame.frame;
-    asked.time = frame.time;
-    asked.poses = frame.poses;
-    asked.deformed = frame.deformed;
-    asked.shapes = frame.shapes;
-    asked.pairs = frame.pairs;
-    keep_asked_pairs(asked);
-    for (trace::Pair& pair : asked.pairs) {
+    trace::Frame& requested = request.frames.emplace_back();
+    requested.frame = frame.frame;
+    requested.time = frame.time;
+    requested.poses = frame.poses;
+    requested.deformed = frame.deformed;
+    requested.shapes = frame.shapes;
+    requested.pairs = frame.pairs;
+    keep_queried_pairs(requested);
+    for (trace::Pair& pair : requested.pairs) {
       trace::Pair one;
       one.a = pair.a;
       one.b = pair.b;

@@ -8,7 +8,7 @@ namespace contactscope::versus {
 
 /// Leaves the pairs that engines are asked: of those that are there several times, with different settings of
 /// this program, the first; none that is asked something else than its contacts.
-void keep_asked_pairs(trace::Frame& frame);
+void keep_queried_pairs(trace::Frame& frame);
 
 /// A trace with the shapes, poses and pairs of another, and no contacts: what an engine is asked.
 trace::Trace request_of(const trace::Trace& whole);

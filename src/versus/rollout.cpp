@@ -74,10 +74,10 @@ int acting_points(const trace::Frame& frame) {
 
 class Judge {
  public:
-  Judge(const trace::Trace& request, const Contender& contender)
-      : request_(request), contender_(contender), bodies_(rollout_bodies(request)) {
-    score_.name = contender.name;
-    score_.failure = contender.failure;
+  Judge(const trace::Trace& request, const EngineRun& engine_run)
+      : request_(request), engine_run_(engine_run), bodies_(rollout_bodies(request)) {
+    score_.name = engine_run.name;
+    score_.failure = engine_run.failure;
     score_.resting = static_cast<int>(std::ranges::count(bodies_, true, &RolloutBody::rests));
     for (const trace::Shape& shape : request.header.shapes) solids_.add(shape);
     if (request.header.world) gravity_ = request.header.world->gravity;
@@ -86,27 +86,27 @@ class Judge {
   }
 
   RolloutScore score() {
-    std::vector<trace::Frame> told = contender_.trace.frames;
-    score_.tells_velocities =
-        std::ranges::all_of(told,
-                            [&](const trace::Frame& frame) { return tells_velocities(frame); }) &&
-        !told.empty();
+    std::vector<trace::Frame> record = engine_run_.trace.frames;
+    score_.has_velocities =
+        std::ranges::all_of(record,
+                            [&](const trace::Frame& frame) { return has_velocities(frame); }) &&
+        !record.empty();
     std::size_t judged = 0;
-    for (trace::Frame& frame : told) {
+    for (trace::Frame& frame : record) {
       if (!complete(frame)) break;
       see(frame);
       before_ = frame;
       ++judged;
     }
-    told.resize(judged);
+    record.resize(judged);
     if (judged > 0) score_.points /= static_cast<double>(judged);
-    trace::Trace whole{contender_.trace.header, std::move(told)};
+    trace::Trace whole{engine_run_.trace.header, std::move(record)};
     if (judged > 0) score_.findings = lint::lint(whole);
     return score_;
   }
 
  private:
-  bool tells_velocities(const trace::Frame& frame) const {
+  bool has_velocities(const trace::Frame& frame) const {
     return frame.solver && std::ranges::all_of(bodies_, [&](const RolloutBody& body) {
              return std::ranges::count(frame.solver->bodies, body.name, &trace::Body::name) > 0;
            });
@@ -114,15 +114,15 @@ class Judge {
 
   /// Gives a frame the poses that the request has; false where the rest of the rollout is worth nothing.
   bool complete(trace::Frame& frame) {
-    const auto asked = std::ranges::find(request_.frames, frame.frame, &trace::Frame::frame);
+    const auto requested = std::ranges::find(request_.frames, frame.frame, &trace::Frame::frame);
     const auto lost = [&](const std::string& what) {
       if (score_.failure.empty())
         score_.failure = "frame " + std::to_string(frame.frame) + " " + what;
       return false;
     };
-    if (asked == request_.frames.end()) return lost("was not asked for");
-    frame.time = asked->time;
-    for (const auto& [name, pose] : asked->poses) latest_[name] = pose;
+    if (requested == request_.frames.end()) return lost("was not asked for");
+    frame.time = requested->time;
+    for (const auto& [name, pose] : requested->poses) latest_[name] = pose;
     for (const RolloutBody& body : bodies_) {
       const Pose<double>* const pose = trace::find_pose(frame, body.name);
       if (pose == nullptr) return lost("has no pose of '" + body.name + "'");
@@ -182,10 +182,10 @@ class Judge {
 
   Motion motion_of(const RolloutBody& body, const Pose<double>& pose,
                    const trace::Frame& frame) const {
-    if (score_.tells_velocities) {
-      const trace::Body& told =
+    if (score_.has_velocities) {
+      const trace::Body& record =
           *std::ranges::find(frame.solver->bodies, body.name, &trace::Body::name);
-      return {told.velocity, told.angular_velocity};
+      return {record.velocity, record.angular_velocity};
     }
     if (!before_ || frame.frame == request_.frames.front().frame)
       return {body.velocity, body.angular_velocity};
@@ -218,7 +218,7 @@ class Judge {
   static constexpr double kFarAway = 1e9;  // metres
 
   const trace::Trace& request_;
-  const Contender& contender_;
+  const EngineRun& engine_run_;
   std::vector<RolloutBody> bodies_;
   lint::Solids solids_;
   Vec3d gravity_ = Vec3d::Zero(), up_ = Vec3d::UnitY();
@@ -231,14 +231,14 @@ class Judge {
 
 }  // namespace
 
-RolloutScore judge_rollout(const trace::Trace& request, const Contender& contender) {
-  if (!contender.refusal.empty()) {
+RolloutScore judge_rollout(const trace::Trace& request, const EngineRun& engine_run) {
+  if (!engine_run.refusal.empty()) {
     RolloutScore score;
-    score.name = contender.name;
-    score.refusal = contender.refusal;
+    score.name = engine_run.name;
+    score.refusal = engine_run.refusal;
     return score;
   }
-  return Judge(request, contender).score();
+  return Judge(request, engine_run).score();
 }
 
 }  // namespace contactscope::versus

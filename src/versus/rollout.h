@@ -39,7 +39,7 @@ struct RolloutScore {
       energy;  // kinetic and potential, of all bodies; 0 for one at rest at the origin
   std::vector<double> penetration;  // deepest of all pairs of shapes, >= 0
   std::vector<double> drift;        // of the body that rests and is farthest from its start
-  bool tells_velocities =
+  bool has_velocities =
       false;        // else energy is of the differences of poses, which lag by half a step
   int resting = 0;  // bodies that should stay where they are
   int fallen = 0;   // of these: they sank by half of their thickness, ever
@@ -61,6 +61,6 @@ struct RolloutScore {
 
 /// Frames are those of the request by number; a shape that a frame of an answer does not have is where the
 /// request has it. The first frame without a pose of a body, or with one that is not finite, ends the judging.
-RolloutScore judge_rollout(const trace::Trace& request, const Contender& contender);
+RolloutScore judge_rollout(const trace::Trace& request, const EngineRun& engine_run);
 
 }  // namespace contactscope::versus

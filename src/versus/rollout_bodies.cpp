@@ -33,19 +33,19 @@ std::vector<RolloutBody> rollout_bodies(const trace::Trace& request) {
   if (!start.solver || !request.header.world) return bodies;
   lint::Solids solids;
   for (const trace::Shape& shape : request.header.shapes) solids.add(shape);
-  for (const trace::Body& told : start.solver->bodies) {
-    const std::optional<lint::Placed> placed = lint::place(solids, &start, told.name, {});
+  for (const trace::Body& record : start.solver->bodies) {
+    const std::optional<lint::Placed> placed = lint::place(solids, &start, record.name, {});
     if (!placed) continue;
     RolloutBody& body = bodies.emplace_back();
-    body.name = told.name;
-    body.mass = told.mass;
+    body.name = record.name;
+    body.mass = record.mass;
     body.start = placed->pose;
-    body.center = placed->pose.inverse_transform(told.center_of_mass);
-    body.velocity = told.velocity;
-    body.angular_velocity = told.angular_velocity;
+    body.center = placed->pose.inverse_transform(record.center_of_mass);
+    body.velocity = record.velocity;
+    body.angular_velocity = record.angular_velocity;
     body.inertia.setZero();
-    for (int row = 0; row < std::min(3, count_of(told.inertia)); ++row)
-      body.inertia.row(row) = at(told.inertia, row).transpose();
+    for (int row = 0; row < std::min(3, count_of(record.inertia)); ++row)
+      body.inertia.row(row) = at(record.inertia, row).transpose();
     body.thickness = (placed->solid->upper() - placed->solid->lower()).minCoeff();
   }
   const Vec3d& gravity = request.header.world->gravity;

@@ -225,7 +225,7 @@ std::map<PairNames, Claims> judge(const trace::Trace& trace) {
 
 void expect_right(const trace::Trace& trace, const Promise& promise,
                   const std::vector<PairNames>& known_faults,
-                  const std::vector<std::string>& told) {
+                  const std::vector<std::string>& record) {
   constexpr double kUnit = 1e-5;
   const std::map<PairNames, Claims> all = judge(trace);
   EXPECT_FALSE(all.empty());
@@ -252,7 +252,7 @@ void expect_right(const trace::Trace& trace, const Promise& promise,
              << finding.of << "; frame " << finding.frame << ", " << finding.a << " and "
              << finding.b << ": " << finding.said << "; " << finding.is << "\n";
   }
-  EXPECT_THAT(causes, testing::UnorderedElementsAreArray(told)) << findings.str();
+  EXPECT_THAT(causes, testing::UnorderedElementsAreArray(record)) << findings.str();
   for (const PairNames& known : known_faults)
     EXPECT_TRUE(all.contains(known)) << known.first << " and " << known.second << " never met";
 }

@@ -145,9 +145,9 @@ TEST(MujocoAdapter, CylindersAndEllipsoidsAreHulls) {
 TEST(MujocoAdapter, KnownFaultABallOnAHeightFieldIsTooDeep) {
   struct Place {
     double x, y;
-    std::vector<std::string> told;
+    std::vector<std::string> reported;
   };
-  for (const auto& [x, y, told] :
+  for (const auto& [x, y, reported] :
        {Place{0.5, 0.5, {"separation"}}, Place{-0.4, 0.1, {"separation"}},
         Place{0.9, -0.7, {"separation"}}}) {
     const TemporaryFolder folder;
@@ -173,7 +173,7 @@ TEST(MujocoAdapter, KnownFaultABallOnAHeightFieldIsTooDeep) {
     mj_deleteModel(model);
     const trace::Trace trace = app::load_trace(folder / "run.jsonl");
     EXPECT_EQ(shape_of(trace, "hills").faces.size(), 24u);
-    expect_right(trace, {.surface = 1e-4, .along = 3e-3}, {}, told);
+    expect_right(trace, {.surface = 1e-4, .along = 3e-3}, {}, reported);
   }
 }
 

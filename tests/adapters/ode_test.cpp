@@ -322,7 +322,7 @@ TEST(OdeAdapter, GeomsOfOneBodyAreItsParts) {
 
 /// ODE does not expose the heights of its fields: without form() they are omitted, with a message.
 TEST(OdeAdapter, HeightFieldsNeedTheirForm) {
-  for (const bool is_told : {false, true}) {
+  for (const bool is_named : {false, true}) {
     OdeScene scene;
     testing::internal::CaptureStderr();
     const std::vector<double> heights = {0, 0.1, 0, 0.2, 0, 0.1, 0, 0.1, 0};
@@ -333,7 +333,7 @@ TEST(OdeAdapter, HeightFieldsNeedTheirForm) {
     dGeomSetQuaternion(field, upright);
     scene.still("hills", field, {0, 0, 0});
     scene.moving("ball", dCreateSphere(scene.space, 0.3), 1, {0.3, 0.2, 0.4});
-    if (is_told) {
+    if (is_named) {
       std::vector<double> vertices;
       for (int z = 0; z < 3; ++z)
         for (int x = 0; x < 3; ++x)
@@ -350,9 +350,9 @@ TEST(OdeAdapter, HeightFieldsNeedTheirForm) {
     scene.step(60);
     const trace::Trace trace = scene.trace();
     dGeomHeightfieldDataDestroy(data);
-    const std::string told = testing::internal::GetCapturedStderr();
-    EXPECT_EQ(told.find("height field") != std::string::npos, !is_told) << told;
-    if (is_told)
+    const std::string record = testing::internal::GetCapturedStderr();
+    EXPECT_EQ(record.find("height field") != std::string::npos, !is_named) << record;
+    if (is_named)
       expect_right(trace, kExact);
     else
       EXPECT_TRUE(judge(trace).empty());

@@ -29,9 +29,9 @@ TEST_P(ForeignFile, IsNamedByItsFormatWithWhatIsRead) {
   for (const char* verb : {"trace", "check", "render", "lint"}) {
     const ProgramRun result = run(std::string(verb) + " '" + file + "' --quiet");
     EXPECT_EQ(result.exit_code, 2) << verb;
-    const std::string told = result.out + result.err;
-    EXPECT_THAT(told, HasSubstr(file + ":1:1: this is " + GetParam().is_said)) << verb;
-    EXPECT_THAT(told, HasSubstr(".toml")) << verb;
+    const std::string record = result.out + result.err;
+    EXPECT_THAT(record, HasSubstr(file + ":1:1: this is " + GetParam().is_said)) << verb;
+    EXPECT_THAT(record, HasSubstr(".toml")) << verb;
   }
 }
 

@@ -17,10 +17,10 @@ using testing::Not;
 const std::string kFigure = "render hull/face_contact --frames 12 ";
 
 TEST(FigureOptions, MistakesNameTheOptionAndTheRemedy) {
-  const auto fails = [](const std::string& arguments, const std::string& told) {
+  const auto fails = [](const std::string& arguments, const std::string& record) {
     const ProgramRun result = run(kFigure + arguments);
     EXPECT_EQ(result.exit_code, 2) << arguments;
-    EXPECT_THAT(result.err, HasSubstr(told)) << arguments;
+    EXPECT_THAT(result.err, HasSubstr(record)) << arguments;
   };
   fails("--width 84", "--width '84' is no length; write a number and mm, cm, in, pt or px");
   fails("--width 84mm --size 640x360", "--width and --size say the same");

@@ -73,11 +73,11 @@ TEST_F(Formats, SeveralAtOnceAreListed) {
   EXPECT_THAT(files(), ElementsAre("group/idea/frame_0000.png", "group/idea/frame_0000.svg",
                                    "group/idea/frame_0001.png", "group/idea/frame_0001.svg",
                                    "group/idea/sequence.apng", "group/idea/sequence.webp"));
-  std::set<std::string> told;
+  std::set<std::string> record;
   const nlohmann::json json = nlohmann::json::parse(result.out);
   for (const std::string path : json.at("group/idea"))
-    told.insert(path.substr((folder_ / "out/").size()));
-  EXPECT_EQ(told, files());
+    record.insert(path.substr((folder_ / "out/").size()));
+  EXPECT_EQ(record, files());
   EXPECT_THAT(result.err, HasSubstr("2 pictures, 6 files"));
   EXPECT_THAT(text("group/idea/sequence.webp"), AllOf(StartsWith("RIFF"), HasSubstr("ANIM")));
   // Its first picture is the PNG of the first frame.
@@ -126,10 +126,10 @@ TEST_F(Formats, AFilmIsPipedToFfmpeg) {
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(files(), ElementsAre("group/idea/sequence.mp4"));
   EXPECT_EQ(std::stoi(text("group/idea/sequence.mp4")), 2 * 162 * 92 * 3);
-  const std::string told = read_text(folder_ / "arguments");
+  const std::string record = read_text(folder_ / "arguments");
   for (const char* words : {"-video_size\n162x92\n", "-framerate\n20.", "-pix_fmt\nyuv420p\n",
                             "-movflags\n+faststart\n", "-crf\n18\n", "-pixel_format\nrgb24\n"})
-    EXPECT_THAT(told, HasSubstr(words));
+    EXPECT_THAT(record, HasSubstr(words));
 }
 
 TEST_F(Formats, AFilmThatFailsLeavesNothing) {
@@ -175,7 +175,7 @@ TEST_F(Formats, ASheetHasAllScenariosOfAGroup) {
 }
 
 TEST_F(Formats, WhatDoesNotGoTogetherIsRefused) {
-  for (const auto& [options, told] :
+  for (const auto& [options, record] :
        {std::pair{"--strip 0", "2 to 64"},
         {"--strip 4 --format apng", "--strip is one picture, and --format apng"},
         {"--sheet --format mp4,png", "--sheet is one picture"},
@@ -184,7 +184,7 @@ TEST_F(Formats, WhatDoesNotGoTogetherIsRefused) {
         {"--strip 2 --columns 0", "1 to 64"}}) {
     const ProgramRun result = render(options, fake_ffmpeg(""));
     EXPECT_EQ(result.exit_code, 2) << options;
-    EXPECT_THAT(result.err, HasSubstr(told)) << options;
+    EXPECT_THAT(result.err, HasSubstr(record)) << options;
   }
   EXPECT_THAT(files(), IsEmpty());
 }

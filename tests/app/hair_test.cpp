@@ -22,7 +22,7 @@ std::string on_a_slab(const std::string& slab, const std::string& crate,
 }
 
 /// The sentence of `check` about a scenario that was stored and then changed.
-std::string told(const std::string& stored, const std::string& now) {
+std::string record(const std::string& stored, const std::string& now) {
   const TemporaryFolder folder;
   const auto check = [&](const std::string& scenario, const std::string& arguments) {
     folder.write("scenarios/group/idea.toml", scenario);
@@ -47,7 +47,7 @@ std::string tilted(const std::string& degrees, const std::string& preference) {
 
 TEST(AHair, TurnsTheAxis) {
   EXPECT_THAT(
-      told(tilted("0.003", "none"), tilted("-0.003", "none")),
+      record(tilted("0.003", "none"), tilted("-0.003", "none")),
       AllOf(HasSubstr("group/idea frame 0, crate: turned by 0.006 degrees; so for slab-crate the "
                       "separating axis test now prefers face b: -6.0231 mm against -6.0262 mm "
                       "of face a, a tie of 3.11 um"),
@@ -56,7 +56,7 @@ TEST(AHair, TurnsTheAxis) {
 }
 
 TEST(AHair, WithAPreferenceTurnsNothing) {
-  EXPECT_THAT(told(tilted("0.003", "relative"), tilted("-0.003", "relative")),
+  EXPECT_THAT(record(tilted("0.003", "relative"), tilted("-0.003", "relative")),
               AllOf(HasSubstr("crate: turned by 0.006 degrees; so 3 axis queries"),
                     testing::Not(HasSubstr("now prefers"))));
 }
@@ -69,7 +69,7 @@ TEST(AHair, TurnsTheIncidentFace) {
                          degrees + " }",
                      "relative");
   };
-  EXPECT_THAT(told(on_edge("45.003"), on_edge("44.997")),
+  EXPECT_THAT(record(on_edge("45.003"), on_edge("44.997")),
               ContainsRegex("so for slab-crate the incident face is now face [0-9] instead of face "
                             "[0-9], with 7.4e-05 of a cosine to spare; with it "));
 }
@@ -83,7 +83,7 @@ TEST(AHair, TurnsThePointsThatAreKept) {
                      "relative");
   };
   EXPECT_THAT(
-      told(turned("45.003"), turned("44.997")),
+      record(turned("45.003"), turned("44.997")),
       ContainsRegex("the reduction now keeps points [0-9 ]+ instead of [0-9 ]+, with [0-9]+ "
                     "mm.2 to spare; with it 4 points"));
 }
@@ -95,7 +95,7 @@ TEST(AHair, MakesThemTouch) {
                      "relative");
   };
   EXPECT_THAT(
-      told(above("0.30001"), above("0.29999")),
+      record(above("0.30001"), above("0.29999")),
       HasSubstr("for slab-crate the shapes are now touching instead of separated, with 10 um "
                 "to spare"));
 }

@@ -99,18 +99,19 @@ TEST(LintVerb, ATornFileIsReadUpToItsLastWholeLine) {
 TEST(LintVerb, SlowNothingIsSaidOfScenariosButOfThoseThatShowAFault) {
   const ProgramRun result = run("lint --json scenarios");
   const auto json = nlohmann::json::parse(result.out);
-  std::vector<std::string> told;
+  std::vector<std::string> record;
   for (const auto& file : json["files"])
-    if (!file["findings"].empty()) told.push_back(file["file"]);
+    if (!file["findings"].empty()) record.push_back(file["file"]);
   EXPECT_GT(json["files"].size(), 100u);
-  EXPECT_THAT(told, testing::UnorderedElementsAre(
-                        "scenarios/field/plate_that_vanishes.toml",  // a field without exact cells
-                        "scenarios/field/sampling_misses.toml",      // sampled too coarsely
-                        "scenarios/incremental/margin.toml",         // a core too thin
-                        "scenarios/incremental/rotating_out.toml",   // one point a frame
-                        "scenarios/incremental/sliding.toml",        // points that slide away
-                        "scenarios/mesh/sliding_over_edges.toml",    // internal edges
-                        "scenarios/pipeline/whole.toml"));  // the second point of a steep capsule
+  EXPECT_THAT(record,
+              testing::UnorderedElementsAre(
+                  "scenarios/field/plate_that_vanishes.toml",  // a field without exact cells
+                  "scenarios/field/sampling_misses.toml",      // sampled too coarsely
+                  "scenarios/incremental/margin.toml",         // a core too thin
+                  "scenarios/incremental/rotating_out.toml",   // one point a frame
+                  "scenarios/incremental/sliding.toml",        // points that slide away
+                  "scenarios/mesh/sliding_over_edges.toml",    // internal edges
+                  "scenarios/pipeline/whole.toml"));  // the second point of a steep capsule
 }
 
 }  // namespace

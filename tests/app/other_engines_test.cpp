@@ -153,7 +153,7 @@ TEST(OtherEngines, SlipsAreNamedWithTheirRemedy) {
       "\"type\":\"box\",\"faces\":[[0,4,6,2],[1,3,7,5],[0,1,5,4],[2,6,7,3],[0,2,3,1],[4,5,7,6]],"
       "\"vertices\"";
   struct Slip {
-    std::string from, to, told;
+    std::string from, to, record;
   };
   EXPECT_EQ(
       run("doctor '" + folder.write("good.jsonl", replaced(sample, cube, faces)) + "'").exit_code,
@@ -174,8 +174,8 @@ TEST(OtherEngines, SlipsAreNamedWithTheirRemedy) {
         Slip{"\"engine\":\"mine\"", "\"frames\":0,\"engine\":\"mine\"", ""}}) {
     const std::string file = folder.write("bad.jsonl", replaced(sample, slip.from, slip.to));
     const ProgramRun result = run("doctor '" + file + "'");
-    EXPECT_EQ(result.exit_code, slip.told.empty() ? 0 : 2) << slip.to;
-    EXPECT_THAT(result.err, HasSubstr(slip.told));
+    EXPECT_EQ(result.exit_code, slip.record.empty() ? 0 : 2) << slip.to;
+    EXPECT_THAT(result.err, HasSubstr(slip.record));
   }
   const std::string seven =
       replaced(sample, "\"engine\":\"mine\"", "\"frames\":7,\"engine\":\"mine\"");

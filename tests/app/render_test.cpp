@@ -135,7 +135,7 @@ TEST(Render, TraceThatDoesNotFitTogetherIsNamedByLine) {
   const std::string scenario = folder.write("group/idea.toml", small_scenario());
   const std::string good = run("trace '" + scenario + "'").out;
   struct Slip {
-    const char *from, *to, *told;
+    const char *from, *to, *record;
   };
   for (const Slip& slip :
        {Slip{"\"a\":\"slab\"", "\"a\":\"slap\"",
@@ -152,7 +152,7 @@ TEST(Render, TraceThatDoesNotFitTogetherIsNamedByLine) {
         folder.write("bad.jsonl", bad.replace(at, std::string(slip.from).size(), slip.to));
     const ProgramRun result = run("render '" + file + "' --out '" + (folder / "out") + "'");
     EXPECT_EQ(result.exit_code, 2);
-    EXPECT_THAT(result.err, HasSubstr(slip.told));
+    EXPECT_THAT(result.err, HasSubstr(slip.record));
     EXPECT_EQ(run("doctor '" + file + "'").exit_code, 2);
   }
   EXPECT_THAT(files_below(folder / "out"), IsEmpty());

@@ -106,10 +106,10 @@ TEST_F(ReportPage, LeadsByTheCauseWithContentsAndEveryWayToCompare) {
   EXPECT_EQ(page["contents"], page["articles"]);
   EXPECT_THAT(page["contents"].dump(),
               AllOf(HasSubstr("group/one/trace"), HasSubstr("group/one/frame_0001")));
-  for (const char* way : {"side by side", "slider", "onion skin", "blink"}) {
-    ASSERT_TRUE(page["ways"].contains(way)) << page["ways"];
-    EXPECT_EQ(page["ways"][way]["images"], 2) << way;
-    EXPECT_EQ(page["ways"][way]["loaded"], true) << way;
+  for (const char* offset : {"side by side", "slider", "onion skin", "blink"}) {
+    ASSERT_TRUE(page["ways"].contains(offset)) << page["ways"];
+    EXPECT_EQ(page["ways"][offset]["images"], 2) << offset;
+    EXPECT_EQ(page["ways"][offset]["loaded"], true) << offset;
   }
   EXPECT_EQ(page["ways"]["slider"]["range"], true);
   EXPECT_EQ(page["ways"]["difference"]["images"], 1);

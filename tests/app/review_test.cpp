@@ -122,10 +122,10 @@ TEST_F(ReviewTest, AnUnmetExpectationIsMendedWhoeverIsTold) {
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_THAT(result.out,
               testing::ContainsRegex("::error file=[^,]*group/idea\\.toml,line=[0-9]+,"));
-  for (const std::string& told : {result.out + result.err, read_text(junit), read_text(summary),
-                                  read_text(folder_ / "out/check/report.html")}) {
-    EXPECT_THAT(told, HasSubstr("mend the expectation in its scenario"));
-    EXPECT_THAT(told, Not(HasSubstr("--accept group")));
+  for (const std::string& record : {result.out + result.err, read_text(junit), read_text(summary),
+                                    read_text(folder_ / "out/check/report.html")}) {
+    EXPECT_THAT(record, HasSubstr("mend the expectation in its scenario"));
+    EXPECT_THAT(record, Not(HasSubstr("--accept group")));
   }
 }
 
@@ -136,9 +136,9 @@ TEST_F(ReviewTest, AnUnreadableScenarioIsInEveryReport) {
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_THAT(result.out, testing::ContainsRegex("::error file=[^,]*group/bad\\.toml,line=2,"));
   EXPECT_THAT(read_text(junit), testing::ContainsRegex("<testcase [^>]*name=\"bad\""));
-  for (const std::string& told : {result.out + result.err, read_text(junit), read_text(summary),
-                                  read_text(folder_ / "out/check/report.html")})
-    EXPECT_THAT(told, HasSubstr("unknown key 'titel'"));
+  for (const std::string& record : {result.out + result.err, read_text(junit), read_text(summary),
+                                    read_text(folder_ / "out/check/report.html")})
+    EXPECT_THAT(record, HasSubstr("unknown key 'titel'"));
 }
 
 TEST_F(ReviewTest, WithoutATerminalItSaysWhatElseThereIs) {
@@ -183,16 +183,17 @@ TEST_F(ReviewTest, AFileOfDecisionsIsDone) {
 }
 
 TEST_F(ReviewTest, AFileThatDecidesNothingIsRefused) {
-  const auto told = [&](const std::string& text) {
+  const auto record = [&](const std::string& text) {
     const std::string file = folder_.write("decisions.json", text);
     const ProgramRun result = run("review --from '" + file + "' " + out(), "CI=");
     EXPECT_EQ(result.exit_code, 2);
     return result.err;
   };
-  EXPECT_THAT(told("{"), HasSubstr("as report.html saves it"));
-  EXPECT_THAT(told(R"({"take": []})"), HasSubstr("'take' is no decision"));
-  EXPECT_THAT(told(R"({"accept": ["group/idee"]})"), HasSubstr("names nothing in the last report"));
-  EXPECT_THAT(told(R"({"accept": ["group/idea"], "reject": ["group/idea/trace"]})"),
+  EXPECT_THAT(record("{"), HasSubstr("as report.html saves it"));
+  EXPECT_THAT(record(R"({"take": []})"), HasSubstr("'take' is no decision"));
+  EXPECT_THAT(record(R"({"accept": ["group/idee"]})"),
+              HasSubstr("names nothing in the last report"));
+  EXPECT_THAT(record(R"({"accept": ["group/idea"], "reject": ["group/idea/trace"]})"),
               HasSubstr("group/idea/trace is both accepted and rejected"));
   EXPECT_THAT(run("review --from nowhere.json " + out(), "CI=").err, HasSubstr("no such file"));
   EXPECT_THAT(run("review --from x.json " + out(), "CI=true").err, HasSubstr("unset CI"));

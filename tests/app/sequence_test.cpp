@@ -96,9 +96,9 @@ TEST(Sequence, ImpulsesAreNewtonSecondsOnBHoweverTheyAreTold) {
   const std::string shapes = "\"shapes\"";
   text.insert(text.find(shapes), "\"impulses\":{\"unit\":\"N\",\"on\":\"a\",\"step\":0.01},");
   const Sequence sequence = read_sequence(folder.write("run.jsonl", text), Hold::Whole);
-  const trace::Impulse told =
+  const trace::Impulse record =
       sequence.frames.at(0).pairs.at(0).manifolds.at(0).points.at(0).impulse.value();
-  EXPECT_EQ(told, (trace::Impulse{2, {-0.1, 0, 0.2}, 0.5}));
+  EXPECT_EQ(record, (trace::Impulse{2, {-0.1, 0, 0.2}, 0.5}));
   EXPECT_FALSE(sequence.header.impulses);  // a rewritten trace repeats no unit
 }
 

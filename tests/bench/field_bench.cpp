@@ -138,15 +138,15 @@ void judge_bounds(const Mesh<double>& mesh, const FieldSettings& settings, long 
   const Aabb<double> box = mesh.tree.bounds();
   test::FieldJudge judge(mesh);
   test::Random random(2);
-  long asked = 0, wrong = 0, in_band = 0;
+  long requested = 0, wrong = 0, in_band = 0;
   double width = 0;
   const auto start = Clock::now();
-  while (asked < queries) {
+  while (requested < queries) {
     const Vec3d middle = box.center() + 0.6 * box.extent().cwiseProduct(random.vector(-1, 1));
     const Vec3d corner = field.in_lattice(middle).array().floor();
     const Vec3d first = field.origin + field.cell * corner;
     judge.look_at(first + Vec3d::Constant(0.5 * field.cell), field.cell);
-    for (long k = 0; k < kInCell && asked < queries; ++k, ++asked) {
+    for (long k = 0; k < kInCell && requested < queries; ++k, ++requested) {
       const Vec3d point = first + field.cell * random.vector(0, 1);
       const FieldBounds bounds = field.bounds(point);
       const double truth = judge.distance(point);
@@ -163,7 +163,7 @@ void judge_bounds(const Mesh<double>& mesh, const FieldSettings& settings, long 
   const double time = nanoseconds(points, [&](const Vec3d& p) { return field.bounds(p).lower; });
   std::printf(
       "bounds, %s: %ld of %ld wrong, %.2f cells wide in the band, %.1f ns; judged in %.0f s\n",
-      name_of(settings), wrong, asked, width / static_cast<double>(in_band), time, seconds);
+      name_of(settings), wrong, requested, width / static_cast<double>(in_band), time, seconds);
 }
 
 }  // namespace

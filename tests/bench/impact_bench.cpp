@@ -62,7 +62,7 @@ void bench_hulls(const char* title, const ImpactMotion& motion, int queries, int
 void bench_swept(int queries, int repetitions) {
   test::Random random(8);
   struct Query {
-    Vec3f start, way;
+    Vec3f start, offset;
     float radius;
     std::array<Vec3f, 3> triangle;
   };
@@ -77,7 +77,7 @@ void bench_swept(int queries, int repetitions) {
       const Vec3d aim = random.vector(-1, 1);
       query.radius = static_cast<float>(radius);
       query.start = (origin + start).cast<float>();
-      query.way = (1.5 * (aim - start)).cast<float>();
+      query.offset = (1.5 * (aim - start)).cast<float>();
       cases.push_back(query);
     }
     std::printf("\nswept against a triangle, %g m from the origin, float\n", away);
@@ -89,15 +89,15 @@ void bench_swept(int queries, int repetitions) {
       std::printf("\n");
     };
     bench("sphere", [](const Query& query) {
-      return sweep_sphere_triangle(query.start, query.way, query.radius, query.triangle).time;
+      return sweep_sphere_triangle(query.start, query.offset, query.radius, query.triangle).time;
     });
     bench("capsule", [](const Query& query) {
       const std::array<Vec3f, 2> ends = {query.start, query.start + Vec3f(0.3F, 0.2F, 0.1F)};
-      return sweep_capsule_triangle(ends, query.way, query.radius, query.triangle).time;
+      return sweep_capsule_triangle(ends, query.offset, query.radius, query.triangle).time;
     });
     bench("box", [](const Query& query) {
       const Obb<float> box{query.start, Mat3<float>::Identity(), Vec3f::Constant(query.radius)};
-      return sweep_box_triangle(box, query.way, query.triangle).time;
+      return sweep_box_triangle(box, query.offset, query.triangle).time;
     });
   }
 }

@@ -86,7 +86,7 @@ int main(int argc, char** argv) {
           state.ResumeTiming();
           if (update_tree(mesh, MeshQueryCost::update_after(verdict, how), cost)) {
             ++rebuilt;
-            queries.begin_anew();
+            queries.restart();
           }
           verdict = queries.judge(mesh_overlap(mesh, one.b, one.b_in_a).counts);
           state.counters["rebuilt"] = static_cast<double>(rebuilt) / frame;
@@ -99,9 +99,9 @@ int main(int argc, char** argv) {
       add(name + (coherent ? "/coherent" : "/from_roots"),
           [&meshes, from, step, coherent, front = MeshFront(), frame = 0,
            nodes = 0.0](benchmark::State& state) mutable {
-            const float way = step * static_cast<float>(std::abs(frame++ % 64 - 32));
+            const float offset = step * static_cast<float>(std::abs(frame++ % 64 - 32));
             Pose<float> pose = meshes.b_in_a;
-            pose.position = from + way * Vec3f(0.6F, 0.8F, 0);
+            pose.position = from + offset * Vec3f(0.6F, 0.8F, 0);
             const MeshOverlap<float> overlap =
                 mesh_overlap(meshes.a, meshes.b, pose, nullptr, coherent ? &front : nullptr);
             nodes += static_cast<double>(overlap.counts.node_pairs);

@@ -19,7 +19,7 @@ using bench::BoxPair;
 constexpr int kPairs = 1000000;
 constexpr int kPasses = 11;
 
-struct Contender {
+struct EngineRun {
   std::string name;
   bench::OverlapPass pass;  // results of all pairs
   std::vector<double> times{};
@@ -36,21 +36,21 @@ bench::OverlapPass ours(const ObbTest<float>& test) {
 
 int main() {
   const std::vector<BoxPair> pairs = bench::overlap_pairs(kPairs);
-  std::vector<Contender> contenders = {{"guarded", ours({})},
-                                       {"fifteen, none skipped", ours({ObbAxes::Fifteen, 0})},
-                                       {"fifteen, 1e-6 skipped", ours({ObbAxes::Fifteen, 1e-6F})},
-                                       {"fifteen, 1e-3 skipped", ours({ObbAxes::Fifteen, 1e-3F})},
-                                       {"faces", ours({ObbAxes::Faces, 0})}};
-  for (auto& [name, pass] : bench::peer_passes(pairs)) contenders.push_back({name, pass});
+  std::vector<EngineRun> engine_runs = {{"guarded", ours({})},
+                                        {"fifteen, none skipped", ours({ObbAxes::Fifteen, 0})},
+                                        {"fifteen, 1e-6 skipped", ours({ObbAxes::Fifteen, 1e-6F})},
+                                        {"fifteen, 1e-3 skipped", ours({ObbAxes::Fifteen, 1e-3F})},
+                                        {"faces", ours({ObbAxes::Faces, 0})}};
+  for (auto& [name, pass] : bench::peer_passes(pairs)) engine_runs.push_back({name, pass});
 
   std::vector<char> answers(pairs.size());
   for (int pass = 0; pass < kPasses; ++pass) {
-    for (Contender& contender : contenders) {
+    for (EngineRun& engine_run : engine_runs) {
       const auto begin = std::chrono::steady_clock::now();
-      contender.pass(pairs, answers);
+      engine_run.pass(pairs, answers);
       const std::chrono::duration<double, std::nano> time =
           std::chrono::steady_clock::now() - begin;
-      contender.times.push_back(time.count() / kPairs);
+      engine_run.times.push_back(time.count() / kPairs);
     }
   }
 
@@ -58,8 +58,8 @@ int main() {
   for (const BoxPair& pair : pairs) overlapping += pair.gap <= 0 ? 1 : 0;
   std::printf("%d pairs, %d overlap\n%-24s%10s%10s%10s%16s%10s\n", kPairs, overlapping, "", "ns",
               "median", "missed", "by up to, m", "phantom");
-  for (Contender& contender : contenders) {
-    contender.pass(pairs, answers);
+  for (EngineRun& engine_run : engine_runs) {
+    engine_run.pass(pairs, answers);
     int missed = 0, phantom = 0;
     double deepest = 0;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
@@ -69,9 +69,9 @@ int main() {
       }
       phantom += pairs[i].gap > pairs[i].rounding && answers[i] != 0 ? 1 : 0;
     }
-    std::sort(contender.times.begin(), contender.times.end());
-    std::printf("%-24s%10.1f%10.1f%10d%16.2g%10d\n", contender.name.c_str(),
-                contender.times.front(), contender.times[kPasses / 2], missed, deepest, phantom);
+    std::sort(engine_run.times.begin(), engine_run.times.end());
+    std::printf("%-24s%10.1f%10.1f%10d%16.2g%10d\n", engine_run.name.c_str(),
+                engine_run.times.front(), engine_run.times[kPasses / 2], missed, deepest, phantom);
   }
   return 0;
 }

@@ -20,8 +20,8 @@ std::vector<BoxPair> overlap_pairs(int count) {
     const Quatd turn = random.rotation();
     const Quatd other = i % 10 == 0 ? Quatd(turn * random.rotation_by(1e-7)) : random.rotation();
     const Vec3d at = 5 * random.unit_vector();
-    const Vec3d way = random.uniform(0, 2.2) * random.unit_vector();
-    BoxPair pair{box(at, turn), box(at + way, other), 0, 0};
+    const Vec3d offset = random.uniform(0, 2.2) * random.unit_vector();
+    BoxPair pair{box(at, turn), box(at + offset, other), 0, 0};
     pair.gap = test::exact_gap(pair.a, pair.b);
     pair.rounding =
         32 * double(std::numeric_limits<float>::epsilon()) * test::size_of_pair(pair.a, pair.b);

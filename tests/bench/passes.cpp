@@ -130,11 +130,11 @@ double pass_general(int workload) {
   Memory& memory = memories[workload];
   memory.general = true;
   const CollideOptions settings = options();
-  Recorder<float>* const nobody = nullptr;
+  Recorder<float>* const no_record = nullptr;
   Contact<float> contact;
   Manifold<float> manifold;
   const auto finished = [&](const Step& step) {
-    finish_contact(ToWorld<float>(step.a), settings, contact, manifold, nobody);
+    finish_contact(ToWorld<float>(step.a), settings, contact, manifold, no_record);
     return digest(manifold);
   };
   switch (static_cast<Workload>(workload)) {
@@ -149,7 +149,7 @@ double pass_general(int workload) {
                                                       settings.preference, faces_a, faces_b);
                     contact.points.clear();
                     if (axes.status == SatStatus::Touching)
-                      create_contact(pair, axes, settings, contact, nobody);
+                      create_contact(pair, axes, settings, contact, no_record);
                     return finished(step);
                   });
     case Workload::CapsuleCapsule:
@@ -158,7 +158,7 @@ double pass_general(int workload) {
             contact.points.clear();
             collide_capsule_capsule(std::get<Capsule<float>>(*pair.a),
                                     std::get<Capsule<float>>(*pair.b),
-                                    relative_pose(step.a, step.b), settings, contact, nobody);
+                                    relative_pose(step.a, step.b), settings, contact, no_record);
             return finished(step);
           });
     default:

@@ -27,9 +27,9 @@ struct Prepared {
 };
 
 /// A library with the objects that it made for each workload.
-class Contender {
+class EngineRun {
  public:
-  explicit Contender(std::unique_ptr<Peer> peer) : peer_(std::move(peer)) {}
+  explicit EngineRun(std::unique_ptr<Peer> peer) : peer_(std::move(peer)) {}
 
   const char* name() const { return peer_->name(); }
 
@@ -80,9 +80,9 @@ class Contender {
 std::vector<Variant> peer_variants() {
   std::vector<Variant> result;
   for (std::unique_ptr<Peer>& peer : peers::make_peers()) {
-    const auto contender = std::make_shared<Contender>(std::move(peer));
-    result.push_back({contender->name(), [contender](int w) { return contender->pass(w); },
-                      [contender](int w) { return contender->runs(w); }});
+    const auto engine_run = std::make_shared<EngineRun>(std::move(peer));
+    result.push_back({engine_run->name(), [engine_run](int w) { return engine_run->pass(w); },
+                      [engine_run](int w) { return engine_run->runs(w); }});
   }
   return result;
 }

@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "app/progress.h"
-#include "app/studio.h"
+#include "app/renderer.h"
 #include "core/at.h"
 #include "draw/staging.h"
 #include "gl/context.h"
@@ -133,11 +133,11 @@ BENCHMARK(pdf)->Unit(benchmark::kMillisecond);
 
 Image picture() {
   Image result;
-  app::Ledger ledger;
-  app::Studio studio(gl::Backend::Auto, ledger);
+  app::RunLog log;
+  app::Renderer renderer(gl::Backend::Auto, log);
   app::Sequence sequence{prepared().header, prepared().frames};
-  studio.render(prepared().staging, sequence, {sequence.frames.back().frame},
-                [&](const trace::Frame&, Image image) { result = std::move(image); });
+  renderer.render(prepared().staging, sequence, {sequence.frames.back().frame},
+                  [&](const trace::Frame&, Image image) { result = std::move(image); });
   return result;
 }
 
@@ -152,17 +152,17 @@ void pictures_a_second(benchmark::State& state) {
   const std::filesystem::path folder =
       std::filesystem::temp_directory_path() / "contactscope_render_bench";
   std::filesystem::create_directories(folder);
-  app::Ledger ledger;
-  app::Studio studio(gl::Backend::Auto, ledger);
+  app::RunLog log;
+  app::Renderer renderer(gl::Backend::Auto, log);
   app::Sequence sequence{prepared().header, prepared().frames};
   const std::vector<int> numbers = mapped(sequence.frames, &trace::Frame::frame);
   for (auto _ : state) {
     app::EncoderPool encoders(0);
-    studio.render(prepared().staging, sequence, numbers,
-                  [&](const trace::Frame& frame, Image image) {
-                    encoders.submit((folder / (std::to_string(frame.frame) + ".png")).string(),
-                                    std::move(image));
-                  });
+    renderer.render(prepared().staging, sequence, numbers,
+                    [&](const trace::Frame& frame, Image image) {
+                      encoders.submit((folder / (std::to_string(frame.frame) + ".png")).string(),
+                                      std::move(image));
+                    });
     encoders.finish();
   }
   state.counters["pictures"] = benchmark::Counter(

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "app/progress.h"
-#include "app/studio.h"
+#include "app/renderer.h"
 #include "draw/staging.h"
 
 namespace contactscope {
@@ -132,12 +132,12 @@ BENCHMARK(illustrate)->Apply(sizes);
 void picture(benchmark::State& state) {
   const Boxes boxes = boxes_of(state);
   const draw::Staging staging = staged(boxes);
-  app::Ledger ledger;
-  app::Studio studio(gl::Backend::Auto, ledger);
+  app::RunLog log;
+  app::Renderer renderer(gl::Backend::Auto, log);
   app::Sequence sequence{boxes.header, boxes.frames};
   const std::vector<int> last = {sequence.frames.back().frame};
   for (auto _ : state) {
-    studio.render(staging, sequence, last, [](const trace::Frame&, const Image& image) {
+    renderer.render(staging, sequence, last, [](const trace::Frame&, const Image& image) {
       benchmark::DoNotOptimize(image.rgb.data());
     });
   }

@@ -96,13 +96,13 @@ void live(BroadPhase& phase, Spread spread, int rounds, std::uint32_t seed) {
     ASSERT_EQ(changes.ended, ended);
     before = pairs;
 
-    const Aabb<float> asked = random.box();
+    const Aabb<float> requested = random.box();
     std::vector<int> inside;
     for (const int handle : alive) {
-      if (overlaps(phase.box(handle), asked)) inside.push_back(handle);
+      if (overlaps(phase.box(handle), requested)) inside.push_back(handle);
     }
     std::ranges::sort(inside);
-    ASSERT_EQ(phase.query(asked), inside);
+    ASSERT_EQ(phase.query(requested), inside);
   }
 }
 

@@ -104,9 +104,9 @@ inline FeaturePair<double> exact_feature_hit(Random& random, bool on_border, dou
   const Vec3d away = 1024 * integers(random.chance(0.5) ? 1000 : 0);
   const double unit = std::ldexp(1.0, random.index(27) - 23);
   for (std::size_t i = 0; i < 4; ++i) {
-    const Vec3d way = 8 * integers(random.chance(0.3) ? 1000 : 30);
-    pair.corners[i].start = unit * (map * (met[i] - time * way) + away);
-    pair.corners[i].end = unit * (map * (met[i] + (1 - time) * way) + away);
+    const Vec3d offset = 8 * integers(random.chance(0.3) ? 1000 : 30);
+    pair.corners[i].start = unit * (map * (met[i] - time * offset) + away);
+    pair.corners[i].end = unit * (map * (met[i] + (1 - time) * offset) + away);
   }
   return pair;
 }

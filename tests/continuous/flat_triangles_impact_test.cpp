@@ -52,8 +52,8 @@ MovingTriangle random_triangle(Random& random, bool flat) {
   MovingTriangle moving;
   moving.start = flat && random.chance(0.8) ? flat_corners(random, between) : any();
   if (random.chance(0.3)) {  // it moves without deforming
-    const Vec3d way = integers(random, 6);
-    for (std::size_t i = 0; i < 3; ++i) moving.end[i] = moving.start[i] + way;
+    const Vec3d offset = integers(random, 6);
+    for (std::size_t i = 0; i < 3; ++i) moving.end[i] = moving.start[i] + offset;
   } else {
     moving.end = flat && random.chance(0.8) ? flat_corners(random, between) : any();
   }

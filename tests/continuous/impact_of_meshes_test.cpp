@@ -21,7 +21,7 @@ struct Deforming {
 };
 
 /// A moving wavy sphere, crumpled by a fraction of its radius, or triangles scattered about a ball.
-Deforming random_deforming(Random& random, double size, const Vec3d& place, const Vec3d& way) {
+Deforming random_deforming(Random& random, double size, const Vec3d& place, const Vec3d& offset) {
   std::vector<Vec3d> vertices;
   std::vector<std::array<int, 3>> triangles;
   if (random.chance(0.5)) {
@@ -41,7 +41,7 @@ Deforming random_deforming(Random& random, double size, const Vec3d& place, cons
   result.start = build_mesh(vertices, triangles);
   const double crumpled = random.uniform(0, 0.4) * size;
   for (const Vec3d& vertex : result.start.vertices)
-    result.end.emplace_back(vertex + way + crumpled * random.vector(-1, 1));
+    result.end.emplace_back(vertex + offset + crumpled * random.vector(-1, 1));
   return result;
 }
 
@@ -97,9 +97,9 @@ void are_met_as_their_features_are() {
   for (int i = 0; i < 100; ++i) {
     const double size = random.decade(-4, 4);
     const Vec3d place = size * random.uniform(1.5, 4) * random.unit_vector();
-    const Vec3d way = random.uniform(0.3, 2) * (1.5 * size * random.vector(-1, 1) - place);
+    const Vec3d offset = random.uniform(0.3, 2) * (1.5 * size * random.vector(-1, 1) - place);
     const Deforming exact_a = random_deforming(random, size, Vec3d::Zero(), Vec3d::Zero());
-    const Deforming exact_b = random_deforming(random, size, place, way);
+    const Deforming exact_b = random_deforming(random, size, place, offset);
     const RoundedMesh<S> a(exact_a), b(exact_b);
     const MeshImpact found = impact_of_meshes(a.moving(), b.moving());
     if (found.impact.status == FeatureStatus::Overlapping) {

@@ -71,7 +71,7 @@ std::vector<Shape<double>> triangles_of(const Mesh<double>& mesh) {
 template <class S>
 void meshes_are_met_as_their_triangles_are() {
   Random random(21);
-  int hits = 0, apart = 0, few = 0;
+  int hits = 0, separation = 0, few = 0;
   for (int i = 0; i < 150; ++i) {
     const double size = random.decade(-2, 2);
     const Mesh<double> mesh = random_mesh(random, size);
@@ -101,7 +101,7 @@ void meshes_are_met_as_their_triangles_are() {
       EXPECT_EQ(other.result.normal, Vec3<S>(-found.result.normal));
       if (first > 1) {
         EXPECT_EQ(found.result.status, ImpactStatus::Separated) << i;
-        ++apart;
+        ++separation;
         continue;
       }
       ++hits;
@@ -113,7 +113,7 @@ void meshes_are_met_as_their_triangles_are() {
     }
   }
   EXPECT_GT(hits, 60);
-  EXPECT_GT(apart, 30);
+  EXPECT_GT(separation, 30);
   EXPECT_GT(few, hits / 4);
 }
 
@@ -143,18 +143,18 @@ TEST(ImpactOfShapes, SlowNothingTunnels) {
         const Shape<float>& bullet = i % 3 == 0 ? ball : i % 3 == 1 ? box : rod;
         const Shape<float>& wall = i % 2 == 0 ? plate : sheet;
         // It starts 0.4 m plus 10 to 90 % of its path before the wall, and passes near its middle.
-        const double way = speed * kStep;
-        const double before = 0.4 + random.uniform(0.1, 0.9) * way;
+        const double offset = speed * kStep;
+        const double before = 0.4 + random.uniform(0.1, 0.9) * offset;
         Sweep<double> flies, stands;
         flies.start = random.pose(0);
         flies.start.position = Vec3d(-before, 0, 0) + random.level(0.5, 0.2);
         flies.start.position.x() = -before;
-        flies.displacement = Vec3d(way + 1.0, 0, 0);
+        flies.displacement = Vec3d(offset + 1.0, 0, 0);
         const double spin = random.uniform(0, 3 * std::numbers::pi);
         flies.turn = spin * random.unit_vector();
         if (i % 5 == 0) {  // the wall moves towards it
-          stands.displacement = Vec3d(-0.5 * way, 0, 0);
-          flies.displacement.x() -= 0.5 * way;
+          stands.displacement = Vec3d(-0.5 * offset, 0, 0);
+          flies.displacement.x() -= 0.5 * offset;
         }
         const ShapeImpact<float> found =
             impact_of_shapes(bullet, flies.cast<float>(), wall, stands.cast<float>(), method);
@@ -171,7 +171,7 @@ TEST(ImpactOfShapes, SlowNothingTunnels) {
 /// Two meshes meet at the time of their first two triangles, each pair tested alone as flat hulls.
 TEST(ImpactOfShapes, SlowTwoMeshesMeetAsTheirTrianglesDo) {
   Random random(23);
-  int hits = 0, apart = 0, few = 0;
+  int hits = 0, separation = 0, few = 0;
   for (int i = 0; i < 60; ++i) {
     const double size = random.decade(-4, 4);
     const Mesh<double> a = random_mesh(random, size), b = random_mesh(random, size);
@@ -198,7 +198,7 @@ TEST(ImpactOfShapes, SlowTwoMeshesMeetAsTheirTrianglesDo) {
     EXPECT_NEAR(turned.result.time, found.result.time, 1e-4) << i;
     if (first > 1) {
       EXPECT_EQ(found.result.status, ImpactStatus::Separated) << i;
-      ++apart;
+      ++separation;
       continue;
     }
     ++hits;
@@ -207,7 +207,7 @@ TEST(ImpactOfShapes, SlowTwoMeshesMeetAsTheirTrianglesDo) {
     few += found.triangles < a.triangle_count() * b.triangle_count() / 4;
   }
   EXPECT_GT(hits, 25);
-  EXPECT_GT(apart, 5);
+  EXPECT_GT(separation, 5);
   EXPECT_GT(few, hits / 5);
 }
 

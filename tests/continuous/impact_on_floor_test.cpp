@@ -113,10 +113,10 @@ Fall random_fall(Random& random) {
   Pose<double> pose = compose(fall.of_floor.start, own);
   pose.rotation.normalize();
   fall.of_falling.start = rounded<S>(pose);
-  const Vec3d way(random.uniform(-1, 1) * fall.size,
-                  -random.uniform(1.5, 4) * (gap + 4 * fall.size),
-                  random.uniform(-1, 1) * fall.size);
-  fall.of_falling.displacement = rounded<S>(fall.of_floor.start.rotate(way));
+  const Vec3d offset(random.uniform(-1, 1) * fall.size,
+                     -random.uniform(1.5, 4) * (gap + 4 * fall.size),
+                     random.uniform(-1, 1) * fall.size);
+  fall.of_falling.displacement = rounded<S>(fall.of_floor.start.rotate(offset));
 
   const Eigen::Quaternion<Extended> rotation =
       fall.of_floor.start.rotation.cast<Extended>().normalized();

@@ -206,8 +206,8 @@ TEST(MovingFeatures, SlowMissesByAMarginAreNoHits) {
   }
 }
 
-MovingCorner<double> moves(const Vec3d& start, const Vec3d& way) {
-  return {start, start + way};
+MovingCorner<double> moves(const Vec3d& start, const Vec3d& offset) {
+  return {start, start + offset};
 }
 
 TEST(MovingFeatures, DegenerateOnesAreAnswered) {

@@ -65,8 +65,8 @@ TYPED_TEST(PolyhedraImpact, SlowLongWaysAndPureSpinsAreAsExhaustionSays) {
       // About A's place: B swings past A or into it.
       pair.motion_a.displacement = pair.motion_b.displacement = Vec3d(3, -2, 1);
       const Vec3d to_a = pair.motion_a.start.position - pair.motion_b.start.position;
-      const Vec3d beside = to_a + random.vector(-2, 2);
-      pair.motion_b.pivot = pair.motion_b.start.rotation.conjugate() * Vec3d(0.5 * beside);
+      const Vec3d next_to = to_a + random.vector(-2, 2);
+      pair.motion_b.pivot = pair.motion_b.start.rotation.conjugate() * Vec3d(0.5 * next_to);
       const double angle = random.uniform(1, 6);
       pair.motion_b.turn = angle * random.unit_vector();
     }
@@ -104,7 +104,7 @@ TYPED_TEST(PolyhedraImpact, SlowBarsThatSpinAsTheyComeAreNotLate) {
 /// sizes from A and moves by `way` sizes.
 template <class S>
 struct BoxPair {
-  BoxPair(Random& random, double size, double away, const Vec3d& offset, const Vec3d& way)
+  BoxPair(Random& random, double size, double away, const Vec3d& offset, const Vec3d& shift)
       : box(hull_cast<S>(make_box(Vec3d(size, size, size)))) {
     const Quatd frame = random.rotation();
     const Vec3d origin = away * random.unit_vector();
@@ -114,7 +114,7 @@ struct BoxPair {
     const Quatd rounded = a.motion.start.rotation.template cast<double>();
     a.motion.start.position = origin.cast<S>();
     b.motion.start.position = a.motion.start.position + (rounded * (size * offset)).cast<S>();
-    b.motion.displacement = (rounded * (size * way)).cast<S>();
+    b.motion.displacement = (rounded * (size * shift)).cast<S>();
   }
 
   Hull<S> box;
@@ -181,8 +181,8 @@ TYPED_TEST(PolyhedraImpact, TheStartIsToldApart) {
   Random random(27);
   for (int i = 0; i < 100; ++i) {
     const double size = random.decade(-4, 4);
-    const auto found = [&](double z, double way, double until = 1) {
-      BoxPair<S> pair(random, size, 0, {0.3, 0.2, z}, {0.1, 0, way});
+    const auto found = [&](double z, double shift, double until = 1) {
+      BoxPair<S> pair(random, size, 0, {0.3, 0.2, z}, {0.1, 0, shift});
       return time_of_impact(pair.a, pair.b, {.of_motion = S(1e-3), .until = static_cast<S>(until)});
     };
     EXPECT_EQ(found(1.99, 1).status, ImpactStatus::Overlapping);

@@ -20,7 +20,7 @@ using Point = Eigen::Matrix<Extended, 3, 1>;
 struct Flight {
   Hull<double> a, b;
   Pose<double> pose_a, pose_b;
-  Vec3d way;
+  Vec3d offset;
 };
 
 std::vector<Point> placed_vertices(const Hull<double>& hull, const Pose<double>& pose) {
@@ -36,7 +36,7 @@ std::vector<Point> placed_vertices(const Hull<double>& hull, const Pose<double>&
 TimeSpan<Extended> overlap_span(const Flight& of) {
   const std::vector<Point> a = placed_vertices(of.a, of.pose_a),
                            b = placed_vertices(of.b, of.pose_b);
-  const Point way = of.way.cast<Extended>();
+  const Point offset = of.offset.cast<Extended>();
   constexpr Extended kInfinity = std::numeric_limits<Extended>::infinity();
   TimeSpan<Extended> span{-kInfinity, kInfinity};
   const auto clip = [&](const Point& axis) {
@@ -50,7 +50,7 @@ TimeSpan<Extended> overlap_span(const Flight& of) {
       least_b = std::min(least_b, axis.dot(p));
       most_b = std::max(most_b, axis.dot(p));
     }
-    const Extended speed = axis.dot(way);
+    const Extended speed = axis.dot(offset);
     const Extended first = least_a - most_b, last = most_a - least_b;
     if (speed == 0) {
       if (first > 0 || last < 0) span = {1, 0};
@@ -87,7 +87,7 @@ Flight random_flight(Random& random, double size) {
   Flight of{hull(), hull(), random.pose(size), random.pose(size), Vec3d::Zero()};
   of.pose_b.position += 4 * size * random.unit_vector();
   const Vec3d aim = of.pose_a.position + size * random.vector(-1, 1);
-  of.way = random.uniform(1, 3) * (aim - of.pose_b.position);
+  of.offset = random.uniform(1, 3) * (aim - of.pose_b.position);
   return of;
 }
 
@@ -99,10 +99,10 @@ struct Cast {
         turning_a({support_set(a), still(of.pose_a), 0}),
         turning_b({support_set(b), still(of.pose_b), 0}),
         between((of.pose_b.position - of.pose_a.position).cast<S>()),
-        way(of.way.cast<S>()),
-        scale(turning_a.reach() + turning_b.reach() + between.norm() + way.norm()),
+        offset(of.offset.cast<S>()),
+        scale(turning_a.reach() + turning_b.reach() + between.norm() + offset.norm()),
         cast(turning_a, turning_b, scale) {
-    cast.place(0, between, way);
+    cast.place(0, between, offset);
   }
   static Sweep<S> still(const Pose<double>& pose) {
     Sweep<S> sweep;
@@ -112,7 +112,7 @@ struct Cast {
 
   Hull<S> a, b;
   Turning<S> turning_a, turning_b;
-  Vec3<S> between, way;
+  Vec3<S> between, offset;
   S scale;
   PortalCast<S> cast;
 };
@@ -138,7 +138,7 @@ TYPED_TEST(PortalCasts, SlowAgreeWithEveryAxis) {
     const CastStatus status = own.cast.cast({target, slack, S(1)});
     supports += own.cast.supports();
     // With an overlap of this duration, rounding and target cannot cause a miss.
-    const auto sure = static_cast<Extended>(S(8) * rounding / own.way.norm());
+    const auto sure = static_cast<Extended>(S(8) * rounding / own.offset.norm());
     const bool meets = exact.begin <= exact.end && exact.begin < 1;
     const auto safe = static_cast<Extended>(own.cast.safe_time());
     if (meets) {
@@ -148,7 +148,7 @@ TYPED_TEST(PortalCasts, SlowAgreeWithEveryAxis) {
       ++hits;
       // Target and slack are between the portal, which is inside, and the support plane.
       const Vec3<S> normal = own.cast.plane().normal;
-      const auto speed = static_cast<Extended>(normal.dot(own.way));
+      const auto speed = static_cast<Extended>(normal.dot(own.offset));
       ASSERT_GT(speed, 0);
       ASSERT_TRUE(exact.begin <= exact.end + sure) << i;
       EXPECT_LE(exact.begin - safe, static_cast<Extended>(target + slack + S(2) * rounding) / speed)
@@ -221,8 +221,8 @@ TYPED_TEST(PortalCasts, GoOnFromThePortalOfTheSearchBefore) {
     Cast<S> own(random_flight(random, 1));
     const CastLimits<S> limits{S(1e-3), S(1e-4), S(1)};
     if (own.cast.cast(limits) != CastStatus::Hit) continue;
-    const Vec3<S> way = own.way + S(0.01) * random.vector(-1, 1).template cast<S>();
-    own.cast.place(0, own.between, way);
+    const Vec3<S> offset = own.offset + S(0.01) * random.vector(-1, 1).template cast<S>();
+    own.cast.place(0, own.between, offset);
     const int before = own.cast.supports();
     const CastStatus again = own.cast.cast_again(limits);
     const int middle = own.cast.supports();
@@ -242,9 +242,9 @@ TYPED_TEST(PortalCasts, WithoutAWayOrWithMiddlesThatMeetNothingIsDecided) {
   const Hull<double> cube = make_box(Vec3d(1, 1, 1));
   Flight still{cube, cube, {}, {}, Vec3d::Zero()};
   still.pose_b.position = Vec3d(0, 0, 6);
-  Cast<S> without_way(still);
-  EXPECT_EQ(without_way.cast.cast({S(1e-4), S(1e-5), S(1)}), CastStatus::Undecided);
-  EXPECT_EQ(without_way.cast.safe_time(), S(0));
+  Cast<S> without_offset(still);
+  EXPECT_EQ(without_offset.cast.cast({S(1e-4), S(1e-5), S(1)}), CastStatus::Undecided);
+  EXPECT_EQ(without_offset.cast.safe_time(), S(0));
   Flight same{cube, cube, {}, {}, Vec3d(1, 0, 0)};
   Cast<S> inside(same);
   EXPECT_EQ(inside.cast.cast({S(1e-4), S(1e-5), S(1)}), CastStatus::Undecided);

@@ -37,7 +37,7 @@ struct SweptCase {
   double size;
   std::array<Vec3d, 3> triangle;
   Pose<double> start;
-  Vec3d way;
+  Vec3d offset;
   double radius;
 
   SweptCase(Random& random, double away) : size(away > 0 ? 1.0 : random.decade(-4, 4)) {
@@ -48,7 +48,7 @@ struct SweptCase {
     start = random.pose(0);
     start.position = place + 4 * size * random.unit_vector();
     const Vec3d aim = place + 1.5 * size * random.vector(-1, 1);
-    way = random.decade(-0.2, 1) * (aim - start.position);
+    offset = random.decade(-0.2, 1) * (aim - start.position);
     radius = random.chance(0.2) ? 1e-3 * size : random.uniform(0.05, 0.5) * size;
   }
   Features features() const {
@@ -58,7 +58,7 @@ struct SweptCase {
   }
   /// The shape's pose at a time, relative to the triangle's first corner.
   Pose<double> pose(Extended time) const {
-    return {start.rotation, start.position - triangle[0] + static_cast<double>(time) * way};
+    return {start.rotation, start.position - triangle[0] + static_cast<double>(time) * offset};
   }
 };
 
@@ -93,8 +93,8 @@ void capsules_are_as_marching_says(double away) {
       return test::features_of_segment(-half, half, of.pose(time));
     };
     const std::array<Vec3d, 2> ends = {of.start.transform(-half), of.start.transform(half)};
-    const SweptHit found = sweep_capsule_triangle<double>(ends, of.way, of.radius, of.triangle);
-    const Extended speed = of.way.norm(), radius = of.radius;
+    const SweptHit found = sweep_capsule_triangle<double>(ends, of.offset, of.radius, of.triangle);
+    const Extended speed = of.offset.norm(), radius = of.radius;
     tally.compare(found, marched(capsule, of.features(), speed, radius * (1 - 1e-6L)),
                   marched(capsule, of.features(), speed, radius * (1 + 1e-6L)), i);
   }
@@ -120,8 +120,8 @@ TEST(SweptBox, SlowIsAsMarchingSays) {
         return [&of, hull](Extended time) { return test::features_of(hull, of.pose(time)); };
       };
       const Obb<double> placed{of.start.position, of.start.rotation.toRotationMatrix(), half};
-      const SweptHit found = sweep_box_triangle<double>(placed, of.way, of.triangle);
-      const Extended speed = of.way.norm();
+      const SweptHit found = sweep_box_triangle<double>(placed, of.offset, of.triangle);
+      const Extended speed = of.offset.norm();
       tally.compare(found, marched(box(-grown), of.features(), speed, 0),
                     marched(box(grown), of.features(), speed, 0), i);
     }
@@ -133,18 +133,19 @@ TEST(SweptBox, SlowIsAsMarchingSays) {
 TEST(SweptCapsule, OverlapsAtTheStartWhicheverWayItGoesOn) {
   const std::array<Vec3d, 3> triangle = {Vec3d(0, 0, 0), Vec3d(4, 0, 0), Vec3d(0, 4, 0)};
   const std::array<Vec3d, 3> turned = {triangle[0], triangle[2], triangle[1]};
-  for (const Vec3d& way : {Vec3d(0, 0, 2), Vec3d(0, 0, -2), Vec3d(3, 0, 0), Vec3d(0, 0, 0)}) {
+  for (const Vec3d& offset : {Vec3d(0, 0, 2), Vec3d(0, 0, -2), Vec3d(3, 0, 0), Vec3d(0, 0, 0)}) {
     for (const double side : {-1.0, 1.0}) {
       const auto overlaps = [&](double radius, const std::array<Vec3d, 3>& corners) {
         const std::array<Vec3d, 2> ends = {Vec3d(1, 1, side * 0.3), Vec3d(1.1, 1, side * 0.6)};
-        const std::array<Vec3d, 2> other_way = {ends[1], ends[0]};
+        const std::array<Vec3d, 2> other_direction = {ends[1], ends[0]};
         const SweptStatus status =
-            sweep_capsule_triangle<double>(ends, way, radius, corners).status;
-        EXPECT_EQ(sweep_capsule_triangle<double>(other_way, way, radius, corners).status, status);
+            sweep_capsule_triangle<double>(ends, offset, radius, corners).status;
+        EXPECT_EQ(sweep_capsule_triangle<double>(other_direction, offset, radius, corners).status,
+                  status);
         return status == SweptStatus::Overlapping;
       };
-      EXPECT_TRUE(overlaps(0.301, triangle) && overlaps(0.301, turned)) << way.transpose();
-      EXPECT_FALSE(overlaps(0.299, triangle) || overlaps(0.299, turned)) << way.transpose();
+      EXPECT_TRUE(overlaps(0.301, triangle) && overlaps(0.301, turned)) << offset.transpose();
+      EXPECT_FALSE(overlaps(0.299, triangle) || overlaps(0.299, turned)) << offset.transpose();
     }
   }
 }

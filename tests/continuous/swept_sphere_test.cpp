@@ -35,7 +35,7 @@ Extended distance_to_triangle(const Point& p, const std::array<Point, 3>& corner
 }
 
 struct Case {
-  Vec3d start, way;
+  Vec3d start, offset;
   double radius;
   std::array<Vec3d, 3> triangle;
 };
@@ -44,11 +44,11 @@ struct Case {
 std::optional<Extended> marched(const Case& of, Extended radius) {
   std::array<Point, 3> corners;
   for (std::size_t i = 0; i < 3; ++i) corners[i] = of.triangle[i].cast<Extended>();
-  const Point start = of.start.cast<Extended>(), way = of.way.cast<Extended>();
-  const Extended speed = way.norm();
+  const Point start = of.start.cast<Extended>(), offset = of.offset.cast<Extended>();
+  const Extended speed = offset.norm();
   Extended time = 0;
   for (int i = 0; i < 100'000; ++i) {
-    const Extended gap = distance_to_triangle(start + time * way, corners) - radius;
+    const Extended gap = distance_to_triangle(start + time * offset, corners) - radius;
     if (gap <= 1e-12L * radius) return time;
     time += gap / speed;
     if (time > 1) return std::nullopt;
@@ -76,10 +76,10 @@ Case random_case(Random& random, double size) {
   of.radius = size * random.decade(-3, 0.5);
   of.start = place + (2 * size + 2 * of.radius) * random.unit_vector();
   const double a = random.uniform(-0.3, 1), b = random.uniform(-0.3, 1);
-  const Vec3d beside = of.radius * random.vector(-1.2, 1.2);
+  const Vec3d next_to = of.radius * random.vector(-1.2, 1.2);
   const Vec3d aim = of.triangle[0] + a * (of.triangle[1] - of.triangle[0]) +
-                    b * (of.triangle[2] - of.triangle[0]) + beside;
-  of.way = random.decade(-0.5, 1) * (aim - of.start);
+                    b * (of.triangle[2] - of.triangle[0]) + next_to;
+  of.offset = random.decade(-0.5, 1) * (aim - of.start);
   return of;
 }
 
@@ -95,14 +95,14 @@ void compare_with_marching(double away, double slack) {
     const auto rounded = [](const Vec3d& v) { return Vec3<S>(v.cast<S>()); };
     const std::array<Vec3<S>, 3> triangle = {
         rounded(of.triangle[0] + by), rounded(of.triangle[1] + by), rounded(of.triangle[2] + by)};
-    const Vec3<S> start = rounded(of.start + by), way = rounded(of.way);
+    const Vec3<S> start = rounded(of.start + by), offset = rounded(of.offset);
     const S radius = static_cast<S>(of.radius);
     for (std::size_t k = 0; k < 3; ++k) of.triangle[k] = triangle[k].template cast<double>();
     of.start = start.template cast<double>();
-    of.way = way.template cast<double>();
+    of.offset = offset.template cast<double>();
     of.radius = static_cast<double>(radius);
 
-    const SweptSphereHit found = sweep_sphere_triangle(start, way, radius, triangle);
+    const SweptSphereHit found = sweep_sphere_triangle(start, offset, radius, triangle);
     // A hit of a slightly smaller ball must be found; a miss of a slightly larger ball must be one.
     const auto surely = marched(of, of.radius * (1 - slack));
     const auto perhaps = marched(of, of.radius * (1 + slack));
@@ -118,7 +118,7 @@ void compare_with_marching(double away, double slack) {
       ASSERT_TRUE(perhaps) << i;
       EXPECT_GE(found.time, static_cast<double>(*perhaps) - 1e-9) << i;
       const Vec3d point = found.point + of.triangle[0];
-      const Vec3d centre = of.start + found.time * of.way;
+      const Vec3d centre = of.start + found.time * of.offset;
       EXPECT_NEAR((centre - point).norm() / of.radius, 1, 1e-6) << i;
       EXPECT_NEAR((centre - point).normalized().dot(found.normal), 1, 1e-6) << i;
       const auto corner = of.triangle[static_cast<std::size_t>(found.index)];
@@ -165,9 +165,9 @@ TEST(SweptSphere, TellsOverlapAtTheStartApartFromAHit) {
 TEST(SweptSphere, NamesFeaturesByTheCallersNumbersFromBothSides) {
   const std::array<Vec3d, 3> triangle = {Vec3d(0, 0, 0), Vec3d(2, 0, 0), Vec3d(0, 2, 0)};
   for (const double side : {1.0, -1.0}) {
-    const Vec3d way(0, 0, -side);
+    const Vec3d offset(0, 0, -side);
     const auto fall = [&](double x, double y) {
-      return sweep_sphere_triangle(Vec3d(x, y, side), way, 0.25, triangle);
+      return sweep_sphere_triangle(Vec3d(x, y, side), offset, 0.25, triangle);
     };
     const std::array<Vec3d, 3> outside_edges = {Vec3d(1, -0.1, 0), Vec3d(1.1, 1.1, 0),
                                                 Vec3d(-0.1, 1, 0)};

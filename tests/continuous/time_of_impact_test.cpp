@@ -152,7 +152,7 @@ TYPED_TEST(TimeOfImpact, SlowPlanesAreAsEveryVertexSays) {
   for (const FindPlane find :
        std::array<FindPlane, 2>{&time_of_impact<S>, &conservative_advancement<S>}) {
     Random random(5);
-    int hits = 0, apart = 0, not_near = 0, undecided = 0;
+    int hits = 0, separation = 0, not_near = 0, undecided = 0;
     for (int i = 0; i < 1000; ++i) {
       const double size = random.decade(-3, 3);
       const MovingPair<double> moving = random_moving_pair(random, size, 1, 12);
@@ -179,7 +179,7 @@ TYPED_TEST(TimeOfImpact, SlowPlanesAreAsEveryVertexSays) {
         ASSERT_GT(gap(time * k / 400), -rounding) << "late " << i;
       }
       if (found.status != ImpactStatus::Hit) {
-        ++apart;
+        ++separation;
         continue;
       }
       ++hits;
@@ -190,7 +190,7 @@ TYPED_TEST(TimeOfImpact, SlowPlanesAreAsEveryVertexSays) {
                 most);
     }
     EXPECT_GT(hits, 100);
-    EXPECT_GT(apart, 50);
+    EXPECT_GT(separation, 50);
     EXPECT_EQ(not_near, 0);
     // Gliding past a turning plane may take advancement more steps than it has.
     EXPECT_LE(undecided, 2);

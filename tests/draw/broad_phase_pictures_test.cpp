@@ -289,8 +289,8 @@ TEST_F(BroadPhasePicture, TheEndpointsPanelTellsSwapsAxisByAxis) {
 
 TEST_F(BroadPhasePicture, AnAxisOnWhichNothingPassesTakesNoRoomBesideOneOnWhichSomethingDoes) {
   const auto rows = [&] {
-    const std::vector<std::string> told = panel(Panel::Endpoints);
-    return std::ranges::count(told, "crate");
+    const std::vector<std::string> record = panel(Panel::Endpoints);
+    return std::ranges::count(record, "crate");
   };
   EXPECT_EQ(rows(), 3) << "all where nothing passes anywhere";
   phase().end_swaps = {{"y", 0, "crate", "slab", true, true}};
@@ -301,10 +301,10 @@ TEST_F(BroadPhasePicture,
        OfTheOnlyTwoBoxesThatPassThePanelTellsTheOtherAxesAndDrawsTheOneThatPartsThem) {
   phase().bounds[1].box = {{2, -0.002, -0.5}, {3, 0.998, 0.5}};
   phase().end_swaps = {{"y", 0, "crate", "slab", true, false}};
-  const std::vector<std::string> told = panel(Panel::Endpoints);
-  EXPECT_THAT(told,
+  const std::vector<std::string> record = panel(Panel::Endpoints);
+  EXPECT_THAT(record,
               IsSupersetOf({"along x: crate is apart from slab", "along z: crate overlaps slab"}));
-  EXPECT_EQ(std::ranges::count(told, "crate"), 2) << "along x and along y";
+  EXPECT_EQ(std::ranges::count(record, "crate"), 2) << "along x and along y";
 }
 
 TEST_F(BroadPhasePicture, WhereEndsPassIsALineAcrossBothBoxes) {
@@ -334,9 +334,9 @@ TEST_F(BroadPhasePicture, ThePipelineCountsWhatEachStageLetsThrough) {
 
 TEST_F(BroadPhasePicture, BesideCellsAloneThePipelineEndsWithTheBroadPhase) {
   scene.view.layers = {Layer::Shapes, Layer::Bounds, Layer::Cells};
-  const std::vector<std::string> told = panel(Panel::Pipeline);
-  EXPECT_THAT(told, Contains("whose boxes overlap"));
-  EXPECT_THAT(told, testing::Not(Contains("pairs in contact")));
+  const std::vector<std::string> record = panel(Panel::Pipeline);
+  EXPECT_THAT(record, Contains("whose boxes overlap"));
+  EXPECT_THAT(record, testing::Not(Contains("pairs in contact")));
 }
 
 TEST_F(BroadPhasePicture, ASingleColumnIsCalledTheSweepThatItIs) {

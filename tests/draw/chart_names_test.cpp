@@ -68,9 +68,9 @@ TEST(ChartNames, FailuresAreToldBesideTheirFirstCross) {
   study.failed = "hits missed";
   study.series.front().points.back().failed = 7;
   const std::vector<Text> all = texts(plot(study, 1280, 720));
-  const auto told = std::ranges::find(all, "8 samples: 7 of 100 hits missed", &Text::text);
-  ASSERT_NE(told, all.end()) << "without the time in the name of the line";
-  EXPECT_GT(told->at.x, 400) << "the cross is at the right";
+  const auto record = std::ranges::find(all, "8 samples: 7 of 100 hits missed", &Text::text);
+  ASSERT_NE(record, all.end()) << "without the time in the name of the line";
+  EXPECT_GT(record->at.x, 400) << "the cross is at the right";
 }
 
 TEST(ChartNames, EachCrossHasItsOwnCountWhereThereIsRoom) {

@@ -333,15 +333,15 @@ TEST(ContactCells, PatchesThatStandApartInTheWorldAreEachInTheMiddleOfTheirCell)
     }
     return points;
   };
-  ContactMoment apart;
-  apart.cells = {cell_of("here", moved(0, false)), cell_of("aside", moved(10, false)),
-                 cell_of("upright", moved(-4, true))};
-  apart.cells[2].normal = Vec3d::UnitZ();
+  ContactMoment gap;
+  gap.cells = {cell_of("here", moved(0, false)), cell_of("aside", moved(10, false)),
+               cell_of("upright", moved(-4, true))};
+  gap.cells[2].normal = Vec3d::UnitZ();
   ContactMoment together;
   together.cells = {cell_of("here", octagon()), cell_of("aside", octagon()),
                     cell_of("upright", octagon())};
   for (const auto& [width, height] : {std::pair{640, 360}, {1280, 720}}) {
-    const std::vector<Disc> found = rings(drawn({apart}, 0, width, height));
+    const std::vector<Disc> found = rings(drawn({gap}, 0, width, height));
     const std::vector<Disc> expected = rings(drawn({together}, 0, width, height));
     ASSERT_GE(found.size(), 3u * 4);
     ASSERT_EQ(found.size(), expected.size());

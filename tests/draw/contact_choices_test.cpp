@@ -86,9 +86,9 @@ TEST(ContactCells, AChoiceShowsWhatEachCandidateWasWorth) {
 }
 
 TEST(ContactCells, TheLegendOfAChoiceTellsItsMarks) {
-  const auto told = [](int choices) { return words(drawn(chosen(), 0, 1280, 720, choices)); };
-  EXPECT_THAT(told(4), IsSupersetOf({"added outside", "triangle so far"}));
-  EXPECT_THAT(told(2), testing::Not(Contains("added outside")));
+  const auto record = [](int choices) { return words(drawn(chosen(), 0, 1280, 720, choices)); };
+  EXPECT_THAT(record(4), IsSupersetOf({"added outside", "triangle so far"}));
+  EXPECT_THAT(record(2), testing::Not(Contains("added outside")));
   std::vector<ContactMoment> by_distance = chosen();
   by_distance[0].cells[0].choices[3].rule = "distance";
   const std::vector<std::string> said = words(drawn(by_distance, 0, 1280, 720, 4));
@@ -148,12 +148,12 @@ TEST(Reduced, HasACellForEachPairThatIsReducedInAnyFrame) {
   trace::Pair touching{"crate", "floor", "", "hull-hull", "touching", -0.01, {}, {}, {}, {}};
   touching.manifolds.push_back({Vec3d::UnitY(), "face_a", {}, {}});
   touching.reduction = trace::Reduction{"area", octagon(), {1, 5, 3, 0}, 1, 2, {0, 2, 4, 6}, {}};
-  trace::Pair apart{"crate", "floor", "", "hull-hull", "separated", 1, {}, {}, {}, {}};
+  trace::Pair separation{"crate", "floor", "", "hull-hull", "separated", 1, {}, {}, {}, {}};
   trace::Pair labelled = touching;
   labelled.label = "by hand";
   std::vector<trace::Frame> frames(2);
   frames[0].frame = 4;
-  frames[0].pairs = {apart, labelled};
+  frames[0].pairs = {separation, labelled};
   frames[1].frame = 5;
   frames[1].pairs = {touching, labelled};
   const std::vector<ContactMoment> moments = reduced(frames);

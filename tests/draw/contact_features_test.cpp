@@ -73,10 +73,10 @@ TEST(Features, APairWithoutALabelIsCalledByWhatTouches) {
 }
 
 struct DeepCrate : CrateOnSlab {
-  DeepCrate() { view.layers = {Layer::WaysOut}; }
+  DeepCrate() { view.layers = {Layer::Exits}; }
 };
 
-TEST(WaysOut, AreTheThreeShortestEachAsLongAsItsOverlap) {
+TEST(Exits, AreTheThreeShortestEachAsLongAsItsOverlap) {
   DeepCrate scene;
   scene.frames[0].poses[1].second.position = {0.9, 0.25, 0};  // 0.25 m up, 0.6 m to the side
   const Sketch sketch = scene.sketch();
@@ -90,7 +90,7 @@ TEST(WaysOut, AreTheThreeShortestEachAsLongAsItsOverlap) {
   EXPECT_GT(sketch.arrows[0].width, sketch.arrows[1].width);  // along the contact's normal
 }
 
-TEST(WaysOut, TheOneThatIsTakenLeadsToWhereTheShapesJustTouch) {
+TEST(Exits, TheOneThatIsTakenLeadsToWhereTheShapesJustTouch) {
   DeepCrate scene;
   scene.frames[0].poses[1].second.position = {0.9, 0.25, 0};
   const Sketch sketch = scene.sketch();
@@ -105,7 +105,7 @@ TEST(WaysOut, TheOneThatIsTakenLeadsToWhereTheShapesJustTouch) {
   EXPECT_NEAR(highest, 1, 1e-9);
 }
 
-TEST(WaysOut, OfShapesApartThereAreNone) {
+TEST(Exits, OfShapesApartThereAreNone) {
   DeepCrate scene;
   scene.frames[0].poses[1].second.position = {0, 0.51, 0};
   EXPECT_TRUE(scene.sketch().arrows.empty());
@@ -156,15 +156,15 @@ TEST(Trail, OfALongWayTheSkinsAreAllAlongIt) {
   scene.view.layers = {Layer::Trail};
   const Staging staging = scene.staged();
   double first = 1e300;
-  int ways = 0;
+  int methods = 0;
   for (const Line& line : sketch_frame(staging, scene.frames.back()).lines) {
     if (!line.style.dashed) continue;
     first = std::min(first, line.from.x());
-    ++ways;
+    ++methods;
   }
   EXPECT_LT(first, 1.2);  // the last twelve frames begin at 1.35
-  EXPECT_GE(ways, 1);
-  EXPECT_LE(ways, 12);
+  EXPECT_GE(methods, 1);
+  EXPECT_LE(methods, 12);
 }
 
 TEST(SatQueries, AGapEndsTheTest) {

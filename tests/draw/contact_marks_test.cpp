@@ -270,7 +270,7 @@ TEST(FlipDistance, IsAnArrowFromTheMiddleOfThePointsWithItsLength) {
   scene.view.layers = {Layer::Shapes, Layer::FlipDistance};
   EXPECT_TRUE(scene.sketch().arrows.empty());
   trace::Flip& flip = scene.pair().flip.emplace();
-  flip.way = 3.2e-6;
+  flip.offset = 3.2e-6;
   flip.direction = Vec3d::UnitX();
   const Sketch sketch = scene.sketch();
   ASSERT_EQ(sketch.arrows.size(), 1u);
@@ -301,10 +301,10 @@ TEST(Contacts, APointThatWasReducedAwayIsNoDot) {
 TEST(Contacts, APointWithinTheMarginLooksUnlikeOneThatTouches) {
   CrateOnSlab scene;
   scene.view.layers = {Layer::Shapes, Layer::Contacts};
-  EXPECT_EQ(marks(scene.sketch(), MarkKind::Apart), 0u);
+  EXPECT_EQ(marks(scene.sketch(), MarkKind::Separation), 0u);
   scene.manifold().points[0].separation = 0.02;
   const Sketch sketch = scene.sketch();
-  EXPECT_EQ(marks(sketch, MarkKind::Apart), 1u);
+  EXPECT_EQ(marks(sketch, MarkKind::Separation), 1u);
   EXPECT_EQ(marks(sketch, MarkKind::Dot), 1u);
   EXPECT_THAT(explained(sketch), Contains(HasSubstr("within the margin")));
 }
@@ -496,16 +496,16 @@ TEST(Overlap, HasOneSignWhereItsWhiskerIsSeen) {
 TEST(Title, ADepthThatItTellsStandsOnItsWhiskerOnce) {
   CrateOnSlab scene;
   scene.view.layers = {Layer::Shapes, Layer::Contacts};
-  const auto told = [&](const char* title) {
+  const auto record = [&](const char* title) {
     scene.view.title = title;
     const auto texts = crate_sample::texts(illustrate(scene.staged(), scene.frames[0]));
     return std::ranges::count(texts, "2.00 mm");
   };
-  EXPECT_EQ(told("A crate stands {overlap} deep"), 1);
-  EXPECT_EQ(told("A crate stands 12.00 mm deep"), 0) << "another number";
-  EXPECT_EQ(told("A crate stands on a slab"), 0);
+  EXPECT_EQ(record("A crate stands {overlap} deep"), 1);
+  EXPECT_EQ(record("A crate stands 12.00 mm deep"), 0) << "another number";
+  EXPECT_EQ(record("A crate stands on a slab"), 0);
   scene.view.layers.push_back(Layer::Overlap);
-  EXPECT_EQ(told("A crate stands {overlap} deep"), 0) << "its label says it";
+  EXPECT_EQ(record("A crate stands {overlap} deep"), 0) << "its label says it";
 }
 
 TEST(Whisker, OfGapsAloneHasAFactorOfTheirOwn) {

@@ -123,17 +123,17 @@ TEST(FieldPicture, APlaceThatWasAskedIsOnNoWhisker) {
   trace::Pair& pair = slab.frames[0].pairs.emplace_back(CrateOnSlab().pair());
   pair.manifolds[0].points = {{{0, -0.2, 0}, -0.1, "b:v4"}};
   pair.field_probes.emplace().probes = {{{0, -0.22, 0}, -0.1}, {{0.3, -0.22, 0}, 0.1}};
-  const auto asked = [&] {
+  const auto requested = [&] {
     std::vector<Mark> marks = slab.sketch().marks;
     std::erase_if(marks, [](const Mark& mark) { return mark.kind != MarkKind::Node; });
     return marks;
   };
-  ASSERT_EQ(asked().size(), 1u);
-  EXPECT_EQ(asked()[0].at.x(), 0.3);
+  ASSERT_EQ(requested().size(), 1u);
+  EXPECT_EQ(requested()[0].at.x(), 0.3);
   slab.view.layers = {Layer::Field};  // no whisker
-  EXPECT_EQ(asked().size(), 2u);
+  EXPECT_EQ(requested().size(), 2u);
   pair.field_probes->probes[0].position.z() = 0.2;
-  EXPECT_EQ(asked().size(), 1u) << "two cells before the slice";
+  EXPECT_EQ(requested().size(), 1u) << "two cells before the slice";
 }
 
 }  // namespace

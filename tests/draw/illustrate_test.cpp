@@ -133,9 +133,9 @@ TEST(Illustrate, ANormalIsDrawnInTheViewOrNotInTheLegend) {
       const Staging staging = scene.staged(width, height);
       const Drawing drawing = illustrate(staging, scene.frame);
       const std::vector<std::string> all = picture_texts(drawing);
-      const bool told = std::ranges::count(all, "normal, from A to B") > 0;
-      EXPECT_EQ(told, normal_length(staging, drawing) > 0) << width << " wide, " << i;
-      ++(told ? drawn : left_out);
+      const bool record = std::ranges::count(all, "normal, from A to B") > 0;
+      EXPECT_EQ(record, normal_length(staging, drawing) > 0) << width << " wide, " << i;
+      ++(record ? drawn : left_out);
     }
   }
   EXPECT_GT(drawn, 40);

@@ -61,10 +61,10 @@ TEST(LegendChoice, ListsWhatHasNoPlaceAndWhatIsMany) {
 
 TEST(LegendChoice, WhatAPanelShowsAloneGoesFirst) {
   std::vector<LegendEntry> entries = numbered(kPointSwatch, 6, false);
-  entries[1].beside = true;
+  entries[1].next_to = true;
   const LegendChoice choice = choose_legend(entries);
   EXPECT_EQ(choice.listed.size(), 5u);
-  EXPECT_EQ(std::ranges::count(choice.listed, true, &LegendEntry::beside), 0);
+  EXPECT_EQ(std::ranges::count(choice.listed, true, &LegendEntry::next_to), 0);
 }
 
 TEST(LegendChoice, LabelsSayTheFirstWords) {
@@ -101,8 +101,8 @@ TEST(LegendOfPictures, HasFiveEntriesAndSaysTheMostOfTheRestInPlace) {
   BusyCrate crate;
   const Staging staging = crate.staged();
   const LegendChoice choice = legend_of(staging, crate.frames[0]);
-  EXPECT_EQ(choice.listed.size(), kMostLegendEntries);
-  EXPECT_EQ(choice.labelled.size(), kMostInPlace);
+  EXPECT_EQ(choice.listed.size(), kMaxLegendEntries);
+  EXPECT_EQ(choice.labelled.size(), kMaxInPlace);
   const std::vector<std::string> drawn = crate_sample::texts(illustrate(staging, crate.frames[0]));
   for (const LegendEntry& entry : choice.listed) EXPECT_THAT(drawn, Contains(entry.text));
   for (const LegendEntry& entry : choice.labelled) EXPECT_THAT(drawn, Contains(label_of(entry)));

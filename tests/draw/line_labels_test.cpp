@@ -12,7 +12,7 @@ bool overlap(const Rect& a, const Rect& b) {
   return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
 }
 
-void expect_apart_and_inside(const std::vector<PlacedLabel>& places) {
+void expect_separated_and_inside(const std::vector<PlacedLabel>& places) {
   for (std::size_t i = 0; i < places.size(); ++i) {
     const Rect& box = places[i].box;
     EXPECT_GE(box.x, kFrame.x);
@@ -46,7 +46,7 @@ TEST(LineLabels, EighteenAtOnePlaceSpreadOut) {
   }
   const std::vector<PlacedLabel> places = place_line_labels(labels, obstacles, kFrame, kHeight, 1);
   ASSERT_EQ(places.size(), 18u);
-  expect_apart_and_inside(places);
+  expect_separated_and_inside(places);
   for (const PlacedLabel& place : places) {
     EXPECT_FALSE(overlap(place.box, {246, 200, 8, 8}));  // the markers stay free
   }
@@ -59,7 +59,7 @@ TEST(LineLabels, TheFrameAndBoxesHoldAtTheBorder) {
   obstacles.boxes.push_back(taken);
   const std::vector<PlacedLabel> places = place_line_labels(
       {{90, {{495, 390}}}, {90, {{498, 395}}}, {90, {{2, 2}}}}, obstacles, kFrame, kHeight, 1);
-  expect_apart_and_inside(places);
+  expect_separated_and_inside(places);
   for (const PlacedLabel& place : places) EXPECT_FALSE(overlap(place.box, taken));
 }
 

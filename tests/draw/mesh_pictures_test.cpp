@@ -65,7 +65,7 @@ struct TwoSurfaces {
     pair.kind = "mesh-mesh";
     pair.state = "touching";
     pair.overlap = true;
-    pair.query.emplace().asked = "overlap";
+    pair.query.emplace().requested = "overlap";
     header.frames = static_cast<int>(frames.size());
   }
   void meet(const char* kind, const Vec3d& from, const Vec3d& to) {
@@ -148,7 +148,7 @@ TEST(MeshPictures, CornersOfTheTriangleThatMeetsFirstGoStraightOn) {
   trace::Impact& impact = scene.hit();
   impact.triangle_a = 0;
   impact.corners_a = {{-1, -1, 1}, {1, -1, 1}, {1, -1, -1}};
-  const auto ways = [&] {
+  const auto methods = [&] {
     return std::ranges::count_if(scene.sketch().arrows, [&](const Arrow& arrow) {
       // The heads end a little before the corners, so as not to hide them.
       const auto ends_at = [&](const Vec3d& corner) { return (corner - *arrow.to).norm() < 0.2; };
@@ -157,10 +157,10 @@ TEST(MeshPictures, CornersOfTheTriangleThatMeetsFirstGoStraightOn) {
              (*arrow.to - arrow.from).normalized().isApprox(Vec3d(0, -1, 0), 1e-9);
     });
   };
-  EXPECT_EQ(ways(), 3);
+  EXPECT_EQ(methods(), 3);
   EXPECT_THAT(legend_texts(scene.sketch()), Contains("way of a corner"));
   impact.triangle_a = -1;
-  EXPECT_EQ(ways(), 0) << "of which nobody says where it is now";
+  EXPECT_EQ(methods(), 0) << "of which nobody says where it is now";
 }
 
 TEST(MeshPictures, TrianglesThatMeetFirstBearTheLettersOfTheirMeshes) {
@@ -218,12 +218,12 @@ TEST(MeshPictures, AMeshWithoutAnInsideShowsWhereItIsOpen) {
 
 TEST(MeshPictures, WhatIsInsideOfTheOtherIsDashedThroughIt) {
   TwoSurfaces scene;
-  const auto told = [&](const char* containment) {
+  const auto record = [&](const char* containment) {
     scene.frames[0].pairs[0].query->containment = {.a = containment, .b = "outside"};
     return legend_texts(scene.sketch());
   };
-  EXPECT_THAT(told("outside"), testing::Not(Contains("inside the other")));
-  EXPECT_THAT(told("inside"), Contains("inside the other"));
+  EXPECT_THAT(record("outside"), testing::Not(Contains("inside the other")));
+  EXPECT_THAT(record("inside"), Contains("inside the other"));
 }
 
 TEST(MeshPictures, ATriangleThatIsNotThereIsLeftOut) {

@@ -218,8 +218,8 @@ TEST(Sheet, RowsStandOnWholePixelsAtEveryScale) {
       }
     }
     const double used = sheet.rest().y - 20.25;
-    const double asked = Sheet::heading_height(scale) + 4 * Sheet::line_height(scale);
-    EXPECT_NEAR(used, asked, 2.5);
+    const double requested = Sheet::heading_height(scale) + 4 * Sheet::line_height(scale);
+    EXPECT_NEAR(used, requested, 2.5);
   }
 }
 

@@ -176,7 +176,7 @@ TEST(RoundBody, PowerPlaneGoesThroughTheCircleInWhichSpheresMeet) {
 TEST(RoundBody, PowerPlanePartsBodiesThatAreApart) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> coordinate(-1, 1);
-  int parted = 0;
+  int separated = 0;
   for (int i = 0; i < 300; ++i) {
     const auto point = [&] {
       return Vec3d(coordinate(random), coordinate(random), coordinate(random));
@@ -191,9 +191,9 @@ TEST(RoundBody, PowerPlanePartsBodiesThatAreApart) {
     const Plane<double> plane = power_plane(a, b);
     for (const Vec3d& p : a.core) EXPECT_LT(plane.distance(p), -0.2);
     for (const Vec3d& p : b.core) EXPECT_GT(plane.distance(p), 0.1);
-    ++parted;
+    ++separated;
   }
-  EXPECT_GT(parted, 50);
+  EXPECT_GT(separated, 50);
 }
 
 TEST(RoundBody, TheNearerOfTwoSpheresIsPaintedLast) {

@@ -71,9 +71,9 @@ TEST(IncrementalPicture, AReplacedPointLeadsToTheOneInItsPlaceAndSaysHowFarItIs)
   EXPECT_THAT(labels(sketch), Contains("replaced"));
   EXPECT_THAT(labels(sketch), Contains("0.125 m"));
   ASSERT_EQ(sketch.arrows.size(), 1u);
-  const Vec3d way = *sketch.arrows[0].to - sketch.arrows[0].from;
-  EXPECT_LT(way.norm(), 0.125) << "up to the border of the dot";
-  EXPECT_NEAR(way.normalized().x(), 1, 1e-12);
+  const Vec3d offset = *sketch.arrows[0].to - sketch.arrows[0].from;
+  EXPECT_LT(offset.norm(), 0.125) << "up to the border of the dot";
+  EXPECT_NEAR(offset.normalized().x(), 1, 1e-12);
 }
 
 TEST(IncrementalPicture, DriftOfAnchorsIsDrawnToAStatedFactorAndNotWhereADotHidesIt) {
@@ -292,16 +292,16 @@ TEST(DynamicsPicture, ArrowsAreAsLongAsTheLegendSays) {
   const SequenceScales& scales = staging.scales;
   int normal = 0, friction = 0, velocity = 0;
   for (const Arrow& arrow : sketch.arrows) {
-    const Vec3d way = *arrow.to - arrow.from;
+    const Vec3d offset = *arrow.to - arrow.from;
     if (same(arrow.color, kImpulse)) {
       ++normal;
-      EXPECT_NEAR((way - Vec3d(0, 2 * scales.impulse, 0)).norm(), 0, 1e-12);
+      EXPECT_NEAR((offset - Vec3d(0, 2 * scales.impulse, 0)).norm(), 0, 1e-12);
     } else if (arrow.open) {
       ++friction;
-      EXPECT_NEAR((way - Vec3d(-0.5 * scales.impulse, 0, 0)).norm(), 0, 1e-12);
+      EXPECT_NEAR((offset - Vec3d(-0.5 * scales.impulse, 0, 0)).norm(), 0, 1e-12);
     } else if (arrow.head_share < 1) {
       ++velocity;
-      EXPECT_NEAR((way - Vec3d(0.5 * scales.velocity, 0, 0)).norm(), 0, 1e-12);
+      EXPECT_NEAR((offset - Vec3d(0.5 * scales.velocity, 0, 0)).norm(), 0, 1e-12);
     }
   }
   EXPECT_EQ(normal, 2);
@@ -345,8 +345,8 @@ TEST(DynamicsPicture, WithoutASolverVelocitiesLeadToTheNextFrameAndAtTheEndFromT
     const Sketch sketch = sketch_frame(staging, frame);
     EXPECT_THAT(labels(sketch), ElementsAre("0.500 m/s", "0.200 rad/s"));
     ASSERT_EQ(sketch.arrows.size(), 2u) << "none of the slab, which rests";
-    const Vec3d way = *sketch.arrows[0].to - sketch.arrows[0].from;
-    EXPECT_NEAR((way - Vec3d(0.5 * staging.scales.velocity, 0, 0)).norm(), 0, 1e-9);
+    const Vec3d offset = *sketch.arrows[0].to - sketch.arrows[0].from;
+    EXPECT_NEAR((offset - Vec3d(0.5 * staging.scales.velocity, 0, 0)).norm(), 0, 1e-9);
   }
 }
 

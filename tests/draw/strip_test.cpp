@@ -89,11 +89,11 @@ TEST(Strip, CellsStandInRowsAndDoNotOverlap) {
 TEST(Strip, TypeOfACellIsAsLargeAsThePages) {
   const CrateOnSlab scene = rising();
   const std::vector<trace::Frame> shown = {scene.frames[0], scene.frames[9]};
-  for (const double asked : {0.0, 20.0}) {
+  for (const double requested : {0.0, 20.0}) {
     FigureStyle style;
-    style.type = asked;
+    style.type = requested;
     const Strip strip(scene.header, scene.frames, shown, scene.view, 720, 0, 2, style);
-    EXPECT_NEAR(strip.cell().layout.scale, asked > 0 ? asked / 15 : 1.0, 1e-5);
+    EXPECT_NEAR(strip.cell().layout.scale, requested > 0 ? requested / 15 : 1.0, 1e-5);
   }
 }
 

@@ -92,7 +92,7 @@ TEST(SideBySide, BoundsSayTheirAnswerInTheHeading) {
   TwoCrates crates;
   for (trace::Pair& pair : crates.frames[0].pairs) {
     trace::Query& query = pair.query.emplace();
-    query.asked = "overlap";
+    query.requested = "overlap";
     query.bounds = "obb";
   }
   crates.frames[0].pairs[0].overlap = true;
@@ -140,11 +140,12 @@ TEST(Magnifiers, AreLargerWhereTheyCoverNothing) {
     tiny.view.orthographic_height = height;
     return *tiny.staged().magnifier;
   };
-  const Magnifier beside = magnifier(5), over = magnifier(1.4);
-  EXPECT_GT(beside.frame.height, 1.2 * over.frame.height);
+  const Magnifier next_to = magnifier(5), over = magnifier(1.4);
+  EXPECT_GT(next_to.frame.height, 1.2 * over.frame.height);
   const Staging staging = tiny.staged();
   EXPECT_NEAR(over.frame.height, 0.3 * staging.layout.view.height, 1e-9);
-  EXPECT_NEAR(beside.frame.width / beside.frame.height, over.frame.width / over.frame.height, 1e-9);
+  EXPECT_NEAR(next_to.frame.width / next_to.frame.height, over.frame.width / over.frame.height,
+              1e-9);
 }
 
 TEST(Magnifiers, AreNotThereWhereTheSubjectIsSeen) {

@@ -98,8 +98,8 @@ Change random_encounter(Random& random, const SolverSettings& settings, double r
     scene.advance();
     change.hit = change.hit || scene.load(0, 1) > 0;
     after += change.hit;
-    const Vec3<S> apart = scene.body(1).center - scene.body(0).center;
-    if (!change.hit && apart.norm() > static_cast<S>(4 * size)) break;
+    const Vec3<S> separation = scene.body(1).center - scene.body(0).center;
+    if (!change.hit && separation.norm() > static_cast<S>(4 * size)) break;
   }
   const Motion after = motion_of(scene.world.bodies, forms);
   change.linear = (after.linear - before.linear).norm() / before.linear_scale;

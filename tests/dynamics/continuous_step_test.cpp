@@ -48,11 +48,11 @@ struct Shot {
 
   /// Whether the middle of the bullet is beyond the middle of the wall.
   bool is_through() {
-    const Vec3<S> apart = scene.body(1).center - scene.body(0).center;
+    const Vec3<S> separation = scene.body(1).center - scene.body(0).center;
     const Vec3<S> normal = scene.world.bodies[0].inverse_mass > S(0)
                                ? Vec3<S>(scene.body(0).rotation * Vec3<S>::UnitX())
                                : Vec3<S>::UnitX();
-    return !(apart.dot(normal) < S(0));
+    return !(separation.dot(normal) < S(0));
   }
 };
 

@@ -106,11 +106,11 @@ TEST(Resting, OfARecordTakesAllManifolds) {
     manifold.normal = Vec3d::UnitY();
     for (const double z : {-1.0, 1.0}) manifold.points.push_back({Vec3d(x, 0, z), 0, ""});
   }
-  const trace::Stability told = rest_of(pair, "crate", Vec3d(0.5, 1, 0), 1e-7);
-  EXPECT_EQ(told.shape, "crate");
-  EXPECT_EQ(told.verdict, "stable");
-  EXPECT_EQ(told.support.size(), 4U);
-  EXPECT_NEAR(told.margin, 0.5, 1e-12);
+  const trace::Stability record = rest_of(pair, "crate", Vec3d(0.5, 1, 0), 1e-7);
+  EXPECT_EQ(record.shape, "crate");
+  EXPECT_EQ(record.verdict, "stable");
+  EXPECT_EQ(record.support.size(), 4U);
+  EXPECT_NEAR(record.margin, 0.5, 1e-12);
 }
 
 }  // namespace

@@ -166,9 +166,9 @@ void expect_the_awake_are_solved_alike() {
   for (int i = 0; i < 4; ++i) scene.add_box({0.5, 0.5, 0.5}, {}, 1);
   scene.settings.sleep_after = 0;
   Sleepers<S> sleepers(scene.world.bodies, scene.settings);
-  const Step<S> nobody = one_step<S>(&sleepers, {});
+  const Step<S> no_record = one_step<S>(&sleepers, {});
   for (std::size_t i = 0; i < all.bodies.size(); ++i)
-    expect_same_body(nobody.bodies[i], all.bodies[i]);
+    expect_same_body(no_record.bodies[i], all.bodies[i]);
 
   // The first stack sleeps and keeps its impulses. The second is solved as if none slept.
   std::vector<Body<S>> bodies = scene.world.bodies;

@@ -113,10 +113,10 @@ TEST_P(EveryMethod, SlowSlidingHasNoPreferredDirection) {
     level.body(ball).rotation = about(Vec3d::UnitY(), -i * 15 * kDegree);
     level.body(ball).velocity = 3 * direction;
     level.advance(60);
-    const double way = level.body(ball).center.dot(direction);
-    EXPECT_LT((level.body(ball).center - way * direction - Vec3d(0, 0.1, 0)).norm(), 0.002);
-    least = std::min(least, way);
-    most = std::max(most, way);
+    const double offset = level.body(ball).center.dot(direction);
+    EXPECT_LT((level.body(ball).center - offset * direction - Vec3d(0, 0.1, 0)).norm(), 0.002);
+    least = std::min(least, offset);
+    most = std::max(most, offset);
   }
   // v^2 / (2 mu g) = 1.53 m, give or take half a step at the start and at the end.
   EXPECT_NEAR(most, 9 / (2 * 0.3 * kGravity), 0.03);

@@ -144,11 +144,11 @@ Scene<S> plain_stack(PositionCorrection correction, int boxes, double size = 1) 
 
 /// Largest distance of a body from its entry in `places`, metres.
 template <class S>
-double farthest_way(const Scene<S>& scene, const std::vector<Body<S>>& places) {
+double largest_distance(const Scene<S>& scene, const std::vector<Body<S>>& places) {
   double most = 0;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const Vec3<S> way = scene.world.bodies[i].center - places[i].center;
-    most = std::max(most, static_cast<double>(way.norm()));
+    const Vec3<S> offset = scene.world.bodies[i].center - places[i].center;
+    most = std::max(most, static_cast<double>(offset.norm()));
   }
   return most;
 }
@@ -162,14 +162,14 @@ TEST_P(Stack, SlowEqualBoxesThatJustTouchStandStillByDefault) {
     const std::vector<Body<float>> places = scene.world.bodies;
     scene.advance(600);
     // The slop is 5 mm: each box may sink into the one below by this much.
-    EXPECT_LT(farthest_way(scene, places), sinks * boxes) << boxes;
+    EXPECT_LT(largest_distance(scene, places), sinks * boxes) << boxes;
     const std::vector<Body<float>> settled_down = scene.world.bodies;
     for (int i = 0; i < 60; ++i) {
       scene.advance();
       // A thousandth of gravity's share for one box in a step.
       ASSERT_LT(scene.kinetic(), 1e-6 * 0.5 * std::pow(kGravity / 60, 2)) << boxes;
     }
-    EXPECT_LT(farthest_way(scene, settled_down), 1e-5) << boxes;
+    EXPECT_LT(largest_distance(scene, settled_down), 1e-5) << boxes;
     for (int box = 1; box <= boxes; ++box) {
       const double weight = (boxes - box + 1) * kGravity;
       EXPECT_NEAR(scene.load(box - 1, box) * 60, weight, 0.01 * weight) << boxes;
@@ -199,7 +199,7 @@ TEST_P(Stack, ALopsidedHullStaysWhereItWasPutByDefault) {
   scene.add(build_hull(points), {}, 2);
   const std::vector<Body<float>> places = scene.world.bodies;
   scene.advance(1200);
-  EXPECT_LT(farthest_way(scene, places), 0.005);
+  EXPECT_LT(largest_distance(scene, places), 0.005);
 }
 
 // A thousandth of the size and of gravity, in the same time: a thousandth of every displacement.

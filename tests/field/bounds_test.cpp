@@ -61,8 +61,8 @@ TEST(FieldBounds, HoldThousandsOfCellsFromTheCornerOfTheLattice) {
   std::vector<Vec3d> vertices = ball.vertices;
   std::vector<std::array<int, 3>> triangles = ball.triangles;
   const int first = count_of(vertices);
-  const double way = 200;
-  for (const Vec3d& vertex : ball.vertices) vertices.emplace_back(vertex + way * Vec3d::UnitX());
+  const double offset = 200;
+  for (const Vec3d& vertex : ball.vertices) vertices.emplace_back(vertex + offset * Vec3d::UnitX());
   for (const auto& [a, b, c] : ball.triangles)
     triangles.push_back({first + a, first + b, first + c});
   const Mesh<double> mesh = build_mesh(vertices, triangles);
@@ -72,12 +72,12 @@ TEST(FieldBounds, HoldThousandsOfCellsFromTheCornerOfTheLattice) {
         build_distance_field(mesh, {.cells = 4000, .interpolation = interpolation});
     Random random(18);
     for (int k = 0; k < 2000; ++k) {
-      const Vec3d p = way * Vec3d::UnitX() + random.vector(-0.8, 0.8);
+      const Vec3d p = offset * Vec3d::UnitX() + random.vector(-0.8, 0.8);
       const auto truth = static_cast<double>(oracle.signed_distance(p));
       const FieldBounds bounds = field.bounds(p);
-      ASSERT_LE(bounds.lower, truth + 1e-13 * way);
-      ASSERT_GE(bounds.upper, truth - 1e-13 * way);
-      ASSERT_NEAR(field.exact(p).distance, truth, 1e-13 * way);
+      ASSERT_LE(bounds.lower, truth + 1e-13 * offset);
+      ASSERT_GE(bounds.upper, truth - 1e-13 * offset);
+      ASSERT_NEAR(field.exact(p).distance, truth, 1e-13 * offset);
       const bool fine = field.field->in_band(field.in_lattice(p));
       ASSERT_NEAR(field.sample(p).distance, truth, (fine ? 0.33 : 1.3) * field.cell);
     }

@@ -37,9 +37,9 @@ TEST(Lean, SlowNoWayToANearestPointLeansMore) {
         if (lean == kAnyLean) continue;
         const NearestPoint own = triangles.nearest_of({&t, 1}, point);
         if (own.squared > nearest.squared * (1 + 1e-13)) continue;
-        const Vec3d way = point - own.point;
-        const double height = std::abs(way.dot(mesh.normal(t)));
-        const double across = way.cross(mesh.normal(t)).norm();
+        const Vec3d offset = point - own.point;
+        const double height = std::abs(offset.dot(mesh.normal(t)));
+        const double across = offset.cross(mesh.normal(t)).norm();
         ASSERT_LE(across, height * double{lean} * (1 + 1e-6) + 1e-7);
         ++limited;
         leaning += across > 0.3 * height * double{lean} ? 1 : 0;

@@ -135,9 +135,9 @@ TEST(NodeBlend, NodesAreOffByHalfAStepAndTheMarkOfACellChangesNoDistance) {
     for (int axis = 0; axis < 3; ++axis)
       ASSERT_NEAR(at(node.gradient, axis) / double{kGradientScale}, slope[axis], 1.01 * 0x1p-15);
     NodePair pair(node, node);
-    ASSERT_FALSE(pair.asks_triangles());
-    pair.ask_triangles();
-    ASSERT_TRUE(pair.asks_triangles());
+    ASSERT_FALSE(pair.queries_triangles());
+    pair.query_triangles();
+    ASSERT_TRUE(pair.queries_triangles());
     ASSERT_EQ(pair.distance[1], node.distance);
     ASSERT_NEAR(pair.gradient[2][1], node.gradient[2], 1);
   }

@@ -47,13 +47,13 @@ TEST(SmoothCells, SlowHaveNoOpposedNormals) {
     std::vector<test::SurfaceOracle> triangles;
     for (const std::array<int, 3>& corners : mesh.triangles)
       triangles.emplace_back(mesh.vertices, std::vector{corners});
-    int smooth = 0, asking = 0;
+    int smooth = 0, querying = 0;
     for (int k = 0; k < 60000 && smooth < 60; ++k) {
       const Vec3d p = random.vector(-0.6, 1.5);
       const Vec3d in_lattice = field.in_lattice(p);
       if (!field.field->at_surface(in_lattice)) continue;
       if (field.sample(p).source == FieldSample::Source::Exact) {
-        ++asking;
+        ++querying;
         continue;
       }
       ++smooth;
@@ -67,7 +67,7 @@ TEST(SmoothCells, SlowHaveNoOpposedNormals) {
         for (const Vec3d& other : normals) ASSERT_GT(one.dot(other), -0.5 - 1e-9);
     }
     EXPECT_GE(smooth, 60);
-    EXPECT_GT(asking, 0);
+    EXPECT_GT(querying, 0);
   }
 }
 
@@ -117,13 +117,13 @@ TEST(SmoothCells, NoneIfTheSettingSaysSoAndNoneAtEdgesOfABox) {
     const Vec3d beyond = (middle.cwiseAbs() - half) / some.cell;
     const int faces = static_cast<int>((beyond.array().abs() <= 0.5).count());
     if (beyond.maxCoeff() > 0.5) continue;
-    const bool asks = some.sample(p).source == FieldSample::Source::Exact;
+    const bool queries = some.sample(p).source == FieldSample::Source::Exact;
     if (faces >= 2) {
       ++at_edge;
-      ASSERT_TRUE(asks);
+      ASSERT_TRUE(queries);
     } else if (faces == 1 && (beyond.array() > -4).count() == 1) {
       ++flat;
-      ASSERT_FALSE(asks);
+      ASSERT_FALSE(queries);
     }
   }
   EXPECT_GT(flat, 500);
@@ -131,22 +131,22 @@ TEST(SmoothCells, NoneIfTheSettingSaysSoAndNoneAtEdgesOfABox) {
 }
 
 TEST(SmoothCells, SpheresAndCapsulesAreSmoothWhereTheyAreLarge) {
-  const auto share_asking = [](const Shape<double>& shape, int cells) {
+  const auto share_querying = [](const Shape<double>& shape, int cells) {
     const PlacedField field = build_distance_field(shape, {.cells = cells, .smooth = kSmoothPart});
     Random random(27);
-    int asking = 0, at_surface = 0;
+    int querying = 0, at_surface = 0;
     for (int k = 0; k < 20000; ++k) {
       const Vec3d p = random.vector(-1.2, 1.2);
       if (!field.field->at_surface(field.in_lattice(p))) continue;
       ++at_surface;
-      asking += field.sample(p).source == FieldSample::Source::Exact ? 1 : 0;
+      querying += field.sample(p).source == FieldSample::Source::Exact ? 1 : 0;
     }
-    return static_cast<double>(asking) / at_surface;
+    return static_cast<double>(querying) / at_surface;
   };
-  EXPECT_EQ(share_asking(Sphere<double>{1}, 3), 1);  // a radius of 1.5 cells
-  EXPECT_LT(share_asking(Sphere<double>{1}, 32), 0.01);
+  EXPECT_EQ(share_querying(Sphere<double>{1}, 3), 1);  // a radius of 1.5 cells
+  EXPECT_LT(share_querying(Sphere<double>{1}, 32), 0.01);
   const Capsule<double> thin{{Vec3d(-1, 0, 0), Vec3d(1, 0, 0)}, 0.02};
-  EXPECT_EQ(share_asking(thin, 32), 1);
+  EXPECT_EQ(share_querying(thin, 32), 1);
 }
 
 }  // namespace

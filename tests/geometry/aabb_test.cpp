@@ -56,7 +56,7 @@ TEST(Aabb, OfTwoZerosTheFirstStays) {
 }
 
 template <class S>
-void expect_asked_as_overlaps() {
+void expect_queried_as_overlaps() {
   Random random(7);
   const S numbers[] = {0,
                        1,
@@ -84,8 +84,8 @@ void expect_asked_as_overlaps() {
 }
 
 TEST(Aabb, ABoxThatIsAskedAboutManyOverlapsTheSameOnes) {
-  expect_asked_as_overlaps<float>();
-  expect_asked_as_overlaps<double>();
+  expect_queried_as_overlaps<float>();
+  expect_queried_as_overlaps<double>();
 }
 
 TEST(Aabb, ABoxInsideAnotherOverlapsAndAddsNothing) {

@@ -26,13 +26,13 @@ template <class S>
 std::vector<int> brute_force(const Mesh<S>& mesh, const Aabb<S>& box) {
   std::vector<int> triangles;
   for (int t = 0; t < mesh.triangle_count(); ++t) {
-    bool apart = false;
+    bool separated = false;
     for (int axis = 0; axis < 3; ++axis) {
       const auto [least, most] =
           std::minmax({mesh.corner(t, 0)[axis], mesh.corner(t, 1)[axis], mesh.corner(t, 2)[axis]});
-      apart = apart || most < box.lower[axis] || box.upper[axis] < least;
+      separated = separated || most < box.lower[axis] || box.upper[axis] < least;
     }
-    if (!apart) triangles.push_back(t);
+    if (!separated) triangles.push_back(t);
   }
   return triangles;
 }
@@ -162,16 +162,16 @@ TEST(AabbTree, AsksNoMoreTrianglesAfterTheFirstThatHolds) {
     const int place = all.empty() ? 0 : random.index(static_cast<int>(all.size()) + 1);
     const int wanted =
         place < static_cast<int>(all.size()) ? all[static_cast<std::size_t>(place)] : -1;
-    std::vector<int> asked;
+    std::vector<int> requested;
     const bool any = mesh.tree.any_of(box, [&](int triangle) {
-      asked.push_back(triangle);
+      requested.push_back(triangle);
       return triangle == wanted;
     });
     ASSERT_EQ(any, wanted >= 0);
     const std::size_t count = any ? static_cast<std::size_t>(place) + 1 : all.size();
-    ASSERT_EQ(asked,
+    ASSERT_EQ(requested,
               std::vector<int>(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count)));
-    stopped += asked.size() < all.size() ? 1 : 0;
+    stopped += requested.size() < all.size() ? 1 : 0;
   }
   EXPECT_GT(stopped, 50);
 }

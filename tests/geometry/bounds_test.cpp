@@ -24,12 +24,13 @@ TYPED_TEST_SUITE(Bounds, Scalars);
 template <class S>
 double outside(const Obb<S>& box, const Vec3<S>& point) {
   const Mat3<long double> axes = box.axes.template cast<long double>();
-  const Extended way = point.template cast<long double>() - box.center.template cast<long double>();
-  const Extended local = axes.inverse() * way;
+  const Extended offset =
+      point.template cast<long double>() - box.center.template cast<long double>();
+  const Extended local = axes.inverse() * offset;
   double most = 0;
   for (int k = 0; k < 3; ++k) {
     const long double more = std::abs(local[k]) - (long double)(box.half_extents[k]);
-    if (more > 0) most = std::max(most, double(more / way.norm()));
+    if (more > 0) most = std::max(most, double(more / offset.norm()));
   }
   return most;
 }
@@ -63,9 +64,9 @@ TYPED_TEST(Bounds, HoldEveryVertexOfAnyHull) {
     EXPECT_LE((product - Mat3<S>::Identity()).cwiseAbs().maxCoeff(), 8 * epsilon);
     for (const Vec3<S>& vertex : hull.vertices) {
       EXPECT_LE(outside(box, vertex), 1e-18) << trial;
-      const Extended way =
+      const Extended offset =
           vertex.template cast<long double>() - sphere.center.template cast<long double>();
-      EXPECT_LE(way.norm(), (long double)(sphere.radius) * (1 + 1e-18L)) << trial;
+      EXPECT_LE(offset.norm(), (long double)(sphere.radius) * (1 + 1e-18L)) << trial;
       EXPECT_TRUE((vertex.array() >= aabb.lower.array()).all());
       EXPECT_TRUE((vertex.array() <= aabb.upper.array()).all());
     }
@@ -111,14 +112,14 @@ long double smallest_radius(const std::vector<Vec3d>& points) {
       if ((chosen >> i & 1U) != 0) through.push_back(points[i].cast<long double>());
     if (through.size() < 2 || through.size() > 4) continue;
     const auto count = static_cast<Eigen::Index>(through.size()) - 1;
-    Matrix ways(3, count);
+    Matrix methods(3, count);
     for (Eigen::Index i = 0; i < count; ++i)
-      ways.col(i) = through[static_cast<std::size_t>(i) + 1] - through[0];
-    const Matrix normal = ways.transpose() * ways;
+      methods.col(i) = through[static_cast<std::size_t>(i) + 1] - through[0];
+    const Matrix normal = methods.transpose() * methods;
     const Eigen::FullPivLU<Matrix> solver(normal);
     if (solver.rank() < count) continue;
     const Matrix factors = solver.solve(Matrix(0.5L * normal.diagonal()));
-    const Extended center = through[0] + Extended(ways * factors);
+    const Extended center = through[0] + Extended(methods * factors);
     const long double radius = (center - through[0]).norm();
     bool holds = true;
     for (const Vec3d& point : points)
@@ -185,9 +186,9 @@ TYPED_TEST(Bounds, OfRoundShapesAndNoneOfPlanes) {
         EXPECT_LE((long double)(aabb.lower[k]), (long double)(at)-radius[0]);
         EXPECT_GE((long double)(aabb.upper[k]), (long double)(at) + radius[0]);
       }
-      const Extended way =
+      const Extended offset =
           end.template cast<long double>() - sphere.center.template cast<long double>();
-      EXPECT_LE(way.norm() + radius[0], (long double)(sphere.radius) * (1 + 1e-17L));
+      EXPECT_LE(offset.norm() + radius[0], (long double)(sphere.radius) * (1 + 1e-17L));
     }
     EXPECT_LE(double(sphere.radius), 1.001 * (size + double(capsule.radius)));
   }

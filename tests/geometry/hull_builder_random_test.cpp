@@ -29,7 +29,7 @@ void expect_hull_as_qhull(const Points& points, double lateral) {
   const double slack = kSlack * hull_tolerance(points);
   ASSERT_TRUE(is_sound(hull));
   ASSERT_TRUE(is_convex(hull, slack));
-  const QhullAnswer qhull = ask_qhull(points);
+  const QhullAnswer qhull = run_qhull(points);
   const Measures measures = measure(hull);
   EXPECT_NEAR(measures.volume, qhull.volume, qhull.area * slack);
   EXPECT_NEAR(measures.area, qhull.area, 1e-4 * qhull.area + 8 * (slack + lateral));
@@ -142,7 +142,7 @@ TEST(BuildHull, PointsInGeneralPositionHaveTheVerticesOfQhull) {
                           : i % 3 == 1 ? gaussian(random, 200)
                                        : in_box(random, 200, Vec3d(1, 2, 3));
     Points expected;
-    for (const int vertex : ask_qhull(points).vertices) {
+    for (const int vertex : run_qhull(points).vertices) {
       expected.push_back(points[static_cast<std::size_t>(vertex)]);
     }
     EXPECT_EQ(build_hull(points).vertices, expected) << "set " << i;
@@ -190,7 +190,7 @@ TEST(BuildHull, SlowAHundredThousandPointsOnASphereAreConvex) {
   const Points points = on_sphere(random, 100000);
   const Hull<double> hull = build_hull(points);
   EXPECT_TRUE(is_sound(hull));
-  const QhullAnswer qhull = ask_qhull(points);
+  const QhullAnswer qhull = run_qhull(points);
   const Measures measures = measure(hull);
   EXPECT_NEAR(measures.volume, qhull.volume, 1e-5 * qhull.volume);
   EXPECT_NEAR(measures.area, qhull.area, 1e-5 * qhull.area);

@@ -92,7 +92,7 @@ TEST(HullChecks, SupportErrorSeesAMissingCorner) {
 }
 
 TEST(QhullOracle, KnowsACube) {
-  const QhullAnswer answer = ask_qhull(box_grid(2));
+  const QhullAnswer answer = run_qhull(box_grid(2));
   EXPECT_NEAR(answer.volume, 1, 1e-12);
   EXPECT_NEAR(answer.area, 6, 1e-12);
 }

@@ -8,7 +8,7 @@
 
 namespace contactscope::test {
 
-QhullAnswer ask_qhull(const std::vector<Vec3d>& points) {
+QhullAnswer run_qhull(const std::vector<Vec3d>& points) {
   std::vector<coordT> coordinates;
   for (const Vec3d& point : points)
     coordinates.insert(coordinates.end(), point.data(), point.data() + 3);

@@ -13,6 +13,6 @@ struct QhullAnswer {
   std::vector<int> vertices;  // indices of the points that are vertices, ascending
 };
 
-QhullAnswer ask_qhull(const std::vector<Vec3d>& points);
+QhullAnswer run_qhull(const std::vector<Vec3d>& points);
 
 }  // namespace contactscope::test

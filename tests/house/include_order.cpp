@@ -155,12 +155,12 @@ void check_include(const SourceFile& file, int line, const std::string& included
                    std::vector<std::string>& violations) {
   const std::string where = file.path + ":" + std::to_string(line) + ": ";
   // The compiler looks in the including file's folder first, then in src and render.
-  const std::string beside = (std::filesystem::path(file.path).parent_path() / included)
-                                 .lexically_normal()
-                                 .generic_string();
-  if (known.contains(beside)) {
+  const std::string next_to = (std::filesystem::path(file.path).parent_path() / included)
+                                  .lexically_normal()
+                                  .generic_string();
+  if (known.contains(next_to)) {
     std::string why;
-    const Folder* used = folder_of(beside, why);
+    const Folder* used = folder_of(next_to, why);
     if (used && !may_use(folder, *used))
       violations.push_back(where + std::string(folder.name) + " must not use " +
                            std::string(used->name));

@@ -153,7 +153,7 @@ TEST_F(Png, BrokenFilesAreErrorsWithThePath) {
   fs::resize_file(path("a.png"), 400);
   std::ofstream(path("empty.png")).close();
   std::ofstream(path("text.png")) << "not a picture";
-  const auto told = [&](const std::string& name) -> std::string {
+  const auto record = [&](const std::string& name) -> std::string {
     try {
       read_png(path(name));
       return "read";
@@ -161,9 +161,9 @@ TEST_F(Png, BrokenFilesAreErrorsWithThePath) {
       return error.what();
     }
   };
-  EXPECT_EQ(told("a.png"), path("a.png") + ": cannot be read as a PNG: it is cut off or damaged");
+  EXPECT_EQ(record("a.png"), path("a.png") + ": cannot be read as a PNG: it is cut off or damaged");
   for (const char* name : {"empty.png", "text.png"})
-    EXPECT_EQ(told(name), path(name) + ": cannot be read as a PNG: it is none");
+    EXPECT_EQ(record(name), path(name) + ": cannot be read as a PNG: it is none");
 }
 
 TEST_F(Png, SaysWhatItIsBeforeItsPixels) {

@@ -120,7 +120,7 @@ void no_contacts_in_half_of_the_frames(Trace& trace) {
   for (std::size_t f = 0; f < trace.frames.size(); f += 2) trace.frames[f].pairs.clear();
 }
 
-void told_apart(Trace& trace) {
+void with_noise(Trace& trace) {
   each_pair(trace, [](trace::Frame& frame, trace::Pair& pair) {
     if (frame.line % 2 == 0) return;
     pair.manifolds.clear();
@@ -182,7 +182,7 @@ std::vector<Seed> seeds() {
        },
        "margin_added"},
       {"contacts left out", heap, no_contacts_in_half_of_the_frames, "overlap_without_contact"},
-      {"told apart", heap, told_apart, "overlap_told_apart"},
+      {"told apart", heap, with_noise, "overlap_told_apart"},
       {"ids by chance", stack, ids_by_chance, "ids_change"},
       {"another axis up", heap, [](Trace& trace) { trace.header.up = "z"; }, "up_axis"},
       {"centimetres", heap, world_times(100), "world_in_centimetres"},

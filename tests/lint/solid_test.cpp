@@ -41,7 +41,7 @@ TEST(Solid, DistanceOfABoxIsThatOfItsFacesEdgesAndVertices) {
 /// The exit of a capsule is found by small steps along the direction.
 TEST(Solid, ACapsuleIsLeftWhereItsSurfaceIs) {
   std::mt19937_64 engine(3);
-  int asked = 0;
+  int requested = 0;
   for (int i = 0; i < 1000; ++i) {
     const auto point = [&] {
       const double x = uniform(engine, -1, 1), y = uniform(engine, -1, 1);
@@ -51,7 +51,7 @@ TEST(Solid, ACapsuleIsLeftWhereItsSurfaceIs) {
     const Solid solid(capsule(one_end, other_end, 0.6));
     const Vec3d from = point(), direction = point().normalized();
     if (solid.distance(from) > 0) continue;
-    ++asked;
+    ++requested;
     double inside = 0, outside = 8;
     while (outside - inside > 1e-12) {
       const double middle = (inside + outside) / 2;
@@ -59,7 +59,7 @@ TEST(Solid, ACapsuleIsLeftWhereItsSurfaceIs) {
     }
     EXPECT_NEAR(*solid.exit(from, direction), outside, 1e-9);
   }
-  EXPECT_GT(asked, 100);
+  EXPECT_GT(requested, 100);
 }
 
 TEST(Solid, BestSeparationOfBoxesIsAlongTheNearestFaces) {

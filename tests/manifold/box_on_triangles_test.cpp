@@ -44,7 +44,7 @@ void expect_same(const Contact<S>& contact, const Contact<S>& expected) {
 
 /// Number of results, by kind of axis.
 struct Done {
-  int triangles = 0, by_itself = 0, apart = 0;
+  int triangles = 0, by_itself = 0, gap = 0;
   int by[4] = {};
 };
 
@@ -57,14 +57,15 @@ void expect_general(const Hull<S>& box, const Mesh<S>& mesh, const Pose<S>& mesh
     TriangleHull<S> flat;
     flat.set(mesh, triangle);
     const Pose<S> placed{mesh_in_box.rotation, mesh_in_box.transform(flat.origin)};
-    Recorder<S>* const nobody = nullptr;
+    Recorder<S>* const no_record = nullptr;
     Contact<S> contact, expected;
     ++done.triangles;
     if (pair.collide(triangle, contact)) {
       PairCache<S>* const nothing_kept = nullptr;
-      collide_hull_hull(box, flat.hull, placed, options, nothing_kept, expected, nobody, Owner::B);
+      collide_hull_hull(box, flat.hull, placed, options, nothing_kept, expected, no_record,
+                        Owner::B);
       ++done.by_itself;
-      ++(expected.points.empty() ? done.apart : done.by[static_cast<int>(expected.axis)]);
+      ++(expected.points.empty() ? done.gap : done.by[static_cast<int>(expected.axis)]);
       ASSERT_NO_FATAL_FAILURE(expect_same(contact, expected));
     } else {
       EXPECT_TRUE(contact.points.empty());
@@ -81,7 +82,7 @@ void expect_general(const Hull<S>& box, const Mesh<S>& mesh, const Pose<S>& mesh
         if (separation < query.separation) query = {face, vertex, separation};
       }
       create_face_contact(hulls, Owner::B, query, static_cast<S>(options.margin), expected_on_face,
-                          nobody);
+                          no_record);
       ASSERT_NO_FATAL_FAILURE(expect_same(on_face, expected_on_face));
     }
     if (testing::Test::HasFailure()) return;
@@ -125,7 +126,7 @@ TYPED_TEST(BoxOnTriangle, OfAnySizeInAnyPoseIsAsForAnyHull) {
     if (testing::Test::HasFailure()) break;
   }
   EXPECT_GT(done.by_itself, 0.9 * done.triangles);
-  EXPECT_GT(done.apart, 0.05 * done.triangles);
+  EXPECT_GT(done.gap, 0.05 * done.triangles);
   for (const AxisKind axis : {AxisKind::FaceA, AxisKind::FaceB, AxisKind::EdgeEdge})
     EXPECT_GT(done.by[static_cast<int>(axis)], 0.05 * done.triangles) << to_string(axis);
 }

@@ -5,7 +5,7 @@
 #include "field/distance_field.h"
 #include "geometry/bounds.h"
 #include "geometry/primitives.h"
-#include "manifold/ask.h"
+#include "manifold/pair_query.h"
 #include "manifold/placed_shapes.h"
 #include "query/overlap.h"
 #include "query/penetration.h"
@@ -72,13 +72,13 @@ struct Said {
 constexpr double kTolerance = 1e-9;
 
 template <class Bound>
-Said ask_bounds(QueryKind query, const Bound& a, const Bound& b) {
+Said query_bounds(QueryKind query, const Bound& a, const Bound& b) {
   using C = Comparison<double>;
   if (query == QueryKind::Overlap) return {overlaps(a, b, C::inclusive())};
   return {overlaps(a, b, C::within(kTolerance)) && !overlaps(a, b, C::exclusive())};
 }
 
-Said ask_contacts(QueryKind query, const PlacedShapes& pair) {
+Said query_contacts(QueryKind query, const PlacedShapes& pair) {
   CollideOptions options;
   options.margin = kTolerance;
   Manifolds<double> manifolds;
@@ -92,19 +92,19 @@ Said ask_contacts(QueryKind query, const PlacedShapes& pair) {
   return {separation < 0, -separation};
 }
 
-Said ask(QueryMethod method, QueryKind query, const PlacedShapes& pair) {
-  if (method == QueryMethod::Contacts) return ask_contacts(query, pair);
+Said query_pair(QueryMethod method, QueryKind query, const PlacedShapes& pair) {
+  if (method == QueryMethod::Contacts) return query_contacts(query, pair);
   if (method == QueryMethod::Aabb)
-    return ask_bounds(query, *aabb_of(pair.a, pair.pose_a), *aabb_of(pair.b, pair.pose_b));
+    return query_bounds(query, *aabb_of(pair.a, pair.pose_a), *aabb_of(pair.b, pair.pose_b));
   if (method == QueryMethod::Obb)
-    return ask_bounds(query, placed(*obb_of(pair.a), pair.pose_a),
-                      placed(*obb_of(pair.b), pair.pose_b));
+    return query_bounds(query, placed(*obb_of(pair.a), pair.pose_a),
+                        placed(*obb_of(pair.b), pair.pose_b));
   if (method == QueryMethod::BoundingSphere)
-    return ask_bounds(query, placed(*bounding_sphere_of(pair.a), pair.pose_a),
-                      placed(*bounding_sphere_of(pair.b), pair.pose_b));
+    return query_bounds(query, placed(*bounding_sphere_of(pair.a), pair.pose_a),
+                        placed(*bounding_sphere_of(pair.b), pair.pose_b));
   if (method == QueryMethod::Support || method == QueryMethod::Triangles) {
     OwnBounds<double> of_a, of_b;
-    const Answer<double> answer = contactscope::ask<double>(
+    const Answer<double> answer = contactscope::query_pair<double>(
         {pair.a, pair.pose_a, of_a}, {pair.b, pair.pose_b, of_b}, {.kind = query});
     EXPECT_EQ(answer.method, method);
     if (query == QueryKind::Overlap) return {answer.overlap};
@@ -113,8 +113,8 @@ Said ask(QueryMethod method, QueryKind query, const PlacedShapes& pair) {
   }
   const Core a = core_of(pair.a), b = core_of(pair.b);
   const Pose<double> b_in_a = relative_pose(pair.pose_a, pair.pose_b);
-  const GjkResult<double> apart = gjk(a.set, b.set, b_in_a);
-  double separation = apart.distance - (a.radius + b.radius);
+  const GjkResult<double> separated = gjk(a.set, b.set, b_in_a);
+  double separation = separated.distance - (a.radius + b.radius);
   if (method != QueryMethod::Gjk) {
     constexpr PenetrationMethod kMethods[] = {PenetrationMethod::Sat, PenetrationMethod::Epa,
                                               PenetrationMethod::Mpr, PenetrationMethod::Sampling};
@@ -150,29 +150,30 @@ TEST(Capabilities, EveryClaimedCellAnswersRight) {
   for_every_cell([&](QueryMethod method, QueryKind query, ShapeKind one, ShapeKind other) {
     if (refusal(method, query, one, other)) return;
     ++claimed;
-    const Said apart = ask(method, query, pair_of(one, other, 0.2));
-    const Said touching = ask(method, query, pair_of(one, other, 0));
+    const Said separated = query_pair(method, query, pair_of(one, other, 0.2));
+    const Said touching = query_pair(method, query, pair_of(one, other, 0));
     // Two flat meshes have no inside to overlap.
     const bool flat = one == ShapeKind::Mesh && other == ShapeKind::Mesh;
-    const Said deep = ask(method, query, pair_of(one, other, flat ? 0 : -0.125));
+    const Said deep = query_pair(method, query, pair_of(one, other, flat ? 0 : -0.125));
     const bool is_bound = method <= QueryMethod::BoundingSphere;
     switch (query) {
       case QueryKind::Overlap:
         EXPECT_TRUE(deep.yes);
         EXPECT_TRUE(touching.yes);
         // Bounds are larger than their shapes, but finite.
-        EXPECT_FALSE(is_bound ? ask(method, query, pair_of(one, other, 20)).yes : apart.yes);
+        EXPECT_FALSE(is_bound ? query_pair(method, query, pair_of(one, other, 20)).yes
+                              : separated.yes);
         break;
       case QueryKind::Touching:
         if (method != QueryMethod::BoundingSphere || (one == other && one == ShapeKind::Sphere)) {
           EXPECT_TRUE(touching.yes);
-          EXPECT_FALSE(apart.yes);
+          EXPECT_FALSE(separated.yes);
           EXPECT_EQ(deep.yes, flat);
         }
-        EXPECT_FALSE(ask(method, query, pair_of(one, other, 20)).yes);
+        EXPECT_FALSE(query_pair(method, query, pair_of(one, other, 20)).yes);
         break;
       case QueryKind::Distance:
-        EXPECT_NEAR(apart.metres, 0.2, 1e-9);
+        EXPECT_NEAR(separated.metres, 0.2, 1e-9);
         EXPECT_EQ(touching.metres < 1e-9, true);
         EXPECT_LT(deep.metres, 1e-9);
         break;
@@ -183,7 +184,7 @@ TEST(Capabilities, EveryClaimedCellAnswersRight) {
         break;
       case QueryKind::Manifold:
         EXPECT_NEAR(deep.metres, 0.125, 1e-9);
-        EXPECT_FALSE(apart.yes);
+        EXPECT_FALSE(separated.yes);
         break;
     }
   });

@@ -26,7 +26,7 @@ CollideOptions skip() {
 }
 
 template <class S>
-void expect_told(const PlacedShapes& pair, const std::string& geometry) {
+void expect_recorded(const PlacedShapes& pair, const std::string& geometry) {
   const trace::Pair record = test::record_of<S>(pair);
   ASSERT_TRUE(record.degenerate.has_value()) << geometry;
   EXPECT_EQ(record.degenerate->geometry, geometry);
@@ -52,7 +52,7 @@ TYPED_TEST(CapsuleFallback, CrossingAxesGiveTheirCrossProduct) {
          Capsule<double>{{Vec3d(-size * direction), Vec3d(size * direction)}, 0.2 * size},
          test::at(random.uniform(-0.9, 0.9) * size, 0, 0)},
         by);
-    expect_told<S>(pair, "crossing axes");
+    expect_recorded<S>(pair, "crossing axes");
     const Manifold<S> manifold = test::manifold_of<S>(pair);
     ASSERT_EQ(manifold.points.size(), 1u);
     EXPECT_NEAR(std::abs(test::normal_of(manifold).dot(by.rotate(Vec3d::UnitY()))), 1,
@@ -74,7 +74,7 @@ TYPED_TEST(CapsuleFallback, OverlappingAxesInParallelGiveAPerpendicularAndTwoPoi
          test::lying_capsule(0.5 * size, 0.2 * size),
          {test::about(Vec3d::UnitX(), random.uniform(0, 6)), Vec3d(shift, 0, 0) * size}},
         by);
-    expect_told<S>(pair, "overlapping axes");
+    expect_recorded<S>(pair, "overlapping axes");
     const Manifold<S> manifold = test::manifold_of<S>(pair);
     ASSERT_EQ(manifold.points.size(), 2u);
     EXPECT_NEAR(test::normal_of(manifold).dot(by.rotate(Vec3d::UnitX())), 0, 32 * this->kEps);
@@ -89,9 +89,9 @@ TYPED_TEST(CapsuleFallback, PointsOnAnAxisAndPointsOnPointsAreToldApart) {
   const Shape<double> point = test::upright_capsule(0, 0.3);
   const Shape<double> capsule = test::lying_capsule(1, 0.2);
   const Pose<double> turned{test::about({1, 2, 3}, 1.1), Vec3d(0, 0, 0)};
-  expect_told<S>({point, {}, point, turned}, "coincident centres");
-  expect_told<S>({point, {}, capsule, turned}, "centre on the axis");
-  expect_told<S>({capsule, turned, point, {}}, "centre on the axis");
+  expect_recorded<S>({point, {}, point, turned}, "coincident centres");
+  expect_recorded<S>({point, {}, capsule, turned}, "centre on the axis");
+  expect_recorded<S>({capsule, turned, point, {}}, "centre on the axis");
   for (const bool point_first : {false, true}) {
     const PlacedShapes pair = point_first ? PlacedShapes{point, {}, capsule, turned}
                                           : PlacedShapes{capsule, turned, point, {}};
@@ -134,13 +134,13 @@ TYPED_TEST(CapsuleFallback, IsAtRightAnglesToBothAxesAndAsDeepAsTheyAreHoweverSm
   int two_points = 0, degenerate = 0;
   for (int i = 0; i < 4000; ++i) {
     const double size = random.decade(-4, 4);
-    const double way = random.uniform(-0.6, 0.6) * size;
+    const double offset = random.uniform(-0.6, 0.6) * size;
     const Vec3d turn(0, std::cos(0.01 * i), std::sin(0.01 * i));
     const PlacedShapes pair = test::moved(
         {test::lying_capsule(size, 0.3 * size),
          {},
          test::lying_capsule(0.8 * size, 0.2 * size),
-         {test::about(turn, random.decade(std::log10(this->kEps), 0)), Vec3d(way, 0, 0)}},
+         {test::about(turn, random.decade(std::log10(this->kEps), 0)), Vec3d(offset, 0, 0)}},
         random.pose(size));
     const trace::Pair record = test::record_of<S>(pair);
     ASSERT_EQ(record.manifolds.size(), 1u) << i;

@@ -278,11 +278,12 @@ void expect_no_jump(const RoundHull& start, double step, int steps, Turn turn, i
       if (turn == Turn::None) {
         ASSERT_LE(turned, 64 * epsilon);
       } else {
-        const double way = now.points[0].separation + last.points[0].separation + 2 * start.radius;
+        const double offset =
+            now.points[0].separation + last.points[0].separation + 2 * start.radius;
         const double inner =
             start.radius + std::min(now.points[0].separation, last.points[0].separation);
         if (inner > 0) {
-          ASSERT_LE(turned, 2 * (step + rounding) / way + 64 * epsilon);
+          ASSERT_LE(turned, 2 * (step + rounding) / offset + 64 * epsilon);
         }
       }
       // At a point that a side cuts off, the side's slope may matter more than the step.

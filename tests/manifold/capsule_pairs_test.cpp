@@ -212,9 +212,9 @@ TYPED_TEST(CapsulePairs, SlowRandomPairsAgreeWithASearchInBothParameters) {
       // Not outside either capsule by more than the divergence of nearly parallel axes.
       const Vec3d position = point.position.template cast<double>();
       const double parting = manifold.points.size() == 2 ? 0.0051 * (a.radius + b.radius) : 0;
-      const Vec3d half_way = 0.5 * static_cast<double>(point.separation) * normal;
-      ASSERT_NEAR(test::surface_distance(position - half_way, a), 0, 2 * rounding + parting);
-      ASSERT_NEAR(test::surface_distance(position + half_way, b), 0, 2 * rounding + parting);
+      const Vec3d halfway = 0.5 * static_cast<double>(point.separation) * normal;
+      ASSERT_NEAR(test::surface_distance(position - halfway, a), 0, 2 * rounding + parting);
+      ASSERT_NEAR(test::surface_distance(position + halfway, b), 0, 2 * rounding + parting);
     }
   }
   EXPECT_GT(one, 500);

@@ -59,7 +59,7 @@ TYPED_TEST_SUITE(ClearTriangles, Scalars);
 TYPED_TEST(ClearTriangles, AreApartByTheSeparatingAxisTest) {
   using S = TypeParam;
   Random random(41);
-  int clear = 0, apart = 0;
+  int clear = 0, gap = 0;
   for (int i = 0; i < 200; ++i) {
     const HullOnGrid<S> drawn = draw<S>(random);
     const S reach = drawn.hull.centroid.norm() + drawn.hull.radius + drawn.in_hull.position.norm();
@@ -74,10 +74,10 @@ TYPED_TEST(ClearTriangles, AreApartByTheSeparatingAxisTest) {
         const Pose<S> placed{drawn.in_hull.rotation, drawn.in_hull.transform(flat.origin)};
         Contact<S> contact;
         PairCache<S>* const nothing = nullptr;
-        Recorder<S>* const nobody = nullptr;
+        Recorder<S>* const no_record = nullptr;
         const S separation =
-            collide_hull_hull(drawn.hull, flat.hull, placed, options, nothing, contact, nobody);
-        apart += separation > static_cast<S>(options.margin) ? 1 : 0;
+            collide_hull_hull(drawn.hull, flat.hull, placed, options, nothing, contact, no_record);
+        gap += separation > static_cast<S>(options.margin) ? 1 : 0;
         if (!is_clear(triangle)) continue;
         ++clear;
         ASSERT_GT(separation, static_cast<S>(options.margin)) << i << ", triangle " << triangle;
@@ -85,7 +85,7 @@ TYPED_TEST(ClearTriangles, AreApartByTheSeparatingAxisTest) {
       }
     }
   }
-  EXPECT_GT(clear, 0.9 * apart);
+  EXPECT_GT(clear, 0.9 * gap);
 }
 
 TYPED_TEST(ClearTriangles, AHullHasTheContactsThatItsRecordHas) {

@@ -56,11 +56,12 @@ TEST(CreateContact, ADeepestFaceBesideWhichTheSupportHangsOverTouchesAtItsRim) {
   EXPECT_EQ(last.id.first, face_ref(Owner::A, made.axes.face_a.face));
   EXPECT_EQ(last.id.second.owner, Owner::B);
   ASSERT_TRUE(made.record.clip.has_value());
-  bool told = false;
+  bool recorded = false;
   for (const trace::DroppedPoint& dropped : made.record.clip->dropped) {
-    told = told || dropped.reason == "cut off by the side planes; kept as the deepest point";
+    recorded =
+        recorded || dropped.reason == "cut off by the side planes; kept as the deepest point";
   }
-  EXPECT_TRUE(told);
+  EXPECT_TRUE(recorded);
 }
 
 // A knife with its edge down, level, along x. Its ends lean outwards as they rise and face down
@@ -73,11 +74,11 @@ TEST(CreateContact, AKnifeWhoseEndIsBesideTouchesWhereItsEdgeIsAbove) {
     for (const double z : {-width, width}) points.emplace_back(lean * x, 0.3 * height, z);
     for (const double z : {-width, width}) points.emplace_back(lean * x, height, z);
   }
-  for (const double way : {0.8, -0.8}) {
+  for (const double offset : {0.8, -0.8}) {
     PairCase<double> pair{test::cube(0.5), test::at(0, -0.5, 0), build_hull(points),
-                          test::at(way, -0.01, 0)};
-    for (const bool traded : {false, true}) {
-      if (traded) pair = test::swapped(pair);
+                          test::at(offset, -0.01, 0)};
+    for (const bool mirrored : {false, true}) {
+      if (mirrored) pair = test::swapped(pair);
       const Manifold<double> manifold = test::collide(pair);
       ASSERT_FALSE(manifold.points.empty());
       EXPECT_NEAR(std::abs(manifold.normal.y()), 1, 1e-12);
@@ -94,7 +95,7 @@ TEST(CreateContact, ShallowPreferredFaceGivesWayToTheDeepestAxis) {
   // If the sides of the preferred face slope outwards below it, its deepest point may lie outside
   // it, and the clip may be shallower than the least overlap allows: a few pairs in a hundred.
   test::Random random(3);
-  int given_way = 0;
+  int replaced = 0;
   for (int i = 0; i < 3000; ++i) {
     const PairCase<double> pair = test::random_pair(random);
     const HullPair<double> placed(pair.a, pair.b, relative_pose(pair.pose_a, pair.pose_b));
@@ -103,11 +104,11 @@ TEST(CreateContact, ShallowPreferredFaceGivesWayToTheDeepestAxis) {
     Contact<double> contact;
     create_contact<double>(placed, axes, {}, contact, nullptr);
     if (contact.axis == axes.chosen) continue;
-    ++given_way;
+    ++replaced;
     ASSERT_EQ(contact.axis, axes.deepest) << "pair " << i;
     ASSERT_FALSE(contact.points.empty()) << "pair " << i;
   }
-  EXPECT_GT(given_way, 10);
+  EXPECT_GT(replaced, 10);
 }
 
 }  // namespace

@@ -103,11 +103,12 @@ TEST(Decisions, SeparatedCubesTellHowFarTheyAreFromTouching) {
 TEST(Decisions, EachStepOfAReducerTellsTheRunnerUp) {
   const trace::Pair pair = decided(test::stacked_cubes(30 * kDegree, 0.01), reduced_by("area"));
   int steps = 0;
-  for (const trace::Decision& told : pair.decisions) {
-    if (!told.stage.starts_with("point ")) continue;
-    EXPECT_THAT(told.took, StartsWith("point "));
-    EXPECT_NE(told.took, told.over);
-    EXPECT_GE(told.margin.value_or(0) + told.margin_area.value_or(0), -1e-12) << told.stage;
+  for (const trace::Decision& recorded : pair.decisions) {
+    if (!recorded.stage.starts_with("point ")) continue;
+    EXPECT_THAT(recorded.took, StartsWith("point "));
+    EXPECT_NE(recorded.took, recorded.over);
+    EXPECT_GE(recorded.margin.value_or(0) + recorded.margin_area.value_or(0), -1e-12)
+        << recorded.stage;
     ++steps;
   }
   EXPECT_EQ(steps, 4);
@@ -140,8 +141,8 @@ TEST(FlipDistance, OfABallOnAFaceIsTheWayOutOfIt) {
   for (const double overlap : {0.001, 0.002, 0.004}) {
     const trace::Flip flip =
         flip_of({box, {}, test::ball(0.5), {Quatd::Identity(), Vec3d(0.1, 1 - overlap, 0.2)}});
-    ASSERT_TRUE(flip.way.has_value());
-    EXPECT_NEAR(*flip.way, overlap, 1e-3 * overlap);
+    ASSERT_TRUE(flip.offset.has_value());
+    EXPECT_NEAR(*flip.offset, overlap, 1e-3 * overlap);
     EXPECT_NEAR(flip.direction.y(), 1, 1e-9);
     EXPECT_FALSE(flip.turn.has_value());  // a ball does not change when it turns
   }
@@ -176,7 +177,7 @@ TEST(FlipDistance, TheSameSeedGivesTheSame) {
 
 TEST(FlipDistance, OfShapesThatAreApartThereIsNone) {
   const trace::Flip flip = flip_of(shapes_of(test::stacked_cubes(30 * kDegree, -0.01)));
-  EXPECT_FALSE(flip.way || flip.turn || flip.last_places);
+  EXPECT_FALSE(flip.offset || flip.turn || flip.last_places);
 }
 
 }  // namespace

@@ -194,8 +194,8 @@ TYPED_TEST(Dispatch, SlowTradingTwoHullsMirrorsTheContactUnlessFacesOfBothAreNea
     for (const ContactPoint<S>& point : there.points) {
       double nearest = std::numeric_limits<double>::infinity();
       for (std::size_t k = 0; k < back.points.size(); ++k) {
-        const Vec3d way = point.position.template cast<double>() - test::position_of(back, k);
-        nearest = std::min(nearest, way.norm());
+        const Vec3d offset = point.position.template cast<double>() - test::position_of(back, k);
+        nearest = std::min(nearest, offset.norm());
       }
       ASSERT_LT(nearest, 1e-3 * size) << i;
     }
@@ -238,12 +238,12 @@ TYPED_TEST(Dispatch, ARecordIsToldInTheOrderOfTheArguments) {
         const trace::Pair record = test::record_of<S>(pair);
         ASSERT_EQ(record.kind, std::string(to_string(a)) + "-" + to_string(b));
         if (manifold.points.empty()) continue;
-        const trace::Manifold& told = record.manifolds.at(0);
-        ASSERT_EQ(told.normal, test::normal_of(manifold));
-        ASSERT_EQ(told.axis, to_string(manifold.axis));
-        ASSERT_EQ(told.type, to_string(manifold.type));
+        const trace::Manifold& recorded = record.manifolds.at(0);
+        ASSERT_EQ(recorded.normal, test::normal_of(manifold));
+        ASSERT_EQ(recorded.axis, to_string(manifold.axis));
+        ASSERT_EQ(recorded.type, to_string(manifold.type));
         for (std::size_t k = 0; k < manifold.points.size(); ++k)
-          ASSERT_EQ(told.points[k].id, to_string(manifold.points[k].id));
+          ASSERT_EQ(recorded.points[k].id, to_string(manifold.points[k].id));
       }
     }
   }
@@ -277,12 +277,12 @@ TYPED_TEST(Dispatch, SlowTradingTheArgumentsMirrorsTheWholeRecord) {
         const PlacedShapes pair = random_pair(random, a, b);
         CollideOptions options = some_options<S>(i);
         options.penetration = static_cast<PenetrationMethod>(i % 4);
-        const std::string told = line(record_of(pair, "one", "other", options));
+        const std::string recorded = line(record_of(pair, "one", "other", options));
         options.b_first = true;  // two hulls have no order of their own
-        trace::Pair traded = record_of(swapped(pair), "other", "one", options);
-        ASSERT_NE(line(traded), told);
-        trace::mirror(traded);
-        ASSERT_EQ(line(traded), told) << "pair " << i;
+        trace::Pair mirrored = record_of(swapped(pair), "other", "one", options);
+        ASSERT_NE(line(mirrored), recorded);
+        trace::mirror(mirrored);
+        ASSERT_EQ(line(mirrored), recorded) << "pair " << i;
       }
     }
   }

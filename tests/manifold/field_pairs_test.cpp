@@ -59,7 +59,7 @@ TEST(FieldPairs, ASphereTouchesAFieldAsItTouchesTheBoxThatItIsMadeOf) {
 TEST(FieldPairs, SlowAHullThatCrossesAMeshIsNeverMissed) {
   // Overlap: triangles that share a point, exactly, or a corner inside, by its winding number.
   Random random(2);
-  int overlapping = 0, apart = 0, false_alarms = 0;
+  int overlapping = 0, spacing = 0, false_alarms = 0;
   for (int i = 0; i < 400; ++i) {
     const double size = random.decade(-4, 4);
     const Mesh<double> mesh = test::built(test::sphere_mesh(size, 12, 9, 0.3));
@@ -72,7 +72,7 @@ TEST(FieldPairs, SlowAHullThatCrossesAMeshIsNeverMissed) {
     const PlacedShapes pair = test::moved(
         {hull, hull_in_mesh, field_of(mesh, {.cells = 16, .band = 1}), {}}, random.pose(size));
     const Manifolds<double> found = manifolds_of(pair);
-    (truth ? overlapping : apart)++;
+    (truth ? overlapping : spacing)++;
     if (truth) {
       ASSERT_FALSE(found.empty()) << i;
     } else if (!found.empty()) {
@@ -84,7 +84,7 @@ TEST(FieldPairs, SlowAHullThatCrossesAMeshIsNeverMissed) {
     }
   }
   EXPECT_GT(overlapping, 100);
-  EXPECT_GT(apart, 100);
+  EXPECT_GT(spacing, 100);
   EXPECT_LT(false_alarms, 3);
 }
 
@@ -231,7 +231,7 @@ TEST(FieldPairs, WhatIsWhollyInsideIsFound) {
   const Pose<double> inside = test::at(0.5, 0, 0);
   // With a margin the wall is within reach.
   for (const double margin : {0.0, 0.45}) {
-    const auto way_out = [&](const Shape<double>& a, const Shape<double>& b,
+    const auto outward = [&](const Shape<double>& a, const Shape<double>& b,
                              const Pose<double>& b_in_a) {
       CollideOptions options;
       options.margin = margin;
@@ -240,11 +240,11 @@ TEST(FieldPairs, WhatIsWhollyInsideIsFound) {
       return deepest_of(found);
     };
     // By the small field's far corner; for two fields, by the deepest of the surface's points.
-    EXPECT_NEAR(way_out(make_box(Vec3d(1, 1, 1)), small, inside), -0.6, 1e-12);
-    EXPECT_LE(way_out(large, small, inside), -0.5);
-    EXPECT_LE(way_out(small, large, test::at(-0.5, 0, 0)), -0.5);
+    EXPECT_NEAR(outward(make_box(Vec3d(1, 1, 1)), small, inside), -0.6, 1e-12);
+    EXPECT_LE(outward(large, small, inside), -0.5);
+    EXPECT_LE(outward(small, large, test::at(-0.5, 0, 0)), -0.5);
     // The distance of the ball's centre from the small box, minus its radius.
-    EXPECT_NEAR(way_out(Sphere<double>{2}, small, inside), 0.4 - 2, 1e-12);
+    EXPECT_NEAR(outward(Sphere<double>{2}, small, inside), 0.4 - 2, 1e-12);
   }
 }
 

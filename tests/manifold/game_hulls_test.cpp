@@ -113,11 +113,12 @@ PairCase<double> resting_pair(Random& random) {
   pair.pose_b.rotation = (tilt * yaw * Quatd::FromTwoVectors(down, Vec3d(-up))).normalized();
   const double reach = pair.a.radius + pair.b.radius;
   const Vec3d aside = random.unit_vector();
-  const Vec3d way = pair.a.centroid + random.uniform(0, 0.7) * reach * (aside - aside.dot(up) * up);
+  const Vec3d offset =
+      pair.a.centroid + random.uniform(0, 0.7) * reach * (aside - aside.dot(up) * up);
 
   double above = reach, below = -reach;  // of B over A, along `up`
   const auto touches = [&](double height) {
-    pair.pose_b.position = way + height * up;
+    pair.pose_b.position = offset + height * up;
     const HullPair<double> placed(pair.a, pair.b, pair.pose_b);
     return sat(placed, 0.0, Preference::None).status == SatStatus::Touching;
   };
@@ -154,10 +155,10 @@ double farthest_outside(const PairCase<double>& pair, const Manifold<S>& manifol
   for (const ContactPoint<S>& point : manifold.points) {
     // The point lies on the reference face.
     const double behind = manifold.axis == AxisKind::FaceA ? 0 : 1;
-    const Vec3d way = static_cast<double>(point.separation) * normal;
+    const Vec3d offset = static_cast<double>(point.separation) * normal;
     const Vec3d place = point.position.template cast<double>();
-    most = std::max({most, outside(pair.a, pair.pose_a, place - behind * way),
-                     outside(pair.b, pair.pose_b, place + (1 - behind) * way)});
+    most = std::max({most, outside(pair.a, pair.pose_a, place - behind * offset),
+                     outside(pair.b, pair.pose_b, place + (1 - behind) * offset)});
   }
   return most;
 }

@@ -13,16 +13,16 @@ TEST(GjkRecord, TellsTheStepsOfGjkWhereItRan) {
     return test::record_of<double>({box, {}, test::ball(0.5), {Quatd::Identity(), center}});
   };
   EXPECT_FALSE(record_at(Vec3d(0.1, 0.9, 0.2)).gjk.has_value());
-  const trace::Pair beside_edge = record_at(Vec3d(0.7, 0.7, 0.1));
-  ASSERT_TRUE(beside_edge.gjk.has_value());
-  EXPECT_EQ(beside_edge.gjk->status, "separated");
-  EXPECT_GE(beside_edge.gjk->iterations, 1);
-  EXPECT_NEAR(beside_edge.gjk->distance, std::sqrt(0.08), 1e-15);
+  const trace::Pair next_to_edge = record_at(Vec3d(0.7, 0.7, 0.1));
+  ASSERT_TRUE(next_to_edge.gjk.has_value());
+  EXPECT_EQ(next_to_edge.gjk->status, "separated");
+  EXPECT_GE(next_to_edge.gjk->iterations, 1);
+  EXPECT_NEAR(next_to_edge.gjk->distance, std::sqrt(0.08), 1e-15);
   // The hull is a here, so the pair is recorded mirrored.
-  EXPECT_LT((beside_edge.gjk->point_a - Vec3d(0.5, 0.5, 0.1)).norm(), 1e-15);
-  EXPECT_LT((beside_edge.gjk->point_b - Vec3d(0.7, 0.7, 0.1)).norm(), 1e-15);
-  ASSERT_FALSE(beside_edge.gjk->steps.empty());
-  for (const trace::Simplex& simplex : beside_edge.gjk->steps) {
+  EXPECT_LT((next_to_edge.gjk->point_a - Vec3d(0.5, 0.5, 0.1)).norm(), 1e-15);
+  EXPECT_LT((next_to_edge.gjk->point_b - Vec3d(0.7, 0.7, 0.1)).norm(), 1e-15);
+  ASSERT_FALSE(next_to_edge.gjk->steps.empty());
+  for (const trace::Simplex& simplex : next_to_edge.gjk->steps) {
     ASSERT_GE(simplex.size(), 1u);
     ASSERT_LE(simplex.size(), 4u);
     for (const trace::SimplexVertex& vertex : simplex) {

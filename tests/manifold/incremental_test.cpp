@@ -104,11 +104,11 @@ TYPED_TEST(Incremental, SlidingBreaksPointsByDistanceAndKeepsThemByIds) {
     std::size_t fewest = 4;
     Manifold<S> manifold;
     for (int frame = 1; frame <= 20; ++frame) {
-      const trace::Pair told = pair.record(at(0.015 * frame, 0.995, 0), at(0, 0, 0));
-      for (const auto& point : told.incremental->points)
+      const trace::Pair recorded = pair.record(at(0.015 * frame, 0.995, 0), at(0, 0, 0));
+      for (const auto& point : recorded.incremental->points)
         if (point.state == "broken") reasons.insert(point.reason);
-      fewest = std::min(fewest, told.manifolds.at(0).points.size());
-      for (const trace::Point& point : told.manifolds.at(0).points)
+      fewest = std::min(fewest, recorded.manifolds.at(0).points.size());
+      for (const trace::Point& point : recorded.manifolds.at(0).points)
         EXPECT_NEAR(point.separation, -0.005, 1e-6);
     }
     if (confirm == Confirm::Distance) {
@@ -129,9 +129,9 @@ TYPED_TEST(Incremental, APointOverTheEdgeNoLongerFacesItsFeature) {
   using S = TypeParam;
   Stepped<S> pair(box(0.5, 0.5, 0.5), box(1, 0.5, 1), scaled(1, Confirm::Ids));
   for (int frame = 0; frame < 4; ++frame) pair.step(at(0.45, 0.995, 0), at(0, 0, 0));
-  const trace::Pair told = pair.record(at(0.51, 0.995, 0), at(0, 0, 0));
+  const trace::Pair recorded = pair.record(at(0.51, 0.995, 0), at(0, 0, 0));
   std::vector<std::string> reasons;
-  for (const auto& point : told.incremental->points)
+  for (const auto& point : recorded.incremental->points)
     if (point.state == "broken") reasons.push_back(point.reason);
   EXPECT_THAT(reasons, ElementsAre("other features", "other features"));
 }
@@ -142,13 +142,13 @@ TYPED_TEST(Incremental, ANewPointThatIsTooCloseTakesThePlaceOfTheOldOneAndItsNam
   Stepped<S> pair(ball(0.5), box(2, 0.5, 2));
   const Manifold<S> first = pair.step(at(0, 0.99, 0), at(0, 0, 0));
   ASSERT_EQ(first.points.size(), 1U);
-  const trace::Pair told = pair.record(at(0.012, 0.99, 0), at(0, 0, 0));
-  ASSERT_EQ(told.incremental->points.size(), 2U);
-  EXPECT_EQ(told.incremental->points[0].state, "persisted");
-  EXPECT_EQ(told.incremental->points[0].age, 1);
-  EXPECT_NEAR(told.incremental->points[0].point.position.x(), 0.012, 1e-6);
-  EXPECT_EQ(told.incremental->points[0].point.id, to_string(first.points[0].id));
-  EXPECT_EQ(told.incremental->points[1].reason, "replaced");
+  const trace::Pair recorded = pair.record(at(0.012, 0.99, 0), at(0, 0, 0));
+  ASSERT_EQ(recorded.incremental->points.size(), 2U);
+  EXPECT_EQ(recorded.incremental->points[0].state, "persisted");
+  EXPECT_EQ(recorded.incremental->points[0].age, 1);
+  EXPECT_NEAR(recorded.incremental->points[0].point.position.x(), 0.012, 1e-6);
+  EXPECT_EQ(recorded.incremental->points[0].point.id, to_string(first.points[0].id));
+  EXPECT_EQ(recorded.incremental->points[1].reason, "replaced");
 
   // A corner passes the floor's border: other features at about the same place keep the name.
   Stepped<S> leaving(box(0.5, 0.5, 0.5), box(2, 0.5, 2));
@@ -176,14 +176,14 @@ TYPED_TEST(Incremental, OverlappingCoresHaveTheDepthOfTheSeparatingAxisTest) {
     const Pose<double> pose_b{random.rotation(),
                               size * random.uniform(0, 0.6) * random.unit_vector()};
     Stepped<S> pair(a, b, scaled(size));
-    const trace::Pair told = pair.record(pose_a, pose_b);
-    ASSERT_TRUE(told.incremental);
-    if (told.incremental->query != "sat") continue;
+    const trace::Pair recorded = pair.record(pose_a, pose_b);
+    ASSERT_TRUE(recorded.incremental);
+    if (recorded.incremental->query != "sat") continue;
     ++deep;
     const CoreHull core_a = core_hull(a, 0.02 * size), core_b = core_hull(b, 0.02 * size);
     const BruteForceAxis axis = brute_force_sat(core_a.hull, pose_a, core_b.hull, pose_b);
-    ASSERT_EQ(told.manifolds.size(), 1U);
-    EXPECT_NEAR(told.manifolds[0].points.at(0).separation,
+    ASSERT_EQ(recorded.manifolds.size(), 1U);
+    EXPECT_NEAR(recorded.manifolds[0].points.at(0).separation,
                 axis.separation - core_a.margin - core_b.margin,
                 (sizeof(S) == 4 ? 2e-5 : 1e-6) * size)
         << i;
@@ -294,24 +294,24 @@ TYPED_TEST(Incremental, WhileThingsTumbleIdsAreOnceEachAndARecordChangesNothing)
           i % 3 == 0 ? lying_capsule(0.3, 0.2) : Shape<double>(random_hull(random, 14, 0.5, 2));
       Stepped<S> pair(a, box(2, 0.5, 2), scaled(1, confirm)),
           watched(a, box(2, 0.5, 2), scaled(1, confirm));
-      const Vec3d axis = random.unit_vector(), way = random.unit_vector();
+      const Vec3d axis = random.unit_vector(), offset = random.unit_vector();
       const Quatd start = random.rotation();
       for (int frame = 0; frame < 60; ++frame) {
         const Pose<double> pose{about(axis, 0.01 * frame) * start,
-                                Vec3d(0, 0.8, 0) + 0.004 * frame * way};
+                                Vec3d(0, 0.8, 0) + 0.004 * frame * offset};
         const Manifold<S> manifold = pair.step(pose, at(0, 0, 0));
-        const trace::Pair told = watched.record(pose, at(0, 0, 0));
+        const trace::Pair recorded = watched.record(pose, at(0, 0, 0));
         ASSERT_LE(manifold.points.size(), 4U);
         ASSERT_TRUE(is_finite(manifold));
         const std::vector<std::string> ids = ids_of(manifold);
         EXPECT_EQ(std::set<std::string>(ids.begin(), ids.end()).size(), ids.size()) << i;
-        ASSERT_EQ(told.manifolds.size(), manifold.points.empty() ? 0U : 1U);
+        ASSERT_EQ(recorded.manifolds.size(), manifold.points.empty() ? 0U : 1U);
         for (std::size_t k = 0; k < ids.size(); ++k) {
-          EXPECT_EQ(told.manifolds[0].points.at(k).position, position_of(manifold, k));
-          EXPECT_EQ(told.manifolds[0].points[k].separation,
+          EXPECT_EQ(recorded.manifolds[0].points.at(k).position, position_of(manifold, k));
+          EXPECT_EQ(recorded.manifolds[0].points[k].separation,
                     static_cast<double>(manifold.points[k].separation));
-          EXPECT_EQ(told.manifolds[0].points[k].id, ids[k]);
-          EXPECT_EQ(told.incremental->points.at(k).point.id, ids[k]);
+          EXPECT_EQ(recorded.manifolds[0].points[k].id, ids[k]);
+          EXPECT_EQ(recorded.incremental->points.at(k).point.id, ids[k]);
         }
       }
     }
@@ -323,32 +323,32 @@ TEST(IncrementalManifold, IsLeftBehindWhenTheShapesPart) {
   for (int frame = 0; frame < 4; ++frame) pair.step(at(0, 0.995, 0), at(0, 0, 0));
   EXPECT_EQ(pair.step(at(0, 1.015, 0), at(0, 0, 0)).points.size(),
             4U);  // up to the breaking distance
-  const trace::Pair told = pair.record(at(0, 1.025, 0), at(0, 0, 0));
-  EXPECT_EQ(told.state, "separated");
-  EXPECT_NEAR(told.separation, 0.025, 1e-12);
-  ASSERT_EQ(told.incremental->points.size(), 4U);
-  for (const auto& point : told.incremental->points) EXPECT_EQ(point.reason, "apart");
+  const trace::Pair recorded = pair.record(at(0, 1.025, 0), at(0, 0, 0));
+  EXPECT_EQ(recorded.state, "separated");
+  EXPECT_NEAR(recorded.separation, 0.025, 1e-12);
+  ASSERT_EQ(recorded.incremental->points.size(), 4U);
+  for (const auto& point : recorded.incremental->points) EXPECT_EQ(point.reason, "apart");
   EXPECT_TRUE(pair.persistent().points.empty());
 }
 
 TEST(IncrementalManifold, TradingTheShapesMirrorsTheRecord) {
-  Stepped<double> pair(box(0.5, 0.5, 0.5), ground()), traded(ground(), box(0.5, 0.5, 0.5));
-  const trace::Pair told = pair.record(at(0, 0.49, 0), at(0, 0, 0));
-  const trace::Pair other = traded.record(at(0, 0, 0), at(0, 0.49, 0));
-  EXPECT_EQ(told.incremental->query, "plane");
-  EXPECT_EQ(told.incremental->margin_a, other.incremental->margin_b);
-  EXPECT_EQ(told.incremental->margin_a, 0.02);
-  EXPECT_EQ(told.incremental->points.at(0).on_a(), other.incremental->points.at(0).on_b());
+  Stepped<double> pair(box(0.5, 0.5, 0.5), ground()), swapped(ground(), box(0.5, 0.5, 0.5));
+  const trace::Pair recorded = pair.record(at(0, 0.49, 0), at(0, 0, 0));
+  const trace::Pair other = swapped.record(at(0, 0, 0), at(0, 0.49, 0));
+  EXPECT_EQ(recorded.incremental->query, "plane");
+  EXPECT_EQ(recorded.incremental->margin_a, other.incremental->margin_b);
+  EXPECT_EQ(recorded.incremental->margin_a, 0.02);
+  EXPECT_EQ(recorded.incremental->points.at(0).on_a(), other.incremental->points.at(0).on_b());
   EXPECT_EQ(other.incremental->points[0].point.id.substr(0, 4), "a:f0");
   EXPECT_EQ(other.manifolds.at(0).normal, Vec3d(0, 1, 0));
 }
 
 TEST(IncrementalManifold, AThinShapeHasASmallerMargin) {
   Stepped<double> pair(box(0.5, 0.01, 0.5), box(2, 0.5, 2));
-  const trace::Pair told = pair.record(at(0, 0.509, 0), at(0, 0, 0));
-  EXPECT_NEAR(told.incremental->margin_a, 0.005, 1e-15);
-  EXPECT_EQ(told.incremental->margin_b, 0.02);
-  EXPECT_NEAR(told.manifolds.at(0).points.at(0).separation, -0.001, 1e-12);
+  const trace::Pair recorded = pair.record(at(0, 0.509, 0), at(0, 0, 0));
+  EXPECT_NEAR(recorded.incremental->margin_a, 0.005, 1e-15);
+  EXPECT_EQ(recorded.incremental->margin_b, 0.02);
+  EXPECT_NEAR(recorded.manifolds.at(0).points.at(0).separation, -0.001, 1e-12);
 }
 
 /// Level on the floor, 5 mm deep: all corners are equally good.
@@ -365,9 +365,9 @@ TEST(IncrementalManifold, EveryReducerLeavesFourPointsOfAPrismWithManyCorners) {
     if (info.name == "none") continue;
     std::size_t reduced = 0;
     for (int frame = 0; frame < 40; ++frame) {
-      const trace::Pair told = pair.record(standing(), at(0, 0, 0));
+      const trace::Pair recorded = pair.record(standing(), at(0, 0, 0));
       std::set<std::string> standing_ids, reduced_ids;
-      for (const trace::PersistentPoint& point : told.incremental->points) {
+      for (const trace::PersistentPoint& point : recorded.incremental->points) {
         if (point.state == "broken") {
           EXPECT_EQ(point.reason, "reduced") << info.name << ", frame " << frame;
           reduced_ids.insert(point.point.id);
@@ -378,7 +378,7 @@ TEST(IncrementalManifold, EveryReducerLeavesFourPointsOfAPrismWithManyCorners) {
       EXPECT_LE(standing_ids.size(), std::min<std::size_t>(frame + 1, 4)) << info.name;
       EXPECT_GE(standing_ids.size(), 1U) << info.name;
       reduced += reduced_ids.size();
-      EXPECT_EQ(told.manifolds.at(0).points.size(), standing_ids.size()) << info.name;
+      EXPECT_EQ(recorded.manifolds.at(0).points.size(), standing_ids.size()) << info.name;
       for (const std::string& id : reduced_ids)
         EXPECT_FALSE(standing_ids.contains(id)) << info.name;
     }
@@ -403,15 +403,15 @@ TEST(IncrementalManifold, WithoutAReducerTheNewestAreKeptUpToTheMostThatThereIsR
   pair.options().reducer = nullptr;
   std::string first;
   for (int frame = 0; frame < 65; ++frame) {
-    const trace::Pair told = pair.record(standing(), at(0, 0, 0));
-    const std::vector<trace::Point>& points = told.manifolds.at(0).points;
+    const trace::Pair recorded = pair.record(standing(), at(0, 0, 0));
+    const std::vector<trace::Point>& points = recorded.manifolds.at(0).points;
     if (frame == 0) first = points.at(0).id;
     ASSERT_EQ(points.size(), std::min<std::size_t>(frame + 1, kMaxPersistentPoints));
     if (frame < 64) continue;
-    const trace::PersistentPoint& gone = told.incremental->points.back();
+    const trace::PersistentPoint& gone = recorded.incremental->points.back();
     EXPECT_EQ(gone.point.id, first) << "the oldest";
     EXPECT_EQ(gone.reason, "reduced");
-    EXPECT_EQ(told.incremental->points.at(63).state, "new");
+    EXPECT_EQ(recorded.incremental->points.at(63).state, "new");
   }
 }
 
@@ -430,14 +430,14 @@ TEST(IncrementalManifold, EveryPenetrationMethodTellsItsNameAndAboutTheSameDepth
                                          PenetrationMethod::Mpr, PenetrationMethod::Sampling}) {
     Stepped<double> pair(box(0.5, 0.5, 0.5), box(2, 0.5, 2));
     pair.incremental().penetration = method;
-    const trace::Pair told = pair.record(at(0.1, 0.9, 0.2), at(0, 0, 0));
-    EXPECT_EQ(told.incremental->query, to_string(method));
-    ASSERT_EQ(told.penetration.has_value(), method != PenetrationMethod::Sat);
-    if (told.penetration) {
-      EXPECT_EQ(told.penetration->method, to_string(method));
-      EXPECT_NEAR(told.penetration->depth, 0.06, 1e-3);  // of the cores
+    const trace::Pair recorded = pair.record(at(0.1, 0.9, 0.2), at(0, 0, 0));
+    EXPECT_EQ(recorded.incremental->query, to_string(method));
+    ASSERT_EQ(recorded.penetration.has_value(), method != PenetrationMethod::Sat);
+    if (recorded.penetration) {
+      EXPECT_EQ(recorded.penetration->method, to_string(method));
+      EXPECT_NEAR(recorded.penetration->depth, 0.06, 1e-3);  // of the cores
     }
-    EXPECT_NEAR(told.manifolds.at(0).points.at(0).separation, -0.1, 1e-3) << to_string(method);
+    EXPECT_NEAR(recorded.manifolds.at(0).points.at(0).separation, -0.1, 1e-3) << to_string(method);
   }
 }
 

@@ -27,8 +27,8 @@ using Outline = std::vector<Vec2d>;  // (z, x) of a face in the plane y = 0, cou
 double beyond(const Outline& outline, std::size_t edge, const Vec2d& place) {
   const Vec2d& from = outline[edge];
   const Vec2d along = outline[(edge + 1) % outline.size()] - from;
-  const Vec2d way = place - from;
-  return (along.y() * way.x() - along.x() * way.y()) / along.norm();
+  const Vec2d offset = place - from;
+  return (along.y() * offset.x() - along.x() * offset.y()) / along.norm();
 }
 
 bool holds(const Outline& outline, const Vec2d& place) {

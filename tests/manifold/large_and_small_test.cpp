@@ -121,14 +121,14 @@ TYPED_TEST(LargeAndSmall, IsToldAsItIsReturned) {
     options.reduction.max_points = 3;
     const Manifold<S> manifold = test::manifold_of<S>(pair, options);
     EXPECT_EQ(manifold.points.size(), options.reducer == nullptr ? 4u : 3u);
-    const trace::Pair told = test::record_of<S>(pair, options, {.sat = true, .clip = true});
-    ASSERT_EQ(told.manifolds.size(), 1u);
-    EXPECT_EQ(told.state, "touching");
-    EXPECT_EQ(told.separation, static_cast<double>(test::deepest_of(manifold)));
-    EXPECT_TRUE(told.sat.has_value() && told.clip.has_value());
-    ASSERT_EQ(told.manifolds[0].points.size(), manifold.points.size());
+    const trace::Pair record = test::record_of<S>(pair, options, {.sat = true, .clip = true});
+    ASSERT_EQ(record.manifolds.size(), 1u);
+    EXPECT_EQ(record.state, "touching");
+    EXPECT_EQ(record.separation, static_cast<double>(test::deepest_of(manifold)));
+    EXPECT_TRUE(record.sat.has_value() && record.clip.has_value());
+    ASSERT_EQ(record.manifolds[0].points.size(), manifold.points.size());
     for (std::size_t i = 0; i < manifold.points.size(); ++i) {
-      EXPECT_EQ(told.manifolds[0].points[i].position, test::position_of(manifold, i));
+      EXPECT_EQ(record.manifolds[0].points[i].position, test::position_of(manifold, i));
     }
     Manifold<S> back = test::manifold_of<S>({pair.b, pair.pose_b, pair.a, pair.pose_a}, options);
     EXPECT_EQ(back.points.size(), manifold.points.size());

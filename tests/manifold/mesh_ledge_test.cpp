@@ -60,7 +60,7 @@ TEST(MeshLedge, ACrateThatPeeksOverIsNotPushedBack) {
 // The low end digs 3.6 cm into the top. The other end overhangs the side; the exit through the side
 // would be as long as the crate.
 template <class S>
-void expect_way_up(double scale, double tolerance) {
+void expect_direction_up(double scale, double tolerance) {
   for (const double x : {0.2, 0.3, 0.45, 0.48, 0.55, 0.6}) {
     Pose<double> pose = at(scale * x, scale * 0.24, 0);
     pose.rotation = about(Vec3d::UnitZ(), 3 * kDegree);
@@ -76,8 +76,8 @@ void expect_way_up(double scale, double tolerance) {
 
 TEST(MeshLedge, ATiltedCrateThatHangsOverIsPushedUpAndNotOutOfTheSide) {
   for (const double scale : {1e-4, 1.0, 1e4}) {
-    expect_way_up<double>(scale, 1e-13);
-    expect_way_up<float>(scale, 1e-5);
+    expect_direction_up<double>(scale, 1e-13);
+    expect_direction_up<float>(scale, 1e-5);
   }
 }
 

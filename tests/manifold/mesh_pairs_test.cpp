@@ -151,17 +151,17 @@ TEST(MeshPairs, ACapsuleAlongAnEdgeHasTwoPointsWhereverItIsAboutTheEdge) {
     const Mesh<double> mesh = build_mesh(corners, {{{0, 1, 2}}});
     // From the triangle's plane to the perpendicular.
     const double up = i % 2 == 0 ? 0 : random.uniform(-1, 1) * std::numbers::pi / 2;
-    const Vec3d way(0, std::sin(up), std::cos(up));
+    const Vec3d displacement(0, std::sin(up), std::cos(up));
     const double radius = 0.1 * size, distance = 0.9 * radius, half = 0.5 * size;
     const Pose<double> world = random.pose(size);
     const Capsule<double> capsule{{Vec3d(-half, 0, 0), Vec3d(half, 0, 0)}, radius};
     Pose<double> pose = world;
-    pose.position = world.transform(distance * way);
+    pose.position = world.transform(distance * displacement);
     const PlacedShapes pair{capsule, pose, mesh, world};
     const Manifolds<double> manifolds = manifolds_of<double>(pair);
     ASSERT_EQ(manifolds.size(), 1u) << i;
     ASSERT_EQ(manifolds[0].points.size(), 2u) << i << ", " << up << " rad";
-    EXPECT_LT((manifolds[0].normal + world.rotate(way)).norm(), 1e-12) << i;
+    EXPECT_LT((manifolds[0].normal + world.rotate(displacement)).norm(), 1e-12) << i;
     const double tolerance = 64 * std::numeric_limits<double>::epsilon() * size;
     double ends = 0;
     for (const ContactPoint<double>& point : manifolds[0].points) {
@@ -212,14 +212,14 @@ TEST(MeshPairs, ABoxTiltedALittleOnALargeTriangleTakesTheTrianglesNormal) {
         {Vec3d(0, 0, 0), Vec3d(0, 0, 100 * scale), Vec3d(100 * scale, 0, 0)}, {{{0, 1, 2}}});
     for (const double tilt : {-1e-3, -1e-4, 1e-4, 1e-3}) {
       for (const Vec3d& about : {Vec3d(1, 0, 0), Vec3d(0, 0, 1), Vec3d(1, 0, -1)}) {
-        for (const double way : {0.1, 0.3, 0.6}) {
-          Pose<double> pose = at(way * scale, 0.199 * scale, way * scale);
+        for (const double displacement : {0.1, 0.3, 0.6}) {
+          Pose<double> pose = at(displacement * scale, 0.199 * scale, displacement * scale);
           pose.rotation = test::about(about, tilt);
           const PlacedShapes pair{make_box(scale * Vec3d(0.3, 0.2, 0.4)), pose, ground, {}};
           EXPECT_LT(worst_turn(manifolds_of<double>(pair), Vec3d(0, -1, 0)), 1e-12)
-              << "tilt " << tilt << ", way " << way << ", scale " << scale;
+              << "tilt " << tilt << ", way " << displacement << ", scale " << scale;
           EXPECT_LT(worst_turn(manifolds_of<float>(pair), Vec3d(0, -1, 0)), 1e-5)
-              << "tilt " << tilt << ", way " << way << ", scale " << scale;
+              << "tilt " << tilt << ", way " << displacement << ", scale " << scale;
           ASSERT_EQ(manifolds_of<double>(pair).size(), 1u);
         }
       }
@@ -255,8 +255,8 @@ void slide(const Slider& slider, double size, bool internal_edges, double& worst
   worst_angle = worst_depth = 0;
   least_manifolds = 1000;
   for (int step = 0; step < 300; ++step) {
-    const double way = (step / 300.0 - 0.5) * 4 * size;
-    Pose<double> pose = at(way, slider.height - depth, 0.37 * way + 0.013 * size);
+    const double displacement = (step / 300.0 - 0.5) * 4 * size;
+    Pose<double> pose = at(displacement, slider.height - depth, 0.37 * displacement + 0.013 * size);
     pose.rotation = about(Vec3d::UnitY(), 0.3);
     const Manifolds<S> manifolds = manifolds_of<S>({slider.shape, pose, floor, {}}, options);
     worst_angle = std::max(worst_angle, worst_turn(manifolds, Vec3d(0, -1, 0)));
@@ -285,19 +285,19 @@ TEST(MeshPairs, SlowNothingTripsOverTheEdgesOfAFlatFloor) {
 /// Places on the edges and corners of the floor's cells. Each is approached along a line in none of
 /// them, from a nanometre to a tenth of a millimetre, on both sides.
 template <class Visit>
-void beside_edges(double size, const Visit& visit) {
+void next_to_edges(double size, const Visit& visit) {
   for (const Vec3d& on_edge :
        {Vec3d(0, 0, 0.3), Vec3d(0.3, 0, 1), Vec3d(0.5, 0, 0.5), Vec3d(1, 0, -1)})
-    for (const Vec3d& way : {Vec3d(0.9, 0, 0.2), Vec3d(-0.9, 0, -0.2)})
+    for (const Vec3d& displacement : {Vec3d(0.9, 0, 0.2), Vec3d(-0.9, 0, -0.2)})
       for (double offset = 1e-9; offset < 2e-4; offset *= 3)
-        visit(Vec3d(size * (on_edge + offset * way)));
+        visit(Vec3d(size * (on_edge + offset * displacement)));
 }
 
 TEST(MeshPairs, NothingFeelsAnEdgeOfAFlatFloorHoweverNearToItItIs) {
   for (const double size : {1e-3, 1.0, 1e3}) {
     const Mesh<double> floor = make_grid(8 * size, 8 * size, 8, 8, 0);
     for (const Slider& slider : sliders(size)) {
-      beside_edges(size, [&](const Vec3d& place) {
+      next_to_edges(size, [&](const Vec3d& place) {
         Pose<double> pose{about(Vec3d::UnitY(), 0.3), place};
         pose.position.y() = slider.height - 0.01 * size;
         const PlacedShapes pair{slider.shape, pose, floor, {}};
@@ -431,12 +431,12 @@ TEST(MeshPairs, ABoxIsPushedOutBehindATriangleWhenItsCentreIsThere) {
 // A centre on a triangle, its edges or corners has only the triangle's front as normal. The
 // neighbours, which push sideways, must not replace a skipped contact.
 template <class S>
-void expect_told_and_skipped(const PlacedShapes& pair, const Vec3d& front) {
-  const trace::Pair told = test::record_of<S>(pair);
-  ASSERT_TRUE(told.degenerate.has_value());
-  EXPECT_EQ(told.degenerate->answer, "fallback");
-  ASSERT_FALSE(told.manifolds.empty());
-  for (const trace::Manifold& manifold : told.manifolds)
+void expect_recorded_and_skipped(const PlacedShapes& pair, const Vec3d& front) {
+  const trace::Pair recorded = test::record_of<S>(pair);
+  ASSERT_TRUE(recorded.degenerate.has_value());
+  EXPECT_EQ(recorded.degenerate->answer, "fallback");
+  ASSERT_FALSE(recorded.manifolds.empty());
+  for (const trace::Manifold& manifold : recorded.manifolds)
     EXPECT_GT(-front.dot(manifold.normal), 1 - 1e-6);
   CollideOptions skip;
   skip.degenerate = Degenerate::Skip;
@@ -457,8 +457,8 @@ TEST(MeshPairs, ACentreInTheSurfaceIsToldAsDegenerateAndCanBeSkipped) {
       for (int i = 0; i < 20; ++i) {
         const Pose<double> by = i == 0 ? Pose<double>() : random.pose(size);
         const PlacedShapes turned = test::moved(pair, by);
-        expect_told_and_skipped<float>(turned, by.rotate(Vec3d::UnitY()));
-        expect_told_and_skipped<double>(turned, by.rotate(Vec3d::UnitY()));
+        expect_recorded_and_skipped<float>(turned, by.rotate(Vec3d::UnitY()));
+        expect_recorded_and_skipped<double>(turned, by.rotate(Vec3d::UnitY()));
       }
     }
   }

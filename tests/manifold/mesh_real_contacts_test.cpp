@@ -243,8 +243,8 @@ long double rise_across(const Mesh<double>& mesh, int triangle, int k, const Vec
     for (int i = 0; i < 3; ++i) {
       if (t == triangle || corner(t, i) != to || corner(t, i + 1) != from) continue;
       const test::ExtendedPoint along = (to - from).normalized();
-      const test::ExtendedPoint way = corner(t, i + 2) - from;
-      const test::ExtendedPoint across = way - way.dot(along) * along;
+      const test::ExtendedPoint offset = corner(t, i + 2) - from;
+      const test::ExtendedPoint across = offset - offset.dot(along) * along;
       return across.dot(direction.cast<test::Extended>()) / across.norm();
     }
   }

@@ -38,18 +38,19 @@ TYPED_TEST(NearTrianglesOfGrids, AnswerAsTheTreeDoesInItsOrder) {
     ASSERT_EQ(listed, found);
     ++(found.size() > 128 ? many : few);
     for (int k = 0; k < 10; ++k) {
-      const Aabb<S> asked =
+      const Aabb<S> requested =
           box_at<S>(middle + random.vector(-reach, reach), reach * random.decade(-2, 0));
-      inside += box_at<S>(middle, reach).contains(asked) ? 1 : 0;
+      inside += box_at<S>(middle, reach).contains(requested) ? 1 : 0;
       std::vector<int> heard, expected;
       const int last = random.index(12);
-      const auto ask = [last](std::vector<int>& into) {
+      const auto query_pair = [last](std::vector<int>& into) {
         return [&into, last](int triangle) {
           into.push_back(triangle);
           return triangle % 12 == last;
         };
       };
-      ASSERT_EQ(near.any_of(asked, ask(heard)), mesh.tree.any_of(asked, ask(expected)));
+      ASSERT_EQ(near.any_of(requested, query_pair(heard)),
+                mesh.tree.any_of(requested, query_pair(expected)));
       ASSERT_EQ(heard, expected);
     }
   }

@@ -234,14 +234,14 @@ TEST(PairCacheHistory, TheRecordTellsHowFarTheSecondBoxHasMoved) {
   Manifolds<double> manifolds;
   collide(a, start.pose_a, b, start.pose_b, {}, manifolds, &cache);
   // Displacement counts from the frame of the last full test.
-  for (const double way : {0.01, 0.02, 0.04}) {
+  for (const double offset : {0.01, 0.02, 0.04}) {
     Pose<double> moved = start.pose_b;
-    moved.position.x() += way;
+    moved.position.x() += offset;
     trace::Pair record;
     collide(a, start.pose_a, b, moved, {}, manifolds, &cache, &record);
     ASSERT_TRUE(record.cache && record.cache->hit);
     ASSERT_TRUE(record.cache->moved.has_value());
-    EXPECT_NEAR(*record.cache->moved, way, 1e-12);
+    EXPECT_NEAR(*record.cache->moved, offset, 1e-12);
     ASSERT_TRUE(record.cache->normal.has_value());
     EXPECT_NEAR(record.cache->normal->y(), 1, 1e-12);
   }

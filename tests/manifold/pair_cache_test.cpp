@@ -23,8 +23,8 @@ PairCase<S> resting() {
 }
 
 template <class S>
-CacheAnswer<S> ask(const PairCase<S>& pair, const PairCache<S>& cache,
-                   const CollideOptions& options = {}) {
+CacheAnswer<S> query_pair(const PairCase<S>& pair, const PairCache<S>& cache,
+                          const CollideOptions& options = {}) {
   Contact<S> contact;
   return collide_from_cache<S>(pair.a, pair.b, relative_pose(pair.pose_a, pair.pose_b), options,
                                cache, contact, nullptr);
@@ -39,11 +39,11 @@ Manifold<S> collide(const PairCase<S>& pair, PairCache<S>& cache,
 TEST(PairCache, IsEmptyAtFirstAndHoldsTheFeaturesOfATouchingPair) {
   const PairCase<float> pair = resting<float>();
   PairCache<float> cache;
-  EXPECT_FALSE(ask(pair, cache).hit);
-  EXPECT_EQ(ask(pair, cache).kind, CachedKind::Empty);
+  EXPECT_FALSE(query_pair(pair, cache).hit);
+  EXPECT_EQ(query_pair(pair, cache).kind, CachedKind::Empty);
   const Manifold<float> first = collide(pair, cache);
   EXPECT_EQ(cache.kind, CachedKind::Features);
-  EXPECT_TRUE(ask(pair, cache).hit);
+  EXPECT_TRUE(query_pair(pair, cache).hit);
   EXPECT_TRUE(same_bits(first, collide(pair, cache)));
 }
 
@@ -52,11 +52,11 @@ TEST(PairCache, BoxesAtRestMayMoveBySeveralPercentOfTheirSize) {
   PairCache<double> cache;
   collide(pair, cache);
   pair.pose_b.position.x() += 0.04;
-  EXPECT_TRUE(ask(pair, cache).hit);
-  EXPECT_NEAR(ask(pair, cache).moved, 0.04, 1e-12);
+  EXPECT_TRUE(query_pair(pair, cache).hit);
+  EXPECT_NEAR(query_pair(pair, cache).moved, 0.04, 1e-12);
   pair.pose_b.position.x() += 0.4;
-  EXPECT_FALSE(ask(pair, cache).hit);
-  EXPECT_EQ(ask(pair, cache).kind, CachedKind::Features);
+  EXPECT_FALSE(query_pair(pair, cache).hit);
+  EXPECT_EQ(query_pair(pair, cache).kind, CachedKind::Features);
 }
 
 TEST(PairCache, NoPointOfOneHullSeenFromTheOtherMovesFartherThanIsSaid) {
@@ -74,7 +74,7 @@ TEST(PairCache, NoPointOfOneHullSeenFromTheOtherMovesFartherThanIsSaid) {
     pair.pose_b.position += random.decade(-6, -1) * size * random.unit_vector();
     // The same rotation may come with either sign.
     if (random.chance(0.5)) pair.pose_b.rotation.coeffs() *= -1;
-    const CacheAnswer<double> answer = ask(pair, cache);
+    const CacheAnswer<double> answer = query_pair(pair, cache);
     if (answer.kind != CachedKind::Features) continue;
 
     double farthest = 0;
@@ -105,11 +105,11 @@ TEST(PairCache, AlongTheKeptFaceTheSeparationIsThatOfTheDeepestVertexByNow) {
     if (cache.kind != CachedKind::Features || cache.axis == AxisKind::EdgeEdge) continue;
     pair.pose_b.rotation = random.rotation_by(random.decade(-5, -1)) * pair.pose_b.rotation;
     pair.pose_b.position += random.decade(-5, -2) * size * random.unit_vector();
-    const CacheAnswer<double> answer = ask(pair, cache);
+    const CacheAnswer<double> answer = query_pair(pair, cache);
     if (!answer.hit) continue;
     ++hits;
-    const Vec3d way = pair.pose_a.rotate(answer.normal);
-    ASSERT_NEAR(test::separation_along(way, pair.a, pair.pose_a, pair.b, pair.pose_b),
+    const Vec3d offset = pair.pose_a.rotate(answer.normal);
+    ASSERT_NEAR(test::separation_along(offset, pair.a, pair.pose_a, pair.b, pair.pose_b),
                 answer.separation, 1e-12 * size)
         << i;
   }
@@ -136,11 +136,11 @@ TEST(PairCache, TheLastSeparatingAxisIsTriedFirst) {
   EXPECT_TRUE(collide(pair, cache).points.empty());
   EXPECT_EQ(cache.kind, CachedKind::SeparatingAxis);
   pair.pose_b.position.x() += 0.3f;
-  const CacheAnswer<float> answer = ask(pair, cache);
+  const CacheAnswer<float> answer = query_pair(pair, cache);
   EXPECT_TRUE(answer.hit);
   EXPECT_NEAR(answer.separation, 0.095f, 1e-5f);
   pair.pose_b.position.y() -= 0.1f;
-  EXPECT_FALSE(ask(pair, cache).hit);
+  EXPECT_FALSE(query_pair(pair, cache).hit);
   EXPECT_TRUE(same_bits(collide(pair, cache), test::collide(pair)));
   EXPECT_EQ(cache.kind, CachedKind::Features);
 }
@@ -151,8 +151,8 @@ TEST(PairCache, TheCrossProductOfTheLastEdgesSeparatesToo) {
   EXPECT_TRUE(collide(pair, cache).points.empty());
   EXPECT_EQ(cache.axis, AxisKind::EdgeEdge);
   pair.pose_b.position += Vec3f(0.1f, -0.01f, 0.1f);
-  EXPECT_TRUE(ask(pair, cache).hit);
-  EXPECT_NEAR(ask(pair, cache).separation, 0.01f, 1e-5f);
+  EXPECT_TRUE(query_pair(pair, cache).hit);
+  EXPECT_NEAR(query_pair(pair, cache).separation, 0.01f, 1e-5f);
 }
 
 TEST(PairCache, FeaturesThatHavePartedSeparateThePairAndAreStillThere) {
@@ -160,12 +160,12 @@ TEST(PairCache, FeaturesThatHavePartedSeparateThePairAndAreStillThere) {
   PairCache<float> cache;
   const Manifold<float> before = collide(pair, cache);
   pair.pose_b.position.y() += 0.01f;
-  const CacheAnswer<float> apart = ask(pair, cache);
-  EXPECT_TRUE(apart.hit);
-  EXPECT_EQ(apart.kind, CachedKind::SeparatingAxis);
+  const CacheAnswer<float> gap = query_pair(pair, cache);
+  EXPECT_TRUE(gap.hit);
+  EXPECT_EQ(gap.kind, CachedKind::SeparatingAxis);
   EXPECT_TRUE(collide(pair, cache).points.empty());
   pair.pose_b = resting<float>().pose_b;
-  EXPECT_EQ(ask(pair, cache).kind, CachedKind::Features);
+  EXPECT_EQ(query_pair(pair, cache).kind, CachedKind::Features);
   EXPECT_TRUE(same_bits(before, collide(pair, cache)));
 }
 
@@ -178,13 +178,13 @@ TEST(PairCache, WithoutAPreferenceOnlySeparatingAxesAreKept) {
   EXPECT_EQ(cache.kind, CachedKind::Empty);
   pair.pose_b.position.y() += 0.1;
   collide(pair, cache, options);
-  EXPECT_TRUE(ask(pair, cache, options).hit);
+  EXPECT_TRUE(query_pair(pair, cache, options).hit);
   // Features cached under another preference are not used.
   pair = resting<double>();
   PairCache<double> preferring;
   collide(pair, preferring);
-  EXPECT_TRUE(ask(pair, preferring).hit);
-  EXPECT_FALSE(ask(pair, preferring, options).hit);
+  EXPECT_TRUE(query_pair(pair, preferring).hit);
+  EXPECT_FALSE(query_pair(pair, preferring, options).hit);
 }
 
 TEST(PairCache, OfAnotherPairDoesNoHarm) {
@@ -196,7 +196,7 @@ TEST(PairCache, OfAnotherPairDoesNoHarm) {
     collide(one, cache);
     const PairCache<float> foreign = cache;
     if (other.a.radius != one.a.radius) {
-      EXPECT_EQ(ask(other, foreign).kind, CachedKind::Empty);
+      EXPECT_EQ(query_pair(other, foreign).kind, CachedKind::Empty);
       const Manifold<float> result = collide(other, cache);
       EXPECT_TRUE(same_bits(result, test::collide(other)));
     }
@@ -206,9 +206,9 @@ TEST(PairCache, OfAnotherPairDoesNoHarm) {
     cache = foreign;
     cache.first += 1000;
     cache.second += 1000;
-    EXPECT_EQ(ask(other, cache).kind, CachedKind::Empty);
+    EXPECT_EQ(query_pair(other, cache).kind, CachedKind::Empty);
     cache.first = -1;
-    EXPECT_EQ(ask(other, cache).kind, CachedKind::Empty);
+    EXPECT_EQ(query_pair(other, cache).kind, CachedKind::Empty);
   }
 }
 
@@ -224,7 +224,7 @@ TEST(PairCache, APoseThatIsNotFiniteTouchesNothing) {
         PairCase<double> pair = sound;
         if (part < 3) pair.pose_b.position[part] = broken;
         if (part >= 3) pair.pose_b.rotation.coeffs()[part - 3] = broken;
-        const CacheAnswer<double> answer = ask(pair, cache);
+        const CacheAnswer<double> answer = query_pair(pair, cache);
         EXPECT_FALSE(answer.hit && answer.kind == CachedKind::Features);
         collide(pair, cache);
         // The state is forgotten as soon as the pair is finite again.

@@ -28,8 +28,8 @@ CollideOptions by(PenetrationMethod method) {
 }
 
 template <class S>
-Manifold<S> told_contact(const PairCase<S>& pair, const CollideOptions& options,
-                         trace::Pair& record, const trace::Stages& stages = {}) {
+Manifold<S> recorded_contact(const PairCase<S>& pair, const CollideOptions& options,
+                             trace::Pair& record, const trace::Stages& stages = {}) {
   record.a = "crate";
   record.b = "floor";
   Manifolds<S> manifolds;
@@ -40,11 +40,11 @@ Manifold<S> told_contact(const PairCase<S>& pair, const CollideOptions& options,
 
 /// The same with swapped shapes, processed in the original order.
 template <class S>
-trace::Pair told_traded(const PairCase<S>& pair, CollideOptions options,
-                        const trace::Stages& stages = {}) {
+trace::Pair recorded_swapped(const PairCase<S>& pair, CollideOptions options,
+                             const trace::Stages& stages = {}) {
   options.b_first = true;
   trace::Pair record;
-  told_contact(test::swapped(pair), options, record, stages);
+  recorded_contact(test::swapped(pair), options, record, stages);
   return record;
 }
 
@@ -104,7 +104,7 @@ TYPED_TEST(PenetrationContact, TouchesWhereTheSeparatingAxisTestDoesAndWithEpaAs
     for (const PenetrationMethod method : kDeepMethods) {
       SCOPED_TRACE(std::string(to_string(method)) + " of pair " + std::to_string(i));
       trace::Pair record;
-      const Manifold<S> found = told_contact(pair, by<S>(method), record);
+      const Manifold<S> found = recorded_contact(pair, by<S>(method), record);
       ASSERT_TRUE(equal_contacts(found, test::collide(pair, by<S>(method)))) << "watched";
       ASSERT_FALSE(record.cache);
       if (record.penetration) {
@@ -168,7 +168,7 @@ TYPED_TEST(PenetrationContact, ApartByLessThanTheMarginIsLeftToTheSeparatingAxis
     EXPECT_TRUE(test::collide(pair, options).points.empty());
     options.margin = S(0.02);
     trace::Pair record;
-    EXPECT_EQ(told_contact(pair, options, record).points.size(), 8u);
+    EXPECT_EQ(recorded_contact(pair, options, record).points.size(), 8u);
     EXPECT_FALSE(record.penetration);
     EXPECT_TRUE(record.sat);
     EXPECT_TRUE(record.gjk);
@@ -188,7 +188,7 @@ TYPED_TEST(PenetrationContact, FallsBackToTheSeparatingAxisTestAndSaysSo) {
     const PairCase<S> pair = kiss.cast<S>();
     for (const PenetrationMethod method : kDeepMethods) {
       trace::Pair record;
-      const Manifold<S> found = told_contact(pair, by<S>(method), record);
+      const Manifold<S> found = recorded_contact(pair, by<S>(method), record);
       if (!record.penetration || record.penetration->fallback.empty()) continue;
       ++fallbacks;
       EXPECT_EQ(record.penetration->fallback, "sat");
@@ -201,16 +201,16 @@ TYPED_TEST(PenetrationContact, FallsBackToTheSeparatingAxisTestAndSaysSo) {
 TYPED_TEST(PenetrationContact, IsToldInTheWorldFromTheFirstShapeToTheSecond) {
   using S = TypeParam;
   Random random(41);
-  int told = 0;
+  int recorded = 0;
   for (int i = 0; i < 100; ++i) {
     const PairCase<S> pair = test::everyday_pair(random).cast<S>();
     for (const PenetrationMethod method : kDeepMethods) {
       trace::Pair record;
-      told_contact(pair, by<S>(method), record);
-      const trace::Pair mirrored = told_traded(pair, by<S>(method));
+      recorded_contact(pair, by<S>(method), record);
+      const trace::Pair mirrored = recorded_swapped(pair, by<S>(method));
       ASSERT_EQ(record.penetration.has_value(), mirrored.penetration.has_value());
       if (!record.penetration || !record.penetration->fallback.empty()) continue;
-      ++told;
+      ++recorded;
       const trace::Penetration& one = *record.penetration;
       const trace::Penetration& other = *mirrored.penetration;
       const double rounding =
@@ -246,7 +246,7 @@ TYPED_TEST(PenetrationContact, IsToldInTheWorldFromTheFirstShapeToTheSecond) {
       }
     }
   }
-  EXPECT_GT(told, 100);
+  EXPECT_GT(recorded, 100);
 }
 
 TEST(MinkowskiRecord, ItsNearestFaceIsTheDepthAndItsEdgePairsHoldTheBestAxis) {
@@ -263,12 +263,12 @@ TEST(MinkowskiRecord, ItsNearestFaceIsTheDepthAndItsEdgePairsHoldTheBestAxis) {
     for (const bool mirrored : {false, true}) {
       trace::Pair record;
       if (mirrored)
-        record = told_traded(pair, {}, stages);
+        record = recorded_swapped(pair, {}, stages);
       else
-        told_contact(pair, {}, record, stages);
+        recorded_contact(pair, {}, record, stages);
       ASSERT_TRUE(record.minkowski) << i;
       double nearest = std::numeric_limits<double>::infinity();
-      Vec3d way = Vec3d::Zero();
+      Vec3d offset = Vec3d::Zero();
       for (const std::vector<int>& face : record.minkowski->faces) {
         const auto at = [&](std::size_t k) -> const Vec3d& {
           return record.minkowski->vertices[static_cast<std::size_t>(face[k])];
@@ -277,10 +277,10 @@ TEST(MinkowskiRecord, ItsNearestFaceIsTheDepthAndItsEdgePairsHoldTheBestAxis) {
         const Vec3d cross = side1.cross(side2);
         if (cross.norm() < 1e-3 * side1.norm() * side2.norm()) continue;
         const Vec3d outward = cross.normalized();
-        if (outward.dot(at(0)) < nearest) nearest = outward.dot(at(0)), way = outward;
+        if (outward.dot(at(0)) < nearest) nearest = outward.dot(at(0)), offset = outward;
       }
       ASSERT_NEAR(nearest, -truth.separation, 1e-5) << i;
-      EXPECT_NEAR(way.dot(truth.normal), mirrored ? 1 : -1, 1e-3) << i;
+      EXPECT_NEAR(offset.dot(truth.normal), mirrored ? 1 : -1, 1e-3) << i;
 
       ASSERT_TRUE(record.sat);
       double best = -std::numeric_limits<double>::infinity();
@@ -301,7 +301,7 @@ TEST(MinkowskiRecord, ItsNearestFaceIsTheDepthAndItsEdgePairsHoldTheBestAxis) {
 TEST(MinkowskiRecord, IsLeftOutUnlessAskedForAndWhereItIsLarge) {
   const PairCase<double> small = test::stacked_cubes(0.3, 0.05);
   trace::Pair unasked;
-  told_contact(small, {}, unasked);
+  recorded_contact(small, {}, unasked);
   EXPECT_FALSE(unasked.minkowski);
   EXPECT_TRUE(unasked.sat->edge_pairs.empty());
 
@@ -311,7 +311,7 @@ TEST(MinkowskiRecord, IsLeftOutUnlessAskedForAndWhereItIsLarge) {
   const PairCase<double> large{test::random_hull(random, 80, 1, 1), test::at(0, 0, 0),
                                test::random_hull(random, 64, 1, 1), test::at(0.2, 0, 0)};
   trace::Pair refused;
-  EXPECT_FALSE(told_contact(large, {}, refused, stages).points.empty());
+  EXPECT_FALSE(recorded_contact(large, {}, refused, stages).points.empty());
   EXPECT_FALSE(refused.minkowski);
 }
 
@@ -322,14 +322,14 @@ TEST(CrossingEdgePairs, AreThoseThatTheTalkAsksFor) {
     const HullPair<double> placed(pair.a, pair.b, relative_pose(pair.pose_a, pair.pose_b));
     FaceSeparations<double> faces_a(placed.a);
     query_faces(placed.a, placed.b, 0.0, faces_a);
-    std::size_t asked = 0, close_calls = 0;
+    std::size_t requested = 0, close_calls = 0;
     for (int a = 0; a < 2 * pair.a.edge_count(); a += 2) {
       for (int b = 0; b < 2 * pair.b.edge_count(); b += 2) {
         const Vec3d a1 = placed.a.normal(placed.a.half_edge(a).face);
         const Vec3d a2 = placed.a.normal(placed.a.half_edge(a + 1).face);
         const Vec3d b1 = placed.b.normal(placed.b.half_edge(b).face);
         const Vec3d b2 = placed.b.normal(placed.b.half_edge(b + 1).face);
-        asked += test::is_minkowski_face(a1, a2, b1, b2) ? 1 : 0;
+        requested += test::is_minkowski_face(a1, a2, b1, b2) ? 1 : 0;
         // Arcs that end on the other arc may be decided by rounding.
         const Vec3d of_a = a1.cross(a2), of_b = b1.cross(b2);
         for (const double side : {of_b.dot(a1), of_b.dot(a2), of_a.dot(b1), of_a.dot(b2)}) {
@@ -338,7 +338,7 @@ TEST(CrossingEdgePairs, AreThoseThatTheTalkAsksFor) {
       }
     }
     if (close_calls > 0) continue;
-    EXPECT_EQ(all_crossings(placed, faces_a).size(), asked) << i;
+    EXPECT_EQ(all_crossings(placed, faces_a).size(), requested) << i;
   }
 }
 

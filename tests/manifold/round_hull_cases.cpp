@@ -86,18 +86,18 @@ Manifold<S> collide(const RoundHull& pair, const CollideOptions& options) {
 }
 
 double brute_force_separation(const RoundHull& pair) {
-  const BruteForceDistance apart =
+  const BruteForceDistance separation =
       brute_force_distance(core_features(pair), features_of(pair.hull, pair.hull_pose));
-  if (apart.distance > 0) return static_cast<double>(apart.distance);
+  if (separation.distance > 0) return static_cast<double>(separation.distance);
   double best = -std::numeric_limits<double>::infinity();
   for (const Vec3d& axis : axes(pair)) best = std::max(best, core_separation_along(axis, pair));
   return best;
 }
 
 Vec3d brute_force_normal(const RoundHull& pair) {
-  const BruteForceDistance apart =
+  const BruteForceDistance separation =
       brute_force_distance(core_features(pair), features_of(pair.hull, pair.hull_pose));
-  const ExtendedPoint between = apart.on_b - apart.on_a;
+  const ExtendedPoint between = separation.on_b - separation.on_a;
   return between.normalized().cast<double>();
 }
 

@@ -97,10 +97,10 @@ TYPED_TEST(SpherePairs, SlowRandomPairsAgreeWithASearchAlongTheAxis) {
     ASSERT_NEAR(normal.norm(), 1, 8 * this->kEps);
     ASSERT_NEAR(manifold.points[0].separation, separation, rounding) << "pair " << i;
     ASSERT_GE(test::gap_along(normal, a, b), separation + a.radius + b.radius - rounding);
-    const Vec3d half_way = 0.5 * separation * normal;
-    ASSERT_NEAR(test::surface_distance(test::position_of(manifold, 0) - half_way, a), 0,
+    const Vec3d halfway = 0.5 * separation * normal;
+    ASSERT_NEAR(test::surface_distance(test::position_of(manifold, 0) - halfway, a), 0,
                 2 * rounding);
-    ASSERT_NEAR(test::surface_distance(test::position_of(manifold, 0) + half_way, b), 0,
+    ASSERT_NEAR(test::surface_distance(test::position_of(manifold, 0) + halfway, b), 0,
                 2 * rounding);
   }
   EXPECT_GT(touching, 2000);

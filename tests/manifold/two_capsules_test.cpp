@@ -25,7 +25,7 @@ void expect_same_bits(S one, S other) {
 
 /// Number of results of the special path: with a manifold, or separated.
 struct Done {
-  int pairs = 0, touching = 0, apart = 0;
+  int pairs = 0, touching = 0, distance = 0;
 };
 
 template <class S>
@@ -40,7 +40,7 @@ void expect_general(const PlacedShapes& pair, const CollideOptions& options, Don
   trace::Pair record;  // forces the general path
   collide(a, pose_a, b, pose_b, options, general, nullptr, &record);
   ASSERT_EQ(alone.size(), general.size());
-  ++(alone.empty() ? done.apart : done.touching);
+  ++(alone.empty() ? done.distance : done.touching);
   for (std::size_t i = 0; i < alone.size(); ++i) {
     EXPECT_EQ(alone[i].axis, general[i].axis);
     EXPECT_EQ(alone[i].type, general[i].type);
@@ -103,7 +103,7 @@ TYPED_TEST(TwoCapsules, AnyPairIsAsTheGeneralPathHasIt) {
     if (testing::Test::HasFailure()) break;
   }
   EXPECT_GT(done.touching, 0.2 * done.pairs);
-  EXPECT_GT(done.apart, 0.02 * done.pairs);
+  EXPECT_GT(done.distance, 0.02 * done.pairs);
 }
 
 // The closest points change from an end to the axis, from axis to axis, and near parallel.
@@ -128,9 +128,9 @@ TYPED_TEST(TwoCapsules, PairsAtTheLimitOfEveryCaseAreAsTheGeneralPathHasThem) {
       const double parameter = parameters[random.index(5)] + nudge * random.uniform(-1, 1);
       return Vec3d((2 * parameter - 1) * half, 0, 0);
     };
-    Vec3d way(0, random.uniform(0.1, 0.9), 0);
-    if (random.chance(0.5)) way += random.uniform(-0.5, 0.5) * Vec3d(1, 0, 0);
-    pair.pose_b.position = along(size) + size * way - pair.pose_b.rotate(along(size * long_b));
+    Vec3d offset(0, random.uniform(0.1, 0.9), 0);
+    if (random.chance(0.5)) offset += random.uniform(-0.5, 0.5) * Vec3d(1, 0, 0);
+    pair.pose_b.position = along(size) + size * offset - pair.pose_b.rotate(along(size * long_b));
     if (random.chance(0.7)) pair = test::moved(pair, random.pose(random.chance(0.5) ? 0 : size));
     ASSERT_NO_FATAL_FAILURE(expect_general<TypeParam>(pair, {}, done));
     if (testing::Test::HasFailure()) break;
@@ -143,7 +143,7 @@ TYPED_TEST(TwoCapsules, NothingOddIsDoneByItself) {
   const auto done = [](const PlacedShapes& pair) {
     Done result;
     expect_general<S>(pair, {}, result);
-    return result.touching + result.apart > 0;
+    return result.touching + result.distance > 0;
   };
   const PlacedShapes cross{test::lying_capsule(1, 0.5),
                            {},

@@ -121,10 +121,10 @@ TEST(PackageCollide, GeometryWithoutAnAnswerHasAStatus) {
 TEST(PackageCollide, RecordedGapIsTold) {
   CollideOptions options;
   options.record = true;
-  const Contacts apart = collide(Sphere{1}, {}, Sphere{1}, at_height(2.5), options);
-  EXPECT_EQ(apart.status, ContactStatus::Separated);
-  EXPECT_THAT(apart.manifolds, IsEmpty());
-  EXPECT_NEAR(apart.separation, 0.5, 1e-12);
+  const Contacts gap = collide(Sphere{1}, {}, Sphere{1}, at_height(2.5), options);
+  EXPECT_EQ(gap.status, ContactStatus::Separated);
+  EXPECT_THAT(gap.manifolds, IsEmpty());
+  EXPECT_NEAR(gap.separation, 0.5, 1e-12);
 }
 
 std::string refusal(const Shape& shape) {

@@ -62,7 +62,7 @@ class BulletWorld : public RolloutWorld {
     world_.stepSimulation(btScalar(seconds), 0);
     std::vector<Touch> touches;
     for (int i = 0; i < dispatcher_.getNumManifolds(); ++i)
-      tell(*dispatcher_.getManifoldByIndexInternal(i), touches);
+      report(*dispatcher_.getManifoldByIndexInternal(i), touches);
     return touches;
   }
 
@@ -91,7 +91,7 @@ class BulletWorld : public RolloutWorld {
   }
 
   /// Bullet's normal points at the manifold's first body, and its impulses act on that body.
-  static void tell(const btPersistentManifold& manifold, std::vector<Touch>& touches) {
+  static void report(const btPersistentManifold& manifold, std::vector<Touch>& touches) {
     const int a = manifold.getBody0()->getUserIndex(), b = manifold.getBody1()->getUserIndex();
     for (int i = 0; i < manifold.getNumContacts(); ++i) {
       const btManifoldPoint& point = manifold.getContactPoint(i);

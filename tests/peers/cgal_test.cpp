@@ -17,7 +17,7 @@ using test::TrianglePairs;
 
 /// Agreement with CGAL over `count` pairs.
 struct Compared {
-  int overlapping = 0, apart = 0, refused = 0;
+  int overlapping = 0, separation = 0, refused = 0;
 };
 
 template <class S, class Draw>
@@ -31,7 +31,7 @@ Compared compare_with_cgal(int count, std::uint64_t seed, const Draw& draw) {
       continue;
     }
     const bool expected = peers::cgal_overlaps(a, b);
-    ++(expected ? compared.overlapping : compared.apart);
+    ++(expected ? compared.overlapping : compared.separation);
     const bool own = triangle_overlap_kind(test::rounded<S>(a), test::rounded<S>(b)) != None;
     if (own != expected) {
       ADD_FAILURE() << "pair " << i << ": CGAL says " << expected << ", exact clipping "
@@ -55,21 +55,21 @@ TEST(Cgal, SlowAMillionPairsOfTheMixAgree) {
     return test::random_triangle_pair(random, test::draw_from_mix(random), 1, Vec3d::Zero(), true);
   });
   EXPECT_GT(compared.overlapping, 100'000);
-  EXPECT_GT(compared.apart, 100'000);
+  EXPECT_GT(compared.separation, 100'000);
 }
 
 TEST(Cgal, SlowHardFloatsAgree) {
   const Compared compared =
       compare_with_cgal<float>(200'000, 32, [](Random& random) { return hard_pair(random, true); });
   EXPECT_GT(compared.overlapping, 20'000);
-  EXPECT_GT(compared.apart, 20'000);
+  EXPECT_GT(compared.separation, 20'000);
 }
 
 TEST(Cgal, SlowHardDoublesAgree) {
   const Compared compared = compare_with_cgal<double>(
       200'000, 33, [](Random& random) { return hard_pair(random, false); });
   EXPECT_GT(compared.overlapping, 20'000);
-  EXPECT_GT(compared.apart, 20'000);
+  EXPECT_GT(compared.separation, 20'000);
 }
 
 }  // namespace

@@ -141,7 +141,7 @@ TEST(HullPairs, BoxesInRandomPosesDifferWhereTheEdgeFactorDecides) {
     EXPECT_GE(tally->agreed(), 900);
     EXPECT_LE(tally->count(kEdgeFactor), 100);
     EXPECT_GE(tally->count(kEdgeFactor), 50);
-    EXPECT_LE(tally->count(kCornerBeside), 70);
+    EXPECT_LE(tally->count(kCornerOutside), 70);
   }
   EXPECT_LE(tallies.bullet.count(kCosineFudge), 15);
 }
@@ -151,7 +151,7 @@ TEST(HullPairs, BoxesNearAKissAndDeepDifferByNamedRules) {
   for (const Tally* tally : {&tallies.bullet, &tallies.ode, &tallies.fcl}) {
     EXPECT_GE(tally->agreed(), 870);
     EXPECT_LE(tally->count(kEdgeFactor), 60);
-    EXPECT_LE(tally->count(kCornerBeside), 20);
+    EXPECT_LE(tally->count(kCornerOutside), 20);
   }
   EXPECT_LE(tallies.bullet.count(kCosineFudge), 25);
   EXPECT_LE(tallies.bullet.count(kMerged), 70);
@@ -170,8 +170,8 @@ TEST(HullPairs, HullsNearAKissAndDeepDifferByNamedRules) {
   const Tallies tallies = compare_all(everyday_pairs(false, 2000));
   EXPECT_GE(tallies.ode.agreed(), 1550);
   EXPECT_GE(tallies.fcl.agreed(), 1550);
-  EXPECT_GT(tallies.ode.count(kWayOut), 0);
-  EXPECT_GT(tallies.fcl.count(kWayOut), 0);
+  EXPECT_GT(tallies.ode.count(kExitDepth), 0);
+  EXPECT_GT(tallies.fcl.count(kExitDepth), 0);
   EXPECT_GE(tallies.bullet.agreed(), 1050);
   EXPECT_LE(tallies.bullet.count(kMinDistance), 210);
   EXPECT_GT(tallies.bullet.count(kMinDistance), 0);

@@ -125,12 +125,12 @@ Tallies compare_all(const std::vector<OnMesh>& pairs) {
   std::vector<Tally> tallies;
   for (const auto& peer : peers) tallies.emplace_back(rules_on_mesh(*peer, *pairs.front().shape));
   int touching = 0;
-  int apart = 0;
+  int separated = 0;
   for (const OnMesh& pair : pairs) {
     const std::vector<WithTriangle> triangles = triangles_near(pair);
     const double separation = triangles.front().separation;
     if (std::abs(separation) < kNearlyTouching) continue;
-    (separation > 0 ? apart : touching) += 1;
+    (separation > 0 ? separated : touching) += 1;
     expect_right(pair, triangles);
     const std::shared_ptr<const Mesh<double>> mesh(pair.mesh, &pair.the_mesh());
     for (std::size_t i = 0; i < peers.size(); ++i) {
@@ -144,7 +144,7 @@ Tallies compare_all(const std::vector<OnMesh>& pairs) {
     }
   }
   EXPECT_GT(touching, kPairs / 3);
-  EXPECT_GT(apart, kPairs / 4);
+  EXPECT_GT(separated, kPairs / 4);
   for (std::size_t i = 0; i < peers.size(); ++i) {
     EXPECT_EQ(tallies[i].unexplained(), "") << peers[i]->name();
     std::printf("%-6s %s\n", peers[i]->name(), tallies[i].summary().c_str());

@@ -138,9 +138,9 @@ class World {
   void place(int shape, const trace::Frame& frame) {
     const int body = mj_name2id(model_, mjOBJ_BODY, ("b" + std::to_string(shape)).c_str());
     if (body < 0) return;
-    const Pose<double>* const told = trace::find_pose(frame, at(names_, shape));
+    const Pose<double>* const record = trace::find_pose(frame, at(names_, shape));
     const Pose<double> away{Quatd::Identity(), {kAway * shape, kAway, kAway}};
-    const Pose<double>& pose = told == nullptr ? away : *told;
+    const Pose<double>& pose = record == nullptr ? away : *record;
     const int mocap = model_->body_mocapid[body];
     double* const position = mocap >= 0
                                  ? data_->mocap_pos + 3 * mocap

@@ -64,7 +64,7 @@ std::string model_of(const std::vector<Piece>& pieces, const Vec3d& gravity, dou
 }
 
 /// Warns of settings that MuJoCo does not support.
-void tell_differences(const std::vector<Piece>& pieces) {
+void report_differences(const std::vector<Piece>& pieces) {
   bool bounces = false, differ = false;
   for (const Piece& piece : pieces) {
     bounces = bounces || piece.restitution > 0;
@@ -78,7 +78,7 @@ class MujocoWorld : public RolloutWorld {
  public:
   MujocoWorld(const std::vector<Piece>& pieces, const Vec3d& gravity, double step)
       : model_(mujoco_model(model_of(pieces, gravity, step))), data_(mj_makeData(model_)) {
-    tell_differences(pieces);
+    report_differences(pieces);
     for (int i = 0; i < count_of(pieces); ++i) {
       const Piece& piece = at(pieces, i);
       bodies_.push_back(mj_name2id(model_, mjOBJ_BODY, ("b" + std::to_string(i)).c_str()));

@@ -11,7 +11,7 @@
 namespace contactscope::peers {
 namespace {
 
-constexpr int kMostPoints = 64;       // per pair of geoms
+constexpr int kMaxPointsOfPair = 64;  // per pair of geoms
 constexpr double kSlowBounce = 0.01;  // m/s: no bounce below this speed
 
 Vec3d vector_of(const dReal* v) {
@@ -60,8 +60,9 @@ class OdeWorld : public RolloutWorld {
       // The first force acts on the first body, or on the only one.
       const bool has_a = at(bodies_, touches_[i].a) != nullptr;
       const bool has_b = at(bodies_, touches_[i].b) != nullptr;
-      const dJointFeedback& told = feedbacks_[i];
-      const Vec3d force = has_b ? vector_of(has_a ? told.f2 : told.f1) : Vec3d(-vector_of(told.f1));
+      const dJointFeedback& record = feedbacks_[i];
+      const Vec3d force =
+          has_b ? vector_of(has_a ? record.f2 : record.f1) : Vec3d(-vector_of(record.f1));
       const Vec3d on_b = seconds * force;
       const Vec3d& normal = touches_[i].point.normal;
       const double along = on_b.dot(normal);
@@ -116,8 +117,8 @@ class OdeWorld : public RolloutWorld {
   void collide(dGeomID one, dGeomID other) {
     const Piece &a = at(pieces_, piece_of(one)), &b = at(pieces_, piece_of(other));
     if (!a.is_dynamic && !b.is_dynamic) return;
-    std::array<dContactGeom, kMostPoints> found;
-    const int count = dCollide(one, other, kMostPoints, found.data(), sizeof(dContactGeom));
+    std::array<dContactGeom, kMaxPointsOfPair> found;
+    const int count = dCollide(one, other, kMaxPointsOfPair, found.data(), sizeof(dContactGeom));
     for (int i = 0; i < count; ++i) {
       dContact contact{};
       contact.geom = at(found, i);

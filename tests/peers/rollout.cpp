@@ -33,9 +33,9 @@ Hull<double> moved(Hull<double> hull, const Pose<double>& by) {
 Quatd principal_axes(const Eigen::Matrix3d& inertia, Vec3d& moments) {
   constexpr double kRounding = 1e-9;
   moments = inertia.diagonal();
-  Eigen::Matrix3d beside = inertia;
-  beside.diagonal().setZero();
-  if (beside.cwiseAbs().maxCoeff() <= kRounding * moments.maxCoeff()) return Quatd::Identity();
+  Eigen::Matrix3d next_to = inertia;
+  next_to.diagonal().setZero();
+  if (next_to.cwiseAbs().maxCoeff() <= kRounding * moments.maxCoeff()) return Quatd::Identity();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(inertia);
   Eigen::Matrix3d axes = solver.eigenvectors();
   if (axes.determinant() < 0) axes.col(0) = -axes.col(0);
@@ -137,7 +137,7 @@ class Rollout {
     for (std::size_t i = 0; i < request_.frames.size(); ++i) {
       drive(i);
       trace::Frame frame = poses(request_.frames[i]);
-      tell(world_->step(step_), frame);
+      report(world_->step(step_), frame);
       // Flushed per frame, so that frames are not lost if the engine dies in the next step.
       out << trace::to_json_line(frame) << std::endl;
     }
@@ -156,18 +156,18 @@ class Rollout {
     }
   }
 
-  trace::Frame poses(const trace::Frame& asked) const {
+  trace::Frame poses(const trace::Frame& requested) const {
     trace::Frame frame;
-    frame.frame = asked.frame;
-    frame.time = asked.time;
+    frame.frame = requested.frame;
+    frame.time = requested.time;
     frame.solver.emplace().iterations = world_->iterations();
     frame.solver->substeps = 1;
     for (int i = 0; i < count_of(pieces_); ++i) {
       const Piece& piece = at(pieces_, i);
       if (!piece.is_dynamic) {
-        const Pose<double>* const told = trace::find_pose(asked, piece.name);
+        const Pose<double>* const record = trace::find_pose(requested, piece.name);
         const Pose<double>* const first = trace::find_pose(request_.frames.front(), piece.name);
-        frame.poses.emplace_back(piece.name, told == nullptr ? *first : *told);
+        frame.poses.emplace_back(piece.name, record == nullptr ? *first : *record);
         continue;
       }
       const BodyMotion motion = world_->motion(i);
@@ -183,7 +183,7 @@ class Rollout {
   }
 
   /// Points with the same normal and triangle form a manifold.
-  void tell(const std::vector<Touch>& touches, trace::Frame& frame) const {
+  void report(const std::vector<Touch>& touches, trace::Frame& frame) const {
     std::map<std::pair<int, int>, std::vector<trace::Manifold>> found;
     for (const Touch& touch : touches) {
       std::vector<trace::Manifold>& manifolds = found[{touch.a, touch.b}];

@@ -109,9 +109,9 @@ double separation_along(const Vec3d& direction, const RoundPair& pair) {
 
 double separation_by_exhaustion(const RoundPair& pair) {
   const double radii = radius_of(pair.a) + radius_of(pair.b);
-  const test::BruteForceDistance apart = test::brute_force_distance(
+  const test::BruteForceDistance separation = test::brute_force_distance(
       features_of(pair.a, pair.pose_a), features_of(pair.b, pair.pose_b));
-  const auto distance = static_cast<double>(apart.distance);
+  const auto distance = static_cast<double>(separation.distance);
   return (distance > 0 ? distance : deepest_separation(pair)) - radii;
 }
 
@@ -120,12 +120,12 @@ RoundPair random_round_pair(ShapeKind a, ShapeKind b, Random& random) {
                  {random.rotation(), Vec3d::Zero()},
                  random_shape(b, random),
                  {random.rotation(), Vec3d::Zero()}};
-  const Vec3d way = random.unit_vector();
-  const double touching = -separation_along(way, pair);
+  const Vec3d offset = random.unit_vector();
+  const double touching = -separation_along(offset, pair);
   const double depth = random.uniform(0, 1);
   double part = random.uniform(0, 1.05);                      // any
   if (depth < 0.5) part = 1 - 0.1 * random.uniform(-0.2, 1);  // a little
-  pair.pose_b.position = part * touching * way;
+  pair.pose_b.position = part * touching * offset;
   const Pose<double> whole = random.pose(5);
   pair.pose_a = compose(whole, pair.pose_a);
   pair.pose_b = compose(whole, pair.pose_b);

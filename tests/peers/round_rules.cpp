@@ -32,7 +32,7 @@ using Centre = Vec3d (*)(const Shape<double>&);
 
 /// As for hulls in rules.cpp: between the least depth and the exit distance along the centres.
 template <Centre centre>
-bool on_the_way_out(const Comparison& c) {
+bool on_the_exit(const Comparison& c) {
   if (c.reported < c.depth() - c.tolerance) return false;
   RoundPair moved = *c.round;
   const Vec3d line =
@@ -44,7 +44,7 @@ bool on_the_way_out(const Comparison& c) {
 
 template <Centre centre>
 bool nearest_on_triangle(const Comparison& c) {
-  return c.reported <= c.overlap && on_the_way_out<centre>(c);
+  return c.reported <= c.overlap && on_the_exit<centre>(c);
 }
 
 /// dCollideCapsuleBox: if the axis meets the box, it runs dBoxBox for the box around the capsule,
@@ -119,15 +119,15 @@ constexpr Rule kBulletRules[] = {
 };
 
 constexpr Rule kOdeRules[] = {
-    {Aspect::Normal, kWayOut, on_the_way_out<centroid>},
-    {Aspect::Depth, kWayOut, nearest_on_triangle<centroid>},
+    {Aspect::Normal, kExitDepth, on_the_exit<centroid>},
+    {Aspect::Depth, kExitDepth, nearest_on_triangle<centroid>},
     {Aspect::Normal, kCapsuleAsBox, counted_as_a_box},
     {Aspect::Depth, kCapsuleAsBox, counted_as_a_box},
 };
 
 constexpr Rule kFclRules[] = {
-    {Aspect::Normal, kWayOut, on_the_way_out<mean_of_vertices>},
-    {Aspect::Depth, kWayOut, nearest_on_triangle<mean_of_vertices>},
+    {Aspect::Normal, kExitDepth, on_the_exit<mean_of_vertices>},
+    {Aspect::Depth, kExitDepth, nearest_on_triangle<mean_of_vertices>},
 };
 
 constexpr Rule kBulletMeshRules[] = {
@@ -136,8 +136,8 @@ constexpr Rule kBulletMeshRules[] = {
 
 constexpr Rule kFclMeshRules[] = {
     {Aspect::Touching, kSphereSign, has_its_sign_reversed},
-    {Aspect::Normal, kWayOut, on_the_way_out<mean_of_vertices>},
-    {Aspect::Depth, kWayOut, nearest_on_triangle<mean_of_vertices>},
+    {Aspect::Normal, kExitDepth, on_the_exit<mean_of_vertices>},
+    {Aspect::Depth, kExitDepth, nearest_on_triangle<mean_of_vertices>},
 };
 
 }  // namespace

@@ -53,9 +53,9 @@ Vec3d extreme(const Hull<double>& hull, const Pose<double>& pose, const Vec3d& d
 
 /// Whether the vertex of `corner_owner` that is farthest against `direction` (world, outward from
 /// the face) is outside the face's sides.
-bool corner_is_beside(const Hull<double>& box, const Pose<double>& pose,
-                      const Hull<double>& corner_owner, const Pose<double>& corner_pose,
-                      const Vec3d& direction, double tolerance) {
+bool corner_is_outside(const Hull<double>& box, const Pose<double>& pose,
+                       const Hull<double>& corner_owner, const Pose<double>& corner_pose,
+                       const Vec3d& direction, double tolerance) {
   const Vec3d world = extreme(corner_owner, corner_pose, Vec3d(-direction));
   const Vec3d local = pose.inverse_transform(world);
   const Vec3d along = pose.inverse_rotate(direction);
@@ -66,13 +66,13 @@ bool corner_is_beside(const Hull<double>& box, const Pose<double>& pose,
   return false;
 }
 
-bool deepest_corner_is_beside(const Comparison& c) {
+bool deepest_corner_is_outside(const Comparison& c) {
   if (c.reported > c.overlap) return false;
   const Vec3d normal = c.answer.deepest()->normal.normalized();
   const test::PairCase<double>& p = *c.hulls;
   const bool of_a = face_alignment(p.a, p.pose_a, normal) > face_alignment(p.b, p.pose_b, normal);
-  return of_a ? corner_is_beside(p.a, p.pose_a, p.b, p.pose_b, normal, c.tolerance)
-              : corner_is_beside(p.b, p.pose_b, p.a, p.pose_a, Vec3d(-normal), c.tolerance);
+  return of_a ? corner_is_outside(p.a, p.pose_a, p.b, p.pose_b, normal, c.tolerance)
+              : corner_is_outside(p.b, p.pose_b, p.a, p.pose_a, Vec3d(-normal), c.tolerance);
 }
 
 /// Sine of the angle between the two edges whose cross product is the normal.
@@ -137,7 +137,7 @@ using Centre = Vec3d (*)(const Hull<double>&);
 /// least depth and at most the exit distance along the line. So B must still touch A after moving
 /// by the depth along the line. The normal is that of the triangle's nearest point.
 template <Centre centre>
-bool on_the_way_out(const Comparison& c) {
+bool on_the_exit(const Comparison& c) {
   if (c.reported < c.depth() - c.tolerance) return false;
   const Vec3d line =
       c.hulls->pose_b.transform(centre(c.hulls->b)) - c.hulls->pose_a.transform(centre(c.hulls->a));
@@ -151,7 +151,7 @@ bool on_the_way_out(const Comparison& c) {
 /// The distance from a triangle's corner or edge is less than the overlap along it.
 template <Centre centre>
 bool nearest_on_triangle(const Comparison& c) {
-  return c.reported <= c.overlap && on_the_way_out<centre>(c);
+  return c.reported <= c.overlap && on_the_exit<centre>(c);
 }
 
 bool within_min_distance(const Comparison& c) {
@@ -215,24 +215,24 @@ bool clamped_by_threshold(const Comparison& c) {
 
 constexpr Rule kBoxRules[] = {
     {Aspect::Normal, kEdgeFactor, wins_by_edge_factor},
-    {Aspect::Depth, kCornerBeside, deepest_corner_is_beside},
+    {Aspect::Depth, kCornerOutside, deepest_corner_is_outside},
 };
 
 constexpr Rule kBulletBoxRules[] = {
     {Aspect::Normal, kEdgeFactor, wins_by_edge_factor},
-    {Aspect::Depth, kCornerBeside, deepest_corner_is_beside},
+    {Aspect::Depth, kCornerOutside, deepest_corner_is_outside},
     {Aspect::Depth, kCosineFudge, deeper_by_cosine_fudge},
     {Aspect::Depth, kMerged, replaced_by_a_neighbour},
 };
 
 constexpr Rule kOdeHullRules[] = {
-    {Aspect::Normal, kWayOut, on_the_way_out<centroid>},
-    {Aspect::Depth, kWayOut, nearest_on_triangle<centroid>},
+    {Aspect::Normal, kExitDepth, on_the_exit<centroid>},
+    {Aspect::Depth, kExitDepth, nearest_on_triangle<centroid>},
 };
 
 constexpr Rule kFclHullRules[] = {
-    {Aspect::Normal, kWayOut, on_the_way_out<mean_of_vertices>},
-    {Aspect::Depth, kWayOut, nearest_on_triangle<mean_of_vertices>},
+    {Aspect::Normal, kExitDepth, on_the_exit<mean_of_vertices>},
+    {Aspect::Depth, kExitDepth, nearest_on_triangle<mean_of_vertices>},
 };
 
 constexpr Rule kBulletHullRules[] = {

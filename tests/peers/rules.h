@@ -10,12 +10,12 @@ namespace contactscope::peers {
 
 // Boxes. All three descend from ODE's dBoxBox2.
 inline constexpr const char* kEdgeFactor = "edge axis must win by a factor 1.05";
-inline constexpr const char* kCornerBeside = "deepest corner lies beside the reference face";
+inline constexpr const char* kCornerOutside = "deepest corner lies beside the reference face";
 inline constexpr const char* kCosineFudge = "1e-5 added to cosines makes edges deeper";
 inline constexpr const char* kMerged =
     "points nearer than the breaking threshold replace each other";
 // Hulls in ODE and FCL.
-inline constexpr const char* kWayOut = "MPR: depth on the way out through the centres";
+inline constexpr const char* kExitDepth = "MPR: depth on the way out through the centres";
 inline constexpr const char* kCapsuleAsBox = "a capsule whose axis meets a box counts as a box";
 // Hulls in Bullet.
 inline constexpr const char* kMinDistance = "GJK takes what is nearer than 0.1 mm for overlap";

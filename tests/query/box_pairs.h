@@ -60,8 +60,8 @@ std::array<Obb<S>, 2> random_boxes(Random& random, double size, Turned turned, d
       random.chance(0.5) ? random.uniform(0.3, 1.5) : 1 + noise * random.uniform(-1, 1);
   // A random shift across, so that features meet and not centres.
   const Vec3d across = axis.cross(random.unit_vector()) * random.uniform(0, 0.5) * reach;
-  const Vec3d way = factor * reach * axis + across;
-  result[1].center = result[0].center + way.cast<S>();
+  const Vec3d offset = factor * reach * axis + across;
+  result[1].center = result[0].center + offset.cast<S>();
   return result;
 }
 

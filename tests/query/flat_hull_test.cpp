@@ -51,9 +51,9 @@ PairCase<double> random_flat_pair(Random& random, int index) {
                              : index % 2 == 0 ? test::random_box(random, 0.6, 3)
                                               : test::random_hull(random, 12, 0.6, 3);
   PairCase<double> pair{flat, random.pose(1), other, random.pose(1)};
-  const Vec3d apart = random.uniform(0, 1.4) * random.unit_vector();
+  const Vec3d separated = random.uniform(0, 1.4) * random.unit_vector();
   pair.pose_b.position =
-      pair.pose_a.transform(pair.a.centroid) + apart - pair.pose_b.rotate(pair.b.centroid);
+      pair.pose_a.transform(pair.a.centroid) + separated - pair.pose_b.rotate(pair.b.centroid);
   if (both && index % 2 == 0) make_parallel(random, pair);
   return index % 4 < 2 ? pair : test::swapped(pair);
 }
@@ -87,7 +87,7 @@ TYPED_TEST_SUITE(FlatHulls, Scalars);
 TYPED_TEST(FlatHulls, HaveTheAxisThatExhaustionFinds) {
   using S = TypeParam;
   Random random(5);
-  int overlaps = 0, apart = 0, edges = 0;
+  int overlaps = 0, separated = 0, edges = 0;
   for (int i = 0; i < 6000; ++i) {
     const PairCase<S> pair = random_flat_pair(random, i).template cast<S>();
     const PairCase<double> exact = pair.template cast<double>();
@@ -96,7 +96,7 @@ TYPED_TEST(FlatHulls, HaveTheAxisThatExhaustionFinds) {
     const HullPair<S> placed(pair.a, pair.b, relative_pose(pair.pose_a, pair.pose_b));
     const SatResult<S> axes = sat(placed, S(0), Preference::None);
     if (truth > rounding) {
-      ++apart;
+      ++separated;
       ASSERT_EQ(axes.status, SatStatus::Separated) << i << ": " << truth;
     } else if (truth < -rounding) {
       ++overlaps;
@@ -108,14 +108,14 @@ TYPED_TEST(FlatHulls, HaveTheAxisThatExhaustionFinds) {
     }
   }
   EXPECT_GT(overlaps, 1000);
-  EXPECT_GT(apart, 1000);
+  EXPECT_GT(separated, 1000);
   EXPECT_GT(edges, 500);
 }
 
 TYPED_TEST(FlatHulls, AreAsFarApartAsExhaustionFinds) {
   using S = TypeParam;
   Random random(6);
-  int apart = 0;
+  int separated = 0;
   for (int i = 0; i < 1500; ++i) {
     const PairCase<S> pair = random_flat_pair(random, i).template cast<S>();
     const PairCase<double> exact = pair.template cast<double>();
@@ -123,7 +123,7 @@ TYPED_TEST(FlatHulls, AreAsFarApartAsExhaustionFinds) {
     const GjkResult<S> found =
         gjk(support_set(pair.a), support_set(pair.b), relative_pose(pair.pose_a, pair.pose_b));
     if (largest_separation(exact) < 1e-4 * scale) continue;
-    ++apart;
+    ++separated;
     const auto truth =
         static_cast<double>(test::brute_force_distance(test::features_of(exact.a, exact.pose_a),
                                                        test::features_of(exact.b, exact.pose_b))
@@ -131,7 +131,7 @@ TYPED_TEST(FlatHulls, AreAsFarApartAsExhaustionFinds) {
     ASSERT_EQ(found.status, GjkStatus::Separated) << i;
     ASSERT_NEAR(found.distance, truth, 64 * std::numeric_limits<S>::epsilon() * scale) << i;
   }
-  EXPECT_GT(apart, 300);
+  EXPECT_GT(separated, 300);
 }
 
 TYPED_TEST(FlatHulls, AreAsDeepByEveryMethodAsExhaustionFinds) {
@@ -177,9 +177,9 @@ TYPED_TEST(FlatHulls, SideBySideOnOnePlaneAreApart) {
     const SatResult<S> axes = sat(placed, S(0), Preference::Relative);
     EXPECT_EQ(axes.status, SatStatus::Separated);
     EXPECT_EQ(axes.chosen, AxisKind::EdgeEdge);
-    const double apart =
+    const double separated =
         std::max(separation_by_sides(pair, false), separation_by_sides(pair, true));
-    EXPECT_NEAR(axes.edge.separation, apart, 1e-5) << yaw;
+    EXPECT_NEAR(axes.edge.separation, separated, 1e-5) << yaw;
     EXPECT_GE(axes.edge.edge_b, 0);
   }
 }
@@ -201,14 +201,14 @@ TYPED_TEST(FlatHulls, SideBySideOnOnePlaneHaveANormalThatPartsThem) {
         plate, Pose<double>(), triangle, {test::about(Vec3d::UnitY(), 0.7 * turn), place}};
     const PairCase<S> pair = exact.template cast<S>();
     const HullPair<S> placed(pair.a, pair.b, relative_pose(pair.pose_a, pair.pose_b));
-    const auto gap_along = [&](const Vec3d& way) {
-      return test::separation_along(way, exact.a, exact.pose_a, exact.b, exact.pose_b);
+    const auto gap_along = [&](const Vec3d& offset) {
+      return test::separation_along(offset, exact.a, exact.pose_a, exact.b, exact.pose_b);
     };
     const auto gap = [&](const EdgeQuery<S>& found) {
       return gap_along(found.normal.template cast<double>());
     };
     // The largest separation along the directions away from the edges of one hull.
-    const auto gap_beside = [&](const Hull<double>& hull, const Pose<double>& pose, double to_b) {
+    const auto gap_next_to = [&](const Hull<double>& hull, const Pose<double>& pose, double to_b) {
       double most = -std::numeric_limits<double>::infinity();
       for (int edge = 0; edge < 2 * hull.edge_count(); ++edge) {
         const Vec3d along = (hull.target(edge) - hull.origin(edge)).normalized();
@@ -220,8 +220,8 @@ TYPED_TEST(FlatHulls, SideBySideOnOnePlaneHaveANormalThatPartsThem) {
       return most;
     };
     const EdgeQuery<S> sides = query_sides(placed);
-    const double of_a = gap_beside(exact.a, exact.pose_a, 1);
-    const double of_b = gap_beside(exact.b, exact.pose_b, -1);
+    const double of_a = gap_next_to(exact.a, exact.pose_a, 1);
+    const double of_b = gap_next_to(exact.b, exact.pose_b, -1);
     EXPECT_NEAR(sides.separation, std::max(of_a, of_b), 1e-5) << turn;
     EXPECT_NEAR(gap(sides), sides.separation, 1e-5) << turn;
     ++(of_a > of_b ? of_first : of_second);

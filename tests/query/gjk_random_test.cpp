@@ -64,8 +64,8 @@ Shape<double> random_shape(Random& random, double size) {
   const double aspect = random.chance(0.25) ? random.decade(1, 5) : 1;
   switch (random.index(6)) {
     case 0: {
-      const Vec3d way = random.unit_vector();
-      return {{size * random.uniform(0, 1) * way}, {}};
+      const Vec3d offset = random.unit_vector();
+      return {{size * random.uniform(0, 1) * offset}, {}};
     }
     case 1: {
       const Vec3d half = size * random.unit_vector();
@@ -113,8 +113,8 @@ ShapePair<double> random_pair(Random& random, double largest_ratio, double farth
   if (kind < 0.8) gap = 0;                     // touching
   if (kind < 0.7) gap = random.decade(-7, 0);  // near
   if (kind < 0.2) gap = random.decade(0, 3);   // far
-  const Vec3d way_aside = random.unit_vector();
-  const Vec3d aside = random.decade(-6, 0) * smaller * way_aside;
+  const Vec3d offset_aside = random.unit_vector();
+  const Vec3d aside = random.decade(-6, 0) * smaller * offset_aside;
   b_in_a.position = farthest(pair.a, direction) -
                     b_in_a.rotate(farthest(pair.b, b_in_a.inverse_rotate(Vec3d(-direction)))) +
                     gap * smaller * direction + aside - direction.dot(aside) * direction;
@@ -253,8 +253,8 @@ TYPED_TEST(GjkRandom, EarlierSimplexChangesTheResultByRoundingOnly) {
     // From before a small motion, or wrongly from a very different pose.
     ShapePair<S> earlier = pair;
     const double motion = i % 4 == 0 ? 1 : random.decade(-6, -2);
-    const Vec3d way = motion * pair.scale() * random.unit_vector();
-    earlier.pose_b.position += way.cast<S>();
+    const Vec3d offset = motion * pair.scale() * random.unit_vector();
+    earlier.pose_b.position += offset.cast<S>();
     const GjkSimplex<S> simplex = earlier.distance().simplex;
     const GjkResult<S> warm = gjk(pair.a.set(), pair.b.set(), pair.b_in_a(), &simplex);
     const double ulp = static_cast<double>(std::numeric_limits<S>::epsilon()) * pair.scale();

@@ -57,20 +57,20 @@ HullPairInA symmetric_pair(Random& random) {
     return test::random_hull(random, 4 + random.index(5), reach, 4);
   };
   HullPairInA pair{shape(size), shape(other), {}};
-  Vec3d way = random.unit_vector();
+  Vec3d offset = random.unit_vector();
   if (kind == 0) {
     pair.b_in_a.rotation = test::about(Vec3d::UnitZ(), random.uniform(-3, 3));
-    way = Vec3d(way.x(), way.y(), 0).normalized();
+    offset = Vec3d(offset.x(), offset.y(), 0).normalized();
   } else if (kind == 1) {
-    way = Vec3d::Unit(random.index(3));
+    offset = Vec3d::Unit(random.index(3));
   } else {
     pair.b_in_a.rotation = random.rotation();
   }
   // Deep, barely overlapping, barely separated and far.
   const double depths[] = {0.2, 0.9, 0.999, 0.99999, 1, 1.00001, 1.001, 1.3};
   const double separation =
-      test::separation_along(way, pair.a, {}, pair.b, pair.b_in_a);  // with coincident origins
-  pair.b_in_a.position = -separation * depths[random.index(8)] * way;
+      test::separation_along(offset, pair.a, {}, pair.b, pair.b_in_a);  // with coincident origins
+  pair.b_in_a.position = -separation * depths[random.index(8)] * offset;
   return pair;
 }
 
@@ -91,7 +91,7 @@ GjkResult<S> gjk_of(const HullPairInA& pair) {
 template <class S>
 void judge_endings(int count, std::uint64_t seed) {
   Random random(seed);
-  int apart = 0, together = 0, planar = 0;
+  int separated = 0, together = 0, planar = 0;
   for (int i = 0; i < count; ++i) {
     const HullPairInA pair = rounded<S>(symmetric_pair(random));
     const double separation = test::brute_force_sat(pair.a, {}, pair.b, pair.b_in_a).separation;
@@ -100,7 +100,7 @@ void judge_endings(int count, std::uint64_t seed) {
     const double rounding = 16 * static_cast<double>(std::numeric_limits<S>::epsilon()) * lengths;
     const GjkResult<S> result = gjk_of<S>(pair);
     if (separation > rounding) {
-      ++apart;
+      ++separated;
       ASSERT_EQ(result.status, GjkStatus::Separated)
           << "pair " << i << ", " << separation / lengths;
     } else if (separation < -rounding) {
@@ -110,7 +110,7 @@ void judge_endings(int count, std::uint64_t seed) {
       ASSERT_EQ(result.distance, S(0));
     }
   }
-  EXPECT_GT(apart, count / 5);
+  EXPECT_GT(separated, count / 5);
   EXPECT_GT(together, count / 5);
   EXPECT_GT(planar, count / 200);
 }

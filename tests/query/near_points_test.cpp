@@ -54,11 +54,11 @@ Depths depths_of(const std::vector<Vec3d>& a, const std::vector<Vec3d>& b,
   const Pose<S> pose = b_in_a.cast<S>();
   const HullPair<S> pair(hull_a, hull_b, pose);
   const SatResult<S> axes = sat(pair, std::numeric_limits<S>::max(), Preference::None);
-  const auto asked = penetration<S>(PenetrationMethod::Sat, support_set(hull_a),
-                                    support_set(hull_b), pose, {}, nullptr, nullptr);
+  const auto requested = penetration<S>(PenetrationMethod::Sat, support_set(hull_a),
+                                        support_set(hull_b), pose, {}, nullptr, nullptr);
   Pose<double> exact{pose.rotation.template cast<double>(), pose.position.template cast<double>()};
   exact.rotation.normalize();
-  return {static_cast<double>(axes.separation(axes.chosen)), -static_cast<double>(asked.depth),
+  return {static_cast<double>(axes.separation(axes.chosen)), -static_cast<double>(requested.depth),
           test::brute_force_sat(rounded<S>(a), rounded<S>(b), exact).separation,
           64 * static_cast<double>(std::numeric_limits<S>::epsilon() * pair.scale)};
 }
@@ -76,9 +76,9 @@ std::vector<Vec3d> near_points(Random& random) {
     if (std::ranges::find(points, point) == points.end()) points.push_back(point);
   }
   for (int more = 1 + random.index(3); more > 0; --more) {
-    const Vec3d beside = points[static_cast<std::size_t>(random.index(count_of(points)))];
+    const Vec3d next_to = points[static_cast<std::size_t>(random.index(count_of(points)))];
     const double distance = 5 * random.decade(-9, -2);
-    points.push_back(beside + distance * random.unit_vector());
+    points.push_back(next_to + distance * random.unit_vector());
   }
   return points;
 }

@@ -136,9 +136,9 @@ TYPED_TEST(OverlapOfBoxes, CrossedEdgesAreApartOnlyAlongTheirCrossProduct) {
   for (const double scale : {1e-4, 1.0, 1e4}) {
     const double reach = 2 * std::sqrt(2.0) * scale;
     const Vec3d half = Vec3d::Constant(scale);
-    const auto meets = [&](double apart, ObbAxes axes) {
+    const auto meets = [&](double separation, ObbAxes axes) {
       return overlaps(box_at<S>({0, 0, 0}, half, edge_up),
-                      box_at<S>({0, reach + apart * scale, 0}, half, across * edge_up),
+                      box_at<S>({0, reach + separation * scale, 0}, half, across * edge_up),
                       Comparison<S>::inclusive(), ObbTest<S>{axes, 0});
     };
     EXPECT_TRUE(meets(-1e-3, ObbAxes::Guarded)) << scale;
@@ -151,11 +151,11 @@ TYPED_TEST(OverlapOfBoxes, CrossedEdgesAreApartOnlyAlongTheirCrossProduct) {
 TYPED_TEST(OverlapOfBoxes, TouchingCountsOrDoesNot) {
   using S = TypeParam;
   const Obb<S> a = box_at<S>({0, 0, 0}, {1, 2, 3});
-  for (const Vec3d& way : {Vec3d(2, 0, 0), Vec3d(0, 4, 1), Vec3d(2, 4, 6)}) {
-    EXPECT_TRUE(overlaps(a, box_at<S>(way, {1, 2, 3}), Comparison<S>::inclusive()));
-    EXPECT_FALSE(overlaps(a, box_at<S>(way, {1, 2, 3}), Comparison<S>::exclusive()));
-    EXPECT_TRUE(overlaps(a, box_at<S>(0.999 * way, {1, 2, 3}), Comparison<S>::exclusive()));
-    EXPECT_FALSE(overlaps(a, box_at<S>(1.001 * way, {1, 2, 3}), Comparison<S>::inclusive()));
+  for (const Vec3d& offset : {Vec3d(2, 0, 0), Vec3d(0, 4, 1), Vec3d(2, 4, 6)}) {
+    EXPECT_TRUE(overlaps(a, box_at<S>(offset, {1, 2, 3}), Comparison<S>::inclusive()));
+    EXPECT_FALSE(overlaps(a, box_at<S>(offset, {1, 2, 3}), Comparison<S>::exclusive()));
+    EXPECT_TRUE(overlaps(a, box_at<S>(0.999 * offset, {1, 2, 3}), Comparison<S>::exclusive()));
+    EXPECT_FALSE(overlaps(a, box_at<S>(1.001 * offset, {1, 2, 3}), Comparison<S>::inclusive()));
   }
 }
 

@@ -103,8 +103,8 @@ TYPED_TEST(Overlap, OfBoxAndSphereIsTheirDistanceUnderRigidMotions) {
     box.center = pose.position.cast<S>();
     box.axes = pose.rotation.cast<S>().normalized().toRotationMatrix();
     BoundingSphere<S> sphere;
-    const Vec3d way = random.uniform(0, 2.5) * size * random.unit_vector();
-    sphere.center = (pose.position + way).cast<S>();
+    const Vec3d offset = random.uniform(0, 2.5) * size * random.unit_vector();
+    sphere.center = (pose.position + offset).cast<S>();
     // In the frame that the columns span, with the numbers as they are.
     const Mat3<long double> axes = box.axes.template cast<long double>();
     const Vec3<long double> out =

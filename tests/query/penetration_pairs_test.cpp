@@ -113,10 +113,10 @@ TYPED_TEST(PenetrationPairs, SlowTenThousandOverlapsAgreeWithExhaustion) {
         test::brute_force_sat(exact.a, Pose<double>(), exact.b, exact_b_in_a).separation;
     const auto scale = static_cast<double>(reach_of(a) + reach_of(b) + b_in_a.position.norm());
     const double ulp = scale * static_cast<double>(std::numeric_limits<S>::epsilon());
-    const bool is_deep = truth<-32 * ulp, is_apart = truth> 64 * ulp;
+    const bool is_deep = truth<-32 * ulp, is_separated = truth> 64 * ulp;
     overlapping += is_deep ? 1 : 0;
-    touching += !is_deep && !is_apart ? 1 : 0;
-    if (is_apart && i % 20 >= 10) continue;  // keeps their number near that of the overlaps
+    touching += !is_deep && !is_separated ? 1 : 0;
+    if (is_separated && i % 20 >= 10) continue;  // keeps their number near that of the overlaps
 
     for (const PenetrationMethod method : kMethods) {
       // As slow as all others together.
@@ -127,14 +127,15 @@ TYPED_TEST(PenetrationPairs, SlowTenThousandOverlapsAgreeWithExhaustion) {
       options.samples = 64;
       const PenetrationResult<S> found = penetration(method, a, b, b_in_a, options);
       const std::string status = to_string(found.status);
-      ++tally.statuses[is_deep ? status : is_apart ? status + "_apart" : status + "_touching"];
+      ++tally.statuses[is_deep ? status : is_separated ? status + "_apart" : status + "_touching"];
       ASSERT_NE(found.status, PenetrationStatus::NotFinite);
       ASSERT_TRUE(!is_deep || has_depth(found.status)) << truth / ulp << " ulps";
-      if (is_apart && method != PenetrationMethod::Sampling && method != PenetrationMethod::Mpr) {
+      if (is_separated && method != PenetrationMethod::Sampling &&
+          method != PenetrationMethod::Mpr) {
         ASSERT_EQ(found.status, PenetrationStatus::Separated) << truth / ulp << " ulps";
       }
-      if (is_apart && found.status == PenetrationStatus::Separated) ++concluded;
-      if (!has_depth(found.status) || is_apart) continue;
+      if (is_separated && found.status == PenetrationStatus::Separated) ++concluded;
+      if (!has_depth(found.status) || is_separated) continue;
 
       const auto depth = static_cast<double>(found.depth);
       const double over = (depth + std::min(truth, 0.0)) / ulp;

@@ -280,11 +280,11 @@ TEST(Epa, TakesTheSimplexOfAnotherPlaceForAHintOnly) {
     const auto earlier = gjk(a, b, relative_pose(pair.pose_a, pair.pose_b));
     pair.pose_b.position += 0.3 * random.unit_vector();
     const Pose<double> b_in_a = relative_pose(pair.pose_a, pair.pose_b);
-    const auto anew = epa<double>(a, b, b_in_a, {}, nullptr, nullptr);
+    const auto again = epa<double>(a, b, b_in_a, {}, nullptr, nullptr);
     const auto hinted = epa<double>(a, b, b_in_a, {}, &earlier.simplex, nullptr);
-    ASSERT_EQ(has_depth(anew.status), has_depth(hinted.status)) << i;
-    ASSERT_NEAR(anew.depth, hinted.depth, 1e-13) << i;
-    stale += has_depth(anew.status) ? 1 : 0;
+    ASSERT_EQ(has_depth(again.status), has_depth(hinted.status)) << i;
+    ASSERT_NEAR(again.depth, hinted.depth, 1e-13) << i;
+    stale += has_depth(again.status) ? 1 : 0;
   }
   EXPECT_GT(stale, 50);
 }

@@ -109,10 +109,10 @@ TEST(TriangleOverlap, OneLastBitDecides) {
 /// Compares the ends of the segment with the oracle's, in either order.
 void expect_near(const std::array<Vec3d, 2>& segment, const std::array<Vec3d, 2>& expected,
                  double tolerance, const std::string& where) {
-  const auto apart = [&](std::size_t i, std::size_t j) {
+  const auto separated = [&](std::size_t i, std::size_t j) {
     return (segment[0] - expected[i]).norm() + (segment[1] - expected[j]).norm();
   };
-  ASSERT_LE(std::min(apart(0, 1), apart(1, 0)), tolerance) << where;
+  ASSERT_LE(std::min(separated(0, 1), separated(1, 0)), tolerance) << where;
 }
 
 template <class S>

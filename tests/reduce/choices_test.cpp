@@ -20,13 +20,13 @@ using testing::IsEmpty;
 const Vec3d kUp = Vec3d::UnitY();
 
 /// The result of a reducer, and the choices that it records.
-struct Told {
+struct ReportInput {
   std::vector<int> kept;
   std::vector<trace::Choice> made;
 };
 
-Told told(const std::string& reducer, const std::vector<ContactPoint<double>>& points,
-          const Vec3d& normal = kUp, int max_points = 4) {
+ReportInput record(const std::string& reducer, const std::vector<ContactPoint<double>>& points,
+                   const Vec3d& normal = kUp, int max_points = 4) {
   Choices choices{{points, normal}};
   ReduceOptions options;
   options.max_points = max_points;
@@ -38,7 +38,7 @@ Told told(const std::string& reducer, const std::vector<ContactPoint<double>>& p
 std::vector<trace::Choice> choices(const std::string& reducer,
                                    const std::vector<ContactPoint<double>>& points,
                                    int max_points = 4) {
-  return told(reducer, points, kUp, max_points).made;
+  return record(reducer, points, kUp, max_points).made;
 }
 
 std::vector<std::string> rules(const std::vector<trace::Choice>& made) {
@@ -120,7 +120,7 @@ TEST(Choices, OfADistanceReducerMeasureDistancesFromEdges) {
   // 1 0 2 first. Point 4 is 1 m from the long edge; 3 is farther from the short one, but adds less.
   const std::vector<ContactPoint<double>> points =
       points_at({{-10, 0}, {10, 0}, {10, -4}, {11.5, -2}, {0, 1}});
-  const auto [kept, made] = told("distance", points);
+  const auto [kept, made] = record("distance", points);
   ASSERT_EQ(made.size(), 4u);
   double most = 0;
   int farthest = -1;
@@ -172,7 +172,7 @@ TEST_P(ChoicesOf, RandomPolygonsAreBestAtEachStepInTheKeptOrder) {
     const ContactPolygon polygon = random_contact_polygon(random, 5 + random.index(12));
     const double scale = polygon.points.size() * 1e-9;
     const int max_points = 1 + random.index(7);
-    const auto [kept, made] = told(GetParam(), polygon.points, polygon.normal, max_points);
+    const auto [kept, made] = record(GetParam(), polygon.points, polygon.normal, max_points);
     if (kept.size() == polygon.points.size()) {
       EXPECT_THAT(made, IsEmpty());
       continue;
@@ -208,7 +208,7 @@ TEST_P(ChoicesOf, RandomPolygonsAreBestAtEachStepInTheKeptOrder) {
 TEST(Choices, OfExtremesAreSupportPointsAlongTwoAxes) {
   // Lowest and highest in x and z, and two that are neither.
   const auto points = points_at({{-2, 0.5}, {3, 0.2}, {0.1, -1}, {0.3, 1.5}, {1, 1}, {-1, -0.5}});
-  const auto [kept, made] = told("extremes", points);
+  const auto [kept, made] = record("extremes", points);
   EXPECT_THAT(rules(made), ElementsAre("support", "support", "support", "support"));
   EXPECT_THAT(std::set<int>(kept.begin(), kept.end()), ElementsAre(0, 1, 2, 3));
   for (std::size_t i = 0; i < made.size(); ++i) {
@@ -226,9 +226,9 @@ TEST_P(ChoicesOf, EdgeAreasOfAFourthPointAddUpToTheTriangle) {
   Random random(12);
   for (int i = 0; i < 200; ++i) {
     const ContactPolygon polygon = random_contact_polygon(random, 8);
-    const Told told_of = told(GetParam(), polygon.points, polygon.normal);
-    const std::vector<int>& kept = told_of.kept;
-    const std::vector<trace::Choice>& made = told_of.made;
+    const ReportInput record_of = record(GetParam(), polygon.points, polygon.normal);
+    const std::vector<int>& kept = record_of.kept;
+    const std::vector<trace::Choice>& made = record_of.made;
     if (kept.size() < 4) continue;
     double sum = 0;
     for (const trace::Measure& measure : made[3].measures) {
@@ -246,7 +246,7 @@ TEST_P(ChoicesOf, PointsOnALineOrInOnePlaceHaveFiniteMeasures) {
   for (const auto& places : {std::vector<PlanePoint>(6, PlanePoint{1, 2, 0.1}),
                              std::vector<PlanePoint>{{0, 0}, {1, 1}, {2, 2}, {3, 3}, {4, 4, 1}}}) {
     const std::vector<ContactPoint<double>> points = points_at(places);
-    const auto [kept, made] = told(GetParam(), points);
+    const auto [kept, made] = record(GetParam(), points);
     EXPECT_EQ(made.size(), kept.size());
     for (const trace::Choice& choice : made) {
       EXPECT_TRUE(choice.direction.allFinite());

@@ -264,7 +264,7 @@ TYPED_TEST(CoherentReducer, GivesUpFewerPointsOverMotionsThanOthers) {
 TYPED_TEST(CoherentReducer, SlowKeepsAsManyOldIdsAsTheBoundsAllow) {
   using S = TypeParam;
   test::Random random(36);
-  int chosen_anew = 0;
+  int chosen_again = 0;
   for (int i = 0; i < 1500; ++i) {
     const int count = 6 + random.index(5);
     const auto patch = test::random_patch<S>(random, test::Shape::Polygon, count);
@@ -279,7 +279,7 @@ TYPED_TEST(CoherentReducer, SlowKeepsAsManyOldIdsAsTheBoundsAllow) {
     const std::vector<int> kept =
         reduced<S>(find_reducer("coherent"), patch.points, patch.normal, 4, previous);
     if (kept == old) continue;
-    ++chosen_anew;
+    ++chosen_again;
     const std::vector<Place> places = test::seen_along(patch.points, patch.normal);
     const Promise promise = promise_of(patch.points, places, 4);
     const auto count_old = [&](const std::vector<int>& chosen) {
@@ -307,7 +307,7 @@ TYPED_TEST(CoherentReducer, SlowKeepsAsManyOldIdsAsTheBoundsAllow) {
       ASSERT_TRUE(std::is_sorted(kept.begin(), first_new));
     }
   }
-  EXPECT_GT(chosen_anew, 300);
+  EXPECT_GT(chosen_again, 300);
 }
 
 /// Points in the x-y plane, z up, with these separations and different ids.

@@ -125,21 +125,21 @@ TEST(EngineChoices, NewtonStartsWithTheDiameter) {
       places.push_back({std::round(steps * random.uniform(-1, 1)) / steps,
                         flat * std::round(steps * random.uniform(-1, 1)) / steps});
     }
-    const auto apart = [&](int a, int b) {
+    const auto separated = [&](int a, int b) {
       const PlanePoint& p = places[static_cast<std::size_t>(a)];
       const PlanePoint& q = places[static_cast<std::size_t>(b)];
       return std::hypot(p.x - q.x, p.z - q.z);
     };
     double farthest = 0;
     for (int a = 0; a < count; ++a) {
-      for (int b = 0; b < a; ++b) farthest = std::max(farthest, apart(a, b));
+      for (int b = 0; b < a; ++b) farthest = std::max(farthest, separated(a, b));
     }
     const auto kept = kept_by("newton", points_at(places), 2);
     if (farthest == 0) {
       EXPECT_EQ(kept.size(), 1u);
     } else {
       ASSERT_EQ(kept.size(), 2u);
-      EXPECT_NEAR(apart(kept[0], kept[1]), farthest, 1e-14);
+      EXPECT_NEAR(separated(kept[0], kept[1]), farthest, 1e-14);
     }
   }
 }

@@ -49,7 +49,7 @@ TEST(BrokenPath, NameTooLongForTheSystem) {
 class WithoutPrivileges {
  public:
   WithoutPrivileges() {
-    if (user_ == 0 && seteuid(kNobody) != 0) throw std::runtime_error("cannot step down");
+    if (user_ == 0 && seteuid(kNobodyUser) != 0) throw std::runtime_error("cannot step down");
   }
   ~WithoutPrivileges() {
     if (user_ == 0 && seteuid(0) != 0) std::abort();
@@ -58,7 +58,7 @@ class WithoutPrivileges {
   WithoutPrivileges& operator=(const WithoutPrivileges&) = delete;
 
  private:
-  static constexpr uid_t kNobody = 65534;
+  static constexpr uid_t kNobodyUser = 65534;
   uid_t user_ = geteuid();
 };
 
@@ -129,7 +129,8 @@ TEST(BrokenPath, ObjFileThatIsAFolder) {
   fs::create_directory(folder.path() / "rock.obj");
   const std::string path =
       folder.write("a.toml", one_shape("type = \"hull\"\nfile = \"rock.obj\""));
-  EXPECT_THAT(load_complaint(path), AllOf(StartsWith(path + ":4:8: "), HasSubstr("not a regular file")));
+  EXPECT_THAT(load_complaint(path),
+              AllOf(StartsWith(path + ":4:8: "), HasSubstr("not a regular file")));
 }
 
 TEST(BrokenPath, ManyShapesNeedAListOfPairs) {

@@ -118,15 +118,15 @@ TEST_F(DeformFiles, AnotherTopologyIsRefusedWithItsLine) {
     write("b.obj", other);
     return complaint(one_shape(kTriangle), path());
   };
-  const auto is_told = [&](const char* what) {
+  const auto is_named = [&](const char* what) {
     return AllOf(StartsWith(path() + ":7:22: "), HasSubstr("'b.obj'"), HasSubstr(what));
   };
   EXPECT_THAT(complaint_of("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
-              is_told("number of vertices is 3 in 'b.obj', and 4 in the mesh"));
+              is_named("number of vertices is 3 in 'b.obj', and 4 in the mesh"));
   EXPECT_THAT(complaint_of("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\n"),
-              is_told("number of triangles is 1 in 'b.obj', and 2 in the mesh"));
+              is_named("number of triangles is 1 in 'b.obj', and 2 in the mesh"));
   EXPECT_THAT(complaint_of("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 2 4 3\nf 1 2 3\n"),
-              is_told("write the file with the same faces in the same order"));
+              is_named("write the file with the same faces in the same order"));
 }
 
 /// A triangle that moves from a.obj to b.obj, and a wall in the x-z plane.
@@ -176,8 +176,8 @@ TEST_F(DeformFiles, AMeshOfATriangleWithoutAnAreaOverlapsAndIsTouched) {
   EXPECT_EQ(runner.frame(0).pairs.at(0).intersections.size(), 1u);
   EXPECT_TRUE(runner.frame(1).pairs.at(0).intersections.empty());
   std::string text = kNeedleAndWall;
-  const std::string asked = "query = \"overlap\"\ncontinuous = \"time_of_impact\"\n";
-  text.erase(text.find(asked), asked.size());
+  const std::string requested = "query = \"overlap\"\ncontinuous = \"time_of_impact\"\n";
+  text.erase(text.find(requested), requested.size());
   text.resize(text.find("[shapes.wall]"));
   text += "[shapes.ball]\ntype = \"sphere\"\nradius = 0.5\nposition = [0.5, 1.4, 0.2]\n";
   const Scenario contacts = parse_scenario(text, path());

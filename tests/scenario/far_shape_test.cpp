@@ -96,9 +96,9 @@ TEST(FarShapes, TurnAboutTheOriginThatTheFileGives) {
   const std::string turning = "motion = { angular_velocity = [0, 1, 0] }\n";
   const Scenario scenario = scene(Vec3d(100, 0, 0), turning);
   const trace::Frame frame = Runner(scenario).frame(20);
-  const Vec3d told = frame.poses[1].second.transform(Vec3d(-100, 0, 0));
+  const Vec3d record = frame.poses[1].second.transform(Vec3d(-100, 0, 0));
   const double angle = 20 / 60.0;
-  EXPECT_LT((told - Vec3d(100 - 100 * std::cos(angle), 0, 100 * std::sin(angle))).norm(), 1e-12);
+  EXPECT_LT((record - Vec3d(100 - 100 * std::cos(angle), 0, 100 * std::sin(angle))).norm(), 1e-12);
 }
 
 TEST(FarShapes, FallAndComeToRestAsNearTheirOrigin) {
@@ -111,8 +111,8 @@ TEST(FarShapes, FallAndComeToRestAsNearTheirOrigin) {
     const trace::Frame expected = near.frame(frame), found = far.frame(frame);
     for (const Vec3d& corner : kWedge) {
       const Vec3d there = expected.poses[1].second.transform(corner);
-      const Vec3d told = found.poses[1].second.transform(Vec3d(corner - kFar));
-      EXPECT_LT((there - told).norm(), 2e-4) << frame;
+      const Vec3d record = found.poses[1].second.transform(Vec3d(corner - kFar));
+      EXPECT_LT((there - record).norm(), 2e-4) << frame;
     }
     ASSERT_EQ(found.solver->bodies.size(), 1u);
     EXPECT_LT(

@@ -90,12 +90,12 @@ TEST(IncrementalRun, ARecordChangesNothingAndTradingTheShapesMirrors) {
   const Scenario scenario = parse_scenario(kIncrementalCrate, "g/a.toml");
   std::string text = kIncrementalCrate;
   text.replace(text.find("a = \"crate\"\nb = \"floor\""), 23, "a = \"floor\"\nb = \"crate\"");
-  const Scenario traded = parse_scenario(text, "g/a.toml");
+  const Scenario swapped = parse_scenario(text, "g/a.toml");
   for (int frame = 1; frame < 8; ++frame) {
     const trace::Manifold recorded = Runner(scenario).frame(frame).pairs.at(0).manifolds.at(0);
     const trace::Manifold bare =
         Runner(scenario).frame_unrecorded(frame).pairs.at(0).manifolds.at(0);
-    const trace::Manifold other = Runner(traded).frame(frame).pairs.at(0).manifolds.at(0);
+    const trace::Manifold other = Runner(swapped).frame(frame).pairs.at(0).manifolds.at(0);
     EXPECT_EQ(recorded.normal, bare.normal);
     EXPECT_EQ(recorded.normal, Vec3d(-other.normal));
     ASSERT_EQ(recorded.points.size(), bare.points.size());

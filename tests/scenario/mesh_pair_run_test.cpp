@@ -155,7 +155,7 @@ TEST(MeshPairRun, AnAutomaticTreeIsBuiltAnewWhereQueriesCostThirtyPerCentMore) {
     const bool is_new = one.deformed.at(0).tree == "rebuilt";
     EXPECT_TRUE(is_new || !due) << frame;
     if (is_new) {
-      cost.begin_anew();
+      cost.restart();
       ++rebuilt;
     }
     due = cost.judge({counts.node_pairs, counts.leaf_pairs, counts.triangle_pairs}) ==

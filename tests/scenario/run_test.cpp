@@ -212,18 +212,18 @@ TEST_P(Run, ACacheIsKeptFromFrameToFrameUnlessTheFileSaysOtherwise) {
   for (int number = 0; number < 8; ++number) {
     const trace::Frame frame = runner.frame(number);
     const trace::Pair& kept = frame.pairs[0];
-    const trace::Pair& anew = frame.pairs[1];
+    const trace::Pair& again = frame.pairs[1];
     EXPECT_EQ(kept.cache.has_value(), number > 0);  // nothing to try in the first frame
     if (kept.cache) {
       EXPECT_TRUE(kept.cache->hit);
       EXPECT_EQ(kept.cache->kind, "features");
     }
     EXPECT_EQ(kept.sat.has_value(), number == 0);
-    EXPECT_TRUE(kept.clip && anew.sat && anew.clip);
-    EXPECT_FALSE(anew.cache);
+    EXPECT_TRUE(kept.clip && again.sat && again.clip);
+    EXPECT_FALSE(again.cache);
     ASSERT_EQ(kept.manifolds.size(), 1u);
-    EXPECT_EQ(kept.manifolds[0].normal, anew.manifolds[0].normal);
-    EXPECT_EQ(kept.separation, anew.separation);
+    EXPECT_EQ(kept.manifolds[0].normal, again.manifolds[0].normal);
+    EXPECT_EQ(kept.separation, again.separation);
   }
 }
 
@@ -339,9 +339,9 @@ TEST(RunPairs, EachEntryRunsWithItsOwnSettings) {
 }
 
 TEST(RunPairs, TheMarginKeepsPointsThatAreApart) {
-  const std::string apart = "position = [0, -1.01, 0]\n[pipeline]\nmargin = ";
-  const Scenario none = parse_scenario(two_boxes(apart + "0"), "g/a.toml");
-  const Scenario some = parse_scenario(two_boxes(apart + "0.02"), "g/a.toml");
+  const std::string gap = "position = [0, -1.01, 0]\n[pipeline]\nmargin = ";
+  const Scenario none = parse_scenario(two_boxes(gap + "0"), "g/a.toml");
+  const Scenario some = parse_scenario(two_boxes(gap + "0.02"), "g/a.toml");
   const trace::Frame without = Runner(none).frame(0);
   const trace::Frame with = Runner(some).frame(0);
   EXPECT_EQ(without.pairs.at(0).state, "separated");

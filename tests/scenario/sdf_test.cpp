@@ -71,13 +71,13 @@ TEST(Sdf, IsSlicedWhereAViewShowsIt) {
       // Distance from a box whose top is the ground.
       const Vec3d out = (place + Vec3d(0, 0.5, 0)).cwiseAbs() - Vec3d(1, 0.5, 1);
       const double truth = out.cwiseMax(0.0).norm() + std::min(out.maxCoeff(), 0.0);
-      const double told = slice.cell * at(slice.distances, row * slice.columns + column);
-      EXPECT_NEAR(told, truth, 0.5 * slice.cell) << place.transpose();
+      const double record = slice.cell * at(slice.distances, row * slice.columns + column);
+      EXPECT_NEAR(record, truth, 0.5 * slice.cell) << place.transpose();
       // In front of a face, away from edges and the middle, distance and blending are linear.
       if (out.x() > -0.5 || std::abs(out.y()) > 0.3) continue;
       ++before_faces;
       inside += truth < 0 ? 1 : 0;
-      EXPECT_NEAR(told, truth, 1e-3 * slice.cell) << place.transpose();
+      EXPECT_NEAR(record, truth, 1e-3 * slice.cell) << place.transpose();
     }
   }
   EXPECT_GT(before_faces, 100);

@@ -148,10 +148,10 @@ TEST(Shrink, WhatLintFindsInATraceStaysAndTheTraceIsMadeWithIt) {
 }
 
 TEST(Shrink, AnEngineThatDisagreesIsAskedForEachPair) {
-  int asked = 0;
+  int requested = 0;
   // It misses everything above two metres.
   const Engine blind = [&](const trace::Trace& request) {
-    ++asked;
+    ++requested;
     trace::Trace answer = request;
     trace::Pair& pair = answer.frames.front().pairs.front();
     const double height = answer.frames.front().poses.back().second.position.y();
@@ -165,7 +165,7 @@ TEST(Shrink, AnEngineThatDisagreesIsAskedForEachPair) {
   const Shrunk result = shrunk(pair, "double.touching and not blind.touching", {{"blind", blind}});
   EXPECT_LE(result.pair.vertex_count(), 12);
   EXPECT_GE(result.pair.b.position.y(), 2);
-  EXPECT_GT(asked, 10);
+  EXPECT_GT(requested, 10);
 }
 
 TEST(Shrink, AMeshKeepsTheTrianglesThatMatter) {

@@ -30,21 +30,21 @@ const PictureKey kKey{"hull/face_contact", {}, 12};
 
 class Check : public testing::Test {
  protected:
-  Shelf shelf() const { return shelf_of(root(), kKey.scenario); }
+  StoredScenario archive() const { return archive_of(root(), kKey.scenario); }
   CheckedPicture check(const Image& image, const Policy& policy = kLocal,
                        const PixelLimits& limits = {}) const {
-    return check_picture(shelf(), kKey, image, policy, limits);
+    return check_picture(archive(), kKey, image, policy, limits);
   }
   CheckedTrace check(const trace::Trace& trace, const Policy& policy = kLocal) const {
-    return check_trace(shelf(), trace, policy);
+    return check_trace(archive(), trace, policy);
   }
   void store_picture(const PictureKey& key, const Image& image) {
-    check_picture(shelf(), key, image, kUpdate);
+    check_picture(archive(), key, image, kUpdate);
   }
   void store_trace(const trace::Trace& trace) { check(trace, kUpdate); }
   const std::filesystem::path& root() const { return folder_.path(); }
   std::filesystem::path picture() const { return picture_path(root(), kKey); }
-  std::filesystem::path beside(const std::string& name) const {
+  std::filesystem::path next_to(const std::string& name) const {
     return picture().parent_path() / name;
   }
   /// Sets a file's time to long ago, so that any rewriting shows.
@@ -59,7 +59,7 @@ class Check : public testing::Test {
 };
 
 /// Matches the kind and sentence of a finding.
-auto Tells(FindingKind kind, const std::string& sentence) {
+auto Reports(FindingKind kind, const std::string& sentence) {
   return testing::Optional(testing::AllOf(testing::Field(&Finding::kind, kind),
                                           testing::Field(&Finding::sentence, HasSubstr(sentence))));
 }
@@ -83,7 +83,7 @@ TEST_F(Check, AMovedDotFailsWithItsNumbersAndTheLimits) {
   age(picture());
   const CheckedPicture checked = check(dot_picture(82, 45));
   ASSERT_THAT(checked.finding,
-              Tells(FindingKind::Changed, "hull/face_contact frame 12: picture differs in"));
+              Reports(FindingKind::Changed, "hull/face_contact frame 12: picture differs in"));
   const Finding& finding = *checked.finding;
   EXPECT_TRUE(finding.fails());
   EXPECT_EQ(finding.key(), "hull/face_contact/frame_0012");
@@ -106,26 +106,27 @@ TEST_F(Check, LimitsOfAViewAreItsOwn) {
 TEST_F(Check, AnotherSizeFails) {
   store_picture(kKey, dot_picture(80, 45));
   EXPECT_THAT(check(dot_picture(80, 45, 161, 90)).finding,
-              Tells(FindingKind::Changed,
-                    "hull/face_contact frame 12: picture has size 161x90, stored is 160x90"));
+              Reports(FindingKind::Changed,
+                      "hull/face_contact frame 12: picture has size 161x90, stored is 160x90"));
 }
 
 TEST_F(Check, ATornPictureIsUnreadableAndAnUpdateMendsIt) {
   store_picture(kKey, dot_picture(80, 45));
   std::filesystem::resize_file(picture(), std::filesystem::file_size(picture()) / 2);
-  EXPECT_THAT(check(dot_picture(80, 45)).finding, Tells(FindingKind::Unreadable, "frame_0012.png"));
+  EXPECT_THAT(check(dot_picture(80, 45)).finding,
+              Reports(FindingKind::Unreadable, "frame_0012.png"));
   EXPECT_EQ(check(dot_picture(80, 45), kUpdate).finding->done, Done::Updated);
   EXPECT_EQ(check(dot_picture(80, 45)).finding, std::nullopt);
 }
 
 TEST_F(Check, NothingIsStoredWhereNobodyAsked) {
   EXPECT_THAT(check(dot_picture(80, 45)).finding,
-              Tells(FindingKind::New, "nothing is stored of hull/face_contact"));
-  EXPECT_THAT(check(sample_trace()).finding, Tells(FindingKind::New, "nothing is stored"));
+              Reports(FindingKind::New, "nothing is stored of hull/face_contact"));
+  EXPECT_THAT(check(sample_trace()).finding, Reports(FindingKind::New, "nothing is stored"));
   EXPECT_TRUE(std::filesystem::is_empty(root()));
   store_trace(sample_trace());
   EXPECT_THAT(check(dot_picture(80, 45)).finding,
-              Tells(FindingKind::Missing, "hull/face_contact/frame_0012.png"));
+              Reports(FindingKind::Missing, "hull/face_contact/frame_0012.png"));
 }
 
 TEST_F(Check, WriteMissingStoresWhatIsNotThereAndLeavesWhatDiffers) {
@@ -153,8 +154,8 @@ TEST_F(Check, CiWritesNothing) {
     EXPECT_TRUE(check(dot_picture(20, 45), ci).finding->fails());
     EXPECT_TRUE(check(other, ci).finding->fails());
     EXPECT_FALSE(check(sample_trace(), ci).is_written);
-    EXPECT_THAT(check_stale(shelf(), {}, {}, ci), SizeIs(1));
-    EXPECT_TRUE(check_frames(shelf(), {"r", {{3, "a"}}}, ci).finding->fails());
+    EXPECT_THAT(check_stale(archive(), {}, {}, ci), SizeIs(1));
+    EXPECT_TRUE(check_frames(archive(), {"r", {{3, "a"}}}, ci).finding->fails());
     EXPECT_TRUE(is_aged(picture()));
     EXPECT_TRUE(is_aged(trace));
   }
@@ -172,9 +173,10 @@ TEST_F(Check, AChangedDigitInAStoredTraceFails) {
   text[place + 4] = '1';
   write_text(file, text);
   const CheckedTrace checked = check(sample_trace());
-  EXPECT_THAT(checked.finding, Tells(FindingKind::Changed,
-                                     "hull/face_contact frame 12, crate-floor: persistent point 3 "
-                                     "separation"));
+  EXPECT_THAT(checked.finding,
+              Reports(FindingKind::Changed,
+                      "hull/face_contact frame 12, crate-floor: persistent point 3 "
+                      "separation"));
   EXPECT_THAT(checked.differences.frames, ElementsAre(12));
 }
 
@@ -182,7 +184,7 @@ TEST_F(Check, AStoredTraceThatCannotBeReadFails) {
   store_trace(sample_trace());
   const std::filesystem::path file = trace_path(root(), kKey.scenario);
   std::filesystem::resize_file(file, std::filesystem::file_size(file) - 10);
-  EXPECT_THAT(check(sample_trace()).finding, Tells(FindingKind::Unreadable, "trace.jsonl:3"));
+  EXPECT_THAT(check(sample_trace()).finding, Reports(FindingKind::Unreadable, "trace.jsonl:3"));
 }
 
 TEST_F(Check, UpdateRewritesWhatDiffersAndTellsWhat) {
@@ -227,23 +229,23 @@ TEST_F(Check, ATraceWithANumberThatIsNotFiniteIsNeverStored) {
 
 TEST_F(Check, AnyOfTheDriversPicturesPassesAndTheNearestIsShown) {
   store_picture(kKey, dot_picture(80, 45));
-  write_png(beside("frame_0012.osmesa.png").string(), dot_picture(100, 45));
+  write_png(next_to("frame_0012.osmesa.png").string(), dot_picture(100, 45));
   EXPECT_EQ(check(dot_picture(100, 45)).finding, std::nullopt);
   const CheckedPicture checked = check(dot_picture(101, 45));
-  EXPECT_EQ(checked.nearest, beside("frame_0012.osmesa.png"));
+  EXPECT_EQ(checked.nearest, next_to("frame_0012.osmesa.png"));
   EXPECT_EQ(checked.expected, dot_picture(100, 45));
   EXPECT_THAT(checked.finding->details,
               Contains("held against the nearest of 2, frame_0012.osmesa.png"));
   const std::vector<int> frames{12};
-  EXPECT_THAT(check_stale(shelf(), {}, frames, kLocal), IsEmpty()) << "it goes with its picture";
+  EXPECT_THAT(check_stale(archive(), {}, frames, kLocal), IsEmpty()) << "it goes with its picture";
 }
 
 TEST_F(Check, AKnownBugIsToldByItsNote) {
   store_picture(kKey, dot_picture(80, 45));
-  write_png(beside("frame_0012.bad_31.png").string(), dot_picture(100, 45));
-  write_text(beside("frame_0012.bad_31.txt"), "the bug of the lost dot is back\n");
+  write_png(next_to("frame_0012.bad_31.png").string(), dot_picture(100, 45));
+  write_text(next_to("frame_0012.bad_31.txt"), "the bug of the lost dot is back\n");
   const CheckedPicture checked = check(dot_picture(100, 45), kUpdate);
-  EXPECT_THAT(checked.finding, Tells(FindingKind::KnownBad, "the bug of the lost dot is back"));
+  EXPECT_THAT(checked.finding, Reports(FindingKind::KnownBad, "the bug of the lost dot is back"));
   EXPECT_TRUE(checked.finding->fails());
   EXPECT_EQ(read_png(picture().string()), dot_picture(80, 45)) << "no update takes it";
   EXPECT_EQ(check(dot_picture(80, 45)).finding, std::nullopt);
@@ -253,19 +255,21 @@ TEST_F(Check, AKnownBadTraceIsToldToo) {
   trace::Trace other = sample_trace();
   sample_manifold(other).normal *= -1;
   store_trace(sample_trace());
-  write_text(beside("trace.bad_31.jsonl"), to_json_lines(other));
+  write_text(next_to("trace.bad_31.jsonl"), to_json_lines(other));
   EXPECT_THAT(check(other).finding,
-              Tells(FindingKind::KnownBad, "is as trace.bad_31.jsonl, which is known to be bad"));
+              Reports(FindingKind::KnownBad, "is as trace.bad_31.jsonl, which is known to be bad"));
 }
 
 TEST_F(Check, AStalePictureFailsUntilAnUpdateRemovesIt) {
   store_picture(kKey, dot_picture(80, 45));
   store_picture({kKey.scenario, "side", 12}, dot_picture(80, 45));
   const std::vector<int> frames{12};
-  const auto stale = [&](const Policy& policy) { return check_stale(shelf(), {}, frames, policy); };
+  const auto stale = [&](const Policy& policy) {
+    return check_stale(archive(), {}, frames, policy);
+  };
   const std::vector<Checked> found = stale(kLocal);
   ASSERT_THAT(found, SizeIs(1));
-  EXPECT_THAT(found[0].finding, Tells(FindingKind::Orphaned, "side/frame_0012.png"));
+  EXPECT_THAT(found[0].finding, Reports(FindingKind::Orphaned, "side/frame_0012.png"));
   ASSERT_THAT(stale(kUpdate), SizeIs(1));
   EXPECT_THAT(folder_.files(), UnorderedElementsAre("hull/face_contact/frame_0012.png"));
   EXPECT_FALSE(std::filesystem::exists(root() / "hull/face_contact/side"));
@@ -275,7 +279,7 @@ TEST_F(Check, AStalePictureFailsUntilAnUpdateRemovesIt) {
 TEST_F(Check, WhatIsLeftOfARemovedScenarioIsOrphaned) {
   store_picture(kKey, dot_picture(80, 45));
   store_trace(sample_trace());
-  check_frames(shelf(), {"r", {{3, "a"}}}, kUpdate);
+  check_frames(archive(), {"r", {{3, "a"}}}, kUpdate);
   const std::vector<std::string> none, still_there{"hull/face_contact"};
   EXPECT_THAT(check_stale_scenarios(root(), still_there, kLocal), IsEmpty());
   EXPECT_THAT(check_stale_scenarios(root(), none, kLocal), SizeIs(3));
@@ -289,7 +293,7 @@ TEST_F(Check, AnUnreadableTraceOfARemovedScenarioIsSaidAndStays) {
   for (const Policy& policy : {kLocal, kUpdate}) {
     const std::vector<Checked> found = check_stale_scenarios(root(), {}, policy);
     ASSERT_THAT(found, SizeIs(1));
-    EXPECT_THAT(found[0].finding, Tells(FindingKind::Unreadable, "the trace is empty"));
+    EXPECT_THAT(found[0].finding, Reports(FindingKind::Unreadable, "the trace is empty"));
     EXPECT_FALSE(found[0].is_written);
   }
   EXPECT_THAT(folder_.files(), SizeIs(2));
@@ -297,22 +301,22 @@ TEST_F(Check, AnUnreadableTraceOfARemovedScenarioIsSaidAndStays) {
 
 TEST_F(Check, FramesThatAreNotStoredAreHeldByTheirHashes) {
   const FrameHashes hashes{"r", {{1, "a"}, {2, "b"}, {3, "c"}}};
-  EXPECT_THAT(check_frames(shelf(), hashes, kLocal).finding, Tells(FindingKind::New, ""));
-  check_frames(shelf(), hashes, kUpdate);
-  const CheckedFrames same = check_frames(shelf(), hashes, kLocal);
+  EXPECT_THAT(check_frames(archive(), hashes, kLocal).finding, Reports(FindingKind::New, ""));
+  check_frames(archive(), hashes, kUpdate);
+  const CheckedFrames same = check_frames(archive(), hashes, kLocal);
   EXPECT_EQ(same.finding, std::nullopt);
   EXPECT_TRUE(same.is_compared);
   const CheckedFrames checked =
-      check_frames(shelf(), {"r", {{2, "x"}, {3, "y"}, {4, "d"}}}, kLocal);
-  EXPECT_THAT(checked.finding, Tells(FindingKind::Changed,
-                                     "of the frames that are not stored, frames 2, 3 changed, "
-                                     "frame 4 added, frame 1 gone"));
+      check_frames(archive(), {"r", {{2, "x"}, {3, "y"}, {4, "d"}}}, kLocal);
+  EXPECT_THAT(checked.finding, Reports(FindingKind::Changed,
+                                       "of the frames that are not stored, frames 2, 3 changed, "
+                                       "frame 4 added, frame 1 gone"));
   EXPECT_THAT(checked.changed, ElementsAre(2, 3));
 }
 
 TEST_F(Check, HashesOfAMachineThatRoundsOtherwiseAreNotCompared) {
-  check_frames(shelf(), {"one", {{1, "a"}}}, kUpdate);
-  const CheckedFrames checked = check_frames(shelf(), {"another", {{1, "x"}}}, kLocal);
+  check_frames(archive(), {"one", {{1, "a"}}}, kUpdate);
+  const CheckedFrames checked = check_frames(archive(), {"another", {{1, "x"}}}, kLocal);
   EXPECT_FALSE(checked.is_compared);
   EXPECT_EQ(checked.finding, std::nullopt);
 }

@@ -182,7 +182,7 @@ TEST(CompareTraces, AFrameTellsSoMuchAndNoMore) {
     }
     trace.frames[0].time = 1;
   });
-  ASSERT_THAT(sentences, SizeIs(1 + kMostSentences + 1));
+  ASSERT_THAT(sentences, SizeIs(1 + kMaxSentences + 1));
   EXPECT_EQ(sentences.back(), "hull/face_contact frame 12: and 12 more");
 }
 

@@ -91,9 +91,9 @@ TEST(FirstCause, IsWhatThePipelineDecidesFirst) {
   pair.manifolds[0].points[1].id = "a:e9 b:e9";
   ASSERT_TRUE(pair.sat.has_value());
   pair.sat->face_a->separation += 0.01;
-  const TraceDifferences told = compare_with_stored(to_json_lines(stored), "file", now);
-  EXPECT_THAT(told.cause, HasSubstr("crate-floor: sat face_a: separation"));
-  EXPECT_THAT(told.cause, HasSubstr("so 1 point and 1 of 4 ids changed"));
+  const TraceDifferences record = compare_with_stored(to_json_lines(stored), "file", now);
+  EXPECT_THAT(record.cause, HasSubstr("crate-floor: sat face_a: separation"));
+  EXPECT_THAT(record.cause, HasSubstr("so 1 point and 1 of 4 ids changed"));
 }
 
 TEST(FirstCause, ADecisionIsToldWithBothOfItsNumbers) {
@@ -105,17 +105,17 @@ TEST(FirstCause, ADecisionIsToldWithBothOfItsNumbers) {
   before.chosen = "face_a";
   trace::Trace now = stored;
   sample_pair(now).sat->chosen = "face_b";
-  const TraceDifferences told = compare_with_stored(to_json_lines(stored), "file", now);
+  const TraceDifferences record = compare_with_stored(to_json_lines(stored), "file", now);
   EXPECT_THAT(
-      told.cause,
+      record.cause,
       HasSubstr("frame 12, crate-floor: the separating axis test now prefers face b: -19.980 mm "
                 "against -20.010 mm of face a, a tie of 0.03 mm"));
-  EXPECT_THAT(told.cause, Not(HasSubstr("to spare"))) << "no margin is known";
+  EXPECT_THAT(record.cause, Not(HasSubstr("to spare"))) << "no margin is known";
 }
 
 /// The cause if only `change` differs in the pair of frame 0, and the current margin is `decision`.
-std::string told_of(const std::function<void(trace::Pair&)>& change,
-                    const trace::Decision& decision) {
+std::string record_of(const std::function<void(trace::Pair&)>& change,
+                      const trace::Decision& decision) {
   trace::Trace now = sample_trace();
   change(now.frames[0].pairs[0]);
   const Margins margins = {{{0, "crate-floor"}, {decision}}};
@@ -124,33 +124,33 @@ std::string told_of(const std::function<void(trace::Pair&)>& change,
 
 TEST(FirstCause, EveryChoiceIsToldWithItsMargin) {
   EXPECT_THAT(
-      told_of([](trace::Pair& pair) { pair.clip->incident.face = 5; },
-              {"incident_face", "face 5", "face 3", {}, {}, 1e-6}),
+      record_of([](trace::Pair& pair) { pair.clip->incident.face = 5; },
+                {"incident_face", "face 5", "face 3", {}, {}, 1e-6}),
       HasSubstr("crate-floor: the incident face is now face 5 instead of face 3, with 1e-06 of "
                 "a cosine to spare"));
-  EXPECT_THAT(told_of(
+  EXPECT_THAT(record_of(
                   [](trace::Pair& pair) {
                     pair.reduction->kept = {0, 2, 1};
                   },
                   {"points", "points 0 1 2", "points 0 1 3", {}, 2e-6, {}}),
               HasSubstr("the reduction now keeps points 0 2 1 instead of 0 2 1 3, with 2 mm^2 to "
                         "spare"));
-  EXPECT_THAT(told_of([](trace::Pair& pair) { pair.sat->face_b->face = 4; },
-                      {"face_b", "face 4", "face 2", 3e-6, {}, {}}),
+  EXPECT_THAT(record_of([](trace::Pair& pair) { pair.sat->face_b->face = 4; },
+                        {"face_b", "face 4", "face 2", 3e-6, {}, {}}),
               HasSubstr("the best face b is now face 4 instead of face 2, with 3 um to spare"));
-  EXPECT_THAT(told_of([](trace::Pair& pair) { pair.state = "separated"; },
-                      {"contact", "separated", "touching", 2e-8, {}, {}}),
+  EXPECT_THAT(record_of([](trace::Pair& pair) { pair.state = "separated"; },
+                        {"contact", "separated", "touching", 2e-8, {}, {}}),
               HasSubstr("the shapes are now separated instead of touching, with 20 nm to spare"));
 }
 
 TEST(FirstCause, APreferenceIsToldByWhatItLeaves) {
-  const std::string told = told_of(
+  const std::string record = record_of(
       [](trace::Pair& pair) {
         pair.sat->face_a->separation = -0.006;
         pair.sat->chosen = "face_a";
       },
       {"axis", "face_a", "edge_edge", 4e-6, {}, {}});
-  EXPECT_THAT(told, HasSubstr("1 mm between them, with 4 um to spare over an edge pair"));
+  EXPECT_THAT(record, HasSubstr("1 mm between them, with 4 um to spare over an edge pair"));
 }
 
 TEST(FirstCause, WhatMovedIsToldWithTheChoiceThatItTurned) {
@@ -158,8 +158,8 @@ TEST(FirstCause, WhatMovedIsToldWithTheChoiceThatItTurned) {
   for (trace::Frame& frame : now.frames) frame.poses[0].second.position.y() += 3e-5;
   now.frames[1].pairs[0].clip->incident.face = 5;
   now.frames[1].pairs[0].clip->steps[0].offset += 1;
-  const TraceDifferences told = compare_with_stored(to_json_lines(sample_trace()), "file", now);
-  EXPECT_THAT(told.cause,
+  const TraceDifferences record = compare_with_stored(to_json_lines(sample_trace()), "file", now);
+  EXPECT_THAT(record.cause,
               HasSubstr("frame 0, crate: moved 30 um along y; so for crate-floor in frame "
                         "12 the incident face is now face 5 instead of face 3; with it 1 "
                         "clip step changed"));
@@ -195,10 +195,10 @@ TEST(FirstCause, ItsSignatureHasNoNumbersOrNames) {
   EXPECT_EQ(signature(0.1, 0), signature(0.3, 1));
   trace::Trace title = sample_trace();
   title.header.title = "Another one";
-  const TraceDifferences told = compare_with_stored(to_json_lines(sample_trace()), "file", title);
-  EXPECT_NE(told.signature, signature(0.1, 0));
-  EXPECT_TRUE(told.is_words);
-  EXPECT_FALSE(told.is_setup);
+  const TraceDifferences record = compare_with_stored(to_json_lines(sample_trace()), "file", title);
+  EXPECT_NE(record.signature, signature(0.1, 0));
+  EXPECT_TRUE(record.is_words);
+  EXPECT_FALSE(record.is_setup);
 }
 
 TEST(FrameHashes, EveryFactCounts) {

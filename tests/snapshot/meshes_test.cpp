@@ -104,7 +104,7 @@ TEST_F(StoredMeshes, ATornOrMissingOneIsToldWithItsRemedy) {
   EXPECT_THAT(message(), HasSubstr("group/one/trace.jsonl:1:1: its mesh meshes/"));
   EXPECT_THAT(message(), HasSubstr("check --update"));
   const CheckedTrace checked =
-      check_trace(shelf_of(root(), "group/one"), with_strip(4000), {false, Update::Failed});
+      check_trace(archive_of(root(), "group/one"), with_strip(4000), {false, Update::Failed});
   ASSERT_TRUE(checked.finding.has_value());
   EXPECT_EQ(checked.finding->kind, FindingKind::Unreadable);
   EXPECT_EQ(read("group/one"), to_json_lines(with_strip(4000))) << "an update stores it anew";
@@ -126,9 +126,11 @@ TEST_F(StoredMeshes, AnUnnamedOneIsAnOrphan) {
 TEST_F(StoredMeshes, ATraceThatWasStoredWholeIsStillTheSame) {
   const trace::Trace trace = with_strip(4000);
   write_text(trace_path(root(), trace.header.scenario), to_json_lines(trace));
-  EXPECT_FALSE(check_trace(shelf_of(root(), trace.header.scenario), trace, {}).finding.has_value());
+  EXPECT_FALSE(
+      check_trace(archive_of(root(), trace.header.scenario), trace, {}).finding.has_value());
   store(trace.header.scenario, trace);
-  EXPECT_FALSE(check_trace(shelf_of(root(), trace.header.scenario), trace, {}).finding.has_value());
+  EXPECT_FALSE(
+      check_trace(archive_of(root(), trace.header.scenario), trace, {}).finding.has_value());
 }
 
 TEST(Gzip, ReadsBackAndRefusesWhatIsTorn) {

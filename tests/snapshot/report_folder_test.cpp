@@ -25,13 +25,13 @@ class ReportFiles : public testing::Test {
  protected:
   ReportFiles() { store(dot_picture(80, 45)); }
 
-  void store(const Image& image) { check_picture(shelf(), key_, image, kUpdate); }
-  Shelf shelf() const { return shelf_of(snapshots_.path(), key_.scenario); }
+  void store(const Image& image) { check_picture(archive(), key_, image, kUpdate); }
+  StoredScenario archive() const { return archive_of(snapshots_.path(), key_.scenario); }
   std::string out(const std::string& file) const { return (out_.path() / "check" / file).string(); }
   std::filesystem::path folder() const { return out_.path() / "check"; }
   Outcome report(const Image& actual) {
     ReportFolder report(out_.path());
-    CheckedPicture checked = check_picture(shelf(), key_, actual, kLocal);
+    CheckedPicture checked = check_picture(archive(), key_, actual, kLocal);
     Outcome outcome{snapshots_.path().string()};
     outcome.scenarios.push_back({key_.scenario, "scenarios/hull/face_contact.toml", 24, 1});
     if (checked.finding) {
@@ -121,7 +121,7 @@ TEST_F(ReportFiles, UnderAWordMoreItStandsBesideWhatIsStored) {
                                                        "hull/face_contact/frame_0012.bad_31.txt"));
   EXPECT_TRUE(only(outcome).fails()) << "it is known, and as wrong as before";
   EXPECT_EQ(only(outcome).review, Review::Rejected);
-  EXPECT_THAT(check_picture(shelf(), key_, dot_picture(82, 45), kLocal).finding->sentence,
+  EXPECT_THAT(check_picture(archive(), key_, dot_picture(82, 45), kLocal).finding->sentence,
               HasSubstr("it is back"));
 }
 

@@ -12,10 +12,10 @@ using ::testing::SizeIs;
 constexpr int kBoxes[] = {30, 200};
 constexpr StudyOptions kTwoSteps{.seed = 3, .cases = 2, .repetitions = {}, .frames = {}};
 
-void tell_nobody(int, int, const std::string&) {}
+void report_nothing(int, int, const std::string&) {}
 
 TEST(BroadPhaseStudy, NoBroadPhaseMissesAPair) {
-  const auto results = study_pair_finders(own_pair_finders(), kBoxes, kTwoSteps, tell_nobody);
+  const auto results = study_pair_finders(own_pair_finders(), kBoxes, kTwoSteps, report_nothing);
   ASSERT_THAT(results, SizeIs(4));
   for (const trace::Study& study : results) {
     EXPECT_THAT(study.series, SizeIs(5 * broad_phases().size()));
@@ -48,14 +48,14 @@ class Forgetful : public PairFinder {
 TEST(BroadPhaseStudy, AMissedPairIsAFailure) {
   const std::vector<PairFinderInfo> forgetful = {
       {"forgetful", 1000, 1000, [] { return std::make_unique<Forgetful>(); }}};
-  for (const trace::Study& study : study_pair_finders(forgetful, kBoxes, kTwoSteps, tell_nobody))
+  for (const trace::Study& study : study_pair_finders(forgetful, kBoxes, kTwoSteps, report_nothing))
     for (const trace::StudySeries& series : study.series)
       EXPECT_THAT(series.points, Each(testing::Field(&trace::StudyPoint::failed, 2)))
           << series.panel;
 }
 
 TEST(BroadPhaseStudy, BruteForceComparesEveryTwoBoxesOnce) {
-  const auto results = study_pair_finders(own_pair_finders(), kBoxes, kTwoSteps, tell_nobody);
+  const auto results = study_pair_finders(own_pair_finders(), kBoxes, kTwoSteps, report_nothing);
   int seen = 0;
   for (const trace::StudySeries& series : results[3].series) {
     if (series.method != "brute_force") continue;
@@ -69,7 +69,7 @@ TEST(BroadPhaseStudy, BruteForceComparesEveryTwoBoxesOnce) {
 TEST(BroadPhaseStudy, BeyondWhatAFinderIsForItHasNoPoint) {
   std::vector<PairFinderInfo> finders = own_pair_finders();
   finders[0].most_boxes = 100;
-  const auto results = study_pair_finders(finders, kBoxes, kTwoSteps, tell_nobody);
+  const auto results = study_pair_finders(finders, kBoxes, kTwoSteps, report_nothing);
   EXPECT_THAT(results[0].series[0].points, SizeIs(1));
   EXPECT_THAT(results[0].series[1].points, SizeIs(2));
 }

@@ -9,7 +9,7 @@ namespace {
 using testing::SizeIs;
 
 /// A crate at rest whose engine records four points in two manifolds, one degree from each other.
-trace::Frame told_in_two(int number) {
+trace::Frame recorded_in_two(int number) {
   trace::Frame frame;
   frame.frame = number;
   frame.poses = {{"floor", {}}, {"crate", {}}};
@@ -36,7 +36,7 @@ TEST(ExploreTrace, ManifoldsOfOneContactAreReducedTogether) {
     trace.header.shapes.emplace_back();
     trace.header.shapes.back().name = name;
   }
-  trace.frames = {told_in_two(0), told_in_two(1), told_in_two(2)};
+  trace.frames = {recorded_in_two(0), recorded_in_two(1), recorded_in_two(2)};
   const auto explorations = explore(trace, {.reducers = {"area"}, .measure_time = false});
   ASSERT_THAT(explorations, SizeIs(3));
   for (const trace::Exploration& one : explorations) {

@@ -60,7 +60,7 @@ TEST_P(Explore, SaysTheSameForAnyNumberOfThreads) {
       GetParam(), std::string(kAtRest) + "\nmotion = { angular_velocity = [0, 0.1, 0] }",
       "[shapes.other]\ntype = \"box\"\nhalf_extents = [0.2, 0.2, 0.2]\nposition = [0.3, 1.19, 0]\n"
       "[[pairs]]\na = \"floor\"\nb = \"crate\"\n[[pairs]]\na = \"crate\"\nb = \"other\"");
-  const auto told = [&](int threads) {
+  const auto record = [&](int threads) {
     ExploreOptions options = untimed();
     options.threads = threads;
     std::map<std::string, int> steps;
@@ -72,10 +72,10 @@ TEST_P(Explore, SaysTheSameForAnyNumberOfThreads) {
     EXPECT_EQ(steps["manifolds"], 2);
     return lines;
   };
-  const std::string alone = told(1);
+  const std::string alone = record(1);
   EXPECT_EQ(std::ranges::count(alone, '\n'), 8);
-  EXPECT_EQ(told(2), alone);
-  EXPECT_EQ(told(5), alone);
+  EXPECT_EQ(record(2), alone);
+  EXPECT_EQ(record(5), alone);
 }
 
 TEST_P(Explore, RunsEveryListedReducerButTheOneThatKeepsAll) {
@@ -216,9 +216,9 @@ TEST_P(Explore, ASquareThatGivesWayToTheOtherHasMoved) {
   // One side of the fixed square has two points: the far one is kept before, the near one after.
   const double degree = std::numbers::pi / 180;
   const auto before = cut(43 * degree), after = cut(47 * degree);
-  const double way_along =
+  const double distance_along =
       std::min(std::abs(before.first + after.second), std::abs(before.second + after.first));
-  EXPECT_NEAR(optimal.patch_moved, way_along, 0.03);
+  EXPECT_NEAR(optimal.patch_moved, distance_along, 0.03);
   EXPECT_GT(optimal.patch_moved, 0.35);
   const trace::ReducerAnswer& coherent = answer_of(explorations[1], "coherent");
   EXPECT_EQ(coherent.ids_changed, 0);

@@ -14,12 +14,12 @@ using testing::ElementsAre;
 
 class FieldPeer : public testing::Test {
  protected:
-  std::optional<PeerField> ask(const std::string& script) {
+  std::optional<PeerField> query_pair(const std::string& script) {
     const std::string file =
         folder_.write("contactscope-field-fake", "#!/bin/sh\n" + script + "\n");
     std::filesystem::permissions(file, std::filesystem::perms::owner_all);
     const Mesh<double> triangle = build_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
-    return ask_field_peer({folder_.path().string()}, "fake", triangle, 64, 3, 2,
+    return run_field_peer({folder_.path().string()}, "fake", triangle, 64, 3, 2,
                           {{0.25, 0.25, 0.5}, {0, 0, -1}});
   }
 
@@ -28,9 +28,9 @@ class FieldPeer : public testing::Test {
 
 TEST_F(FieldPeer, SaysWhatItBuiltAndFound) {
   const std::string seen = folder_ / "seen";
-  const auto field = ask("cat >'" + seen +
-                         "'\necho name Fake 1.0\necho build 12.5 bytes 3000 nanoseconds 2\n"
-                         "echo 40 41\necho 0.5 0 0 1\necho -1 0 0 -1");
+  const auto field = query_pair("cat >'" + seen +
+                                "'\necho name Fake 1.0\necho build 12.5 bytes 3000 nanoseconds 2\n"
+                                "echo 40 41\necho 0.5 0 0 1\necho -1 0 0 -1");
   ASSERT_TRUE(field);
   EXPECT_EQ(field->name, "Fake 1.0");
   EXPECT_EQ(field->build, 12.5);
@@ -44,14 +44,14 @@ TEST_F(FieldPeer, SaysWhatItBuiltAndFound) {
 }
 
 TEST_F(FieldPeer, OneThatFailsOrEndsEarlyIsAnError) {
-  EXPECT_THROW(ask("exit 3"), std::runtime_error);
-  EXPECT_THROW(ask("echo name Fake; echo build 1 bytes 2 nanoseconds 2; echo 3"),
+  EXPECT_THROW(query_pair("exit 3"), std::runtime_error);
+  EXPECT_THROW(query_pair("echo name Fake; echo build 1 bytes 2 nanoseconds 2; echo 3"),
                std::runtime_error);
 }
 
 TEST_F(FieldPeer, OneThatIsNotThereIsNotAsked) {
   const Mesh<double> triangle = build_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
-  EXPECT_FALSE(ask_field_peer({folder_.path().string()}, "none", triangle, 64, 3, 2, {}));
+  EXPECT_FALSE(run_field_peer({folder_.path().string()}, "none", triangle, 64, 3, 2, {}));
 }
 
 }  // namespace

@@ -30,19 +30,19 @@ TEST(FlipDistanceStudy, TellsOfEachFrameHowFarThePointsAreFromOthers) {
   StudyOptions options;
   options.scenarios = &scenarios;
   options.cases = 8;
-  int told = 0;
+  int record = 0;
   const std::vector<trace::Study> studies =
-      study_flip_distance(options, [&](int, int, const std::string&) { ++told; });
-  EXPECT_EQ(told, 3);
+      study_flip_distance(options, [&](int, int, const std::string&) { ++record; });
+  EXPECT_EQ(record, 3);
   ASSERT_EQ(studies.size(), 3u);
   EXPECT_EQ(studies[0].measure, "way");
   ASSERT_EQ(studies[0].series.size(), 1u);
-  const trace::StudySeries& way = studies[0].series[0];
-  EXPECT_EQ(way.method, "slab-ball");
-  EXPECT_EQ(way.panel, "mine/ball");
-  ASSERT_EQ(way.points.size(), 3u);
+  const trace::StudySeries& offset = studies[0].series[0];
+  EXPECT_EQ(offset.method, "slab-ball");
+  EXPECT_EQ(offset.panel, "mine/ball");
+  ASSERT_EQ(offset.points.size(), 3u);
   for (std::size_t i = 0; i < 3; ++i)
-    EXPECT_NEAR(way.points[i].error.value_or(0), 0.001 * static_cast<double>(i + 1), 1e-6);
+    EXPECT_NEAR(offset.points[i].error.value_or(0), 0.001 * static_cast<double>(i + 1), 1e-6);
   // A ball's contact is the same after any rotation.
   EXPECT_EQ(studies[1].series[0].points[0].failed, 1);
 }

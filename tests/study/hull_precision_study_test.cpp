@@ -37,7 +37,8 @@ TEST(DepthOracle, AlongItsOwnAxisIsTheSeparationAndAlongOthersLess) {
                                   pair.b_in_a);
     EXPECT_NEAR(oracle.separation_along(pair.deepest.normal, -1), pair.deepest.separation,
                 1e-12 * pair.size);
-    EXPECT_LE(oracle.separation_along(pair.way, -1), pair.deepest.separation + 1e-12 * pair.size);
+    EXPECT_LE(oracle.separation_along(pair.offset, -1),
+              pair.deepest.separation + 1e-12 * pair.size);
   }
 }
 

@@ -21,32 +21,32 @@ trace::StudySeries line(const std::string& method, const std::vector<double>& er
   return series;
 }
 
-TEST(Told, NumbersHaveTwoDigitsAndNoExponent) {
-  EXPECT_EQ(told::number(0), "0");
-  EXPECT_EQ(told::number(3.456), "3.5");
-  EXPECT_EQ(told::number(9.96), "10");
-  EXPECT_EQ(told::number(-843), "−840");
-  EXPECT_EQ(told::number(1.354, 3), "1.35");
-  EXPECT_EQ(told::number(0.00012), "0.00012");
-  EXPECT_EQ(told::percent(0.8123), "81 %");
-  EXPECT_EQ(told::percent(0.0686), "6.9 %");
-  EXPECT_EQ(told::percent(1), "100 %");
-  EXPECT_EQ(told::count(1e6), "1,000,000");
-  EXPECT_EQ(told::percent(0.575), "58 %");
-  EXPECT_EQ(told::percent(0.685), "69 %");
-  EXPECT_EQ(told::length(0.00008), "80 µm");
-  EXPECT_EQ(told::length(0.69), "69 cm");
-  EXPECT_EQ(told::duration(5.57e9), "5.6 s");
-  EXPECT_EQ(told::power(1e-5), "10⁻⁵");
-  EXPECT_EQ(told::power(5.4e-5), "5.4 × 10⁻⁵");
-  EXPECT_EQ(told::power(0.02), "0.02");
-  EXPECT_EQ(told::listed({"spheres", "boxes", "rods"}), "spheres, boxes and rods");
+TEST(ReportInput, NumbersHaveTwoDigitsAndNoExponent) {
+  EXPECT_EQ(record::number(0), "0");
+  EXPECT_EQ(record::number(3.456), "3.5");
+  EXPECT_EQ(record::number(9.96), "10");
+  EXPECT_EQ(record::number(-843), "−840");
+  EXPECT_EQ(record::number(1.354, 3), "1.35");
+  EXPECT_EQ(record::number(0.00012), "0.00012");
+  EXPECT_EQ(record::percent(0.8123), "81 %");
+  EXPECT_EQ(record::percent(0.0686), "6.9 %");
+  EXPECT_EQ(record::percent(1), "100 %");
+  EXPECT_EQ(record::count(1e6), "1,000,000");
+  EXPECT_EQ(record::percent(0.575), "58 %");
+  EXPECT_EQ(record::percent(0.685), "69 %");
+  EXPECT_EQ(record::length(0.00008), "80 µm");
+  EXPECT_EQ(record::length(0.69), "69 cm");
+  EXPECT_EQ(record::duration(5.57e9), "5.6 s");
+  EXPECT_EQ(record::power(1e-5), "10⁻⁵");
+  EXPECT_EQ(record::power(5.4e-5), "5.4 × 10⁻⁵");
+  EXPECT_EQ(record::power(0.02), "0.02");
+  EXPECT_EQ(record::listed({"spheres", "boxes", "rods"}), "spheres, boxes and rods");
 }
 
-TEST(Told, KeptMethodsHaveNamesAndTheLooksOfTheWholeStudy) {
+TEST(ReportInput, KeptMethodsHaveNamesAndTheLooksOfTheWholeStudy) {
   trace::Study study;
   study.series = {line("a", {1}), line("b", {2}), line("c", {3})};
-  told::keep_methods(study, {{"c", "third"}, {"a", "first"}});
+  record::keep_methods(study, {{"c", "third"}, {"a", "first"}});
   ASSERT_EQ(study.series.size(), 2u);
   EXPECT_EQ(study.series[0].method, "third");
   EXPECT_EQ(study.series[0].look, 2);
@@ -54,12 +54,12 @@ TEST(Told, KeptMethodsHaveNamesAndTheLooksOfTheWholeStudy) {
   EXPECT_EQ(study.series[1].look, 0);
 }
 
-TEST(Told, LinesAreJoinedWhereTheyAreOneInEveryPanel) {
+TEST(ReportInput, LinesAreJoinedWhereTheyAreOneInEveryPanel) {
   trace::Study study;
   study.series = {line("some", {0.1, 0.2}, "p"), line("none", {0, 0}, "p"),
                   line("neither", {0, 0}, "p"),  line("some", {0, 0}, "q"),
                   line("none", {0, 0}, "q"),     line("neither", {0, 0}, "q")};
-  told::join_equal(study);
+  record::join_equal(study);
   ASSERT_EQ(study.series.size(), 4u);
   EXPECT_EQ(study.series[0].method, "some");
   EXPECT_EQ(study.series[1].method, "none and neither");
@@ -76,10 +76,10 @@ TEST(Picture, TheTitleIsTheResultOfTheRun) {
   study.series[1].points[1] = {10, 0.3, 0.3, {}, 0, 10};
   EXPECT_EQ(picture_tunnelling(study).title,
             "At 10 m/s 40 % of the spheres pass a wall of 1 cm; of those that are swept none");
-  const trace::Study told = picture_tunnelling(study);
-  EXPECT_EQ(told.series[0].points[1].mark, "40 %");
-  EXPECT_EQ(told.series[1].points[1].mark, "30 %");
-  EXPECT_EQ(told.series[0].points[0].mark, "") << "the title does not speak of it";
+  const trace::Study record = picture_tunnelling(study);
+  EXPECT_EQ(record.series[0].points[1].mark, "40 %");
+  EXPECT_EQ(record.series[1].points[1].mark, "30 %");
+  EXPECT_EQ(record.series[0].points[0].mark, "") << "the title does not speak of it";
   study.series[3].points[1].error = 0.01;
   EXPECT_THAT(picture_tunnelling(study).title, HasSubstr("swept up to 1 %"));
 }
@@ -91,12 +91,12 @@ TEST(Picture, OfFlipDistancesTheSmallestIsToldWithItsUnit) {
   study.unit = "m";
   study.series = {line("crate-floor", {0.01, 0.004}, "hull/one"),
                   line("lid-crate", {0.02, 0.002}, "hull/two")};
-  const trace::Study told = picture_flip_distance(study);
-  EXPECT_EQ(told.title,
+  const trace::Study record = picture_flip_distance(study);
+  EXPECT_EQ(record.title,
             "At the least a way of 2 mm gives lid-crate other points, in frame 2 of hull/two");
-  EXPECT_EQ(told.series[1].points[1].mark, "2 mm");
-  EXPECT_THAT(told.shown, HasSubstr(", mm"));
-  EXPECT_EQ(told.series[0].points[1].error, 4);
+  EXPECT_EQ(record.series[1].points[1].mark, "2 mm");
+  EXPECT_THAT(record.shown, HasSubstr(", mm"));
+  EXPECT_EQ(record.series[0].points[1].error, 4);
   study.measure = "last_places";
   study.unit = "";
   for (trace::StudySeries& series : study.series)

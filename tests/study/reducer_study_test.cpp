@@ -149,10 +149,10 @@ TEST(NeighbouringFrame, HasTheSameIdsALittleAway) {
   const float long_arm = (now.points[0].position - middle).norm() * 5 + 1;
   for (std::size_t i = 0; i < 12; ++i) {
     EXPECT_EQ(then.points[i].id, now.points[i].id);
-    const Vec3f way = then.points[i].position - now.points[i].position;
-    EXPECT_GT(way.norm(), 0);
-    EXPECT_LE(way.norm(), 0.01f * (now.points[i].position - middle).norm() + 1e-5f);
-    EXPECT_NEAR(now.normal.dot(way), 0, 1e-5f * long_arm);
+    const Vec3f offset = then.points[i].position - now.points[i].position;
+    EXPECT_GT(offset.norm(), 0);
+    EXPECT_LE(offset.norm(), 0.01f * (now.points[i].position - middle).norm() + 1e-5f);
+    EXPECT_NEAR(now.normal.dot(offset), 0, 1e-5f * long_arm);
     EXPECT_NEAR(then.points[i].separation / now.points[i].separation, 1, 0.0101);
   }
 }
@@ -196,10 +196,10 @@ TEST(ReducerStudy, OnlyWhoAsksForTheDeepestNeverLosesIt) {
   for (const trace::StudySeries& series : results()[2].series) {
     const std::vector<std::string> always = {
         "area_deepest", "deepest", "bullet", "ode", "physx", "optimal_deepest", "physx_cluster"};
-    const bool asks = std::ranges::find(always, series.method) != always.end();
+    const bool queries = std::ranges::find(always, series.method) != always.end();
     double sum = 0;
     for (const trace::StudyPoint& point : series.points) sum += *point.error;
-    EXPECT_EQ(sum == 0, asks) << series.method << " loses " << sum;
+    EXPECT_EQ(sum == 0, queries) << series.method << " loses " << sum;
   }
 }
 

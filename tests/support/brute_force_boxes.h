@@ -83,8 +83,8 @@ double exact_gap(const Obb<S>& a, const Obb<S>& b) {
 /// The length that rounding is relative to: all half extents plus the offset of the centres.
 template <class S>
 double size_of_pair(const Obb<S>& a, const Obb<S>& b) {
-  const Vec3d way = b.center.template cast<double>() - a.center.template cast<double>();
-  return way.lpNorm<1>() + double(a.half_extents.sum()) + double(b.half_extents.sum());
+  const Vec3d offset = b.center.template cast<double>() - a.center.template cast<double>();
+  return offset.lpNorm<1>() + double(a.half_extents.sum()) + double(b.half_extents.sum());
 }
 
 }  // namespace contactscope::test

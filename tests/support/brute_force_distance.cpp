@@ -205,8 +205,8 @@ BruteForceDistance brute_force_distance(const Features& a, const Features& b) {
     for (const auto& [k, l] : b.edges) {
       // Most pairs are settled by balls around both edges that are farther away than the best.
       const Extended reach = half + (vertex(b, k) - vertex(b, l)).norm() / 2;
-      const Extended apart = (middle - (vertex(b, k) + vertex(b, l)) / 2).norm();
-      if (apart - reach > nearest.best().distance) continue;
+      const Extended separation = (middle - (vertex(b, k) + vertex(b, l)) / 2).norm();
+      if (separation - reach > nearest.best().distance) continue;
       offer_segments(vertex(a, i), vertex(a, j), vertex(b, k), vertex(b, l), nearest);
     }
   }

@@ -48,8 +48,8 @@ PairCase<double> placed_at_random(Random& random, PairCase<double> pair) {
   if (distance < 0.75) gap = -random.decade(-5, -1) * smaller;       // a little
   if (distance < 0.30) gap = random.uniform(-1e-4, 1e-4) * smaller;  // touching
   if (distance < 0.20) gap = random.decade(-4, 1) * smaller;         // separated
-  const Vec3d way_aside = random.unit_vector();
-  const Vec3d aside = random.decade(-6, 0) * smaller * way_aside;
+  const Vec3d offset_aside = random.unit_vector();
+  const Vec3d aside = random.decade(-6, 0) * smaller * offset_aside;
   pair.pose_b.position = meeting + gap * direction + aside - direction.dot(aside) * direction;
   return moved(pair, random.pose(5));
 }

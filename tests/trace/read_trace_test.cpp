@@ -185,10 +185,10 @@ TEST(ReadTrace, WhatFollowsFromTheRestIsFilledIn) {
   EXPECT_EQ(touching.manifolds[0].points.at(0).on_b.value(), Vec3d(0, -0.25, 0));
   EXPECT_TRUE(touching.manifolds[0].points[0].active);
   EXPECT_FALSE(touching.manifolds[0].points.at(1).active);
-  const Pair& apart = trace.frames[0].pairs.at(1);
-  EXPECT_EQ(apart.kind, "hull-plane");
-  EXPECT_EQ(apart.state, "separated");
-  EXPECT_EQ(apart.separation, 0);
+  const Pair& separated = trace.frames[0].pairs.at(1);
+  EXPECT_EQ(separated.kind, "hull-plane");
+  EXPECT_EQ(separated.state, "separated");
+  EXPECT_EQ(separated.separation, 0);
 }
 
 TEST(ReadTrace, AWrongTypeIsNamedWithItsPlace) {

@@ -220,10 +220,10 @@ TEST(EveryScenario, SvgAndPdfShowWhatThePixelsDo) {
   const auto context = gl::open_context(gl::Backend::Auto);
   gl::Rasterizer rasterizer(*context, kWidth, kHeight);
   FontFaces faces;
-  std::deque<std::future<std::string>> under_way;  // one per processor, while the next is drawn
+  std::deque<std::future<std::string>> running;  // one per processor, while the next is drawn
   const auto take_first = [&] {
-    const std::string wrong = under_way.front().get();
-    under_way.pop_front();
+    const std::string wrong = running.front().get();
+    running.pop_front();
     EXPECT_TRUE(wrong.empty()) << wrong;
   };
   for (const std::filesystem::path& file : files) {
@@ -240,10 +240,10 @@ TEST(EveryScenario, SvgAndPdfShowWhatThePixelsDo) {
     trial.stem = (out / flat).string();
     write_both(drawing, trial.stem, faces);
     if (kept != nullptr) write_png(trial.stem + "_ours.png", trial.ours);
-    if (under_way.size() >= 2) take_first();
-    under_way.push_back(std::async(std::launch::async, judged, std::move(trial)));
+    if (running.size() >= 2) take_first();
+    running.push_back(std::async(std::launch::async, judged, std::move(trial)));
   }
-  while (!under_way.empty()) take_first();
+  while (!running.empty()) take_first();
 }
 
 }  // namespace

@@ -135,13 +135,13 @@ TEST(Pieces, DashesRunOnOrBeginAnew) {
       pieces_of(canvas({dashed({10, 10}, {25, 10}, 0), dashed({25, 10}, {40, 10}, 15)}));
   ASSERT_EQ(running.size(), 1u);
   EXPECT_EQ(std::get<StrokePath>(running[0]).lines.size(), 1u);
-  const std::vector<Piece> anew =
+  const std::vector<Piece> again =
       pieces_of(canvas({dashed({10, 10}, {25, 10}, 0), dashed({25, 10}, {40, 10}, 0)}));
-  ASSERT_EQ(anew.size(), 1u);
-  EXPECT_EQ(std::get<StrokePath>(anew[0]).lines.size(), 2u);
-  const std::vector<Piece> apart =
+  ASSERT_EQ(again.size(), 1u);
+  EXPECT_EQ(std::get<StrokePath>(again[0]).lines.size(), 2u);
+  const std::vector<Piece> separation =
       pieces_of(canvas({dashed({10, 10}, {25, 10}, 0), dashed({10, 20}, {25, 20}, 3)}));
-  EXPECT_EQ(apart.size(), 2u);
+  EXPECT_EQ(separation.size(), 2u);
 }
 
 TEST(Pieces, ADashedLineFromFarOutsideKeepsItsDashes) {

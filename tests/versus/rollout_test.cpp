@@ -61,18 +61,18 @@ trace::Trace request_of_balls(const std::vector<Vec3d>& places, int frames) {
 
 using Path = Pose<double> (*)(int ball, int frame);
 
-Contender moved(const trace::Trace& request, Path path, bool tells_velocities = false) {
-  Contender contender{"it", "", "", "", "", {}};
-  contender.trace.header = request.header;
-  for (const trace::Frame& asked : request.frames) {
-    trace::Frame& frame = contender.trace.frames.emplace_back();
-    frame.frame = asked.frame;
+EngineRun moved(const trace::Trace& request, Path path, bool has_velocities = false) {
+  EngineRun engine_run{"it", "", "", "", "", {}};
+  engine_run.trace.header = request.header;
+  for (const trace::Frame& requested : request.frames) {
+    trace::Frame& frame = engine_run.trace.frames.emplace_back();
+    frame.frame = requested.frame;
     const int bodies = count_of(request.frames.front().solver->bodies);
     for (int i = 0; i < bodies; ++i)
-      frame.poses.emplace_back("ball" + std::to_string(i), path(i, asked.frame));
-    if (tells_velocities) frame.solver = request.frames.front().solver;
+      frame.poses.emplace_back("ball" + std::to_string(i), path(i, requested.frame));
+    if (has_velocities) frame.solver = request.frames.front().solver;
   }
-  return contender;
+  return engine_run;
 }
 
 Pose<double> at_height(double height) {
@@ -91,7 +91,7 @@ TEST(Rollout, AFreeFallGainsNoEnergy) {
   for (int k = 0; k < 100; ++k)
     EXPECT_NEAR(at(score.energy, k), 100 - kG * kG * kStep * kStep * k / 2, 1e-9) << k;
   EXPECT_EQ(score.energy_gained, 0);
-  EXPECT_FALSE(score.tells_velocities);
+  EXPECT_FALSE(score.has_velocities);
   EXPECT_NEAR(score.height.back(), 10 - 0.001 * 99 * 100 / 2, 1e-12);
   EXPECT_EQ(score.resting, 0);  // it is in the air
   EXPECT_TRUE(score.findings.empty());
@@ -173,21 +173,21 @@ TEST(Rollout, ABallThatPassesThroughAnotherIsSeen) {
     return Pose<double>{Quatd::Identity(), {i == 0 ? std::min(3.4 * k, 4.0) : 5.0, 5, 0}};
   });
   EXPECT_EQ(stopped.passed, 0);
-  const RolloutScore beside = flown([](int i, int k) {
+  const RolloutScore next_to = flown([](int i, int k) {
     return Pose<double>{Quatd::Identity(), {i == 0 ? 3.4 * k : 5.0, i == 0 ? 6.05 : 5.0, 0}};
   });
-  EXPECT_EQ(beside.passed, 0);
+  EXPECT_EQ(next_to.passed, 0);
 }
 
 /// Frames after one with a missing or non-finite body are not judged.
 TEST(Rollout, ABodyThatIsLostEndsTheJudging) {
   const trace::Trace request = request_of_balls({{0, 0.5, 0}}, 10);
   const auto still = [](int, int) { return at_height(0.5); };
-  Contender lost = moved(request, still);
+  EngineRun lost = moved(request, still);
   lost.trace.frames[4].poses.clear();
   EXPECT_EQ(judge_rollout(request, lost).failure, "frame 4 has no pose of 'ball0'");
   EXPECT_EQ(judge_rollout(request, lost).time.size(), 4u);
-  Contender nowhere = moved(request, still);
+  EngineRun nowhere = moved(request, still);
   nowhere.trace.frames[6].poses.front().second.position.y() =
       std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(judge_rollout(request, nowhere).failure, "frame 6 has 'ball0' nowhere");
@@ -196,7 +196,7 @@ TEST(Rollout, ABodyThatIsLostEndsTheJudging) {
 
 TEST(Rollout, ARefusalIsHandedOn) {
   const trace::Trace request = request_of_balls({{0, 0.5, 0}}, 2);
-  Contender refusing{"it", "", "", "", "", {}};
+  EngineRun refusing{"it", "", "", "", "", {}};
   refusing.refusal = "it steps nothing";
   EXPECT_EQ(judge_rollout(request, refusing).refusal, "it steps nothing");
 }

@@ -9,8 +9,8 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr double kLeastSpan = 0.477;  // a factor of three, in decades
-constexpr double kRounding = 1e-9;    // of a logarithm: a tick at the very end is on the axis
+constexpr double kMinSpan = 0.477;  // a factor of three, in decades
+constexpr double kRounding = 1e-9;  // of a logarithm: a tick at the very end is on the axis
 
 std::string power_of_ten(double value) {
   const int exponent = static_cast<int>(std::floor(std::log10(value) + kRounding));
@@ -23,7 +23,7 @@ std::string power_of_ten(double value) {
 
 Axis Axis::logarithmic(double low, double high, float from, float to, float before, float after) {
   Axis axis{std::log10(low), std::log10(high), from, to, true};
-  const double missing = std::max(0.0, kLeastSpan - (axis.high - axis.low));
+  const double missing = std::max(0.0, kMinSpan - (axis.high - axis.low));
   axis.low -= 0.5 * missing;
   axis.high += 0.5 * missing;
   const double length = std::abs(to - from);

@@ -13,7 +13,7 @@ namespace contactscope::draw {
 namespace {
 
 // Pixels at 720 lines.
-constexpr std::size_t kMostObstacles = 60;
+constexpr std::size_t kMaxObstacles = 60;
 constexpr float kRow = 17;
 constexpr float kBetweenNames = 5;  // if one of them has several rows
 constexpr float kLetters = 14;
@@ -60,22 +60,22 @@ std::vector<std::string> rows_of(const NamedLine& line, const Pen& pen) {
 }
 
 /// A name to the right of a chart.
-struct Beside {
+struct SideLabel {
   const NamedLine* line;
   std::vector<std::string> rows;
   float middle;  // y
 };
 
 /// Moves crowded names down, then back up from the bottom.
-void spread_out(std::vector<Beside>& names, float row, float between, float top, float bottom) {
-  std::ranges::stable_sort(names, {}, &Beside::middle);
+void spread_out(std::vector<SideLabel>& names, float row, float between, float top, float bottom) {
+  std::ranges::stable_sort(names, {}, &SideLabel::middle);
   const bool any_wraps =
-      std::ranges::any_of(names, [](const Beside& name) { return name.rows.size() > 1; });
-  const auto half = [&](const Beside& name) {
+      std::ranges::any_of(names, [](const SideLabel& name) { return name.rows.size() > 1; });
+  const auto half = [&](const SideLabel& name) {
     return 0.5f * (row * static_cast<float>(name.rows.size()) + (any_wraps ? between : 0));
   };
   float least = top;
-  for (Beside& name : names) {
+  for (SideLabel& name : names) {
     name.middle = std::max(name.middle, least + half(name));
     least = name.middle + half(name);
   }
@@ -106,8 +106,8 @@ LineLabel mark_label(const MarkedPoint& mark, const Pen& pen) {
 void write_mark(const MarkedPoint& mark, const PlacedLabel& place, const Color& color,
                 const Pen& pen) {
   if (place.needs_leader) {
-    const Point2 way = place.leader_end - mark.at;
-    const Point2 border = mark.at + pen.px(kRing) / std::hypot(way.x, way.y) * way;
+    const Point2 offset = place.leader_end - mark.at;
+    const Point2 border = mark.at + pen.px(kRing) / std::hypot(offset.x, offset.y) * offset;
     pen.line(border, place.leader_end, 1, color);
   }
   pen.text(mark.words, pixel(place.box.x, place.box.y) + Point2{0, 0.84f * pen.px(kMarkLetters)},
@@ -120,7 +120,7 @@ void name_near(const std::vector<const NamedLine*>& named,
   LabelObstacles obstacles;
   for (const NamedLine& line : lines) {
     // A subset of a long curve's points represents it.
-    const std::size_t step = 1 + line.points.size() / kMostObstacles;
+    const std::size_t step = 1 + line.points.size() / kMaxObstacles;
     if (step == 1)
       obstacles.markers.insert(obstacles.markers.end(), line.points.begin(), line.points.end());
     for (std::size_t i = step; i < line.points.size(); i += step)
@@ -154,7 +154,7 @@ void name_near(const std::vector<const NamedLine*>& named,
   }
 }
 
-float room_beside(const std::vector<NamedLine>& lines, const Pen& pen) {
+float side_room(const std::vector<NamedLine>& lines, const Pen& pen) {
   float widest = 0;
   for (const NamedLine& line : lines)
     for (const std::string& row : rows_of(line, pen))
@@ -162,16 +162,16 @@ float room_beside(const std::vector<NamedLine>& lines, const Pen& pen) {
   return lines.empty() ? 0 : widest + pen.px(kLeader + 2);
 }
 
-void name_beside(const std::vector<NamedLine>& lines, const Rect& area, const Pen& pen) {
+void name_at_side(const std::vector<NamedLine>& lines, const Rect& area, const Pen& pen) {
   const auto right = static_cast<float>(area.right());
-  std::vector<Beside> beside;
+  std::vector<SideLabel> next_to;
   std::vector<const NamedLine*> inside;
   std::vector<std::vector<Point2>> anchors;
   for (const NamedLine& line : lines) {
     if (line.points.empty() || line.name.empty()) continue;
     const Point2& end = line.points.back();
     if (end.x > right - pen.px(kAtBorder)) {
-      beside.push_back({&line, rows_of(line, pen), end.y});
+      next_to.push_back({&line, rows_of(line, pen), end.y});
     } else {
       inside.push_back(&line);
       anchors.push_back({end});
@@ -179,10 +179,10 @@ void name_beside(const std::vector<NamedLine>& lines, const Rect& area, const Pe
   }
   name_near(inside, anchors, lines, area, pen);
   const float row = pen.px(kRow);
-  spread_out(beside, row, pen.px(kBetweenNames), static_cast<float>(area.y),
+  spread_out(next_to, row, pen.px(kBetweenNames), static_cast<float>(area.y),
              static_cast<float>(area.bottom()) + pen.px(kOverhang));
   const float left = right + pen.px(kLeader);
-  for (const Beside& name : beside) {
+  for (const SideLabel& name : next_to) {
     pen.line(name.line->points.back(), {left - pen.px(3), name.middle}, 1, name.line->color);
     float baseline =
         name.middle + pen.px(5) - 0.5f * row * static_cast<float>(name.rows.size() - 1);

@@ -35,11 +35,11 @@ struct NamedLine {
 };
 
 /// Width to the right of a chart for the names of its lines, pixels; long names take several rows.
-float room_beside(const std::vector<NamedLine>& lines, const Pen& pen);
+float side_room(const std::vector<NamedLine>& lines, const Pen& pen);
 
 /// Names lines to the right of the area, ordered by their ends, with leaders. Lines that end before
 /// the right border are named at their end.
-void name_beside(const std::vector<NamedLine>& lines, const Rect& area, const Pen& pen);
+void name_at_side(const std::vector<NamedLine>& lines, const Rect& area, const Pen& pen);
 
 /// Names some lines inside the area, each near one of its anchors. Also draws rings and texts for
 /// the marked points of all lines; these are placed first.

@@ -88,12 +88,12 @@ std::string subtitle(const trace::Study& study) {
 
 /// Factor of text, lines and markers if few diagrams share the page, as on a slide.
 float enlarged(const trace::Study& study) {
-  constexpr std::size_t kMostLines = 10;
+  constexpr std::size_t kMaxLines = 10;
   if (study.form == trace::StudyForm::WorkPrecision) {
     const auto has_worst = [](const trace::StudyPoint& p) { return p.error_worst.has_value(); };
     const bool has_two =
         !trace::has_panels(study) && std::ranges::any_of(points_of(study), has_worst);
-    if (has_two || study.series.size() > kMostLines) return 1;
+    if (has_two || study.series.size() > kMaxLines) return 1;
   }
   const std::size_t panels = panels_of(study).size();
   return panels <= 1 ? 1.3f : panels <= 3 ? 1.15f : 1;

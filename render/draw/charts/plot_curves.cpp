@@ -14,14 +14,14 @@ namespace {
 
 constexpr double kLeft = 52;
 constexpr double kFailureRow = 15;
-constexpr double kZeroRow = 18;            // below a logarithmic axis, which has no zero
-constexpr std::size_t kMostTicks = 8;      // with more points the axis shows decades
-constexpr double kBetweenTicks = 7;        // pixels between their labels
-constexpr double kFarFromZero = 0.7;       // share of the maximum; above it zero would waste room
-constexpr std::size_t kMostWithNames = 3;  // panels; with more the lines have a legend
+constexpr double kZeroRow = 18;           // below a logarithmic axis, which has no zero
+constexpr std::size_t kMaxTicks = 8;      // with more points the axis shows decades
+constexpr double kBetweenTicks = 7;       // pixels between their labels
+constexpr double kFarFromZero = 0.7;      // share of the maximum; above it zero would waste room
+constexpr std::size_t kMaxWithNames = 3;  // panels; with more the lines have a legend
 
 /// Place of the line names of a panel.
-enum class Naming { None, Beside, Inside };
+enum class Naming { None, SideLabel, Inside };
 
 struct CurveStyle {
   Color color;
@@ -141,7 +141,7 @@ struct Curves : Pen {
     std::set<double> values;
     for (const trace::StudySeries* series : panel.series)
       for (const trace::StudyPoint& point : series->points) values.insert(point.parameter);
-    if (values.size() > kMostTicks) return {};
+    if (values.size() > kMaxTicks) return {};
     float free = -1e9f;
     for (const double value : values) {
       const double decade = std::round(std::log10(value));
@@ -165,13 +165,13 @@ struct Curves : Pen {
 
   /// Legend with names of lines if these are not named in the panels, and with failures.
   void legend(Point2 at, bool names) const {
-    std::set<std::string> told;
+    std::set<std::string> record;
     const auto name = [&](const std::string& what) {
       text(what, at + Point2{px(36), px(5)}, Align::Left, kText);
       at.x += px(36) + width_of(what) + px(26);
     };
     for (const trace::StudySeries& series : study.series) {
-      if (!names || series.method == study.signal || !told.insert(series.method).second) continue;
+      if (!names || series.method == study.signal || !record.insert(series.method).second) continue;
       const CurveStyle style = style_of(study, series);
       line(at, {at.x + px(30), at.y}, 2.5, style.color, style.dash());
       marker({at.x + px(15), at.y}, style);
@@ -240,7 +240,7 @@ struct Curves : Pen {
         }
     if (naming == Naming::None) name_near({}, {}, lines, area, *this);
     if (names_signal) name_signal(panel, x, y);
-    if (naming == Naming::Beside) name_beside(lines, area, *this);
+    if (naming == Naming::SideLabel) name_at_side(lines, area, *this);
     if (naming == Naming::Inside) name_inside(lines, area, *this);
     float row = above + px(2 + 0.5 * kFailureRow);
     for (const trace::StudySeries* series : panel.series) {
@@ -390,9 +390,9 @@ Drawing plot_curves(const trace::Study& study, int width, int height) {
     shown[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(shown[0])));
   const std::vector<PlotPanel> all = panels_of(study);
   const int failure_rows = failing_series(all);
-  const Naming naming = all.size() > kMostWithNames ? Naming::None
-                        : several_end_at_zero(all)  ? Naming::Inside
-                                                    : Naming::Beside;
+  const Naming naming = all.size() > kMaxWithNames ? Naming::None
+                        : several_end_at_zero(all) ? Naming::Inside
+                                                   : Naming::SideLabel;
   const bool has_legend = naming == Naming::None || (failure_rows > 0 && study.failed.empty());
   PlotPage page = plot_page(study, shown, has_legend, width, height);
   PositiveRange errors;
@@ -409,11 +409,11 @@ Drawing plot_curves(const trace::Study& study, int width, int height) {
   // If all panels have the same lines, they are named once.
   const bool once = all.size() > 1 && same_lines(all);
   const auto room = [&](const PlotPanel& panel) {
-    return naming == Naming::Beside ? room_beside(curves.named_lines(panel), curves) : 0;
+    return naming == Naming::SideLabel ? side_room(curves.named_lines(panel), curves) : 0;
   };
   if (once) page.panels.width -= room(all.back());
   std::vector<PlotPanel> panels = panels_on(page, study, kLeft);
-  const PlotPanel& named = naming == Naming::Beside ? panels.back() : panels.front();
+  const PlotPanel& named = naming == Naming::SideLabel ? panels.back() : panels.front();
   for (PlotPanel& panel : panels) {
     if (!once) panel.area.width -= room(panel);
     const bool is_first = &panel == &panels.front();

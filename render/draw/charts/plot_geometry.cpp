@@ -13,8 +13,8 @@ constexpr float kZeroSlot = 12;
 constexpr float kFailureRow = 18;
 constexpr float kCross = 5;
 constexpr float kPlotMargin = 16;
-constexpr float kMostLabelShare = 0.2f;  // share of the width that is kept free on the right
-constexpr float kMostCountShare = 0.4f;  // if counts of failures have no other place
+constexpr float kMaxLabelShare = 0.2f;  // share of the width that is kept free on the right
+constexpr float kMaxCountShare = 0.4f;  // if counts of failures have no other place
 
 using Stretch = std::array<float, 2>;  // from, to
 
@@ -60,8 +60,8 @@ struct Mapping {
       courses[i].quiet = study.series[i].quiet;
       // Methods with a single point that the title mentions are strong too.
       const std::vector<trace::StudyPoint>& own = study.series[i].points;
-      const bool is_told = own.size() == 1 && !own.front().mark.empty();
-      courses[i].strong = (front[i] || is_told) && !courses[i].quiet;
+      const bool is_named = own.size() == 1 && !own.front().mark.empty();
+      courses[i].strong = (front[i] || is_named) && !courses[i].quiet;
       const std::vector<trace::StudyPoint>& points = study.series[i].points;
       const float zero_row = zeros_begin + px(kZeroSlot) * (slot + 0.8f);
       for (const trace::StudyPoint& point : points) {
@@ -105,8 +105,8 @@ struct Mapping {
       const float room = std::min(widest + px(kPlotMargin), share * static_cast<float>(area.width));
       x = times.axis(left, right, px(kPlotMargin), room);
     };
-    leave_room(widest_name, kMostLabelShare);
-    if (!failures_fit()) leave_room(widest_count, kMostCountShare);
+    leave_room(widest_name, kMaxLabelShare);
+    if (!failures_fit()) leave_room(widest_count, kMaxCountShare);
   }
 
   Axis error_axis(float from, float to) const {

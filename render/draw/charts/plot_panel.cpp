@@ -18,7 +18,7 @@ constexpr float kTickColumn = 54;
 constexpr float kStrongMarker = 5.0f;
 constexpr float kMutedMarker = 3.3f;
 constexpr float kCross = 4;
-constexpr float kLeastDecade = 70;  // shorter ones would be crowded with minor lines
+constexpr float kMinDecade = 70;  // shorter ones would be crowded with minor lines
 
 constexpr Color kMinorGrid = rgb(0xEEF0F2);
 
@@ -66,10 +66,10 @@ struct Diagram : Pen {
   void draw_grid() {
     for (const bool decades : {false, true}) {
       const Color& color = decades ? kChartGrid : kMinorGrid;
-      for (const Axis::Tick& tick : plot.x.ticks(px(kLeastDecade))) {
+      for (const Axis::Tick& tick : plot.x.ticks(px(kMinDecade))) {
         if (tick.decade == decades) line({tick.at, top}, {tick.at, bottom}, 1, color);
       }
-      for (const Axis::Tick& tick : plot.y.ticks(px(kLeastDecade))) {
+      for (const Axis::Tick& tick : plot.y.ticks(px(kMinDecade))) {
         if (tick.decade == decades) line({left, tick.at}, {right, tick.at}, 1, color);
       }
     }
@@ -79,7 +79,7 @@ struct Diagram : Pen {
 
   /// Decades first: other ticks are labelled if there is room next to them.
   std::vector<Axis::Tick> labelled_ticks(const Axis& axis) const {
-    std::vector<Axis::Tick> ticks = axis.ticks(px(kLeastDecade));
+    std::vector<Axis::Tick> ticks = axis.ticks(px(kMinDecade));
     std::erase_if(ticks, [](const Axis::Tick& tick) { return !tick.labelled; });
     std::stable_partition(ticks.begin(), ticks.end(), std::mem_fn(&Axis::Tick::decade));
     return ticks;

@@ -19,11 +19,11 @@ constexpr double kCellRows = 172;  // each of several rows
 constexpr double kLargeRow = 280;  // below a single chart
 constexpr float kLarger = 1.2f;    // factor of text and lines on a page with one chart and one row
 constexpr int kPage = 720;         // height of a page with up to two rows of cells
-constexpr std::size_t kMostInRow = 5;
+constexpr std::size_t kMaxInRow = 5;
 
 /// Cells per row, equal in all rows except the last.
 std::size_t columns_of(std::size_t cells) {
-  const std::size_t rows = (cells + kMostInRow - 1) / kMostInRow;
+  const std::size_t rows = (cells + kMaxInRow - 1) / kMaxInRow;
   return rows == 0 ? 1 : (cells + rows - 1) / rows;
 }
 

@@ -18,9 +18,9 @@ constexpr double kTicksLeft = 46;
 constexpr double kTicksBelow = 38;  // including the axis' name
 constexpr double kLabelGap = 16;    // between the end of a line and its name
 constexpr double kLabelRow = 17;
-constexpr double kOnePlace = 14;           // ends within this distance look like one
-constexpr std::size_t kLeastTogether = 4;  // lines
-constexpr double kFarOut = 5;              // times the others' reach: the axis leaves the line out
+constexpr double kOnePlace = 14;         // ends within this distance look like one
+constexpr std::size_t kMinTogether = 4;  // lines
+constexpr double kFarOut = 5;            // times the others' reach: the axis leaves the line out
 
 struct Range {
   double low = 0, high = 0;
@@ -246,7 +246,7 @@ struct ChartOverTime : Pen {
     for (const std::vector<std::size_t>& crowd : crowds()) {
       const bool is_quiet =
           std::ranges::all_of(crowd, [&](std::size_t i) { return chart.lines[i].quiet; });
-      const bool is_large = crowd.size() >= kLeastTogether;
+      const bool is_large = crowd.size() >= kMinTogether;
       const bool together = is_large && !is_quiet;
       const std::size_t begin = which.size();
       for (const std::size_t i : crowd) {

@@ -16,7 +16,7 @@ namespace contactscope::draw {
 namespace {
 
 /// Number of lines that a chart can distinguish.
-constexpr std::size_t kMostPairLines = 4;
+constexpr std::size_t kMaxPairLines = 4;
 
 /// Name of the deepest pair in a frame; the first if equal, empty without contact.
 std::string deepest_of(const std::vector<PairSeries>& pairs, std::size_t frame) {
@@ -141,7 +141,7 @@ std::vector<TimeSeries> time_series(const std::vector<trace::Frame>& frames) {
   std::vector<TimeSeries> all;
   for (Group& group : groups) {
     TimeSeries& series = all.emplace_back(std::move(group.series));
-    if (group.pairs.size() > kMostPairLines) {
+    if (group.pairs.size() > kMaxPairLines) {
       for (std::size_t f = 0; f < frames.size(); ++f)
         series.deepest.push_back(deepest_of(group.pairs, f));
     } else if (group.pairs.size() > 1) {

@@ -118,7 +118,7 @@ struct ChoicePen : Pen {
                                   ? spell_area(std::abs(measure.value))
                                   : spell_area(-measure.value);
     if (grows && winner) return outside(measure, value, by_distance);
-    if (by_distance) way_from_edge(measure, 1.4, with_alpha(kAxis, 0.9f));
+    if (by_distance) offset_from_edge(measure, 1.4, with_alpha(kAxis, 0.9f));
     Vec2d at = place(measure.point);
     if (rule == "triangle" && winner) {
       triangle(measure.edge[0], measure.edge[1], measure.point);
@@ -146,7 +146,7 @@ struct ChoicePen : Pen {
       return;
     }
     // The measure that decided, and the area gained.
-    const Vec2d foot = way_from_edge(measure, 2.2, kAxis);
+    const Vec2d foot = offset_from_edge(measure, 2.2, kAxis);
     labels.push_back({0.5 * (foot + point), spelled, kAxisText, true});
     const double area = 0.5 * std::abs(contactscope::cross(to - from, point - from)) /
                         std::pow(plane.pixels_per_metre, 2);
@@ -154,7 +154,7 @@ struct ChoicePen : Pen {
   }
 
   /// Perpendicular from the line of the edge to a point. Returns its foot.
-  Vec2d way_from_edge(const trace::Measure& measure, double width, const Color& color) const {
+  Vec2d offset_from_edge(const trace::Measure& measure, double width, const Color& color) const {
     const Vec2d from = place(measure.edge[0]), to = place(measure.edge[1]);
     const Vec2d point = place(measure.point), edge = to - from;
     const double share = edge.dot(point - from) / edge.squaredNorm();
@@ -183,7 +183,7 @@ struct ChoicePen : Pen {
 
   /// Next to the point, away from the middle.
   void number(const Point2& at, int number) {
-    const Vec2d out = way_out(middle, flat(at));
+    const Vec2d out = outward(middle, flat(at));
     const double reach = px(kKeptReach + 0.5 * kDigit);
     text(std::to_string(number), pixel(flat(at) + reach * out) + Point2{0, px(0.34 * kDigit)},
          Align::Center, kContact, Weight::Bold, kDigit, 2);
@@ -205,17 +205,17 @@ struct ChoicePen : Pen {
     const double inscribed = 2 * twice / ((b - a).norm() + (c - b).norm() + (a - c).norm());
     const bool fits = inscribed > 1.1 * width_of(spelled, Weight::Bold);
     // Beyond the point's number.
-    const Vec2d beside = c + px(26) * way_out(middle, c);
-    return {fits ? Vec2d((a + b + c) / 3) : beside, spelled, kContact, true, fits, false};
+    const Vec2d next_to = c + px(26) * outward(middle, c);
+    return {fits ? Vec2d((a + b + c) / 3) : next_to, spelled, kContact, true, fits, false};
   }
 
   void write(const Label& label) {
     const float size = px(kLabelSize);
     const Weight weight = label.bold ? Weight::Bold : Weight::Regular;
-    const Vec2d way = way_out(middle, label.at);
+    const Vec2d offset = outward(middle, label.at);
     const auto found =
         placer.place(pixel(label.at), width_of(label.text, weight), 0.76f * ascent(size, weight),
-                     descent(size, weight), {px(14), pixel(way)});
+                     descent(size, weight), {px(14), pixel(offset)});
     if (!found) return;
     if (found->needs_leader && label.leader) {
       stroke(label.at, flat(found->leader_end), 3.5, with_alpha(kWhite, 0.8f));

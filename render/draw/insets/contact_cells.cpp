@@ -57,9 +57,9 @@ void draw_axes(const ContactPlane& plane, const std::vector<Point2>& box) {
     plane.fill({pixel(tip), pixel(tip - head * along + 0.42 * head * across),
                 pixel(tip - head * along - 0.42 * head * across)},
                kNormal);
-    const Vec2d beside = 0.5 * (from + tip) + plane.px(8) * (level ? Vec2d(0, 1) : Vec2d(-1, 0));
-    plane.text(name, pixel(beside.x(), beside.y() + plane.px(level ? 8 : 4)), Align::Center, kText,
-               Weight::Bold);
+    const Vec2d next_to = 0.5 * (from + tip) + plane.px(8) * (level ? Vec2d(0, 1) : Vec2d(-1, 0));
+    plane.text(name, pixel(next_to.x(), next_to.y() + plane.px(level ? 8 : 4)), Align::Center,
+               kText, Weight::Bold);
   }
 }
 
@@ -153,7 +153,7 @@ std::vector<LegendEntry> ContactCells::legend() const {
   add(has_best, kBestPolygonSwatch, "largest area");
   add(any_cell(by_extremes), kAxesBoxSwatch, "box along the axes");
   // The rows below contain the same information about the deepest point.
-  if (entries.size() > kMostLegendEntries)
+  if (entries.size() > kMaxLegendEntries)
     std::erase_if(entries,
                   [](const LegendEntry& entry) { return entry.swatch == &kDeepestSwatch; });
   return entries;

@@ -55,7 +55,7 @@ std::vector<ContactMoment> explored(const std::vector<trace::Exploration>& seque
 
 /// From recorded frames: a cell for each pair with a recorded reduction, named by label or reducer.
 std::vector<ContactMoment> reduced(const std::vector<trace::Frame>& frames,
-                                   const Moments& telling = {});
+                                   const Moments& labelled = {});
 
 /// Small multiples: the contact plane of each cell, with one scale for all cells and frames. The
 /// contents of a cell are centred over all frames, regardless of their pose in the world, so that a

@@ -10,15 +10,15 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr double kRowGap = 6;      // between the left and right text of a row
-constexpr double kReserve = 20;    // around the patch in a map, for rings and digits
-constexpr double kMostStrip = 30;  // height of the strip of ids; more with few cells
+constexpr double kRowGap = 6;     // between the left and right text of a row
+constexpr double kReserve = 20;   // around the patch in a map, for rings and digits
+constexpr double kMaxStrip = 30;  // height of the strip of ids; more with few cells
 constexpr std::size_t kFewCells = 4;
 constexpr double kStripRow = 4;     // per id, minimum if there is room
 constexpr double kWideRow = 16;     // per id, maximum
 constexpr double kCloseMarks = 30;  // distance between points from which marks have full size
-constexpr double kLeastMark = 0.6;
-constexpr double kLeastMap = 44;  // minimum useful height of a map
+constexpr double kMinMark = 0.6;
+constexpr double kMinMap = 44;  // minimum useful height of a map
 // With few cells, text, rings and digits can be large enough to be legible at half size.
 constexpr double kLargeSigns = 1.5, kLargerSigns = 1.2;
 constexpr std::size_t kSomeCells = 6;
@@ -39,7 +39,7 @@ void ContactCells::fit(int width, int height) {
     });
     layout_ = make_layout(width, height, false, {widths}, 0, style_, title_);
     grid_ = best_grid();
-    if (grid_.map_height >= px(kLeastMap) && grid_.cell_width >= row_width()) return;
+    if (grid_.map_height >= px(kMinMap) && grid_.cell_width >= row_width()) return;
   }
 }
 
@@ -142,7 +142,7 @@ double ContactCells::strip_height() const {
   const auto rows = static_cast<double>(ids_.front().row_count());
   if (rows == 0 || is_named_away()) return 0;
   const double wide = cell_count() > kFewCells ? 1 : 1.75;
-  return wide * std::min(kMostStrip, kStripRow * rows) + kStripCaption + axis_height() + 6;
+  return wide * std::min(kMaxStrip, kStripRow * rows) + kStripCaption + axis_height() + 6;
 }
 
 std::size_t ContactCells::row_count() const {
@@ -223,7 +223,7 @@ ContactCells::Grid ContactCells::best_grid() const {
     best.map_height -= more;
   }
   const double between = nearest_points() * best.pixels_per_metre / px(1);
-  best.mark = std::clamp(between / kCloseMarks, kLeastMark, 1.0);
+  best.mark = std::clamp(between / kCloseMarks, kMinMark, 1.0);
   return best;
 }
 

@@ -117,7 +117,7 @@ std::vector<ContactMoment> explored(const std::vector<trace::Exploration>& seque
 }
 
 std::vector<ContactMoment> reduced(const std::vector<trace::Frame>& frames,
-                                   const Moments& telling) {
+                                   const Moments& labelled) {
   // A pair may touch in some frames only, but its cell is in all of them.
   const std::vector<const trace::Pair*> cells =
       distinct_pairs(frames, [](const trace::Pair& pair) { return pair.reduction.has_value(); });
@@ -126,11 +126,11 @@ std::vector<ContactMoment> reduced(const std::vector<trace::Frame>& frames,
   });
   std::set<std::string_view> labels;
   for (const trace::Pair* pair : cells) labels.insert(pair->label);
-  const bool labels_tell_apart = labels.size() == cells.size();
+  const bool labels_distinguish = labels.size() == cells.size();
   std::vector<ContactMoment> moments = mapped(frames, [&](const trace::Frame& frame) {
     // Points without shapes have no time either.
     const bool is_timeless = !frame.pairs.empty() && frame.pairs.front().a.empty();
-    ContactMoment moment{frame.frame, is_timeless ? std::string() : telling.of(frame), {}};
+    ContactMoment moment{frame.frame, is_timeless ? std::string() : labelled.of(frame), {}};
     if (!is_timeless) moment.time = frame.time;
     return moment;
   });
@@ -138,7 +138,7 @@ std::vector<ContactMoment> reduced(const std::vector<trace::Frame>& frames,
     const std::string& method = known->reduction->method;
     std::string name =
         known->label.empty() || known->label == method ? in_words(method) : known->label;
-    if (several_bodies && !labels_tell_apart)
+    if (several_bodies && !labels_distinguish)
       name = name_in_words(known->a) + " and " + name_in_words(known->b) + ": " + name;
     const std::vector<const trace::Pair*> history = pair_history(frames, *known);
     for (std::size_t f = 0; f < frames.size(); ++f) {

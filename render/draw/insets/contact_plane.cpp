@@ -41,8 +41,8 @@ PlaneAxes axes_from_above(const Vec3d& normal, const Vec3d& above) {
 }
 
 Point2 ContactPlane::at(const Vec3d& point) const {
-  const Vec2d way = pixels_per_metre * (axes.along(point) - center);
-  return pixel(map.x + 0.5 * map.width + way.x(), map.y + 0.5 * map.height - way.y());
+  const Vec2d offset = pixels_per_metre * (axes.along(point) - center);
+  return pixel(map.x + 0.5 * map.width + offset.x(), map.y + 0.5 * map.height - offset.y());
 }
 
 std::vector<Point2> ContactPlane::at(const std::vector<Vec3d>& points) const {
@@ -78,10 +78,11 @@ void ContactPlane::border(const std::vector<Point2>& polygon, double width, cons
 void ContactPlane::line_through(const Vec3d& a, const Vec3d& b, double width, const Color& color,
                                 double dash) const {
   const Point2 from = at(a), to = at(b);
-  const Point2 way = to - from;
-  if (!(length(way) > 0)) return;
-  const float reach = static_cast<float>(map.width + map.height) / length(way);
-  const std::optional<Segment2> seen = clip_segment(map, from - reach * way, to + reach * way);
+  const Point2 offset = to - from;
+  if (!(length(offset) > 0)) return;
+  const float reach = static_cast<float>(map.width + map.height) / length(offset);
+  const std::optional<Segment2> seen =
+      clip_segment(map, from - reach * offset, to + reach * offset);
   if (seen) line(seen->from, seen->to, width, color, dash);
 }
 
@@ -100,7 +101,7 @@ void ContactPlane::number_kept(const std::vector<Point2>& places, const std::vec
     const bool is_deepest = std::ranges::find(deepest, kept[k]) != deepest.end();
     const float reach = px((is_deepest ? kDeepestReach : kKeptReach) * size);
     auto found = placer.place(place, width + 2 * room, up + room, room,
-                              {reach + px(2), pixel(way_out(middle, flat(place)))});
+                              {reach + px(2), pixel(outward(middle, flat(place)))});
     if (!found) continue;
     found->left_baseline.x += room;
     if (found->needs_leader) line(place, found->leader_end, 1, kContact);
@@ -128,7 +129,7 @@ Vec2d middle_of(const std::vector<Point2>& places) {
   return middle;
 }
 
-Vec2d way_out(const Vec2d& middle, const Vec2d& at) {
+Vec2d outward(const Vec2d& middle, const Vec2d& at) {
   const Vec2d out = at - middle;
   return out.norm() > 1 ? Vec2d(out.normalized()) : Vec2d(0, -1);
 }
@@ -139,10 +140,10 @@ void draw_kept_point(const Point2& at, const Pen& pen, double size) {
   pen.ring(at, 6.4 * size, kKeptReach * size, kContact);
 }
 
-void draw_plain_point(const Point2& at, const Pen& pen, bool apart) {
+void draw_plain_point(const Point2& at, const Pen& pen, bool separated) {
   pen.disc(at, 6.6, kWhite);
-  pen.disc(at, 5, with_alpha(kContact, apart ? 0.3f : 1.0f));
-  if (apart) pen.ring(at, 4, 5.2, kContact);
+  pen.disc(at, 5, with_alpha(kContact, separated ? 0.3f : 1.0f));
+  if (separated) pen.ring(at, 4, 5.2, kContact);
 }
 
 void draw_dropped_point(const Point2& at, const Pen& pen, double size) {

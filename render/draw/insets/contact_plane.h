@@ -73,13 +73,13 @@ struct ContactPlane : Pen {
 
 /// Mean of points on the page; unit direction from it to one of them (up at the mean itself).
 Vec2d middle_of(const std::vector<Point2>& places);
-Vec2d way_out(const Vec2d& middle, const Vec2d& at);
+Vec2d outward(const Vec2d& middle, const Vec2d& at);
 
 /// Marks of the contact plane, in pixels. They are the same in all pictures, but smaller if points
 /// are close together; `size` 1 is for a single patch.
 void draw_kept_point(const Point2& at, const Pen& pen, double size);
 /// `apart`: the point does not touch yet.
-void draw_plain_point(const Point2& at, const Pen& pen, bool apart = false);
+void draw_plain_point(const Point2& at, const Pen& pen, bool separated = false);
 void draw_dropped_point(const Point2& at, const Pen& pen, double size);
 /// A square around the point, kept or not.
 void draw_deepest_mark(const Point2& at, const Pen& pen, double size);

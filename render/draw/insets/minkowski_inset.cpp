@@ -34,7 +34,7 @@ constexpr Swatch kFarthestSwatch{LegendGroup::Differences, 6,
 constexpr std::size_t kManyFaces = 120;
 constexpr double kSupportShare =
     0.3;  // of the difference's size, half the length of the line through a support point
-constexpr double kLeastSearch = 48;  // pixels, for the arrow of the search direction
+constexpr double kMinSearch = 48;    // pixels, for the arrow of the search direction
 constexpr double kNumberAside = 46;  // pixels from a short arrow to its number
 
 bool has_difference(const trace::Pair& pair) {
@@ -88,12 +88,12 @@ struct DifferencePen {
 
   /// The next support point: searched from `from` along the unit direction `way`. A dashed line
   /// through it, perpendicular to that direction, has the whole difference on one side.
-  void next(const SimplexStep& step, const Vec3d& from, const Vec3d& way) const {
+  void next(const SimplexStep& step, const Vec3d& from, const Vec3d& offset) const {
     if (!step.next) return;
     const Vec3d at = difference(*step.next);
-    const Vec3d along = way.cross(camera.to_eye(at)).normalized();
-    const double least = kLeastSearch * static_cast<double>(scale) / camera.pixels_per_metre(from);
-    const Vec3d end = from + std::max(least, (at - from).dot(way)) * way;
+    const Vec3d along = offset.cross(camera.to_eye(at)).normalized();
+    const double least = kMinSearch * static_cast<double>(scale) / camera.pixels_per_metre(from);
+    const Vec3d end = from + std::max(least, (at - from).dot(offset)) * offset;
     // A halo would cover the origin.
     sketch.arrows.push_back(
         {.from = from, .to = end, .width = 1.8f, .color = kText, .halo = false, .open = true});

@@ -9,8 +9,8 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr double kLeastWay = 8;  // pixels
-constexpr double kAside = 44;    // pixels from the point, to avoid the impulse arrow
+constexpr double kMinPath = 8;  // pixels
+constexpr double kAside = 44;   // pixels from the point, to avoid the impulse arrow
 
 constexpr LineStyle kGhost{2.0f, kDropped, true};
 
@@ -40,16 +40,17 @@ void draw_ahead(const Scene& scene, Sketch& sketch) {
   if (!scene.frame.solver || step <= 0) return;
   for (const trace::Body& body : scene.bodies()) {
     const Vec3d& center = body.center_of_mass;
-    const Vec3d way = step * body.velocity;
-    const double pixels = way.norm() * scene.camera.pixels_per_metre(center);
+    const Vec3d offset = step * body.velocity;
+    const double pixels = offset.norm() * scene.camera.pixels_per_metre(center);
     const PlacedShape* shape = scene.find(body.name);
-    if (shape == nullptr || pixels < kLeastWay * scene.scales.pixel) continue;
+    if (shape == nullptr || pixels < kMinPath * scene.scales.pixel) continue;
     const Vec3d turn = step * body.angular_velocity;
-    const PlacedShape later = moved(*shape, center, way, turn);
+    const PlacedShape later = moved(*shape, center, offset, turn);
     draw_ghost(scene.camera, later, kGhost, sketch);
-    draw_way(scene, center, center + way, border_of_ball(*shape), {1.2f, kDropped, true}, sketch);
+    draw_path(scene, center, center + offset, border_of_ball(*shape), {1.2f, kDropped, true},
+              sketch);
     if (!in_view(scene.camera, later)) continue;
-    sketch.explain(kAheadSwatch, "a frame later, if nothing stopped it", Vec3d(center + way));
+    sketch.explain(kAheadSwatch, "a frame later, if nothing stopped it", Vec3d(center + offset));
   }
   for (const trace::Pair& pair : scene.frame.pairs) {
     const PlacedShape* a = scene.find(pair.a);

@@ -9,7 +9,7 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr double kLeastOfAnswer = 14;  // pixels: at less, dots hide the measure
+constexpr double kMinOfAnswer = 14;  // pixels: at less, dots hide the measure
 
 constexpr Swatch kPointsSwatch{LegendGroup::Axes, 4, [](auto& pen) { pen.dot(0, 4.0, kAxisText); }};
 
@@ -46,18 +46,19 @@ void draw_answer(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   // A query with the same points has drawn them already.
   for (const trace::Pair* other = scene.frame.pairs.data(); other != &pair; ++other)
     if (other->query && other->query->gap && is_same_measure(pair, *other)) return;
-  const bool apart = *query.gap >= 0;
+  const bool separated = *query.gap >= 0;
   const Vec3d &from = *query.point_a, &to = *query.point_b;
   const bool touches = from == to || *query.gap == 0;  // otherwise rounding would be measured
   const std::optional<float> pixels = seen_distance(scene.camera, from, to);
-  if (touches || (pixels && *pixels >= kLeastOfAnswer * scene.scales.pixel)) {
+  if (touches || (pixels && *pixels >= kMinOfAnswer * scene.scales.pixel)) {
     for (const Vec3d& point : {from, to}) sketch.mark(MarkKind::Node, point, kAxisText);
     // Otherwise the arrow covers the points.
-    if (touches) sketch.explain(kPointsSwatch, apart ? "closest points" : "deepest points", from);
+    if (touches)
+      sketch.explain(kPointsSwatch, separated ? "closest points" : "deepest points", from);
   }
   if (touches) return;
-  const bool quiet = apart && is_nearer_elsewhere(scene, pair);
-  draw_measure(scene, apart ? Measured::Gap : Measured::Overlap, from, to, quiet ? 1.5f : 3, "",
+  const bool quiet = separated && is_nearer_elsewhere(scene, pair);
+  draw_measure(scene, separated ? Measured::Gap : Measured::Overlap, from, to, quiet ? 1.5f : 3, "",
                sketch);
   sketch
       .label(0.5 * (from + to),

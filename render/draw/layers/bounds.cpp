@@ -10,15 +10,15 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr std::size_t kMostNamed = 12;  // boxes
-constexpr double kNameRoom = 20;        // pixels for a name next to a box
-constexpr double kAxisLength = 56;      // pixels, below the names of the lowest boxes
-constexpr double kBeyondBoxes = 12;     // pixels: extension of a line at their ends
+constexpr std::size_t kMaxNamed = 12;  // boxes
+constexpr double kNameRoom = 20;       // pixels for a name next to a box
+constexpr double kAxisLength = 56;     // pixels, below the names of the lowest boxes
+constexpr double kBeyondBoxes = 12;    // pixels: extension of a line at their ends
 
 constexpr Swatch kMeetingSwatch{LegendGroup::Trees, 3, [](auto& pen) { pen.area(kBox, 0, 2.5); }};
 constexpr Swatch kShapeBoxSwatch{LegendGroup::Trees, 5, [](auto& pen) { pen.area(kBox, 0, 1.5); },
                                  kBox};
-constexpr double kLeastShared = 6;  // pixels: a smaller fill is not visible
+constexpr double kMinShared = 6;  // pixels: a smaller fill is not visible
 constexpr Color kShared = with_alpha(kBox, 0.22f);
 constexpr Swatch kSharedSwatch{LegendGroup::Trees, 4,
                                [](auto& pen) { pen.box(kShared, kShared, 1); }};
@@ -45,9 +45,10 @@ NamePlace free_side(const Scene& scene, const trace::Bounds& bounds,
   const auto is_free = [&](const NamePlace& name) {
     const double room = kNameRoom / pixels;
     return std::ranges::none_of(all, [&](const trace::Bounds& other) {
-      const Vec3d way = name.at - center(other.box), reach = half(other.box);
-      return &other != &bounds && std::abs(right.dot(way)) < right.cwiseAbs().dot(reach) + room &&
-             std::abs(up.dot(way)) < up.cwiseAbs().dot(reach) + room;
+      const Vec3d offset = name.at - center(other.box), reach = half(other.box);
+      return &other != &bounds &&
+             std::abs(right.dot(offset)) < right.cwiseAbs().dot(reach) + room &&
+             std::abs(up.dot(offset)) < up.cwiseAbs().dot(reach) + room;
     });
   };
   for (const Vec3d& out : {Vec3d(-up), up, right, Vec3d(-right)})
@@ -124,9 +125,9 @@ void draw_shared(const Scene& scene, const trace::Box& a, const trace::Box& b, S
     }
   }
   const Vec3d seen = scene.camera.pixels_per_metre(shared.center()) * shared.sizes();
-  const auto width = [&](const Vec3d& way) { return seen.dot(way.cwiseAbs()); };
+  const auto width = [&](const Vec3d& offset) { return seen.dot(offset.cwiseAbs()); };
   if (std::min(width(scene.camera.right()), width(scene.camera.up())) >
-      kLeastShared * scene.scales.pixel)
+      kMinShared * scene.scales.pixel)
     sketch.explain(kSharedSwatch, "where two boxes overlap", shared.center());
 }
 
@@ -144,11 +145,11 @@ void draw_swept_axes(const Scene& scene, const std::vector<trace::Bounds>& all, 
   const double length = kAxisLength * pixel;
   constexpr const char* kNames[] = {"x", "y", "z"};
   for (int axis = 0; axis < 3; ++axis) {
-    const Vec3d way = length * Vec3d::Unit(axis);
+    const Vec3d offset = length * Vec3d::Unit(axis);
     // An axis along the view is a point.
-    if (std::hypot(right.dot(way), up.dot(way)) < 0.3 * length) continue;
-    sketch.arrows.push_back(arrow_to_scale(corner, way, 2, 9, kShapeEdge));
-    sketch.label(corner + way, kNames[axis], kText, 16, 6, Vec3d::Unit(axis));
+    if (std::hypot(right.dot(offset), up.dot(offset)) < 0.3 * length) continue;
+    sketch.arrows.push_back(arrow_to_scale(corner, offset, 2, 9, kShapeEdge));
+    sketch.label(corner + offset, kNames[axis], kText, 16, 6, Vec3d::Unit(axis));
   }
 }
 
@@ -188,7 +189,7 @@ void draw_bounds(const Scene& scene, Sketch& sketch) {
     });
   };
   std::vector<trace::Bounds> all = scene.frame.broad_phase->bounds;
-  const bool few = all.size() <= kMostNamed, named = few && !scene.shows(Layer::Cells);
+  const bool few = all.size() <= kMaxNamed, named = few && !scene.shows(Layer::Cells);
   const auto meeting = std::stable_partition(all.begin(), all.end(), std::not_fn(meets));
   for (auto bounds = all.begin(); bounds != all.end(); ++bounds) {
     const bool alone = bounds < meeting;
@@ -202,7 +203,7 @@ void draw_bounds(const Scene& scene, Sketch& sketch) {
     sketch.explain(alone ? kAloneSwatch : kMeetingSwatch,
                    alone ? "box that meets no other" : "box that meets another", bounds->box.upper);
   }
-  if (scene.frame.broad_phase->method == "sweep_and_prune" && all.size() <= kMostNamed) {
+  if (scene.frame.broad_phase->method == "sweep_and_prune" && all.size() <= kMaxNamed) {
     draw_swept_axes(scene, all, sketch);
     draw_passing_ends(scene, all, sketch);
   }

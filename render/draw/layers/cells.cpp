@@ -67,10 +67,10 @@ constexpr Swatch kSpanSwatch{
 constexpr Swatch kBeginsSwatch{
     LegendGroup::Trees, 7,
     [](auto& pen) { pen.line(pen.at(12, -7), pen.at(12, 7), kBegins.width, kBegins.color); }};
-constexpr float kCount = 18;          // size of the number in a tile, pixels
-constexpr double kCountClear = 13;    // from its middle to the outline of a box, pixels
-constexpr double kLeastCounted = 20;  // pixels: narrower tiles have no number
-constexpr double kSweptWay = 64, kBesideBox = 3.5, kBesideColumn = 16;  // pixels
+constexpr float kCount = 18;        // size of the number in a tile, pixels
+constexpr double kCountClear = 13;  // from its middle to the outline of a box, pixels
+constexpr double kMinCounted = 20;  // pixels: narrower tiles have no number
+constexpr double kSweptLength = 64, kBoxGap = 3.5, kColumnGap = 16;  // pixels
 
 bool is_tree(const trace::BroadPhase& phase) {
   return phase.method == "tree" || phase.method == "octree";
@@ -126,7 +126,7 @@ void mark_begins(const Scene& scene, const Sweep& sweep, const Floor& floor, Ske
     if (bounds == sweep.boxes.front()) continue;
     Vec3d from = bounds->box.lower;
     from[floor.up()] = bounds->box.upper[floor.up()];
-    from[sweep.axis] -= kBesideBox * scene.scales.pixel / scene.camera.pixels_per_metre(from);
+    from[sweep.axis] -= kBoxGap * scene.scales.pixel / scene.camera.pixels_per_metre(from);
     Vec3d to = from;
     to[across] = bounds->box.upper[across];
     sketch.line(from, to, kBegins);
@@ -149,12 +149,12 @@ void draw_begins(const Scene& scene, Sketch& sketch) {
   else
     mark_begins(scene, *sweep, floor, sketch);
   Vec3d from = floor.tile_of(sweep->column)[0];
-  const Vec3d way = Vec3d::Unit(sweep->axis);
+  const Vec3d offset = Vec3d::Unit(sweep->axis);
   const double pixel = scene.scales.pixel / scene.camera.pixels_per_metre(from);
-  const double metres = kSweptWay * pixel;
-  from[floor.across(sweep->axis)] -= kBesideColumn * pixel;
-  sketch.arrows.push_back(arrow_to_scale(from, metres * way, 2.5f, 10, kBegins.color));
-  sketch.label(from + metres * way, "swept along " + phase.swept, kBegins.color, 17, 8, way);
+  const double metres = kSweptLength * pixel;
+  from[floor.across(sweep->axis)] -= kColumnGap * pixel;
+  sketch.arrows.push_back(arrow_to_scale(from, metres * offset, 2.5f, 10, kBegins.color));
+  sketch.label(from + metres * offset, "swept along " + phase.swept, kBegins.color, 17, 8, offset);
 }
 
 /// Merges stacked cells of a grid into one tile with all their tests, so that the tiles add up to
@@ -177,7 +177,7 @@ std::vector<trace::Cell> stacked(const trace::BroadPhase& phase, const Floor& fl
 }
 
 constexpr LineStyle kLattice{1.0f, with_alpha(kShapeEdge, 0.16f)};
-constexpr double kMostLattice = 40;  // cells along a side; more would look like a grey area
+constexpr double kMaxLattice = 40;  // cells along a side; more would look like a grey area
 
 /// Empty cells of the grid between occupied ones, which are not stored. They show that the grid is
 /// unbounded, and which boxes are too large for its cells.
@@ -194,7 +194,7 @@ void draw_lattice(const trace::BroadPhase& phase, const Floor& floor, Sketch& sk
   const Vec3d first = ((around.min() - corner) / side).array().floor();
   const Vec3d last = ((around.max() - corner) / side).array().ceil();
   const int x = floor.right(), y = floor.ahead();
-  if (!(std::max(last[x] - first[x], last[y] - first[y]) <= kMostLattice)) return;
+  if (!(std::max(last[x] - first[x], last[y] - first[y]) <= kMaxLattice)) return;
   for (const auto& [along, across] : {std::pair(x, y), std::pair(y, x)}) {
     for (double line = first[along]; line <= last[along]; ++line) {
       Vec3d from = corner, to = corner;
@@ -265,8 +265,8 @@ bool write_tests(const Scene& scene, const std::vector<trace::Cell>& cells, cons
     above = above.subspan(1);
     if (cell.tests == 0) continue;
     const std::vector<Vec3d> corners = floor.tile_of(cell.box);
-    for (const std::size_t beside : {1, 3})
-      if (flat(corners[beside] - corners[0]).norm() < kLeastCounted * pixel) return false;
+    for (const std::size_t next_to : {1, 3})
+      if (flat(corners[next_to] - corners[0]).norm() < kMinCounted * pixel) return false;
     const std::optional<Vec2d> place = place_in_tile(tile, above, boxes, pixel);
     if (!place) return false;
     numbers.emplace_back(*place, cell.tests);

@@ -55,7 +55,7 @@ void draw_clip_face(const Scene& scene, const trace::Pair& pair, Sketch& sketch)
   const Color color = kReference ? kReferenceFace : kIncidentFace;
   const std::size_t shown = clip_steps_to_show(scene, pair);
   const bool acts = kReference && all_planes_have_cut(scene, pair);
-  const bool known = tells_clip_story(scene, pair) && shown > 0 && !acts;
+  const bool known = has_clip_story(scene, pair) && shown > 0 && !acts;
   if (known)
     sketch.outline(polygon, {kReference ? 2.5f : 2.0f, color, !kReference});
   else if (!kReference)
@@ -107,7 +107,7 @@ void draw_side_planes(const Scene& scene, const trace::Pair& pair, Sketch& sketc
     }
   }
   const std::size_t shown = clip_steps_to_show(scene, pair);
-  const bool story = tells_clip_story(scene, pair);
+  const bool story = has_clip_story(scene, pair);
   // After all planes have cut, the last step is about the reference face alone.
   if (all_planes_have_cut(scene, pair)) return;
   // Earlier planes are left out: their corners remain, and the planes would hide them.
@@ -129,7 +129,7 @@ void draw_clip_polygons(const Scene& scene, const trace::Pair& pair, Sketch& ske
                    Vec3d(0.7 * segment->from + 0.3 * segment->to));
   }
   const std::size_t shown = clip_steps_to_show(scene, pair);
-  const bool story = tells_clip_story(scene, pair);
+  const bool story = has_clip_story(scene, pair);
   if (story) draw_clip_story(scene, pair, sketch);
   for (std::size_t k = 0; k < shown; ++k) {
     const trace::Polygon& polygon = pair.clip->steps[k].polygon;
@@ -148,7 +148,7 @@ void draw_clip_polygons(const Scene& scene, const trace::Pair& pair, Sketch& ske
 /// Points that clipping dropped, once all steps are shown.
 void draw_dropped(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   if (!pair.clip) return;
-  const bool story = tells_clip_story(scene, pair);
+  const bool story = has_clip_story(scene, pair);
   if (story && !all_planes_have_cut(scene, pair)) return;
   for (const trace::DroppedPoint& point : pair.clip->dropped) {
     if (is_kept(pair, point)) continue;

@@ -13,28 +13,28 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr double kBesidePoint = 20;   // pixels from the point, clear of its arrows
-constexpr double kNumberBeside = 13;  // pixels from the point to a number
-constexpr double kLeastDepth = 2;     // pixels: smaller overlaps look like a touch
-constexpr double kLeastShare = 0.05;  // share of the largest visible overlap; more gets a number
-constexpr double kEqually = 1e-2;     // share of the overlap
+constexpr double kPointGap = 20;    // pixels from the point, clear of its arrows
+constexpr double kNumberGap = 13;   // pixels from the point to a number
+constexpr double kMinDepth = 2;     // pixels: smaller overlaps look like a touch
+constexpr double kMinShare = 0.05;  // share of the largest visible overlap; more gets a number
+constexpr double kEqually = 1e-2;   // share of the overlap
 
 constexpr Swatch kOneShotSwatch{LegendGroup::Points, 4, [](auto& pen) {
                                   pen.whisker(2.5, kContact);
                                   draw_square(pen.middle(), pen.px(4.2), kContact, pen.drawing());
                                 }};
 constexpr Swatch kSpeckSwatch{LegendGroup::Points, 3, [](auto& pen) { pen.dot(0, 2.4, kContact); }};
-constexpr Swatch kApartSwatch{LegendGroup::Points, 10, [](auto& pen) {
-                                pen.whisker(1.5, kContact);
-                                pen.dot(0, 4.8, kWhite);
-                                pen.dot(0, 4.8, with_alpha(kContact, 0.3f));
-                                pen.dot(3.7, 4.8, kContact);
-                              }};
-constexpr Swatch kApartPlainSwatch{LegendGroup::Points, 10, [](auto& pen) {
-                                     pen.dot(0, 4.8, kWhite);
-                                     pen.dot(0, 4.8, with_alpha(kContact, 0.3f));
-                                     pen.dot(3.7, 4.8, kContact);
-                                   }};
+constexpr Swatch kSeparatedSwatch{LegendGroup::Points, 10, [](auto& pen) {
+                                    pen.whisker(1.5, kContact);
+                                    pen.dot(0, 4.8, kWhite);
+                                    pen.dot(0, 4.8, with_alpha(kContact, 0.3f));
+                                    pen.dot(3.7, 4.8, kContact);
+                                  }};
+constexpr Swatch kSeparatedPlainSwatch{LegendGroup::Points, 10, [](auto& pen) {
+                                         pen.dot(0, 4.8, kWhite);
+                                         pen.dot(0, 4.8, with_alpha(kContact, 0.3f));
+                                         pen.dot(3.7, 4.8, kContact);
+                                       }};
 constexpr Swatch kOnePlaceSwatch{
     LegendGroup::Points, 12,
     [](auto& pen) { pen.text("×2", pen.at(1, 5.5), Align::Left, kContact, Weight::Bold, 15); }};
@@ -69,7 +69,7 @@ std::optional<Vec3d> farthest(const PlacedShape& shape, const Vec3d& direction,
 }
 
 /// Two separated shapes and the camera.
-struct Apart {
+struct Separation {
   const PlacedShape& a;
   const PlacedShape& b;
   const Camera& camera;
@@ -91,7 +91,7 @@ bool is_sphere(const PlacedShape& shape) {
 // Nearest points of the shapes from the trace, or points along the separating axis.
 std::optional<OnBoth> gap_of(const trace::Pair& pair, const PlacedShape& a, const PlacedShape& b,
                              const Camera& camera) {
-  const Apart apart{a, b, camera, pair.separation};
+  const Separation separated{a, b, camera, pair.separation};
   if (pair.gjk && pair.gjk->status == "separated" && pair.gjk->distance > 0) {
     const Vec3d normal = (pair.gjk->point_b - pair.gjk->point_a) / pair.gjk->distance;
     const double margin_a = pair.incremental ? pair.incremental->margin_a : 0;
@@ -104,22 +104,22 @@ std::optional<OnBoth> gap_of(const trace::Pair& pair, const PlacedShape& a, cons
     const PlacedShape& plane = of_a ? a : b;
     if (!plane.traced().half_space) continue;
     const Vec3d outward = plane.pose.rotate(plane.traced().half_space->normal);
-    return apart.along(of_a ? outward : Vec3d(-outward), !of_a);
+    return separated.along(of_a ? outward : Vec3d(-outward), !of_a);
   }
   if (is_sphere(a) && is_sphere(b)) {
-    const Vec3d way = b.vertices[0] - a.vertices[0];
-    if (way.isZero()) return std::nullopt;
-    return apart.along(way.normalized(), true);
+    const Vec3d offset = b.vertices[0] - a.vertices[0];
+    if (offset.isZero()) return std::nullopt;
+    return separated.along(offset.normalized(), true);
   }
   if (pair.sat) {
     const trace::Sat& sat = *pair.sat;
-    if (sat.chosen == "face_a" && sat.face_a) return apart.along(sat.face_a->normal, false);
-    if (sat.chosen == "face_b" && sat.face_b) return apart.along(sat.face_b->normal, true);
+    if (sat.chosen == "face_a" && sat.face_a) return separated.along(sat.face_a->normal, false);
+    if (sat.chosen == "face_b" && sat.face_b) return separated.along(sat.face_b->normal, true);
     if (sat.chosen == "edge_edge" && sat.edge)
       return OnBoth{sat.edge->point_b - sat.edge->separation * sat.edge->normal, sat.edge->point_b};
   }
   if (pair.cache && pair.cache->hit && pair.cache->normal && pair.cache->axis != "edge_edge") {
-    return apart.along(*pair.cache->normal, pair.cache->axis == "face_b");
+    return separated.along(*pair.cache->normal, pair.cache->axis == "face_b");
   }
   return std::nullopt;
 }
@@ -168,23 +168,23 @@ void draw_points(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
     }
     // From the surface of A to that of B. For a point that does not touch yet, the gap, thinner.
     const auto [from, to] = whisker_at(scene, pair, kept);
-    const bool apart = stands_off(*kept.point, scene.scales);
+    const bool separated = stands_off(*kept.point, scene.scales);
     // Points with an age are drawn by layer Persistent, with the displacement between anchors. Next
     // to them a filled dot would mean a new point, so points of one-shot manifolds are squares.
-    const bool square = !apart && scene.shows(Layer::Persistent);
-    const float width = apart ? 1.5f : 2.5f;
+    const bool square = !separated && scene.shows(Layer::Persistent);
+    const float width = separated ? 1.5f : 2.5f;
     // Layer Ahead draws an arrow of the same length next to it.
-    const bool measured = apart && scene.shows(Layer::Ahead);
+    const bool measured = separated && scene.shows(Layer::Ahead);
     if (!measured) sketch.bordered_line(from, to, {width, kContact}, 2 * width);
-    sketch.mark(apart    ? MarkKind::Apart
-                : square ? MarkKind::Square
-                         : MarkKind::Dot,
+    sketch.mark(separated ? MarkKind::Separation
+                : square  ? MarkKind::Square
+                          : MarkKind::Dot,
                 kept.point->position, kContact);
     if (measured)
-      sketch.explain(kApartPlainSwatch, "point within the margin, not touching");
-    else if (apart)
-      sketch.explain(kApartSwatch, "point within the margin, not touching: line = gap" +
-                                       spell_factor(scene.scales.gap));
+      sketch.explain(kSeparatedPlainSwatch, "point within the margin, not touching");
+    else if (separated)
+      sketch.explain(kSeparatedSwatch, "point within the margin, not touching: line = gap" +
+                                           spell_factor(scene.scales.gap));
     else if (square)
       sketch.explain(kOneShotSwatch, "one-shot point, whisker = overlap" + factor);
     else if (!any_whisker && all_ringed)
@@ -203,9 +203,9 @@ void count_shared(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   std::vector<std::pair<PairPoint, int>> places;
   for (const PairPoint& kept : kept_points(pair)) {
     const auto same = std::ranges::find_if(places, [&](const auto& place) {
-      const std::optional<float> apart =
+      const std::optional<float> separated =
           seen_distance(scene.camera, place.first.point->position, kept.point->position);
-      return apart && *apart < kOneDot * scene.scales.pixel;
+      return separated && *separated < kOneDot * scene.scales.pixel;
     });
     if (same == places.end())
       places.emplace_back(kept, 1);
@@ -224,8 +224,8 @@ void count_shared(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
 }
 
 /// Distance to the right until both shapes are passed, pixels at 720 lines, if the text fits there.
-std::optional<double> way_past(const Scene& scene, const PlacedShape& a, const PlacedShape& b,
-                               const Vec3d& from, float width) {
+std::optional<double> distance_past(const Scene& scene, const PlacedShape& a, const PlacedShape& b,
+                                    const Vec3d& from, float width) {
   const std::optional<Point2> begin = scene.camera.project(from);
   if (!begin) return std::nullopt;
   float right = begin->x;
@@ -233,7 +233,7 @@ std::optional<double> way_past(const Scene& scene, const PlacedShape& a, const P
     for (const Vec3d& p : extent_points(*shape))
       if (const std::optional<Point2> seen = scene.camera.project(p))
         right = std::max(right, seen->x);
-  const double clearance = (right - begin->x) / scene.scales.pixel + kNumberBeside;
+  const double clearance = (right - begin->x) / scene.scales.pixel + kNumberGap;
   if (begin->x + clearance * scene.scales.pixel + width > scene.camera.viewport().right())
     return std::nullopt;
   return clearance;
@@ -241,16 +241,16 @@ std::optional<double> way_past(const Scene& scene, const PlacedShape& a, const P
 
 // Reports skipped contacts, because an overlap without points would look like a mistake. Labels the
 // round shape, next to both shapes if there is room, so that the geometry stays visible.
-void tell_skipped(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+void report_skipped(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const PlacedShape *a = scene.find(pair.a), *b = scene.find(pair.b);
   if (!pair.degenerate || pair.degenerate->answer != "skip" || a == nullptr || b == nullptr) return;
   const PlacedShape& shape = b->traced().radius > 0 ? *b : *a;
   const Vec3d middle = shape.pose.transform(shape.traced().center_of_mass);
   const std::string words = "no normal: contact skipped";
   constexpr float kSize = 20;
-  const auto past =
-      way_past(scene, *a, *b, middle,
-               text_width(words, static_cast<float>(scene.scales.pixel) * kSize, FontWeight::Bold));
+  const auto past = distance_past(
+      scene, *a, *b, middle,
+      text_width(words, static_cast<float>(scene.scales.pixel) * kSize, FontWeight::Bold));
   Label& label = sketch.label(middle, words, kText, kSize, past.value_or(60),
                               past ? scene.camera.right() : Vec3d(-scene.camera.up()));
   label.leader = true;
@@ -259,7 +259,7 @@ void tell_skipped(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
 void draw_contacts(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   if (scene.crowded()) return;  // see draw_specks()
   if (pair.query) return;       // no contacts; see layer Answer
-  tell_skipped(scene, pair, sketch);
+  report_skipped(scene, pair, sketch);
   if (!pair.incremental || !scene.shows(Layer::Persistent)) draw_points(scene, pair, sketch);
   constexpr std::size_t kFewPoints = 16;  // with more, counts would crowd the picture
   if (all_points(pair).size() <= kFewPoints && !scene.shows(Layer::Reduced) &&
@@ -318,7 +318,7 @@ void draw_least_gap(const Scene& scene, const trace::Pair& pair, Sketch& sketch)
   sketch.label(
       0.5 * (line.on_a + line.on_b),
       "gap " + spell_length(nearest.point->separation, scene.noise(pair), scene.scales.length),
-      kContact, 17, kNumberBeside, Vec3d(-scene.camera.right()));
+      kContact, 17, kNumberGap, Vec3d(-scene.camera.right()));
 }
 
 Vec3d leftmost_of(const trace::Pair& pair, const Vec3d& left) {
@@ -348,11 +348,10 @@ void draw_overlap(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const Vec3d left = -scene.camera.right();
   const trace::Point& point = *deepest->point;
   const double pixels = scene.camera.pixels_per_metre(point.position);
-  const double least =
-      kLeastDepth * scene.scales.pixel / (scene.scales.overlap * pixels);  // metres
+  const double least = kMinDepth * scene.scales.pixel / (scene.scales.overlap * pixels);  // metres
   if (-point.separation < least) {
     const double largest = largest_overlap(scene);
-    if (largest < least || -point.separation < kLeastShare * largest) return;
+    if (largest < least || -point.separation < kMinShare * largest) return;
   }
   const OnBoth whisker = whisker_at(scene, pair, *deepest);
   // Equally deep points differ in the last digit. Use the number of the title and the charts.
@@ -364,10 +363,10 @@ void draw_overlap(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
     return at && has_whisker(scene, other, *at);
   });
   if (any_whisker) {
-    sketch.label(0.5 * (whisker.on_a + whisker.on_b), words, kContact, 17, kNumberBeside, left);
+    sketch.label(0.5 * (whisker.on_a + whisker.on_b), words, kContact, 17, kNumberGap, left);
     return;
   }
-  const Vec3d aside = kBesidePoint * scene.scales.pixel / pixels * left;
+  const Vec3d aside = kPointGap * scene.scales.pixel / pixels * left;
   // To the left of all of the pair's points, so that the bodies stay visible.
   const Vec3d shift = leftmost_of(pair, left) - point.position + aside;
   const Vec3d from = whisker.on_a + shift, to = whisker.on_b + shift;

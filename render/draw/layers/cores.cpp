@@ -31,7 +31,7 @@ constexpr int kRoundedSteps = 180;
 constexpr int kBisections = 40;
 constexpr double kColumn = 30;  // pixels between the lines of a sum
 constexpr double kBeyondColumn = 7;
-constexpr double kLeastOfSum = 6;
+constexpr double kMinOfSum = 6;
 
 struct CoreCorner {
   Vec3d at;  // world, metres
@@ -169,7 +169,7 @@ void draw_sum(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
     return cores->on_a + along * normal + column * kColumn * pixel * side;
   };
   const auto arrow = [&](int column, double from, double to, const Color& color, bool overlaps) {
-    if (std::abs(to - from) < kLeastOfSum * pixel) return;
+    if (std::abs(to - from) < kMinOfSum * pixel) return;
     sketch.arrows.push_back({.from = place(column, from),
                              .to = place(column, to),
                              .double_headed = !overlaps,
@@ -216,14 +216,14 @@ void draw_sum(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   label(1, 0.3 * a, "A's margin " + spell_margin(margin_a), kMargin, side - 2 * normal);
   label(2, distance - 0.3 * margin_b, "B's margin " + spell_margin(margin_b), kMargin,
         side + 2 * normal);
-  const bool apart = b >= a;
-  sketch.explain(
-      kAxisSwatch,
-      apart ? "distance of the cores, and the gap that the margins leave" : "distance of the cores",
-      place(0, 0.5 * distance));
-  arrow(3, a, b, apart ? kAxis : kContact, !apart);
-  label(3, 0.5 * (a + b), (apart ? "gap " : "overlap ") + spell_margin(std::abs(b - a)),
-        apart ? kAxisText : kContact, side);
+  const bool separated = b >= a;
+  sketch.explain(kAxisSwatch,
+                 separated ? "distance of the cores, and the gap that the margins leave"
+                           : "distance of the cores",
+                 place(0, 0.5 * distance));
+  arrow(3, a, b, separated ? kAxis : kContact, !separated);
+  label(3, 0.5 * (a + b), (separated ? "gap " : "overlap ") + spell_margin(std::abs(b - a)),
+        separated ? kAxisText : kContact, side);
   // Inside A, because the contact and B's corner without margin are at the middle.
   label(0, 0.15 * distance, "cores " + spell_margin(distance) + " apart", kAxisText, -side);
 }

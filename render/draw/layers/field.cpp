@@ -14,14 +14,14 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr int kMostLines = 16;         // on each side of the surface
+constexpr int kMaxLines = 16;          // on each side of the surface
 constexpr double kCellsBetween = 3;    // cells between two lines
 constexpr double kFromWhisker = 8;     // pixels
 constexpr double kOffSlice = 0.81;     // cells
 constexpr double kBetweenProbes = 14;  // pixels
 constexpr float kLineText = 17;        // pixels
-constexpr double kBesideLine = 5;      // pixels
-constexpr double kLeastNamed = 30;     // pixels from the middle of a labelled region to its border
+constexpr double kLineGap = 5;         // pixels
+constexpr double kMinNamed = 30;       // pixels from the middle of a labelled region to its border
 constexpr double kFromBorder = 0.12;   // share of the view, for a line's label
 constexpr Color kOutside = rgb(0x5F6B78);
 constexpr Color kInside = rgb(0x6A4C93);
@@ -87,13 +87,13 @@ class Cells {
 /// Draws the sides of cells, each once, as a few long lines.
 void draw_grid(const trace::FieldSlice& slice, Sketch& sketch) {
   const Cells cells(slice);
-  std::vector<std::array<int, 2>> below, beside;  // sides, by the cell above or to the right
+  std::vector<std::array<int, 2>> below, next_to;  // sides, by the cell above or to the right
   for (const auto& [column, row] : slice.band) {
     below.insert(below.end(), {{column, row}, {column, row + 1}});
-    beside.insert(beside.end(), {{row, column}, {row, column + 1}});
+    next_to.insert(next_to.end(), {{row, column}, {row, column + 1}});
   }
   for (const bool upright : {false, true}) {
-    auto& sides = upright ? beside : below;
+    auto& sides = upright ? next_to : below;
     std::ranges::sort(sides);
     sides.erase(std::unique(sides.begin(), sides.end()), sides.end());
     Cells::each_run(sides, [&](int line, int begin, int end) {
@@ -154,11 +154,11 @@ std::optional<Vec3d> draw_level(const Scene& scene, const trace::FieldSlice& sli
 }
 
 /// If the view has room for fewer lines, they show nothing of the field.
-constexpr double kLeastLinesInView = 5;
+constexpr double kMinLinesInView = 5;
 
 bool has_room_for_lines(const Scene& scene, const trace::FieldSlice& slice, double spacing) {
   return scene.camera.viewport().height >
-         kLeastLinesInView * spacing * scene.camera.pixels_per_metre(slice.origin);
+         kMinLinesInView * spacing * scene.camera.pixels_per_metre(slice.origin);
 }
 
 /// `spacing`: metres. Labels the first line on each side. Returns whether there are lines inside.
@@ -171,7 +171,7 @@ bool draw_contours(const Scene& scene, const trace::FieldSlice& slice, double sp
     for (int k = 1; k * step < end; ++k) {
       const std::optional<Vec3d> at = draw_level(scene, slice, sign * k * step, style, sketch);
       if (k == 1 && at)
-        sketch.label(*at, far + side, style.color, kLineText, kBesideLine).bold = false;
+        sketch.label(*at, far + side, style.color, kLineText, kLineGap).bold = false;
     }
   };
   draw_side(1, largest, kOutsideLine, " outside");
@@ -224,13 +224,14 @@ void name_coarse_ground(const Scene& scene, const trace::FieldSlice& slice, Sket
     for (int column = 0; column < width; ++column) at(column, row) = width + height;
   for (const auto& [column, row] : slice.band)
     if (column >= 0 && column < width && row >= 0 && row < height) at(column, row) = 0;
-  for (const int way : {1, -1}) {
+  for (const int offset : {1, -1}) {
     for (int i = 0; i < width * height; ++i) {
-      const int cell = way > 0 ? i : width * height - 1 - i;
+      const int cell = offset > 0 ? i : width * height - 1 - i;
       const int column = cell % width, row = cell / width;
       int& here = at(column, row);
-      here = std::min({here, at(column - way, row) + 1, at(column, row - way) + 1,
-                       at(column - way, row - way) + 1, at(column + way, row - way) + 1});
+      here =
+          std::min({here, at(column - offset, row) + 1, at(column, row - offset) + 1,
+                    at(column - offset, row - offset) + 1, at(column + offset, row - offset) + 1});
     }
   }
   // On another shape the label would seem to belong to it.
@@ -266,7 +267,7 @@ void name_coarse_ground(const Scene& scene, const trace::FieldSlice& slice, Sket
   // Away from the sides of the large cells.
   const Vec3d between = 0.5 * (cells.corner(block[0], block[1]) +
                                cells.corner(block[0] + kCoarse, block[1] + kCoarse));
-  if (pixels >= kLeastNamed * scene.scales.pixel)
+  if (pixels >= kMinNamed * scene.scales.pixel)
     sketch.label(between, "blended here", kQuietText, kLineText, 0).bold = false;
 }
 
@@ -278,7 +279,7 @@ void draw_slices(const Scene& scene, Sketch& sketch) {
       largest = std::max(largest, slice.cell * std::abs(distance));
   }
   if (!(largest > 0)) return;
-  const double spacing = round_down(std::max(kCellsBetween * cell, 2 * largest / kMostLines));
+  const double spacing = round_down(std::max(kCellsBetween * cell, 2 * largest / kMaxLines));
   bool inside = false, any_lines = false;
   for (const trace::FieldSlice& slice : scene.frame.field_slices) {
     draw_exact_cells(slice, sketch);
@@ -315,11 +316,11 @@ std::vector<Segment2> seen_whiskers(const Scene& scene, const trace::Pair& pair)
 
 /// Distance to the nearest point of a segment, pixels.
 float distance_from(const Segment2& line, const Point2& at) {
-  const Point2 way = line.to - line.from;
-  const float squared = dot(way, way);
+  const Point2 offset = line.to - line.from;
+  const float squared = dot(offset, offset);
   const float share =
-      squared > 0 ? std::clamp(dot(at - line.from, way) / squared, 0.0f, 1.0f) : 0.0f;
-  return distance(line.from + share * way, at);
+      squared > 0 ? std::clamp(dot(at - line.from, offset) / squared, 0.0f, 1.0f) : 0.0f;
+  return distance(line.from + share * offset, at);
 }
 
 /// Whether a place is within kOffSlice of the slice through one of the pair's fields.

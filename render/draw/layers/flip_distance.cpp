@@ -12,7 +12,7 @@ constexpr float kArrow = 64;  // pixels
 constexpr Swatch kFlipSwatch{LegendGroup::Forces, 8, [](auto& pen) { pen.arrow(3, 10, kMotion); }};
 
 void draw_flip_distance(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
-  if (!pair.flip || !pair.flip->way) return;
+  if (!pair.flip || !pair.flip->offset) return;
   std::vector<Vec3d> places;
   for (const PairPoint& point : all_points(pair)) places.push_back(point.point->position);
   if (places.empty()) return;
@@ -26,7 +26,7 @@ void draw_flip_distance(const Scene& scene, const trace::Pair& pair, Sketch& ske
                            .color = kMotion});
   const Vec3d tip = from + kArrow * scene.scales.pixel / pixels * pair.flip->direction;
   sketch.explain(kFlipSwatch, "smallest way of B to other points", tip);
-  sketch.label(tip, spell_length(*pair.flip->way), kMotion, 17, 10, pair.flip->direction);
+  sketch.label(tip, spell_length(*pair.flip->offset), kMotion, 17, 10, pair.flip->direction);
 }
 
 }  // namespace

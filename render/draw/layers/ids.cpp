@@ -11,7 +11,7 @@ namespace contactscope::draw {
 namespace {
 
 // More names would not be readable.
-constexpr std::size_t kMostEdgeNames = 12;
+constexpr std::size_t kMaxEdgeNames = 12;
 
 /// "A5 × B9" for the edges "a:e5 b:e9", "corner B4" for "b:v4"; other names are not changed.
 std::string features_of(std::string_view id) {
@@ -57,7 +57,7 @@ void draw_ids(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
       if (std::ranges::find(edges, edge) == edges.end()) edges.push_back(edge);
     }
   }
-  if (edges.size() > kMostEdgeNames) return;
+  if (edges.size() > kMaxEdgeNames) return;
   for (const auto& [of_a, index] : edges) {
     const PlacedShape* shape = scene.find(of_a ? pair.a : pair.b);
     if (shape == nullptr || shape->is_mesh()) continue;

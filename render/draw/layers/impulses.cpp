@@ -11,9 +11,9 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr double kLeastImpulse = 3;         // pixels
-constexpr double kLeastFriction = 10;       // pixels: shorter open heads are not legible
-constexpr double kLeastOfFriction = 0.35;   // share of the largest, to show only relevant friction
+constexpr double kMinImpulse = 3;           // pixels
+constexpr double kMinFriction = 10;         // pixels: shorter open heads are not legible
+constexpr double kMinOfFriction = 0.35;     // share of the largest, to show only relevant friction
 constexpr std::size_t kLabelledPoints = 8;  // points: more numbers would crowd the picture
 
 // The colour of friction is too light for text on white; the same hue, darkened.
@@ -74,7 +74,7 @@ void draw_normal_impulse(const Scene& scene, const trace::Point& point, const Ve
     const double whole =
         scene.scales.impulse * (warm ? point.impulse->warm_start : point.impulse->normal);
     const double shown = std::min(whole, scene.scales.longest_impulse);
-    if (!(shown * scene.camera.pixels_per_metre(at) >= kLeastImpulse)) continue;
+    if (!(shown * scene.camera.pixels_per_metre(at) >= kMinImpulse)) continue;
     if (warm) {
       sketch.line(at, at + shown * out, {kKeptWidth, kKept});
       sketch.explain(kWarmStartSwatch, "kept from the step before");
@@ -122,17 +122,17 @@ std::optional<Vec3d> draw_friction(const Scene& scene, const trace::Point& point
   // Cut like the arrow of the normal impulse, to keep their angle.
   const double share =
       own_scale ? 1.0 : std::min(1.0, scales.longest_impulse / std::max(length, 1e-300));
-  const Vec3d way = side * share * scales.friction * point.impulse->friction;
+  const Vec3d offset = side * share * scales.friction * point.impulse->friction;
   // Length on the screen, because an arrow towards the eye is not legible either.
-  const auto seen = seen_distance(scene.camera, at, at + way);
-  if (!seen || !(*seen >= kLeastFriction * scales.pixel)) return std::nullopt;
-  if (point.impulse->friction.norm() < kLeastOfFriction * largest) return std::nullopt;
-  sketch.arrows.push_back(arrow_to_scale(at, way, 2.5f, 10, kFriction));
+  const auto seen = seen_distance(scene.camera, at, at + offset);
+  if (!seen || !(*seen >= kMinFriction * scales.pixel)) return std::nullopt;
+  if (point.impulse->friction.norm() < kMinOfFriction * largest) return std::nullopt;
+  sketch.arrows.push_back(arrow_to_scale(at, offset, 2.5f, 10, kFriction));
   sketch.arrows.back().open = true;
-  if (share < 1) draw_break(scene, at + 0.6 * way, way.normalized(), kFriction, sketch);
+  if (share < 1) draw_break(scene, at + 0.6 * offset, offset.normalized(), kFriction, sketch);
   sketch.explain(kFrictionSwatch, own_scale ? "friction, " + spell_scale(scene, scales.friction)
                                             : "friction, same scale");
-  return way;
+  return offset;
 }
 
 std::string spell_load(const Scene& scene, double newton_seconds) {
@@ -143,8 +143,8 @@ std::string spell_load(const Scene& scene, double newton_seconds) {
 // are separate on the screen or their normals differ.
 std::optional<PairPoint> seen_as_one(const Scene& scene, const trace::Pair& pair,
                                      trace::Point& sum) {
-  constexpr float kOnePlace = 4;     // pixels
-  constexpr double kOneWay = 0.999;  // cosine
+  constexpr float kOnePlace = 4;            // pixels
+  constexpr double kSameDirection = 0.999;  // cosine
   std::optional<PairPoint> first;
   for (const PairPoint& one : all_points(pair)) {
     if (!one.point->impulse) continue;
@@ -154,9 +154,9 @@ std::optional<PairPoint> seen_as_one(const Scene& scene, const trace::Pair& pair
       sum.impulse->warm_start = 0;  // drawn for single points only
       continue;
     }
-    const auto apart = seen_distance(scene.camera, sum.position, one.point->position);
-    if (!apart || *apart > kOnePlace * scene.scales.pixel ||
-        first->manifold->normal.dot(one.manifold->normal) < kOneWay)
+    const auto separated = seen_distance(scene.camera, sum.position, one.point->position);
+    if (!separated || *separated > kOnePlace * scene.scales.pixel ||
+        first->manifold->normal.dot(one.manifold->normal) < kSameDirection)
       return std::nullopt;
     sum.impulse->normal += one.point->impulse->normal;
     sum.impulse->friction += one.point->impulse->friction;
@@ -171,11 +171,12 @@ void draw_load_of_one(const Scene& scene, const PairPoint& at, double side, Sket
   draw_normal_impulse(scene, point, out, sketch);
   const double shown =
       std::min(scene.scales.impulse * point.impulse->normal, scene.scales.longest_impulse);
-  if (shown * scene.camera.pixels_per_metre(point.position) >= kLeastImpulse)
+  if (shown * scene.camera.pixels_per_metre(point.position) >= kMinImpulse)
     sketch.label(point.position + shown * out, spell_load(scene, point.impulse->normal), kImpulse,
                  17, 8, out);
-  if (const auto way = draw_friction(scene, point, side, largest_friction_of_pairs(scene), sketch))
-    sketch.label(point.position + 0.5 * *way, spell_load(scene, point.impulse->friction.norm()),
+  if (const auto offset =
+          draw_friction(scene, point, side, largest_friction_of_pairs(scene), sketch))
+    sketch.label(point.position + 0.5 * *offset, spell_load(scene, point.impulse->friction.norm()),
                  kFrictionText, 17, 8, scene.camera.up());
 }
 
@@ -183,7 +184,7 @@ void draw_load_of_one(const Scene& scene, const PairPoint& at, double side, Sket
 struct PairLoad {
   std::vector<Vec3d> at;                    // points with impulses
   const trace::Point* outermost = nullptr;  // farthest to the right
-  Vec3d way = Vec3d::Zero();                // normal of the last point, out of the other body
+  Vec3d offset = Vec3d::Zero();             // normal of the last point, out of the other body
   double normal = 0;                        // newton seconds
   Vec3d friction = Vec3d::Zero();           // newton seconds
 };
@@ -194,7 +195,7 @@ PairLoad load_of(const Scene& scene, const trace::Pair& pair, double side) {
   for (const auto& [manifold, point] : all_points(pair)) {
     if (!point->impulse) continue;
     load.at.push_back(point->position);
-    load.way = side * manifold->normal;
+    load.offset = side * manifold->normal;
     load.normal += point->impulse->normal;
     load.friction += side * point->impulse->friction;
     if (load.outermost == nullptr || right.dot(point->position - load.outermost->position) > 0)
@@ -212,8 +213,8 @@ struct Bracket {
 
 // On the screen, in the plane of the first point: for two points parallel to their line, on the
 // side without arrows; otherwise vertical, to the right of all. Nothing if one is behind the eye.
-std::optional<Bracket> bracket_beside(const Scene& scene, const PairLoad& load) {
-  constexpr double kAway = 15, kArm = 7, kBeyond = 4, kLeast = 12;  // pixels
+std::optional<Bracket> bracket_next_to(const Scene& scene, const PairLoad& load) {
+  constexpr double kAway = 15, kArm = 7, kBeyond = 4, kMin = 12;  // pixels
   const Camera& camera = scene.camera;
   const double metres = 1 / camera.pixels_per_metre(load.at.front());
   const double pixel = scene.scales.pixel;
@@ -226,10 +227,10 @@ std::optional<Bracket> bracket_beside(const Scene& scene, const PairLoad& load) 
     seen.emplace_back(place->x - origin->x, origin->y - place->y);
   }
   Vec2d along = Vec2d::UnitY(), out = Vec2d::UnitX();
-  if (seen.size() == 2 && (seen[1] - seen[0]).norm() > 2 * kLeast * pixel) {
+  if (seen.size() == 2 && (seen[1] - seen[0]).norm() > 2 * kMin * pixel) {
     along = (seen[1] - seen[0]).normalized();
     out = {along.y(), -along.x()};
-    const Vec2d arrows(load.way.dot(camera.right()), load.way.dot(camera.up()));
+    const Vec2d arrows(load.offset.dot(camera.right()), load.offset.dot(camera.up()));
     const double facing = out.dot(arrows);
     if (facing > 0.1 || (std::abs(facing) <= 0.1 && out.x() < 0)) out = -out;
   }
@@ -239,7 +240,7 @@ std::optional<Bracket> bracket_beside(const Scene& scene, const PairLoad& load) 
     high = std::max(high, along.dot(at));
     reach = std::max(reach, out.dot(at));
   }
-  const double half = std::max(0.5 * (high - low) + kBeyond * pixel, 0.5 * kLeast * pixel);
+  const double half = std::max(0.5 * (high - low) + kBeyond * pixel, 0.5 * kMin * pixel);
   const double middle = 0.5 * (low + high), away = reach + kAway * pixel;
   const auto place = [&](double at, double beyond) -> Vec3d {
     const Vec2d p = at * along + (away + beyond * pixel) * out;
@@ -258,7 +259,7 @@ void draw_load(const Scene& scene, const trace::Pair& pair, double side, Sketch&
   const std::string normal = spell_load(scene, load.normal);
   const bool rubs = scene.shows(Layer::Friction) && load.friction.norm() >= 1e-6 * load.normal;
   const std::string friction = spell_load(scene, load.friction.norm());
-  const std::optional<Bracket> bracket = bracket_beside(scene, load);
+  const std::optional<Bracket> bracket = bracket_next_to(scene, load);
   if (!bracket) return;
   const LineStyle style{1.8f, kImpulse};
   for (std::size_t i = 1; i < bracket->line.size(); ++i)
@@ -308,7 +309,7 @@ void draw_impulses(const Scene& scene, const trace::Pair& pair, Sketch& sketch) 
     draw_friction(scene, *point, side, largest, sketch);
     const double length = scene.scales.impulse * point->impulse->normal;
     const double pixels = scene.camera.pixels_per_metre(at);
-    if (shows_loads(scene) || points > kLabelledPoints || length * pixels < kLeastImpulse) continue;
+    if (shows_loads(scene) || points > kLabelledPoints || length * pixels < kMinImpulse) continue;
     const double shown = std::min(length, scene.scales.longest_impulse);
     const std::string spelled = spell_quantity(point->impulse->normal, "N s", 3, scene.scales.load);
     sketch.label(at + shown * out, spelled, kImpulse, 15, 8, out);

@@ -31,14 +31,14 @@ constexpr Swatch kOpenEdgeSwatch{LegendGroup::Points, 26, [](auto& pen) {
                                  }};
 
 /// If more than this share of a mesh crosses, no triangle is highlighted.
-constexpr double kMostOfMesh = 0.5;
+constexpr double kMaxOfMesh = 0.5;
 
 /// Returns whether any is drawn.
 bool draw_triangles(const PlacedShape* mesh, const std::set<int>& triangles, const Color& color,
                     float fill, Sketch& sketch) {
   if (mesh == nullptr || triangles.empty()) return false;
   if (static_cast<double>(triangles.size()) >
-      kMostOfMesh * static_cast<double>(mesh->traced().faces.size()))
+      kMaxOfMesh * static_cast<double>(mesh->traced().faces.size()))
     return false;
   for (const int triangle : triangles) {
     if (triangle < 0 || triangle >= count_of(mesh->traced().faces)) continue;

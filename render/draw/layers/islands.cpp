@@ -16,7 +16,7 @@ namespace contactscope::draw {
 namespace {
 
 constexpr double kUnmoved = 1e-4;  // of a body's radius, per frame
-constexpr int kLeastRest = 2;      // frames: less may be a turning point
+constexpr int kMinRest = 2;        // frames: less may be a turning point
 constexpr float kTint = 0.22f;     // opacity over a body's fill
 
 constexpr Swatch kIslandSwatch{LegendGroup::Trees, 9,
@@ -70,9 +70,9 @@ int rest_of(const Scene& scene, const trace::Body& body) {
     const auto pose =
         std::ranges::find(past->poses, body.name, [](const auto& placed) { return placed.first; });
     if (pose == past->poses.end()) break;
-    const double way = (pose->second.position - later->position).norm();
+    const double offset = (pose->second.position - later->position).norm();
     const double turn = pose->second.rotation.angularDistance(later->rotation);
-    if (way + radius * turn > kUnmoved * radius) break;
+    if (offset + radius * turn > kUnmoved * radius) break;
     later = &pose->second;
     ++frames;
   }
@@ -135,7 +135,7 @@ void draw_islands(const Scene& scene, Sketch& sketch) {
       text += ", asleep";
     else if (bodies[i].asleep)
       text += ", awake";
-    else if (rest >= kLeastRest)
+    else if (rest >= kMinRest)
       text += ", unmoved for " + std::to_string(rest) + " frames";
     // Above the bodies: the text is as wide as a body and would cover its edges.
     Vec3d top = highest->center_of_mass;

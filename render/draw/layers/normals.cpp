@@ -12,10 +12,10 @@ namespace contactscope::draw {
 namespace {
 
 // Pixels. Shorter arrows would be hidden by the contact's dots.
-constexpr double kLeastArrow = 8;
+constexpr double kMinArrow = 8;
 constexpr float kUsualLength = 78;  // length of an arrow
 constexpr double kBeyondTip = 6;    // distance of the face's number
-constexpr double kLeastLean = 3;    // degrees
+constexpr double kMinLean = 3;      // degrees
 constexpr double kAsNear = 1e-5;    // of a hull's radius
 
 constexpr Swatch kNormalSwatch{LegendGroup::Forces, 0,
@@ -32,7 +32,7 @@ bool has_room(const Camera& camera, const Arrow& arrow) {
       arrow.from + arrow.pixels / camera.pixels_per_metre(arrow.from) * arrow.direction);
   if (!a || !b || !camera.viewport().contains(*a)) return false;
   const std::optional<Segment2> seen = clip_segment(camera.viewport(), *a, *b);
-  return seen && distance(*a, seen->to) >= kLeastArrow;
+  return seen && distance(*a, seen->to) >= kMinArrow;
 }
 
 // The middle of the points. The arrow of a single point starts at the end of a whisker in the same
@@ -174,7 +174,7 @@ void draw_normals(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
                                          scene.camera.pixels_per_metre(arrow.from) *
                                          arrow.direction;
     const double lean = usual ? 0 : lean_of(scene, pair, manifold);
-    if (lean >= kLeastLean)
+    if (lean >= kMinLean)
       sketch.label(ahead, printed("leans %.0f°", lean), kNormal, 18, 12,
                    Vec3d(-scene.camera.right()));
     if (steps_back)

@@ -7,8 +7,8 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr double kLeastAnchors = 12;  // pixels
-constexpr double kCovered = 8;        // pixels
+constexpr double kMinAnchors = 12;  // pixels
+constexpr double kCovered = 8;      // pixels
 
 constexpr double kClearOfDot = 9;  // pixels between an arrow and the dot it points at
 
@@ -43,17 +43,19 @@ void lead_to_successor(const Scene& scene, const trace::Pair& pair,
   }
   if (nearest == nullptr) return;
   const Vec3d& from = point.point.position;
-  const Vec3d way = nearest->point.position - from;
+  const Vec3d offset = nearest->point.position - from;
   const double clear = kClearOfDot * scene.scales.pixel / scene.camera.pixels_per_metre(from);
-  if (way.norm() > 2 * clear)
-    sketch.arrows.push_back(arrow_to_scale(from, way - clear * way.normalized(), 2, 10, kDropped));
-  sketch.label(from + 0.5 * way, spell_length(way.norm(), scene.noise(pair), scene.scales.length),
-               kDropped, 17, 9, scene.camera.up());
+  if (offset.norm() > 2 * clear)
+    sketch.arrows.push_back(
+        arrow_to_scale(from, offset - clear * offset.normalized(), 2, 10, kDropped));
+  sketch.label(from + 0.5 * offset,
+               spell_length(offset.norm(), scene.noise(pair), scene.scales.length), kDropped, 17, 9,
+               scene.camera.up());
 }
 
 /// Reason for the removal of a point; for slid points with the distance.
-std::string told_reason(const Scene& scene, const trace::Pair& pair,
-                        const trace::PersistentPoint& point) {
+std::string reported_reason(const Scene& scene, const trace::Pair& pair,
+                            const trace::PersistentPoint& point) {
   if (point.reason != "slid") return point.reason;
   const double metres = (point.on_b() - point.on_a()).norm();
   return spell_length(metres, scene.noise(pair), scene.scales.length) + " apart, " + point.reason;
@@ -64,8 +66,7 @@ void draw_persistent_point(const Scene& scene, const trace::Pair& pair,
   const Vec3d& at = point.point.position;
   const double factor = scene.scales.drift, pixels = scene.camera.pixels_per_metre(at);
   // The current anchors, unless they are as close to each other as the dot is wide.
-  if (factor * pixels * (point.on_b() - point.on_a()).norm() >=
-      kLeastAnchors * scene.scales.pixel) {
+  if (factor * pixels * (point.on_b() - point.on_a()).norm() >= kMinAnchors * scene.scales.pixel) {
     const Vec3d middle = 0.5 * (point.on_a() + point.on_b());
     const Vec3d from = middle + factor * (point.on_a() - middle);
     const Vec3d to = middle + factor * (point.on_b() - middle);
@@ -79,7 +80,7 @@ void draw_persistent_point(const Scene& scene, const trace::Pair& pair,
   if (state == PointState::Broken) {
     sketch.explain(kStateSwatch<PointState::Broken>, "taken out, and why", at);
     sketch.mark(is_covered(scene, pair, at) ? MarkKind::WideRing : MarkKind::Hollow, at, kContact);
-    sketch.label(at, told_reason(scene, pair, point), kDropped, 16, 12);
+    sketch.label(at, reported_reason(scene, pair, point), kDropped, 16, 12);
     if (point.reason == "replaced") lead_to_successor(scene, pair, point, sketch);
     return;
   }

@@ -13,13 +13,13 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr int kMostTriangles =
+constexpr int kMaxTriangles =
     8;  // meshes up to this size are drawn completely; of others only the hit triangle
 constexpr Color kFaceTint = rgb(0xBFC6D0);
 constexpr Color kEdgeTint = rgb(0xD9DEE5);
 constexpr Color kVertexTint = rgb(0xEFF2F5);
 constexpr LineStyle kThin{1.0f, kDropped};
-constexpr LineStyle kWay{1.8f, kContact, true};
+constexpr LineStyle kPath{1.8f, kContact, true};
 constexpr double kBeforeCross = 8;  // pixels between the cross and the tip of the path
 
 /// The prism's three tints next to each other, in the order of the text.
@@ -33,7 +33,7 @@ constexpr Swatch kPrismSwatch{
       }
       pen.outline({pen.at(0, -7), pen.at(x, -7), pen.at(x, 7), pen.at(0, 7)}, 1, kDropped);
     }};
-constexpr Swatch kWaySwatch{LegendGroup::Motion, 12, [](auto& pen) { pen.dashes(1.5, kContact); }};
+constexpr Swatch kPathSwatch{LegendGroup::Motion, 12, [](auto& pen) { pen.dashes(1.5, kContact); }};
 constexpr Swatch kCenterSwatch{LegendGroup::Motion, 13, [](auto& pen) { pen.crossed(kContact); }};
 
 /// Visible outline of a ball.
@@ -101,11 +101,11 @@ void draw_triangle(const Scene& scene, const std::vector<Vec3d>& corners, double
 void draw_prism(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   if (!pair.impact) return;
   const PlacedShape *ball = scene.find(pair.a), *mesh = scene.find(pair.b);
-  const trace::Travel* way = &pair.impact->travel_a;
+  const trace::Travel* offset = &pair.impact->travel_a;
   const trace::Travel* of_mesh = &pair.impact->travel_b;
   if (ball != nullptr && ball->is_mesh()) {
     std::swap(ball, mesh);
-    std::swap(way, of_mesh);
+    std::swap(offset, of_mesh);
   }
   if (ball == nullptr || mesh == nullptr || !mesh->is_mesh() || ball->traced().type != "sphere" ||
       !of_mesh->displacement.isZero(0) || !of_mesh->turn.isZero(0))
@@ -120,14 +120,14 @@ void draw_prism(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   if (&*first == &pair) {
     const int count = count_of(mesh->traced().faces);
     for (int triangle = 0; triangle < count; ++triangle)
-      if (count <= kMostTriangles || triangle == pair.impact->triangle)
+      if (count <= kMaxTriangles || triangle == pair.impact->triangle)
         draw_triangle(scene, mesh->polygon(triangle), ball->traced().radius, sketch);
   }
   const Vec3d center = ball->pose.position;
   const bool hits = pair.impact->status == "hit";
-  const Vec3d touching = center + (hits ? pair.impact->time : 1.0) * way->displacement;
+  const Vec3d touching = center + (hits ? pair.impact->time : 1.0) * offset->displacement;
   const double pixel = scene.scales.pixel / scene.camera.pixels_per_metre(touching);  // metres
-  draw_way(scene, center, touching, hits ? kBeforeCross * pixel : 0, kWay, sketch);
+  draw_path(scene, center, touching, hits ? kBeforeCross * pixel : 0, kPath, sketch);
   if (hits) {
     // A cross, because a dot is a contact point.
     sketch.mark(MarkKind::Cross, touching, kContact);
@@ -135,7 +135,7 @@ void draw_prism(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
     sketch.explain(kPlainPointSwatch, "contact point", pair.impact->point_a);
   }
   sketch.explain(kPrismSwatch, "prism about face, edges and vertices");
-  sketch.explain(kWaySwatch, "way of a ball's centre", Vec3d(0.7 * center + 0.3 * touching));
+  sketch.explain(kPathSwatch, "way of a ball's centre", Vec3d(0.7 * center + 0.3 * touching));
 }
 
 }  // namespace

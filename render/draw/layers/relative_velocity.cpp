@@ -8,7 +8,7 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr double kLeastClosing = 4;  // pixels
+constexpr double kMinClosing = 4;  // pixels
 
 constexpr Swatch kWholeSwatch{LegendGroup::Motion, 1,
                               [](auto& pen) { pen.open_arrow(2, kMotion); }};
@@ -34,8 +34,8 @@ void draw_relative_velocity(const Scene& scene, const trace::Pair& pair, Sketch&
     const double speed = before.dot(manifold->normal);
     const Vec3d whole = scales.velocity * before;
     const Vec3d part = scales.velocity * speed * manifold->normal;
-    const auto is_seen = [&](const Vec3d& way) {
-      return way.norm() * scene.camera.pixels_per_metre(at) >= kLeastClosing;
+    const auto is_seen = [&](const Vec3d& offset) {
+      return offset.norm() * scene.camera.pixels_per_metre(at) >= kMinClosing;
     };
     if (is_seen(whole)) {
       sketch.arrows.push_back(arrow_to_scale(at, whole, 2, 10, kMotion));

@@ -72,8 +72,8 @@ trace::Polygon square_about(const Vec3d& middle, const Vec3d& normal, const Vec3
 trace::Polygon plane_under(const Vec3d& middle, const Vec3d& normal, const Vec3d& along,
                            double half, const Vec3d& foot, double margin) {
   const Vec3d u = (along - along.dot(normal) * normal).normalized(), v = normal.cross(u);
-  const Vec3d way = foot - middle;
-  const double x = u.dot(way), y = v.dot(way);
+  const Vec3d displacement = foot - middle;
+  const double x = u.dot(displacement), y = v.dot(displacement);
   const double left = std::max(half, margin - x), right = std::max(half, margin + x);
   const double down = std::max(half, margin - y), up = std::max(half, margin + y);
   return {middle - left * u - down * v, middle + right * u - down * v, middle + right * u + up * v,
@@ -158,9 +158,9 @@ void draw_sat_queries(const Scene& scene, const trace::Pair& pair, Sketch& sketc
     sketch.label(above, kQueryNames[k], kText, kQueryName, 0, Vec3d(-camera.up()));
     std::string words = "not tested";
     if (found[k]) {
-      const bool apart = found[k]->separation > 0;
+      const bool separated = found[k]->separation > 0;
       words = spell_separation(found[k]->separation, scene.noise(pair), scene.scales.length);
-      if (chosen) words += apart ? ": ends the test" : ": the least, chosen";
+      if (chosen) words += separated ? ": ends the test" : ": the least, chosen";
     }
     const double row = 1.45 * kQueryName * scene.scales.pixel / pixels;
     sketch

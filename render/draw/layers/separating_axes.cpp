@@ -8,8 +8,8 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr double kBesideWhisker = 44;  // pixels
-constexpr double kLeastOfAxis = 14;    // pixels: at less, dots hide the gap
+constexpr double kWhiskerGap = 44;  // pixels
+constexpr double kMinOfAxis = 14;   // pixels: at less, dots hide the gap
 
 constexpr Swatch kClosestPointsSwatch{LegendGroup::Axes, 3,
                                       [](auto& pen) { pen.dot(0, 4.0, kAxisText); }};
@@ -63,7 +63,7 @@ void draw_separation(const Scene& scene, const trace::Pair& pair, const Query& q
     aside = scene.camera.to_eye(from).cross(normal);
     if (aside.dot(scene.camera.right()) < 0) aside = -aside;
     if (!aside.isZero()) aside.normalize();
-    aside *= kBesideWhisker * scene.scales.pixel / scene.camera.pixels_per_metre(from);
+    aside *= kWhiskerGap * scene.scales.pixel / scene.camera.pixels_per_metre(from);
   }
   for (const Vec3d& end : {from, to}) {
     if (!aside.isZero()) sketch.line(end, end + 1.15 * aside, {1.2f, kAxis});
@@ -104,7 +104,7 @@ void draw_axes(const Scene& scene, const trace::Pair& pair, bool all, Sketch& sk
   if (chosen && !all && sat.edge_pairs.empty())
     sketch.explain(kDecidingEdgesSwatch, "edges that cross");
   const std::optional<float> pixels = seen_distance(scene.camera, edge.point_a, edge.point_b);
-  if (chosen && pixels && *pixels >= kLeastOfAxis * scene.scales.pixel) {
+  if (chosen && pixels && *pixels >= kMinOfAxis * scene.scales.pixel) {
     for (const Vec3d& point : {edge.point_a, edge.point_b})
       sketch.mark(MarkKind::Node, point, kAxisText);
     // The heads of a gap's arrow cover the points.

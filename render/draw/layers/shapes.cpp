@@ -44,7 +44,7 @@ void hide_insides(std::size_t lines, std::size_t curves, std::size_t marks, Sket
 // With a field, its surface is the subject. The shape shows only what the field has lost.
 constexpr LineStyle kLostOutline{1.3f, kDropped, true, LineStyle::Hidden::Same};
 constexpr float kWithin = 1.2f;      // thinner lines are not outlines
-constexpr double kLeastLost = 0.15;  // cells from the field's surface, at some point
+constexpr double kMinLost = 0.15;    // cells from the field's surface, at some point
 constexpr double kOnSurface = 0.02;  // cells from the surface, at all points
 constexpr int kOutlineSteps = 256;
 constexpr Swatch kLostSwatch{LegendGroup::Shapes, 3,
@@ -60,9 +60,9 @@ const trace::FieldSlice* slice_of(const Scene& scene, const PlacedShape& shape) 
 
 // Distance in cells, for a place projected along the slice's normal; nothing outside the slice.
 std::optional<double> distance_at(const trace::FieldSlice& slice, const Vec3d& place) {
-  const Vec3d way = place - slice.origin;
-  const double column = way.dot(slice.next) / slice.next.squaredNorm();
-  const double row = way.dot(slice.next_row) / slice.next_row.squaredNorm();
+  const Vec3d offset = place - slice.origin;
+  const double column = offset.dot(slice.next) / slice.next.squaredNorm();
+  const double row = offset.dot(slice.next_row) / slice.next_row.squaredNorm();
   const int left = static_cast<int>(std::floor(column)), below = static_cast<int>(std::floor(row));
   if (left < 0 || below < 0 || left + 1 >= slice.columns || below + 1 >= slice.rows()) return {};
   const auto value = [&](int x, int y) { return at(slice.distances, y * slice.columns + x); };
@@ -78,7 +78,7 @@ void draw_what_is_lost(const trace::FieldSlice& slice, std::size_t lines, Sketch
   // Edges that coincide on the screen are drawn once, because their dashes would fill the gaps.
   const auto add_once = [&](const std::vector<Vec3d>& ends) {
     const auto seen_together = [&](const Vec3d& p, const Vec3d& q) {
-      return normal.cross(p - q).norm() < kLeastLost * slice.cell;
+      return normal.cross(p - q).norm() < kMinLost * slice.cell;
     };
     for (const Curve& other : std::span(sketch.curves).subspan(first)) {
       const Vec3d &p = other.points.front(), &q = other.points.back();
@@ -89,19 +89,19 @@ void draw_what_is_lost(const trace::FieldSlice& slice, std::size_t lines, Sketch
     sketch.curves.push_back({ends, kLostOutline});
   };
   for (const Line& line : std::span(sketch.lines).subspan(lines)) {
-    const Vec3d way = line.to - line.from;
-    if (line.style.width < kWithin || normal.cross(way).norm() < kLeastLost * slice.cell) continue;
+    const Vec3d offset = line.to - line.from;
+    if (line.style.width < kWithin || normal.cross(offset).norm() < kMinLost * slice.cell) continue;
     std::vector<Vec3d> outside;  // consecutive points of the line
     double farthest = 0;
     for (int i = 0; i <= kOutlineSteps + 1; ++i) {
-      const Vec3d place = line.from + i * way / kOutlineSteps;
+      const Vec3d place = line.from + i * offset / kOutlineSteps;
       const double away = i > kOutlineSteps ? 0 : distance_at(slice, place).value_or(0);
       if (away > kOnSurface) {
         outside.push_back(place);
         farthest = std::max(farthest, away);
         continue;
       }
-      if (outside.size() > 1 && farthest > kLeastLost) {
+      if (outside.size() > 1 && farthest > kMinLost) {
         add_once({outside.front(), outside.back()});
       }
       outside.clear();
@@ -153,7 +153,7 @@ void explain_margin(const Scene& scene, Legend& legend) {
 
 // Measures a shape's margin at its leftmost contact point, once for each shape.
 void measure_margin(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
-  constexpr double kLeastMeasured = 30;  // pixels
+  constexpr double kMinMeasured = 30;  // pixels
   if (scene.crowded() || !scene.shows(Layer::Contacts) || scene.shows(Layer::Core)) return;
   const std::vector<PairPoint> points = all_points(pair);
   if (points.empty() || !scene.frame.field_slices.empty()) return;
@@ -173,7 +173,7 @@ void measure_margin(const Scene& scene, const trace::Pair& pair, Sketch& sketch)
     const Vec3d from = at.point->position,
                 to = from + (of_a ? -margin : margin) * at.manifold->normal;
     const std::optional<float> pixels = seen_distance(scene.camera, from, to);
-    if (!pixels || *pixels < kLeastMeasured * scene.scales.pixel) continue;
+    if (!pixels || *pixels < kMinMeasured * scene.scales.pixel) continue;
     sketch.arrows.push_back({.from = from,
                              .to = to,
                              .double_headed = true,

@@ -62,8 +62,8 @@ void draw_simplex_points(const Scene& scene, const trace::Pair& pair, Sketch& sk
       sketch.label(points[i].at, text, color, 15, 10).badge = Badge::Support;
     }
   }
-  const bool apart = !epa && pair.gjk && pair.gjk->status == "separated";
-  if (!step->last() || (!epa && !apart)) return;
+  const bool separated = !epa && pair.gjk && pair.gjk->status == "separated";
+  if (!step->last() || (!epa && !separated)) return;
   const Vec3d& from = epa ? pair.penetration->point_a : pair.gjk->point_a;
   const Vec3d& to = epa ? pair.penetration->point_b : pair.gjk->point_b;
   sketch.arrows.push_back(

@@ -15,7 +15,7 @@ constexpr double kFreeTurnRadius = 30;    // pixels, or
 constexpr double kFreeTurnShare = 0.085;  // share of a small view
 constexpr double kClearTurns = 2.4;       // in radii of the curved arrow
 constexpr double kBeyondAxis = 0.35;      // extension of an axis beyond its points, in body radii
-constexpr double kLeastMargin = 50;       // pixels: shorter margins are written with the verdict
+constexpr double kMinMargin = 50;         // pixels: shorter margins are written with the verdict
 
 constexpr Swatch kCenterOfMassSwatch{
     LegendGroup::Masses, 0,
@@ -90,10 +90,10 @@ void draw_free_axis(const Scene& scene, const trace::Pair& pair, const std::arra
   const Vec3d place = last ? Vec3d(to - inset * along) : Vec3d(from + inset * along);
   const Vec3d axis = torque.dot(along) < 0 ? Vec3d(-along) : along;
   // A body in balance may turn either way: arrows in both directions.
-  for (const double way : {1.0, -1.0}) {
-    if (way < 0 && pair.stability->margin != 0) break;
-    draw_curved_arrow(scene.camera, place, way * axis, turn, 2 * std::numbers::pi * kFreeTurn, 2.5f,
-                      kNormal, sketch);
+  for (const double offset : {1.0, -1.0}) {
+    if (offset < 0 && pair.stability->margin != 0) break;
+    draw_curved_arrow(scene.camera, place, offset * axis, turn, 2 * std::numbers::pi * kFreeTurn,
+                      2.5f, kNormal, sketch);
   }
 }
 
@@ -135,12 +135,12 @@ void draw_verdict(const Scene& scene, const trace::Stability& stability, Sketch&
         spell_margin(std::abs(stability.margin)) + (stability.margin < 0 ? " outside" : " inside");
     const std::optional<Vec3d> border = nearest_border(scene, stability);
     const std::optional<float> seen = seen_distance(scene.camera, from, *border);
-    if (seen && *seen >= kLeastMargin * scene.scales.pixel) {
+    if (seen && *seen >= kMinMargin * scene.scales.pixel) {
       sketch.arrows.push_back(
           {.from = from, .to = *border, .double_headed = true, .width = 1.5f, .color = kNormal});
-      const Vec3d way = (*border - from).normalized();
+      const Vec3d offset = (*border - from).normalized();
       sketch.label(0.5 * (from + *border), margin, kText, 17, 9,
-                   Vec3d(scene.camera.up() - scene.camera.up().dot(way) * way));
+                   Vec3d(scene.camera.up() - scene.camera.up().dot(offset) * offset));
     } else {
       verdict += ", " + margin;
     }

@@ -13,13 +13,13 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr double kLeastWay = 3;              // pixels of a shape's displacement in the step
-constexpr double kLeastBetweenSkins = 0.02;  // share of the step: nearer outlines are merged
+constexpr double kMinPath = 3;             // pixels of a shape's displacement in the step
+constexpr double kMinBetweenSkins = 0.02;  // share of the step: nearer outlines are merged
 
 constexpr LineStyle kSkin{1.2f, kDropped};
 constexpr LineStyle kEnd{2.0f, kDropped, true};
-constexpr LineStyle kEndWay{1.2f, kDropped, true};
-constexpr LineStyle kEndWayOfHit{1.2f, with_alpha(kDropped, 0.55f), true};
+constexpr LineStyle kEndPath{1.2f, kDropped, true};
+constexpr LineStyle kEndPathOfHit{1.2f, with_alpha(kDropped, 0.55f), true};
 constexpr LineStyle kEndOfHit{1.6f, with_alpha(kDropped, 0.55f), true};
 constexpr LineStyle kMeeting{3.0f, kContact};
 
@@ -41,31 +41,31 @@ constexpr LineStyle kTrue{2.2f, kShapeEdge};
 constexpr Swatch kTrueSwatch{LegendGroup::Motion, 8,
                              [](auto& pen) { pen.level_line(0, 23, 2.2, kShapeEdge); }};
 
-constexpr double kLeastTurnShown = 0.5;  // radians: smaller rotations look like straight lines
-constexpr double kLeastCornerWay = 24;   // pixels
-constexpr double kCornerClear = 8;       // pixels between the head of a path and the corner
+constexpr double kMinTurnShown = 0.5;  // radians: smaller rotations look like straight lines
+constexpr double kMinCornerPath = 24;  // pixels
+constexpr double kCornerClear = 8;     // pixels between the head of a path and the corner
 constexpr double kTurnHead = 12,
                  kTurnClear = 10;  // pixels: of the arrow head, and between it and the dot
 
-constexpr float kTurnWayWidth = 1.8f;
-constexpr Swatch kTurnWaySwatch{LegendGroup::Motion, 14,
-                                [](auto& pen) { pen.arrow(kTurnWayWidth, 10, kShapeEdge); }};
+constexpr float kTurningPathWidth = 1.8f;
+constexpr Swatch kTurningPathSwatch{
+    LegendGroup::Motion, 14, [](auto& pen) { pen.arrow(kTurningPathWidth, 10, kShapeEdge); }};
 constexpr LineStyle kMetTriangleNow{1.5f, kContact};
-constexpr LineStyle kCornerWay{1.5f, kContact, true};
-constexpr Swatch kCornerWaySwatch{LegendGroup::Motion, 15,
-                                  [](auto& pen) { pen.dashes(1.5, kContact); }};
+constexpr LineStyle kCornerPath{1.5f, kContact, true};
+constexpr Swatch kCornerPathSwatch{LegendGroup::Motion, 15,
+                                   [](auto& pen) { pen.dashes(1.5, kContact); }};
 
 constexpr Swatch kGhostSwatch{LegendGroup::Motion, 9, [](auto& pen) { pen.dot(4.2, 6.2, kAxis); }};
 
 /// Whether the displacement or rotation of a shape is visible. A resting shape would cover itself.
 bool moves(const Scene& scene, const PlacedShape& shape, const trace::Travel& travel) {
-  const double way = travel.displacement.norm() + travel.turn.norm() * shape.mesh->radius;
-  return way * scene.camera.pixels_per_metre(travel.pivot) > kLeastWay * scene.scales.pixel;
+  const double offset = travel.displacement.norm() + travel.turn.norm() * shape.mesh->radius;
+  return offset * scene.camera.pixels_per_metre(travel.pivot) > kMinPath * scene.scales.pixel;
 }
 
 /// Path of the contact point from its position now to the contact, as an arrow: shows the rotation.
-void draw_turn_way(const Scene& scene, const trace::Travel& travel, const Vec3d& turn,
-                   const Vec3d& point, double time, Sketch& sketch) {
+void draw_turning_path(const Scene& scene, const trace::Travel& travel, const Vec3d& turn,
+                       const Vec3d& point, double time, Sketch& sketch) {
   constexpr int kSteps = 48;
   const auto turned = [&](double part) {
     const double angle = part * turn.norm();
@@ -73,25 +73,25 @@ void draw_turn_way(const Scene& scene, const trace::Travel& travel, const Vec3d&
   };
   const Vec3d arm = turned(time).conjugate() * (point - travel.pivot - time * travel.displacement);
   const double pixels = scene.camera.pixels_per_metre(point) / scene.scales.pixel;
-  std::vector<Vec3d> way;  // up to the start of the head
+  std::vector<Vec3d> offset;  // up to the start of the head
   for (int i = 0; i <= kSteps; ++i) {
     const double part = time * i / kSteps;
     const Vec3d at = travel.pivot + part * travel.displacement + turned(part) * arm;
     const double left = (point - at).norm() * pixels;
     if (left < kTurnClear) break;
-    if (left > kTurnClear + kTurnHead) way.push_back(at);
+    if (left > kTurnClear + kTurnHead) offset.push_back(at);
   }
-  if (way.size() < 3) return;
-  const Vec3d last = way.back(), along = (point - last).normalized();
-  sketch.curves.push_back({way, {kTurnWayWidth, kShapeEdge}});
+  if (offset.size() < 3) return;
+  const Vec3d last = offset.back(), along = (point - last).normalized();
+  sketch.curves.push_back({offset, {kTurningPathWidth, kShapeEdge}});
   sketch.arrows.push_back({.from = last,
                            .to = Vec3d(point - kTurnClear / pixels * along),
-                           .width = kTurnWayWidth,
+                           .width = kTurningPathWidth,
                            .head = static_cast<float>(kTurnHead),
                            .color = kShapeEdge,
                            .halo = false,
                            .head_share = 1});
-  sketch.explain(kTurnWaySwatch, "way of the point that meets");
+  sketch.explain(kTurningPathSwatch, "way of the point that meets");
 }
 
 /// Numbers an outline with the approach chart's step, at its highest end on the screen.
@@ -124,12 +124,12 @@ void draw_met_triangle(const Scene& scene, const PlacedShape* mesh, int triangle
   if (mesh == nullptr || triangle < 0 || triangle >= count_of(mesh->traced().faces)) return;
   const std::vector<Vec3d> now = mesh->polygon(triangle);
   const double pixels = scene.camera.pixels_per_metre(corners[0]) / scene.scales.pixel;
-  if (now.size() != corners.size() || (corners[0] - now[0]).norm() * pixels < kLeastCornerWay)
+  if (now.size() != corners.size() || (corners[0] - now[0]).norm() * pixels < kMinCornerPath)
     return;
   sketch.face(now, with_alpha(kContact, 0.15f), kMetTriangleNow);
   for (std::size_t i = 0; i < now.size(); ++i)
-    draw_way(scene, now[i], corners[i], kCornerClear / pixels, kCornerWay, sketch);
-  sketch.explain(kCornerWaySwatch, "way of a corner");
+    draw_path(scene, now[i], corners[i], kCornerClear / pixels, kCornerPath, sketch);
+  sketch.explain(kCornerPathSwatch, "way of a corner");
 }
 
 /// Labels a triangle with its mesh's role, at its corner farthest from the other triangle.
@@ -176,8 +176,8 @@ void draw_sweep(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
     const trace::ImpactStep& step = impact.steps[i];
     if (impact.method == "speculative") break;  // no search; the answer judges ghosts alone
     if (impact.status == "separated") break;    // nothing found: the path is enough
-    if (step.safe - last < kLeastBetweenSkins || step.safe >= 1) continue;
-    if (impact.status == "hit" && impact.time - step.safe < kLeastBetweenSkins) continue;
+    if (step.safe - last < kMinBetweenSkins || step.safe >= 1) continue;
+    if (impact.status == "hit" && impact.time - step.safe < kMinBetweenSkins) continue;
     last = step.safe;
     draw_at(step.safe, kSkin);
     number_skins(step.safe, i + 2);
@@ -207,8 +207,8 @@ void draw_sweep(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
       // Centres of shapes other than balls are not visible, and here not important.
       if (impact.status == "hit" && border_of_ball(*shape) == 0) continue;
       const Vec3d middle = shape->pose.transform(shape->traced().center_of_mass);
-      draw_way(scene, middle, middle + travel->displacement, border_of_ball(*shape),
-               impact.status == "hit" ? kEndWayOfHit : kEndWay, sketch);
+      draw_path(scene, middle, middle + travel->displacement, border_of_ball(*shape),
+                impact.status == "hit" ? kEndPathOfHit : kEndPath, sketch);
     }
   }
   for (const Vec3d& ghost : impact.ghosts) {
@@ -231,9 +231,9 @@ void draw_sweep(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   }
   for (const trace::Travel* travel : {&impact.travel_a, &impact.travel_b}) {
     // A cast does not rotate the shape, so its point moves straight.
-    if (travel->turn.norm() > kLeastTurnShown)
-      draw_turn_way(scene, *travel, is_cast ? Vec3d(Vec3d::Zero()) : travel->turn, impact.point_a,
-                    impact.time, sketch);
+    if (travel->turn.norm() > kMinTurnShown)
+      draw_turning_path(scene, *travel, is_cast ? Vec3d(Vec3d::Zero()) : travel->turn,
+                        impact.point_a, impact.time, sketch);
   }
   sketch.mark(MarkKind::Dot, impact.point_a, kContact);
 }

@@ -62,9 +62,9 @@ Vec3d end_towards(const trace::Volume& volume, const trace::Volume& other) {
 
 void draw_edge(const trace::Volume& box, int k, const Vec3d& end, Sketch& sketch) {
   if (!box.half_extents || k < 0 || k > 2) return;
-  const Vec3d way = box.rotation.value_or(Quatd::Identity()) * Vec3d::Unit(k);
-  const double side = way.dot(end - box.center) > 0 ? -2 : 2;
-  sketch.line(end, end + side * (*box.half_extents)[k] * way, {4, kAxis});
+  const Vec3d offset = box.rotation.value_or(Quatd::Identity()) * Vec3d::Unit(k);
+  const double side = offset.dot(end - box.center) > 0 ? -2 : 2;
+  sketch.line(end, end + side * (*box.half_extents)[k] * offset, {4, kAxis});
 }
 
 void draw_tested_axes(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {

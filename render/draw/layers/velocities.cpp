@@ -13,9 +13,9 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr double kLeastVelocity = 12;       // pixels: a shorter one is only a head
-constexpr double kLeastShare = 0.05;        // share of the fastest: slower ones do not matter
-constexpr double kLeastSpin = 0.12;         // radians: slower spins do not matter
+constexpr double kMinVelocity = 12;         // pixels: a shorter one is only a head
+constexpr double kMinShare = 0.05;          // share of the fastest: slower ones do not matter
+constexpr double kMinSpin = 0.12;           // radians: slower spins do not matter
 constexpr double kSpinRadius = 0.42;        // in radii of the body
 constexpr std::size_t kLabelledBodies = 4;  // bodies: more numbers would crowd the picture
 
@@ -45,20 +45,20 @@ constexpr Swatch kSpinSwatch{
 void draw_velocity(const Scene& scene, const trace::Body& body, double fastest, bool numbered,
                    Sketch& sketch) {
   const Vec3d& center = body.center_of_mass;
-  const Vec3d way = scene.scales.velocity * body.velocity;
-  const double pixels = way.norm() * scene.camera.pixels_per_metre(center);
-  if (pixels < kLeastVelocity || body.velocity.norm() < kLeastShare * fastest) return;
+  const Vec3d offset = scene.scales.velocity * body.velocity;
+  const double pixels = offset.norm() * scene.camera.pixels_per_metre(center);
+  if (pixels < kMinVelocity || body.velocity.norm() < kMinShare * fastest) return;
   sketch.explain(kVelocitySwatch,
                  "velocity, way in " + spell_quantity(scene.scales.velocity, "s", 1));
-  sketch.arrows.push_back(arrow_to_scale(center, way, 3.5f, 13, kMotion));
+  sketch.arrows.push_back(arrow_to_scale(center, offset, 3.5f, 13, kMotion));
   if (numbered)
-    sketch.label(center + way, spell_quantity(body.velocity.norm(), "m/s"), kMotion, 16, 9,
-                 way.normalized());
+    sketch.label(center + offset, spell_quantity(body.velocity.norm(), "m/s"), kMotion, 16, 9,
+                 offset.normalized());
 }
 
 void draw_spin(const Scene& scene, const trace::Body& body, bool numbered, Sketch& sketch) {
   const double spin = body.angular_velocity.norm();
-  if (!(spin * scene.scales.spin >= kLeastSpin)) return;
+  if (!(spin * scene.scales.spin >= kMinSpin)) return;
   sketch.explain(kSpinSwatch, "spin, turn in " + spell_quantity(scene.scales.spin, "s", 1));
   const PlacedShape* shape = scene.find(body.name);
   const double radius = kSpinRadius * (shape == nullptr ? 1 : shape->mesh->radius);
@@ -103,14 +103,14 @@ std::optional<Vec3d> seen_middle(const Camera& camera, const PlacedShape& shape)
   const Vec3d center = shape.pose.transform(shape.traced().center_of_mass);
   const std::optional<Point2> foot = camera.project(center);
   if (seen.isEmpty() || !foot) return std::nullopt;
-  const Vec2d way = (seen.center() - Vec2d(foot->x, foot->y)) / camera.pixels_per_metre(center);
-  return center + way.x() * camera.right() - way.y() * camera.up();
+  const Vec2d offset = (seen.center() - Vec2d(foot->x, foot->y)) / camera.pixels_per_metre(center);
+  return center + offset.x() * camera.right() - offset.y() * camera.up();
 }
 
 // If scripted bodies have time of impact queries, draws their displacements in the step. These may
 // be far longer or shorter than the shapes, so the arrows are to scale only among themselves.
-void draw_ways(const Scene& scene, Sketch& sketch) {
-  constexpr double kLongest = 110, kLeast = 30;  // pixels
+void draw_paths(const Scene& scene, Sketch& sketch) {
+  constexpr double kLongest = 110, kMin = 30;  // pixels
   double longest = 0;
   const auto each = [&](const auto& visit) {
     for (const trace::Pair& pair : scene.frame.pairs) {
@@ -119,16 +119,17 @@ void draw_ways(const Scene& scene, Sketch& sketch) {
       visit(pair.b, pair.impact->travel_b.displacement);
     }
   };
-  each([&](const std::string&, const Vec3d& way) { longest = std::max(longest, way.norm()); });
+  each(
+      [&](const std::string&, const Vec3d& offset) { longest = std::max(longest, offset.norm()); });
   if (!(longest > 0)) return;
   std::set<std::string_view> drawn;  // a shape may be in several pairs
-  each([&](const std::string& name, const Vec3d& way) {
+  each([&](const std::string& name, const Vec3d& offset) {
     const PlacedShape* shape = scene.find(name);
-    const double pixels = kLongest * way.norm() / longest;
-    if (shape == nullptr || pixels < kLeast || !drawn.insert(name).second) return;
+    const double pixels = kLongest * offset.norm() / longest;
+    if (shape == nullptr || pixels < kMin || !drawn.insert(name).second) return;
     const std::optional<Vec3d> middle = seen_middle(scene.camera, *shape);
     if (!middle) return;
-    const Vec3d along = way.normalized();
+    const Vec3d along = offset.normalized();
     const double metres = scene.scales.pixel * pixels / scene.camera.pixels_per_metre(*middle);
     sketch.arrows.push_back({.from = *middle - 0.5 * metres * along,
                              .direction = along,
@@ -137,16 +138,16 @@ void draw_ways(const Scene& scene, Sketch& sketch) {
                              .head = 13,
                              .color = kMotion});
     const bool is_level = std::abs(along.dot(scene.camera.right())) > 0.5;
-    sketch.label(*middle, spell_length(way.norm()), kMotion, 17, 9,
+    sketch.label(*middle, spell_length(offset.norm()), kMotion, 17, 9,
                  is_level ? scene.camera.up() : scene.camera.right());
     sketch.explain(kVelocitySwatch, "way through the step, not to scale");
   });
 }
 
 void draw_velocities(const Scene& scene, Sketch& sketch) {
-  const bool asks_ways = std::ranges::any_of(
+  const bool shows_paths = std::ranges::any_of(
       scene.frame.pairs, [](const trace::Pair& pair) { return pair.impact.has_value(); });
-  if (!scene.frame.solver && asks_ways) return draw_ways(scene, sketch);
+  if (!scene.frame.solver && shows_paths) return draw_paths(scene, sketch);
   const std::vector<trace::Body> bodies = moving_bodies(scene);
   const bool numbered = bodies.size() <= kLabelledBodies;
   double fastest = 0;

@@ -16,7 +16,7 @@ constexpr Swatch kFalsePositiveSwatch{LegendGroup::Trees, 5, [](auto& pen) {
                                       }};
 constexpr Swatch kOverlappingSwatch{
     LegendGroup::Trees, 6, [](auto& pen) { pen.area(answer_color(AnswerKind::Yes), 0, 2.5); }};
-constexpr Swatch kBoundsApartSwatch{
+constexpr Swatch kBoundsSeparatedSwatch{
     LegendGroup::Trees, 7, [](auto& pen) { pen.area(answer_color(AnswerKind::No), 0, 1.5, true); }};
 
 constexpr Swatch kMissedSwatch{LegendGroup::Trees, 8, [](auto& pen) {
@@ -28,7 +28,7 @@ constexpr float kOriented = 2.5f;  // pixels, for a box that coincides with edge
 void explain(AnswerKind kind, Sketch& sketch) {
   switch (kind) {
     case AnswerKind::No:
-      return sketch.explain(kBoundsApartSwatch, "bounds say no");
+      return sketch.explain(kBoundsSeparatedSwatch, "bounds say no");
     case AnswerKind::Yes:
       return sketch.explain(kOverlappingSwatch, "bounds say yes, as the shapes do");
     case AnswerKind::FalsePositive:
@@ -89,10 +89,10 @@ void name_volume(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   if (pair.label.empty()) return;
   const trace::Volume& volume = *pair.query->bounds_a;
   // At the upper left: a corner of axis-aligned boxes, a side of oriented ones; for balls below.
-  const Vec3d way = scene.camera.up() - scene.camera.right();
+  const Vec3d offset = scene.camera.up() - scene.camera.right();
   Vec3d at = volume.center;
   for (const Vec3d& corner : extent_points(volume))
-    if (volume.half_extents && way.dot(corner) > way.dot(at)) at = corner;
+    if (volume.half_extents && offset.dot(corner) > offset.dot(at)) at = corner;
   if (volume.radius) at -= *volume.radius * (scene.camera.up() + scene.camera.right()).normalized();
   sketch.label(at, label_with_answer(pair), answer_color(answer_kind(pair)), 16, 8,
                Vec3d(at - volume.center));

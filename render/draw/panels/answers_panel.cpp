@@ -15,8 +15,8 @@ namespace {
 constexpr double kAnswerBar = 14;      // pixels at 720 lines, height of a row of cells
 constexpr double kColumn = 26;         // pixels at 720 lines, height of the tallest column
 constexpr double kBelowAnswerBar = 3;  // pixels at 720 lines
-constexpr double kLeastBetween = 8;    // pixels at 720 lines, between two rows
-constexpr double kMostBetween = 16;
+constexpr double kMinBetween = 8;      // pixels at 720 lines, between two rows
+constexpr double kMaxBetween = 16;
 constexpr double kLargestAnswers = 1.25;  // factor of all sizes if there is room
 
 bool has_query(const trace::Pair& pair) {
@@ -24,14 +24,14 @@ bool has_query(const trace::Pair& pair) {
 }
 
 bool is_measure(const trace::Query& query) {
-  return query.asked == "distance" || query.asked == "penetration";
+  return query.requested == "distance" || query.requested == "penetration";
 }
 
 /// Distance or depth as queried, metres; 0 for the depth of separated and distance of overlapping
 /// shapes.
 double measured(const trace::Pair& pair) {
   const double gap = pair.query->gap.value_or(0);
-  return std::max(0.0, pair.query->asked == "distance" ? gap : -gap);
+  return std::max(0.0, pair.query->requested == "distance" ? gap : -gap);
 }
 
 struct AnswerHistory {
@@ -73,7 +73,7 @@ class AnswersPanel : public PanelContent {
 
   PanelNeed need(const PanelMoment&) const override {
     const float heading = Sheet::heading_height(scale_), count = static_cast<float>(rows());
-    const auto between = scale_ * static_cast<float>(kLeastBetween);
+    const auto between = scale_ * static_cast<float>(kMinBetween);
     return {heading + row_height(), heading + count * (row_height() + between),
             heading + count * most_of_row(), 0};
   }
@@ -85,7 +85,7 @@ class AnswersPanel : public PanelContent {
       return {};
     }
     const double room = sheet.rest().height / static_cast<double>(rows());
-    const double row = row_height(), widest = kMostBetween * static_cast<double>(scale_);
+    const double row = row_height(), widest = kMaxBetween * static_cast<double>(scale_);
     larger_ = std::clamp(room / (row + widest), 1.0, kLargestAnswers);
     sheet.enlarge(larger_);
     const auto between =
@@ -115,7 +115,7 @@ class AnswersPanel : public PanelContent {
 
   /// With the space before the next row.
   float most_of_row() const {
-    const double row = row_height() + scale_ * static_cast<float>(kMostBetween);
+    const double row = row_height() + scale_ * static_cast<float>(kMaxBetween);
     return static_cast<float>(kLargestAnswers * row);
   }
 
@@ -140,7 +140,7 @@ class AnswersPanel : public PanelContent {
       draw_cells(history, now, sheet);
       sheet.skip(pen.px(larger_ * (bar_height() + kBelowAnswerBar)));
     }
-    if (has_wrong_) sheet.line(told(history, now), kQuietText);
+    if (has_wrong_) sheet.line(record(history, now), kQuietText);
   }
 
   /// For shapes the answer itself; for bounds whether it is right: "yes, falsely".
@@ -164,17 +164,17 @@ class AnswersPanel : public PanelContent {
   }
 
   /// For bounds, the count up to a frame: "falsely in 5 of 24 frames". Empty if none is wrong.
-  static std::string told(const AnswerHistory& history, std::size_t now) {
-    int asked = 0, wrong = 0;
+  static std::string record(const AnswerHistory& history, std::size_t now) {
+    int requested = 0, wrong = 0;
     for (std::size_t f = 0; f <= now; ++f) {
       const auto& answer = history.answers[f];
       if (!answer) continue;
-      ++asked;
+      ++requested;
       wrong += *answer == AnswerKind::FalsePositive || *answer == AnswerKind::Missed;
     }
     if (wrong == 0) return {};
-    return "falsely in " + std::to_string(wrong) + " of " + std::to_string(asked) +
-           (asked == 1 ? " frame" : " frames");
+    return "falsely in " + std::to_string(wrong) + " of " + std::to_string(requested) +
+           (requested == 1 ? " frame" : " frames");
   }
 
   void draw_cells(const AnswerHistory& history, std::size_t now, const Sheet& sheet) const {

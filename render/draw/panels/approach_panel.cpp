@@ -11,11 +11,11 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr double kLeastApproach = 130, kGoodApproach = 220;  // pixels at 720 lines
+constexpr double kMinApproach = 130, kGoodApproach = 220;  // pixels at 720 lines
 constexpr double kTogether = 22;  // pixels: distance at which the numbers of dots would overlap
 constexpr double kApproachGutter = 52, kApproachAbove = 18, kApproachBelow = 36, kApproachDot = 3.5;
 
-bool is_asked_when(const trace::Pair& pair) {
+bool is_query_of_time(const trace::Pair& pair) {
   return pair.impact.has_value();
 }
 
@@ -31,13 +31,13 @@ class ApproachPanel : public PanelContent {
       return Sheet::heading_height(scale_) + 3 * Sheet::line_height(scale_) +
              static_cast<float>(chart + kApproachAbove + kApproachBelow) * scale_;
     };
-    return {high(kLeastApproach), high(kGoodApproach), high(1.4 * kGoodApproach), 0};
+    return {high(kMinApproach), high(kGoodApproach), high(1.4 * kGoodApproach), 0};
   }
 
   std::string lay_out(const PanelMoment& moment, Sheet& sheet) override {
     sheet.heading("distance through the step");
     const std::vector<trace::Pair>& pairs = frames_[moment.frame].pairs;
-    const auto pair = std::ranges::find_if(pairs, is_asked_when);
+    const auto pair = std::ranges::find_if(pairs, is_query_of_time);
     if (pair == pairs.end()) {
       sheet.paragraph("does not apply: no pair is asked when it meets", kQuietText);
       return {};
@@ -52,7 +52,7 @@ class ApproachPanel : public PanelContent {
     if (!impact.steps.empty())
       sheet.line("pink: the distance falls no faster than this", kAxisText);
     if (!impact.distances.empty()) draw_chart(impact, sheet);
-    const auto others = std::ranges::count_if(pairs, is_asked_when) - 1;
+    const auto others = std::ranges::count_if(pairs, is_query_of_time) - 1;
     return others == 0 ? "" : std::to_string(others) + (others == 1 ? " pair" : " pairs");
   }
 

@@ -16,12 +16,12 @@ constexpr std::array<AxisRow, 3> kAxisRows{
     {{"face_a", "faces of A"}, {"face_b", "faces of B"}, {"edge_edge", "edges"}}};
 
 // Lines of text.
-constexpr float kMostRow = 3.6f, kMostRowOfOne = 6;
-constexpr float kLeastRow = 0.9f;
+constexpr float kMaxRow = 3.6f, kMaxRowOfOne = 6;
+constexpr float kMinRow = 0.9f;
 constexpr float kAroundHistory = 2.8f;  // title, frame numbers and space below
 constexpr float kHeadline = 2.4f;       // number of cache hits, if one pair is shown
 constexpr float kTestsRow = 3;          // frames without a cache hit
-constexpr float kLeastHistory = kAroundHistory + kLeastRow * static_cast<float>(kAxisRows.size());
+constexpr float kMinHistory = kAroundHistory + kMinRow * static_cast<float>(kAxisRows.size());
 
 constexpr double kNameColumn = 78;    // pixels at 720 lines
 constexpr double kHeadlineSize = 30;  // pixels at 720 lines
@@ -50,7 +50,7 @@ AxisCounts counted(const std::vector<AxisMoment>& moments, std::size_t now) {
 }
 
 /// "2 switches", and with a cache the number of full tests.
-std::string told(const AxisCounts& counts) {
+std::string record(const AxisCounts& counts) {
   std::string text = number_of(counts.switches, "switch", "es");
   if (counts.hits > 0)
     text += ", " + number_of(counts.tests, "full test", "s") + ", " +
@@ -69,7 +69,7 @@ class AxisHistoryPanel : public PanelContent {
         distinct_pairs(frames, [](const trace::Pair& pair) { return !axis_of(pair).empty(); });
     count_ = pairs.size();
     // No more than fit into the panel column.
-    const double least = kLeastHistory * Sheet::line_height(scale_);
+    const double least = kMinHistory * Sheet::line_height(scale_);
     const double most = std::max(1.0, staging.layout.panels.height / least);
     for (std::size_t i = 0; i < std::min(count_, static_cast<std::size_t>(most)); ++i)
       pairs_.push_back({pair_name(*pairs[i]), axis_history(pair_history(frames, *pairs[i]))});
@@ -78,7 +78,7 @@ class AxisHistoryPanel : public PanelContent {
   PanelNeed need(const PanelMoment&) const override {
     const float line = Sheet::line_height(scale_);
     const float frame = Sheet::heading_height(scale_) + headline_height();
-    const float each = (kLeastHistory + tests_row()) * line;
+    const float each = (kMinHistory + tests_row()) * line;
     return {frame + each + (count_ > 1 ? line : 0),
             frame + each * std::max(1.0f, static_cast<float>(count_)), 0, 1};
   }
@@ -92,18 +92,18 @@ class AxisHistoryPanel : public PanelContent {
     }
     if (headline_height() > 0) draw_headline(pairs_.front().second, moment.frame, sheet);
     const float line = sheet.line_height();
-    const float least = (kLeastHistory + tests_row()) * line;
+    const float least = (kMinHistory + tests_row()) * line;
     auto available = static_cast<float>(sheet.rest().height);
     if (least * static_cast<float>(count_) > available) available -= line;  // for the note below
     const float fitting = std::max(1.0f, available / least);
     const std::size_t shown = std::min(pairs_.size(), static_cast<std::size_t>(fitting));
     const float row =
-        std::min((count_ > 1 ? kMostRow : kMostRowOfOne) * line,
+        std::min((count_ > 1 ? kMaxRow : kMaxRowOfOne) * line,
                  (available / static_cast<float>(shown) - (kAroundHistory + tests_row()) * line) /
                      static_cast<float>(kAxisRows.size()));
     for (const auto& [name, moments] : std::span(pairs_).first(shown)) {
       if (!(headline_height() > 0))
-        sheet.line(name + ": " + told(counted(moments, moment.frame)), kText);
+        sheet.line(name + ": " + record(counted(moments, moment.frame)), kText);
       draw_rows(moments, moment.frame, row, sheet);
       sheet.skip(row * static_cast<float>(kAxisRows.size()));
       if (cached_) {

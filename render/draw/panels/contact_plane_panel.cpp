@@ -12,8 +12,8 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr double kMapFree = 0.09;    // share of the map's size, free on each side
-constexpr float kLeastMapLines = 5;  // height of the map with its scale, lines of text
+constexpr double kMapFree = 0.09;  // share of the map's size, free on each side
+constexpr float kMinMapLines = 5;  // height of the map with its scale, lines of text
 constexpr float kCaptionLines = 2.8f;
 constexpr double kResult = 17;  // text size of the result, pixels at 720 lines
 constexpr double kFlattest = 0.3;
@@ -80,7 +80,7 @@ class ContactPlanePanel : public PanelContent {
 
   PanelNeed need(const PanelMoment&) const override {
     const float scale = staging_.layout.scale;
-    const float lines = (kLeastMapLines + kCaptionLines) * Sheet::line_height(scale);
+    const float lines = (kMinMapLines + kCaptionLines) * Sheet::line_height(scale);
     const float least = Sheet::heading_height(scale) + lines;
     return {least, least, 0, 2};
   }
@@ -125,7 +125,8 @@ class ContactPlanePanel : public PanelContent {
     for (const Vec3d& point : points_) extent.extend(axes.along(point));
     for (const auto& [center, radius] : balls_) {
       for (const Vec3d& side : {axes.u, axes.v}) {
-        for (const double way : {radius, -radius}) extent.extend(axes.along(center + way * side));
+        for (const double offset : {radius, -radius})
+          extent.extend(axes.along(center + offset * side));
       }
     }
     return extent;

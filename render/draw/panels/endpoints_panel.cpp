@@ -12,7 +12,7 @@ namespace contactscope::draw {
 namespace {
 
 // Pixels at 720 lines: height of a row; larger if one or two axes without swaps leave room.
-constexpr float kLeastBox = 3, kMostBox = 21, kLargestBox = 30, kLargestAlone = 44;
+constexpr float kMinBox = 3, kMaxBox = 21, kLargestBox = 30, kLargestAlone = 44;
 constexpr float kNamed = 14;         // rows from this height on have names
 constexpr double kBoxNames = 74;     // pixels at 720 lines
 constexpr double kLargerText = 1.2;  // next to the largest boxes
@@ -47,7 +47,7 @@ class EndpointsPanel : public PanelContent {
              3 * (Sheet::line_height(scale_) +
                   scale_ * (row * static_cast<float>(boxes_) + static_cast<float>(kAfterAxis)));
     };
-    return {height(kLeastBox), height(kMostBox), height(kMostBox), 0};
+    return {height(kMinBox), height(kMaxBox), height(kMaxBox), 0};
   }
 
   std::string lay_out(const PanelMoment& moment, Sheet& sheet) override {
@@ -61,10 +61,9 @@ class EndpointsPanel : public PanelContent {
         3 * (sheet.line_height() + static_cast<double>(sheet.pen().px(kAfterAxis)));
     const int shown = axes_shown(*phase);
     const double room = (sheet.rest().height - axes_height) / static_cast<double>(boxes_);
-    const float most = shown == 3 ? kMostBox : shown == 2 ? kLargestBox : kLargestAlone;
+    const float most = shown == 3 ? kMaxBox : shown == 2 ? kLargestBox : kLargestAlone;
     const double row = std::min<double>(sheet.pen().px(most), room / shown);
-    sheet.enlarge(
-        std::clamp(row / static_cast<double>(sheet.pen().px(kMostBox)), 1.0, kLargerText));
+    sheet.enlarge(std::clamp(row / static_cast<double>(sheet.pen().px(kMaxBox)), 1.0, kLargerText));
     for (int axis = 0; axis < 3; ++axis)
       draw_axis(*phase, axis, shown == 3 || has_bars(*phase, axis), row, sheet);
     return {};

@@ -11,10 +11,10 @@ namespace contactscope::draw {
 namespace {
 
 constexpr double kMatrixCaption = 22;  // pixels at 720 lines, left of and below the matrix
-constexpr double kLeastMatrix = 150, kGoodMatrix = 300, kMostMatrix = 316;
-constexpr double kLeastBlock = 2.6;  // smallest size of a pair of leaves
+constexpr double kMinMatrix = 150, kGoodMatrix = 300, kMaxMatrix = 316;
+constexpr double kMinBlock = 2.6;  // smallest size of a pair of leaves
 
-const trace::Pair* asked_pair(const trace::Frame& frame) {
+const trace::Pair* queried_pair(const trace::Frame& frame) {
   const auto found = std::ranges::find_if(frame.pairs, [](const trace::Pair& pair) {
     return pair.query && !pair.query->node_pairs.empty();
   });
@@ -33,12 +33,12 @@ class NodePairsPanel : public PanelContent {
       return Sheet::heading_height(scale_) + 4 * Sheet::line_height(scale_) +
              static_cast<float>(matrix + kMatrixCaption) * scale_;
     };
-    return {high(kLeastMatrix), high(kGoodMatrix), high(kMostMatrix), 0};
+    return {high(kMinMatrix), high(kGoodMatrix), high(kMaxMatrix), 0};
   }
 
   std::string lay_out(const PanelMoment& moment, Sheet& sheet) override {
     sheet.heading("triangles of A against those of B");
-    const trace::Pair* pair = asked_pair(frames_[moment.frame]);
+    const trace::Pair* pair = queried_pair(frames_[moment.frame]);
     if (pair == nullptr) {
       sheet.paragraph("does not apply: no two meshes are asked in this frame", kQuietText);
       return {};
@@ -88,7 +88,7 @@ class NodePairsPanel : public PanelContent {
       if (std::min(rect.width, rect.height) > pen.px(4)) pen.frame(rect, 0.8, kWhite);
     }
     for (const trace::NodePair& visit : visits)
-      if (visit.overlaps && visit.leaves) pen.fill(block(visit, pen.px(kLeastBlock)), kClipPolygon);
+      if (visit.overlaps && visit.leaves) pen.fill(block(visit, pen.px(kMinBlock)), kClipPolygon);
     pen.frame(matrix, 1.2, kShapeEdge);
     // Labels are at the middle of each axis, on the side of its start.
     const double below = matrix.bottom() + 0.75 * caption;

@@ -25,8 +25,8 @@ struct StageCount {
 
 /// Use of pairs by the narrow phase in a sequence.
 struct PairUse {
-  bool asked = false;     // some pairs have a query of overlap or distance
-  bool collided = false;  // some pairs compute contacts
+  bool requested = false;  // some pairs have a query of overlap or distance
+  bool collided = false;   // some pairs compute contacts
 };
 
 PairUse use_of(const View& view, const Frames& frames) {
@@ -34,8 +34,8 @@ PairUse use_of(const View& view, const Frames& frames) {
   // A view of broad phase cells alone does not show later stages.
   if (view.shows(Layer::Cells) && !view.shows(Layer::Contacts)) return use;
   for (const trace::Frame& frame : frames)
-    for (const trace::Pair& pair : frame.pairs) (pair.query ? use.asked : use.collided) = true;
-  if (!use.asked) use.collided = true;  // even if no pair gets that far
+    for (const trace::Pair& pair : frame.pairs) (pair.query ? use.requested : use.collided) = true;
+  if (!use.requested) use.collided = true;  // even if no pair gets that far
   return use;
 }
 
@@ -58,15 +58,15 @@ std::vector<StageCount> stages_of(const trace::Frame& frame, const PairUse& use)
   } else {
     stages.push_back({"pairs: narrow phase", count_of(frame.pairs), kBox});
   }
-  int asked = 0, overlapping = 0, touching = 0, points = 0;
+  int requested = 0, overlapping = 0, touching = 0, points = 0;
   for (const trace::Pair& pair : frame.pairs) {
-    asked += pair.query.has_value();
+    requested += pair.query.has_value();
     overlapping += pair.query && pair.query->touching.value_or(pair.overlap.value_or(false));
     touching += !pair.manifolds.empty();
     for (const trace::Manifold& manifold : pair.manifolds) points += count_of(manifold.points);
   }
-  if (use.asked) {
-    stages.push_back({"pairs asked, no contacts made", asked, with_alpha(kBox, 0.6f)});
+  if (use.requested) {
+    stages.push_back({"pairs asked, no contacts made", requested, with_alpha(kBox, 0.6f)});
     stages.push_back({"of these overlap or touch", overlapping, answer_color(AnswerKind::Yes)});
   }
   if (use.collided) {

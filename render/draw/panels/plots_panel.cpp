@@ -10,17 +10,17 @@ namespace contactscope::draw {
 namespace {
 
 // Pixels at 720 lines.
-constexpr double kLeastPlot = 46;
-constexpr double kMostPlot = 220;
+constexpr double kMinPlot = 46;
+constexpr double kMaxPlot = 220;
 constexpr double kBelowCharts = 14;
 constexpr double kTimeAxis = 20;
 constexpr double kNamesRow = 20;
 constexpr double kCurveSwatch = 22;
 constexpr double kStripHeading = 19;
-constexpr double kMostIdStrip = 72;
+constexpr double kMaxIdStrip = 72;
 constexpr double kStripShare = 0.16;  // share of the height of all charts
 constexpr double kIdRow = 9;
-constexpr double kLeastIdRow = 2.6;
+constexpr double kMinIdRow = 2.6;
 constexpr double kLegibleIdRow = 3.4;  // thinner rows look like a solid block
 
 /// Results of the solver up to the current frame: stacked charts with one time axis below, and a
@@ -37,17 +37,17 @@ class PlotsPanel : public PanelContent {
   PanelNeed need(const PanelMoment&) const override {
     const Layout& layout = staging_.layout;
     const float least =
-        Sheet::heading_height(layout.scale) + layout.px(kTimeAxis + kNamesRow + kLeastPlot);
+        Sheet::heading_height(layout.scale) + layout.px(kTimeAxis + kNamesRow + kMinPlot);
     int charts = 0;
     for (const Chart chart : {Chart::Overlap, Chart::Points, Chart::Energy, Chart::Impulse}) {
       const bool has = solved_ || chart == Chart::Overlap || chart == Chart::Points;
       charts += has && staging_.view.shows(chart);
     }
     charts = std::max(charts, 1);
-    const float good = least + layout.px((charts - 1) * kLeastPlot);
+    const float good = least + layout.px((charts - 1) * kMinPlot);
     // Without the strip, the panel ends with its charts.
     const bool has_strip = staging_.view.shows(Chart::Ids) || staging_.view.shows(Chart::Points);
-    const float wanted = least + layout.px(charts * kMostPlot - kLeastPlot + kBelowCharts);
+    const float wanted = least + layout.px(charts * kMaxPlot - kMinPlot + kBelowCharts);
     return {least, good, has_strip ? 0 : std::max(good, wanted), 2};
   }
 
@@ -61,16 +61,16 @@ class PlotsPanel : public PanelContent {
     const double named = draw_names(rect, pen);
     double room = 0, strip = 0;
     std::size_t shown = 0;
-    const double told = line * static_cast<double>(constants_.size());
+    const double record = line * static_cast<double>(constants_.size());
     for (const double below : {0.0, line}) {  // if some are missing, a line reports it
       if (shown == charts_.size()) break;
-      room = rect.height - below - pen.px(kTimeAxis) - named - told;
+      room = rect.height - below - pen.px(kTimeAxis) - named - record;
       strip = strip_height(room, pen);
-      const double fitting = std::max(0.0, room - strip) / pen.px(kLeastPlot);
+      const double fitting = std::max(0.0, room - strip) / pen.px(kMinPlot);
       shown = std::clamp<std::size_t>(static_cast<std::size_t>(fitting), 1, charts_.size());
     }
     const double height =
-        std::min<double>(pen.px(kMostPlot), (room - strip) / static_cast<double>(shown));
+        std::min<double>(pen.px(kMaxPlot), (room - strip) / static_cast<double>(shown));
     double y = rect.y + named;
     for (std::size_t i = 0; i < shown; ++i, y += height)
       draw_series_chart(charts_[i], moment.frame, {rect.x, y, rect.width, height}, pen);
@@ -175,10 +175,10 @@ class PlotsPanel : public PanelContent {
     if (ids_->row_count() == 0 || (ids_->is_constant() && frames_.size() > 1)) return 0;
     const auto rows = static_cast<double>(ids_->row_count());
     const double share = kStripShare * room;
-    const double wanted = std::min<double>({pen.px(kMostIdStrip), share, pen.px(kIdRow) * rows});
+    const double wanted = std::min<double>({pen.px(kMaxIdStrip), share, pen.px(kIdRow) * rows});
     const double strip =
-        pen.px(kStripHeading) + std::max(wanted, std::min(share, pen.px(kLeastIdRow) * rows));
-    const double charts = pen.px(kLeastPlot) * static_cast<double>(charts_.size());
+        pen.px(kStripHeading) + std::max(wanted, std::min(share, pen.px(kMinIdRow) * rows));
+    const double charts = pen.px(kMinPlot) * static_cast<double>(charts_.size());
     return room - strip < charts ? 0 : strip;
   }
 
@@ -186,7 +186,7 @@ class PlotsPanel : public PanelContent {
     const Rect inner = chart_area(strip, kStripHeading, pen);
     const auto rows = static_cast<double>(ids_->row_count());
     const bool bands = inner.height < pen.px(kLegibleIdRow) * rows && ids_->pair_count() > 1;
-    const auto most = static_cast<std::size_t>(inner.height / pen.px(kLeastIdRow));
+    const auto most = static_cast<std::size_t>(inner.height / pen.px(kMinIdRow));
     const std::string text = !bands ? "points over time, a row each"
                              : ids_->pair_count() <= most
                                  ? "points by pair, cut where one changes"

@@ -18,28 +18,28 @@ namespace {
 // Pixels at 720 lines.
 constexpr double kWordsLine = 19;
 constexpr double kMapReserve = 15;  // around a map's contents
-constexpr double kLeastStabilityMap = 70;
-constexpr double kWordsAndMap = 65 + kLeastStabilityMap;  // text below the map, name above it
+constexpr double kMinStabilityMap = 70;
+constexpr double kWordsAndMap = 65 + kMinStabilityMap;  // text below the map, name above it
 constexpr double kStabilityOverTime = 64;
-constexpr double kLeastMarginChart = 58;
-constexpr double kMostMarginChart = 120;
+constexpr double kMinMarginChart = 58;
+constexpr double kMaxMarginChart = 120;
 constexpr double kVerdictRow = 17;
 constexpr double kTimeRow = 20;
 constexpr double kNameSwatch = 30;
 constexpr double kMapDot = 5.2;
 constexpr double kMapSquare = 4.6;
 constexpr double kMapCenter = 7.5;
-constexpr std::size_t kMostMaps = 3;
+constexpr std::size_t kMaxMaps = 3;
 
 // One row for each, labelled with the last word.
 constexpr std::array<std::string_view, 3> kVerdicts{"stable", "turns about a line",
                                                     "turns about a point"};
 
 Point2 nearest_on(const Point2& from, const Point2& to, const Point2& p) {
-  const Point2 way = to - from;
-  const float squared = dot(way, way);
+  const Point2 offset = to - from;
+  const float squared = dot(offset, offset);
   if (!(squared > 0)) return from;
-  return from + std::clamp(dot(p - from, way) / squared, 0.0f, 1.0f) * way;
+  return from + std::clamp(dot(p - from, offset) / squared, 0.0f, 1.0f) * offset;
 }
 
 /// Arrow from the projection to the nearest point of the border.
@@ -76,7 +76,7 @@ class StabilityPanel : public PanelContent {
                 });
     std::vector<const trace::Pair*> pairs =
         distinct_pairs(frames, [](const trace::Pair& pair) { return pair.stability.has_value(); });
-    if (pairs.size() > kMostMaps) pairs.resize(kMostMaps);
+    if (pairs.size() > kMaxMaps) pairs.resize(kMaxMaps);
     for (const trace::Pair* wanted : pairs) {
       History& history = histories_.emplace_back();
       history.name = pair_name(*wanted);
@@ -121,7 +121,7 @@ class StabilityPanel : public PanelContent {
     }
     const double words = pen.px(kWordsLine) * (histories_.size() > 1 ? 3 : 2) + pen.px(8);
     double chart =
-        std::clamp<double>(0.26 * rect.height, pen.px(kLeastMarginChart), pen.px(kMostMarginChart));
+        std::clamp<double>(0.26 * rect.height, pen.px(kMinMarginChart), pen.px(kMaxMarginChart));
     double band =
         pen.px(kVerdictRow) * static_cast<double>(kVerdicts.size()) + pen.px(kTimeRow + 6);
     // Priorities: the map, then the chart over time, then the rows of verdicts.
@@ -129,10 +129,10 @@ class StabilityPanel : public PanelContent {
     if (frames_.size() < 2) chart = band = 0;
     if (!staging_.view.shows(Chart::Margin)) chart = 0;
     if (!staging_.view.shows(Chart::Verdict)) band = 0;
-    if (map_height() < pen.px(kLeastStabilityMap)) band = 0;
-    if (map_height() < pen.px(kLeastStabilityMap)) chart = 0;
+    if (map_height() < pen.px(kMinStabilityMap)) band = 0;
+    if (map_height() < pen.px(kMinStabilityMap)) chart = 0;
     const double map = map_height();
-    if (map > pen.px(0.5 * kLeastStabilityMap)) draw_maps(moment.frame, rect, map, pen);
+    if (map > pen.px(0.5 * kMinStabilityMap)) draw_maps(moment.frame, rect, map, pen);
     double y = rect.y + words + std::max(0.0, map);
     if (chart > 0) draw_series_chart(margins_, moment.frame, {rect.x, y, rect.width, chart}, pen);
     y += chart + pen.px(6);

@@ -11,7 +11,7 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr double kLeastChart = 70, kMostChart = 400, kAxisBelow = 20,
+constexpr double kMinChart = 70, kMaxChart = 400, kAxisBelow = 20,
                  kNames = 20;  // px at 720 lines
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
@@ -50,7 +50,7 @@ class TreeCostPanel : public PanelContent {
       return Sheet::heading_height(scale_) +
              static_cast<float>(chart + kNames + kAxisBelow) * scale_;
     };
-    return {high(kLeastChart), high(1.3 * kLeastChart), high(kMostChart), 0};
+    return {high(kMinChart), high(1.3 * kMinChart), high(kMaxChart), 0};
   }
 
   std::string lay_out(const PanelMoment& moment, Sheet& sheet) override {
@@ -67,7 +67,7 @@ class TreeCostPanel : public PanelContent {
     }
     y += is_named ? pen.px(kNames) : 0;
     const double height =
-        std::min<double>(pen.px(kMostChart), rect.height - pen.px(kAxisBelow) - pen.px(kNames));
+        std::min<double>(pen.px(kMaxChart), rect.height - pen.px(kAxisBelow) - pen.px(kNames));
     draw_series_chart(chart_, moment.frame, {rect.x, y, rect.width, height}, pen);
     const double gutter = pen.px(kChartGutter);
     draw_time_axis(frames_.back().time, rect.x + gutter, rect.width - gutter,
@@ -103,9 +103,9 @@ class TreeCostPanel : public PanelContent {
         if (pair.query && pair.query->trees)
           compared.set(name_of(pair, frames_[f].deformed), f, pair.query->trees->node_pairs);
     }
-    const bool asked = !compared.names.empty();
-    const NamedCurves& shown = asked ? compared : expected;
-    chart_ = {asked ? "pairs of boxes compared" : "boxes a query is expected to test", ""};
+    const bool requested = !compared.names.empty();
+    const NamedCurves& shown = requested ? compared : expected;
+    chart_ = {requested ? "pairs of boxes compared" : "boxes a query is expected to test", ""};
     chart_.curves = shown.curves;
     chart_.fit();
     names_ = shown.names;

@@ -81,11 +81,11 @@ Color answer_color(AnswerKind kind) {
 
 std::string spell_question(const trace::Query& query) {
   const std::string things = things_of(query);
-  if (query.asked == "distance") return "how far apart are " + things + "?";
-  if (query.asked == "penetration") return "how deep are " + things + " in each other?";
-  const std::string verb = query.asked == "touching" ? " touch" : " overlap";
+  if (query.requested == "distance") return "how far apart are " + things + "?";
+  if (query.requested == "penetration") return "how deep are " + things + " in each other?";
+  const std::string verb = query.requested == "touching" ? " touch" : " overlap";
   const std::string compared = query.tolerance > 0 ? ", within " + spell_length(query.tolerance)
-                               : query.asked == "touching"       ? ""
+                               : query.requested == "touching"   ? ""
                                : query.comparison == "exclusive" ? ", touching left out"
                                                                  : ", touching included";
   return "do " + things + verb + compared + "?";
@@ -94,11 +94,11 @@ std::string spell_question(const trace::Query& query) {
 std::string spell_answer(const trace::Pair& pair, const LengthUnit& unit) {
   const trace::Query& query = *pair.query;
   const bool overlap = pair.overlap.value_or(false);
-  if (query.asked == "distance" || query.asked == "penetration") {
+  if (query.requested == "distance" || query.requested == "penetration") {
     const std::string none = spell_length(0, 0, unit);
     if (!query.gap) return overlap ? none + ": they overlap" : "not known";
     if (*query.gap == 0) return none + ": they touch";
-    if (query.asked == "distance" && *query.gap < 0) return none + ": they overlap";
+    if (query.requested == "distance" && *query.gap < 0) return none + ": they overlap";
     return spell_gap(*query.gap, unit);
   }
   return (query.touching.value_or(overlap) ? "yes" : "no") + reason_of(pair, unit);

@@ -7,8 +7,8 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr double kLeastMeasure = 26;  // pixels: two heads and a bit of line between them
-constexpr double kOuterArrow = 24;    // pixels
+constexpr double kMinMeasure = 26;  // pixels: two heads and a bit of line between them
+constexpr double kOuterArrow = 24;  // pixels
 
 }  // namespace
 
@@ -27,15 +27,15 @@ void draw_measure(const Scene& scene, Measured what, const Vec3d& from, const Ve
     return explain(kOverlapSwatch);
   }
   // A length seen end-on, which is a point on the screen, counts as long enough.
-  if (*pixels >= kLeastMeasure * scene.scales.pixel || *pixels <= 0) {
+  if (*pixels >= kMinMeasure * scene.scales.pixel || *pixels <= 0) {
     arrow.double_headed = true;
     sketch.arrows.push_back(arrow);
     return explain(kAxisSwatch);
   }
   // Narrow: arrows from outside, as in technical drawings. Their length on the screen is fixed.
   const Vec3d outward = (from - to) * (kOuterArrow * scene.scales.pixel / *pixels);
-  for (const auto& [tip, way] : {std::pair{from, outward}, {to, Vec3d(-outward)}}) {
-    arrow.from = tip + way;
+  for (const auto& [tip, offset] : {std::pair{from, outward}, {to, Vec3d(-outward)}}) {
+    arrow.from = tip + offset;
     arrow.to = tip;
     sketch.arrows.push_back(arrow);
   }

@@ -15,7 +15,7 @@ namespace {
 constexpr double kNearFraction = 0.02;
 
 // Pixels outside the picture beyond which rounding of a cut at another border does not matter.
-constexpr double kBeside = 1;
+constexpr double kSideGap = 1;
 
 Point2 mix2(const Point2& a, const Point2& b, double t) {
   return pixel(a.x + t * (b.x - a.x), a.y + t * (b.y - a.y));
@@ -134,7 +134,7 @@ std::vector<Point2> project_polygon(const Camera& camera, const std::vector<Vec3
   // Nearly all triangles of a mesh are fully inside or fully outside the picture and need no cut.
   std::vector<Point2> whole;
   whole.reserve(polygon.size());
-  std::array<double, 4> most{-kBeside, -kBeside, -kBeside, -kBeside};  // inside of each border
+  std::array<double, 4> most{-kSideGap, -kSideGap, -kSideGap, -kSideGap};  // inside of each border
   bool inside = true;
   for (const Vec3d& p : polygon) {
     const std::optional<Point2> seen = camera.project(p);
@@ -146,7 +146,7 @@ std::vector<Point2> project_polygon(const Camera& camera, const std::vector<Vec3
   }
   if (whole.size() == polygon.size()) {
     if (inside && whole.size() >= 3) return whole;
-    if (inside || std::ranges::any_of(most, [](double d) { return d <= -kBeside; })) return {};
+    if (inside || std::ranges::any_of(most, [](double d) { return d <= -kSideGap; })) return {};
   }
   const std::vector<Vec3d> in_front = clipped(
       mapped(polygon, [&](const Vec3d& p) { return camera.to_camera(p); }),

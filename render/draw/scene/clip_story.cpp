@@ -58,18 +58,18 @@ std::string words_of_result(const trace::Pair& pair) {
 
 }  // namespace
 
-bool tells_clip_story(const Scene& scene, const trace::Pair& pair) {
+bool has_clip_story(const Scene& scene, const trace::Pair& pair) {
   return pair.clip && scene.view.story == Story::ClipSteps;
 }
 
 std::size_t clip_steps_to_show(const Scene& scene, const trace::Pair& pair) {
   if (!pair.clip) return 0;
-  if (!tells_clip_story(scene, pair)) return pair.clip->steps.size();
+  if (!has_clip_story(scene, pair)) return pair.clip->steps.size();
   return std::min(pair.clip->steps.size(), static_cast<std::size_t>(scene.frame.frame));
 }
 
 bool all_planes_have_cut(const Scene& scene, const trace::Pair& pair) {
-  return tells_clip_story(scene, pair) &&
+  return has_clip_story(scene, pair) &&
          static_cast<std::size_t>(scene.frame.frame) > pair.clip->steps.size();
 }
 

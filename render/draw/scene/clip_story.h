@@ -7,7 +7,7 @@
 /// Contact Clipping".
 namespace contactscope::draw {
 
-bool tells_clip_story(const Scene& scene, const trace::Pair& pair);
+bool has_clip_story(const Scene& scene, const trace::Pair& pair);
 
 /// Number of side planes that have cut in this frame; all of them if the view does not show steps.
 std::size_t clip_steps_to_show(const Scene& scene, const trace::Pair& pair);

@@ -52,14 +52,15 @@ std::optional<ClippedSegment> clipped_segment(const Scene& scene, const trace::P
   // Sutherland and Hodgman 1974, for a segment.
   result.axis_from = found->round->vertices[0];
   result.axis_to = found->round->vertices[1];
-  const Vec3d way = result.axis_to - result.axis_from;
+  const Vec3d offset = result.axis_to - result.axis_from;
   double begin = 0, end = 1;
   for (std::size_t i = 0; i < result.face.size(); ++i) {
     const Vec3d edge = result.face[(i + 1) % result.face.size()] - result.face[i];
     const Vec3d outward = edge.cross(result.normal).normalized();
     result.sides.push_back(outward);
-    const double before = outward.dot(result.axis_from - result.face[i]), grows = outward.dot(way);
-    if (std::abs(grows) < 1e-12 * way.norm()) {
+    const double before = outward.dot(result.axis_from - result.face[i]),
+                 grows = outward.dot(offset);
+    if (std::abs(grows) < 1e-12 * offset.norm()) {
       if (before > 0) return std::nullopt;
       continue;
     }
@@ -70,8 +71,8 @@ std::optional<ClippedSegment> clipped_segment(const Scene& scene, const trace::P
       begin = std::max(begin, at);
   }
   if (begin >= end) return std::nullopt;
-  result.from = result.axis_from + begin * way;
-  result.to = result.axis_from + end * way;
+  result.from = result.axis_from + begin * offset;
+  result.to = result.axis_from + end * offset;
   return result;
 }
 

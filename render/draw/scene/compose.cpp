@@ -17,13 +17,13 @@ namespace {
 constexpr float kJoin = 0.25f;            // pixels
 constexpr float kAvoided = 1.5f;          // pixels: labels avoid lines of at least this width
 constexpr double kLabelHeadingSize = 21;  // pixels at 720 lines
-constexpr double kLeastHeading = 0.65;    // smallest factor of it, in a narrow view
+constexpr double kMinHeading = 0.65;      // smallest factor of it, in a narrow view
 constexpr double kWholeView = 0.9;        // share of the view's width
-constexpr float kLeastPiece = 4;  // pixels of a curve: shorter pieces would be mostly line ends
+constexpr float kMinPiece = 4;  // pixels of a curve: shorter pieces would be mostly line ends
 
 // Marks on the ground behind a body.
 constexpr float kFaintGround = 0.2f;  // factor of the opacity
-constexpr double kLeastSeen = 0.2;    // share of the area; with less visible, it shows through
+constexpr double kMinSeen = 0.2;      // share of the area; with less visible, it shows through
 
 /// Whether a box is inside a convex polygon with the winding of convex_polygon().
 bool lies_on(const std::vector<Vec2d>& polygon, const Rect& box) {
@@ -135,10 +135,10 @@ struct Composer {
 
   // Marks cut-off bodies with long dashes, as technical drawings do, except view-filling floors.
   void draw_breaks() {
-    constexpr double kLeastCut = 12, kDash = 14, kGap = 5;  // pixels
+    constexpr double kMinCut = 12, kDash = 14, kGap = 5;  // pixels
     for (std::size_t side = 0; side < cuts.size(); ++side) {
       const auto& cut = cuts[side];
-      if (!cut || cut->second - cut->first < px(kLeastCut)) continue;
+      if (!cut || cut->second - cut->first < px(kMinCut)) continue;
       if (cut->second - cut->first > kWholeView * layout.view.width) continue;
       drawing.begin(kBreakPart, {}, "line");
       pen.line({cut->first, border(side)}, {cut->second, border(side)}, 1.5,
@@ -158,7 +158,7 @@ struct Composer {
     for (const Outline& body : bodies) seen = without(seen, body);
     double area = 0;
     for (const Outline& part : seen) area += area_of(part);
-    if (bodies.empty() || area < kLeastSeen * area_of(whole)) return pen.fill(polygon, color);
+    if (bodies.empty() || area < kMinSeen * area_of(whole)) return pen.fill(polygon, color);
     Color faint = color;
     faint.a *= kFaintGround;
     pen.fill(polygon, faint);
@@ -172,10 +172,10 @@ struct Composer {
     const std::optional<Segment2> seen = project_segment(camera, line.from, line.to);
     if (!seen) return;
     if (line.keep_clear) placer.block(seen->from, seen->to, px(line.style.width + 2));
-    const Vec3d way = line.to - line.from;
+    const Vec3d offset = line.to - line.from;
     for (const Span& span : spans_of(line.from, line.to, line.style)) {
-      draw_span(line.from + span.from * way, line.from + span.to * way, span.hidden, line.style, 0,
-                false);
+      draw_span(line.from + span.from * offset, line.from + span.to * offset, span.hidden,
+                line.style, 0, false);
     }
   }
 
@@ -217,8 +217,8 @@ struct Composer {
     // Hides specks where a hidden edge ends at a corner of the occluder.
     if (spans.size() > 1) {
       for (Span& span : spans) {
-        const Vec3d way = to - from;
-        if (on_screen(from + span.from * way, from + span.to * way) < px(style.width + 1))
+        const Vec3d offset = to - from;
+        if (on_screen(from + span.from * offset, from + span.to * offset) < px(style.width + 1))
           span.hidden = true;
       }
     }
@@ -246,7 +246,7 @@ struct Composer {
         continue;
       }
       for (const Span& span : spans_of(p, q, curve.style)) {
-        if (any && (span.hidden != hidden || on_screen(from, to) >= kLeastPiece)) draw();
+        if (any && (span.hidden != hidden || on_screen(from, to) >= kMinPiece)) draw();
         if (!any) from = p + span.from * (q - p);
         to = p + span.to * (q - p);
         hidden = span.hidden;
@@ -273,10 +273,10 @@ struct Composer {
 
   // A line between two bars. It extends beyond them if they are close to each other.
   void draw_bars(const Point2& from, const Point2& to, const Arrow& arrow) {
-    constexpr double kReach = 7, kTail = 13, kLeastLine = 14;  // pixels
+    constexpr double kReach = 7, kTail = 13, kMinLine = 14;  // pixels
     const float length = distance(from, to);
     const Point2 along = (to - from) / length, aside = px(kReach) * perpendicular(along);
-    const float tail = length < px(kLeastLine) ? px(kTail) : 0;
+    const float tail = length < px(kMinLine) ? px(kTail) : 0;
     const Point2 begin = from - tail * along, end = to + tail * along;
     for (const bool halo : {true, false}) {
       if (halo && !arrow.halo) continue;
@@ -358,7 +358,7 @@ struct Composer {
     // In a narrow view the heading shrinks before it is shortened.
     const float natural =
         text_width(pen.said(sketch.heading).text, px(kLabelHeadingSize), Weight::Bold);
-    const double shrunk = kLabelHeadingSize * std::clamp<double>(width / natural, kLeastHeading, 1);
+    const double shrunk = kLabelHeadingSize * std::clamp<double>(width / natural, kMinHeading, 1);
     const float size = px(shrunk);
     const Said text = pen.fitted(sketch.heading, Weight::Bold, width, shrunk);
     const Point2 at = pixel(layout.view.x, layout.view.y + 0.8 * size);
@@ -373,9 +373,9 @@ struct Composer {
       towards = label.at + 20 / camera.pixels_per_metre(label.at) * *label.direction;
     const std::optional<Point2> other = camera.project(towards);
     if (!other) return {0, -1};
-    const Point2 way = label.direction ? *other - at : at - *other;
-    const float reach = length(way);
-    return reach < 1 ? Point2{0, -1} : way / reach;
+    const Point2 offset = label.direction ? *other - at : at - *other;
+    const float reach = length(offset);
+    return reach < 1 ? Point2{0, -1} : offset / reach;
   }
 
   // Thin and grey, so that a leader is not mistaken for part of the scene.

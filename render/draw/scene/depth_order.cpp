@@ -41,7 +41,7 @@ struct Painter {
   std::deque<Item> pieces{};  // cut pieces, at stable addresses
 
   // Small surfaces outside of the box around all others are sorted separately.
-  void paint_apart(Items items, std::span<const Plane<double>> box) {
+  void paint_separately(Items items, std::span<const Plane<double>> box) {
     if (box.empty() || std::ranges::none_of(items, is_small)) {
       paint(std::move(items));
       return;
@@ -50,7 +50,7 @@ struct Painter {
     back.insert(back.end(), on.begin(), on.end());
     const bool eye_in_front = in_front(box.front());
     if (!eye_in_front) paint(std::move(front));
-    paint_apart(std::move(back), box.subspan(1));
+    paint_separately(std::move(back), box.subspan(1));
     if (eye_in_front) paint(std::move(front));
   }
 
@@ -195,7 +195,7 @@ std::vector<Surface> depth_ordered(std::vector<Surface> surfaces, const Camera& 
   Items all;
   all.reserve(items.size());
   for (Item& item : items) all.push_back(&item);
-  Painter{camera, bodies, kOnPlane * scale, result}.paint_apart(std::move(all), sides);
+  Painter{camera, bodies, kOnPlane * scale, result}.paint_separately(std::move(all), sides);
   return result;
 }
 

@@ -4,12 +4,12 @@
 
 namespace contactscope::draw {
 
-PlacedShape moved(PlacedShape shape, const Vec3d& pivot, const Vec3d& way, const Vec3d& turn) {
+PlacedShape moved(PlacedShape shape, const Vec3d& pivot, const Vec3d& offset, const Vec3d& turn) {
   const double angle = turn.norm();
   Quatd by = Quatd::Identity();
   if (angle > 0) by = Quatd(Eigen::AngleAxisd(angle, turn / angle));
   const auto place = [&](const Vec3d& point) -> Vec3d {
-    return pivot + way + by * (point - pivot);
+    return pivot + offset + by * (point - pivot);
   };
   shape.pose.rotation = (by * shape.pose.rotation).normalized();
   shape.pose.position = place(shape.pose.position);
@@ -41,14 +41,14 @@ void draw_ghost(const Camera& camera, const PlacedShape& shape, const LineStyle&
   }
 }
 
-void draw_way(const Scene& scene, const Vec3d& from, const Vec3d& to, double before,
-              const LineStyle& style, Sketch& sketch) {
-  constexpr double kHead = 12, kLeast = 30;  // pixels; a shorter line has no head
+void draw_path(const Scene& scene, const Vec3d& from, const Vec3d& to, double before,
+               const LineStyle& style, Sketch& sketch) {
+  constexpr double kHead = 12, kMin = 30;  // pixels; a shorter line has no head
   const double length = (to - from).norm();
   if (!(length > 0)) return;
   const Vec3d end = to - std::min(1.0, before / length) * (to - from);
   const std::optional<float> seen = seen_distance(scene.camera, from, end);
-  if (!seen || *seen < kLeast * scene.scales.pixel) return sketch.line(from, end, style);
+  if (!seen || *seen < kMin * scene.scales.pixel) return sketch.line(from, end, style);
   const Vec3d neck = end - kHead * scene.scales.pixel / *seen * (end - from);
   sketch.line(from, neck, style);
   sketch.arrows.push_back({.from = neck,

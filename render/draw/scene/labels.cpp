@@ -17,14 +17,14 @@ constexpr int kDirections = 16;
 // Free space around a label's letters, pixels.
 constexpr float kPadding = 2;
 // A leader looks like part of a line if it starts within this distance, pixels, at a smaller angle.
-constexpr float kBesideLine = 7;
+constexpr float kLineGap = 7;
 constexpr float kAlongLine = 0.9f;  // cosine
 
 float distance_to(const Segment2& line, const Point2& p) {
-  const Point2 way = line.to - line.from;
-  const float squared = dot(way, way);
-  const float t = squared > 0 ? std::clamp(dot(p - line.from, way) / squared, 0.0f, 1.0f) : 0;
-  return distance(line.from + t * way, p);
+  const Point2 offset = line.to - line.from;
+  const float squared = dot(offset, offset);
+  const float t = squared > 0 ? std::clamp(dot(p - line.from, offset) / squared, 0.0f, 1.0f) : 0;
+  return distance(line.from + t * offset, p);
 }
 
 }  // namespace
@@ -47,14 +47,14 @@ void LabelPlacer::block(const Point2& from, const Point2& to, float width) {
 bool LabelPlacer::misleads(const Point2& anchor, const Point2& end) const {
   const float reach = distance(anchor, end);
   if (!(reach > 0)) return false;
-  const Point2 way = (end - anchor) / reach;
+  const Point2 offset = (end - anchor) / reach;
   const auto is_crossed = [&](const Rect& text) {
     return clip_segment(text, anchor, end).has_value();
   };
   const auto runs_along = [&](const Segment2& line) {
     const float length = distance(line.from, line.to);
-    return length > 0 && distance_to(line, anchor) < kBesideLine &&
-           std::abs(dot(line.to - line.from, way)) > kAlongLine * length;
+    return length > 0 && distance_to(line, anchor) < kLineGap &&
+           std::abs(dot(line.to - line.from, offset)) > kAlongLine * length;
   };
   return std::ranges::any_of(texts_, is_crossed) || std::ranges::any_of(blocked_, runs_along);
 }

@@ -13,19 +13,19 @@ namespace {
 
 constexpr double kPageMargin = 24;
 constexpr double kTitleSize = 28;
-constexpr double kLeastTitle = 22;  // smaller titles get a second line
-constexpr double kTitleOfTwoLines = 19, kLeastTwoLines = 15;
+constexpr double kMinTitle = 22;  // smaller titles get a second line
+constexpr double kTitleOfTwoLines = 19, kMinTwoLines = 15;
 constexpr double kSourceSize = 15;
 constexpr double kPanelColumn = 356;
 constexpr double kGutter = 16;
 // Text of 14 px at 720 lines is still 10 px high on the smallest pictures.
-constexpr float kLeastScale = 0.72f;
+constexpr float kMinScale = 0.72f;
 constexpr double kBodySize = 15;  // of legends and panels
 // In figures with an author's text size titles have lines, and are smaller than the page's.
 constexpr double kFigureTitle = 18;
-constexpr int kMostTitleLines = 3;
+constexpr int kMaxTitleLines = 3;
 // If the view would be narrower than this, or than a panel, panels and insets are below it.
-constexpr double kLeastView = 400;
+constexpr double kMinView = 400;
 constexpr double kBelowShare = 0.45;  // share of the height
 
 /// Breaks a title into lines at spaces; the last allowed line contains the rest.
@@ -60,10 +60,10 @@ int rows_of(const std::vector<float>& widths, double available) {
 }  // namespace
 
 float interface_scale(int width, int height, const FigureStyle& style) {
-  const auto asked = static_cast<float>(style.scale);
-  if (style.type > 0) return asked * static_cast<float>(style.type / kBodySize);
+  const auto requested = static_cast<float>(style.scale);
+  if (style.type > 0) return requested * static_cast<float>(style.type / kBodySize);
   const double fit = std::min(width / 1280.0, height / 720.0);
-  return asked * std::max(kLeastScale, static_cast<float>(fit));
+  return requested * std::max(kMinScale, static_cast<float>(fit));
 }
 
 double type_of_em(double em_pixels) {
@@ -104,7 +104,7 @@ Layout make_layout(int width, int height, bool has_panels,
   } else if (title && style.follows()) {
     const std::string said = layout.words ? layout.words->of(*title) : *title;
     layout.title_lines = static_cast<int>(
-        title_lines(said, layout.px(layout.title_size), static_cast<float>(inner), kMostTitleLines)
+        title_lines(said, layout.px(layout.title_size), static_cast<float>(inner), kMaxTitleLines)
             .size());
   }
   int rows = 0;
@@ -119,7 +119,7 @@ Layout make_layout(int width, int height, bool has_panels,
   const bool is_last = rows == 0 && !style.footer;
   const double room = legend_top - (is_last ? 0 : layout.px(10)) - top;
   const double gutter = layout.px(kGutter), column = layout.px(kPanelColumn);
-  const bool is_narrow = style.follows() && inner - column - gutter < layout.px(kLeastView);
+  const bool is_narrow = style.follows() && inner - column - gutter < layout.px(kMinView);
   layout.view = {margin, top, inner, room};
   layout.legend = {margin, legend_top, inner, legend_height};
   layout.panels = {width - margin, top, 0, room};
@@ -131,7 +131,7 @@ Layout make_layout(int width, int height, bool has_panels,
     layout.view.width = inner - column - gutter;
     layout.panels = {width - margin - column, top, column, room};
   }
-  if (insets > 0 && style.follows() && layout.view.width < layout.px(2 * kLeastView)) {
+  if (insets > 0 && style.follows() && layout.view.width < layout.px(2 * kMinView)) {
     // Stacked with equal heights, the view first.
     const double each = (layout.view.height - insets * gutter) / (insets + 1);
     layout.view.height = each;
@@ -154,9 +154,9 @@ FittedTitle fit_title(const std::string& title, float room, float scale) {
   const double whole = width(title, kTitleSize);
   if (whole <= room) return {{title}, kTitleSize};
   // Shrink in steps of a pixel, so that a longer number in the next frame seldom changes the size.
-  for (double size = kTitleSize - 1; size >= kLeastTitle; --size)
+  for (double size = kTitleSize - 1; size >= kMinTitle; --size)
     if (width(title, size) <= room) return {{title}, size};
-  for (double size = kTitleOfTwoLines; size >= kLeastTwoLines; --size) {
+  for (double size = kTitleOfTwoLines; size >= kMinTwoLines; --size) {
     // The break that makes both lines most alike in width.
     std::optional<std::size_t> best;
     double least = 0;
@@ -169,8 +169,7 @@ FittedTitle fit_title(const std::string& title, float room, float scale) {
     }
     if (best && least <= room) return {{title.substr(0, *best), title.substr(*best + 1)}, size};
   }
-  return {{fitted(title, scale * static_cast<float>(kLeastTitle), Weight::Bold, room)},
-          kLeastTitle};
+  return {{fitted(title, scale * static_cast<float>(kMinTitle), Weight::Bold, room)}, kMinTitle};
 }
 
 void draw_captions(const std::string& title, const std::string& source, const std::string& moment,

@@ -20,7 +20,7 @@ void Legend::explain(const LegendEntry& entry) {
   const auto found = std::ranges::find(entries_, entry);
   if (found == entries_.end()) return entries_.push_back(entry);
   if (!found->anchor) found->anchor = entry.anchor;
-  found->beside = found->beside && entry.beside;
+  found->next_to = found->next_to && entry.next_to;
 }
 
 void Legend::explain(const Legend& other) {
@@ -64,10 +64,10 @@ std::vector<LegendEntry> Legend::sorted() const {
 
 LegendChoice choose_legend(const std::vector<LegendEntry>& sorted) {
   LegendChoice choice;
-  if (sorted.size() <= kMostLegendEntries) return {sorted, {}};
+  if (sorted.size() <= kMaxLegendEntries) return {sorted, {}};
   // Entries with smaller ranks are listed.
   const auto rank = [](const LegendEntry& entry) {
-    if (entry.beside) return 6;
+    if (entry.next_to) return 6;
     if (!entry.anchor) return 0;
     switch (entry.swatch->group) {
       case LegendGroup::Points:
@@ -98,11 +98,11 @@ LegendChoice choose_legend(const std::vector<LegendEntry>& sorted) {
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   std::ranges::stable_sort(order, {}, [&](std::size_t i) { return rank(sorted[i]); });
   std::vector<bool> listed(sorted.size());
-  for (std::size_t k = 0; k < kMostLegendEntries; ++k) listed[order[k]] = true;
+  for (std::size_t k = 0; k < kMaxLegendEntries; ++k) listed[order[k]] = true;
   for (std::size_t i = 0; i < sorted.size(); ++i) {
     if (listed[i])
       choice.listed.push_back(sorted[i]);
-    else if (sorted[i].anchor && !bears_words(sorted[i]) && choice.labelled.size() < kMostInPlace)
+    else if (sorted[i].anchor && !bears_words(sorted[i]) && choice.labelled.size() < kMaxInPlace)
       choice.labelled.push_back(sorted[i]);
   }
   return choice;

@@ -45,7 +45,7 @@ struct LegendEntry {
   /// World position at which a label in the scene can replace the entry. Nothing if only the legend
   /// can explain the sign, because it is everywhere or because the text states its scale.
   std::optional<Vec3d> anchor{};
-  bool beside = false;  // shown by a panel and not by the view
+  bool next_to = false;  // shown by a panel and not by the view
 
   bool operator==(const LegendEntry& other) const {
     return swatch == other.swatch && text == other.text;
@@ -53,10 +53,10 @@ struct LegendEntry {
 };
 
 /// Maximum number of entries in a legend if the others can be labelled in the scene.
-inline constexpr std::size_t kMostLegendEntries = 5;
+inline constexpr std::size_t kMaxLegendEntries = 5;
 
 /// Maximum number of labels that replace entries; more would crowd the scene.
-inline constexpr std::size_t kMostInPlace = 2;
+inline constexpr std::size_t kMaxInPlace = 2;
 
 /// Splits a picture's signs into legend entries and labels in the scene.
 struct LegendChoice {
@@ -64,7 +64,7 @@ struct LegendChoice {
   std::vector<LegendEntry> labelled;  // each with an anchor
 };
 
-/// Lists up to kMostLegendEntries. If there are more, signs without an anchor are listed first,
+/// Lists up to kMaxLegendEntries. If there are more, signs without an anchor are listed first,
 /// then points, forces and motion, which occur often. Next are faces, lines and bodies, which are
 /// single objects, and last the signs of panels. Two of the others are labelled in the scene, but
 /// no points, forces, motion or masses, because these have labels already.

@@ -16,7 +16,7 @@ constexpr double kDotHalo = 1.8;
 constexpr double kSpeckRadius = 2.4;
 constexpr double kDotBorder = 2.2;
 constexpr double kHaloed = kDotRadius + kDotHalo;
-constexpr double kApartBorder = 1.2;
+constexpr double kSeparatedBorder = 1.2;
 constexpr double kCenterRadius = 9.5;
 constexpr double kFootRadius = 6.5;
 constexpr double kCoreRadius = 2.4;
@@ -78,10 +78,10 @@ float draw_mark(MarkKind kind, const Point2& at, const Color& color, const Pen& 
                    {{kRingInner - 1.5, kRingOuter + 1.5, with_alpha(kWhite, 0.85f)},
                     {kRingInner,
                      kind == MarkKind::Ring ? kRingOuter : kRingInner + 0.7 * kDotBorder, color}});
-    case MarkKind::Apart:
+    case MarkKind::Separation:
       return rings(kHaloed, {{0, kHaloed, kWhite},
                              {0, kDotRadius, with_alpha(color, 0.3f)},
-                             {kDotRadius - kApartBorder, kDotRadius, color}});
+                             {kDotRadius - kSeparatedBorder, kDotRadius, color}});
     case MarkKind::Cross:
     case MarkKind::SmallCross: {
       const bool small = kind == MarkKind::SmallCross;

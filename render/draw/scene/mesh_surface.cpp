@@ -63,8 +63,8 @@ float distance_fade(const Scene& scene, const PlacedShape& shape, const ShapeMes
       if (v == edge.from || v == edge.to) continue;
       const std::optional<Point2>& apex = at(seen, v);
       if (!apex) continue;
-      const Vec2d way(apex->x - from->x, apex->y - from->y);
-      spacing = std::min(spacing, std::abs(cross(along, way)) / length);
+      const Vec2d offset(apex->x - from->x, apex->y - from->y);
+      spacing = std::min(spacing, std::abs(cross(along, offset)) / length);
     }
   }
   return share_between(kTooClose, kFarAway, spacing / scene.scales.pixel);

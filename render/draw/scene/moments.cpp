@@ -19,7 +19,7 @@ bool counts_frames(const std::vector<trace::Frame>& frames) {
 
 /// Number of steps of the story's algorithm, maximum over all frames; 0 if no frame has recorded
 /// it.
-int steps_told(const std::vector<trace::Frame>& frames, Story story) {
+int recorded_steps(const std::vector<trace::Frame>& frames, Story story) {
   View view;
   view.story = story;
   int most = 0;
@@ -40,11 +40,11 @@ int steps_told(const std::vector<trace::Frame>& frames, Story story) {
 
 Moments::Moments(const std::vector<trace::Frame>& frames, Story story) {
   if (frames.empty()) return;
-  const bool told = story != Story::None;
-  steps_ = told || counts_frames(frames);
-  word_ = told ? "step" : "picture";
-  before_first_ = told ? 0 : 1;
-  last_ = told ? steps_told(frames, story) : 0;
+  const bool record = story != Story::None;
+  steps_ = record || counts_frames(frames);
+  word_ = record ? "step" : "picture";
+  before_first_ = record ? 0 : 1;
+  last_ = record ? recorded_steps(frames, story) : 0;
   if (last_ == 0) last_ = frames.back().frame + before_first_;
 }
 

@@ -9,7 +9,7 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr std::size_t kMostBodySides =
+constexpr std::size_t kMaxBodySides =
     160;  // faces of bodies; with more, as on a landscape, nothing counts as hidden
 
 /// The part of `polygon` to the left of the line through two points, or to its right.
@@ -29,13 +29,13 @@ Outline as_outline(const std::vector<Point2>& polygon) {
 }
 
 std::vector<Outline> without(const std::vector<Outline>& polygons, const Outline& hole) {
-  constexpr double kLeastArea = 0.25;  // square pixels
+  constexpr double kMinArea = 0.25;  // square pixels
   std::vector<Outline> result;
   for (Outline rest : polygons) {
     for (std::size_t i = 0; i < hole.size() && rest.size() > 2; ++i) {
       const Vec2d &from = hole[i], &to = hole[(i + 1) % hole.size()];
       Outline outside = cut(rest, from, to, false);
-      if (outside.size() > 2 && area_of(outside) > kLeastArea) result.push_back(std::move(outside));
+      if (outside.size() > 2 && area_of(outside) > kMinArea) result.push_back(std::move(outside));
       rest = cut(rest, from, to, true);
     }
   }
@@ -60,7 +60,7 @@ std::vector<Outline> outlines_before(const std::vector<Point2>& polygon, const C
     Eigen::AlignedBox2d own;
     for (const Point2& p : seen) own.extend(Vec2d(p.x, p.y));
     if (!own.intersects(box)) continue;
-    if (found.size() == kMostBodySides) return {};
+    if (found.size() == kMaxBodySides) return {};
     found.push_back(as_outline(seen));
   }
   for (auto& [body, points] : round) found.push_back(convex_polygon(std::move(points)));

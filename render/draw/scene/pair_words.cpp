@@ -14,13 +14,14 @@ constexpr double kMarginal = 0.05;  // share of the size of the support
 }  // namespace
 
 PairState state_of(const trace::Pair& pair, double touching) {
-  if (pair.state == "separated") return pair.separation < 0 ? PairState::Skipped : PairState::Apart;
+  if (pair.state == "separated")
+    return pair.separation < 0 ? PairState::Skipped : PairState::Separation;
   return pair.separation > touching ? PairState::WithinMargin : PairState::Touching;
 }
 
 std::string spell_state(PairState state) {
   switch (state) {
-    case PairState::Apart:
+    case PairState::Separation:
       return "apart";
     case PairState::WithinMargin:
       return "within the margin";

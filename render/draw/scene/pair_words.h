@@ -12,7 +12,7 @@ namespace contactscope::draw {
 /// Contact state of a pair. A trace's `state` records whether there are contact points. This enum
 /// adds the cases in which points and geometry disagree.
 enum class PairState {
-  Apart,         // a gap, no points
+  Separation,    // a gap, no points
   WithinMargin,  // points and a gap, because of a margin
   Touching,      // points, and an overlap or no gap
   Skipped,       // an overlap, no points: the geometry had no normal, and such pairs are skipped

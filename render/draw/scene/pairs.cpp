@@ -76,8 +76,8 @@ bool is_kept(const trace::Pair& pair, const trace::DroppedPoint& dropped) {
   const Vec3d& normal = pair.clip->reference.normal;
   const double size = reach_of(pair.clip->incident.polygon);
   return std::ranges::any_of(all_points(pair), [&](const PairPoint& kept) {
-    const Vec3d way = dropped.position - kept.point->position;
-    return (way - way.dot(normal) * normal).norm() < 1e-5 * size;
+    const Vec3d offset = dropped.position - kept.point->position;
+    return (offset - offset.dot(normal) * normal).norm() < 1e-5 * size;
   });
 }
 
@@ -102,12 +102,12 @@ OnBoth surfaces_at(const Scene& scene, const trace::Pair& pair, const PairPoint&
 }
 
 OnBoth whisker_at(const Scene& scene, const trace::Pair& pair, const PairPoint& at) {
-  const bool apart = at.point->separation > 0;
-  return surfaces_scaled(scene, pair, at, apart ? scene.scales.gap : scene.scales.overlap);
+  const bool separated = at.point->separation > 0;
+  return surfaces_scaled(scene, pair, at, separated ? scene.scales.gap : scene.scales.overlap);
 }
 
 bool has_whisker(const Scene& scene, const trace::Pair& pair, const PairPoint& at) {
-  constexpr double kLeastWhisker = 6.5;  // pixels: the dot hides shorter ones
+  constexpr double kMinWhisker = 6.5;  // pixels: the dot hides shorter ones
   if (!scene.shows(Layer::Contacts) || pair.query ||
       (pair.incremental && scene.shows(Layer::Persistent)))
     return false;
@@ -120,7 +120,7 @@ bool has_whisker(const Scene& scene, const trace::Pair& pair, const PairPoint& a
       if ((*end - middle).dot(out) > 0) *end = middle;
   }
   const std::optional<float> pixels = seen_distance(scene.camera, from, to);
-  return pixels && *pixels > kLeastWhisker * scene.scales.pixel;
+  return pixels && *pixels > kMinWhisker * scene.scales.pixel;
 }
 
 std::optional<Vec3d> usual_normal(const trace::Frame& frame) {

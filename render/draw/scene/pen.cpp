@@ -23,13 +23,13 @@ std::size_t end_of_straight(const std::vector<Point2>& points, std::size_t first
   float reached = 0, least = -1, most = 1;
   std::size_t next = first + 1;
   for (; next < points.size(); ++next) {
-    const Point2 way = points[next] - points[first];
+    const Point2 displacement = points[next] - points[first];
     if (reached == 0) {
-      const float direct = length(way);
+      const float direct = length(displacement);
       if (!(direct > 0)) continue;  // coincident points
-      along = way / direct;
+      along = displacement / direct;
     }
-    const float run = dot(along, way), aside = cross(along, way);
+    const float run = dot(along, displacement), aside = cross(along, displacement);
     const float slope = aside / run;
     if (run < reached || slope < least || slope > most) break;  // it turns back or leaves the line
     reached = run;

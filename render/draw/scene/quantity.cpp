@@ -9,9 +9,9 @@ namespace contactscope::draw {
 namespace {
 
 // Range of values for which a length uses a unit other than its own.
-constexpr double kLeastInUnit = 1e-2, kMostInUnit = 1e4;
+constexpr double kMinInUnit = 1e-2, kMaxInUnit = 1e4;
 // The same for other quantities.
-constexpr double kLeastInPrefix = 1e-2, kMostInPrefix = 1e4;
+constexpr double kMinInPrefix = 1e-2, kMaxInPrefix = 1e4;
 
 std::string with_minus_sign(const std::string& text) {
   return !text.empty() && text[0] == '-' ? "−" + text.substr(1) : text;
@@ -43,8 +43,8 @@ std::string superscript(int exponent) {
 }
 
 std::string spell_number(double value, int digits) {
-  constexpr double kLeastPlain = 1e-3;  // smaller ones would have zeros to count
-  const bool small = value != 0 && std::abs(value) < kLeastPlain * (1 - 1e-9);
+  constexpr double kMinPlain = 1e-3;  // smaller ones would have zeros to count
+  const bool small = value != 0 && std::abs(value) < kMinPlain * (1 - 1e-9);
   std::string text =
       with_minus_sign(small ? printed("%.*e", digits - 1, value) : printed("%.*g", digits, value));
   const std::size_t power = text.find('e');
@@ -75,7 +75,7 @@ LengthUnit length_unit(double largest) {
 std::string spell_length(double metres, double noise, const LengthUnit& unit) {
   const auto prefix_of = [&](double length) {
     const double in_unit = unit ? std::abs(length) / unit->size : 0;
-    if (in_unit >= kLeastInUnit && in_unit < kMostInUnit) return *unit;
+    if (in_unit >= kMinInUnit && in_unit < kMaxInUnit) return *unit;
     const Prefix fitting = prefix_for(length);
     return fitting.size > 1 ? Prefix{1e3, "k"} : fitting;
   };
@@ -148,7 +148,7 @@ std::string spell_quantity(double value, const std::string& unit, int digits,
                            const std::optional<Prefix>& of_all) {
   const double rounded = rounded_to(digits, value);
   const double in_all = of_all ? std::abs(rounded) / of_all->size : 0;
-  const bool fits = in_all >= kLeastInPrefix && in_all < kMostInPrefix;
+  const bool fits = in_all >= kMinInPrefix && in_all < kMaxInPrefix;
   const Prefix prefix = fits ? *of_all : prefix_for(rounded);
   return spelled(rounded / prefix.size, digits, prefix.name + unit);
 }

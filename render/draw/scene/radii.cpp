@@ -21,13 +21,13 @@ namespace {
 constexpr double kColumn =
     34;  // from the line between the cores to the first length, and between lengths
 constexpr double kBeyondColumn = 6;  // a line from a core extends this far beyond its column
-constexpr double kLeastLength = 12;
+constexpr double kMinLength = 12;
 // Position of the text along a length: nearer to its core than to the overlap of both radii.
 constexpr double kLabelled = 0.4;
 constexpr float kLengthSize = 17;
 constexpr float kSumSize = 20;
 constexpr float kCoreSize = 16;
-constexpr double kBesideCore = 14;   // from a core to its name
+constexpr double kCoreGap = 14;      // from a core to its name
 constexpr double kBeneathAxis = 34;  // from a core to its name, where the axis continues
 constexpr double kOnArrow = 45;
 constexpr double kSideOfRightAngle = 44;
@@ -83,7 +83,7 @@ std::string millimetres(double metres, double least) {
 }
 
 /// Separating axis test of a convex polygon, with the winding of convex_polygon(), and a box.
-bool are_apart(const std::vector<Vec2d>& polygon, const Rect& box) {
+bool are_separated(const std::vector<Vec2d>& polygon, const Rect& box) {
   Eigen::AlignedBox2d around;
   for (const Vec2d& p : polygon) around.extend(p);
   const Eigen::AlignedBox2d other(Vec2d(box.x, box.y), Vec2d(box.right(), box.bottom()));
@@ -127,7 +127,7 @@ struct RadiiSketch {
   }
 
   void core(const PlacedShape& shape, const Vec3d& at, const Vec3d& away, bool named,
-            double clearance = kBesideCore) {
+            double clearance = kCoreGap) {
     if (!(shape.traced().radius > 0)) return;
     sketch.mark(MarkKind::Node, at, kText);
     if (!named) return;
@@ -144,41 +144,41 @@ struct RadiiSketch {
 
   /// Direction and distance of the name of B's core. If a capsule's axis continues both ways inside
   /// a hull, the name avoids that axis and the length measured to the surface.
-  std::pair<Vec3d, double> beside_core(const Cores& at, const Vec3d& right) const {
+  std::pair<Vec3d, double> next_to_core(const Cores& at, const Vec3d& right) const {
     const bool passed =
         is_pill(b) && !(radius_a > 0) && (at.b - at.a).dot(at.normal) < 0 && !is_end(b, at.b);
     if (passed) return {-2 * at.normal - right, kBeneathAxis};
-    return {at.normal + right, kBesideCore};
+    return {at.normal + right, kCoreGap};
   }
 
   /// Cores of two round shapes are "apart"; a hull is solid: the other core is in- or outside.
-  const char* stands(double apart) const {
+  const char* stands(double gap) const {
     if (radius_a > 0 && radius_b > 0) return "apart";
-    return apart < 0 ? "inside" : "outside";
+    return gap < 0 ? "inside" : "outside";
   }
 
   /// A length along the line between the cores, drawn in a column parallel to it. Columns are
   /// numbered 1, 2, ... from the line to the right; -1 is on its left.
-  void dimension(const Vec3d& from, const Vec3d& way, const Vec3d& right, int column,
+  void dimension(const Vec3d& from, const Vec3d& offset, const Vec3d& right, int column,
                  const std::string& text, const Color& line, const Color& ink) {
-    if (way.norm() < metres(from, kLeastLength)) return;
+    if (offset.norm() < metres(from, kMinLength)) return;
     const Vec3d outwards = column < 0 ? Vec3d(-right) : right;
     const double pixels = kColumn * std::abs(column);
-    const Vec3d beside = metres(from, pixels) * outwards;
+    const Vec3d next_to = metres(from, pixels) * outwards;
     const Vec3d beyond = metres(from, pixels + kBeyondColumn) * outwards;
-    for (const Vec3d& end : {from, Vec3d(from + way)}) sketch.line(end, end + beyond, kToColumn);
-    sketch.arrows.push_back({.from = from + beside,
-                             .to = from + beside + way,
+    for (const Vec3d& end : {from, Vec3d(from + offset)}) sketch.line(end, end + beyond, kToColumn);
+    sketch.arrows.push_back({.from = from + next_to,
+                             .to = from + next_to + offset,
                              .double_headed = true,
                              .width = 1.8f,
                              .head = 9,
                              .color = line});
-    sketch.label(from + beside + kLabelled * way, text, ink, kLengthSize, 8, outwards);
+    sketch.label(from + next_to + kLabelled * offset, text, ink, kLengthSize, 8, outwards);
   }
 
-  void radius(const Vec3d& from, const Vec3d& way, const Vec3d& right, int column) {
-    const double length = way.norm();
-    dimension(from, way, right, column, "r " + millimetres(length, length) + " mm", kShapeEdge,
+  void radius(const Vec3d& from, const Vec3d& offset, const Vec3d& right, int column) {
+    const double length = offset.norm();
+    dimension(from, offset, right, column, "r " + millimetres(length, length) + " mm", kShapeEdge,
               kText);
   }
 
@@ -187,8 +187,7 @@ struct RadiiSketch {
     sketch.line(from.a, to.a, kAlongAxis);
     sketch.line(from.b, to.b, kAlongAxis);
     if (degenerate) return;  // the label of collinear axes names that instead
-    sketch
-        .label(0.5 * (from.a + to.a), "shared stretch", kText, kCoreSize, kBesideCore, -from.normal)
+    sketch.label(0.5 * (from.a + to.a), "shared stretch", kText, kCoreSize, kCoreGap, -from.normal)
         .bold = false;
   }
 
@@ -268,12 +267,12 @@ struct RadiiSketch {
         const Point2 corner = *at + static_cast<float>(reach * pixel) * Point2{x, y};
         const Rect box{x >= 0 ? corner.x : corner.x - width, corner.y - 0.5 * height, width,
                        height};
-        const Point2 way = corner - *at;
+        const Point2 offset = corner - *at;
         const bool is_along =
-            seen > 1 && std::abs(dot(way, *ahead - *at)) > kAlong * length(way) * seen;
+            seen > 1 && std::abs(dot(offset, *ahead - *at)) > kAlong * length(offset) * seen;
         const Rect room = box.grown(6 * pixel);
         const auto meets = [&](const std::vector<Vec2d>& polygon) {
-          return !are_apart(polygon, room);
+          return !are_separated(polygon, room);
         };
         const auto crosses = [&](const Segment2& edge) {
           return clip_segment(room, edge.from, edge.to).has_value();
@@ -293,7 +292,7 @@ struct RadiiSketch {
   /// The sum: overlap = radii less the distance of the cores. That distance is negative if the core
   /// of a round shape is inside a hull.
   void sum(const Cores& at, const Vec3d& aside) {
-    const double apart = (at.b - at.a).dot(at.normal);
+    const double gap = (at.b - at.a).dot(at.normal);
     const double least = std::abs(at.separation);
     const bool overlaps = at.separation <= 0;
     std::string text;
@@ -301,11 +300,11 @@ struct RadiiSketch {
       if (!(radius > 0)) continue;
       text += (text.empty() ? "" : overlaps ? " + " : " − ") + millimetres(radius, least);
     }
-    const std::string distance = millimetres(std::abs(apart), least);
+    const std::string distance = millimetres(std::abs(gap), least);
     const bool in_one_place = overlaps && distance.find_first_not_of("0.") == std::string::npos;
     const bool is_sum = !in_one_place || (radius_a > 0 && radius_b > 0);
     text = in_one_place ? "overlap " + text
-           : overlaps   ? "overlap " + text + (apart < 0 ? " + " : " − ") + distance
+           : overlaps   ? "overlap " + text + (gap < 0 ? " + " : " − ") + distance
                         : "gap " + distance + " − " + text;
     text += (is_sum ? " = " + millimetres(least, least) : "") + " mm";
     // For a hull, the part of the whisker next to which no length is measured.
@@ -325,9 +324,9 @@ struct RadiiSketch {
     const Point2 foot = *camera.project(middle);
     const bool is_right = box->x + 0.5 * box->width > foot.x;
     const Point2 end = pixel(is_right ? box->x : box->right(), box->y + 0.5 * box->height);
-    const Point2 way = end - foot;
-    const Vec3d there =
-        middle + (way.x * camera.right() - way.y * camera.up()) / camera.pixels_per_metre(middle);
+    const Point2 offset = end - foot;
+    const Vec3d there = middle + (offset.x * camera.right() - offset.y * camera.up()) /
+                                     camera.pixels_per_metre(middle);
     sketch.bordered_line(middle, there, {1.0f, kQuietText}, 3.5f);
     sketch.label(there, text, ink, kSumSize, 4, Vec3d((is_right ? 1.0 : -1.0) * camera.right()));
   }
@@ -355,14 +354,14 @@ struct RadiiSketch {
         radius(at.b, -radius_b * at.normal, right, radius_a > 0 ? 2 : 1);
       }
       core(a, at.a, -at.normal - right, first && !degenerate);
-      const auto [aside, clearance] = beside_core(at, right);
+      const auto [aside, clearance] = next_to_core(at, right);
       core(b, at.b, aside, first && !degenerate, clearance);
       if (first && degenerate)
         sketch.label(at.b, *degenerate, kText, kCoreSize, 14, -right - at.normal).bold = false;
       if (first) {
-        const double apart = (at.b - at.a).dot(at.normal);
+        const double gap = (at.b - at.a).dot(at.normal);
         const std::string distance =
-            millimetres(std::abs(apart), std::abs(apart)) + " mm " + stands(apart);
+            millimetres(std::abs(gap), std::abs(gap)) + " mm " + stands(gap);
         if (!end_on) dimension(at.a, at.b - at.a, right, -1, distance, kAxisText, kAxisText);
       }
       first = false;

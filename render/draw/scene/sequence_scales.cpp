@@ -12,10 +12,10 @@ namespace {
 constexpr double kLegibleDepth = 13;      // pixels: six beyond the dot's border
 constexpr double kExaggeratedDepth = 24;  // pixels of the sequence's deepest overlap
 constexpr double kWidestGap = 150;        // pixels
-constexpr double kMostBesideGap = 20;     // largest factor of overlaps next to such a gap
+constexpr double kMaxSideGap = 20;        // largest factor of overlaps next to such a gap
 constexpr double kUsualImpulse = 0.20;    // of the view's height
 constexpr double kUsualOfBody = 1.1;      // and of the smallest body's radius
-constexpr double kLeastUsual = 0.08;      // but at least this share of the view's height
+constexpr double kMinUsual = 0.08;        // but at least this share of the view's height
 constexpr double kUsualFriction = 0.5;    // of a usual impulse's length, with its own scale
 constexpr double kLongestImpulse = 2.2;   // of a usual impulse
 constexpr double kLongestStated = 0.45;   // of the view's height, if the view sets the scale
@@ -25,7 +25,7 @@ constexpr double kWidestDrift = 46;       // pixels
 constexpr double kPlainDrift = 16;        // pixels from which no exaggeration is needed
 constexpr double kStill = 1e-3;           // pixels a frame: slower motion is rounding
 constexpr double kTouching = 1e-4;        // of the smallest body's radius
-constexpr double kSeenApart = 6;          // pixels
+constexpr double kSeenDistance = 6;       // pixels
 
 // Median. An impact is many times the impulse of a resting body, so the usual frame sets the scale.
 double usual(std::vector<double> values) {
@@ -54,7 +54,7 @@ void fit_gap(double widest, bool any_overlap, SequenceScales& scales) {
   scales.gap = any_overlap ? scales.overlap : fit_overlap(widest, pixel);
   if (scales.overlap * widest <= kWidestGap * pixel) return;
   scales.gap = std::max(1.0, round_down(kWidestGap * pixel / widest));
-  if (scales.overlap > kMostBesideGap) scales.overlap = scales.gap = 1;
+  if (scales.overlap > kMaxSideGap) scales.overlap = scales.gap = 1;
 }
 
 }  // namespace
@@ -129,7 +129,8 @@ SequenceScales fit_scales(const ShapeMeshes& meshes, const std::vector<trace::Fr
   const double smallest = meshes.smallest_radius();
   if (std::isfinite(smallest)) scales.touching = kTouching * smallest;
   // Points with a visible gap do not touch.
-  if (nearest > 0) scales.touching = std::min(scales.touching, kSeenApart * scales.pixel / nearest);
+  if (nearest > 0)
+    scales.touching = std::min(scales.touching, kSeenDistance * scales.pixel / nearest);
   // An overlap determines the unit, unless it is only a touch.
   scales.length = length_unit(
       most_overlap > scales.touching || most_gap <= scales.touching ? most_overlap : most_gap);
@@ -137,7 +138,7 @@ SequenceScales fit_scales(const ShapeMeshes& meshes, const std::vector<trace::Fr
   if (!impulses.empty()) {
     const double share = height / pixels_per_metre;
     const double length =
-        std::max(kLeastUsual * share, std::min(kUsualImpulse * share, kUsualOfBody * smallest));
+        std::max(kMinUsual * share, std::min(kUsualImpulse * share, kUsualOfBody * smallest));
     // The unit of the legend's round numbers: impulse, or force per step.
     const double unit = view.shows(Layer::Loads) && scales.step > 0 ? scales.step : 1;
     scales.impulse =

@@ -68,10 +68,10 @@ Vec3d nearest_to_origin(const std::vector<Vec3d>& points) {
     std::vector<Vec3d> across;  // offsets from the first corner, orthogonalised
     bool flat = false;
     for (std::size_t i = 1; i < corners.size(); ++i) {
-      const Vec3d way = corners[i] - corners[0];
-      Vec3d rest = way;
+      const Vec3d offset = corners[i] - corners[0];
+      Vec3d rest = offset;
       for (const Vec3d& other : across) rest -= other.dot(rest) / other.squaredNorm() * other;
-      flat = flat || rest.norm() <= 1e-12 * way.norm();
+      flat = flat || rest.norm() <= 1e-12 * offset.norm();
       across.push_back(rest);
     }
     if (flat) continue;
@@ -79,9 +79,9 @@ Vec3d nearest_to_origin(const std::vector<Vec3d>& points) {
     double first = 1;  // weight of the first corner
     bool inside = true;
     for (std::size_t i = corners.size(); i-- > 1;) {
-      const Vec3d way = corners[i] - corners[0];
-      const double weight = -across[i - 1].dot(foot) / across[i - 1].dot(way);
-      foot += weight * way;
+      const Vec3d offset = corners[i] - corners[0];
+      const double weight = -across[i - 1].dot(foot) / across[i - 1].dot(offset);
+      foot += weight * offset;
       first -= weight;
       inside = inside && weight >= 0;
     }

@@ -52,10 +52,10 @@ struct Arrow {
 };
 
 /// An arrow in true scale, clipped at the border of the view.
-inline Arrow arrow_to_scale(const Vec3d& from, const Vec3d& way, float width, float head,
+inline Arrow arrow_to_scale(const Vec3d& from, const Vec3d& offset, float width, float head,
                             const Color& color) {
   return {.from = from,
-          .to = from + way,
+          .to = from + offset,
           .width = width,
           .head = head,
           .color = color,
@@ -67,8 +67,8 @@ enum class MarkKind {
   Half,  // left half filled
   Hollow,
   Ring,
-  WideRing,  // hollow, around another mark
-  Apart,     // a point that does not touch yet
+  WideRing,    // hollow, around another mark
+  Separation,  // a point that does not touch yet
   Cross,
   SmallCross,
   Core,

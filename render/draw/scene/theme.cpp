@@ -19,7 +19,7 @@ constexpr double kPale = 0.7;
 // For surfaces: chroma of a tint, and the lightness that it adds without colours.
 constexpr double kTinge = 0.008, kCoolShift = -0.06, kWarmShift = 0.02;
 // A press loses tints that are lighter than this.
-constexpr double kLeastTint = 0.08, kLeastLine = 0.35;
+constexpr double kMinTint = 0.08, kMinLine = 0.35;
 constexpr float kAlmostOpaque = 0.99f;
 
 /// Lightness, green to red, blue to yellow. Ottosson 2020, "A perceptual color space for image
@@ -142,7 +142,7 @@ Color in_print(const Color& color, ColorUse use, const Color& ground) {
   if (use == ColorUse::Line) lab = made_to_stand_out(lab, use, ground, -0.01);
   Color strong = to_color(lab, color.a);
   // Darkness against the ground is raised by alpha first, then by lightness.
-  const double least = use == ColorUse::Line ? kLeastLine : kLeastTint;
+  const double least = use == ColorUse::Line ? kMinLine : kMinTint;
   const auto darkness = [&] { return 1 - lab.l; };
   if (color.a > 0 && color.a * darkness() < least) {
     if (darkness() < least) lab.l = 1 - least;

@@ -37,21 +37,21 @@ class AnimationReel : public Reel {
                             static_cast<int>(milliseconds(begin_ + shown) - milliseconds(begin_))};
     begin_ += shown;
     wait();
-    under_way_ = std::async(std::launch::async, [this, image = std::move(held_), duration] {
+    running_ = std::async(std::launch::async, [this, image = std::move(held_), duration] {
       animation_->add(*image, duration);
     });
     held_.reset();
   }
 
   void wait() {
-    if (under_way_.valid()) under_way_.get();
+    if (running_.valid()) running_.get();
   }
 
   std::optional<double> fps_;
   std::unique_ptr<Animation> animation_;
   std::shared_ptr<const Image> held_{};
   double time_ = 0, last_ = kNoTime, begin_ = 0;  // seconds
-  std::future<void> under_way_{};                 // declared last: its destructor waits
+  std::future<void> running_{};                   // declared last: its destructor waits
 };
 
 }  // namespace

@@ -28,7 +28,7 @@ std::string ffmpeg() {
 }
 
 /// Some players fail at lower rates, so slower pictures are repeated.
-constexpr double kLeastRate = 10;
+constexpr double kMinRate = 10;
 
 /// Pipes raw pictures to ffmpeg.
 class Mp4Animation : public Animation {
@@ -54,7 +54,7 @@ class Mp4Animation : public Animation {
   void add(const Image& image, const Duration& shown) override {
     if (child_ <= 0) {
       const double rate = 1 / shown.seconds;
-      rate_ = rate * std::max(1.0, std::ceil(kLeastRate / rate));
+      rate_ = rate * std::max(1.0, std::ceil(kMinRate / rate));
       start(image.width + image.width % 2, image.height + image.height % 2);
     }
     const std::vector<std::uint8_t> pixels = even(image);

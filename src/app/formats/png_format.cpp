@@ -8,7 +8,10 @@ const Format kPngFormat{
     .extension = ".png",
     .what = "pixels, a file a frame",
     .needs_pixels = true,
-    .encode = [](const Shot& shot) { return encode_png(*shot.image, kFastestDeflate, entries_of(shot.origin)); },
+    .encode =
+        [](const Shot& shot) {
+          return encode_png(*shot.image, kFastestDeflate, entries_of(shot.origin));
+        },
 };
 
 }  // namespace contactscope::app

@@ -27,10 +27,10 @@ void write_text(const std::string& path, const std::string& text) {
 
 }  // namespace
 
-Sinks::Sinks(std::vector<const Format*> formats, const Options& options, Studio& studio)
+Sinks::Sinks(std::vector<const Format*> formats, const Options& options, Renderer& renderer)
     : formats_(std::move(formats)),
       options_(options),
-      studio_(studio),
+      renderer_(renderer),
       needs_pixels_(std::ranges::any_of(formats_, &Format::needs_pixels)),
       encoders_(options.jobs) {}
 
@@ -52,7 +52,7 @@ std::string Sinks::path_of(const std::string& scenario, const fs::path& stem,
 
 void Sinks::begin(const Series& series) {
   series_ = series;
-  if (needs_pixels_) studio_.open(series.staging->layout.width, series.staging->layout.height);
+  if (needs_pixels_) renderer_.open(series.staging->layout.width, series.staging->layout.height);
   const bool is_one = series.frames.size() == 1;
   const fs::path folder = snapshot::picture_folder(options_.out, series.scenario, series.view);
   const std::string stem = is_one ? snapshot::frame_stem(series.frames.front()) : "sequence";
@@ -74,7 +74,7 @@ void Sinks::begin(const Series& series) {
 
 Shot Sinks::shot_of(draw::Drawing drawing) {
   Shot shot{std::make_shared<const draw::Drawing>(std::move(drawing))};
-  if (needs_pixels_) shot.image = std::make_shared<const Image>(studio_.paint(*shot.drawing));
+  if (needs_pixels_) shot.image = std::make_shared<const Image>(renderer_.paint(*shot.drawing));
   return shot;
 }
 
@@ -113,7 +113,7 @@ void Sinks::end() {
 
 void Sinks::add_alone(const std::string& stem, const std::string& scenario,
                       const PictureOrigin& origin, draw::Drawing drawing) {
-  if (needs_pixels_) studio_.open(drawing.width, drawing.height);
+  if (needs_pixels_) renderer_.open(drawing.width, drawing.height);
   Shot shot = shot_of(std::move(drawing));
   for (const Format* format : formats_) {
     shot.origin = completed(origin, "", *format);

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/formats/format.h"
-#include "app/studio.h"
+#include "app/renderer.h"
 
 namespace contactscope::app {
 
@@ -26,7 +26,7 @@ struct Series {
 /// one needs them.
 class Sinks {
  public:
-  Sinks(std::vector<const Format*> formats, const Options& options, Studio& studio);
+  Sinks(std::vector<const Format*> formats, const Options& options, Renderer& renderer);
 
   /// Opens the files of a sequence. Fails here on a machine without OpenGL.
   void begin(const Series& series);
@@ -56,7 +56,7 @@ class Sinks {
 
   std::vector<const Format*> formats_;
   const Options& options_;
-  Studio& studio_;
+  Renderer& renderer_;
   bool needs_pixels_;
   Series series_;
   std::vector<std::unique_ptr<Reel>> reels_;

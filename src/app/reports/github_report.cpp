@@ -35,17 +35,17 @@ std::string line_in(const std::string& file, const snapshot::Finding& finding) {
 }
 
 /// One annotation per cause at its first scenario's file: a pull request shows only ten.
-void tell_github(const Told& told) {
-  for (const snapshot::Cause& cause : snapshot::causes(told.outcome)) {
+void report_github(const ReportInput& input) {
+  for (const snapshot::Cause& cause : snapshot::causes(input.outcome)) {
     const snapshot::Finding& first = *cause.findings.front();
     std::string place;
-    for (const snapshot::ScenarioOutcome& scenario : told.outcome.scenarios)
+    for (const snapshot::ScenarioOutcome& scenario : input.outcome.scenarios)
       if (scenario.scenario == first.scenario && !scenario.file.empty())
         place = "file=" + escaped(scenario.file, true) + "," + line_in(scenario.file, first);
     std::string text = first.sentence;
     if (cause.scenarios.size() > 1)
       text += "\ntold once of " + std::to_string(cause.scenarios.size()) + " scenarios";
-    text += "\n" + remedy(told, cause);
+    text += "\n" + remedy(input, cause);
     std::cout << "::error " << place << "title=" << escaped(first.key(), true)
               << "::" << escaped(text, false) << '\n';
   }
@@ -53,7 +53,7 @@ void tell_github(const Told& told) {
 
 }  // namespace
 
-const Report kGithubReport{"github", [](const Told& told) { return told.options.github; },
-                           &tell_github};
+const Report kGithubReport{"github", [](const ReportInput& input) { return input.options.github; },
+                           &report_github};
 
 }  // namespace contactscope::app

@@ -6,7 +6,8 @@
 namespace contactscope::app {
 
 /// Prints findings.json to standard output.
-const Report kJsonReport{"json", [](const Told& told) { return told.options.json; },
-                         [](const Told& told) { std::cout << snapshot::to_json(told.outcome); }};
+const Report kJsonReport{
+    "json", [](const ReportInput& input) { return input.options.json; },
+    [](const ReportInput& input) { std::cout << snapshot::to_json(input.outcome); }};
 
 }  // namespace contactscope::app

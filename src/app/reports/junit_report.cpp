@@ -13,21 +13,21 @@ using snapshot::ScenarioOutcome;
 
 /// JUnit XML for Jenkins, GitLab and others: a suite per group, a case per scenario. Attachments
 /// have the form that the JUnit attachments plugin and GitLab expect.
-void tell_junit(const Told& told) {
+void report_junit(const ReportInput& input) {
   std::ostringstream out;
-  const snapshot::Tally counts = snapshot::tally(told.outcome);
+  const snapshot::Tally counts = snapshot::tally(input.outcome);
   out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"contactscope check\" "
          "tests=\""
-      << told.outcome.scenarios.size() << "\" failures=\"" << counts.failing << "\">\n";
+      << input.outcome.scenarios.size() << "\" failures=\"" << counts.failing << "\">\n";
   std::string group;
-  for (std::size_t i = 0; i < told.outcome.scenarios.size(); ++i) {
-    const ScenarioOutcome& scenario = told.outcome.scenarios[i];
+  for (std::size_t i = 0; i < input.outcome.scenarios.size(); ++i) {
+    const ScenarioOutcome& scenario = input.outcome.scenarios[i];
     const std::size_t slash = scenario.scenario.find('/');
     if (scenario.scenario.substr(0, slash) != group) {
       if (!group.empty()) out << " </testsuite>\n";
       group = scenario.scenario.substr(0, slash);
       int tests = 0, failures = 0;
-      for (const ScenarioOutcome& other : told.outcome.scenarios) {
+      for (const ScenarioOutcome& other : input.outcome.scenarios) {
         if (!other.scenario.starts_with(group + "/")) continue;
         ++tests;
         failures += other.fails();
@@ -45,10 +45,10 @@ void tell_junit(const Told& told) {
       out << "   <failure type=\"" << snapshot::name_of(finding.kind) << "\" message=\""
           << vector::escaped(finding.sentence) << "\">";
       for (const std::string& detail : finding.details) out << vector::escaped(detail) << '\n';
-      out << vector::escaped(remedy(told, finding)) << "</failure>\n";
+      out << vector::escaped(remedy(input, finding)) << "</failure>\n";
       for (const std::string& file : {finding.expected, finding.candidate, finding.difference}) {
         if (file.empty()) continue;
-        const std::filesystem::path path = std::filesystem::absolute(told.folder / file);
+        const std::filesystem::path path = std::filesystem::absolute(input.folder / file);
         (finding.is_picture() ? pictures : others) +=
             "[[ATTACHMENT|" + vector::escaped(path.lexically_normal().string()) + "]]\n";
       }
@@ -59,12 +59,12 @@ void tell_junit(const Told& told) {
   }
   if (!group.empty()) out << " </testsuite>\n";
   out << "</testsuites>\n";
-  snapshot::write_text(told.options.junit, out.str());
+  snapshot::write_text(input.options.junit, out.str());
 }
 
 }  // namespace
 
-const Report kJunitReport{"junit", [](const Told& told) { return !told.options.junit.empty(); },
-                          &tell_junit};
+const Report kJunitReport{
+    "junit", [](const ReportInput& input) { return !input.options.junit.empty(); }, &report_junit};
 
 }  // namespace contactscope::app

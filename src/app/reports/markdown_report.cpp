@@ -13,14 +13,14 @@ using snapshot::Cause;
 using snapshot::Finding;
 
 // $GITHUB_STEP_SUMMARY is limited to one MiB.
-constexpr std::size_t kMostBytes = 900000;
+constexpr std::size_t kMaxBytes = 900000;
 
 /// A small picture embedded in the text.
-std::string inline_picture(const Told& told, const char* what, const std::string& file) {
+std::string inline_picture(const ReportInput& input, const char* what, const std::string& file) {
   if (file.empty() || !file.ends_with(".png")) return "| ";
   constexpr int kWidth = 320;
   const std::vector<std::uint8_t> png =
-      encode_png(shrunk(read_png((told.folder / file).string()), kWidth), 9);
+      encode_png(shrunk(read_png((input.folder / file).string()), kWidth), 9);
   return "| ![" + std::string(what) + "](data:image/png;base64," +
          base64({reinterpret_cast<const char*>(png.data()), png.size()}) + ") ";
 }
@@ -43,10 +43,10 @@ std::string code(const std::string& text) {
   return fence + pad + text + pad + fence;
 }
 
-void tell_markdown(const Told& told) {
+void report_markdown(const ReportInput& input) {
   std::ostringstream out;
-  const std::vector<Cause> causes = snapshot::causes(told.outcome);
-  out << "## contactscope check\n\n" << snapshot::summary(snapshot::tally(told.outcome)) << "\n";
+  const std::vector<Cause> causes = snapshot::causes(input.outcome);
+  out << "## contactscope check\n\n" << snapshot::summary(snapshot::tally(input.outcome)) << "\n";
   std::size_t bytes = 0;
   for (const Cause& cause : causes) {
     const Finding& first = *cause.findings.front();
@@ -58,23 +58,24 @@ void tell_markdown(const Told& told) {
     }
     for (const Finding* finding : cause.findings) {
       if (!finding->is_picture() || finding->candidate.empty()) continue;
-      const std::string row = inline_picture(told, "expected", finding->expected) +
-                              inline_picture(told, "actual", finding->candidate) +
-                              inline_picture(told, "difference", finding->difference) + "|\n\n";
-      if (bytes + row.size() > kMostBytes) break;
+      const std::string row = inline_picture(input, "expected", finding->expected) +
+                              inline_picture(input, "actual", finding->candidate) +
+                              inline_picture(input, "difference", finding->difference) + "|\n\n";
+      if (bytes + row.size() > kMaxBytes) break;
       bytes += row.size();
       out << "| expected | actual | difference |\n|---|---|---|\n" << row;
       break;  // only the largest difference of each cause
     }
-    out << (first.is_acceptable() ? "    " + remedy(told, cause) : plain(remedy(told, cause)))
+    out << (first.is_acceptable() ? "    " + remedy(input, cause) : plain(remedy(input, cause)))
         << "\n";
   }
-  snapshot::write_text(told.options.markdown, out.str());
+  snapshot::write_text(input.options.markdown, out.str());
 }
 
 }  // namespace
 
 const Report kMarkdownReport{
-    "markdown", [](const Told& told) { return !told.options.markdown.empty(); }, &tell_markdown};
+    "markdown", [](const ReportInput& input) { return !input.options.markdown.empty(); },
+    &report_markdown};
 
 }  // namespace contactscope::app

@@ -22,18 +22,18 @@ class Pictures {
   explicit Pictures(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
   std::string source(const std::string& file) {
-    constexpr std::uintmax_t kMost = 64 << 20;
+    constexpr std::uintmax_t kMax = 64 << 20;
     const std::optional<std::string> png = snapshot::read_text_file(folder_ / file);
-    if (!png || bytes_ + png->size() > kMost) return file;
+    if (!png || bytes_ + png->size() > kMax) return file;
     bytes_ += png->size();
     return "data:image/png;base64," + base64(*png);
   }
 
   /// Text of an embedded file; empty if it is too large to embed.
   std::string text(const std::string& file) {
-    constexpr std::uintmax_t kMost = 32 << 20, kMostEach = 1 << 20;
+    constexpr std::uintmax_t kMax = 32 << 20, kMaxEach = 1 << 20;
     const std::optional<std::string> all = snapshot::read_text_file(folder_ / file);
-    if (!all || all->size() > kMostEach || text_bytes_ + all->size() > kMost) return {};
+    if (!all || all->size() > kMaxEach || text_bytes_ + all->size() > kMax) return {};
     text_bytes_ += all->size();
     return *all;
   }
@@ -59,7 +59,7 @@ std::vector<std::string> facts_of(const snapshot::Outcome& outcome, const Findin
   return facts;
 }
 
-Json finding_json(const Told& told, const Finding& finding, Pictures& pictures) {
+Json finding_json(const ReportInput& input, const Finding& finding, Pictures& pictures) {
   Json json{{"key", finding.key()},
             {"scenario", finding.scenario},
             {"kind", snapshot::name_of(finding.kind)},
@@ -67,12 +67,12 @@ Json finding_json(const Told& told, const Finding& finding, Pictures& pictures) 
             {"details", finding.details},
             {"review", snapshot::kReviews[static_cast<std::size_t>(finding.review)]}};
   if (finding.is_acceptable())
-    json["accept"] = accept_command(told, {finding.key()});
+    json["accept"] = accept_command(input, {finding.key()});
   else
-    json["remedy"] = remedy(told, finding);
+    json["remedy"] = remedy(input, finding);
   if (!finding.is_picture()) return json;
   json["frame"] = *finding.frame;
-  json["facts"] = facts_of(told.outcome, finding);
+  json["facts"] = facts_of(input.outcome, finding);
   json["layers"] = finding.layers;
   if (!finding.layers_picture.empty()) json["layers_svg"] = pictures.text(finding.layers_picture);
   if (!finding.candidate.empty()) json["candidate"] = pictures.source(finding.candidate);
@@ -81,12 +81,12 @@ Json finding_json(const Told& told, const Finding& finding, Pictures& pictures) 
   return json;
 }
 
-void tell_page(const Told& told) {
-  Pictures pictures(told.folder);
-  Json json{{"summary", snapshot::summary(snapshot::tally(told.outcome))},
-            {"out", out_argument(told)},
+void report_page(const ReportInput& input) {
+  Pictures pictures(input.folder);
+  Json json{{"summary", snapshot::summary(snapshot::tally(input.outcome))},
+            {"out", out_argument(input)},
             {"causes", Json::array()}};
-  for (const Cause& cause : snapshot::causes(told.outcome)) {
+  for (const Cause& cause : snapshot::causes(input.outcome)) {
     std::string kind(snapshot::name_of(cause.findings.front()->kind));
     std::ranges::replace(kind, '_', ' ');
     Json one{{"kind", kind},
@@ -94,13 +94,13 @@ void tell_page(const Told& told) {
              {"pictures", std::ranges::count_if(cause.findings, &Finding::is_picture)},
              {"findings", Json::array()}};
     if (cause.scenarios.size() > 1 && cause.findings.front()->is_acceptable())
-      one["accept"] = accept_command(told, cause.scenarios);
+      one["accept"] = accept_command(input, cause.scenarios);
     // The first finding describes the cause; pictures follow for review.
     std::vector<const Finding*> shown = cause.findings;
     std::stable_partition(shown.begin() + 1, shown.end(),
                           [](const Finding* finding) { return finding->is_picture(); });
     for (const Finding* finding : shown)
-      one["findings"].push_back(finding_json(told, *finding, pictures));
+      one["findings"].push_back(finding_json(input, *finding, pictures));
     json["causes"].push_back(std::move(one));
   }
   const std::string text =
@@ -108,16 +108,16 @@ void tell_page(const Told& told) {
   std::string page(check_page());
   const std::string_view mark = "@REPORT@";
   page.replace(page.find(mark), mark.size(), text);
-  snapshot::write_text(told.folder / "report.html", page);
+  snapshot::write_text(input.folder / "report.html", page);
 }
 
 }  // namespace
 
 const Report kPageReport{"page",
-                         [](const Told& told) {
-                           return snapshot::tally(told.outcome).failing > 0 ||
-                                  std::filesystem::exists(told.folder / "report.html");
+                         [](const ReportInput& input) {
+                           return snapshot::tally(input.outcome).failing > 0 ||
+                                  std::filesystem::exists(input.folder / "report.html");
                          },
-                         &tell_page};
+                         &report_page};
 
 }  // namespace contactscope::app

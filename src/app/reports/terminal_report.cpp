@@ -36,7 +36,7 @@ std::string list_of(const std::vector<std::string>& names, std::size_t most) {
 
 /// Prints a cause: its sentence and the other affected scenarios.
 void put_cause(const Cause& cause, bool is_verbose) {
-  constexpr std::size_t kMostSentences = 5, kMostNames = 12;
+  constexpr std::size_t kMaxSentences = 5, kMaxNames = 12;
   const Finding& first = *cause.findings.front();
   put_line(kind_in_words(first), first.sentence);
   if (cause.scenarios.size() > 1) {
@@ -45,20 +45,22 @@ void put_cause(const Cause& cause, bool is_verbose) {
     put_line("", "told once of " +
                      snapshot::counted(static_cast<int>(cause.scenarios.size()), "scenario") +
                      (pictures > 0 ? " and " + snapshot::counted(pictures, "picture") : "") + ": " +
-                     list_of(cause.scenarios, is_verbose ? cause.scenarios.size() : kMostNames));
+                     list_of(cause.scenarios, is_verbose ? cause.scenarios.size() : kMaxNames));
   }
   // New, missing and orphaned files all have the same message.
   const bool is_of_files = first.kind == FindingKind::New || first.kind == FindingKind::Missing ||
                            first.kind == FindingKind::Orphaned;
-  const bool is_told_once = is_of_files || cause.scenarios.size() > 1;
-  const std::size_t most = is_verbose ? cause.findings.size() : is_told_once ? 1 : kMostSentences;
+  const bool is_reported_once = is_of_files || cause.scenarios.size() > 1;
+  const std::size_t most = is_verbose         ? cause.findings.size()
+                           : is_reported_once ? 1
+                                              : kMaxSentences;
   for (std::size_t i = 0; i < cause.findings.size() && i < most; ++i) {
     const Finding& finding = *cause.findings[i];
     if (i > 0) put_line("", finding.sentence);
-    const bool is_told = finding.kind == FindingKind::UnmetExpectation || is_verbose ||
-                         (finding.pixels && finding.pixels->limits != PixelLimits{});
+    const bool is_named = finding.kind == FindingKind::UnmetExpectation || is_verbose ||
+                          (finding.pixels && finding.pixels->limits != PixelLimits{});
     for (const std::string& detail : finding.details)
-      if (is_told && detail != finding.sentence) put_line("", "  " + detail);
+      if (is_named && detail != finding.sentence) put_line("", "  " + detail);
   }
   if (most < cause.findings.size() && cause.scenarios.size() == 1 && first.kind != FindingKind::New)
     put_line("", "and " + std::to_string(cause.findings.size() - most) + " more of it");
@@ -80,22 +82,22 @@ void print_written(const ScenarioOutcome& scenario) {
 }
 
 /// Commands that accept or fix everything.
-std::string what_to_do(const Told& told, const snapshot::Tally& counts) {
-  const std::vector<Cause> causes = snapshot::causes(told.outcome);
+std::string what_to_do(const ReportInput& input, const snapshot::Tally& counts) {
+  const std::vector<Cause> causes = snapshot::causes(input.outcome);
   const auto count = [&](FindingKind kind) { return counts.kinds[static_cast<std::size_t>(kind)]; };
-  std::string scenario, mended;
+  std::string scenario, fixed;
   for (const Cause& cause : causes)
     for (const Finding* finding : cause.findings) {
       if (scenario.empty() && finding->is_acceptable()) scenario = finding->scenario;
-      if (mended.empty() && !finding->is_acceptable()) mended = remedy(told, *finding);
+      if (fixed.empty() && !finding->is_acceptable()) fixed = remedy(input, *finding);
     }
-  if (scenario.empty()) return mended;
+  if (scenario.empty()) return fixed;
   const int absent = count(FindingKind::New) + count(FindingKind::Missing);
   int all = 0;
   for (const Cause& cause : causes) all += static_cast<int>(cause.findings.size());
   const std::string store = "contactscope check --write-missing stores what is not there yet";
   const std::string review = "contactscope review goes through it, " +
-                             accept_command(told, {scenario}) + " takes one of them";
+                             accept_command(input, {scenario}) + " takes one of them";
   return absent == 0 ? review : absent == all ? store : review + ", " + store;
 }
 
@@ -115,9 +117,9 @@ void print_brittle(const snapshot::Outcome& outcome, bool is_verbose) {
             << (decisions == 1 ? "it" : "them") << '\n';
 }
 
-void tell_terminal(const Told& told) {
-  const snapshot::Outcome& outcome = told.outcome;
-  const Options& options = told.options;
+void report_terminal(const ReportInput& input) {
+  const snapshot::Outcome& outcome = input.outcome;
+  const Options& options = input.options;
   for (const ScenarioOutcome& scenario : outcome.scenarios) {
     if (scenario.fails()) continue;
     if (scenario.written > 0 && !options.quiet)
@@ -146,12 +148,12 @@ void tell_terminal(const Told& told) {
                             "check\n");
   std::cerr << snapshot::summary(counts) << '\n';
   if (counts.failing == 0) return;
-  std::cerr << "see " << path_in(told, "report.html") << "; " << what_to_do(told, counts) << '\n';
+  std::cerr << "see " << path_in(input, "report.html") << "; " << what_to_do(input, counts) << '\n';
 }
 
 }  // namespace
 
-const Report kTerminalReport{"terminal", [](const Told& told) { return !told.options.json; },
-                             &tell_terminal};
+const Report kTerminalReport{
+    "terminal", [](const ReportInput& input) { return !input.options.json; }, &report_terminal};
 
 }  // namespace contactscope::app

@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "geometry/triangle_hull.h"
-#include "manifold/asked_pair.h"
+#include "manifold/queried_pair.h"
 #include "query/penetration.h"
 #include "query/tolerance.h"
 

@@ -1,4 +1,4 @@
-#include "app/contenders.h"
+#include "app/engine_runs.h"
 
 #include <sstream>
 
@@ -11,7 +11,7 @@
 namespace contactscope::app {
 namespace {
 
-constexpr int kMostNotes = 5;  // lines of an engine's messages
+constexpr int kMaxNotes = 5;  // lines of an engine's messages
 
 /// Reads the frames before the first error; ignores shapes.
 trace::Trace read_answer(std::string text, const std::string& name, std::string& failure) {
@@ -40,7 +40,7 @@ std::string last_words(const std::string& said) {
 
 }  // namespace
 
-std::vector<std::string> engines_asked(const Options& options) {
+std::vector<std::string> requested_engines(const Options& options) {
   if (!options.engines.empty()) return options.engines;
   std::vector<std::string> engines = versus::engines_found(versus::own_folders());
   engines.insert(engines.begin(), kOwn);
@@ -64,37 +64,38 @@ std::map<std::string, std::string> programs_of(const std::vector<std::string>& e
   return programs;
 }
 
-versus::Contender ask(const std::string& name, const std::string& program,
-                      const std::string& question, const trace::Trace& request, double limit) {
-  versus::Contender contender{name, "", "", "", "", {}};
+versus::EngineRun query_pair(const std::string& name, const std::string& program,
+                             const std::string& question, const trace::Trace& request,
+                             double limit) {
+  versus::EngineRun engine_run{name, "", "", "", "", {}};
   versus::Answer answer = versus::run_program(program, {question}, versus::to_text(request), limit);
-  contender.failure = answer.failure;
-  contender.notes = answer.said;
+  engine_run.failure = answer.failure;
+  engine_run.notes = answer.said;
   if (question == "rollout" && answer.exit_code == versus::kNoRollout) {
-    contender.refusal = last_words(answer.said);
-    return contender;
+    engine_run.refusal = last_words(answer.said);
+    return engine_run;
   }
   // Drop the incomplete line of a crashed program.
   if (!answer.failure.empty() && !answer.out.empty())
     answer.out.erase(answer.out.find_last_of('\n') + 1);
   if (answer.failure.empty() || !answer.out.empty())
-    contender.trace = read_answer(answer.out, name + "'s answer", contender.failure);
-  contender.engine = contender.trace.header.engine;
-  contender.version = contender.trace.header.version;
+    engine_run.trace = read_answer(answer.out, name + "'s answer", engine_run.failure);
+  engine_run.engine = engine_run.trace.header.engine;
+  engine_run.version = engine_run.trace.header.version;
   // The shapes are those of the request, whatever the engine wrote.
-  contender.trace.header.shapes = request.header.shapes;
-  const std::size_t asked = request.frames.size(), told = contender.trace.frames.size();
-  if (contender.failure.empty() && told < asked)
-    contender.failure =
-        "it answered " + std::to_string(told) + " of " + std::to_string(asked) + " frames";
-  return contender;
+  engine_run.trace.header.shapes = request.header.shapes;
+  const std::size_t requested = request.frames.size(), record = engine_run.trace.frames.size();
+  if (engine_run.failure.empty() && record < requested)
+    engine_run.failure =
+        "it answered " + std::to_string(record) + " of " + std::to_string(requested) + " frames";
+  return engine_run;
 }
 
-void print_words(const versus::Contender& contender, std::ostream& out) {
-  std::istringstream lines(contender.notes);
-  int left = kMostNotes;
+void print_words(const versus::EngineRun& engine_run, std::ostream& out) {
+  std::istringstream lines(engine_run.notes);
+  int left = kMaxNotes;
   for (std::string line; std::getline(lines, line) && left-- > 0;)
-    out << contender.name << " says: " << line << '\n';
+    out << engine_run.name << " says: " << line << '\n';
 }
 
 }  // namespace contactscope::app

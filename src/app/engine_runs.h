@@ -14,7 +14,7 @@ namespace contactscope::app {
 inline constexpr const char* kOwn = "contactscope";  // this program as an engine
 
 /// Engines of --engines; by default all that are found, this program first.
-std::vector<std::string> engines_asked(const Options& options);
+std::vector<std::string> requested_engines(const Options& options);
 
 /// Path of each engine's program by name; this program has none. Throws UsageError with the
 /// available names if one is not found.
@@ -22,10 +22,11 @@ std::map<std::string, std::string> programs_of(const std::vector<std::string>& e
 
 /// Runs a program with `question`, "contacts" or "rollout". If it crashes, exceeds `limit` seconds
 /// or writes invalid output, the result has the frames so far and the reason in `failure`.
-versus::Contender ask(const std::string& name, const std::string& program,
-                      const std::string& question, const trace::Trace& request, double limit);
+versus::EngineRun query_pair(const std::string& name, const std::string& program,
+                             const std::string& question, const trace::Trace& request,
+                             double limit);
 
 /// Prints the first lines of an engine's error output.
-void print_words(const versus::Contender& contender, std::ostream& out);
+void print_words(const versus::EngineRun& engine_run, std::ostream& out);
 
 }  // namespace contactscope::app

@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 
 #include "geometry/primitives.h"
-#include "manifold/ask.h"
+#include "manifold/pair_query.h"
 #include "manifold/placed_shapes.h"
 #include "support/brute_force_distance.h"
 #include "support/builders.h"
@@ -139,8 +139,8 @@ Answer<S> answer_of(const PlacedShapes& pair, bool swapped, const Question& ques
   const Shape<S> a = shape_cast<S>(pair.a), b = shape_cast<S>(pair.b);
   const Pose<S> pose_a = pair.pose_a.cast<S>(), pose_b = pair.pose_b.cast<S>();
   OwnBounds<S> bounds_a, bounds_b;
-  if (swapped) return ask<S>({b, pose_b, bounds_b}, {a, pose_a, bounds_a}, question);
-  return ask<S>({a, pose_a, bounds_a}, {b, pose_b, bounds_b}, question);
+  if (swapped) return query_pair<S>({b, pose_b, bounds_b}, {a, pose_a, bounds_a}, question);
+  return query_pair<S>({a, pose_a, bounds_a}, {b, pose_b, bounds_b}, question);
 }
 
 /// Rounding of a separation computed in double, metres.
@@ -164,7 +164,7 @@ double bound_of(const Scene& scene, double gap) {
 }
 
 struct Tally {
-  int apart = 0, together = 0, near = 0;
+  int separated = 0, together = 0, near = 0;
 };
 
 template <class S>
@@ -172,18 +172,18 @@ void judge(const Scene& scene, bool swapped, Tally& tally) {
   const double gap = scene.gap(), bound = bound_of<S>(scene, gap);
   const double computed = rounding_of_double(scene);
   const double rounded = static_cast<double>(std::numeric_limits<S>::epsilon()) * std::abs(gap);
-  const auto ask_for = [&](QueryKind kind, bool inclusive = true) {
+  const auto query_for = [&](QueryKind kind, bool inclusive = true) {
     return answer_of<S>(scene.pair, swapped, {.kind = kind, .inclusive = inclusive});
   };
-  const Answer<S> inclusive = ask_for(QueryKind::Overlap);
-  const Answer<S> exclusive = ask_for(QueryKind::Overlap, false);
-  const Answer<S> touching = ask_for(QueryKind::Touching);
-  const Answer<S> penetration = ask_for(QueryKind::Penetration);
+  const Answer<S> inclusive = query_for(QueryKind::Overlap);
+  const Answer<S> exclusive = query_for(QueryKind::Overlap, false);
+  const Answer<S> touching = query_for(QueryKind::Touching);
+  const Answer<S> penetration = query_for(QueryKind::Penetration);
   const bool is_mesh = scene.kind == Floor::Mesh;
   EXPECT_EQ(inclusive.overlap, penetration.overlap);
   EXPECT_EQ(inclusive.overlap, touching.overlap);
   if (!is_mesh) {
-    const Answer<S> distance = ask_for(QueryKind::Distance);
+    const Answer<S> distance = query_for(QueryKind::Distance);
     EXPECT_EQ(inclusive.overlap, distance.overlap);
     if (gap > computed) {
       EXPECT_NEAR(*distance.gap, gap, computed + rounded);
@@ -196,7 +196,7 @@ void judge(const Scene& scene, bool swapped, Tally& tally) {
     EXPECT_FALSE(exclusive.overlap);
   }
   if (gap > bound) {
-    ++tally.apart;
+    ++tally.separated;
     EXPECT_FALSE(inclusive.overlap) << bound;
     EXPECT_FALSE(*touching.touching);
   } else if (gap < -bound) {
@@ -232,7 +232,7 @@ void judge_random_scenes(int count, std::uint64_t seed) {
                  << to_string(kind_of(scene.pair.b)));
     judge<S>(scene, i % 2 == 1, tally);
   }
-  EXPECT_GT(tally.apart, count / 6);
+  EXPECT_GT(tally.separated, count / 6);
   EXPECT_GT(tally.together, count / 6);
   EXPECT_GT(tally.near, count / 20);
 }

@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 
 #include "geometry/primitives.h"
-#include "manifold/ask.h"
+#include "manifold/pair_query.h"
 #include "manifold/placed_shapes.h"
 #include "support/brute_force_distance.h"
 #include "support/builders.h"
@@ -18,23 +18,23 @@ constexpr QueryMethod kBounds[] = {QueryMethod::Aabb, QueryMethod::Obb,
                                    QueryMethod::BoundingSphere};
 
 template <class S>
-struct Asked {
+struct Queried {
   Answer<S> answer;
   trace::Pair record;
 };
 
 template <class S>
-Asked<S> asked(const PlacedShapes& pair, const Question& question, bool b_first = false) {
+Queried<S> requested(const PlacedShapes& pair, const Question& question, bool b_first = false) {
   const Shape<S> a = shape_cast<S>(pair.a), b = shape_cast<S>(pair.b);
   const Pose<S> pose_a = pair.pose_a.cast<S>(), pose_b = pair.pose_b.cast<S>();
   OwnBounds<S> bounds_a, bounds_b;
-  Asked<S> result;
+  Queried<S> result;
   result.record.a = "a";
   result.record.b = "b";
-  result.answer =
-      ask<S>({a, pose_a, bounds_a}, {b, pose_b, bounds_b}, question, b_first, &result.record);
+  result.answer = query_pair<S>({a, pose_a, bounds_a}, {b, pose_b, bounds_b}, question, b_first,
+                                &result.record);
   const Answer<S> unwatched =
-      ask<S>({a, pose_a, bounds_a}, {b, pose_b, bounds_b}, question, b_first);
+      query_pair<S>({a, pose_a, bounds_a}, {b, pose_b, bounds_b}, question, b_first);
   EXPECT_EQ(result.answer.overlap, unwatched.overlap);
   EXPECT_EQ(result.answer.touching, unwatched.touching);
   EXPECT_EQ(result.answer.gap, unwatched.gap);
@@ -49,7 +49,7 @@ PlacedShapes random_boxes(Random& random) {
   return pair;
 }
 
-TEST(AskBounds, EveryBoundHoldsItsShapeAndNoneLosesAnOverlap) {
+TEST(QueryBounds, EveryBoundHoldsItsShapeAndNoneLosesAnOverlap) {
   Random random(81);
   int false_positives = 0;
   for (int i = 0; i < 500; ++i) {
@@ -57,8 +57,8 @@ TEST(AskBounds, EveryBoundHoldsItsShapeAndNoneLosesAnOverlap) {
     const double extent = (pair.pose_b.position - pair.pose_a.position).norm() +
                           std::get<Hull<double>>(pair.a).radius;
     for (const QueryMethod bounds : kBounds) {
-      const Asked<double> found =
-          asked<double>(pair, {.kind = QueryKind::Overlap, .bounds = bounds});
+      const Queried<double> found =
+          requested<double>(pair, {.kind = QueryKind::Overlap, .bounds = bounds});
       const trace::Query& query = *found.record.query;
       EXPECT_EQ(found.answer.method, bounds);
       for (const Vec3d& vertex : std::get<Hull<double>>(pair.a).vertices) {
@@ -94,66 +94,66 @@ TEST(AskBounds, EveryBoundHoldsItsShapeAndNoneLosesAnOverlap) {
   EXPECT_GT(false_positives, 100);
 }
 
-TEST(AskBounds, DistanceIsThatOfTheBounds) {
+TEST(QueryBounds, DistanceIsThatOfTheBounds) {
   Random random(82);
-  int apart = 0;
+  int separated = 0;
   for (int i = 0; i < 300; ++i) {
     PlacedShapes pair = random_boxes(random);
     pair.pose_b.position *= 2;
     for (const QueryMethod bounds : kBounds) {
-      const Asked<double> found =
-          asked<double>(pair, {.kind = QueryKind::Distance, .bounds = bounds});
+      const Queried<double> found =
+          requested<double>(pair, {.kind = QueryKind::Distance, .bounds = bounds});
       const trace::Volume& a = *found.record.query->bounds_a;
       const trace::Volume& b = *found.record.query->bounds_b;
-      const double way = (b.center - a.center).norm();
+      const double offset = (b.center - a.center).norm();
       if (a.radius) {
-        EXPECT_NEAR(*found.answer.gap, way - *a.radius - *b.radius, 1e-13 * way);
+        EXPECT_NEAR(*found.answer.gap, offset - *a.radius - *b.radius, 1e-13 * offset);
         continue;
       }
-      if (!found.answer.overlap) ++apart;
+      if (!found.answer.overlap) ++separated;
       const auto features = [](const trace::Volume& box) {
         return test::features_of(make_box(*box.half_extents),
                                  {box.rotation.value_or(Quatd::Identity()), box.center});
       };
       const auto distance =
           static_cast<double>(test::brute_force_distance(features(a), features(b)).distance);
-      EXPECT_NEAR(std::max(0.0, *found.answer.gap), distance, 1e-13 * way);
+      EXPECT_NEAR(std::max(0.0, *found.answer.gap), distance, 1e-13 * offset);
     }
   }
-  EXPECT_GT(apart, 200);
+  EXPECT_GT(separated, 200);
 }
 
-TEST(AskBounds, TouchingBoundsTouch) {
+TEST(QueryBounds, TouchingBoundsTouch) {
   const Shape<double> box = make_box(Vec3d(0.5, 0.5, 0.5));
   const auto pair_at = [&](double x) -> PlacedShapes { return {box, {}, box, test::at(x, 0, 0)}; };
   for (const QueryMethod bounds : {QueryMethod::Aabb, QueryMethod::Obb}) {
     Question question{.kind = QueryKind::Touching, .bounds = bounds};
-    EXPECT_EQ(asked<double>(pair_at(1), question).answer.touching, true);
-    EXPECT_EQ(asked<double>(pair_at(1.125), question).answer.touching, false);
-    EXPECT_EQ(asked<double>(pair_at(0.875), question).answer.touching, false);
+    EXPECT_EQ(requested<double>(pair_at(1), question).answer.touching, true);
+    EXPECT_EQ(requested<double>(pair_at(1.125), question).answer.touching, false);
+    EXPECT_EQ(requested<double>(pair_at(0.875), question).answer.touching, false);
     question.tolerance = 0.25;
-    EXPECT_EQ(asked<double>(pair_at(1.125), question).answer.touching, true);
-    EXPECT_EQ(asked<double>(pair_at(0.875), question).answer.touching, true);
-    EXPECT_EQ(asked<double>(pair_at(0.5), question).answer.touching, false);
+    EXPECT_EQ(requested<double>(pair_at(1.125), question).answer.touching, true);
+    EXPECT_EQ(requested<double>(pair_at(0.875), question).answer.touching, true);
+    EXPECT_EQ(requested<double>(pair_at(0.5), question).answer.touching, false);
     question = {.kind = QueryKind::Overlap, .bounds = bounds};
-    EXPECT_TRUE(asked<double>(pair_at(1), question).answer.overlap);
+    EXPECT_TRUE(requested<double>(pair_at(1), question).answer.overlap);
     question.inclusive = false;
-    EXPECT_FALSE(asked<double>(pair_at(1), question).answer.overlap);
-    EXPECT_TRUE(asked<double>(pair_at(0.875), question).answer.overlap);
+    EXPECT_FALSE(requested<double>(pair_at(1), question).answer.overlap);
+    EXPECT_TRUE(requested<double>(pair_at(0.875), question).answer.overlap);
   }
 }
 
-TEST(AskBounds, TradingTheShapesMirrorsTheRecord) {
+TEST(QueryBounds, TradingTheShapesMirrorsTheRecord) {
   Random random(83);
   for (int i = 0; i < 60; ++i) {
     const PlacedShapes pair = random_boxes(random);
-    const PlacedShapes traded{pair.b, pair.pose_b, pair.a, pair.pose_a};
+    const PlacedShapes swapped{pair.b, pair.pose_b, pair.a, pair.pose_a};
     for (const QueryKind kind : {QueryKind::Overlap, QueryKind::Distance}) {
       for (int b = -1; b < 3; ++b) {
         Question question{.kind = kind};
         if (b >= 0) question.bounds = kBounds[b];
-        const trace::Pair one = asked<float>(pair, question).record;
-        trace::Pair other = asked<float>(traded, question, true).record;
+        const trace::Pair one = requested<float>(pair, question).record;
+        trace::Pair other = requested<float>(swapped, question, true).record;
         std::swap(other.a, other.b);  // names belong to sides, not to shapes
         trace::mirror(other);
         trace::Frame frame_one, frame_other;
@@ -165,19 +165,19 @@ TEST(AskBounds, TradingTheShapesMirrorsTheRecord) {
   }
 }
 
-TEST(AskBounds, MeshesHaveBoundsAsWell) {
+TEST(QueryBounds, MeshesHaveBoundsAsWell) {
   const Mesh<double> cube = test::cube_mesh(0.5);
   const PlacedShapes pair{cube, {}, cube, test::at(0.9, 0.9, 0)};
   for (const QueryMethod bounds : kBounds) {
-    const Asked<double> found =
-        asked<double>(pair, {.kind = QueryKind::Overlap, .bounds = bounds, .tolerance = 0.25});
+    const Queried<double> found =
+        requested<double>(pair, {.kind = QueryKind::Overlap, .bounds = bounds, .tolerance = 0.25});
     EXPECT_TRUE(found.answer.overlap);
     EXPECT_TRUE(found.record.query->shapes->overlap);
     EXPECT_TRUE(found.record.intersections.empty()) << "only the bounds were asked";
   }
 }
 
-TEST(AskBounds, WhatTheyCannotSayIsRefused) {
+TEST(QueryBounds, WhatTheyCannotSayIsRefused) {
   using K = ShapeKind;
   Question question{.kind = QueryKind::Penetration, .bounds = QueryMethod::Aabb};
   EXPECT_THAT(*refusal(question, K::Hull, K::Hull), testing::HasSubstr("remove 'bounds'"));

@@ -1,19 +1,19 @@
 #include <algorithm>
 #include <array>
 
-#include "manifold/asked_pair.h"
+#include "manifold/queried_pair.h"
 
 namespace contactscope {
 namespace {
 
 template <class S>
-trace::Volume told_volume(const Aabb<S>& box) {
+trace::Volume recorded_volume(const Aabb<S>& box) {
   const Aabb<double> exact = box.template cast<double>();
   return {.center = exact.center(), .half_extents = 0.5 * exact.extent()};
 }
 
 template <class S>
-trace::Volume told_volume(const Obb<S>& box) {
+trace::Volume recorded_volume(const Obb<S>& box) {
   const Obb<double> exact = box.template cast<double>();
   Mat3<double> axes = exact.axes;
   if (axes.determinant() < 0) axes.col(0) *= -1;  // the same box
@@ -23,7 +23,7 @@ trace::Volume told_volume(const Obb<S>& box) {
 }
 
 template <class S>
-trace::Volume told_volume(const BoundingSphere<S>& sphere) {
+trace::Volume recorded_volume(const BoundingSphere<S>& sphere) {
   return {.center = sphere.center.template cast<double>(),
           .radius = static_cast<double>(sphere.radius)};
 }
@@ -59,26 +59,26 @@ S distance_of(const Obb<S>& a, const Obb<S>& b) {
 }
 
 template <class S>
-trace::TestedAxis told_axis(const OverlapAxis<S>& axis) {
-  trace::TestedAxis told;
-  told.kind = to_string(axis.kind);
-  told.a = axis.kind == OverlapAxisKind::FaceB ? -1 : axis.a;
-  told.b = axis.kind == OverlapAxisKind::FaceB   ? axis.b
-           : axis.kind == OverlapAxisKind::Edges ? axis.b
-                                                 : -1;
-  told.direction = axis.direction.template cast<double>();
-  told.length = static_cast<double>(axis.length);
+trace::TestedAxis recorded_axis(const OverlapAxis<S>& axis) {
+  trace::TestedAxis recorded;
+  recorded.kind = to_string(axis.kind);
+  recorded.a = axis.kind == OverlapAxisKind::FaceB ? -1 : axis.a;
+  recorded.b = axis.kind == OverlapAxisKind::FaceB   ? axis.b
+               : axis.kind == OverlapAxisKind::Edges ? axis.b
+                                                     : -1;
+  recorded.direction = axis.direction.template cast<double>();
+  recorded.length = static_cast<double>(axis.length);
   // Relative to the midpoint of the two centres, so that a and b can be swapped.
   const S middle =
       S(0.25) * (axis.interval_a[0] + axis.interval_a[1] + axis.interval_b[0] + axis.interval_b[1]);
   for (std::size_t end = 0; end < 2; ++end) {
-    told.interval_a[end] = static_cast<double>(axis.interval_a[end] - middle);
-    told.interval_b[end] = static_cast<double>(axis.interval_b[end] - middle);
+    recorded.interval_a[end] = static_cast<double>(axis.interval_a[end] - middle);
+    recorded.interval_b[end] = static_cast<double>(axis.interval_b[end] - middle);
   }
-  told.gap = static_cast<double>(axis.gap);
-  told.skipped = axis.skipped;
-  told.separates = axis.separates;
-  return told;
+  recorded.gap = static_cast<double>(axis.gap);
+  recorded.skipped = axis.skipped;
+  recorded.separates = axis.separates;
+  return recorded;
 }
 
 /// The largest separation along the axes that were not skipped, metres.
@@ -93,8 +93,8 @@ std::optional<S> largest_gap(const OverlapRecord<S>& record) {
 
 /// `overlap(comparison, record)` tests the two bounds.
 template <class S, class Bound, class Overlap>
-Answer<S> ask_of(const Bound& a, const Bound& b, const Question& question, trace::Pair* record,
-                 const Overlap& overlap) {
+Answer<S> answer_of_bounds(const Bound& a, const Bound& b, const Question& question,
+                           trace::Pair* record, const Overlap& overlap) {
   using C = Comparison<S>;
   const S tolerance = static_cast<S>(question.tolerance);
   Answer<S> answer;
@@ -109,9 +109,9 @@ Answer<S> ask_of(const Bound& a, const Bound& b, const Question& question, trace
   }
   if (question.kind == QueryKind::Distance && !answer.overlap) answer.gap = distance_of(a, b);
   if (record) [[unlikely]] {
-    record->query->bounds_a = told_volume(a);
-    record->query->bounds_b = told_volume(b);
-    record->query->axes = mapped(axes.axes, told_axis<S>);
+    record->query->bounds_a = recorded_volume(a);
+    record->query->bounds_b = recorded_volume(b);
+    record->query->axes = mapped(axes.axes, recorded_axis<S>);
   }
   return answer;
 }
@@ -119,8 +119,8 @@ Answer<S> ask_of(const Bound& a, const Bound& b, const Question& question, trace
 }  // namespace
 
 template <class S>
-Answer<S> ask_bounds(const AskedShape<S>& a, const AskedShape<S>& b, const Question& question,
-                     trace::Pair* record) {
+Answer<S> query_bounds(const QueriedShape<S>& a, const QueriedShape<S>& b, const Question& question,
+                       trace::Pair* record) {
   const auto test = [](const auto& of_a, const auto& of_b) {
     return [&](const Comparison<S>& comparison, OverlapRecord<S>* axes) {
       return overlaps(of_a, of_b, comparison, axes);
@@ -128,25 +128,25 @@ Answer<S> ask_bounds(const AskedShape<S>& a, const AskedShape<S>& b, const Quest
   };
   if (*question.bounds == QueryMethod::Aabb) {
     const Aabb<S> of_a = *aabb_of(a.shape, a.pose), of_b = *aabb_of(b.shape, b.pose);
-    return ask_of<S>(of_a, of_b, question, record, test(of_a, of_b));
+    return answer_of_bounds<S>(of_a, of_b, question, record, test(of_a, of_b));
   }
   if (*question.bounds == QueryMethod::BoundingSphere) {
     const BoundingSphere<S> of_a = placed(*a.bounds.sphere(a.shape), a.pose);
     const BoundingSphere<S> of_b = placed(*b.bounds.sphere(b.shape), b.pose);
-    return ask_of<S>(of_a, of_b, question, record, test(of_a, of_b));
+    return answer_of_bounds<S>(of_a, of_b, question, record, test(of_a, of_b));
   }
   const Obb<S> of_a = placed(*a.bounds.obb(a.shape), a.pose);
   const Obb<S> of_b = placed(*b.bounds.obb(b.shape), b.pose);
   const ObbTest<S> axes_tried{question.test.axes, static_cast<S>(question.test.skip_up_to)};
-  return ask_of<S>(of_a, of_b, question, record,
-                   [&](const Comparison<S>& comparison, OverlapRecord<S>* axes) {
-                     return overlaps(of_a, of_b, comparison, axes_tried, axes);
-                   });
+  return answer_of_bounds<S>(of_a, of_b, question, record,
+                             [&](const Comparison<S>& comparison, OverlapRecord<S>* axes) {
+                               return overlaps(of_a, of_b, comparison, axes_tried, axes);
+                             });
 }
 
-#define CONTACTSCOPE_INSTANTIATE(S)                                                          \
-  template Answer<S> ask_bounds(const AskedShape<S>&, const AskedShape<S>&, const Question&, \
-                                trace::Pair*);
+#define CONTACTSCOPE_INSTANTIATE(S)                                                                \
+  template Answer<S> query_bounds(const QueriedShape<S>&, const QueriedShape<S>&, const Question&, \
+                                  trace::Pair*);
 CONTACTSCOPE_INSTANTIATE(float)
 CONTACTSCOPE_INSTANTIATE(double)
 #undef CONTACTSCOPE_INSTANTIATE

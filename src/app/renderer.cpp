@@ -1,4 +1,4 @@
-#include "app/studio.h"
+#include "app/renderer.h"
 
 #include <algorithm>
 #include <limits>
@@ -39,8 +39,8 @@ TimedDrawing timed_drawing(const Draw& draw) {
 }  // namespace
 
 Sequence run_sequence(const Scenario& scenario, const trace::Stages& stages, bool timing,
-                      Ledger& ledger) {
-  const Timed timed(ledger, "pipeline");
+                      RunLog& log) {
+  const Timed timed(log, "pipeline");
   Sequence sequence;
   Runner runner(scenario, stages);
   sequence.header = runner.header();
@@ -51,23 +51,23 @@ Sequence run_sequence(const Scenario& scenario, const trace::Stages& stages, boo
   return sequence;
 }
 
-gl::Context& Studio::context() {
+gl::Context& Renderer::context() {
   if (!context_) {
-    const Timed timed(ledger_, "open OpenGL");
+    const Timed timed(log_, "open OpenGL");
     context_ = gl::open_context(backend_);
-    ledger_.note("OpenGL through " + context_->route());
+    log_.note("OpenGL through " + context_->route());
   }
   return *context_;
 }
 
-std::string Studio::driver() {
+std::string Renderer::driver() {
   return context().route() + ", " + context().driver();
 }
 
-gl::Rasterizer& Studio::canvas(int width, int height) {
+gl::Rasterizer& Renderer::canvas(int width, int height) {
   gl::Context& open = context();
   if (!rasterizer_ || width != width_ || height != height_) {
-    const Timed timed(ledger_, "make a canvas");
+    const Timed timed(log_, "make a canvas");
     rasterizer_ = std::make_unique<gl::Rasterizer>(open, width, height);
     width_ = width;
     height_ = height;
@@ -75,29 +75,29 @@ gl::Rasterizer& Studio::canvas(int width, int height) {
   return *rasterizer_;
 }
 
-void Studio::each_drawing(const draw::Staging& staging, Sequence& sequence,
-                          const std::vector<int>& numbers,
-                          const std::function<void(const trace::Frame&, draw::Drawing)>& sink) {
+void Renderer::each_drawing(const draw::Staging& staging, Sequence& sequence,
+                            const std::vector<int>& numbers,
+                            const std::function<void(const trace::Frame&, draw::Drawing)>& sink) {
   const int width = staging.layout.width;
   const int height = staging.layout.height;
   // New Dear ImGui windows for each sequence, because they remember earlier frames.
   std::optional<overlay::PanelColumn> panels;
   const auto start_panels = [&] {
     if (staging.view.panels.empty()) return;
-    const Timed timed(ledger_, "start Dear ImGui");
+    const Timed timed(log_, "start Dear ImGui");
     panels.emplace(staging, sequence.frames);
   };
   const auto complete = [&](std::size_t index, TimedDrawing drawn) {
-    ledger_.add("illustrate", drawn.time);
+    log_.add("illustrate", drawn.time);
     draw::Drawing& drawing = drawn.drawing;
     if (panels) {
-      const Timed timed(ledger_, "panels");
+      const Timed timed(log_, "panels");
       draw::PanelMoment moment{index, {}};
       if (index < sequence.nanoseconds.size())
         moment.pipeline_nanoseconds = sequence.nanoseconds[index];
       for (const std::string& what : panels->add(moment, drawing)) {
-        ledger_.left_out(staging.header->scenario + ": " + what + ", for " + std::to_string(width) +
-                         "x" + std::to_string(height) + " has no room; a larger --size has");
+        log_.left_out(staging.header->scenario + ": " + what + ", for " + std::to_string(width) +
+                      "x" + std::to_string(height) + " has no room; a larger --size has");
       }
     }
     finish(staging.style, drawing);
@@ -139,28 +139,28 @@ void Studio::each_drawing(const draw::Staging& staging, Sequence& sequence,
   }
 }
 
-void Studio::render(const draw::Staging& staging, Sequence& sequence,
-                    const std::vector<int>& numbers,
-                    const std::function<void(const trace::Frame&, Image)>& sink) {
+void Renderer::render(const draw::Staging& staging, Sequence& sequence,
+                      const std::vector<int>& numbers,
+                      const std::function<void(const trace::Frame&, Image)>& sink) {
   open(staging.layout.width, staging.layout.height);
   each_drawing(staging, sequence, numbers, [&](const trace::Frame& frame, draw::Drawing drawing) {
     sink(frame, paint(drawing));
   });
 }
 
-void Studio::finish(const draw::FigureStyle& style, draw::Drawing& drawing) {
+void Renderer::finish(const draw::FigureStyle& style, draw::Drawing& drawing) {
   draw::finish(style, drawing);
   missing_glyphs_.look(drawing);
 }
 
-Image Studio::paint(const draw::Drawing& drawing) {
+Image Renderer::paint(const draw::Drawing& drawing) {
   stop_if_interrupted();
   gl::Rasterizer& rasterizer = canvas(drawing.width, drawing.height);
   {
-    const Timed timed(ledger_, "paint");
+    const Timed timed(log_, "paint");
     rasterizer.paint(drawing);
   }
-  const Timed timed(ledger_, "read back");
+  const Timed timed(log_, "read back");
   return rasterizer.read();
 }
 

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "manifold/asked_pair.h"
+#include "manifold/queried_pair.h"
 #include "query/mesh_overlap.h"
 #include "query/winding.h"
 
@@ -22,18 +22,18 @@ template <class S>
 void record_intersections(const MeshOverlap<S>& found, const Pose<S>& pose_a, trace::Pair& record) {
   const ToWorld<S> to_world(pose_a);
   for (const MeshIntersection<S>& crossing : found.intersections) {
-    trace::Intersection& told = record.intersections.emplace_back();
+    trace::Intersection& recorded = record.intersections.emplace_back();
     const TriangleOverlap<S>& overlap = crossing.overlap;
-    told.a = crossing.a;
-    told.b = crossing.b;
-    told.kind = to_word(overlap.kind);
-    told.a_degenerate = overlap.a_degenerate;
-    told.b_degenerate = overlap.b_degenerate;
+    recorded.a = crossing.a;
+    recorded.b = crossing.b;
+    recorded.kind = to_word(overlap.kind);
+    recorded.a_degenerate = overlap.a_degenerate;
+    recorded.b_degenerate = overlap.b_degenerate;
     if (overlap.kind == TriangleOverlapKind::Coplanar) continue;
     const auto placed = [&](const Vec3<S>& point) -> Vec3d {
       return to_world.point(point).template cast<double>();
     };
-    told.segment = {placed(overlap.segment[0]), placed(overlap.segment[1])};
+    recorded.segment = {placed(overlap.segment[0]), placed(overlap.segment[1])};
   }
   record.query->trees = trace::TreeCounts{static_cast<int>(found.counts.node_pairs),
                                           static_cast<int>(found.counts.leaf_pairs),
@@ -56,8 +56,8 @@ std::vector<std::pair<int, int>> triangles_below(const AabbTree<S>& tree) {
 }
 
 template <class S>
-std::vector<trace::NodePair> told_node_pairs(const AabbTree<S>& a, const AabbTree<S>& b,
-                                             const std::vector<NodePairVisit>& visits) {
+std::vector<trace::NodePair> recorded_node_pairs(const AabbTree<S>& a, const AabbTree<S>& b,
+                                                 const std::vector<NodePairVisit>& visits) {
   const auto below_a = triangles_below(a), below_b = triangles_below(b);
   return mapped(visits, [&](const NodePairVisit& visit) -> trace::NodePair {
     const auto [before_a, count_a] = at(below_a, visit.a);
@@ -68,7 +68,7 @@ std::vector<trace::NodePair> told_node_pairs(const AabbTree<S>& a, const AabbTre
 }
 
 template <class S>
-trace::Containment told_containment(Containment containment, const Mesh<S>& b) {
+trace::Containment recorded_containment(Containment containment, const Mesh<S>& b) {
   switch (containment) {
     case Containment::AInB:
       return {"inside", "outside"};
@@ -78,7 +78,7 @@ trace::Containment told_containment(Containment containment, const Mesh<S>& b) {
       return {"open", open_edges(b).empty() ? "unknown" : "open"};
     case Containment::BHasHoles:
       return {"unknown", "open"};
-    case Containment::Apart:
+    case Containment::Separation:
       break;
   }
   return {"outside", "outside"};
@@ -87,9 +87,9 @@ trace::Containment told_containment(Containment containment, const Mesh<S>& b) {
 }  // namespace
 
 template <class S>
-Answer<S> ask_meshes(const Mesh<S>& a, const Pose<S>& pose_a, const Mesh<S>& b,
-                     const Pose<S>& pose_b, const Question& question, trace::Pair* record,
-                     const trace::Stages& stages, MeshFront* front) {
+Answer<S> query_meshes(const Mesh<S>& a, const Pose<S>& pose_a, const Mesh<S>& b,
+                       const Pose<S>& pose_b, const Question& question, trace::Pair* record,
+                       const trace::Stages& stages, MeshFront* front) {
   const Pose<S> b_in_a = relative_pose(pose_a, pose_b);
   const bool watched = record != nullptr && stages.node_pairs;
   std::vector<NodePairVisit> visits;
@@ -103,18 +103,19 @@ Answer<S> ask_meshes(const Mesh<S>& a, const Pose<S>& pose_a, const Mesh<S>& b,
   if (record) [[unlikely]]
     record_intersections(found, pose_a, *record);
   if (watched) [[unlikely]]
-    record->query->node_pairs = told_node_pairs(a.tree, b.tree, visits);
+    record->query->node_pairs = recorded_node_pairs(a.tree, b.tree, visits);
   if (found.overlapping()) return answer;
   const Containment containment = mesh_containment(a, b, b_in_a);
   answer.overlap = containment == Containment::AInB || containment == Containment::BInA;
   if (record) [[unlikely]]
-    record->query->containment = told_containment(containment, b);
+    record->query->containment = recorded_containment(containment, b);
   return answer;
 }
 
-#define CONTACTSCOPE_INSTANTIATE(S)                                                             \
-  template Answer<S> ask_meshes(const Mesh<S>&, const Pose<S>&, const Mesh<S>&, const Pose<S>&, \
-                                const Question&, trace::Pair*, const trace::Stages&, MeshFront*);
+#define CONTACTSCOPE_INSTANTIATE(S)                                                               \
+  template Answer<S> query_meshes(const Mesh<S>&, const Pose<S>&, const Mesh<S>&, const Pose<S>&, \
+                                  const Question&, trace::Pair*, const trace::Stages&,            \
+                                  MeshFront*);
 CONTACTSCOPE_INSTANTIATE(float)
 CONTACTSCOPE_INSTANTIATE(double)
 #undef CONTACTSCOPE_INSTANTIATE

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "manifold/ask.h"
+#include "manifold/pair_query.h"
 #include "manifold/recorder.h"
 #include "query/support_set.h"
 
@@ -82,13 +82,13 @@ std::optional<Gap> gap_to_mesh(const PlacedCore& a, const Mesh<S>& b, const Pose
 
 /// Two meshes. Records their intersections and, if the stages include it, the compared nodes.
 template <class S>
-Answer<S> ask_meshes(const Mesh<S>& a, const Pose<S>& pose_a, const Mesh<S>& b,
-                     const Pose<S>& pose_b, const Question& question, trace::Pair* record,
-                     const trace::Stages& stages, MeshFront* front);
+Answer<S> query_meshes(const Mesh<S>& a, const Pose<S>& pose_a, const Mesh<S>& b,
+                       const Pose<S>& pose_b, const Question& question, trace::Pair* record,
+                       const trace::Stages& stages, MeshFront* front);
 
 /// Bounds of two shapes. Records the bounds and the axes.
 template <class S>
-Answer<S> ask_bounds(const AskedShape<S>& a, const AskedShape<S>& b, const Question& question,
-                     trace::Pair* record);
+Answer<S> query_bounds(const QueriedShape<S>& a, const QueriedShape<S>& b, const Question& question,
+                       trace::Pair* record);
 
 }  // namespace contactscope

@@ -1,10 +1,10 @@
-#include "manifold/ask.h"
+#include "manifold/pair_query.h"
 
 #include <gmock/gmock.h>
 
 #include "geometry/primitives.h"
-#include "manifold/asked_pair.h"
 #include "manifold/placed_shapes.h"
+#include "manifold/queried_pair.h"
 #include "support/brute_force_distance.h"
 #include "support/brute_force_sat.h"
 #include "support/builders.h"
@@ -30,7 +30,7 @@ Answer<S> answer_of(const PlacedShapes& pair, const Question& question,
   const Shape<S> a = shape_cast<S>(pair.a), b = shape_cast<S>(pair.b);
   const Pose<S> pose_a = pair.pose_a.cast<S>(), pose_b = pair.pose_b.cast<S>();
   OwnBounds<S> bounds_a, bounds_b;
-  return ask<S>({a, pose_a, bounds_a}, {b, pose_b, bounds_b}, question, false, record);
+  return query_pair<S>({a, pose_a, bounds_a}, {b, pose_b, bounds_b}, question, false, record);
 }
 
 trace::Pair record_of(const PlacedShapes& pair, const Question& question) {
@@ -90,17 +90,17 @@ PlacedShapes near_pair(Random& random) {
   const double size = random.decade(-4, 4);
   PlacedShapes pair{random_convex(random, size), {}, random_convex(random, size), {}};
   pair.pose_b = {random.rotation(), Vec3d::Zero()};
-  const Vec3d way = random.unit_vector();
+  const Vec3d displacement = random.unit_vector();
   double low = 0, high = 10 * size;  // where the overlap begins along the direction
   for (int i = 0; i < 30; ++i) {
     const double middle = 0.5 * (low + high);
-    pair.pose_b.position = middle * way;
+    pair.pose_b.position = middle * displacement;
     (truth_of(pair).gap > 0 ? high : low) = middle;
   }
   const double epsilon = std::numeric_limits<S>::epsilon();
   const double off[] = {0, epsilon * random.decade(0, 3), 1e-6, 1e-3, 0.1, 1};
   const double moved = off[random.index(6)] * (random.chance(0.5) ? size : -size);
-  pair.pose_b.position = std::max(0.0, high + moved) * way;
+  pair.pose_b.position = std::max(0.0, high + moved) * displacement;
   return test::rounded<S>(
       test::moved(pair, {random.rotation(), random.vector(-3 * size, 3 * size)}));
 }
@@ -123,7 +123,7 @@ Bounds bounds_of(const Truth& truth, const PlacedShapes& pair) {
 template <class S>
 void judge_random_pairs(int count, std::uint64_t seed) {
   Random random(seed);
-  int apart = 0, together = 0;
+  int separated = 0, together = 0;
   for (int i = 0; i < count && !testing::Test::HasFailure(); ++i) {
     const PlacedShapes pair = near_pair<S>(random);
     const Truth truth = truth_of(pair);
@@ -143,7 +143,7 @@ void judge_random_pairs(int count, std::uint64_t seed) {
       ++together;
       EXPECT_TRUE(inclusive.overlap);
     } else if (truth.gap > given) {
-      ++apart;
+      ++separated;
       EXPECT_FALSE(inclusive.overlap);
     }
     if (truth.gap >= 0 && !truth.deep) {
@@ -178,7 +178,7 @@ void judge_random_pairs(int count, std::uint64_t seed) {
       EXPECT_EQ(inclusive.overlap, !test::manifolds_of<S>(pair).empty());
     }
   }
-  EXPECT_GT(apart, count / 4);
+  EXPECT_GT(separated, count / 4);
   EXPECT_GT(together, count / 4);
 }
 
@@ -220,21 +220,21 @@ void judge_kisses() {
         EXPECT_TRUE(answer_of<S>(pair, kOverlap).overlap);
         EXPECT_FALSE(answer_of<S>(pair, kExclusive).overlap);
         EXPECT_TRUE(*answer_of<S>(pair, kTouching).touching);
-        PlacedShapes apart = pair, deep = pair;
-        const Vec3d way = (pair.pose_b.position - pair.pose_a.position).normalized();
-        apart.pose_b.position += 0.125 * size * way;
-        deep.pose_b.position -= 0.125 * size * way;
-        EXPECT_FALSE(answer_of<S>(apart, kOverlap).overlap);
-        EXPECT_FALSE(*answer_of<S>(apart, kTouching).touching);
+        PlacedShapes separated = pair, deep = pair;
+        const Vec3d displacement = (pair.pose_b.position - pair.pose_a.position).normalized();
+        separated.pose_b.position += 0.125 * size * displacement;
+        deep.pose_b.position -= 0.125 * size * displacement;
+        EXPECT_FALSE(answer_of<S>(separated, kOverlap).overlap);
+        EXPECT_FALSE(*answer_of<S>(separated, kTouching).touching);
         EXPECT_TRUE(answer_of<S>(deep, kExclusive).overlap);
         EXPECT_FALSE(*answer_of<S>(deep, kTouching).touching);
         Question wide = kTouching;
         wide.tolerance = 0.25 * size;
-        EXPECT_TRUE(*answer_of<S>(apart, wide).touching);
+        EXPECT_TRUE(*answer_of<S>(separated, wide).touching);
         EXPECT_TRUE(*answer_of<S>(deep, wide).touching);
         Question within = kOverlap;
         within.tolerance = 0.25 * size;
-        EXPECT_TRUE(answer_of<S>(apart, within).overlap);
+        EXPECT_TRUE(answer_of<S>(separated, within).overlap);
       }
     }
   }
@@ -291,9 +291,10 @@ TEST(Ask, APlaneIsMeasuredAlongItsNormal) {
     EXPECT_NEAR(*answer.gap, gap, 1e-14 * 20 * size);
     EXPECT_EQ(answer.overlap, gap <= 0);
     EXPECT_EQ(answer.method, QueryMethod::Support);
-    const trace::Query told = *record_of(pair, kPenetration).query;
-    EXPECT_LT((*told.normal - normal).norm(), 1e-12) << "from the plane to the shape";
-    EXPECT_NEAR((*told.point_b - *told.point_a).dot(*told.normal), gap, 1e-13 * 20 * size);
+    const trace::Query recorded = *record_of(pair, kPenetration).query;
+    EXPECT_LT((*recorded.normal - normal).norm(), 1e-12) << "from the plane to the shape";
+    EXPECT_NEAR((*recorded.point_b - *recorded.point_a).dot(*recorded.normal), gap,
+                1e-13 * 20 * size);
   }
 }
 
@@ -347,9 +348,9 @@ TEST(Ask, AMeshInsideAnotherOverlapsIt) {
   EXPECT_TRUE(inside.intersections.empty());
   EXPECT_EQ(inside.query->containment->a, "outside");
   EXPECT_EQ(inside.query->containment->b, "inside");
-  const trace::Pair apart = record_of(spheres(0.4, 3), kOverlap);
-  EXPECT_EQ(apart.overlap, false);
-  EXPECT_EQ(apart.query->containment->b, "outside");
+  const trace::Pair separated = record_of(spheres(0.4, 3), kOverlap);
+  EXPECT_EQ(separated.overlap, false);
+  EXPECT_EQ(separated.query->containment->b, "outside");
 
   PlacedShapes holed = spheres(0.4, 0.1);
   auto& mesh = std::get<Mesh<double>>(holed.a);

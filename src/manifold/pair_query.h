@@ -64,7 +64,7 @@ class OwnBounds {
 /// A shape placed in the world, with its cached bounds. `bounds` belong to this shape alone; reset
 /// them when it deforms.
 template <class S>
-struct AskedShape {
+struct QueriedShape {
   const Shape<S>& shape;
   const Pose<S>& pose;
   OwnBounds<S>& bounds;
@@ -80,7 +80,7 @@ struct AskedShape {
 ///
 /// Separations within rounding count as touching. Rounding is the change of the separation when
 /// each number that places the closest points changes by two roundings in the shapes' scalar; see
-/// rounding_along() in asked_pair.h. Everything is computed in double. So an inclusive query never
+/// rounding_along() in queried_pair.h. Everything is computed in double. So an inclusive query never
 /// reports overlapping shapes as separated, and an exclusive one never reports separated shapes as
 /// overlapping. Two meshes are compared exactly, see mesh_overlap.h; for bounds see overlap.h.
 ///
@@ -88,9 +88,9 @@ struct AskedShape {
 /// arguments and does not change the answer. `front` is for two meshes, see mesh_overlap(): where
 /// the last call for this pair ended; null: their trees are traversed from the roots.
 template <class S>
-Answer<S> ask(const AskedShape<S>& a, const AskedShape<S>& b, const Question& question,
-              bool b_first = false, trace::Pair* record = nullptr,
-              const trace::Stages& stages = kUsualStages, MeshFront* front = nullptr);
+Answer<S> query_pair(const QueriedShape<S>& a, const QueriedShape<S>& b, const Question& question,
+                     bool b_first = false, trace::Pair* record = nullptr,
+                     const trace::Stages& stages = kUsualStages, MeshFront* front = nullptr);
 
 /// Records the state of a pair, the answer and, if known, the separation. Works without a Recorder.
 /// Without a separation the record keeps its own.

@@ -1,24 +1,24 @@
-#include "manifold/ask.h"
+#include "manifold/pair_query.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "manifold/asked_pair.h"
 #include "manifold/in_double.h"
+#include "manifold/queried_pair.h"
 
 namespace contactscope {
 namespace {
 
 void record_question(const Question& question, trace::Pair& record) {
-  trace::Query& told = record.query.emplace();
-  told.asked = to_string(question.kind);
-  told.comparison = question.inclusive ? "inclusive" : "exclusive";
-  told.tolerance = question.tolerance;
+  trace::Query& recorded = record.query.emplace();
+  recorded.requested = to_string(question.kind);
+  recorded.comparison = question.inclusive ? "inclusive" : "exclusive";
+  recorded.tolerance = question.tolerance;
   if (!question.bounds) return;
-  told.bounds = to_string(*question.bounds);
+  recorded.bounds = to_string(*question.bounds);
   if (*question.bounds != QueryMethod::Obb) return;
-  told.test = to_string(question.test.axes);
-  told.skip_up_to = question.test.skip_up_to;
+  recorded.test = to_string(question.test.axes);
+  recorded.skip_up_to = question.test.skip_up_to;
 }
 
 /// The same numbers in double.
@@ -56,9 +56,9 @@ void record_gap(const Gap& gap, const Pose<double>& pose_a, trace::Pair* record)
 
 /// Two convex shapes, or a convex shape and a plane.
 template <class S>
-Answer<S> ask_solids(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b,
-                     const Pose<S>& pose_b, const Question& question, trace::Pair* record,
-                     const trace::Stages& stages) {
+Answer<S> query_solids(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b,
+                       const Pose<S>& pose_b, const Question& question, trace::Pair* record,
+                       const trace::Stages& stages) {
   const Shape<double>&wide_a = wide(a), &wide_b = wide(b);
   const PlacedCore core_a = core_of(wide_a, wide(pose_a));
   Gap gap;
@@ -78,10 +78,10 @@ Answer<S> ask_solids(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b
 template <class S>
 Answer<S> answer_where_near(const std::optional<Gap>& gap, const Question& question) {
   if (gap) return answer_of<S>(*gap, question);
-  Answer<S> apart;
-  apart.method = QueryMethod::Contacts;
-  if (question.kind == QueryKind::Touching) apart.touching = false;
-  return apart;
+  Answer<S> distance;
+  distance.method = QueryMethod::Contacts;
+  if (question.kind == QueryKind::Touching) distance.touching = false;
+  return distance;
 }
 
 /// All contacts with a mesh or a field within the margin. The record does not keep their manifolds.
@@ -104,9 +104,9 @@ Manifolds<S> contacts_within(double margin, const Shape<S>& a, const Pose<S>& po
 
 /// A convex shape and the surface of a mesh.
 template <class S>
-Answer<S> ask_mesh(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b,
-                   const Pose<S>& pose_b, const Question& question, trace::Pair* record,
-                   const trace::Stages& stages) {
+Answer<S> query_mesh(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b,
+                     const Pose<S>& pose_b, const Question& question, trace::Pair* record,
+                     const trace::Stages& stages) {
   const Shape<double>& wide_a = wide(a);
   const PlacedCore core = core_of(wide_a, wide(pose_a));
   std::optional<Gap> gap = gap_to_mesh(core, std::get<Mesh<S>>(b), wide(pose_b), question);
@@ -119,9 +119,9 @@ Answer<S> ask_mesh(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b,
 
 /// Any shape and a field, by their contacts.
 template <class S>
-Answer<S> ask_field(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b,
-                    const Pose<S>& pose_b, const Question& question, trace::Pair* record,
-                    const trace::Stages& stages) {
+Answer<S> query_field(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b,
+                      const Pose<S>& pose_b, const Question& question, trace::Pair* record,
+                      const trace::Stages& stages) {
   const Pose<double> wide_a = wide(pose_a), wide_b = wide(pose_b);
   const Aabb<double> box = aabb_of(b)->template cast<double>();
   const double reach = box.lower.cwiseAbs().cwiseMax(box.upper.cwiseAbs()).norm();
@@ -153,45 +153,46 @@ Answer<S> ask_field(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b,
 
 /// Queries the shapes themselves, in the order of the table.
 template <class S>
-Answer<S> ask_shapes(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b,
-                     const Pose<S>& pose_b, const Question& question, trace::Pair* record,
-                     const trace::Stages& stages, MeshFront* front) {
+Answer<S> query_any_shapes(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b,
+                           const Pose<S>& pose_b, const Question& question, trace::Pair* record,
+                           const trace::Stages& stages, MeshFront* front) {
   if (kind_of(b) == ShapeKind::Field)
-    return ask_field(a, pose_a, b, pose_b, question, record, stages);
+    return query_field(a, pose_a, b, pose_b, question, record, stages);
   if (const auto* mesh = std::get_if<Mesh<S>>(&a))
-    return ask_meshes(*mesh, pose_a, std::get<Mesh<S>>(b), pose_b, question,
-                      stages.query ? record : nullptr, stages, front);
+    return query_meshes(*mesh, pose_a, std::get<Mesh<S>>(b), pose_b, question,
+                        stages.query ? record : nullptr, stages, front);
   if (kind_of(b) == ShapeKind::Mesh)
-    return ask_mesh(a, pose_a, b, pose_b, question, record, stages);
-  return ask_solids(a, pose_a, b, pose_b, question, record, stages);
+    return query_mesh(a, pose_a, b, pose_b, question, record, stages);
+  return query_solids(a, pose_a, b, pose_b, question, record, stages);
 }
 
 /// The shapes' own answer, next to a query of their bounds.
 template <class S>
-trace::WithinBounds within_bounds(const AskedShape<S>& a, const AskedShape<S>& b,
+trace::WithinBounds within_bounds(const QueriedShape<S>& a, const QueriedShape<S>& b,
                                   Question question) {
   question.kind = QueryKind::Overlap;
   question.bounds.reset();
   if (kind_of(a.shape) == ShapeKind::Mesh && kind_of(b.shape) == ShapeKind::Mesh)
     question.tolerance = 0;
-  const Answer<S> answer =
-      ask_shapes<S>(a.shape, a.pose, b.shape, b.pose, question, nullptr, kUsualStages, nullptr);
-  trace::WithinBounds told;
-  told.overlap = answer.overlap;
-  if (answer.gap) told.gap = static_cast<double>(*answer.gap);
-  return told;
+  const Answer<S> answer = query_any_shapes<S>(a.shape, a.pose, b.shape, b.pose, question, nullptr,
+                                               kUsualStages, nullptr);
+  trace::WithinBounds recorded;
+  recorded.overlap = answer.overlap;
+  if (answer.gap) recorded.gap = static_cast<double>(*answer.gap);
+  return recorded;
 }
 
 /// `a` and `b` are in the order of the table.
 template <class S>
-Answer<S> ask_in_order(const AskedShape<S>& a, const AskedShape<S>& b, const Question& question,
-                       trace::Pair* record, const trace::Stages& stages, MeshFront* front) {
+Answer<S> query_in_order(const QueriedShape<S>& a, const QueriedShape<S>& b,
+                         const Question& question, trace::Pair* record, const trace::Stages& stages,
+                         MeshFront* front) {
   if (!question.bounds)
-    return ask_shapes<S>(a.shape, a.pose, b.shape, b.pose, question, record, stages, front);
-  trace::Pair* const told = stages.query ? record : nullptr;
-  if (told) [[unlikely]]
-    told->query->shapes = within_bounds(a, b, question);
-  return ask_bounds(a, b, question, told);
+    return query_any_shapes<S>(a.shape, a.pose, b.shape, b.pose, question, record, stages, front);
+  trace::Pair* const recorded = stages.query ? record : nullptr;
+  if (recorded) [[unlikely]]
+    recorded->query->shapes = within_bounds(a, b, question);
+  return query_bounds(a, b, question, recorded);
 }
 
 }  // namespace
@@ -212,21 +213,22 @@ std::optional<std::string> refusal(const Question& question, ShapeKind one, Shap
 }
 
 template <class S>
-Answer<S> ask(const AskedShape<S>& a, const AskedShape<S>& b, const Question& question,
-              bool b_first, trace::Pair* record, const trace::Stages& stages, MeshFront* front) {
+Answer<S> query_pair(const QueriedShape<S>& a, const QueriedShape<S>& b, const Question& question,
+                     bool b_first, trace::Pair* record, const trace::Stages& stages,
+                     MeshFront* front) {
   const ShapeKind kind_a = kind_of(a.shape), kind_b = kind_of(b.shape);
-  const bool traded = kind_a == kind_b ? b_first : kind_a > kind_b;
+  const bool swapped = kind_a == kind_b ? b_first : kind_a > kind_b;
   if (record == nullptr)
-    return ask_in_order(traded ? b : a, traded ? a : b, question, nullptr, stages, front);
-  if (traded) std::swap(record->a, record->b);
-  record->kind = pair_kind((traded ? b : a).shape, (traded ? a : b).shape);
+    return query_in_order(swapped ? b : a, swapped ? a : b, question, nullptr, stages, front);
+  if (swapped) std::swap(record->a, record->b);
+  record->kind = pair_kind((swapped ? b : a).shape, (swapped ? a : b).shape);
   record_question(question, *record);
   const Answer<S> answer =
-      ask_in_order(traded ? b : a, traded ? a : b, question, record, stages, front);
+      query_in_order(swapped ? b : a, swapped ? a : b, question, record, stages, front);
   record->query->method = to_string(answer.method);
   record->query->touching = answer.touching;
   if (answer.gap) record->query->gap = static_cast<double>(*answer.gap);
-  if (traded) trace::mirror(*record);
+  if (swapped) trace::mirror(*record);
   record_answer(answer, *record);
   return answer;
 }
@@ -238,9 +240,9 @@ void record_answer(const Answer<S>& answer, trace::Pair& record) {
   if (answer.gap) record.separation = static_cast<double>(*answer.gap);
 }
 
-#define CONTACTSCOPE_INSTANTIATE(S)                                                         \
-  template Answer<S> ask(const AskedShape<S>&, const AskedShape<S>&, const Question&, bool, \
-                         trace::Pair*, const trace::Stages&, MeshFront*);                   \
+#define CONTACTSCOPE_INSTANTIATE(S)                                                              \
+  template Answer<S> query_pair(const QueriedShape<S>&, const QueriedShape<S>&, const Question&, \
+                                bool, trace::Pair*, const trace::Stages&, MeshFront*);           \
   template void record_answer(const Answer<S>&, trace::Pair&);
 CONTACTSCOPE_INSTANTIATE(float)
 CONTACTSCOPE_INSTANTIATE(double)

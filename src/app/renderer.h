@@ -27,13 +27,13 @@ namespace contactscope::app {
 
 /// Runs the pipeline over all frames and records `stages`.
 Sequence run_sequence(const Scenario& scenario, const trace::Stages& stages, bool timing,
-                      Ledger& ledger);
+                      RunLog& log);
 
 /// Turns drawings into pictures. OpenGL is opened with the first picture, so a run without pictures
 /// does not need it.
-class Studio {
+class Renderer {
  public:
-  Studio(gl::Backend backend, Ledger& ledger) : backend_(backend), ledger_(ledger) {}
+  Renderer(gl::Backend backend, RunLog& log) : backend_(backend), log_(log) {}
 
   /// Opens OpenGL early for pictures of this size, so that a machine without it fails before any
   /// work.
@@ -67,7 +67,7 @@ class Studio {
   gl::Rasterizer& canvas(int width, int height);
 
   gl::Backend backend_;
-  Ledger& ledger_;
+  RunLog& log_;
   MissingGlyphs missing_glyphs_;
   std::unique_ptr<gl::Context> context_;
   std::unique_ptr<gl::Rasterizer> rasterizer_;
@@ -92,17 +92,17 @@ class EncoderPool {
   }
   /// Runs `write` for a file of any format.
   void submit(std::function<void()> write) {
-    if (count_of(under_way_) == threads_) wait_for_first();
+    if (count_of(running_) == threads_) wait_for_first();
     auto timed = [write = std::move(write)] {
       const auto begin = std::chrono::steady_clock::now();
       write();
       return std::chrono::steady_clock::now() - begin;
     };
-    under_way_.push_back(std::async(std::launch::async, std::move(timed)));
+    running_.push_back(std::async(std::launch::async, std::move(timed)));
   }
   /// Waits until all is written. Throws the first error.
   void finish() {
-    while (!under_way_.empty()) wait_for_first();
+    while (!running_.empty()) wait_for_first();
   }
   /// Total encoding and writing time of all threads for finished pictures.
   std::chrono::nanoseconds busy() const { return busy_; }
@@ -110,13 +110,13 @@ class EncoderPool {
 
  private:
   void wait_for_first() {
-    std::future<std::chrono::nanoseconds> first = std::move(under_way_.front());
-    under_way_.pop_front();
+    std::future<std::chrono::nanoseconds> first = std::move(running_.front());
+    running_.pop_front();
     busy_ += first.get();
   }
 
   int threads_;
-  std::deque<std::future<std::chrono::nanoseconds>> under_way_;
+  std::deque<std::future<std::chrono::nanoseconds>> running_;
   std::chrono::nanoseconds busy_{};
 };
 
