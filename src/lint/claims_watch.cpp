@@ -50,30 +50,29 @@ void put_in_words(const trace::Pair& pair, WrongPair& wrong) {
       wrong.said = point_name(problem) + ": separation " +
                    metres(at(manifold.points, problem.point).separation) + ", normal " +
                    spelled(manifold.normal);
-      wrong.is = "the surfaces are " + metres(problem.is) + " apart there along the normal";
+      wrong.is = "the separation there along the normal is " + metres(problem.is);
       break;
     case Wrong::Surface:
       wrong.said = point_name(problem) + ": position " +
                    spelled(at(manifold.points, problem.point).position) + ", separation " +
                    metres(at(manifold.points, problem.point).separation);
-      wrong.is = "that is " + metres(problem.is) + " off the surface of '" + problem.shape + "'";
+      wrong.is = "it is " + metres(problem.is) + " off the surface of '" + problem.shape + "'";
       break;
     case Wrong::Side:
-      wrong.said = point_name(problem) + ": a place on the surface of '" + problem.shape + "'";
+      wrong.said = point_name(problem) + ": on the surface of '" + problem.shape + "'";
       wrong.is = "it is " + metres(problem.is) + " off that surface";
       break;
     case Wrong::Normal:
       wrong.said = "normal " + spelled(manifold.normal);
-      wrong.is = std::isfinite(problem.said)
-                     ? "along it the shapes are " + metres(problem.said) + " apart"
-                     : "the plane has no end that way";
+      wrong.is = std::isfinite(problem.said) ? "along it the separation is " + metres(problem.said)
+                                             : "the plane is infinite in that direction";
       if (!problem.best.isZero())
-        wrong.is += "; along " + spelled(problem.best) + " they are " + metres(problem.is) +
-                    " apart (negative: overlap)";
+        wrong.is += "; along " + spelled(problem.best) + " the separation is " +
+                    metres(problem.is) + " (negative: overlap)";
       break;
     case Wrong::Deepest:
       wrong.said = "deepest point: " + metres(problem.said);
-      wrong.is = "the shapes are " + metres(problem.is) + " apart along the normal";
+      wrong.is = "the separation of the shapes along the normal is " + metres(problem.is);
       break;
   }
 }
@@ -82,20 +81,19 @@ struct Words {
   const char *cause, *what, *remedy;
 };
 constexpr Words kUnexplained[kWrongs] = {
-    {"separation", "separations are not those of the shapes",
-     "a separation is how far the surface of b is from that of a along the normal, at the point; "
-     "check the "
-     "shapes' sizes, and the moment of the poses"},
-    {"surface", "points are off the surfaces that they are on",
+    {"separation", "separations do not match the shapes",
+     "a separation is measured at the point, along the normal, from the surface of a to that of b; "
+     "check the shapes' sizes, and the time of the poses"},
+    {"surface", "points are off the surfaces",
      "a point lies on a surface, or between the two; check its frame and unit, and the shapes' "
      "sizes"},
     {"side", "'on_a' or 'on_b' is off its surface",
      "'on_a' is on the surface of a, 'on_b' on that of b, both in the world"},
-    {"normal", "normals are not those of the least overlap",
-     "moving b along the normal by the overlap parts the shapes; look at the test that chose the "
+    {"normal", "normals are not the directions of least overlap",
+     "moving b along the normal by the overlap separates the shapes; check the test that chose the "
      "axis"},
-    {"deepest", "no point is as deep as the shapes are",
-     "the deepest point has to be kept: look at what clips and reduces the points"},
+    {"deepest", "no point is as deep as the overlap",
+     "keep the deepest point: check clipping and reduction"},
 };
 
 class ClaimsWatch final : public Watch {
@@ -260,17 +258,15 @@ class ClaimsWatch final : public Watch {
     if (count < kOfWrong * wrong_.untold() || (count < kNoChance && 2 * count < judged_)) return;
     for (WrongPair& wrong : wrong_) wrong.record = wrong.record || has_margin(wrong);
     const bool larger = margin > 0;
-    findings.push_back(finding(larger ? "margin_added" : "margin_taken_off",
-                               "contacts are those of shapes that are together " +
-                                   metres(std::abs(margin)) + (larger ? " m larger" : " m smaller"),
-                               larger
-                                   ? "a margin or radius that the engine adds: write the shapes "
-                                     "with it (a hull may have a "
-                                     "'radius' as well), or find where it is added once too often"
-                                   : "a margin that the engine takes off, or a shape that it "
-                                     "shrank: write the shapes as they "
-                                     "collide",
-                               count, *first));
+    findings.push_back(finding(
+        larger ? "margin_added" : "margin_taken_off",
+        "contacts fit shapes that are together " + metres(std::abs(margin)) +
+            (larger ? " m larger" : " m smaller"),
+        larger
+            ? "the engine adds a margin or radius: write the shapes with it (a hull may have a "
+              "'radius' too), or find where it is added twice"
+            : "the engine subtracts a margin, or shrinks a shape: write the shapes as they collide",
+        count, *first));
   }
 
   void report_unexplained(Wrong kind, std::vector<Finding>& findings) {

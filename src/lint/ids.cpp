@@ -51,7 +51,7 @@ class IdsWatch final : public Watch {
       std::ranges::set_difference(ids, old, std::back_inserter(now));
       std::ranges::set_difference(old, ids, std::back_inserter(then));
       first_.said = "'" + now.front().substr(now.front().find(' ') + 1) + "'";
-      first_.is = "in the frame before the point there was '" +
+      first_.is = "in the frame before, the point there was '" +
                   then.front().substr(then.front().find(' ') + 1) + "'";
     }
   }
@@ -64,9 +64,8 @@ class IdsWatch final : public Watch {
       finding.cause = "ids_alike";
       finding.what = "points of a manifold have the same id";
       finding.remedy =
-          "name each point by the features that make it, or leave 'id' out: solvers start from the "
-          "impulse of the point "
-          "with the same id";
+          "name each point by the features that make it, or leave 'id' out: solvers warm start "
+          "from the point with the same id";
       finding.count = alike_;
       finding.of = several_;
       findings.push_back(finding);
@@ -76,9 +75,8 @@ class IdsWatch final : public Watch {
     finding.cause = "ids_change";
     finding.what = "ids change while nothing moves";
     finding.remedy =
-        "name a point by the features that make it, not by its place in a list or in memory: "
-        "solvers start "
-        "from the impulse of the point with the same id";
+        "name each point by the features that make it, not by its index or address: solvers warm "
+        "start from the point with the same id";
     finding.count = changed_;
     finding.of = still_;
     findings.push_back(finding);
@@ -102,7 +100,7 @@ class IdsWatch final : public Watch {
                       pair.a, pair.b, "", ""};
       first_alike_.said = std::to_string(named) + " points have " + std::to_string(names.size()) +
                           (names.size() == 1 ? " id" : " ids");
-      first_alike_.is = "each is another point";
+      first_alike_.is = "they are different points";
     }
   }
 
@@ -124,7 +122,7 @@ class IdsWatch final : public Watch {
       if (changed_++ > 0) return;
       first_ = {"", "", "", 0, 0, frames.now->line, frames.now->frame, pair.a, pair.b, "", ""};
       first_.said = "'" + name.second + "' at " + spelled(now.front());
-      first_.is = "in the frame before it was at " + spelled(found->second.front());
+      first_.is = "in the frame before, it was at " + spelled(found->second.front());
       return;
     }
   }

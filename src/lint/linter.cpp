@@ -83,10 +83,8 @@ std::vector<Finding> Linter::findings() {
   std::vector<Finding> all;
   for (const std::unique_ptr<Watch>& watch : state_->watches) watch->report(all);
   for (const auto& [name, why] : state_->solids.refused)
-    all.push_back(
-        {"shape",
-         "shape '" + name + "' bounds nothing, so that nothing can be said of its contacts", why, 1,
-         0, 1, 0, name, "", "", ""});
+    all.push_back({"shape", "shape '" + name + "' bounds nothing, so its contacts cannot be judged",
+                   why, 1, 0, 1, 0, name, "", "", ""});
   return all;
 }
 

@@ -169,13 +169,13 @@ class MotionWatch final : public Watch {
           !at(rests_, along).values.empty())
         continue;
       const Samples& samples = at(falls ? falls_ : rests_, axis);
-      findings.push_back(
-          {"up_axis", std::string("what is up is ") + at(kAxes, axis) + ", not " + up_name_,
-           std::string("write \"up\":\"") + at(kAxes, axis) + "\" in the header, or turn the world",
-           samples.count, samples.count, samples.line, samples.frame, samples.name, "",
-           "\"up\":\"" + up_name_ + "\"",
-           falls ? std::string("it falls along -") + at(kAxes, axis)
-                 : std::string("its contacts bear it along ") + at(kAxes, axis)});
+      findings.push_back({"up_axis", std::string("up is ") + at(kAxes, axis) + ", not " + up_name_,
+                          std::string("write \"up\":\"") + at(kAxes, axis) +
+                              "\" in the header, or rotate the world",
+                          samples.count, samples.count, samples.line, samples.frame, samples.name,
+                          "", "\"up\":\"" + up_name_ + "\"",
+                          falls ? std::string("it falls along -") + at(kAxes, axis)
+                                : std::string("its contacts carry it along ") + at(kAxes, axis)});
     }
   }
 
@@ -193,9 +193,9 @@ class MotionWatch final : public Watch {
     findings.push_back(
         {"time_in_milliseconds", "'time' is in milliseconds", "divide it by 1000: it is in seconds",
          samples.count, samples.count, samples.line, samples.frame, samples.name, "",
-         bears ? "its contacts bear " + metres(*share) + " of its weight"
-               : "it falls with " + metres(std::abs(*falls->common())) + " a second squared",
-         bears ? "it rests, so that they bear all of it" : "it would be 9.81"});
+         bears ? "its contacts carry " + metres(*share) + " of its weight"
+               : "it falls with " + metres(std::abs(*falls->common())) + " per second squared",
+         bears ? "it rests, so they carry all of it" : "it would be 9.81"});
     return true;
   }
 
@@ -209,7 +209,7 @@ class MotionWatch final : public Watch {
         findings.push_back({std::string("world_in_") + unit, std::string("lengths are in ") + unit,
                             "divide all lengths by " + metres(factor) + ": a trace is in metres",
                             samples.count, samples.count, samples.line, samples.frame, samples.name,
-                            "", "it falls with " + metres(std::abs(*fall)) + " a second squared",
+                            "", "it falls with " + metres(std::abs(*fall)) + " per second squared",
                             "in metres it would be 9.81"});
       }
     }
@@ -228,7 +228,7 @@ class MotionWatch final : public Watch {
           {std::string("world_in_") + unit, std::string("lengths are in ") + unit,
            "divide all lengths by " + metres(factor) + ": a trace is in metres", densities_.count,
            densities_.count, densities_.line, densities_.frame, densities_.name, "",
-           "its box and its mass make " + metres(densities_.values.front()) + " kg a cubic metre",
+           "its box and mass give " + metres(densities_.values.front()) + " kg per cubic metre",
            "in metres it would be " + metres(cube * densities_.values.front())});
     }
   }
@@ -239,29 +239,29 @@ class MotionWatch final : public Watch {
     const auto say = [&](const char* cause, const char* what, const char* remedy) {
       findings.push_back({cause, what, remedy, weights_.count, weights_.count, weights_.line,
                           weights_.frame, weights_.name, "",
-                          "its contacts bear " + metres(*share) + " of its weight",
-                          "it rests, so that they bear all of it"});
+                          "its contacts carry " + metres(*share) + " of its weight",
+                          "it rests, so they carry all of it"});
     };
     if (is_near(*share, -1))
-      return say("impulses_on_a", "impulses are those on a", "negate them: an impulse acts on b");
+      return say("impulses_on_a", "impulses act on a", "negate them: an impulse acts on b");
     if (is_near(*share, 1 / step_))
       return say("impulses_are_forces", "impulses are forces, in newtons",
                  "multiply each by the time of the step: an impulse is in newton seconds");
     if (steps_ > 1 && is_near(*share, 1.0 / steps_))
       return say("impulses_of_a_substep", "impulses are those of one sub-step",
-                 "add up those of all sub-steps: an impulse is that of the whole step");
+                 "sum those of all sub-steps: an impulse is over the whole step");
     if (is_near(*share, 0.5))
       return say(
-          "impulses_halved", "impulses bear half of the weight",
+          "impulses_halved", "impulses carry half of the weight",
           "maybe the points of one of two manifolds are missing, or steps are counted as frames");
     if (is_near(*share, 2))
-      return say("impulses_doubled", "impulses bear twice the weight",
-                 "maybe each is told of both bodies, or added up twice");
+      return say("impulses_doubled", "impulses carry twice the weight",
+                 "maybe each is reported for both bodies, or added twice");
     constexpr double kUnlike = 10;  // gravity may be another one
     if (std::abs(*share) > kUnlike || std::abs(*share) < 1 / kUnlike)
-      return say("impulses_unlike_weights", "impulses have nothing to do with weights",
-                 "look at 'mass', which may be its inverse, in kilograms, and at the unit of "
-                 "impulses, newton seconds");
+      return say(
+          "impulses_unlike_weights", "impulses do not match weights",
+          "check 'mass' (kilograms, not its inverse) and the unit of impulses (newton seconds)");
   }
 
   Vec3d up_;

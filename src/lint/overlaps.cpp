@@ -71,14 +71,13 @@ class OverlapsWatch final : public Watch {
   void report(std::vector<Finding>& findings) override {
     for (const Finding& finding : findings)
       if (moves_shapes(finding.cause)) return;
-    report_kind("overlap_told_apart", "shapes that overlap are told to be apart",
-                "look at the test that finds them apart, and at the poses", separation_, findings);
+    report_kind("overlap_told_apart", "shapes that overlap are reported as separated",
+                "check the test that separates them, and the poses", separation_, findings);
     std::erase_if(untold_, [&](const auto& one) { return !with_contacts_.contains(one.first); });
     report_kind(
-        "overlap_without_contact", "shapes overlap, and no contact of them is told",
-        "in other frames they have contacts: look at the broad phase, and at what is left out "
-        "when a frame "
-        "is written",
+        "overlap_without_contact", "shapes overlap without a reported contact",
+        "they have contacts in other frames: check the broad phase, and what is left out when "
+        "a frame is written",
         untold_, findings);
   }
 
@@ -108,7 +107,7 @@ class OverlapsWatch final : public Watch {
     for (const auto& one : list) count += one.second.count;
     findings.push_back({cause, what, remedy, count, 0, deepest->second.line, deepest->second.frame,
                         deepest->first.first, deepest->first.second, "no contact",
-                        "they are " + metres(deepest->second.deepest) + " m in each other"});
+                        "they overlap by " + metres(deepest->second.deepest) + " m"});
   }
 
   std::set<Names> with_contacts_;

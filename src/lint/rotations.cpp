@@ -19,8 +19,8 @@ class RotationsWatch final : public Watch {
       if (std::abs(pose.rotation.z()) < kAlmost) continue;
       if (half_turns_++ > 0) continue;
       first_ = {"quaternions_xyzw",
-                "quaternions stand in the order x, y, z, w",
-                "write w first, as 'quat_wxyz' says",
+                "quaternions are in the order x, y, z, w",
+                "write w first: the key is 'quat_wxyz'",
                 0,
                 0,
                 frames.now->line,
@@ -28,7 +28,7 @@ class RotationsWatch final : public Watch {
                 name,
                 "",
                 "'quat_wxyz' is 0, 0, 0, 1: half a turn about z",
-                "with w last it is no turn at all, and no shape of the trace has 1, 0, 0, 0"};
+                "with w last it is no rotation, and no shape of the trace has 1, 0, 0, 0"};
     }
   }
 

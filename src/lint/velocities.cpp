@@ -16,15 +16,16 @@ struct Other {
   Vec3d (*meant)(const Vec3d& record, const Quat<double>& rotation, double step);
 };
 
-constexpr const char* kOfTheBody = "turn them by the rotation of the body: they are in the world";
+constexpr const char* kOfTheBody = "rotate them by the rotation of the body: they are in the world";
 constexpr Other kVelocities[] = {
     {"velocities_negated", "velocities point backward", "negate them",
      [](const Vec3d& v, const Quat<double>&, double) { return Vec3d(-v); }},
-    {"velocities_of_a_step", "velocities are in metres a step", "divide them by the time of a step",
+    {"velocities_of_a_step", "velocities are in metres per step",
+     "divide them by the time of a step",
      [](const Vec3d& v, const Quat<double>&, double step) { return Vec3d(v / step); }},
-    {"velocities_in_centimetres", "velocities are in centimetres a second", "divide them by 100",
+    {"velocities_in_centimetres", "velocities are in centimetres per second", "divide them by 100",
      [](const Vec3d& v, const Quat<double>&, double) { return Vec3d(v / 100); }},
-    {"velocities_in_millimetres", "velocities are in millimetres a second", "divide them by 1000",
+    {"velocities_in_millimetres", "velocities are in millimetres per second", "divide them by 1000",
      [](const Vec3d& v, const Quat<double>&, double) { return Vec3d(v / 1000); }},
     {"velocities_in_frame_of_body", "velocities are in the frame of the body", kOfTheBody,
      [](const Vec3d& v, const Quat<double>& q, double) { return Vec3d(q * v); }},
@@ -32,9 +33,10 @@ constexpr Other kVelocities[] = {
 constexpr Other kSpins[] = {
     {"spins_negated", "angular velocities turn backward", "negate them",
      [](const Vec3d& v, const Quat<double>&, double) { return Vec3d(-v); }},
-    {"spins_in_degrees", "angular velocities are in degrees a second", "multiply them by pi / 180",
+    {"spins_in_degrees", "angular velocities are in degrees per second",
+     "multiply them by pi / 180",
      [](const Vec3d& v, const Quat<double>&, double) { return Vec3d(v * std::numbers::pi / 180); }},
-    {"spins_of_a_step", "angular velocities are in radians a step",
+    {"spins_of_a_step", "angular velocities are in radians per step",
      "divide them by the time of a step",
      [](const Vec3d& v, const Quat<double>&, double step) { return Vec3d(v / step); }},
     {"spins_in_frame_of_body", "angular velocities are in the frame of the body", kOfTheBody,
@@ -60,7 +62,7 @@ class Readings {
     if (fits(record)) return;
     wrong_.wrong(frames, body, "", [&] {
       return std::pair(std::string(name_) + " " + spelled(record) + " " + unit_,
-                       "to the next frame it is " + spelled(moved[1]));
+                       "to the next frame, the poses give " + spelled(moved[1]));
     });
     for (std::size_t i = 0; i < Count; ++i)
       explained_[i] += fits(others_[i].meant(record, rotation, step));
@@ -126,7 +128,7 @@ class VelocitiesWatch final : public Watch {
   }
 
   Readings<std::size(kVelocities)> velocities_{kVelocities, "velocity", "m/s"};
-  Readings<std::size(kSpins)> spins_{kSpins, "angular velocity", "radians a second"};
+  Readings<std::size(kSpins)> spins_{kSpins, "angular velocity", "rad/s"};
 };
 
 }  // namespace

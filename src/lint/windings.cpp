@@ -19,12 +19,10 @@ class WindingsWatch final : public Watch {
   void report(std::vector<Finding>& findings) override {
     constexpr int kFewest = 5;
     for (const auto& [name, met] : met_)
-      met.report(
-          "mesh_inside_out", "a mesh is met from behind, wherever it is met",
-          "list the vertices of each triangle counter-clockwise as seen from outside: engines "
-          "of which x, y, z are "
-          "left-handed, and some files, have them the other way",
-          kFewest, 0.95, findings);
+      met.report("mesh_inside_out", "all contacts of a mesh are on the back of its triangles",
+                 "list the vertices of each triangle counter-clockwise as seen from outside; "
+                 "left-handed engines and some files have them clockwise",
+                 kFewest, 0.95, findings);
   }
 
  private:
@@ -47,7 +45,7 @@ class WindingsWatch final : public Watch {
           met.wrong(frames, name, other, [&] {
             return std::pair(
                 "normal " + spelled(manifold.normal) + ", at " + spelled(point.position),
-                "the triangle there looks to " + spelled(placed->pose.rotate(*outward)));
+                "the triangle there faces " + spelled(placed->pose.rotate(*outward)));
           });
       }
   }

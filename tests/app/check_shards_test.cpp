@@ -161,7 +161,7 @@ TEST_F(CheckShards, LimitsOfAViewAreTakenFromItsScenario) {
   const ProgramRun loose = check("group/two");
   EXPECT_THAT(loose.err, HasSubstr("(1 changed,")) << "the trace alone";
   folder_.write("scenarios/group/two.toml", moved + "limits = { total = 7 }\n");
-  EXPECT_THAT(check("group/two --verbose").out, HasSubstr("allowed are 7 pixels"));
+  EXPECT_THAT(check("group/two --verbose").out, HasSubstr("allowed: 7 pixels"));
   folder_.write("scenarios/group/two.toml", moved + "view_limits = { side = { total = 7 } }\n");
   EXPECT_THAT(check("group/two").out, HasSubstr("'side' is no view"));
 }

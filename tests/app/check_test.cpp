@@ -39,7 +39,7 @@ TEST_F(Check, NothingIsWrittenUnlessAsked) {
   std::filesystem::create_directory(folder_ / "snapshots");
   const ProgramRun first = check();
   EXPECT_EQ(first.exit_code, 1);
-  EXPECT_EQ(first.out, "new         group/idea: new, nothing is stored of group/idea\n");
+  EXPECT_EQ(first.out, "new         group/idea: new, nothing is stored for group/idea\n");
   EXPECT_THAT(first.err, HasSubstr("check --write-missing stores what is not there yet"));
   EXPECT_THAT(stored(), IsEmpty());
   const ProgramRun written = check("--write-missing");
@@ -213,9 +213,9 @@ TEST_F(Check, WhatAPictureMayDifferByIsToldWhereItsScenarioSaysSo) {
   store(with_limits(small_scenario()));
   check("--update");
   store(with_limits(changed("0.495", "0.480")));
-  EXPECT_THAT(check().out, HasSubstr("allowed are 60 pixels"));
+  EXPECT_THAT(check().out, HasSubstr("allowed: 60 pixels"));
   store(changed("0.495", "0.480"));
-  EXPECT_THAT(check().out, Not(HasSubstr("allowed are")));
+  EXPECT_THAT(check().out, Not(HasSubstr("allowed: ")));
 }
 
 TEST_F(Check, JsonIsWhatTheReportHas) {

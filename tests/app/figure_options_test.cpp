@@ -33,7 +33,7 @@ TEST(FigureOptions, MistakesNameTheOptionAndTheRemedy) {
   fails("--camera 1,2,3", "--camera=4,2,4,0,0,0,30");
   fails("--orthographic=tall", "--orthographic=1.5");
   fails("--words nowhere", "`contactscope list words`");
-  fails("--font README.md", "this is no TrueType font");
+  fails("--font README.md", "this is not a TrueType font");
 }
 
 TEST(FigureOptions, UnknownWordsAreToldWithTheNearest) {

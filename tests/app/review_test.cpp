@@ -110,7 +110,7 @@ TEST_F(ReviewTest, APictureOfAnotherDriverIsAcceptedByItsPlainName) {
   EXPECT_THAT(left(), HasSubstr("group/idea/frame_0000.osmesa")) << "the nearest is shown";
   const ProgramRun accepted = check("--accept group/idea/frame_0000");
   EXPECT_THAT(accepted.out, HasSubstr("updated group/idea/frame_0000.osmesa"));
-  EXPECT_THAT(check("--accept group/idea/trace --as osmesa").err, HasSubstr("is no picture"));
+  EXPECT_THAT(check("--accept group/idea/trace --as osmesa").err, HasSubstr("is not a picture"));
 }
 
 TEST_F(ReviewTest, AnUnmetExpectationIsMendedWhoeverIsTold) {

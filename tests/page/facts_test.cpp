@@ -80,7 +80,7 @@ TEST(AreaFacts, OfShapesAreTheirOutlinesNearestFirst) {
   EXPECT_EQ(areas[0].name, "crate");
   EXPECT_EQ(areas[0].polygon.size(), 6u);  // of a box seen from a corner
   EXPECT_THAT(areas[0].rows, Contains(Pair("shape", "box")));
-  EXPECT_THAT(areas[0].rows, Contains(Pair("moves", "(0.5, 0, 0) m/s")));
+  EXPECT_THAT(areas[0].rows, Contains(Pair("velocity", "(0.5, 0, 0) m/s")));
   EXPECT_EQ(areas[1].name, "slab");
 }
 

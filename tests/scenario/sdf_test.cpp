@@ -156,7 +156,7 @@ INSTANTIATE_TEST_SUITE_P(
         Broken{"OfHasAPlace", sdf("{ type = \"sphere\", radius = 1, position = [0, 0, 0] }"),
                "4:37", "unknown key 'position'"},
         Broken{"APlane", sdf("{ type = \"plane\", normal = [0, 1, 0], offset = 0 }"), "4:6",
-               "a plane has no end"},
+               "a plane is infinite"},
         Broken{"AnOpenSheet", sdf("{ type = \"mesh\", grid = { size = 1, cells = 2 } }"), "4:6",
                "the mesh has no inside"},
         Broken{"NoCells", sdf(kBall, "cells = 1"), "5:9", "2 to 4096"},

@@ -89,7 +89,7 @@ TEST_F(Check, AMovedDotFailsWithItsNumbersAndTheLimits) {
   EXPECT_EQ(finding.key(), "hull/face_contact/frame_0012");
   ASSERT_TRUE(finding.pixels.has_value());
   EXPECT_GT(finding.pixels->found.differing, 8);
-  EXPECT_THAT(finding.details, Contains("allowed are 100 pixels, fewer than 8 of them together, "
+  EXPECT_THAT(finding.details, Contains("allowed: 100 pixels, fewer than 8 of them together, "
                                         "and a channel by 2"));
   EXPECT_EQ(finding.stored_sha256, sha256_of_file(picture()));
   ASSERT_TRUE(checked.expected.has_value());
@@ -121,7 +121,7 @@ TEST_F(Check, ATornPictureIsUnreadableAndAnUpdateMendsIt) {
 
 TEST_F(Check, NothingIsStoredWhereNobodyAsked) {
   EXPECT_THAT(check(dot_picture(80, 45)).finding,
-              Reports(FindingKind::New, "nothing is stored of hull/face_contact"));
+              Reports(FindingKind::New, "nothing is stored for hull/face_contact"));
   EXPECT_THAT(check(sample_trace()).finding, Reports(FindingKind::New, "nothing is stored"));
   EXPECT_TRUE(std::filesystem::is_empty(root()));
   store_trace(sample_trace());
@@ -235,7 +235,7 @@ TEST_F(Check, AnyOfTheDriversPicturesPassesAndTheNearestIsShown) {
   EXPECT_EQ(checked.nearest, next_to("frame_0012.osmesa.png"));
   EXPECT_EQ(checked.expected, dot_picture(100, 45));
   EXPECT_THAT(checked.finding->details,
-              Contains("held against the nearest of 2, frame_0012.osmesa.png"));
+              Contains("compared with the nearest of 2, frame_0012.osmesa.png"));
   const std::vector<int> frames{12};
   EXPECT_THAT(check_stale(archive(), {}, frames, kLocal), IsEmpty()) << "it goes with its picture";
 }
@@ -256,8 +256,9 @@ TEST_F(Check, AKnownBadTraceIsToldToo) {
   sample_manifold(other).normal *= -1;
   store_trace(sample_trace());
   write_text(next_to("trace.bad_31.jsonl"), to_json_lines(other));
-  EXPECT_THAT(check(other).finding,
-              Reports(FindingKind::KnownBad, "is as trace.bad_31.jsonl, which is known to be bad"));
+  EXPECT_THAT(
+      check(other).finding,
+      Reports(FindingKind::KnownBad, "matches trace.bad_31.jsonl, which is known to be bad"));
 }
 
 TEST_F(Check, AStalePictureFailsUntilAnUpdateRemovesIt) {

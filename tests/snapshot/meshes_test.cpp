@@ -97,9 +97,9 @@ TEST_F(StoredMeshes, ATornOrMissingOneIsToldWithItsRemedy) {
     return "nothing was thrown";
   };
   folder_.write("meshes/" + *meshes().begin(), read_text(file).substr(0, 1000));
-  EXPECT_THAT(message(), HasSubstr("is not what its name says: it is no whole gzip file"));
+  EXPECT_THAT(message(), HasSubstr("does not match its name: it is not a complete gzip file"));
   folder_.write("meshes/" + *meshes().begin(), gzip("{}\n"));
-  EXPECT_THAT(message(), HasSubstr("it is another one's"));
+  EXPECT_THAT(message(), HasSubstr("it belongs to another mesh"));
   std::filesystem::remove(file);
   EXPECT_THAT(message(), HasSubstr("group/one/trace.jsonl:1:1: its mesh meshes/"));
   EXPECT_THAT(message(), HasSubstr("check --update"));

@@ -135,7 +135,8 @@ TEST_F(ReportFiles, OnlyPicturesHaveAnotherBaseline) {
   trace.candidate = "hull/face_contact/trace.actual.jsonl";
   trace.stored_sha256 = sha256_of_file(snapshots_ / "hull/face_contact/trace.jsonl");
   trace.candidate_sha256 = sha256_of_file(folder() / trace.candidate);
-  EXPECT_THAT(accept(folder(), snapshots_.path(), trace, {"osmesa"}), HasSubstr("is no picture"));
+  EXPECT_THAT(accept(folder(), snapshots_.path(), trace, {"osmesa"}),
+              HasSubstr("is not a picture"));
   EXPECT_TRUE(trace.fails());
 }
 
