@@ -100,7 +100,7 @@ Hull<double> any_box(Random& random, double size) {
   return make_box(half);
 }
 
-TYPED_TEST(BoxOnTriangle, OfAnySizeInAnyPoseIsAsForAnyHull) {
+TYPED_TEST(BoxOnTriangle, AnySizeAndPoseMatchesTheGeneralHull) {
   using S = TypeParam;
   Random random(71);
   Done done;

@@ -227,7 +227,7 @@ TYPED_TEST(PairCacheMotion, TwoBoxesGiveTheSameBitsWatchedOrNot) {
   EXPECT_GT(by_themselves, touching / 2);
 }
 
-TEST(PairCacheHistory, TheRecordTellsHowFarTheSecondBoxHasMoved) {
+TEST(PairCacheHistory, TheRecordHasTheMotionOfTheSecondBox) {
   const PairCase<double> start = test::stacked_cubes(0.4, 0.005);
   const Shape<double> a = start.a, b = start.b;
   PairCache<double> cache;

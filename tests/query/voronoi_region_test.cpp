@@ -77,7 +77,7 @@ TEST(VoronoiRegion, HoldsThePointsToWhichItsFeatureIsNearestInDouble) {
   expect_nearest_features<double>(12);
 }
 
-TEST(VoronoiRegion, OfABoxIsBesideItsEdgesAndBeyondItsCorners) {
+TEST(VoronoiRegion, BoxRegionsAreOutsideEdgesAndBeyondCorners) {
   const Hull<double> box = make_box(Vec3d(1, 2, 3));
   const auto edge = region_from_face(box, Vec3d(1.5, 2.2, 1), 5.0);
   ASSERT_TRUE(edge);
