@@ -1,4 +1,4 @@
-#include "manifold/box_on_triangles.h"
+#include "manifold/fast/box_on_triangles.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "manifold/clear_of_triangle.h"
+#include "manifold/fast/clear_of_triangle.h"
 
 #include <gtest/gtest.h>
 

@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <limits>
 
-#include "manifold/collide_box_box.h"
 #include "manifold/dispatch.h"
+#include "manifold/fast/collide_box_box.h"
 #include "moving_pairs.h"
 #include "support/brute_force_sat.h"
 #include "support/builders.h"

@@ -6,7 +6,7 @@
 
 #include "core/at.h"
 #include "geometry/primitives.h"
-#include "query/point_faces.h"
+#include "query/fast/point_faces.h"
 #include "support/brute_force_distance.h"
 #include "support/random_geometry.h"
 
