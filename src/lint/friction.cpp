@@ -7,16 +7,16 @@
 namespace contactscope::lint {
 namespace {
 
-/// Cosine: what is nearer to the normal than this is no rounding of what is across it.
+/// Cosine to the normal; larger ones are no rounding of a perpendicular.
 constexpr double kAcross = 0.1;
-/// Coefficients of friction are hardly ever larger: rubber on rubber has 1.2, and games do not have more than 2.
+/// Upper limit of friction coefficients: rubber on rubber has 1.2, games use at most 2.
 constexpr double kMaxFriction = 4;
-/// Of the normal impulse of its manifold: what is smaller says nothing.
+/// Relative to the manifold's normal impulse; smaller impulses are noise.
 constexpr double kSome = 1e-3;
-/// Metres a second, of what slides: faster than that it does so in the next frame as well.
+/// Metres per second; faster sliding continues in the next frame.
 constexpr double kSliding = 0.2;
 
-/// Friction lies across the normal, is bounded by the normal impulse, and slows down what slides.
+/// Friction is perpendicular to the normal, bounded by the normal impulse, and opposes sliding.
 class FrictionWatch final : public Watch {
  public:
   void see(const Solids& solids, const Moments& frames) override {

@@ -8,7 +8,7 @@
 namespace contactscope::lint {
 namespace {
 
-/// Whether every point of one has one of the other within `near` metres.
+/// Whether each point of one has a point of the other within `near` metres.
 bool same_places(const trace::Pair& one, const trace::Pair& other, double near) {
   for (const trace::Manifold& manifold : one.manifolds)
     for (const trace::Point& point : manifold.points) {
@@ -36,7 +36,7 @@ class IdsWatch final : public Watch {
       if (ids.empty() || ids.size() != old.size() || !stands_still(solids, frames, pair)) continue;
       const std::optional<Placed> a = place(solids, frames.now, pair.a, {});
       const std::optional<Placed> b = place(solids, frames.now, pair.b, {});
-      constexpr double kSamePlace = 1e-3;  // of the smaller shape
+      constexpr double kSamePlace = 1e-3;  // relative to the smaller shape
       const double near = kSamePlace * std::min(a->size(), b->size());
       if (!same_places(pair, *before, near)) continue;
       ++still_;
@@ -83,7 +83,7 @@ class IdsWatch final : public Watch {
   }
 
  private:
-  /// Of a manifold with several points.
+  /// For manifolds with several points.
   void see_alike(const Moments& frames, const trace::Pair& pair) {
     for (const trace::Manifold& manifold : pair.manifolds) {
       std::set<std::string> names;
@@ -104,7 +104,7 @@ class IdsWatch final : public Watch {
     }
   }
 
-  /// Names that are all there, each on another point than in the frame before.
+  /// Finds ids that all persist, but each on another point than in the previous frame.
   void see_swapped(const Moments& frames, const trace::Pair& pair, const trace::Pair& before,
                    double near) {
     const auto places = [](const trace::Pair& of) {
@@ -132,7 +132,7 @@ class IdsWatch final : public Watch {
       const std::optional<Placed> now = place(solids, frames.now, name, {});
       const std::optional<Placed> then = place(solids, frames.before, name, {});
       if (!now || !then) return false;
-      constexpr double kStill = 1e-4;  // of its size, and of a full turn
+      constexpr double kStill = 1e-4;  // relative to its size, and to a full turn
       const double size = std::min(now->size(), 1e6);
       if ((now->pose.position - then->pose.position).norm() > kStill * size) return false;
       if (now->pose.rotation.angularDistance(then->pose.rotation) > kStill) return false;

@@ -15,7 +15,7 @@ Names in_order(const std::string& a, const std::string& b) {
   return a < b ? Names{a, b} : Names{b, a};
 }
 
-/// Corners of a placed solid's box, the world.
+/// Bounding box of a placed solid, world.
 Aabb<double> box_of(const Placed& placed) {
   const Vec3d middle = (placed.solid->lower() + placed.solid->upper()) / 2;
   const Vec3d half = (placed.solid->upper() - placed.solid->lower()) / 2;
@@ -24,7 +24,7 @@ Aabb<double> box_of(const Placed& placed) {
   return {center - reach, center + reach};
 }
 
-/// Metres of overlap, 0 where there is none or nobody knows.
+/// Metres of overlap; 0 if there is none or it cannot be computed.
 double overlap_of(const Placed& a, const Placed& b) {
   if (const std::optional<Separation> best = best_separation(a, b))
     return std::max(-best->distance, 0.0);
@@ -53,7 +53,7 @@ class OverlapsWatch final : public Watch {
     for (const trace::Placement& one : frames.now->poses) {
       const std::optional<Placed> placed = place(solids, frames.now, one.first, {});
       if (!placed) continue;
-      // A plane meets everything.
+      // A plane's box is infinite.
       const Vec3d all = Vec3d::Constant(std::numeric_limits<double>::infinity());
       boxes.emplace_back(placed->solid->is_plane() ? Aabb<double>{-all, all} : box_of(*placed),
                          &one.first);

@@ -139,7 +139,7 @@ const std::vector<Mistake>& mistakes() {
 
 namespace {
 
-/// Two mistakes can be made at once where they are about different things.
+/// Two mistakes can be combined if they concern different things.
 bool go_together(const Mistake& one, const Mistake& other) {
   if (one.alone || other.alone) return false;
   Reading first, second;

@@ -7,7 +7,7 @@
 namespace contactscope::lint {
 namespace {
 
-/// What is wrong with the record itself, whatever shapes and poses are.
+/// Checks the record itself, independent of shapes and poses.
 class RecordsWatch final : public Watch {
  public:
   void see(const Solids&, const Moments& frames) override {

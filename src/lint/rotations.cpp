@@ -5,8 +5,8 @@
 namespace contactscope::lint {
 namespace {
 
-/// What stands upright has the rotation 1, 0, 0, 0. A writer who puts w last writes 0, 0, 0, 1 for it, which
-/// is half a turn about z: boxes look as they should, and only other shapes give it away.
+/// An upright shape has the rotation 1, 0, 0, 0. With w last it is written as 0, 0, 0, 1, a half
+/// turn about z. Boxes look right then, and only other shapes reveal it.
 class RotationsWatch final : public Watch {
  public:
   void see(const Solids& solids, const Moments& frames) override {

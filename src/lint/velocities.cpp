@@ -10,7 +10,7 @@
 namespace contactscope::lint {
 namespace {
 
-/// What a velocity may be instead of one in metres, or radians, a second in the world.
+/// A wrong meaning of a velocity; right are metres or radians per second in the world.
 struct Other {
   const char *cause, *what, *remedy;
   Vec3d (*meant)(const Vec3d& record, const Quat<double>& rotation, double step);
@@ -43,14 +43,14 @@ constexpr Other kSpins[] = {
      [](const Vec3d& v, const Quat<double>& q, double) { return Vec3d(q * v); }},
 };
 
-/// Velocities that are told, held against how far bodies get: one and the same cause for most of them.
+/// Compares reported velocities with displacements, and finds a common cause of most differences.
 template <std::size_t Count>
 class Readings {
  public:
   Readings(const Other (&others)[Count], const char* name, const char* unit)
       : others_(others), name_(name), unit_(unit) {}
 
-  /// `moved`: what it was from the frame before, and to the one after.
+  /// `moved`: velocities by displacement, from the previous frame and to the next.
   void see(const Moments& frames, const std::string& body, const Vec3d& record,
            const std::array<Vec3d, 2>& moved, const Quat<double>& rotation, double step) {
     const auto fits = [&](const Vec3d& velocity) {
@@ -68,7 +68,7 @@ class Readings {
       explained_[i] += fits(others_[i].meant(record, rotation, step));
   }
 
-  /// Contacts stop bodies, and solvers push them: only what is so nearly everywhere is told.
+  /// Contacts stop bodies and solvers push them, so only report what happens almost everywhere.
   void report(std::vector<Finding>& findings) const {
     constexpr int kFewest = 5;
     for (std::size_t i = 0; i < Count; ++i)
@@ -104,7 +104,7 @@ class VelocitiesWatch final : public Watch {
       const std::array<Vec3d, 2> methods = {(middle(*now) - middle(*before)) / last,
                                             (middle(*after) - middle(*now)) / step};
       constexpr double kMoving = 0.2,
-                       kTurning = 0.5;  // metres and radians a second: more than solvers correct
+                       kTurning = 0.5;  // metres and radians per second: more than solvers correct
       if (std::ranges::all_of(methods, [](const Vec3d& offset) { return offset.norm() > kMoving; }))
         velocities_.see(frames, body.name, body.velocity, methods, now->pose.rotation, step);
       const std::array<Vec3d, 2> turns = {turn(before->pose, now->pose) / last,

@@ -5,7 +5,7 @@
 namespace contactscope::lint {
 namespace {
 
-/// A mesh whose triangles are wound inside out is met from behind, everywhere.
+/// A mesh with inverted triangles is hit from behind everywhere.
 class WindingsWatch final : public Watch {
  public:
   void see(const Solids& solids, const Moments& frames) override {
@@ -26,7 +26,7 @@ class WindingsWatch final : public Watch {
   }
 
  private:
-  /// `away`: 1 where normals point away from the shape.
+  /// `away`: 1 if normals point away from the shape.
   void see_shape(const Solids& solids, const Moments& frames, const trace::Pair& pair,
                  const std::string& name, const std::string& other, double away) {
     const std::optional<Placed> placed = place(solids, frames.now, name, {});
@@ -37,7 +37,7 @@ class WindingsWatch final : public Watch {
             placed->solid->face_normal(placed->pose.inverse_transform(point.position));
         if (!outward) return;
         const double cosine = away * manifold.normal.dot(placed->pose.rotate(*outward));
-        constexpr double kClear = 0.5;  // less is an edge
+        constexpr double kClear = 0.5;  // smaller at edges
         if (std::abs(cosine) < kClear) continue;
         Tally& met = met_[name];
         ++met.of;

@@ -36,7 +36,7 @@ TEST(FigureOptions, MistakesNameTheOptionAndTheRemedy) {
   fails("--font README.md", "this is not a TrueType font");
 }
 
-TEST(FigureOptions, UnknownWordsAreToldWithTheNearest) {
+TEST(FigureOptions, UnknownWordsAreReportedWithTheNearest) {
   const TemporaryFolder folder;
   const std::string words = folder.write("de.toml", "[words]\n\"referenze face\" = \"Fläche\"\n");
   const ProgramRun result = run(kFigure + "--words '" + words + "'");

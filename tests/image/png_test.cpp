@@ -166,7 +166,7 @@ TEST_F(Png, BrokenFilesAreErrorsWithThePath) {
     EXPECT_EQ(record(name), path(name) + ": cannot be read as a PNG: it is not one");
 }
 
-TEST_F(Png, SaysWhatItIsBeforeItsPixels) {
+TEST_F(Png, HasItsTextBeforeItsPixels) {
   const PngText text = {{"Software", "contactscope 1.2.3"},
                         {"Title", "Über zwei Zeilen:\n–40 °C"},
                         {"Command", "contactscope render a --frames 1"}};

@@ -47,7 +47,7 @@ class StoredMeshes : public testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(StoredMeshes, ALargeOneStandsOnceHoweverManyNameIt) {
+TEST_F(StoredMeshes, ALargeOneIsStoredOnceForAllReferences) {
   const std::string text = to_json_lines(with_strip(4000));
   store("group/one", with_strip(4000));
   store("group/two", with_strip(4000));
@@ -72,7 +72,7 @@ TEST_F(StoredMeshes, EdgesThatDoNotFollowFromTheFacesAreKept) {
   EXPECT_EQ(read("group/one"), to_json_lines(trace));
 }
 
-TEST_F(StoredMeshes, WhatNobodyNamesAnyMoreGoes) {
+TEST_F(StoredMeshes, UnreferencedMeshesAreRemoved) {
   store("group/one", with_strip(4000));
   store("group/two", with_strip(4000));
   store("group/one", with_strip(4000, 0.2));
@@ -85,7 +85,7 @@ TEST_F(StoredMeshes, WhatNobodyNamesAnyMoreGoes) {
   EXPECT_THAT(files_below(root()), IsEmpty());
 }
 
-TEST_F(StoredMeshes, ATornOrMissingOneIsToldWithItsRemedy) {
+TEST_F(StoredMeshes, ATornOrMissingOneHasARemedy) {
   store("group/one", with_strip(4000));
   const std::filesystem::path file = root() / "meshes" / *meshes().begin();
   const auto message = [&]() -> std::string {
@@ -133,7 +133,7 @@ TEST_F(StoredMeshes, ATraceThatWasStoredWholeIsStillTheSame) {
       check_trace(archive_of(root(), trace.header.scenario), trace, {}).finding.has_value());
 }
 
-TEST(Gzip, ReadsBackAndRefusesWhatIsTorn) {
+TEST(Gzip, ReadsBackAndRefusesTornData) {
   for (const std::string& text : {std::string(), std::string("abc"), std::string(100000, 'x')})
     EXPECT_EQ(gunzip(gzip(text)), text);
   std::string file = gzip("some bytes that are not long");
