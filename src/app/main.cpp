@@ -9,13 +9,13 @@
 #include <malloc.h>
 #endif
 
-#include "app/catalogue.h"
-#include "app/check_arguments.h"
-#include "app/formats/format.h"
-#include "app/manual.h"
-#include "app/origin.h"
-#include "app/progress.h"
-#include "app/verbs.h"
+#include "app/cli/catalogue.h"
+#include "app/cli/check_arguments.h"
+#include "app/cli/manual.h"
+#include "app/cli/progress.h"
+#include "app/cli/verbs.h"
+#include "app/render/formats/format.h"
+#include "app/render/origin.h"
 #include "core/at.h"
 #include "core/input_error.h"
 #include "scenario/nearest_word.h"

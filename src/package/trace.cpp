@@ -5,7 +5,7 @@
 #include <optional>
 #include <sstream>
 
-#include "app/trace_file.h"
+#include "app/cli/trace_file.h"
 #include "core/at.h"
 #include "core/input_error.h"
 #include "package/facts.h"

@@ -10,7 +10,7 @@
 #include <set>
 
 #include "adapters/judge.h"
-#include "app/catalogue.h"
+#include "app/cli/catalogue.h"
 #include "support/temporary_folder.h"
 
 namespace contactscope::test {

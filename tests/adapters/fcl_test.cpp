@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "adapters/judge.h"
-#include "app/catalogue.h"
+#include "app/cli/catalogue.h"
 #include "support/temporary_folder.h"
 
 namespace contactscope::test {

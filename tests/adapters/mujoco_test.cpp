@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "adapters/judge.h"
-#include "app/catalogue.h"
+#include "app/cli/catalogue.h"
 #include "support/temporary_folder.h"
 
 namespace contactscope::test {

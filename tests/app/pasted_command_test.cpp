@@ -4,7 +4,7 @@
 
 #include <cstdlib>
 
-#include "app/origin.h"
+#include "app/render/origin.h"
 #include "snapshot/accept.h"
 #include "support/cases.h"
 #include "support/random_geometry.h"

@@ -1,4 +1,4 @@
-#include "app/sequence.h"
+#include "app/cli/sequence.h"
 
 #include <gmock/gmock.h>
 

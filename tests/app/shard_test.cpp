@@ -1,4 +1,4 @@
-#include "app/shard.h"
+#include "app/cli/shard.h"
 
 #include <gmock/gmock.h>
 

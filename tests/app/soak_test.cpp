@@ -1,4 +1,4 @@
-#include "app/soak.h"
+#include "app/compare/soak.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "app/cli/table.h"
 #include "app/program.h"
-#include "app/table.h"
 
 namespace contactscope::test {
 namespace {

@@ -7,7 +7,7 @@
 #include <iostream>
 #include <vector>
 
-#include "app/table.h"
+#include "app/cli/table.h"
 #include "study/broad_phase_study.h"
 #ifdef CONTACTSCOPE_PEERS
 #include "peers/broad_phase_peer.h"

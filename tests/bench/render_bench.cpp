@@ -5,8 +5,8 @@
 
 #include <filesystem>
 
-#include "app/progress.h"
-#include "app/renderer.h"
+#include "app/cli/progress.h"
+#include "app/render/renderer.h"
 #include "core/at.h"
 #include "draw/staging.h"
 #include "gl/context.h"

@@ -6,8 +6,8 @@
 
 #include <cmath>
 
-#include "app/progress.h"
-#include "app/renderer.h"
+#include "app/cli/progress.h"
+#include "app/render/renderer.h"
 #include "draw/staging.h"
 
 namespace contactscope {

@@ -27,16 +27,22 @@ constexpr Folder kOrder[] = {
     {"package", "src"},   {"adapters", "src"},
 };
 
-/// The levels of render/draw, and the levels that each may use. Other files are the top.
+/// The levels of a folder, and the levels that each may use. Other files are the top.
 struct Floor {
+  std::string_view folder;
   std::string_view name;
-  std::array<std::string_view, 3> uses;
+  std::array<std::string_view, 4> uses;
 };
+// The table of options, in cli, lists the picture formats of render.
 constexpr Floor kFloors[] = {
-    {"scene", {"scene"}},
-    {"layers", {"scene", "layers"}},
-    {"charts", {"scene", "charts"}},
-    {"insets", {"scene", "charts", "insets"}},
+    {"draw", "scene", {"scene"}},
+    {"draw", "layers", {"scene", "layers"}},
+    {"draw", "charts", {"scene", "charts"}},
+    {"draw", "insets", {"scene", "charts", "insets"}},
+    {"app", "cli", {"cli", "render"}},
+    {"app", "render", {"cli", "render"}},
+    {"app", "check", {"cli", "render", "check"}},
+    {"app", "compare", {"cli", "render", "check", "compare"}},
 };
 
 /// All layers include this; they do not include each other.
@@ -59,8 +65,9 @@ bool may_use(const Folder& user, const Folder& used) {
   return true;
 }
 
-const Floor* find_floor(std::string_view name) {
-  const Floor* found = std::ranges::find(kFloors, name, &Floor::name);
+const Floor* find_floor(std::string_view folder, std::string_view name) {
+  const Floor* found = std::ranges::find_if(
+      kFloors, [&](const Floor& floor) { return floor.folder == folder && floor.name == name; });
   return found == std::end(kFloors) ? nullptr : found;
 }
 
@@ -132,13 +139,14 @@ void check_links(const std::string& path, std::istringstream words,
   }
 }
 
-/// The violation of an include from render/draw in render/draw; empty if there is none.
-std::string floor_violation(const std::string& path, const std::string& included) {
-  const Floor* user = find_floor(components(path)[2]);
+/// The violation of an include within a folder with levels; empty if there is none.
+std::string floor_violation(std::string_view folder, const std::string& path,
+                            const std::string& included) {
+  const Floor* user = find_floor(folder, components(path)[2]);
   if (user == nullptr) return {};
-  const Floor* used = find_floor(components(included)[1]);
+  const Floor* used = find_floor(folder, components(included)[1]);
   const std::string name(user->name);
-  if (used == nullptr) return name + " must not use the top of draw";
+  if (used == nullptr) return name + " must not use the top of " + std::string(folder);
   if (std::ranges::find(user->uses, used->name) == user->uses.end())
     return name + " must not use " + std::string(used->name);
   if (user->name == "layers" && used == user && included != kLayer)
@@ -175,8 +183,8 @@ void check_include(const SourceFile& file, int line, const std::string& included
     violations.push_back(where + std::string(folder.name) + " must not use " +
                          std::string(used->name));
   }
-  if (used == &folder && folder.name == "draw") {
-    const std::string why = floor_violation(file.path, included);
+  if (used == &folder) {
+    const std::string why = floor_violation(folder.name, file.path, included);
     if (!why.empty()) violations.push_back(where + why);
   }
 }

@@ -76,6 +76,16 @@ TEST(IncludeOrder, NoArrowRunsUpInDraw) {
                           "render/draw/insets/inset.h:2: insets must not use the top of draw"));
 }
 
+TEST(IncludeOrder, NoVerbOfAppUsesALaterOne) {
+  const std::vector<SourceFile> files = {
+      {"src/app/cli/verbs.h", "#include \"app/check/review.h\""},
+      {"src/app/check/review.h", "#include \"app/compare/soak.h\""},
+      {"src/app/compare/soak.h", "#include \"app/cli/verbs.h\"\n#include \"app/check/review.h\""}};
+  EXPECT_THAT(include_violations(files),
+              ElementsAre("src/app/cli/verbs.h:1: cli must not use check",
+                          "src/app/check/review.h:1: check must not use compare"));
+}
+
 TEST(IncludeOrder, AnIncludeOfNoFileIsCaught) {
   EXPECT_THAT(include_violations({{"src/core/pose.h", "#include \"core/pse.h\""}}),
               ElementsAre("src/core/pose.h:1: \"core/pse.h\" is no file of src or render"));

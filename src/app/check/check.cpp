@@ -1,0 +1,57 @@
+#include <cstdlib>
+#include <iostream>
+
+#include "app/check/check_run.h"
+#include "app/check/reports/report.h"
+#include "app/check/review.h"
+#include "app/cli/progress.h"
+#include "app/cli/verbs.h"
+#include "gl/context.h"
+#include "snapshot/report_folder.h"
+
+namespace contactscope::app {
+namespace {
+
+ExitCode run_check_verb(const Options& options) {
+  note_interrupts();
+  if (options.accept) return run_accept(options);
+  std::vector<Input> inputs = load_inputs(options, Hold::Sample, Unreadable::Kept);
+  if (options.update != snapshot::Update::None && snapshot::is_ci(std::getenv("CI")))
+    std::cerr << "CI=true: nothing is written; unset CI to accept what changed\n";
+  const snapshot::Outcome outcome = [&] {
+    try {
+      return run_check(inputs, options);
+    } catch (const gl::ContextError& error) {
+      throw gl::ContextError(std::string(error.what()) +
+                             "\nor compare traces and expectations alone, which needs none: "
+                             "contactscope check --facts-only");
+    }
+  }();
+  write_reports({outcome, report_folder(options), options});
+  return exit_code(outcome);
+}
+
+}  // namespace
+
+Verb check_verb() {
+  return {
+      "check",
+      "Compare with the stored snapshots",
+      &run_check_verb,
+      "[SCENARIO...] --snapshots --write-missing --update --accept --as --note --facts-only "
+      "--json --junit --markdown --github --shard --times --fresh --out --backend --view",
+      {{"SCENARIO",
+        "Scenarios, or traces of any engine; default: all scenarios. With --accept: what to "
+        "accept"},
+       {"--json", "Print what was found as JSON, as OUT/check/findings.json has it"}},
+      "Examples:\n"
+      "  contactscope check                              all scenarios against snapshots/\n"
+      "  contactscope check hull --facts-only            one group, without drawing\n"
+      "  contactscope check my/crate.toml --write-missing\n"
+      "  contactscope check --accept hull/face_contact/frame_0012\n"
+      "  contactscope check --shard 2/5 --out /tmp/shards --junit junit.xml\n"
+      "Exit codes: 0 the same, 1 something is not, 2 trouble, such as a scenario that cannot be "
+      "read; the\nothers are checked all the same."};
+}
+
+}  // namespace contactscope::app

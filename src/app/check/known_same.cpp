@@ -1,0 +1,115 @@
+#include "app/check/known_same.h"
+
+#include <atomic>
+#include <future>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "core/at.h"
+#include "image/sha256.h"
+#include "image/whole_file.h"
+#include "snapshot/meshes.h"
+#include "snapshot/store.h"
+
+namespace contactscope::app {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+std::string sha256_of(const fs::path& file) {
+  const std::vector<std::uint8_t> bytes = read_whole_file(file.string());
+  return sha256({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
+/// Adds files that a scenario names: any quoted string that is a file relative to its folder.
+void add_named_files(const std::string& text, const fs::path& folder, std::string& all) {
+  for (std::size_t begin = text.find('"'); begin != std::string::npos;) {
+    const std::size_t end = text.find('"', begin + 1);
+    if (end == std::string::npos) return;
+    const fs::path file = folder / text.substr(begin + 1, end - begin - 1);
+    std::error_code unknown;
+    if (end - begin > 3 && end - begin < 256 && fs::is_regular_file(file, unknown))
+      all += sha256_of(file) + " " + file.string() + "\n";
+    begin = text.find('"', end + 1);
+  }
+}
+
+std::string content_of(const Input& input, const fs::path& snapshots) {
+  const std::string text = snapshot::read_text_file(input.scenario.path).value_or("");
+  std::string all = input.scenario.path + "\n" + text;
+  add_named_files(text, fs::path(input.scenario.path).parent_path(), all);
+  for (const fs::path& file : snapshot::stored_files(snapshots, input.scenario.name)) {
+    const std::vector<std::uint8_t> bytes = read_whole_file(file.string());
+    const std::string stored(bytes.begin(), bytes.end());
+    all += sha256(stored) + " " + file.string() + "\n";
+    if (file.extension() != ".jsonl") continue;
+    for (const std::string& name : snapshot::meshes_named(stored))
+      all += snapshot::sha256_of_file(snapshot::mesh_path(snapshots, name)) + " " + name + "\n";
+  }
+  return sha256(all);
+}
+
+}  // namespace
+
+KnownSame::KnownSame(const fs::path& folder, std::string surroundings)
+    : surroundings_(std::move(surroundings)) {
+  const std::optional<std::string> text = snapshot::read_text_file(folder / "known_same.json");
+  if (!text) return;
+  const Json json = Json::parse(*text, nullptr, false);
+  if (json.is_discarded() || json.value("surroundings", "") != surroundings_) return;
+  for (const auto& [name, entry] : json.at("scenarios").items())
+    entries_[name] = {entry.at("content"), entry.at("frames"), entry.at("pictures"),
+                      entry.at("notes").get<std::vector<std::string>>(),
+                      entry.at("brittle").get<std::vector<std::string>>()};
+}
+
+std::optional<snapshot::ScenarioOutcome> KnownSame::find(const std::string& scenario,
+                                                         const std::string& content) const {
+  const auto found = entries_.find(scenario);
+  if (found == entries_.end() || found->second.content != content) return {};
+  snapshot::ScenarioOutcome outcome{scenario};
+  outcome.frames = found->second.frames;
+  outcome.pictures = found->second.pictures;
+  outcome.notes = found->second.notes;
+  outcome.brittle = found->second.brittle;
+  outcome.is_known_same = true;
+  return outcome;
+}
+
+void KnownSame::add(const snapshot::ScenarioOutcome& outcome, const std::string& content) {
+  if (!outcome.findings.empty() || outcome.written > 0)
+    entries_.erase(outcome.scenario);
+  else
+    entries_[outcome.scenario] = {content, outcome.frames, outcome.pictures, outcome.notes,
+                                  outcome.brittle};
+}
+
+std::string KnownSame::text() const {
+  Json json{{"surroundings", surroundings_}, {"scenarios", Json::object()}};
+  for (const auto& [name, entry] : entries_)
+    json["scenarios"][name] = {{"content", entry.content},
+                               {"frames", entry.frames},
+                               {"pictures", entry.pictures},
+                               {"notes", entry.notes},
+                               {"brittle", entry.brittle}};
+  return json.dump(1) + "\n";
+}
+
+std::vector<std::string> contents_of(const std::vector<Input>& inputs, const fs::path& snapshots) {
+  std::vector<std::string> contents(inputs.size());
+  std::atomic<std::size_t> next{0};
+  const auto work = [&] {
+    for (std::size_t i = next++; i < inputs.size(); i = next++)
+      if (!inputs[i].trace && inputs[i].unreadable.empty())
+        contents[i] = content_of(inputs[i], snapshots);
+  };
+  std::vector<std::future<void>> helpers;
+  for (unsigned i = 1; i < std::thread::hardware_concurrency(); ++i)
+    helpers.push_back(std::async(std::launch::async, work));
+  work();
+  for (std::future<void>& helper : helpers) helper.get();
+  return contents;
+}
+
+}  // namespace contactscope::app

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "app/cli/catalogue.h"
+#include "snapshot/finding.h"
+
+namespace contactscope::app {
+
+/// Cache of scenarios that matched in an earlier run with the same --out, keyed by content: the
+/// scenario's file with the files it names, its snapshots, this program, and the driver. If none of
+/// them changed, a new run would find nothing.
+class KnownSame {
+ public:
+  /// Reads the cache of the report in `folder`. `surroundings` is the content common to all.
+  KnownSame(const std::filesystem::path& folder, std::string surroundings);
+
+  /// Earlier outcome; nullopt if anything changed since.
+  std::optional<snapshot::ScenarioOutcome> find(const std::string& scenario,
+                                                const std::string& content) const;
+  /// Stores the outcome of a run.
+  void add(const snapshot::ScenarioOutcome& outcome, const std::string& content);
+
+  /// Text of known_same.json, including scenarios that were not part of this run.
+  std::string text() const;
+
+ private:
+  struct Entry {
+    std::string content;
+    int frames = 0, pictures = 0;
+    std::vector<std::string> notes{}, brittle{};
+  };
+  std::string surroundings_;
+  std::map<std::string, Entry> entries_;
+};
+
+/// Content hashes of scenarios, in order; computed on several threads.
+std::vector<std::string> contents_of(const std::vector<Input>& inputs,
+                                     const std::filesystem::path& snapshots);
+
+}  // namespace contactscope::app

@@ -1,0 +1,66 @@
+#include <algorithm>
+
+#include "app/check/reports/rows.h"
+#include "app/render/origin.h"
+#include "snapshot/accept.h"
+
+namespace contactscope::app {
+
+const std::vector<Report>& reports() {
+  static const std::vector<Report> all = {kTerminalReport, kJsonReport, kJunitReport, kGithubReport,
+                                          kMarkdownReport};
+  return all;
+}
+
+ExitCode exit_code(const snapshot::Outcome& outcome) {
+  const snapshot::Tally counts = snapshot::tally(outcome);
+  if (counts.kinds[static_cast<std::size_t>(snapshot::FindingKind::UnreadableScenario)] > 0)
+    return ExitCode::Trouble;
+  return counts.failing == 0 ? ExitCode::Same : ExitCode::Different;
+}
+
+void write_reports(const ReportInput& input) {
+  for (const Report& report : reports())
+    if (report.is_wanted(input)) report.write(input);
+}
+
+std::string path_in(const ReportInput& input, const std::string& file) {
+  return (input.folder / file).lexically_normal().generic_string();
+}
+
+void retell_page(const std::filesystem::path& folder, const snapshot::Outcome& outcome,
+                 const Options& options) {
+  const ReportInput input{outcome, folder, options};
+  if (kPageReport.is_wanted(input)) kPageReport.write(input);
+}
+
+std::string out_argument(const ReportInput& input) {
+  if (input.options.out == Options().out) return {};
+  return " --out " + for_shell(input.options.out);
+}
+
+std::string accept_command(const ReportInput& input, const std::vector<std::string>& keys) {
+  std::string command = "contactscope check --accept";
+  for (const std::string& key : keys) command += " " + for_shell(snapshot::pattern_of(key));
+  return command + out_argument(input);
+}
+
+std::string remedy(const ReportInput& input, const snapshot::Finding& finding) {
+  if (finding.is_acceptable()) return accept_command(input, {finding.key()});
+  if (finding.kind == snapshot::FindingKind::UnreadableScenario)
+    return "fix the file, and run check again; what is stored of it was left as it is";
+  if (finding.file.empty()) return "mend the expectation in its scenario, or what fails it";
+  return "mend what brings it back, or remove " + input.outcome.snapshots + "/" + finding.file +
+         " where it is right after all";
+}
+
+std::string remedy(const ReportInput& input, const snapshot::Cause& cause) {
+  constexpr std::size_t kMaxNames = 12;
+  const snapshot::Finding& first = *cause.findings.front();
+  if (!first.is_acceptable()) return remedy(input, first);
+  std::vector<std::string> names = cause.scenarios;
+  names.resize(std::min(names.size(), kMaxNames));
+  return accept_command(input, names);
+}
+
+}  // namespace contactscope::app

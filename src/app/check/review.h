@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "app/cli/verbs.h"
+#include "snapshot/finding.h"
+
+namespace contactscope::app {
+
+/// Folder of a check's report.
+std::filesystem::path report_folder(const Options& options);
+
+/// Findings that match the patterns, each once. Throws UsageError if a pattern matches none.
+std::vector<snapshot::Finding*> findings_named(snapshot::Outcome& outcome,
+                                               const std::vector<std::string>& patterns);
+
+/// `check --accept PATTERN...`: stores candidates of the last report, without running anything.
+ExitCode run_accept(const Options& options);
+
+}  // namespace contactscope::app

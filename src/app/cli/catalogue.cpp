@@ -1,0 +1,296 @@
+#include "app/cli/catalogue.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <iterator>
+#include <map>
+#include <optional>
+
+#include "app/cli/narrow.h"
+#include "core/at.h"
+#include "core/input_error.h"
+#include "core/input_file.h"
+#include "core/plain_text.h"
+#include "reduce/reducer.h"
+#include "scenario/nearest_word.h"
+#include "scenario/scenario_name.h"
+
+namespace contactscope::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Scenario file of a name below a folder, or all files of a group; empty if neither exists.
+std::vector<std::string> files_in(const std::string& root, const std::string& name) {
+  std::error_code unknown;
+  const fs::path named = fs::path(root) / (name + ".toml");
+  if (fs::is_regular_file(named, unknown)) return {named.string()};
+  const fs::path group = fs::path(root) / name;
+  return fs::is_directory(group, unknown) ? scenario_files(group.string())
+                                          : std::vector<std::string>();
+}
+
+/// Search path of names: --scenarios, or ./scenarios and then the installed scenarios.
+std::vector<std::string> roots_of(const Options& options) {
+  std::vector<std::string> roots = {options.scenario_root};
+  if (options.scenario_root == Options{}.scenario_root) roots.push_back(installed_scenarios());
+  std::erase(roots, "");
+  return roots;
+}
+
+/// Search order: a regular file or a folder with scenarios, a name below the root, an installed
+/// name.
+std::vector<std::string> files_named(const std::string& argument, const Options& options) {
+  if (is_trace_file(argument)) {
+    const std::string what = foreign_in(argument);
+    if (!what.empty()) throw InputError(argument, 1, 1, what);
+    throw InputError(argument, 0, 0,
+                     "this is a trace, which `render` draws and `doctor` looks through; a scenario "
+                     "is needed here");
+  }
+  std::error_code unknown;
+  if (fs::is_regular_file(argument, unknown)) return {argument};
+  const bool is_folder = fs::is_directory(argument, unknown);
+  std::vector<std::string> files =
+      is_folder ? scenario_files(argument) : std::vector<std::string>();
+  const std::vector<std::string> roots = roots_of(options);
+  for (const std::string& root : roots)
+    if (files.empty()) files = files_in(root, argument);
+  if (!files.empty()) return files;
+  if (is_folder) throw InputError(argument, 0, 0, "no scenario (*.toml) in this folder");
+  require_regular_file(argument, "give the path of a scenario (.toml)");
+  std::vector<std::string> names;
+  for (const std::string& root : roots) {
+    if (!fs::is_directory(root, unknown)) continue;
+    for (const std::string& file : scenario_files(root))
+      names.push_back(fs::path(file).lexically_relative(root).replace_extension().string());
+  }
+  const std::string near =
+      nearest(argument, std::vector<std::string_view>(names.begin(), names.end()));
+  throw InputError(argument, 0, 0,
+                   "no such file; " + (near.empty() ? "" : "did you mean " + near + "? else ") +
+                       "give a scenario's path, a folder, or a name that "
+                       "`contactscope list scenarios` prints");
+}
+
+void override_reducer(Scenario& scenario, const std::string& reducer) {
+  if (std::ranges::find(reducers(), reducer, &ReducerInfo::name) == reducers().end())
+    throw UsageError("--reducer '" + reducer + "' is no reducer; known are " +
+                     names_of(reducers()));
+  scenario.pipeline.reducer = reducer;
+  for (ScenarioPair& pair : scenario.pairs) pair.pipeline.reducer = reducer;
+}
+
+void require_view(const Scenario& scenario, const std::string& view) {
+  const std::vector<View>& views = scenario.views;
+  if (view.empty() || std::ranges::find(views, view, &View::name) != views.end()) return;
+  throw UsageError("--view '" + view + "' is no view of " + scenario.name + "; it has " +
+                   names_of(views));
+}
+
+/// Scenario name to file.
+using Paths = std::map<std::string, std::string>;
+
+/// True if the file is new; throws if another file has the same scenario name.
+bool is_new(const std::string& name, const std::string& file, Paths& paths) {
+  const auto [known, added] = paths.emplace(name, file);
+  if (added) return true;
+  if (known->second == file || fs::equivalent(known->second, file)) return false;
+  throw InputError(file, 0, 0,
+                   "its name " + name + " is also that of " + known->second +
+                       ", and their pictures would overwrite each other; move one to another "
+                       "folder, which is the first part of the name");
+}
+
+Input unreadable_input(const std::string& file, const InputError& error) {
+  Input input;
+  input.scenario.name = printable(scenario_name(file));
+  input.scenario.path = file;
+  input.unreadable = error.what();
+  return input;
+}
+
+Input input_of(Sequence&& trace, const Options& options) {
+  // Defaults for traces.
+  Input input;
+  input.scenario.name = trace.header.scenario;
+  input.scenario.views = {default_view()};
+  input.scenario.views.front().panels = {Panel::Summary};
+  // The legend names two shapes; names of very many shapes would hide them.
+  constexpr std::size_t kFewest = 3, kMax = 24;
+  const std::size_t shapes = trace.header.shapes.size();
+  if (shapes >= kFewest && shapes <= kMax)
+    input.scenario.views.front().layers.push_back(Layer::Names);
+  input.trace = std::move(trace);
+  if (std::vector<View> views = views_of_file(options); !views.empty())
+    input.scenario.views = std::move(views);
+  else
+    require_view(input.scenario, options.view);
+  const std::vector<int>& numbers = input.trace->numbers;
+  std::ranges::copy_if(numbers, std::back_inserter(input.frames), [&](int number) {
+    return !options.frames || options.frames->names(number);
+  });
+  if (!input.frames.empty()) {
+    const int count = count_of(input.frames);
+    for (const int i : {0, (count - 1) / 2, count - 1}) {
+      std::vector<int>& stored = input.scenario.snapshots.frames;
+      if (i == 0) stored.clear();
+      if (stored.empty() || stored.back() < at(input.frames, i))
+        stored.push_back(at(input.frames, i));
+    }
+  }
+  if (input.frames.empty()) {
+    throw UsageError("--frames names no frame of " + input.scenario.name + ", which has frames " +
+                     std::to_string(numbers.front()) + " to " + std::to_string(numbers.back()));
+  }
+  return input;
+}
+
+/// Contact plane views keep their own layers and have no panels.
+void override_views(std::vector<View>& views, const Options& options) {
+  for (View& view : views) {
+    if (view.kind == ViewKind::ContactPlane) continue;
+    view.layers = options.layers.value_or(view.layers);
+    view.panels = options.panels.value_or(view.panels);
+  }
+  place_camera(views, options);
+}
+
+}  // namespace
+
+std::string installed_scenarios() {
+  std::error_code unknown;
+  const fs::path program = fs::read_symlink("/proc/self/exe", unknown);
+  const fs::path installed =
+      program.parent_path().parent_path() / "share" / "contactscope" / "scenarios";
+  return fs::is_directory(installed, unknown) ? installed.string() : "";
+}
+
+bool is_found_by_name(const Scenario& scenario, const Options& options) {
+  for (const std::string& root : roots_of(options)) {
+    const std::vector<std::string> files = files_in(root, scenario.name);
+    if (!files.empty())
+      return fs::path(scenario.path).lexically_normal() ==
+             fs::path(files.front()).lexically_normal();
+  }
+  return false;
+}
+
+std::vector<View> selected_views(const Scenario& scenario, const Options& options) {
+  std::vector<View> views = scenario.views;
+  std::erase_if(views, [&](const View& view) {
+    const bool by_file = views_are_of_file(options);
+    return !by_file && !options.view.empty() && view.name != options.view;
+  });
+  return views;
+}
+
+namespace {
+
+/// Adds unreadable ones to `unreadable`, or throws if that is null.
+std::vector<Scenario> read_scenarios(const Options& options, std::vector<Input>* unreadable) {
+  std::vector<std::string> files;
+  if (options.scenarios.empty()) {
+    files = scenario_files(options.scenario_root);
+    if (files.empty()) {
+      throw InputError(options.scenario_root, 0, 0,
+                       "no scenario (*.toml) here; name one, or run where scenarios/ is");
+    }
+  }
+  for (const std::string& argument : options.scenarios) {
+    const std::vector<std::string> named = files_named(argument, options);
+    files.insert(files.end(), named.begin(), named.end());
+  }
+  std::vector<Scenario> scenarios;
+  Paths paths;
+  std::optional<InputError> refused;
+  for (const std::string& file : files) {
+    Scenario scenario;
+    try {
+      scenario = load_scenario(file);
+    } catch (const InputError& error) {
+      if (unreadable != nullptr) {
+        Input input = unreadable_input(file, error);
+        if (is_new(input.scenario.name, file, paths)) unreadable->push_back(std::move(input));
+        continue;
+      }
+      if (refused) std::fprintf(stderr, "%s\n", refused->what());
+      refused = error;  // go on, to report all errors in one run
+      continue;
+    }
+    if (!is_new(scenario.name, file, paths)) continue;
+    if (!options.reducer.empty()) override_reducer(scenario, options.reducer);
+    require_view(scenario, options.view);
+    if (options.frames && options.selected(scenario.frames).empty()) {
+      throw UsageError("--frames names no frame of " + scenario.name + ", which has frames 0 to " +
+                       std::to_string(scenario.frames - 1));
+    }
+    if (!options.quiet) {
+      for (const std::string& warning : scenario.warnings)
+        std::fprintf(stderr, "%s: warning: %s\n", file.c_str(), warning.c_str());
+    }
+    scenarios.push_back(std::move(scenario));
+  }
+  if (refused) throw InputError(*refused);
+  return scenarios;
+}
+
+}  // namespace
+
+std::vector<Scenario> load_scenarios(const Options& options) {
+  return read_scenarios(options, nullptr);
+}
+
+std::vector<Input> load_inputs(const Options& options, Hold hold, Unreadable unreadable) {
+  std::vector<std::string> traces;
+  Options others = options;
+  std::erase_if(others.scenarios, [&](const std::string& argument) {
+    if (is_trace_file(argument)) traces.push_back(argument);
+    return is_trace_file(argument);
+  });
+  std::vector<Input> inputs;
+  Paths paths;
+  if (traces.empty() || !others.scenarios.empty()) {
+    const bool is_kept = unreadable == Unreadable::Kept;
+    for (Scenario& scenario : read_scenarios(others, is_kept ? &inputs : nullptr)) {
+      paths.emplace(scenario.name, scenario.path);
+      const std::vector<int> frames = options.selected(scenario.frames);
+      inputs.push_back({std::move(scenario), frames});
+    }
+  }
+  for (const std::string& file : traces) {
+    if (!options.reducer.empty() || options.timing) {
+      throw UsageError(std::string(options.timing ? "--timing" : "--reducer") +
+                       " runs the pipeline, and " + file +
+                       " is a trace of what it decided; leave it out, or name a scenario");
+    }
+    try {
+      Sequence trace = read_sequence(file, hold);
+      if (is_new(trace.header.scenario, file, paths))
+        inputs.push_back(input_of(std::move(trace), options));
+      inputs.back().file = file == "-" ? "standard input" : file;
+    } catch (const InputError& error) {
+      if (unreadable != Unreadable::Kept) throw;
+      inputs.push_back(unreadable_input(file, error));
+    }
+  }
+  for (Input& input : inputs) override_views(input.scenario.views, options);
+  return inputs;
+}
+
+void each_input(const Options& options, const std::function<void(const Input&)>& scenario,
+                const std::function<void(TraceFile&)>& trace) {
+  for (const std::string& argument : options.scenarios) {
+    if (is_trace_file(argument)) {
+      TraceFile file(argument);
+      trace(file);
+      continue;
+    }
+    Options one = options;
+    one.scenarios = {argument};
+    for (const Input& input : load_inputs(one)) scenario(input);
+  }
+}
+
+}  // namespace contactscope::app

@@ -1,0 +1,150 @@
+#include "app/cli/narrow.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "core/at.h"
+#include "scenario/nearest_word.h"
+
+namespace contactscope::app {
+namespace {
+
+constexpr std::string_view kTomlEnd = ".toml";
+
+void require_shape(const trace::Header& header, const std::string& option,
+                   const std::string& name) {
+  const std::vector<std::string_view> names = names_in(header.shapes);
+  if (std::ranges::find(names, name) != names.end()) return;
+  throw UsageError(option + ": there is no shape '" + name + "'; " + did_you_mean(name, names) +
+                   "there is " + quoted_list(names));
+}
+
+std::optional<Vec3d> place_named(const std::string& option, const std::vector<double>& numbers) {
+  if (numbers.empty()) return std::nullopt;
+  if (numbers.size() != 3)
+    throw UsageError(option + " is a place of three numbers, as " + option + "=1,2,3");
+  return Vec3d(numbers[0], numbers[1], numbers[2]);
+}
+
+/// Expands --camera into --eye, --target and --fov, which take precedence.
+Options with_camera(Options options) {
+  const std::vector<double>& all = options.camera;
+  if (all.empty()) return options;
+  if (all.size() < 6 || all.size() > 7)
+    throw UsageError(
+        "--camera is where the eye is, what it looks at and its field of view in degrees, as "
+        "--camera=4,2,4,0,0,0,30");
+  if (all.size() == 7 && !(all[6] >= 1 && all[6] <= 150))
+    throw UsageError("the field of view of --camera may be 1 to 150 degrees");
+  if (options.eye.empty()) options.eye = {all[0], all[1], all[2]};
+  if (options.target.empty()) options.target = {all[3], all[4], all[5]};
+  if (all.size() == 7 && options.fov_degrees == 0) options.fov_degrees = all[6];
+  return options;
+}
+
+/// Number of items that a layer added to a picture.
+std::size_t drawn_by(const draw::Sketch& sketch) {
+  return sketch.surfaces.size() + sketch.curves.size() + sketch.lines.size() +
+         sketch.arrows.size() + sketch.marks.size() + sketch.labels.size() + sketch.bodies.size();
+}
+
+}  // namespace
+
+void narrow(Sequence& sequence, const Options& options) {
+  if (options.pair.empty() && options.shapes.empty()) return;
+  if (!options.pair.empty() && options.pair.size() != 2)
+    throw UsageError("--pair names two shapes, as --pair=crate,floor");
+  std::set<std::string> shown(options.shapes.begin(), options.shapes.end());
+  for (const std::string& name : shown) require_shape(sequence.header, "--shapes", name);
+  for (const std::string& name : options.pair) require_shape(sequence.header, "--pair", name);
+  shown.insert(options.pair.begin(), options.pair.end());
+  const auto is_pair = [two = options.pair](const trace::Pair& pair) {
+    return two.empty() || (pair.a == two[0] && pair.b == two[1]) ||
+           (pair.a == two[1] && pair.b == two[0]);
+  };
+  sequence.trim = [shown, is_pair](trace::Frame& frame) {
+    std::erase_if(frame.poses,
+                  [&](const trace::Placement& one) { return !shown.contains(one.first); });
+    std::erase_if(frame.pairs, [&](const trace::Pair& pair) {
+      return !is_pair(pair) || !shown.contains(pair.a) || !shown.contains(pair.b);
+    });
+    const auto hidden = [&](const auto& one) { return !shown.contains(one.name); };
+    std::erase_if(frame.deformed, hidden);
+    std::erase_if(frame.field_slices, hidden);
+    if (frame.broad_phase) {
+      std::erase_if(frame.broad_phase->bounds, hidden);
+      std::erase_if(frame.broad_phase->end_swaps, [&](const trace::EndSwap& swap) {
+        return !shown.contains(swap.lower) || !shown.contains(swap.upper);
+      });
+    }
+    if (!frame.solver) return;
+    std::erase_if(frame.solver->bodies, hidden);
+    std::erase_if(frame.solver->stops, [&](const trace::Stop& stop) {
+      return !shown.contains(stop.a) || !shown.contains(stop.b);
+    });
+  };
+  std::ranges::for_each(sequence.frames, sequence.trim);
+}
+
+void place_camera(std::vector<View>& views, const Options& all) {
+  const Options options = with_camera(all);
+  const std::optional<Vec3d> eye = place_named("--eye", options.eye);
+  const std::optional<Vec3d> target = place_named("--target", options.target);
+  for (View& view : views) {
+    if (view.kind != ViewKind::Scene) continue;
+    if (eye) view.eye = eye;
+    if (target) view.target = target;
+    if (view.eye && view.target && *view.eye == *view.target)
+      throw UsageError("--eye and --target are the same place; move one of them");
+    if (options.fov_degrees > 0) {
+      view.fov_degrees = options.fov_degrees;
+      view.orthographic_height.reset();
+    }
+    if (options.orthographic_height) view.orthographic_height = options.orthographic_height;
+  }
+}
+
+bool views_are_of_file(const Options& options) {
+  return options.view.find(kTomlEnd) != std::string::npos;
+}
+
+std::vector<View> views_of_file(const Options& options) {
+  namespace fs = std::filesystem;
+  if (!views_are_of_file(options)) return {};
+  const std::string& text = options.view;
+  const std::size_t end = text.find(kTomlEnd);
+  const std::string file = text.substr(0, end + kTomlEnd.size());
+  const std::string rest = text.substr(end + kTomlEnd.size());
+  if (!fs::exists(file)) throw UsageError("--view '" + text + "': there is no file " + file);
+  std::vector<View> views = load_views(file);
+  if (rest.empty()) return views;
+  const std::string name = rest.substr(1);
+  const std::string all = names_of(views);
+  std::erase_if(views, [&](const View& view) { return rest[0] != ':' || view.name != name; });
+  if (views.empty())
+    throw UsageError("--view '" + text + "' is no view of " + file + "; it has " + all);
+  return views;
+}
+
+std::vector<std::string> idle_layers(const draw::Staging& staging,
+                                     const std::vector<trace::Frame>& frames) {
+  constexpr std::size_t kMaxFrames = 50;
+  if (staging.cells != nullptr) return {};  // contact planes have no layers
+  const std::size_t step = std::max<std::size_t>(1, frames.size() / kMaxFrames);
+  draw::Staging none = staging;
+  none.view.layers.clear();
+  std::vector<std::string> idle;
+  for (const Layer layer : staging.view.layers) {
+    draw::Staging alone = staging;
+    alone.view.layers = {layer};
+    bool draws = false;
+    for (std::size_t f = 0; f < frames.size() && !draws; f += step)
+      draws = drawn_by(draw::sketch_frame(alone, frames[f])) >
+              drawn_by(draw::sketch_frame(none, frames[f]));
+    if (!draws) idle.emplace_back(name_of(layer));
+  }
+  return idle;
+}
+
+}  // namespace contactscope::app

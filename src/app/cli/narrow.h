@@ -1,0 +1,26 @@
+#pragma once
+
+#include "app/cli/catalogue.h"
+#include "app/render/renderer.h"
+
+namespace contactscope::app {
+
+/// Reduces a sequence to the shapes of --pair and --shapes. Throws UsageError for an unknown shape.
+void narrow(Sequence& sequence, const Options& options);
+
+/// Applies the camera options of the command line to all views. Throws UsageError if a position is
+/// not three numbers.
+void place_camera(std::vector<View>& views, const Options& options);
+
+/// True if --view names a file.
+bool views_are_of_file(const Options& options);
+
+/// Views of the TOML file that --view names, or one of them (FILE:VIEW); empty if it names no file.
+/// Throws InputError and UsageError.
+std::vector<View> views_of_file(const Options& options);
+
+/// Names of a staged view's layers for which the frames have no data. Long sequences are sampled.
+std::vector<std::string> idle_layers(const draw::Staging& staging,
+                                     const std::vector<trace::Frame>& frames);
+
+}  // namespace contactscope::app

@@ -1,0 +1,169 @@
+#include "app/cli/trace_file.h"
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+
+#include "core/input_error.h"
+#include "core/input_file.h"
+#include "core/plain_text.h"
+#include "snapshot/meshes.h"
+#include "snapshot/store.h"
+
+namespace contactscope::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kStandardInput = "-";
+constexpr std::string_view kBlank = " \t\r\n";
+
+/// Copies a pipe to a temporary file for repeated reading. The file has no name, so it disappears
+/// with the process.
+std::unique_ptr<std::istream> spooled(std::istream& in) {
+  std::string path = (fs::temp_directory_path() / "contactscope-XXXXXX").string();
+  const int file = mkstemp(path.data());
+  if (file >= 0) close(file);
+  std::ofstream out(path, std::ios::binary);
+  if (in.peek() != std::istream::traits_type::eof()) out << in.rdbuf();
+  out.close();
+  auto again = std::make_unique<std::ifstream>(path, std::ios::binary);
+  const bool is_whole = file >= 0 && out && *again;
+  fs::remove(path);
+  if (!is_whole)
+    throw InputError("standard input", 0, 0,
+                     "it cannot be kept in " + fs::temp_directory_path().string() +
+                         " to be read twice; make room there, or write it to a file");
+  return again;
+}
+
+std::unique_ptr<std::istream> opened(const std::string& path, TraceFile::Passes passes) {
+  if (path == kStandardInput)
+    return passes == TraceFile::Passes::Several ? spooled(std::cin) : nullptr;
+  require_regular_file(path, "give a trace (.jsonl), or pipe it in and write - for its name");
+  auto in = std::make_unique<std::ifstream>(path, std::ios::binary);
+  if (!*in) throw InputError(path, 0, 0, "this file cannot be read; check its permissions");
+  if (!fs::is_regular_file(path)) return in;
+  std::string header;
+  std::getline(*in, header);
+  if (!snapshot::meshes_named(header).empty())  // stored by `check`, so it has few frames
+    return std::make_unique<std::istringstream>(
+        snapshot::with_meshes(snapshot::read_text_file(path).value_or(""), path));
+  in->clear();
+  in->seekg(0);
+  return in;
+}
+
+trace::Trace read_whole(TraceFile& file) {
+  trace::Trace trace;
+  while (std::optional<trace::Frame> frame = file.next()) {
+    frame->shapes.clear();  // they are in the header now
+    trace.frames.push_back(std::move(*frame));
+  }
+  trace.header = file.header();
+  return trace;
+}
+
+}  // namespace
+
+bool is_trace_file(const std::string& path) {
+  if (path == kStandardInput) return true;
+  std::error_code unknown;
+  if (!fs::is_regular_file(path, unknown)) return false;
+  if (fs::path(path).extension() == ".jsonl") return true;
+  std::ifstream in(path, std::ios::binary);
+  char first = ' ';
+  while (kBlank.find(first) != std::string_view::npos && in.get(first)) continue;
+  return in && first == '{';
+}
+
+std::string foreign_in(const std::string& path) {
+  std::error_code unknown;
+  if (!fs::is_regular_file(path, unknown)) return {};
+  std::string begin(1 << 16, '\0');
+  std::ifstream in(path, std::ios::binary);
+  in.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  begin.resize(static_cast<std::size_t>(in.gcount()));
+  return foreign_format_remedy(begin, fs::file_size(path));
+}
+
+TraceFile::TraceFile(const std::string& path, Passes passes)
+    : name_(path == kStandardInput ? "standard input" : path), own_(opened(path, passes)) {
+  begin();
+}
+
+TraceFile::TraceFile(std::unique_ptr<std::istream> text, const std::string& name)
+    : name_(name), own_(std::move(text)) {
+  begin();
+}
+
+void TraceFile::begin() {
+  try {
+    reader_.emplace(own_ ? *own_ : std::cin, name_);
+  } catch (const InputError&) {
+    if (const std::string what = foreign_in(name_); !what.empty())
+      throw InputError(name_, 1, 1, what);
+    throw;
+  }
+  header_ = reader_->header();
+  try {
+    checks_.emplace(header_);
+    header_.impulses.reset();
+  } catch (const TraceChecks::Wrong& wrong) {
+    throw InputError(name_, reader_->line(), 1, printable(wrong.text));
+  }
+}
+
+std::optional<trace::Frame> TraceFile::next() {
+  const int last_line = reader_->line();
+  std::optional<trace::Frame> frame = reader_->next();
+  try {
+    if (frame) {
+      ++frames_;
+      if (!is_known_) checks_->frame(*frame);
+      if (reader_->header().impulses) convert_impulses(*reader_->header().impulses, *frame);
+    } else if (frames_ == 0) {
+      throw TraceChecks::Wrong{"the header is all there is; each frame is a line after it"};
+    } else if (!is_known_) {
+      is_known_ = true;
+      if (header_.frames == 0) header_.frames = checks_->last_frame() + 1;
+    }
+  } catch (const TraceChecks::Wrong& wrong) {
+    throw InputError(name_, frame ? frame->line : last_line, 1, printable(wrong.text));
+  }
+  return frame;
+}
+
+void TraceFile::rewind() {
+  reader_->rewind();
+  frames_ = 0;
+}
+
+void TraceFile::report_torn() const {
+  if (!torn()) return;
+  std::cerr << InputError(name_, torn()->line, torn()->column,
+                          "the file is cut off here, within its last line; what stands before it "
+                          "is taken. The process "
+                          "that wrote it died, or is still at it")
+                   .what()
+            << '\n';
+}
+
+trace::Trace load_trace(const std::string& path) {
+  TraceFile file(path);
+  trace::Trace trace = read_whole(file);
+  file.report_torn();
+  return trace;
+}
+
+trace::Trace parse_trace(const std::string& text, const std::string& name) {
+  TraceFile file(std::make_unique<std::istringstream>(text), name);
+  return read_whole(file);
+}
+
+}  // namespace contactscope::app

@@ -1,0 +1,138 @@
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "app/check/reports/report.h"
+#include "app/check/review.h"
+#include "app/cli/verbs.h"
+#include "app/compare/soak.h"
+#include "app/render/origin.h"
+#include "core/input_error.h"
+#include "snapshot/report_folder.h"
+#include "snapshot/store.h"
+
+namespace contactscope::app {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+struct Part {
+  fs::path folder;
+  snapshot::Outcome outcome;
+};
+
+/// Shard reports in an --out folder, or the folder itself if it is a report.
+std::vector<fs::path> reports_in(const std::string& name) {
+  if (fs::exists(fs::path(name) / "findings.json")) return {name};
+  std::vector<fs::path> folders;
+  if (fs::is_directory(name)) {
+    for (const fs::directory_entry& entry : fs::directory_iterator(name))
+      if (entry.path().filename().string().starts_with("check_") &&
+          fs::exists(entry.path() / "findings.json"))
+        folders.push_back(entry.path());
+  }
+  if (folders.empty())
+    throw InputError(name, 0, 0,
+                     "there is no report of a shard here; contactscope check --shard 1/4 --out " +
+                         for_shell(name) + " leaves one");
+  std::ranges::sort(folders);
+  return folders;
+}
+
+std::vector<Part> read_parts(const std::vector<std::string>& names) {
+  std::vector<Part> parts;
+  for (const std::string& name : names) {
+    for (const fs::path& folder : reports_in(name)) {
+      parts.push_back({folder, snapshot::read_outcome(folder)});
+      if (!parts.back().outcome.shard)
+        throw InputError(folder.string(), 0, 0,
+                         "this is the report of a whole run, not of a shard");
+    }
+  }
+  std::ranges::sort(parts, {}, [](const Part& part) { return part.outcome.shard->part; });
+  return parts;
+}
+
+/// Checks that all shards of one run are present, each shard and scenario once. Throws UsageError.
+void require_whole(const std::vector<Part>& parts) {
+  const snapshot::Outcome& first = parts.front().outcome;
+  std::set<int> there;
+  std::map<std::string, std::string> owners;
+  for (const Part& part : parts) {
+    const snapshot::Outcome& outcome = part.outcome;
+    const std::string folder = part.folder.generic_string();
+    if (outcome.shard->of != first.shard->of || outcome.all != first.all ||
+        outcome.snapshots != first.snapshots || outcome.facts_only != first.facts_only)
+      throw UsageError(folder + " and " + parts.front().folder.generic_string() +
+                       " are of runs that were asked for something else, so they are no parts of "
+                       "one; run all shards on the same files with the same options");
+    if (outcome.made_of != first.made_of)
+      throw UsageError(folder + " and " + parts.front().folder.generic_string() +
+                       " were made by different programs or of different scenario files, so one of "
+                       "them is left from an earlier run; run its shard again");
+    if (!there.insert(outcome.shard->part).second)
+      throw UsageError("shard " + std::to_string(outcome.shard->part) + " is there twice, in " +
+                       folder + " too");
+    for (const snapshot::ScenarioOutcome& scenario : outcome.scenarios) {
+      const auto [owner, is_new] = owners.emplace(scenario.scenario, folder);
+      if (!is_new)
+        throw UsageError(scenario.scenario + " is in " + owner->second + " and in " + folder +
+                         "; the shards had different --times");
+    }
+  }
+  for (int part = 1; part <= first.shard->of; ++part)
+    if (!there.contains(part))
+      throw UsageError("shard " + std::to_string(part) + " of " + std::to_string(first.shard->of) +
+                       " is missing");
+  for (const std::string& name : first.all)
+    if (!owners.contains(name))
+      throw UsageError(name + " is in no shard; they had different --times");
+}
+
+ExitCode merge_checks(const Options& options) {
+  const std::vector<Part> parts = read_parts(options.scenarios);
+  require_whole(parts);
+  snapshot::ReportFolder report(options.out);
+  snapshot::Outcome outcome{parts.front().outcome.snapshots, parts.front().outcome.facts_only};
+  Json times = Json::object();
+  for (const Part& part : parts) {
+    for (const snapshot::ScenarioOutcome& scenario : part.outcome.scenarios) {
+      outcome.scenarios.push_back(scenario);
+      for (const snapshot::Finding& finding : scenario.findings)
+        for (const std::string& file :
+             {finding.candidate, finding.expected, finding.difference, finding.layers_picture})
+          if (!file.empty()) report.copy_file(part.folder / file, file);
+    }
+    if (const auto text = snapshot::read_text_file(part.folder / "times.json"))
+      times.update(Json::parse(*text));
+  }
+  std::ranges::stable_sort(outcome.scenarios, {}, &snapshot::ScenarioOutcome::scenario);
+  report.add_file("times.json", times.dump(1) + "\n");
+  retell_page(report.aside(), outcome, options);
+  report.publish(outcome);
+  write_reports({outcome, report_folder(options), options});
+  return exit_code(outcome);
+}
+
+ExitCode run_merge(const Options& options) {
+  const std::vector<std::string> soak = soak_parts(options.scenarios);
+  return soak.empty() ? merge_checks(options) : merge_soak(soak, options);
+}
+
+}  // namespace
+
+Verb merge_verb() {
+  return {"merge",
+          "Put together what check --shard or study --shard left",
+          &run_merge,
+          "DIR... --json --junit --markdown --github --out",
+          {{"DIR",
+            "What the shards had as --out, one for all or each its own; parts of a study in one "
+            "without parts of a check"},
+           {"--json", "Print what was found as JSON"}}};
+}
+
+}  // namespace contactscope::app

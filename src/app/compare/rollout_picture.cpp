@@ -1,0 +1,388 @@
+#include "app/compare/rollout_picture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "app/cli/table.h"
+#include "app/render/renderer.h"
+#include "core/at.h"
+#include "core/title.h"
+#include "draw/charts/time_chart.h"
+#include "draw/scene/quantity.h"
+#include "draw/staging.h"
+
+namespace contactscope::app {
+namespace {
+
+using versus::RolloutScore;
+
+/// "bullet, ode and jolt".
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+  return text;
+}
+
+/// Name in the engine's own spelling; the requested name if it returned nothing.
+std::string name_of(const Rollout& rollout, std::size_t i) {
+  const std::string& engine = rollout.engine_runs[i].engine;
+  return engine.empty() ? rollout.scores[i].name : engine;
+}
+
+/// Heading for scenes without resting bodies: engines that keep bodies separated.
+std::string overlaps_of(const Rollout& rollout) {
+  std::vector<std::size_t> engines;
+  for (std::size_t i = 0; i < rollout.scores.size(); ++i)
+    if (!rollout.scores[i].time.empty()) engines.push_back(i);
+  if (engines.empty()) return "No engine steps it";
+  std::vector<std::string> passed, stopped;
+  for (const std::size_t i : engines)
+    (rollout.scores[i].passed > 0 ? passed : stopped).push_back(name_of(rollout, i));
+  if (stopped.empty()) return "Bodies pass through each other in all engines";
+  if (!passed.empty())
+    return "Bodies pass through each other in " + listed(passed) + ", and not in " +
+           listed(stopped);
+  const auto overlap = [&](std::size_t i) { return rollout.scores[i].worst_penetration; };
+  std::ranges::sort(engines, {}, overlap);
+  const auto record = [&](std::size_t i) {
+    return draw::spell_length(overlap(i)) + " in " + name_of(rollout, i);
+  };
+  if (engines.size() == 1) return "Overlaps of up to " + record(engines.front());
+  return "Overlaps of up to " + record(engines.front()) + ", and " + record(engines.back());
+}
+
+/// Engines with frames: first those in which a body fell, by time, then by increasing drift.
+std::vector<std::size_t> by_outcome(const Rollout& rollout) {
+  std::vector<std::size_t> engines;
+  for (std::size_t i = 0; i < rollout.scores.size(); ++i)
+    if (!rollout.scores[i].time.empty()) engines.push_back(i);
+  std::ranges::stable_sort(engines, {}, [&](std::size_t i) {
+    const RolloutScore& score = rollout.scores[i];
+    return std::pair(!score.fell_at, score.fell_at ? *score.fell_at : score.worst_drift);
+  });
+  return engines;
+}
+
+/// True for a few bodies of different masses: the mass may be why a body falls.
+bool have_masses(const std::vector<versus::RolloutBody>& bodies) {
+  constexpr std::size_t kMaxBodies = 4;
+  return bodies.size() <= kMaxBodies &&
+         std::ranges::any_of(bodies, [&](const versus::RolloutBody& body) {
+           return body.mass != bodies.front().mass;
+         });
+}
+
+/// The body that falls: by mass, if that is unique and the same for all engines.
+std::string fallen_body(const Rollout& rollout) {
+  const std::vector<versus::RolloutBody> bodies = versus::rollout_bodies(rollout.request);
+  std::vector<std::string> names;
+  for (const RolloutScore& score : rollout.scores)
+    if (score.fell_at && std::ranges::find(names, score.first_fallen) == names.end())
+      names.push_back(score.first_fallen);
+  if (bodies.size() == 1) return "The body";
+  const auto body = names.size() == 1
+                        ? std::ranges::find(bodies, names.front(), &versus::RolloutBody::name)
+                        : bodies.end();
+  if (body == bodies.end() || !have_masses(bodies) ||
+      std::ranges::count(bodies, body->mass, &versus::RolloutBody::mass) > 1)
+    return "A body";
+  return "The body of " + draw::spell_number(body->mass) + " kg";
+}
+
+/// Heading for scenes with resting bodies: the engines in which bodies fell or stood.
+std::string result_of(const Rollout& rollout) {
+  std::vector<std::string> fallen, standing;
+  int resting = 0;
+  for (const std::size_t i : by_outcome(rollout)) {
+    const RolloutScore& score = rollout.scores[i];
+    if (score.resting == 0) continue;
+    resting = score.resting;
+    if (score.fell_at)
+      fallen.push_back(name_of(rollout, i) + " (" + spelled("%.2f", *score.fell_at) + " s)");
+    else if (score.failure.empty())  // a failed engine has no result
+      standing.push_back(name_of(rollout, i));
+  }
+  const std::string bodies = resting == 1   ? "The body"
+                             : resting == 2 ? "Both bodies"
+                                            : "All " + std::to_string(resting) + " bodies";
+  constexpr std::size_t kMaxNamed = 4;
+  const std::string stand = resting == 1 ? " stands in " : " stand in ";
+  if (resting == 0 || (fallen.empty() && standing.empty())) return overlaps_of(rollout);
+  if (fallen.empty())
+    return bodies + stand +
+           (standing.size() > kMaxNamed ? "all " + std::to_string(standing.size()) + " engines"
+                                        : listed(standing));
+  const std::string falls = fallen_body(rollout) + " falls in " + listed(fallen);
+  if (standing.empty()) return falls;
+  // Engines with falls are always named with times; the others if there is room.
+  const std::string others =
+      standing.size() > 3 ? std::to_string(standing.size()) + " others" : listed(standing);
+  return falls + "; " +
+         (resting == 1   ? "it stands in "
+          : resting == 2 ? "both stand in "
+                         : "all stand in ") +
+         others;
+}
+
+/// Limit of scenes in a row. Beyond it, only engines in which a body falls get a scene, and the one
+/// with the largest drift of the others. The chart shows all engines.
+constexpr std::size_t kMaxScenes = 5;
+
+bool stands(const RolloutScore& score) {
+  return score.resting > 0 && !score.fell_at && score.failure.empty();
+}
+
+bool any_fell(const Rollout& rollout) {
+  return std::ranges::any_of(rollout.scores,
+                             [](const RolloutScore& score) { return score.fell_at.has_value(); });
+}
+
+std::vector<std::size_t> scenes_of(const Rollout& rollout) {
+  std::vector<std::size_t> scenes = by_outcome(rollout);
+  if (scenes.size() <= kMaxScenes || !any_fell(rollout)) return scenes;
+  const auto is_standing = [&](std::size_t i) { return stands(rollout.scores[i]); };
+  const auto drift = [&](std::size_t i) {
+    return is_standing(i) ? rollout.scores[i].worst_drift : -1;
+  };
+  const std::size_t farthest = *std::ranges::max_element(scenes, {}, drift);
+  std::erase_if(scenes, [&](std::size_t i) { return is_standing(i) && i != farthest; });
+  return scenes;
+}
+
+std::string note_of(const RolloutScore& score) {
+  if (!score.failure.empty())
+    return "broke off after " + std::to_string(score.time.size()) + " frames";
+  if (score.resting == 0) return "";
+  if (score.fell_at) return "falls after " + spelled("%.2f", *score.fell_at) + " s";
+  return "stands, " + millimetres(score.worst_drift) + " mm off its place";
+}
+
+/// Bodies, masses and duration of a request.
+std::string scene_of(const trace::Trace& request) {
+  const std::vector<versus::RolloutBody> bodies = versus::rollout_bodies(request);
+  if (bodies.empty() || request.frames.empty()) return plain_title(request.header.title);
+  const auto [lightest, heaviest] =
+      std::ranges::minmax(bodies, {}, [](const versus::RolloutBody& body) { return body.mass; });
+  std::string masses = draw::spell_number(lightest.mass);
+  if (heaviest.mass > lightest.mass)
+    masses += (bodies.size() == 2 ? " and " : " to ") + draw::spell_number(heaviest.mass);
+  return std::string(bodies.size() == 1 ? "A body" : std::to_string(bodies.size()) + " bodies") +
+         " of " + masses + " kg, for " + spelled("%.3g", request.frames.back().time) +
+         " s; other engines have the settings that they come with";
+}
+
+/// Style of an engine's line and name, by outcome, so that neighbours differ. With more engines
+/// than scenes, those with falls have a colour each and the others are grey.
+struct Look {
+  std::size_t style = 0;
+  bool quiet = false;
+};
+std::vector<Look> looks_of(const Rollout& rollout) {
+  const std::vector<std::size_t> order = by_outcome(rollout);
+  std::vector<Look> looks(rollout.scores.size());
+  const bool some_are_quiet = order.size() > kMaxScenes && any_fell(rollout);
+  for (std::size_t k = 0; k < order.size(); ++k)
+    looks[order[k]] = {k, some_are_quiet && !rollout.scores[order[k]].fell_at};
+  return looks;
+}
+
+/// If a body falls, only the height is plotted, with a mark at the fall.
+std::vector<draw::TimeChart> charts_of(const Rollout& rollout, const std::vector<Look>& looks) {
+  draw::TimeChart height{"Height of the highest body", "m"}, energy{"Energy since the start", "J"},
+      overlap{"Deepest overlap", "m"};
+  const auto frames = rollout.request.frames.size();
+  for (std::size_t i = 0; i < rollout.scores.size(); ++i) {
+    const RolloutScore& score = rollout.scores[i];
+    if (score.time.empty()) continue;
+    const std::string name = name_of(rollout, i);
+    std::vector<double> joules = score.energy;
+    for (double& one : joules) one -= score.energy.front();
+    const bool breaks_off = score.time.size() < frames;
+    const auto& [style, quiet] = looks[i];
+    height.lines.push_back({name, style, score.time, score.height, breaks_off, quiet});
+    energy.lines.push_back({name, style, score.time, joules, breaks_off, quiet});
+    overlap.lines.push_back({name, style, score.time, score.penetration, breaks_off, quiet});
+    if (!score.fell_at) continue;
+    const auto after = std::ranges::lower_bound(score.time, *score.fell_at) - score.time.begin();
+    height.lines.back().marked = std::min(static_cast<std::size_t>(after), score.time.size() - 1);
+    height.lines.back().mark = spelled("%.2f", *score.fell_at) + " s";
+  }
+  if (any_fell(rollout)) return {height};
+  return {height, energy, overlap};
+}
+
+/// Adds the masses at the bodies' positions, for a picture with masses.
+void place_masses(const trace::Trace& request, trace::Frame& frame) {
+  if (frame.solver) return;
+  frame.solver.emplace();
+  for (const versus::RolloutBody& body : versus::rollout_bodies(request)) {
+    const auto pose = std::ranges::find(frame.poses, body.name, &trace::Placement::first);
+    if (pose == frame.poses.end()) continue;
+    trace::Body& placed = frame.solver->bodies.emplace_back();
+    placed.name = body.name;
+    placed.mass = body.mass;
+    placed.center_of_mass = pose->second.transform(body.center);
+  }
+}
+
+/// The frame of an engine to draw; poses that it omits are those of the request.
+trace::Frame frame_of(const Rollout& rollout, std::size_t engine, int shown) {
+  const std::vector<trace::Frame>& record = rollout.engine_runs[engine].trace.frames;
+  const std::size_t judged = rollout.scores[engine].time.size();
+  std::size_t last = 0;
+  while (last + 1 < judged && record[last + 1].frame <= shown) ++last;
+  trace::Frame frame;
+  frame.frame = record[last].frame;
+  frame.poses = record[last].poses;
+  for (const trace::Shape& shape : rollout.request.header.shapes) {
+    if (std::ranges::count(frame.poses, shape.name, &trace::Placement::first) > 0) continue;
+    for (int k = frame.frame; k >= 0; --k) {
+      const auto& requested = at(rollout.request.frames, k).poses;
+      const auto pose = std::ranges::find(requested, shape.name, &trace::Placement::first);
+      if (pose == requested.end()) continue;
+      frame.poses.push_back(*pose);
+      break;
+    }
+  }
+  return frame;
+}
+
+/// True if no body is too far away for a picture of the others.
+bool is_near(const trace::Frame& frame, const trace::Frame& start) {
+  double reach = 1;
+  for (const auto& [name, pose] : start.poses) reach = std::max(reach, pose.position.norm());
+  return std::ranges::all_of(frame.poses, [&](const trace::Placement& one) {
+    return one.second.position.norm() < 3 * reach;
+  });
+}
+
+/// A canvas with a view, without captions and legend, in the size of a cell.
+draw::Staging staged(const trace::Header& header, const std::vector<trace::Frame>& frames,
+                     const View& view, const draw::Rect& cell) {
+  draw::FigureStyle on_page;
+  on_page.scale = 1.4;  // text on a small canvas must be legible on the page
+  int width = static_cast<int>(1.2 * cell.width), height = static_cast<int>(1.5 * cell.height);
+  for (int round = 0; round < 2; ++round) {
+    const draw::Rect room = draw::stage(header, frames, view, width, height, on_page).layout.view;
+    width += static_cast<int>(std::ceil(cell.width - room.width));
+    height += static_cast<int>(std::ceil(cell.height - room.height));
+  }
+  return draw::stage(header, frames, view, width, height, on_page);
+}
+
+/// Bounds of the bodies over the frames, in pixels of a canvas; the whole view without bodies.
+draw::Rect reach_of_bodies(const draw::Staging& staging, const std::vector<trace::Frame>& frames,
+                           const trace::Trace& request) {
+  const std::vector<versus::RolloutBody> bodies = versus::rollout_bodies(request);
+  std::optional<draw::Rect> reach;
+  for (const trace::Frame& frame : frames) {
+    const draw::Scene scene = draw::scene_of(staging, frame);
+    for (const draw::PlacedShape& shape : scene.shapes) {
+      if (std::ranges::count(bodies, shape.traced().name, &versus::RolloutBody::name) == 0)
+        continue;
+      for (const Vec3d& corner : draw::extent_points(shape)) {
+        const std::optional<draw::Point2> at = scene.camera.project(corner);
+        if (!at) continue;
+        if (!reach) reach = draw::Rect{at->x, at->y, 0, 0};
+        const double left = std::min<double>(reach->x, at->x);
+        const double top = std::min<double>(reach->y, at->y);
+        const double right = std::max<double>(reach->right(), at->x);
+        const double bottom = std::max<double>(reach->bottom(), at->y);
+        reach = draw::Rect{left, top, right - left, bottom - top};
+      }
+    }
+  }
+  return reach.value_or(staging.layout.view);
+}
+
+/// Crop of a view in the size of a cell, centred on the bodies as well as possible.
+draw::Rect part_about(const draw::Rect& bodies, const draw::Rect& view, const draw::Rect& cell) {
+  const double width = std::min(cell.width, view.width);
+  const double height = std::min(cell.height, view.height);
+  const double x = bodies.x + 0.5 * (bodies.width - width);
+  const double y = bodies.y + 0.5 * (bodies.height - height);
+  return {std::clamp(x, view.x, view.right() - width),
+          std::clamp(y, view.y, view.bottom() - height), width, height};
+}
+
+/// Copies the centre of a crop to the centre of a cell.
+void paste(const Image& from, const draw::Rect& part, const draw::Rect& cell, Image& to) {
+  const int columns = static_cast<int>(std::min(part.width, cell.width));
+  const int rows = static_cast<int>(std::min(part.height, cell.height));
+  const auto begin = [&](const draw::Rect& rect) {
+    return std::pair(static_cast<int>(rect.x + (rect.width - columns) / 2),
+                     static_cast<int>(rect.y + (rect.height - rows) / 2));
+  };
+  const auto [from_x, from_y] = begin(part);
+  const auto [x, y] = begin(cell);
+  const auto pixel = [](const Image& image, int column, int row) {
+    return 3 * static_cast<std::size_t>(row * image.width + column);
+  };
+  for (int row = 0; row < rows; ++row)
+    std::memcpy(&to.rgb[pixel(to, x, y + row)], &from.rgb[pixel(from, from_x, from_y + row)],
+                3 * static_cast<std::size_t>(columns));
+}
+
+}  // namespace
+
+Image rollout_picture(const Rollout& rollout, int shown, const std::optional<Size>& size,
+                      Renderer& renderer) {
+  const std::vector<std::size_t> drawn = scenes_of(rollout);
+  const std::size_t left_out = by_outcome(rollout).size() - drawn.size();
+  const std::vector<Look> looks = looks_of(rollout);
+  std::vector<draw::RolloutCell> cells;
+  for (const std::size_t i : drawn) {
+    const RolloutScore& score = rollout.scores[i];
+    const bool is_for_others = left_out > 0 && stands(score);
+    cells.push_back(
+        {name_of(rollout, i),
+         is_for_others ? "stands, as in " + std::to_string(left_out) + " others" : note_of(score),
+         looks[i].style, looks[i].quiet});
+  }
+  const Size page_size = size.value_or(Size{1280, draw::rollout_page_height(cells.size())});
+  const trace::Header& requested = rollout.request.header;
+  const draw::RolloutPage page = draw::rollout_page(
+      result_of(rollout), scene_of(rollout.request), requested.source,
+      "scenes at " + spelled("%.3g", at(rollout.request.frames, shown).time) + " s",
+      charts_of(rollout, looks), cells, page_size.width, page_size.height);
+  Image picture = renderer.paint(page.drawing);
+  if (drawn.empty()) return picture;
+
+  trace::Header header = requested;
+  header.title.clear();
+  header.source.clear();
+  View view;
+  view.focus = Focus::Shapes;
+  view.layers = {Layer::Shapes};
+  const bool with_masses = have_masses(versus::rollout_bodies(rollout.request));
+  if (with_masses) view.layers.push_back(Layer::Masses);
+  // One camera for all engines; ignores bodies that flew away.
+  std::vector<trace::Frame> frames = {rollout.request.frames.front()};
+  frames.front().pairs.clear();
+  for (const std::size_t i : drawn) {
+    trace::Frame frame = frame_of(rollout, i, shown);
+    if (is_near(frame, frames.front())) frames.push_back(std::move(frame));
+  }
+  // Zoom in on the bodies as far as the cell allows; the ground may be cut off.
+  constexpr double kMaxNearer = 1.6, kOfCell = 0.88;
+  const draw::Rect& cell = page.cells.front();
+  draw::Staging staging = staged(header, frames, view, cell);
+  const draw::Rect far = reach_of_bodies(staging, frames, rollout.request);
+  const double nearer = std::clamp(
+      kOfCell * std::min(cell.width / far.width, cell.height / far.height), 1.0, kMaxNearer);
+  staging =
+      staged(header, frames, view,
+             {cell.x, cell.y, std::floor(nearer * cell.width), std::floor(nearer * cell.height)});
+  const draw::Rect part =
+      part_about(reach_of_bodies(staging, frames, rollout.request), staging.layout.view, cell);
+  for (std::size_t k = 0; k < drawn.size(); ++k) {
+    trace::Frame frame = frame_of(rollout, drawn[k], shown);
+    if (with_masses) place_masses(rollout.request, frame);
+    paste(renderer.paint(draw::illustrate(staging, frame)), part, page.cells[k], picture);
+  }
+  return picture;
+}
+
+}  // namespace contactscope::app

@@ -1,0 +1,218 @@
+#include "shrink/shrink.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/catalogue.h"
+#include "app/cli/progress.h"
+#include "app/cli/trace_file.h"
+#include "app/cli/verbs.h"
+#include "app/compare/engine_runs.h"
+#include "image/whole_file.h"
+#include "scenario/run.h"
+#include "shrink/source_facts.h"
+
+namespace contactscope::app {
+namespace {
+
+namespace fs = std::filesystem;
+using shrink::PairOfTwo;
+
+/// Where to search for a pair: the frames of a scenario or trace.
+struct Source {
+  std::string name;                    // "hull/face_contact", or the file name of a trace
+  std::optional<Scenario> scenario{};  // unset for a trace
+  trace::Trace trace{};
+};
+
+Source read_source(const Options& options) {
+  const std::string& path = options.scenarios.front();
+  if (is_trace_file(path)) return {path, std::nullopt, load_trace(path)};
+  std::vector<Scenario> scenarios = load_scenarios(options);
+  if (scenarios.size() != 1) throw UsageError("shrink takes one scenario or trace");
+  Source source{scenarios.front().name, std::move(scenarios.front()), {}};
+  Runner runner(*source.scenario, trace::Stages::none());
+  source.trace.header = runner.header();
+  for (const int frame : options.selected(source.scenario->frames)) {
+    stop_if_interrupted();
+    source.trace.frames.push_back(runner.frame(frame));
+  }
+  return source;
+}
+
+shrink::Expression read_expression(const Options& options, const Source& source) {
+  if (options.condition.empty())
+    throw UsageError(
+        "shrink needs --while, what has to stay: --while 'float.points != double.points', "
+        "--while lint.flipped_normals, --while unmet");
+  try {
+    shrink::Expression expression(options.condition);
+    if (source.scenario && expression.sides().contains("recorded"))
+      throw UsageError(
+          "--while: nothing is recorded in a scenario; write float, double, or the "
+          "name of an engine");
+    return expression;
+  } catch (const shrink::ExpressionError& error) {
+    throw UsageError(std::string("--while, ") + error.what());
+  }
+}
+
+/// Engines among the sides of an expression.
+std::map<std::string, shrink::Engine> engines_of(const shrink::Expression& expression,
+                                                 const Options& options) {
+  std::vector<std::string> names;
+  for (const std::string& side : expression.sides())
+    if (!side.empty() && side != "float" && side != "double" && side != "recorded" &&
+        side != "lint" && side != "unmet")
+      names.push_back(side);
+  std::map<std::string, shrink::Engine> engines;
+  for (const auto& [name, program] : programs_of(names))
+    engines[name] = [name = name, program = program,
+                     limit = options.time_limit](const trace::Trace& request) {
+      return query_pair(name, program, "contacts", request, limit).trace;
+    };
+  return engines;
+}
+
+bool is_named(const trace::Pair& pair, const std::vector<std::string>& names) {
+  return names.empty() || std::ranges::is_permutation(std::vector{pair.a, pair.b}, names);
+}
+
+struct Found {
+  PairOfTwo pair;
+  int frame = 0;
+  std::string a, b;
+};
+
+/// The first pair of the first frame for which the expression holds in isolation.
+std::optional<Found> find(const Source& source, const Options& options, shrink::Judge& judge) {
+  for (const trace::Frame& frame : source.trace.frames) {
+    if (options.frames && !options.frames->names(frame.frame)) continue;
+    for (const trace::Pair& pair : frame.pairs) {
+      stop_if_interrupted();
+      if (!is_named(pair, options.pair)) continue;
+      const auto two = shrink::pair_of_frame(source.trace.header, frame, pair,
+                                             source.scenario ? &*source.scenario : nullptr);
+      if (!two) continue;
+      if (!two->expectation.empty()) judge.remember_unmet(*two);
+      if (judge.holds(*two)) return Found{*two, frame.frame, pair.a, pair.b};
+    }
+  }
+  return std::nullopt;
+}
+
+/// Without expectations, expects the result of double precision.
+void expect_what_double_has(PairOfTwo& pair) {
+  if (!pair.expectation.empty()) return;
+  const std::optional<trace::Pair> right = shrink::Judge::in_double(pair);
+  if (!right) return;
+  if (right->overlap) {
+    pair.expectation.emplace_back("overlap", *right->overlap ? "true" : "false");
+    return;
+  }
+  pair.expectation.emplace_back("state", shrink::quoted(right->state));
+  if (right->manifolds.empty()) return;
+  int points = 0;
+  for (const trace::Manifold& manifold : right->manifolds) points += count_of(manifold.points);
+  pair.expectation.emplace_back("points", std::to_string(points));
+  if (right->manifolds.size() == 1)
+    pair.expectation.emplace_back("normal", shrink::spell(right->manifolds.front().normal));
+  pair.expectation.emplace_back("separation", shrink::spell(right->separation));
+}
+
+void write(const fs::path& path, const std::string& text) {
+  write_whole_file(path.string(), std::vector<std::uint8_t>(text.begin(), text.end()));
+}
+
+/// "hull_face_contact" for "hull/face_contact" or "runs/hull_face_contact.jsonl".
+std::string stem_of(const Source& source) {
+  std::string stem = source.scenario ? source.name : fs::path(source.name).stem().string();
+  std::ranges::replace(stem, '/', '_');
+  return stem == "-" || stem.empty() ? "trace" : stem;
+}
+
+ExitCode run_shrink(const Options& options) {
+  note_interrupts();
+  const Source source = read_source(options);
+  const shrink::Expression expression = read_expression(options, source);
+  shrink::Judge judge(expression, engines_of(expression, options));
+  const std::optional<Found> found = find(source, options, judge);
+  if (!found) {
+    std::cerr
+        << "in no frame of " << source.name << " do two shapes show by themselves that "
+        << expression.text() << "; " << judge.requested()
+        << (judge.requested() == 1 ? " pair was" : " pairs were")
+        << " tried. What needs more than two shapes, or the frames before, cannot be shrunk\n";
+    return ExitCode::Different;
+  }
+  std::optional<Progress> progress;
+  shrink::Shrunk shrunk =
+      shrink::shrink(found->pair, judge, [](const PairOfTwo&) { stop_if_interrupted(); });
+  expect_what_double_has(shrunk.pair);
+
+  const fs::path folder = fs::path(options.out) / "shrink";
+  fs::create_directories(folder);
+  const fs::path file = folder / (stem_of(source) + ".toml");
+  const std::string place = source.name + ", frame " + std::to_string(found->frame) + ", " +
+                            found->a + " and " + found->b;
+  write(file, shrink::to_scenario(shrunk.pair, expression.text(), "shrunk from " + place));
+  std::optional<fs::path> claims;
+  if (shrunk.pair.claims) {
+    claims = folder / (stem_of(source) + ".jsonl");
+    const trace::Trace trace = shrink::Judge::trace_of(shrunk.pair);
+    write(*claims, trace::to_json_line(trace.header) + "\n" +
+                       trace::to_json_line(trace.frames.front()) + "\n");
+  }
+  const int before = found->pair.vertex_count(), after = shrunk.pair.vertex_count();
+  if (options.json) {
+    nlohmann::ordered_json json{{"while", expression.text()},
+                                {"from", source.name},
+                                {"frame", found->frame},
+                                {"a", found->a},
+                                {"b", found->b},
+                                {"vertices", {before, after}},
+                                {"tried", shrunk.tried},
+                                {"scenario", file.string()}};
+    if (claims) json["trace"] = claims->string();
+    std::cout << json.dump() << '\n';
+    return ExitCode::Same;
+  }
+  std::cout << place << ": " << before << " vertices -> " << after << ", " << shrunk.tried
+            << " pairs tried\n"
+            << file.string() << '\n';
+  if (claims) std::cout << claims->string() << '\n';
+  return ExitCode::Same;
+}
+
+}  // namespace
+
+Verb shrink_verb() {
+  return {
+      "shrink",
+      "Find the smallest pair that still shows something, and write it as a scenario",
+      &run_shrink,
+      "FILE --while --frames --pair --time-limit --json --out",
+      {{"FILE", "A scenario, which is run, or a trace of any engine, - for the standard input"},
+       {"--frames", "Look in frames A:B[:STEP] alone, B inclusive"},
+       {"--pair", "Look at two shapes alone, A,B"},
+       {"--json", "Print what was found as JSON"}},
+      R"(--while takes what has to stay: numbers, texts in quotes and SIDE.QUANTITY, with + - * /, == != < <= > >=,
+and, or, not, parentheses, abs(x) and angle(SIDE, SIDE), degrees between two normals. A side is float, double,
+recorded (what a trace claims), or an engine of `versus`; without one it is the file as it stands. Quantities:
+points, manifolds, separation, touching, overlap, axis, type, ids, normal_x, normal_y, normal_z. lint.CAUSE is what
+`lint` finds, lint all of it; unmet are the expectations of a scenario that do not hold.
+
+Examples:
+  contactscope shrink hull/far_away --while 'float.points != double.points'
+  contactscope shrink run.jsonl --while lint.flipped_normals
+  contactscope shrink mine/stack.toml --while unmet
+  contactscope shrink round --while 'abs(bullet.separation - double.separation) > 0.001'
+
+Vertices are left out, settings and turns dropped and numbers rounded as long as it holds. The scenario is written to
+OUT/shrink with what is right, as an expectation: what the file expected, else what double has.
+Exit codes: 0 it is written, 1 no two shapes show it by themselves, 2 trouble.)"};
+}
+
+}  // namespace contactscope::app

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/cli/verbs.h"
+#include "study/soak.h"
+
+/// `study stability --shard K/N`, and merging of the shards.
+namespace contactscope::app {
+
+/// Runs a shard, writes OUT/soak_K_of_N.json, prints a summary. Different: wrong answers.
+ExitCode run_soak(const Options& options);
+
+/// Shard files named directly or in folders of --out; sorted, empty if there are none.
+std::vector<std::string> soak_parts(const std::vector<std::string>& names);
+
+/// Merges shards. OUT/study/stability/soak.json is identical for any number of shards. Throws
+/// InputError if one is unreadable, UsageError if one is missing, duplicate, or of another run.
+ExitCode merge_soak(const std::vector<std::string>& files, const Options& options);
+
+/// JSON of the file; `shard` is set for a part.
+std::string to_json(const Soak& soak, const std::optional<snapshot::Shard>& shard);
+Soak parse_soak(const std::string& text, const std::string& path,
+                std::optional<snapshot::Shard>& shard);
+
+}  // namespace contactscope::app

@@ -1,0 +1,154 @@
+#include "app/render/figure_canvas.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+
+#include "core/at.h"
+#include "draw/panels/panel.h"
+#include "draw/staging.h"
+#include "scenario/words_file.h"
+
+namespace contactscope::app {
+namespace {
+
+constexpr int kMinSide = 64, kMaxSide = 8192;             // pixels, as for --size
+constexpr double kViewShape = 0.7;                        // height of a view relative to its width
+constexpr double kChartShape = 0.5;                       // of a chart or map
+constexpr double kAroundPanel = 20, kBetweenPanels = 12;  // pixels at 720 lines
+
+int side_of(const char* option, double pixels) {
+  const int side = static_cast<int>(std::lround(pixels));
+  if (side >= kMinSide && side <= kMaxSide) return side;
+  throw UsageError(std::string(option) + " makes " + std::to_string(side) +
+                   " pixels, and a picture has 64 to 8192; another --dpi changes that");
+}
+
+/// Height in pixels at which panels are complete.
+double height_of_panels(const draw::Staging& staging, const std::vector<trace::Frame>& frames) {
+  if (frames.empty()) return 0;
+  const std::vector<draw::FilledPanel> panels = draw::make_panels(staging, frames);
+  double height = 0;
+  for (const draw::FilledPanel& panel : panels) {
+    const draw::PanelNeed need = panel.content->need({frames.size() - 1, {}});
+    // Flexible charts and maps are legible at half their width.
+    const double wanted =
+        need.wanted > 0 ? double(need.wanted) : kChartShape * staging.layout.panels.width;
+    height +=
+        std::max<double>(need.good, wanted) + staging.layout.px(kAroundPanel + kBetweenPanels);
+  }
+  return height;
+}
+
+/// Lower end of view, insets and panels.
+double end_of(const draw::Layout& layout) {
+  double end = layout.view.bottom();
+  for (const draw::Rect& inset : layout.insets) end = std::max(end, inset.bottom());
+  return layout.panels.width > 0 ? std::max(end, layout.panels.bottom()) : end;
+}
+
+/// Sets the height of a canvas from a trial layout.
+void fit_height(const trace::Header& header, const std::vector<trace::Frame>& frames,
+                const View& view, FigureCanvas& canvas) {
+  if (view.kind == ViewKind::ContactPlane) {
+    canvas.size.height = side_of("--width", kViewShape * canvas.size.width);
+    return;
+  }
+  const int width = canvas.size.width, trial_height = 2 * width;
+  const draw::Staging trial = draw::stage(header, frames, view, width, trial_height, canvas.style);
+  const draw::Layout& layout = trial.layout;
+  const double gutter = layout.px(16);
+  const bool has_panels = layout.panels.width > 0;
+  const bool below = has_panels && layout.panels.y >= layout.view.bottom();
+  const bool stacked = !layout.insets.empty() && layout.insets.front().y >= layout.view.bottom();
+  const double views = stacked ? 1.0 + static_cast<double>(layout.insets.size()) : 1.0;
+  const double scenes = views * kViewShape * layout.view.width + (views - 1) * gutter;
+  const double panels = has_panels ? height_of_panels(trial, frames) : 0;
+  const double around = trial_height - (end_of(layout) - layout.view.y);
+  if (below) canvas.style.height_below = panels;
+  const double height = around + (below ? scenes + gutter + panels : std::max(scenes, panels));
+  canvas.size.height = side_of("--width", height);
+}
+
+/// Warns about content that does not fit into a requested height.
+void report_left_out(const trace::Header& header, const std::vector<trace::Frame>& frames,
+                     const View& view, const FigureCanvas& canvas) {
+  if (view.kind == ViewKind::ContactPlane || frames.empty()) return;
+  const draw::Staging staging =
+      draw::stage(header, frames, view, canvas.size.width, canvas.size.height, canvas.style);
+  const draw::Layout& layout = staging.layout;
+  const std::vector<draw::FilledPanel> panels = draw::make_panels(staging, frames);
+  const std::vector<draw::PanelNeed> needs = mapped(panels, [&](const draw::FilledPanel& panel) {
+    draw::PanelNeed need = panel.content->need({frames.size() - 1, {}});
+    need.least += layout.px(kAroundPanel);
+    return need;
+  });
+  const std::vector<float> heights =
+      draw::divide_column(needs, static_cast<float>(layout.panels.height),
+                          layout.px(kBetweenPanels), draw::Sheet::line_height(layout.scale));
+  std::string names;
+  for (std::size_t i = 0; i < heights.size(); ++i) {
+    if (heights[i] <= 0)
+      names += (names.empty() ? "" : ", ") + std::string(name_of(panels[i].panel));
+  }
+  if (!names.empty())
+    std::cerr << header.scenario << ": no room for " << names
+              << "; a larger --height has some, and without --height it is as large as it needs\n";
+}
+
+std::string words_path(const std::string& named) {
+  namespace fs = std::filesystem;
+  std::error_code unknown;
+  if (fs::is_regular_file(named, unknown)) return named;
+  const fs::path program = fs::read_symlink("/proc/self/exe", unknown);
+  const fs::path installed =
+      program.parent_path().parent_path() / "share" / "contactscope" / "words" / (named + ".toml");
+  if (fs::is_regular_file(installed, unknown)) return installed.string();
+  if (fs::exists(named, unknown)) return named;  // a folder or a pipe: reading it gives the error
+  throw UsageError("--words '" + named +
+                   "': there is no such file; name a TOML file with a [words] table, whose keys "
+                   "`contactscope list words` prints");
+}
+
+}  // namespace
+
+FigureCanvas canvas_of(const trace::Header& header, const std::vector<trace::Frame>& frames,
+                       const View& view, const Options& options, Size otherwise,
+                       std::shared_ptr<const Words> words) {
+  const FigureOptions& figure = options.figure;
+  FigureCanvas canvas{options.size.value_or(otherwise), figure.style};
+  canvas.style.words = std::move(words);
+  if (!figure.width) return canvas;
+  canvas.size.width = side_of("--width", figure.width->pixels(figure.dpi));
+  if (!figure.height) {
+    fit_height(header, frames, view, canvas);
+    return canvas;
+  }
+  canvas.size.height = side_of("--height", figure.height->pixels(figure.dpi));
+  if (!options.quiet) report_left_out(header, frames, view, canvas);
+  return canvas;
+}
+
+std::shared_ptr<const Words> words_of(const Input& input, const Options& options) {
+  std::vector<std::string_view> names = names_in_pictures(input.scenario);
+  Words words;
+  if (input.trace) {
+    const trace::Header& header = input.trace->header;
+    names.insert(names.end(), {header.title, header.source});
+    for (const trace::Shape& shape : header.shapes) names.push_back(shape.name);
+  } else {
+    words = load_words(input.scenario.path, names);
+  }
+  if (!options.figure.words.empty())
+    words.replace(load_words(words_path(options.figure.words), names));
+  return words.empty() ? nullptr : std::make_shared<const Words>(std::move(words));
+}
+
+std::shared_ptr<const Words> words_of(const Scenario& scenario) {
+  if (scenario.path.empty()) return nullptr;  // it stands for a trace
+  Words words = load_words(scenario.path, names_in_pictures(scenario));
+  return words.empty() ? nullptr : std::make_shared<const Words>(std::move(words));
+}
+
+}  // namespace contactscope::app

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/cli/catalogue.h"
+#include "app/cli/verbs.h"
+#include "core/view.h"
+#include "draw/scene/figure_style.h"
+#include "trace/trace.h"
+
+namespace contactscope::app {
+
+/// Size and style of a picture.
+struct FigureCanvas {
+  Size size;
+  draw::FigureStyle style;
+};
+
+/// Size from the command line, else `otherwise`. If only the width of a figure is set, its height
+/// fits view, legend and panels. Throws UsageError for a size out of range.
+FigureCanvas canvas_of(const trace::Header& header, const std::vector<trace::Frame>& frames,
+                       const View& view, const Options& options, Size otherwise,
+                       std::shared_ptr<const Words> words);
+
+/// Replacement texts for the pictures of an input: those of --words take precedence over the
+/// scenario's. Null if there are none. Throws InputError and UsageError.
+std::shared_ptr<const Words> words_of(const Input& input, const Options& options);
+
+/// Only the scenario's, as `check` uses them. Throws InputError.
+std::shared_ptr<const Words> words_of(const Scenario& scenario);
+
+}  // namespace contactscope::app

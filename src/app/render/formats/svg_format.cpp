@@ -1,0 +1,28 @@
+#include "app/cli/verbs.h"
+#include "app/render/formats/rows.h"
+#include "vector/svg.h"
+
+namespace contactscope::app {
+
+const Format kSvgFormat{
+    .name = "svg",
+    .extension = ".svg",
+    .what = "vectors with live text, a file a frame",
+    .encode =
+        [](const Shot& shot) {
+          static vector::FontFaces faces;  // shared: pictures of a run use the same glyphs
+          const std::string svg =
+              vector::svg_of(*shot.drawing, {.origin = &shot.origin, .fonts = &faces});
+          return std::vector<std::uint8_t>(svg.begin(), svg.end());
+        },
+    .require =
+        [] {
+          try {
+            vector::require_font_subsets();
+          } catch (const vector::MissingLibrary& missing) {
+            throw UsageError(std::string("--format svg: ") + missing.what());
+          }
+        },
+};
+
+}  // namespace contactscope::app

@@ -1,0 +1,47 @@
+#include "app/render/formats/animation.h"
+#include "app/render/formats/rows.h"
+#include "image/webp.h"
+#include "image/whole_file.h"
+#include "vector/markup.h"
+
+namespace contactscope::app {
+namespace {
+
+/// Origin metadata as XMP (ISO 16684-1), one line per entry in the description, which viewers show.
+std::string xmp_of(const PictureOrigin& origin) {
+  std::string all =
+      "<x:xmpmeta xmlns:x=\"adobe:ns:meta/\">"
+      "<rdf:RDF xmlns:rdf=\"http://www.w3.org/1999/02/22-rdf-syntax-ns#\">"
+      "<rdf:Description rdf:about=\"\" xmlns:dc=\"http://purl.org/dc/elements/1.1/\">"
+      "<dc:description><rdf:Alt><rdf:li xml:lang=\"x-default\">";
+  for (const auto& [key, value] : entries_of(origin))
+    all += vector::escaped(key + ": " + value) + "\n";
+  return all + "</rdf:li></rdf:Alt></dc:description></rdf:Description></rdf:RDF></x:xmpmeta>";
+}
+
+class WebpReel : public Animation {
+ public:
+  explicit WebpReel(const ReelPlan& plan) : path_(plan.path), about_(xmp_of(plan.origin)) {}
+
+  void add(const Image& image, const Duration& shown) override {
+    animation_.add(image, shown.milliseconds);
+  }
+  void finish() override { write_whole_file(path_, animation_.finish(about_)); }
+
+ private:
+  std::string path_, about_;
+  WebpAnimation animation_;
+};
+
+}  // namespace
+
+const Format kWebpFormat{
+    .name = "webp",
+    .extension = ".webp",
+    .what = "lossless WebP, animated where there are several frames",
+    .needs_pixels = true,
+    .encode = [](const Shot& shot) { return encode_webp(*shot.image, xmp_of(shot.origin)); },
+    .begin = [](const ReelPlan& plan) { return reel_of(plan, std::make_unique<WebpReel>(plan)); },
+};
+
+}  // namespace contactscope::app

@@ -1,0 +1,225 @@
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/catalogue.h"
+#include "app/cli/narrow.h"
+#include "app/cli/progress.h"
+#include "app/cli/shard.h"
+#include "app/cli/verbs.h"
+#include "app/render/figure_canvas.h"
+#include "app/render/formats/sinks.h"
+#include "app/render/origin.h"
+#include "app/render/renderer.h"
+#include "app/render/strip.h"
+#include "core/at.h"
+#include "draw/staging.h"
+
+namespace contactscope::app {
+namespace {
+
+// Logs which stages recorded facts and which panels were drawn, for --verbose.
+void account_facts(const std::string& name, const std::vector<View>& views,
+                   const Sequence& sequence, RunLog& log) {
+  int sat = 0, clip = 0, reduction = 0;
+  for (const trace::Frame& frame : sequence.frames) {
+    for (const trace::Pair& pair : frame.pairs) {
+      sat += pair.sat.has_value();
+      clip += pair.clip.has_value();
+      reduction += pair.reduction.has_value();
+    }
+  }
+  log.note(name + ": recorded sat " + std::to_string(sat) + ", clip " + std::to_string(clip) +
+           ", reduction " + std::to_string(reduction) + " times");
+  for (const View& view : views) {
+    std::string what = name + ": view " + view.name + " paints";
+    if (view.layers.empty()) what += " no layers";
+    for (const Layer layer : view.layers) what += " " + std::string(name_of(layer));
+    what += view.panels.empty() ? "; no panels" : "; panels";
+    for (const Panel panel : view.panels) what += " " + std::string(name_of(panel));
+    log.note(what);
+    if (view.panels.empty()) {
+      log.left_out(name + ": Dear ImGui, for view " + view.name + " names no panel");
+    }
+  }
+}
+
+// Logs the stages that were not needed, for --verbose.
+void account_stages(const Scenario& scenario, const trace::Stages& stages, RunLog& log) {
+  for (const auto& [recorded, stage] : {std::pair{stages.sat, "sat"},
+                                        {stages.clip, "clip"},
+                                        {stages.reduction, "reduction"},
+                                        {stages.tree, "tree"},
+                                        {stages.gjk, "gjk"}}) {
+    if (recorded) continue;
+    log.left_out(scenario.name + ": record of stage " + stage + ", for no view shows it");
+  }
+  const bool has_mesh = std::ranges::any_of(scenario.shapes, [](const ScenarioShape& shape) {
+    return kind_of(*shape.geometry) == ShapeKind::Mesh;
+  });
+  if (!has_mesh) log.left_out("bounding volume tree, for no shape is a mesh");
+  if (std::ranges::none_of(scenario.shapes, &ScenarioShape::dynamic))
+    log.left_out("solver, for no shape is dynamic");
+}
+
+/// Warns about requested layers without data: most traces of engines lack data for many layers.
+void report_idle(const std::string& file, const std::vector<std::string>& layers) {
+  std::string names;
+  for (const std::string& layer : layers) names += (names.empty() ? "" : ", ") + layer;
+  std::cerr << file << ": nothing to draw in layer" << (layers.size() == 1 ? " " : "s ") << names
+            << "; src/trace/README.md says what a trace needs for it\n";
+}
+
+/// Default title of an engine's trace: its engine, and the contacts of each frame.
+std::string title_of(const trace::Header& header) {
+  const std::string engine =
+      header.engine + (header.version.empty() ? "" : " " + header.version) + ": ";
+  return engine + "{kept:point}, {overlap} deep | " + engine + "{kept:point}, {gap} apart | " +
+         engine + "nothing touches";
+}
+
+// Runs the scenario or takes the trace.
+Sequence sequence_of(Input& input, const std::vector<View>& views, const Options& options,
+                     RunLog& log) {
+  Sequence sequence;
+  if (input.trace) {
+    sequence = std::move(*input.trace);
+    // Traces of this program may have an empty title on purpose.
+    if (sequence.header.title.empty() && !sequence.header.engine.empty())
+      sequence.header.title = title_of(sequence.header);
+    log.left_out(input.scenario.name + ": the pipeline, for its trace is drawn as it stands");
+  } else {
+    const trace::Stages stages = draw::stages_shown(views);
+    sequence = run_sequence(input.scenario, stages, options.timing, log);
+    account_stages(input.scenario, stages, log);
+  }
+  narrow(sequence, options);
+  account_facts(input.scenario.name, views, sequence, log);
+  return sequence;
+}
+
+/// Warns about requested layers that stay empty.
+void report_idle_layers(const Input& input, const draw::Staging& staging, const Sequence& sequence,
+                        const Options& options) {
+  const bool requested = options.layers || views_are_of_file(options);
+  if (!input.trace || !requested || options.quiet) return;
+  const std::vector<std::string> idle = idle_layers(staging, sequence.frames);
+  if (!idle.empty()) report_idle(input.file, idle);
+}
+
+void draw_sequences(Input& input, const Options& options, Renderer& renderer, Sinks& sinks,
+                    Progress& progress, RunLog& log) {
+  const Scenario& scenario = input.scenario;
+  const std::vector<View> views = selected_views(scenario, options);
+  Sequence sequence = sequence_of(input, views, options, log);
+  const std::shared_ptr<const Words> words = words_of(input, options);
+  const PictureOrigin origin = origin_of(input, sequence.header, options);
+  if (options.strip) {
+    draw_strips(input, sequence, origin, words, options, renderer, sinks);
+    progress.advance(scenario.name);
+    return;
+  }
+  for (const View& view : views) {
+    const FigureCanvas canvas =
+        canvas_of(sequence.header, sequence.frames, view, options, Size{}, words);
+    const draw::Staging staging =
+        draw::stage(sequence.header, sequence.frames, view, canvas.size.width, canvas.size.height,
+                    canvas.style, draw::kLayers, scenario.snapshots.frames);
+    report_idle_layers(input, staging, sequence, options);
+    const bool is_one_of_several = scenario.views.size() > 1;
+    sinks.begin({scenario.name, is_one_of_several ? std::optional(view.name) : std::nullopt,
+                 of_view(origin, view, is_one_of_several, options), &staging, &sequence,
+                 input.frames});
+    renderer.each_drawing(staging, sequence, input.frames,
+                          [&](const trace::Frame& frame, draw::Drawing drawing) {
+                            sinks.add(frame, std::move(drawing));
+                            progress.advance(scenario.name);
+                          });
+    sinks.end();
+  }
+}
+
+ExitCode run_render(const Options& options) {
+  note_interrupts();
+  const std::vector<const Format*> chosen = formats_named(options.formats);
+  for (const Format* format : chosen)
+    if (format->require != nullptr) format->require();
+  const bool cells = wants_cells(options, chosen);
+  RunLog total;
+  std::vector<Input> inputs;
+  {
+    const Timed timed(total, "read scenarios");
+    inputs = load_inputs(options, Hold::Sample);
+  }
+  if (options.shard && options.sheet)
+    throw UsageError("--sheet is of all scenarios; leave --shard out");
+  if (options.shard)
+    keep_shard(inputs, options, [&](const Input& input) {
+      return 1.0 + count_of(input.frames) * count_of(selected_views(input.scenario, options));
+    });
+  int pictures = 0;
+  for (const Input& input : inputs)
+    pictures +=
+        cells ? 1 : count_of(input.frames) * count_of(selected_views(input.scenario, options));
+
+  const auto begin = std::chrono::steady_clock::now();
+  Renderer renderer(options.backend, total);
+  Sinks sinks(chosen, options, renderer);
+  {
+    Progress progress(pictures, options.quiet);
+    if (options.sheet) {
+      const auto run = [&](Input& input) {
+        return sequence_of(input, selected_views(input.scenario, options), options, total);
+      };
+      draw_sheet(inputs, run, options, renderer, sinks, progress);
+    } else {
+      for (Input& input : inputs) draw_sequences(input, options, renderer, sinks, progress, total);
+    }
+    sinks.finish();
+  }
+  if (cells) pictures = sinks.files() / count_of(chosen);
+  if (options.json) {
+    nlohmann::ordered_json written;
+    for (const auto& [scenario, paths] : sinks.written()) written[scenario] = paths;
+    std::cout << written.dump() << '\n';
+  }
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+  const EncoderPool& encoders = sinks.encoders();
+  total.add("encode, beside the rest",
+            std::chrono::duration_cast<std::chrono::nanoseconds>(encoders.busy()), pictures);
+  if (options.verbose) {
+    total.note(std::to_string(encoders.threads()) + " encoder thread(s), " +
+               std::to_string(pictures / seconds.count()) + " pictures a second");
+    total.print(std::cerr, "render");
+  }
+  if (!options.quiet) renderer.missing_glyphs().report(std::cerr);
+  if (!options.quiet) {
+    std::filesystem::path where = options.out;
+    if (inputs.size() == 1 && !options.sheet) where /= inputs.front().scenario.name;
+    std::cerr << pictures << (pictures == 1 ? " picture" : " pictures");
+    if (const int files = sinks.files(); files != pictures)
+      std::cerr << ", " << files << (files == 1 ? " file" : " files");
+    std::cerr << " in " << where.string() << '\n';
+  }
+  return ExitCode::Same;
+}
+
+}  // namespace
+
+Verb render_verb() {
+  return {"render",
+          "Write pictures: PNG, vector files, pages, animations",
+          &run_render,
+          std::string("SCENARIO... --size ") + kFigureArguments +
+              " --layers --panels --pair --shapes --eye --target --fov --camera --orthographic "
+              "--timing --format --strip --columns --sheet --fps --anchors --json --frames "
+              "--reducer --out "
+              "--backend --view --jobs --shard",
+          {{"SCENARIO",
+            "Files, folders, or names as hull/face_contact; a trace (*.jsonl) is drawn too"},
+           {"--json", "Print the paths of the pictures as JSON"},
+           {"--shard", "Only part K of N of the scenarios, as 2/5; their pictures are in --out"}}};
+}
+
+}  // namespace contactscope::app
