@@ -1,6 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <map>
+#include <regex>
 #include <set>
 #include <sstream>
 
@@ -63,6 +66,37 @@ TEST(CommandLine, TheHelpOfEveryVerbHasExamplesValuesAndExitCodes) {
       }
     }
   }
+}
+
+/// Options of `contactscope VERB ...` in a line of a document, and the verb; an empty verb if there is
+/// none.
+std::pair<std::string, std::set<std::string>> command_in(const std::string& line) {
+  static const std::regex command("contactscope ([a-z]+) ([^`#|]*)");
+  std::smatch match;
+  if (!std::regex_search(line, match, command)) return {};
+  return {match[1], options_in(" " + match[2].str(), " ")};
+}
+
+TEST(CommandLine, DocumentsNameOnlyOptionsOfTheirVerb) {
+  std::map<std::string, std::set<std::string>> known;
+  int commands = 0;
+  for (const char* folder : {"/src", "/render", "/scenarios"}) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(CONTACTSCOPE_SOURCE_DIR +
+                                                                           std::string(folder))) {
+      if (entry.path().extension() != ".md") continue;
+      std::istringstream lines(read_text(entry.path()));
+      for (std::string line; std::getline(lines, line);) {
+        const auto [verb, options] = command_in(line);
+        if (options.empty()) continue;
+        if (!known.contains(verb))
+          known[verb] = options_in("\n  --help" + run("help " + verb).out, "\n  ");
+        for (const std::string& option : options)
+          EXPECT_THAT(known[verb], testing::Contains(option)) << entry.path() << ": " << line;
+        ++commands;
+      }
+    }
+  }
+  EXPECT_GT(commands, 10);
 }
 
 TEST(CommandLine, UsageErrorsExitWithTwoAndPrintNothingOnStandardOutput) {

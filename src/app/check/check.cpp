@@ -34,24 +34,15 @@ ExitCode run_check_verb(const Options& options) {
 }  // namespace
 
 Verb check_verb() {
-  return {
-      "check",
-      "Compare with the stored snapshots",
-      &run_check_verb,
-      "[SCENARIO...] --snapshots --write-missing --update --accept --as --note --facts-only "
-      "--json --junit --markdown --github --shard --times --fresh --out --backend --view",
-      {{"SCENARIO",
-        "Scenarios, or traces of any engine; default: all scenarios. With --accept: what to "
-        "accept"},
-       {"--json", "Print what was found as JSON, as OUT/check/findings.json has it"}},
-      "Examples:\n"
-      "  contactscope check                              all scenarios against snapshots/\n"
-      "  contactscope check hull --facts-only            one group, without drawing\n"
-      "  contactscope check my/crate.toml --write-missing\n"
-      "  contactscope check --accept hull/face_contact/frame_0012\n"
-      "  contactscope check --shard 2/5 --out /tmp/shards --junit junit.xml\n"
-      "Exit codes: 0 the same, 1 something is not, 2 trouble, such as a scenario that cannot be "
-      "read; the\nothers are checked all the same."};
+  return {"check", "Compare with the stored snapshots", &run_check_verb,
+          "Examples:\n"
+          "  contactscope check                              all scenarios against snapshots/\n"
+          "  contactscope check hull --facts-only            one group, without drawing\n"
+          "  contactscope check my/crate.toml --write-missing\n"
+          "  contactscope check --accept hull/face_contact/frame_0012\n"
+          "  contactscope check --shard 2/5 --out /tmp/shards --junit junit.xml\n"
+          "Exit codes: 0 no difference, 1 a difference, 2 an error, such as a scenario that cannot "
+          "be read;\nthe others are still checked."};
 }
 
 }  // namespace contactscope::app

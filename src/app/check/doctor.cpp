@@ -125,13 +125,12 @@ ExitCode run_doctor(const Options& options) {
 }  // namespace
 
 Verb doctor_verb() {
-  return {"doctor",
-          "Say what each route to OpenGL answers",
-          &run_doctor,
-          "[FILE...] --json",
-          {{"FILE",
-            "Scenarios and traces to look through as well: what they hold, and what `lint` finds "
-            "wrong with traces"}}};
+  return {"doctor", "Test each OpenGL backend, and inspect scenarios and traces", &run_doctor,
+          "Examples:\n"
+          "  contactscope doctor\n"
+          "  contactscope doctor run.jsonl\n"
+          "Exit codes: 0 pictures can be drawn and nothing is wrong, 1 something is wrong, 2 an "
+          "error."};
 }
 
 }  // namespace contactscope::app

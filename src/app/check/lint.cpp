@@ -106,12 +106,10 @@ ExitCode run_lint(const Options& options) {
 }  // namespace
 
 Verb lint_verb() {
-  return {"lint",
-          "Hold what a trace claims of its contacts against its own shapes and poses",
-          &run_lint,
-          "FILE... --json --frames",
-          {{"FILE", "Traces of any engine, - for the standard input; or scenarios, which are run"},
-           {"--json", "Print the findings as JSON"}}};
+  return {"lint", "Check the contacts in a trace against its own shapes and poses", &run_lint,
+          "Examples:\n"
+          "  contactscope lint run.jsonl\n"
+          "Exit codes: 0 nothing is wrong, 1 a claim is wrong, 2 an error."};
 }
 
 }  // namespace contactscope::app

@@ -311,11 +311,13 @@ ExitCode run_accept(const Options& options) {
 
 Verb review_verb() {
   return {"review",
-          "Go through what the last check found, one key each: accept, reject, skip, show",
+          "Review the findings of the last check; one key each: accept, reject, skip, show",
           &run_review,
-          "--list --from --json --out",
-          {{"--list", "Print a line each instead of asking"},
-           {"--json", "Print the findings as JSON"}}};
+          "Examples:\n"
+          "  contactscope review\n"
+          "  contactscope review --list | grep ^changed\n"
+          "  contactscope review --from decisions.json\n"
+          "Exit codes: 0 no finding is left, 1 some are, 2 an error."};
 }
 
 }  // namespace contactscope::app

@@ -91,15 +91,11 @@ void show(const snapshot::Finding& finding, const std::string& folder, TerminalP
 }
 
 Verb show_verb() {
-  return {"show",
-          "Show what the last check found, pictures too, in the terminal",
-          &run_show,
-          "KEY... --pictures --out",
-          {{"KEY", "Findings, as hull/face_contact/frame_0012, folders, or patterns with *"}},
+  return {"show", "Show findings of the last check in the terminal, with pictures", &run_show,
           "Examples:\n"
           "  contactscope show hull/face_contact\n"
           "  contactscope show '*/frame_0012' --pictures sixel\n"
-          "Exit codes: 0 done, 2 trouble, such as a name that the report does not have."};
+          "Exit codes: 0 done, 2 an error, such as a name that is not in the report."};
 }
 
 }  // namespace contactscope::app

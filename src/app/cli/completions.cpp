@@ -1,11 +1,15 @@
+#include <map>
+#include <set>
 #include <sstream>
 
 #include "app/cli/manual.h"
+#include "app/cli/verbs.h"
+#include "core/at.h"
 
 namespace contactscope::app {
 namespace {
 
-using Kind = Completion::Kind;
+using Kind = OptionValues::Kind;
 
 // Scenario names come from the program, which knows the folder.
 constexpr const char* kNames = "contactscope list scenarios 2>/dev/null | sed 's/  .*//'";
@@ -33,103 +37,50 @@ std::string escaped(const std::string& text, std::string_view special) {
   return all;
 }
 
-/// The positional argument; each verb has at most one.
-const ManualArgument* positional(const ManualVerb& verb) {
-  for (const ManualArgument& argument : verb.arguments)
-    if (!argument.is_option()) return &argument;
+/// The first argument of a verb; null if it takes none.
+const Option* argument_of(const Verb& verb) {
+  for (const Option* option : options_of(verb.name))
+    if (option->is_argument()) return option;
   return nullptr;
 }
 
-std::vector<std::string> options_of(const ManualVerb& verb) {
-  std::vector<std::string> options = {"--help"};
-  for (const ManualArgument& argument : verb.arguments)
-    if (argument.is_option()) options.push_back(argument.name);
-  return options;
-}
+/// Completion of a value in each shell; % stands for the words.
+struct Snippets {
+  std::string bash;  // sets COMPREPLY
+  std::string zsh;   // action of _arguments
+  std::string fish;  // end of a `complete` line
+};
 
-std::vector<std::string> names_of_verbs(const std::vector<ManualVerb>& verbs) {
-  std::vector<std::string> names;
-  for (const ManualVerb& verb : verbs) names.push_back(verb.name);
-  return names;
-}
-
-/// Options of all verbs, each once.
-std::vector<ManualArgument> all_options(const std::vector<ManualVerb>& verbs) {
-  std::vector<ManualArgument> all;
-  for (const ManualVerb& verb : verbs)
-    for (const ManualArgument& argument : verb.arguments) {
-      bool is_known = !argument.is_option();
-      for (const ManualArgument& known : all) is_known = is_known || known.name == argument.name;
-      if (!is_known) all.push_back(argument);
-    }
-  return all;
-}
-
-/// A line of bash that sets COMPREPLY; empty if there is nothing to complete.
-std::string bash_reply(const Completion& completion) {
-  switch (completion.kind) {
-    case Kind::Words:
-      return "COMPREPLY=($(compgen -W '" + spaced(completion.words) + "' -- \"$cur\"))";
-    case Kind::List:
-      return "_contactscope_list '" + spaced(completion.words) + "'";
-    case Kind::Scenario:
-      return std::string("_contactscope_words < <(") + kNames + "; compgen -f -- \"$cur\")";
-    case Kind::File:
-      return "COMPREPLY=($(compgen -f -- \"$cur\"))";
-    case Kind::Folder:
-      return "COMPREPLY=($(compgen -d -- \"$cur\"))";
-    case Kind::Free:
-      break;
-  }
-  return {};
-}
-
-/// Action of zsh's _arguments for a value.
-std::string zsh_action(const Completion& completion) {
-  switch (completion.kind) {
-    case Kind::Words:
-      return "(" + spaced(completion.words) + ")";
-    case Kind::List:
-      return "_values -s , word " + spaced(completion.words);
-    case Kind::Scenario:
-      return "_contactscope_scenarios";
-    case Kind::File:
-      return "_files";
-    case Kind::Folder:
-      return "_files -/";
-    case Kind::Free:
-      break;
-  }
-  return " ";
-}
-
-/// End of a fish `complete` line.
-std::string fish_values(const Completion& completion) {
-  switch (completion.kind) {
-    case Kind::Words:
-      return " -x -a " + quoted(spaced(completion.words), "\\'");
-    case Kind::List:
-      return " -x -a \"(__fish_complete_list , 'string split \\' \\' \\'" +
-             spaced(completion.words) + "\\'')\"";
-    case Kind::Scenario:
-      return std::string(" -a \"(") + kNames + ")\"";
-    case Kind::File:
-      return " -r -F";
-    case Kind::Folder:
-      return " -x -a '(__fish_complete_directories)'";
-    case Kind::Free:
-      break;
-  }
-  return " -x";
+Snippets snippets_of(const OptionValues& values) {
+  static const std::string names = kNames;
+  static const std::map<Kind, Snippets> all = {
+      {Kind::Free, {"", " ", " -x"}},
+      {Kind::Words, {"COMPREPLY=($(compgen -W '%' -- \"$cur\"))", "(%)", " -x -a '%'"}},
+      {Kind::List,
+       {"_contactscope_list '%'", "_values -s , word %",
+        R"fish( -x -a "(__fish_complete_list , 'string split \' \' \'%\'')")fish"}},
+      {Kind::Scenario,
+       {"_contactscope_words < <(" + names + "; compgen -f -- \"$cur\")", "_contactscope_scenarios",
+        " -a \"(" + names + ")\""}},
+      {Kind::File, {"COMPREPLY=($(compgen -f -- \"$cur\"))", "_files", " -r -F"}},
+      {Kind::Folder,
+       {"COMPREPLY=($(compgen -d -- \"$cur\"))", "_files -/",
+        " -x -a '(__fish_complete_directories)'"}},
+  };
+  Snippets snippets = all.at(values.kind);
+  if (values.words.empty()) return snippets;
+  for (std::string* snippet : {&snippets.bash, &snippets.zsh, &snippets.fish})
+    snippet->replace(snippet->find('%'), 1, spaced(values.words));
+  return snippets;
 }
 
 }  // namespace
 
-std::string bash_completion(const std::vector<ManualVerb>& verbs) {
+std::string bash_completion() {
   std::ostringstream out;
   out << R"(# bash completion of contactscope; made by contactscope --manual bash
 
-# Words with commas between them: what stands before the last comma stays.
+# Words with commas between them: keep the text before the last comma.
 _contactscope_list() {
   local before=
   case $cur in *,*) before=${cur%,*}, ;; esac
@@ -137,7 +88,7 @@ _contactscope_list() {
   compopt -o nospace 2>/dev/null || true
 }
 
-# Lines of the standard input that begin with what is typed. Not by compgen -W, which would run a name such as $(this).
+# Lines of the standard input that begin with the typed text. Not by compgen -W, which would run a name such as $(this).
 _contactscope_words() {
   local word
   while IFS= read -r word; do
@@ -154,56 +105,57 @@ _contactscope() {
   COMPREPLY=()
   if [ "$COMP_CWORD" -eq 1 ]; then
     COMPREPLY=($(compgen -W ')"
-      << spaced(names_of_verbs(verbs)) << R"( --help --version --manual' -- "$cur"))
+      << spaced(mapped(verbs(), &Verb::name)) << R"( --help --version --manual' -- "$cur"))
     return
   fi
   case $prev in
     --manual) COMPREPLY=($(compgen -W 'man bash zsh fish' -- "$cur")); return ;;
 )";
-  for (const ManualArgument& option : all_options(verbs)) {
-    if (!option.takes_value) continue;
-    const std::string reply = bash_reply(completion_of(option));
-    out << "    " << option.name << ") " << reply << (reply.empty() ? "" : "; ") << "return ;;\n";
+  std::set<std::string> done;
+  for (const Option& option : option_table()) {
+    if (option.is_argument() || !option.takes_value() || !done.insert(option.name()).second)
+      continue;
+    const std::string reply = snippets_of(option.values).bash;
+    out << "    " << option.name() << ") " << reply << (reply.empty() ? "" : "; ") << "return ;;\n";
   }
   out << "  esac\n  case $cur in\n    -*)\n      case $verb in\n";
-  for (const ManualVerb& verb : verbs)
-    out << "        " << verb.name << ") COMPREPLY=($(compgen -W '" << spaced(options_of(verb))
+  for (const Verb& verb : verbs())
+    out << "        " << verb.name << ") COMPREPLY=($(compgen -W '" << spaced(option_names(verb))
         << "' -- \"$cur\")) ;;\n";
   out << "      esac\n      return ;;\n  esac\n  case $verb in\n";
-  for (const ManualVerb& verb : verbs) {
-    const ManualArgument* const argument = positional(verb);
-    const std::string reply = argument ? bash_reply(completion_of(*argument)) : "";
+  for (const Verb& verb : verbs()) {
+    const Option* const argument = argument_of(verb);
+    const std::string reply = argument ? snippets_of(argument->values).bash : "";
     if (!reply.empty()) out << "    " << verb.name << ") " << reply << " ;;\n";
   }
   out << "  esac\n}\ncomplete -o bashdefault -F _contactscope contactscope\n";
   return out.str();
 }
 
-std::string zsh_completion(const std::vector<ManualVerb>& verbs) {
+std::string zsh_completion() {
   constexpr std::string_view kSpecial = "[]:\\";
   std::ostringstream out;
   out << "#compdef contactscope\n# zsh completion of contactscope; made by contactscope --manual "
          "zsh\n\n_contactscope_scenarios() {\n  local -a names\n  names=(${(f)\"$("
       << kNames << ")\"})\n  compadd -a names\n  _files\n}\n\n_contactscope() {\n"
       << "  local -a verbs\n  verbs=(\n";
-  for (const ManualVerb& verb : verbs)
+  for (const Verb& verb : verbs())
     out << "    " << quoted(verb.name + ":" + escaped(verb.summary, ":\\"), "'\\''") << '\n';
   out << "  )\n  if (( CURRENT == 2 )); then\n    _describe verb verbs\n"
          "    compadd -- --help --version --manual\n    return\n  fi\n"
          "  local verb=$words[2]\n  shift words\n  (( CURRENT-- ))\n  case $verb in\n"
          "    --manual) compadd man bash zsh fish ;;\n";
-  for (const ManualVerb& verb : verbs) {
-    out << "    " << verb.name << ")\n      _arguments '--help[Say what there is]'";
-    for (const ManualArgument& argument : verb.arguments) {
+  for (const Verb& verb : verbs()) {
+    out << "    " << verb.name << ")\n      _arguments '--help[Print the options]'";
+    for (const Option* option : options_of(verb.name)) {
+      const std::string action = snippets_of(option->values).zsh;
       std::string spec;
-      if (argument.is_option()) {
-        spec = argument.name + (argument.takes_value ? "=" : "") + "[" +
-               escaped(argument.help, kSpecial) + "]";
-        if (argument.takes_value)
-          spec += ":" + argument.name.substr(2) + ":" + zsh_action(completion_of(argument));
+      if (option->is_argument()) {
+        spec = (option->repeats() ? "*:" : ":") + option->name() + ":" + action;
       } else {
-        spec = (argument.repeats ? "*:" : ":") + argument.name + ":" +
-               zsh_action(completion_of(argument));
+        spec = option->name() + (option->takes_value() ? "=" : "") + "[" +
+               escaped(option->description(), kSpecial) + "]";
+        if (option->takes_value()) spec += ":" + option->name().substr(2) + ":" + action;
       }
       out << " \\\n        " << quoted(spec, "'\\''");
     }
@@ -213,26 +165,26 @@ std::string zsh_completion(const std::vector<ManualVerb>& verbs) {
   return out.str();
 }
 
-std::string fish_completion(const std::vector<ManualVerb>& verbs) {
+std::string fish_completion() {
   std::ostringstream out;
   const std::string begin = "complete -c contactscope ";
   out << "# fish completion of contactscope; made by contactscope --manual fish\n"
       << begin << "-f\n"
-      << begin << "-n __fish_use_subcommand -l help -d 'Say what there is'\n"
+      << begin << "-n __fish_use_subcommand -l help -d 'Print the options'\n"
       << begin << "-n __fish_use_subcommand -l version\n"
       << begin << "-n __fish_use_subcommand -l manual -x -a 'man bash zsh fish'\n";
-  for (const ManualVerb& verb : verbs) {
+  for (const Verb& verb : verbs()) {
     out << begin << "-n __fish_use_subcommand -a " << verb.name << " -d "
         << quoted(verb.summary, "\\'") << '\n';
     const std::string here = begin + "-n '__fish_seen_subcommand_from " + verb.name + "' ";
-    out << here << "-l help -d 'Say what there is'\n";
-    for (const ManualArgument& argument : verb.arguments) {
+    out << here << "-l help -d 'Print the options'\n";
+    for (const Option* option : options_of(verb.name)) {
       const std::string values =
-          argument.takes_value ? fish_values(completion_of(argument)) : std::string();
-      if (argument.is_option())
-        out << here << "-l " << argument.name.substr(2) << " -d "
-            << quoted(escaped(argument.help, "\\"), "\\'") << values << '\n';
-      else if (completion_of(argument).kind == Kind::Scenario)
+          option->takes_value() ? snippets_of(option->values).fish : std::string();
+      if (!option->is_argument())
+        out << here << "-l " << option->name().substr(2) << " -d "
+            << quoted(escaped(option->description(), "\\"), "\\'") << values << '\n';
+      else if (option->values.kind == Kind::Scenario)
         out << here << "-F" << values << '\n';
       else
         out << here << (values == " -x" ? " -F" : values) << '\n';

@@ -1,16 +1,14 @@
 #include "app/cli/figure_options.h"
 
 #include <array>
-#include <charconv>
 #include <cstdio>
 #include <ostream>
 
-#include "app/cli/verbs.h"
+#include "app/cli/options.h"
 #include "core/at.h"
 #include "draw/scene/layout.h"
 #include "draw/scene/palette.h"
 #include "image/font.h"
-#include "scenario/nearest_word.h"
 
 namespace contactscope::app {
 namespace {
@@ -22,46 +20,6 @@ constexpr double kFigureMargin = 2;
 // Printed lines next to 8 point type are 0.5 to 1 point wide.
 constexpr double kPaperLines = 0.65;
 constexpr double kMinContrast = 4.5;  // of text with its background (WCAG 2.2, 1.4.3)
-
-FigureLength parse_length(const std::string& option, const std::string& text) {
-  struct Unit {
-    std::string_view name;
-    double points;  // 0: pixels
-  };
-  constexpr std::array<Unit, 5> kUnits{
-      {{"mm", 72 / 25.4}, {"cm", 720 / 25.4}, {"in", 72}, {"pt", 1}, {"px", 0}}};
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const std::string_view unit(end, static_cast<std::size_t>(text.data() + text.size() - end));
-  for (const Unit& known : kUnits) {
-    if (error != std::errc() || unit != known.name || !(value > 0) || value > 1e5) continue;
-    return {known.points > 0 ? value * known.points : value, known.points == 0};
-  }
-  throw UsageError(option + " '" + text +
-                   "' is no length; write a number and mm, cm, in, pt or px, as " +
-                   (option == "--font-size" ? "8pt" : "84mm"));
-}
-
-draw::Color parse_background(const std::string& text) {
-  if (text == "transparent") return {1, 1, 1, 0};
-  if (text == "white") return draw::kWhite;
-  unsigned hex = 0;
-  const char* const begin = text.data() + 1;
-  const char* const end = text.data() + text.size();
-  if (text.size() == 7 && text[0] == '#' && std::from_chars(begin, end, hex, 16).ptr == end)
-    return draw::rgb(hex);
-  throw UsageError("--background '" + text +
-                   "' is no colour; write transparent, white or #RRGGBB, as '#14171a'");
-}
-
-draw::Theme parse_theme(const std::string& text) {
-  const std::vector<std::string_view> names(draw::kThemeNames.begin(), draw::kThemeNames.end());
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (text == names[i]) return static_cast<draw::Theme>(i);
-  }
-  throw UsageError("--theme '" + text + "' is not known; " + did_you_mean(text, names) +
-                   "there is " + quoted_list(names));
-}
 
 std::string utf8_of(char32_t code) {
   const auto byte = [](char32_t bits) { return static_cast<char>(bits); };
@@ -86,13 +44,6 @@ void check_ground(const draw::FigureStyle& style) {
 }  // namespace
 
 void finish_figure(FigureOptions& figure, bool has_size) {
-  const auto read = [](const char* option, const std::string& text,
-                       std::optional<FigureLength>& length) {
-    if (!text.empty()) length = parse_length(option, text);
-  };
-  read("--width", figure.width_text, figure.width);
-  read("--height", figure.height_text, figure.height);
-  read("--font-size", figure.font_size_text, figure.font_size);
   if (figure.width && has_size) throw UsageError("--width and --size say the same; leave out one");
   if (figure.height && !figure.width)
     throw UsageError("--height goes with --width; write both, or --size WxH");
@@ -109,8 +60,8 @@ void finish_figure(FigureOptions& figure, bool has_size) {
   if (on_paper || (figure.font_size && !figure.font_size->in_pixels))
     style.points_per_pixel = 72 / figure.dpi;
   if (figure.font_size) style.type = draw::type_of_em(figure.font_size->pixels(figure.dpi));
-  if (!figure.theme_text.empty()) style.theme = parse_theme(figure.theme_text);
-  if (!figure.background_text.empty()) style.background = parse_background(figure.background_text);
+  style.theme = figure.theme;
+  style.background = figure.background;
   check_ground(style);
   if (figure.fonts.size() > 2)
     throw UsageError("--font is one file, or two with a comma between: regular,bold");

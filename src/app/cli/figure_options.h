@@ -9,11 +9,6 @@
 #include "draw/scene/drawing.h"
 #include "draw/scene/figure_style.h"
 
-namespace CLI {
-class App;
-class Option;
-}  // namespace CLI
-
 /// Options of figures for talks and papers, shared by all verbs that draw.
 namespace contactscope::app {
 
@@ -25,9 +20,8 @@ struct FigureLength {
   double pixels(double dpi) const { return in_pixels ? value : value * dpi / 72; }
 };
 
-/// The options as text, and their values.
+/// The options, as read.
 struct FigureOptions {
-  std::string width_text, height_text, font_size_text, background_text, theme_text;
   std::string words;               // a file, or the name of an installed one
   std::vector<std::string> fonts;  // regular, and optionally bold
   double dpi = 300;                // pixels per inch for physical sizes
@@ -35,18 +29,13 @@ struct FigureOptions {
   bool bare = false, no_title = false, no_legend = false, no_footer = false;
 
   std::optional<FigureLength> width{}, height{}, font_size{};
-  draw::FigureStyle style{};  // without `words`, which also depend on the scenario
+  draw::Theme theme = draw::Theme::Light;
+  std::optional<draw::Color> background{};
+
+  draw::FigureStyle style{};  // of all these, without `words`, which also depend on the scenario
 };
 
-/// Options of all figures, in the format of Verb::arguments.
-inline constexpr const char* kFigureArguments =
-    "--width --height --font-size --dpi --scale --line-width --bare --no-title --no-legend "
-    "--no-footer --background --theme --words --font";
-
-/// Adds the option of this name with its help; null if it is not one of a figure.
-CLI::Option* add_figure_option(CLI::App& verb, const std::string& name, FigureOptions& to);
-
-/// Parses the texts and opens the fonts. Throws UsageError, FontError.
+/// Checks options that depend on each other, sets `style` and opens the fonts. Throws UsageError, FontError.
 void finish_figure(FigureOptions& figure, bool has_size);
 
 /// Characters without a glyph in any font, over all drawings of a run.

@@ -75,13 +75,10 @@ ExitCode run_list(const Options& options) {
 }  // namespace
 
 Verb list_verb() {
-  return {"list",
-          "List what a scenario may name",
-          &run_list,
-          "[WHAT] --json",
-          {{"WHAT",
-            "scenarios, reducers, broad_phases, continuous, layers, panels, studies, or the words "
-            "in pictures"}}};
+  return {"list", "List scenarios, reducers, layers and other names", &run_list,
+          "Examples:\n"
+          "  contactscope list scenarios\n"
+          "Exit codes: 0 done, 2 an error."};
 }
 
 }  // namespace contactscope::app

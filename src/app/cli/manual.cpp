@@ -3,13 +3,6 @@
 #include <sstream>
 
 #include "app/cli/verbs.h"
-#include "app/render/formats/format.h"
-#include "core/at.h"
-#include "core/layers.h"
-#include "draw/scene/theme.h"
-#include "reduce/reducer.h"
-#include "scenario/nearest_word.h"
-#include "study/study.h"
 
 namespace contactscope::app {
 namespace {
@@ -31,56 +24,53 @@ std::string roff(const std::string& text) {
   return escaped;
 }
 
-void print_argument(const ManualArgument& argument, std::ostream& out) {
-  out << ".TP\n.B " << roff(argument.name);
-  if (argument.is_option() && argument.takes_value) out << " \\fIVALUE\\fR";
-  out << '\n' << roff(argument.help);
-  const Completion completion = completion_of(argument);
-  const bool is_named = argument.help.find(',') != std::string::npos;
-  if (!completion.words.empty() && !is_named) {
-    const char* before = argument.help.empty() ? "one of " : "; one of ";
-    for (const std::string& word : completion.words) {
+void print_option(const Option& option, std::ostream& out) {
+  out << ".TP\n.B " << roff(option.name());
+  if (!option.is_argument() && option.takes_value()) out << " \\fI" << roff(option.value) << "\\fR";
+  out << '\n' << roff(option.description());
+  // The words, unless the help names them.
+  const std::vector<std::string>& words = option.values.words;
+  if (!words.empty() && option.help.find(words.back()) == std::string::npos) {
+    const char* before = "; one of ";
+    for (const std::string& word : words) {
       out << before << roff(word);
       before = ", ";
     }
   }
-  if (!argument.otherwise.empty()) out << " (default: " << roff(argument.otherwise) << ')';
   out << '\n';
 }
 
-void print_verb(const ManualVerb& verb, std::ostream& out) {
+void print_verb(const Verb& verb, std::ostream& out) {
   out << ".SS \"contactscope " << roff(verb.name);
-  for (const ManualArgument& argument : verb.arguments) {
-    if (argument.is_option()) continue;
-    const std::string shown = argument.name + (argument.repeats ? "..." : "");
-    out << ' ' << roff(argument.is_optional ? "[" + shown + "]" : shown);
-  }
+  const std::vector<const Option*> options = options_of(verb.name);
+  for (const Option* option : options)
+    if (option->is_argument()) out << ' ' << roff(option->usage);
   out << " [OPTIONS]\"\n" << roff(verb.summary) << ".\n";
-  for (const ManualArgument& argument : verb.arguments) print_argument(argument, out);
+  for (const Option* option : options) print_option(*option, out);
   if (!verb.footer.empty()) out << ".PP\n.nf\n" << roff(verb.footer) << "\n.fi\n";
 }
 
 constexpr const char* kEnd = R"(.SH EXIT STATUS
 .TP
 .B 0
-the same, or done
+done, no difference
 .TP
 .B 1
 a difference, an unmet expectation or a wrong claim
 .TP
 .B 2
-trouble: a bad file, wrong usage, or no way to OpenGL
+an error: a bad file, wrong usage, or no OpenGL
 .SH ENVIRONMENT
 .TP
 .B CONTACTSCOPE_BACKEND
-auto, egl or osmesa, where \-\-backend does not say
+auto, egl or osmesa; \-\-backend overrides it
 .TP
 .B CI
-true or 1: check writes no snapshot
+true or 1: check writes no snapshots
 .SH FILES
 .TP
 .I scenarios/*/*.toml
-scenarios, by the names that \(lqcontactscope list scenarios\(rq prints
+scenarios; \(lqcontactscope list scenarios\(rq prints their names
 .TP
 .I *.jsonl
 traces of this program or of other engines; see src/trace/README.md of its sources
@@ -95,36 +85,7 @@ contactscope check
 
 }  // namespace
 
-Completion completion_of(const ManualArgument& argument) {
-  using Kind = Completion::Kind;
-  const std::string& name = argument.name;
-  const auto words = [](const auto& names) {
-    return mapped(names, [](const auto& word) { return std::string(word); });
-  };
-  const auto or_none = [](std::vector<std::string> names) {
-    names.insert(names.begin(), "none");
-    return names;
-  };
-  if (name == "--reducer") return {Kind::Words, words(names_in(reducers()))};
-  if (name == "--layers") return {Kind::List, or_none(words(kLayerNames))};
-  if (name == "--panels") return {Kind::List, or_none(words(kPanelNames))};
-  if (name == "--format") return {Kind::List, words(names_in(formats()))};
-  if (name == "--backend") return {Kind::Words, {"auto", "egl", "osmesa"}};
-  if (name == "--theme") return {Kind::Words, words(draw::kThemeNames)};
-  if (name == "--background") return {Kind::Words, {"transparent", "white"}};
-  if (name == "--words" || name == "--font" || name == "--junit" || name == "--markdown")
-    return {Kind::File};
-  if (name == "--pictures") return {Kind::Words, {"auto", "blocks", "sixel", "kitty", "none"}};
-  if (name == "NAME") return {Kind::Words, words(names_in(studies()))};
-  if (name == "WHAT") return {Kind::Words, kListed};
-  if (name == "SCENARIO") return {Kind::Scenario};
-  if (name == "FILE" || name == "--view") return {Kind::File};
-  if (name == "--out" || name == "--snapshots" || name == "--scenarios" || name == "DIR")
-    return {Kind::Folder};
-  return {};
-}
-
-std::string man_page(const std::string& version, const std::vector<ManualVerb>& verbs) {
+std::string man_page(const std::string& version) {
   std::ostringstream out;
   out << ".TH CONTACTSCOPE 1 \"\" \"contactscope " << roff(version) << "\" \"User Commands\"\n"
       << ".SH NAME\ncontactscope \\- draw and check contact manifolds of physics engines\n"
@@ -136,17 +97,16 @@ std::string man_page(const std::string& version, const std::vector<ManualVerb>& 
       << "every stage to PNG sequences without a display, and compares traces and pictures with\n"
       << "stored snapshots. \\-\\-help after a verb lists its options.\n"
       << ".SH VERBS\n";
-  for (const ManualVerb& verb : verbs) print_verb(verb, out);
+  for (const Verb& verb : verbs()) print_verb(verb, out);
   out << kEnd;
   return out.str();
 }
 
-std::string manual(const std::string& what, const std::string& version,
-                   const std::vector<ManualVerb>& verbs) {
-  if (what == "man") return man_page(version, verbs);
-  if (what == "bash") return bash_completion(verbs);
-  if (what == "zsh") return zsh_completion(verbs);
-  if (what == "fish") return fish_completion(verbs);
+std::string manual(const std::string& what, const std::string& version) {
+  if (what == "man") return man_page(version);
+  if (what == "bash") return bash_completion();
+  if (what == "zsh") return zsh_completion();
+  if (what == "fish") return fish_completion();
   throw UsageError("--manual '" + what + "' is not known; it is man, bash, zsh or fish");
 }
 

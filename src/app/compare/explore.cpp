@@ -237,21 +237,19 @@ ExitCode run_explore(const Options& options) {
 
 Verb explore_verb() {
   return {
-      "explore",
-      "Compare all reducers on a scenario's manifolds",
-      &run_explore,
-      std::string("SCENARIO --size ") + kFigureArguments +
-          " --table --json --frames --reducer --out --backend --view --jobs",
-      {{"SCENARIO", "A file or a name; or a trace, of whose points four are kept"},
-       {"--size", "WxH, default 1280x720, and 1280x1440 for more than 9 reducers"},
-       {"--json", "Print JSON lines, one a frame and pair"}},
-      R"(area: of the best that as many points can span. lost arm: how much shorter the lever of the
-kept points is than that of all, about the worst axis, as a share of the patch's radius (130 %
-when they are all on one side). depth error: of the plane through the kept depths. weight held:
-plumb below the centre of mass is the kept patch. ids changed: those that came or went.
-patch/bodies: the largest move of a kept point, or of their middle, from frame to frame over the
-largest move of the bodies' surfaces; inf where the bodies are at rest, - where nothing moves.
-ns: the median, the least, and the upper quartile of a call.)"};
+      "explore", "Compare all reducers on a scenario's manifolds", &run_explore,
+      R"(area: share of the largest area that as many points can span. lost arm: how much shorter the lever
+arm of the kept points is than that of all points, about the worst axis, as a share of the patch's
+radius (130 % when they are all on one side). depth error: of the plane through the kept depths.
+weight held: the centre of mass is above the kept patch. ids changed: ids that appeared or
+disappeared. patch/bodies: the largest move of a kept point, or of their centroid, from frame to frame,
+divided by the largest move of the bodies' surfaces; inf if the bodies rest, - if nothing moves.
+ns: median, minimum and upper quartile of the time of a call.
+
+Examples:
+  contactscope explore hull/eight_points_to_four
+  contactscope explore run.jsonl --table
+Exit codes: 0 done, 2 an error.)"};
 }
 
 }  // namespace contactscope::app

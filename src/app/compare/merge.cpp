@@ -125,14 +125,12 @@ ExitCode run_merge(const Options& options) {
 }  // namespace
 
 Verb merge_verb() {
-  return {"merge",
-          "Put together what check --shard or study --shard left",
-          &run_merge,
-          "DIR... --json --junit --markdown --github --out",
-          {{"DIR",
-            "What the shards had as --out, one for all or each its own; parts of a study in one "
-            "without parts of a check"},
-           {"--json", "Print what was found as JSON"}}};
+  return {
+      "merge", "Join the parts of check --shard or study --shard", &run_merge,
+      "Examples:\n"
+      "  contactscope merge shards --out out --junit junit.xml\n"
+      "  contactscope merge soak\n"
+      "Exit codes: 0 no difference, 1 a difference, 2 an error, such as a part that is missing."};
 }
 
 }  // namespace contactscope::app

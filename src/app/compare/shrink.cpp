@@ -191,18 +191,14 @@ ExitCode run_shrink(const Options& options) {
 Verb shrink_verb() {
   return {
       "shrink",
-      "Find the smallest pair that still shows something, and write it as a scenario",
+      "Find the smallest pair for which a condition still holds, and write it as a scenario",
       &run_shrink,
-      "FILE --while --frames --pair --time-limit --json --out",
-      {{"FILE", "A scenario, which is run, or a trace of any engine, - for the standard input"},
-       {"--frames", "Look in frames A:B[:STEP] alone, B inclusive"},
-       {"--pair", "Look at two shapes alone, A,B"},
-       {"--json", "Print what was found as JSON"}},
-      R"(--while takes what has to stay: numbers, texts in quotes and SIDE.QUANTITY, with + - * /, == != < <= > >=,
-and, or, not, parentheses, abs(x) and angle(SIDE, SIDE), degrees between two normals. A side is float, double,
-recorded (what a trace claims), or an engine of `versus`; without one it is the file as it stands. Quantities:
-points, manifolds, separation, touching, overlap, axis, type, ids, normal_x, normal_y, normal_z. lint.CAUSE is what
-`lint` finds, lint all of it; unmet are the expectations of a scenario that do not hold.
+      R"(The condition consists of numbers, texts in quotes and SIDE.QUANTITY, with + - * /, == != < <= > >=,
+and, or, not, parentheses, abs(x) and angle(SIDE, SIDE), degrees between two normals. A side is float,
+double, recorded (the claims of a trace), or an engine of `versus`; without one it is the file as it is.
+Quantities: points, manifolds, separation, touching, overlap, axis, type, ids, normal_x, normal_y,
+normal_z. lint.CAUSE is the number of findings of `lint` with that cause, lint of all of them; unmet is
+the number of expectations of a scenario that do not hold.
 
 Examples:
   contactscope shrink hull/far_away --while 'float.points != double.points'
@@ -210,9 +206,10 @@ Examples:
   contactscope shrink mine/stack.toml --while unmet
   contactscope shrink round --while 'abs(bullet.separation - double.separation) > 0.001'
 
-Vertices are left out, settings and turns dropped and numbers rounded as long as it holds. The scenario is written to
-OUT/shrink with what is right, as an expectation: what the file expected, else what double has.
-Exit codes: 0 it is written, 1 no two shapes show it by themselves, 2 trouble.)"};
+Vertices and settings are removed, rotations dropped and numbers rounded while the condition holds. The
+scenario is written to OUT/shrink, with the right result as an expectation: that of the file, else that
+of double.
+Exit codes: 0 it is written, 1 no pair alone satisfies the condition, 2 an error.)"};
 }
 
 }  // namespace contactscope::app

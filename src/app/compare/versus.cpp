@@ -250,27 +250,27 @@ ExitCode run_versus(const Options& options) {
 
 Verb versus_verb() {
   return {
-      "versus",
-      "Ask several engines for the contacts of the same shapes, and judge them",
-      &run_versus,
-      "SCENARIO... --engines --rollout --time-limit --size --table --json --frames --out --backend "
-      "--jobs",
-      {{"SCENARIO", "Files, folders or names; or traces, whose own contacts take part"},
-       {"--json", "Print what was found as JSON"},
-       {"--frames", "Frames A:B[:STEP], B inclusive; with --rollout the last of them is drawn"}},
-      R"(pairs: judged, each in each frame. missed: they overlap, and no contact is told; invented: they are
-apart, and an overlap is told. depth error: of the deepest point, from the least overlap of the shapes.
-normal costs: how much more overlap there is along the engine's normal than along the best. area: of
-the patch that all points would span. ids kept: from the frame before; with a ~ where the engine
-tells none, by ids made up from geometry. lint: what `contactscope lint` says of the engine's answer.
-With --rollout each engine steps the scene by itself. rest: bodies that stand at the start and should stay;
-fell: how many of them sank by half of their thickness; at s: when the first did. drift: how far the farthest of them
-was from its start, ever. deepest: overlap of any two shapes, by their exact geometry. passed:
-bodies that went through another shape between two frames. gained: the most that the
-energy rose above any that it had before. points: that act, a frame. Exit code 1 where an engine does not get to
-the end, or what stands or is stopped in one falls or passes in another.
-An engine is any program contactscope-engine-NAME, see src/versus/README.md. Exit code 1 where one is
-wrong or does not answer.)"};
+      "versus", "Compare the contacts of several engines on the same shapes", &run_versus,
+      R"(pairs: compared, each in each frame. missed: the shapes overlap, but the engine reports no contact.
+invented: the shapes are separated, but the engine reports an overlap. depth error: of the deepest
+point, compared with the least overlap of the shapes. normal costs: how much more overlap there is along
+the engine's normal than along the best one. area: of the patch that all points span. ids kept: from the
+frame before; with a ~ if the engine has no ids, and they are derived from geometry. lint: findings of
+`contactscope lint` in the engine's answer.
+
+With --rollout each engine steps the scene itself. rest: bodies that stand at the start and should stay.
+fell: how many of them sank by half of their thickness; at s: when the first did. drift: the largest
+distance of one of them from its start, at any time. deepest: overlap of any two shapes, by their exact
+geometry. passed: bodies that went through another shape between two frames. gained: the largest rise of
+the energy above an earlier value. points: active contact points per frame.
+
+An engine is any program contactscope-engine-NAME, see src/versus/README.md.
+
+Examples:
+  contactscope versus round --engines contactscope,bullet
+  contactscope versus solver/stack_of_ten --rollout
+Exit codes: 0 every engine is right; 1 an engine is wrong, does not answer or does not reach the end, or
+a body falls or passes in one engine that stands or is stopped in another; 2 an error.)"};
 }
 
 }  // namespace contactscope::app

@@ -116,7 +116,7 @@ std::string words_path(const std::string& named) {
 FigureCanvas canvas_of(const trace::Header& header, const std::vector<trace::Frame>& frames,
                        const View& view, const Options& options, Size otherwise,
                        std::shared_ptr<const Words> words) {
-  const FigureOptions& figure = options.figure;
+  const FigureOptions& figure = options;
   FigureCanvas canvas{options.size.value_or(otherwise), figure.style};
   canvas.style.words = std::move(words);
   if (!figure.width) return canvas;
@@ -140,8 +140,7 @@ std::shared_ptr<const Words> words_of(const Input& input, const Options& options
   } else {
     words = load_words(input.scenario.path, names);
   }
-  if (!options.figure.words.empty())
-    words.replace(load_words(words_path(options.figure.words), names));
+  if (!options.words.empty()) words.replace(load_words(words_path(options.words), names));
   return words.empty() ? nullptr : std::make_shared<const Words>(std::move(words));
 }
 

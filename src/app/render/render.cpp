@@ -208,18 +208,12 @@ ExitCode run_render(const Options& options) {
 }  // namespace
 
 Verb render_verb() {
-  return {"render",
-          "Write pictures: PNG, vector files, pages, animations",
-          &run_render,
-          std::string("SCENARIO... --size ") + kFigureArguments +
-              " --layers --panels --pair --shapes --eye --target --fov --camera --orthographic "
-              "--timing --format --strip --columns --sheet --fps --anchors --json --frames "
-              "--reducer --out "
-              "--backend --view --jobs --shard",
-          {{"SCENARIO",
-            "Files, folders, or names as hull/face_contact; a trace (*.jsonl) is drawn too"},
-           {"--json", "Print the paths of the pictures as JSON"},
-           {"--shard", "Only part K of N of the scenarios, as 2/5; their pictures are in --out"}}};
+  return {"render", "Write pictures: PNG, vector files, pages, animations", &run_render,
+          "Examples:\n"
+          "  contactscope render hull/face_contact\n"
+          "  contactscope render hull/face_contact --format svg,pdf --frames 12\n"
+          "  contactscope render run.jsonl --pair crate,floor --camera 4,2,4,0,0,0,30\n"
+          "Exit codes: 0 done, 2 an error."};
 }
 
 }  // namespace contactscope::app

@@ -32,7 +32,7 @@ bool has_cells(const View& view) {
 FigureCanvas page_canvas(const trace::Header& header, const std::vector<trace::Frame>& frames,
                          const View& view, const Options& options, int width,
                          const std::shared_ptr<const Words>& words) {
-  const bool has_height = options.size || options.figure.height;
+  const bool has_height = options.size || options.height;
   FigureCanvas canvas = canvas_of(header, frames, view, options, Size{width, width}, words);
   if (!has_height) canvas.size.height = 0;
   return canvas;

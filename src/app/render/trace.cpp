@@ -26,11 +26,10 @@ ExitCode run_trace(const Options& options) {
 }  // namespace
 
 Verb trace_verb() {
-  return {"trace",
-          "Print the pipeline's facts as JSON lines",
-          &run_trace,
-          "SCENARIO --json --frames --reducer",
-          {{"SCENARIO", "A file or a name"}, {"--json", "Accepted; a trace is always JSON lines"}}};
+  return {"trace", "Print the pipeline's facts as JSON lines", &run_trace,
+          "Examples:\n"
+          "  contactscope trace hull/face_contact | jq .pairs\n"
+          "Exit codes: 0 done, 2 an error."};
 }
 
 }  // namespace contactscope::app

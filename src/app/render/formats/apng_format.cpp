@@ -26,7 +26,7 @@ class ApngAnimation : public Animation {
 const Format kApngFormat{
     .name = "apng",
     .extension = ".apng",
-    .what = "an animated PNG, a file a sequence",
+    .what = "an animated PNG, one file per sequence",
     .needs_pixels = true,
     .begin =
         [](const ReelPlan& plan) { return reel_of(plan, std::make_unique<ApngAnimation>(plan)); },

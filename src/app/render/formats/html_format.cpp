@@ -29,7 +29,7 @@ class HtmlReel : public Reel {
 const Format kHtmlFormat{
     .name = "html",
     .extension = ".html",
-    .what = "a page with a slider and the trace's facts, a file a sequence",
+    .what = "a page with a slider and the trace's facts, one file per sequence",
     .begin = [](const ReelPlan& plan) -> std::unique_ptr<Reel> {
       return std::make_unique<HtmlReel>(plan);
     },

@@ -178,7 +178,7 @@ class Mp4Animation : public Animation {
 const Format kMp4Format{
     .name = "mp4",
     .extension = ".mp4",
-    .what = "a film, made by ffmpeg where it is installed",
+    .what = "a film, made by ffmpeg if it is installed",
     .needs_pixels = true,
     .begin =
         [](const ReelPlan& plan) { return reel_of(plan, std::make_unique<Mp4Animation>(plan)); },

@@ -8,7 +8,7 @@ namespace contactscope::app {
 const Format kPdfFormat{
     .name = "pdf",
     .extension = ".pdf",
-    .what = "a page of vectors, a file a frame",
+    .what = "a page of vectors, one file per frame",
     .encode =
         [](const Shot& shot) {
           const std::string pdf = vector::pdf_of(*shot.drawing, {.origin = &shot.origin});

@@ -6,7 +6,7 @@ namespace contactscope::app {
 const Format kPngFormat{
     .name = "png",
     .extension = ".png",
-    .what = "pixels, a file a frame",
+    .what = "pixels, one file per frame",
     .needs_pixels = true,
     .encode =
         [](const Shot& shot) {

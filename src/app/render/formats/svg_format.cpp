@@ -7,7 +7,7 @@ namespace contactscope::app {
 const Format kSvgFormat{
     .name = "svg",
     .extension = ".svg",
-    .what = "vectors with live text, a file a frame",
+    .what = "vectors with live text, one file per frame",
     .encode =
         [](const Shot& shot) {
           static vector::FontFaces faces;  // shared: pictures of a run use the same glyphs

@@ -38,7 +38,7 @@ class WebpReel : public Animation {
 const Format kWebpFormat{
     .name = "webp",
     .extension = ".webp",
-    .what = "lossless WebP, animated where there are several frames",
+    .what = "lossless WebP, animated if there are several frames",
     .needs_pixels = true,
     .encode = [](const Shot& shot) { return encode_webp(*shot.image, xmp_of(shot.origin)); },
     .begin = [](const ReelPlan& plan) { return reel_of(plan, std::make_unique<WebpReel>(plan)); },

@@ -1,0 +1,301 @@
+#include <algorithm>
+#include <array>
+#include <sstream>
+
+#include "app/cli/option_readers.h"
+#include "app/cli/options.h"
+#include "app/render/formats/format.h"
+#include "core/at.h"
+#include "draw/scene/theme.h"
+#include "reduce/reducer.h"
+#include "scenario/nearest_word.h"
+#include "study/study.h"
+
+namespace contactscope::app {
+namespace {
+
+using Kind = OptionValues::Kind;
+
+const OptionValues kAny{}, kScenario{Kind::Scenario}, kFile{Kind::File}, kFolder{Kind::Folder};
+constexpr bool kUnrecorded = false;
+
+template <class Names>
+OptionValues named(Kind kind, const Names& names) {
+  return {kind, mapped(names, [](const auto& name) { return std::string(name); })};
+}
+
+template <class Names>
+OptionValues list_or_none(const Names& names) {
+  OptionValues values = named(Kind::List, names);
+  values.words.insert(values.words.begin(), "none");
+  return values;
+}
+
+OptionValues only(const std::vector<std::string>& names) {
+  return {Kind::Words, names, true};
+}
+
+OptionValues implied(const std::string& value) {
+  return {.implied = value};
+}
+
+OptionValues between(double min, double max) {
+  return {.min = min, .max = max};
+}
+
+std::string help_of_formats() {
+  std::string help = "Formats, as png,apng:";
+  for (const Format& format : formats())
+    help += (help.ends_with(':') ? " " : "; ") + std::string(format.name) + " (" +
+            std::string(format.what) + ")";
+  return help;
+}
+
+/// The default of an option; empty if it is zero or not set.
+std::string default_of(const Target& to) {
+  static const Options defaults;
+  std::ostringstream text;
+  std::visit(
+      [&](auto member) {
+        if constexpr (requires { text << defaults.*member; })
+          if (defaults.*member != std::decay_t<decltype(defaults.*member)>{})
+            text << defaults.*member;
+      },
+      to);
+  return text.str();
+}
+
+}  // namespace
+
+const std::vector<Option>& option_table() {
+  constexpr auto kInputs = &Options::scenarios;
+  const std::string drawing = "render explore";
+  static const std::vector<Option> table = {
+      {"SCENARIO...", "", "render", kInputs,
+       "Files, folders, or names such as hull/face_contact; traces (*.jsonl) are drawn too",
+       kScenario},
+      {"SCENARIO...", "", "versus", kInputs,
+       "Files, folders or names; or traces, whose own contacts are judged too", kScenario},
+      {"[SCENARIO...]", "", "check", kInputs,
+       "Scenarios, or traces of any engine; default: all scenarios. With --accept: the findings to "
+       "accept",
+       kScenario},
+      {"SCENARIO", "", "trace", kInputs, "A file or a name", kScenario},
+      {"SCENARIO", "", "explore", kInputs,
+       "A file or a name; or a trace, whose points are reduced to four", kScenario},
+      {"NAME", "", "study", &Options::study, "A name that `list studies` prints",
+       named(Kind::Words, names_in(studies()))},
+      {"[SCENARIO...]", "", "study", kInputs,
+       "For flip_distance: the scenarios with the pairs; other studies make their own cases",
+       kScenario},
+      {"FILE...", "", "lint", kInputs,
+       "Traces of any engine, - for the standard input; or scenarios, which are run", kFile},
+      {"[FILE...]", "", "doctor", kInputs,
+       "Scenarios and traces to inspect: their content, and what `lint` finds in traces", kFile},
+      {"FILE", "", "shrink", kInputs,
+       "A scenario, which is run, or a trace of any engine, - for the standard input", kFile},
+      {"KEY...", "", "show", kInputs,
+       "Findings, such as hull/face_contact/frame_0012, folders, or patterns with *"},
+      {"DIR...", "", "merge", kInputs,
+       "The folders that the shards had as --out, one for all or one each. Parts of a study and of "
+       "a check need separate folders",
+       kFolder},
+      {"[WHAT]", "", "list", &Options::what,
+       "scenarios, reducers, broad_phases, continuous, layers, panels, studies, or words, the "
+       "texts "
+       "in pictures",
+       only(kListed)},
+      {"[VERB]", "", "help", &Options::what, "A verb that contactscope --help lists"},
+
+      {"--engines", "NAME,...", "versus", &Options::engines,
+       "Engines, as contactscope,bullet; default: all that are found"},
+      {"--rollout", "", "versus", &Options::rollout,
+       "Each engine steps the dynamic scene itself; judge the motion"},
+      {"--while", "EXPRESSION", "shrink", &Options::condition,
+       "The condition to preserve, as 'float.points != double.points'; see below"},
+      {"--snapshots", "DIR", "check", &Options::snapshot_root, "Folder of the stored snapshots",
+       kFolder},
+      {"--write-missing", "", "check", &Options::write_missing,
+       "Store snapshots that are missing; change no others"},
+      {"--update", "", "check", read<&Options::update, parse_update>,
+       "Replace the snapshots that fail, or with --update=all all of them", implied("failed")},
+      {"--accept", "", "check", &Options::accept,
+       "Store the results of the last report without running anything. Names are such as "
+       "hull/face_contact/frame_0012, folders, or patterns with *"},
+      {"--as", "WORD", "check", &Options::accept_as,
+       "Accept as a further version next to the stored one: osmesa for the picture of that driver, "
+       "bad_31 for a bug that `check` should recognize"},
+      {"--note", "TEXT", "check", &Options::note, "Comment that is stored with --as bad_31"},
+      {"--facts-only", "", "check", &Options::facts_only,
+       "Compare traces and expectations; draw nothing, open no OpenGL"},
+      {"--list", "", "review", &Options::list_only, "Print one line per finding; ask nothing"},
+      {"--from", "FILE", "review", &Options::from,
+       "Apply the decisions in a file, {\"accept\": [...], \"reject\": [...]}, which report.html "
+       "saves; - is the standard input",
+       kFile},
+      {"--pictures", "METHOD", "show", &Options::pictures,
+       "How the terminal draws: blocks, sixel, kitty, none",
+       only({"auto", "blocks", "sixel", "kitty", "none"})},
+
+      {"--size", "WxH", "render explore study versus", read<&Options::size, parse_size>,
+       "Default 1280x720, and 1280x1440 to compare more than 9 reducers or methods"},
+      {"--width", "LENGTH", drawing, read<&Options::width, parse_length>,
+       "Width of the figure, as 84mm, 8.4cm, 3.3in, 240pt or 992px, instead of --size; the layout "
+       "adapts"},
+      {"--height", "LENGTH", drawing, read<&Options::height, parse_length>,
+       "Height, with --width; default: as much as the content needs"},
+      {"--font-size", "LENGTH", drawing, read<&Options::font_size, parse_length>,
+       "Font size of legends and panels, as 8pt; default 8pt if --width is in mm, cm, in or pt"},
+      {"--dpi", "NUMBER", drawing, &Options::dpi, "Pixels per inch of --width and --font-size",
+       between(36, 2400)},
+      {"--scale", "FACTOR", drawing, &Options::scale, "Factor of all sizes: text, lines and marks",
+       between(0.1, 10)},
+      {"--line-width", "FACTOR", drawing, &Options::line_width, "Factor of line widths",
+       between(0.1, 10)},
+      {"--bare", "", drawing, &Options::bare, "Without title, legend and footer"},
+      {"--no-title", "", drawing, &Options::no_title, "Without the title"},
+      {"--no-legend", "", drawing, &Options::no_legend, "Without the legend"},
+      {"--no-footer", "", drawing, &Options::no_footer, "Without source, frame and time"},
+      {"--background", "COLOUR", drawing, read<&Options::background, parse_background>,
+       "transparent, white or #RRGGBB; default: the theme's",
+       named(Kind::Words, std::array{"transparent", "white"})},
+      {"--theme", "NAME", drawing, read<&Options::theme, parse_theme>,
+       "Colours: light, dark, grey or print", named(Kind::Words, draw::kThemeNames)},
+      {"--words", "FILE", drawing, &Options::words,
+       "TOML file with replacements of the texts in pictures; or de, which is installed", kFile},
+      {"--font", "FILE,...", drawing, &Options::fonts,
+       "TrueType file for characters that the built-in font lacks; or two, regular,bold", kFile},
+
+      {"--layers", "NAME,...", "render", read<&Options::layers, parse_layers>,
+       "Layers to draw instead of those of the views, as shapes,contacts; or none",
+       list_or_none(kLayerNames)},
+      {"--panels", "NAME,...", "render", read<&Options::panels, parse_panels>,
+       "Panels to draw instead of those of the views, as summary,contact_plane; or none",
+       list_or_none(kPanelNames)},
+      {"--pair", "A,B", "render", &Options::pair, "Show only these two shapes and their contacts"},
+      {"--pair", "A,B", "shrink", &Options::pair, "Search only these two shapes"},
+      {"--shapes", "NAME,...", "render", &Options::shapes,
+       "Show only these shapes, as crate,floor"},
+      {"--eye", "X,Y,Z", "render", &Options::eye, "Position of the camera in metres"},
+      {"--target", "X,Y,Z", "render", &Options::target,
+       "Point that the camera looks at, in metres"},
+      {"--fov", "DEGREES", "render", &Options::fov_degrees, "Field of view of the camera",
+       between(1, 150)},
+      {"--camera", "NUMBER,...", "render", &Options::camera,
+       "Eye, target and field of view at once, as 4,2,4,0,0,0,30"},
+      {"--orthographic", "", "render", read<&Options::orthographic_height, parse_orthographic>,
+       "Without perspective; --orthographic=1.5 shows 1.5 m of height", implied("fitted")},
+      {"--timing", "", "render", &Options::timing,
+       "Show the measured time of the pipeline in the summary panel"},
+      {"--format", "NAME,...", "render", &Options::formats, help_of_formats(),
+       named(Kind::List, names_in(formats())), kUnrecorded},
+      {"--strip", "N", "render", &Options::strip,
+       "One picture of N frames, side by side, with one legend"},
+      {"--columns", "N", "render", &Options::columns,
+       "Columns of --strip or --sheet; default: up to four"},
+      {"--sheet", "", "render", &Options::sheet,
+       "One picture of all scenarios, a thumbnail of each with its name"},
+      {"--fps", "NUMBER", "render", &Options::fps,
+       "Pictures per second of an animation, instead of the times of the frames",
+       between(0.1, 240)},
+      {"--anchors", "", "render", &Options::anchors,
+       "Also write a JSON file per picture with the places of points, faces and labels in it", kAny,
+       kUnrecorded},
+
+      {"--cases", "N", "study", &Options::cases,
+       "Cases per point of a line; default: the study's. With --shard: of all parts together; "
+       "default 100000",
+       between(1, 2000000000)},
+      {"--seed", "N", "study", &Options::seed, "Seed of the random cases"},
+      {"--table", "", "explore study versus", &Options::tables_only,
+       "Write no pictures, and open no OpenGL"},
+      {"--json", "", "render", &Options::json, "Print the paths of the pictures as JSON", kAny,
+       kUnrecorded},
+      {"--json", "", "trace", &Options::json, "Accepted; a trace is always JSON lines"},
+      {"--json", "", "check", &Options::json,
+       "Print the findings as JSON, the content of OUT/check/findings.json"},
+      {"--json", "", "review lint versus shrink doctor list merge", &Options::json,
+       "Print as JSON"},
+      {"--json", "", "explore", &Options::json, "Print JSON lines, one per frame and pair"},
+      {"--json", "", "study", &Options::json, "Also print the results as JSON lines"},
+      {"--junit", "FILE", "check merge", &Options::junit,
+       "Also write a JUnit XML file, with pictures attached", kFile},
+      {"--markdown", "FILE", "check merge", &Options::markdown,
+       "Also write a summary in Markdown, with small pictures in it", kFile},
+      {"--github", "", "check merge", &Options::github,
+       "Also print annotations for GitHub, one per cause"},
+      {"--frames", "A:B[:STEP]", "render trace explore study lint versus shrink",
+       read<&Options::frames, parse_frames>,
+       "Only frames A to B, B included. `versus --rollout` draws the last of them", kAny,
+       kUnrecorded},
+      {"--reducer", "NAME", "render trace explore", &Options::reducer, "Reducer for every pair",
+       named(Kind::Words, names_in(reducers()))},
+      {"--time-limit", "SECONDS", "versus shrink", &Options::time_limit,
+       "Time that the program of an engine may take", between(0.01, 1e6)},
+      {"--shard", "K/N", "render", read<&Options::shard, parse_shard>,
+       "Only part K of N of the scenarios, as 2/5; their pictures are in --out", kAny, kUnrecorded},
+      {"--shard", "K/N", "check", read<&Options::shard, parse_shard>,
+       "Only part K of N of all scenarios, as 2/5; `merge` joins the parts"},
+      {"--shard", "K/N", "study", read<&Options::shard, parse_shard>,
+       "For stability: judge only part K of N of the --cases random pairs, as 2/5, and store only "
+       "sums; `merge` joins the parts"},
+      {"--times", "FILE", "check", &Options::times,
+       "Times of the scenarios in an earlier run, OUT/check/times.json, to balance --shard", kFile},
+      {"--fresh", "", "check", &Options::fresh,
+       "Also run scenarios that have not changed since the last check"},
+      {"--out", "DIR", "render check review show explore study versus shrink merge", &Options::out,
+       "Folder to write to", kFolder, kUnrecorded},
+      {"--backend", "NAME", "render check explore study versus",
+       read<&Options::backend, parse_backend>,
+       "auto, egl or osmesa; default: $CONTACTSCOPE_BACKEND, else auto",
+       named(Kind::Words, std::array{"auto", "egl", "osmesa"}), kUnrecorded},
+      {"--view", "NAME", "render check explore", &Options::view,
+       "Only this view; for a trace FILE.toml, or FILE.toml:NAME, which contains views", kFile,
+       kUnrecorded},
+      {"--jobs", "N", "render explore versus", &Options::jobs,
+       "Encoder threads; 0: one per processor", between(0, 256), kUnrecorded},
+      {"--scenarios", "DIR", "", &Options::scenario_root,
+       "Folder in which scenario names are looked up", kFolder, kUnrecorded},
+      {"--quiet", "", "", &Options::quiet, "Print only results and errors", kAny, kUnrecorded},
+      {"--verbose", "", "", &Options::verbose,
+       "Print what ran, how long it took, and what was left out", kAny, kUnrecorded},
+  };
+  return table;
+}
+
+std::vector<const Option*> options_of(const std::string& verb) {
+  std::vector<const Option*> found;
+  for (const Option& option : option_table())
+    if (option.verbs.empty() ||
+        (" " + option.verbs + " ").find(" " + verb + " ") != std::string::npos)
+      found.push_back(&option);
+  return found;
+}
+
+std::string Option::name() const {
+  std::string plain = usage;
+  std::erase_if(plain, [](char c) { return c == '[' || c == ']' || c == '.'; });
+  return plain;
+}
+
+bool Option::takes_value() const {
+  return !std::holds_alternative<bool Options::*>(to) && values.implied.empty();
+}
+
+bool Option::repeats() const {
+  if (is_argument()) return usage.find("...") != std::string::npos;
+  return values.kind == Kind::List ||
+         std::holds_alternative<std::vector<std::string> Options::*>(to) ||
+         std::holds_alternative<std::vector<double> Options::*>(to);
+}
+
+std::string Option::description() const {
+  std::ostringstream notes;
+  notes.precision(10);
+  if (values.min < values.max) notes << values.min << " to " << values.max;
+  const std::string otherwise = default_of(to);
+  if (!otherwise.empty()) notes << (notes.str().empty() ? "" : "; ") << "default: " << otherwise;
+  return notes.str().empty() ? help : help + " (" + notes.str() + ")";
+}
+
+}  // namespace contactscope::app

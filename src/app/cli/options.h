@@ -1,0 +1,185 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "app/cli/figure_options.h"
+#include "core/layers.h"
+#include "gl/context.h"
+#include "snapshot/verdict.h"
+
+namespace contactscope::app {
+
+/// "A:B[:STEP]", B inclusive; "A" alone is one frame.
+struct FrameRange {
+  int first = 0;
+  int last = 0;
+  int step = 1;
+
+  bool names(int frame) const {
+    return frame >= first && frame <= last && (frame - first) % step == 0;
+  }
+};
+
+struct Size {
+  int width = 1280;
+  int height = 720;
+};
+
+/// Default size of a picture that compares `methods` reducers or other methods: taller for more
+/// than nine, to keep them legible.
+inline Size roomy_size(std::size_t methods) {
+  return methods > 9 ? Size{1280, 1440} : Size{};
+}
+
+/// Invalid command line; what() has the problem and the remedy. Exit status 2.
+class UsageError : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Options of `render`, and of other verbs that draw.
+struct PictureOptions : FigureOptions {
+  std::optional<Size> size;
+  gl::Backend backend = gl::Backend::Auto;
+  std::vector<std::string> formats = {"png"};
+  std::optional<double> fps;        // pictures per second of animations; nullopt: by frame times
+  std::optional<int> strip;         // number of frames in one picture
+  std::optional<int> columns;       // of a strip or sheet
+  bool sheet = false;               // one picture of all scenarios
+  bool anchors = false;             // also write the positions of objects in each picture
+  bool timing = false;              // show run times
+  std::string given;                // other arguments that pictures depend on, " --size 640x360"
+  std::string view;                 // a name; for traces also a TOML file, or file:name
+  std::vector<std::string> pair;    // two shapes; hides all others
+  std::vector<std::string> shapes;  // shapes to show; empty: all
+  std::vector<double> eye, target;  // camera, metres; empty: the view's
+  double fov_degrees = 0;           // 0: the view's
+  std::vector<double> camera;       // eye, target and optionally field of view
+  std::optional<double> orthographic_height;  // metres; 0: fitted; nullopt: the view's projection
+  std::optional<std::vector<Layer>> layers;   // for every view, instead of its own
+  std::optional<std::vector<Panel>> panels;
+};
+
+/// Options of `check`, and of the verbs for its report.
+struct CheckOptions {
+  std::string snapshot_root = "snapshots";
+  snapshot::Update update = snapshot::Update::None;
+  bool write_missing = false;            // store what has no snapshot
+  bool facts_only = false;               // draw nothing
+  bool accept = false;                   // accept findings of the last report
+  std::string accept_as;                 // with an extra word: "osmesa"
+  std::string note;                      // text stored with it
+  bool list_only = false;                // `review` only prints the list
+  std::string from;                      // file of decisions for `review`
+  std::string junit, markdown;           // output files
+  bool github = false;                   // annotations on standard output
+  std::string pictures = "auto";         // for `show`: method of drawing in a terminal
+  std::optional<snapshot::Shard> shard;  // part of all scenarios
+  std::string times;                     // file with the cost of each scenario
+  bool fresh = false;                    // also check scenarios that have not changed
+};
+
+/// Options of `explore`, `study`, `versus` and `shrink`.
+struct CompareOptions {
+  std::vector<std::string> engines;  // empty: all that are found
+  bool rollout = false;              // engines step the scene themselves
+  double time_limit = 60;            // seconds, for an engine's program
+  std::string condition;             // for `shrink`: expression to preserve
+  std::string study;                 // name of the study to run
+  std::uint64_t seed = 1;            // for its cases
+  std::optional<int> cases;          // per point of a study; nullopt: the study's default
+  bool tables_only = false;          // draw nothing
+};
+
+struct Options : PictureOptions, CheckOptions, CompareOptions {
+  std::vector<std::string> scenarios;  // or other files, folders or names
+  std::string what;                    // argument of `list` and `help`
+  std::string scenario_root = "scenarios";
+  std::string out = "out";
+  std::optional<FrameRange> frames;
+  std::string reducer;  // instead of the scenario's
+  int jobs = 0;         // 0: number of processors
+  bool json = false, quiet = false, verbose = false;
+
+  /// Indices of frames selected by --frames; all without it.
+  std::vector<int> selected(int frame_count) const {
+    std::vector<int> list;
+    for (int f = 0; f < frame_count; ++f) {
+      if (!frames || frames->names(f)) list.push_back(f);
+    }
+    return list;
+  }
+};
+
+/// Reads the text of an option, several values with commas between them, into a member of Options.
+/// Throws UsageError.
+using Reader = void (*)(Options& to, const std::string& option, const std::string& text);
+
+/// Where the value of an option goes.
+using Target =
+    std::variant<bool Options::*, int Options::*, double Options::*, std::uint64_t Options::*,
+                 std::optional<int> Options::*, std::optional<double> Options::*,
+                 std::string Options::*, std::vector<std::string> Options::*,
+                 std::vector<double> Options::*, Reader>;
+
+/// Values of an option, for shells and range checks.
+struct OptionValues {
+  enum class Kind { Free, Words, List, Scenario, File, Folder };
+  Kind kind = Kind::Free;
+  std::vector<std::string> words{};  // for Words, and for List, which separates them by commas
+  bool is_closed = false;            // other words are errors of usage
+  std::string implied{};             // value of an option that may stand without one
+  double min = 0, max = 0;           // of a number; equal: no limit
+};
+
+/// An option or argument, as one or several verbs take it. Parsing, help, man page and completions
+/// follow from it.
+struct Option {
+  // "--size"; or an argument, "SCENARIO": in brackets where it is optional, with dots where it
+  // repeats.
+  std::string usage;
+  std::string value;  // placeholder of its value in the help: "WxH"
+  std::string verbs;  // "render explore"; empty: all
+  Target to;
+  std::string help;
+  OptionValues values{};
+  // Part of the command in the metadata of pictures. Not if pictures do not depend on it, or if
+  // each picture adds its own.
+  bool is_recorded = true;
+
+  /// "--size", or "SCENARIO".
+  std::string name() const;
+  bool is_argument() const { return !usage.starts_with("--"); }
+  bool is_required() const { return is_argument() && !usage.starts_with('['); }
+  /// Whether a value follows the name.
+  bool takes_value() const;
+  /// An argument that repeats, or an option with a list of values.
+  bool repeats() const;
+  /// Help, limits and default in one line.
+  std::string description() const;
+};
+
+/// All options, in the order of the help.
+const std::vector<Option>& option_table();
+
+/// Those of a verb.
+std::vector<const Option*> options_of(const std::string& verb);
+
+/// Arguments of `list`.
+inline const std::vector<std::string> kListed = {
+    "scenarios", "reducers", "broad_phases", "continuous", "layers", "panels", "studies", "words"};
+
+/// Uses $CONTACTSCOPE_BACKEND, if it is set. Throws UsageError.
+void use_backend_of_environment(Options& options);
+
+/// Checks options that depend on each other, and derives what follows from several. Throws
+/// UsageError, FontError.
+void finish(Options& options);
+
+}  // namespace contactscope::app
