@@ -183,7 +183,7 @@ int main(int argc, char** argv) {
     std::cerr << error.what() << '\n';  // starts with the file name, so that editors can jump to it
   } catch (const std::filesystem::filesystem_error& error) {
     std::cerr << "contactscope: " << error.path1().string() << ": " << error.code().message()
-              << "; nothing torn is left, name a folder that can be written\n";
+              << "; no incomplete file is left. Give a folder that can be written\n";
   } catch (const std::exception& error) {
     std::cerr << "contactscope: " << error.what() << '\n';
   }

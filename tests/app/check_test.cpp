@@ -40,7 +40,7 @@ TEST_F(Check, NothingIsWrittenByDefault) {
   const ProgramRun first = check();
   EXPECT_EQ(first.exit_code, 1);
   EXPECT_EQ(first.out, "new         group/idea: new, nothing is stored for group/idea\n");
-  EXPECT_THAT(first.err, HasSubstr("check --write-missing stores what is not there yet"));
+  EXPECT_THAT(first.err, HasSubstr("check --write-missing stores what is missing"));
   EXPECT_THAT(stored(), IsEmpty());
   const ProgramRun written = check("--write-missing");
   EXPECT_EQ(written.exit_code, 0);
@@ -56,7 +56,8 @@ TEST_F(Check, NothingIsWrittenByDefault) {
 TEST_F(Check, AFolderThatIsNotThereIsNamedAsOne) {
   const ProgramRun result = check();
   EXPECT_EQ(result.exit_code, 2);
-  EXPECT_THAT(result.err, HasSubstr((folder_ / "snapshots") + ": no such folder of snapshots"));
+  EXPECT_THAT(result.err,
+              HasSubstr((folder_ / "snapshots") + ": there is no such folder of snapshots"));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "snapshots"));
 }
 
@@ -166,7 +167,8 @@ TEST_F(Check, UnmetExpectationFailsThoughTheSnapshotAgrees) {
   const ProgramRun result = check();
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_THAT(result.out, HasSubstr("frames 0 to 1, slab-crate: expected 3 points, got 4\n"));
-  EXPECT_THAT(result.err, HasSubstr("mend the expectation in its scenario, or what fails it"));
+  EXPECT_THAT(result.err,
+              HasSubstr("fix the expectation in its scenario, or the cause of the failure"));
   EXPECT_THAT(result.err, testing::Not(HasSubstr("--accept"))) << "there is nothing to accept";
 }
 

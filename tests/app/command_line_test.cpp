@@ -121,12 +121,12 @@ TEST(CommandLine, UsageErrorsNameTheRemedy) {
 }
 
 TEST(CommandLine, MisspeltWordsAreNamedWithTheNearest) {
-  EXPECT_THAT(run("rendr my.toml").err, HasSubstr("'rendr' is no verb; did you mean 'render'?"));
-  EXPECT_THAT(run("--quiet render").err, HasSubstr("stands before the verb"));
+  EXPECT_THAT(run("rendr my.toml").err, HasSubstr("'rendr' is not a verb; did you mean 'render'?"));
+  EXPECT_THAT(run("--quiet render").err, HasSubstr("is before the verb"));
   EXPECT_THAT(run("trace my.toml --frame 3").err,
               HasSubstr("trace has no option --frame; did you mean --frames?"));
   EXPECT_THAT(run("trace my.toml --out x").err,
-              HasSubstr("trace has no option --out; it is one of 'render'"));
+              HasSubstr("trace has no option --out; it is an option of 'render'"));
   EXPECT_THAT(run("trace hul/face_contact").err, HasSubstr("did you mean hull/face_contact?"));
   EXPECT_THAT(run("study solvr").err, HasSubstr("did you mean 'solver'?"));
   EXPECT_THAT(run("render hull/face_contact --layers shape").err,

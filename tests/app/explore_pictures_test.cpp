@@ -53,7 +53,7 @@ TEST(ExplorePictures, TrianglesOfAMeshHaveFoldersWhereSomethingIsReduced) {
   EXPECT_GE(files.size(), 1u);
   for (const auto& file : files)
     EXPECT_THAT(file, HasSubstr("explore/g/mesh/crate-floor-triangle_"));
-  EXPECT_THAT(result.err, HasSubstr("of which every reducer keeps all points"));
+  EXPECT_THAT(result.err, HasSubstr("whose points every reducer keeps"));
 }
 
 TEST(ExplorePictures, SeveralPairsHaveFoldersOfTheirOwn) {

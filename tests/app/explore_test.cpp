@@ -107,7 +107,7 @@ TEST(ExploreVerb, WithoutContactThereIsANoteAndNoPicture) {
   const ProgramRun result = run(arguments);
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_THAT(result.out, IsEmpty());
-  EXPECT_THAT(result.err, HasSubstr("nothing touches"));
+  EXPECT_THAT(result.err, HasSubstr("no shapes touch"));
   EXPECT_THAT(files_below(folder / "out"), IsEmpty());
   EXPECT_THAT(run(arguments + " --json").out, IsEmpty());
 }
@@ -133,7 +133,7 @@ TEST(ExploreVerb, UsageErrorsAreTrouble) {
     EXPECT_THAT(result.err, Not(IsEmpty())) << arguments;
   }
   EXPECT_THAT(run("explore hull/eight_points_to_four --table --reducer magic").err,
-              HasSubstr("known are area, "));
+              HasSubstr("there are area, "));
 }
 
 TEST(ExploreVerb, FullDiskIsTrouble) {

@@ -22,10 +22,10 @@ TEST(FigureOptions, MistakesNameTheOptionAndTheRemedy) {
     EXPECT_EQ(result.exit_code, 2) << arguments;
     EXPECT_THAT(result.err, HasSubstr(record)) << arguments;
   };
-  fails("--width 84", "--width '84' is no length; write a number and mm, cm, in, pt or px");
-  fails("--width 84mm --size 640x360", "--width and --size say the same");
+  fails("--width 84", "--width '84' is not a length; write a number and mm, cm, in, pt or px");
+  fails("--width 84mm --size 640x360", "--width and --size both set the width");
   fails("--width 1mm", "makes 12 pixels");
-  fails("--height 50mm", "--height goes with --width");
+  fails("--height 50mm", "--height needs --width");
   fails("--font-size tall", "as 8pt");
   fails("--theme drak", "did you mean 'dark'?");
   fails("--background grey", "transparent, white or #RRGGBB");

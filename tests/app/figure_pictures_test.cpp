@@ -34,7 +34,7 @@ TEST(FigurePictures, AColumnOfAPaperIsAsWideAsItIs) {
   EXPECT_GT(image.height, image.width) << "panels below the view";
   const FigurePicture low("--width 84mm --height 60mm --dpi 100 --panels summary,contact_plane");
   EXPECT_EQ(low.image().height, 236);
-  EXPECT_THAT(low.result.err, HasSubstr("no room for contact_plane; a larger --height has some"));
+  EXPECT_THAT(low.result.err, HasSubstr("no room for contact_plane; make --height larger"));
 }
 
 TEST(FigurePictures, ATransparentGroundHasAlpha) {

@@ -179,7 +179,7 @@ TEST_F(Formats, ConflictingOptionsAreRefused) {
        {std::pair{"--strip 0", "2 to 64"},
         {"--strip 4 --format apng", "--strip is one picture, and --format apng"},
         {"--sheet --format mp4,png", "--sheet is one picture"},
-        {"--strip 4 --sheet", "leave one out"},
+        {"--strip 4 --sheet", "leave out one"},
         {"--columns 2", "--strip or --sheet"},
         {"--strip 2 --columns 0", "1 to 64"}}) {
     const ProgramRun result = render(options, fake_ffmpeg(""));

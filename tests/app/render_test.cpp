@@ -80,7 +80,7 @@ TEST(Render, NoneMeansNoLayersAndNoPanels) {
   EXPECT_EQ(drawn_in_view(picture("--panels none --layers none", "b")), 0);
   EXPECT_EQ(drawn_in_view(picture("--layers none", "c")), 0);
   EXPECT_THAT(run("render hull/face_contact --layers none,shapes").err,
-              HasSubstr("'none' stands alone"));
+              HasSubstr("'none' excludes all others"));
 }
 
 TEST(Render, VerboseListsWhatRanAndWhatWasLeftOut) {

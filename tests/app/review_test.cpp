@@ -65,7 +65,7 @@ TEST_F(ReviewTest, ACauseIsAcceptedAtOnceAndQuittingKeepsTheRest) {
   EXPECT_EQ(all.exit_code, 0);
   EXPECT_THAT(all.shown, HasSubstr("1 scenario: 0 the same, 0 fail, 3 accepted"));
   EXPECT_EQ(check().exit_code, 0);
-  EXPECT_THAT(review("").shown, HasSubstr("nothing waits for a review"));
+  EXPECT_THAT(review("").shown, HasSubstr("there is nothing to review"));
 }
 
 TEST_F(ReviewTest, CtrlCEndsItAndKeepsWhatWasDone) {
@@ -83,7 +83,7 @@ TEST_F(ReviewTest, AnotherScenarioThatWasEditedIsNotPartOfACause) {
   const ProgramRun result = check();
   EXPECT_THAT(result.out, HasSubstr("group/idea frame 0, crate: moved 15 mm along -y"));
   EXPECT_THAT(result.out, HasSubstr("group/other frame 0, crate: moved 25 mm along -y"));
-  EXPECT_THAT(result.out, Not(HasSubstr("told once")));
+  EXPECT_THAT(result.out, Not(HasSubstr("the same cause in")));
   review("cq");
   EXPECT_THAT(check().err, HasSubstr("2 scenarios: 1 the same, 1 fails"));
 }
@@ -91,13 +91,14 @@ TEST_F(ReviewTest, AnotherScenarioThatWasEditedIsNotPartOfACause) {
 TEST_F(ReviewTest, AKnownBugGoesOnFailing) {
   const ProgramRun kept = check("--accept group/idea/frame_0000 --as bad_31 --note 'it is back'");
   EXPECT_EQ(kept.exit_code, 0);
-  EXPECT_THAT(kept.out, HasSubstr("kept group/idea/frame_0000 as bad_31, to be known again"));
+  EXPECT_THAT(kept.out,
+              HasSubstr("kept group/idea/frame_0000 as bad_31, so that check recognizes it"));
   EXPECT_THAT(left(), HasSubstr("rejected          group/idea/frame_0000"));
   check("--update");
   const ProgramRun back = check("--github");
   EXPECT_EQ(back.exit_code, 1);
   EXPECT_THAT(back.out, HasSubstr("known bad   group/idea frame 0: it is back"));
-  EXPECT_THAT(back.err, HasSubstr("mend what brings it back, or remove "));
+  EXPECT_THAT(back.err, HasSubstr("fix the bug that came back, or remove "));
   EXPECT_THAT(back.out + back.err, Not(HasSubstr("--accept")));
 }
 
@@ -124,7 +125,7 @@ TEST_F(ReviewTest, AnUnmetExpectationHasARemedyInEveryOutput) {
               testing::ContainsRegex("::error file=[^,]*group/idea\\.toml,line=[0-9]+,"));
   for (const std::string& record : {result.out + result.err, read_text(junit), read_text(summary),
                                     read_text(folder_ / "out/check/report.html")}) {
-    EXPECT_THAT(record, HasSubstr("mend the expectation in its scenario"));
+    EXPECT_THAT(record, HasSubstr("fix the expectation in its scenario"));
     EXPECT_THAT(record, Not(HasSubstr("--accept group")));
   }
 }
@@ -191,8 +192,7 @@ TEST_F(ReviewTest, AFileThatDecidesNothingIsRefused) {
   };
   EXPECT_THAT(record("{"), HasSubstr("as report.html saves it"));
   EXPECT_THAT(record(R"({"take": []})"), HasSubstr("'take' is no decision"));
-  EXPECT_THAT(record(R"({"accept": ["group/idee"]})"),
-              HasSubstr("names nothing in the last report"));
+  EXPECT_THAT(record(R"({"accept": ["group/idee"]})"), HasSubstr("is not in the last report"));
   EXPECT_THAT(record(R"({"accept": ["group/idea"], "reject": ["group/idea/trace"]})"),
               HasSubstr("group/idea/trace is both accepted and rejected"));
   EXPECT_THAT(run("review --from nowhere.json " + out(), "CI=").err, HasSubstr("no such file"));

@@ -158,7 +158,7 @@ TEST_F(Rollout, AStaticSceneIsRefusedWithTheRemedy) {
   const std::string trace = folder_.write("run.jsonl", run("trace '" + crate_ + "'").out);
   const ProgramRun of_trace = rollout("--engines contactscope '" + trace + "'");
   EXPECT_EQ(of_trace.exit_code, 2);
-  EXPECT_THAT(of_trace.err, HasSubstr("is a trace of what was; name a scenario"));
+  EXPECT_THAT(of_trace.err, HasSubstr("is a trace; name a scenario"));
 }
 
 }  // namespace

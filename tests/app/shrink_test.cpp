@@ -52,7 +52,7 @@ TEST(ShrinkVerb, TakesTheTwoShapesOfASceneThatShowIt) {
 TEST(ShrinkVerb, NamesWhatIsMissing) {
   const ProgramRun without = run("shrink hull/edge_contact");
   EXPECT_EQ(without.exit_code, 2);
-  EXPECT_THAT(without.err, HasSubstr("shrink needs --while"));
+  EXPECT_THAT(without.err, HasSubstr("shrink needs a condition to preserve: --while"));
   const ProgramRun wrong = run("shrink hull/edge_contact --while 'pionts > 1'");
   EXPECT_EQ(wrong.exit_code, 2);
   EXPECT_THAT(wrong.err, HasSubstr("did you mean 'points'?"));

@@ -53,7 +53,7 @@ TEST_F(SoakShards, AnIncompleteSetIsRefused) {
   EXPECT_THAT(merge("out").err, HasSubstr("shard 2 of 3 is missing"));
   EXPECT_EQ(merge("out").exit_code, 2);
   part(2, 3, "out", "--seed 9");
-  EXPECT_THAT(merge("out").err, HasSubstr("are of different soaks"));
+  EXPECT_THAT(merge("out").err, HasSubstr("are parts of different runs"));
   part(2, 3, "out");
   EXPECT_EQ(merge("out").exit_code, 0);
   folder_.write("out/soak_4_of_3.json", read_text(folder_ / "out/soak_1_of_3.json"));
@@ -63,8 +63,8 @@ TEST_F(SoakShards, AnIncompleteSetIsRefused) {
 }
 
 TEST_F(SoakShards, OnlyStabilityHasParts) {
-  EXPECT_THAT(run("study reducers --shard 1/2").err, HasSubstr("study reducers has no parts"));
-  EXPECT_THAT(run("study reducers --cases 1000001").err, HasSubstr("is more than a study holds"));
+  EXPECT_THAT(run("study reducers --shard 1/2").err, HasSubstr("study reducers cannot be divided"));
+  EXPECT_THAT(run("study reducers --cases 1000001").err, HasSubstr("is more than a study stores"));
 }
 
 /// A wrong result fails and is reported with the number of its case.

@@ -76,7 +76,7 @@ TEST(Study, PrintsATableForEachMeasureAndOneOfTimes) {
   EXPECT_THAT(tables[1][0], StartsWith("lost moment arm"));
   EXPECT_THAT(tables[2][0], StartsWith("share of the patches whose deepest point is lost: mean, "));
   EXPECT_THAT(tables[3][0], StartsWith("lost area of equally deep points"));
-  EXPECT_THAT(tables[4][0], StartsWith("nanoseconds a call: median / least, by points"));
+  EXPECT_THAT(tables[4][0], StartsWith("nanoseconds per call: median / minimum, by points"));
   const auto json = nlohmann::json::parse(read_text(folder / "out/study/reducers/results.json"));
   for (const std::vector<std::string>& table : tables) {
     ASSERT_EQ(table.size(), 2 + json["series"].size());

@@ -17,13 +17,13 @@ ExitCode run_check_verb(const Options& options) {
   if (options.accept) return run_accept(options);
   std::vector<Input> inputs = load_inputs(options, Hold::Sample, Unreadable::Kept);
   if (options.update != snapshot::Update::None && snapshot::is_ci(std::getenv("CI")))
-    std::cerr << "CI=true: nothing is written; unset CI to accept what changed\n";
+    std::cerr << "CI=true: nothing is written; unset CI to store snapshots\n";
   const snapshot::Outcome outcome = [&] {
     try {
       return run_check(inputs, options);
     } catch (const gl::ContextError& error) {
       throw gl::ContextError(std::string(error.what()) +
-                             "\nor compare traces and expectations alone, which needs none: "
+                             "\nor compare only traces and expectations, without OpenGL: "
                              "contactscope check --facts-only");
     }
   }();

@@ -60,7 +60,7 @@ void explain(Finding& picture, const Explanation& facts) {
     return follow("its facts changed" + (layers.empty() ? "" : ", and with them " + layers));
   }
   if (facts.trace->is_setup || facts.trace->is_words)
-    return follow(facts.trace->is_setup ? "the shapes or settings changed" : "its words changed");
+    return follow(facts.trace->is_setup ? "the shapes or settings changed" : "its texts changed");
   std::vector<int> others = facts.trace->frames;
   if (facts.frames)
     others.insert(others.end(), facts.frames->changed.begin(), facts.frames->changed.end());
@@ -68,13 +68,14 @@ void explain(Finding& picture, const Explanation& facts) {
   if (!others.empty())
     return follow("its own facts are the same, but those of " +
                   std::string(others.size() > 1 ? "frames " : "frame ") +
-                  snapshot::spell_numbers(others) + " changed, to which the camera is fitted too");
+                  snapshot::spell_numbers(others) +
+                  " changed, and the camera is fitted to all frames");
   picture.cause = "drawing";
   picture.sentence +=
       facts.frames && !facts.frames->is_compared
-          ? "; its own facts are the same; those of frames that are not stored were not compared"
-          : "; every fact of the sequence is as stored, so the drawing changed, or its picture is "
-            "older than its trace";
+          ? "; its own facts are the same; frames that are not stored were not compared"
+          : "; all facts of the sequence are as stored, so the drawing changed, or the picture is "
+            "older than the trace";
 }
 
 PixelLimits limits_of(const SnapshotSettings& settings, const std::string& view) {
@@ -135,7 +136,7 @@ class Checker {
         frames.changed.front() < differences.frames.front())
       trace.finding->sentence += "; its facts changed from frame " +
                                  std::to_string(frames.changed.front()) +
-                                 " on, which is not stored";
+                                 " on, which has no snapshot";
     take(std::move(trace), outcome);
     take(std::move(frames), outcome);
     if (!pictures.empty() && !differences.frames.empty())
@@ -226,8 +227,8 @@ class Checker {
     const bool is_stored = !checked.finding || checked.finding->kind == FindingKind::Changed;
     if (!hashes.hashes.empty() && is_stored && !checked.is_compared)
       outcome.notes.push_back(
-          "frames that are not stored were not compared, for this machine rounds otherwise than "
-          "the one that wrote " +
+          "frames that are not stored were not compared, because this machine rounds differently "
+          "from the one that wrote " +
           snapshot::hashes_path(archive.root, archive.scenario).generic_string());
     outcome.frames =
         count_of(scenario.snapshots.frames) + (checked.is_compared ? count_of(hashes.hashes) : 0);
@@ -338,8 +339,8 @@ ScenarioOutcome checked(Checker& checker, Input& input) {
 void require_folder(const Options& options) {
   if (fs::is_directory(options.snapshot_root) || options.update != snapshot::Update::None) return;
   throw InputError(options.snapshot_root, 0, 0,
-                   "no such folder of snapshots; run where it is, name another with --snapshots "
-                   "DIR, or let check --write-missing make it with the first ones");
+                   "there is no such folder of snapshots; change to its parent folder, give "
+                   "another with --snapshots DIR, or create it with check --write-missing");
 }
 
 /// Hash input common to the shards of one run. Excludes snapshots: a shard with --update may write
@@ -423,7 +424,7 @@ snapshot::Outcome run_check(std::vector<Input>& inputs, const Options& options) 
   std::ranges::stable_sort(outcome.scenarios, {}, &ScenarioOutcome::scenario);
   report.add_file("times.json", merged_times(report.folder(), times));
   if (known) report.add_file("known_same.json", known->text());
-  retell_page(report.aside(), outcome, options);
+  rewrite_page(report.aside(), outcome, options);
   report.publish(outcome);
   if (options.verbose) checker.log().print(std::cerr, "check");
   return outcome;

@@ -116,9 +116,8 @@ ExitCode run_doctor(const Options& options) {
     std::cout << (route.works ? "  ok        " : "  no        ") << route.route << ": "
               << (route.works ? route.version + ", " + route.renderer : route.failure) << '\n';
   }
-  std::cout
-      << (any ? "Pictures can be rendered.\n"
-              : "No route to OpenGL works, so nothing can be rendered; `trace` needs none.\n");
+  std::cout << (any ? "Pictures can be rendered.\n"
+                    : "No OpenGL backend works, so nothing can be rendered; `trace` needs none.\n");
   return code;
 }
 

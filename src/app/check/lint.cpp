@@ -42,7 +42,7 @@ std::vector<lint::Finding> lint_trace(TraceFile& file, const Options& options,
   if (const std::optional<trace::Torn>& torn = file.torn(); torn)
     findings.push_back(
         {"torn", "the file is cut off within its last line",
-         "what stands before it was looked at; the process that wrote it died, or is still at it",
+         "the lines before it were checked; the process that wrote it crashed, or is still writing",
          1, 0, torn->line, 0});
   return findings;
 }

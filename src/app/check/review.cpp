@@ -41,7 +41,7 @@ std::vector<Finding*> findings_of(snapshot::Outcome& outcome) {
 
 void refuse_in_ci() {
   if (snapshot::is_ci(std::getenv("CI")))
-    throw UsageError("CI=true: nothing is accepted; unset CI to accept what changed");
+    throw UsageError("CI=true: nothing is accepted; unset CI to accept findings");
 }
 
 /// Reads single keys from the terminal without echo.
@@ -50,8 +50,8 @@ class Keys {
   Keys() {
     if (isatty(STDIN_FILENO) != 1 || tcgetattr(STDIN_FILENO, &before_) != 0)
       throw UsageError(
-          "review asks on a terminal, and there is none; review --list prints what there is, and "
-          "check --accept KEY takes one");
+          "review needs a terminal, and there is none; review --list prints the findings, and "
+          "check --accept KEY accepts one");
     termios raw = before_;
     raw.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);
     tcsetattr(STDIN_FILENO, TCSANOW, &raw);
@@ -94,7 +94,7 @@ class ReviewSession {
 
   void run() {
     if (open_.empty()) {
-      std::cout << "nothing waits for a review\n";
+      std::cout << "there is nothing to review\n";
       return;
     }
     note_interrupts();  // so that the terminal is restored
@@ -137,7 +137,7 @@ class ReviewSession {
       if (key == 'r') {
         finding.review = Review::Rejected;
         keep();
-        std::cout << "rejected: it fails until a check finds it the same\n";
+        std::cout << "rejected: it fails until a check finds no difference\n";
         return true;
       }
     }
@@ -187,7 +187,7 @@ bool accept_one(const Options& options, const snapshot::Outcome& outcome, Findin
   const bool is_bad = finding.review == Review::Rejected;
   std::cout << (is_bad ? "kept" : snapshot::kDone[static_cast<std::size_t>(finding.done)]) << " "
             << finding.key() << (options.accept_as.empty() ? "" : " as " + options.accept_as)
-            << (is_bad ? ", to be known again; it goes on failing" : "") << '\n';
+            << (is_bad ? ", so that check recognizes it; it still fails" : "") << '\n';
   return true;
 }
 
@@ -210,7 +210,7 @@ std::map<std::string, std::vector<std::string>> read_decisions(const std::string
   try {
     decisions = nlohmann::json::parse(text);
   } catch (const nlohmann::json::exception& error) {
-    throw refuse(std::string("no decisions can be read here: ") + error.what());
+    throw refuse(std::string("this file has no valid decisions: ") + error.what());
   }
   for (const auto& [word, keys] : decisions)
     if (word != "accept" && word != "reject") throw refuse("'" + word + "' is no decision");
@@ -235,7 +235,7 @@ ExitCode run_decisions(const Options& options, snapshot::Outcome& outcome) {
     ++turned_down;
   }
   snapshot::write_outcome(report_folder(options), outcome);
-  retell_page(report_folder(options), outcome, options);
+  rewrite_page(report_folder(options), outcome, options);
   if (!options.quiet)
     std::cerr << snapshot::counted(accepted, "finding") << " accepted, " << turned_down
               << " rejected, " << refused << " refused; "
@@ -256,7 +256,7 @@ ExitCode run_review(const Options& options) {
   refuse_in_ci();
   if (!options.from.empty()) return run_decisions(options, outcome);
   ReviewSession(options, outcome).run();
-  retell_page(report_folder(options), outcome, options);
+  rewrite_page(report_folder(options), outcome, options);
   std::cout << snapshot::summary(snapshot::tally(outcome)) << '\n';
   return exit_code(outcome);
 }
@@ -283,9 +283,9 @@ std::vector<Finding*> findings_named(snapshot::Outcome& outcome,
     for (const Finding* finding : all) keys.push_back(finding->key());
     const std::string near =
         nearest(pattern, std::vector<std::string_view>(keys.begin(), keys.end()));
-    throw UsageError("'" + pattern + "' names nothing in the last report; " +
+    throw UsageError("'" + pattern + "' is not in the last report; " +
                      (near.empty() ? "" : "did you mean " + near + "? ") +
-                     "contactscope review --list has what there is");
+                     "contactscope review --list prints the findings");
   }
   return chosen;
 }
@@ -294,15 +294,15 @@ ExitCode run_accept(const Options& options) {
   refuse_in_ci();
   if (options.scenarios.empty())
     throw UsageError(
-        "--accept needs to know what: contactscope check --accept hull/face_contact/frame_0012, "
-        "a folder as hull, or '*' for all; contactscope review --list has what there is");
+        "--accept needs names: contactscope check --accept hull/face_contact/frame_0012, "
+        "a folder such as hull, or '*' for all; contactscope review --list prints the findings");
   snapshot::Outcome outcome = snapshot::read_outcome(report_folder(options));
   int refused = 0, accepted = 0;
   for (Finding* finding : findings_named(outcome, options.scenarios)) {
     if (finding->fails()) ++(accept_one(options, outcome, *finding) ? accepted : refused);
   }
   snapshot::write_outcome(report_folder(options), outcome);
-  retell_page(report_folder(options), outcome, options);
+  rewrite_page(report_folder(options), outcome, options);
   if (!options.quiet)
     std::cerr << snapshot::counted(accepted, "finding") << " accepted, " << refused << " refused; "
               << snapshot::summary(snapshot::tally(outcome)) << '\n';

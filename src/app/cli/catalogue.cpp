@@ -46,8 +46,7 @@ std::vector<std::string> files_named(const std::string& argument, const Options&
     const std::string what = foreign_in(argument);
     if (!what.empty()) throw InputError(argument, 1, 1, what);
     throw InputError(argument, 0, 0,
-                     "this is a trace, which `render` draws and `doctor` looks through; a scenario "
-                     "is needed here");
+                     "this is a trace, for `render`, `lint` and `doctor`; give a scenario here");
   }
   std::error_code unknown;
   if (fs::is_regular_file(argument, unknown)) return {argument};
@@ -69,14 +68,15 @@ std::vector<std::string> files_named(const std::string& argument, const Options&
   const std::string near =
       nearest(argument, std::vector<std::string_view>(names.begin(), names.end()));
   throw InputError(argument, 0, 0,
-                   "no such file; " + (near.empty() ? "" : "did you mean " + near + "? else ") +
+                   "no such file; " +
+                       (near.empty() ? "" : "did you mean " + near + "? Otherwise ") +
                        "give a scenario's path, a folder, or a name that "
                        "`contactscope list scenarios` prints");
 }
 
 void override_reducer(Scenario& scenario, const std::string& reducer) {
   if (std::ranges::find(reducers(), reducer, &ReducerInfo::name) == reducers().end())
-    throw UsageError("--reducer '" + reducer + "' is no reducer; known are " +
+    throw UsageError("--reducer '" + reducer + "' is not a reducer; there are " +
                      names_of(reducers()));
   scenario.pipeline.reducer = reducer;
   for (ScenarioPair& pair : scenario.pairs) pair.pipeline.reducer = reducer;
@@ -85,7 +85,7 @@ void override_reducer(Scenario& scenario, const std::string& reducer) {
 void require_view(const Scenario& scenario, const std::string& view) {
   const std::vector<View>& views = scenario.views;
   if (view.empty() || std::ranges::find(views, view, &View::name) != views.end()) return;
-  throw UsageError("--view '" + view + "' is no view of " + scenario.name + "; it has " +
+  throw UsageError("--view '" + view + "' is not a view of " + scenario.name + "; it has " +
                    names_of(views));
 }
 
@@ -100,7 +100,7 @@ bool is_new(const std::string& name, const std::string& file, Paths& paths) {
   throw InputError(file, 0, 0,
                    "its name " + name + " is also that of " + known->second +
                        ", and their pictures would overwrite each other; move one to another "
-                       "folder, which is the first part of the name");
+                       "folder: the folder is the first part of the name");
 }
 
 Input unreadable_input(const std::string& file, const InputError& error) {
@@ -194,8 +194,9 @@ std::vector<Scenario> read_scenarios(const Options& options, std::vector<Input>*
   if (options.scenarios.empty()) {
     files = scenario_files(options.scenario_root);
     if (files.empty()) {
-      throw InputError(options.scenario_root, 0, 0,
-                       "no scenario (*.toml) here; name one, or run where scenarios/ is");
+      throw InputError(
+          options.scenario_root, 0, 0,
+          "there is no scenario (*.toml) here; name one, or run in the folder with scenarios/");
     }
   }
   for (const std::string& argument : options.scenarios) {
@@ -262,8 +263,8 @@ std::vector<Input> load_inputs(const Options& options, Hold hold, Unreadable unr
   for (const std::string& file : traces) {
     if (!options.reducer.empty() || options.timing) {
       throw UsageError(std::string(options.timing ? "--timing" : "--reducer") +
-                       " runs the pipeline, and " + file +
-                       " is a trace of what it decided; leave it out, or name a scenario");
+                       " changes the pipeline, but " + file +
+                       " is a trace of its results; leave it out, or name a scenario");
     }
     try {
       Sequence trace = read_sequence(file, hold);

@@ -44,9 +44,10 @@ void check_ground(const draw::FigureStyle& style) {
 }  // namespace
 
 void finish_figure(FigureOptions& figure, bool has_size) {
-  if (figure.width && has_size) throw UsageError("--width and --size say the same; leave out one");
+  if (figure.width && has_size)
+    throw UsageError("--width and --size both set the width; leave out one");
   if (figure.height && !figure.width)
-    throw UsageError("--height goes with --width; write both, or --size WxH");
+    throw UsageError("--height needs --width; write both, or --size WxH");
   const bool on_paper = figure.width && !figure.width->in_pixels;
   if (on_paper && !figure.font_size) figure.font_size = FigureLength{kUsualType};
 
@@ -64,7 +65,7 @@ void finish_figure(FigureOptions& figure, bool has_size) {
   style.background = figure.background;
   check_ground(style);
   if (figure.fonts.size() > 2)
-    throw UsageError("--font is one file, or two with a comma between: regular,bold");
+    throw UsageError("--font takes one file, or two with a comma between them: regular,bold");
   if (!figure.fonts.empty())
     add_font(figure.fonts[0], figure.fonts.size() > 1 ? figure.fonts[1] : std::string());
 }

@@ -27,7 +27,8 @@ std::vector<Item> items_of(const std::string& what, const Options& options) {
   if (what == "reducers") return mapped(reducers(), with_summary);
   if (what == "broad_phases") return mapped(broad_phases(), with_summary);
   if (what == "continuous") {
-    std::vector<Item> items{{"discrete", "nothing: what passes between two frames is not seen"}};
+    std::vector<Item> items{
+        {"discrete", "none: a body that passes another one between two frames is not noticed"}};
     std::ranges::transform(impact_methods(), std::back_inserter(items), with_summary);
     return items;
   }

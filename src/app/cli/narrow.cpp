@@ -22,8 +22,7 @@ void require_shape(const trace::Header& header, const std::string& option,
 
 std::optional<Vec3d> place_named(const std::string& option, const std::vector<double>& numbers) {
   if (numbers.empty()) return std::nullopt;
-  if (numbers.size() != 3)
-    throw UsageError(option + " is a place of three numbers, as " + option + "=1,2,3");
+  if (numbers.size() != 3) throw UsageError(option + " is three numbers, as " + option + "=1,2,3");
   return Vec3d(numbers[0], numbers[1], numbers[2]);
 }
 
@@ -33,10 +32,10 @@ Options with_camera(Options options) {
   if (all.empty()) return options;
   if (all.size() < 6 || all.size() > 7)
     throw UsageError(
-        "--camera is where the eye is, what it looks at and its field of view in degrees, as "
+        "--camera is the eye, the point that it looks at and the field of view in degrees, as "
         "--camera=4,2,4,0,0,0,30");
   if (all.size() == 7 && !(all[6] >= 1 && all[6] <= 150))
-    throw UsageError("the field of view of --camera may be 1 to 150 degrees");
+    throw UsageError("the field of view of --camera must be 1 to 150 degrees");
   if (options.eye.empty()) options.eye = {all[0], all[1], all[2]};
   if (options.target.empty()) options.target = {all[3], all[4], all[5]};
   if (all.size() == 7 && options.fov_degrees == 0) options.fov_degrees = all[6];
@@ -96,7 +95,7 @@ void place_camera(std::vector<View>& views, const Options& all) {
     if (eye) view.eye = eye;
     if (target) view.target = target;
     if (view.eye && view.target && *view.eye == *view.target)
-      throw UsageError("--eye and --target are the same place; move one of them");
+      throw UsageError("--eye and --target are the same point; move one of them");
     if (options.fov_degrees > 0) {
       view.fov_degrees = options.fov_degrees;
       view.orthographic_height.reset();
@@ -123,7 +122,7 @@ std::vector<View> views_of_file(const Options& options) {
   const std::string all = names_of(views);
   std::erase_if(views, [&](const View& view) { return rest[0] != ':' || view.name != name; });
   if (views.empty())
-    throw UsageError("--view '" + text + "' is no view of " + file + "; it has " + all);
+    throw UsageError("--view '" + text + "' is not a view of " + file + "; it has " + all);
   return views;
 }
 

@@ -35,7 +35,7 @@ std::vector<Word> parse_words(const std::string& option, const std::string& text
   if (text == "none") return {};
   return mapped(split(text, ','), [&](std::string_view part) {
     const std::string name(part);
-    if (name == "none") throw UsageError(option + " 'none' stands alone; leave the others out");
+    if (name == "none") throw UsageError(option + " 'none' excludes all others; leave them out");
     if (const std::optional<Word> word = word_named<Word>(known, name)) return *word;
     const std::vector<std::string_view> all(known.begin(), known.end());
     const std::string near = nearest(name, all);
@@ -53,7 +53,7 @@ FrameRange parse_frames(const std::string& option, const std::string& text) {
   for (const std::string_view part : parts) {
     const std::optional<int> number = whole_number(part);
     if (!number || *number < 0) {
-      throw UsageError(option + " '" + text + "' is no range; write A:B or A:B:STEP, as 0:23:4");
+      throw UsageError(option + " '" + text + "' is not a range; write A:B or A:B:STEP, as 0:23:4");
     }
     numbers.push_back(*number);
   }
@@ -61,7 +61,7 @@ FrameRange parse_frames(const std::string& option, const std::string& text) {
                          numbers.size() > 2 ? numbers[2] : 1};
   if (numbers.size() > 3 || range.step < 1 || range.last < range.first) {
     throw UsageError(option + " '" + text +
-                     "' is no range; write A:B or A:B:STEP with A <= B and STEP >= 1");
+                     "' is not a range; write A:B or A:B:STEP with A <= B and STEP >= 1");
   }
   return range;
 }
@@ -76,7 +76,7 @@ Size parse_size(const std::string& option, const std::string& text) {
   const Size size = parts.size() == 2 ? Size{side(parts[0]), side(parts[1])} : Size{0, 0};
   if (size.width > 0 && size.height > 0) return size;
   throw UsageError(option + " '" + text +
-                   "' is no size; write WxH with both between 64 and 8192, as 1280x720");
+                   "' is not a size; write WxH with both between 64 and 8192, as 1280x720");
 }
 
 double parse_orthographic(const std::string& option, const std::string& text) {
@@ -86,14 +86,14 @@ double parse_orthographic(const std::string& option, const std::string& text) {
   if (error == std::errc() && end == text.data() + text.size() && height > 0 && height < 1e9)
     return height;
   throw UsageError(option + "=" + text +
-                   " is no height; write --orthographic, or metres as --orthographic=1.5");
+                   " is not a height; write --orthographic, or metres as --orthographic=1.5");
 }
 
 gl::Backend parse_backend(const std::string& option, const std::string& text) {
   if (text == "auto") return gl::Backend::Auto;
   if (text == "egl") return gl::Backend::Egl;
   if (text == "osmesa") return gl::Backend::Osmesa;
-  throw UsageError(option + " '" + text + "' is no route to OpenGL; it is auto, egl or osmesa");
+  throw UsageError(option + " '" + text + "' is not an OpenGL backend; write auto, egl or osmesa");
 }
 
 snapshot::Update parse_update(const std::string& option, const std::string& text) {
@@ -109,7 +109,7 @@ snapshot::Shard parse_shard(const std::string& option, const std::string& text) 
   const bool is_read = std::sscanf(text.c_str(), "%6d/%6d%n", &part, &of, &length) == 2;
   if (is_read && length == static_cast<int>(text.size()) && part >= 1 && part <= of && of <= kMax)
     return {part, of};
-  throw UsageError(option + " '" + text + "' is no part; write K/N with 1 <= K <= N, as 2/5");
+  throw UsageError(option + " '" + text + "' is not a part; write K/N with 1 <= K <= N, as 2/5");
 }
 
 std::vector<Layer> parse_layers(const std::string& option, const std::string& text) {
@@ -135,7 +135,7 @@ FigureLength parse_length(const std::string& option, const std::string& text) {
     return {known.points > 0 ? value * known.points : value, known.points == 0};
   }
   throw UsageError(option + " '" + text +
-                   "' is no length; write a number and mm, cm, in, pt or px, as " +
+                   "' is not a length; write a number and mm, cm, in, pt or px, as " +
                    (option == "--font-size" ? "8pt" : "84mm"));
 }
 
@@ -148,7 +148,7 @@ draw::Color parse_background(const std::string& option, const std::string& text)
   if (text.size() == 7 && text[0] == '#' && std::from_chars(begin, end, hex, 16).ptr == end)
     return draw::rgb(hex);
   throw UsageError(option + " '" + text +
-                   "' is no colour; write transparent, white or #RRGGBB, as '#14171a'");
+                   "' is not a colour; write transparent, white or #RRGGBB, as '#14171a'");
 }
 
 draw::Theme parse_theme(const std::string& option, const std::string& text) {

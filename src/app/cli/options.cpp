@@ -24,13 +24,13 @@ std::string scenario_root(const std::string& named) {
 void check_word(const Options& options) {
   const std::string& word = options.accept_as;
   if ((!word.empty() || !options.note.empty()) && !options.accept)
-    throw UsageError("--as and --note say how --accept stores; add --accept");
+    throw UsageError("--as and --note need --accept");
   const bool is_plain =
       std::ranges::all_of(word, [](unsigned char c) { return std::isalnum(c) || c == '_'; });
   if (!is_plain)
-    throw UsageError("--as '" + word + "' is no word; write letters, digits and _, as osmesa");
+    throw UsageError("--as '" + word + "' is not a word; write letters, digits and _, as osmesa");
   if (!options.note.empty() && !word.starts_with("bad_"))
-    throw UsageError("--note goes with --as bad_WORD, which is known again by it");
+    throw UsageError("--note needs --as bad_WORD, the bug that it describes");
 }
 
 }  // namespace
@@ -49,7 +49,7 @@ void finish(Options& options) {
     options.update = snapshot::Update::Missing;
   check_word(options);
   if (!options.times.empty() && !options.shard)
-    throw UsageError("--times says how to share out scenarios; add --shard K/N");
+    throw UsageError("--times balances shards; add --shard K/N");
 }
 
 }  // namespace contactscope::app

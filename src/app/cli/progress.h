@@ -34,7 +34,8 @@ void note_interrupts();
 class Interrupted : public std::runtime_error {
  public:
   explicit Interrupted(int signal)
-      : std::runtime_error("interrupted; what was written is whole"), signal_(signal) {}
+      : std::runtime_error("interrupted; all files that were written are complete"),
+        signal_(signal) {}
   /// Shell convention for a program ended by a signal: 130 after Ctrl-C.
   int exit_code() const { return 128 + signal_; }
 

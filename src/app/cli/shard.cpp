@@ -12,7 +12,7 @@ namespace contactscope::app {
 void read_times(const std::string& path, std::vector<Costed>& scenarios) {
   const std::optional<std::string> text = snapshot::read_text_file(path);
   if (!text)
-    throw InputError(path, 0, 0, "no such file; a check leaves one at OUT/check/times.json");
+    throw InputError(path, 0, 0, "there is no such file; check writes one to OUT/check/times.json");
   try {
     const nlohmann::json times = nlohmann::json::parse(*text);
     std::vector<double> known;
@@ -22,7 +22,7 @@ void read_times(const std::string& path, std::vector<Costed>& scenarios) {
     const double otherwise = known.empty() ? 1 : known[known.size() / 2];
     for (Costed& scenario : scenarios) scenario.cost = times.value(scenario.name, otherwise);
   } catch (const nlohmann::json::exception& error) {
-    throw InputError(path, 0, 0, std::string("no times of a check: ") + error.what());
+    throw InputError(path, 0, 0, std::string("this file has no times of a check: ") + error.what());
   }
 }
 

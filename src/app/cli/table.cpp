@@ -154,7 +154,7 @@ void print_errors(const trace::Study& result, const SeriesRange& panel, std::ost
 }
 
 void print_times(const trace::Study& result, const SeriesRange& panel, std::ostream& out) {
-  out << "nanoseconds a call: median / least, by " << parameter_of(result, panel) << '\n';
+  out << "nanoseconds per call: median / minimum, by " << parameter_of(result, panel) << '\n';
   const auto cell = [](const trace::StudyPoint& point) {
     return spelled("%.0f", point.nanoseconds.median) + spelled(" / %.0f", point.nanoseconds.min);
   };

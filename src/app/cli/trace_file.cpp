@@ -37,7 +37,7 @@ std::unique_ptr<std::istream> spooled(std::istream& in) {
   fs::remove(path);
   if (!is_whole)
     throw InputError("standard input", 0, 0,
-                     "it cannot be kept in " + fs::temp_directory_path().string() +
+                     "it cannot be stored in " + fs::temp_directory_path().string() +
                          " to be read twice; make room there, or write it to a file");
   return again;
 }
@@ -45,7 +45,7 @@ std::unique_ptr<std::istream> spooled(std::istream& in) {
 std::unique_ptr<std::istream> opened(const std::string& path, TraceFile::Passes passes) {
   if (path == kStandardInput)
     return passes == TraceFile::Passes::Several ? spooled(std::cin) : nullptr;
-  require_regular_file(path, "give a trace (.jsonl), or pipe it in and write - for its name");
+  require_regular_file(path, "give a trace (.jsonl), or pipe it in and write - as its name");
   auto in = std::make_unique<std::ifstream>(path, std::ios::binary);
   if (!*in) throw InputError(path, 0, 0, "this file cannot be read; check its permissions");
   if (!fs::is_regular_file(path)) return in;
@@ -128,7 +128,7 @@ std::optional<trace::Frame> TraceFile::next() {
       if (!is_known_) checks_->frame(*frame);
       if (reader_->header().impulses) convert_impulses(*reader_->header().impulses, *frame);
     } else if (frames_ == 0) {
-      throw TraceChecks::Wrong{"the header is all there is; each frame is a line after it"};
+      throw TraceChecks::Wrong{"there is only a header; each frame is a line after it"};
     } else if (!is_known_) {
       is_known_ = true;
       if (header_.frames == 0) header_.frames = checks_->last_frame() + 1;
@@ -146,10 +146,10 @@ void TraceFile::rewind() {
 
 void TraceFile::report_torn() const {
   if (!torn()) return;
-  std::cerr << InputError(name_, torn()->line, torn()->column,
-                          "the file is cut off here, within its last line; what stands before it "
-                          "is taken. The process "
-                          "that wrote it died, or is still at it")
+  std::cerr << InputError(
+                   name_, torn()->line, torn()->column,
+                   "the file is cut off here, within its last line; the lines before it are used. "
+                   "The process that wrote it crashed, or is still writing")
                    .what()
             << '\n';
 }

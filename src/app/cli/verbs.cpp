@@ -54,9 +54,9 @@ std::string option_name(const std::string& argument) {
 [[noreturn]] void refuse_verb(const std::string& word) {
   const std::vector<std::string_view> names = names_in(verbs());
   if (!option_name(word).empty())
-    throw UsageError("'" + word + "' stands before the verb; write contactscope VERB " + word +
+    throw UsageError("'" + word + "' is before the verb; write contactscope VERB " + word +
                      ", where VERB is one of " + quoted_list(names));
-  throw UsageError("'" + word + "' is no verb; " + did_you_mean(word, names) + "there is " +
+  throw UsageError("'" + word + "' is not a verb; " + did_you_mean(word, names) + "there is " +
                    quoted_list(names));
 }
 
@@ -71,7 +71,7 @@ std::string option_name(const std::string& argument) {
   const std::string near = nearest(option, known);
   if (!near.empty()) throw UsageError(what + "did you mean " + near + "?");
   if (!others.empty())
-    throw UsageError(what + "it is one of " + quoted_list(others) + ", leave it out here");
+    throw UsageError(what + "it is an option of " + quoted_list(others) + "; leave it out here");
   throw UsageError(what + "it has " + quoted_list(known));
 }
 

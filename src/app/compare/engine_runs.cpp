@@ -57,7 +57,7 @@ std::map<std::string, std::string> programs_of(const std::vector<std::string>& e
       known.insert(known.begin(), kOwn);
       const std::vector<std::string_view> views(known.begin(), known.end());
       throw UsageError("--engines '" + name + "': there is no program contactscope-engine-" + name +
-                       " beside contactscope or in $PATH; found are " + quoted_list(views));
+                       " next to contactscope or in $PATH; there are " + quoted_list(views));
     }
     programs[name] = *program;
   }
@@ -95,7 +95,7 @@ void print_words(const versus::EngineRun& engine_run, std::ostream& out) {
   std::istringstream lines(engine_run.notes);
   int left = kMaxNotes;
   for (std::string line; std::getline(lines, line) && left-- > 0;)
-    out << engine_run.name << " says: " << line << '\n';
+    out << engine_run.name << " prints: " << line << '\n';
 }
 
 }  // namespace contactscope::app

@@ -56,7 +56,7 @@ int most_kept(const Scenario& scenario) {
 void print_note(const Explorations& explorations, const Scenario& scenario) {
   if (explorations.empty()) {
     std::cerr << scenario.name
-              << ": nothing touches in these frames, so there is nothing to reduce\n";
+              << ": no shapes touch in these frames, so there is nothing to reduce\n";
     return;
   }
   const int most = most_points(explorations);
@@ -151,7 +151,7 @@ void write_pictures(const Scenario& scenario, const Explorations& explorations,
               << folder_of(options, explorations.front(), false).string() << '\n';
   if (const std::size_t kept_whole = explorations.size() - pictures; kept_whole > 0)
     std::cerr << "no picture of " << kept_whole << (kept_whole == 1 ? " manifold" : " manifolds")
-              << " on triangles of which every reducer keeps all points\n";
+              << " on triangles whose points every reducer keeps\n";
   if (left_out.empty()) return;
   std::cerr << size.width << 'x' << size.height << " leaves out ";
   for (const std::string& what : left_out)
@@ -167,7 +167,8 @@ Options without_reducer(Options options) {
 
 const std::string& known_reducer(const std::string& name) {
   if (find_reducer(name) == nullptr && name != "none")
-    throw UsageError("--reducer '" + name + "' is no reducer; known are " + names_of(reducers()));
+    throw UsageError("--reducer '" + name + "' is not a reducer; there are " +
+                     names_of(reducers()));
   return name;
 }
 
@@ -183,14 +184,13 @@ ExitCode run_explore(const Options& options) {
     scenario.up = input.trace->header.up;
   }
   if (!scenario.broad_phase.empty())
-    throw InputError(
-        scenario.path, 0, 0,
-        "explore follows pairs from frame to frame, and a broad phase chooses those of "
-        "this scenario anew in each; list the pairs to explore as [[pairs]]");
+    throw InputError(scenario.path, 0, 0,
+                     "explore follows pairs from frame to frame, but in this scenario a broad "
+                     "phase chooses them in each frame; list the pairs to explore as [[pairs]]");
   if (const auto deforming = std::ranges::find_if(scenario.shapes, &ScenarioShape::deforms);
       deforming != scenario.shapes.end())
     throw InputError(scenario.path, 0, 0,
-                     "explore measures how far contacts move beside the bodies, and '" +
+                     "explore compares the moves of contacts with those of bodies, and '" +
                          deforming->name +
                          "' has no such measure, because it deforms; leave out its 'deform'");
   const std::vector<int>& frames = input.frames;
@@ -225,7 +225,7 @@ ExitCode run_explore(const Options& options) {
   if (!options.quiet) print_note(explorations, scenario);
   RunLog log;
   if (options.tables_only) {
-    log.left_out("pictures and OpenGL, for --table asks for the table alone");
+    log.left_out("pictures and OpenGL, because of --table");
   } else if (!explorations.empty()) {
     write_pictures(scenario, explorations, options, words, log);
   }

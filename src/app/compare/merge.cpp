@@ -35,9 +35,10 @@ std::vector<fs::path> reports_in(const std::string& name) {
         folders.push_back(entry.path());
   }
   if (folders.empty())
-    throw InputError(name, 0, 0,
-                     "there is no report of a shard here; contactscope check --shard 1/4 --out " +
-                         for_shell(name) + " leaves one");
+    throw InputError(
+        name, 0, 0,
+        "there is no report of a shard here; write one with contactscope check --shard 1/4 --out " +
+            for_shell(name));
   std::ranges::sort(folders);
   return folders;
 }
@@ -67,12 +68,12 @@ void require_whole(const std::vector<Part>& parts) {
     if (outcome.shard->of != first.shard->of || outcome.all != first.all ||
         outcome.snapshots != first.snapshots || outcome.facts_only != first.facts_only)
       throw UsageError(folder + " and " + parts.front().folder.generic_string() +
-                       " are of runs that were asked for something else, so they are no parts of "
-                       "one; run all shards on the same files with the same options");
+                       " are reports of different commands, so they are not parts of one run; run "
+                       "all shards on the same files with the same options");
     if (outcome.made_of != first.made_of)
       throw UsageError(folder + " and " + parts.front().folder.generic_string() +
-                       " were made by different programs or of different scenario files, so one of "
-                       "them is left from an earlier run; run its shard again");
+                       " are from different programs or scenario files, so one of them is from an "
+                       "earlier run; run its shard again");
     if (!there.insert(outcome.shard->part).second)
       throw UsageError("shard " + std::to_string(outcome.shard->part) + " is there twice, in " +
                        folder + " too");
@@ -111,7 +112,7 @@ ExitCode merge_checks(const Options& options) {
   }
   std::ranges::stable_sort(outcome.scenarios, {}, &snapshot::ScenarioOutcome::scenario);
   report.add_file("times.json", times.dump(1) + "\n");
-  retell_page(report.aside(), outcome, options);
+  rewrite_page(report.aside(), outcome, options);
   report.publish(outcome);
   write_reports({outcome, report_folder(options), options});
   return exit_code(outcome);

@@ -136,9 +136,10 @@ void print_notes(const Rollout& rollout, std::ostream& out) {
     if (score.passed > 0)
       out << score.name << ": the first to pass through another in " << score.first_passed << '\n';
     if (!score.unknown.empty())
-      out << score.name << ": how deep " << score.unknown << " are is not known, of two meshes\n";
+      out << score.name << ": the depth of " << score.unknown << " is not known, of two meshes\n";
     if (!score.has_velocities && !score.time.empty())
-      out << score.name << ": tells no velocities; its energy is of the differences of poses\n";
+      out << score.name
+          << ": reports no velocities; its energy is computed from the differences of poses\n";
     for (int k = 0; k < std::min(kMaxFindings, count_of(score.findings)); ++k)
       out << record(score.name, at(score.findings, k)) << '\n';
   }
@@ -159,8 +160,8 @@ bool agree(const Rollout& rollout) {
 std::vector<Scenario> scenarios_of(const Options& options) {
   for (const std::string& argument : options.scenarios)
     if (is_trace_file(argument))
-      throw UsageError("--rollout steps scenarios, and " + argument +
-                       " is a trace of what was; name a scenario, or leave out --rollout");
+      throw UsageError("--rollout steps scenarios, but " + argument +
+                       " is a trace; name a scenario, or leave out --rollout");
   return load_scenarios(options);
 }
 

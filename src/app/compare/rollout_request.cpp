@@ -28,7 +28,7 @@ std::vector<Vec3d> inertia_of(const ScenarioShape& shape) {
 trace::Trace rollout_request(const Scenario& scenario) {
   if (std::ranges::none_of(scenario.shapes, &ScenarioShape::dynamic))
     throw InputError(scenario.path, 0, 0,
-                     "no shape is dynamic, so that there is nothing to roll out; add motion = { "
+                     "no shape is dynamic, so there is nothing to step; add motion = { "
                      "dynamic = true, mass = 1.0 } to one, or leave out --rollout");
   Runner runner(scenario, trace::Stages::none());
   trace::Trace start{runner.header(), {runner.frame(0)}};

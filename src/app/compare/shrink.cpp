@@ -45,7 +45,7 @@ Source read_source(const Options& options) {
 shrink::Expression read_expression(const Options& options, const Source& source) {
   if (options.condition.empty())
     throw UsageError(
-        "shrink needs --while, what has to stay: --while 'float.points != double.points', "
+        "shrink needs a condition to preserve: --while 'float.points != double.points', "
         "--while lint.flipped_normals, --while unmet");
   try {
     shrink::Expression expression(options.condition);
@@ -140,11 +140,11 @@ ExitCode run_shrink(const Options& options) {
   shrink::Judge judge(expression, engines_of(expression, options));
   const std::optional<Found> found = find(source, options, judge);
   if (!found) {
-    std::cerr
-        << "in no frame of " << source.name << " do two shapes show by themselves that "
-        << expression.text() << "; " << judge.requested()
-        << (judge.requested() == 1 ? " pair was" : " pairs were")
-        << " tried. What needs more than two shapes, or the frames before, cannot be shrunk\n";
+    std::cerr << "in no frame of " << source.name << " do two shapes alone satisfy "
+              << expression.text() << "; " << judge.requested()
+              << (judge.requested() == 1 ? " pair was" : " pairs were")
+              << " tried. A condition that needs more than two shapes, or earlier frames, cannot "
+                 "be shrunk\n";
     return ExitCode::Different;
   }
   std::optional<Progress> progress;

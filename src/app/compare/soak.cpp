@@ -93,7 +93,7 @@ SoakPart read_part(const std::string& file) {
   if (!text) throw InputError(file, 0, 0, "no such file");
   std::optional<snapshot::Shard> shard;
   Soak soak = parse_soak(*text, file, shard);
-  if (!shard) throw InputError(file, 0, 0, "this is a whole soak, not a part of one");
+  if (!shard) throw InputError(file, 0, 0, "this is a merged result, not a part of one");
   return {file, std::move(soak), *shard};
 }
 
@@ -103,8 +103,8 @@ void require_every_part(const std::vector<SoakPart>& parts) {
     if (part.shard.of != first.shard.of || part.soak.seed != first.soak.seed ||
         part.soak.cases != first.soak.cases || part.soak.lines.size() != first.soak.lines.size())
       throw UsageError(part.file + " and " + first.file +
-                       " are of different soaks; run all shards of one program with the same "
-                       "--cases and --seed, each soak with an --out of its own");
+                       " are parts of different runs; run all shards with one program and the same "
+                       "--cases and --seed, each run with its own --out");
     const std::string of = " of " + std::to_string(first.shard.of);
     if (part.shard.part < wanted)
       throw UsageError("shard " + std::to_string(part.shard.part) + of + " is there twice, in " +

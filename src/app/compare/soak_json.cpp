@@ -61,8 +61,9 @@ Soak parse_soak(const std::string& text, const std::string& path,
   try {
     const Json json = Json::parse(text);
     if (json.at("schema") != kSchema)
-      throw InputError(path, 0, 0,
-                       std::string("this is no part of a soak: its schema is not ") + kSchema);
+      throw InputError(
+          path, 0, 0,
+          std::string("this is not a part of study stability: its schema is not ") + kSchema);
     Soak soak{json.at("seed"), json.at("cases")};
     shard.reset();
     if (json.contains("shard"))
@@ -75,7 +76,7 @@ Soak parse_soak(const std::string& text, const std::string& path,
     return soak;
   } catch (const nlohmann::json::exception& error) {
     throw InputError(path, 0, 0,
-                     std::string("no part of a soak can be read here: ") + error.what() +
+                     std::string("this part of study stability cannot be read: ") + error.what() +
                          "; run its shard again");
   }
 }

@@ -33,10 +33,10 @@ const StudyInfo& find_study(const std::string& name) {
 std::vector<Scenario> scenarios_of(const StudyInfo& info, const Options& options) {
   if (!info.of_scenarios && (!options.scenarios.empty() || options.frames))
     throw UsageError("study " + info.name +
-                     " makes its own cases; leave scenarios and --frames out");
+                     " makes its own cases; leave out scenarios and --frames");
   if (!info.of_scenarios) return {};
   if (options.scenarios.empty())
-    throw UsageError("study " + info.name + " is of scenarios; name one, as hull/face_contact");
+    throw UsageError("study " + info.name + " needs a scenario; name one, as hull/face_contact");
   return load_scenarios(options);
 }
 
@@ -74,15 +74,14 @@ ExitCode run_study(const Options& options) {
   const StudyInfo& info = find_study(options.study);
   if (options.shard) {
     if (info.name != "stability")
-      throw UsageError("study " + info.name +
-                       " has no parts; --shard is of stability, whose cases are judged one by one");
+      throw UsageError("study " + info.name + " cannot be divided; --shard is for stability");
     return run_soak(options);
   }
   constexpr int kMaxCases = 1000000;
   if (options.cases.value_or(1) > kMaxCases)
     throw UsageError("--cases " + std::to_string(*options.cases) +
-                     " is more than a study holds; leave it below 1000001, or judge stability in "
-                     "parts, with --shard 1/1 or more");
+                     " is more than a study stores; write at most 1000000, or judge stability in "
+                     "parts with --shard 1/1 or more");
   RunLog log;
   const std::vector<trace::Study> results = run_study(info, options, log);
   if (info.of_scenarios && results.front().series.empty())
@@ -106,7 +105,7 @@ ExitCode run_study(const Options& options) {
          encode_png(renderer.paint(draw::plot(record, size.width, size.height))));
   }
   if (options.tables_only) {
-    log.left_out("plots and OpenGL, for --table asks for the numbers alone");
+    log.left_out("plots and OpenGL, because of --table");
   }
   stop_if_interrupted();
   std::filesystem::create_directories(folder);

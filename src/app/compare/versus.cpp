@@ -217,8 +217,7 @@ ExitCode run_versus(const Options& options) {
     if (!input.scenario.patches.empty())
       throw InputError(
           input.scenario.path, 0, 0,
-          "a [[patch]] has no shapes to ask engines about; `explore` compares how they "
-          "reduce its points");
+          "a [[patch]] has no shapes for engines; `explore` compares reducers on its points");
     Match match = match_of(std::move(input), engines);
     for (const std::string& name : engines)
       if (programs.contains(name))

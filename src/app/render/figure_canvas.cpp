@@ -22,7 +22,7 @@ int side_of(const char* option, double pixels) {
   const int side = static_cast<int>(std::lround(pixels));
   if (side >= kMinSide && side <= kMaxSide) return side;
   throw UsageError(std::string(option) + " makes " + std::to_string(side) +
-                   " pixels, and a picture has 64 to 8192; another --dpi changes that");
+                   " pixels, but a picture has 64 to 8192; change --dpi");
 }
 
 /// Height in pixels at which panels are complete.
@@ -94,7 +94,7 @@ void report_left_out(const trace::Header& header, const std::vector<trace::Frame
   }
   if (!names.empty())
     std::cerr << header.scenario << ": no room for " << names
-              << "; a larger --height has some, and without --height it is as large as it needs\n";
+              << "; make --height larger, or leave it out\n";
 }
 
 std::string words_path(const std::string& named) {
@@ -107,8 +107,8 @@ std::string words_path(const std::string& named) {
   if (fs::is_regular_file(installed, unknown)) return installed.string();
   if (fs::exists(named, unknown)) return named;  // a folder or a pipe: reading it gives the error
   throw UsageError("--words '" + named +
-                   "': there is no such file; name a TOML file with a [words] table, whose keys "
-                   "`contactscope list words` prints");
+                   "': there is no such file; give a TOML file with a [words] table. `contactscope "
+                   "list words` prints its keys");
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ void account_facts(const std::string& name, const std::vector<View>& views,
     for (const Panel panel : view.panels) what += " " + std::string(name_of(panel));
     log.note(what);
     if (view.panels.empty()) {
-      log.left_out(name + ": Dear ImGui, for view " + view.name + " names no panel");
+      log.left_out(name + ": Dear ImGui, because view " + view.name + " has no panel");
     }
   }
 }
@@ -53,14 +53,14 @@ void account_stages(const Scenario& scenario, const trace::Stages& stages, RunLo
                                         {stages.tree, "tree"},
                                         {stages.gjk, "gjk"}}) {
     if (recorded) continue;
-    log.left_out(scenario.name + ": record of stage " + stage + ", for no view shows it");
+    log.left_out(scenario.name + ": record of stage " + stage + ", because no view shows it");
   }
   const bool has_mesh = std::ranges::any_of(scenario.shapes, [](const ScenarioShape& shape) {
     return kind_of(*shape.geometry) == ShapeKind::Mesh;
   });
-  if (!has_mesh) log.left_out("bounding volume tree, for no shape is a mesh");
+  if (!has_mesh) log.left_out("bounding volume tree, because no shape is a mesh");
   if (std::ranges::none_of(scenario.shapes, &ScenarioShape::dynamic))
-    log.left_out("solver, for no shape is dynamic");
+    log.left_out("solver, because no shape is dynamic");
 }
 
 /// Warns about requested layers without data: most traces of engines lack data for many layers.
@@ -68,7 +68,7 @@ void report_idle(const std::string& file, const std::vector<std::string>& layers
   std::string names;
   for (const std::string& layer : layers) names += (names.empty() ? "" : ", ") + layer;
   std::cerr << file << ": nothing to draw in layer" << (layers.size() == 1 ? " " : "s ") << names
-            << "; src/trace/README.md says what a trace needs for it\n";
+            << "; src/trace/README.md lists what a trace needs for it\n";
 }
 
 /// Default title of an engine's trace: its engine, and the contacts of each frame.
@@ -88,7 +88,7 @@ Sequence sequence_of(Input& input, const std::vector<View>& views, const Options
     // Traces of this program may have an empty title on purpose.
     if (sequence.header.title.empty() && !sequence.header.engine.empty())
       sequence.header.title = title_of(sequence.header);
-    log.left_out(input.scenario.name + ": the pipeline, for its trace is drawn as it stands");
+    log.left_out(input.scenario.name + ": the pipeline, because a trace is drawn as it is");
   } else {
     const trace::Stages stages = draw::stages_shown(views);
     sequence = run_sequence(input.scenario, stages, options.timing, log);
@@ -153,7 +153,7 @@ ExitCode run_render(const Options& options) {
     inputs = load_inputs(options, Hold::Sample);
   }
   if (options.shard && options.sheet)
-    throw UsageError("--sheet is of all scenarios; leave --shard out");
+    throw UsageError("--sheet shows all scenarios; leave out --shard");
   if (options.shard)
     keep_shard(inputs, options, [&](const Input& input) {
       return 1.0 + count_of(input.frames) * count_of(selected_views(input.scenario, options));
@@ -186,11 +186,11 @@ ExitCode run_render(const Options& options) {
   }
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
   const EncoderPool& encoders = sinks.encoders();
-  total.add("encode, beside the rest",
+  total.add("encode, in parallel",
             std::chrono::duration_cast<std::chrono::nanoseconds>(encoders.busy()), pictures);
   if (options.verbose) {
-    total.note(std::to_string(encoders.threads()) + " encoder thread(s), " +
-               std::to_string(pictures / seconds.count()) + " pictures a second");
+    total.note("encoder threads: " + std::to_string(encoders.threads()) + ", " +
+               std::to_string(pictures / seconds.count()) + " pictures per second");
     total.print(std::cerr, "render");
   }
   if (!options.quiet) renderer.missing_glyphs().report(std::cerr);

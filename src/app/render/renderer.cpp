@@ -96,8 +96,9 @@ void Renderer::each_drawing(const draw::Staging& staging, Sequence& sequence,
       if (index < sequence.nanoseconds.size())
         moment.pipeline_nanoseconds = sequence.nanoseconds[index];
       for (const std::string& what : panels->add(moment, drawing)) {
-        log_.left_out(staging.header->scenario + ": " + what + ", for " + std::to_string(width) +
-                      "x" + std::to_string(height) + " has no room; a larger --size has");
+        log_.left_out(staging.header->scenario + ": " + what + ", because " +
+                      std::to_string(width) + "x" + std::to_string(height) +
+                      " has no room for it; use a larger --size");
       }
     }
     finish(staging.style, drawing);

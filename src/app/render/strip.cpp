@@ -49,23 +49,23 @@ std::string joined(const std::vector<int>& frames) {
 bool wants_cells(const Options& options, const std::vector<const Format*>& formats) {
   if (options.strip && (*options.strip < 2 || *options.strip > 64))
     throw UsageError("--strip " + std::to_string(*options.strip) +
-                     " is no number of frames to stand side by side; write 2 to 64, as --strip 4");
+                     " is not a number of frames; write 2 to 64, as --strip 4");
   if (options.columns && (*options.columns < 1 || *options.columns > 64))
     throw UsageError("--columns " + std::to_string(*options.columns) +
-                     " is no number of columns; write 1 to 64, as --columns 2");
+                     " is not a number of columns; write 1 to 64, as --columns 2");
   if (options.anchors && (options.strip || options.sheet))
-    throw UsageError(std::string("--anchors is of pictures of one frame; leave out ") +
+    throw UsageError(std::string("--anchors is for pictures of one frame; leave out ") +
                      (options.strip ? "--strip" : "--sheet"));
   if (options.strip && options.sheet)
-    throw UsageError("--strip and --sheet are a picture each; leave one out");
+    throw UsageError("--strip and --sheet are different pictures; leave out one");
   if (options.columns && !options.strip && !options.sheet)
-    throw UsageError("--columns are those of --strip or --sheet; name one of them too");
+    throw UsageError("--columns needs --strip or --sheet");
   if (!options.strip && !options.sheet) return false;
   for (const Format* format : formats)
     if (format->encode == nullptr)
       throw UsageError(std::string(options.strip ? "--strip" : "--sheet") +
                        " is one picture, and --format " + std::string(format->name) + " is " +
-                       std::string(format->what) + "; leave one of them out");
+                       std::string(format->what) + "; leave out one");
   return true;
 }
 
@@ -87,8 +87,8 @@ void draw_strips(const Input& input, Sequence& sequence, const PictureOrigin& or
   std::erase_if(views, [](const View& view) { return !has_cells(view); });
   if (views.empty())
     throw UsageError("--strip: " + scenario.name +
-                     " has contact planes alone here, whose cells stand side by side already; "
-                     "leave out --strip, or name another --view");
+                     " has only contact planes here, whose cells are already side by side; leave "
+                     "out --strip, or name another --view");
   const std::vector<int> chosen = evenly(input.frames, *options.strip);
   std::vector<trace::Frame> shown;
   sequence.each(chosen, [&](std::size_t index) { shown.push_back(sequence.frames[index]); });

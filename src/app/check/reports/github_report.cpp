@@ -44,7 +44,7 @@ void report_github(const ReportInput& input) {
         place = "file=" + escaped(scenario.file, true) + "," + line_in(scenario.file, first);
     std::string text = first.sentence;
     if (cause.scenarios.size() > 1)
-      text += "\ntold once of " + std::to_string(cause.scenarios.size()) + " scenarios";
+      text += "\nthe same cause in " + std::to_string(cause.scenarios.size()) + " scenarios";
     text += "\n" + remedy(input, cause);
     std::cout << "::error " << place << "title=" << escaped(first.key(), true)
               << "::" << escaped(text, false) << '\n';

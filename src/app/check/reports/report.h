@@ -49,7 +49,7 @@ std::string remedy(const ReportInput& input, const snapshot::Finding& finding);
 std::string remedy(const ReportInput& input, const snapshot::Cause& cause);
 
 /// Writes report.html into the report folder: before it is published, and after a review.
-void retell_page(const std::filesystem::path& folder, const snapshot::Outcome& outcome,
-                 const Options& options);
+void rewrite_page(const std::filesystem::path& folder, const snapshot::Outcome& outcome,
+                  const Options& options);
 
 }  // namespace contactscope::app

@@ -28,8 +28,8 @@ std::string path_in(const ReportInput& input, const std::string& file) {
   return (input.folder / file).lexically_normal().generic_string();
 }
 
-void retell_page(const std::filesystem::path& folder, const snapshot::Outcome& outcome,
-                 const Options& options) {
+void rewrite_page(const std::filesystem::path& folder, const snapshot::Outcome& outcome,
+                  const Options& options) {
   const ReportInput input{outcome, folder, options};
   if (kPageReport.is_wanted(input)) kPageReport.write(input);
 }
@@ -48,10 +48,11 @@ std::string accept_command(const ReportInput& input, const std::vector<std::stri
 std::string remedy(const ReportInput& input, const snapshot::Finding& finding) {
   if (finding.is_acceptable()) return accept_command(input, {finding.key()});
   if (finding.kind == snapshot::FindingKind::UnreadableScenario)
-    return "fix the file, and run check again; what is stored of it was left as it is";
-  if (finding.file.empty()) return "mend the expectation in its scenario, or what fails it";
-  return "mend what brings it back, or remove " + input.outcome.snapshots + "/" + finding.file +
-         " where it is right after all";
+    return "fix the file, and run check again; its snapshots were not changed";
+  if (finding.file.empty())
+    return "fix the expectation in its scenario, or the cause of the failure";
+  return "fix the bug that came back, or remove " + input.outcome.snapshots + "/" + finding.file +
+         " if the result is right";
 }
 
 std::string remedy(const ReportInput& input, const snapshot::Cause& cause) {

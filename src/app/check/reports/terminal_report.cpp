@@ -42,7 +42,7 @@ void put_cause(const Cause& cause, bool is_verbose) {
   if (cause.scenarios.size() > 1) {
     int pictures = 0;
     for (const Finding* finding : cause.findings) pictures += finding->is_picture();
-    put_line("", "told once of " +
+    put_line("", "the same cause in " +
                      snapshot::counted(static_cast<int>(cause.scenarios.size()), "scenario") +
                      (pictures > 0 ? " and " + snapshot::counted(pictures, "picture") : "") + ": " +
                      list_of(cause.scenarios, is_verbose ? cause.scenarios.size() : kMaxNames));
@@ -95,9 +95,9 @@ std::string what_to_do(const ReportInput& input, const snapshot::Tally& counts) 
   const int absent = count(FindingKind::New) + count(FindingKind::Missing);
   int all = 0;
   for (const Cause& cause : causes) all += static_cast<int>(cause.findings.size());
-  const std::string store = "contactscope check --write-missing stores what is not there yet";
-  const std::string review = "contactscope review goes through it, " +
-                             accept_command(input, {scenario}) + " takes one of them";
+  const std::string store = "contactscope check --write-missing stores what is missing";
+  const std::string review = "contactscope review shows them one by one, " +
+                             accept_command(input, {scenario}) + " accepts one";
   return absent == 0 ? review : absent == all ? store : review + ", " + store;
 }
 
@@ -113,7 +113,7 @@ void print_brittle(const snapshot::Outcome& outcome, bool is_verbose) {
   if (decisions == 0 || is_verbose) return;
   std::cerr << snapshot::counted(decisions, "decision") << " in "
             << snapshot::counted(scenarios, "scenario") << (decisions == 1 ? " is" : " are")
-            << " within rounding: another machine may choose otherwise; --verbose names "
+            << " within rounding: another machine may decide differently; --verbose lists "
             << (decisions == 1 ? "it" : "them") << '\n';
 }
 
@@ -125,7 +125,7 @@ void report_terminal(const ReportInput& input) {
     if (scenario.written > 0 && !options.quiet)
       print_written(scenario);
     else if (options.verbose)
-      put_line("same", scenario.scenario + (scenario.is_known_same ? ", as nothing changed" : ""));
+      put_line("same", scenario.scenario + (scenario.is_known_same ? ", nothing changed" : ""));
   }
   for (const Cause& cause : snapshot::causes(outcome)) put_cause(cause, options.verbose);
   const snapshot::Tally counts = snapshot::tally(outcome);
@@ -139,13 +139,12 @@ void report_terminal(const ReportInput& input) {
   for (std::size_t i = 0; i < notes.size() && i < most; ++i) std::cerr << notes[i] << '\n';
   if (most < notes.size()) std::cerr << "and " << notes.size() - most << " more such notes\n";
   if (counts.known_same > 0)
-    std::cerr << (counts.known_same == counts.scenarios && counts.failing + counts.written == 0
-                      ? "nothing changed since the last check: neither scenarios, snapshots nor "
-                        "program\n"
-                      : std::to_string(counts.known_same) + " of " +
-                            std::to_string(counts.scenarios) +
-                            " were not run again, for nothing changed of them since the last "
-                            "check\n");
+    std::cerr
+        << (counts.known_same == counts.scenarios && counts.failing + counts.written == 0
+                ? "nothing changed since the last check: neither scenarios, snapshots nor "
+                  "program\n"
+                : std::to_string(counts.known_same) + " of " + std::to_string(counts.scenarios) +
+                      " were not run again, because they have not changed since the last check\n");
   std::cerr << snapshot::summary(counts) << '\n';
   if (counts.failing == 0) return;
   std::cerr << "see " << path_in(input, "report.html") << "; " << what_to_do(input, counts) << '\n';

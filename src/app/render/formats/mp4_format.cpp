@@ -23,8 +23,8 @@ namespace fs = std::filesystem;
 std::string ffmpeg() {
   if (const std::optional<std::string> found = versus::find_program("ffmpeg", {})) return *found;
   throw UsageError(
-      "--format mp4 needs the program ffmpeg, which no folder of $PATH has; install it (apt-get "
-      "install ffmpeg), or choose apng or webp");
+      "--format mp4 needs the program ffmpeg, which is not in $PATH; install it (apt-get install "
+      "ffmpeg), or choose apng or webp");
 }
 
 /// Some players fail at lower rates, so slower pictures are repeated.
@@ -75,7 +75,7 @@ class Mp4Animation : public Animation {
  private:
   [[noreturn]] void fail() const {
     throw std::runtime_error(program_ + " could not make " + path_ +
-                             "; what it said stands above, and no file is left");
+                             "; its messages are above, and no file is left");
   }
 
   /// yuv420p stores one colour per 2 x 2 pixels: repeats the last column and row of odd sizes.
