@@ -86,6 +86,9 @@ std::string given_options(const CLI::App& verb) {
     const std::string name = option->name();
     if (option->is_argument() || !option->is_recorded || verb.count(name) == 0) continue;
     all += " " + name;
+    const std::string& implied = option->values.implied;
+    if (!implied.empty() && text_of(verb, *option) != implied)
+      all += "=" + text_of(verb, *option).value_or("");
     if (!option->takes_value()) continue;
     const std::string values = CLI::detail::join(verb.get_option(name)->results(), ",");
     // A value with a leading dash looks like an option, unless it is a number.

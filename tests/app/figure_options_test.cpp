@@ -36,6 +36,17 @@ TEST(FigureOptions, MistakesNameTheOptionAndTheRemedy) {
   fails("--font README.md", "this is not a TrueType font");
 }
 
+TEST(FigureOptions, ThePictureRecordsTheHeightOfAnOrthographicView) {
+  for (const char* option : {"--orthographic=1.5", "--orthographic"}) {
+    const TemporaryFolder folder;
+    const ProgramRun drawn =
+        run(kFigure + option + " --format svg --out '" + folder.path().string() + "'");
+    ASSERT_EQ(drawn.exit_code, 0) << drawn.err;
+    EXPECT_THAT(read_text(folder.path() / "hull/face_contact/frame_0012.svg"),
+                HasSubstr(option + std::string(" --frames 12")));
+  }
+}
+
 TEST(FigureOptions, UnknownWordsAreReportedWithTheNearest) {
   const TemporaryFolder folder;
   const std::string words = folder.write("de.toml", "[words]\n\"referenze face\" = \"Fläche\"\n");
