@@ -75,9 +75,7 @@ std::vector<std::string> files_named(const std::string& argument, const Options&
 }
 
 void override_reducer(Scenario& scenario, const std::string& reducer) {
-  if (std::ranges::find(reducers(), reducer, &ReducerInfo::name) == reducers().end())
-    throw UsageError("--reducer '" + reducer + "' is not a reducer; there are " +
-                     names_of(reducers()));
+  require_reducer(reducer);
   scenario.pipeline.reducer = reducer;
   for (ScenarioPair& pair : scenario.pairs) pair.pipeline.reducer = reducer;
 }
@@ -158,6 +156,12 @@ void override_views(std::vector<View>& views, const Options& options) {
 }
 
 }  // namespace
+
+void require_reducer(const std::string& name) {
+  if (std::ranges::find(reducers(), name, &ReducerInfo::name) == reducers().end())
+    throw UsageError("--reducer '" + name + "' is not a reducer; there are " +
+                     names_of(reducers()));
+}
 
 std::string installed_scenarios() {
   std::error_code unknown;

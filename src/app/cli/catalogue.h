@@ -51,6 +51,9 @@ std::vector<Input> load_inputs(const Options& options, Hold hold = Hold::Whole,
 void each_input(const Options& options, const std::function<void(const Input&)>& scenario,
                 const std::function<void(TraceFile&)>& trace);
 
+/// Throws UsageError, with all names, if --reducer names none.
+void require_reducer(const std::string& name);
+
 /// Views selected by --view.
 std::vector<View> selected_views(const Scenario& scenario, const Options& options);
 

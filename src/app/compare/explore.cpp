@@ -14,6 +14,7 @@
 #include "core/title.h"
 #include "draw/insets/contact_cells.h"
 #include "reduce/reducer.h"
+#include "snapshot/finding.h"
 #include "snapshot/store.h"
 #include "study/exploration.h"
 
@@ -60,9 +61,8 @@ void print_note(const Explorations& explorations, const Scenario& scenario) {
     return;
   }
   const int most = most_points(explorations);
-  std::cerr << scenario.name << ": " << explorations.size()
-            << (explorations.size() == 1 ? " manifold" : " manifolds") << " of at most " << most
-            << " points";
+  std::cerr << scenario.name << ": " << snapshot::counted(count_of(explorations), "manifold")
+            << " of at most " << most << " points";
   if (most <= most_kept(scenario)) std::cerr << ", which every reducer keeps whole";
   std::cerr << '\n';
 }
@@ -111,14 +111,14 @@ void write_pictures(const Scenario& scenario, const Explorations& explorations,
   std::erase_if(sequences, [&](const Explorations& sequence) {
     return sequence.front().triangle && most_points(sequence) <= most_kept(scenario);
   });
-  std::size_t pictures = 0;
-  for (const Explorations& sequence : sequences) pictures += sequence.size();
+  int pictures = 0;
+  for (const Explorations& sequence : sequences) pictures += count_of(sequence);
   std::vector<std::string> left_out;
   if (pictures > 0) {
     Renderer renderer(options.backend, log);
     EncoderPool encoders(options.jobs);
     {
-      Progress progress(static_cast<int>(pictures), options.quiet);
+      Progress progress(pictures, options.quiet);
       for (const Explorations& sequence : sequences) {
         const auto order = mapped(summarize(sequence), &ReducerSummary::name);
         const std::string& label = sequence.front().label;
@@ -147,10 +147,10 @@ void write_pictures(const Scenario& scenario, const Explorations& explorations,
   }
   if (options.quiet) return;
   if (pictures > 0)
-    std::cerr << pictures << (pictures == 1 ? " picture" : " pictures") << " in "
+    std::cerr << snapshot::counted(pictures, "picture") << " in "
               << folder_of(options, explorations.front(), false).string() << '\n';
-  if (const std::size_t kept_whole = explorations.size() - pictures; kept_whole > 0)
-    std::cerr << "no picture of " << kept_whole << (kept_whole == 1 ? " manifold" : " manifolds")
+  if (const int kept_whole = count_of(explorations) - pictures; kept_whole > 0)
+    std::cerr << "no picture of " << snapshot::counted(kept_whole, "manifold")
               << " on triangles whose points every reducer keeps\n";
   if (left_out.empty()) return;
   std::cerr << size.width << 'x' << size.height << " leaves out ";
@@ -163,13 +163,6 @@ void write_pictures(const Scenario& scenario, const Explorations& explorations,
 Options without_reducer(Options options) {
   options.reducer.clear();
   return options;
-}
-
-const std::string& known_reducer(const std::string& name) {
-  if (find_reducer(name) == nullptr && name != "none")
-    throw UsageError("--reducer '" + name + "' is not a reducer; there are " +
-                     names_of(reducers()));
-  return name;
 }
 
 ExitCode run_explore(const Options& options) {
@@ -196,7 +189,10 @@ ExitCode run_explore(const Options& options) {
   const std::vector<int>& frames = input.frames;
   const std::shared_ptr<const Words> words = words_of(input, options);
   ExploreOptions explore_options;
-  if (!options.reducer.empty()) explore_options.reducers = {known_reducer(options.reducer)};
+  if (!options.reducer.empty()) {
+    require_reducer(options.reducer);
+    explore_options.reducers = {options.reducer};
+  }
   explore_options.threads = options.jobs;
   std::optional<Progress> progress;
   std::string stage;

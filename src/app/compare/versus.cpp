@@ -9,10 +9,12 @@
 #include "app/compare/engine_runs.h"
 #include "app/compare/rollout.h"
 #include "app/render/renderer.h"
+#include "core/at.h"
 #include "core/title.h"
 #include "draw/insets/contact_cells.h"
 #include "draw/scene/quantity.h"
 #include "scenario/run.h"
+#include "snapshot/finding.h"
 #include "snapshot/store.h"
 #include "trace/find.h"
 #include "versus/comparison.h"
@@ -158,8 +160,7 @@ draw::ContactCell cell_of(const EngineRun& engine_run, const trace::Frame* frame
       cell.kept.push_back(count_of(cell.points));
       cell.points.push_back(point);
     }
-  const std::string points =
-      std::to_string(cell.points.size()) + (cell.points.size() == 1 ? " point" : " points");
+  const std::string points = snapshot::counted(count_of(cell.points), "point");
   cell.rows.push_back({points, "", points});
   const std::string depth = draw::spell_length(trace::deepest_point(*pair)->separation);
   cell.rows.push_back({"deepest " + depth, "", depth});
@@ -198,8 +199,7 @@ void write_pictures(const Match& match, const Options& options, Renderer& render
   }
   encoders.finish();
   if (!options.quiet)
-    std::cerr << pictures << (pictures == 1 ? " picture" : " pictures") << " in " << root.string()
-              << '\n';
+    std::cerr << snapshot::counted(pictures, "picture") << " in " << root.string() << '\n';
 }
 
 ExitCode run_versus(const Options& options) {

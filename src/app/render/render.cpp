@@ -15,6 +15,7 @@
 #include "app/render/strip.h"
 #include "core/at.h"
 #include "draw/staging.h"
+#include "snapshot/finding.h"
 
 namespace contactscope::app {
 namespace {
@@ -197,9 +198,9 @@ ExitCode run_render(const Options& options) {
   if (!options.quiet) {
     std::filesystem::path where = options.out;
     if (inputs.size() == 1 && !options.sheet) where /= inputs.front().scenario.name;
-    std::cerr << pictures << (pictures == 1 ? " picture" : " pictures");
+    std::cerr << snapshot::counted(pictures, "picture");
     if (const int files = sinks.files(); files != pictures)
-      std::cerr << ", " << files << (files == 1 ? " file" : " files");
+      std::cerr << ", " << snapshot::counted(files, "file");
     std::cerr << " in " << where.string() << '\n';
   }
   return ExitCode::Same;

@@ -8,6 +8,7 @@
 #include "app/render/origin.h"
 #include "core/at.h"
 #include "draw/strip.h"
+#include "snapshot/finding.h"
 #include "snapshot/store.h"
 
 namespace contactscope::app {
@@ -127,9 +128,9 @@ void draw_sheet(std::vector<Input>& inputs, const std::function<Sequence(Input&)
   View none;  // not a scene: thumbnails determine the height
   none.kind = ViewKind::ContactPlane;
   const FigureCanvas canvas = page_canvas({}, {}, none, options, page_width(columns), words);
-  const draw::ContactSheet sheet((group.empty() ? "" : group + ": ") + std::to_string(count) +
-                                     (count == 1 ? " scenario" : " scenarios"),
-                                 count, canvas.size.width, columns, canvas.style);
+  const draw::ContactSheet sheet(
+      (group.empty() ? "" : group + ": ") + snapshot::counted(count, "scenario"), count,
+      canvas.size.width, columns, canvas.style);
   std::vector<draw::ContactSheet::Entry> entries;
   std::vector<draw::Drawing> thumbnails;
   for (Input& input : inputs) {
