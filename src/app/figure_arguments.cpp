@@ -39,9 +39,7 @@ CLI::Option* add_figure_option(CLI::App& verb, const std::string& name, FigureOp
     return value(to.background_text, "transparent, white or #RRGGBB; default: the theme's");
   if (name == "--theme") return value(to.theme_text, "Colours: light, dark, grey or print");
   if (name == "--words")
-    return value(to.words,
-                 "TOML file with what stands in place of the words in pictures, or de, which is "
-                 "installed");
+    return value(to.words, "TOML file with what stands in place of the words in pictures");
   if (name == "--font")
     return verb
         .add_option(name, to.fonts,

@@ -28,7 +28,7 @@ struct FigureLength {
 /// The options as text, and their values.
 struct FigureOptions {
   std::string width_text, height_text, font_size_text, background_text, theme_text;
-  std::string words;               // a file, or the name of an installed one
+  std::string words;               // a file
   std::vector<std::string> fonts;  // regular, and optionally bold
   double dpi = 300;                // pixels per inch for physical sizes
   double scale = 1, line_width = 1;

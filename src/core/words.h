@@ -1,45 +1,37 @@
 #pragma once
 
-#include <optional>
+#include <map>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace contactscope {
 
-/// The program's own texts in pictures, untranslated: legend entries, headings, labels and words in
-/// rows. `{n}` is a number with its unit, any other name in braces is any text: "step {n} of {m}".
-/// In the order of `contactscope list words`.
+/// Keys of texts that any picture may contain: legend entries, labels and headings, by topic.
+/// `contactscope list words` prints them.
 const std::vector<std::string_view>& known_words();
 
-/// Translation of the program's own words in pictures.
-///
-/// An entry replaces the text that equals it or matches its pattern; the texts in its places are
-/// translated recursively. Any other text is split at "; ", ", ", ": ", " = ", " × " and
-/// parentheses, and its parts are replaced one by one. Text without an entry stays.
+/// The part of a key that stands for any text, with its braces: "{n}" of "leans {n}". Empty if the
+/// key has none.
+std::string_view place_in(std::string_view key);
+
+/// Other texts for those of the program, and other names for shapes and pairs: a [words] table.
 class Words {
  public:
-  /// A later entry for the same text replaces the earlier one.
-  void replace(std::string_view what, std::string_view by);
+  /// Replaces the text that equals `key`, or all texts that differ from it only in its place. `by`
+  /// has the same place, or is empty, which hides the text. Later entries replace earlier ones.
+  void replace(std::string_view key, const std::string& by);
+  /// Renames a shape or pair: alone, after its role as in "A: crate", and before an answer as in
+  /// "crate: yes".
+  void rename(std::string_view name, const std::string& by);
   void replace(const Words& others);
-  bool empty() const { return entries_.empty(); }
+  bool empty() const { return texts_.empty(); }
 
+  /// A text without an entry stays. Whole texts take precedence over keys with a place.
   std::string of(std::string_view text) const;
 
-  /// Error message for an entry with a place in braces that the other side lacks. Empty if valid.
-  static std::string mistake(std::string_view what, std::string_view by);
-
  private:
-  struct Entry {
-    std::string what, by;
-    std::vector<std::string> pieces;  // of `what`: literal text, a place, literal text, ...
-  };
-
-  std::optional<std::string> whole(std::string_view text, int depth) const;
-  std::string translated(std::string_view text, int depth) const;
-
-  std::vector<Entry> entries_;
+  std::map<std::string, std::string, std::less<>> texts_;
 };
 
 }  // namespace contactscope

@@ -45,7 +45,6 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/scenarios
   DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/contactscope COMPONENT program)
 install(FILES ${PROJECT_SOURCE_DIR}/src/trace/findings.schema.json
   DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/contactscope COMPONENT program)
-install(DIRECTORY words DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/contactscope COMPONENT program)
 
 # The man page and shell completions, as printed by the program.
 #   contactscope_manual(WHAT FILE FOLDER...)

@@ -251,20 +251,7 @@ toml::table scenario_file::read_document(const std::string& path) {
 }
 
 std::vector<std::string_view> names_in_pictures(const Scenario& scenario) {
-  std::vector<std::string_view> names = {scenario.source};
-  // Add each alternative of a title. Values of its placeholders are in the word's braces.
-  const auto add_title = [&](std::string_view title) {
-    constexpr std::string_view kSeparator = " | ";
-    while (!title.empty()) {
-      const std::size_t end = std::min(title.find(kSeparator), title.size());
-      names.push_back(title.substr(0, end));
-      title.remove_prefix(std::min(end + kSeparator.size(), title.size()));
-    }
-  };
-  add_title(scenario.title);
-  for (const View& view : scenario.views) {
-    if (view.title) add_title(*view.title);
-  }
+  std::vector<std::string_view> names;
   for (const ScenarioShape& shape : scenario.shapes) {
     names.push_back(shape.name);
     names.push_back(kind_of_name(shape.name));

@@ -3,91 +3,82 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 namespace contactscope {
 namespace {
 
-using testing::HasSubstr;
 using testing::IsEmpty;
 
-Words german() {
+TEST(Words, ReplaceWholeTexts) {
   Words words;
   words.replace("contact point", "Kontaktpunkt");
-  words.replace("whisker", "Strich");
-  words.replace("overlap", "Überlappung");
-  words.replace("step {n} of {m}", "Schritt {n} von {m}");
-  words.replace("faces of {shape}", "Flächen von {shape}");
-  words.replace("{n} points", "{n} Punkte");
-  return words;
-}
-
-TEST(Words, ReplaceWholeTextsAndPartsOfThem) {
-  const Words words = german();
   EXPECT_EQ(words.of("contact point"), "Kontaktpunkt");
-  EXPECT_EQ(words.of("contact point, whisker = overlap × 5"),
-            "Kontaktpunkt, Strich = Überlappung × 5");
-  EXPECT_EQ(words.of("contact point (overlap)"), "Kontaktpunkt (Überlappung)");
-  EXPECT_EQ(words.of("contact points"), "contact points") << "no part of a word";
+  EXPECT_EQ(words.of("contact points"), "contact points");
+  EXPECT_EQ(words.of("contact point, whisker = overlap"), "contact point, whisker = overlap");
   EXPECT_EQ(words.of(""), "");
 }
 
-TEST(Words, PlacesHoldNumbersOrNames) {
-  const Words words = german();
-  EXPECT_EQ(words.of("step 3 of 12"), "Schritt 3 von 12");
-  EXPECT_EQ(words.of("step three of 12"), "step three of 12");
-  EXPECT_EQ(words.of("faces of crate"), "Flächen von crate");
-  EXPECT_EQ(words.of("4 points, overlap"), "4 Punkte, Überlappung");
-}
-
-TEST(Words, ValuesOfPlaceholdersAreReplacedToo) {
-  Words words = german();
-  words.replace("crate", "Kiste");
-  EXPECT_EQ(words.of("faces of crate"), "Flächen von Kiste");
-}
-
-TEST(Words, TitlesWithPlaceholdersAreReplacedAsTheyAreFilled) {
-  Words words = german();
-  words.replace("Face contact: {kept:point} remain", "Flächenkontakt: es bleiben {kept:point}");
-  words.replace("Flat{from 2}", "Eben{from 2}");
-  EXPECT_EQ(words.of("Flat"), "Eben");
-  EXPECT_EQ(words.of("Face contact: 6 points remain"), "Flächenkontakt: es bleiben 6 Punkte");
-}
-
-TEST(Words, PlacesMaySwapTheirOrder) {
+TEST(Words, APlaceHoldsAnyText) {
   Words words;
-  words.replace("{n} of {m}", "von {m}: {n}");
-  EXPECT_EQ(words.of("3 of 7"), "von 7: 3");
+  words.replace("leans {n}", "neigt sich um {n}");
+  words.replace("cells: {n} tests", "{n} Prüfungen in Zellen");
+  words.replace("leans {n} back", "");
+  EXPECT_EQ(words.of("leans 27°"), "neigt sich um 27°");
+  EXPECT_EQ(words.of("cells: 8 tests"), "8 Prüfungen in Zellen");
+  EXPECT_EQ(words.of("leans "), "leans ") << "the place is empty";
+  EXPECT_EQ(words.of("cells:  tests"), "cells:  tests");
+}
+
+TEST(Words, AWholeTextTakesPrecedence) {
+  Words words;
+  words.replace("face {n}", "Fläche {n}");
+  words.replace("face 7", "Boden");
+  EXPECT_EQ(words.of("face 7"), "Boden");
+  EXPECT_EQ(words.of("face 8"), "Fläche 8");
+}
+
+TEST(Words, NamesAreReplacedNextToRolesAndAnswers) {
+  Words words;
+  words.rename("old_crate", "Kiste");
+  for (const char* name : {"old_crate", "old crate"}) EXPECT_EQ(words.of(name), "Kiste");
+  EXPECT_EQ(words.of("A: old crate"), "A: Kiste");
+  EXPECT_EQ(words.of("B: old crate"), "B: Kiste");
+  EXPECT_EQ(words.of("old crate: yes, falsely"), "Kiste: yes, falsely");
+  EXPECT_EQ(words.of("old crates"), "old crates");
+}
+
+TEST(Words, AnEmptyWordHidesTheText) {
+  Words words;
+  words.replace("leans {n}", "");
+  words.rename("crate", "");
+  for (const char* text : {"leans 27°", "crate", "A: crate", "B: crate", "crate: no"})
+    EXPECT_THAT(words.of(text), IsEmpty()) << text;
 }
 
 TEST(Words, LaterEntriesTakeThePlaceOfEarlierOnes) {
-  Words words = german(), own;
+  Words words, own;
+  words.replace("overlap", "Überlappung");
+  words.replace("new", "neu");
   own.replace("overlap", "Tiefe");
   words.replace(own);
   EXPECT_EQ(words.of("overlap"), "Tiefe");
-  EXPECT_EQ(words.of("whisker"), "Strich");
+  EXPECT_EQ(words.of("new"), "neu");
 }
 
-TEST(Words, TextsWithAnEmptyPartAreOmitted) {
-  Words words = german();
-  words.replace("crate", "");
-  EXPECT_EQ(words.of("crate"), "");
-  EXPECT_EQ(words.of("B: crate"), "");
-  EXPECT_EQ(words.of("crates"), "crates");
-  EXPECT_EQ(words.of("overlap: "), "Überlappung: ") << "what was empty before takes nothing";
-  EXPECT_THAT(Words::mistake("step {n} of {m}", ""), IsEmpty());
+TEST(Words, PlacesStandInBraces) {
+  EXPECT_EQ(place_in("{n} apart, slid"), "{n}");
+  EXPECT_EQ(place_in("leans {n}"), "{n}");
+  for (const char* key : {"leans", "a } b { c", "{", ""}) EXPECT_THAT(place_in(key), IsEmpty());
 }
 
-TEST(Words, MistakesAreDescribed) {
-  EXPECT_THAT(Words::mistake("step {n} of {m}", "Schritt {n} von {m}"), IsEmpty());
-  EXPECT_THAT(Words::mistake("step {n} of {m}", "Schritt {n}"), HasSubstr("{m} is missing"));
-  EXPECT_THAT(Words::mistake("overlap", "{n} tief"), HasSubstr("{n} does not stand in"));
-}
-
-TEST(KnownWords, EachIsThereOnce) {
+TEST(KnownWords, EachIsThereOnceWithAtMostOnePlace) {
   const std::set<std::string_view> once(known_words().begin(), known_words().end());
   EXPECT_EQ(once.size(), known_words().size());
   EXPECT_FALSE(once.contains(""));
+  for (const std::string_view key : once)
+    EXPECT_EQ(std::ranges::count(key, '{'), place_in(key).empty() ? 0 : 1) << key;
 }
 
 }  // namespace
