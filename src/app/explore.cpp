@@ -11,11 +11,11 @@
 #include "app/table.h"
 #include "app/verbs.h"
 #include "core/at.h"
-#include "core/title.h"
 #include "draw/insets/contact_cells.h"
 #include "reduce/reducer.h"
 #include "snapshot/store.h"
 #include "study/exploration.h"
+#include "view/title.h"
 
 namespace contactscope::app {
 namespace {

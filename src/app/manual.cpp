@@ -5,11 +5,11 @@
 #include "app/formats/format.h"
 #include "app/verbs.h"
 #include "core/at.h"
-#include "core/layers.h"
 #include "draw/scene/theme.h"
 #include "reduce/reducer.h"
 #include "scenario/nearest_word.h"
 #include "study/study.h"
+#include "view/layers.h"
 
 namespace contactscope::app {
 namespace {

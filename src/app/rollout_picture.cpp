@@ -7,10 +7,10 @@
 #include "app/renderer.h"
 #include "app/table.h"
 #include "core/at.h"
-#include "core/title.h"
 #include "draw/charts/time_chart.h"
 #include "draw/scene/quantity.h"
 #include "draw/staging.h"
+#include "view/title.h"
 
 namespace contactscope::app {
 namespace {

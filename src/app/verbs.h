@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "app/figure_options.h"
-#include "core/layers.h"
 #include "gl/context.h"
 #include "snapshot/verdict.h"
+#include "view/layers.h"
 
 namespace contactscope::app {
 

@@ -9,7 +9,6 @@
 #include "app/renderer.h"
 #include "app/rollout.h"
 #include "app/table.h"
-#include "core/title.h"
 #include "draw/insets/contact_cells.h"
 #include "draw/scene/quantity.h"
 #include "scenario/run.h"
@@ -19,6 +18,7 @@
 #include "versus/own.h"
 #include "versus/reference.h"
 #include "versus/request.h"
+#include "view/title.h"
 
 namespace contactscope::app {
 namespace {

@@ -220,7 +220,7 @@ double read_share(const Value& value);
 
 // views.cpp
 
-/// A title with valid placeholders; see core/title.h.
+/// A title with valid placeholders; see view/title.h.
 std::string read_title(const Value& value);
 /// Rejects title placeholders whose `of` names a pair or shape that does not exist.
 void check_title(const Value& value, const Scenario& scenario);

@@ -10,10 +10,10 @@
 #include "core/at.h"
 #include "core/input_file.h"
 #include "core/plain_text.h"
-#include "core/shape_name.h"
 #include "scenario/readers.h"
 #include "scenario/scenario_name.h"
 #include "scenario/words_file.h"
+#include "view/shape_name.h"
 
 namespace contactscope {
 namespace {

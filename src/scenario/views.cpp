@@ -3,8 +3,8 @@
 #include <cmath>
 #include <set>
 
-#include "core/title.h"
 #include "scenario/readers.h"
+#include "view/title.h"
 
 namespace contactscope {
 namespace scenario_file {

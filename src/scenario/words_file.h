@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/words.h"
+#include "view/words.h"
 
 namespace contactscope {
 

@@ -1,6 +1,6 @@
-#include "core/words.h"
+#include "view/words.h"
 
-#include "core/shape_name.h"
+#include "view/shape_name.h"
 
 namespace contactscope {
 
