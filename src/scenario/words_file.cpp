@@ -15,13 +15,13 @@ Words scenario_file::read_words_table(const Value& table,
   for (const Value& entry : table.members()) {
     if (std::ranges::find(known, entry.name()) == known.end()) {
       const std::string near = nearest(entry.name(), known);
-      entry.fail("no picture has the word '" + entry.name() + "'; " +
-                 (near.empty() ? "`contactscope list words` has all that there are"
-                               : "did you mean '" + near + "'?"));
+      entry.fail(
+          "no picture has the word '" + entry.name() + "'; " +
+          (near.empty() ? "`contactscope list words` prints all" : "did you mean '" + near + "'?"));
     }
     const std::string by = entry.string();
     if (const std::string mistake = Words::mistake(entry.name(), by); !mistake.empty())
-      entry.fail("'" + by + "' cannot stand for '" + entry.name() + "': " + mistake);
+      entry.fail("'" + by + "' cannot replace '" + entry.name() + "': " + mistake);
     words.replace(entry.name(), by);
     // Pictures have a shape's name in words.
     if (std::ranges::find(names, entry.name()) != names.end())
