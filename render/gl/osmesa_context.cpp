@@ -15,7 +15,7 @@ using OsmesaHandle = struct osmesa_context*;
 
 struct Osmesa {
   explicit Osmesa(const std::string& name)
-      : library(name, "install libosmesa6 where Mesa is older than 25.1, or use EGL") {}
+      : library(name, "install libosmesa6 if Mesa is older than 25.1, or use EGL") {}
 
   Library library;
   OsmesaHandle (*create_context)(const int* attributes,

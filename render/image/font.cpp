@@ -198,16 +198,16 @@ void add_font(const std::string& regular, const std::string& bold) {
       bytes = read_whole_file(path);
     } catch (const std::filesystem::filesystem_error& error) {
       throw FontError(path + ": " + error.code().message() +
-                      "; give a .ttf, as of fonts-noto-core");
+                      "; give a .ttf file, e.g. of fonts-noto-core");
     } catch (const std::runtime_error& error) {
-      throw FontError(std::string(error.what()) + "; give a .ttf, as of fonts-noto-core");
+      throw FontError(std::string(error.what()) + "; give a .ttf file, e.g. of fonts-noto-core");
     }
     const std::optional<Face> face = load(bytes);
     if (!face)
-      throw FontError(path + ": this is no TrueType font; give a .ttf, as of fonts-noto-core");
-    if (face->info.glyf == 0)
       throw FontError(path +
-                      ": this font has no TrueType outlines (glyf), but others; give a .ttf of it");
+                      ": this is not a TrueType font; give a .ttf file, e.g. of fonts-noto-core");
+    if (face->info.glyf == 0)
+      throw FontError(path + ": this font has no TrueType outlines (glyf); give its .ttf file");
     return *face;
   };
   try {

@@ -20,7 +20,7 @@ std::string gzip(std::string_view bytes) {
 
 std::string gunzip(std::string_view file) {
   constexpr std::size_t kMin = 18, kMax = std::size_t{2} << 30;  // header and trailer
-  const auto fail = [] { throw std::runtime_error("it is no whole gzip file"); };
+  const auto fail = [] { throw std::runtime_error("it is not a complete gzip file"); };
   if (file.size() < kMin) fail();
   // The last four bytes are the size, little-endian.
   std::size_t size = 0;

@@ -55,7 +55,7 @@ Image decode_png(std::span<const std::uint8_t> bytes, const std::string& name) {
       stbi_image_free);
   if (!pixels) {
     throw PngError(name + ": cannot be read as a PNG: " +
-                   (has_signature(bytes) ? "it is cut off or damaged" : "it is none"));
+                   (has_signature(bytes) ? "it is cut off or damaged" : "it is not one"));
   }
   Image image(width, height);
   image.rgb.assign(pixels.get(), pixels.get() + image.rgb.size());
@@ -68,7 +68,7 @@ Image read_png(const std::string& path) {
 
 PngText read_png_text(const std::string& path) {
   const std::vector<std::uint8_t> bytes = read_whole_file(path);
-  if (!has_signature(bytes)) throw PngError(path + ": cannot be read as a PNG: it is none");
+  if (!has_signature(bytes)) throw PngError(path + ": cannot be read as a PNG: it is not one");
   PngText text;
   for (std::size_t at = kPngSignature.size(); at + 12 <= bytes.size();) {
     const std::size_t length = be32(&bytes[at]);

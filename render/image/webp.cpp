@@ -14,7 +14,7 @@ constexpr int kEffort = 2;
 WebPConfig lossless() {
   WebPConfig config;
   if (!WebPConfigInit(&config) || !WebPConfigLosslessPreset(&config, kEffort))
-    throw WebpError("libwebp is of another version than its headers");
+    throw WebpError("libwebp and its headers have different versions");
   config.exact = 1;  // keep colours of transparent pixels, so that decoding is exact
   return config;
 }
@@ -24,12 +24,12 @@ class Picture {
  public:
   explicit Picture(const Image& image) {
     if (!WebPPictureInit(&picture_))
-      throw WebpError("libwebp is of another version than its headers");
+      throw WebpError("libwebp and its headers have different versions");
     picture_.use_argb = 1;
     picture_.width = image.width;
     picture_.height = image.height;
     if (!WebPPictureImportRGB(&picture_, image.rgb.data(), 3 * image.width))
-      throw WebpError("libwebp cannot take a picture of " + std::to_string(image.width) + "x" +
+      throw WebpError("libwebp cannot import a picture of " + std::to_string(image.width) + "x" +
                       std::to_string(image.height));
     for (std::size_t p = 0; p < image.alpha.size(); ++p) {
       std::uint32_t& argb = picture_.argb[p];  // rows have no padding after an import
@@ -46,7 +46,7 @@ class Picture {
     throw WebpError("libwebp cannot write a picture of " + std::to_string(picture_.width) + "x" +
                     std::to_string(picture_.height) + ", error " +
                     std::to_string(picture_.error_code) +
-                    "; it takes up to 16383 pixels each way, choose a smaller --size or PNG");
+                    "; it takes up to 16383 pixels a side, choose a smaller --size or PNG");
   }
 
  private:
@@ -61,7 +61,7 @@ Bytes with_about(Bytes file, const std::string& about) {
   WebPData out{};
   if (!mux || WebPMuxSetChunk(mux.get(), "XMP ", &xmp, 0) != WEBP_MUX_OK ||
       WebPMuxAssemble(mux.get(), &out) != WEBP_MUX_OK)
-    throw WebpError("libwebpmux cannot put a description into a picture");
+    throw WebpError("libwebpmux cannot add a description to a picture");
   Bytes result(out.bytes, out.bytes + out.size);
   WebPDataClear(&out);
   return result;
@@ -97,10 +97,10 @@ void WebpAnimation::add(const Image& image, int milliseconds) {
   if (!encoder_->pictures) {
     WebPAnimEncoderOptions options;
     if (!WebPAnimEncoderOptionsInit(&options))
-      throw WebpError("libwebpmux is of another version than its headers");
+      throw WebpError("libwebpmux and its headers have different versions");
     options.anim_params.loop_count = 0;  // endless
     encoder_->pictures.reset(WebPAnimEncoderNew(image.width, image.height, &options));
-    if (!encoder_->pictures) throw WebpError("libwebpmux cannot begin an animation");
+    if (!encoder_->pictures) throw WebpError("libwebpmux cannot start an animation");
   }
   Picture picture(image);
   if (!WebPAnimEncoderAdd(encoder_->pictures.get(), picture.get(), encoder_->begin,

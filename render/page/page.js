@@ -1,6 +1,6 @@
 'use strict';
-// The frames of a sequence: what each shows are groups of the picture, of which each distinct one is in
-// this file once. To show a frame is to hang its groups into the picture, in their order.
+// Player for the frames of a sequence. A frame is a list of groups of the picture; each distinct group is
+// in this file once. To show a frame, its groups are put into the picture, in order.
 (() => {
   const find = id => document.getElementById(id);
   const data = JSON.parse(find('data').textContent);
@@ -10,8 +10,8 @@
     groups.set(Number(group.id.slice(1)), group);
   const picture = find('picture'), column = find('column'), facts = find('facts');
   const hidden = new Set();  // layers that are switched off
-  let shown = 0;             // place among the frames
-  let held = null;           // what was clicked, { kind, key }: its facts stay
+  let shown = 0;             // index of the frame
+  let held = null;           // pinned by a click, { kind, key }
   let timer = 0;
 
   const make = (tag, text, parent) => {
@@ -99,7 +99,7 @@
   });
   let panels = null;
   if (data.panels) {
-    panels = switch_for('panels', 'p', 'On or off: the panels beside the view', on => {
+    panels = switch_for('panels', 'p', 'On or off: the panels next to the view', on => {
       find('panels').hidden = !on;
       find('stage').classList.toggle('alone', !on);
     }).box;
@@ -127,11 +127,11 @@
     }
   }
 
-  // ---- Facts of what is pointed at
+  // ---- Facts of the object under the pointer
 
   const places = { point: 'points', face: 'faces', pair: 'pairs' };
 
-  // What a frame says under a key, which is the same in other frames: what is held stays held there.
+  // Facts with this key in the current frame. Keys are the same in all frames, so a pinned object stays pinned.
   function said(what) {
     if (!what) return null;
     return frames[shown][places[what.kind]].find(one => one.key === what.key) || null;
@@ -146,7 +146,7 @@
     return within;
   }
 
-  // A point that is near before a face that is under the pointer, before the pair whose sign is there.
+  // The nearest point, else the face under the pointer, else the pair whose symbol is there.
   function found_at(event) {
     const frame = frames[shown];
     const matrix = picture.getScreenCTM();
@@ -202,8 +202,8 @@
     place_facts(one, event);
   }
 
-  // Beside the point, or the pointer: where it covers the fewest points and leaves the view least. A
-  // narrow window has the box at its lower end.
+  // Next to the point or the pointer, where the box covers the fewest points and sticks out of the view
+  // least. In a narrow window the box is at the bottom.
   function place_facts(one, event) {
     const view = find('view').getBoundingClientRect(), matrix = picture.getScreenCTM();
     const on_screen = (x, y) => new DOMPoint(x, y).matrixTransform(matrix);

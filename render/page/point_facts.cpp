@@ -80,7 +80,7 @@ struct PairPoints {
         if (manifold.triangle)
           facts->rows.emplace_back("triangle", std::to_string(*manifold.triangle));
         facts->rows.emplace_back("normal", spell_vector(manifold.normal));
-        facts->rows.emplace_back("at", spell_vector(point.position) + " m");
+        facts->rows.emplace_back("position", spell_vector(point.position) + " m");
       }
     }
   }

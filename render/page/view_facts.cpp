@@ -30,15 +30,15 @@ double area_on_screen(const std::vector<draw::Point2>& polygon) {
 
 /// The axis of a normal as part of a sentence.
 std::string axis_words(const std::string& axis, const trace::Pair& pair) {
-  if (axis == "face_a") return "of a face of " + pair.a;
-  if (axis == "face_b") return "of a face of " + pair.b;
-  if (axis == "edge_edge") return "of two edges that cross";
-  return axis == "closest_points" ? "between the closest points" : axis;
+  if (axis == "face_a") return "face of " + pair.a;
+  if (axis == "face_b") return "face of " + pair.b;
+  if (axis == "edge_edge") return "two crossing edges";
+  return axis == "closest_points" ? "closest points" : axis;
 }
 
 std::string state_words(const trace::Pair& pair) {
   const bool touches = pair.state == "touching";
-  if (pair.query) return pair.overlap.value_or(touches) ? "overlapping" : "apart";
+  if (pair.query) return pair.overlap.value_or(touches) ? "overlapping" : "separated";
   if (touches) return pair.separation > 0 ? "within the margin" : "touching";
   return pair.separation < 0 ? "overlapping, without contact" : "separated";
 }
@@ -123,8 +123,8 @@ void add_shapes(const draw::Staging& staging, const trace::Frame& frame,
     facts.rows.emplace_back("shape", traced.type);
     const trace::Body* const body = scene.body(traced.name);
     if (body != nullptr) facts.rows.emplace_back("mass", draw::spell_number(body->mass) + " kg");
-    facts.rows.emplace_back("at", spell_vector(shape.pose.position) + " m");
-    if (body != nullptr) facts.rows.emplace_back("moves", spell_vector(body->velocity) + " m/s");
+    facts.rows.emplace_back("position", spell_vector(shape.pose.position) + " m");
+    if (body != nullptr) facts.rows.emplace_back("velocity", spell_vector(body->velocity) + " m/s");
     const Vec3d middle = shape.pose.transform(traced.center_of_mass);
     shapes.emplace_back((middle - staging.camera.eye()).norm(), std::move(facts));
   }
@@ -164,10 +164,10 @@ std::vector<PairFacts> pair_facts(const trace::Frame& frame) {
       rows.push_back(gap_row(pair.query && pair.query->gap ? *pair.query->gap : pair.separation));
     if (pair.query) {
       rows.emplace_back(
-          "asked",
+          "query",
           pair.query->requested +
               (pair.query->bounds.empty() ? std::string() : " of bounds, " + pair.query->bounds));
-      if (!pair.query->method.empty()) rows.emplace_back("answered by", pair.query->method);
+      if (!pair.query->method.empty()) rows.emplace_back("method", pair.query->method);
     } else {
       rows.emplace_back("points", count_words(pair));
     }
@@ -184,7 +184,7 @@ std::vector<PairFacts> pair_facts(const trace::Frame& frame) {
       for (const trace::Point& point : manifold.points)
         impulse += point.impulse ? point.impulse->normal : 0;
     if (impulse > 0)
-      rows.emplace_back("impulses", draw::spell_quantity(impulse, "N s") + " in all");
+      rows.emplace_back("impulses", draw::spell_quantity(impulse, "N s") + " in total");
     if (pair.stability) rows.emplace_back(pair.stability->shape, pair.stability->verdict);
     all.push_back(std::move(facts));
   }

@@ -43,14 +43,14 @@ std::string accept(const fs::path& report, const fs::path& snapshots, Finding& f
   if (finding.kind == FindingKind::UnreadableScenario)
     return finding.key() + " could not be read; fix the file, and run check again";
   if (finding.file.empty())
-    return finding.key() + " is an expectation; mend it in the scenario, or what fails it";
+    return finding.key() + " is an expectation; fix it in the scenario, or fix the program";
   if (finding.kind == FindingKind::KnownBad && how.word.empty())
-    return finding.key() + " is as " + finding.file +
-           ", which is known to be bad; remove that file first if it is right after all";
+    return finding.key() + " matches " + finding.file +
+           ", which is known to be bad; if it is right after all, remove that file first";
   const fs::path stored = snapshots / finding.file;
   if (sha256_of_file(stored) != finding.stored_sha256)
     return finding.key() + " is stale: " + stored.generic_string() +
-           " is not what the report was made against; run check again";
+           " changed since the report; run check again";
   if (finding.kind == FindingKind::Orphaned) {
     remove_with_meshes(snapshots, stored);
     finding.done = Done::Removed;
@@ -60,16 +60,16 @@ std::string accept(const fs::path& report, const fs::path& snapshots, Finding& f
   const fs::path candidate = report / finding.candidate;
   if (finding.candidate.empty() || sha256_of_file(candidate) != finding.candidate_sha256)
     return finding.key() + " is stale: its candidate " + candidate.generic_string() +
-           " is gone, or not what the report tells of; run check again";
+           " is gone, or changed since the report; run check again";
   fs::path target = stored;
   const bool is_bad = how.word.starts_with("bad_");
   if (!how.word.empty()) {
     const bool is_list = stored == hashes_path(snapshots, finding.scenario);
-    if (is_list) return finding.key() + " is not stored under a word more; accept it without --as";
+    if (is_list) return finding.key() + " has only one baseline; accept it without --as";
     if (!finding.is_picture() && !is_bad)
       return finding.key() +
-             " is no picture, and only of pictures are there several, one a driver; accept it "
-             "without --as";
+             " is not a picture, and only pictures have a baseline per driver; accept it without "
+             "--as";
     const std::string name = stored.filename().string();
     target.replace_filename(name.substr(0, name.find('.')) + "." + how.word +
                             stored.extension().string());

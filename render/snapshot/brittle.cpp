@@ -54,7 +54,7 @@ std::vector<std::string> brittle_decisions(const trace::Header& header, const tr
                           (pair.label.empty() ? "" : " (" + pair.label + ")") + ": " +
                           decision.stage + ": " + decision.took + " over " + decision.over +
                           " by " + by +
-                          ", which is within rounding: another machine may choose otherwise");
+                          ", which is within rounding: another machine may choose differently");
     }
   }
   return sentences;

@@ -33,7 +33,7 @@ std::string describe(const PixelComparison& comparison, const Image& expected,
 }
 
 std::string spell(const PixelLimits& limits) {
-  return "allowed are " + std::to_string(limits.total) + " pixels, fewer than " +
+  return "allowed: " + std::to_string(limits.total) + " pixels, fewer than " +
          std::to_string(limits.cluster) + " of them together, and a channel by " +
          std::to_string(limits.channel);
 }
@@ -47,11 +47,11 @@ Finding found(FindingKind kind, const StoredScenario& archive, const fs::path& s
   finding.cause = name_of(kind);
   const std::string file = stored.generic_string();
   if (kind == FindingKind::New)
-    finding.sentence = subject + ": new, nothing is stored of " + archive.scenario;
+    finding.sentence = subject + ": new, nothing is stored for " + archive.scenario;
   if (kind == FindingKind::Missing)
     finding.sentence = subject + ": missing, nothing is stored at " + file;
   if (kind == FindingKind::Orphaned)
-    finding.sentence = subject + ": " + file + " is stored, but no scenario asks for it";
+    finding.sentence = subject + ": " + file + " is stored, but no scenario uses it";
   return finding;
 }
 
@@ -77,7 +77,7 @@ std::string note_of(const fs::path& baseline) {
   fs::path note = baseline;
   std::string text = read_text_file(note.replace_extension(".txt")).value_or("");
   while (!text.empty() && text.back() == '\n') text.pop_back();
-  return text.empty() ? "is as " + baseline.filename().string() + ", which is known to be bad"
+  return text.empty() ? "matches " + baseline.filename().string() + ", which is known to be bad"
                       : text;
 }
 
@@ -145,7 +145,7 @@ CheckedPicture check_picture(const StoredScenario& archive, const PictureKey& ke
     changed.sentence = to_string(key) + ": " + describe(*nearest, *checked.expected, actual);
     changed.details = {spell(limits)};
     if (baselines.size() > 1)
-      changed.details.push_back("held against the nearest of " + std::to_string(baselines.size()) +
+      changed.details.push_back("compared with the nearest of " + std::to_string(baselines.size()) +
                                 ", " + checked.nearest.filename().string());
   } else if (!unreadable.empty()) {
     finding(FindingKind::Unreadable, own).sentence = to_string(key) + ": " + unreadable;

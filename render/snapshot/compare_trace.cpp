@@ -179,9 +179,9 @@ TraceDifferences compare_with_stored(const std::string& text, const std::string&
   const std::size_t begin = place == 0 ? 0 : text.rfind('\n', place - 1) + 1;
   const auto line = std::count(text.begin(), at, '\n');
   record.cause = actual.header.scenario + ": line " + std::to_string(line + 1) + " of " + path +
-                 " is not as it would be written, though no fact in it differs: it has '" +
-                 about(line_of(text, begin), place - begin) + "', where '" +
-                 about(line_of(written, begin), place - begin) + "' would be";
+                 " is written differently, though no fact in it differs: it has '" +
+                 about(line_of(text, begin), place - begin) + "' instead of '" +
+                 about(line_of(written, begin), place - begin) + "'";
   record.sentences = {record.cause};
   record.signature = "bytes";
   return record;

@@ -48,9 +48,9 @@ std::optional<Thing> thing_of(const Difference& difference) {
       });
       if (difference.text.starts_with("reference"))
         return is_another ? Thing{"reference face", "reference faces"}
-                          : Thing{"place of the reference face", "places of reference faces"};
+                          : Thing{"position of the reference face", "positions of reference faces"};
       return is_another ? Thing{"incident face", "incident faces"}
-                        : Thing{"place of the incident face", "places of incident faces"};
+                        : Thing{"position of the incident face", "positions of incident faces"};
     }
     case Stage::Clipping:
       return Thing{"clip step", "clip steps"};

@@ -59,17 +59,18 @@ Json read_mesh(const fs::path& trace, const std::string& name) {
   const auto wrong = [&](const std::string& what) {
     return InputError(trace.generic_string(), 1, 1,
                       "its mesh " + std::string(kFolder) + "/" + name + kEnding + " " + what +
-                          "; take it from where the trace is from, or let contactscope check "
-                          "--update store both anew");
+                          "; copy it from the source of the trace, or store both again with "
+                          "contactscope check --update");
   };
   const std::optional<std::string> bytes = is_name(name) ? read_text_file(file) : std::nullopt;
-  if (!bytes) throw wrong("is not in a folder above it");
+  if (!bytes) throw wrong("is in no folder above it");
   try {
     const std::string text = gunzip(*bytes);
-    if (sha256(text).substr(0, kDigits) != name) throw std::runtime_error("it is another one's");
+    if (sha256(text).substr(0, kDigits) != name)
+      throw std::runtime_error("it belongs to another mesh");
     return Json::parse(text);
   } catch (const std::exception& error) {
-    throw wrong(std::string("is not what its name says: ") + error.what());
+    throw wrong(std::string("does not match its name: ") + error.what());
   }
 }
 

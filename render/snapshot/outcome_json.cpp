@@ -68,7 +68,7 @@ template <class Enum, std::size_t N>
 Enum word(const Json& json, const char* key, const std::array<std::string_view, N>& words) {
   const std::string text = json.at(key);
   const auto found = std::ranges::find(words, text);
-  if (found == words.end()) throw std::runtime_error("'" + text + "' is no " + key);
+  if (found == words.end()) throw std::runtime_error("'" + text + "' is not a " + key);
   return static_cast<Enum>(found - words.begin());
 }
 
@@ -166,7 +166,7 @@ Outcome parse_outcome(const std::string& text, const std::string& name) {
       outcome.scenarios.push_back(scenario_of(scenario));
     return outcome;
   } catch (const std::exception& error) {
-    throw InputError(name, 0, 0, std::string("no findings of a check: ") + error.what());
+    throw InputError(name, 0, 0, std::string("not the findings of a check: ") + error.what());
   }
 }
 

@@ -58,7 +58,7 @@ std::string frame_stem(int frame) {
 fs::path scenario_folder(const fs::path& root, const std::string& scenario) {
   const std::size_t slash = scenario.find('/');
   if (slash == std::string::npos) {
-    throw std::invalid_argument("'" + scenario + "' is no scenario: expected <group>/<idea>");
+    throw std::invalid_argument("'" + scenario + "' is not a scenario: expected <group>/<idea>");
   }
   const std::string group = scenario.substr(0, slash), idea = scenario.substr(slash + 1);
   require_plain(group, scenario);

@@ -63,7 +63,7 @@ class Fonts {
  public:
   Fonts() {
     if (cairo().FT_Init_FreeType(&library_) != 0)
-      throw std::runtime_error("PDF: FreeType does not start");
+      throw std::runtime_error("PDF: FreeType cannot start");
   }
 
   const Typeface& find(const FontKey& key) {
@@ -72,7 +72,7 @@ class Fonts {
     const std::span<const unsigned char> data = font_data(key.weight, key.number);
     if (cairo().FT_New_Memory_Face(library_, data.data(), static_cast<FT_Long>(data.size()), 0,
                                    &typeface.face) != 0)
-      throw std::runtime_error("PDF: FreeType does not read the font");
+      throw std::runtime_error("PDF: FreeType cannot read the font");
     typeface.for_cairo = cairo().cairo_ft_font_face_create_for_ft_face(typeface.face, 0);
     return typeface;
   }

@@ -135,14 +135,14 @@ bool is_bounded(const Aabb<float>& box);
 
 /// Calls tell(node, depth, open) for the nodes of a tree, parents first. open(child) queues a
 /// child. `root`: -1 for an empty tree.
-template <class Report>
-void from_root_down(int root, const Report& report_it) {
+template <class Visit>
+void from_root_down(int root, const Visit& visit) {
   std::vector<std::pair<int, int>> left;  // node, depth
   if (root >= 0) left.emplace_back(root, 0);
   while (!left.empty()) {
     const auto [node, depth] = left.back();
     left.pop_back();
-    report_it(node, depth,
+    visit(node, depth,
               [&left, below = depth + 1](int child) { left.emplace_back(child, below); });
   }
 }

@@ -232,10 +232,10 @@ class Columns : public Clonable<Columns> {
     for (std::size_t k = 0; k < hits; ++k)
       report(entries[hits_[k].first].handle, entries[hits_[k].second].handle);
     counts_.comparisons += compared;
-    if (record_ != nullptr) report_it(region, count, compared);
+    if (record_ != nullptr) report_region(region, count, compared);
   }
 
-  void report_it(const Region& region, int members, std::int64_t tests) {
+  void report_region(const Region& region, int members, std::int64_t tests) {
     BroadPhaseCell& cell = record_->cells.emplace_back();
     for (std::size_t i = 0; i < 3; ++i) {
       cell.box.lower[axes_[i]] = region.lower[i];

@@ -32,7 +32,7 @@ class Grid : public Clonable<Grid> {
   void find_pairs(BroadPhaseRecord* record) override {
     choose_cells();
     sort_into_cells();
-    if (record != nullptr) report_it(*record);
+    if (record != nullptr) report_cells(*record);
     for (std::size_t bucket = 0; bucket + 1 < first_.size(); ++bucket) {
       for (int i = first_[bucket]; i < first_[bucket + 1]; ++i) {
         for (int j = i + 1; j < first_[bucket + 1]; ++j)
@@ -43,7 +43,7 @@ class Grid : public Clonable<Grid> {
   }
 
   /// Cells by bucket, and in a bucket in order of appearance.
-  void report_it(BroadPhaseRecord& record) const {
+  void report_cells(BroadPhaseRecord& record) const {
     for (std::size_t bucket = 0; bucket + 1 < first_.size(); ++bucket) {
       const auto begin = record.cells.size();
       std::vector<Cell> cells;

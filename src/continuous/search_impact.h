@@ -37,34 +37,34 @@ ImpactResult<S> search_impact(Approach&& approach, S radius_a, S radius_b, const
       run->result = result;
     return result;
   };
-  Separation<S> disjoint;
-  disjoint.until = allowed.until;
+  Separation<S> state;
+  state.until = allowed.until;
   const TimeSpan<S> balls = approach.balls_near(radii, tolerance);
   const S begin = balls.begin;
   result.time = begin;
-  disjoint.until = std::min(allowed.until, balls.end);
+  state.until = std::min(allowed.until, balls.end);
   const auto separated = [&] {
     result.time = allowed.until;
     return ended(ImpactStatus::Separated);
   };
   // Shapes nearer than the tolerance at the start get their distance as the tolerance.
   const auto come_within = [&](S within) {
-    disjoint.target = radii + S(0.5) * within + rounding;
-    disjoint.near = radii + S(0.75) * within;
+    state.target = radii + S(0.5) * within + rounding;
+    state.near = radii + S(0.75) * within;
   };
   std::optional<Closest<S>> foreseen;
   if (begin > S(0)) {
-    if (begin >= disjoint.until) return separated();
+    if (begin >= state.until) return separated();
     come_within(tolerance);
-    foreseen = advance.foresee(approach, radii, disjoint, result, run);
-    if (result.time >= disjoint.until) return separated();
+    foreseen = advance.foresee(approach, radii, state, result, run);
+    if (result.time >= state.until) return separated();
   }
   for (result.steps = 1; result.steps <= kMaxImpactSteps; ++result.steps) {
     const Closest<S> closest = foreseen ? *foreseen : approach.measure(result.time);
     foreseen.reset();
-    disjoint.separation = closest.distance;
-    disjoint.axis = closest.axis;
-    disjoint.speed = approach.closing_speed(closest);
+    state.separation = closest.distance;
+    state.axis = closest.axis;
+    state.speed = approach.closing_speed(closest);
     result.distance = closest.distance - radii;
     if (result.steps == 1 && begin == S(0)) {
       if (result.distance <= S(8) * rounding) {
@@ -77,7 +77,7 @@ ImpactResult<S> search_impact(Approach&& approach, S radius_a, S radius_b, const
       }
       come_within(std::min(tolerance, result.distance));
     }
-    if (closest.distance <= disjoint.near) {
+    if (closest.distance <= state.near) {
       const Vec3<S> origin = of_a.start.transform(of_a.pivot) + result.time * of_a.displacement;
       result.normal = closest.axis;
       result.on_a = origin + closest.on_a + radius_a * closest.axis;
@@ -85,21 +85,21 @@ ImpactResult<S> search_impact(Approach&& approach, S radius_a, S radius_b, const
       return ended(ImpactStatus::Hit);
     }
     if (result.steps == 1 && begin == S(0)) {
-      foreseen = advance.foresee(approach, radii, disjoint, result, run);
-      if (result.time >= disjoint.until) return separated();
+      foreseen = advance.foresee(approach, radii, state, result, run);
+      if (result.time >= state.until) return separated();
       if (result.time > begin) continue;
     }
-    ImpactStep<S> step{result.time, result.distance, disjoint.axis, disjoint.until, 0, 0};
-    advance(approach, disjoint, result, step);
+    ImpactStep<S> step{result.time, result.distance, state.axis, state.until, 0, 0};
+    advance(approach, state, result, step);
     if (run != nullptr) [[unlikely]] {
       step.bracket_separation -= radii;
       step.safe = result.time;
       run->steps.push_back(step);
     }
-    if (result.time >= disjoint.until) return separated();
+    if (result.time >= state.until) return separated();
   }
   result.steps = kMaxImpactSteps;
-  result.normal = disjoint.axis;
+  result.normal = state.axis;
   return ended(ImpactStatus::OutOfIterations);
 }
 

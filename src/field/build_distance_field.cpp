@@ -71,7 +71,7 @@ PlacedField build_distance_field(const Shape<double>& shape, const FieldSettings
     return build_on_mesh(surface_of(*hull), settings);
   }
   if (const auto* mesh = std::get_if<Mesh<double>>(&shape)) return build_on_mesh(*mesh, settings);
-  throw ShapeError("a plane has no end, and a lattice has one; give a box or a mesh in its place");
+  throw ShapeError("a plane is infinite, and a lattice is not; give a box or a mesh instead");
 }
 
 }  // namespace contactscope

@@ -119,16 +119,15 @@ ClosedSurface close_surface(const Mesh<double>& mesh) {
                        area_of(closed.mesh, 0, closed.own_triangles);
   }
   if (closed.cap_share > kLargestCapShare)
-    throw ShapeError("the mesh has no inside: to close its holes takes " +
+    throw ShapeError("the mesh has no inside: closing its holes takes " +
                      std::to_string(std::lround(100 * closed.cap_share)) +
-                     " % of its area; give a mesh that goes around a volume");
+                     " % of its area; give a mesh that encloses a volume");
   // A sheet folded onto itself leaves only rounding.
   const double size = closed.mesh.tree.bounds().extent().norm();
   if (std::abs(volume_of(closed.mesh)) <=
       0x1p-40 * size * area_of(closed.mesh, 0, closed.mesh.triangle_count()))
     throw ShapeError(
-        "the mesh has no inside: its parts cancel, or it is a sheet; give a mesh that goes around "
-        "a "
+        "the mesh has no inside: its parts cancel, or it is a sheet; give a mesh that encloses a "
         "volume, with all fronts outside");
   return closed;
 }

@@ -82,7 +82,7 @@ void check_closed(const Hull<double>& hull) {
   }
   const int euler = hull.vertex_count() - hull.edge_count() + hull.face_count();
   if (euler != 2) {
-    not_closed("V - E + F is " + std::to_string(euler) + " where a convex solid has 2");
+    not_closed("V - E + F is " + std::to_string(euler) + ", but 2 for a convex solid");
   }
 }
 

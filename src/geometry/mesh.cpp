@@ -33,7 +33,7 @@ void require_finite(const std::vector<Vec3d>& vertices) {
                        " has a coordinate that is not a finite number; give three finite ones");
   }
   if (!vertices.empty() && !box_around(vertices).extent().allFinite())
-    throw ShapeError("the mesh is larger than a number can say; scale it down to metres");
+    throw ShapeError("the mesh is too large for its number type; scale it down to metres");
 }
 
 void require_vertices(Triangles triangles, int vertex_count) {

@@ -61,7 +61,7 @@ class Checker {
       if (statement.empty() || statement[0] == '#') continue;
       if (std::ranges::find(kStatements, statement) == kStatements.end()) {
         fail(quoted(statement) +
-             " opens no statement of the .obj format; expected v, f or another keyword of it");
+             " is not a keyword of the .obj format; expected v, f or another one");
       }
       if (statement == "v") check_vertex();
       if (statement == "f") check_face();
@@ -139,7 +139,7 @@ class Checker {
       }
       if (face.size() == kMaxCorners)
         fail("the face has more than " + std::to_string(kMaxCorners) +
-             " corners; cut it into faces");
+             " corners; split it into faces");
       face.push_back(static_cast<int>(index > 0 ? index - 1 : vertices_ + index));
       if (index > largest_index_) {
         largest_index_ = index;
@@ -234,7 +234,7 @@ ObjMesh load_obj_mesh(const std::string& path) {
   Contents contents = read(path);
   if (contents.faces.empty()) {
     throw InputError(path, 0, 0,
-                     "the file has no face; a mesh needs 'f' lines besides its 'v' lines");
+                     "the file has no face; a mesh needs 'f' lines as well as 'v' lines");
   }
 
   ObjMesh mesh;

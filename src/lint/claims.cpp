@@ -12,26 +12,26 @@
 namespace contactscope::lint {
 namespace {
 
-/// Of the smaller shape's size. Engines round, weld, and keep points for some frames while bodies move on.
+/// Relative to the smaller shape's size. Engines round, weld, and keep points while bodies move.
 constexpr double kTolerance = 2e-3;
-/// Coordinates are mostly computed in single precision: some roundings of the largest.
+/// Coordinates are mostly single precision: a few roundings of the largest one.
 constexpr double kRounding = 1e-6;
-/// A normal may have more overlap along it than the best one: engines prefer faces (Catto 2007, "Feature
-/// Flip-Flop"), and keep a normal while a body turns.
+/// Overlap along a normal may exceed the least overlap by this share: engines prefer faces (Catto
+/// 2007, "Feature Flip-Flop") and keep a normal while a body turns.
 constexpr double kNormalShare = 0.1, kNormalTolerances = 4;
-/// Cosine: nearer to the best one than two degrees it is that one, though a long plate may have much more
-/// overlap along it.
+/// Cosine: within two degrees of the best normal a normal counts as equal to it, even if a long
+/// plate has much more overlap along it.
 constexpr double kSameNormal = 0.9994;
-/// What is farther than touching is only kept for the next step, and measured roughly: a share of it.
+/// Tolerance of separated points, as a share: they serve the next step and are measured roughly.
 constexpr double kSpeculativeShare = 0.25;
-/// The same of points that 'on_a' and 'on_b' are told of.
+/// Likewise for 'on_a' and 'on_b' of a point.
 constexpr double kSideTolerances = 4;
 
 Quat<double> read(const Quat<double>& record, Rotation how) {
   switch (how) {
     case Rotation::Wxyz:
       break;
-    case Rotation::Xyzw:  // the numbers as written are w, x, y, z; they are meant as x, y, z, w
+    case Rotation::Xyzw:  // written as x, y, z, w but read as w, x, y, z
       return {record.z(), record.w(), record.x(), record.y()};
     case Rotation::Inverse:
       return record.conjugate();
@@ -79,14 +79,14 @@ Vec3d turned_to_world(Frame frame, const Placed& a, const Placed& b, const Vec3d
   return (frame == Frame::OfA ? a : b).pose.rotate(direction);
 }
 
-/// Collects what is wrong: of the kind that comes first in Wrong what is farthest off.
+/// Collects wrong claims and keeps the worst: of the first kind in Wrong, the largest error.
 class WorstProblem {
  public:
   explicit WorstProblem(Verdict& verdict) : verdict_(verdict) {}
 
   void claim(const Problem& problem, double off, double allowed) {
     ++verdict_.claims;
-    if (off <= allowed) return;  // what is not a number is wrong
+    if (off <= allowed) return;  // nan counts as wrong
     ++verdict_.wrong;
     const bool is_first = !verdict_.worst || problem.kind < verdict_.worst->kind;
     const bool is_farther =
@@ -100,11 +100,11 @@ class WorstProblem {
   Verdict& verdict_;
 };
 
-/// A point seen from one of the solids, metres.
+/// A point measured against one of the solids, metres.
 struct Measured {
-  double off = 0;  // how much farther from the surface it is than its separation
+  double off = 0;  // distance from the surface beyond its separation
   std::optional<double> exit;
-  double more_by_core = 0;  // what the other measure of a leaning capsule says more than `exit`
+  double more_by_core = 0;  // for a leaning capsule: exit by core minus `exit`
 };
 
 Measured measure(const Placed& solid, const Vec3d& point, const Vec3d& outward, double said) {
@@ -140,7 +140,7 @@ void Solids::deform(const std::vector<trace::Deformed>& now) {
     try {
       deformed_.insert_or_assign(one.name, Solid(shape));
     } catch (const ShapeError&) {
-      deformed_.erase(one.name);  // crushed to nothing; the header's is worse than none
+      deformed_.erase(one.name);  // degenerate now; the header's shape would be worse than none
     }
   }
 }
@@ -219,7 +219,7 @@ std::optional<Verdict> judge(const Solids& solids, const Moments& frames, const 
                    of_a.off > of_b.off ? pair.a : pair.b},
                   off, roughly);
       if (of_a.exit && of_b.exit && off <= roughly) {
-        // Of what is between the two measures of a leaning capsule all is right.
+        // For a leaning capsule every value between its two measures is right.
         const double most = -*of_a.exit - *of_b.exit;
         const double least = most - of_a.more_by_core - of_b.more_by_core;
         const double is = std::clamp(said, std::min(least, most), std::max(least, most));
@@ -227,7 +227,7 @@ std::optional<Verdict> judge(const Solids& solids, const Moments& frames, const 
         verdict.separations.push_back(is);
         worst.claim({Wrong::Separation, m, p, said, is}, std::abs(is - said),
                     std::max(roughly, kNormalShare * std::abs(is)));
-      } else if (!of_a.exit || !of_b.exit) {  // the normal does not leave a plane
+      } else if (!of_a.exit || !of_b.exit) {  // the normal does not point out of a plane
         const double infinite = -std::numeric_limits<double>::infinity();
         worst.claim({Wrong::Normal,
                      m,
@@ -257,7 +257,7 @@ std::optional<Verdict> judge(const Solids& solids, const Moments& frames, const 
     worst.claim({Wrong::Normal, m, 0, along, best->distance, {}, best->normal},
                 is_near ? 0 : best->distance - along,
                 std::max(kNormalTolerances * tolerance, kNormalShare * std::abs(best->distance)));
-    // Of long shapes what overlaps most along a normal that is off by little is beside the patch.
+    // For long shapes the deepest overlap along a slightly wrong normal is outside the patch.
     const double depth = is_near ? best->distance : along;
     if (!pair.reduction && std::isfinite(depth))
       worst.claim({Wrong::Deepest, m, 0, deepest, depth}, deepest - depth,

@@ -11,12 +11,12 @@
 
 namespace contactscope::lint {
 
-/// What is wrong with a claim of a pair.
+/// Kinds of wrong claims of a pair.
 enum class Wrong {
-  Separation,  // of a point: not how far the surfaces are apart along the normal there
+  Separation,  // a point's separation is not the distance of the surfaces along the normal
   Surface,     // a point is farther from a surface than its separation
   Side,        // 'on_a' or 'on_b' is not on its surface
-  Normal,      // the overlap along it is not the least
+  Normal,      // the overlap along it is not the least overlap
   Deepest,     // no point is as deep as the overlap along the normal
 };
 inline constexpr int kWrongs = 5;
@@ -25,58 +25,57 @@ struct Problem {
   Wrong kind = Wrong::Separation;
   int manifold = 0, point = 0;
   double said = 0, is = 0;     // metres
-  std::string shape{};         // of Surface and Side
-  Vec3d best = Vec3d::Zero();  // of Normal: along which the overlap is least
+  std::string shape{};         // for Surface and Side
+  Vec3d best = Vec3d::Zero();  // for Normal: the direction of least overlap
 };
 
-/// A pair's claims held against its shapes.
+/// The claims of a pair compared with its shapes.
 struct Verdict {
-  int claims = 0;  // that could be judged
+  int claims = 0;  // number of claims tested
   int wrong = 0;
-  std::optional<Problem> worst{};   // the farthest off, of the kind that comes first
-  double farthest = 0;              // how much it is off, metres
-  std::vector<double> deeper{};     // of each point: by how much its separation says more overlap
-  std::vector<double> separations;  // measured, of the points in the same order
+  std::optional<Problem> worst{};   // largest error of the first kind that occurs
+  double farthest = 0;              // its error, metres
+  std::vector<double> deeper{};     // for each point: excess of its reported overlap
+  std::vector<double> separations;  // measured, for the same points
   double tolerance = 0;             // metres
 };
 
-/// The shapes of a trace by name. A shape that bounds nothing is left out, and named in `refused`.
+/// The shapes of a trace by name. Degenerate shapes are left out and listed in `refused`.
 class Solids {
  public:
   void add(const trace::Shape& shape);
-  /// Meshes that are no longer as they were; undone by the next frame.
+  /// Deforms meshes; undone by the next frame.
   void deform(const std::vector<trace::Deformed>& now);
-  /// nullptr: refused, or not there.
+  /// nullptr: refused or unknown.
   const Solid* find(const std::string& name, Form form = Form::AsReported) const;
-  /// The body that a shape is a part of, or is.
+  /// The body of a shape; without one, the shape itself.
   const std::string& body_of(const std::string& name) const;
 
-  std::map<std::string, std::string> refused;  // why, by name
+  std::map<std::string, std::string> refused;  // reasons by name
 
  private:
   std::map<std::string, trace::Shape> shapes_;
   std::map<std::string, Solid> solids_, deformed_;
-  mutable std::map<std::pair<std::string, Form>, Solid>
-      reformed_;  // made where a reading asks for them
+  mutable std::map<std::pair<std::string, Form>, Solid> reformed_;  // created on demand
 };
 
-/// A frame and its neighbours, nullptr where there is none.
+/// A frame and its neighbours; nullptr if there is none.
 struct Moments {
   const trace::Frame* before = nullptr;
   const trace::Frame* now = nullptr;
   const trace::Frame* after = nullptr;
 };
 
-/// Where a frame has a shape, as the reading takes it; empty where there is none.
+/// Pose of a shape in a frame under a reading; empty if there is none.
 std::optional<Placed> place(const Solids& solids, const trace::Frame* frame,
                             const std::string& name, const Reading& reading);
 
-/// Every claim of a pair's manifolds under one reading; empty where a shape or its pose is missing.
+/// Tests every claim of a pair's manifolds under one reading; empty without shapes or poses.
 std::optional<Verdict> judge(const Solids& solids, const Moments& frames, const trace::Pair& pair,
                              const Reading& reading);
 
-/// How far off a claim about two shapes may be, metres: a part of the smaller one, and what single precision
-/// leaves uncertain of coordinates as large as theirs.
+/// Allowed error of claims about two shapes, metres: a share of the smaller one, plus the single
+/// precision rounding of their coordinates.
 double tolerance_of(const Placed& a, const Placed& b);
 
 }  // namespace contactscope::lint

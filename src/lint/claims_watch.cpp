@@ -10,19 +10,19 @@
 namespace contactscope::lint {
 namespace {
 
-/// Of wrong pairs, those that every explanation is tried on. What they have in common is what the others have.
+/// Number of wrong pairs on which all explanations are tried; they represent the others.
 constexpr int kTried = 1000;
-/// What few pairs are off by little is how engines approximate: capsules that lean, corners that are cut,
-/// points that are kept while bodies turn. It is told where it is this often, or this many tolerances.
+/// A few small errors are approximations of engines: leaning capsules, cut corners, points kept
+/// while bodies turn. Report errors only at this frequency, or beyond this many tolerances.
 constexpr double kOften = 0.02, kGross = 15;
 constexpr double kFewLeft = 0.25;
-/// What a cause has to be of, of the wrong pairs that are left, and pairs that say so where it may be chance.
+/// Minimum share of the remaining wrong pairs for a cause, and minimum number if it may be chance.
 constexpr double kOfWrong = 0.3;
 constexpr int kNoChance = 3;
-/// One wrong claim of so many may have a cause of its own.
+/// One wrong claim in this many may have a cause of its own.
 constexpr int kFixed = 5;
 constexpr double kFar = 1000;  // tolerances: twice the size of the smaller shape
-/// The same amount at every point, beyond the tolerance; else 0.
+/// The amount if all points are off by the same amount beyond the tolerance; else 0.
 double common_depth(const Verdict& verdict) {
   if (verdict.deeper.empty()) return 0;
   const auto [least, most] = std::ranges::minmax(verdict.deeper);
@@ -31,7 +31,7 @@ double common_depth(const Verdict& verdict) {
   return is_common && std::abs(middle) > verdict.tolerance ? middle : 0;
 }
 
-/// Whether a form makes another shape of one of the two.
+/// Whether a form changes one of the two shapes.
 bool is_about(Form form, const Solids& solids, const trace::Pair& pair) {
   return form == Form::AsReported || solids.find(pair.a, form) != solids.find(pair.a) ||
          solids.find(pair.b, form) != solids.find(pair.b);
@@ -50,30 +50,29 @@ void put_in_words(const trace::Pair& pair, WrongPair& wrong) {
       wrong.said = point_name(problem) + ": separation " +
                    metres(at(manifold.points, problem.point).separation) + ", normal " +
                    spelled(manifold.normal);
-      wrong.is = "the surfaces are " + metres(problem.is) + " apart there along the normal";
+      wrong.is = "the separation there along the normal is " + metres(problem.is);
       break;
     case Wrong::Surface:
       wrong.said = point_name(problem) + ": position " +
                    spelled(at(manifold.points, problem.point).position) + ", separation " +
                    metres(at(manifold.points, problem.point).separation);
-      wrong.is = "that is " + metres(problem.is) + " off the surface of '" + problem.shape + "'";
+      wrong.is = "it is " + metres(problem.is) + " off the surface of '" + problem.shape + "'";
       break;
     case Wrong::Side:
-      wrong.said = point_name(problem) + ": a place on the surface of '" + problem.shape + "'";
+      wrong.said = point_name(problem) + ": on the surface of '" + problem.shape + "'";
       wrong.is = "it is " + metres(problem.is) + " off that surface";
       break;
     case Wrong::Normal:
       wrong.said = "normal " + spelled(manifold.normal);
-      wrong.is = std::isfinite(problem.said)
-                     ? "along it the shapes are " + metres(problem.said) + " apart"
-                     : "the plane has no end that way";
+      wrong.is = std::isfinite(problem.said) ? "along it the separation is " + metres(problem.said)
+                                             : "the plane is infinite in that direction";
       if (!problem.best.isZero())
-        wrong.is += "; along " + spelled(problem.best) + " they are " + metres(problem.is) +
-                    " apart (negative: overlap)";
+        wrong.is += "; along " + spelled(problem.best) + " the separation is " +
+                    metres(problem.is) + " (negative: overlap)";
       break;
     case Wrong::Deepest:
       wrong.said = "deepest point: " + metres(problem.said);
-      wrong.is = "the shapes are " + metres(problem.is) + " apart along the normal";
+      wrong.is = "the separation of the shapes along the normal is " + metres(problem.is);
       break;
   }
 }
@@ -82,20 +81,19 @@ struct Words {
   const char *cause, *what, *remedy;
 };
 constexpr Words kUnexplained[kWrongs] = {
-    {"separation", "separations are not those of the shapes",
-     "a separation is how far the surface of b is from that of a along the normal, at the point; "
-     "check the "
-     "shapes' sizes, and the moment of the poses"},
-    {"surface", "points are off the surfaces that they are on",
+    {"separation", "separations do not match the shapes",
+     "a separation is measured at the point, along the normal, from the surface of a to that of b; "
+     "check the shapes' sizes, and the time of the poses"},
+    {"surface", "points are off the surfaces",
      "a point lies on a surface, or between the two; check its frame and unit, and the shapes' "
      "sizes"},
     {"side", "'on_a' or 'on_b' is off its surface",
      "'on_a' is on the surface of a, 'on_b' on that of b, both in the world"},
-    {"normal", "normals are not those of the least overlap",
-     "moving b along the normal by the overlap parts the shapes; look at the test that chose the "
+    {"normal", "normals are not the directions of least overlap",
+     "moving b along the normal by the overlap separates the shapes; check the test that chose the "
      "axis"},
-    {"deepest", "no point is as deep as the shapes are",
-     "the deepest point has to be kept: look at what clips and reduces the points"},
+    {"deepest", "no point is as deep as the overlap",
+     "keep the deepest point: check clipping and reduction"},
 };
 
 class ClaimsWatch final : public Watch {
@@ -113,7 +111,7 @@ class ClaimsWatch final : public Watch {
   void report(std::vector<Finding>& findings) override {
     report_small_depths(findings);
     while (report_best_explanation(findings)) continue;
-    // Where a cause is found for nearly all, the others mostly have it as well, and something else beside.
+    // If a cause explains nearly all pairs, the others mostly share it and have another error too.
     if (wrong_.untold() < kFewLeft * wrong_.count()) return;
     report_margin(findings);
     std::vector<Finding> unexplained;
@@ -125,7 +123,7 @@ class ClaimsWatch final : public Watch {
 
  private:
   void see_pair(const Solids& solids, const Moments& frames, const trace::Pair& pair) {
-    if (after_step_ && frames.before == nullptr) return;  // where they were before is not told
+    if (after_step_ && frames.before == nullptr) return;  // the poses before are unknown
     std::optional<Verdict> verdict = judge(solids, frames, pair, {});
     if (!verdict || verdict->claims == 0) return;
     if (after_step_ && verdict->wrong > 0) {
@@ -150,7 +148,7 @@ class ClaimsWatch final : public Watch {
       if (options_.shapes_are_given && all[e].reading.moves_shapes()) continue;
       if (after_step_ && all[e].reading.moment == Moment::FrameBefore) continue;
       if (!is_about(all[e].reading.form, solids, pair)) continue;
-      // Points that are scaled down come together at the origin, which may be where the shapes touch.
+      // Points scaled down move towards the origin, which may be where the shapes touch.
       const bool are_far = verdict->farthest > kFar * verdict->tolerance;
       if (all[e].reading.point_scale < 1 && !are_far) continue;
       const std::optional<Verdict> then = judge(solids, frames, pair, all[e].reading);
@@ -160,12 +158,12 @@ class ClaimsWatch final : public Watch {
     wrong_.add(std::move(wrong));
   }
 
-  // Overlaps of a millimetre are within the tolerance whatever is said of them; that all of them are told
-  // as half is no accident.
+  // Overlaps of a millimetre are within the tolerance whatever is reported. But if all are reported
+  // as half, that is a mistake.
   void count_small_depths(const Verdict& verdict) {
     for (std::size_t i = 0; i < verdict.separations.size(); ++i) {
       const double is = verdict.separations[i], said = is - verdict.deeper[i];
-      constexpr double kSmallest = 0.05;  // of the tolerance; what is less says nothing
+      constexpr double kSmallest = 0.05;  // relative to the tolerance; smaller ones are noise
       if (!(is < -kSmallest * verdict.tolerance)) continue;
       ++small_;
       for (std::size_t f = 0; f < std::size(kFactors); ++f)
@@ -190,28 +188,28 @@ class ClaimsWatch final : public Watch {
             first.frame, first.a, first.b, first.said, first.is};
   }
 
-  /// What most of the wrong pairs that are left would be right under: of several the first, which is the
-  /// simplest.
+  /// Reports the reading that makes most of the remaining wrong pairs right; of several the first,
+  /// which is the simplest.
   bool report_best_explanation(std::vector<Finding>& findings) {
     const std::vector<Explanation>& all = explanations();
     std::vector<int> counts(all.size());
     for (const WrongPair& wrong : wrong_)
       for (std::size_t e = 0; e < all.size() && !wrong.record; ++e)
         counts[e] += wrong.explained_by.test(e) ? wrong.times : 0;
-    // Two mistakes at once explain a few pairs by chance, but for the two that are about signs.
+    // Two mistakes at once explain a few pairs by chance, except the pair about signs.
     for (std::size_t e = 0; e < all.size(); ++e) {
       Reading signs;
       signs.normals_flipped = signs.separations_negated = true;
       const Reading& reading = all[e].reading;
       const bool several = all[e].made.size() > 1 && !(reading == signs);
-      // So do another moment, where but one thing is out of place, and other axes.
+      // So do other axes, and another moment unless it explains at least half of all pairs.
       const bool moved = reading.moment != Moment::OfFrame && 2 * counts[e] < judged_;
       if ((several || moved || all[e].made[0]->alone) && counts[e] < kNoChance) counts[e] = 0;
     }
     const auto most = std::ranges::max_element(counts);
-    // One cause has many effects: what a few of many wrong pairs would be right under is chance.
+    // One cause has many effects, so an explanation of few of many wrong pairs is chance.
     if (most == counts.end() || *most == 0 || *most < kOfWrong * wrong_.untold()) return false;
-    // A simple one that explains nearly as many is the likelier.
+    // A simple one that explains nearly as many is more likely.
     const auto chosen = std::ranges::find_if(counts, [&](int n) { return n >= 0.9 * *most; });
     const auto e = static_cast<std::size_t>(chosen - counts.begin());
     const WrongPair* first = nullptr;
@@ -234,7 +232,7 @@ class ClaimsWatch final : public Watch {
   }
 
   void report_margin(std::vector<Finding>& findings) {
-    std::vector<std::pair<double, int>> depths;  // and how often
+    std::vector<std::pair<double, int>> depths;  // and their counts
     int all = 0;
     for (const WrongPair& wrong : wrong_) {
       if (wrong.record || wrong.deeper == 0) continue;
@@ -256,21 +254,19 @@ class ClaimsWatch final : public Watch {
       count += wrong.times;
       if (first == nullptr) first = &wrong;
     }
-    // One body out of its place has a depth as well.
+    // A single misplaced body has a depth too.
     if (count < kOfWrong * wrong_.untold() || (count < kNoChance && 2 * count < judged_)) return;
     for (WrongPair& wrong : wrong_) wrong.record = wrong.record || has_margin(wrong);
     const bool larger = margin > 0;
-    findings.push_back(finding(larger ? "margin_added" : "margin_taken_off",
-                               "contacts are those of shapes that are together " +
-                                   metres(std::abs(margin)) + (larger ? " m larger" : " m smaller"),
-                               larger
-                                   ? "a margin or radius that the engine adds: write the shapes "
-                                     "with it (a hull may have a "
-                                     "'radius' as well), or find where it is added once too often"
-                                   : "a margin that the engine takes off, or a shape that it "
-                                     "shrank: write the shapes as they "
-                                     "collide",
-                               count, *first));
+    findings.push_back(finding(
+        larger ? "margin_added" : "margin_taken_off",
+        "contacts fit shapes that are together " + metres(std::abs(margin)) +
+            (larger ? " m larger" : " m smaller"),
+        larger
+            ? "the engine adds a margin or radius: write the shapes with it (a hull may have a "
+              "'radius' too), or find where it is added twice"
+            : "the engine subtracts a margin, or shrinks a shape: write the shapes as they collide",
+        count, *first));
   }
 
   void report_unexplained(Wrong kind, std::vector<Finding>& findings) {

@@ -33,7 +33,7 @@ Vec3d middle_of(const trace::Shape& shape) {
   return sum / static_cast<double>(shape.vertices.size());
 }
 
-/// About the middle of its vertices.
+/// Scales about the centre of the vertices.
 void scale(trace::Shape& shape, double factor) {
   const Vec3d middle = middle_of(shape);
   for (Vec3d& vertex : shape.vertices) vertex = middle + factor * (vertex - middle);

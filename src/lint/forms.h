@@ -5,10 +5,10 @@
 
 namespace contactscope::lint {
 
-/// Whether it is a shape of which a form says anything.
+/// Whether a form applies to a shape.
 bool takes(const trace::Shape& shape, Form form);
 
-/// The shape as that has it.
+/// The shape with the form applied.
 trace::Shape reformed(trace::Shape shape, Form form);
 
 }  // namespace contactscope::lint

@@ -7,16 +7,16 @@
 namespace contactscope::lint {
 namespace {
 
-/// Cosine: what is nearer to the normal than this is no rounding of what is across it.
+/// Cosine to the normal; larger ones are no rounding of a perpendicular.
 constexpr double kAcross = 0.1;
-/// Coefficients of friction are hardly ever larger: rubber on rubber has 1.2, and games do not have more than 2.
+/// Upper limit of friction coefficients: rubber on rubber has 1.2, games use at most 2.
 constexpr double kMaxFriction = 4;
-/// Of the normal impulse of its manifold: what is smaller says nothing.
+/// Relative to the manifold's normal impulse; smaller impulses are noise.
 constexpr double kSome = 1e-3;
-/// Metres a second, of what slides: faster than that it does so in the next frame as well.
+/// Metres per second; faster sliding continues in the next frame.
 constexpr double kSliding = 0.2;
 
-/// Friction lies across the normal, is bounded by the normal impulse, and slows down what slides.
+/// Friction is perpendicular to the normal, bounded by the normal impulse, and opposes sliding.
 class FrictionWatch final : public Watch {
  public:
   void see(const Solids& solids, const Moments& frames) override {
@@ -39,8 +39,8 @@ class FrictionWatch final : public Watch {
           along_.wrong(frames, pair.a, pair.b, [&] {
             return std::pair(
                 "friction " + spelled(friction) + " N s, normal " + spelled(manifold.normal),
-                "along the normal that is " + metres(friction.dot(manifold.normal)) +
-                    " N s, beside an impulse of " + metres(normal));
+                "along the normal it is " + metres(friction.dot(manifold.normal)) +
+                    " N s, the normal impulse is " + metres(normal));
           });
         const Vec3d across = friction - friction.dot(manifold.normal) * manifold.normal;
         ++beyond_.of;
@@ -56,19 +56,17 @@ class FrictionWatch final : public Watch {
   }
 
   void report(std::vector<Finding>& findings) override {
-    along_.report(
-        "friction_along_normal", "friction has a part along the normal",
-        "take it away, friction - (friction . normal) normal: it may be the whole impulse, "
-        "of which 'normal' has "
-        "that part",
-        kFewest, 0.2, findings);
+    along_.report("friction_along_normal", "friction has a part along the normal",
+                  "subtract it: friction - (friction . normal) normal; maybe friction holds the "
+                  "whole impulse",
+                  kFewest, 0.2, findings);
     beyond_.report("friction_beyond_normal", "friction is many times the normal impulse",
-                   "both are impulses over the step, in newton seconds: look at the unit of either",
-                   kFewest, 0.2, findings);
+                   "both are impulses over the step, in newton seconds: check their units", kFewest,
+                   0.2, findings);
     forward_.report(
-        "friction_on_a", "friction pushes on what slides",
-        "negate it: friction acts on b as the normal impulse does, against the velocity "
-        "of b beside a",
+        "friction_on_a", "friction accelerates the sliding",
+        "negate it: friction acts on b, as the normal impulse does, against the velocity "
+        "of b relative to a",
         kFewest, 0.8, findings);
   }
 
@@ -94,7 +92,7 @@ class FrictionWatch final : public Watch {
     if (cosine > 0)
       forward_.wrong(frames, pair.a, pair.b, [&] {
         return std::pair("friction " + spelled(friction) + " N s",
-                         "beside a, b slides with " + spelled(sliding) + " m/s");
+                         "relative to a, b slides with " + spelled(sliding) + " m/s");
       });
   }
 

@@ -8,7 +8,7 @@
 namespace contactscope::lint {
 namespace {
 
-/// Whether every point of one has one of the other within `near` metres.
+/// Whether each point of one has a point of the other within `near` metres.
 bool same_places(const trace::Pair& one, const trace::Pair& other, double near) {
   for (const trace::Manifold& manifold : one.manifolds)
     for (const trace::Point& point : manifold.points) {
@@ -36,7 +36,7 @@ class IdsWatch final : public Watch {
       if (ids.empty() || ids.size() != old.size() || !stands_still(solids, frames, pair)) continue;
       const std::optional<Placed> a = place(solids, frames.now, pair.a, {});
       const std::optional<Placed> b = place(solids, frames.now, pair.b, {});
-      constexpr double kSamePlace = 1e-3;  // of the smaller shape
+      constexpr double kSamePlace = 1e-3;  // relative to the smaller shape
       const double near = kSamePlace * std::min(a->size(), b->size());
       if (!same_places(pair, *before, near)) continue;
       ++still_;
@@ -51,7 +51,7 @@ class IdsWatch final : public Watch {
       std::ranges::set_difference(ids, old, std::back_inserter(now));
       std::ranges::set_difference(old, ids, std::back_inserter(then));
       first_.said = "'" + now.front().substr(now.front().find(' ') + 1) + "'";
-      first_.is = "in the frame before the point there was '" +
+      first_.is = "in the frame before, the point there was '" +
                   then.front().substr(then.front().find(' ') + 1) + "'";
     }
   }
@@ -64,9 +64,8 @@ class IdsWatch final : public Watch {
       finding.cause = "ids_alike";
       finding.what = "points of a manifold have the same id";
       finding.remedy =
-          "name each point by the features that make it, or leave 'id' out: solvers start from the "
-          "impulse of the point "
-          "with the same id";
+          "name each point by the features that make it, or leave 'id' out: solvers warm start "
+          "from the point with the same id";
       finding.count = alike_;
       finding.of = several_;
       findings.push_back(finding);
@@ -76,16 +75,15 @@ class IdsWatch final : public Watch {
     finding.cause = "ids_change";
     finding.what = "ids change while nothing moves";
     finding.remedy =
-        "name a point by the features that make it, not by its place in a list or in memory: "
-        "solvers start "
-        "from the impulse of the point with the same id";
+        "name each point by the features that make it, not by its index or address: solvers warm "
+        "start from the point with the same id";
     finding.count = changed_;
     finding.of = still_;
     findings.push_back(finding);
   }
 
  private:
-  /// Of a manifold with several points.
+  /// For manifolds with several points.
   void see_alike(const Moments& frames, const trace::Pair& pair) {
     for (const trace::Manifold& manifold : pair.manifolds) {
       std::set<std::string> names;
@@ -102,11 +100,11 @@ class IdsWatch final : public Watch {
                       pair.a, pair.b, "", ""};
       first_alike_.said = std::to_string(named) + " points have " + std::to_string(names.size()) +
                           (names.size() == 1 ? " id" : " ids");
-      first_alike_.is = "each is another point";
+      first_alike_.is = "they are different points";
     }
   }
 
-  /// Names that are all there, each on another point than in the frame before.
+  /// Finds ids that all persist, but each on another point than in the previous frame.
   void see_swapped(const Moments& frames, const trace::Pair& pair, const trace::Pair& before,
                    double near) {
     const auto places = [](const trace::Pair& of) {
@@ -124,7 +122,7 @@ class IdsWatch final : public Watch {
       if (changed_++ > 0) return;
       first_ = {"", "", "", 0, 0, frames.now->line, frames.now->frame, pair.a, pair.b, "", ""};
       first_.said = "'" + name.second + "' at " + spelled(now.front());
-      first_.is = "in the frame before it was at " + spelled(found->second.front());
+      first_.is = "in the frame before, it was at " + spelled(found->second.front());
       return;
     }
   }
@@ -134,7 +132,7 @@ class IdsWatch final : public Watch {
       const std::optional<Placed> now = place(solids, frames.now, name, {});
       const std::optional<Placed> then = place(solids, frames.before, name, {});
       if (!now || !then) return false;
-      constexpr double kStill = 1e-4;  // of its size, and of a full turn
+      constexpr double kStill = 1e-4;  // relative to its size, and to a full turn
       const double size = std::min(now->size(), 1e6);
       if ((now->pose.position - then->pose.position).norm() > kStill * size) return false;
       if (now->pose.rotation.angularDistance(then->pose.rotation) > kStill) return false;

@@ -34,7 +34,7 @@ struct Linter::State {
     watches.push_back(watch_motion(header));
   }
 
-  /// Takes the next frame, null after the last one, and shows the one before it.
+  /// Takes the next frame, null after the last one, and checks the one before it.
   void see(const trace::Frame* next) {
     after = next;
     if (now != nullptr) look();
@@ -54,7 +54,7 @@ struct Linter::State {
   Solids solids;
   std::vector<std::unique_ptr<Watch>> watches;
   const trace::Frame *before = nullptr, *now = nullptr, *after = nullptr;
-  // Those frames, where they are not of a trace that is held whole.
+  // These frames, unless the whole trace is in memory.
   std::array<trace::Frame, 3> window;
   std::size_t seen = 0;
 };
@@ -83,10 +83,8 @@ std::vector<Finding> Linter::findings() {
   std::vector<Finding> all;
   for (const std::unique_ptr<Watch>& watch : state_->watches) watch->report(all);
   for (const auto& [name, why] : state_->solids.refused)
-    all.push_back(
-        {"shape",
-         "shape '" + name + "' bounds nothing, so that nothing can be said of its contacts", why, 1,
-         0, 1, 0, name, "", "", ""});
+    all.push_back({"shape", "shape '" + name + "' bounds nothing, so its contacts cannot be judged",
+                   why, 1, 0, 1, 0, name, "", "", ""});
   return all;
 }
 

@@ -10,11 +10,11 @@
 namespace contactscope::lint {
 namespace {
 
-constexpr double kGravity = 9.81;  // metres a second squared
-constexpr int kEnough = 5;         // samples, before anything is said of them
-constexpr double kAlike = 0.1;     // they differ by no more than this share
+constexpr double kGravity = 9.81;  // metres per second squared
+constexpr int kEnough = 5;         // minimum number of samples
+constexpr double kAlike = 0.1;     // samples differ by at most this share
 
-/// One number of many frames or bodies. Of very many some thousand are kept, evenly spread.
+/// A number from many frames or bodies. Keeps some thousand evenly spaced samples.
 struct Samples {
   std::vector<double> values;
   int count = 0, every = 1;
@@ -34,7 +34,7 @@ struct Samples {
     for (std::size_t i = 0; 2 * i < kMax; ++i) values[i] = values[2 * i];
     values.resize(kMax / 2);
   }
-  /// The middle one, where most are like it.
+  /// The median, if most samples are close to it.
   std::optional<double> common() const {
     if (values.size() < kEnough) return std::nullopt;
     std::vector<double> sorted = values;
@@ -50,7 +50,7 @@ bool is_near(double value, double target) {
   return std::abs(value - target) <= kAlike * std::abs(target);
 }
 
-/// What the contacts of a frame give a body, N s; empty where a point that acts has no impulse.
+/// Contact impulse on a body in a frame, N s; empty if an active point has no impulse.
 std::optional<Vec3d> impulse_on(const Solids& solids, const trace::Frame& frame,
                                 const std::string& name) {
   Vec3d sum = Vec3d::Zero();
@@ -58,7 +58,7 @@ std::optional<Vec3d> impulse_on(const Solids& solids, const trace::Frame& frame,
   for (const trace::Pair& pair : frame.pairs) {
     const double sign =
         (solids.body_of(pair.b) == name ? 1 : 0) - (solids.body_of(pair.a) == name ? 1 : 0);
-    if (sign == 0) continue;  // also of two parts of one body
+    if (sign == 0) continue;  // also for two parts of one body
     for (const trace::Manifold& manifold : pair.manifolds)
       for (const trace::Point& point : manifold.points) {
         if (!point.active) continue;
@@ -95,7 +95,7 @@ class MotionWatch final : public Watch {
  private:
   static constexpr std::array<const char*, 3> kAxes = {"x", "y", "z"};
 
-  /// A crate of a ton that is 1000 "metres" wide is told in millimetres.
+  /// A crate of a ton and 1000 "metres" wide is in millimetres.
   void see_densities(const Solids& solids, const Moments& frames) {
     if (!frames.now->solver) return;
     for (const trace::Body& body : frames.now->solver->bodies) {
@@ -108,7 +108,7 @@ class MotionWatch final : public Watch {
     }
   }
 
-  /// A shape without contacts from the frame before to the one after falls, or flies on.
+  /// A shape without contacts from the previous frame to the next is falling or flying.
   void see_falls(const Solids& solids, const Moments& frames, double step) {
     std::set<std::string> touched;
     for (const trace::Frame* frame : {frames.before, frames.now, frames.after})
@@ -126,7 +126,7 @@ class MotionWatch final : public Watch {
       };
       const Vec3d bend = middle(*after) - 2 * middle(*now) + middle(*before);
       const double moved = (middle(*after) - middle(*before)).norm();
-      if (!(bend.norm() > 1e-6 * moved)) continue;  // straight on
+      if (!(bend.norm() > 1e-6 * moved)) continue;  // straight line
       const Vec3d acceleration = bend / (step * step);
       for (int axis = 0; axis < 3; ++axis) {
         if (std::abs(acceleration[axis]) < 0.95 * acceleration.norm()) continue;
@@ -135,13 +135,13 @@ class MotionWatch final : public Watch {
     }
   }
 
-  /// A body that rests has its weight borne by its contacts.
+  /// Contacts of a resting body bear its weight.
   void see_rests(const Solids& solids, const Moments& frames, double step) {
     if (!frames.now->solver) return;
     for (const trace::Body& body : frames.now->solver->bodies) {
       const trace::Body* const after = trace::find_body(*frames.after, body.name);
       if (after == nullptr || !(body.mass > 0) || !std::isfinite(body.mass)) continue;
-      const double in_a_step = kGravity * step;  // what gravity adds to a velocity
+      const double in_a_step = kGravity * step;  // velocity gained by gravity
       if (body.velocity.norm() > in_a_step ||
           (after->velocity - body.velocity).norm() > kAlike * in_a_step)
         continue;
@@ -169,17 +169,17 @@ class MotionWatch final : public Watch {
           !at(rests_, along).values.empty())
         continue;
       const Samples& samples = at(falls ? falls_ : rests_, axis);
-      findings.push_back(
-          {"up_axis", std::string("what is up is ") + at(kAxes, axis) + ", not " + up_name_,
-           std::string("write \"up\":\"") + at(kAxes, axis) + "\" in the header, or turn the world",
-           samples.count, samples.count, samples.line, samples.frame, samples.name, "",
-           "\"up\":\"" + up_name_ + "\"",
-           falls ? std::string("it falls along -") + at(kAxes, axis)
-                 : std::string("its contacts bear it along ") + at(kAxes, axis)});
+      findings.push_back({"up_axis", std::string("up is ") + at(kAxes, axis) + ", not " + up_name_,
+                          std::string("write \"up\":\"") + at(kAxes, axis) +
+                              "\" in the header, or rotate the world",
+                          samples.count, samples.count, samples.line, samples.frame, samples.name,
+                          "", "\"up\":\"" + up_name_ + "\"",
+                          falls ? std::string("it falls along -") + at(kAxes, axis)
+                                : std::string("its contacts carry it along ") + at(kAxes, axis)});
     }
   }
 
-  /// Gravity and weights are those of a time that runs a thousand times too fast.
+  /// Reports gravity and weights that fit a time that runs a thousand times too fast.
   bool report_time(std::vector<Finding>& findings) const {
     constexpr double kThousand = 1000;
     const std::optional<double> share = weights_.common();
@@ -193,9 +193,9 @@ class MotionWatch final : public Watch {
     findings.push_back(
         {"time_in_milliseconds", "'time' is in milliseconds", "divide it by 1000: it is in seconds",
          samples.count, samples.count, samples.line, samples.frame, samples.name, "",
-         bears ? "its contacts bear " + metres(*share) + " of its weight"
-               : "it falls with " + metres(std::abs(*falls->common())) + " a second squared",
-         bears ? "it rests, so that they bear all of it" : "it would be 9.81"});
+         bears ? "its contacts carry " + metres(*share) + " of its weight"
+               : "it falls with " + metres(std::abs(*falls->common())) + " per second squared",
+         bears ? "it rests, so they carry all of it" : "it would be 9.81"});
     return true;
   }
 
@@ -209,16 +209,16 @@ class MotionWatch final : public Watch {
         findings.push_back({std::string("world_in_") + unit, std::string("lengths are in ") + unit,
                             "divide all lengths by " + metres(factor) + ": a trace is in metres",
                             samples.count, samples.count, samples.line, samples.frame, samples.name,
-                            "", "it falls with " + metres(std::abs(*fall)) + " a second squared",
+                            "", "it falls with " + metres(std::abs(*fall)) + " per second squared",
                             "in metres it would be 9.81"});
       }
     }
   }
 
-  /// Of all bodies the density is that of something solid, if lengths are in a smaller unit.
+  /// Reports a smaller unit of length in which all bodies have the density of a solid.
   void report_densities(std::vector<Finding>& findings) const {
     if (densities_.values.empty()) return;
-    constexpr double kLightest = 5, kHeaviest = 30'000;  // kilograms a cubic metre: foam, platinum
+    constexpr double kLightest = 5, kHeaviest = 30'000;  // kg / m^3: foam, platinum
     for (const auto& [unit, factor] : {std::pair("centimetres", 100.0), {"millimetres", 1000.0}}) {
       const double cube = factor * factor * factor;
       if (cube * densities_.least < kLightest || cube * densities_.most > kHeaviest) continue;
@@ -228,7 +228,7 @@ class MotionWatch final : public Watch {
           {std::string("world_in_") + unit, std::string("lengths are in ") + unit,
            "divide all lengths by " + metres(factor) + ": a trace is in metres", densities_.count,
            densities_.count, densities_.line, densities_.frame, densities_.name, "",
-           "its box and its mass make " + metres(densities_.values.front()) + " kg a cubic metre",
+           "its box and mass give " + metres(densities_.values.front()) + " kg per cubic metre",
            "in metres it would be " + metres(cube * densities_.values.front())});
     }
   }
@@ -239,29 +239,29 @@ class MotionWatch final : public Watch {
     const auto say = [&](const char* cause, const char* what, const char* remedy) {
       findings.push_back({cause, what, remedy, weights_.count, weights_.count, weights_.line,
                           weights_.frame, weights_.name, "",
-                          "its contacts bear " + metres(*share) + " of its weight",
-                          "it rests, so that they bear all of it"});
+                          "its contacts carry " + metres(*share) + " of its weight",
+                          "it rests, so they carry all of it"});
     };
     if (is_near(*share, -1))
-      return say("impulses_on_a", "impulses are those on a", "negate them: an impulse acts on b");
+      return say("impulses_on_a", "impulses act on a", "negate them: an impulse acts on b");
     if (is_near(*share, 1 / step_))
       return say("impulses_are_forces", "impulses are forces, in newtons",
                  "multiply each by the time of the step: an impulse is in newton seconds");
     if (steps_ > 1 && is_near(*share, 1.0 / steps_))
       return say("impulses_of_a_substep", "impulses are those of one sub-step",
-                 "add up those of all sub-steps: an impulse is that of the whole step");
+                 "sum those of all sub-steps: an impulse is over the whole step");
     if (is_near(*share, 0.5))
       return say(
-          "impulses_halved", "impulses bear half of the weight",
+          "impulses_halved", "impulses carry half of the weight",
           "maybe the points of one of two manifolds are missing, or steps are counted as frames");
     if (is_near(*share, 2))
-      return say("impulses_doubled", "impulses bear twice the weight",
-                 "maybe each is told of both bodies, or added up twice");
-    constexpr double kUnlike = 10;  // gravity may be another one
+      return say("impulses_doubled", "impulses carry twice the weight",
+                 "maybe each is reported for both bodies, or added twice");
+    constexpr double kUnlike = 10;  // gravity may differ
     if (std::abs(*share) > kUnlike || std::abs(*share) < 1 / kUnlike)
-      return say("impulses_unlike_weights", "impulses have nothing to do with weights",
-                 "look at 'mass', which may be its inverse, in kilograms, and at the unit of "
-                 "impulses, newton seconds");
+      return say(
+          "impulses_unlike_weights", "impulses do not match weights",
+          "check 'mass' (kilograms, not its inverse) and the unit of impulses (newton seconds)");
   }
 
   Vec3d up_;

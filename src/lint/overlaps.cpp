@@ -15,7 +15,7 @@ Names in_order(const std::string& a, const std::string& b) {
   return a < b ? Names{a, b} : Names{b, a};
 }
 
-/// Corners of a placed solid's box, the world.
+/// Bounding box of a placed solid, world.
 Aabb<double> box_of(const Placed& placed) {
   const Vec3d middle = (placed.solid->lower() + placed.solid->upper()) / 2;
   const Vec3d half = (placed.solid->upper() - placed.solid->lower()) / 2;
@@ -24,7 +24,7 @@ Aabb<double> box_of(const Placed& placed) {
   return {center - reach, center + reach};
 }
 
-/// Metres of overlap, 0 where there is none or nobody knows.
+/// Metres of overlap; 0 if there is none or it cannot be computed.
 double overlap_of(const Placed& a, const Placed& b) {
   if (const std::optional<Separation> best = best_separation(a, b))
     return std::max(-best->distance, 0.0);
@@ -53,7 +53,7 @@ class OverlapsWatch final : public Watch {
     for (const trace::Placement& one : frames.now->poses) {
       const std::optional<Placed> placed = place(solids, frames.now, one.first, {});
       if (!placed) continue;
-      // A plane meets everything.
+      // A plane's box is infinite.
       const Vec3d all = Vec3d::Constant(std::numeric_limits<double>::infinity());
       boxes.emplace_back(placed->solid->is_plane() ? Aabb<double>{-all, all} : box_of(*placed),
                          &one.first);
@@ -71,14 +71,13 @@ class OverlapsWatch final : public Watch {
   void report(std::vector<Finding>& findings) override {
     for (const Finding& finding : findings)
       if (moves_shapes(finding.cause)) return;
-    report_kind("overlap_told_apart", "shapes that overlap are told to be apart",
-                "look at the test that finds them apart, and at the poses", separation_, findings);
+    report_kind("overlap_told_apart", "shapes that overlap are reported as separated",
+                "check the test that separates them, and the poses", separation_, findings);
     std::erase_if(untold_, [&](const auto& one) { return !with_contacts_.contains(one.first); });
     report_kind(
-        "overlap_without_contact", "shapes overlap, and no contact of them is told",
-        "in other frames they have contacts: look at the broad phase, and at what is left out "
-        "when a frame "
-        "is written",
+        "overlap_without_contact", "shapes overlap without a reported contact",
+        "they have contacts in other frames: check the broad phase, and what is left out when "
+        "a frame is written",
         untold_, findings);
   }
 
@@ -108,7 +107,7 @@ class OverlapsWatch final : public Watch {
     for (const auto& one : list) count += one.second.count;
     findings.push_back({cause, what, remedy, count, 0, deepest->second.line, deepest->second.frame,
                         deepest->first.first, deepest->first.second, "no contact",
-                        "they are " + metres(deepest->second.deepest) + " m in each other"});
+                        "they overlap by " + metres(deepest->second.deepest) + " m"});
   }
 
   std::set<Names> with_contacts_;

@@ -7,13 +7,13 @@
 
 namespace contactscope::lint {
 
-/// What this program's own pipeline finds of two solids, which best_separation() does not know of meshes.
+/// Contacts from our own pipeline, for meshes, which best_separation() does not support.
 struct OwnContacts {
-  Manifolds<double> manifolds;  // with all points; without the rounding of hulls
-  double separation = 0;  // metres, of the deepest point, rounding and all; infinite without points
+  Manifolds<double> manifolds;  // all points; hulls without rounding
+  double separation = 0;  // metres, of the deepest point, with rounding; infinite without points
 };
 
-/// At their own scale. Empty of two kinds of shapes that do not collide here.
+/// At their own scale. Empty for kinds of shapes that do not collide here.
 std::optional<OwnContacts> own_contacts(const Placed& a, const Placed& b);
 
 }  // namespace contactscope::lint

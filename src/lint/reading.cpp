@@ -5,37 +5,35 @@ namespace contactscope::lint {
 namespace {
 
 constexpr const char* kOneWorld =
-    "write points and normals in the axes of the poses: all are of one right-handed world";
+    "write points and normals in the axes of the poses: one right-handed world";
 
 }  // namespace
 
 const std::vector<Mistake>& mistakes() {
   static const std::vector<Mistake> kMistakes = {
       {"flipped_normals", "normals point from b to a",
-       "negate each normal, or let a and b trade their names; Bullet's m_normalWorldOnB, and the "
-       "normals of "
-       "ODE, DART and PhysX, point to the first shape",
+       "negate each normal, or swap a and b; Bullet's m_normalWorldOnB, and the normals of ODE, "
+       "DART and PhysX, point to the first shape",
        [](Reading& r) { r.normals_flipped = true; }},
       {"positive_depths", "separations have the sign of a depth",
-       "negate each separation: it is negative in overlap; ODE and FCL tell depths",
+       "negate each separation: it is negative in overlap; ODE and FCL report depths",
        [](Reading& r) { r.separations_negated = true; }},
       {"half_depths", "separations are half of the overlap",
-       "double them; where they are measured from the middle of the overlap, add the other half "
-       "(MuJoCo "
-       "before 3.4 tells half of the overlap of two boxes)",
+       "double them; if they are measured from the middle of the overlap, add the other half "
+       "(MuJoCo before 3.4 reports half of the overlap of two boxes)",
        [](Reading& r) { r.separation_scale = 2; }},
       {"double_depths", "separations are twice the overlap",
        "halve them; maybe the overlap was added for a and for b",
        [](Reading& r) { r.separation_scale = 0.5; }},
-      {"poses_of_frame_before", "contacts are those of the poses one frame before",
-       "write the poses that the contacts were found at, before bodies are moved, or say "
+      {"poses_of_frame_before", "contacts belong to the poses of the frame before",
+       "write the poses at which the contacts were computed, before bodies move, or set "
        "\"poses_at\":\"after_step\" in the header",
        [](Reading& r) { r.moment = Moment::FrameBefore; }},
-      {"poses_of_frame_after", "contacts are those of the poses one frame after",
-       "write contacts and the poses that they were found at into the same frame",
+      {"poses_of_frame_after", "contacts belong to the poses of the frame after",
+       "write contacts and the poses at which they were computed into the same frame",
        [](Reading& r) { r.moment = Moment::FrameAfter; }},
-      {"quaternions_xyzw", "quaternions stand in the order x, y, z, w",
-       "write w first, as 'quat_wxyz' says", [](Reading& r) { r.rotation = Rotation::Xyzw; }},
+      {"quaternions_xyzw", "quaternions are in the order x, y, z, w",
+       "write w first: the key is 'quat_wxyz'", [](Reading& r) { r.rotation = Rotation::Xyzw; }},
       {"inverse_rotations", "rotations are inverted: from the world to the shape",
        "negate x, y and z of each quaternion; maybe a matrix was read by rows instead of columns",
        [](Reading& r) { r.rotation = Rotation::Inverse; }},
@@ -50,16 +48,16 @@ const std::vector<Mistake>& mistakes() {
       {"normals_in_frame_of_b", "normals are in the frame of b", "rotate each by the pose of b",
        [](Reading& r) { r.normals = Frame::OfB; }},
       {"sides_swapped", "'on_a' is on b, and 'on_b' on a",
-       "let them trade places; maybe the engine calls the shapes in the other order",
+       "swap them; maybe the engine has the shapes in the other order",
        [](Reading& r) { r.sides_swapped = true; }},
-      {"poses_of_center_of_mass", "positions are those of the centres of mass",
-       "write where the shape's own origin is: the position less the rotated centre of mass",
+      {"poses_of_center_of_mass", "positions are centres of mass",
+       "write the shape's own origin: the position minus the rotated centre of mass",
        [](Reading& r) { r.at_center_of_mass = true; }},
-      {"shapes_half_as_large", "shapes are half as large as what collided",
-       "double their vertices; maybe half extents were taken for whole ones",
+      {"shapes_half_as_large", "shapes are half the size of those that collided",
+       "double their vertices; maybe half extents were used as full extents",
        [](Reading& r) { r.shape_scale = 2; }},
-      {"shapes_twice_as_large", "shapes are twice as large as what collided",
-       "halve their vertices; maybe whole extents were taken for half ones, or a diameter for a "
+      {"shapes_twice_as_large", "shapes are twice the size of those that collided",
+       "halve their vertices; maybe full extents were used as half extents, or a diameter as a "
        "radius",
        [](Reading& r) { r.shape_scale = 0.5; }},
       {"depths_in_centimetres", "separations are in centimetres", "divide them by 100",
@@ -78,24 +76,24 @@ const std::vector<Mistake>& mistakes() {
        [](Reading& r) { r.shape_scale = 0.001; }},
       {"shapes_in_metres", "shapes are in metres, and the rest in centimetres",
        "write all lengths in metres", [](Reading& r) { r.shape_scale = 100; }},
-      {"boxes_twice_as_large", "boxes are twice as large as what collided",
-       "halve their vertices: whole extents were taken for half ones",
+      {"boxes_twice_as_large", "boxes are twice the size of those that collided",
+       "halve their vertices: full extents were used as half extents",
        [](Reading& r) { r.form = Form::BoxesHalf; }, true},
-      {"boxes_half_as_large", "boxes are half as large as what collided",
-       "double their vertices: half extents were taken for whole ones",
+      {"boxes_half_as_large", "boxes are half the size of those that collided",
+       "double their vertices: half extents were used as full extents",
        [](Reading& r) { r.form = Form::BoxesTwice; }, true},
       {"radii_twice_as_large", "radii of spheres and capsules are twice those that collided",
        "halve each 'radius': it may be a diameter", [](Reading& r) { r.form = Form::RadiiHalf; },
        true},
       {"radii_half_as_large", "radii of spheres and capsules are half of those that collided",
-       "double each 'radius': it may have been taken for a diameter",
+       "double each 'radius': it may have been halved like a diameter",
        [](Reading& r) { r.form = Form::RadiiTwice; }, true},
-      {"capsules_twice_as_long", "segments of capsules are twice as long as what collided",
-       "a whole length was taken for a half one: each end is half of it from the middle, without "
+      {"capsules_twice_as_long", "segments of capsules are twice as long as those that collided",
+       "a full length was used as a half length: each end is half of it from the middle, without "
        "the cap",
        [](Reading& r) { r.form = Form::CapsulesHalf; }, true},
-      {"capsules_half_as_long", "segments of capsules are half as long as what collided",
-       "a half length was taken for a whole one: each end is so far from the middle, without the "
+      {"capsules_half_as_long", "segments of capsules are half as long as those that collided",
+       "a half length was used as a full length: each end is that far from the middle, without the "
        "cap",
        [](Reading& r) { r.form = Form::CapsulesTwice; }, true},
       {"capsules_along_x", "capsules collided along x", "write the ends of each segment along x",
@@ -104,37 +102,36 @@ const std::vector<Mistake>& mistakes() {
        [](Reading& r) { r.form = Form::CapsulesAlongY; }, true},
       {"capsules_along_z", "capsules collided along z", "write the ends of each segment along z",
        [](Reading& r) { r.form = Form::CapsulesAlongZ; }, true},
-      {"plane_offsets_negated", "offsets of planes have the other sign",
+      {"plane_offsets_negated", "offsets of planes have the wrong sign",
        "negate each 'offset': a plane is solid where normal . x <= offset; a x + b y + c z + d = 0 "
-       "has an "
-       "offset of -d",
+       "has the offset -d",
        [](Reading& r) { r.form = Form::OffsetsNegated; }, true},
-      {"planes_turned", "normals of planes point into what is solid",
+      {"planes_turned", "normals of planes point into the solid",
        "negate 'normal' and 'offset' of each 'half_space': it is solid where normal . x <= offset",
        [](Reading& r) { r.form = Form::PlanesTurned; }, true},
-      {"angles_doubled", "rotations turn twice as far as they should",
-       "make the quaternion of an angle of the cosine and the sine of its half",
+      {"angles_doubled", "rotation angles are doubled",
+       "make each quaternion from the cosine and sine of half the angle",
        [](Reading& r) { r.rotation = Rotation::HalfTheAngle; }, true},
-      {"rotations_mirrored_x", "rotations are those of a world mirrored in x",
-       "where a left-handed world is mirrored in x, negate y and z of each quaternion as well",
+      {"rotations_mirrored_x", "rotations belong to a world mirrored in x",
+       "if a left-handed world is mirrored in x, negate y and z of each quaternion too",
        [](Reading& r) { r.rotation = Rotation::MirroredX; }, true},
-      {"rotations_mirrored_y", "rotations are those of a world mirrored in y",
-       "where a left-handed world is mirrored in y, negate x and z of each quaternion as well",
+      {"rotations_mirrored_y", "rotations belong to a world mirrored in y",
+       "if a left-handed world is mirrored in y, negate x and z of each quaternion too",
        [](Reading& r) { r.rotation = Rotation::MirroredY; }, true},
-      {"rotations_mirrored_z", "rotations are those of a world mirrored in z",
-       "where a left-handed world is mirrored in z, negate x and y of each quaternion as well",
+      {"rotations_mirrored_z", "rotations belong to a world mirrored in z",
+       "if a left-handed world is mirrored in z, negate x and y of each quaternion too",
        [](Reading& r) { r.rotation = Rotation::MirroredZ; }, true},
-      {"contacts_mirrored_x", "contacts are mirrored in x beside the poses", kOneWorld,
+      {"contacts_mirrored_x", "contacts are mirrored in x, compared with the poses", kOneWorld,
        [](Reading& r) { r.axes = Axes::MirroredX; }, true},
-      {"contacts_mirrored_y", "contacts are mirrored in y beside the poses", kOneWorld,
+      {"contacts_mirrored_y", "contacts are mirrored in y, compared with the poses", kOneWorld,
        [](Reading& r) { r.axes = Axes::MirroredY; }, true},
-      {"contacts_mirrored_z", "contacts are mirrored in z beside the poses", kOneWorld,
+      {"contacts_mirrored_z", "contacts are mirrored in z, compared with the poses", kOneWorld,
        [](Reading& r) { r.axes = Axes::MirroredZ; }, true},
-      {"contacts_y_z_swapped", "y and z of contacts are swapped beside the poses", kOneWorld,
+      {"contacts_y_z_swapped", "contacts have y and z swapped, compared with the poses", kOneWorld,
        [](Reading& r) { r.axes = Axes::YzSwapped; }, true},
-      {"contacts_z_up", "contacts are of a world with z up, and poses of one with y up", kOneWorld,
+      {"contacts_z_up", "contacts have z up, and poses have y up", kOneWorld,
        [](Reading& r) { r.axes = Axes::ZUp; }, true},
-      {"contacts_y_up", "contacts are of a world with y up, and poses of one with z up", kOneWorld,
+      {"contacts_y_up", "contacts have y up, and poses have z up", kOneWorld,
        [](Reading& r) { r.axes = Axes::YUp; }, true},
   };
   return kMistakes;
@@ -142,7 +139,7 @@ const std::vector<Mistake>& mistakes() {
 
 namespace {
 
-/// Two mistakes can be made at once where they are about different things.
+/// Two mistakes can be combined if they concern different things.
 bool go_together(const Mistake& one, const Mistake& other) {
   if (one.alone || other.alone) return false;
   Reading first, second;

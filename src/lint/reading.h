@@ -8,19 +8,19 @@
 
 namespace contactscope::lint {
 
-/// The moment of the poses that contacts are held against.
+/// The frame whose poses contacts are compared with.
 enum class Moment { OfFrame, FrameBefore, FrameAfter };
 
-/// Which frame vectors are told in.
+/// The frame of reference of vectors.
 enum class Frame { World, OfA, OfB };
 
-/// How the four numbers of a rotation are meant. Mirrored: of a world in which that axis has the other sign.
+/// Meaning of a rotation's four numbers. Mirrored: of a world with that axis negated.
 enum class Rotation { Wxyz, Xyzw, Inverse, HalfTheAngle, MirroredX, MirroredY, MirroredZ };
 
-/// How the three numbers of contact points and normals stand to those of poses.
+/// Axes of contact points and normals relative to those of poses.
 enum class Axes { Same, MirroredX, MirroredY, MirroredZ, YzSwapped, ZUp, YUp };
 
-/// What shapes collided as, where that is not what the trace says.
+/// The shapes that collided, if they differ from the trace's.
 enum class Form {
   AsReported,
   BoxesHalf,
@@ -28,7 +28,7 @@ enum class Form {
   RadiiHalf,
   RadiiTwice,
   CapsulesHalf,
-  CapsulesTwice,  // as long
+  CapsulesTwice,  // in length
   CapsulesAlongX,
   CapsulesAlongY,
   CapsulesAlongZ,
@@ -36,8 +36,8 @@ enum class Form {
   PlanesTurned,
 };
 
-/// One way to read what a trace says. The default is what src/trace/README.md promises; each other value
-/// is a mistake that people make.
+/// One interpretation of a trace. The default is the format of src/trace/README.md; every other
+/// value is a common mistake.
 struct Reading {
   Frame normals = Frame::World;
   bool normals_flipped = false;
@@ -53,7 +53,7 @@ struct Reading {
   Axes axes = Axes::Same;
   Form form = Form::AsReported;
 
-  /// Whether it has shapes elsewhere, or otherwise, than the trace says.
+  /// Whether shapes or poses differ from the trace's.
   bool moves_shapes() const {
     return moment != Moment::OfFrame || rotation != Rotation::Wxyz || at_center_of_mass ||
            shape_scale != 1 || form != Form::AsReported;
@@ -62,28 +62,28 @@ struct Reading {
   friend bool operator==(const Reading&, const Reading&) = default;
 };
 
-/// A mistake: the reading under which what it led to is right again.
+/// A mistake: the reading under which its effects are right.
 struct Mistake {
   const char* name;    // in JSON: "flipped_normals"
   const char* what;    // "normals point from b to a"
   const char* remedy;  // "negate them; ..."
   void (*apply)(Reading&);
-  bool alone = false;  // not looked for beside another one
+  bool alone = false;  // not combined with other mistakes
 };
 
-/// All that are known, the likelier ones first.
+/// All known mistakes, the more likely ones first.
 const std::vector<Mistake>& mistakes();
 
-/// Whether a cause is a mistake that moves shapes, so that where they seem to be says nothing.
+/// Whether a cause is a mistake that moves shapes, so that their poses are not reliable.
 bool moves_shapes(const std::string& cause);
 
-/// One mistake, or two of different kinds at once.
+/// One mistake, or two compatible ones.
 struct Explanation {
   std::vector<const Mistake*> made;
   Reading reading;
 };
 
-/// What to try on claims that are wrong as they stand: each mistake by itself, then two at a time.
+/// Explanations to try on wrong claims: each mistake alone, then pairs of them.
 const std::vector<Explanation>& explanations();
 
 }  // namespace contactscope::lint

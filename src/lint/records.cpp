@@ -7,7 +7,7 @@
 namespace contactscope::lint {
 namespace {
 
-/// What is wrong with the record itself, whatever shapes and poses are.
+/// Checks the record itself, independent of shapes and poses.
 class RecordsWatch final : public Watch {
  public:
   void see(const Solids&, const Moments& frames) override {
@@ -19,8 +19,7 @@ class RecordsWatch final : public Watch {
       if (!record.insert({first, second, pair.label}).second)
         twice_.wrong(frames, pair.a, pair.b, [&] {
           return std::pair<std::string, std::string>(
-              "it stands in this frame before",
-              "a pair stands in a frame once, with all its manifolds");
+              "it is in this frame already", "a pair is in a frame once, with all its manifolds");
         });
       if (pair.state != "touching" || pair.query || pair.overlap || pair.degenerate) continue;
       ++empty_.of;
@@ -33,16 +32,16 @@ class RecordsWatch final : public Watch {
   }
 
   void report(std::vector<Finding>& findings) override {
-    twice_.report("pairs_twice", "pairs are told twice in a frame",
+    twice_.report("pairs_twice", "pairs are reported twice in a frame",
                   "leave one out: many engines report a pair in both orders, or once for each body",
                   1, 0, findings);
     empty_.report("touching_without_points", "pairs are 'touching' and have no points",
                   "write their manifolds, or leave 'state' out: it follows from them", 1, 0,
                   findings);
-    time_.report("times_do_not_rise", "'time' does not rise from frame to frame",
-                 "write the time at which each frame is, in seconds: velocities and impulses are "
-                 "held against it",
-                 1, 0, findings);
+    time_.report(
+        "times_do_not_rise", "'time' does not increase from frame to frame",
+        "write the time of each frame, in seconds: velocities and impulses are compared with it", 1,
+        0, findings);
   }
 
  private:

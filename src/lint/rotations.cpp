@@ -5,8 +5,8 @@
 namespace contactscope::lint {
 namespace {
 
-/// What stands upright has the rotation 1, 0, 0, 0. A writer who puts w last writes 0, 0, 0, 1 for it, which
-/// is half a turn about z: boxes look as they should, and only other shapes give it away.
+/// An upright shape has the rotation 1, 0, 0, 0. With w last it is written as 0, 0, 0, 1, a half
+/// turn about z. Boxes look right then, and only other shapes reveal it.
 class RotationsWatch final : public Watch {
  public:
   void see(const Solids& solids, const Moments& frames) override {
@@ -19,8 +19,8 @@ class RotationsWatch final : public Watch {
       if (std::abs(pose.rotation.z()) < kAlmost) continue;
       if (half_turns_++ > 0) continue;
       first_ = {"quaternions_xyzw",
-                "quaternions stand in the order x, y, z, w",
-                "write w first, as 'quat_wxyz' says",
+                "quaternions are in the order x, y, z, w",
+                "write w first: the key is 'quat_wxyz'",
                 0,
                 0,
                 frames.now->line,
@@ -28,7 +28,7 @@ class RotationsWatch final : public Watch {
                 name,
                 "",
                 "'quat_wxyz' is 0, 0, 0, 1: half a turn about z",
-                "with w last it is no turn at all, and no shape of the trace has 1, 0, 0, 0"};
+                "with w last it is no rotation, and no shape of the trace has 1, 0, 0, 0"};
     }
   }
 

@@ -13,10 +13,10 @@ namespace contactscope::lint {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/// Faces that a direction meets at less than this sine are its sides: a contact point on an edge lies in
-/// their planes, and where it would leave through them is up to rounding.
+/// Faces at less than this sine to a direction are its sides. A contact point on an edge lies in
+/// their planes, so only rounding decides where it would leave through them.
 constexpr double kSide = 0.25;
-/// Contacts of a distance field are as good as its cells, which a trace does not tell: of its size.
+/// Share of a distance field's size. Its contacts are as accurate as its cells, unknown in traces.
 constexpr double kFieldVagueness = 0.05;
 
 std::vector<std::array<int, 3>> fans(const std::vector<std::vector<int>>& faces) {
@@ -89,8 +89,8 @@ std::optional<double> Solid::exit_of_round(const Vec3d& point, const Vec3d& dire
   const Vec3d from = vertices_[0] - point, axis = vertices_[1] - vertices_[0];
   const Vec3d across_from = from - direction * direction.dot(from);
   const Vec3d across_axis = axis - direction * direction.dot(axis);
-  // Balls of which one is the last to be left: at the ends, or where along + sqrt(r^2 - beside^2) is largest
-  // between them.
+  // The exit is from the ball at an end, or from one between them where along + sqrt(r^2 -
+  // beside^2) is largest.
   const double squared = across_axis.squaredNorm();
   const double crossing = squared > 0 ? -across_axis.dot(across_from) / squared : 0.0;
   std::optional<double> last;
@@ -109,7 +109,7 @@ std::optional<double> Solid::exit_of_round(const Vec3d& point, const Vec3d& dire
     const double shift = lean * std::sqrt(room / (squared * (squared + lean * lean)));
     if (crossing + shift > 0 && crossing + shift < 1) leave_ball(crossing + shift);
   }
-  // It passes by: where it is nearest.
+  // No ball is hit: use the nearest one.
   if (!last) last = direction.dot(from + std::clamp(crossing, 0.0, 1.0) * axis);
   return last;
 }
@@ -117,7 +117,7 @@ std::optional<double> Solid::exit_of_round(const Vec3d& point, const Vec3d& dire
 std::optional<double> Solid::exit_by_core(const Vec3d& point, const Vec3d& direction) const {
   if (kind_ != Kind::Round) return std::nullopt;
   const Vec3d axis = vertices_[1] - vertices_[0];
-  constexpr double kLeaning = 0.75;  // sine: by more than some 50 degrees it stands on end
+  constexpr double kLeaning = 0.75;  // sine: beyond some 50 degrees it stands on end
   if (std::abs(direction.dot(axis)) > kLeaning * axis.norm()) return std::nullopt;
   const Vec3d from = vertices_[0] - point;
   const Vec3d across = axis - direction * direction.dot(axis);
@@ -133,7 +133,7 @@ std::optional<double> Solid::exit_of_hull(const Vec3d& point, const Vec3d& direc
     if (slope < kSide) continue;
     first = std::min(first, (face.offset + radius_ - face.normal.dot(point)) / slope);
   }
-  // Nothing of it lies beyond its farthest vertex, where all its faces are steep too.
+  // The solid ends at its farthest vertex, even if all faces there are steep.
   const double farthest = extent(direction) - direction.dot(point);
   return std::min(first, farthest);
 }
@@ -143,7 +143,7 @@ std::optional<double> Solid::exit_of_surface(const Vec3d& point, const Vec3d& di
   const NearestPoint nearest = triangles_->nearest(point);
   const double near = std::sqrt(nearest.squared);
   std::optional<double> found;
-  // No crossing nearer than the nearest point; those much farther belong to other parts of the surface.
+  // No crossing is closer than the nearest point; much farther ones belong to other parts.
   const double reach = 4 * near + 1e-3 * size_;
   Aabb<double> box;
   box.include(point - reach * direction);
@@ -188,7 +188,7 @@ std::optional<Vec3d> Solid::face_normal(const Vec3d& point) const {
 
 double Solid::extent(const Vec3d& direction) const {
   if (kind_ == Kind::Plane) {
-    constexpr double kSame = 1e-6;  // what numbers of seven digits leave uncertain
+    constexpr double kSame = 1e-6;  // precision of numbers with seven digits
     return (plane_.normal - direction).norm() <= kSame ? plane_.offset : kInfinity;
   }
   double most = -kInfinity;

@@ -12,50 +12,50 @@
 
 namespace contactscope::lint {
 
-/// A shape of a trace as claims about it are measured: in its own frame, metres, double, by planes, segments
-/// and nearest triangles. It shares nothing with the stages that make contacts.
+/// A shape of a trace for measuring claims: in its own frame, metres, double, by planes, segments
+/// and nearest triangles. Shares no code with the stages that create contacts.
 class Solid {
  public:
-  /// Throws ShapeError of vertices that bound nothing.
+  /// Throws ShapeError for degenerate vertices.
   explicit Solid(const trace::Shape& shape);
 
-  /// Of a point from the surface, negative inside; of a mesh, which need not have an inside, never negative.
+  /// From a point to the surface, negative inside; never negative for a mesh, which may be open.
   double distance(const Vec3d& point) const;
 
-  /// How far from `point` along `direction` (unit) one leaves the solid, negative where it lies behind. Beside
-  /// the solid the faces that look along the direction go on as planes, so that a point on an edge has an
-  /// answer too. Of a mesh the crossing nearest to the point. Empty where the direction does not leave it.
+  /// Distance from `point` along `direction` (unit) to the exit of the solid, negative if behind.
+  /// Faces towards the direction extend as planes, so that points on an edge have an exit. For a
+  /// mesh, the crossing nearest to the point. Empty if the direction does not exit.
   std::optional<double> exit(const Vec3d& point, const Vec3d& direction) const;
 
-  /// The same as pipelines measure a capsule that leans against a face: the point of its segment, and the
-  /// radius beyond it. Up to r (1 / cos - 1) less than to its surface. Empty of other solids, and where it
-  /// stands on end.
+  /// Like exit(), as pipelines measure a capsule that leans against a face: the point of its
+  /// segment plus the radius. Up to r (1 / cos - 1) less than to its surface. Empty for other
+  /// solids and upright capsules.
   std::optional<double> exit_by_core(const Vec3d& point, const Vec3d& direction) const;
 
-  /// Of a mesh, where its triangle that is nearest to the point looks to (unit); empty of others.
+  /// Unit normal of a mesh's triangle nearest to the point; empty for others.
   std::optional<Vec3d> face_normal(const Vec3d& point) const;
 
-  /// The largest direction . x of its points; infinite along what has no end.
+  /// The maximum of direction . x over its points; infinite in unbounded directions.
   double extent(const Vec3d& direction) const;
 
-  /// Half the diagonal of its box; infinite of a plane.
+  /// Half the diagonal of its box; infinite for a plane.
   double size() const { return size_; }
-  /// How far off a claim may be because the engine's own shape is an approximation of this one, metres.
+  /// Allowed error of claims because the engine's own shape only approximates this one, metres.
   double vagueness() const { return vagueness_; }
   bool is_convex() const { return kind_ == Kind::Round || kind_ == Kind::Hull; }
   bool is_plane() const { return kind_ == Kind::Plane; }
 
-  /// Of a convex one: the points whose hull, grown by radius(), it is.
+  /// The points of a convex solid: it is their hull, expanded by radius().
   SupportSet<double> core() const;
   double radius() const { return radius_; }
   const Plane<double>& plane() const { return plane_; }
   const Vec3d& center_of_mass() const { return center_of_mass_; }
-  const Vec3d& lower() const { return lower_; }  // corners of its box, own frame; of a plane none
+  const Vec3d& lower() const { return lower_; }  // corners of its box, own frame; unset for a plane
   const Vec3d& upper() const { return upper_; }
 
-  /// For the collision pipeline, where claims are missing altogether; without rounding().
+  /// For the collision pipeline, when claims are missing altogether; without rounding().
   const Shape<double>& shape() const { return shape_; }
-  /// Metres that shape() has to be grown by: hulls of the pipeline are not rounded.
+  /// Metres to expand shape() by: hulls of the pipeline are not rounded.
   double rounding() const { return kind_ == Kind::Hull ? radius_ : 0; }
 
  private:
@@ -78,7 +78,7 @@ class Solid {
   Shape<double> shape_;
 };
 
-/// A solid where a frame has it, maybe larger than the trace says by `scale`.
+/// A solid with its pose in a frame, scaled by `scale`.
 struct Placed {
   const Solid* solid = nullptr;
   Pose<double> pose{};
@@ -95,17 +95,17 @@ struct Placed {
   double size() const { return scale * solid->size(); }
 };
 
-/// Metres between them along a direction (unit, from a to b), negative in overlap: by how much b has to be
-/// moved along it until a plane across it parts them, with the sign turned.
+/// Metres between the solids along a direction (unit, from a to b), negative if they overlap: minus
+/// the displacement of b along it until a perpendicular plane separates them.
 double separation_along(const Placed& a, const Placed& b, const Vec3d& normal);
 
 struct Separation {
   double distance = 0;           // metres, negative in overlap
-  Vec3d normal = Vec3d::Zero();  // unit, world, from a to b: along which it is
+  Vec3d normal = Vec3d::Zero();  // unit, world, from a to b: its direction
 };
 
-/// The largest of these: the distance of two solids that are apart, or how deep they are in each other. Of
-/// convex solids and planes at their own scale; empty of others, and of two planes.
+/// The largest separation_along(): the distance of separated solids, or minus their penetration
+/// depth. For convex solids and planes at their own scale; empty for others, and for two planes.
 std::optional<Separation> best_separation(const Placed& a, const Placed& b);
 
 }  // namespace contactscope::lint

@@ -8,12 +8,12 @@
 
 namespace contactscope::lint {
 
-/// How often one thing is wrong, of how many that were looked at, and the first of them.
+/// Counts occurrences of one problem among all cases, and keeps the first.
 struct Tally {
   int count = 0, of = 0;
   Finding first;
 
-  /// One more that is wrong; `said` and `is` are made of the first alone.
+  /// Adds an occurrence; `said` and `is` are only built for the first.
   template <class Words>
   void wrong(const Moments& frames, const std::string& a, const std::string& b,
              const Words& words) {
@@ -22,7 +22,7 @@ struct Tally {
     first = {"", "", "", 0, 0, frames.now->line, frames.now->frame, a, b, said, is};
   }
 
-  /// Tells it where it is that often: `least` times, and that share.
+  /// Reports the problem if it occurs at least `least` times and in that share of the cases.
   void report(const char* cause, const char* what, const char* remedy, int least, double share,
               std::vector<Finding>& findings) const {
     if (count < least || count < share * of) return;

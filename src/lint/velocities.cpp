@@ -10,21 +10,22 @@
 namespace contactscope::lint {
 namespace {
 
-/// What a velocity may be instead of one in metres, or radians, a second in the world.
+/// A wrong meaning of a velocity; right are metres or radians per second in the world.
 struct Other {
   const char *cause, *what, *remedy;
   Vec3d (*meant)(const Vec3d& record, const Quat<double>& rotation, double step);
 };
 
-constexpr const char* kOfTheBody = "turn them by the rotation of the body: they are in the world";
+constexpr const char* kOfTheBody = "rotate them by the rotation of the body: they are in the world";
 constexpr Other kVelocities[] = {
     {"velocities_negated", "velocities point backward", "negate them",
      [](const Vec3d& v, const Quat<double>&, double) { return Vec3d(-v); }},
-    {"velocities_of_a_step", "velocities are in metres a step", "divide them by the time of a step",
+    {"velocities_of_a_step", "velocities are in metres per step",
+     "divide them by the time of a step",
      [](const Vec3d& v, const Quat<double>&, double step) { return Vec3d(v / step); }},
-    {"velocities_in_centimetres", "velocities are in centimetres a second", "divide them by 100",
+    {"velocities_in_centimetres", "velocities are in centimetres per second", "divide them by 100",
      [](const Vec3d& v, const Quat<double>&, double) { return Vec3d(v / 100); }},
-    {"velocities_in_millimetres", "velocities are in millimetres a second", "divide them by 1000",
+    {"velocities_in_millimetres", "velocities are in millimetres per second", "divide them by 1000",
      [](const Vec3d& v, const Quat<double>&, double) { return Vec3d(v / 1000); }},
     {"velocities_in_frame_of_body", "velocities are in the frame of the body", kOfTheBody,
      [](const Vec3d& v, const Quat<double>& q, double) { return Vec3d(q * v); }},
@@ -32,23 +33,24 @@ constexpr Other kVelocities[] = {
 constexpr Other kSpins[] = {
     {"spins_negated", "angular velocities turn backward", "negate them",
      [](const Vec3d& v, const Quat<double>&, double) { return Vec3d(-v); }},
-    {"spins_in_degrees", "angular velocities are in degrees a second", "multiply them by pi / 180",
+    {"spins_in_degrees", "angular velocities are in degrees per second",
+     "multiply them by pi / 180",
      [](const Vec3d& v, const Quat<double>&, double) { return Vec3d(v * std::numbers::pi / 180); }},
-    {"spins_of_a_step", "angular velocities are in radians a step",
+    {"spins_of_a_step", "angular velocities are in radians per step",
      "divide them by the time of a step",
      [](const Vec3d& v, const Quat<double>&, double step) { return Vec3d(v / step); }},
     {"spins_in_frame_of_body", "angular velocities are in the frame of the body", kOfTheBody,
      [](const Vec3d& v, const Quat<double>& q, double) { return Vec3d(q * v); }},
 };
 
-/// Velocities that are told, held against how far bodies get: one and the same cause for most of them.
+/// Compares reported velocities with displacements, and finds a common cause of most differences.
 template <std::size_t Count>
 class Readings {
  public:
   Readings(const Other (&others)[Count], const char* name, const char* unit)
       : others_(others), name_(name), unit_(unit) {}
 
-  /// `moved`: what it was from the frame before, and to the one after.
+  /// `moved`: velocities by displacement, from the previous frame and to the next.
   void see(const Moments& frames, const std::string& body, const Vec3d& record,
            const std::array<Vec3d, 2>& moved, const Quat<double>& rotation, double step) {
     const auto fits = [&](const Vec3d& velocity) {
@@ -60,13 +62,13 @@ class Readings {
     if (fits(record)) return;
     wrong_.wrong(frames, body, "", [&] {
       return std::pair(std::string(name_) + " " + spelled(record) + " " + unit_,
-                       "to the next frame it is " + spelled(moved[1]));
+                       "to the next frame, the poses give " + spelled(moved[1]));
     });
     for (std::size_t i = 0; i < Count; ++i)
       explained_[i] += fits(others_[i].meant(record, rotation, step));
   }
 
-  /// Contacts stop bodies, and solvers push them: only what is so nearly everywhere is told.
+  /// Contacts stop bodies and solvers push them, so only report what happens almost everywhere.
   void report(std::vector<Finding>& findings) const {
     constexpr int kFewest = 5;
     for (std::size_t i = 0; i < Count; ++i)
@@ -102,7 +104,7 @@ class VelocitiesWatch final : public Watch {
       const std::array<Vec3d, 2> methods = {(middle(*now) - middle(*before)) / last,
                                             (middle(*after) - middle(*now)) / step};
       constexpr double kMoving = 0.2,
-                       kTurning = 0.5;  // metres and radians a second: more than solvers correct
+                       kTurning = 0.5;  // metres and radians per second: more than solvers correct
       if (std::ranges::all_of(methods, [](const Vec3d& offset) { return offset.norm() > kMoving; }))
         velocities_.see(frames, body.name, body.velocity, methods, now->pose.rotation, step);
       const std::array<Vec3d, 2> turns = {turn(before->pose, now->pose) / last,
@@ -126,7 +128,7 @@ class VelocitiesWatch final : public Watch {
   }
 
   Readings<std::size(kVelocities)> velocities_{kVelocities, "velocity", "m/s"};
-  Readings<std::size(kSpins)> spins_{kSpins, "angular velocity", "radians a second"};
+  Readings<std::size(kSpins)> spins_{kSpins, "angular velocity", "rad/s"};
 };
 
 }  // namespace

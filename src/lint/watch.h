@@ -8,36 +8,36 @@
 
 namespace contactscope::lint {
 
-/// One kind of question to a trace: sees each frame once, and tells at the end.
+/// One kind of check of a trace: sees each frame once and reports at the end.
 class Watch {
  public:
   virtual ~Watch() = default;
-  /// frames.now is there; its neighbours are where the trace has the frame before and the one after.
+  /// frames.now is set; its neighbours are set if the trace has the frame before and after.
   virtual void see(const Solids& solids, const Moments& frames) = 0;
   virtual void report(std::vector<Finding>& findings) = 0;
 };
 
-/// claims_watch.cpp: points, normals and separations against the shapes, and what they would be right under.
+/// claims_watch.cpp: compares points, normals and separations with the shapes, and explains errors.
 std::unique_ptr<Watch> watch_claims(const trace::Header& header, const LintOptions& options);
-/// overlaps.cpp: shapes that overlap, and no contact is told.
+/// overlaps.cpp: overlapping shapes without contacts.
 std::unique_ptr<Watch> watch_overlaps();
-/// ids.cpp: names of points that change while nothing moves.
+/// ids.cpp: ids of points that change while nothing moves.
 std::unique_ptr<Watch> watch_ids();
-/// rotations.cpp: quaternions with w last that pass for half turns.
+/// rotations.cpp: quaternions with w last that look like half turns.
 std::unique_ptr<Watch> watch_rotations();
-/// motion.cpp: what falls, and what rests, against gravity, weights and the axis that is up.
+/// motion.cpp: falling and resting bodies compared with gravity, weights and the up axis.
 std::unique_ptr<Watch> watch_motion(const trace::Header& header);
 
-/// records.cpp: pairs that stand there twice, or have no points; times that do not rise.
+/// records.cpp: duplicate pairs, pairs without points, times that do not increase.
 std::unique_ptr<Watch> watch_records();
-/// friction.cpp: across the normal, bounded by the normal impulse, against what slides.
+/// friction.cpp: perpendicular to the normal, bounded by the normal impulse, against sliding.
 std::unique_ptr<Watch> watch_friction();
-/// velocities.cpp: against how far bodies get.
+/// velocities.cpp: compared with displacements.
 std::unique_ptr<Watch> watch_velocities();
-/// windings.cpp: meshes that are met from behind.
+/// windings.cpp: meshes that are hit from behind.
 std::unique_ptr<Watch> watch_windings();
 
-/// "0.0213": metres as findings tell them.
+/// "0.0213": metres as written in findings.
 std::string metres(double length);
 /// "[0, 1, 0]".
 std::string spelled(const Vec3d& vector);

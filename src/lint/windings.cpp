@@ -5,7 +5,7 @@
 namespace contactscope::lint {
 namespace {
 
-/// A mesh whose triangles are wound inside out is met from behind, everywhere.
+/// A mesh with inverted triangles is hit from behind everywhere.
 class WindingsWatch final : public Watch {
  public:
   void see(const Solids& solids, const Moments& frames) override {
@@ -19,16 +19,14 @@ class WindingsWatch final : public Watch {
   void report(std::vector<Finding>& findings) override {
     constexpr int kFewest = 5;
     for (const auto& [name, met] : met_)
-      met.report(
-          "mesh_inside_out", "a mesh is met from behind, wherever it is met",
-          "list the vertices of each triangle counter-clockwise as seen from outside: engines "
-          "of which x, y, z are "
-          "left-handed, and some files, have them the other way",
-          kFewest, 0.95, findings);
+      met.report("mesh_inside_out", "all contacts of a mesh are on the back of its triangles",
+                 "list the vertices of each triangle counter-clockwise as seen from outside; "
+                 "left-handed engines and some files have them clockwise",
+                 kFewest, 0.95, findings);
   }
 
  private:
-  /// `away`: 1 where normals point away from the shape.
+  /// `away`: 1 if normals point away from the shape.
   void see_shape(const Solids& solids, const Moments& frames, const trace::Pair& pair,
                  const std::string& name, const std::string& other, double away) {
     const std::optional<Placed> placed = place(solids, frames.now, name, {});
@@ -39,7 +37,7 @@ class WindingsWatch final : public Watch {
             placed->solid->face_normal(placed->pose.inverse_transform(point.position));
         if (!outward) return;
         const double cosine = away * manifold.normal.dot(placed->pose.rotate(*outward));
-        constexpr double kClear = 0.5;  // less is an edge
+        constexpr double kClear = 0.5;  // smaller at edges
         if (std::abs(cosine) < kClear) continue;
         Tally& met = met_[name];
         ++met.of;
@@ -47,7 +45,7 @@ class WindingsWatch final : public Watch {
           met.wrong(frames, name, other, [&] {
             return std::pair(
                 "normal " + spelled(manifold.normal) + ", at " + spelled(point.position),
-                "the triangle there looks to " + spelled(placed->pose.rotate(*outward)));
+                "the triangle there faces " + spelled(placed->pose.rotate(*outward)));
           });
       }
   }

@@ -5,13 +5,13 @@
 namespace contactscope::lint {
 namespace {
 
-/// Kept one by one. Together with the ways to be wrong that are told apart after them, some megabytes.
+/// Pairs kept individually. With the distinct later ones they take some megabytes.
 constexpr std::size_t kWhole = 4000;
 constexpr std::size_t kMax = 2 * kWhole;
-/// Depths that differ by less than so much are the same way.
+/// Depths within this factor are the same.
 constexpr double kSameDepth = 1.05;
 
-/// What all that is told of a pair depends on, but for its place.
+/// Key of everything that is reported of a pair, except its position in the trace.
 std::string offset_of(const WrongPair& pair) {
   std::string offset = pair.explained_by.to_string();
   offset += pair.gross ? '!' : '.';
@@ -33,7 +33,7 @@ void WrongPairs::add(WrongPair pair) {
       for (std::size_t i = 0; i < kept_.size(); ++i) places_.emplace(offset_of(kept_[i]), i);
     offset = offset_of(pair);
     const auto known = places_.find(offset);
-    // Of a trace that is wrong in thousands of ways, it no longer matters which one is the most frequent.
+    // With thousands of distinct errors their exact frequencies do not matter.
     if (known != places_.end() || kept_.size() >= kMax) {
       ++kept_[known != places_.end() ? known->second : kept_.size() - 1].times;
       return;

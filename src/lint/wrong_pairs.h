@@ -9,30 +9,30 @@
 
 namespace contactscope::lint {
 
-/// Room for all explanations.
+/// Fits all explanations.
 inline constexpr std::size_t kMaxExplanations = 512;
 
-/// A pair of a frame whose claims are wrong, or several that are wrong in the same way.
+/// A pair of a frame with wrong claims, representing all with the same errors.
 struct WrongPair {
   int line = 0, frame = 0;
   std::string a, b;
   Problem problem;
   std::string said, is;
-  double deeper = 0;  // metres of more overlap than there is, where all points say the same; else 0
+  double deeper = 0;  // metres of excess overlap if all points agree; else 0
   std::bitset<kMaxExplanations> explained_by;
-  bool gross = false;  // beyond what an engine's approximations can be
+  bool gross = false;  // beyond an engine's approximations
   bool record = false;
-  int times = 1;  // as often
+  int times = 1;  // number of pairs
 };
 
-/// The wrong pairs of a trace of any length: the first some thousand one by one, of those after them only what is new
-/// about them, and how often.
+/// The wrong pairs of a trace of any length: the first few thousand individually, later ones only
+/// if they differ, with their count.
 class WrongPairs {
  public:
   void add(WrongPair pair);
 
   int count() const { return count_; }
-  /// Of them, how many were not told yet.
+  /// Number of pairs that are not reported yet.
   int untold() const;
 
   auto begin() { return kept_.begin(); }
@@ -40,7 +40,7 @@ class WrongPairs {
 
  private:
   std::vector<WrongPair> kept_;
-  std::unordered_map<std::string, std::size_t> places_;  // of those wrong in some way, among them
+  std::unordered_map<std::string, std::size_t> places_;  // indices of kept_ by kind of error
   int count_ = 0;
 };
 

@@ -3,11 +3,11 @@
 #include <optional>
 
 #include "geometry/flat_triangle.h"
-#include "manifold/box_on_triangles.h"
-#include "manifold/clear_of_triangle.h"
 #include "manifold/collide_pairs.h"
 #include "manifold/collide_with_triangles.h"
 #include "manifold/create_contact.h"
+#include "manifold/fast/box_on_triangles.h"
+#include "manifold/fast/clear_of_triangle.h"
 #include "manifold/round_contact.h"
 #include "query/closest_points.h"
 #include "query/hull_feature.h"

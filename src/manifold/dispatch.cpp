@@ -4,9 +4,9 @@
 #include <type_traits>
 
 #include "geometry/prefetch.h"
-#include "manifold/collide_box_box.h"
 #include "manifold/collide_pairs.h"
-#include "manifold/collide_two_capsules.h"
+#include "manifold/fast/collide_box_box.h"
+#include "manifold/fast/collide_two_capsules.h"
 #include "manifold/in_double.h"
 #include "manifold/round_order.h"
 

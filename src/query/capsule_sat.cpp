@@ -6,8 +6,8 @@
 
 #include "core/at.h"
 #include "geometry/lanes.h"
+#include "query/fast/point_faces.h"
 #include "query/hull_feature.h"
-#include "query/point_faces.h"
 #include "query/support_set.h"
 #include "query/tolerance.h"
 

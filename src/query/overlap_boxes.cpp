@@ -1,7 +1,7 @@
 #include <cmath>
 #include <limits>
 
-#include "query/box_axes.h"
+#include "query/fast/box_axes.h"
 #include "query/overlap.h"
 #include "query/overlap_axes.h"
 

@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "core/at.h"
-#include "query/face_bounds.h"
+#include "query/fast/face_bounds.h"
 #include "query/gauss_map.h"
 #include "query/sat.h"
 #include "query/tolerance.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "query/face_bounds.h"
+#include "query/fast/face_bounds.h"
 #include "query/support_set.h"
 #include "query/tolerance.h"
 

@@ -10,7 +10,7 @@
 #include "query/mesh_query_cost.h"
 #include "scenario/scenario.h"
 
-/// A pair that is run, and what a file says about how.
+/// A pair that is run, with its settings and state.
 namespace contactscope {
 
 inline CollideOptions options_of(const PipelineSettings& settings) {
@@ -26,12 +26,12 @@ inline CollideOptions options_of(const PipelineSettings& settings) {
   return options;
 }
 
-/// Whether its tree is built anew when it has become expensive.
+/// Whether its tree is rebuilt when it has become expensive.
 inline bool chooses_tree(const ScenarioShape& shape) {
   return shape.deforms() && shape.tree == TreeUpdate::Auto;
 }
 
-/// Whether a pair goes by what it kept in the frame before, or tells a mesh what its tree cost.
+/// Whether a pair uses results of the previous frame, or reports to a mesh what its tree cost.
 inline bool remembers(const Scenario& scenario, const ScenarioPair& pair) {
   const PipelineSettings& settings = pair.pipeline;
   if (!settings.makes_contacts())
@@ -45,7 +45,7 @@ inline bool remembers(const Scenario& scenario, const ScenarioPair& pair) {
          (reducer != nullptr && reducer->remembers);
 }
 
-/// The body of a shape at the start.
+/// Initial state of a shape's body.
 template <class S>
 Body<S> body_of(const ScenarioShape& shape, const Shape<S>& rounded) {
   const Pose<S> pose = collider_pose_at(shape, 0).template cast<S>();
@@ -56,17 +56,17 @@ Body<S> body_of(const ScenarioShape& shape, const Shape<S>& rounded) {
   return body;
 }
 
-/// A pair that is run, and what it keeps from one frame for the next.
+/// A pair that is run, and its state from frame to frame.
 template <class S>
 struct ActivePair {
   ScenarioPair pair;
   bool acts = false;            // the solver gets its contacts
-  bool touches = false;         // it had contact points when it was collided last
-  std::vector<FeatureId> kept;  // by the reducer, or all
+  bool touches = false;         // it had contact points at its last collision
+  std::vector<FeatureId> kept;  // kept by the reducer, or all
   PairCache<S> cache;
-  std::vector<PersistentManifold<S>> persistent;  // one, of 5 kB, where the manifold is incremental
-  PairImpulses<S> impulses;                       // of dynamic scenarios
-  MeshFront front;                                // of two meshes that are asked, as the next
+  std::vector<PersistentManifold<S>> persistent;  // zero or one (5 kB), for incremental manifolds
+  PairImpulses<S> impulses;                       // dynamic scenarios only
+  MeshFront front;                                // for queries of two meshes, as the next one
   MeshQueryCost query_cost;
 
   BoxPair shapes() const { return {pair.a, pair.b}; }

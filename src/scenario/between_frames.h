@@ -12,10 +12,10 @@
 #include "scenario/mesh_impact_facts.h"
 #include "scenario/scenario.h"
 
-/// What a run does about shapes that meet between two frames: `continuous` of a scenario.
+/// Handles shapes that meet between two frames: `continuous` of a scenario.
 namespace contactscope {
 
-/// Friction and restitution of two shapes that touch.
+/// Friction and restitution of two touching shapes.
 template <class S>
 std::pair<S, S> surfaces_of(const Scenario& scenario, int a, int b) {
   const auto own = [&](std::optional<double> ScenarioShape::*coefficient, double otherwise) {
@@ -28,8 +28,8 @@ std::pair<S, S> surfaces_of(const Scenario& scenario, int a, int b) {
           static_cast<S>(std::max(restitution.first, restitution.second))};
 }
 
-/// `frame` is the one at which the step begins; `bodies` one a shape where any is dynamic, as they are
-/// then. Shapes that deform are asked nothing. Holds on to the scenario.
+/// `frame` is the one at which the step begins. `bodies` is the state then, one body per shape, if
+/// any is dynamic. Deforming shapes are not handled. Keeps a reference to the scenario.
 template <class S>
 class BetweenFrames {
  public:
@@ -38,7 +38,7 @@ class BetweenFrames {
   BetweenFrames(const Scenario& scenario, std::shared_ptr<const std::vector<Shape<S>>> shapes)
       : scenario_(scenario), shapes_(std::move(shapes)) {}
 
-  /// Before the first frame; makes what stop() needs.
+  /// Call before the first frame; prepares stop().
   void begin(const Bodies& bodies) {
     const auto looks = [](const PipelineSettings& settings) {
       return settings.continuous.has_value() && settings.makes_contacts();
@@ -51,12 +51,12 @@ class BetweenFrames {
           impact_cores(bodies, *shapes_, scenario_.solver));
   }
 
-  /// Around all that the shape may reach in the step.
+  /// Contains every position of the shape in the step.
   Aabb<float> swept_box(int index, int frame, const Bodies& bodies, double margin) const {
     return swept_world_box(at(*shapes_, index), sweep(index, frame, bodies), margin);
   }
 
-  /// Metres up to which contacts of a speculative pair are looked for; 0 of others.
+  /// Metres within which a speculative pair looks for contacts; 0 for other pairs.
   double margin(const ScenarioPair& pair, int frame, const Bodies& bodies) const {
     return is_speculative(pair) ? approach(pair, frame, bodies) : 0;
   }
@@ -64,14 +64,14 @@ class BetweenFrames {
     return pair.pipeline.continuous == ImpactMethod::Speculative && queries(pair);
   }
 
-  /// Metres by which two shapes that keep their form can come nearer in the step.
+  /// Metres that two rigid shapes can approach each other in the step.
   double approach(const ScenarioPair& pair, int frame, const Bodies& bodies) const {
     return static_cast<double>(largest_approach(at(*shapes_, pair.a), sweep(pair.a, frame, bodies),
                                                 at(*shapes_, pair.b),
                                                 sweep(pair.b, frame, bodies)));
   }
 
-  /// When the pair meets, where that is asked.
+  /// Records when the pair meets, if its settings request that.
   void record(const ScenarioPair& pair, int frame, const Bodies& bodies,
               trace::Pair& record) const {
     if (!queries(pair)) return;
@@ -88,8 +88,8 @@ class BetweenFrames {
     report_ghosts(record);
   }
 
-  /// Puts bodies back to where they meet on their way from `before`. `settings_of(a, b)`: how the two are
-  /// run, null where they do not make contacts that act.
+  /// Moves bodies back to their first contact on the path from `before`. `settings_of(a, b)`:
+  /// settings of a pair; null if its contacts do not act.
   template <class SettingsOf>
   std::vector<ImpactStop<S>> stop(Bodies& bodies, const Bodies& before,
                                   const SettingsOf& settings_of) const {
@@ -112,8 +112,8 @@ class BetweenFrames {
     return method && !impact_refusal(scenario_.shape(a), scenario_.shape(b), *method);
   }
 
-  /// How a shape goes through the step: a body as it moves and falls if nothing stops it, all others as
-  /// their script says.
+  /// Motion of a shape through the step: a body moves and falls as if nothing stopped it, all
+  /// others follow their script.
   Sweep<S> sweep(int index, int frame, const Bodies& bodies) const {
     const ScenarioShape& shape = scenario_.shape(index);
     const S dt = static_cast<S>(scenario_.dt);
@@ -127,9 +127,9 @@ class BetweenFrames {
   }
 
   const Scenario& scenario_;
-  std::shared_ptr<const std::vector<Shape<S>>> shapes_;  // never changed, and shared by copies
+  std::shared_ptr<const std::vector<Shape<S>>> shapes_;  // immutable, shared by copies
   std::shared_ptr<const std::vector<ImpactCore>>
-      cores_{};  // likewise; null where nobody is stopped
+      cores_{};  // immutable, shared; null without stop()
 };
 
 }  // namespace contactscope

@@ -10,7 +10,7 @@
 namespace contactscope {
 namespace {
 
-/// The rest of a division, so that a sine far along a wave keeps its digits.
+/// Only the fractional turns count, so that a sine far along a wave keeps its digits.
 double phase_of(double turns) {
   return 2 * std::numbers::pi * (turns - std::floor(turns));
 }
@@ -39,7 +39,7 @@ std::vector<Vec3d> deformed(const std::vector<VertexKeyframe>& keyframes,
   if (later == keyframes.begin()) return keyframes.front().vertices;
   const VertexKeyframe& from = *std::prev(later);
   assert(from.vertices.size() == at_rest.size());
-  // A keyframe's own time gives its own numbers, untouched by the interpolation's rounding.
+  // At a keyframe's time return its exact vertices, without rounding of the interpolation.
   if (later == keyframes.end() || time == from.time) return from.vertices;
   const double share = (time - from.time) / (later->time - from.time);
   std::vector<Vec3d> vertices;

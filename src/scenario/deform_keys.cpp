@@ -7,7 +7,7 @@
 namespace contactscope::scenario_file {
 namespace {
 
-/// A number of at most 1e9 `unit`, either way.
+/// A number from -1e9 to 1e9 `unit`.
 double read_bounded(const Value& value, const char* unit) {
   const double number = value.number(unit);
   if (std::abs(number) > kLargestLength)
@@ -45,7 +45,7 @@ Twist read_twist(const Value& value) {
   return twist;
 }
 
-/// The vertices of a file that has the triangles of `mesh`.
+/// The vertices of a file that must have the same triangles as `mesh`.
 std::vector<Vec3d> read_vertices(const Value& file, const Mesh<double>& mesh,
                                  const std::filesystem::path& folder) {
   ObjMesh obj = load_obj(file, folder, load_obj_mesh);

@@ -10,24 +10,24 @@
 
 namespace contactscope {
 
-/// A mesh that follows a scenario's motion.deform, rounded to the pipeline's scalar. What its tree is
-/// at a time depends on the times before, where it is chosen whether to build it anew.
+/// A mesh with motion.deform, rounded to the pipeline's scalar. If the tree decides itself when to
+/// be rebuilt, it depends on earlier frames.
 template <class S>
 class DeformingMesh {
  public:
-  /// At time 0, with a tree built there. `shape` has a deformation, and outlives this.
+  /// At time 0, with a new tree. `shape` has a deformation and must outlive this.
   DeformingMesh(int index, const ScenarioShape& shape)
       : index_(index), scripted_(&shape), shape_(shape_cast<S>(*shape.collider)) {
     deform(0);
     update_tree(mesh(), TreeUpdate::Rebuild, cost_when_built_);
   }
 
-  int index() const { return index_; }  // of the scenario's shapes
+  int index() const { return index_; }  // in the scenario's shapes
   const Shape<S>& shape() const { return shape_; }
 
-  /// Brings vertices, normals and tree up to date. An automatic tree is built anew where queries of
-  /// the frame before found it worse; where they could not say, or there were none, its surfaces
-  /// decide. Returns whether it was built anew.
+  /// Updates vertices, normals and tree. An automatic tree is rebuilt if queries of the previous
+  /// frame found it worse; without a verdict, its surface areas decide. Returns whether it was
+  /// rebuilt.
   bool move_to(double time) {
     if (std::exchange(is_new_, false) && time == 0) return false;
     deform(time);
@@ -38,7 +38,7 @@ class DeformingMesh {
     return rebuilt;
   }
 
-  /// What a query of the frame came to. The worst one counts.
+  /// Reports a query's verdict on the tree. The worst one counts.
   void was_queried(MeshQueryCost::Verdict verdict) { verdict_ = std::max(verdict_, verdict); }
 
   trace::Deformed facts() const {
@@ -53,8 +53,8 @@ class DeformingMesh {
  private:
   using Verdict = MeshQueryCost::Verdict;
 
-  // Boxes so many levels below the root, and leaves above them, are told: sixteen at most, which a
-  // picture has room for.
+  // Boxes at this level below the root, and leaves above it, are recorded: sixteen at most, as many
+  // as a picture has room for.
   static constexpr int kRecordedLevel = 4;
 
   void report_boxes(const AabbTree<S>& tree, int node, int level,
@@ -84,11 +84,11 @@ class DeformingMesh {
   int index_;
   const ScenarioShape* scripted_;
   Shape<S> shape_;
-  std::vector<Vec3d> exact_;  // of a moved shape: vertices as they were before rounding
+  std::vector<Vec3d> exact_;  // for a moved shape: vertices before rounding
   double cost_when_built_ = 0;
   const char* tree_ = "built";
-  Verdict verdict_ = Verdict::Unknown;  // of queries since it moved
-  bool is_new_ = true;                  // nobody has moved it yet
+  Verdict verdict_ = Verdict::Unknown;  // of queries since the last move
+  bool is_new_ = true;                  // not moved yet
 };
 
 }  // namespace contactscope

@@ -8,10 +8,10 @@
 namespace contactscope::scenario_file {
 namespace {
 
-// A float holds the inverse of each, and of its moments of inertia at every length of a scenario.
+// A float can hold the inverses of masses and moments of inertia at all lengths of a scenario.
 constexpr double kSmallestMass = 1e-9, kLargestMass = 1e9;  // kilograms
 constexpr double kMaxFriction = 1000;
-constexpr double kMaxGravity = 1e6;  // metres a second, a second
+constexpr double kMaxGravity = 1e6;  // metres per second squared
 constexpr int kMaxIterations = 10000;
 constexpr int kMaxSubsteps = 1000;
 constexpr double kMaxHertz = 1e6;
@@ -44,7 +44,7 @@ double read_mass(const Value& table, const ScenarioShape& shape) {
   return kilograms;
 }
 
-/// A reader of keys: a number from zero to `most`.
+/// A reader for a number from zero to `most`.
 auto at_most(double most, const char* unit = nullptr) {
   return [=](const Value& value) {
     const double number = value.not_negative(unit);
@@ -80,7 +80,7 @@ SolverSettings read_solver_keys(const Value& value) {
   return solver;
 }
 
-/// Metres: the least shortest_edge() of all dynamic shapes; 0 where there is none.
+/// Metres: the smallest shortest_edge() of all dynamic shapes; 0 without any.
 double smallest_size(const std::vector<ScenarioShape>& shapes) {
   double least = std::numeric_limits<double>::infinity();
   for (const ScenarioShape& shape : shapes) {
@@ -94,7 +94,7 @@ double smallest_size(const std::vector<ScenarioShape>& shapes) {
 }  // namespace
 
 bool is_dynamic(const Value& motion) {
-  const auto dynamic = motion.find("dynamic");  // none in what is no table: read_motion refuses it
+  const auto dynamic = motion.find("dynamic");  // read_motion rejects what is not a table
   return dynamic && dynamic->boolean();
 }
 

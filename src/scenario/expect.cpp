@@ -10,10 +10,10 @@
 namespace contactscope::scenario_file {
 namespace {
 
-constexpr int kMaxCount = 4096;  // more than any manifold holds; catches a slip of the pen
+constexpr int kMaxCount = 4096;  // more than any manifold has; catches typing errors
 constexpr int kMaxIntersections = 1 << 30;
 
-/// Refuses an expectation of a pair that does not run; `at` is the key that names its shape a.
+/// Rejects an expectation for a pair that does not run; `at` is the key with the name of shape a.
 void require_pair(const Expectation& expectation, const Scenario& scenario, const Value& at) {
   const std::string a = "'" + scenario.shape(expectation.a).name + "'";
   const std::string b = "'" + scenario.shape(expectation.b).name + "'";
@@ -52,7 +52,7 @@ void require_pair(const Expectation& expectation, const Scenario& scenario, cons
     at.fail("the pair " + both + " is not run; list it in [[pairs]]");
 }
 
-/// How the pair of an expectation is run; require_pair has found it.
+/// Settings of an expectation's pair; require_pair has checked that it exists.
 const PipelineSettings& settings_of(const Expectation& expectation, const Scenario& scenario) {
   for (const ScenarioPair& pair : scenario.pairs)
     if (pair.a == expectation.a && pair.b == expectation.b && pair.label == expectation.label)
@@ -60,7 +60,7 @@ const PipelineSettings& settings_of(const Expectation& expectation, const Scenar
   return scenario.pipeline;
 }
 
-/// What is expected of what happens between frames.
+/// Reads what is expected between frames.
 void read_between_frames(const Value& table, const Scenario& scenario, Expectation& expectation) {
   const PipelineSettings& settings = settings_of(expectation, scenario);
   for (const char* key : {"impact", "impact_time", "ghosts", "stops"}) {
@@ -92,7 +92,7 @@ void read_between_frames(const Value& table, const Scenario& scenario, Expectati
   if (const auto stops = table.find("stops")) expectation.stops = stops->integer(0, kMaxCount);
 }
 
-/// Refuses keys of contacts where the pair has none, and of answers where it is not asked.
+/// Rejects contact keys for a pair without contacts, and answer keys for a pair without a query.
 void require_answers(const Value& table, const Question& question) {
   const auto refuse = [&](const Keys& keys, const std::string& why) {
     for (const std::string_view key : keys)
@@ -112,7 +112,7 @@ void require_answers(const Value& table, const Question& question) {
            "needs query = \"touching\", and the pair's query is " + requested + "; expect overlap");
 }
 
-/// Refuses intersections of a pair that is not asked triangle by triangle.
+/// Rejects intersections for a pair that is not tested triangle by triangle.
 void require_triangles(const Value& count, const Expectation& expectation,
                        const Scenario& scenario) {
   for (const int index : {expectation.a, expectation.b}) {
@@ -169,7 +169,7 @@ Expectation read_expectation(const Value& value, const Scenario& scenario) {
         "contact type");
   if (const auto normal = table.find("normal")) {
     expectation.normal = normal->vector3();
-    // Loose enough for three written digits; a vector that was never normalised is far off.
+    // Tolerates three written digits; a vector that was never normalised is far off.
     if (!(std::abs(expectation.normal->norm() - 1) <= 1e-2))
       normal->fail("'normal' has length " + std::to_string(expectation.normal->norm()) +
                    "; give a unit vector from a to b");
@@ -218,7 +218,7 @@ std::vector<Expectation> read_expectations(const Value& value, const Scenario& s
 namespace contactscope {
 namespace {
 
-/// Shortest spelling that reads back to the same number.
+/// Shortest decimal that round-trips to the same number.
 std::string spell(double value) {
   char buffer[32];
   const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
@@ -229,7 +229,7 @@ std::string spell(const Vec3d& v) {
   return std::string("[") + spell(v.x()) + ", " + spell(v.y()) + ", " + spell(v.z()) + "]";
 }
 
-/// A computed number in six digits; in all of them where six do not tell it from the expected one.
+/// A computed number in six digits, or in all if six do not distinguish it from the expected one.
 std::string spell_got(double value, double expected) {
   constexpr int kDigits = 6;
   char buffer[32];
@@ -244,16 +244,15 @@ std::string spell_got(const Vec3d& v, const Vec3d& expected) {
          spell_got(v.z(), expected.z()) + "]";
 }
 
-/// One thing that is not as it should be.
+/// One failed expectation.
 struct Unmet {
   std::string wanted;  // "expected 4 points"
-  std::string got;     // "2"; empty where the first says all
+  std::string got;     // "2"; empty if the first text is complete
 };
 
-/// Axis and normal of a pair.
 using Direction = std::pair<std::string, Vec3d>;
 
-/// One for each manifold, or of the separating axis; none when nothing says.
+/// One per manifold, or the separating axis; empty if neither is recorded.
 std::vector<Direction> directions_of(const trace::Pair& pair) {
   std::vector<Direction> directions;
   for (const trace::Manifold& manifold : pair.manifolds)
@@ -272,7 +271,7 @@ std::vector<Direction> directions_of(const trace::Pair& pair) {
   return directions;
 }
 
-/// Newtons, mean over `dt` seconds.
+/// Mean force in newtons over `dt` seconds.
 double load_of(const trace::Pair& pair, double dt) {
   double impulse = 0;
   for (const trace::Manifold& manifold : pair.manifolds)
@@ -281,7 +280,7 @@ double load_of(const trace::Pair& pair, double dt) {
   return impulse / dt;
 }
 
-/// What of the step after the frame is not as expected.
+/// Adds what is not as expected in the step after the frame.
 void add_between_frames(const Expectation& expected, const trace::Pair& pair,
                         const trace::Frame* frame, std::vector<Unmet>& list) {
   const std::string status = pair.impact ? pair.impact->status : "not queried";
@@ -316,7 +315,7 @@ bool sleeps(const trace::Pair& pair, const trace::Frame* frame) {
          });
 }
 
-/// What `pair` does not meet. `frame` is that of the pair; null where it did not run.
+/// Failed expectations of `pair`. `frame` is the pair's frame; null if it did not run.
 std::vector<Unmet> unmet(const Expectation& expected, const trace::Pair& pair, double dt,
                          const trace::Frame* frame) {
   std::vector<Unmet> list;
@@ -353,7 +352,7 @@ std::vector<Unmet> unmet(const Expectation& expected, const trace::Pair& pair, d
   const std::string tolerance = " (tolerance " + spell(expected.tolerance);
   for (const auto& [axis, normal] : directions) {
     if (expected.axis && axis != *expected.axis) list.push_back({wants_axis(), axis});
-    // Written so that nan is never within the tolerance.
+    // Negated so that nan is never within the tolerance.
     if (expected.normal &&
         !((normal - *expected.normal).cwiseAbs().array() <= expected.tolerance).all())
       list.push_back({wants_normal(), spell_got(normal, *expected.normal) + tolerance + ")"});
@@ -376,7 +375,7 @@ std::vector<Unmet> unmet(const Expectation& expected, const trace::Pair& pair, d
   return list;
 }
 
-/// What of one expectation a frame does not meet.
+/// The failures of one expectation in a frame.
 std::vector<Unmet> unmet(const Scenario& scenario, const Expectation& expected,
                          const trace::Frame& frame) {
   if (frame.frame < expected.first_frame || frame.frame > expected.last_frame) return {};
@@ -394,7 +393,7 @@ std::vector<Unmet> unmet(const Scenario& scenario, const Expectation& expected,
   return unmet(expected, *pair, scenario.dt, &frame);
 }
 
-/// "frame 3", "frames 0 to 2", "3 frames from 0 to 9". `frames` is in rising order.
+/// "frame 3", "frames 0 to 2", "3 frames from 0 to 9". `frames` is ascending.
 std::string spell_frames(const std::vector<int>& frames) {
   const std::string first = std::to_string(frames.front()), last = std::to_string(frames.back());
   if (frames.size() == 1) return "frame " + first;
@@ -403,11 +402,11 @@ std::string spell_frames(const std::vector<int>& frames) {
          first + " to " + last;
 }
 
-/// The same thing unmet in several frames.
+/// One failure in several frames.
 struct Repeated {
   Unmet first;
   std::vector<int> frames;
-  bool alike = true;  // each frame got the same
+  bool alike = true;  // every frame got the same
 };
 
 }  // namespace

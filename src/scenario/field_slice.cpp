@@ -20,12 +20,12 @@ trace::FieldSlice slice_through(const std::string& name, const PlacedField& fiel
   const Vec3d facing = pose.rotation.conjugate() * toward;
   int through = 0;
   facing.cwiseAbs().maxCoeff(&through);
-  // Counter-clockwise as seen from where it looks.
+  // Counter-clockwise as seen by the viewer.
   const int one = (through + 1) % 3, other = (through + 2) % 3;
   const int along = facing[through] > 0 ? one : other, across = facing[through] > 0 ? other : one;
-  // A slice that is long and narrow has as many values in all as a square one.
+  // A long, narrow slice has as many values in total as a square one.
   const double side = std::sqrt(values.size()[along] * values.size()[across]);
-  // Values a cell where that is more than one, else cells a value.
+  // Several values per cell, or several cells per value.
   const double per_cell = std::min(8.0, std::round(kSliceValues / side));
   const double step = per_cell >= 1 ? 1 / per_cell : std::ceil(side / kSliceValues);
   const auto count_along = [&](int axis) {

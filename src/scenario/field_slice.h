@@ -6,14 +6,14 @@
 
 namespace contactscope {
 
-/// The direction, world, any length, that slices through fields are to look at: to the eye of the first
-/// view that shows them and says where its eye is, else to where a fitted camera mostly is.
+/// The direction, world, any length, that slices through fields face: towards the eye of the first
+/// view that shows them and sets its eye, else towards a typical fitted camera.
 Vec3d facing_slices(const Scenario& scenario);
 
-/// Distances on a plane through the middle of the surface: of the lattice's three planes the one whose
-/// normal is nearest to `toward`, its first axis and second so that they are counter-clockwise from
-/// there. About as many as a square of kSliceValues a side has, eight a cell at most: cells that ask their
-/// triangles know of what is thinner than a cell. `pose` places the field's shape in the world.
+/// Distances on a plane through the centre of the surface, the lattice plane whose normal is
+/// closest to `toward`; its axes are counter-clockwise from there. About as many values as a square
+/// with kSliceValues per side, eight per cell at most: cells that use their triangles resolve
+/// features thinner than a cell. `pose` places the field's shape in the world.
 trace::FieldSlice slice_through(const std::string& name, const PlacedField& field,
                                 const Pose<double>& pose, const Vec3d& toward);
 

@@ -8,7 +8,7 @@ namespace {
 
 using Sentences = std::vector<std::string>;
 
-/// Tells that `key` of `table` has no effect, where it is written down.
+/// Warns that `key` of `table` has no effect, if the file has it.
 void report(const Value& table, const char* key, const std::string& why, Sentences& sentences) {
   if (const auto value = table.find(key))
     sentences.push_back(
@@ -17,7 +17,7 @@ void report(const Value& table, const char* key, const std::string& why, Sentenc
         " has no effect: " + why);
 }
 
-/// Why a key of the question changes nothing of a pair; empty: it does.
+/// Why a query key has no effect on a pair; empty if it has one.
 std::string idle_question(std::string_view key, const Question& question) {
   const std::string requested =
       std::string("the pair's query is \"") + to_string(question.kind) + "\"";
@@ -43,7 +43,7 @@ constexpr const char* kContactKeys[] = {
     "field",    "core_margin", "breaking_distance", "confirm"};
 constexpr const char* kQuestionKeys[] = {"comparison", "tolerance", "axes", "skip_up_to"};
 
-/// Why `key` changes nothing of a pair; empty: it does.
+/// Why `key` has no effect on a pair; empty if it has one.
 std::string idle_reason(std::string_view key, const ScenarioPair& pair, const Scenario& scenario) {
   const bool incremental = pair.pipeline.manifold == ManifoldKind::Incremental;
   const bool hull_a = scenario.shape(pair.a).hull() != nullptr;
@@ -81,7 +81,7 @@ std::string idle_reason(std::string_view key, const ScenarioPair& pair, const Sc
   return "";
 }
 
-/// Keys of `table` that change none of `pairs`.
+/// Warns of keys of `table` that affect none of `pairs`.
 void report_pair_keys(const Value& table, std::span<const ScenarioPair> pairs,
                       const Scenario& scenario, Sentences& sentences) {
   const auto report_where_idle = [&](const char* key) {
@@ -96,7 +96,7 @@ void report_pair_keys(const Value& table, std::span<const ScenarioPair> pairs,
   std::ranges::for_each(kQuestionKeys, report_where_idle);
 }
 
-/// The pair that an entry of [[pairs]] has become; none where the entry was left out.
+/// The pair of a [[pairs]] entry; empty if it was left out.
 std::span<const ScenarioPair> pair_of(const Value& entry, const Scenario& scenario) {
   const auto label = entry.find("label");
   const auto pair = std::ranges::find_if(scenario.pairs, [&](const ScenarioPair& made) {
@@ -107,7 +107,7 @@ std::span<const ScenarioPair> pair_of(const Value& entry, const Scenario& scenar
   return {pair, pair == scenario.pairs.end() ? pair : pair + 1};
 }
 
-/// Keys of [solver] that belong to another position correction.
+/// Warns of [solver] keys for another position correction.
 void report_solver_keys(const Value& table, PositionCorrection correction, Sentences& sentences) {
   constexpr struct {
     const char* key;
@@ -145,7 +145,7 @@ void warn_of_idle_keys(const Value& file, Scenario& scenario) {
     return;
   }
   for (const char* name : {"world", "solver"}) {
-    // A broad phase also chooses where nothing is dynamic.
+    // A broad phase also uses [world] without dynamic shapes.
     if (name == std::string_view("world") && !scenario.broad_phase.empty()) continue;
     report(file, name,
            "no shape is dynamic; give one motion = { dynamic = true, mass = 1.0 }, or remove it",

@@ -8,11 +8,11 @@
 #include "trace/impact.h"
 #include "trace/trace.h"
 
-/// What a trace tells of when two shapes meet.
+/// Records of the time of impact of two shapes.
 namespace contactscope {
 
-/// How a scripted shape goes from one pose to another, metres and the shortest way round. The pivot
-/// is where `pivot` is in the shape's frame.
+/// Motion of a scripted shape between two poses, in metres and by the shortest rotation. `pivot` is
+/// the pivot in the shape's frame.
 template <class S>
 Sweep<S> sweep_between(const Pose<double>& from, const Pose<double>& to, const Vec3d& pivot) {
   Sweep<double> sweep{from, pivot, to.transform(pivot) - from.transform(pivot), Vec3d::Zero()};
@@ -64,7 +64,7 @@ trace::Impact impact_facts(const Shape<S>& a, const Sweep<S>& sweep_a, const Sha
   return facts;
 }
 
-/// Which points of a speculative pair are ghosts: those that the motion closes, where the shapes would
+/// Marks the ghosts of a speculative pair: points that the motion closes although the shapes would
 /// not meet.
 inline void report_ghosts(trace::Pair& pair) {
   trace::Impact& impact = *pair.impact;

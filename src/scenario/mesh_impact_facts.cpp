@@ -11,7 +11,7 @@
 namespace contactscope {
 namespace {
 
-/// The corners of a mesh and where they go in the step, world.
+/// The corners of a mesh and their end positions in the step, world.
 struct ScriptedMesh {
   Mesh<double> start;
   std::vector<Vec3d> end;
@@ -41,7 +41,7 @@ struct ScriptedMesh {
   }
 };
 
-/// A face's weights of its corners 1 and 2, or an edge's fraction, at the time of the impact.
+/// `u` and `v` are the weights of a face's corners 1 and 2, or `u` is the fraction along an edge.
 Vec3d point_of(const std::vector<Vec3d>& corners, int feature, bool is_edges, double u, double v) {
   if (is_edges) {
     const auto from = static_cast<std::size_t>(feature);
@@ -61,7 +61,7 @@ trace::Impact mesh_impact_facts(const ScenarioShape& a, const ScenarioShape& b, 
   const FeatureImpact& impact = found.impact;
   trace::Impact facts;
   facts.method = to_string(ImpactMethod::TimeOfImpact);
-  // What comes nearer than rounding can tell counts as a hit, as in the solver of who asks.
+  // Distances below rounding count as a hit, as they do in the solver.
   facts.status = impact.status == FeatureStatus::Near ? "hit" : to_string(impact.status);
   facts.time = impact.begin;
   if (impact.status == FeatureStatus::Separated) return facts;

@@ -5,9 +5,9 @@
 
 namespace contactscope {
 
-/// When two meshes first meet between `from` and `to`, seconds. Each corner goes straight on at constant
-/// speed from where its script has it at one to where it has it at the other, whether the mesh deforms,
-/// moves or turns. In double, whatever the scenario's scalar is. Both shapes are meshes.
+/// When two meshes first meet between `from` and `to`, seconds. Each corner moves in a straight
+/// line at constant speed between its scripted positions, whether the mesh deforms, moves or turns.
+/// In double, whatever the scenario's scalar. Both shapes must be meshes.
 trace::Impact mesh_impact_facts(const ScenarioShape& a, const ScenarioShape& b, double from,
                                 double to);
 

@@ -6,8 +6,8 @@
 namespace contactscope::scenario_file {
 namespace {
 
-constexpr int kMaxCells = 4096;                   // along one side
-constexpr std::size_t kMaxTriangles = 4'000'000;  // as many as a grid may have
+constexpr int kMaxCells = 4096;                   // per side
+constexpr std::size_t kMaxTriangles = 4'000'000;  // limit of a grid
 
 /// "triangle 3 has", "triangles 3, 5 and 9 more have"
 std::string some_triangles(const std::vector<int>& triangles) {
@@ -36,10 +36,10 @@ void warn(const std::string& name, const MeshReport& report, std::vector<std::st
                        "as a border");
 }
 
-/// A mesh that keeps its form leaves triangles without an area out; one that deforms may give them an area.
+/// Rigid meshes drop triangles without area; deforming ones may give them an area.
 using MeshBuilder = decltype(build_mesh);
 
-/// A mesh of vertices that `place` gives and triangles that `at` gives.
+/// A mesh from points and triangles; errors name `at`, or `place` for the size.
 Mesh<double> mesh_from(const std::vector<Vec3d>& points,
                        const std::vector<std::array<int, 3>>& triangles, const Value& at,
                        const Value& place, MeshBuilder& build, MeshReport& report) {
@@ -74,7 +74,6 @@ Mesh<double> read_file(const Value& file, const std::filesystem::path& folder, M
   return mesh_from(obj.vertices, obj.triangles, file, file, build, report);
 }
 
-/// One number for both directions, or one for each.
 std::vector<Value> for_each_direction(const Value& value) {
   if (!value.is_array()) return {value, value};
   value.numbers(2);

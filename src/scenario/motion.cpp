@@ -5,13 +5,13 @@
 namespace contactscope {
 namespace {
 
-/// Between two keyframes positions are linear, rotations slerp (Shoemake 1985, "Animating Rotation
-/// with Quaternion Curves") the shortest way round, at constant angular velocity.
+/// Between keyframes positions are linear and rotations slerp (Shoemake 1985, "Animating Rotation
+/// with Quaternion Curves") along the shortest path, at constant angular velocity.
 Pose<double> along_keyframes(const std::vector<Keyframe>& keyframes, double time) {
   const auto later = std::ranges::upper_bound(keyframes, time, {}, &Keyframe::time);
   if (later == keyframes.begin()) return keyframes.front().pose;
   const Keyframe& from = *std::prev(later);
-  // A keyframe's own time gives its own numbers, untouched by the interpolation's rounding.
+  // At a keyframe's time return its exact pose, without rounding of the interpolation.
   if (later == keyframes.end() || time == from.time) return from.pose;
   const double t = (time - from.time) / (later->time - from.time);
   Pose<double> pose{from.pose.rotation.slerp(t, later->pose.rotation),
@@ -22,8 +22,8 @@ Pose<double> along_keyframes(const std::vector<Keyframe>& keyframes, double time
 
 }  // namespace
 
-/// With constant angular velocity w the rotation is exp(w t) R0, which is exact at every time; the
-/// frames of a sequence do not add up rounding.
+/// With constant angular velocity w the rotation is exp(w t) R0. It is exact at every time, so no
+/// rounding accumulates over frames.
 Pose<double> pose_at(const ScenarioShape& shape, double time) {
   const Motion& motion = shape.motion;
   if (!motion.keyframes.empty()) return along_keyframes(motion.keyframes, time);

@@ -5,7 +5,7 @@
 namespace contactscope {
 namespace {
 
-/// Edits that turn `a` into `b`: a letter changed, added, left out, or two neighbours swapped
+/// Number of edits from `a` to `b`: a letter changed, added or removed, or two neighbours swapped
 /// (Damerau 1964, each letter edited at most once). Both words are short.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::vector<std::size_t>> edits(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
@@ -25,8 +25,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string nearest(std::string_view word, const std::vector<std::string_view>& candidates) {
-  // Up to a third of the letters wrong: "half_extent" is near "half_extents", "foo" is near
-  // nothing. Long words are no misspelling of a key and would only cost time.
+  // Up to a third of the letters may be wrong: "half_extent" is near "half_extents", "foo" is near
+  // nothing. Long words are not misspelled keys and would only cost time.
   constexpr std::size_t kLongest = 64;
   if (word.size() > kLongest) return {};
   std::string best;

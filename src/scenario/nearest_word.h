@@ -6,14 +6,13 @@
 
 namespace contactscope {
 
-/// The candidate that `word` is most likely a misspelling of: up to a third of its letters wrong,
-/// two swapped ones counting as one. Empty when none is near.
+/// The candidate that `word` most likely misspells: up to a third of its letters wrong, two swapped
+/// ones counted as one. Empty if none is near.
 std::string nearest(std::string_view word, const std::vector<std::string_view>& candidates);
 
-/// "did you mean 'half_extents'? ", or nothing where none is near.
+/// "did you mean 'half_extents'? ", or empty.
 std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& candidates);
 
-/// The names of a list of things, to choose from.
 template <class List>
 std::vector<std::string_view> names_in(const List& list) {
   std::vector<std::string_view> names;

@@ -75,7 +75,7 @@ void PairChooser::report(const BroadPhaseRecord& structure, trace::BroadPhase& f
   }
   for (const BroadPhaseCell& cell : structure.cells) {
     Aabb<double> box = cell.box.cast<double>();
-    // Columns have no end.
+    // Columns are infinite.
     if (!is_bounded(cell.box))
       box = {box.lower.cwiseMax(world.lower), box.upper.cwiseMin(world.upper)};
     facts.cells.push_back({{box.lower, box.upper}, cell.depth, cell.members, cell.tests});

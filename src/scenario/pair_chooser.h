@@ -10,11 +10,11 @@
 
 namespace contactscope {
 
-/// The broad phase of a scenario that lists no pairs. It remembers the frame before, as some broad
-/// phases go by it; a copy goes on by itself.
+/// The broad phase of a scenario without listed pairs. Keeps the state of the previous frame for
+/// broad phases that use it; copies have a state of their own.
 class PairChooser {
  public:
-  /// Chooses nothing where the scenario names no broad phase. Holds on to the scenario.
+  /// Selects nothing if the scenario names no broad phase. Keeps a reference to the scenario.
   explicit PairChooser(const Scenario& scenario);
   PairChooser(const PairChooser& other)
       : scenario_(other.scenario_),
@@ -25,26 +25,26 @@ class PairChooser {
 
   bool chooses() const { return phase_ != nullptr; }
 
-  /// How far the narrow phase and the solver look for contacts, metres: two boxes that each stand out
-  /// by half of it miss none.
+  /// Metres within which narrow phase and solver look for contacts. Boxes that are each expanded by
+  /// half of it miss none.
   double reach() const;
 
-  /// The next frame's pairs, ascending: boxes that overlap, of shapes that make contacts, one of them
-  /// dynamic where any is. `boxes`: one a shape, world; an empty one is that of a body which the
-  /// solver lost, and meets all. ReportInput in `record` unless that is null.
-  /// `cells`: with what Stages::cells is about.
+  /// The pairs of the next frame, ascending: shapes with overlapping boxes that make contacts, one
+  /// of them dynamic if any shape is. `boxes`: one per shape, world; an empty box belongs to a body
+  /// whose state is not finite, and overlaps all. Recorded in `record` unless null. `cells`:
+  /// include the data of Stages::cells.
   std::vector<BoxPair> choose(const std::vector<Aabb<float>>& boxes, trace::Frame* record,
                               bool cells);
 
  private:
-  /// What the structure looks like, cut to the world's boxes.
+  /// Records the structure, clipped to the bounds of the world's boxes.
   void report(const BroadPhaseRecord& structure, trace::BroadPhase& facts) const;
 
   const Scenario& scenario_;
   std::unique_ptr<BroadPhase> phase_;
   bool any_dynamic_;
-  /// Whether two kinds of shapes can be asked what the scenario asks; a reason why not takes longer to
-  /// find than a pair to choose.
+  /// Whether two kinds of shapes support the scenario's query. Finding the reason why not would
+  /// take longer than choosing a pair.
   std::array<std::array<bool, kShapeKinds>, kShapeKinds> answered_{};
 };
 

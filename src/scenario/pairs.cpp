@@ -13,9 +13,9 @@
 namespace contactscope::scenario_file {
 namespace {
 
-// More points than a solver takes from one manifold.
+// More than solvers use of one manifold.
 constexpr int kMaxPoints = 64;
-constexpr std::size_t kMaxPairs = 4096;  // of one scenario, listed or by default
+constexpr std::size_t kMaxPairs = 4096;  // per scenario, listed or by default
 
 double within_reach(const Value& value, double length) {
   if (length > kLargestLength)
@@ -27,9 +27,9 @@ double read_least_length(const Value& value) {
   return within_reach(value, value.positive("metres"));
 }
 
-/// Keys that [pipeline] and a [[pairs]] entry share, and others of their own.
+/// Adds the keys that [pipeline] and [[pairs]] share.
 Keys with_settings(Keys keys) {
-  // Of contacts, then of what a pair is asked.
+  // Contact keys, then query keys.
   keys.insert(keys.end(), {"scalar", "manifold", "reducer", "max_points", "margin", "cache",
                            "preference", "degenerate", "internal_edges", "field", "core_margin",
                            "breaking_distance", "confirm", "penetration", "continuous"});
@@ -38,7 +38,7 @@ Keys with_settings(Keys keys) {
   return keys;
 }
 
-/// Refuses a pair whose points cannot be kept; `where` is what made it incremental.
+/// Rejects an incremental pair whose points cannot persist; `where` is the key that made it so.
 void check_incremental(const ScenarioPair& pair, const std::vector<ScenarioShape>& shapes,
                        const Value& where) {
   if (pair.pipeline.manifold != ManifoldKind::Incremental || !pair.pipeline.makes_contacts())
@@ -52,7 +52,7 @@ void check_incremental(const ScenarioPair& pair, const std::vector<ScenarioShape
   }
 }
 
-/// What the pair is asked; what contradicts itself is an error of the key that makes it so.
+/// Reads the query of a pair; contradictions are errors of the key that causes them.
 void read_question(const Value& table, Question& question) {
   table.read(
       "query", question.kind,
@@ -80,8 +80,8 @@ void read_question(const Value& table, Question& question) {
   }
 }
 
-/// Refuses a pair that cannot be asked what an entry of [[pairs]] asks it. A pair without contacts is
-/// left out with a warning, see leave_out_unanswered.
+/// Rejects a [[pairs]] entry whose query is not supported. Pairs without contacts are left out with
+/// a warning, see leave_out_unanswered.
 void check_question(const ScenarioPair& pair, const std::vector<ScenarioShape>& shapes,
                     const Value& entry) {
   const Question& question = pair.pipeline.question;
@@ -95,8 +95,8 @@ void check_question(const ScenarioPair& pair, const std::vector<ScenarioShape>& 
             "' cannot be queried for \"" + to_string(question.kind) + "\": " + *reason);
 }
 
-/// Refuses an entry of [[pairs]] that asks two shapes when they meet of which nobody can say it. Under
-/// [pipeline] such pairs are not asked.
+/// Rejects a [[pairs]] entry with `continuous` if the time of impact of its shapes cannot be
+/// computed. Under [pipeline] such pairs are skipped.
 void check_continuous(const ScenarioPair& pair, const std::vector<ScenarioShape>& shapes,
                       const Value& entry) {
   const auto key = entry.find("continuous");
@@ -106,8 +106,8 @@ void check_continuous(const ScenarioPair& pair, const std::vector<ScenarioShape>
     key->fail("'" + a.name + "' and '" + b.name + "' have no continuous query: " + *reason);
 }
 
-/// The settings that [pipeline] and a [[pairs]] entry share; keys of incremental manifolds are
-/// checked also where they have no effect.
+/// The settings that [pipeline] and [[pairs]] share; keys of incremental manifolds are checked even
+/// if they have no effect.
 PipelineSettings read_settings(const Value& table, PipelineSettings settings) {
   table.read("manifold", settings.manifold,
              word_of<ManifoldKind>({"one-shot", "incremental"}, "manifold"));
@@ -146,9 +146,8 @@ PipelineSettings read_settings(const Value& table, PipelineSettings settings) {
   return settings;
 }
 
-/// Calls tell(a, b) for every two of these shapes of which one is dynamic, or for every two where
-/// none of the scenario is: what the solver cannot move apart is of interest only where it moves
-/// nothing at all. Returns how many.
+/// Calls tell(a, b) for all pairs of these shapes; if the scenario has dynamic shapes, only for
+/// pairs with a dynamic one, since the solver cannot separate others. Returns the number of pairs.
 template <class Report>
 std::size_t pairs_among(const std::vector<int>& indices, const std::vector<ScenarioShape>& shapes,
                         const Report& report) {

@@ -5,9 +5,9 @@
 
 namespace contactscope {
 
-/// A patch as a pair without shapes, its name the label: the manifold of what the reducer keeps, and,
-/// where it is recorded, all points with the choices. Points are rounded to the scalar, which the
-/// reducer works in, and bear their numbers, from 1, as ids.
+/// A patch as a pair without shapes, labelled with its name: the manifold of the reduced points
+/// and, if recorded, all points with the choices. Points are rounded to the reducer's scalar; their
+/// ids are their numbers, from 1.
 template <class S>
 trace::Pair patch_facts(const ScenarioPatch& patch, const PipelineSettings& settings,
                         const trace::Stages& stages) {

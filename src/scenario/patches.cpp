@@ -37,7 +37,7 @@ ScenarioPatch read_patch(const Value& value, std::size_t place) {
   return patch;
 }
 
-/// Keys of [pipeline] that a patch goes by; all others are of how points are found.
+/// Keys of [pipeline] that apply to patches; all others control how points are found.
 constexpr std::string_view kPatchSettings[] = {"scalar", "reducer", "max_points"};
 
 void warn_of_settings(const Value& pipeline, std::vector<std::string>& warnings) {

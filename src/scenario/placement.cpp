@@ -6,10 +6,10 @@
 namespace contactscope::scenario_file {
 namespace {
 
-// Quaternions are written with three to four digits at least; what is farther from length one is no
-// rotation but a slip, often another order of the components.
+// Quaternions are written with at least three to four digits. A larger error of the length is a
+// mistake, often another order of the components.
 constexpr double kQuaternionTolerance = 1e-3;
-// Matrices come from other programs' single-precision output, six digits and better.
+// Matrices come from single-precision output of other programs, with six digits or more.
 constexpr double kMatrixTolerance = 1e-4;
 
 Quatd unit_quaternion(const Value& at, bool w_first) {
@@ -40,7 +40,7 @@ Quatd from_matrix(const Value& value) {
   if (rows.size() != 3) value.fail("'matrix' needs three rows of three numbers each");
   Mat3<double> matrix;
   for (int i = 0; i < 3; ++i) matrix.row(i) = rows[static_cast<std::size_t>(i)].vector3();
-  // Also refuses what is too large to square: no comparison with nan holds.
+  // Negated to also reject values too large to square, which give nan.
   const Mat3<double> gram = matrix * matrix.transpose();
   const double error = (gram - Mat3<double>::Identity()).cwiseAbs().maxCoeff();
   if (!(error <= kMatrixTolerance))
@@ -55,7 +55,7 @@ Quatd from_matrix(const Value& value) {
   return rotation;
 }
 
-/// A table with one of axis and degrees or radians, quat_wxyz, quat_xyzw, matrix. The result is a
+/// A table with exactly one of axis and degrees or radians, quat_wxyz, quat_xyzw, matrix. Returns a
 /// unit quaternion.
 Quatd read_rotation(const Value& value) {
   if (value.is_array())
@@ -115,7 +115,7 @@ Vec3d read_direction(const Value& value) {
   const double largest = direction.cwiseAbs().maxCoeff();
   if (largest == 0)
     value.fail("'" + value.name() + "' is zero; give a direction, such as [0, 1, 0]");
-  // Scaled before it is normalised: squares of tiny or huge components would under- or overflow.
+  // Scaled before normalising: squares of tiny or huge components would under- or overflow.
   return Vec3d(direction / largest).normalized();
 }
 

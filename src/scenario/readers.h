@@ -16,17 +16,17 @@
 #include "scenario/nearest_word.h"
 #include "scenario/scenario.h"
 
-/// Typed access to a TOML file in which every complaint knows its line and column, and what reads
-/// each table of a scenario file. All functions throw InputError when the file says something else
-/// than asked for; messages name the key, what was found, and what would be right.
+/// Typed access to a TOML file, with line and column in every error, and the readers of each table
+/// of a scenario file. All functions throw InputError if the file has something else than
+/// requested; messages name the key, the value found and the remedy.
 namespace contactscope::scenario_file {
 
 // toml_reader.cpp
 
 using Keys = std::vector<std::string_view>;
 
-/// One value of the file. `name` is what messages call it, "half_extents" or "vertices[3]". Refers
-/// to the parsed document and to the file's name, which must outlive it.
+/// One value of the file. `name` appears in messages: "half_extents" or "vertices[3]". Refers to
+/// the parsed document and the file's name, which must outlive it.
 class Value {
  public:
   Value(const std::string& file, const toml::node& node, std::string name)
@@ -38,10 +38,10 @@ class Value {
   bool is_array() const { return node_->is_array(); }
   bool is_string() const { return node_->is_string(); }
 
-  /// Throws InputError at this value; the message is made one printable line of bounded length.
+  /// Throws InputError at this value; the message becomes one printable line of limited length.
   [[noreturn]] void fail(const std::string& message) const;
 
-  /// Finite numbers; integers count. `unit` is for messages: "a number in metres".
+  /// Finite numbers, including integers. `unit` is for messages: "a number in metres".
   double number(const char* unit = nullptr) const;
   double positive(const char* unit = nullptr) const;
   double not_negative(const char* unit = nullptr) const;
@@ -52,27 +52,26 @@ class Value {
   bool boolean() const;
   std::string string() const;
   std::string non_empty_string() const;
-  /// A string that is one of `choices`; `kind` names what they are, for messages.
+  /// A string that is one of `choices`; `kind` describes them in messages.
   std::string one_of(const Keys& choices, const char* kind) const;
   std::vector<Value> array() const;
-  /// An array of tables, as [[name]] makes it.
   std::vector<Value> array_of_tables() const;
-  /// This, which must be a table; refuses the first key in the file that is not in `keys`.
+  /// Returns this, which must be a table; rejects the first key that is not in `keys`.
   const Value& table(const Keys& keys) const;
-  /// The value of a key of this table. Nothing when the key is missing or this is no table.
+  /// The value of a key of this table. Empty if the key is missing or this is not a table.
   std::optional<Value> find(std::string_view key) const;
-  /// Sets `target` to what `reader` makes of a key's value, where the file has the key.
+  /// Sets `target` to the value of a key, read by `reader`, if the file has the key.
   template <class Target, class Reader>
   void read(std::string_view key, Target& target, const Reader& reader) const {
     if (const std::optional<Value> value = find(key)) target = std::invoke(reader, *value);
   }
-  /// A missing key is an error at the table; `example` shows how to write it.
+  /// Throws at the table if the key is missing; `example` shows how to write it.
   Value require(std::string_view key, const std::string& example) const;
-  /// The names in a table of named tables and the values that they name, in file order.
+  /// The named values of a table, in file order.
   std::vector<Value> members() const;
 
  private:
-  /// Throws: this value is of the wrong type, `wanted` is what would be right.
+  /// Throws: this value has the wrong type; `wanted` describes the right one.
   [[noreturn]] void wrong_type(const std::string& wanted) const;
 
   const std::string* file_;
@@ -80,8 +79,8 @@ class Value {
   std::string name_;
 };
 
-/// Readers of Value::read(): an integer from `low` to `high`, and the enumerator that has the place
-/// of a string among `words`.
+/// Readers for Value::read(): an integer from `low` to `high`, and the enumerator at the position
+/// of a string in `words`.
 inline auto integer_in(int low, int high) {
   return [=](const Value& value) { return value.integer(low, high); };
 }
@@ -92,71 +91,69 @@ auto word_of(const Keys& words, const char* kind) {
   };
 }
 
-/// Parses TOML; what is no TOML throws InputError.
+/// Throws InputError if the text is not TOML.
 toml::table parse_document(const std::string& text, const std::string& file);
-/// Reads and parses a file, which may be as large as a scenario. Throws InputError.
+/// Reads and parses a file of at most the size of a scenario. Throws InputError.
 toml::table read_document(const std::string& path);
 
-// placement.cpp: where shapes stand and how they move, the keys position, rotation and motion
+// placement.cpp: poses and motions, the keys position, rotation and motion
 
-/// Lengths that a file may name, metres. Products of four lengths (a squared area) of this range
-/// stay within what a float holds at full precision, so that no stage meets an infinity or a zero
-/// that the geometry does not have.
+/// Valid lengths in metres. Products of four such lengths (a squared area) keep full float
+/// precision, so no stage meets an infinity or zero that is not in the geometry.
 inline constexpr double kSmallestLength = 1e-9;
 inline constexpr double kLargestLength = 1e9;
 
-/// A length greater than zero, in metres, from kSmallestLength to kLargestLength.
 double read_length(const Value& value);
-/// Three coordinates in metres, each at most kLargestLength from zero.
+/// Three coordinates in metres, each at most kLargestLength in size.
 Vec3d read_position(const Value& value);
-/// Three components that are not all zero, made unit.
+/// Three components, not all zero, normalised.
 Vec3d read_direction(const Value& value);
-/// The keys position and rotation of a table; what is left out is taken from `otherwise`.
+/// The keys position and rotation of a table; missing ones come from `otherwise`.
 Pose<double> read_pose(const Value& table, const Pose<double>& otherwise);
-/// The key `key` of a motion, at most 1e9 `unit`; zero when it is missing.
+/// A velocity of a motion, at most 1e9 `unit`; zero if missing.
 Vec3d read_velocity(const Value& table, const char* key, const char* unit);
-/// A [shapes.NAME.motion] table of a shape that is not dynamic. `start` is the shape's own pose;
-/// `end_time` the time of the last frame in seconds, until which constant velocities must stay
-/// within kLargestLength.
+/// A [shapes.NAME.motion] table of a shape that is not dynamic. `start` is the shape's own pose,
+/// `end_time` the time of the last frame in seconds; constant velocities must stay within
+/// kLargestLength until then.
 Motion read_motion(const Value& value, const Pose<double>& start, double end_time);
 
 // shapes.cpp, mesh_shape.cpp, sdf_shape.cpp, deform_keys.cpp
 
-/// What a shape is read in.
+/// Context for reading a shape.
 struct Surroundings {
-  std::filesystem::path folder;        // that names of files are relative to
+  std::filesystem::path folder;        // base of relative file names
   Scalar scalar;                       // of the pipeline
-  std::vector<std::string>& warnings;  // what a reader should know though nothing is wrong
+  std::vector<std::string>& warnings;  // for what is suspicious but not an error
 };
 
-/// The [shapes] table, in file order. `end_time` is the time of the last frame in seconds.
+/// The [shapes] table, in file order. `end_time`: time of the last frame in seconds.
 std::vector<ScenarioShape> read_shapes(const Value& value, const Surroundings& surroundings,
                                        double end_time);
-/// scatter.cpp: the copies of `model` that a `scatter` key asks for, NAME_1, NAME_2 and so on, each
-/// with its place and size. `table` is that of the shape.
+/// scatter.cpp: the copies of `model` for a `scatter` key, named NAME_1, NAME_2, ..., each with its
+/// position and size. `table` is the shape's table.
 std::vector<ScenarioShape> scattered(const ScenarioShape& model, const Value& scatter,
                                      const Value& table);
-/// A shape of type "mesh": `vertices` with `triangles`, an .obj `file`, or a `grid`. What was left
-/// out of it, triangles without an area, is warned of.
+/// A shape of type "mesh": `vertices` with `triangles`, an .obj `file`, or a `grid`. Warns of
+/// dropped triangles without area.
 Shape<double> read_mesh(const Value& table, const Surroundings& surroundings);
-/// A shape of type "sdf": of which shape, and how fine.
+/// A shape of type "sdf": source shape and resolution.
 Shape<double> read_sdf(const Value& table, const Surroundings& surroundings);
-/// A shape written inline, with its type and no place: anything but another "sdf".
+/// An inline shape with a type but no pose: any type except "sdf".
 Shape<double> read_plain_shape(const Value& value, const Surroundings& surroundings);
-/// The key deform of a [shapes.NAME.motion] table. `shape` has its name, type and geometry already;
-/// files are relative to `folder`.
+/// The key deform of a [shapes.NAME.motion] table. `shape` already has its name, type and geometry;
+/// file names are relative to `folder`.
 Deformation read_deformation(const Value& value, const ScenarioShape& shape,
                              const std::filesystem::path& folder);
 /// [[x, y, z], ..], metres.
 std::vector<Vec3d> read_points(const Value& value);
-/// Refuses points that are farther than kLargestLength from zero, and shapes that are smaller than
-/// kSmallestLength: what is within so small a ball cannot be computed with.
+/// Reject points farther than kLargestLength from zero, and shapes smaller than kSmallestLength,
+/// which cannot be computed with.
 void check_reach(const std::vector<Vec3d>& points, const Value& at);
 void check_radius(double radius, const Value& at);
-/// The path of a Wavefront file that a `file` key names; it must be there.
+/// The path of the Wavefront file in a `file` key; the file must exist.
 std::filesystem::path existing_obj_file(const Value& value, const std::filesystem::path& folder);
 
-/// What `load` makes of that file.
+/// The result of `load` for that file.
 template <class Load>
 auto load_obj(const Value& file, const std::filesystem::path& folder, const Load& load) {
   const std::filesystem::path path = existing_obj_file(file, folder);
@@ -167,7 +164,7 @@ auto load_obj(const Value& file, const std::filesystem::path& folder, const Load
   }
 }
 
-/// What `build` makes; a hull or mesh that cannot be made is an error of the value that describes
+/// The result of `build`; failure to build a hull or mesh is an error of the value that describes
 /// it.
 template <class Build>
 auto build_at(const Value& at, const char* kind, const Build& build) {
@@ -181,68 +178,65 @@ auto build_at(const Value& at, const char* kind, const Build& build) {
 // pairs.cpp
 
 PipelineSettings read_pipeline(const Value& value);
-/// [[pairs]]; each starts from `settings` and may override all of them but the scalar.
+/// [[pairs]]; each starts from `settings` and may override all except the scalar.
 std::vector<ScenarioPair> read_pairs(const Value& value, const std::vector<ScenarioShape>& shapes,
                                      const PipelineSettings& settings);
-/// The key broad_phase of [world]; empty where there is none. Refused beside [[pairs]].
+/// The key broad_phase of [world]; empty if missing. Rejected together with [[pairs]].
 std::string read_broad_phase(const std::optional<Value>& world, const std::optional<Value>& pairs);
-/// Every pair of `shapes` in file order, each with `settings`; where some are dynamic, every pair
-/// of which one is. Too many throw, at `where`.
+/// All pairs of `shapes` in file order, with `settings`; only pairs with a dynamic shape if there
+/// are any. Throws at `where` if there are too many.
 std::vector<ScenarioPair> every_pair(const std::vector<ScenarioShape>& shapes,
                                      const PipelineSettings& settings, const Value& where);
-/// The first of these of every two types of shapes: what can be said of the pairs that a broad
-/// phase may choose, before it does.
+/// The first pair of every two types of shapes, to check pairs before a broad phase selects any.
 std::vector<ScenarioPair> one_of_each_kind(const std::vector<ScenarioShape>& shapes,
                                            const PipelineSettings& settings, const Value& where);
-/// Takes out the pairs that cannot be asked what they are, as planes and meshes make no contacts
-/// with each other: where nothing was looked for, "separated" would be a lie. Warns once of each
-/// two kinds of them, and says what to ask instead.
+/// Removes pairs whose query is not supported, such as contacts between planes and meshes, where
+/// "separated" would be false. Warns once per two types and suggests another query.
 void leave_out_unanswered(Scenario& scenario);
-/// Index of the shape that `value` names.
+/// Index of the shape with the name in `value`.
 int shape_named(const Value& value, const std::vector<ScenarioShape>& shapes);
 
 // patches.cpp
 
-/// What a file of [[patch]] holds beside its `title`, `source` and `tags`, into `scenario`. `value`:
-/// its patches.
+/// Reads a file of [[patch]], except `title`, `source` and `tags`, into `scenario`. `value`: its
+/// patches.
 void read_patches(const Value& file, const Value& value, Scenario& scenario);
 
-// dynamics_keys.cpp: what the solver goes by
+// dynamics_keys.cpp: solver settings
 
-/// Whether a [shapes.NAME.motion] table says dynamic = true.
+/// Whether a [shapes.NAME.motion] table has dynamic = true.
 bool is_dynamic(const Value& motion);
-/// Such a table. `shape` has its name, type and geometry already.
+/// Reads such a table. `shape` already has its name, type and geometry.
 ScenarioBody read_body(const Value& motion, const ScenarioShape& shape);
-/// [world]. `up` is that of the file: what gravity points away from by default.
+/// [world]. Gravity points away from the file's `up` by default.
 WorldSettings read_world(const std::optional<Value>& value, const std::string& up);
-/// [solver]. Settled by the smallest dynamic one of `shapes`.
+/// [solver]. Lengths are adjusted to the smallest dynamic one of `shapes`.
 SolverSettings read_solver(const std::optional<Value>& value,
                            const std::vector<ScenarioShape>& shapes);
-/// A coefficient of Coulomb's friction, 0 to 1000.
+/// Coulomb's coefficient of friction, 0 to 1000.
 double read_friction(const Value& value);
-/// A number from 0 to 1, such as the share of a velocity that a bounce gives back.
+/// A number from 0 to 1, such as a restitution.
 double read_share(const Value& value);
 
 // views.cpp
 
-/// A title, whose placeholders are known; see core/title.h.
+/// A title with valid placeholders; see core/title.h.
 std::string read_title(const Value& value);
-/// Refuses what placeholders of a title name, `of` a pair or a shape, where there is none.
+/// Rejects title placeholders whose `of` names a pair or shape that does not exist.
 void check_title(const Value& value, const Scenario& scenario);
 
 /// [[views]], at least one.
 std::vector<View> read_views(const Value& value);
-/// [snapshots] of a scenario with `frames` frames; first, middle and last frame where it is
-/// missing.
+/// [snapshots] of a scenario with `frames` frames. Default: first, middle and last frame.
 SnapshotSettings read_snapshots(const std::optional<Value>& value, int frames,
                                 const std::vector<View>& views);
 
-// expect.cpp, idle_keys.cpp: when shapes, pairs, solver and frames have been read
+// expect.cpp, idle_keys.cpp: called after shapes, pairs, solver and frames have been read
 
 std::vector<Expectation> read_expectations(const Value& value, const Scenario& scenario);
-/// A warning, with its line, for each key of [pipeline], [[pairs]], [world] and [solver], and each
-/// shape's friction or restitution, that is written down and changes nothing in this scene: another
-/// method goes by it, or the shapes it is of are not there.
+/// Warns, with the line, of each key of [pipeline], [[pairs]], [world] and [solver], and of each
+/// shape's friction and restitution, that has no effect in this scene, because another method uses
+/// it or its shapes are not there.
 void warn_of_idle_keys(const Value& file, Scenario& scenario);
 
 }  // namespace contactscope::scenario_file

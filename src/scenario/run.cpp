@@ -25,7 +25,7 @@
 namespace contactscope {
 namespace {
 
-/// From the frame in which the mesh is collided to that of its file.
+/// From the mesh's collision frame to the file's.
 void move_boxes(trace::Tree& tree, const Vec3d& by) {
   for (Vec3d* corner : {&tree.box.lower, &tree.box.upper}) *corner += by;
   for (trace::TreeVisit& visit : tree.visits)
@@ -49,7 +49,7 @@ class Runner::In final : public Runner::InScalar {
     for (int i = 0; i < count_of(scenario.shapes); ++i)
       if (scenario.shape(i).deforms()) deforming_.emplace_back(i, scenario.shape(i));
     own_bounds_.resize(shapes_->size());
-    // Of two entries that name the same shapes the solver goes by the first.
+    // The solver uses the first of two entries for the same shapes.
     std::set<std::pair<int, int>> seen;
     for (const ScenarioPair& pair : scenario.pairs)
       pairs_.push_back(active(pair, pair.pipeline.makes_contacts() &&
@@ -72,7 +72,7 @@ class Runner::In final : public Runner::InScalar {
                          .shapes = {}};
     for (std::size_t i = 0; i < shapes_->size(); ++i)
       header.shapes.push_back(traced_shape(scenario_.shapes[i], (*shapes_)[i]));
-    // As at the start, though this may have gone on.
+    // In its initial state, even if this has advanced.
     for (const DeformingMesh<S>& now : deforming_)
       report_vertices(DeformingMesh<S>(now.index(), scenario_.shape(now.index())).facts(),
                       at(header.shapes, now.index()));
@@ -101,8 +101,7 @@ class Runner::In final : public Runner::InScalar {
   }
 
  private:
-  /// Runs the next frame, recorded into `result` unless that is null: then only what later frames
-  /// depend on.
+  /// Runs the next frame and records it in `result`; null: computes only what later frames need.
   void step(bool recorded, trace::Frame* result) {
     const double time = next_ * scenario_.dt;
     for (DeformingMesh<S>& mesh : deforming_) {
@@ -152,7 +151,7 @@ class Runner::In final : public Runner::InScalar {
         move_boxes(pair, record);
         continue;
       }
-      // What nobody would have looked at must not be there because somebody looks.
+      // Recording must not change the simulation, so collide a copy.
       std::optional<ActivePair<S>> spare;
       if (rests) spare = pairs_[i];
       contacts[i] = collide_pair(spare ? *spare : pairs_[i], poses, recorded ? &record : nullptr);
@@ -175,7 +174,7 @@ class Runner::In final : public Runner::InScalar {
     ++next_;
   }
 
-  /// Which shapes are where they were in the frame before.
+  /// Finds the shapes that did not move since the previous frame.
   void note_unmoved(const std::vector<Pose<S>>& poses) {
     unmoved_.assign(poses.size(), false);
     for (int i = 0; i < count_of(poses_before_); ++i)
@@ -185,8 +184,8 @@ class Runner::In final : public Runner::InScalar {
     poses_before_ = poses;
   }
 
-  /// Whether a pair's contacts are what they were, and the solver is not going to ask for them: until
-  /// something wakes them, its bodies sleep, or stand still for good.
+  /// Whether a pair's contacts are unchanged and the solver will not need them: its bodies sleep
+  /// until they are woken, or are static.
   bool is_at_rest(const ActivePair<S>& active) const {
     const auto rests = [&](int i) {
       return at(unmoved_, i) && (sleepers_.asleep(i) || !scenario_.shape(i).dynamic());
@@ -203,7 +202,7 @@ class Runner::In final : public Runner::InScalar {
     }
   }
 
-  /// From the frame in which a mesh is collided to that of its file, where the two differ.
+  /// From a mesh's collision frame to the file's, if they differ.
   void move_boxes(const ScenarioPair& pair, trace::Pair& record) const {
     for (const int index : {pair.a, pair.b}) {
       const ScenarioShape& shape = scenario_.shape(index);
@@ -212,8 +211,8 @@ class Runner::In final : public Runner::InScalar {
     }
   }
 
-  /// A pair that makes no contacts. The answer depends on nothing but the poses; what it cost, with
-  /// trees, also on the frames before.
+  /// Queries a pair that makes no contacts. The answer depends only on the poses; the cost of
+  /// traversing trees also depends on earlier frames.
   void run_query(ActivePair<S>& memory, const std::vector<Pose<S>>& poses, bool recorded,
                  trace::Pair& record) {
     const Answer<S> answer = answer_pair(memory, poses, recorded ? &record : nullptr);
@@ -240,10 +239,10 @@ class Runner::In final : public Runner::InScalar {
     return answer;
   }
 
-  /// Whether some mesh's tree is built anew when it has become expensive.
+  /// Whether some mesh's tree is rebuilt when it has become expensive.
   bool trees_remember() const { return std::ranges::any_of(scenario_.shapes, chooses_tree); }
 
-  /// As it is in the frame that is run.
+  /// In its form of the current frame.
   const Shape<S>& shape(int index) const {
     const auto deforming = std::ranges::find(deforming_, index, &DeformingMesh<S>::index);
     return deforming == deforming_.end() ? at(*shapes_, index) : deforming->shape();
@@ -262,7 +261,7 @@ class Runner::In final : public Runner::InScalar {
         .query_cost = {}};
   }
 
-  /// The pairs of this frame. Those that were there in the frame before keep what they have.
+  /// Selects the pairs of this frame. Pairs of the previous frame keep their state.
   void choose_pairs(const std::vector<Pose<S>>& poses, trace::Frame* record) {
     const double margin = 0.5 * chooser_.reach();
     boxes_.resize(poses.size());
@@ -289,8 +288,8 @@ class Runner::In final : public Runner::InScalar {
     pairs_ = std::move(chosen);
   }
 
-  /// Writes into `record` unless that is null. Shapes of one type are worked on in the order of the
-  /// file, whichever of them a pair names first: then trading a and b mirrors every result.
+  /// Records into `record` unless null. Shapes of one type are collided in file order, whichever of
+  /// them the pair names first, so swapping a and b mirrors every result.
   Manifolds<S> collide_pair(ActivePair<S>& memory, const std::vector<Pose<S>>& poses,
                             trace::Pair* record) {
     const ScenarioPair& pair = memory.pair;
@@ -298,7 +297,7 @@ class Runner::In final : public Runner::InScalar {
     const Pose<S>&pose_a = at(poses, pair.a), &pose_b = at(poses, pair.b);
     CollideOptions options = options_of(pair.pipeline);
     options.b_first = pair.b < pair.a;
-    // Where frames may be run by themselves, none depends on the one before.
+    // If frames can be run independently, none depends on the previous one.
     if (dynamic_ || remembers(scenario_, pair)) options.reduction.previous = memory.kept;
     const ScenarioShape &shape_a = scenario_.shape(pair.a), &shape_b = scenario_.shape(pair.b);
     if (shape_a.dynamic() || shape_b.dynamic()) {
@@ -308,7 +307,7 @@ class Runner::In final : public Runner::InScalar {
       options.margin = std::max(options.margin, contact_margin(scenario_.solver, reach));
     }
     options.margin = std::max(options.margin, between_.margin(pair, next_, bodies_));
-    options.margin = static_cast<S>(options.margin);  // a length as the pipeline has it
+    options.margin = static_cast<S>(options.margin);  // rounded to the pipeline's scalar
 
     Manifolds<S> manifolds;
     if (pair.pipeline.manifold == ManifoldKind::Incremental) {
@@ -331,7 +330,7 @@ class Runner::In final : public Runner::InScalar {
     return manifolds;
   }
 
-  /// The solver's step; what it gave the contacts stands in `result` where there is one.
+  /// The solver's step; records the impulses in `result` unless null.
   void solve(const std::vector<Pose<S>>& poses, std::vector<Manifolds<S>>& contacts,
              trace::Frame* result) {
     const double now = next_ * scenario_.dt, next = (next_ + 1) * scenario_.dt;
@@ -366,7 +365,7 @@ class Runner::In final : public Runner::InScalar {
       return found == pairs_.end() ? nullptr : &found->pair.pipeline;
     };
     const std::vector<ImpactStop<S>> stops = between_.stop(bodies_, before, settings_of);
-    // A script knows where it is; steps would add up their rounding.
+    // Scripted bodies take their exact pose; integration would accumulate rounding.
     for (std::size_t i = 0; i < bodies_.size(); ++i)
       if (!scenario_.shapes[i].dynamic())
         bodies_[i].place(collider_pose_at(scenario_.shapes[i], next).template cast<S>());
@@ -386,8 +385,8 @@ class Runner::In final : public Runner::InScalar {
     sleepers_.settle(bodies_, touches, scenario_.dt);
   }
 
-  /// Wakes whom the contacts wake, and collides pairs that were passed over as long as they slept.
-  /// Returns what touches; nothing where nobody sleeps.
+  /// Wakes bodies that are touched, and collides pairs that were skipped while they slept. Returns
+  /// the touching pairs; empty if sleeping is off.
   std::vector<Touch> wake(const std::vector<Pose<S>>& poses, std::vector<Manifolds<S>>& contacts) {
     if (!sleepers_.may_sleep()) return {};
     std::vector<Touch> touches;
@@ -403,35 +402,34 @@ class Runner::In final : public Runner::InScalar {
     return touches;
   }
 
-  /// Whether the step leaves the pair alone, because one of its bodies sleeps.
+  /// Whether the step skips the pair because one of its bodies sleeps.
   bool sleeps(const ScenarioPair& pair) const {
     return sleepers_.asleep(pair.a) || sleepers_.asleep(pair.b);
   }
 
   void report_sleepers(trace::Solver& facts) const {
     if (!sleepers_.may_sleep()) return;
-    auto reported = facts.bodies.begin();  // of the dynamic shapes, in their order
+    auto reported = facts.bodies.begin();  // dynamic shapes only, in order
     for (int i = 0; i < count_of(bodies_); ++i)
       if (at(bodies_, i).dynamic()) (reported++)->asleep = sleepers_.asleep(i);
   }
 
   const Scenario& scenario_;
   trace::Stages stages_;
-  bool dynamic_;                                         // some shape is moved by the solver
-  std::shared_ptr<const std::vector<Shape<S>>> shapes_;  // never changed, and shared by copies
+  bool dynamic_;                                         // the solver moves some shape
+  std::shared_ptr<const std::vector<Shape<S>>> shapes_;  // immutable, shared by copies
   BetweenFrames<S> between_;
-  // Before the next frame, all that it and the frames after it depend on:
+  // State before the next frame:
   int next_ = 0;
   std::vector<DeformingMesh<S>> deforming_;
-  std::vector<Body<S>> bodies_;  // one a shape; of dynamic scenarios alone
+  std::vector<Body<S>> bodies_;  // one per shape, only in dynamic scenarios
   Sleepers<S> sleepers_;
-  std::vector<Pose<S>>
-      poses_before_;           // of the last frame, and which shapes stayed there: where bodies
-  std::vector<bool> unmoved_;  // may sleep
+  std::vector<Pose<S>> poses_before_;  // of the previous frame; only with sleeping, as the next
+  std::vector<bool> unmoved_;          // shapes that have kept their pose since
   std::vector<ActivePair<S>> pairs_;
   PairChooser chooser_;
-  std::vector<Aabb<float>> boxes_;        // that it chose by
-  std::vector<OwnBounds<S>> own_bounds_;  // one a shape, for pairs that ask them
+  std::vector<Aabb<float>> boxes_;        // used to select the pairs
+  std::vector<OwnBounds<S>> own_bounds_;  // one per shape, for queries of bounds
 };
 
 Runner::Runner(const Scenario& scenario, const trace::Stages& stages) {

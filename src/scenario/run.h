@@ -9,18 +9,17 @@
 
 namespace contactscope {
 
-/// Runs the frames of one scenario, forwards only: a pair may go by what was kept in the frame before,
-/// as temporal coherence, some reducers and incremental manifolds do, and bodies that the solver
-/// moves are where the last step left them. Frames that are passed over are run for that, with
-/// nothing recorded; where nothing is kept they cost nothing. A copy goes on by itself, as the
-/// original would have.
+/// Runs the frames of one scenario, forwards only: some pairs depend on the previous frame
+/// (temporal coherence, some reducers, incremental manifolds), and bodies are where the previous
+/// step left them. Skipped frames are run without recording; they cost nothing if no state is kept.
+/// A copy continues independently.
 ///
-/// Shapes are rounded to the scenario's scalar once, here. Holds on to the scenario, which must
-/// outlive it and stay as it is. Where shapes are dynamic, a frame shows the bodies before its step,
-/// the contacts found there, and what the solver gave them in the step.
+/// Shapes are rounded to the scenario's scalar once, here. Keeps a reference to the scenario, which
+/// must outlive it unchanged. In dynamic scenarios a frame contains the bodies before its step, the
+/// contacts there, and the impulses of the step.
 class Runner {
  public:
-  /// `stages`: the optional stages that recorded frames hold.
+  /// `stages`: the optional stages to record.
   explicit Runner(const Scenario& scenario, const trace::Stages& stages = {});
   explicit Runner(Scenario&&, const trace::Stages& stages = {}) = delete;
   Runner(const Runner& other) : in_scalar_(other.in_scalar_->copy()) {}
@@ -29,26 +28,25 @@ class Runner {
     return *this;
   }
 
-  /// The trace's first line: shapes and settings. Vertices are those that the pipeline sees,
-  /// rounded to its scalar. A reducer or scalar of a pair is not among the settings: stages name
-  /// theirs.
+  /// The trace's first line: shapes and settings, with vertices rounded to the pipeline's scalar.
+  /// It has no reducers or scalars of single pairs; stages name theirs.
   trace::Header header() const { return in_scalar_->header(); }
 
-  /// Poses and recorded pairs of one frame, later than the last one that was asked for (0 <= frame,
-  /// also beyond the scenario's last). Poses are evaluated in double and rounded to the scalar, and
-  /// are written as the pipeline saw them. Pairs are in the scenario's order.
+  /// Poses and recorded pairs of one frame, which must be later than the last one requested (0 <=
+  /// frame, also beyond the scenario's end). Poses are evaluated in double and rounded to the
+  /// scalar, as the pipeline used them. Pairs are in the scenario's order.
   trace::Frame frame(int frame) { return in_scalar_->run(frame, true); }
 
-  /// The same pipeline with nothing recorded but the manifolds themselves, in the way a physics
-  /// engine would call it: `sat`, `clip` and `reduction` are empty. `separation` is that of the
-  /// deepest point, and 0 when separated: how far apart, only a recorded frame says.
+  /// The same pipeline with only the manifolds recorded, as a physics engine would call it: `sat`,
+  /// `clip` and `reduction` are empty. `separation` is the deepest point's, or 0 if separated; only
+  /// frame() computes the distance then.
   trace::Frame frame_unrecorded(int frame) { return in_scalar_->run(frame, false); }
 
-  /// Goes on to where `frame` is the next one, and keeps of the frames before it what that one depends on.
+  /// Advances until `frame` is the next one, keeping the state that it depends on.
   void advance(int frame) { in_scalar_->advance(frame); }
 
  private:
-  /// A scenario in float or double.
+  /// The implementation in float or double.
   struct InScalar {
     virtual ~InScalar() = default;
     virtual std::unique_ptr<InScalar> copy() const = 0;
@@ -62,13 +60,12 @@ class Runner {
   std::unique_ptr<InScalar> in_scalar_;
 };
 
-/// What of the scenario's expectations these frames do not meet: one sentence for each thing, such as
-/// "scenarios/hull/face_contact.toml:31: frames 12 to 14, crate-floor: expected 4 points, got 2",
-/// with what the first of them got; where others got something else, it says so. Empty when all hold.
-/// Every key is judged by itself: `points` counts over all manifolds, `normal` is compared component
-/// by component and `separation` with the pair's, both within the tolerance, the bound included. Of a
-/// separated pair, `axis` and `normal` are those of the separating axis, which only a recorded frame
-/// has. A pair that the frame lacks is not met.
+/// Expectations that these frames do not meet, one sentence each, such as
+/// "scenarios/hull/face_contact.toml:31: frames 12 to 14, crate-floor: expected 4 points, got 2".
+/// It gives the first frame's value, and says if others differ. Empty if all hold. Keys are tested
+/// independently: `points` counts over all manifolds, `normal` is compared per component and
+/// `separation` with the pair's, both within the tolerance, inclusive. For a separated pair, `axis`
+/// and `normal` are the separating axis, which needs a recorded frame. A missing pair fails.
 std::vector<std::string> unmet_expectations(const Scenario& scenario,
                                             const std::vector<trace::Frame>& frames);
 

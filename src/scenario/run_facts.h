@@ -10,7 +10,7 @@
 #include "scenario/shown_stages.h"
 #include "trace/trace.h"
 
-/// What a trace tells of shapes, and of the solver in scenarios with dynamic ones.
+/// Trace records of shapes, and of the solver in dynamic scenarios.
 namespace contactscope {
 
 template <class S>
@@ -50,7 +50,7 @@ void describe(const Mesh<S>& mesh, trace::Shape& traced) {
     const std::array<int, 3>& corners = at(mesh.triangles, triangle);
     traced.faces.emplace_back(corners.begin(), corners.end());
     for (int k = 0; k < 3; ++k) {
-      // An edge that two triangles share is listed by the first.
+      // A shared edge is listed by its first triangle.
       const int neighbour = mesh.neighbour(triangle, k);
       if (neighbour >= 0 && neighbour < triangle) continue;
       traced.edges.push_back({at(corners, k), at(corners, (k + 1) % 3)});
@@ -60,13 +60,13 @@ void describe(const Mesh<S>& mesh, trace::Shape& traced) {
   traced.center_of_mass = bounds.center().template cast<double>();
 }
 
-/// As the shape that it is made of.
+/// Described as its source shape.
 template <class S>
 void describe(const Field<S>& field, trace::Shape& traced) {
   std::visit([&](const auto& kind) { describe(kind, traced); }, field.source->shape);
 }
 
-/// A shape of a scenario as a trace has it, with the vertices that the pipeline sees.
+/// A scenario's shape for a trace, with the vertices of the pipeline.
 template <class S>
 trace::Shape traced_shape(const ScenarioShape& shape, const Shape<S>& rounded) {
   trace::Shape traced;
@@ -80,21 +80,21 @@ trace::Shape traced_shape(const ScenarioShape& shape, const Shape<S>& rounded) {
   return traced;
 }
 
-/// Makes a shape of the header what a frame tells of it.
+/// Applies a frame's deformation to a shape of the header.
 inline void report_vertices(const trace::Deformed& deformed, trace::Shape& traced) {
   traced.vertices = deformed.vertices;
   traced.center_of_mass = box_around(deformed.vertices).center();
 }
 
-/// Velocity of a point of a body, by its arm from the centre.
+/// Velocity of a point of a body; `arm` is its offset from the centre.
 template <class S>
 Vec3d velocity_at(const Body<S>& body, const Vec3d& arm) {
   const Vec3d turning = body.angular_velocity.template cast<double>();
   return body.velocity.template cast<double>() + turning.cross(arm);
 }
 
-/// What became of a pair's points that got an impulse, where the step has gone from `before` to
-/// `after`. The script of a body that is not dynamic is the same all through the step.
+/// Records the relative velocities of points with an impulse, before and after the step. Scripted
+/// bodies have the same velocity throughout the step.
 template <class S>
 void record_relative_velocities(const ScenarioPair& pair, const std::vector<Body<S>>& before,
                                 const std::vector<Body<S>>& after, trace::Pair& record) {
@@ -114,7 +114,7 @@ void record_relative_velocities(const ScenarioPair& pair, const std::vector<Body
   }
 }
 
-/// Impulses stand in the order of manifolds and points; a point that the solver left out has none.
+/// Impulses are in the order of manifolds and points; points that the solver ignored have none.
 template <class S>
 void record_impulses(const Manifolds<S>& manifolds, const PairImpulses<S>& impulses,
                      trace::Pair& record) {
@@ -132,8 +132,8 @@ void record_impulses(const Manifolds<S>& manifolds, const PairImpulses<S>& impul
   }
 }
 
-/// Whether a body can rest on the pair's manifolds, where the pair is incremental or a view shows it: the
-/// one that the solver moves, else the higher one along `up`..
+/// Records whether a body can rest on the pair's manifolds, if the pair is incremental or a view
+/// shows it. The body is the dynamic one, else the higher one along `up`.
 template <class S>
 void record_stability(const Scenario& scenario, const trace::Stages& stages,
                       const ScenarioPair& pair, const trace::Frame& frame, const Shape<S>& shape_a,
@@ -148,7 +148,7 @@ void record_stability(const Scenario& scenario, const trace::Stages& stages,
     return at(frame.poses, i)
         .second.transform(traced_shape(scenario.shape(i), shape).center_of_mass);
   };
-  const auto rests = [&](int index) {  // false of what cannot fall
+  const auto rests = [&](int index) {  // false for shapes that cannot fall
     const ShapeKind kind = kind_of(*scenario.shape(index).geometry);
     return kind != ShapeKind::Plane && kind != ShapeKind::Mesh;
   };

@@ -7,17 +7,16 @@
 namespace contactscope::scenario_file {
 namespace {
 
-constexpr int kMaxCopies = 20000;  // of one shape
+constexpr int kMaxCopies = 20000;  // per shape
 constexpr double kLargestFactor = 1e3;
 
-/// The key `scatter` of a shape.
 struct Scatter {
-  Vec3d lower, upper;          // metres, of the places of the copies' origins
-  std::array<int, 3> cells{};  // of a grid between them, one copy in each; all 0: no grid
+  Vec3d lower, upper;          // metres, bounds of the copies' origins
+  std::array<int, 3> cells{};  // of a grid between them, one copy per cell; all 0: no grid
   int count = 0;               // copies
   int seed = 1;
   std::array<double, 2> scale = {1, 1};  // smallest and largest size
-  bool turned = true;                    // each by a rotation of its own
+  bool turned = true;                    // each has a random rotation
 };
 
 std::array<int, 3> read_cells(const Value& value) {
@@ -61,8 +60,8 @@ Scatter read_scatter(const Value& value) {
   return scatter;
 }
 
-/// Evenly among all rotations: a point of the ball in four dimensions, made unit. It takes no
-/// function that libraries round differently.
+/// Uniform over all rotations: a normalised point of the ball in four dimensions. Uses no function
+/// that libraries round differently.
 Quatd random_rotation(std::mt19937_64& engine) {
   for (;;) {
     const double w = uniform(engine, -1, 1), x = uniform(engine, -1, 1);
@@ -72,14 +71,14 @@ Quatd random_rotation(std::mt19937_64& engine) {
   }
 }
 
-/// Small ones are many: as many between 1 and 2 as between 2 and infinity. Rational, for the same
-/// reason.
+/// Small ones are frequent: as many between 1 and 2 as between 2 and infinity. Rational, for
+/// portable rounding.
 double random_size(std::mt19937_64& engine, const std::array<double, 2>& scale) {
   const auto [low, high] = scale;
   return low * high / uniform(engine, low, high);
 }
 
-/// Metres: what says how large a shape is that can be scattered.
+/// Size, in metres, of a shape that can be scattered.
 double radius_of(const Shape<double>& shape) {
   if (const auto* sphere = std::get_if<Sphere<double>>(&shape)) return sphere->radius;
   if (const auto* capsule = std::get_if<Capsule<double>>(&shape)) return capsule->radius;
@@ -108,10 +107,10 @@ std::vector<ScenarioShape> scattered(const ScenarioShape& model, const Value& va
   for (int i = 0; i < scatter.count; ++i) {
     ScenarioShape copy = model;
     copy.name = model.name + "_" + std::to_string(i + 1);
-    Vec3d share;  // of the way from `lower` to `upper`
+    Vec3d share;  // fraction from `lower` to `upper`
     for (int axis = 0, rest = i; axis < 3; ++axis) {
       const int cells = scatter.cells[static_cast<std::size_t>(axis)];
-      // In a grid a copy keeps to the middle half of its cell.
+      // In a grid a copy stays in the middle half of its cell.
       share[axis] =
           cells == 0 ? uniform(engine, 0, 1) : (rest % cells + uniform(engine, 0.25, 0.75)) / cells;
       if (cells > 0) rest /= cells;

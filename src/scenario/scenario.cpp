@@ -24,11 +24,11 @@ using scenario_file::Value;
 constexpr int kMaxFrames = 100000;
 constexpr double kLongestStep = 1e6;  // seconds
 
-/// Largest scenario file. A hull of 100000 vertices written with 17 digits each takes 6 MB.
+/// A hull of 100000 vertices written with 17 digits each takes 6 MB.
 constexpr std::size_t kMaxScenarioBytes = std::size_t{16} << 20;
 
-/// Most names that one dotted key may join. The deepest key of the format joins three,
-/// [shapes.crate.motion]; a table nested a hundred thousand deep would exhaust the stack.
+/// Maximum names in a dotted key. The deepest key of the format joins three, [shapes.crate.motion];
+/// a table nested a hundred thousand deep would exhaust the stack.
 constexpr int kMaxDottedNames = 16;
 
 [[noreturn]] void fail_at(const std::string& path, std::string_view text, std::size_t offset,
@@ -40,8 +40,8 @@ constexpr int kMaxDottedNames = 16;
                    message);
 }
 
-/// Offset just behind the string that opens at `start`, where a quote stands; the end of the text
-/// when it does not close (the parser will say so).
+/// Offset after the string whose opening quote is at `start`; the end of the text if it does not
+/// close (the parser reports that).
 std::size_t skip_string(std::string_view text, std::size_t start) {
   const char quote = text[start];
   const bool escapes = quote == '"';
@@ -59,7 +59,7 @@ std::size_t skip_string(std::string_view text, std::size_t start) {
   return text.size();
 }
 
-/// Follows strings and comments as TOML's grammar has them, and counts the names that dots join.
+/// Skips strings and comments by TOML's grammar, and counts the names joined by dots.
 void check_dotted_keys(const std::string& text, const std::string& path) {
   int dots = 0;
   for (std::size_t i = 0; i < text.size();) {
@@ -83,14 +83,14 @@ void check_dotted_keys(const std::string& text, const std::string& path) {
   }
 }
 
-/// Throws InputError where a file is in a format that is known and not read.
+/// Throws InputError for known formats that are not supported.
 void refuse_foreign(const std::string& path, std::string_view begin, std::uintmax_t size) {
   const std::string remedy = foreign_format_remedy(begin, size);
   if (!remedy.empty()) throw InputError(path, 1, 1, remedy);
 }
 
-/// Reads a whole scenario file. Throws InputError when it is missing, not a regular file, cannot be
-/// read, or is too large, in which case only its beginning is read.
+/// Reads a whole scenario file. Throws InputError if it is missing, not a regular file, unreadable,
+/// or too large. Only the beginning of a file that is too large is read.
 std::string read_text(const std::string& path) {
   const auto refuse = [&](const std::string& message) { throw InputError(path, 0, 0, message); };
   std::error_code error;
@@ -120,8 +120,8 @@ std::string read_text(const std::string& path) {
   return text;
 }
 
-/// What can be said of the text before it is parsed: throws InputError at the first byte that makes
-/// it no TOML document of ours (empty, a NUL byte, not UTF-8, a key of too many names).
+/// Checks the text before parsing. Throws InputError at the first byte that rules out a valid
+/// document (empty, a NUL byte, not UTF-8, a key of too many names).
 void check_text(const std::string& text, const std::string& path) {
   if (text.size() > kMaxScenarioBytes)
     throw InputError(path, 0, 0,
@@ -141,7 +141,7 @@ void check_text(const std::string& text, const std::string& path) {
   check_dotted_keys(text, path);
 }
 
-/// Throws InputError. What is no TOML may be something else that is known.
+/// Throws InputError. Text that is not TOML may be another known format.
 toml::table document_of(const std::string& text, const std::string& path) {
   try {
     check_text(text, path);
@@ -226,7 +226,7 @@ Scenario parse_scenario(const std::string& text, const std::string& path) {
   scenario.world = read_world(world, scenario.up);
   scenario.solver = read_solver(file.find("solver"), scenario.shapes);
   warn_of_idle_keys(file, scenario);
-  if (!scenario.broad_phase.empty()) scenario.pairs.clear();  // they stood for their kinds
+  if (!scenario.broad_phase.empty()) scenario.pairs.clear();  // they represented their kinds
   scenario.views = {default_view()};
   check_title(*title, scenario);
   if (const auto views = file.find("views")) {
@@ -238,7 +238,7 @@ Scenario parse_scenario(const std::string& text, const std::string& path) {
   for (View& view : scenario.views) {
     if (!view.title) view.title = scenario.title;
   }
-  // Pictures alone want the words; here they are checked.
+  // Only pictures need the words; this checks them.
   if (const auto words = file.find("words")) read_words_table(*words, names_in_pictures(scenario));
   if (const auto expect = file.find("expect"))
     scenario.expectations = read_expectations(*expect, scenario);
@@ -252,7 +252,7 @@ toml::table scenario_file::read_document(const std::string& path) {
 
 std::vector<std::string_view> names_in_pictures(const Scenario& scenario) {
   std::vector<std::string_view> names = {scenario.source};
-  // Each alternative of a title; what its placeholders are filled with stands in the word's braces.
+  // Add each alternative of a title. Values of its placeholders are in the word's braces.
   const auto add_title = [&](std::string_view title) {
     constexpr std::string_view kSeparator = " | ";
     while (!title.empty()) {

@@ -4,7 +4,7 @@
 
 namespace contactscope {
 
-/// "<group>/<idea>": the folder that a scenario file is in, and the file.
+/// "<group>/<idea>": the folder and the name of a scenario file.
 std::string scenario_name(const std::string& path);
 
 }  // namespace contactscope

@@ -4,9 +4,9 @@
 namespace contactscope::scenario_file {
 namespace {
 
-constexpr int kMaxBand = 64;  // cells on each side
+constexpr int kMaxBand = 64;  // cells on each side of the surface
 
-/// Cells on each side of the surface, or "dense".
+/// Cells on each side of the surface; 0 for "dense".
 int read_band(const Value& value) {
   if (value.is_string()) {
     value.one_of({"dense"}, "band (or a number of cells)");
@@ -15,8 +15,8 @@ int read_band(const Value& value) {
   return value.integer(1, kMaxBand);
 }
 
-/// Which of the cells that the surface passes ask their triangles: all of them, none, or those that are
-/// not smooth.
+/// Which of the cells on the surface use their triangles: all, none, or the ones that are not
+/// smooth.
 void read_exact(const Value& value, FieldSettings& settings) {
   if (value.is_string()) {
     value.one_of({"where_needed"}, "exact (or true, or false)");

@@ -16,29 +16,29 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Keys of every shape, whatever its type.
+/// Keys of all types of shapes.
 const Keys kCommonKeys = {"type",     "position",    "rotation", "motion",
                           "friction", "restitution", "scatter"};
 
-// Half of what one face may have: a clip polygon of two such caps fits with room to spare.
+// Half the limit of one face: a clip polygon of two such caps fits easily.
 constexpr int kMaxSegments = 64;
 constexpr std::size_t kMaxHullPoints = 100000;
-constexpr int kMaxShapes = 100000;  // of one scenario, once they are scattered
+constexpr int kMaxShapes = 100000;  // per scenario, after scattering
 
-/// Of shapes that are hulls.
+/// For hulls.
 bool merges_coplanar(const Value& table) {
   const auto value = table.find("merge_coplanar");
   return !value || value->boolean();
 }
 
-/// A hull whose faces are left in triangles where the file says so; those of a flat one stay whole.
+/// A hull with triangulated faces if the file requests it; faces of a flat hull stay whole.
 template <class Build>
 Hull<double> build_merged(const Value& at, const Value& table, const Build& build) {
   Hull<double> hull = build_at(at, "hull", build);
   return hull.flat() || merges_coplanar(table) ? hull : triangulate_faces(hull);
 }
 
-/// Points of a list or file: a hull that can be computed with, within the lengths of a scenario.
+/// The hull of a list or file of points, checked for size.
 Hull<double> hull_of_points(const std::vector<Vec3d>& points, const Value& at, const Value& shape,
                             const Surroundings& surroundings) {
   if (points.size() > kMaxHullPoints)
@@ -77,7 +77,6 @@ Shape<double> read_box(const Value& table, const Surroundings&) {
   return build_merged(value, table, [&] { return make_box(half_extents); });
 }
 
-/// A cylinder or a cone.
 template <Hull<double> (*kMake)(double radius, double half_height, int segments)>
 Shape<double> read_round(const Value& table, const Surroundings&) {
   const double radius = read_length(table.require("radius", "radius = 0.5 (metres)"));
@@ -121,7 +120,7 @@ Shape<double> read_plane(const Value& table, const Surroundings&) {
   return HalfSpace<double>{{normal, distance}};
 }
 
-/// A type of shape: its own keys, and what reads it.
+/// A type of shape: its keys and its reader.
 struct Type {
   std::string_view name;
   Keys keys;
@@ -145,7 +144,7 @@ const std::vector<Type>& types() {
   return all;
 }
 
-/// Keys of all types, each once.
+/// Keys of all types, without duplicates.
 Keys every_key() {
   Keys keys = kCommonKeys;
   for (const Type& type : types())
@@ -154,7 +153,7 @@ Keys every_key() {
   return keys;
 }
 
-/// What a shape's name, pose and geometry do not say: how it is collided, and how it moves.
+/// Adds a shape's collider, settings and motion.
 ScenarioShape completed(ScenarioShape shape, const Value& table, const Surroundings& surroundings,
                         double end_time) {
   shape.collider = shape.geometry;
@@ -174,7 +173,7 @@ ScenarioShape completed(ScenarioShape shape, const Value& table, const Surroundi
   return shape;
 }
 
-/// Adds the shape of one table, or the many that are scattered.
+/// Adds the shape of one table, or its scattered copies.
 void read_shape(const Value& value, const Surroundings& surroundings, double end_time,
                 std::vector<ScenarioShape>& shapes) {
   if (value.name().empty())
@@ -212,7 +211,7 @@ void read_shape(const Value& value, const Surroundings& surroundings, double end
   }
 }
 
-/// The solver takes the surface of a scripted shape to move as its pose does.
+/// The solver assumes that the surface of a scripted shape moves with its pose.
 void refuse_deforming_with_bodies(const Value& value, const std::vector<ScenarioShape>& shapes) {
   const auto body = std::ranges::find_if(shapes, &ScenarioShape::dynamic);
   const auto deforming = std::ranges::find_if(shapes, &ScenarioShape::deforms);

@@ -8,12 +8,11 @@
 
 namespace contactscope {
 
-/// Whether some view shows the layer or panel.
 inline bool shown(const std::vector<View>& views, auto what) {
   return std::ranges::any_of(views, [&](const View& view) { return view.shows(what); });
 }
 
-/// Also what is too large to be recorded where no view of the scenario shows it.
+/// Adds stages that are too large to record unless a view shows them.
 inline trace::Stages with_insets(trace::Stages stages, const std::vector<View>& views) {
   stages.gauss_map = stages.gauss_map || shown(views, Panel::GaussMap);
   stages.minkowski = stages.minkowski || shown(views, Panel::Minkowski);

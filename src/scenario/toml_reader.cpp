@@ -10,14 +10,14 @@
 namespace contactscope::scenario_file {
 namespace {
 
-/// One line of bounded length: a file may hold names of megabytes, and control characters that
-/// would garble a terminal. Those become "?", and the middle of what is too long becomes "...".
+/// One line of limited length: a file may have megabytes of text, and control characters that would
+/// garble a terminal. They become "?", and the middle of long text becomes "...".
 std::string printable(std::string message) {
   constexpr std::size_t kLongest = 600;
   for (char& c : message)
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = '?';
   if (message.size() <= kLongest) return message;
-  // The remedy stands at the end; what is cut out is the middle, between whole UTF-8 sequences.
+  // The remedy is at the end, so cut the middle, between whole UTF-8 sequences.
   std::size_t head = kLongest / 2;
   std::size_t tail = message.size() - kLongest / 2;
   const auto continues = [&](std::size_t i) {
@@ -34,14 +34,14 @@ std::string printable(std::string message) {
                    printable(message));
 }
 
-/// Names and texts go to terminals, shells and pictures.
+/// Names and texts are printed in terminals, shells and pictures.
 void require_plain(const std::string& file, const toml::source_position& where,
                    const std::string& what, const std::string& text) {
   if (const std::string wrong = not_plain(text); !wrong.empty())
     fail_at(file, where, what + " contains " + wrong + "; write plain text");
 }
 
-/// Line breaks and tabs of a text of several lines as blanks.
+/// Replaces line breaks and tabs by spaces.
 std::string on_one_line(std::string text) {
   std::ranges::replace_if(
       text, [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
@@ -66,7 +66,7 @@ std::string with_unit(const char* unit) {
   return unit == nullptr ? "number" : std::string("number in ") + unit;
 }
 
-/// The message about a key that is not known. Some misspellings have a reason of their own.
+/// The message for an unknown key; some misspellings have their own.
 std::string unknown_key(std::string_view key, const Keys& keys) {
   const std::string found = "unknown key '" + std::string(key) + "'";
   const auto known = [&](std::string_view k) { return std::ranges::find(keys, k) != keys.end(); };
@@ -209,7 +209,7 @@ Value Value::require(std::string_view key, const std::string& example) const {
 std::vector<Value> Value::members() const {
   const toml::table* table = node_->as_table();
   if (table == nullptr) wrong_type("a table");
-  // The library sorts keys by name; where each was written first gives the file's order back.
+  // The library sorts keys by name; restore the file's order from their positions.
   std::vector<std::pair<toml::source_position, Value>> found;
   for (auto&& [key, node] : *table) {
     require_plain(*file_, key.source().begin, "this name", std::string(key.str()));

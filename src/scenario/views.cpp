@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kSmallestSide = 64;   // pixels
 constexpr int kLargestSide = 8192;  // pixels
-// Narrower and wider lenses leave no picture worth looking at.
+// Narrower and wider lenses give no useful picture.
 constexpr double kNarrowest = 1, kWidest = 150;  // degrees
 
 }  // namespace
@@ -26,7 +26,7 @@ std::string read_title(const Value& value) {
 
 namespace {
 
-/// The name of a view is the name of a folder of pictures.
+/// A view's name is also a folder of pictures.
 std::string read_view_name(const Value& value) {
   std::string name = value.non_empty_string();
   const bool plain = name.size() <= 64 && std::ranges::all_of(name, [](char c) {
@@ -38,7 +38,6 @@ std::string read_view_name(const Value& value) {
   return name;
 }
 
-/// An array of layers or panels, each once.
 template <class Word, std::size_t N>
 std::vector<Word> read_words(const Value& value, const std::array<std::string_view, N>& names,
                              const char* kind) {
@@ -53,7 +52,7 @@ std::vector<Word> read_words(const Value& value, const std::array<std::string_vi
   return words;
 }
 
-/// Metres of an arrow for one newton second.
+/// Metres of arrow per newton second.
 double read_impulse_scale(const Value& value) {
   const double scale = value.positive("metres per newton second");
   const double decade = std::pow(10.0, std::floor(std::log10(scale) + 1e-9));
@@ -64,7 +63,7 @@ double read_impulse_scale(const Value& value) {
   return scale;
 }
 
-/// A view of kind "contact_plane" has no camera, layers or panels of its own.
+/// A view of kind "contact_plane" has no camera, layers or panels.
 View read_contact_plane(const Value& table) {
   View view;
   view.kind = ViewKind::ContactPlane;
@@ -90,14 +89,14 @@ View read_view(const Value& value) {
   if (const auto choices = table.find("choices"))
     choices->fail("'choices' is for a view of kind = \"contact_plane\"; set that kind");
   View view = default_view();
-  view.focus = Focus::Contact;  // who asks for a view wants to see the contact
+  view.focus = Focus::Contact;  // a custom view should show the contact
   table.read("name", view.name, read_view_name);
   table.read("title", view.title, read_title);
   table.read("eye", view.eye, read_position);
   table.read("target", view.target, read_position);
   if (view.eye && view.target) {
     const double extent = std::max(view.eye->norm(), view.target->norm());
-    if ((*view.eye - *view.target).norm() <= 1e-9 * extent)  // no direction survives rounding
+    if ((*view.eye - *view.target).norm() <= 1e-9 * extent)  // rounding leaves no direction
       table.find("eye")->fail(
           "'eye' and 'target' are the same point; move the eye away from the target");
   }

@@ -23,7 +23,7 @@ Words scenario_file::read_words_table(const Value& table,
     if (const std::string mistake = Words::mistake(entry.name(), by); !mistake.empty())
       entry.fail("'" + by + "' cannot replace '" + entry.name() + "': " + mistake);
     words.replace(entry.name(), by);
-    // Pictures have a shape's name in words.
+    // Pictures show a shape's name as words.
     if (std::ranges::find(names, entry.name()) != names.end())
       words.replace(name_in_words(entry.name()), by);
   }

@@ -14,9 +14,9 @@ namespace contactscope::shrink {
 
 struct Expression::Node {
   enum class Kind { Constant, Fact, Operator } kind = Kind::Constant;
-  Value value{};               // of a constant
-  std::string side, quantity;  // of a fact
-  std::string name;            // of an operator: "+", "<", "and", "abs", "angle", "negate"
+  Value value{};               // for a constant
+  std::string side, quantity;  // for a fact
+  std::string name;            // for an operator: "+", "<", "and", "abs", "angle", "negate"
   std::vector<Node> operands{};
 };
 
@@ -44,7 +44,7 @@ bool is_true(const Value& value) {
   return !std::isnan(number) && number != 0;
 }
 
-/// Two texts, or two numbers that are known; anything else has no order.
+/// Compares two texts, or two known numbers; everything else is unordered.
 std::optional<int> order_of(const Value& one, const Value& other) {
   if (one.index() != other.index()) return std::nullopt;
   if (const auto* const text = std::get_if<std::string>(&one))
@@ -90,7 +90,7 @@ class Expression::Parser {
     throw ExpressionError("column " + std::to_string(begin_ + 1) + " of '" + text_ + "': " + what);
   }
 
-  /// Reads the token that begins at `at_`; empty at the end.
+  /// Reads the token that starts at `at_`; empty at the end.
   void next() {
     while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_])) != 0) ++at_;
     begin_ = at_;

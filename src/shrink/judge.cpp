@@ -21,7 +21,7 @@ PairOfTwo with_scalar(PairOfTwo pair, const std::string& scalar) {
   return pair;
 }
 
-/// What is told where a claim is: as the trace of the engine had it, in the frame of a.
+/// The claims of a pair as in the engine's trace, in the frame of a.
 trace::Pair claimed(const PairOfTwo& pair) {
   trace::Pair record;
   record.a = pair.a.name;
@@ -51,7 +51,7 @@ std::string spelled_claims(const PairOfTwo& pair) {
   return text;
 }
 
-/// A scenario that was run once.
+/// The result of running a scenario once.
 struct Run {
   explicit Run(const PairOfTwo& pair, const trace::Stages& stages = trace::Stages::none())
       : scenario(parse_scenario(to_scenario(pair, "", ""), kPath)) {
@@ -95,7 +95,7 @@ double lint_of(const trace::Trace& trace, const std::string& cause) {
   return found;
 }
 
-/// What of a sentence stays the same as numbers are rounded: of counts all, of lengths the words.
+/// The part of a sentence that rounding does not change: all of it for counts, else only words.
 std::string unmet_words(const std::string& sentence) {
   const std::size_t at = sentence.find("expected ");
   std::string words = at == std::string::npos ? sentence : sentence.substr(at);
@@ -122,7 +122,7 @@ std::optional<trace::Pair> Judge::in_double(const PairOfTwo& pair) {
 
 trace::Trace Judge::trace_of(const PairOfTwo& pair) {
   trace::Stages stages = trace::Stages::none();
-  stages.reduction = true;  // whether a point was dropped on purpose
+  stages.reduction = true;  // shows whether a point was dropped on purpose
   trace::Trace trace = Run(pair, stages).trace;
   if (pair.claims) {
     trace.header.engine = "recorded";
@@ -170,7 +170,7 @@ bool Judge::holds(const PairOfTwo& pair) {
     return record.emplace(side, std::move(answer)).first->second;
   };
   try {
-    // Hulls do not become flat ones, which is another kind of pair, unless one was from the start.
+    // Reject new warnings: a hull must not become flat, which is another kind of pair.
     const std::size_t warnings = Run(pair).scenario.warnings.size();
     if (warnings > warnings_.value_or(warnings)) return false;
     const bool holds = expression_.holds([&](const std::string& side, const std::string& quantity) {
@@ -183,7 +183,7 @@ bool Judge::holds(const PairOfTwo& pair) {
     });
     if (holds && !warnings_) warnings_ = warnings;
     return known_[key] = holds;
-  } catch (const InputError&) {  // no scenario
+  } catch (const InputError&) {  // not a valid scenario
     return false;
   } catch (const ShapeError&) {
     return false;

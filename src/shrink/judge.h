@@ -13,28 +13,28 @@
 
 namespace contactscope::shrink {
 
-/// An engine that is asked for contacts: the trace that it answers with.
+/// An engine to query for contacts: returns its trace.
 using Engine = std::function<trace::Trace(const trace::Trace& request)>;
 
-/// Says of a pair whether what is looked for still holds. A pair is judged by the scenario that would be
-/// written of it, so that what holds here holds for the file.
+/// Tests whether a pair still has the property. Runs the scenario that would be written for the
+/// pair, so the result also holds for the file.
 class Judge {
  public:
-  /// `engines`: one for each side of the expression that is none of its own: "", "float", "double", "recorded",
-  /// "lint", "unmet".
+  /// `engines`: one for each side of the expression that is not built in: "", "float", "double",
+  /// "recorded", "lint", "unmet".
   explicit Judge(const Expression& expression, std::map<std::string, Engine> engines = {})
       : expression_(expression), engines_(std::move(engines)) {}
 
-  /// False also of what is no scenario: a hull without a volume, a shape too large.
+  /// Also false for invalid scenarios: a hull without volume, a shape that is too large.
   bool holds(const PairOfTwo& pair);
-  /// From here on `unmet` is what the expectations of this pair are not met by, and nothing else: a pair that
-  /// was expected to have four points and has two does not become one that has none.
+  /// From now on `unmet` means the unmet expectations of this pair and no others: a pair with two
+  /// instead of four points must not become one with none.
   void remember_unmet(const PairOfTwo& pair);
   int requested() const { return queries_; }
 
-  /// What the pipeline in double says: what is expected where nobody wrote it. Empty where it is no scenario.
+  /// Result of the pipeline in double, the default expectation. Empty if the scenario is invalid.
   static std::optional<trace::Pair> in_double(const PairOfTwo& pair);
-  /// The pair as a trace of one frame, with its claims where it has any.
+  /// The pair as a trace of one frame, with its claims if it has any.
   static trace::Trace trace_of(const PairOfTwo& pair);
 
  private:
@@ -42,7 +42,7 @@ class Judge {
   std::map<std::string, Engine> engines_;
   std::unordered_map<std::string, bool> known_;
   std::optional<std::vector<std::string>> unmet_;
-  std::optional<std::size_t> warnings_;  // of the first pair for which it held
+  std::optional<std::size_t> warnings_;  // of the first pair with the property
   int queries_ = 0;
 };
 

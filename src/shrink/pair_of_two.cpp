@@ -19,7 +19,7 @@ Quatd rotation_of(const Turn& turn) {
   return Quatd(Eigen::AngleAxisd(n[3] * std::numbers::pi / 180, axis.normalized()));
 }
 
-/// Digits of a number without sign, point and zeros that only say how large it is.
+/// Significant digits of a number, without trailing zeros.
 int digits_of(double number) {
   std::string text = spell(std::abs(number));
   int digits = 0;
@@ -90,14 +90,14 @@ void add_shape(const SmallShape& shape, std::string& text) {
         "{ axis = " + spell(Vec3d(n[0], n[1], n[2])) + ", degrees = " + spell(n[3]) + " }");
 }
 
-/// Braces of a title stand for facts.
+/// Doubles braces, which mark placeholders in titles.
 std::string without_facts(const std::string& title) {
   std::string text;
   for (const char c : title) {
     text += c;
     if (c == '{' || c == '}') text += c;
   }
-  // A bar between blanks parts alternatives.
+  // A bar between spaces separates alternatives.
   for (std::size_t at = text.find(" | "); at != std::string::npos; at = text.find(" | "))
     text.replace(at, 3, " or ");
   return text;
@@ -120,7 +120,7 @@ std::string spell(double number) {
   std::array<char, 32> text;
   const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), number);
   std::string spelled(text.data(), end);
-  // An integer of TOML has 64 bits, and no exponent.
+  // TOML integers have 64 bits and no exponent.
   if (std::abs(number) >= 1e18 && spelled.find_first_of(".e") == std::string::npos) spelled += ".0";
   return spelled;
 }

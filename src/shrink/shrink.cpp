@@ -12,7 +12,7 @@
 namespace contactscope::shrink {
 namespace {
 
-/// Rounded to so many significant digits.
+/// Rounded to this many significant digits.
 double rounded(double number, int digits) {
   char text[40];
   std::snprintf(text, sizeof text, "%.*e", digits - 1, number);
@@ -47,7 +47,7 @@ class Shrinker {
   }
 
  private:
-  /// What gets smaller, in the order of what counts.
+  /// The sizes to minimise, the most important one first.
   static std::tuple<int, int, int, int> measure(const PairOfTwo& pair) {
     int claims = 0, triangles = 0;
     if (pair.claims)
@@ -64,7 +64,7 @@ class Shrinker {
     return true;
   }
 
-  /// ddmin over `count` parts: without(pair, first, last) leaves out some of them.
+  /// ddmin over `count` parts; without(pair, first, last) removes a range of them.
   template <class Count, class Without>
   void leave_out(const Count& count, const Without& without) {
     for (int size = std::max(1, count() / 2);; size /= 2) {
@@ -77,7 +77,7 @@ class Shrinker {
     }
   }
 
-  /// The vertices that no triangle has.
+  /// Removes vertices without a triangle.
   static void drop_unused(SmallShape& mesh) {
     std::vector<int> place(mesh.vertices.size(), -1);
     std::vector<Vec3d> used;
@@ -110,7 +110,7 @@ class Shrinker {
     }
   }
 
-  /// A capsule as the ball about one of its ends.
+  /// Replaces a capsule by a ball at one of its ends.
   void try_without_volume(SmallShape PairOfTwo::*side) {
     for (std::size_t end = 0; end < 2 && (best_.*side).kind == SmallShape::Kind::Capsule; ++end) {
       PairOfTwo tried = best_;
@@ -122,7 +122,7 @@ class Shrinker {
     }
   }
 
-  /// A box as the hull of its corners, which may do with fewer.
+  /// Replaces a box by the hull of its corners, which may need fewer.
   void try_as_hull(SmallShape PairOfTwo::*side) {
     if ((best_.*side).kind != SmallShape::Kind::Box) return;
     const PairOfTwo box = best_;
@@ -163,7 +163,7 @@ class Shrinker {
   static Turn turn_of(const Quatd& rotation) {
     const Eigen::AngleAxisd turn(rotation);
     if (turn.angle() == 0) return {};
-    // The largest part of the axis is 1, so that axes that are simple look so.
+    // The largest component is 1, so that simple axes look simple.
     const Vec3d axis = turn.axis() / turn.axis().lpNorm<Eigen::Infinity>();
     return {Turn::Form::AxisDegrees,
             {axis.x(), axis.y(), axis.z(), turn.angle() * 180 / std::numbers::pi}};
@@ -195,7 +195,7 @@ class Shrinker {
       if ((best_.*side).turn.form == Turn::Form::Quaternion)
         attempt_with(
             [&](PairOfTwo& pair) { (pair.*side).turn = turn_of((pair.*side).pose().rotation); });
-      // What is not turned may stand anywhere: its vertices begin at its place.
+      // Without rotation the position can move into the vertices.
       const SmallShape& shape = best_.*side;
       if (shape.turn.form == Turn::Form::None && !shape.vertices.empty())
         attempt_with([&](PairOfTwo& pair) {

@@ -9,20 +9,20 @@ namespace contactscope::shrink {
 
 struct Shrunk {
   PairOfTwo pair;
-  int tried = 0;  // pairs that were judged
+  int tried = 0;  // number of pairs tested
 };
 
-/// The smallest pair that can be had of one for which the judge says that it holds. Zeller and Hildebrandt 2002,
-/// "Simplifying and Isolating Failure-Inducing Input", ddmin: parts are left out, halves first and then ever
-/// smaller ones, as long as what is looked for stays. Here in this order, until a whole round finds nothing:
+/// Finds a minimal pair that keeps the property tested by the judge. Zeller and Hildebrandt 2002,
+/// "Simplifying and Isolating Failure-Inducing Input", ddmin: remove parts, first halves and then
+/// smaller ones, while the property holds. Steps, repeated until a round changes nothing:
 ///
-/// 1. vertices of hulls, triangles of meshes, claimed points; a box becomes a hull where that has fewer;
+/// 1. vertices of hulls, triangles of meshes, claimed points; boxes become hulls if that has fewer;
 /// 2. keys of the pipeline;
-/// 3. places: a at the origin and not turned, b not turned;
-/// 4. numbers: to one digit, two, ... all at once, then each by itself.
+/// 3. poses: a at the origin without rotation, b without rotation;
+/// 4. numbers: to one digit, two, ... all at once, then individually.
 ///
-/// Every step that is kept has fewer vertices, or as many and fewer claims, keys or digits, so that it ends; nothing
-/// is random, and the same pair gives the same result. `progress` is called after each step that was kept.
+/// Terminates because every accepted step has fewer vertices, or as many and fewer claims, keys or
+/// digits. Deterministic: no randomness. `progress` is called after each accepted step.
 Shrunk shrink(const PairOfTwo& start, Judge& judge,
               const std::function<void(const PairOfTwo&)>& progress = {});
 

@@ -9,7 +9,7 @@
 namespace contactscope::shrink {
 namespace {
 
-/// As keys of TOML are written without quotes.
+/// Converts a name to an unquoted TOML key.
 std::string plain_name(const std::string& name) {
   std::string plain;
   for (const char c : name)
@@ -17,7 +17,7 @@ std::string plain_name(const std::string& name) {
   return plain.empty() ? "shape" : plain;
 }
 
-/// The half extents of a box about its own origin; empty of others.
+/// The half extents of a box centred at its origin; empty for others.
 std::optional<Vec3d> half_extents_of(const trace::Shape& shape) {
   if (shape.type != "box" || shape.vertices.size() != 8) return std::nullopt;
   const Vec3d half = shape.vertices.front().cwiseAbs();
@@ -70,7 +70,7 @@ std::optional<SmallShape> small_shape(const trace::Header& header, const trace::
   return shape;
 }
 
-/// The keys of [pipeline] that are not as they are by themselves.
+/// The keys of [pipeline] that differ from the defaults.
 std::vector<Setting> settings_of(const PipelineSettings& settings) {
   const PipelineSettings usual;
   std::vector<Setting> keys;
@@ -109,7 +109,7 @@ bool is_dynamic(const Scenario& scenario, const std::string& name) {
   return found != scenario.shapes.end() && found->dynamic();
 }
 
-/// What is expected of contacts and answers of the pair in the frame; several entries become one.
+/// Expected contacts and answers of the pair in the frame; several entries are merged.
 std::vector<Setting> expectation_of(const Scenario& scenario, const trace::Frame& frame,
                                     const trace::Pair& pair) {
   std::vector<Setting> keys;

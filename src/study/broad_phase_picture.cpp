@@ -10,8 +10,8 @@ using namespace record;
 
 constexpr const char* kPanel = "Made from nothing in each step";
 
-/// How long each takes for the most boxes that any is given, the fastest first. Names of lines that reach them
-/// have it too.
+/// Time of each method for the largest number of boxes, the fastest first. Added to the names of
+/// lines that reach it.
 std::string result_of(const trace::Study& measured, trace::Study& study) {
   const trace::StudySeries& columns = series_of(measured, "columns", "from nothing");
   const trace::StudyPoint& most = columns.points.back();
@@ -25,7 +25,7 @@ std::string result_of(const trace::Study& measured, trace::Study& study) {
   for (trace::StudySeries& series : study.series)
     if (!series.points.empty() && series.points.back().parameter == most.parameter)
       series.method += ": " + duration(series.points.back().nanoseconds.median);
-  // Why other lines end before.
+  // Explain why other lines end earlier.
   std::vector<std::string> slow;
   double given = 0;
   for (const trace::StudySeries& series : study.series)
@@ -41,7 +41,7 @@ std::string result_of(const trace::Study& measured, trace::Study& study) {
 
 trace::Study picture_broad_phase(const trace::Study& measured) {
   trace::Study study = measured;
-  keep_panels(study, {{"from nothing", kPanel}});  // tables have the other scenes
+  keep_panels(study, {{"from nothing", kPanel}});  // tables contain the other scenes
   for (trace::StudySeries& series : study.series) {
     std::ranges::replace(series.method, '_', ' ');
     if (series.method == "sweep and prune") series.method = "sweep & prune";

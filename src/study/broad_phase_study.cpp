@@ -14,15 +14,15 @@ namespace {
 constexpr int kNumbersOfBoxes[] = {100, 1000, 10'000, 100'000, 1'000'000};
 constexpr int kSteps = 6;
 
-/// How the boxes of a scene are spread.
+/// Distribution of a scene's boxes.
 enum class Spread { Uniform, Clustered };
 
-/// What happens between two steps.
+/// Change between two steps.
 enum class Change {
-  Again,     // nothing is kept: the finder is made again
+  Again,     // random boxes and a new finder: no state is kept
   All,       // every box moves by 1 % of its sides
-  Tenth,     // every tenth box does
-  Teleport,  // every tenth box goes anywhere
+  Tenth,     // every tenth box moves so
+  Teleport,  // every tenth box jumps to a random position
 };
 
 struct BoxScene {
@@ -44,11 +44,11 @@ Vec3<float> random_vector(std::mt19937_64& engine, double low, double high) {
   return Vec3d(x, y, uniform(engine, low, high)).cast<float>();
 }
 
-/// Sides of half a metre to a metre about centres in a cube, so that each box meets about seven
-/// others; or clustered about five places, with sizes over three decades, so that it meets as many.
+/// Sides of half a metre to a metre, centres in a cube, so that each box meets about seven others;
+/// or clusters at five centres, sizes over three decades, for as many overlaps.
 struct BoxMaker {
   Spread spread;
-  double side;  // of the cube, metres
+  double side;  // side of the cube, metres
 
   BoxMaker(Spread how, int count)
       : spread(how), side(std::cbrt((how == Spread::Uniform ? 0.48 : 1600.0) * count)) {}
@@ -66,13 +66,13 @@ struct BoxMaker {
   }
 };
 
-/// A scene with so many boxes, step by step.
+/// A scene with a number of boxes, step by step.
 struct MovingBoxes {
   const BoxScene& scene;
   BoxMaker make;
   std::mt19937_64 engine;
   std::vector<Aabb<float>> boxes{};
-  std::vector<int> moved{};  // since the step before
+  std::vector<int> moved{};  // since the previous step
   int step = 0;
 
   MovingBoxes(const BoxScene& of, int count, std::uint64_t seed)
@@ -128,16 +128,15 @@ int most_boxes(const PairFinderInfo& info, const BoxScene& scene) {
   return scene.spread == Spread::Uniform ? info.most_boxes : info.most_of_mixed_sizes;
 }
 
-/// One finder on one scene.
 struct EngineRun {
   const PairFinderInfo& info;
   std::unique_ptr<PairFinder> finder{};
   std::vector<BoxPair> found{};
   PassTimes times{};
-  Errors memory{}, comparisons{};  // a box
+  Errors memory{}, comparisons{};  // per box
   int failed = 0, of = 0;
 
-  /// The finder's pairs, ascending. Where `judged`, what they took counts.
+  /// The finder's pairs, ascending. Records their cost if `judged`.
   const std::vector<BoxPair>& run(const MovingBoxes& now, bool judged) {
     if (!finder || now.scene.change == Change::Again) finder = info.make();
     const std::int64_t before = finder->comparisons();
@@ -161,8 +160,8 @@ struct EngineRun {
     return found;
   }
 
-  /// What the steps came to, by the order of the study's measures. What another library does not tell
-  /// is 0, and no point.
+  /// Results of all steps, in the order of the study's measures. 0 marks values that another
+  /// library does not report; they give no point.
   std::vector<trace::StudyPoint> points(int boxes) const {
     constexpr double kMilliseconds = 1e-6;
     const trace::Nanoseconds spent = times.summary();
@@ -229,7 +228,7 @@ std::vector<trace::Study> study_pair_finders(const std::vector<PairFinderInfo>& 
         judge->find(all);
         for (EngineRun& engine_run : engine_runs) {
           if (count > most_boxes(engine_run.info, scene)) continue;
-          // The first step is no step from one to the next.
+          // The first step has no step before it.
           const bool has_all = std::ranges::includes(engine_run.run(now, step > 0), all);
           if (!has_all && step > 0) ++engine_run.failed;
         }
@@ -245,10 +244,10 @@ std::vector<trace::Study> study_pair_finders(const std::vector<PairFinderInfo>& 
   return results;
 }
 
-/// Broad phases over the number of boxes: the time of a step, bytes and comparisons a box, in five
-/// scenes. Every step starts where all pairs of the step before are known, but for the scenes in which
-/// all is made from nothing in each. A step has failed where a pair was missed that columns find; that
-/// these find what brute force does, tests say.
+/// Broad phases over the number of boxes: time of a step, and bytes and comparisons per box, in
+/// five scenes. Every step starts with the pairs of the previous step, except in scenes that start
+/// from scratch each time. A step fails if it misses a pair that columns find; tests compare
+/// columns with brute force.
 std::vector<trace::Study> study_broad_phase(const StudyOptions& options,
                                             const StudyProgress& progress) {
   return study_pair_finders(own_pair_finders(), kNumbersOfBoxes, options, progress);

@@ -10,7 +10,7 @@ using namespace record;
 
 constexpr const char* kByCells = "by cells";
 constexpr double kUsualCells = 64;
-constexpr double kMicrometres = 1e6;  // of a metre
+constexpr double kMicrometres = 1e6;  // per metre
 const std::vector<Named> kFields = {
     {"trilinear", "trilinear"},
     {"cubic", "cubic"},
@@ -18,7 +18,7 @@ const std::vector<Named> kFields = {
     {"cubic with exact cells where needed", "cubic, some cells exact"},
     {"cubic with exact cells", "cubic, exact cells"}};
 
-/// With that of another library, where it took part.
+/// Includes another library if it took part.
 std::vector<Named> all_fields(const trace::Study& study) {
   std::vector<Named> named = kFields;
   for (const trace::StudySeries& series : study.series) {
@@ -32,7 +32,7 @@ std::vector<Named> all_fields(const trace::Study& study) {
   return named;
 }
 
-/// By the name that it has in pictures.
+/// By its name in pictures.
 bool is_peer(const std::string& field) {
   return std::ranges::find(kFields, field, &Named::second) == kFields.end();
 }
@@ -45,7 +45,7 @@ void show_cells_alone(trace::Study& study) {
 trace::Study picture_errors(const trace::Study& measured) {
   trace::Study study = measured;
   std::vector<Named> named = all_fields(measured);
-  // Tables have the others, which are between these.
+  // Tables contain the others, which lie between these.
   std::erase_if(named, [](const Named& field) {
     return field.second == "trilinear, exact cells" || field.second == "cubic, some cells exact";
   });
@@ -63,11 +63,11 @@ trace::Study picture_errors(const trace::Study& measured) {
       point.error_worst.reset();
       if (is_length && point.error) *point.error *= kMicrometres;
     }
-    // One size, so that a field is one marker: tables have the others, and the worst.
+    // One size, so that a field is one marker; tables contain the others and the worst.
     std::erase_if(series.points, [](const auto& point) { return point.parameter != kUsualCells; });
   }
   show_least_times(study);
-  // "..., by band in its box": what other panels are of.
+  // "..., by band in its box" describes other panels.
   const std::size_t begin = study.reference.find(", by band"),
                     seed = study.reference.rfind(", seed");
   if (begin != std::string::npos && seed != std::string::npos && begin < seed)
@@ -90,7 +90,7 @@ trace::Study picture_errors(const trace::Study& measured) {
       return ratio(other.nanoseconds.min, base.nanoseconds.min);
     };
     const trace::StudyPoint &cubic = at_usual("cubic"), &exact = at_usual("cubic with exact cells");
-    // The name is in the mark.
+    // The mark contains the name.
     const auto compare = [&](const std::string& name, const trace::StudyPoint& other) {
       mark(study, name, "", kUsualCells,
            name + ": " + next_to(other) + " as close as trilinear, " + slower(other) + " the time");
@@ -109,7 +109,7 @@ trace::Study picture_build(const trace::Study& measured) {
   trace::Study study = measured;
   keep_methods(study, all_fields(measured));
   show_cells_alone(study);
-  // "all triangles in long double, 2000 points within 2 cm of a wavy ball, by band": what was built.
+  // "all triangles in long double, 2000 points within 2 cm of a wavy ball, by band": the mesh.
   const std::size_t begin = study.reference.find(" of a "), end = study.reference.find(", by band");
   const bool is_named = begin != std::string::npos && end != std::string::npos && begin < end;
   study.shown =
@@ -131,7 +131,7 @@ trace::Study picture_build(const trace::Study& measured) {
       else if (time > slowest)
         slowest = time, slow_name = series.method;
     }
-    // The other kinds take less: tables have them, but that which is of the peer's kind.
+    // Other kinds are faster, so only tables contain them, except the peer's kind.
     std::erase_if(study.series, [&](const trace::StudySeries& series) {
       return !is_peer(series.method) && series.method != slow_name &&
              series.method != kFields.front().second;
@@ -139,7 +139,7 @@ trace::Study picture_build(const trace::Study& measured) {
     for (trace::StudySeries& series : study.series) {
       series.method += ": " + duration(1e6 * error_at(series, most));
     }
-    study.reference.clear();  // that of errors
+    study.reference.clear();  // it describes errors
     const std::string field = "field of " + number(most, 3) + " cells";
     if (peer == 0) return "A " + field + " takes up to " + duration(slowest) + " to build";
     return "OpenVDB takes " + duration(peer) + " to build a " + field +
@@ -148,7 +148,7 @@ trace::Study picture_build(const trace::Study& measured) {
   return study;
 }
 
-/// At each parameter the worst of a method in all of its panels.
+/// The worst result of a method over all its panels, at each parameter.
 trace::StudySeries worst_of_panels(const trace::Study& study, const std::string& method) {
   trace::StudySeries worst;
   for (const trace::StudySeries& series : study.series) {

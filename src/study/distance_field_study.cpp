@@ -25,17 +25,17 @@ constexpr double kByTheSurface = 0.02;  // metres
 constexpr int kFieldCells[] = {16, 32, 64, 128};
 constexpr int kBands[] = {1, 2, 4, 8, 16};
 constexpr int kBandCells = 64;
-constexpr int kPeerBand = 3;  // cells on each side, as other libraries have it
+constexpr int kPeerBand = 3;  // cells on each side, as in other libraries
 
-constexpr double kPokes[] = {0.01, 0.1, 1};        // cells that a sphere goes into a box
-constexpr double kSpacings[] = {0.5, 1, 2, 4, 8};  // cells between points
+constexpr double kPokes[] = {0.01, 0.1, 1};        // depth of a sphere in a box, in cells
+constexpr double kSpacings[] = {0.5, 1, 2, 4, 8};  // distance between points, in cells
 constexpr int kSphereCells = 32;
 constexpr int kPokeCases = 1000;
 
 constexpr double kThicknesses[] = {0.125, 0.25, 0.5, 0.75, 1, 1.5};  // cells
 constexpr int kPlateCells = 16;
-constexpr int kPlates = 40;        // of each thickness, at random heights
-constexpr int kPlatePlaces = 200;  // of each plate
+constexpr int kPlates = 40;        // per thickness, at random heights
+constexpr int kPlatePlaces = 200;  // per plate
 
 struct FieldMethod {
   const char* name;
@@ -44,7 +44,7 @@ struct FieldMethod {
   double smooth = 0;
 
   FieldSettings settings() const {
-    // Times are of one thread.
+    // Measure a single thread.
     return {.interpolation = interpolation, .exact = exact, .smooth = smooth, .threads = 1};
   }
 };
@@ -87,7 +87,7 @@ Measurement judge_field(const Mesh<double>& mesh, const std::vector<TruePoint>& 
   return measured;
 }
 
-/// No farther from the surface than kByTheSurface: where contacts ask.
+/// Points at most kByTheSurface from the surface, where contacts query.
 std::vector<Vec3d> places_by_surface(std::mt19937_64& engine, const Mesh<double>& mesh, int count) {
   std::vector<Vec3d> places;
   for (int i = 0; i < count; ++i) {
@@ -121,7 +121,7 @@ std::vector<TruePoint> truths_at(const Mesh<double>& mesh, const std::vector<Vec
   return points;
 }
 
-/// OpenVDB, where its program is found: by cells alone, for beyond its band it holds no distances.
+/// OpenVDB, if its program is found; only by cells, since it has no distances beyond its band.
 void add_field_peer(const StudyOptions& options, const Mesh<double>& mesh,
                     const std::vector<TruePoint>& points, int repetitions,
                     std::vector<trace::Study>& results) {
@@ -193,16 +193,16 @@ std::vector<trace::Study> study_field_errors(const StudyOptions& options, const 
              });
     step(std::string("band, ") + method.name);
   }
-  // One field has one size.
+  // A field has a single size.
   for (std::size_t m = 2; m < results.size(); ++m)
     for (trace::StudySeries& series : results[m].series)
       for (trace::StudyPoint& point : series.points) point.of = 1;
   return results;
 }
 
-/// A cube of 1 m by its corners and by two triangles a face, in the frame of the sphere that goes
-/// `depth` metres into it, 0.5 m in radius. How deep is known from how they are made: the way back along
-/// which the sphere came is from the nearest point of the cube.
+/// A cube of 1 m by its corners and by two triangles per face, in the frame of a sphere of radius
+/// 0.5 m that is `depth` metres inside it. The depth is exact by construction: the sphere moves in
+/// along the line from the cube's nearest point.
 std::vector<FieldPiece> cube_poked(std::mt19937_64& engine, double depth) {
   const Vec3d from = uniform_rotation(engine) * Vec3d(uniform(engine, 1, 3), 0, 0);
   const Vec3d nearest = from.cwiseMax(-0.5).cwiseMin(0.5);
@@ -262,7 +262,7 @@ void add_missed(const StudyOptions& options, trace::Study& result, const StudySt
   result = std::move(results.front());
 }
 
-/// A wall with a plate, `thickness` metres, whose middle is `height` metres over the wall's.
+/// A wall with a plate, `thickness` metres, whose centre is `height` metres above the wall's.
 Mesh<double> wall_with_plate(double thickness, double height) {
   const double low = height - thickness / 2, high = height + thickness / 2;
   const std::array<Vec3d, 8> outline{{{-0.5, -0.5, 0},
@@ -321,10 +321,10 @@ void add_plates(const StudyOptions& options, trace::Study& result, const StudySt
 
 }  // namespace
 
-/// Signed distance fields. "distance" and "normal": error against the time of a query, by cells near
-/// the surface, and everywhere by the width of the narrow band; "memory" and "build": what that takes. "missed": the share of
-/// overlaps of a sphere's field with a cube that a search finds no point in, by the distance of the points
-/// that it looks at. "plate": the share of places in the middle of a thin plate that a field calls outside.
+/// Signed distance fields. "distance" and "normal": error against query time, near the surface by
+/// the number of cells, and everywhere by the width of the narrow band. "memory" and "build": their
+/// cost. "missed": share of overlaps of a sphere's field with a cube that a search misses, by its
+/// point spacing. "plate": share of points inside a thin plate that a field reports as outside.
 std::vector<trace::Study> study_distance_field(const StudyOptions& options,
                                                const StudyProgress& progress) {
   const StudyStep step = counted(progress, 10 + 3 + 5);

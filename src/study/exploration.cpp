@@ -16,15 +16,15 @@
 namespace contactscope {
 namespace {
 
-/// Names of both shapes, the label, the triangle of a mesh or -1, and how many manifolds of these stand before it.
+/// Both shapes, the label, the mesh triangle or -1, and the number of earlier manifolds of these.
 using ManifoldName = std::tuple<std::string, std::string, std::string, int, int>;
 
-/// The scenario without reduction, each pair of shapes once for each setting but the reducer. What
-/// then stands for several pairs goes by no label of one of them, unless it needs one.
+/// The scenario without reduction; pairs that differ only in the reducer are merged. A merged pair
+/// loses its label unless other pairs have the same shapes.
 Scenario unreduced(const Scenario& scenario) {
   Scenario result = scenario;
   result.pairs.clear();
-  result.pipeline.reducer = "none";  // of patches
+  result.pipeline.reducer = "none";  // for patches
   const auto same_shapes = [](const ScenarioPair& pair) {
     return [&](const ScenarioPair& other) { return other.a == pair.a && other.b == pair.b; };
   };
@@ -43,12 +43,12 @@ Scenario unreduced(const Scenario& scenario) {
   return result;
 }
 
-/// How far any surface point of a shape moved between two poses, in metres, of those looked at: its
-/// vertices and, as a plane has none and a sphere's is its centre, what it has now at `contacts`
-/// (world). Exactly 0 where the pose is the same.
+/// Largest movement of a shape's surface between two poses, in metres: of its vertices and, since a
+/// plane has none and a sphere only its centre, of its current points at `contacts` (world).
+/// Exactly 0 for equal poses.
 double surface_move(const trace::Shape& shape, const Pose<double>& before, const Pose<double>& now,
                     const std::vector<trace::Point>& contacts) {
-  // There and back through the local frame would leave rounding.
+  // Transforming to the local frame and back would add rounding.
   if (before.position == now.position && before.rotation.coeffs() == now.rotation.coeffs())
     return 0;
   double most = 0;
@@ -61,8 +61,8 @@ double surface_move(const trace::Shape& shape, const Pose<double>& before, const
   return most;
 }
 
-/// A weight goes straight down, whichever way the contact leans, and rests on what is kept of all
-/// the pair's manifolds together: a triangle of a floor alone holds few boxes.
+/// The weight acts straight down, whatever the normal, and is supported by the kept points of all
+/// manifolds of the pair together: a single floor triangle supports few boxes.
 void find_supported(const Vec3d& up, const Vec3d& load, std::span<trace::Exploration> manifolds) {
   std::vector<ContactPoint<double>> points;
   for (const trace::Exploration& manifold : manifolds) {
@@ -82,8 +82,8 @@ void find_supported(const Vec3d& up, const Vec3d& load, std::span<trace::Explora
   }
 }
 
-/// Explorations of frame after frame, whose manifolds have all points. Manifolds that bear one name follow each other;
-/// those of different names are explored at once, when all frames are there.
+/// Explorations of consecutive frames, whose manifolds have all points. Manifolds with the same
+/// name are explored in order, different names in parallel once all frames are there.
 template <class S>
 class Explorations {
  public:
@@ -95,13 +95,13 @@ class Explorations {
       if (info.name != "none") names_.push_back(info.name);
   }
 
-  /// `max_points(i)`: of pair i of the frame.
+  /// `max_points(i)`: limit for pair i of the frame.
   template <class MaxPoints>
   void add(const trace::Frame& frame, const MaxPoints& max_points) {
     for (int i = 0; i < count_of(frame.pairs); ++i) {
       const trace::Pair& pair = at(frame.pairs, i);
       const std::size_t first = result_.size();
-      std::map<int, int> places;  // of the next manifold of a triangle
+      std::map<int, int> places;  // index of the next manifold on a triangle
       for (const trace::Manifold& manifold : pair.manifolds)
         if (!manifold.points.empty())
           add_manifold(frame, pair, manifold, places[manifold.triangle.value_or(-1)]++,
@@ -109,7 +109,7 @@ class Explorations {
       if (result_.size() == first) continue;
       Resting& resting = resting_.emplace_back(first, result_.size() - first);
       if (!knows(pair.a) || !knows(pair.b)) continue;  // a patch without bodies bears no weight
-      // The body that is higher up rests on the other one.
+      // The higher body rests on the other one.
       const Vec3d up = header_.up == "z" ? Vec3d::UnitZ() : Vec3d::UnitY();
       const Vec3d a = center(frame, pair.a), b = center(frame, pair.b);
       resting.load = a.dot(up) > b.dot(up) ? a : b;
@@ -147,12 +147,12 @@ class Explorations {
   }
 
  private:
-  /// The manifolds of one name: places in the result.
+  /// The manifolds with one name, as indices into the result.
   struct Line {
     Explorer<S> explorer;
     std::vector<std::size_t> places{};
   };
-  /// The manifolds of a pair in a frame, and the centre of mass of what rests on them, where that is known.
+  /// The manifolds of a pair in a frame, and the centre of mass of the upper body, if known.
   struct Resting {
     std::size_t first, count;
     std::optional<Vec3d> load{};
@@ -228,13 +228,13 @@ std::vector<trace::Exploration> explore_in(const Scenario& scenario, int last_fr
   return explorations.explored();
 }
 
-/// An engine that keeps points from frames before may tell one contact as several manifolds, each with the normal of its
-/// frame (Bullet): those whose normals differ by less than this are reduced together.
+/// Engines that keep points may report one contact as several manifolds, each with its frame's
+/// normal (Bullet). Manifolds whose normals differ by less than this are merged.
 constexpr double kSameNormal = 0.996;  // cosine of 5 degrees
 
 std::vector<trace::Manifold> joined(const std::vector<trace::Manifold>& manifolds) {
   std::vector<trace::Manifold> all;
-  std::vector<Vec3d> sums;  // of normals, one a point
+  std::vector<Vec3d> sums;  // of normals, one per point
   for (const trace::Manifold& manifold : manifolds) {
     const Vec3d weight = static_cast<double>(manifold.points.size()) * manifold.normal;
     const auto same = std::ranges::find_if(all, [&](const trace::Manifold& other) {

@@ -19,7 +19,7 @@ namespace explorer_detail {
 
 using Points = std::vector<trace::Point>;
 
-/// How many ids came or went.
+/// Number of ids that appeared or disappeared.
 inline int changed(const Points& before, const Points& now) {
   const auto missing = [](const Points& from, const Points& in) {
     return std::ranges::count_if(from, [&](const trace::Point& point) {
@@ -29,7 +29,7 @@ inline int changed(const Points& before, const Points& now) {
   return static_cast<int>(missing(before, now) + missing(now, before));
 }
 
-/// The largest way of a point of `some` to where `others` have its id, or else to the nearest.
+/// The largest distance of a point of `some` to the one with its id in `others`, or the nearest.
 inline double largest_distance(const Points& some, const Points& others) {
   double most = 0;
   for (const trace::Point& place : some) {
@@ -49,12 +49,11 @@ inline Vec3d middle_of(const Points& places) {
   return sum / static_cast<double>(places.size());
 }
 
-/// How far a manifold moved from one frame to the next, in metres: the largest move of any of its
-/// points, or of their middle if that is more. A point that bears the same id in both moves between
-/// its two places; one that came is as far as the nearest place before, one that went as the
-/// nearest place after. So four points that give way to four others about the same middle have
-/// moved, and an id that is spelled anew at the same place has not. 0 where either frame has no
-/// points.
+/// Movement of a manifold between two frames, in metres: the largest movement of a point, or of the
+/// centroid if that is larger. Points with the same id move between their two positions. A new
+/// point moves from the nearest earlier position, a removed one to the nearest later one. So
+/// replacing four points by four others with the same centroid counts as movement, and renaming an
+/// id in place does not. 0 if either frame has no points.
 inline double patch_move(const Points& before, const Points& now) {
   if (before.empty() || now.empty()) return 0;
   return std::max({largest_distance(before, now), largest_distance(now, before),
@@ -63,22 +62,22 @@ inline double patch_move(const Points& before, const Points& now) {
 
 }  // namespace explorer_detail
 
-/// Answers for the manifolds of one pair, or of one triangle of a mesh, frame after frame.
+/// Results for the manifolds of one pair, or of one triangle of a mesh, frame by frame.
 template <class S>
 class Explorer {
   using Points = explorer_detail::Points;
 
  public:
-  /// Of each reducer what it kept in the frame before.
+  /// For each reducer, the ids that it kept in the previous frame.
   using Memory = std::vector<std::vector<FeatureId>>;
 
   Explorer(const std::vector<std::string>& names, int max_points)
       : names_(names), reducers_(mapped(names, find_reducer)), max_points_(max_points) {}
 
-  /// All but whether the centre of mass is supported, which takes all manifolds of a pair, and times. What the
-  /// reducers were given of the frame before.
+  /// Computes all except times and the support of the centre of mass, which needs all manifolds of
+  /// the pair. Returns what the reducers got from the previous frame.
   Memory answer(trace::Exploration& result) {
-    // What was kept is forgotten after a frame in which the shapes did not touch.
+    // Kept points are dropped after a frame without contact.
     if (result.frame != last_frame_ + 1) memories_.assign(names_.size(), {});
     last_frame_ = result.frame;
     std::vector<ContactPoint<double>> exact;
@@ -91,7 +90,7 @@ class Explorer {
 
     for (std::size_t i = 0; i < names_.size(); ++i) {
       const KeptIndices kept = run(reducers_[i], input, previous[i]);
-      // `none` keeps more than max_points: it is measured against itself.
+      // `none` keeps more than max_points: compare it with itself.
       trace::ReducerAnswer& answer = result.reducers.emplace_back(
           measure_reduction(exact, result.normal, {kept.begin(), kept.size()},
                             std::max(max_points_, count_of(kept))));
@@ -139,7 +138,7 @@ class Explorer {
     Vec3<S> normal;
   };
 
-  /// Exact: the trace holds what was computed in S.
+  /// Exact: the trace contains values computed in S.
   Input input_of(const trace::Exploration& manifold) {
     return {mapped(manifold.points,
                    [&](const trace::Point& point) {
@@ -156,7 +155,7 @@ class Explorer {
     return reduce<S>(reducer, input.points, input.normal, options);
   }
 
-  /// Ids of the trace as ids that a reducer can compare: any spelling has its own, in all frames.
+  /// Converts ids of the trace to comparable ids: each spelling gets its own, for all frames.
   FeatureId id_of(const std::string& spelled) {
     const auto number = static_cast<std::uint32_t>(ids_.size());
     const std::uint32_t edge = ids_.emplace(spelled, number).first->second;
@@ -165,7 +164,7 @@ class Explorer {
 
   const std::vector<std::string>& names_;
   std::vector<const ReducerInfo*> reducers_;
-  std::vector<Points> memories_;  // what each kept in the last frame
+  std::vector<Points> memories_;  // points that each reducer kept in the previous frame
   int max_points_;
   int last_frame_ = -2;
   std::map<std::string, std::uint32_t> ids_;

@@ -16,7 +16,7 @@ std::string change_of(const trace::Study& study, double smallest) {
 
 }  // namespace
 
-/// The title tells the smallest of all, and that point is marked.
+/// The title contains the smallest change of all, and its point is marked.
 trace::Study picture_flip_distance(const trace::Study& measured) {
   trace::Study study = measured;
   trace::StudySeries* pair = nullptr;

@@ -12,17 +12,16 @@ namespace {
 
 constexpr int kDirections = 32;
 
-/// "crate-floor, by one face": a pair and its label.
 std::string name_of(const trace::Pair& pair) {
   return pair.a + "-" + pair.b + (pair.label.empty() ? "" : " (" + pair.label + ")");
 }
 
 }  // namespace
 
-/// How far each manifold of a scenario is from having other points, see manifold/flip_distance.h: metres and radians
-/// of the second shape's pose, and steps of the last place. A line a pair, a panel a scenario; frames in which
-/// nothing changes it within a hundredth of the smaller shape count as failed, and have no number. Each frame by itself:
-/// without caches and without what a reducer kept before.
+/// Smallest change after which each manifold of a scenario has other points, see
+/// manifold/flip_distance.h: metres and radians of the second shape's pose, and steps of the last
+/// place. One line per pair, one panel per scenario. Frames without such a change within 1/100 of
+/// the smaller shape count as failed, without a value. Frames share no caches or kept points.
 std::vector<trace::Study> study_flip_distance(const StudyOptions& options,
                                               const StudyProgress& progress) {
   const std::vector<Scenario> none;

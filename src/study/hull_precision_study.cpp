@@ -13,20 +13,20 @@ namespace contactscope {
 namespace {
 
 constexpr int kVertexCounts[] = {8, 16, 32, 64};
-// The slowest method takes milliseconds a pair.
+// The slowest method takes milliseconds per pair.
 constexpr int kCases = 100;
 constexpr int kRepetitions = 7;
-constexpr int kSteps = 8;  // of the motion that a cache has seen
+constexpr int kSteps = 8;  // of the motion before, which fills the cache
 
-/// Where B was `back` steps before its pose, on a way that is drawn for the pair: a step is 0.02%
-/// of the hulls' size and half a milliradian.
+/// Pose of B `back` steps earlier on the pair's random path: a step is 0.02% of the hulls' size and
+/// half a milliradian.
 Pose<double> earlier(const OverlappingHulls& hulls, int back) {
   const Quatd turn(Eigen::AngleAxisd(5e-4 * back, hulls.turn_axis));
   return {(turn * hulls.b_in_a.rotation).normalized(),
           hulls.b_in_a.position + 2e-4 * hulls.size * back * hulls.offset};
 }
 
-/// Leaves in the cache what the steps up to this pose have found.
+/// Fills the cache by running the steps before this pose.
 template <class S>
 void move_there(const OverlappingHulls& hulls, RoundedHulls<S>& rounded) {
   for (int back = kSteps; back > 0; --back) {
@@ -35,9 +35,9 @@ void move_there(const OverlappingHulls& hulls, RoundedHulls<S>& rounded) {
   }
 }
 
-// The two ways of the separating axis test that the Gauss map saves us from walking (gauss_map.h), to
-// measure what it saves. Both give the largest separation over all axes, metres, negative in
-// overlap; face queries are those of sat(). Source: Gregorius 2013 and 2015.
+// Two slower edge tests that the Gauss map (gauss_map.h) replaces, to measure its benefit. Both
+// return the largest separation over all axes, metres, negative if overlapping; face queries are as
+// in sat(). Source: Gregorius 2013 and 2015.
 
 template <class S>
 S best_face(const HullPair<S>& pair) {
@@ -46,7 +46,7 @@ S best_face(const HullPair<S>& pair) {
                   query_faces(pair.b, pair.a, S(0), faces_b).separation);
 }
 
-/// The directions of its edges, unit.
+/// Unit directions of its edges.
 template <class S>
 std::vector<Vec3<S>> directions(const PlacedHull<S>& hull) {
   std::vector<Vec3<S>> list;
@@ -54,7 +54,7 @@ std::vector<Vec3<S>> directions(const PlacedHull<S>& hull) {
   return list;
 }
 
-/// The least and the most of its vertices along an axis.
+/// Minimum and maximum of its vertices along an axis.
 template <class S>
 std::pair<S, S> extent(const PlacedHull<S>& hull, const Vec3<S>& axis) {
   S least = std::numeric_limits<S>::infinity(), most = -least;
@@ -66,7 +66,7 @@ std::pair<S, S> extent(const PlacedHull<S>& hull, const Vec3<S>& axis) {
   return {least, most};
 }
 
-/// Every cross product of two edges is an axis, measured by the support points of both hulls.
+/// Tests each cross product of two edges as an axis, using the support points of both hulls.
 template <class S>
 S separation_by_all_edge_pairs(const HullPair<S>& pair) {
   S best = best_face(pair);
@@ -85,8 +85,8 @@ S separation_by_all_edge_pairs(const HullPair<S>& pair) {
   return best;
 }
 
-/// Every pair of edges is asked whether it makes a face of the Minkowski difference (the talk's
-/// IsMinkowskiFace), and only those that do are measured, by a point of each edge.
+/// Tests each pair of edges for a face of the Minkowski difference (the talk's IsMinkowskiFace),
+/// and measures only those, by a point of each edge.
 template <class S>
 S separation_by_minkowski_faces(const HullPair<S>& pair) {
   S best = best_face(pair);
@@ -100,11 +100,11 @@ S separation_by_minkowski_faces(const HullPair<S>& pair) {
       const Vec3<S> b1 = pair.b.normal(pair.b.half_edge(g).face);
       const Vec3<S> b2 = pair.b.normal(pair.b.half_edge(g + 1).face);
       const Vec3<S>& along_b = of_b[static_cast<std::size_t>(g / 2)];
-      // Along the edges instead of cross products of normals, as in the talk: the same planes.
+      // Along the edges instead of the talk's cross products of normals: the same planes.
       const S b1_side = -b1.dot(along_a), b2_side = -b2.dot(along_a);
       const S a1_side = a1.dot(along_b), a2_side = a2.dot(along_b);
       if (!(b1_side * b2_side < S(0)) || !(a1_side * a2_side < S(0))) continue;
-      // Both arcs cross the other's great circle; on the same half of the sphere only if these agree.
+      // Both arcs cross the other's great circle; they share a hemisphere only if these agree.
       if (!(b1_side * a2_side > S(0))) continue;
       const Vec3<S> cross = along_a.cross(along_b);
       const S sine = cross.norm();
@@ -117,7 +117,7 @@ S separation_by_minkowski_faces(const HullPair<S>& pair) {
   return best;
 }
 
-/// What a method found. With a normal: the separation along that, which need not be the least.
+/// Result of a method. If it has a normal, the separation is along it and need not be the least.
 struct Found {
   double separation = 0;
   std::optional<Vec3d> normal{};
@@ -136,7 +136,7 @@ Found contact(const RoundedHulls<S>& c) {
   return {separation, result.normal.template cast<double>()};
 }
 
-/// In one scalar; the other one's function is null.
+/// A method in one scalar; the other function is null.
 struct Method {
   std::string name;
   Found (*in_float)(const RoundedHulls<float>&);
@@ -194,17 +194,15 @@ void judge_all(const Method& method, const HullCases& cases, Measurement& measur
 
 }  // namespace
 
-/// The depth that the separating axis test finds, in float and in double, for hulls of 8, 16, 32
-/// and 64 vertices: walking the Gauss map as sat() does, asking every pair of edges whether it
-/// makes a Minkowski face, and measuring every pair by support points. Beside them whole contacts
-/// by collide_hull_hull(): of the deepest axis, without the preference for coherent features; and
-/// with it, anew and with the cache that the pair's motion up to its pose has left (only coherent
-/// features are cached).
+/// Depth by the separating axis test, in float and in double, for hulls of 8, 16, 32 and 64
+/// vertices: with the Gauss map as in sat(), testing every pair of edges for a Minkowski face, and
+/// measuring every pair by support points. Also whole contacts by collide_hull_hull(): with the
+/// deepest axis, without the preference for coherent features; and with it, from scratch and with
+/// the cache left by the pair's motion (only coherent features are cached).
 ///
-/// The error is |separation - oracle| over the size of the hulls. Coherent contacts may prefer an
-/// axis that is a little deeper, which is no error: of them the oracle measures the axis that they
-/// took. For float the error includes what rounding the input to float costs. A call has failed when it
-/// finds no overlap.
+/// The error is |separation - oracle| over the size of the hulls. Coherent contacts may prefer a
+/// slightly deeper axis, so the oracle measures the axis that they chose. Float errors include
+/// rounding of the input. A call fails if it finds no overlap.
 std::vector<trace::Study> study_hull_precision(const StudyOptions& options,
                                                const StudyProgress& progress) {
   const std::vector<Method> all = methods();

@@ -10,10 +10,10 @@
 namespace contactscope {
 namespace {
 
-// Metres: overlaps up to this are what rounding to float leaves of a metre and of a way of ten.
+// Metres: overlap due to rounding to float, for sizes of a metre and displacements of ten.
 constexpr double kImpactRounding = 3e-6;
 
-/// By an angle about an axis, and not as Sweep::at() does it.
+/// Uses angle and axis, independent of Sweep::at().
 Pose<double> placed(const Sweep<float>& motion, const Vec3<float>& origin, double time) {
   const Vec3d turn = motion.turn.cast<double>();
   const double angle = turn.norm();
@@ -148,7 +148,7 @@ double ImpactTally::error_of(double part) const {
 }
 
 ImpactTally judge_impacts(ImpactFinder& finder, std::span<const ImpactCase> cases) {
-  // A fraction of the step: what comes later than the first touch by more has passed through.
+  // Fraction of the step: a hit later than the first touch by more has passed through.
   constexpr double kLate = 1e-4;
   ImpactTally tally;
   for (int i = 0; i < count_of(cases); ++i) {
@@ -157,7 +157,7 @@ ImpactTally judge_impacts(ImpactFinder& finder, std::span<const ImpactCase> case
     ++tally.of;
     const bool touches = of.touches <= 1;
     if (!found.hit) {
-      // Shortly after the touch they overlap, unless they only graze.
+      // Shortly after touching they overlap, unless they only graze.
       double deepest = 0;
       if (touches) {
         for (const double after : {1e-4, 1e-3, 1e-2})

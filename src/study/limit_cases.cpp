@@ -17,7 +17,7 @@ constexpr double kCapsuleHalfLength = 0.5;
 constexpr double kHalfCube = 0.5;
 constexpr double kHalfMesh = 4;
 constexpr double kMinCrossing = 0.3;  // radians, between the axes of capsules
-constexpr double kShift = 0.2;        // of the size: whatever is on top stays over what is below
+constexpr double kShift = 0.2;        // of the size: the upper shape stays over the lower
 
 Quatd turn(const Vec3d& axis, double radians) {
   return Quatd(Eigen::AngleAxisd(radians, axis));
@@ -40,7 +40,7 @@ Shape<double> shape_of(Stacked kind, double size, double aspect) {
   }
   const double x = kHalfMesh * size * aspect;
   const double z = kHalfMesh * size;
-  // Off the middle, so that what stands there does so on one of the two.
+  // Off centre, so that the upper shape touches one of the two.
   return build_mesh({{-0.5 * x, 0, -1.5 * z},
                      {1.5 * x, 0, -1.5 * z},
                      {1.5 * x, 0, 0.5 * z},
@@ -48,7 +48,7 @@ Shape<double> shape_of(Stacked kind, double size, double aspect) {
                     {{0, 2, 1}, {0, 3, 2}});
 }
 
-/// Lowest point of a shape of the upper kind, from its centre.
+/// Lowest point of an upper shape, from its centre.
 Vec3d lowest_point(const Shape<double>& shape, const Quatd& rotation) {
   if (const auto* sphere = std::get_if<Sphere<double>>(&shape)) return {0, -sphere->radius, 0};
   if (const auto* round = std::get_if<Capsule<double>>(&shape)) {
@@ -72,8 +72,8 @@ Quatd rotation_on_top(const PairKind& kind, const Stacking& stacking, bool on_a_
     return turn(Vec3d::UnitY(), stacking.angle) * turn(Vec3d::UnitX(), edge_down);
   }
   if (stacking.tilt != 0) return turn(Vec3d::UnitZ(), stacking.tilt);
-  // An end that points down would miss the lower one's axis; nearly parallel axes have a study of
-  // their own, and rules of their own where they meet.
+  // A downward end would miss the lower one's axis. Nearly parallel axes have their own study, and
+  // their own rules when they meet.
   if (kind.below == Stacked::Capsule)
     return turn(Vec3d::UnitY(), kMinCrossing + yaw / 2 * (1 - 2 * kMinCrossing / std::numbers::pi));
   return on_a_corner ? any : turn(Vec3d::UnitY(), yaw);
@@ -109,17 +109,17 @@ StackedPair stacked_pair(const PairKind& kind, const Stacking& stacking, int ind
   const double least_shift = 1 - stacking.overlap;
   const double along = uniform(engine, -1, 1) * kShift * stacking.size * least_shift;
   const double aside = uniform(engine, -1, 1) * kShift * stacking.size * least_shift;
-  // A long shape is touched anywhere along it.
+  // Contact may be anywhere along a long shape.
   const double far = stacking.aspect > 1
                          ? uniform(engine, -0.9, 0.9) * 0.5 * stacking.size * (stacking.aspect - 1)
                          : 0;
   Vec3d shift(along + far, 0, aside);
-  // It is the corner that is to meet the middle of what is below.
+  // The corner should meet the centre of the lower shape.
   if (on_a_corner) shift -= least_shift * Vec3d(lowest.x(), 0, lowest.z());
   if (kind.below == Stacked::Sphere) shift.setZero();
   if (kind.below == Stacked::Capsule && kind.top == Stacked::Sphere) shift.z() = 0;
   if (crossed) {
-    // Along both edges, so that they still cross.
+    // Move along both edges, so that they still cross.
     shift = Vec3d(along + far, 0, 0);
     shift += pair.pose_on_top.rotation * Vec3d(aside, 0, 0);
   }
@@ -133,11 +133,11 @@ StackedPair stacked_pair(const PairKind& kind, const Stacking& stacking, int ind
 
 namespace {
 
-// query/tolerance.h, preference_tolerance: a share of the depth, and of the smaller hull's radius.
+// From query/tolerance.h, preference_tolerance: shares of the depth and the smaller hull's radius.
 constexpr double kPreferredDepth = 0.05;
 constexpr double kPreferredRadius = 0.002;
 
-/// The deepest point of a contact, and the normal of its manifold.
+/// The deepest point of a contact, with its manifold's normal.
 struct Deepest {
   double separation = std::numeric_limits<double>::infinity();
   Vec3d normal = Vec3d::Zero();
@@ -233,7 +233,7 @@ PairVerdict judge_pair(const StackedPair& pair) {
   }
   verdict.overlap = std::max(0.0, -separation);
   if (verdict.fault == ContactFault::None && separation < 0) {
-    // A depth is judged for itself: along a shape of kilometres 64 roundings are more than it.
+    // Test the depth itself too: for shapes of kilometres 64 roundings may exceed it.
     const double off = strict.found() ? std::abs(strict.separation - separation) : -separation;
     if (!(off < 0.5 * -separation)) verdict.fault = ContactFault::Drowned;
   }

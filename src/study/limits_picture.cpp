@@ -11,15 +11,15 @@ using namespace record;
 
 constexpr double kKilometre = 1000;
 constexpr const char* kDistance = "distance";
-constexpr std::string_view kAsMeant = ", unrounded";  // the geometry before it was rounded
+constexpr std::string_view kAsMeant = ", unrounded";  // the geometry before rounding
 
 trace::Study picture_sweeps(const trace::Study& measured) {
   trace::Study study = measured;
-  // Against the geometry as it was meant: what the arithmetic alone loses, tables have.
+  // Compared with the unrounded geometry; tables contain the loss by arithmetic alone.
   std::erase_if(study.series, [](const trace::StudySeries& series) {
     return !series.method.ends_with(kAsMeant);
   });
-  // Nothing grows with the size, much with the distance; the tables have the other sweeps.
+  // Errors grow with distance, not with size; tables contain the other sweeps.
   keep_panels(study, {{kDistance, ""}});
   double first_lost = 1e300;
   for (trace::StudySeries& series : study.series) {
@@ -28,7 +28,7 @@ trace::Study picture_sweeps(const trace::Study& measured) {
     for (const trace::StudyPoint& point : series.points)
       if (point.failed > 0) first_lost = std::min(first_lost, point.parameter);
   }
-  // From there on the largest error would be that of what is found: the map of overlaps tells of what is lost.
+  // From there on only found contacts would count; the map of overlaps shows the lost ones.
   for (trace::StudySeries& series : study.series)
     std::erase_if(series.points, [&](const auto& point) { return point.parameter >= first_lost; });
   study.signal.clear();
@@ -51,7 +51,7 @@ trace::Study picture_sweeps(const trace::Study& measured) {
   return study;
 }
 
-/// The deepest overlap, of the size, that is lost at a distance; 0 where none is.
+/// The deepest overlap, relative to the size, that is lost at a distance; 0 if none.
 double lost_at(const trace::Study& study, const char* panel, double distance) {
   double lost = 0;
   for (const trace::StudySeries& series : study.series)
@@ -60,7 +60,7 @@ double lost_at(const trace::Study& study, const char* panel, double distance) {
   return lost;
 }
 
-/// The nearest distance at which an overlap is lost; 0 where none is.
+/// The smallest distance at which an overlap is lost; 0 if none.
 double nearest_loss(const trace::Study& study, const char* panel) {
   double nearest = 0;
   for (const trace::StudySeries& series : study.series)
@@ -75,8 +75,8 @@ trace::Study picture_map(const trace::Study& measured) {
   if (study.measure != "distance_overlap") return study;
   keep_panels(study, {{"float, unrounded", "Float"}, {"double, unrounded", "Double"}});
   for (trace::StudySeries& series : study.series) series.parameter = "distance from the origin, m";
-  study.row.clear();  // said under the title
-  // How far off those are that are found, the tables have.
+  study.row.clear();  // the subtitle has it
+  // Tables contain the errors of found contacts.
   study.unit = trace::kShare;
   study.shown =
       "Up: overlap / size of the shapes. Colour: share of the contacts that are lost, not found or "

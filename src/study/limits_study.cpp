@@ -11,17 +11,17 @@
 namespace contactscope {
 namespace {
 
-constexpr int kCases = 40;     // a point of a curve and kind of pair
-constexpr int kMapCases = 24;  // a cell of a map
+constexpr int kCases = 40;     // per point of a curve and kind of pair
+constexpr int kMapCases = 24;  // per cell of a map
 constexpr int kRepetitions = 3;
 
-/// What the cases of one point say: of each scalar against the shapes as it holds them, then against
-/// those before they were rounded; last how deep the overlap was that they should find. Two measures:
-/// over the size of the shapes, and in ulps of the pair's coordinates.
+/// Lines of a point: each scalar compared with its own rounded shapes, then with the unrounded
+/// ones; last the true overlap. Two measures: relative to the size of the shapes, and in ulps of
+/// the pair's coordinates.
 constexpr const char* kLines[] = {"float", "double", "float, unrounded", "double, unrounded",
                                   "overlap"};
-constexpr std::size_t kJudgements = 4;  // all but the overlap
-using Cell = std::vector<Measurement>;  // one a line
+constexpr std::size_t kJudgements = 4;  // all except the overlap
+using Cell = std::vector<Measurement>;  // one per line
 
 using Cases = std::vector<StackedPair>;
 
@@ -35,7 +35,7 @@ void add_case(Measurement& measured, bool is_failure, double of_size, double ulp
   measured.errors[1].add(ulps);
 }
 
-/// Judges on all threads; what is timed afterwards has the processor for itself.
+/// Uses all threads; timed runs follow with an idle processor.
 template <class S>
 void judge_all(const Cases& cases, int repetitions, Workers& workers, Measurement& own,
                Measurement& unrounded) {
@@ -69,7 +69,7 @@ Cell judge(const Cases& cases, int repetitions, Workers& workers) {
   return cell;
 }
 
-/// A study to be filled, with what all of them share; maps judge in ulps.
+/// An empty study with the common data; maps are in ulps.
 trace::Study described(const StudyOptions& options, trace::StudyForm form, const char* measure,
                        const char* title, int cases, const std::string& of_what = "a cell") {
   trace::Study study;
@@ -94,7 +94,7 @@ std::vector<PairKind> every_kind() {
   return kinds;
 }
 
-/// Six sweeps over all pairs at once, and those that every kind of pair has by kind of pair.
+/// Six sweeps over all kinds of pairs together; sweeps that apply to every kind also by kind.
 std::vector<trace::Study> run_sweeps(const StudyOptions& options, Workers& workers,
                                      const StudyStep& step) {
   const int case_count = options.cases.value_or(kCases);
@@ -109,7 +109,7 @@ std::vector<trace::Study> run_sweeps(const StudyOptions& options, Workers& worke
                                  "Rounding of every pair of shapes", case_count);
   pairs.parameter = sweeps.parameter;
   pairs.row = "kind of pair";
-  std::vector<trace::StudySeries> by_kind[2];  // of each scalar
+  std::vector<trace::StudySeries> by_kind[2];  // per scalar
   for (const LimitSweep& sweep : limit_sweeps()) {
     const bool has_map = sweep.kinds.size() == every_kind().size();
     const std::size_t curve = sweeps.series.size(), row = by_kind[0].size();
@@ -143,12 +143,12 @@ std::vector<trace::Study> run_sweeps(const StudyOptions& options, Workers& worke
   return {sweeps, pairs};
 }
 
-/// Two sweeps at once.
+/// Two sweeps combined.
 struct LimitMap {
   const char* measure;
   const char* title;
   std::size_t across, up;  // in limit_sweeps()
-  int kinds;               // of pairs that `across` has, so many in turn
+  int kinds;               // number of kinds, in turn
 };
 
 constexpr LimitMap kLimitMaps[] = {
@@ -157,7 +157,7 @@ constexpr LimitMap kLimitMaps[] = {
     {"aspect_angle", "Edges and axes: angle between them and aspect ratio", 4, 3, 3},
 };
 
-/// One panel for each scalar and judgement, a series for each row.
+/// One panel per scalar and reference, one series per row.
 trace::Study run_map(const LimitMap& map, const StudyOptions& options, Workers& workers,
                      const StudyStep& step) {
   const LimitSweep& across = limit_sweeps()[map.across];
@@ -246,17 +246,16 @@ StackedPair limit_case(const LimitSweep& sweep, double value, const PairKind& ki
   return stacked_pair(kind, stacking, index, engine);
 }
 
-/// Where the pipeline's numbers run out, in float and in double. Every contact is judged against the
-/// separation oracle twice: of the shapes and poses as the scalar holds them (what the pipeline
-/// loses: "float", "double"), and of the geometry before it was moved to its place in the world and
-/// rounded (what is left of it: "float, unrounded" ..). Faults are counted as failures: numbers that
-/// are not finite, missing and phantom contacts, depth or normal off by more than 64 roundings, and
-/// overlaps that drown in less than that (ContactFault); of the unrounded ones contacts that are lost,
-/// or off by half their depth.
+/// Limits of the pipeline's numbers, in float and in double. Every contact is compared with the
+/// separation oracle twice: for the shapes and poses as the scalar stores them (loss in the
+/// pipeline: "float", "double"), and for the geometry before it was moved and rounded (total loss:
+/// "float, unrounded" ..). Faults count as failures: values that are not finite, missing and
+/// phantom contacts, depth or normal off by more than 64 roundings, and overlaps below that
+/// (ContactFault). For unrounded geometry: contacts that are lost, or off by half their depth.
 ///
-/// "sweeps": curves of the largest error over all kinds of pairs, over the size of the shapes.
-/// "pairs": maps of pair kind by scale, distance and overlap, in ulps of the pair's coordinates.
-/// "tilt_scale", "distance_overlap", "aspect_angle": maps of two parameters, likewise.
+/// "sweeps": curves of the largest error over all kinds of pairs, relative to the size of the
+/// shapes. "pairs": maps of pair kind by scale, distance and overlap, in ulps of the pair's
+/// coordinates. "tilt_scale", "distance_overlap", "aspect_angle": likewise, over two parameters.
 std::vector<trace::Study> study_limits(const StudyOptions& options, const StudyProgress& progress) {
   int steps = 0;  // points of the sweeps, rows of the maps
   for (const LimitSweep& sweep : limit_sweeps()) steps += count_of(sweep.values());

@@ -22,13 +22,13 @@ constexpr int kLandingCases = 20;
 constexpr int kLandingRepetitions = 5;
 constexpr float kFrame = 1.0F / 60;
 constexpr double kDegrees = 180 / std::numbers::pi;
-// A rotation that single precision cannot hold over as many frames.
+// Rotation below the accumulated rounding of single precision.
 constexpr double kRotationResolution = 1e-3;
 constexpr double kWanderResolution = 1e-4;
 
 const Pose<float> kFloor{Quat<float>::Identity(), Vec3<float>(0, -0.5F, 0)};
 
-/// A box on the floor, with what its method keeps from frame to frame.
+/// A box on the floor, with the state that its method keeps between frames.
 struct LandingPair {
   Shape<float> floor, box;
   LandingMethod method;
@@ -69,9 +69,9 @@ Pose<double> start_of(const LandingCase& c) {
   return pose;
 }
 
-/// Degrees that the case cannot have by symmetry: the whole turn of a drop; of a tilt what the
-/// axis along its edge has turned; of a slide, which may pitch about the axis across its way, what
-/// that axis has turned.
+/// Degrees of rotation that symmetry excludes: all of it for a drop; for a tilt the rotation of the
+/// axis along its edge; for a slide, which may pitch, the rotation of the horizontal axis
+/// perpendicular to its direction.
 double impossible_rotation(const LandingCase& c, const Quatd& from, const Quatd& to) {
   if (c.landing == Landing::Drop) return from.angularDistance(to) * kDegrees;
   const Vec3d kept = c.landing == Landing::Tilt ? Vec3d::UnitX() : Vec3d::UnitZ();
@@ -79,12 +79,12 @@ double impossible_rotation(const LandingCase& c, const Quatd& from, const Quatd&
   return std::atan2(before.cross(after).norm(), before.dot(after)) * kDegrees;
 }
 
-/// Follows the manifold from frame to frame.
+/// Tracks the manifold from frame to frame.
 struct LandingWatch {
   double size;  // metres, of the box
   LandingOutcome& outcome;
   int frames = 0;                 // since the first contact
-  std::optional<Vec3d> before{};  // middle of the contact points, in the box
+  std::optional<Vec3d> before{};  // mean of the contact points, in the box
 
   void look(const Manifolds<float>& manifolds, const Body<float>& body) {
     if (manifolds.empty() && !before) return;
@@ -124,7 +124,7 @@ constexpr LandingPanel kLandingPanels[] = {
 constexpr const char* kLandingMethods[] = {"one-shot", "incremental by distance",
                                            "incremental by ids"};
 
-/// The same boxes for every method at one parameter.
+/// Tests every method on the same boxes at one parameter.
 Measurement judge(const LandingPanel& panel, double parameter, LandingMethod method,
                   const StudyOptions& options) {
   Measurement measured(3, options.cases.value_or(kLandingCases));
@@ -132,7 +132,7 @@ Measurement judge(const LandingPanel& panel, double parameter, LandingMethod met
   for (int i = 0; i < measured.of; ++i) {
     LandingCase c{panel.landing, parameter};
     for (int axis = 0; axis < 3; ++axis) c.half_extents[axis] = uniform(engine, 0.2, 0.5);
-    // Low enough not to topple over while friction stops it.
+    // Low enough not to topple while friction stops it.
     c.half_extents.y() = std::min(c.half_extents.y(), c.half_extents.x());
     c.yaw = uniform(engine, 0, std::numbers::pi / 2);
     const LandingOutcome outcome = land(c, method, kLandingFrames);
@@ -168,7 +168,7 @@ LandingOutcome land(const LandingCase& c, LandingMethod method, int frames) {
     body.velocity = start.rotate(Vec3d(c.parameter, 0, 0)).cast<float>();
   SolverSettings settings;
   settings.slop = kStackSlop;
-  settings.speculative_margin = 0;  // frames count from the touch
+  settings.speculative_margin = 0;  // frames count from the first touch
   LandingOutcome outcome;
   LandingWatch watch{std::max(c.half_extents.x(), c.half_extents.z()), outcome};
   std::vector<PairImpulses<float>> impulses;
@@ -185,12 +185,12 @@ LandingOutcome land(const LandingCase& c, LandingMethod method, int frames) {
   return outcome;
 }
 
-/// One-shot manifolds against incremental ones, old points confirmed by distance and by ids, on
-/// boxes that drop, land on an edge, and slide. Gregorius 2015, "Building Incremental Manifolds (2)"
-/// and (3) and "Incremental Manifold Stability" say what to look for: frames to a stable manifold
-/// ("frames"), artificial rotation ("rotation"), and how the patch wanders ("wander"). Errors
-/// against the parameter; run time is that of one pair in one frame. A case has failed when its
-/// manifold never becomes stable.
+/// Compares one-shot manifolds with incremental ones, confirmed by distance and by ids, for boxes
+/// that drop, land on an edge, and slide. Measures from Gregorius 2015, "Building Incremental
+/// Manifolds (2)" and (3) and "Incremental Manifold Stability": frames to a stable manifold
+/// ("frames"), artificial rotation ("rotation"), and drift of the patch ("wander"). Errors against
+/// the parameter; run time is per pair and frame. A case fails if its manifold never becomes
+/// stable.
 std::vector<trace::Study> study_manifold_stability(const StudyOptions& options,
                                                    const StudyProgress& progress) {
   std::vector<trace::Study> results = results_of(

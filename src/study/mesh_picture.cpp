@@ -17,14 +17,14 @@ double sum_of(const trace::StudySeries& series) {
   return sum;
 }
 
-/// Of the method's series, wherever its panel.
+/// The method's series in any panel.
 const trace::StudySeries& any_series_of(const trace::Study& study, const std::string& method) {
   const auto found = std::ranges::find(study.series, method, &trace::StudySeries::method);
   if (found == study.series.end()) throw std::out_of_range(method);
   return *found;
 }
 
-/// Each error over that of `base` at the same parameter.
+/// Divides each error by that of `base` at the same parameter.
 void divide_by(trace::StudySeries& series, const trace::StudySeries& base) {
   for (trace::StudyPoint& point : series.points) {
     const double by = error_at(base, point.parameter);
@@ -66,7 +66,7 @@ trace::Study picture_times(const trace::Study& measured) {
 trace::Study picture_costs(const trace::Study& measured) {
   trace::Study study = measured;
   keep_methods(study, kTrees);
-  // The boxes that a query is expected to test tell the same; tables have them.
+  // Expected box tests per query show the same; tables contain them.
   keep_panels(study, {{"node pairs compared", ""}});
   const trace::Study kept = study;
   double refitted = 0, most_automatic = 0;
@@ -122,7 +122,7 @@ trace::Study picture_motion(const trace::Study& measured) {
     for (trace::StudyPoint& point : series.points) {
       if (least < 1 && point.error == least) point.mark = percent(1 - least) + " less";
     }
-  // At the end both are near one place: their names tell them apart.
+  // Both lines end close together: put values into their names.
   for (trace::StudySeries& series : study.series) {
     const double last = series.points.empty() ? 1 : series.points.back().error.value_or(1);
     if (last > 1.005) series.method += ": " + percent(last - 1) + " more";
@@ -152,7 +152,7 @@ trace::Study picture_meshes(const trace::Study& measured) {
   trace::Study study = measured.measure == "time"   ? picture_times(measured)
                        : measured.measure == "cost" ? picture_costs(measured)
                                                     : picture_motion(measured);
-  study.reference.clear();  // of what is found; these are times and counts
+  study.reference.clear();  // for results; these are times and counts
   return study;
 }
 

@@ -11,17 +11,17 @@
 namespace contactscope {
 namespace {
 
-constexpr int kMeridians[] = {8, 16, 32, 64, 128, 256};  // of a sphere, half as many parallels
+constexpr int kMeridians[] = {8, 16, 32, 64, 128, 256};  // of a sphere; half as many parallels
 constexpr int kMeshRepetitions = 7;
 constexpr int kDeformingFrames = 50;
 constexpr int kDeformingMeridians = 96;
-constexpr double kMaxTwist = 5;      // radians a metre, in the last frame
-constexpr double kInnerBall = 0.97;  // of a radius of 1 m
+constexpr double kMaxTwist = 5;      // radians per metre, in the last frame
+constexpr double kInnerBall = 0.97;  // radius; the other is 1 m
 constexpr int kMovingFrames = 40;
-constexpr int kMicrometres[] = {10, 100, 1000, 10000, 100000};  // a frame
+constexpr int kMicrometres[] = {10, 100, 1000, 10000, 100000};  // per frame
 constexpr double kMilliseconds = 1e-6;
 
-/// So far and so turned that they cut each other in a ring.
+/// Pose in which the two cut each other in a ring.
 Pose<float> next_to() {
   const Quatd turn(Eigen::AngleAxisd(0.7, Vec3d(1, 2, 3).normalized()));
   return Pose<double>{turn, {1.1, 0.35, 0.2}}.cast<float>();
@@ -34,7 +34,7 @@ std::vector<Vec3f> twisted(const std::vector<Vec3f>& vertices, double angle) {
   });
 }
 
-/// What `call` takes.
+/// Time of `call`.
 template <class Call>
 trace::Nanoseconds timed(int repetitions, const Call& call) {
   PassTimes times;
@@ -47,7 +47,7 @@ void add_point(trace::StudySeries& series, double parameter, double value,
   series.points.push_back({parameter, value, value, time, 0, 1});
 }
 
-/// Build, query and refit over the number of triangles of each of two balls.
+/// Build, query and refit over the number of triangles of two balls.
 void study_sizes(const StudyOptions& options, const StudyStep& step, trace::Study& times) {
   const int repetitions = options.repetitions.value_or(kMeshRepetitions);
   const char* const kPanel = "two balls that cross in a ring";
@@ -84,8 +84,8 @@ void study_sizes(const StudyOptions& options, const StudyStep& step, trace::Stud
   }
 }
 
-/// One of them is twisted more and more, frame by frame. Every way finds the same pairs of triangles;
-/// a frame in which one does not has failed.
+/// One ball is twisted more in each frame. A frame fails if the methods do not all find the same
+/// pairs of triangles.
 void study_deformation(const StudyOptions& options, const StudyStep& step, trace::Study& times,
                        trace::Study& costs) {
   const int frames = options.frames.value_or(kDeformingFrames);
@@ -146,8 +146,8 @@ void study_deformation(const StudyOptions& options, const StudyStep& step, trace
   }
 }
 
-/// A ball that moves to and fro, beside or in another one: its query from the roots in each frame, and
-/// from where that of the frame before ended. A point at which the two differ in a frame has failed.
+/// A ball that moves back and forth, next to or inside another: queries from the roots in each
+/// frame, and from where the previous frame's traversal ended. A point fails if they ever differ.
 void study_motion(const StudyOptions& options, const StudyStep& step, trace::Study& times,
                   trace::Study& costs) {
   const int repetitions = options.repetitions.value_or(kMeshRepetitions);
@@ -175,7 +175,7 @@ void study_motion(const StudyOptions& options, const StudyStep& step, trace::Stu
       std::array<PassTimes, 2> spent;
       std::array<std::int64_t, 2> node_pairs{};
       std::array<std::size_t, 2> found{};
-      for (int r = 0; r < 2 * repetitions; ++r) {  // in turn: a slow moment falls on both alike
+      for (int r = 0; r < 2 * repetitions; ++r) {  // in turn, so that slow moments affect both
         const std::size_t coherent = static_cast<std::size_t>(r) % 2;
         MeshFront front;
         node_pairs[coherent] = 0;
@@ -206,11 +206,11 @@ void study_motion(const StudyOptions& options, const StudyStep& step, trace::Stu
 
 }  // namespace
 
-/// Mesh against mesh, in three results. "time": building both trees, querying and refitting over the
-/// number of triangles; and an update with a query, frame by frame while one mesh is twisted: its
-/// tree refitted, rebuilt, or rebuilt once a query costs 30 % more. "motion": a query a frame while
-/// one mesh moves, from the roots or coherent. "cost": of these frames what a query is expected to
-/// cost, and how many node pairs were compared.
+/// Mesh against mesh, three results. "time": building both trees, querying and refitting over the
+/// number of triangles; and an update with a query per frame while one mesh is twisted: its tree
+/// refitted, rebuilt, or rebuilt once a query costs 30 % more. "motion": one query per frame while
+/// a mesh moves, from the roots or coherent. "cost": for these frames, expected query cost and
+/// compared node pairs.
 std::vector<trace::Study> study_meshes(const StudyOptions& options, const StudyProgress& progress) {
   std::vector<trace::Study> results = results_of(
       "mesh_mesh", "float", "triangles",
@@ -225,7 +225,7 @@ std::vector<trace::Study> study_meshes(const StudyOptions& options, const StudyP
   study_deformation(options, step, results[0], results[1]);
   study_sizes(options, step, results[0]);
   study_motion(options, step, results[2], results[1]);
-  // Those of one panel stand together.
+  // Group series by panel.
   std::ranges::stable_sort(results[1].series, {}, &trace::StudySeries::panel);
   return results;
 }

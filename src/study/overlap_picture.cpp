@@ -9,9 +9,9 @@ namespace {
 
 using namespace record;
 
-constexpr double kRod = 10;  // times as long as wide
+constexpr double kRod = 10;  // length over width
 
-/// By length over width instead of by time, which tables have.
+/// Over length by width instead of time; tables contain times.
 trace::Study picture_bounds(const trace::Study& measured) {
   trace::Study study = measured;
   keep_methods(study, {{"sphere", "bounding sphere"},
@@ -43,11 +43,11 @@ trace::Study picture_bounds(const trace::Study& measured) {
 
 constexpr const char* kGuarded = "no threshold, each gap judged by its own rounding error";
 
-/// Marks the worst of float either way.
+/// Marks the worst float error of both kinds.
 std::string result_of_thresholds(const trace::Study& measured, trace::Study& study) {
   for (trace::StudySeries& series : study.series) {
     if (series.method.starts_with(kGuarded) || series.points.empty()) continue;
-    // The last of those that are alike, where the line turns.
+    // Use the last of equal ones, where the line turns.
     const auto error = [](const trace::StudyPoint& point) { return point.error_worst.value_or(0); };
     const double most = error(*std::ranges::max_element(series.points, {}, error));
     trace::StudyPoint* worst = nullptr;
@@ -67,7 +67,6 @@ std::string result_of_thresholds(const trace::Study& measured, trace::Study& stu
          " mm, a large one closes gaps of up to " + number(1000 * closed) + " mm";
 }
 
-/// No error at any of its points.
 bool is_right(const trace::StudySeries& series) {
   return std::ranges::all_of(series.points, [](const trace::StudyPoint& point) {
     return point.error_worst.value_or(0) == 0;
@@ -77,13 +76,13 @@ bool is_right(const trace::StudySeries& series) {
 trace::Study picture_thresholds(const trace::Study& measured) {
   trace::Study study = measured;
   drop_resolution(study);
-  // Those of double are alike at smaller thresholds; tables have them.
+  // Double looks the same at smaller thresholds; tables contain it.
   keep_methods(study, {{"float", "float"}, {"float, guarded", kGuarded}});
   std::ranges::stable_sort(study.series, std::ranges::greater(), &trace::StudySeries::panel);
   const auto is_guarded = [](const trace::StudySeries& series) {
     return series.method == kGuarded;
   };
-  // Drawn over the others; where it is right both ways, one line of zeros says so.
+  // Drawn on top; if both kinds are always right, one line of zeros suffices.
   const auto guarded =
       std::stable_partition(study.series.begin(), study.series.end(), std::not_fn(is_guarded));
   const bool never_wrong = std::all_of(guarded, study.series.end(), is_right);

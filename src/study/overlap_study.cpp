@@ -21,8 +21,8 @@ constexpr int kThresholdPairs = 20000;
 constexpr int kThresholdRepetitions = 3;
 
 // The largest gap of two boxes over all axes, metres, by brute force over the corners in long
-// double. It shares nothing with the tests that it judges. Where long double does not tell the
-// direction of a cross product, that is shorter than 1e-16, and the faces tell the gap to as much.
+// double. Shares no code with the tests. A cross product whose direction long double cannot
+// represent is shorter than 1e-16, and faces give the gap that precisely.
 
 using LongVec = Vec3<long double>;
 
@@ -91,8 +91,8 @@ struct BoundedPair {
       : a(one), b(other), overlap(largest_gap(a.box, b.box) <= 0) {}
 };
 
-/// Both with the longest side 1 m and the others that over `elongation`, at any rotation, and as
-/// likely anywhere that any of their bounds could overlap.
+/// The longest side is 1 m, the others are that over `elongation`; random rotations, and positions
+/// uniform over the region where any of their bounds could overlap.
 std::vector<BoundedPair> bounded_pairs(std::mt19937_64& engine, double elongation, int count) {
   const Vec3d half = 0.5 * Vec3d(1, 1 / elongation, 1 / elongation);
   const double reach = 2 * half.norm();
@@ -153,17 +153,16 @@ std::vector<trace::Study> study_bounds(const StudyOptions& options, const StudyP
   return results;
 }
 
-/// Two boxes as a scalar holds them, and their gap.
+/// Two boxes rounded to a scalar, and their gap.
 template <class S>
 struct NearParallelPair {
   Obb<S> a, b;
   double gap;
 };
 
-/// Sides of 0.2 to 2 m. A third of the pairs has one rotation; the others are turned by 1e-17 to
-/// 0.1 rad about any axis. Of those half have the middles of two edges over each other, 0.01 to 100
-/// mm apart or deep along the edges' cross product; all others are anywhere up to 2.2 m from each
-/// other.
+/// Sides of 0.2 to 2 m. A third of the pairs are parallel; the others are rotated by 1e-17 to 0.1
+/// rad about a random axis. In half of these, two edges' centres are 0.01 to 100 mm from each other
+/// or deep along the edges' cross product; all other pairs have random offsets up to 2.2 m.
 template <class S>
 NearParallelPair<S> near_parallel_pair(std::mt19937_64& engine, int index) {
   const auto half = [&]() -> Vec3d {
@@ -177,7 +176,7 @@ NearParallelPair<S> near_parallel_pair(std::mt19937_64& engine, int index) {
   if (index % 3 != 0) other = Quatd(Eigen::AngleAxisd(angle, about)) * turn;
   Vec3d offset = uniform(engine, 0, 2.2) * (uniform_rotation(engine) * Vec3d::UnitX());
   if (index % 3 == 1) {
-    // The cross product of an edge with the same one turned, but for its length.
+    // The cross product of an edge and its rotated copy, up to length.
     const Vec3d edge = turn * Vec3d::Unit(index / 3 % 3);
     const Vec3d axis = edge.cross(about.cross(edge)).normalized();
     const double gap = std::pow(10.0, uniform(engine, -5, -1));
@@ -195,10 +194,10 @@ NearParallelPair<S> near_parallel_pair(std::mt19937_64& engine, int index) {
   return pair;
 }
 
-// Metres: gaps and overlaps up to this are rounding in float. Logarithmic axes end there.
+// Metres: float rounding of gaps and overlaps. Logarithmic axes end there.
 constexpr double kRoundingOfFloat = 3e-5;
 
-/// One series of the study of thresholds: what is wrong in one way, missed or phantom.
+/// One series of the threshold study: one kind of error, missed or phantom.
 template <class S>
 Measurement judge_threshold(const std::vector<NearParallelPair<S>>& pairs, const ObbTest<S>& test,
                             bool missed, int repetitions) {
@@ -208,7 +207,7 @@ Measurement judge_threshold(const std::vector<NearParallelPair<S>>& pairs, const
   };
   for (const NearParallelPair<S>& pair : pairs) {
     const double off = missed ? -pair.gap : pair.gap;
-    if (off <= 0) continue;  // not a pair that could be wrong in this way
+    if (off <= 0) continue;  // this pair cannot have this error
     const bool wrong = answer(pair) != missed && off > kRoundingOfFloat;
     measured.errors[0].add(wrong ? off : kRoundingOfFloat);
     measured.errors[1].add(wrong ? 1 : 0);
@@ -263,7 +262,7 @@ std::vector<trace::Study> study_thresholds(const StudyOptions& options,
     for (trace::StudyPoint& point : series.points)
       point.error = point.error_worst = std::max(*point.error, results[1].resolution);  // a share
   }
-  // Those of one panel stand together.
+  // Group series by panel.
   for (trace::Study& study : results)
     std::ranges::stable_sort(study.series, std::ranges::greater(), &trace::StudySeries::panel);
   return results;
@@ -273,16 +272,16 @@ std::vector<trace::Study> study_thresholds(const StudyOptions& options,
 
 /// Overlap tests of bounding volumes, in three results.
 ///
-/// "false_positives": of pairs of boxes, 1:1:1, 3:1:1 and 10:1:1, at random rotations and anywhere
-/// that their bounds could overlap, the share of those that a bound lets through although they are
-/// apart, against the time of a test: AABBs, spheres, oriented boxes by their six face normals and
-/// by all axes. A pair that overlaps and is not let through counts as failed; there is none.
+/// "false_positives": for random boxes of 1:1:1, 3:1:1 and 10:1:1 placed where their bounds could
+/// overlap, the share of passing pairs that are separated, against the time of a test: AABBs,
+/// spheres, oriented boxes by their six face normals and by all axes. An overlapping pair that does
+/// not pass counts as failed; there is none.
 ///
-/// "threshold": of pairs of nearly parallel oriented boxes the deepest overlap, metres, that is
-/// called apart, and the widest gap that is called an overlap, over the sine up to which cross
-/// products of edges are skipped; at 1e-18 none is. Beside it the test whose bound on rounding
-/// needs no threshold. Errors of less than 0.03 mm, float's rounding, count as that. "wrong": the
-/// share of the pairs that overlap, or are apart, for which that happens, half a pair at least.
+/// "threshold": for nearly parallel oriented boxes, the deepest overlap, metres, reported as
+/// separated and the widest gap reported as overlap, over the sine up to which cross products of
+/// edges are skipped; 1e-18 skips none. Also the test with a rounding bound, which needs no
+/// threshold. Errors below 0.03 mm, float's rounding, count as that. "wrong": the share of
+/// overlapping, or separated, pairs with that error, at least half a pair.
 std::vector<trace::Study> study_overlap(const StudyOptions& options,
                                         const StudyProgress& progress) {
   std::vector<trace::Study> results = study_bounds(options, progress);

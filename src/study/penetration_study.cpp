@@ -28,14 +28,14 @@ HullCases make_deep_cases(std::uint64_t seed, int count) {
   return cases;
 }
 
-/// What a method gets more of with each effort.
+/// The option that increases with effort.
 enum class Effort { Same, Tolerance, Iterations, Directions, DirectionsInOneRound };
 
-/// `effort` counts from 0 here.
+/// `effort` counts from 0.
 template <class S>
 PenetrationOptions<S> options_at(Effort kind, std::size_t effort) {
   constexpr double kTolerances[] = {1e-1, 1e-2, 1e-3,
-                                    1e-4, 1e-5, 0};  // at last what rounding allows
+                                    1e-4, 1e-5, 0};  // the last is limited by rounding
   PenetrationOptions<S> options;
   if (kind == Effort::Tolerance) options.tolerance = static_cast<S>(kTolerances[effort]);
   if (kind == Effort::Iterations) options.max_iterations = 2 << effort;
@@ -92,7 +92,7 @@ void judge_depths(const DepthSeries& series, std::size_t effort, const HullCases
     const OverlappingHulls& exact = cases.exact[i];
     const double truth = -exact.deepest.separation;
     measured.errors[2].add(found.status == PenetrationStatus::Converged ? 0 : 1);
-    // Both hulls reach about their size from their frames; float rounds its input as well.
+    // Both hulls reach about their size from their origins; float also rounds the input.
     const bool is_short = found.depth < truth - 64 * epsilon * exact.size;
     if (!has_depth(found.status) || is_short) {
       ++measured.failed;
@@ -105,25 +105,25 @@ void judge_depths(const DepthSeries& series, std::size_t effort, const HullCases
 
 }  // namespace
 
-/// Depth and normal of the penetration methods, in float and in double, over six efforts, the
-/// parameter: EPA and MPR by their tolerance, 0.1 of the pair's length scale, 0.01, ... 1e-5, and what
-/// rounding allows, or by the cap on their iterations, 2, 4, ... 64; sampling by the number of
-/// directions, 8, 32, ... 8192, with the search about the best until it converges and with one round
-/// of it. The separating axis test is the same at every effort.
+/// Depth and normal of the penetration methods, in float and double, over six efforts, the
+/// parameter. EPA and MPR: by tolerance, 0.1 of the pair's length scale, 0.01, ... 1e-5, and the
+/// rounding limit, or by maximum iterations, 2, 4, ... 64. Sampling: by the number of directions,
+/// 8, 32, ... 8192, with the local search until convergence and with one round of it. The
+/// separating axis test is the same at every effort.
 ///
-/// Cases are those of `study hull_precision` with 32 vertices, every other one pushed together until
-/// centroids are half as far apart or less. Two measures against extended precision over all axes:
-/// the depth's error over the size of the hulls, and the angle between the normals in radians (where
-/// two axes are nearly as deep, a small error of the depth is a large one of the normal). A third,
-/// "unfinished", is the share of the pairs on which the status was not Converged.
+/// Cases are those of `study hull_precision` with 32 vertices; in every other one the centroids'
+/// distance is at least halved. Two measures against extended precision over all axes: the depth's
+/// error over the size of the hulls, and the angle between the normals in radians (if two axes are
+/// nearly as deep, a small depth error is a large normal error). A third, "unfinished": share of
+/// pairs whose status was not Converged.
 ///
-/// The worst error of sampling need not fall with the number of directions: the search about the best
-/// one is local, so the worst pair is one whose best direction lies beside a wrong facet, and another
-/// number of directions finds another one. Without that search ("one round") it falls throughout.
+/// The worst error of sampling may grow with the number of directions, since the search about the
+/// best one is local: the worst pair's best direction lies next to a wrong facet, and other
+/// directions lead elsewhere. Without that search ("one round") the error decreases throughout.
 ///
-/// A call has failed when it finds no depth, or one that falls short of the true one by more than
-/// rounding, so that moving by it would not part the hulls. To end at the cap on iterations is no
-/// failure here: that is what is studied.
+/// A call fails if it finds no depth, or one that is too small by more than rounding, so that
+/// moving by it would not separate the hulls. Reaching the iteration limit is not a failure: that
+/// is what is studied.
 std::vector<trace::Study> study_penetration(const StudyOptions& options,
                                             const StudyProgress& progress) {
   const StudyGrid grid(options, kDepthSeries, kEfforts, kDepthCases, kDepthRepetitions);

@@ -11,7 +11,7 @@
 namespace contactscope::record {
 namespace {
 
-/// Place in the list of all methods of the study, each once.
+/// Index in the list of all methods of the study, without duplicates.
 int look_of(const trace::Study& study, const std::string& method) {
   std::vector<std::string> methods;
   for (const trace::StudySeries& series : study.series)
@@ -32,7 +32,7 @@ bool same_places(const trace::StudySeries& one, const trace::StudySeries& other)
                             });
 }
 
-/// In the largest unit of the list in which it is at least one.
+/// Units, the largest first; a value uses the first in which it is at least one.
 struct Unit {
   double size;
   const char* name;
@@ -165,7 +165,7 @@ std::string number(double value, int digits) {
   if (value == 0) return "0";
   const double size = std::abs(value);
   int decimals = digits - 1 - static_cast<int>(std::floor(std::log10(size) + 1e-9));
-  // What rounds up to one digit more: 9.96 is "10".
+  // Rounding may add a digit: 9.96 is "10".
   if (std::round(size * std::pow(10, decimals)) >= std::pow(10, digits)) --decimals;
   const double unit = std::pow(10, -decimals);
   std::array<char, 64> text{};
@@ -180,7 +180,7 @@ std::string number(double value, int digits) {
 }
 
 std::string percent(double share) {
-  // A half that a double has from below is half all the same: of 57.5 % and 68.5 % both go up.
+  // Rounds halves up, even if their double is slightly below, as for 57.5 % and 68.5 %.
   return number(100 * share * (1 + 1e-12)) + " %";
 }
 

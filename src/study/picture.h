@@ -8,49 +8,49 @@
 
 #include "trace/study.h"
 
-/// What a plot of a study tells: its title is the result, with numbers that are read from the study itself, so that
-/// they are those of its run; methods have the names that a reader knows, and what teaches nothing is left out.
-/// Files and tables keep every number.
+/// Plots of studies. The title is the result, with numbers read from the study itself, so they
+/// match its run. Methods have readable names, and unimportant series are omitted; files and tables
+/// keep every number.
 namespace contactscope {
 
-/// A study as it is drawn, of one as it was measured. One that lacks what the picture tells of is drawn with
-/// the title that it has.
+/// Converts a measured study into the one to draw. If data for the title is missing, the study
+/// keeps its title.
 using StudyPicture = trace::Study(const trace::Study& measured);
 
-// Each is in the file of its name, for every measure of its study.
+// Each is in the file of its name, for all measures of its study.
 StudyPicture picture_reducers, picture_overlap, picture_broad_phase, picture_meshes,
     picture_triangles, picture_time_of_impact, picture_tunnelling, picture_distance_field,
     picture_solver, picture_limits, picture_flip_distance;
 
 namespace record {
 
-/// The series of a method, in the panel of this name. Throws std::out_of_range where there is none.
+/// The series of a method in a panel. Throws std::out_of_range if there is none.
 const trace::StudySeries& series_of(const trace::Study& study, const std::string& method,
                                     const std::string& panel = {});
 /// Its point at a parameter. Throws likewise.
 const trace::StudyPoint& point_at(const trace::StudySeries& series, double parameter);
-/// Its error there. Throws likewise, also where all cases failed.
+/// Its error there. Throws likewise, also if all cases failed.
 double error_at(const trace::StudySeries& series, double parameter);
 
-/// A method of a study, and how a picture calls it.
+/// A method of a study, and its name in the picture.
 using Named = std::pair<std::string, std::string>;
-/// Keeps these methods alone, in this order, with the looks that they have among all of the study.
+/// Keeps only these methods, in this order; their colours are as in the full study.
 void keep_methods(trace::Study& study, const std::vector<Named>& named);
-/// Keeps these panels alone, by the same names, in this order.
+/// Keeps only these panels, by the same names, in this order.
 void keep_panels(trace::Study& study, const std::vector<Named>& named);
-/// Series that are at the same places in every panel become one, "these and those", under the name of all.
-/// It stands where the first of them stood.
+/// Merges series with equal points in every panel into one, "these and those", at the position of
+/// the first.
 void join_equal(trace::Study& study);
-/// The title speaks of this point: it has a ring, with these words beside it. Names are those that series and panels have
-/// now; nothing where there is no such point.
+/// Draws a ring with this label around a point in the title. Uses the current names of series and
+/// panels; does nothing if the point is missing.
 void mark(trace::Study& study, const std::string& method, const std::string& panel,
           double parameter, const std::string& words);
-/// Every time is the least that was measured, which other programs on the machine disturb least.
+/// Uses the minimum of each time, which other programs disturb least.
 void show_least_times(trace::Study& study);
-/// Errors up to the resolution are none.
+/// Sets errors within the resolution to zero.
 void drop_resolution(trace::Study& study);
 
-/// What `result()` says becomes the title. Where the study lacks a number for it, the title stays.
+/// Sets the title to `result()`. If the study lacks a number for it, the title stays.
 template <class Result>
 void report(trace::Study& study, const Result& result) {
   try {
@@ -70,7 +70,7 @@ std::string count(double value);
 std::string length(double metres, int digits = 2);
 /// "640 ns", "1.1 µs", "5.6 s".
 std::string duration(double nanoseconds, int digits = 2);
-/// "10⁻⁵", or "0.001" where that is as short.
+/// "10⁻⁵", or "0.001" if that is as short.
 std::string power(double value);
 /// "spheres, boxes and rods".
 std::string listed(const std::vector<std::string>& names);

@@ -7,15 +7,14 @@
 
 namespace contactscope {
 
-/// What the exact test is measured against: every edge of each triangle against the other one, by the
-/// signs of volumes in plain floating point, as textbooks have it. Volumes of up to `epsilon`, metres,
-/// times an area count as none; with 0 it trusts the signs.
+/// Textbook baseline for the exact test: every edge of each triangle against the other, by signs of
+/// volumes in plain floating point. Volumes up to `epsilon`, metres, times an area count as zero;
+/// with 0 it trusts the signs.
 template <class S>
 class PlainTriangleTest {
  public:
   explicit PlainTriangleTest(S epsilon) : epsilon_(epsilon) {}
 
-  /// Whether they share a point.
   bool overlap(const Triangle<S>& a, const Triangle<S>& b) const {
     for (std::size_t k = 0; k < 3; ++k)
       if (meets(a[k], a[(k + 1) % 3], b) != None || meets(b[k], b[(k + 1) % 3], a) != None)
@@ -23,8 +22,8 @@ class PlainTriangleTest {
     return false;
   }
 
-  /// Proper where an edge goes through the other's interior, Touching where they share a point
-  /// nevertheless; it does not tell what is coplanar.
+  /// Proper if an edge crosses the other's interior, Touching if they share a point otherwise; does
+  /// not detect coplanar triangles.
   TriangleOverlapKind kind(const Triangle<S>& a, const Triangle<S>& b) const {
     TriangleOverlapKind found = None;
     for (std::size_t k = 0; k < 3; ++k)

@@ -125,7 +125,7 @@ OverlappingHulls overlapping_hulls(std::mt19937_64& engine, int vertices) {
       reach_b = std::max(reach_b, -direction.dot(hulls.b_in_a.rotate(v)));
     hulls.b_in_a.position = (reach_a + reach_b - overlap) * direction;
     hulls.deepest = oracle_axis(hulls.a, hulls.b, hulls.b_in_a);
-    // A kiss is no overlap: what float makes of it is chance.
+    // Touching is no overlap: in float its result is chance.
     if (hulls.deepest.separation < -1e-3 * hulls.size) return hulls;
   }
 }

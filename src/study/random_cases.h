@@ -7,67 +7,67 @@
 #include "manifold/pair_cache.h"
 #include "study/separation_oracle.h"
 
-/// What the studies draw: the same from the same seed, on any machine.
+/// Random inputs of the studies; the same for a seed on any machine.
 namespace contactscope {
 
 /// Shoemake, "Uniform Random Rotations", Graphics Gems III, 1992.
 Quatd uniform_rotation(std::mt19937_64& engine);
 
-/// A hull of so many points on an ellipsoid with semi-axes of 0.5 to 1 times `size`, turned at random.
+/// A randomly rotated hull of points on an ellipsoid with semi-axes of 0.5 to 1 times `size`.
 Hull<double> ellipsoid_hull(std::mt19937_64& engine, int vertices, double size);
 
-/// A generator for one case at two values > 0: neighbours share nothing.
+/// A generator for one case at two values > 0, uncorrelated with neighbouring cases.
 std::mt19937_64 case_engine(std::uint64_t seed, int index, double one, double other);
 
-/// What a reducer is given for one manifold.
+/// Input of a reducer for one manifold.
 struct ContactPolygon {
   std::vector<ContactPoint<float>> points;
   Vec3f normal = Vec3f::UnitZ();
 };
 
-/// A contact patch as clipping makes them: `count` >= 3 points in order around an ellipse, in one
-/// plane but for the rounding to float.
+/// A contact patch as made by clipping: `count` >= 3 points in order around an ellipse, planar up
+/// to rounding to float.
 ///
 /// Semi-axis 0.1 to 1 m, aspect ratio 1 to 5 (log-uniform); angles jittered by up to 0.4 of their
 /// spacing; any plane within 5 m of the origin. The depth is that of a tilted plane, up to twice
 /// its mean of 1 to 10 mm, plus noise of a twentieth of the mean.
 ContactPolygon elliptical_polygon(std::mt19937_64& engine, int count);
 
-/// The same contacts a frame before or after: each point moves in the plane by up to `part` of its
-/// distance from their middle, its depth by up to `part` of itself; ids stay.
+/// The contacts one frame earlier or later: each point moves in the plane by up to `part` of its
+/// distance from the centroid, its depth by up to `part` of itself; ids persist.
 ContactPolygon neighbouring_frame(const ContactPolygon& polygon, double part,
                                   std::mt19937_64& engine);
 
-/// The same contacts where two faces lie flat on each other: all as deep as the mean, but for some roundings
-/// of the places, in float.
+/// The contacts of two flat faces: all at the mean depth, up to some float roundings of the
+/// positions.
 ContactPolygon levelled(const ContactPolygon& polygon, std::mt19937_64& engine);
 
 struct OverlappingHulls {
   Hull<double> a, b;
   Pose<double> b_in_a;
-  double size = 1;                // metres: the longest semi-axis of both
-  OracleAxis deepest;             // of least overlap
-  Vec3d offset = Vec3d::UnitX();  // unit, A's frame: from where B came, for methods that look back
-  Vec3d turn_axis = Vec3d::UnitX();  // unit, A's frame: about which it turned
+  double size = 1;                   // metres: the longest semi-axis of both
+  OracleAxis deepest;                // of least overlap
+  Vec3d offset = Vec3d::UnitX();     // unit, A's frame: direction of B's earlier motion
+  Vec3d turn_axis = Vec3d::UnitX();  // unit, A's frame: axis of its rotation
 };
 
 /// Two hulls of `vertices` points each on ellipsoids with semi-axes of 0.5 to 1 times a size of 1
-/// mm to 1 km (log-uniform), turned at random, moved along a random direction until they overlap by
-/// 1 to 10% of the size along it; drawn again where another axis separates them.
+/// mm to 1 km (log-uniform), randomly rotated, moved along a random direction until they overlap by
+/// 1 to 10% of the size along it; redrawn if another axis separates them.
 OverlappingHulls overlapping_hulls(std::mt19937_64& engine, int vertices);
 
-/// A pair as one scalar sees it.
+/// A pair rounded to one scalar.
 template <class S>
 struct RoundedHulls {
   Hull<S> a, b;
   Pose<S> b_in_a;
-  PairCache<S> cache{};  // empty, unless a study fills it
+  PairCache<S> cache{};  // empty unless a study fills it
 
   explicit RoundedHulls(const OverlappingHulls& hulls)
       : a(hull_cast<S>(hulls.a)), b(hull_cast<S>(hulls.b)), b_in_a(hulls.b_in_a.cast<S>()) {}
 };
 
-/// The cases of a study, and what each is in both scalars.
+/// The cases of a study, exact and in both scalars.
 struct HullCases {
   std::vector<OverlappingHulls> exact;
   std::vector<RoundedHulls<float>> in_float;

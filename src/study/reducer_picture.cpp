@@ -14,11 +14,11 @@ const std::vector<Named> kOwn = {{"optimal_deepest", "best four with the deepest
                                  {"optimal", "best four by area alone"},
                                  {"coherent", "near the last frame's choice"},
                                  {"area", "greedy, by area"}};
-// Grey: what engines do.
+// Drawn in grey: reducers of engines.
 const std::vector<Named> kOfEngines = {{"bullet", "Bullet"}, {"ode", "ODE"},   {"physx", "PhysX"},
                                        {"box3d", "Box3D"},   {"jolt", "Jolt"}, {"mjx", "MJX"}};
-// The first so many of each keep the deepest point whatever it costs. The others drop it where that saves area: like is
-// held against like, and tables have them all.
+// The first ones of each list always keep the deepest point. The others drop it to gain area, so
+// compare only the first ones; tables contain all.
 constexpr std::size_t kOwnWithDeepest = 2, kEnginesWithDeepest = 3;
 
 std::vector<Named> first_of(const std::vector<Named>& named, std::size_t count) {
@@ -35,7 +35,7 @@ trace::Study picture_reducers(const trace::Study& measured) {
       first_of(kOfEngines, is_of_area ? kEnginesWithDeepest : kOfEngines.size());
   all.insert(all.end(), engines.begin(), engines.end());
   keep_methods(study, all);
-  // One number of points, so that a method is one marker: tables have the others, and the worst.
+  // One number of points, so that a method is one marker; tables contain the others and the worst.
   for (trace::StudySeries& series : study.series) {
     series.quiet = std::ranges::find(kOwn, series.method, &Named::second) == kOwn.end();
     std::erase_if(series.points, [](const auto& point) { return point.parameter != kUsualPoints; });
@@ -68,7 +68,7 @@ trace::Study picture_reducers(const trace::Study& measured) {
         continue;
       }
       mark(study, series.method, "", kUsualPoints, record);
-      series.method.clear();  // the mark has it
+      series.method.clear();  // the mark contains it
     }
     const std::string best = is_flat ? "Where all points are equally deep, the default loses "
                                      : "The best four points with the deepest lose ";

@@ -14,15 +14,15 @@ constexpr int kPointCounts[] = {5, 6, 8, 12, 16, 32};
 constexpr int kKept = 4;
 constexpr int kCases = 2000;
 constexpr int kRepetitions = 25;
-// Areas and distances are computed in double from coordinates within 6 m and patches of 0.02 m and
-// more; what is smaller than this is their rounding.
+// Areas and distances are computed in double from coordinates within 6 m and patches of at least
+// 0.02 m; smaller errors are rounding.
 constexpr double kRounding = 1e-12;
-// Float coordinates of that size are off by some 1e-7 m: of two choices that differ by less, a
-// method cannot know the better one.
+// Float coordinates of that size have errors of some 1e-7 m, so a method cannot decide between two
+// choices that differ by less.
 constexpr double kResolution = 1e-6;
 
-// The frames that a reducer with a memory has seen before, and how far apart they are: what a body
-// does that comes to rest. See neighbouring_frame().
+// Frames that a reducer with memory has seen before, and their spacing: the motion of a body that
+// comes to rest. See neighbouring_frame().
 constexpr int kFramesBefore = 8;
 constexpr double kMoveOfFrame = 0.01;
 
@@ -32,12 +32,12 @@ struct Method {
   bool remembers = false;
 };
 
-/// Who goes by the frame before has two lines: with a frame before, and without one.
+/// Reducers that use the previous frame have two lines: with an earlier frame, and without.
 std::vector<Method> methods() {
   std::vector<Method> list;
   for (const ReducerInfo& info : reducers()) {
     const ReducerInfo* reducer = find_reducer(info.name);
-    if (reducer == nullptr) continue;  // "none" is no method
+    if (reducer == nullptr) continue;  // "none" does not reduce
     list.push_back({info.name, reducer, info.remembers});
     if (info.remembers) list.push_back({info.name + ", first frame", reducer});
   }
@@ -51,12 +51,12 @@ ReduceOptions reduce_options(int index) {
   return options;
 }
 
-/// A manifold to reduce, and before it the frames that led to it, the oldest first.
+/// A manifold to reduce, preceded by earlier frames, the oldest first.
 using Frames = std::vector<ContactPolygon>;
 struct Case {
   Frames frames;
-  Frames flat;         // the same, levelled()
-  double largest = 0;  // metres: no coordinate of them is larger
+  Frames flat;         // levelled() frames
+  double largest = 0;  // metres: largest coordinate
 };
 
 Case make_case(std::mt19937_64& engine, std::mt19937_64& motion, int count) {
@@ -67,7 +67,7 @@ Case make_case(std::mt19937_64& engine, std::mt19937_64& motion, int count) {
   return made;
 }
 
-/// By another generator, so that the other cases stay the same.
+/// Uses another generator, so that the other cases stay the same.
 void add_flat(Case& made, std::mt19937_64& engine) {
   for (const ContactPolygon& frame : made.frames) {
     made.flat.push_back(levelled(frame, engine));
@@ -76,7 +76,7 @@ void add_flat(Case& made, std::mt19937_64& engine) {
   }
 }
 
-/// What a method that remembers kept in the last of the frames before.
+/// Ids that a reducer with memory kept in the last of the earlier frames.
 std::vector<FeatureId> remembered(const Method& method, const Frames& frames, double scale) {
   std::vector<FeatureId> ids;
   for (const ContactPolygon& frame : std::span(frames).first(kFramesBefore)) {
@@ -99,21 +99,20 @@ trace::ReducerAnswer judge(const KeptIndices& kept, const ContactPolygon& polygo
 
 }  // namespace
 
-/// Every registered reducer but "none", on 5, 6, 8, 12, 16 and 32 points of elliptical polygons
-/// (random_cases.h) in float, four points kept. Three results from the same runs, and one, "flat", from the
-/// same polygons where all points are equally deep but for rounding (levelled()):
+/// Every registered reducer except "none", on 5, 6, 8, 12, 16 and 32 points of elliptical polygons
+/// (random_cases.h) in float, keeping four points. Three results from the same runs; a fourth,
+/// "flat", from the same polygons with all points equally deep up to rounding (levelled()).
 ///
-/// A reducer that goes by the frame before (coherent) has two lines: one that has seen eight frames
-/// before, each a hundredth of the patch away from the next (neighbouring_frame()), and "..., first
-/// frame", where it is given no ids.
+/// A reducer that uses the previous frame (coherent) has two lines: after eight frames, each a
+/// hundredth of the patch from the next (neighbouring_frame()), and "..., first frame", without
+/// ids.
 ///
-/// "area": 1 - area / area of the best four points, in [0, 1]. The best is the longest chain of
-/// corners of the hull, by dynamic programming in double (best_convex_area()), exact but for
-/// rounding. What float takes for the larger of two can be smaller by its own rounding, some 1e-7
-/// of the area. "wrench": the largest shortfall of the resisted moment (exploration.h), in
-/// [0, 2]. "flat": as "area". "deepest": the share of the polygons whose deepest point was lost, in
-/// [0, 1]; it has no worst. A call has failed when it kept no area at all; its errors count, as the largest there
-/// are.
+/// "area": 1 - area / area of the best four points, in [0, 1]. The best polygon is found by dynamic
+/// programming in double over the corners of the hull (best_convex_area()), exact up to rounding.
+/// Float may misjudge the larger of two areas by its rounding, some 1e-7 of the area. "wrench": the
+/// largest shortfall of the resisted moment (exploration.h), in [0, 2]. "flat": as "area".
+/// "deepest": share of polygons whose deepest point was lost, in [0, 1]; it has no worst. A call
+/// fails if it keeps no area; it still counts, with the maximum error.
 std::vector<trace::Study> study_reducers(const StudyOptions& options,
                                          const StudyProgress& progress) {
   const std::vector<Method> all = methods();
@@ -136,10 +135,10 @@ std::vector<trace::Study> study_reducers(const StudyOptions& options,
     results[of_area].reference = "the largest quadrilateral, exact in double, " + cases_spelled;
 
   std::vector<std::vector<Case>> cases(grid.parameters.size());
-  using Memory = std::vector<std::vector<FeatureId>>;  // of each case
+  using Memory = std::vector<std::vector<FeatureId>>;  // per case
   std::vector<std::vector<Memory>> memory(all.size(), std::vector<Memory>(cases.size()));
   std::mt19937_64 engine(options.seed);
-  // Of their own: the polygons are the same whatever moves and levels them.
+  // Separate generators, so that the polygons do not depend on motion and levelling.
   std::mt19937_64 motion(~options.seed), level(options.seed ^ 0x666c6174);
   const auto without_rounding = [](double error) { return error < kRounding ? 0 : error; };
   const auto reduced = [&](std::size_t m, std::size_t p, std::size_t i) {
@@ -167,7 +166,7 @@ std::vector<trace::Study> study_reducers(const StudyOptions& options,
           add_flat(cases[p].back(), level);
         }
       },
-      // Who keeps no area has failed, and the error of that is all there is to lose.
+      // Without area a call fails, with the maximum error.
       [&](std::size_t m, std::size_t p, Measurement& measured) {
         for (std::size_t i = 0; i < cases[p].size(); ++i) {
           const Frames& frames = cases[p][i].frames;

@@ -24,8 +24,8 @@ double distance_to_segment(const Vec2d& q, const Vec2d& a, const Vec2d& b) {
   return (q - a - along * edge).norm();
 }
 
-/// Distance of a place outside a convex polygon; negative inside, as far as the nearest edge. A
-/// polygon of one corner or two is a point or a segment.
+/// Distance of a point outside a convex polygon; inside, minus the distance to the nearest edge. A
+/// polygon of one or two corners is a point or segment.
 double distance_outside(const Vec2d& q, const std::vector<Vec2d>& polygon) {
   double nearest = std::numeric_limits<double>::infinity();
   bool inside = polygon.size() > 2;
@@ -47,8 +47,8 @@ double radius_of(const std::vector<Vec2d>& points) {
   return radius;
 }
 
-/// The difference of the support functions of two convex sets, one in the other, is largest at a
-/// corner of the outer one: there it is the distance to the inner one.
+/// For nested convex sets, the difference of the support functions is largest at a corner of the
+/// outer set, where it is the distance to the inner one.
 double lost_reach(const std::vector<Vec2d>& all, std::span<const int> kept) {
   const double radius = radius_of(all);
   if (!(radius > 0)) return 0;
@@ -58,14 +58,14 @@ double lost_reach(const std::vector<Vec2d>& all, std::span<const int> kept) {
   return most / radius;
 }
 
-/// Kept points in a row to rounding say nothing about the depth beside it.
+/// Collinear kept points, up to rounding, do not determine the slope across their line.
 constexpr double kFlat = 1e-12;
 
-/// Separation as a linear function of the place, fitted to the kept points; of smallest slope where
-/// they do not determine one.
+/// Separation as a linear function of position, fitted to the kept points; with the smallest slope
+/// if it is not unique.
 double depth_error(const std::vector<Vec2d>& places, const std::vector<double>& separations,
                    std::span<const int> kept) {
-  // The mean depth and slopes about the mean place, in units of the radius: then the rank shows.
+  // Relative to the mean position and depth, in units of the radius, so that the rank shows.
   const double radius = radius_of(places);
   const double scale = radius > 0 ? radius : 1;
   Vec2d mean = Vec2d::Zero();
@@ -76,7 +76,7 @@ double depth_error(const std::vector<Vec2d>& places, const std::vector<double>& 
   }
   mean /= static_cast<double>(kept.size());
   mean_depth /= static_cast<double>(kept.size());
-  // The places along their two principal directions make the normal equations diagonal.
+  // Along the two principal directions the normal equations are diagonal.
   double xx = 0, xy = 0, yy = 0;
   for (const int i : kept) {
     const Vec2d arm = (at(places, i) - mean) / scale;
@@ -86,7 +86,7 @@ double depth_error(const std::vector<Vec2d>& places, const std::vector<double>& 
   }
   const double angle = 0.5 * std::atan2(2 * xy, xx - yy);
   const Vec2d longer(std::cos(angle), std::sin(angle));
-  double reach = 0;  // summed squares along the longer direction
+  double reach = 0;  // sum of squares along the longer direction
   Vec2d slope = Vec2d::Zero();
   for (const Vec2d& direction : {longer, Vec2d(-longer.y(), longer.x())}) {
     double squares = 0, product = 0;
@@ -126,7 +126,7 @@ trace::ReducerAnswer measure_reduction(std::span<const ContactPoint<double>> poi
   const std::vector<double> separations = mapped(points, &ContactPoint<double>::separation);
   const std::vector<Vec2d> places = project(all, normal);
   const double deepest = std::ranges::min(separations);
-  // Points of a float pipeline that differ by its rounding are equally deep, and any of them will do.
+  // Points within float rounding of the deepest are equally deep, and any of them suffices.
   const double rounding = 8 * static_cast<double>(std::numeric_limits<float>::epsilon()) *
                           (radius_of(places) + std::abs(deepest));
   answer.deepest_kept = std::ranges::min(chosen(separations, kept)) <= deepest + rounding;

@@ -14,10 +14,9 @@ using Vec = OracleBody::Vec;
 using Core = OracleBody::Core;
 
 constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
-// Edges nearer to parallel have no cross product in 64 bits of mantissa.
+// Edges closer to parallel have no cross product in 64 bits of mantissa.
 constexpr Real kParallel = 1e-17L;
 
-/// By the fan of triangles about the first vertex.
 Vec face_normal(const std::vector<Vec>& face) {
   Vec sum = Vec::Zero();
   for (std::size_t i = 1; i + 1 < face.size(); ++i)
@@ -37,8 +36,8 @@ Real point_to_segment(const Vec& point, const std::pair<Vec, Vec>& segment) {
   return (point - nearest).norm();
 }
 
-/// The closest points lie inside of both segments, or one of them is an end. Of nearly parallel ones
-/// the first point is uncertain, but then the distance hardly depends on it.
+/// The closest points are inside both segments, or one of them is an end. For nearly parallel
+/// segments the first case is inaccurate, but the distance hardly depends on it.
 Real segment_to_segment(const std::pair<Vec, Vec>& one, const std::pair<Vec, Vec>& other) {
   const Real best =
       std::min({point_to_segment(one.first, other), point_to_segment(one.second, other),
@@ -53,8 +52,8 @@ Real segment_to_segment(const std::pair<Vec, Vec>& one, const std::pair<Vec, Vec
   return std::min(best, point_to_segment(Vec(one.first + s * along), other));
 }
 
-/// Edges are those of the loops, each once: a loop's edge runs from a lower to a higher index in
-/// one of its two faces.
+/// Edges of the loops, without duplicates: each runs from a lower to a higher index in one of its
+/// two faces.
 Core make_core(std::vector<Vec> vertices, const std::vector<std::vector<int>>& loops) {
   Core core;
   for (const std::vector<int>& loop : loops) {
@@ -116,7 +115,7 @@ OracleBody make_body(const Shape<S>& shape, const Mat3<Real>& turn, const Vec& p
   return body;
 }
 
-/// Of the cores; their radii are left out.
+/// For the cores, without radii.
 Real along(const Vec& normal, const Core& a, const Core& b) {
   Real highest = -kInfinity;
   Real lowest = kInfinity;
@@ -140,7 +139,7 @@ Real largest_separation(const Core& a, const Core& b) {
       const Vec cross = along_a.cross(along_b);
       const Real length = cross.norm();
       if (!(length > kParallel * along_a.norm() * along_b.norm())) continue;
-      // A short cross product is rounded all around; along the edges even a little of that counts.
+      // A short cross product has large rounding errors; remove the component along the edges.
       const Vec unit_a = along_a.normalized();
       const Vec rounded = cross / length;
       try_axis((rounded - rounded.dot(unit_a) * unit_a).normalized(), a, b, best);
@@ -149,7 +148,7 @@ Real largest_separation(const Core& a, const Core& b) {
   return best;
 }
 
-/// Vertices of A straight over or under a face of B.
+/// Vertices of A directly above or below a face of B.
 Real vertices_to_faces(const Core& a, const Core& b) {
   Real best = kInfinity;
   for (std::size_t f = 0; f < b.faces.size(); ++f) {
@@ -176,17 +175,17 @@ Real distance(const Core& a, const Core& b) {
 }
 
 Real separation_of(const Core& a, const Core& b) {
-  // Two points or segments have no inside: their distance says all.
+  // Two points or segments have no inside: their distance is enough.
   const bool solid = !a.faces.empty() || !b.faces.empty();
   const Real overlap = solid ? largest_separation(a, b) : Real(1);
-  // Of a triangle and what lies in its plane no axis says how far they are apart.
+  // No axis gives the distance of a triangle from a shape in its plane.
   return (overlap >= 0 ? distance(a, b) : overlap) - a.radius - b.radius;
 }
 
-/// A pair of faces that share an edge, and that edge.
+/// Two faces that share an edge, and that edge.
 struct HullEdge {
   Vec from, along;       // along is unit
-  Vec normal1, normal2;  // of the faces beside it
+  Vec normal1, normal2;  // of its two faces
 };
 
 std::vector<HullEdge> edges_of(const Hull<double>& hull, const Core& core) {
@@ -266,8 +265,8 @@ OracleAxis oracle_axis(const Hull<double>& a, const Hull<double>& b, const Pose<
 template <class S>
 SeparationOracle::SeparationOracle(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b,
                                    const Pose<S>& pose_b) {
-  // As seen from A: the world's origin may be far away. Where A has faces also turned as A is: a triangle a million
-  // times as long as high leans by more than double rounds as soon as its corners are turned.
+  // Relative to A, since the world's origin may be far. If A has faces, also in A's rotation:
+  // rotated corners tilt a triangle a million times as long as high by more than double's rounding.
   const Vec between = pose_b.position.template cast<Real>() - pose_a.position.template cast<Real>();
   const bool has_faces = std::holds_alternative<Hull<S>>(a) || std::holds_alternative<Mesh<S>>(a);
   const Mat3<Real> turn = turn_of(pose_a), identity = Mat3<Real>::Identity();

@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* kScalars[] = {"float", "double"};
 
-/// A line for each sweep, kind and scalar, in this order, empty.
+/// An empty line for each sweep, kind and scalar, in this order.
 std::vector<SoakLine> empty_lines() {
   std::vector<SoakLine> lines;
   for (const LimitSweep& sweep : limit_sweeps())
@@ -20,7 +20,7 @@ std::vector<SoakLine> empty_lines() {
   return lines;
 }
 
-/// Of "float"; that of "double" follows.
+/// Index of the "float" line; "double" follows.
 std::size_t line_of(const SoakCase& one) {
   std::size_t line = 0;
   for (const LimitSweep& sweep : limit_sweeps()) {
@@ -34,7 +34,7 @@ std::size_t line_of(const SoakCase& one) {
   return line + std::size(kScalars) * static_cast<std::size_t>(kind - one.sweep->kinds.begin());
 }
 
-/// 64 bits that belong to a number, after splitmix64 (Steele, Lea, Flood 2014).
+/// 64 bits hashed from a number, like splitmix64 (Steele, Lea, Flood 2014).
 std::uint64_t scrambled(std::uint64_t number) {
   number += 0x9E3779B97F4A7C15u;
   number = (number ^ (number >> 30)) * 0xBF58476D1CE4E5B9u;
@@ -95,7 +95,7 @@ SoakCase soak_case(std::uint64_t seed, std::int64_t number) {
   const std::uint64_t bits = scrambled(seed ^ scrambled(static_cast<std::uint64_t>(number)));
   const double share = std::ldexp(static_cast<double>(bits >> 11), -53);
   one.value = one.sweep->low * std::pow(one.sweep->high / one.sweep->low, share);
-  // Even and odd cases differ within a sweep and kind, so they are numbered there.
+  // Even and odd cases differ, so they are numbered within a sweep and kind.
   const auto index = static_cast<int>(number / (sweeps * kinds));
   one.pair = limit_case(*one.sweep, one.value, one.kind, index, seed);
   return one;

@@ -9,48 +9,48 @@
 
 #include "study/limits_study.h"
 
-/// The study of the numbers' limits for as many pairs as there is time for: random places on its sweeps, in float and
-/// in double, each judged by the oracle and forgotten. What is kept are whole numbers, largest values and lowest
-/// numbers of cases, so that parts that were run anywhere come to the same, whatever their number and order.
+/// The study of numerical limits for as many pairs as time allows: random positions on its sweeps,
+/// in float and double, each tested by the oracle and not stored. Results are integers, maxima and
+/// smallest case numbers, so that any split into parts, run anywhere, merges to the same result.
 namespace contactscope {
 
-/// As files name the members of ContactFault.
+/// Names of ContactFault in files.
 inline constexpr std::array<const char*, 7> kContactFaults = {
     "none", "not_finite", "missing", "phantom", "imprecise", "drifting", "drowned"};
 
-/// Whether the pipeline said something that its own shapes and poses do not. An overlap that drowns in rounding
-/// is none.
+/// Whether the pipeline's result contradicts its own shapes and poses. An overlap within rounding
+/// does not count.
 constexpr bool is_wrong(ContactFault fault) {
   return fault != ContactFault::None && fault != ContactFault::Drowned;
 }
 
-/// What the pairs of one sweep, kind and scalar came to.
+/// Results for the pairs of one sweep, kind and scalar.
 struct SoakLine {
   std::string sweep;   // "tilt"
   std::string pair;    // "capsule on box"
   std::string scalar;  // "float", "double"
   std::int64_t pairs = 0;
   std::array<std::int64_t, kContactFaults.size()> faults{};  // by ContactFault
-  // Of those without a fault:
+  // Without faults:
   double worst_ulps = 0;                 // largest error, in ulps of the pair's coordinates
-  std::int64_t worst_case = -1;          // the first that has it; -1: all are exact
+  std::int64_t worst_case = -1;          // the first with that error; -1: all are exact
   std::int64_t exact = 0;                // without any error
   std::map<int, std::int64_t> errors{};  // by exponent e: above 2^(e-1) ulps, up to 2^e
 
   std::int64_t wrong() const;
 };
 
-/// A wrong answer, to be looked at again.
+/// A wrong result, to be examined later.
 struct SoakFailure {
-  std::int64_t number = 0;  // of the case: the same seed and number give the same pair
+  std::int64_t number = 0;  // case number: the same seed and number give the same pair
   std::string sweep, pair, scalar, fault;
-  double value = 0;  // of what the sweep drives
-  double ulps = 0;   // of its error
+  double value = 0;  // of the sweep's parameter
+  double ulps = 0;   // its error
 };
 
 struct Soak {
   std::uint64_t seed = 1;
-  std::int64_t cases = 0;  // of the whole, in all parts
+  std::int64_t cases = 0;  // total, in all parts
   std::vector<SoakLine> lines{};
   std::vector<SoakFailure> failures{};  // the first kSoakFailures, by number and scalar
 
@@ -58,7 +58,7 @@ struct Soak {
 };
 inline constexpr std::size_t kSoakFailures = 20;
 
-/// A case: number, sweep and kind in turn, at a random place between the sweep's ends.
+/// A case: its number selects sweep and kind in turn, at a random position of the sweep.
 struct SoakCase {
   const LimitSweep* sweep = nullptr;
   PairKind kind{};
@@ -67,12 +67,12 @@ struct SoakCase {
 };
 SoakCase soak_case(std::uint64_t seed, std::int64_t number);
 
-/// Judges the cases `first` up to but not including `last` of `cases`. `step` is told how many are done, now and then, and
-/// may throw to stop.
+/// Tests the cases from `first` up to but excluding `last`, out of `cases`. `step` is called now
+/// and then with the number done, and may throw to stop.
 Soak soak_pairs(std::uint64_t seed, std::int64_t cases, std::int64_t first, std::int64_t last,
                 const std::function<void(std::int64_t done)>& step);
 
-/// Adds what another part of the same whole came to.
+/// Adds the results of another part.
 void add(Soak& whole, const Soak& part);
 
 }  // namespace contactscope

@@ -8,7 +8,7 @@
 namespace contactscope {
 namespace {
 
-constexpr double kPull = 9.81;  // metres a second, a second
+constexpr double kPull = 9.81;  // metres per second squared
 constexpr double kStep = 1.0 / 60;
 
 class SceneBuilder {

@@ -7,28 +7,28 @@
 
 namespace contactscope {
 
-/// The method of `study solver` that is there to gain energy, and may.
+/// The method of `study solver` that may gain energy, as a counterexample.
 inline constexpr const char* kAllPushKept = "Baumgarte, all of its push kept";
 
-/// A scene whose energy no solver may raise.
+/// A scene whose energy a solver must not increase.
 struct EnergyScene {
   std::string name;
   World<double> world;
   std::vector<Shape<double>> shapes;
-  int frames = 120;  // of a sixtieth of a second
-  // Joules that taking out the overlaps at the start adds: each body lifted to where it lies on what is
-  // below it, or 0. Position correction does that work, and no more.
+  int frames = 120;  // of 1/60 s
+  // Joules to remove the initial overlaps: each body is lifted until it lies on what is below, or
+  // 0. Position correction may do this work, but no more.
   double lift = 0;
 };
 
-/// Twenty scenes: drops, deep starts, stacks, mass ratios, bullets. Floors are at height 0, so that
-/// energies are those above the lowest places that bodies can reach.
+/// Twenty scenes: drops, deep starts, stacks, mass ratios, bullets. Floors are at height 0, so
+/// energies are relative to the lowest positions of bodies.
 std::vector<EnergyScene> energy_scenes();
 
-/// Runs `scene` in double with `settings`: the most energy, kinetic and of height, of any frame, as a
-/// share of what it began with and its lift, less 1. Negative where it never gained any. Semi-implicit
-/// Euler holds velocities that are half a sub-step older than the places: energies are of those that
-/// gravity makes of them by then, so that a ball that rises has no more than the ball that fell.
+/// Runs `scene` in double with `settings`. Returns the largest energy, kinetic and potential, of
+/// any frame over the initial energy plus lift, minus 1; negative if energy was never gained. In
+/// semi-implicit Euler velocities lag half a sub-step behind positions, so they are advanced by
+/// gravity; else a rising ball would have more energy than a falling one.
 double energy_gained(EnergyScene scene, const SolverSettings& settings);
 
 }  // namespace contactscope

@@ -18,14 +18,14 @@ const std::vector<Named> kWarm = {{"soft, warm", "soft contacts"},
 
 constexpr const char* kColdPanel = ", no warm starting";
 
-/// "the static solution; a call is a frame; 336 stacks, of which ...; seed 1": without what all stacks of a run did.
+/// "the static solution; a call is a frame; 336 stacks, ...; seed 1" without the middle part.
 std::string short_reference(const std::string& reference) {
   const std::size_t first = reference.find(';'), last = reference.rfind(';');
   return first == std::string::npos ? reference
                                     : reference.substr(0, first) + reference.substr(last);
 }
 
-/// Speed against the number of sub-steps, from where every stack stands.
+/// Speed over the number of sub-steps, from the first at which every stack stands.
 void show_jitter(const trace::Study& measured, trace::Study& study) {
   keep_panels(study, {{kSubsteps, ""}});
   double last_fall = 0;
@@ -36,7 +36,7 @@ void show_jitter(const trace::Study& measured, trace::Study& study) {
     series.parameter = "sub-steps of a frame, an iteration each";
     std::erase_if(series.points, [&](const auto& point) { return point.parameter <= last_fall; });
     for (trace::StudyPoint& point : series.points) {
-      point.error_worst.reset();  // tables have it
+      point.error_worst.reset();  // tables contain it
       if (point.error) *point.error *= 1000;
     }
   }
@@ -49,7 +49,7 @@ void show_jitter(const trace::Study& measured, trace::Study& study) {
     const auto spelled = [](double metres) { return number(1000 * metres) + " mm/s"; };
     const double soft = speed("soft, warm"), projection = speed("projection, warm"),
                  baumgarte = speed("baumgarte, warm");
-    // Of the two others the one that moves less; tables have both.
+    // Show the steadier of the two others; tables contain both.
     const double slower = std::min(projection, baumgarte);
     const std::string rival = kWarm[projection < baumgarte ? 1 : 2].second;
     std::erase_if(study.series, [&](const trace::StudySeries& series) {
@@ -64,13 +64,13 @@ void show_jitter(const trace::Study& measured, trace::Study& study) {
 
 trace::Study picture_curves(const trace::Study& measured) {
   trace::Study study = measured;
-  keep_methods(study, kWarm);  // tables have those without warm starting
+  keep_methods(study, kWarm);  // tables contain the ones without warm starting
   study.reference = short_reference(study.reference);
   if (study.measure == "jitter") {
     show_jitter(measured, study);
     return study;
   }
-  // Those of one panel stand together.
+  // Group series by panel.
   std::ranges::stable_sort(study.series, std::ranges::less(), &trace::StudySeries::panel);
   study.failed = "fell";
   study.shown = "Up: mean " + study.error +
@@ -78,7 +78,7 @@ trace::Study picture_curves(const trace::Study& measured) {
   return study;
 }
 
-/// The largest ratio at which every stack of a panel stands, up to it; 0 where even equal boxes fall.
+/// The largest ratio up to which every stack of a panel stands; 0 if even equal boxes fall.
 double held_by_all(const trace::Study& study, const std::string& panel) {
   double least = 1e300;
   for (const trace::StudySeries& series : study.series) {
@@ -110,12 +110,12 @@ trace::Study picture_map(const trace::Study& measured) {
   if (study.measure != "map") return study;
   study.unit = trace::kShare;
   study.shown = "Colour: share of the stacks that fall, at 16 sweeps a frame";
-  // Without warm starting all hold less; tables have them.
+  // Without warm starting all hold less; tables contain them.
   std::erase_if(study.series, [](const trace::StudySeries& series) {
     return series.panel.ends_with(kColdPanel);
   });
   report(study, [&] {
-    double most = 0;  // at which anything stands
+    double most = 0;  // largest ratio at which any stack stands
     for (const trace::StudySeries& series : measured.series)
       for (const trace::StudyPoint& point : series.points)
         if (point.failed < point.of) most = std::max(most, point.parameter);
@@ -124,7 +124,7 @@ trace::Study picture_map(const trace::Study& measured) {
       for (trace::StudyPoint& point : series.points) {
         if (point.parameter <= by_all) point.mark = number(by_all) + " ×";
       }
-      // Beyond all fall.
+      // All fall beyond this.
       std::erase_if(series.points,
                     [&](const auto& point) { return point.parameter > 1.01 * most; });
     }

@@ -12,10 +12,10 @@
 namespace contactscope {
 namespace {
 
-constexpr double kHalf = 0.5;  // metres, of a box's edge
+constexpr double kHalf = 0.5;  // metres, half a box's edge
 constexpr double kGravity = 9.81;
 constexpr float kFrame = 1.0f / 60;
-constexpr int kRestFrames = 60;  // the last ones, over which rest is judged
+constexpr int kRestFrames = 60;  // the last frames, used to judge rest
 
 Vec3d static_place(const StackPlan& plan, std::size_t box) {
   const auto level = static_cast<double>(box);
@@ -23,7 +23,7 @@ Vec3d static_place(const StackPlan& plan, std::size_t box) {
           plan.boxes[box].z};
 }
 
-/// A stack that is being stepped, and judged.
+/// A stack that is stepped and judged.
 class StandingStack {
  public:
   StandingStack(const StackPlan& plan, const SolverSettings& settings)
@@ -40,14 +40,13 @@ class StandingStack {
       shapes_.push_back(shape_cast<float>(box));
       world_.bodies.push_back(dynamic_body<float>(
           pose.cast<float>(), with_mass(*mass_properties(box), plan.boxes[i].mass)));
-      // Only neighbours: by the time that others could touch, a box has sunk too far into the next.
+      // Only neighbours: before others touch, a box has sunk too far into the next.
       WorldPair<float>& pair = world_.pairs.emplace_back();
       pair.a = static_cast<int>(i);
       pair.b = static_cast<int>(i + 1);
       mass += plan.boxes[i].mass;
     }
-    // Anything from touching to an overlap of the slop is at rest, so that a stack may stand that much
-    // higher.
+    // Any overlap from 0 to the slop is at rest, so a stack may stand higher by that much.
     most_energy_ = energy();
     for (std::size_t i = 0; i < plan.boxes.size(); ++i) {
       const double lifted = static_cast<double>(i + 1) * kStackSlop;
@@ -76,7 +75,7 @@ class StandingStack {
       outcome.load_error += load_error() / frames_at_rest;
       outcome.ids_changed += ids_changed_ / frames_at_rest;
     }
-    // Contacts are those of the beginning of a frame; once more for the last.
+    // Contacts are from the start of a frame; find them again for the end of the last.
     find_contacts(world_, shapes_, settings_, contacts_);
     if (outcome.fault == StackFault::None) {
       outcome.penetration = penetration();
@@ -112,7 +111,7 @@ class StandingStack {
     if (energy() > most_energy_) return StackFault::Energy;
     for (std::size_t i = 1; i < world_.bodies.size(); ++i) {
       const Vec3d here = world_.bodies[i].center.cast<double>();
-      // The lowest one is as if on another box, below the plane.
+      // The lowest box counts as standing on another one below the plane.
       const Vec3d above = i > 1 ? Vec3d(here - world_.bodies[i - 1].center.cast<double>())
                                 : Vec3d(0, here.y() + kHalf, 0);
       if (std::abs(above.y() - 2 * kHalf) > kHalf || std::hypot(above.x(), above.z()) > kHalf)
@@ -153,7 +152,7 @@ class StandingStack {
       double impulse = 0;
       for (const PointImpulse<float>& point : world_.impulses[i])
         impulse += static_cast<double>(point.total_normal);
-      double mass = 0;  // above
+      double mass = 0;  // of the boxes above
       for (std::size_t k = i; k < plan_.boxes.size(); ++k) mass += plan_.boxes[k].mass;
       const double weight = mass * kGravity;
       worst = std::max(worst, std::abs(impulse / static_cast<double>(kFrame) - weight) / weight);
@@ -166,9 +165,9 @@ class StandingStack {
   World<float> world_;
   std::vector<Shape<float>> shapes_;
   std::vector<Manifolds<float>> contacts_;
-  std::vector<std::vector<FeatureId>> ids_;  // of the frame before
+  std::vector<std::vector<FeatureId>> ids_;  // of the previous frame
   double ids_changed_ = 0;
-  double most_energy_ = 0;  // joules; more has come from nowhere
+  double most_energy_ = 0;  // joules; a higher energy is an error
 };
 
 }  // namespace

@@ -13,11 +13,11 @@
 namespace contactscope {
 namespace {
 
-constexpr double kAllOfItsPush = 1e6;  // metres a second: Baumgarte as the talk has it
+constexpr double kAllOfItsPush = 1e6;                // metres per second: Baumgarte as in the talk
 constexpr int kCounts[] = {1, 2, 4, 8, 16, 32, 64};  // iterations, or sub-steps
-constexpr int kHeights[] = {20, 14, 9, 6, 4, 3, 2};  // boxes; the tallest is the upper row of a map
-constexpr int kRatioSteps = 13;                      // two a decade, from 1 to 10^6
-constexpr int kMapCases = 2;                         // stacks a cell
+constexpr int kHeights[] = {20, 14, 9, 6, 4, 3, 2};  // boxes; the tallest is the top row of a map
+constexpr int kRatioSteps = 13;                      // two per decade, from 1 to 10^6
+constexpr int kMapCases = 2;                         // stacks per cell
 
 struct SolverMethod {
   const char* name;
@@ -27,13 +27,13 @@ struct SolverMethod {
   int map_iterations, map_substeps;
 };
 
-// The maps give every method sixteen sweeps a frame: projection and soft contacts spend half of
+// In maps every method has sixteen sweeps per frame: projection and soft contacts spend half of
 // theirs on positions.
 constexpr SolverMethod kSolverMethods[] = {
     {"baumgarte, warm", PositionCorrection::Baumgarte, true, "baumgarte, warm: 16 sweeps", 16, 1},
     {"projection, warm", PositionCorrection::Projection, true, "projection, warm: 8 + 8", 8, 1},
     {"soft, warm", PositionCorrection::Soft, true, "soft, warm: 4 × (2 + 2)", 2, 4},
-    // In this order each has a colour in the plots that is near its warm brother's.
+    // In this order each cold method has a colour close to its warm one's.
     {"soft, cold", PositionCorrection::Soft, false, "soft, cold: 4 × (2 + 2)", 2, 4},
     {"projection, cold", PositionCorrection::Projection, false, "projection, cold: 8 + 8", 8, 1},
     {"baumgarte, cold", PositionCorrection::Baumgarte, false, "baumgarte, cold: 16 sweeps", 16, 1},
@@ -41,10 +41,10 @@ constexpr SolverMethod kSolverMethods[] = {
 
 struct CurveStack {
   const char* suffix;  // of the measure's name
-  const char* title;   // follows the measure's
+  const char* title;   // appended to the measure's
   int boxes;
   double ratio;
-  int cases;  // stacks a point
+  int cases;  // stacks per point
 };
 constexpr CurveStack kCurveStacks[] = {
     {"", ": ten equal boxes", 10, 1, 4},
@@ -63,14 +63,14 @@ constexpr CurvePanel kCurvePanels[] = {
     {"More sub-steps, an iteration each", "sub-steps", true},
 };
 
-/// One number of an outcome, and how it is called.
+/// One value of an outcome, and its names.
 struct StackMeasure {
   const char* name;
   const char* title;
   const char* error;
   const char* unit;
   double StackOutcome::*value;
-  // Of those that are drawn as maps too: others are of the first stack alone.
+  // Set for measures that also have maps; others exist for the first stack only.
   const char* map_name = nullptr;
   const char* map_error = nullptr;
 };
@@ -88,13 +88,13 @@ constexpr StackMeasure kStackMeasures[] = {
     {"ids", "How many contact points are new", "share of new ids a frame, third second", "",
      &StackOutcome::ids_changed},
 };
-// Floats cannot tell a box's place ten metres up from the next one a millionth of a metre above.
+// Ten metres up, float's resolution of a box's position is about a micrometre.
 constexpr double kStackResolution = 1e-6;
 
-/// Results that are filled with lines, each point of the same stacks for every method and setting.
+/// Collects lines; every method and setting has the same stacks at each point.
 class StackResults {
  public:
-  /// `call` says what a measure is called, with no name where it is left out.
+  /// `call` names a measure; without a name it is omitted.
   template <class Call>
   StackResults(const StudyOptions& options, int cases, const char* parameter, const Call& call)
       : options_(options), cases_(options.cases.value_or(cases)) {
@@ -108,7 +108,7 @@ class StackResults {
     results = results_of("solver", "float", parameter, "", measures);
   }
 
-  /// Several may be judged at once.
+  /// Thread-safe.
   Measurement judge(int boxes, double ratio, const SolverMethod& method, int iterations,
                     int substeps) {
     SolverSettings settings;
@@ -134,7 +134,7 @@ class StackResults {
     return measured;
   }
 
-  /// With how many stacks came to grief how.
+  /// Adds the number of failed stacks by cause.
   std::vector<trace::Study> finished() {
     const auto count = [&](StackFault fault) {
       return std::to_string(faults_[static_cast<std::size_t>(fault)]);
@@ -154,7 +154,7 @@ class StackResults {
  private:
   const StudyOptions& options_;
   int cases_;
-  std::vector<double StackOutcome::*> values_;  // one a result
+  std::vector<double StackOutcome::*> values_;  // one per result
   std::mutex counting_;
   std::array<int, 4> faults_{};
 };
@@ -200,10 +200,10 @@ std::vector<trace::Study> maps(const StudyOptions& options, const StudyStep& ste
     std::string name() const { return std::to_string(boxes) + " boxes"; }
   };
   std::vector<Row> rows;
-  for (const std::size_t turn : {0, 1, 2, 5, 4, 3})  // a method's brothers under each other
+  for (const std::size_t turn : {0, 1, 2, 5, 4, 3})  // warm above cold
     for (const int boxes : kHeights)
       rows.push_back({kSolverMethods[turn], boxes, {ratios.size(), Measurement(0)}});
-  // A map shows no times, so its stacks are run side by side.
+  // A map has no times, so its stacks run in parallel.
   std::mutex labelled;
   Workers(options.thread_count()).for_each(count_of(rows) * kRatioSteps, [&](int piece, int) {
     Row& row = at(rows, piece / kRatioSteps);
@@ -241,7 +241,7 @@ constexpr EnergyMethod kEnergyMethods[] = {
     {kAllPushKept, PositionCorrection::Baumgarte, kAllOfItsPush},
 };
 constexpr int kEnergySubsteps[] = {1, 2, 4, 8, 16, 32};
-constexpr double kEnergyResolution = 1e-4;  // of the energy at the start
+constexpr double kEnergyResolution = 1e-4;  // relative to the initial energy
 
 trace::Study energies(const StudyOptions& options, const StudyStep& step) {
   std::vector<trace::Study> results =
@@ -274,23 +274,22 @@ trace::Study energies(const StudyOptions& options, const StudyStep& step) {
 
 }  // namespace
 
-/// How stacks of boxes stand, by position method (Baumgarte, projection, soft), with and without warm
-/// starting, against the static solution: every box at its height, every contact carrying what is
-/// above it. Stacks and measures are those of solver_stack.h; three seconds, in float, 60 frames a
-/// second. A stack that blows up (no numbers, energy from nowhere, a box fallen) counts as failed.
+/// Stacks of boxes by position method (Baumgarte, projection, soft), with and without warm
+/// starting, compared with the static solution: every box at its height, every contact carrying the
+/// weight above. Stacks and measures are those of solver_stack.h; three seconds, in float, 60
+/// frames per second. A stack fails if it has values that are not finite, gains energy, or falls.
 ///
-/// "penetration" (at the end), "worst" (in any frame), "drift", "jitter", "load" and "ids" against the
-/// run time of a frame, over iterations without sub-steps and over sub-steps of one iteration each:
-/// ten equal boxes. "penetration", "drift" and "jitter" likewise with "_heavy" for two boxes
-/// under a third of a hundred times their mass, with "_two" and "_twenty" for so many equal boxes.
-/// (Under ten thousand times their mass none of these settings keeps two boxes standing.)
+/// "penetration" (at the end), "worst" (in any frame), "drift", "jitter", "load" and "ids" against
+/// the run time of a frame, over iterations without sub-steps and over sub-steps of one iteration
+/// each: ten equal boxes. "penetration", "drift" and "jitter" also with "_heavy": two boxes under a
+/// third of a hundred times their mass, and with "_two" and "_twenty" equal boxes. (Under ten
+/// thousand times their mass none of these settings keeps two boxes standing.)
 ///
 /// "map", "drift_map", "jitter_map": stacks of 2 to 20 boxes, the highest of 1 to 10^6 times the
-/// others' mass, at sixteen sweeps a frame for every method.
+/// others' mass, at sixteen sweeps per frame for every method.
 ///
-/// "energy": how much more than at its start any frame of a scene has, over sub-steps, mean and worst of
-/// the twenty scenes of solver_energy.h; next to Baumgarte itself what it adds where its whole push is
-/// kept as velocity.
+/// "energy": largest energy gain of any frame of a scene, over sub-steps, mean and worst of the
+/// twenty scenes of solver_energy.h; also for Baumgarte with its whole push kept as velocity.
 std::vector<trace::Study> study_solver(const StudyOptions& options, const StudyProgress& progress) {
   constexpr int kSteps =
       static_cast<int>(std::size(kCurveStacks) * std::size(kCurvePanels) + std::size(kHeights)) *

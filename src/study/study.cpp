@@ -9,7 +9,7 @@
 namespace contactscope {
 namespace {
 
-// As the kernel names it; an unknown processor is no reason to fail.
+// As named by the kernel; an unknown processor is not an error.
 std::string processor() {
   std::ifstream file("/proc/cpuinfo");
   for (std::string line; std::getline(file, line);) {

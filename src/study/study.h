@@ -19,28 +19,26 @@ namespace contactscope {
 struct Scenario;
 
 struct StudyOptions {
-  std::uint64_t seed = 1;          // the same seed gives the same cases and so the same errors
-  std::optional<int> cases;        // a point, >= 1; each study has a default of its own
-  std::optional<int> repetitions;  // of the passes that are timed, >= 1; likewise
-  std::optional<int> frames;  // of what is simulated by the study of the solver, >= 1; likewise
-  std::vector<std::string>
-      peer_folders{};  // of programs of other libraries; $PATH is looked through too
-  const std::vector<Scenario>* scenarios = nullptr;  // of a study that is of scenarios
-  std::vector<int> only_frames{};                    // of those; empty: all
-  int threads =
-      0;  // of what is not timed; 0: as many as the processor runs. Errors are the same for any
+  std::uint64_t seed = 1;                   // the same seed gives the same cases and errors
+  std::optional<int> cases;                 // per point, >= 1; each study has its own default
+  std::optional<int> repetitions;           // of timed passes, >= 1; likewise
+  std::optional<int> frames;                // frames simulated by the solver study, >= 1; likewise
+  std::vector<std::string> peer_folders{};  // of other libraries' programs; $PATH is searched too
+  const std::vector<Scenario>* scenarios = nullptr;  // for studies of scenarios
+  std::vector<int> only_frames{};                    // of the scenarios; empty: all
+  int threads = 0;  // for untimed work; 0: one per hardware thread. Does not affect errors
 
   int thread_count() const { return threads > 0 ? threads : hardware_threads(); }
 };
 
-/// ReportInput of each step, in any thread, but by one at a time; may throw to stop the study.
+/// Called for each step, from any thread but never concurrently; may throw to stop the study.
 using StudyProgress = std::function<void(int done, int total, const std::string& what)>;
 
-/// One result for each measure of error, the main one first.
+/// Returns one result per measure of error, the main one first.
 using RunStudy = std::vector<trace::Study>(const StudyOptions& options,
                                            const StudyProgress& progress);
 
-// Each is in the file of its name, with what it measures.
+// Each is documented in the file of its name.
 RunStudy study_reducers, study_hull_precision, study_penetration, study_limits,
     study_manifold_stability, study_solver, study_overlap, study_broad_phase, study_meshes,
     study_triangles, study_time_of_impact, study_tunnelling, study_distance_field,
@@ -50,17 +48,17 @@ struct StudyInfo {
   std::string name;
   std::string summary;  // one line
   RunStudy* run;
-  StudyPicture* picture = nullptr;  // what is drawn of a result; null: all of it, as it is
-  bool of_scenarios = false;        // it needs some
+  StudyPicture* picture = nullptr;  // makes the picture of a result; null: drawn unchanged
+  bool of_scenarios = false;        // needs scenarios
 };
 
-/// Every study, in the order in which to list them.
+/// Every study, in listing order.
 const std::vector<StudyInfo>& studies();
 
-/// Processor, compiler and build of this program, and the time now.
+/// Processor, compiler and build of this program, and the current time.
 trace::StudyContext study_context(const std::string& scalar);
 
-/// Mean and worst error over the cases that did not fail; none where there is no such case.
+/// Mean and worst error over the cases that did not fail; empty if all did.
 struct Errors {
   double sum = 0, worst = 0;
   int count = 0;
@@ -72,21 +70,21 @@ struct Errors {
   }
 };
 
-/// Tells of the next step of a study.
+/// Reports the next step of a study.
 using StudyStep = std::function<void(const std::string& what)>;
 
-/// One that counts up to `total`. `progress` must outlive it.
+/// Counts up to `total`. `progress` must outlive it.
 inline StudyStep counted(const StudyProgress& progress, int total) {
   return [&progress, total, done = 0](const std::string& what) mutable {
     progress(++done, total, what);
   };
 }
 
-/// Times of one method, nanoseconds a call, one a repetition.
+/// Times of one method, nanoseconds per call, one per repetition.
 class PassTimes {
  public:
-  /// Times `calls` calls of `call(i)`, i = 0 .. calls - 1. What `call` returns is used, so that the
-  /// compiler cannot leave it out.
+  /// Times `calls` calls of `call(i)`, i = 0 .. calls - 1. Uses their results, so that the compiler
+  /// cannot remove them.
   template <class Call>
   void measure(int calls, const Call& call) {
     double used = 0;
@@ -99,7 +97,7 @@ class PassTimes {
   void add(double nanoseconds) { times_.push_back(nanoseconds); }
 
   std::vector<double> sorted() const;
-  /// At least one repetition was measured.
+  /// Requires at least one repetition.
   trace::Nanoseconds summary() const;
 
  private:
@@ -107,12 +105,12 @@ class PassTimes {
   volatile double sink_ = 0;
 };
 
-/// What one method came to at one parameter: errors for each measure of its study, and its times.
+/// Results of one method at one parameter: errors for each measure of its study, and times.
 struct Measurement {
   std::vector<Errors> errors;
   PassTimes times{};
-  int failed = 0;  // cases that have no error
-  int of = 0;      // cases
+  int failed = 0;  // cases without an error
+  int of = 0;
 
   explicit Measurement(std::size_t measures, int cases = 0) : errors(measures), of(cases) {}
   trace::StudyPoint point(double parameter, std::size_t measure) const;
@@ -121,17 +119,17 @@ struct Measurement {
 /// One of the errors that a study measures.
 struct StudyMeasure {
   std::string name, title;
-  std::string error;  // what it is called
+  std::string error;  // its name
   std::string unit{};
-  double resolution = 0;  // errors up to this one cannot be told from rounding
+  double resolution = 0;  // errors up to this one are rounding noise
 };
 
-/// A result of a study for each of its measures, without lines.
+/// One result for each measure of a study, without lines.
 std::vector<trace::Study> results_of(const std::string& study, const std::string& scalar,
                                      const std::string& parameter, const std::string& reference,
                                      const std::vector<StudyMeasure>& measures);
 
-/// Adds a line to each result of a study: what `judge(parameter)` measures at each parameter.
+/// Adds a line to each result of a study, from `judge(parameter)` at each parameter.
 template <class Parameters, class Judge>
 void add_line(std::vector<trace::Study>& results, const trace::StudySeries& series,
               const Parameters& parameters, const Judge& judge) {
@@ -143,15 +141,15 @@ void add_line(std::vector<trace::Study>& results, const trace::StudySeries& seri
   }
 }
 
-/// Methods that are measured at the same parameters, on the same cases.
+/// Methods measured at the same parameters, on the same cases.
 struct StudyGrid {
   std::vector<std::string> methods;
   std::vector<int> parameters;
-  int cases;  // a parameter
+  int cases;  // per parameter
   int repetitions;
   int threads;
 
-  /// `list`: anything with a `name` each. The options go before the study's own numbers.
+  /// `list`: items with a `name`. The options override the study's own numbers.
   template <class Methods>
   StudyGrid(const StudyOptions& options, const Methods& list, std::span<const int> every_parameter,
             int own_cases, int own_repetitions)
@@ -163,10 +161,10 @@ struct StudyGrid {
   }
 };
 
-/// Steps: for each parameter make its cases, `prepare(p)`; let each method be judged by them,
-/// `judge(m, p, measurement)`, several at once; then, in one thread, time passes over all cases, `call(m, p, i)`, methods in turn
-/// within a repetition and each repetition beginning with another one, so that a slow moment of the
-/// machine falls on all alike. The lines are added to the results.
+/// Steps: for each parameter create its cases, `prepare(p)`; test each method on them, `judge(m, p,
+/// measurement)`, in parallel; then, in one thread, time passes over all cases, `call(m, p, i)`.
+/// Methods alternate within a repetition and each repetition starts with another one, so that a
+/// slow moment affects all alike. Adds the lines to the results.
 template <class Prepare, class Judge, class Call>
 void measure_grid(const StudyGrid& grid, std::vector<trace::Study>& results,
                   const StudyProgress& progress, const Prepare& prepare, const Judge& judge,

@@ -33,7 +33,7 @@ LongPoint nearest_on_triangle(const LongPoint& p, const std::array<LongPoint, 3>
                : nearest;
 }
 
-/// Half the solid angle of a triangle as seen from the origin (van Oosterom, Strackee 1983).
+/// Half the solid angle of a triangle seen from the origin (van Oosterom, Strackee 1983).
 long double half_solid_angle(const LongPoint& a, const LongPoint& b, const LongPoint& c) {
   const long double la = a.norm(), lb = b.norm(), lc = c.norm();
   return std::atan2(a.dot(b.cross(c)),

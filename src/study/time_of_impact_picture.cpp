@@ -30,8 +30,8 @@ std::string result_of(const trace::Study& measured, trace::Study& study) {
          " of the step, 64 samples by " + percent(*sampled.error);
 }
 
-/// The most hits that a line misses at one of its points, in words; nothing where it misses none. Its means are of the
-/// others.
+/// Text for the most hits that a line misses at a point; empty if it misses none. Its means exclude
+/// them.
 std::string take_missed(trace::StudySeries& series) {
   const auto most = std::ranges::max_element(series.points, {}, &trace::StudyPoint::failed);
   if (most == series.points.end() || most->failed == 0) return "";
@@ -45,11 +45,11 @@ std::string take_missed(trace::StudySeries& series) {
 
 trace::Study picture_time_of_impact(const trace::Study& measured) {
   trace::Study study = measured;
-  // Conservative advancement is as close, in twice the time, and eight samples miss most of the fast ones: tables
-  // have them, and all times.
+  // Conservative advancement is as accurate in twice the time, and eight samples miss most fast
+  // hits; tables contain both, and all times.
   keep_methods(study,
                {{"time of impact", "search for the time of impact"}, {"64 samples", kSampled}});
-  // Those that do not turn are as far off, in less time: tables have them.
+  // Hulls without rotation have the same errors in less time; tables contain them.
   keep_panels(study, {{"rotating", ""}});
   for (trace::StudySeries& series : study.series)
     series.parameter = "metres that a hull goes in the step";
@@ -61,10 +61,10 @@ trace::Study picture_time_of_impact(const trace::Study& measured) {
       "Up: mean error of the time of impact, in % of the step, of hulls that turn by up to 2 rad.";
   study.resolution *= kPercent;
   for (trace::StudySeries& series : study.series) {
-    if (series.method == kSampled) series.look = 1;  // far from the blue of the search
+    if (series.method == kSampled) series.look = 1;  // distinct from the blue of the search
     study.shown += take_missed(series);
     for (trace::StudyPoint& point : series.points) {
-      point.error_worst.reset();  // tables have it
+      point.error_worst.reset();  // tables contain it
       if (point.error) *point.error *= kPercent;
     }
   }

@@ -15,10 +15,9 @@ constexpr int kImpactRepetitions = 5;
 constexpr int kImpactVertices = 32;
 constexpr std::array<double, 4> kStepLengths = {1, 3, 10, 100};
 constexpr std::array<double, 6> kOrigins = {1, 10, 100, 1000, 10'000, 100'000};
-constexpr double kFullTurn = 2;  // radians a step, of what turns
+constexpr double kFullTurn = 2;  // radians per step, for rotating cases
 
-/// What nothing continuous does: the poses at some times of the step, evenly apart, and whether the
-/// shapes overlap there.
+/// Baseline without continuous detection: tests evenly spaced poses of the step for overlap.
 class SampledOverlap : public ImpactFinder {
  public:
   SampledOverlap(std::span<const ImpactCase> cases, int samples)
@@ -47,7 +46,7 @@ ImpactFinderInfo sampled(int samples) {
           }};
 }
 
-/// Cases that move alike, at one parameter of a panel.
+/// Cases with the same kind of motion, at one parameter of a panel.
 struct ImpactWorkload {
   const char* panel;
   const char* parameter_name;
@@ -55,7 +54,7 @@ struct ImpactWorkload {
   ImpactMotion motion;
 };
 
-/// Measures by the order of the study's: how far off, and what share of the pairs was missed.
+/// Measures in the order of the study: error, and share of missed pairs.
 Measurement measured(ImpactFinder& finder, std::span<const ImpactCase> cases, int repetitions) {
   Measurement result(2, count_of(cases));
   const ImpactTally tally = judge_impacts(finder, cases);
@@ -103,7 +102,7 @@ std::vector<trace::Study> study_impact_finders(const std::vector<ImpactFinderInf
           study.series.push_back(
               {info.name, {}, panel, std::string(panel) + ", " + workload.parameter_name});
     }
-    // Most of the study is the truth of each case, which is no one's time.
+    // Most of the study computes the truth of each case, which is not timed.
     std::vector<ImpactCase> cases(static_cast<std::size_t>(count));
     workers.for_each(count, [&](int i, int) {
       std::mt19937_64 engine =
@@ -122,15 +121,15 @@ std::vector<trace::Study> study_impact_finders(const std::vector<ImpactFinderInf
   for (trace::StudySeries& series : results[1].series) {
     for (trace::StudyPoint& point : series.points) {
       point.error_worst = point.error;  // a share has no other
-      point.failed = 0;                 // it says so itself
+      point.failed = 0;                 // the error is the share of failures
     }
   }
   return results;
 }
 
-/// Error of the time of impact against run time, by how far the shapes go in the step and how far they
-/// are from the origin, translating and rotating; and how many hits are missed, which is what failed.
-/// All are given the same floats, so that what they lose far from the origin is theirs.
+/// Error of the time of impact against run time, by displacement in the step and distance from the
+/// origin, with and without rotation; and the share of missed hits, which are the failures. All
+/// methods get the same floats, so losses far from the origin are their own.
 std::vector<trace::Study> study_time_of_impact(const StudyOptions& options,
                                                const StudyProgress& progress) {
   std::vector<ImpactFinderInfo> finders = own_impact_finders();

@@ -7,7 +7,7 @@
 
 namespace contactscope {
 
-/// The study `time_of_impact` with these finders, which take turns where they are timed.
+/// The study `time_of_impact` with these finders, timed in turn.
 std::vector<trace::Study> study_impact_finders(const std::vector<ImpactFinderInfo>& finders,
                                                const StudyOptions& options,
                                                const StudyProgress& progress);

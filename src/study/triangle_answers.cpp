@@ -39,8 +39,8 @@ constexpr AnsweringTest kAnsweringTests[] = {{"float", "2⁻²⁴ m", &plain_ans
                                              {"double", "2⁻⁵³ m", &plain_answer<double>},
                                              {"exact", "2⁻⁵³ m", &exact_answer}};
 
-/// The nearest number of so many digits after the point that the difference of two of them is exact, if
-/// all are less than 32.
+/// Rounds a number below 32 to a fixed number of binary digits, so that differences of two are
+/// exact.
 template <class S>
 S in_all_digits(double number) {
   constexpr int kDigits = std::numeric_limits<S>::digits - 5;

@@ -9,7 +9,7 @@ namespace {
 
 using namespace record;
 
-/// The first of the worst.
+/// The first of equal worst points.
 trace::StudyPoint& worst_of(trace::Study& study, const std::string& method) {
   trace::StudyPoint* worst = nullptr;
   for (trace::StudySeries& series : study.series)
@@ -27,10 +27,10 @@ std::string share_of(double share) {
 constexpr const char* kUsualSize = "triangles of 1 m";
 constexpr const char* kEpsilon = "float with an epsilon of 1 µm";
 
-/// Nothing is told by a line beyond the first parameter at which every method is right of almost all.
+/// Lines end at the first parameter at which every method is almost always right.
 void end_where_all_are_right(trace::Study& study) {
   constexpr double kAlmostNone = 1e-3;
-  std::map<double, double> most;  // wrong, by parameter
+  std::map<double, double> most;  // share of wrong answers, by parameter
   for (const trace::StudySeries& series : study.series)
     for (const trace::StudyPoint& point : series.points)
       most[point.parameter] = std::max(most[point.parameter], point.error.value_or(0));
@@ -50,7 +50,7 @@ trace::Study picture_wrong(const trace::Study& measured) {
                        {"float, epsilon 1e-6 m", kEpsilon},
                        {"double", "double"},
                        {"exact", "exact"}});
-  // An epsilon is right at one size: tables have the others.
+  // An epsilon only fits one size; tables contain the others.
   keep_panels(study, {{kUsualSize, ""}});
   end_where_all_are_right(study);
   join_equal(study);
@@ -65,7 +65,7 @@ trace::Study picture_wrong(const trace::Study& measured) {
     };
     const std::string in_double = most(judged, "double"), exact = most(judged, "exact");
     const std::string in_float = most(study, "float"), guarded = most(study, kEpsilon);
-    // Of these the names of the lines say it, where it is the same for both.
+    // The names of the lines contain the shared value.
     for (trace::StudySeries& series : study.series)
       if (in_double == exact && series.method == "double and exact") series.method += ": " + exact;
     return "Float gets up to " + in_float +

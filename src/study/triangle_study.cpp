@@ -18,10 +18,10 @@ constexpr int kDistances[] = {1, 4, 16, 64, 256, 1024, 4096, 16384, 65536, 26214
 constexpr int kTrianglePairs = 20000;
 constexpr int kTriangleRepetitions = 5;
 
-/// Corners as whole numbers of units; a float holds each.
+/// Corners as integer multiples of a unit, exact in float.
 using GridVec = std::array<std::int64_t, 3>;
 using GridTriangle = std::array<GridVec, 3>;
-constexpr std::int64_t kReach = 1 << 22;  // of the first triangle's corners, units
+constexpr std::int64_t kReach = 1 << 22;  // largest corner coordinate of the first triangle, units
 
 /// Two triangles near one plane, and whether they share a point.
 struct NearlyCoplanar {
@@ -29,9 +29,9 @@ struct NearlyCoplanar {
   bool overlap;
 };
 
-// Whether two triangles share a point, in whole numbers: an edge of one meets the other. It shares
-// nothing with the test that it judges, which compares intervals on the line of both planes. Triples
-// of differences of less than 2^26 are less than 2^80.
+// Whether two triangles share a point, in integers: an edge of one meets the other. Shares no code
+// with the tested method, which compares intervals on the line of both planes. Determinants of
+// differences below 2^26 fit into 128 bits.
 
 __extension__ using Wide = __int128;
 
@@ -51,14 +51,14 @@ int grid_orient(const GridVec& a, const GridVec& b, const GridVec& c, std::size_
   return (area > 0) - (area < 0);
 }
 
-/// Of four points in one plane that `axis` shows.
+/// For four points in one plane that is not parallel to `axis`.
 bool grid_segments_meet(const GridVec& p, const GridVec& q, const GridVec& r, const GridVec& s,
                         std::size_t axis) {
   const int r_side = grid_orient(p, q, r, axis), s_side = grid_orient(p, q, s, axis);
   const int p_side = grid_orient(r, s, p, axis), q_side = grid_orient(r, s, q, axis);
   if (r_side * s_side > 0 || p_side * q_side > 0) return false;
   if (r_side != 0 || s_side != 0) return true;
-  for (std::size_t k = 0; k < 3; ++k) {  // on one line
+  for (std::size_t k = 0; k < 3; ++k) {  // collinear
     const auto [low, high] = std::minmax(p[k], q[k]);
     if (std::max(r[k], s[k]) < low || high < std::min(r[k], s[k])) return false;
   }
@@ -102,8 +102,8 @@ bool has_area(const GridTriangle& t) {
          grid_orient(t[0], t[1], t[2], std::size_t{2}) != 0;
 }
 
-/// The first anywhere, of about 2^22 units; the corners of the second about its plane, as far as
-/// `distance` units to either side.
+/// The first triangle is random, of about 2^22 units; the corners of the second are near its plane,
+/// up to `distance` units to either side.
 NearlyCoplanar nearly_coplanar(std::mt19937_64& engine, double distance) {
   const auto nearest = [](double number) {
     return static_cast<std::int64_t>(std::llround(number));
@@ -176,7 +176,7 @@ const TriangleMethod kTriangleMethods[] = {
      }},
 };
 
-/// Powers of two, so that the whole numbers stay exact: of the largest triangles, metres.
+/// Powers of two, so that integers stay exact: size of the largest triangles, metres.
 struct TriangleSize {
   const char* panel;
   int exponent;
@@ -185,10 +185,10 @@ constexpr TriangleSize kTriangleSizes[] = {{"of 0.12 mm", -13}, {"of 1 m", 0}, {
 
 }  // namespace
 
-/// Pairs of triangles of which one has its corners within so many units in the last place of the
-/// other's plane: the share of wrong answers to whether they share a point, at three sizes. The
-/// reference is computed in whole numbers, of which the corners are made. And a map of one corner's
-/// last bits, see triangle_answers.h.
+/// Pairs of triangles, one with its corners within a few units in the last place of the other's
+/// plane: share of wrong answers to whether they share a point, at three sizes. The reference uses
+/// integers, from which the corners are made. Also a map of one corner's last bits, see
+/// triangle_answers.h.
 std::vector<trace::Study> study_triangles(const StudyOptions& options,
                                           const StudyProgress& progress) {
   const StudyGrid grid(options, kTriangleMethods, kDistances, kTrianglePairs, kTriangleRepetitions);
@@ -230,7 +230,7 @@ std::vector<trace::Study> study_triangles(const StudyOptions& options,
       trace::StudySeries& series = results[0].series[s];
       series.panel = std::string("triangles ") + size.panel;
       series.parameter = "units in the last place off one plane, " + series.panel;
-      // A share has no worst; none wrong is drawn as half a pair.
+      // A share has no worst; zero errors are drawn as half a pair.
       for (trace::StudyPoint& point : series.points)
         point.error = point.error_worst = std::max(*point.error, results[0].resolution);
     }

@@ -43,7 +43,7 @@ trace::Study picture_tunnelling(const trace::Study& measured) {
                        {kSwept[2], kSwept[2]}});
   const Named boxes = {"boxes, a wall of 1 cm", "Boxes of about 8 cm"};
   const Named rods = {"spinning rods, a wall of 1 cm", "Spinning rods of 62 cm"};
-  // Of those that pass, boxes and rods tell the same: tables have them.
+  // For passing, boxes and rods look the same; tables contain them.
   if (study.measure == "passed")
     keep_panels(study, {{"spheres, a wall of 1 cm", ""}});
   else
@@ -52,13 +52,13 @@ trace::Study picture_tunnelling(const trace::Study& measured) {
   if (study.measure != "passed") return study;
   join_equal(study);
   study.unit = trace::kShare;
-  // Why those pass that are found in the wall at the end of a step.
+  // Explain why some pass that are found in the wall at the end of a step.
   study.shown =
       "Up: share of spheres 10 cm wide that pass, at 60 steps a second. A sphere found in the wall "
       "with its middle beyond is pushed out there: it has passed";
   for (trace::StudySeries& series : study.series)
     if (series.method == listed(kSwept)) series.method = "swept, in three ways";
-  // Of all that a bullet may be these are spheres.
+  // Here all bullets are spheres.
   constexpr std::string_view kBullet = "bullet", kSphere = "sphere";
   for (std::size_t i = 0; (i = study.reference.find(kBullet, i)) != std::string::npos;
        i += kSphere.size())

@@ -15,26 +15,26 @@ namespace {
 
 constexpr int kBullets = 200;
 constexpr int kBulletRepetitions = 3;
-constexpr double kStepTime = 1.0 / 60;                                           // seconds a step
+constexpr double kStepTime = 1.0 / 60;                                           // seconds per step
 constexpr std::array<double, 8> kSpeeds = {5, 10, 20, 60, 100, 200, 500, 1000};  // m/s
 constexpr std::array<double, 6> kThicknesses = {1, 3, 10, 30, 100, 300};         // mm
 constexpr double kUsualThickness = 10, kUsualSpeed = 20;
-constexpr float kMargin = 0.02F;  // metres, of speculative contacts; what engines take
+constexpr float kMargin = 0.02F;  // metres, of speculative contacts; as in engines
 
 enum class BulletKind { Sphere, Box, Rod };
 constexpr std::array<const char*, 3> kBulletNames = {"spheres", "boxes", "spinning rods"};
 
 const Vec3f kBulletCentre = Vec3f::Zero();
 
-/// A bullet and the wall that it flies at, a step at a time.
+/// A bullet and its target wall, step by step.
 struct Flight {
   Shape<float> bullet;
   SupportSet<float> core;  // of the bullet
-  float radius = 0;        // of the bullet about the core
-  float reach = 0;         // of a ball about the bullet
+  float radius = 0;        // of the bullet around its core
+  float reach = 0;         // radius of a ball around the bullet
   Shape<float> wall;
-  Sweep<float> motion;  // in a step; its start is that of the first
-  int steps = 1;        // until it is beyond the wall for certain
+  Sweep<float> motion;  // in the first step
+  int steps = 1;        // until it is certainly beyond the wall
 
   Flight(BulletKind kind, double speed, double millimetres, std::mt19937_64& engine);
   Flight(const Flight&) = delete;
@@ -45,7 +45,7 @@ struct Flight {
     now.start = motion.at(static_cast<float>(i));
     return now;
   }
-  /// Metres; 0 where they touch or overlap.
+  /// Metres; 0 if they touch or overlap.
   float distance(const Pose<float>& bullet_pose) const {
     const Pose<float> wall_in_bullet = relative_pose(bullet_pose, Pose<float>());
     const GjkResult<float> found =
@@ -84,7 +84,7 @@ Flight::Flight(BulletKind kind, double speed, double millimetres, std::mt19937_6
   wall =
       shape_cast<float>(Shape<double>(make_box(Vec3d(0.5e-3 * millimetres, kWallSide, kWallSide))));
   const double offset = speed * kStepTime;
-  // Anywhere in its step when it meets the wall.
+  // It meets the wall at a random time of its step.
   const double before = static_cast<double>(reach) + 0.5e-3 * millimetres + 0.01;
   const double start = -before - offset * uniform(engine, 0, 1);
   motion.start.rotation = uniform_rotation(engine).cast<float>();
@@ -97,7 +97,7 @@ Flight::Flight(BulletKind kind, double speed, double millimetres, std::mt19937_6
   steps = static_cast<int>(std::ceil((before - start) / offset));
 }
 
-/// Metres from the wall when the method stops it; nothing where it passes.
+/// Metres from the wall when the method stops it; empty if it passes.
 using Stopped = std::optional<float>;
 
 struct StopMethod {
@@ -105,11 +105,11 @@ struct StopMethod {
   Stopped (*stops)(const Flight& flight);
 };
 
-/// At the end of each step. What overlaps is pushed out to the side where its middle is.
+/// Tests the end of each step. An overlapping bullet is pushed out to the side of its centre.
 Stopped by_overlaps(const Flight& flight, float margin) {
   for (int i = 0; i < flight.steps; ++i) {
     const Sweep<float> now = flight.step(i);
-    // A speculative contact holds what begins the step within the margin.
+    // A speculative contact stops bullets that start the step within the margin.
     if (margin > 0) {
       const float distance = flight.distance(now.start);
       const bool is_before = now.start.position.x() < 0;
@@ -168,10 +168,10 @@ Measurement measured(const StopMethod& method, const Flights& flights, int repet
 
 }  // namespace
 
-/// Bullets of about 10 cm that fly straight at a wall at 60 steps a second: what share of them passes,
-/// by speed and by the thickness of the wall, and how far from it the others are stopped. Rods are 60
-/// cm long and turn by up to half a turn a step. A discrete test looks at the end of each step, and
-/// what it finds to overlap with its middle beyond the wall is pushed out behind it.
+/// Bullets of about 10 cm that fly straight at a wall at 60 steps per second: share that passes, by
+/// speed and by wall thickness, and distance of the others when stopped. Rods are 60 cm long and
+/// turn by up to half a turn per step. The discrete test checks the end of each step, and pushes a
+/// bullet out behind the wall if its centre is beyond it.
 std::vector<trace::Study> study_tunnelling(const StudyOptions& options,
                                            const StudyProgress& progress) {
   const int count = options.cases.value_or(kBullets);

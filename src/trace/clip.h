@@ -21,9 +21,9 @@ struct ClipFace {
   }
 };
 
-/// One side plane and the polygon that is left after it.
+/// One side plane and the polygon after clipping against it.
 struct ClipStep {
-  Vec3d normal = Vec3d::Zero();  // outward, unit; points with normal . x > offset are cut away
+  Vec3d normal = Vec3d::Zero();  // outward, unit; points with normal . x > offset are cut off
   double offset = 0;
   Polygon polygon;
 
@@ -48,7 +48,7 @@ struct Clip {
   ClipFace reference;
   ClipFace incident;
   std::vector<ClipStep>
-      steps;  // in order; step k is the side plane of the reference polygon's edge k
+      steps;  // step k clips against the side plane of the reference polygon's edge k
   std::vector<DroppedPoint> dropped;
 
   static constexpr auto fields() {

@@ -9,11 +9,11 @@
 
 namespace contactscope::trace {
 
-/// What the solver gave one contact point over a whole step, on b; a has the opposite.
+/// Impulse of one contact point over a whole step, on b; a gets the opposite.
 struct Impulse {
   double normal = 0;               // newton seconds along the normal, never negative
-  Vec3d friction = Vec3d::Zero();  // newton seconds, world, across the normal
-  double warm_start = 0;           // newton seconds along the normal, kept of the step before
+  Vec3d friction = Vec3d::Zero();  // newton seconds, world, perpendicular to the normal
+  double warm_start = 0;           // newton seconds along the normal, from the previous step
 
   static constexpr auto fields() {
     return field::list(
@@ -27,10 +27,10 @@ struct Impulse {
   friend bool operator==(const Impulse&, const Impulse&) = default;
 };
 
-/// How fast b moves against a where they touch: metres a second, world.
+/// Velocity of b relative to a at the contact point: metres per second, world.
 struct RelativeVelocity {
-  Vec3d before = Vec3d::Zero();  // when the step begins; its gravity is not in it yet
-  Vec3d after = Vec3d::Zero();   // when it ends, at the places of both bodies that met
+  Vec3d before = Vec3d::Zero();  // start of the step, without its gravity
+  Vec3d after = Vec3d::Zero();   // end of the step, at the points of both bodies that touched
 
   static constexpr auto fields() {
     return field::list(
@@ -48,10 +48,10 @@ struct Point {
   double separation = 0;
   std::string id;  // "a:e3 b:e7"
   std::optional<Impulse> impulse{};
-  std::optional<RelativeVelocity> relative_velocity{};  // where there is an impulse
-  // Of engines that tell them: the point on the surface of either shape, world.
+  std::optional<RelativeVelocity> relative_velocity{};  // set if there is an impulse
+  // The point on each surface, world, if the engine reports it.
   std::optional<Vec3d> on_a{}, on_b{};
-  bool active = true;  // false: a speculative point that the solver did not act on
+  bool active = true;  // false: a speculative point that the solver ignored
 
   static constexpr auto fields() {
     return field::list(
@@ -68,10 +68,10 @@ struct Point {
 
 struct Manifold {
   Vec3d normal = Vec3d::Zero();  // unit, from a to b
-  std::string axis;  // "face_a", "face_b", "edge_edge", "closest_points"; empty: not told
-  std::optional<int> triangle;  // mesh triangle that the manifold belongs to
+  std::string axis;             // "face_a", "face_b", "edge_edge", "closest_points"; empty: unknown
+  std::optional<int> triangle;  // mesh triangle that the manifold is on
   std::vector<Point> points;
-  std::string type{};  // "point-face", ...: which features touch, the simpler one first
+  std::string type{};  // "point-face", ...: the touching features, the simpler one first
 
   static constexpr auto fields() {
     return field::list(field::direction_to_b("normal", &Manifold::normal),

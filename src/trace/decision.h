@@ -9,18 +9,18 @@
 
 namespace contactscope::trace {
 
-/// Something that the pipeline chose, and by how much: what was compared would have to change by the
-/// margin for the next best to be chosen instead. Tolerances that prefer one of the two are in it.
+/// A choice of the pipeline and its margin: how much the compared values must change for the next
+/// best to win. Tolerances that prefer one candidate are included.
 struct Decision {
-  /// "contact", "face_a", "face_b", "axis", "incident_face", "point 0" and on of a reducer's steps, "points"
-  /// of one that chooses all at once.
+  /// "contact", "face_a", "face_b", "axis", "incident_face"; "point 0", "point 1", ... for the
+  /// steps of a reducer, "points" for one that chooses all at once.
   std::string stage;
   std::string took;  // "face_a", "face 2", "point 3", "touching"
   std::string over;  // the next best
-  // One of these, by what was compared:
+  // Exactly one is set, by what was compared:
   std::optional<double> margin{};         // metres
   std::optional<double> margin_area{};    // square metres
-  std::optional<double> margin_cosine{};  // of the angles of two faces
+  std::optional<double> margin_cosine{};  // between the normals of two faces
 
   static constexpr auto fields() {
     using D = Decision;
@@ -32,14 +32,14 @@ struct Decision {
   friend bool operator==(const Decision&, const Decision&) = default;
 };
 
-/// The smallest change of the second shape's pose, along the directions that were tried, that changes which
-/// points the pair has, by their ids.
+/// The smallest change of the second shape's pose, along the tried directions, that changes the ids
+/// of the pair's points.
 struct Flip {
-  std::optional<double> offset{};   // metres; none: not within a hundredth of the smaller shape
-  Vec3d direction = Vec3d::Zero();  // unit, in which b is moved
-  std::optional<double> turn{};     // radians, about the middle of the points; likewise
-  Vec3d axis = Vec3d::Zero();       // unit, about which b is turned
-  /// Steps of one coordinate of b's position, each the last place of the pair's largest length.
+  std::optional<double> offset{};   // metres; none: not within 1/100 of the smaller shape
+  Vec3d direction = Vec3d::Zero();  // unit; b moves along it
+  std::optional<double> turn{};     // radians about the centre of the points; none likewise
+  Vec3d axis = Vec3d::Zero();       // unit; b turns about it
+  /// Steps of one coordinate of b's position; a step is one ulp of the pair's largest length.
   std::optional<int> last_places{};
 
   static constexpr auto fields() {

@@ -10,8 +10,8 @@
 namespace contactscope::trace {
 namespace {
 
-/// Features keep the order of FeatureId: those of a first, then by kind (vertex, edge, face) and
-/// number. Flipped features of two shapes trade places; two of one shape stay in order.
+/// Features keep the order of FeatureId: a's first, then by kind (vertex, edge, face) and number.
+/// Flipped features of two shapes swap places; two features of one shape keep their order.
 std::string flipped_id(const std::string& id) {
   const std::size_t space = id.find(' ');
   if (space == std::string::npos) return id;
@@ -43,7 +43,7 @@ void mirror_value(Vec3d& direction, Mirrored how) {
 void mirror_value(std::array<double, 2>& interval, Mirrored how) {
   if (how == Mirrored::Negated) interval = {-interval[1], -interval[0]};
 }
-/// The corners of a face; they still begin with the same one.
+/// Reverses the corners of a face but keeps the first one first.
 template <class Corners>
 requires(!kIsOptional<Corners> &&
          std::same_as<typename Corners::value_type, int>) void mirror_value(Corners& face,
@@ -64,7 +64,7 @@ requires(!std::same_as<T, int>) void mirror_value(std::vector<T>& list, Mirrored
   for (T& value : list) mirror_value(value, how);
 }
 
-/// Of two fields that trade their values the first one knows the other, which follows in the list.
+/// Only the first of two fields that swap values has a partner.
 template <Listed T>
 void mirror_value(T& fact, Mirrored) {
   each_field<T>([&](const auto& field) {
@@ -117,7 +117,7 @@ void convert_impulses(const ImpulseConvention& from, Frame& frame) {
       for (Point& point : manifold.points) {
         if (!point.impulse) continue;
         Impulse& impulse = *point.impulse;
-        // Most engines tell how hard the point pushes, whichever body they have in mind.
+        // Most engines report a positive push, whichever body the impulse acts on.
         const double side = on_a && impulse.normal < 0 ? -1 : 1;
         impulse.normal *= side * time;
         impulse.warm_start *= side * time;

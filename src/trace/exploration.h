@@ -6,25 +6,25 @@
 
 #include "trace/trace.h"
 
-/// What every reducer makes of the same points. README.md, "Exploration".
+/// The points that each reducer keeps of the same input. README.md, "Exploration".
 namespace contactscope::trace {
 
-/// First words of every line.
+/// Value of "schema" in every line.
 inline constexpr const char* kExplorationSchema = "contactscope.explore/1";
 
-/// One reducer's answer. Areas in square metres, of the convex hull in the contact plane.
+/// The result of one reducer. Areas in square metres, of the convex hull in the contact plane.
 struct ReducerAnswer {
   std::string name;
-  std::vector<int> kept;  // indices into the points, in the order of choice
+  std::vector<int> kept;  // indices into the points, in order of choice
   double area = 0;
-  double area_ratio = 1;  // to the best that as many points can span
+  double area_ratio = 1;  // to the largest area of as many points
   bool deepest_kept = false;
-  std::optional<bool> supports_center_of_mass = false;  // empty of points without bodies
-  double wrench_error = 0;  // lost reach for moments, in radii of the patch
+  std::optional<bool> supports_center_of_mass = false;  // empty without bodies
+  double wrench_error = 0;  // loss of reachable moments, in radii of the patch
   double depth_error = 0;   // metres
-  int ids_changed = 0;      // kept now and not in the frame before, or the other way
-  double patch_moved = 0;   // metres that a kept point, or the middle of all, moved at most
-  /// Nanoseconds a call: median, the least, and the upper quartile. Empty when not measured.
+  int ids_changed = 0;      // ids that are kept in only one of this frame and the previous one
+  double patch_moved = 0;   // metres: largest movement of a kept point or of their centroid
+  /// Nanoseconds per call: median, minimum, upper quartile. Empty if not measured.
   std::optional<double> median, min, quarter;
 
   static constexpr auto fields() {
@@ -43,17 +43,17 @@ struct ReducerAnswer {
   }
 };
 
-/// One pair in one frame; of a mesh one of its triangles.
+/// One pair in one frame; for a mesh, one of its triangles.
 struct Exploration {
   std::string scenario;
   int frame = 0;
   std::string a, b, label;
-  std::optional<int> triangle{};  // of the mesh, where one of the pair is one
+  std::optional<int> triangle{};  // set if one of the pair is a mesh
   std::vector<Point> points;      // all, before any reduction
   Vec3d normal = Vec3d::Zero();
   double best_area = 0;
-  std::vector<int> best{};  // indices of the points that span it
-  /// Metres that a surface point of either body moved since the frame before, at most.
+  std::vector<int> best{};  // indices of the points with the largest area
+  /// Metres: largest movement of a surface point of either body since the previous frame.
   double bodies_moved = 0;
   std::vector<ReducerAnswer> reducers{};
 
@@ -69,7 +69,7 @@ struct Exploration {
   }
 };
 
-/// One line of JSON without the newline, as README.md lays it out; keys in that order.
+/// One line of JSON without the newline; keys in the order of README.md.
 std::string to_json_line(const Exploration& exploration);
 
 }  // namespace contactscope::trace

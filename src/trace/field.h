@@ -11,13 +11,13 @@
 
 #include "trace/stage.h"
 
-/// How the structs of this folder list their fields: each has a `fields()`, and the JSON writer and
-/// reader, the comparison that `check` makes, the mirroring of a pair and their tests all
-/// follow from it. A struct inside of another one, in an optional or in a list has a list of its own.
+/// How the structs of this folder list their fields. Each has a `fields()`; the JSON writer and
+/// reader, the comparison of `check`, the mirroring of a pair and their tests follow from it.
+/// Structs that are nested, optional or in a list have their own `fields()`.
 namespace contactscope::trace {
 
-/// What a value is. It says how far two traces may lie apart there and still count as equal, and
-/// how a change is worded.
+/// The kind of a value: decides the tolerance when two traces are compared, and the wording of a
+/// change.
 enum class Kind {
   Exact,      // a name, an index, a count, a setting
   Length,     // metres
@@ -25,8 +25,8 @@ enum class Kind {
   Direction,  // unit
   Position,   // a point, or a list of them
   Rotation,   // a unit quaternion; q and -q are the same
-  Ratio,      // of any unit, held against itself
-  // Held against the largest one of its kind in the list that it is in, or over the whole frame.
+  Ratio,      // any unit, compared relative to itself
+  // Compared relative to the largest of its kind in the same list, or in the whole frame.
   Impulse,
   Velocity,
   Spin,
@@ -34,34 +34,34 @@ enum class Kind {
 };
 inline constexpr std::size_t kKinds = static_cast<std::size_t>(Kind::Energy) + 1;
 
-/// Whether a value is held against the largest one of its kind.
+/// Whether values are compared relative to the largest of their kind.
 constexpr bool is_magnitude(Kind kind) {
   return kind >= Kind::Impulse;
 }
 
-/// What becomes of a value when a and b of its pair trade places.
+/// How a value changes when a and b of its pair are swapped.
 enum class Mirrored {
   Kept,
   Negated,      // points from a to b
   AxisRenamed,  // "face_a" becomes "face_b"
   IdFlipped,    // "a:e3 b:e7" becomes "a:e7 b:e3"
   KindTurned,   // "sphere-hull" becomes "hull-sphere"
-  Rewound,      // faces of a Minkowski difference, which is mirrored at the origin
+  Rewound,      // faces of a Minkowski difference, which is reflected through the origin
 };
 
-/// When a key is written and needed.
+/// When a key is written and whether it is required.
 enum class Presence {
-  Needed,    // always written, and a trace without it is refused
-  Optional,  // always written, and may be missing: then the struct's default holds
-  WhereSet,  // only written where it differs from the struct's default
-  OrNull,    // of an std::optional that is empty: written as null
+  Needed,    // always written; reading fails without it
+  Optional,  // always written, may be missing; the default is the struct's
+  WhereSet,  // only written if it differs from the struct's default
+  OrNull,    // an empty std::optional is written as null
 };
 
-/// How the entries of two lists belong together.
+/// How the entries of two lists are matched.
 enum class Match {
   None,
-  Names,  // entries where this is equal are the same; others are gone or added
-  Finds,  // entries where this is equal are the same; others go by their place in the list
+  Names,  // equal values are the same entry; others are removed or added
+  Finds,  // equal values are the same entry; others match by position
 };
 
 template <class T>
@@ -71,7 +71,7 @@ inline constexpr bool kIsOptional<std::optional<T>> = true;
 template <class T>
 inline constexpr bool kIsOptional<Stage<T>> = true;
 
-/// What an optional or a list holds; any other type itself.
+/// The type inside an optional or a list; any other type unchanged.
 template <class T>
 struct Unwrapped {
   using type = T;
@@ -89,8 +89,8 @@ struct Unwrapped<std::vector<T>> {
   using type = T;
 };
 
-/// One entry of a list of fields. Made by the functions below; what it is beyond its kind is said
-/// by a chain of calls that each return a changed copy.
+/// One entry of a list of fields. The functions below create it; chained calls return a changed
+/// copy.
 template <class Owner, class Value>
 struct Field {
   using value_type = Value;
@@ -101,20 +101,20 @@ struct Field {
   Presence presence = Presence::Needed;
   Mirrored mirrored = Mirrored::Kept;
   Match match = Match::None;
-  Value Owner::*partner = nullptr;  // trades its value with this one when a pair is mirrored
-  const char* within = nullptr;     // key of an object that holds this key
-  const char* counts_in = nullptr;  // key of a list: this holds indices into it
-  const char* things = nullptr;     // what a complaint calls the entries of that list
-  bool may_be_none = false;         // of an index: -1 points at nothing
-  bool is_object_key = false;       // it is the key under which its struct stands
-  bool is_merged = false;           // its keys stand among those of its owner
+  Value Owner::*partner = nullptr;  // swaps values with this one when a pair is mirrored
+  const char* within = nullptr;     // key of the object that contains this key
+  const char* counts_in = nullptr;  // key of a list: this is an index into it
+  const char* things = nullptr;     // name of that list's entries in error messages
+  bool may_be_none = false;         // an index may be -1: none
+  bool is_object_key = false;       // the key under which its struct is stored
+  bool is_merged = false;           // its keys are written into its owner's object
   bool is_reported_first = false;
   bool is_reported_last = false;
-  const char* words = nullptr;  // what a sentence calls it; the key where nothing is said
-  const char* noun = nullptr;   // what a sentence calls a struct by itself, or an entry of a list
+  const char* words = nullptr;  // name in sentences; default: the key
+  const char* noun = nullptr;   // name of a struct, or of an entry of a list, in sentences
   const char* plural = nullptr;
-  const char* states[2] = {"no", "yes"};  // what a sentence calls false and true
-  void (*otherwise)(Owner&) = nullptr;    // fills it where a trace has no such key
+  const char* states[2] = {"no", "yes"};  // words for false and true in sentences
+  void (*otherwise)(Owner&) = nullptr;    // computes it when a trace lacks the key
 
   constexpr Field optional() const { return with(&Field::presence, Presence::Optional); }
   constexpr Field where_set() const { return with(&Field::presence, Presence::WhereSet); }
@@ -133,7 +133,7 @@ struct Field {
   constexpr Field reported_first() const { return with(&Field::is_reported_first, true); }
   constexpr Field reported_last() const { return with(&Field::is_reported_last, true); }
   constexpr Field says(const char* text) const { return with(&Field::words, text); }
-  /// A struct that has sentences of its own: "sat face_a: face 1 -> 3".
+  /// A struct that is reported in sentences of its own: "sat face_a: face 1 -> 3".
   constexpr Field called(const char* name) const { return with(&Field::noun, name); }
   /// The entries of a list: "clip step 2: offset 0.5 -> 0.6", "number of side planes 4 -> 3".
   constexpr Field entries(const char* one, const char* many = nullptr) const {
@@ -149,7 +149,6 @@ struct Field {
     return with(&Field::otherwise, fill).optional();
   }
 
-  /// Whether a trace must have the key.
   constexpr bool needed() const { return presence == Presence::Needed; }
 
   template <class Part>
@@ -160,7 +159,7 @@ struct Field {
   }
 };
 
-/// What the lists are made of: field::length("offset", &HalfSpace::offset).
+/// Builders of the lists: field::length("offset", &HalfSpace::offset).
 namespace field {
 
 template <Kind kKind, Mirrored kMirrored = Mirrored::Kept>
@@ -176,7 +175,7 @@ inline constexpr Of<Kind::Length> length;
 inline constexpr Of<Kind::Area> area;
 inline constexpr Of<Kind::Position> position;
 inline constexpr Of<Kind::Direction> direction;
-inline constexpr Of<Kind::Direction, Mirrored::Negated> direction_to_b;  // it points from a to b
+inline constexpr Of<Kind::Direction, Mirrored::Negated> direction_to_b;  // points from a to b
 inline constexpr Of<Kind::Rotation> rotation;
 inline constexpr Of<Kind::Ratio> ratio;
 inline constexpr Of<Kind::Impulse> impulse;
@@ -185,17 +184,17 @@ inline constexpr Of<Kind::Spin> spin;
 inline constexpr Of<Kind::Energy> energy;
 /// "face_a", "face_b", "edge_edge", "closest_points".
 inline constexpr Of<Kind::Exact, Mirrored::AxisRenamed> axis;
-/// A struct that has a list of its own, also in an std::optional.
+/// A struct with fields of its own, also in an std::optional.
 inline constexpr Of<Kind::Exact> fact;
-/// A list of such structs. Where they have a name() it is an object, each under its name.
+/// A list of such structs. Those with a name() are written as an object, keyed by name.
 inline constexpr Of<Kind::Exact> facts;
 
-/// A struct whose keys stand among those of its owner.
+/// A struct whose keys are written into its owner's object.
 template <class Owner, class Value>
 constexpr auto merged(Value Owner::*member) {
   return fact("", member).with(&Field<Owner, Value>::is_merged, true);
 }
-/// The key under which its struct stands in an object.
+/// The key under which its struct is stored in an object.
 template <class Owner, class Value>
 constexpr auto name(Value Owner::*member) {
   return exact("name", member).names().with(&Field<Owner, Value>::is_object_key, true);
@@ -210,7 +209,7 @@ constexpr auto list(Fields... fields) {
 
 }  // namespace field
 
-/// The list of a struct. Types of other folders have theirs as a specialisation.
+/// The fields of a struct. Types of other folders specialise this.
 template <class T>
 struct ListOf {};
 template <class T>
@@ -226,7 +225,7 @@ concept Listed = requires {
   ListOf<T>::fields();
 };
 
-/// The list as a constant: whoever walks it does not make it first.
+/// The list as a constant, so that it is not built on each use.
 template <Listed T>
 inline constexpr auto kFieldsOf = ListOf<T>::fields();
 
@@ -236,14 +235,13 @@ constexpr void each_field(Visit&& visit) {
   kFieldsOf<T>(visit);
 }
 
-/// Whether a struct stands in an object under its name.
+/// Whether a struct is stored in an object under its name.
 template <Listed T>
 constexpr bool has_name() {
   bool named = false;
   each_field<T>([&](const auto& field) { named = named || field.is_object_key; });
   return named;
 }
-/// The name of such a struct.
 template <class T>
 auto& name_of(T& fact) {
   using Plain = std::remove_const_t<T>;

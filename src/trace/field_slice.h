@@ -7,22 +7,22 @@
 #include "core/vec3.h"
 #include "trace/field.h"
 
-/// What is seen of a signed distance field, and of the search for contacts in it.
+/// Slices of a signed distance field, and queries of the field during contact search.
 namespace contactscope::trace {
 
-/// Distances on a plane through the middle of a field, under the name of its shape. The plane is one of
-/// the lattice's, so that its cells are squares in it.
+/// Distances on a plane through the centre of a field, stored under its shape's name. It is a plane
+/// of the lattice, so its cells are squares there.
 struct FieldSlice {
   std::string name;
-  double cell = 0;                 // metres, the side of one of the lattice's
-  Vec3d origin = Vec3d::Zero();    // world, metres: of the first value, a corner of the lattice
-  Vec3d next = Vec3d::Zero();      // metres, from a value to the next one of its row
-  Vec3d next_row = Vec3d::Zero();  // metres, from a row to the next
-  int columns = 0;                 // values of a row
-  std::vector<double> distances;   // cells, rounded to thousandths; row by row, negative inside
-  /// Cells that have nodes of their own: how many cells from the origin along a row, and across.
+  double cell = 0;                 // metres, side of a lattice cell
+  Vec3d origin = Vec3d::Zero();    // world, metres: first value, a corner of the lattice
+  Vec3d next = Vec3d::Zero();      // metres, from one value to the next in its row
+  Vec3d next_row = Vec3d::Zero();  // metres, from one row to the next
+  int columns = 0;                 // values per row
+  std::vector<double> distances;   // in cells, rounded to 1/1000; row by row, negative inside
+  /// Cells with their own nodes: offset from the origin in cells, along a row and across rows.
   std::vector<std::array<int, 2>> band;
-  std::vector<std::array<int, 2>> exact;  // likewise: cells that are answered by their triangles
+  std::vector<std::array<int, 2>> exact;  // likewise: cells that use their triangles
 
   int rows() const { return columns > 0 ? static_cast<int>(distances.size()) / columns : 0; }
 
@@ -40,10 +40,10 @@ struct FieldSlice {
   friend bool operator==(const FieldSlice&, const FieldSlice&) = default;
 };
 
-/// A point at which a field was asked while contacts were looked for.
+/// A point at which the contact search queried a field.
 struct FieldProbe {
   Vec3d position = Vec3d::Zero();  // world
-  double separation = 0;           // metres: the distance there, less the radius of a round shape
+  double separation = 0;           // metres: the distance there, minus the radius of a round shape
 
   static constexpr auto fields() {
     return field::list(field::position("position", &FieldProbe::position).says("asked point"),
@@ -52,10 +52,10 @@ struct FieldProbe {
   friend bool operator==(const FieldProbe&, const FieldProbe&) = default;
 };
 
-/// How contacts with a field were looked for.
+/// How the contacts with a field were found.
 struct FieldProbes {
   std::string method;              // "sampled", "conservative"
-  std::vector<FieldProbe> probes;  // in the order in which they were asked
+  std::vector<FieldProbe> probes;  // in the order of the queries
 
   static constexpr auto fields() {
     return field::list(

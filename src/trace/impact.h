@@ -6,15 +6,15 @@
 #include "core/vec3.h"
 #include "trace/field.h"
 
-/// When two shapes that move through the step first meet, and how that was found.
+/// Time of impact of two shapes that move through the step, and how it was found.
 namespace contactscope::trace {
 
-/// How a shape goes through the step: its pivot straight on, and about it the shape turns at a
-/// constant rate. Where it is at the start the frame's poses say.
+/// Motion of a shape through the step: the pivot moves in a straight line and the shape turns about
+/// it at a constant rate. The frame's poses are the start.
 struct Travel {
   Vec3d pivot = Vec3d::Zero();         // at the start, world
-  Vec3d displacement = Vec3d::Zero();  // metres in the whole step, world
-  Vec3d turn = Vec3d::Zero();          // axis times radians in the whole step, world
+  Vec3d displacement = Vec3d::Zero();  // metres over the whole step, world
+  Vec3d turn = Vec3d::Zero();          // axis times radians over the whole step, world
 
   static constexpr auto fields() {
     return field::list(field::position("pivot", &Travel::pivot),
@@ -27,11 +27,11 @@ struct Travel {
 /// One step of the search.
 struct ImpactStep {
   double time = 0;                // fraction of the scenario's step
-  double distance = 0;            // of the surfaces then, metres
-  Vec3d axis = Vec3d::Zero();     // unit, from a to b: along it they are apart
-  double bracket_end = 0;         // time of the last look along the axis
-  double bracket_separation = 0;  // along the axis, metres, that was seen or must be feared then
-  double safe = 0;                // until this time they cannot meet
+  double distance = 0;            // between the surfaces at that time, metres
+  Vec3d axis = Vec3d::Zero();     // unit, from a to b: the shapes are separated along it
+  double bracket_end = 0;         // last time that was tested along the axis
+  double bracket_separation = 0;  // metres along the axis, exact or a lower bound, at that time
+  double safe = 0;                // no contact before this time
 
   static constexpr auto fields() {
     using I = ImpactStep;
@@ -44,10 +44,10 @@ struct ImpactStep {
   friend bool operator==(const ImpactStep&, const ImpactStep&) = default;
 };
 
-/// How far apart the surfaces are at some time, whoever looks.
+/// Distance between the surfaces at some time.
 struct DistanceAt {
   double time = 0;      // fraction of the scenario's step
-  double distance = 0;  // metres; 0 where they overlap
+  double distance = 0;  // metres; 0 if they overlap
 
   static constexpr auto fields() {
     return field::list(field::ratio("time", &DistanceAt::time),
@@ -60,20 +60,20 @@ struct Impact {
   std::string method;   // "speculative", "swept", "conservative_advancement", "time_of_impact"
   std::string status;   // "separated", "hit", "overlapping", "out_of_iterations"
   double time = 0;      // fraction of the scenario's step
-  double distance = 0;  // of the surfaces then, metres
-  Vec3d normal = Vec3d::Zero();   // unit, from a to b, of a hit
-  Vec3d point_a = Vec3d::Zero();  // closest points at that time, world, of a hit
+  double distance = 0;  // between the surfaces at that time, metres
+  Vec3d normal = Vec3d::Zero();   // unit, from a to b, for a hit
+  Vec3d point_a = Vec3d::Zero();  // closest points at that time, world, for a hit
   Vec3d point_b = Vec3d::Zero();
-  int triangle = -1;                            // of a mesh, that is met first; -1: none
+  int triangle = -1;                            // of the mesh, hit first; -1: none
   int triangle_a = -1, triangle_b = -1;         // of two meshes, likewise
-  std::vector<Vec3d> corners_a{}, corners_b{};  // of these two at that time, world
+  std::vector<Vec3d> corners_a{}, corners_b{};  // of these two triangles at that time, world
   Travel travel_a, travel_b;
-  /// Metres up to which contacts of a speculative pair are kept: as much nearer as the two can come.
+  /// Metres within which a speculative pair keeps contacts: the most that the two can approach.
   double margin = 0;
-  /// Where contact points hold back shapes that would not meet, world: speculative ones that the motion
-  /// closes, of a pair that is "separated".
+  /// Speculative points that the motion closes although the pair is "separated", world. They hold
+  /// back shapes that would not meet.
   std::vector<Vec3d> ghosts{};
-  std::vector<DistanceAt> distances;  // through the step, evenly apart
+  std::vector<DistanceAt> distances;  // through the step, evenly spaced
   std::vector<ImpactStep> steps;
 
   static constexpr auto fields() {

@@ -12,16 +12,15 @@
 namespace contactscope::trace {
 namespace {
 
-using Json = nlohmann::ordered_json;  // keys in the order of the lists
+using Json = nlohmann::ordered_json;  // keeps the order of the lists
 
-/// Writes the facts of one kind of document, which errors name. Every function throws
-/// std::domain_error that names the key where a number is not finite: JSON has no spelling for
-/// that, and the library would write null, which nobody would notice.
+/// Writes the facts of one kind of document, which errors name. JSON cannot represent numbers that
+/// are not finite and the library would silently write null, so every function throws
+/// std::domain_error with the key.
 class JsonWriter {
  public:
   explicit JsonWriter(const char* document) : document_(document) {}
 
-  /// Adds the keys of a fact to an object.
   template <Listed T>
   void add(Json& object, const T& fact) const {
     [[maybe_unused]] static const T kDefault{};
@@ -75,7 +74,7 @@ class JsonWriter {
     add(object, fact);
     return object;
   }
-  /// A vector of three, or a list of anything.
+  /// A vector of three, or any list.
   template <std::ranges::range List>
   Json json(const List& list, const char* key) const {
     using Entry = std::ranges::range_value_t<List>;
@@ -100,7 +99,7 @@ Json written(const char* document, const T& facts, Json object = Json::object())
   return object;
 }
 
-/// Studies that have no panels have no keys that speak of them.
+/// Removes the keys for panels from studies without panels.
 Json written(const Study& study) {
   Json json = written("study", study, {{"schema", kStudySchema}});
   if (has_panels(study)) return json;

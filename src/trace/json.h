@@ -8,27 +8,25 @@
 
 namespace contactscope::trace {
 
-/// First words of every header line; a reader refuses any other.
+/// Schema of every header line; readers reject any other.
 inline constexpr const char* kSchema = "contactscope.trace/1";
 
-/// One line of JSON without the newline, as README.md, "Trace", lays it out; keys in that order.
-/// Numbers read back to the same double, -0.0 too. JSON has no spelling for nan and infinity: they
-/// throw std::domain_error that names the key.
+/// One line of JSON without the newline, keys in the order of README.md, "Trace". Numbers
+/// round-trip to the same double, including -0.0. Throws std::domain_error with the key for nan and
+/// infinity, which JSON cannot represent.
 std::string to_json_line(const Header& header);
 std::string to_json_line(const Frame& frame);
 
-/// A whole trace.
 struct Trace {
   Header header;
   std::vector<Frame> frames;
 };
 
-/// Reads JSON lines back. `name` is the file's name for messages. Throws core's InputError with
-/// line and column when a line is no JSON, the schema differs, a key is missing or has the wrong
-/// type, or an index points nowhere; for anything but broken JSON the message names the place in
-/// the line and the column is 1. Keys that are not known are passed over, so that traces of other
-/// engines may carry more; keys that README.md does not call needed may be missing, or null. Lines
-/// of white space are skipped.
+/// Reads JSON lines. `name` is the file's name in messages. Throws core's InputError with line and
+/// column if a line is not JSON, the schema differs, a key is missing or has the wrong type, or an
+/// index is out of range. Except for broken JSON, the message names the place in the line and the
+/// column is 1. Unknown keys are ignored so that other engines can add their own; keys that
+/// README.md does not call needed may be missing or null. Blank lines are skipped.
 Trace read_trace(std::istream& in, const std::string& name);
 
 }  // namespace contactscope::trace

@@ -12,14 +12,14 @@ constexpr const char* kNoJson =
     "this line is not valid JSON from here on; a trace has one object per line, so it may be "
     "cut off: record it again";
 
-/// What keeps a line from being JSON at a column, from 1.
+/// Explains why a line is not JSON from a column on, counted from 1.
 std::string why_no_json(const std::string& line, std::size_t column, const std::string& record) {
   if (line.starts_with("\x1f\x8b")) return "the file is compressed; unpack it first";
   if (line.starts_with("\xff\xfe") || line.starts_with("\xfe\xff"))
     return "the file is UTF-16; a trace is UTF-8";
   if (record.find("UTF-8") != std::string::npos)
     return "from here on this line is not UTF-8; it may be Latin-1 or binary";
-  constexpr std::size_t kBefore = 6;  // a sign, and the letters that were taken for a literal
+  constexpr std::size_t kBefore = 6;  // a sign, and the letters parsed as a literal
   std::string near = line.substr(column > kBefore ? column - kBefore : 0, 2 * kBefore);
   std::ranges::transform(near, near.begin(), [](unsigned char c) { return std::tolower(c); });
   if (near.find("nan") != std::string::npos || near.find("inf") != std::string::npos)
@@ -28,7 +28,7 @@ std::string why_no_json(const std::string& line, std::size_t column, const std::
   return kNoJson;
 }
 
-/// Lists and objects in each other, at most: fewer than the fast parser takes.
+/// Maximum nesting of lists and objects; less than the fast parser accepts.
 constexpr int kDeepest = 1000;
 
 }  // namespace
@@ -41,12 +41,12 @@ Node JsonLine::parse(std::string& line) {
   return parse_again(line);
 }
 
-/// What the fast parser refuses: it says neither where nor why, which another one does; and that takes some
-/// spellings more, such as whole numbers of twenty digits and a mark of the byte order, and spells them anew.
+/// Second parser: reports where and why the fast one failed. It also accepts some more spellings,
+/// such as integers of twenty digits and a byte order mark, and normalises them.
 Node JsonLine::parse_again(const std::string& line) {
   std::string again;
   int deepest = 0;
-  // What is deeper is left out of the tree, whose end would take a call a level.
+  // Deeper levels are dropped: destroying the tree recurses once per level.
   const auto is_shallow = [&](int depth, nlohmann::json::parse_event_t, const auto&) {
     deepest = std::max(deepest, depth);
     return depth < kDeepest;

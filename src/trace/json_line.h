@@ -7,17 +7,17 @@
 
 namespace contactscope::trace {
 
-/// What keeps a line from being JSON, and where.
+/// Why and where a line is not JSON.
 struct NoJson {
   int column = 0;  // from 1
   std::string why;
 };
 
-/// Makes a line of JSON a tree. Its memory is used again for the next line.
+/// Parses a line of JSON into a tree; reuses its memory for the next line.
 class JsonLine {
  public:
-  /// The tree is gone with the next call; the line may grow by some bytes of room behind its end. Throws NoJson,
-  /// and Complaint where it is JSON that cannot be held: a number beyond a double, or lists in lists without end.
+  /// The next call invalidates the tree; the line may grow by some bytes of padding. Throws NoJson,
+  /// or Complaint for JSON that cannot be held: numbers beyond a double, or too deep nesting.
   Node parse(std::string& line);
 
  private:

@@ -14,18 +14,17 @@
 
 namespace contactscope::trace {
 
-/// What is wrong inside of a line that is JSON; who reads the file adds its name and the line.
+/// An error inside a line of valid JSON; the reader of the file adds its name and the line.
 struct Complaint {
   std::string message;
 };
 
-/// A JSON value and where in its line it stands, "pairs[0].sat.face_a", which complaints name. The words for
-/// that are made only where there is something to complain about, so a node must outlive those below it.
+/// A JSON value and its path in the line, "pairs[0].sat.face_a", for error messages. The path is
+/// only built for an error, so a node must outlive its children.
 class Node {
  public:
   using Value = simdjson::dom::element;
 
-  /// The whole line.
   explicit Node(const Value& value) : value_(value) {}
 
   [[noreturn]] void fail(const std::string& message) const {
@@ -38,8 +37,8 @@ class Node {
     if (auto found = find(key)) return *found;
     throw Complaint{where() + " has no key '" + key + "'; a trace needs it"};
   }
-  /// Nothing when the key is missing or null: null is how some writers say "not there". Of a key that is there
-  /// twice the last one holds.
+  /// Empty if the key is missing or null, which some writers use for "missing". The last of
+  /// duplicate keys wins.
   std::optional<Node> find(const char* key) const {
     const std::string_view wanted = key;
     std::optional<Value> found;
@@ -56,8 +55,7 @@ class Node {
     for (const Value item : array) nodes.push_back(Node(item, *this, nodes.size()));
     return nodes;
   }
-  /// The keys stay where they are as long as the line does. One that is there twice has its first place and its
-  /// last value.
+  /// The keys are valid as long as the line. A duplicate key has its first position and last value.
   std::vector<std::pair<std::string_view, Node>> members() const {
     const simdjson::dom::object object = this->object();
     std::vector<std::pair<std::string_view, Node>> nodes;
@@ -81,14 +79,13 @@ class Node {
   }
   int integer() const {
     constexpr auto kMax = std::numeric_limits<int>::max();
-    // What is beyond 2^63 has a type of its own.
+    // Values from 2^63 on have a type of their own.
     if (value_.type() == simdjson::dom::element_type::UINT64) fail("is out of range");
     if (value_.type() != simdjson::dom::element_type::INT64) wrong_type("an integer");
     const auto value = std::int64_t(value_);
     if (value > kMax || value < -1) fail("is out of range");
     return static_cast<int>(value);
   }
-  /// An index into `count` things.
   int index(std::size_t count, const char* things) const {
     const int value = integer();
     if (value < 0 || static_cast<std::size_t>(value) >= count)
@@ -161,8 +158,8 @@ class Node {
   }
 
   Value value_;
-  const Node* around_ = nullptr;  // the object or list that it is in; null of the line
-  std::string_view key_{};        // its key there, without data where it is the entry of a list
+  const Node* around_ = nullptr;  // the parent object or list; null for the line
+  std::string_view key_{};        // key in the parent; null data for entries of a list
   std::size_t index_ = 0;
 };
 

@@ -10,7 +10,7 @@
 /// Stages that work on the Minkowski difference b - a of two convex cores.
 namespace contactscope::trace {
 
-/// A point of the Minkowski difference b - a, by the points that it is the difference of.
+/// A point of the Minkowski difference b - a, given by the two points that are subtracted.
 struct SimplexVertex {
   Vec3d a = Vec3d::Zero();
   Vec3d b = Vec3d::Zero();
@@ -22,13 +22,13 @@ struct SimplexVertex {
   }
   friend bool operator==(const SimplexVertex&, const SimplexVertex&) = default;
 };
-using Simplex = std::vector<SimplexVertex>;  // one to four
+using Simplex = std::vector<SimplexVertex>;  // one to four vertices
 
-/// Closest points by GJK, between the cores of round shapes.
+/// Closest points by GJK; for round shapes, of their cores.
 struct Gjk {
   std::string status;  // "separated", "touching", "overlap", "out of iterations"
   int iterations = 0;
-  double distance = 0;  // of the cores, metres
+  double distance = 0;  // between the cores, metres
   Vec3d point_a = Vec3d::Zero();
   Vec3d point_b = Vec3d::Zero();
   std::vector<Simplex> steps;  // the simplex after each iteration
@@ -43,12 +43,12 @@ struct Gjk {
   }
 };
 
-/// The polytope of EPA in the Minkowski difference b - a before one expansion.
+/// The polytope of EPA in the Minkowski difference b - a before an expansion.
 struct Polytope {
   std::vector<SimplexVertex> vertices;
   std::vector<std::array<int, 3>> faces;  // vertices, counter-clockwise seen from outside
-  int nearest = -1;     // face nearest to the origin: the one to expand; a flat start has none
-  double distance = 0;  // metres, of its plane from the origin
+  int nearest = -1;     // face nearest to the origin, expanded next; -1 for a flat start
+  double distance = 0;  // metres, from the origin to its plane
 
   static constexpr auto fields() {
     return field::list(
@@ -63,7 +63,6 @@ struct Polytope {
   friend bool operator==(const Polytope&, const Polytope&) = default;
 };
 
-/// A direction that sampling tried.
 struct SampledDirection {
   Vec3d normal = Vec3d::Zero();  // unit, from a to b
   double separation = 0;         // metres along it, negative = overlap
@@ -75,20 +74,19 @@ struct SampledDirection {
   friend bool operator==(const SampledDirection&, const SampledDirection&) = default;
 };
 
-/// How deep two convex cores are in each other, by an algorithm other than the separating axis
-/// test.
+/// Penetration of two convex cores by an algorithm other than the separating axis test.
 struct Penetration {
   std::string method;    // "epa", "mpr", "sampling"
   std::string status;    // "converged", ...: how the method ended
-  std::string fallback;  // the method that gave the result instead; empty when this one did
+  std::string fallback;  // the method that gave the result instead; empty if this one did
   int iterations = 0;
-  double depth = 0;               // metres, of the cores along the normal
+  double depth = 0;               // metres, between the cores along the normal
   Vec3d normal = Vec3d::Zero();   // unit, from a to b
   Vec3d point_a = Vec3d::Zero();  // deepest points
   Vec3d point_b = Vec3d::Zero();
-  std::vector<Polytope> polytopes;           // of "epa", one an iteration
-  std::vector<Simplex> portals;              // of "mpr", one an iteration: inner point, then portal
-  std::vector<SampledDirection> directions;  // of "sampling", in order
+  std::vector<Polytope> polytopes;           // for "epa", one per iteration
+  std::vector<Simplex> portals;              // for "mpr", likewise: inner point, then portal
+  std::vector<SampledDirection> directions;  // for "sampling", in order
 
   static constexpr auto fields() {
     using P = Penetration;
@@ -105,8 +103,8 @@ struct Penetration {
   }
 };
 
-/// The Minkowski difference b - a of two convex cores, in the world's axes: the cores overlap where
-/// it holds the origin.
+/// The Minkowski difference b - a of two convex cores, along the world's axes: the cores overlap if
+/// it contains the origin.
 struct Minkowski {
   std::vector<Vec3d> vertices;
   std::vector<std::vector<int>> faces;  // counter-clockwise seen from outside

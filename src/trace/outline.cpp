@@ -9,10 +9,10 @@
 namespace contactscope::trace {
 namespace {
 
-// A vertex stands out of the plane of a support by this part of the shape's size.
+// Vertices this close to a support plane, relative to the shape's size, are on it.
 constexpr double kFlat = 1e-4;
 
-/// Outward and unit, of a face of a shape, in its frame.
+/// Outward unit normal of a face of a shape, in the shape's frame.
 Vec3d normal_of(const Shape& shape, const std::vector<int>& face) {
   const std::vector<Vec3d> corners =
       mapped(face, [&](int vertex) { return at(shape.vertices, vertex); });
@@ -26,8 +26,8 @@ int edge_between(const Shape& shape, int from, int to) {
   return found == shape.edges.end() ? -1 : static_cast<int>(found - shape.edges.begin());
 }
 
-/// The face of a convex polyhedron that looks most along `way` (unit, local). Where an edge or a face is
-/// in front, of those alone that have it: the face next to a sharp edge may look elsewhere.
+/// The face of a convex polyhedron that is most aligned with `way` (unit, local). If an edge or a
+/// face is in front, only its faces count: the face next to a sharp edge may point elsewhere.
 int facing(const Shape& shape, const Vec3d& offset) {
   double front = -std::numeric_limits<double>::infinity(), back = -front;
   for (const Vec3d& vertex : shape.vertices) {
@@ -54,8 +54,8 @@ int facing(const Shape& shape, const Vec3d& offset) {
   return best;
 }
 
-/// The triangle of a mesh that a point is least out of (local); of those that it is as far out of, as two that share
-/// an edge, the one that looks more along `way`.
+/// The triangle of a mesh nearest to a point (local). Of equally near ones, such as two that share
+/// an edge, the one more aligned with `way` wins.
 int nearest_triangle(const Shape& mesh, const Vec3d& point, const Vec3d& offset) {
   int best = -1;
   double least = std::numeric_limits<double>::infinity();
@@ -63,7 +63,7 @@ int nearest_triangle(const Shape& mesh, const Vec3d& point, const Vec3d& offset)
     const std::vector<int>& face = mesh.faces[i];
     const Vec3d& origin = at(mesh.vertices, face[0]);
     const Vec3d normal = normal_of(mesh, face);
-    // How far the point is out of the triangle, sideways beyond its edges or along its normal.
+    // Distance from the triangle: sideways beyond its edges, or along its normal.
     double out = std::abs(normal.dot(point - origin));
     for (std::size_t k = 0; k < face.size(); ++k) {
       const Vec3d& from = at(mesh.vertices, face[k]);
@@ -78,7 +78,7 @@ int nearest_triangle(const Shape& mesh, const Vec3d& point, const Vec3d& offset)
   return best;
 }
 
-/// Of a capsule along the normal the end in front is met.
+/// True for a capsule along the normal; the end in front touches.
 bool is_seen_end_on(const Outline& outline, const Shape& shape) {
   return outline.corners.size() == 2 &&
          (outline.corners[1] - outline.corners[0]).norm() < kNear * shape.radius;
@@ -122,7 +122,7 @@ Outline outline_of(const PlacedShape& placed, const Manifold& manifold, const Ve
     }
     outline.is_face = true;
     outline.alignment = normal_of(shape, face).dot(local);
-    if (is_mesh) outline.face = 0;  // features of a mesh count within the triangle
+    if (is_mesh) outline.face = 0;  // ids of a mesh are relative to the triangle
   }
   for (const Vec2d& corner : outline.corners)
     outline.size = std::max(outline.size, (corner - outline.corners[0]).norm());

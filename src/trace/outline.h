@@ -10,22 +10,22 @@ namespace contactscope::trace {
 
 using Vec2d = Eigen::Vector2d;
 
-// A point is on an edge from this part of its outline's size on: engines compute in float, and many
-// round positions of points, or move them by a slop.
+// Largest distance of a point on an edge, relative to the outline's size: engines compute in float,
+// and many round positions or move them by a slop.
 inline constexpr double kNear = 2e-4;
 
-/// What of a shape can touch, seen along the normal: a face's corners, the ends of a capsule's segment, a
-/// sphere's centre, of a plane none. Edge i runs from corner i to the next.
+/// The feature of a shape that can touch, seen along the normal: a face's corners, a capsule's
+/// segment, a sphere's centre, nothing for a plane. Edge i runs from corner i to the next.
 struct Outline {
   std::vector<Vec2d> corners{};
-  std::vector<int> vertices{}, edges{};  // numbers of the corners, and of the edges from them
-  int face = 0;                          // its number
-  double alignment = 0;                  // cosine between its normal and the other shape's way
-  double size = 0;                       // metres
+  std::vector<int> vertices{}, edges{};  // numbers of the corners, and of edges that start there
+  int face = 0;
+  double alignment = 0;  // cosine between its normal and `way` of outline_of()
+  double size = 0;       // metres
   bool is_face = false;
 };
 
-/// The plane across a normal (unit), in which contacts are seen.
+/// The plane perpendicular to a normal (unit), onto which contacts are projected.
 struct ContactPlane {
   Vec3d u, v;
   explicit ContactPlane(const Vec3d& normal) : u(any_perpendicular(normal)), v(normal.cross(u)) {}
@@ -38,18 +38,18 @@ struct PlacedShape {
   Vec3d vertex(int index) const { return pose.transform(at(shape.vertices, index)); }
 };
 
-/// Of the shape's side that looks `way` (unit, world), at the place of a manifold of it: of a mesh that of the triangle
-/// that the manifold names, or of the nearest one. Empty where there is no such side.
+/// Outline of the side of a shape that faces `way` (unit, world). For a mesh it is the manifold's
+/// triangle, or the nearest one. Empty if no side faces `way`.
 Outline outline_of(const PlacedShape& placed, const Manifold& manifold, const Vec3d& offset,
                    const ContactPlane& plane);
 
-/// Where on an outline a point lies: a corner, the edge from it, or neither.
+/// The feature of an outline that a point is on: a corner, the edge that starts there, or neither.
 struct Place {
   FeatureKind kind = FeatureKind::Face;
   std::size_t corner = 0;
 };
 
-/// `near`: metres up to which a point is on a corner or an edge.
+/// `near`: largest distance, in metres, of a point on a corner or an edge.
 Place place_on(const Outline& outline, const Vec2d& point, double near);
 
 }  // namespace contactscope::trace

@@ -21,11 +21,11 @@ namespace contactscope::trace {
 
 inline constexpr std::array<int, 2> kNoEdge = {{-1, -1}};
 
-/// What one point was worth at one step of a reducer, seen against the normal.
+/// The score of one point in one step of a reducer, seen against the normal.
 struct Measure {
   int point = -1;                     // index into the points
-  std::array<int, 2> edge = kNoEdge;  // that it was measured against, where it was one
-  double value = 0;                   // metres, or square metres with a sign for areas
+  std::array<int, 2> edge = kNoEdge;  // measured against, if any
+  double value = 0;                   // metres; square metres, with a sign, for areas
 
   static constexpr auto fields() {
     return field::list(field::exact("point", &Measure::point).into("points"),
@@ -34,14 +34,12 @@ struct Measure {
   }
 };
 
-/// How one kept point was chosen.
 struct Choice {
   /// "support", "deepest", "farthest", "triangle", "outside", "distance".
   std::string rule;
-  Vec3d direction = Vec3d::Zero();  // unit, of "support"
-  std::vector<Measure> measures;    // of every candidate what decided; of the chosen one all
+  Vec3d direction = Vec3d::Zero();  // unit, for "support"
+  std::vector<Measure> measures;    // deciding value for each candidate; all for the chosen one
 
-  /// Whether its measures are against an edge.
   bool is_against_edges() const {
     return rule == "triangle" || rule == "outside" || rule == "distance";
   }
@@ -55,12 +53,12 @@ struct Choice {
 
 struct Reduction {
   std::string method;
-  std::vector<Point> points;    // all, before
-  std::vector<int> kept;        // indices into points, in the order of choice
+  std::vector<Point> points;    // before the reduction
+  std::vector<int> kept;        // indices into points, in order of choice
   double area = 0;              // square metres, of the convex hull of the kept points in the plane
-  double best_area = 0;         // largest that as many points can span
-  std::vector<int> best;        // the points that span it; empty where nobody looked
-  std::vector<Choice> choices;  // for each kept point, where the method has such steps
+  double best_area = 0;         // largest area of as many points
+  std::vector<int> best;        // the points with that area; empty: not computed
+  std::vector<Choice> choices;  // for each kept point, if the method has such steps
 
   static constexpr auto fields() {
     return field::list(field::exact("method", &Reduction::method),
@@ -73,16 +71,16 @@ struct Reduction {
   }
 };
 
-// Stages that go by earlier frames, or tell what comes of a manifold in later ones.
+// Stages that depend on earlier frames, or that predict the stability of a manifold.
 
-/// Temporal coherence: what was kept of an earlier frame was tried before the full test.
+/// Temporal coherence: the result of an earlier frame was tried before the full test.
 struct Cache {
-  bool hit = false;             // it gave the result, and the full test did not run
-  std::string kind;             // "separating_axis", or "features": those that touched
-  std::string axis;             // "face_a", "face_b", "edge_edge"; that was tried
-  std::optional<Vec3d> normal;  // unit, from a to b; of a hit
-  /// Metres, of features: no point of one shape, seen from the other, has moved farther since the
-  /// full test that found them.
+  bool hit = false;             // it gave the result without the full test
+  std::string kind;             // "separating_axis", or "features" for the touching features
+  std::string axis;             // the one tried: "face_a", "face_b", "edge_edge"
+  std::optional<Vec3d> normal;  // unit, from a to b; for a hit
+  /// Metres, for features: largest relative movement of a point of one shape, seen from the other,
+  /// since the full test that found them.
   std::optional<double> moved;
 
   static constexpr auto fields() {
@@ -93,11 +91,11 @@ struct Cache {
   }
 };
 
-/// A point of an incremental manifold, and what became of it in this frame.
+/// A point of an incremental manifold and its state in this frame.
 struct PersistentPoint {
-  Point point;         // with the places of both shapes that met when it was found
+  Point point;         // on_a and on_b are the points of both shapes that touched when it was found
   std::string state;   // "new", "persisted", "broken"
-  std::string reason;  // of "broken": "apart", "slid", "other features", "replaced", "reduced"
+  std::string reason;  // for "broken": "apart", "slid", "other features", "replaced", "reduced"
   int age = 0;         // frames since it was found
 
   Vec3d on_a() const { return point.on_a.value_or(point.position); }
@@ -113,10 +111,10 @@ struct PersistentPoint {
 
 struct Incremental {
   std::string confirm;  // "distance", "ids": how old points are confirmed
-  std::string query;    // "gjk": the cores were apart; else the method that measured their overlap
-  double margin_a = 0;  // metres about the core of a
+  std::string query;    // "gjk": separated cores; else the method that measured their overlap
+  double margin_a = 0;  // metres around the core of a
   double margin_b = 0;
-  std::vector<PersistentPoint> points;  // those of the manifold, then the broken ones
+  std::vector<PersistentPoint> points;  // points of the manifold, then the broken ones
 
   static constexpr auto fields() {
     using I = Incremental;
@@ -128,16 +126,16 @@ struct Incremental {
   }
 };
 
-/// Whether a body can rest on a manifold: whether its centre of mass, moved along the normal,
-/// is within the contact points (Gregorius 2015, "Incremental Manifold Stability").
+/// Whether a body can rest on a manifold: whether its centre of mass, projected along the normal,
+/// is inside the contact points (Gregorius 2015, "Incremental Manifold Stability").
 struct Stability {
-  std::string shape;  // whose centre of mass
+  std::string shape;  // the shape whose centre of mass is tested
   Vec3d center_of_mass = Vec3d::Zero();
   Vec3d projection = Vec3d::Zero();  // into the contact plane
   Polygon support;                   // corners of the convex hull of the points in that plane
-  double margin = 0;    // metres from the projection to the border of the support, negative outside
+  double margin = 0;    // metres from the projection to the support's border, negative outside
   std::string verdict;  // "stable", "turns about a point", "turns about a line", "no contact"
-  std::optional<std::array<Vec3d, 2>> axis;  // of "turns about a line": two points on it
+  std::optional<std::array<Vec3d, 2>> axis;  // two points on it, for "turns about a line"
 
   static constexpr auto fields() {
     using S = Stability;
@@ -162,12 +160,12 @@ struct Box {
   friend bool operator==(const Box&, const Box&) = default;
 };
 
-/// A box of a mesh's tree that the query looked at.
+/// A box of a mesh's tree that the query tested.
 struct TreeVisit {
   Box box;
   int depth = 0;  // 0 at the root
   bool leaf = false;
-  bool overlaps = false;  // with the box of the query; only then what is below was looked at
+  bool overlaps = false;  // with the query's box; the query then continues below
 
   static constexpr auto fields() {
     return field::list(
@@ -177,12 +175,12 @@ struct TreeVisit {
   friend bool operator==(const TreeVisit&, const TreeVisit&) = default;
 };
 
-/// How the triangles of a mesh were collected. Boxes in the mesh's own frame.
+/// How the triangles of a mesh were collected. Boxes are in the mesh's frame.
 struct Tree {
   std::string shape;  // the mesh
-  Box box;            // of the other shape, grown by the margin
+  Box box;            // of the other shape, expanded by the margin
   std::vector<TreeVisit> visits;
-  std::vector<int> candidates;  // triangles whose boxes the query's touches
+  std::vector<int> candidates;  // triangles whose boxes touch the query's
 
   static constexpr auto fields() {
     return field::list(field::exact("shape", &Tree::shape).says("of"),
@@ -192,10 +190,10 @@ struct Tree {
   }
 };
 
-/// The geometry had no normal of its own.
+/// The geometry has no normal of its own.
 struct Degenerate {
   std::string geometry;  // "coincident centres", ...
-  std::string answer;    // "fallback": a normal was chosen; "skip": no contact was made
+  std::string answer;    // "fallback": a normal was chosen; "skip": no contact was created
 
   static constexpr auto fields() {
     return field::list(field::exact("geometry", &Degenerate::geometry),
@@ -204,10 +202,9 @@ struct Degenerate {
   friend bool operator==(const Degenerate&, const Degenerate&) = default;
 };
 
-/// Which optional stages to record: what no picture shows need not be written down. The arcs of the
-/// Gauss map, the Minkowski difference, the cells of a broad phase, the node pairs of two trees and the
-/// slices through distance fields are large and say nothing that the shapes do not: they are only
-/// recorded where a view asks for them.
+/// Optional stages to record; stages that no picture shows can be left out. Gauss map arcs, the
+/// Minkowski difference, broad phase cells, node pairs of two trees and distance field slices are
+/// large and follow from the shapes, so they are only recorded if a view needs them.
 struct Stages {
   bool sat = true;
   bool clip = true;
@@ -218,12 +215,12 @@ struct Stages {
   bool penetration = true;
   bool minkowski = false;
   bool stability = true;
-  bool query = true;   // bounds, axes and triangles that cross; the answer is always told
+  bool query = true;   // bounds, axes and crossing triangles; the answer is always recorded
   bool cells = false;  // of a broad phase
   bool node_pairs = false;
-  bool fields = false;       // slices through distance fields, and where they were asked
-  bool decisions = false;    // by which margins the pipeline chose
-  bool flip = false;         // what change of pose would change the points: a search
+  bool fields = false;       // slices through distance fields, and the queried points
+  bool decisions = false;    // the margins by which the pipeline chose
+  bool flip = false;         // which change of pose would change the points: a search
   int flip_directions = 16;  // of that search
   int flip_seed = 1;
 
@@ -233,16 +230,16 @@ struct Stages {
   }
 };
 
-/// What the pipeline decided of two shapes in one frame. A stage that did not run, or that nobody
-/// asked for, is empty. A new stage is a struct with fields(), a member here and a row in the list;
-/// all else but what fills it follows.
+/// Decisions of the pipeline about two shapes in one frame. Stages that did not run, or were not
+/// recorded, are empty. A new stage is a struct with fields(), a member here and a row in the list;
+/// only the code that fills it is extra.
 struct Pair {
   std::string a;
   std::string b;
   std::string label;      // set when a scenario runs one pair with several settings
-  std::string kind;       // "hull-hull", "sphere-plane", ..., a first
+  std::string kind;       // "hull-hull", "sphere-plane", ...; a first
   std::string state;      // "touching" or "separated"
-  double separation = 0;  // deepest point when touching, best axis when separated
+  double separation = 0;  // deepest point if touching, best axis if separated
   std::vector<Manifold> manifolds;
   Stage<Sat> sat;
   Stage<Clip> clip;
@@ -250,20 +247,20 @@ struct Pair {
   Stage<Degenerate> degenerate{};
   Stage<Tree> tree{};
   Stage<Gjk> gjk{};
-  Stage<Cache> cache{};  // empty too where there was nothing to try
+  Stage<Cache> cache{};  // also empty if there was nothing to try
   Stage<Penetration> penetration{};
   Stage<Minkowski> minkowski{};
   Stage<Incremental> incremental{};
   Stage<Stability> stability{};
-  std::optional<bool> overlap{};  // where the pair was asked for something else than its manifold
+  std::optional<bool> overlap{};  // if the pair was queried for something else than its manifold
   Stage<Query> query{};           // likewise; such a pair has no manifolds
   std::vector<Intersection> intersections{};  // of two meshes
-  Stage<Impact> impact{};                     // where the pair is asked when it meets
-  Stage<FieldProbes> field_probes{};          // with a distance field, where a view shows it
-  std::vector<Decision> decisions{};          // in the order in which they were taken
+  Stage<Impact> impact{};                     // if the pair was queried for a time of impact
+  Stage<FieldProbes> field_probes{};          // with a distance field, if a view shows it
+  std::vector<Decision> decisions{};          // in the order in which they were made
   Stage<Flip> flip{};
 
-  /// A trace may leave the separation out; see complete().
+  /// A trace may omit the separation; see complete().
   static void mark_missing(Pair& pair) {
     pair.separation = std::numeric_limits<double>::quiet_NaN();
   }
@@ -274,7 +271,7 @@ struct Pair {
         field::exact("label", &Pair::label).where_set().names(),
         field::exact("kind", &Pair::kind).optional().mirror(Mirrored::KindTurned),
         field::exact("state", &Pair::state).optional().says(""),
-        // It mostly repeats what a point says.
+        // Reported last because it mostly repeats a point's separation.
         field::length("separation", &Pair::separation)
             .otherwise_by(&Pair::mark_missing)
             .reported_last(),
@@ -299,9 +296,9 @@ struct Pair {
   }
 };
 
-/// The same facts told of the same two shapes in the other order: a and b trade places, with
-/// everything that is of one of them; what points from a to b is negated, ids and names of axes are
-/// of the other shape. Twice is the identity.
+/// Swaps a and b: the same facts for the same two shapes in the other order. Data of the two shapes
+/// is swapped, directions from a to b are negated, ids and axis names are those of the other shape.
+/// Mirroring twice is the identity.
 void mirror(Pair& pair);
 
 }  // namespace contactscope::trace

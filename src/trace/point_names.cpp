@@ -6,16 +6,16 @@
 
 #include "trace/outline.h"
 
-// A clipped point is where two edges cross as seen along the normal: an edge of either shape, or two of
-// the incident face, whose vertex has stayed, or two of the reference face (Catto 2007, "Feature-Based
-// Contact Points"). So it does not matter which surface an engine puts its points on.
-// Steps: the outline of each shape that looks at the other one; on which feature of each outline the
-// point lies; the id that these two features make.
+// Seen along the normal, a clipped point is where two edges cross: one edge of each shape, two
+// edges of the incident face at a vertex inside, or two of the reference face (Catto 2007,
+// "Feature-Based Contact Points"). So the surface on which an engine puts its points does not
+// matter. Steps: the outline of each shape's side that faces the other; the feature of each outline
+// that the point is on; the id made of these two features.
 namespace contactscope::trace {
 namespace {
 
-// Triangles of a mesh that are searched one by one for the one that is met; in larger meshes that would
-// take longer than to draw them.
+// Largest mesh that is searched triangle by triangle; in larger ones the search would take longer
+// than drawing them.
 constexpr std::size_t kMaxSearched = 20000;
 
 FeatureRef feature(const Outline& outline, const Place& place, Owner owner) {
@@ -33,7 +33,7 @@ FeatureRef feature(const Outline& outline, const Place& place, Owner owner) {
   return {owner, place.kind, static_cast<std::uint32_t>(std::max(0, number()))};
 }
 
-/// The two edges of an outline that meet in its corner.
+/// The two edges of an outline that share a corner.
 FeatureId corner_id(const Outline& outline, const Place& place, Owner owner) {
   const std::size_t count = outline.corners.size();
   const auto edge = [&](std::size_t i) {
@@ -42,13 +42,13 @@ FeatureId corner_id(const Outline& outline, const Place& place, Owner owner) {
   return FeatureId::of(edge(place.corner), edge(place.corner + count - 1));
 }
 
-/// Unit, along the edge from the corner of a place.
+/// Unit, along the edge that starts at the corner of a place.
 Vec2d edge_direction(const Outline& outline, const Place& place) {
   const std::size_t next = (place.corner + 1) % outline.corners.size();
   return (outline.corners[next] - outline.corners[place.corner]).normalized();
 }
 
-/// Of the two edges that meet in a corner the one more across `way`.
+/// The edge at a corner that is more perpendicular to `way`.
 std::uint32_t steeper_edge(const Outline& outline, const Place& corner, const Vec2d& offset) {
   const std::size_t count = outline.corners.size();
   const Place before{FeatureKind::Edge, (corner.corner + count - 1) % count};
@@ -63,8 +63,8 @@ FeatureId id_of(const Outline& a, const Outline& b, const Place& on_a, const Pla
                 bool is_clipped) {
   const FeatureId direct = FeatureId::of(feature(a, on_a, Owner::A), feature(b, on_b, Owner::B));
   if (!is_clipped) return direct;
-  // The face that looks more along the normal is the reference; a vertex of the other one has stayed
-  // where it is, also where it lies on a side plane.
+  // The face more aligned with the normal is the reference. A vertex of the other face is not cut,
+  // even if it lies on a side plane.
   const bool a_is_reference = a.alignment >= b.alignment - 1e-6;
   const bool corner_of_a = on_a.kind == FeatureKind::Vertex;
   const bool corner_of_b = on_b.kind == FeatureKind::Vertex;
@@ -77,8 +77,8 @@ FeatureId id_of(const Outline& a, const Outline& b, const Place& on_a, const Pla
   const Owner owner = of_a ? Owner::A : Owner::B;
   if (of_a != a_is_reference || other_place.kind != FeatureKind::Edge)
     return corner_id(outline, corner, owner);
-  // A corner of the reference face on an edge of the incident one: that edge was cut there, by the
-  // side plane that it crosses more steeply.
+  // A corner of the reference face on an edge of the incident one: the side plane that this edge
+  // crosses more steeply cut it there.
   return FeatureId::of(
       edge_ref(owner, steeper_edge(outline, corner, edge_direction(other_outline, other_place))),
       feature(other_outline, other_place, other(owner)));
@@ -106,7 +106,7 @@ bool knows_triangle(const Shape& shape, const Manifold& manifold) {
   return shape.type != "mesh" || manifold.triangle || shape.faces.size() <= kMaxSearched;
 }
 
-/// Also of a pair without points.
+/// True for pairs without points.
 bool has_ids(const Pair& pair) {
   return pair.manifolds.empty() ||
          std::ranges::any_of(pair.manifolds, [](const Manifold& manifold) {

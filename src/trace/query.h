@@ -8,15 +8,15 @@
 #include "core/pose.h"
 #include "trace/field.h"
 
-/// What a pair was asked instead of its manifold, and how the answer was found.
+/// A query of a pair other than for its manifold, and how it was answered.
 namespace contactscope::trace {
 
-/// A bound as it was compared, in the world: a box along its own axes, or a ball.
+/// A bound as it was compared, in the world: a box with its own axes, or a ball.
 struct Volume {
   Vec3d center = Vec3d::Zero();
-  std::optional<Vec3d> half_extents{};  // metres, of a box, along its own axes
+  std::optional<Vec3d> half_extents{};  // metres, along the box's axes
   std::optional<Quatd> rotation{};      // unit, from the axes of an oriented box to the world
-  std::optional<double> radius{};       // metres, of a ball
+  std::optional<double> radius{};       // metres, for a ball
 
   static constexpr auto fields() {
     return field::list(field::position("center", &Volume::center).says("middle"),
@@ -27,19 +27,19 @@ struct Volume {
   friend bool operator==(const Volume&, const Volume&) = default;
 };
 
-/// Both bounds projected onto one axis. Intervals in metres along the direction, from the point
-/// halfway between the middles of both; the lower end first.
+/// Both bounds projected onto one axis. Intervals in metres along the direction, relative to the
+/// midpoint between both centres; lower end first.
 struct TestedAxis {
   std::string kind;                 // "face_a", "face_b", "edges", "closest"
-  int a = -1;                       // axis of the box of a, 0 to 2, of "face_a" and "edges"
-  int b = -1;                       // axis of the box of b, of "face_b" and "edges"
-  Vec3d direction = Vec3d::Zero();  // unit, from a to b; zero of a cross product that vanishes
-  double length = 1;  // of the cross product: the sine of the angle between both edges
+  int a = -1;                       // axis of the box of a, 0 to 2, for "face_a" and "edges"
+  int b = -1;                       // axis of the box of b, for "face_b" and "edges"
+  Vec3d direction = Vec3d::Zero();  // unit, from a to b; zero if the cross product vanishes
+  double length = 1;                // of the cross product: sine of the angle between both edges
   std::array<double, 2> interval_a{};
   std::array<double, 2> interval_b{};
-  double gap = 0;          // metres between the intervals, negative in overlap
-  bool skipped = false;    // its cross product is too short
-  bool separates = false;  // what the test made of it
+  double gap = 0;          // metres between the intervals, negative if they overlap
+  bool skipped = false;    // the cross product is too short
+  bool separates = false;  // verdict of the test
 
   static constexpr auto fields() {
     using A = TestedAxis;
@@ -60,11 +60,11 @@ struct TestedAxis {
   friend bool operator==(const TestedAxis&, const TestedAxis&) = default;
 };
 
-/// What the shapes themselves say where their bounds were asked: whether they share a point, and how
-/// far they are apart where that is known.
+/// Result for the shapes themselves when their bounds were queried: whether they share a point, and
+/// their distance if it is known.
 struct WithinBounds {
   bool overlap = false;
-  std::optional<double> gap{};  // metres, as Query has it
+  std::optional<double> gap{};  // metres, as in Query
 
   static constexpr auto fields() {
     return field::list(field::exact("overlap", &WithinBounds::overlap),
@@ -73,10 +73,10 @@ struct WithinBounds {
   friend bool operator==(const WithinBounds&, const WithinBounds&) = default;
 };
 
-/// Where each of two meshes is of which no triangles share a point.
+/// Position of two meshes relative to each other if none of their triangles share a point.
 struct Containment {
-  /// "inside" the other, "outside", "open": it has holes, so that nothing is inside it; "unknown":
-  /// nobody looked, because one of them is open.
+  /// "inside" the other; "outside"; "open": it has holes, so nothing is inside it; "unknown": not
+  /// tested because one of them is open.
   std::string a;
   std::string b;
 
@@ -87,7 +87,7 @@ struct Containment {
   friend bool operator==(const Containment&, const Containment&) = default;
 };
 
-/// What going through the trees of two meshes together cost.
+/// Cost of traversing the trees of two meshes together.
 struct TreeCounts {
   int node_pairs = 0;      // boxes of nodes that were compared
   int leaf_pairs = 0;      // leaves whose boxes overlap
@@ -101,15 +101,15 @@ struct TreeCounts {
   friend bool operator==(const TreeCounts&, const TreeCounts&) = default;
 };
 
-/// Two nodes of the trees of two meshes whose boxes were compared: how many of the triangles of each
-/// tree, in the tree's order, stand before the node, and how many are below it.
+/// Two compared nodes of the trees of two meshes. Each is the number of triangles before it, in the
+/// order of its tree, and the number below it.
 struct NodePair {
   int before_a = 0;
   int count_a = 0;
   int before_b = 0;
   int count_b = 0;
-  bool overlaps = false;  // only then what is below was looked at
-  bool leaves = false;    // both are leaves, whose triangles are compared where their boxes overlap
+  bool overlaps = false;  // only then the traversal continues below
+  bool leaves = false;    // both are leaves; their triangles are compared if the boxes overlap
 
   static constexpr auto fields() {
     using N = NodePair;
@@ -126,7 +126,7 @@ struct Intersection {
   int a = -1;                                     // triangle of a
   int b = -1;                                     // triangle of b
   std::string kind;                               // "proper", "coplanar", "touching"
-  std::optional<std::array<Vec3d, 2>> segment{};  // ends of what they share; not of "coplanar"
+  std::optional<std::array<Vec3d, 2>> segment{};  // ends of the shared segment; not for "coplanar"
   bool a_degenerate = false;                      // it has no area
   bool b_degenerate = false;
 
@@ -146,15 +146,15 @@ struct Intersection {
 
 struct Query {
   std::string requested;   // "overlap", "touching", "distance", "penetration"
-  std::string bounds;      // that were asked: "aabb", "obb", "sphere"; empty: the shapes themselves
+  std::string bounds;      // queried bounds: "aabb", "obb", "sphere"; empty: the shapes themselves
   std::string comparison;  // "inclusive", "exclusive"
   double tolerance = 0;    // metres
-  std::string test;        // of oriented boxes: "faces", "fifteen", "guarded"
-  double skip_up_to = 0;   // of "fifteen": sine of the angle between two edges
-  std::string method;      // that answered, as the capability map names it
+  std::string test;        // for oriented boxes: "faces", "fifteen", "guarded"
+  double skip_up_to = 0;   // for "fifteen": sine of the angle between two edges
+  std::string method;      // method that answered, named as in the capability map
   std::optional<bool> touching{};  // the answer to "touching"
-  /// Metres between the two, negative: how deep. Of bounds the largest gap of an axis, unless the
-  /// distance was asked. Missing where the method does not say.
+  /// Metres between the two, negative: penetration. For bounds the largest gap of an axis, unless
+  /// the distance was queried. Missing if the method does not compute it.
   std::optional<double> gap{};
   std::optional<Vec3d> normal{};   // unit, from a to b
   std::optional<Vec3d> point_a{};  // closest, or deepest, points
@@ -165,7 +165,7 @@ struct Query {
   std::optional<WithinBounds> shapes{};
   std::optional<Containment> containment{};
   std::optional<TreeCounts> trees{};
-  std::vector<NodePair> node_pairs{};  // in the order in which they were compared
+  std::vector<NodePair> node_pairs{};  // in the order of comparison
 
   static constexpr auto fields() {
     using Q = Query;

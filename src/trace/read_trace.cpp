@@ -8,7 +8,7 @@
 namespace contactscope::trace {
 namespace {
 
-/// How many entries the lists have that were read of a fact and of those around it.
+/// Sizes of the lists read so far in a fact and in those that contain it.
 struct Counts {
   const Counts* around = nullptr;
   std::vector<std::pair<std::string_view, std::size_t>> lists{};
@@ -24,7 +24,6 @@ struct Counts {
 template <Listed T>
 T read(const Node& node, const Counts* around);
 
-/// Reads the value of one field.
 template <class Owner, class V>
 struct Value {
   const Field<Owner, V>& field;
@@ -80,7 +79,7 @@ struct Value {
 
 template <class T>
 void require_more(const Node&, const T&) {}
-/// Only some rules measure against an edge, and those need it.
+/// Only some rules measure against an edge; their measures require one.
 void require_more(const Node& node, const Choice& choice) {
   if (!choice.is_against_edges()) return;
   const Node measures = node.at("measures");
@@ -185,7 +184,7 @@ bool TraceReader::next_line(const Read& read_it) {
       read_it(json_->parse(line_));
       return true;
     } catch (const NoJson& broken) {
-      // A process that dies leaves half a line, and that has no end.
+      // A process that dies leaves an unfinished last line.
       if (in_.eof() && frames_ > 0) {
         torn_ = Torn{number_, broken.column, broken.why};
         return false;

@@ -14,40 +14,40 @@ namespace contactscope::trace {
 
 class JsonLine;
 
-/// The last line of a file whose writer died before its end.
+/// An incomplete last line, left by a writer that died.
 struct Torn {
-  int line = 0, column = 0;  // where it ends to be JSON, from 1
+  int line = 0, column = 0;  // where valid JSON ends, from 1
   std::string why{};
 };
 
-/// Reads a trace a frame at a time: memory depends on the largest frame, and not on how many there are.
+/// Reads a trace frame by frame: memory depends on the largest frame, not on their number.
 class TraceReader {
  public:
-  /// Reads the header; the stream outlives the reader. `name` is the file's name for messages. Throws InputError as
-  /// read_trace() does.
+  /// Reads the header. The stream must outlive the reader. `name` is the file's name in messages.
+  /// Throws InputError as read_trace() does.
   TraceReader(std::istream& in, std::string name);
   ~TraceReader();
 
-  /// `frames` is 0 where the file does not say.
+  /// `frames` is 0 if the file does not contain it.
   const Header& header() const { return header_; }
 
-  /// The next frame, with what follows from the rest filled in; empty after the last one, also where the line after
-  /// it is torn. Throws InputError.
+  /// The next frame, with derived values filled in; empty after the last one, also if a torn line
+  /// follows. Throws InputError.
   std::optional<Frame> next();
 
-  /// Passes over the next frame without looking at it; false after the last line.
+  /// Skips the next frame without parsing it; false after the last line.
   bool skip();
 
-  /// Back to the first frame, of a stream that can seek.
+  /// Back to the first frame; needs a stream that can seek.
   void rewind();
 
-  /// Of the file, from 1: the one that was read last.
+  /// Number of the last line read, from 1.
   int line() const { return number_; }
 
-  /// Of that line.
+  /// Length of that line.
   std::size_t bytes() const { return line_.size(); }
 
-  /// Where the file is cut off within its last line, once next() got there. Before any frame that is an error.
+  /// The torn last line, once next() got there. It is an error before any frame.
   const std::optional<Torn>& torn() const { return torn_; }
 
  private:
@@ -57,13 +57,13 @@ class TraceReader {
 
   std::istream& in_;
   std::string name_, line_;
-  std::unique_ptr<JsonLine> json_;  // what reads it
-  int number_ = 0;                  // of the line
-  std::streampos first_{};          // of what follows the header
+  std::unique_ptr<JsonLine> json_;  // parser of that line
+  int number_ = 0;                  // number of the line
+  std::streampos first_{};          // position after the header
   int first_number_ = 0;
   int frames_ = 0;
   Header header_;
-  Kinds kinds_;  // of the shapes of the header and of all frames up to here
+  Kinds kinds_;  // shapes of the header and of all frames so far
   std::optional<Torn> torn_;
 };
 

@@ -47,7 +47,7 @@ struct EdgeAxis {
   }
 };
 
-/// Two edges whose arcs on the Gauss map cross: together they make a face of the Minkowski
+/// Two edges whose arcs on the Gauss map cross, so that they form a face of the Minkowski
 /// difference.
 struct EdgePair {
   int a = -1;  // edge of a
@@ -68,8 +68,8 @@ struct Sat {
   std::optional<FaceAxis> face_a;
   std::optional<FaceAxis> face_b;
   std::optional<EdgeAxis> edge;
-  std::string chosen;  // "face_a", "face_b", "edge_edge"; what separates, or what makes the contact
-  std::string preference;              // "relative" or "none"
+  std::string chosen;      // "face_a", "face_b", "edge_edge"; separates, or gives the contact
+  std::string preference;  // "relative" or "none"
   std::vector<EdgePair> edge_pairs{};  // all that the edge query measured, for the Gauss map
 
   static constexpr auto fields() {

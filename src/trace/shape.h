@@ -24,29 +24,29 @@ struct HalfSpace {
   friend bool operator==(const HalfSpace&, const HalfSpace&) = default;
 };
 
-/// A shape as far as a drawing needs it, in its local frame.
+/// A shape in its local frame, as needed for drawing.
 struct Shape {
   std::string name;
   std::string type;  // "box", "hull", "cylinder", "cone", "sphere", "capsule", "mesh", "plane"
-  /// Of a sphere its centre, of a capsule the ends of its segment, of a plane none.
+  /// A sphere's centre, the ends of a capsule's segment, none for a plane.
   std::vector<Vec3d> vertices;
   std::vector<std::vector<int>> faces;  // vertex indices, counter-clockwise seen from outside
-  // Vertex indices. Ids such as "a:e3" count in this list; those of a mesh count within the
-  // manifold's triangle: edge k from its corner k to the next.
+  // Vertex indices. Ids such as "a:e3" are indices into this list. Ids of a mesh are relative to
+  // the manifold's triangle: edge k runs from its corner k to the next.
   std::vector<std::array<int, 2>> edges;
   Vec3d center_of_mass = Vec3d::Zero();
-  double radius = 0;  // metres; of a sphere or capsule: everything so near to its vertices and edge
+  double radius = 0;  // metres; rounds a sphere or capsule about its vertices and edge
   std::optional<HalfSpace> half_space{};
-  /// Metres; of a convex shape that another engine rounds: everything so near to the hull of its vertices.
+  /// Metres: rounding of a convex shape by another engine, about the hull of its vertices.
   double margin = 0;
-  /// That it is a part of, where that has several shapes: the solver's bodies have its mass under this name.
+  /// Body with several shapes that this one is part of; the solver stores its mass under this name.
   std::string body{};
-  // Where somebody else is to step the scene; of a contact the friction is the geometric mean of both shapes',
-  // the restitution the larger.
+  // Needed by other engines to step the scene. The friction of a contact is the geometric mean of
+  // both shapes', the restitution the larger one.
   std::optional<double> friction{};     // Coulomb's coefficient
-  std::optional<double> restitution{};  // share of the approaching velocity that is given back
+  std::optional<double> restitution{};  // share of the approach speed that is returned
 
-  /// Undirected edges in the order in which the faces first run along them.
+  /// Undirected edges in the order in which faces first contain them.
   static void edges_from_faces(Shape& shape);
 
   static constexpr auto fields() {
@@ -68,11 +68,11 @@ struct Shape {
   }
 };
 
-/// How an engine tells impulses, where not as Impulse is defined. A reader turns them into that.
+/// An engine's convention for impulses if it differs from Impulse; readers convert it.
 struct ImpulseConvention {
   std::string unit = "N s";  // or "N": forces, over a step of `step`
-  std::string on = "b";      // or "a": the body that friction acts on, and a normal part below 0
-  double step = 0;           // seconds; needed of forces
+  std::string on = "b";      // or "a": friction acts on a and normal parts are negative
+  double step = 0;           // seconds; needed for forces
 
   static constexpr auto fields() {
     return field::list(field::exact("unit", &ImpulseConvention::unit).optional(),
@@ -82,9 +82,9 @@ struct ImpulseConvention {
   friend bool operator==(const ImpulseConvention&, const ImpulseConvention&) = default;
 };
 
-/// What bodies are stepped by, where somebody else is to do it.
+/// Parameters that another engine needs to step the bodies.
 struct World {
-  Vec3d gravity = Vec3d::Zero();  // metres a second, a second
+  Vec3d gravity = Vec3d::Zero();  // metres per second squared
   double time_step = 0;           // seconds, from frame to frame
 
   static constexpr auto fields() {
@@ -100,14 +100,14 @@ struct Header {
   std::string source;
   std::string scalar;  // "float" or "double"
   std::string up;      // "y" or "z"
-  int frames = 0;      // frames of the scenario, also when fewer were asked for
+  int frames = 0;      // frames of the scenario, even if fewer were run
   std::vector<Shape> shapes;
-  // Of another engine's trace:
+  // Set in another engine's trace:
   std::string engine{};   // "Bullet", ...; empty: this program
-  std::string version{};  // its own
+  std::string version{};  // version of the engine
   std::string
-      poses_at{};  // "before_step", "after_step": the moment of the poses, where contacts are
-                   // of the step between
+      poses_at{};  // "before_step", "after_step": when the poses were taken; contacts belong to the
+                   // step between
   std::optional<ImpulseConvention> impulses{};
   std::optional<World> world{};
 

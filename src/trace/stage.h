@@ -6,10 +6,10 @@
 
 namespace contactscope::trace {
 
-/// What one stage of the pipeline tells of a pair, or nothing where it did not run. It is used as an
-/// std::optional is, but what it holds stands apart: most stages are empty in most pairs, and a pair that
-/// has room for all of them inside of itself takes 3.4 kB. A long sequence of a large heap would pay for
-/// that room in memory, and in the time that the system takes to hand it out. Copies are deep.
+/// The record of one stage for a pair; empty if it did not run. Used like std::optional, but stored
+/// on the heap: most stages of most pairs are empty, and a pair with all of them inline takes 3.4
+/// kB. That would cost memory and allocation time in long sequences of large heaps. Copies are
+/// deep.
 template <class T>
 class Stage {
  public:
@@ -25,13 +25,13 @@ class Stage {
   bool has_value() const { return value_ != nullptr; }
   explicit operator bool() const { return has_value(); }
 
-  // Of a stage that told something.
+  // Undefined if empty.
   T& operator*() { return *value_; }
   const T& operator*() const { return *value_; }
   T* operator->() { return value_.get(); }
   const T* operator->() const { return value_.get(); }
 
-  /// Throws std::bad_optional_access where nothing was told.
+  /// Throws std::bad_optional_access if empty.
   const T& value() const {
     if (!value_) throw std::bad_optional_access();
     return *value_;

@@ -16,7 +16,7 @@ double finite(double value, const char* key) {
   return value;
 }
 
-// Shortest spelling that reads back to the same double, whatever the locale.
+// Shortest decimal that round-trips to the same double, in any locale.
 std::string spelled(double value, const char* key) {
   std::array<char, 32> buffer{};
   const auto [end, error] =

@@ -6,20 +6,20 @@
 
 #include "trace/field.h"
 
-/// What a study measured: error against run time, a series a method. README.md, "Study", gives the
-/// JSON. Facts alone, so that a plot can be drawn from a stored file as well.
+/// Measurements of a study: error against run time, one series per method. README.md, "Study",
+/// gives the JSON. Contains only facts, so that plots can be drawn from stored files.
 namespace contactscope::trace {
 
-/// First words of every results.json.
+/// Value of "schema" in every results.json.
 inline constexpr const char* kStudySchema = "contactscope.study/1";
 
-/// Where and when a study ran; times mean nothing without it.
+/// Machine, build and date of a study; times mean nothing without them.
 struct StudyContext {
   std::string cpu;
   std::string compiler;
   std::string build_type;
   std::string date;    // UTC, ISO 8601
-  std::string scalar;  // of the methods that name none: "float" or "double"
+  std::string scalar;  // for methods that name none: "float" or "double"
 
   static constexpr auto fields() {
     using C = StudyContext;
@@ -29,7 +29,7 @@ struct StudyContext {
   }
 };
 
-/// Time of one call in nanoseconds: over repetitions of passes over all cases.
+/// Time of one call in nanoseconds, over repeated passes over all cases.
 struct Nanoseconds {
   double median = 0;
   double min = 0;
@@ -42,8 +42,7 @@ struct Nanoseconds {
   }
 };
 
-/// One method at one parameter. Errors are over the cases that did not fail; no error where all
-/// failed, for a failure is no number.
+/// One method at one parameter. Errors are over the cases that did not fail; empty if all failed.
 struct StudyPoint {
   double parameter = 0;
   std::optional<double> error;        // mean
@@ -51,8 +50,8 @@ struct StudyPoint {
   Nanoseconds nanoseconds;
   int failed = 0;
   int of = 0;  // cases
-  // Of a picture alone, in no file:
-  std::string mark{};  // the title speaks of this point: it has a ring, with this beside it
+  // Only for pictures, not in files:
+  std::string mark{};  // the title mentions this point: draws a ring with this label
 
   static constexpr auto fields() {
     using P = StudyPoint;
@@ -66,13 +65,13 @@ struct StudyPoint {
 
 struct StudySeries {
   std::string method;
-  std::vector<StudyPoint> points;  // by growing parameter
-  std::string panel{};             // series of one panel are drawn together; empty: there is one
-  std::string parameter{};         // what the parameter is in this panel
-  std::optional<double> row{};     // of a map: its place along the other axis
-  // Of a picture alone, in no file:
-  std::optional<int> look{};  // drawn as the method of this number; empty: as its own
-  bool quiet = false;         // grey and thin: there for the others to be held against
+  std::vector<StudyPoint> points;  // by increasing parameter
+  std::string panel{};             // series of one panel are drawn together; empty: only one panel
+  std::string parameter{};         // meaning of the parameter in this panel
+  std::optional<double> row{};     // for a map: position along the other axis
+  // Only for pictures, not in files:
+  std::optional<int> look{};  // drawn in the style of this method number; empty: its own
+  bool quiet = false;         // thin and grey: a reference for the other series
 
   static constexpr auto fields() {
     using S = StudySeries;
@@ -84,11 +83,11 @@ struct StudySeries {
 
 /// How a study is drawn.
 enum class StudyForm {
-  WorkPrecision,  // error against run time, a line a method
+  WorkPrecision,  // error against run time, one line per method
   Curves,         // error against the parameter, small multiples
-  Map,            // a cell for each parameter and row, coloured by the decade of its worst error
-  Answers,        // a cell likewise, coloured by what two shapes were called there, for which the
-                  // error stands: 0 apart, 1 touching, 2 crossing; failed where that is wrong
+  Map,            // a cell per parameter and row, coloured by the decade of its worst error
+  Answers,        // likewise, coloured by the answer for two shapes, which is stored as the error:
+                  // 0 separated, 1 touching, 2 crossing; failed if the answer is wrong
 };
 
 /// "work_precision", "curves", "map", "answers".
@@ -98,24 +97,24 @@ constexpr const char* to_string(StudyForm form) {
 }
 
 struct Study {
-  std::string study;    // "reducers", as the command line names it
+  std::string study;    // "reducers", as on the command line
   std::string measure;  // "area": which of the study's errors this is
-  std::string title;    // for a reader
+  std::string title;
   StudyContext context;
   std::string reference;  // what the error is measured against
   std::string error;      // name of the error
-  std::string unit;       // "m"; empty for a ratio. Of a picture also kShare, kTimes and kSum
-  double resolution = 0;  // errors up to this one cannot be told from rounding
-  std::string parameter;  // "points": what the parameter counts
+  std::string unit;       // "m"; empty for a ratio. Pictures also use kShare, kTimes and kSum
+  double resolution = 0;  // errors up to this one are rounding noise
+  std::string parameter;  // "points": meaning of the parameter
   std::vector<StudySeries> series;
   StudyForm form = StudyForm::WorkPrecision;
-  std::string row{};     // of a map: what its rows stand for; rows without a number are methods
-  std::string signal{};  // the series that is no error, but the size of what the errors spoil
-  // Of a picture alone, in no file:
-  std::string shown{};   // how to read it; empty: what its form says of itself
-  std::string failed{};  // what befell the cases that failed: "lost"; empty: "failed"
+  std::string row{};     // for a map: meaning of its rows; rows without a number are methods
+  std::string signal{};  // name of the series that is not an error but the signal's size
+  // Only for pictures, not in files:
+  std::string shown{};   // how to read it; empty: default text for the form
+  std::string failed{};  // what happened to failed cases: "lost"; empty: "failed"
   bool other_cases =
-      false;  // a parameter makes cases of its own: points are held against those of the same one
+      false;  // each parameter has its own cases: compare points only at equal parameters
 
   static constexpr auto fields() {
     using S = Study;
@@ -129,28 +128,28 @@ struct Study {
   }
 };
 
-/// Units of what is drawn on a linear axis from zero: shares of 1, in percent, multiples, and milliseconds that
-/// add up. Maps colour shares of cases that failed; work precision has shares on its logarithmic axis.
+/// Units on a linear axis from zero: shares of 1 in percent, multiples, and milliseconds that add
+/// up. Maps colour shares of failed cases; work precision has shares on its logarithmic axis.
 inline constexpr const char* kShare = "share";
 inline constexpr const char* kTimes = "times";
 inline constexpr const char* kSum = "milliseconds in all";
 
-/// Whether its series belong to panels: curves and maps always do.
+/// Whether the series belong to panels; curves and maps always do.
 bool has_panels(const Study& study);
 
-/// The whole of results.json, indented, with a newline at its end. Numbers read back to the same
-/// double. Both errors are null where every case failed. Studies without panels have no "form",
-/// "row" and "signal", their series no "panel", "parameter" and "row". Throws std::domain_error that
-/// names the key where a number is not finite.
+/// The complete results.json, indented, with a final newline. Numbers round-trip to the same
+/// double. Both errors are null if every case failed. Studies without panels have no "form", "row"
+/// and "signal", their series no "panel", "parameter" and "row". Throws std::domain_error with the
+/// key if a number is not finite.
 std::string to_json(const Study& study);
 
-/// The same on one line, without the newline.
+/// to_json() on one line, without the newline.
 std::string to_json_line(const Study& study);
 
-/// The same facts as CSV (RFC 4180, but with plain newlines): a header line, then a line a point;
-/// what holds of the whole study is repeated in every line, so that files can be joined. An error
-/// is empty where every case failed. Studies with panels have three columns more. Throws as to_json()
-/// does.
+/// The same facts as CSV (RFC 4180, but with plain newlines): a header line, then one line per
+/// point. Facts of the whole study are repeated in every line, so that files can be concatenated.
+/// An error is empty if every case failed. Studies with panels have three more columns. Throws as
+/// to_json() does.
 std::string to_csv(const Study& study);
 
 }  // namespace contactscope::trace

@@ -10,21 +10,21 @@
 #include "trace/pair.h"
 
 /// The facts that each stage of the pipeline decided: world space, metres, double. Float results
-/// are held exactly. No algorithms here; an optional stage that did not run, or that nobody asked
-/// for, is empty. Each struct lists its fields (field.h); README.md gives the JSON that follows.
+/// are exact. No algorithms here; optional stages that did not run, or were not recorded, are
+/// empty. Each struct lists its fields (field.h); README.md gives the JSON.
 namespace contactscope::trace {
 
-/// A body moved by the solver, before the step that starts in this frame.
+/// State of a body before the step that starts in this frame.
 struct Body {
   std::string name;
   double mass = 0;                         // kilograms
   Vec3d center_of_mass = Vec3d::Zero();    // world
-  Vec3d velocity = Vec3d::Zero();          // metres a second, of the centre of mass
-  Vec3d angular_velocity = Vec3d::Zero();  // radians a second
+  Vec3d velocity = Vec3d::Zero();          // metres per second, of the centre of mass
+  Vec3d angular_velocity = Vec3d::Zero();  // radians per second
   double kinetic_energy = 0;               // joules
-  double potential_energy = 0;             // joules, against gravity; 0 at the origin
-  std::optional<bool> asleep{};            // where bodies may sleep: the step leaves it where it is
-  /// Where somebody else is to step it: three rows, about the centre of mass, the shape's axes, kg m^2.
+  double potential_energy = 0;             // joules, in gravity; 0 at the origin
+  std::optional<bool> asleep{};            // if sleeping is enabled: the step does not move it
+  /// For other engines: three rows, about the centre of mass, the shape's axes, kg m^2.
   std::vector<Vec3d> inertia{};
 
   static constexpr auto fields() {
@@ -40,12 +40,12 @@ struct Body {
   friend bool operator==(const Body&, const Body&) = default;
 };
 
-/// Two bodies that were stopped within the step where they first meet, and went on from there.
+/// Two bodies that were stopped within the step at their first contact and continued from there.
 struct Stop {
   std::string a, b;              // shapes
   double time = 0;               // fraction of the step
   Vec3d normal = Vec3d::Zero();  // unit, from a to b
-  Vec3d point = Vec3d::Zero();   // where they meet, world
+  Vec3d point = Vec3d::Zero();   // of contact, world
   bool for_good = false;         // they stay there until the next frame
 
   static constexpr auto fields() {
@@ -57,19 +57,19 @@ struct Stop {
   friend bool operator==(const Stop&, const Stop&) = default;
 };
 
-/// The step of the solver that starts in this frame; impulses stand with the contact points.
+/// The step of the solver that starts in this frame; impulses are stored with the contact points.
 struct Solver {
   std::string position_correction;  // "baumgarte", "projection", "soft"
   int iterations = 0;
   int substeps = 0;
   bool warm_start = false;
-  double slop = 0;                // metres of overlap that are let be, as settled by the bodies
-  double speculative_margin = 0;  // metres, likewise
-  // Where bodies may sleep:
-  std::optional<double> sleep_after{};  // seconds for which an island rests before it does
-  std::optional<double> sleep_speed{};  // metres a second: what is no faster rests
+  double slop = 0;                // metres of allowed overlap, after adjustment to the bodies' size
+  double speculative_margin = 0;  // metres, adjusted likewise
+  // If sleeping is enabled:
+  std::optional<double> sleep_after{};  // seconds that an island must rest before it sleeps
+  std::optional<double> sleep_speed{};  // metres per second: slower bodies rest
   std::vector<Body> bodies;
-  std::vector<Stop> stops{};  // between this frame and the next, in the order of their times
+  std::vector<Stop> stops{};  // until the next frame, ordered by time
 
   static constexpr auto fields() {
     return field::list(
@@ -87,10 +87,10 @@ struct Solver {
   friend bool operator==(const Solver&, const Solver&) = default;
 };
 
-/// A shape's box in the broad phase, under the shape's name.
+/// The box of a shape in the broad phase, under the shape's name.
 struct Bounds {
   std::string name;
-  Box box;             // world, metres; with the margin that contacts are looked for within
+  Box box;             // world, metres; includes the contact margin
   bool large = false;  // too large for any cell: compared with all others
 
   static constexpr auto fields() {
@@ -100,12 +100,12 @@ struct Bounds {
   friend bool operator==(const Bounds&, const Bounds&) = default;
 };
 
-/// A part of space or of a tree into which a broad phase sorts boxes, and what the frame cost there.
+/// A region of space, or a node of a tree, of a broad phase, and its cost in this frame.
 struct Cell {
   Box box;          // world, metres
-  int depth = 0;    // 0 at the root of a tree, and where there are no levels
+  int depth = 0;    // 0 at a tree's root, and without levels
   int members = 0;  // boxes in it
-  int tests = 0;    // of two boxes, of which one is in it, or is the box of the node itself
+  int tests = 0;    // box pairs with one box in it, or with the node's own box
 
   static constexpr auto fields() {
     return field::list(field::merged(&Cell::box), field::exact("depth", &Cell::depth).where_set(),
@@ -115,14 +115,14 @@ struct Cell {
   friend bool operator==(const Cell&, const Cell&) = default;
 };
 
-/// On an axis the lower end of one shape's box and the upper end of another's changed places.
+/// Sweep and prune: a lower end of one box and an upper end of another swapped along an axis.
 struct EndSwap {
   std::string axis;     // "x", "y", "z"
   double place = 0;     // metres along it
-  std::string lower;    // the shape whose lower end it is
-  std::string upper;    // the other one
-  bool meets = false;   // along the axis both overlap now; else they no longer do
-  bool counts = false;  // a pair began, or ended, by it
+  std::string lower;    // shape of the lower end
+  std::string upper;    // shape of the upper end
+  bool meets = false;   // true: they now overlap along the axis; false: no longer
+  bool counts = false;  // a pair began or ended by it
 
   static constexpr auto fields() {
     using E = EndSwap;
@@ -133,16 +133,16 @@ struct EndSwap {
   friend bool operator==(const EndSwap&, const EndSwap&) = default;
 };
 
-/// A mesh that changes its form: what it is in this frame, under the name of its shape.
+/// State of a deforming mesh in this frame, under the name of its shape.
 struct Deformed {
   std::string name;
-  std::vector<Vec3d> vertices;  // the shape's own frame, in the order of the header's
+  std::vector<Vec3d> vertices;  // shape's frame, in the order of the header's
   std::string tree;  // of boxes: "built" at the start, "refitted" or "rebuilt" in this frame
-  /// How many boxes a small query that meets the root is expected to test, by their surfaces, and
-  /// that of the tree when it was built last.
+  /// Expected number of box tests for a small query that meets the root, from the surface areas;
+  /// now, and when the tree was last built.
   double cost = 0;
   double cost_when_built = 0;
-  std::vector<Box> boxes{};  // of the tree, some levels below its root
+  std::vector<Box> boxes{};  // some levels below the tree's root
 
   static constexpr auto fields() {
     using D = Deformed;
@@ -157,18 +157,18 @@ struct Deformed {
   friend bool operator==(const Deformed&, const Deformed&) = default;
 };
 
-/// How the frame's pairs were chosen from all: those whose boxes overlap.
+/// How the frame's pairs were selected: by overlapping boxes.
 struct BroadPhase {
-  std::string method;          // "tree", as `contactscope list broad_phases` names it
-  int pairs = 0;               // whose boxes overlap, and which make contacts
-  int comparisons = 0;         // of two boxes, in this frame
+  std::string method;          // "tree", as in `contactscope list broad_phases`
+  int pairs = 0;               // with overlapping boxes; these get contacts
+  int comparisons = 0;         // box against box, in this frame
   int visits = 0;              // of nodes, cells or columns
   int swaps = 0;               // of neighbouring endpoints
-  std::vector<Bounds> bounds;  // of each shape, but for those without end
-  // Where somebody looks at them:
-  std::vector<Cell> cells;         // those with something in them
-  std::vector<EndSwap> end_swaps;  // of sweep and prune
-  std::string swept;               // of columns: "x", "y" or "z", along which they are swept
+  std::vector<Bounds> bounds;  // one per shape, except for infinite ones
+  // If a view shows them:
+  std::vector<Cell> cells;         // cells that are not empty
+  std::vector<EndSwap> end_swaps;  // for sweep and prune
+  std::string swept;               // for columns: sweep axis "x", "y" or "z"
 
   static constexpr auto fields() {
     using B = BroadPhase;
@@ -184,14 +184,14 @@ struct BroadPhase {
   friend bool operator==(const BroadPhase&, const BroadPhase&) = default;
 };
 
-/// Columns for plots: sums over a frame. Of the points that the solver took, of all where there is
-/// no solver.
+/// Columns for plots: sums over a frame, over the points that the solver used, or over all points
+/// without a solver.
 struct Totals {
-  double penetration = 0;       // metres, of the deepest point, 0 without an overlap
-  double normal_impulse = 0;    // newton seconds, sum over the points
-  int points = 0;               // of all manifolds
-  int ids = 0;                  // different names among them; each pair has its own
-  double kinetic_energy = 0;    // joules, of all bodies
+  double penetration = 0;       // metres, at the deepest point; 0 without overlap
+  double normal_impulse = 0;    // newton seconds, summed over the points
+  int points = 0;               // over all manifolds
+  int ids = 0;                  // distinct ids; those of different pairs are different
+  double kinetic_energy = 0;    // joules, over all bodies
   double potential_energy = 0;  // joules
 
   static constexpr auto fields() {
@@ -204,7 +204,6 @@ struct Totals {
   friend bool operator==(const Totals&, const Totals&) = default;
 };
 
-/// Where a shape is, under its name.
 using Placement = std::pair<std::string, Pose<double>>;
 
 template <>
@@ -226,13 +225,13 @@ struct Frame {
   double time = 0;               // seconds
   std::vector<Placement> poses;  // in the order of the shapes
   std::vector<Pair> pairs;
-  std::vector<Deformed> deformed{};         // shapes that no longer are as in the header
-  std::vector<FieldSlice> field_slices{};   // of distance fields, where a view shows them
-  std::optional<BroadPhase> broad_phase{};  // where one chose the pairs
+  std::vector<Deformed> deformed{};         // shapes whose form differs from the header
+  std::vector<FieldSlice> field_slices{};   // through distance fields, if a view shows them
+  std::optional<BroadPhase> broad_phase{};  // if one selected the pairs
   std::optional<Solver> solver{};
-  std::optional<Totals> totals{};  // where there is a solver, or a view shows plots
-  std::vector<Shape> shapes{};     // that were in no frame before
-  int line = 0;                    // of the file that it was read from, from 1; else 0
+  std::optional<Totals> totals{};  // with a solver, or if a view shows plots
+  std::vector<Shape> shapes{};     // shapes that are new in this frame
+  int line = 0;                    // line in the trace file, from 1; else 0
 
   static constexpr auto fields() {
     // The time is a product of two numbers of the file, which every processor rounds alike.
@@ -253,18 +252,18 @@ struct Frame {
   }
 };
 
-/// Turns impulses that are told in another way into newton seconds on b.
+/// Converts impulses of another convention to newton seconds on b.
 void convert_impulses(const ImpulseConvention& from, Frame& frame);
 
-/// Of what else the frame holds.
+/// Computed from the rest of the frame.
 Totals totals_of(const Frame& frame);
 
-/// As pairs call a shape: whatever has faces and is convex is a "hull".
+/// Kind of a shape in a pair: every other convex shape with faces is a "hull".
 std::string kind_of(const Shape& shape);
 using Kinds = std::unordered_map<std::string, std::string>;  // by the shape's name
 
-/// What a trace may leave out of a pair, from the rest of it: its `kind`, `state` ("touching" where it has
-/// points), and the `separation` of the deepest point, 0 of none.
+/// Fills what a trace may omit: a pair's `kind`, its `state` ("touching" if it has points), and its
+/// `separation`: that of the deepest point, 0 without points.
 void complete(const Kinds& kinds, Frame& frame);
 
 }  // namespace contactscope::trace

@@ -18,7 +18,7 @@ const trace::Frame* frame_of(const trace::Trace& trace, int number) {
   return found == trace.frames.end() ? nullptr : &*found;
 }
 
-/// Sums, of which a score has the means.
+/// Sums, whose means become the score.
 class Scorer {
  public:
   Scorer(const trace::Trace& request, const EngineRun& engine_run)
@@ -74,7 +74,7 @@ class Scorer {
     judge_normal(requested, *pair, truth);
     if (truth.area > 0) {
       ++score_.patches;
-      double area = 0;  // engines may tell a patch in several manifolds
+      double area = 0;  // engines may report one patch as several manifolds
       trace::Manifold all = pair->manifolds.front();
       all.points.clear();
       for (const trace::Manifold& manifold : pair->manifolds)
@@ -94,7 +94,7 @@ class Scorer {
     if (!has_end(*a) || !has_end(*b)) return;
     for (const trace::Manifold& manifold : pair.manifolds) {
       const double along = separation_along(*a, *b, manifold.normal.normalized());
-      // Of a plane no other direction than its normal has an end.
+      // A plane is only bounded along its normal.
       if (std::isfinite(along))
         score_.worst_normal = std::max(score_.worst_normal, *truth.separation - along);
     }

@@ -25,7 +25,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr const char* kPrefix = "contactscope-engine-";
 
-/// One end of a pipe, closed at its end.
+/// One end of a pipe; closes itself.
 class Descriptor {
  public:
   explicit Descriptor(int number = -1) : number_(number) {}
@@ -60,7 +60,7 @@ struct Pipe {
   }
 };
 
-/// A program that closes its input early is no reason to die of SIGPIPE.
+/// Ignores SIGPIPE, for programs that close their input early.
 class WithoutBrokenPipe {
  public:
   WithoutBrokenPipe() {
@@ -85,7 +85,7 @@ pid_t start(const std::string& program, const std::vector<std::string>& argument
   const pid_t child = fork();
   if (child < 0) throw std::system_error(errno, std::generic_category(), "cannot start a process");
   if (child > 0) return child;
-  setpgid(0, 0);  // so that what it starts is stopped with it
+  setpgid(0, 0);  // so that its children are stopped with it
   dup2(in.read.get(), STDIN_FILENO);
   dup2(out.write.get(), STDOUT_FILENO);
   dup2(err.write.get(), STDERR_FILENO);
@@ -93,7 +93,7 @@ pid_t start(const std::string& program, const std::vector<std::string>& argument
   _exit(127);
 }
 
-/// Appends what can be read now; closes at the end of the stream.
+/// Appends the available data; closes at the end of the stream.
 void read_some(Descriptor& from, std::string& to) {
   std::array<char, 65536> buffer{};
   const ssize_t count = read(from.get(), buffer.data(), buffer.size());
@@ -113,7 +113,7 @@ void write_some(Descriptor& to, const std::string& text, std::size_t& written) {
   if (failed || written == text.size()) to.close();
 }
 
-/// The line that names an error, as interpreters do before they say more; else the last that says something.
+/// The line that names an error, as interpreters print it first; else the last line with text.
 std::string last_line(const std::string& text) {
   std::istringstream lines(text);
   std::string line, last;
@@ -184,7 +184,7 @@ Answer run_program(const std::string& program, const std::vector<std::string>& a
     if (ends[2].revents != 0) write_some(in.write, input, written);
   }
   in.write.close();
-  // What closed its streams and goes on has the rest of the time.
+  // A program that has closed its streams may use the remaining time.
   int status = 0;
   while (stopped.empty() && waitpid(child, &status, WNOHANG) == 0) {
     if (seconds() > limit_seconds) {

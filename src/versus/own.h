@@ -4,8 +4,8 @@
 
 namespace contactscope::versus {
 
-/// The contacts of this program for a request, in double and with its default settings: what it answers where
-/// there is no scenario that says more.
+/// This program's contacts for a request, in double with default settings, for use without a
+/// scenario.
 trace::Trace own_contacts(const trace::Trace& request);
 
 }  // namespace contactscope::versus

@@ -41,7 +41,7 @@ std::vector<Truth> truths_of(const lint::Solids& solids, const trace::Frame& fra
     const std::optional<lint::OwnContacts> own = lint::own_contacts(*a, *b);
     if (!own) continue;
     if (!truth.separation) {
-      // How far apart they are is not asked of a mesh; that they are apart is known.
+      // The distance is not computed for a mesh, only that they are separated.
       truth.separation = own->separation;
     } else if (own->manifolds.size() == 1) {
       const Manifold<double>& manifold = own->manifolds.front();

@@ -6,11 +6,11 @@
 
 namespace contactscope::versus {
 
-/// Leaves the pairs that engines are asked: of those that are there several times, with different settings of
-/// this program, the first; none that is asked something else than its contacts.
+/// Keeps the pairs to query engines for: the first of several with different settings of this
+/// program, and no pair with a query other than for contacts.
 void keep_queried_pairs(trace::Frame& frame);
 
-/// A trace with the shapes, poses and pairs of another, and no contacts: what an engine is asked.
+/// A request to an engine: the shapes, poses and pairs of a trace without contacts.
 trace::Trace request_of(const trace::Trace& whole);
 
 /// As JSON lines.

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// A shape in a frame, with the box around it.
+/// A shape in a frame, with its bounding box.
 struct Boxed {
   std::string name;
   bool is_body = false;
@@ -41,7 +41,7 @@ struct Motion {
   Vec3d velocity = Vec3d::Zero(), angular_velocity = Vec3d::Zero();
 };
 
-/// The constant velocities from one place to the next, of the centre of mass.
+/// The constant velocities of the centre of mass between two poses.
 Motion between(const RolloutBody& body, const Pose<double>& from, const Pose<double>& to,
                double seconds) {
   Motion motion;
@@ -59,7 +59,7 @@ double kinetic_energy(const RolloutBody& body, const Pose<double>& pose, const M
   return 0.5 * body.mass * motion.velocity.squaredNorm() + 0.5 * spin.dot(body.inertia * spin);
 }
 
-/// Points that hold something up: those that act, and have an impulse where impulses are told.
+/// Number of supporting points: active ones, with an impulse if impulses are reported.
 int acting_points(const trace::Frame& frame) {
   int acting = 0, with_impulse = 0, pushing = 0;
   for (const trace::Pair& pair : frame.pairs)
@@ -112,7 +112,7 @@ class Judge {
            });
   }
 
-  /// Gives a frame the poses that the request has; false where the rest of the rollout is worth nothing.
+  /// Adds the poses of the request to a frame; false if the rest of the rollout is worthless.
   bool complete(trace::Frame& frame) {
     const auto requested = std::ranges::find(request_.frames, frame.frame, &trace::Frame::frame);
     const auto lost = [&](const std::string& what) {
@@ -130,7 +130,7 @@ class Judge {
           !(pose->position.cwiseAbs().maxCoeff() < kFarAway))
         return lost("has an invalid pose of '" + body.name + "'");
     }
-    // Scripted shapes are where they were asked to be, whatever the engine says.
+    // Scripted shapes have the requested poses, whatever the engine reports.
     std::erase_if(frame.poses, [&](const trace::Placement& one) {
       return std::ranges::count(bodies_, one.first, &RolloutBody::name) == 0;
     });
@@ -222,7 +222,7 @@ class Judge {
   std::vector<RolloutBody> bodies_;
   lint::Solids solids_;
   Vec3d gravity_ = Vec3d::Zero(), up_ = Vec3d::UnitY();
-  std::map<std::string, Pose<double>> latest_;  // of shapes that the request has told
+  std::map<std::string, Pose<double>> latest_;  // of shapes in the request so far
   std::map<std::string, bool> fallen_;
   std::optional<trace::Frame> before_;
   double least_energy_ = kInfinity;

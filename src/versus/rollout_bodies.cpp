@@ -9,16 +9,16 @@
 namespace contactscope::versus {
 namespace {
 
-constexpr double kNear = 0.01;   // of the smaller shape: a gap that the first steps close
-constexpr double kUpward = 0.1;  // cosine: a wall beside a body bears nothing
+constexpr double kNear = 0.01;   // relative to the smaller shape: a gap that the first steps close
+constexpr double kUpward = 0.1;  // cosine: a wall next to a body does not support it
 constexpr double kStill = 1e-6;  // m/s and rad/s
 
-/// Whether `below` bears a body, by how they stand to each other.
+/// Whether `below` supports a body, by their relative position.
 bool bears(const lint::Placed& below, const lint::Placed& body, const Vec3d& up) {
   const double near = kNear * std::min(below.size(), body.size());
   if (const std::optional<lint::Separation> best = best_separation(below, body))
     return best->distance < near && best->normal.dot(up) > kUpward;
-  // Which way a mesh looks is not asked; one that is a little higher would be touched.
+  // The orientation of a mesh is not considered; test whether it touches the lowered body.
   lint::Placed lowered = body;
   lowered.pose.position -= near * up;
   const std::optional<double> separation = separation_of(below, lowered);
@@ -51,7 +51,7 @@ std::vector<RolloutBody> rollout_bodies(const trace::Trace& request) {
   const Vec3d& gravity = request.header.world->gravity;
   if (gravity.isZero(0)) return bodies;
   const Vec3d up = -gravity.normalized();
-  std::vector<std::string> bearing;  // they stand, and what is on them is still to be looked for
+  std::vector<std::string> bearing;  // resting shapes; bodies on them are still to be found
   for (const trace::Shape& shape : request.header.shapes)
     if (std::ranges::count(bodies, shape.name, &RolloutBody::name) == 0)
       bearing.push_back(shape.name);

@@ -10,11 +10,11 @@
 namespace contactscope::versus {
 namespace {
 
-constexpr double kInside = 0.25;  // of the thinner shape
+constexpr double kInside = 0.25;  // relative to the thinner shape
 constexpr int kLooks = 8;         // while a body moves by the thinner one's thickness
-constexpr int kMaxLooks = 2000;   // in a step
+constexpr int kMaxLooks = 2000;   // per step
 
-/// A shape in two frames.
+/// The motion of a shape between two frames.
 struct Method {
   lint::Placed from, to;
 
@@ -27,7 +27,7 @@ struct Method {
   double lowest(const Vec3d& axis) const { return -std::max(from.extent(-axis), to.extent(-axis)); }
   double highest(const Vec3d& axis) const { return std::max(from.extent(axis), to.extent(axis)); }
   Vec3d move() const { return to.pose.position - from.pose.position; }
-  /// Of the thinnest side of its box; a surface has none, and counts as endless.
+  /// Shortest side of its box; infinite for a surface.
   double thickness() const {
     const double least = (from.solid->upper() - from.solid->lower()).minCoeff();
     return from.solid->is_convex() && least > 0 ? least : std::numeric_limits<double>::infinity();
@@ -73,7 +73,7 @@ std::vector<Passing> passings(const lint::Solids& solids, const std::vector<Roll
   std::vector<Passing> found;
   for (const RolloutBody& body : bodies) {
     const std::optional<Method> own = offset_of(solids, body.name, before, now);
-    // What stands still beside a bullet is found from the bullet.
+    // A body at rest next to a bullet is found from the bullet.
     if (!own || own->move().norm() <= own->thickness()) continue;
     for (const trace::Placement& one : now.poses) {
       if (one.first == body.name) continue;

@@ -269,7 +269,7 @@ TEST(BulletAdapter, AHullWithAMarginOnAMesh) {
       }
 }
 
-TEST(BulletAdapter, CompoundsAreToldByPart) {
+TEST(BulletAdapter, CompoundsAreRecordedByPart) {
   BulletScene scene;
   btCompoundShape* floor = scene.shape<btCompoundShape>();
   floor->addChildShape(btTransform(btQuaternion::getIdentity(), btVector3(-2, -0.5f, 0)),
@@ -431,7 +431,7 @@ TEST(BulletAdapter, CallbacksOfTheWorldStay) {
 
 /// Points that persist in Bullet stay with their bodies and slide from each other, by up to 20 mm,
 /// until they are dropped. The midpoint is then outside a shape if they are at its edge.
-TEST(BulletAdapter, KnownFaultPointsThatAreKeptSlideApart) {
+TEST(BulletAdapter, KnownFaultPersistedPointsDrift) {
   BulletScene scene;
   add_stack(scene, 1);
   scene.step(30);

@@ -201,7 +201,7 @@ TEST(FclAdapter, KnownFaultEdgesOfAMeshPushHullsAside) {
 }
 
 /// FCL negates the overlap of a ball and a triangle: 10 mm of overlap become 10 mm of separation.
-TEST(FclAdapter, KnownFaultABallOnAMeshIsApartByItsOverlap) {
+TEST(FclAdapter, KnownFaultABallOnAMeshHasPositiveSeparation) {
   FclScene scene;
   scene.add("ground", pose({0.5, 0, -1}), grid());
   scene.add<fcl::Sphered>("ball", pose({0.2, 0.3, -0.71}), 0.3);
@@ -236,7 +236,7 @@ TEST(FclAdapter, ObjectsComeAndGoAndChange) {
                                  ElementsAre("box 2")));
 }
 
-TEST(FclAdapter, WhatHasNoInsideIsLeftOut) {
+TEST(FclAdapter, ShapesWithoutAVolumeAreLeftOut) {
   FclScene scene;
   testing::internal::CaptureStderr();
   scene.add<fcl::Planed>("plane", pose({0, 0, 0}), Vec3d(0, 0, 1), 0);

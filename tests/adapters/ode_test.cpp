@@ -241,7 +241,7 @@ TEST(OdeAdapter, KnownFaultACapsuleOnAMeshHasAPointWithoutDepth) {
   EXPECT_NEAR(judge(trace)[PairNames("pill", "ground")].middle, 0.01, 1e-9);
 }
 
-TEST(OdeAdapter, ConvexGeomsTellTheirVertices) {
+TEST(OdeAdapter, ConvexGeomsRecordTheirVertices) {
   OdeScene scene;
   scene.recorder->name(dCreatePlane(scene.space, 0, 0, 1, 0), "ground");
   Pyramid low(0.5), high(0.3);
@@ -283,7 +283,7 @@ TEST(OdeAdapter, CylindersAreHulls) {
 }
 
 /// On a box, ODE replaces a cylinder's end by an octagon with corners 8 % of the radius outside.
-TEST(OdeAdapter, KnownFaultACylinderOnABoxHasPointsBesideIt) {
+TEST(OdeAdapter, KnownFaultACylinderOnABoxHasPointsOutsideIt) {
   OdeScene scene;
   scene.still("table", dCreateBox(scene.space, 2, 2, 1), {0, 0, 0});
   scene.moving("can", dCreateCylinder(scene.space, 0.2, 0.6), 2, {0, 0, 0.799});

@@ -23,7 +23,7 @@ std::ostream& operator<<(std::ostream& out, const Foreign& foreign) {
 
 class ForeignFile : public testing::TestWithParam<Foreign> {};
 
-TEST_P(ForeignFile, IsNamedByItsFormatWithWhatIsRead) {
+TEST_P(ForeignFile, IsNamedByFormatWithTheReadableOnes) {
   const TemporaryFolder folder;
   const std::string file = folder.write(GetParam().name, GetParam().begin);
   for (const char* verb : {"trace", "check", "render", "lint"}) {

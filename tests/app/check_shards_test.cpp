@@ -62,7 +62,7 @@ TEST_F(CheckShards, MergedTheyAreTheReportOfOneRun) {
   EXPECT_EQ(check().exit_code, 0);
 }
 
-TEST_F(CheckShards, WhatIsMissingIsNamed) {
+TEST_F(CheckShards, AMissingShardIsNamed) {
   check("--shard 1/3");
   check("--shard 3/3");
   const ProgramRun merged = merge();
@@ -72,7 +72,7 @@ TEST_F(CheckShards, WhatIsMissingIsNamed) {
   EXPECT_EQ(check("--shard two").exit_code, 2);
 }
 
-TEST_F(CheckShards, OfDifferentRunsTheyAreRefused) {
+TEST_F(CheckShards, ShardsOfDifferentRunsAreRefused) {
   check("--shard 1/2");
   check("--shard 2/2 --facts-only");
   EXPECT_THAT(merge().err, HasSubstr("no parts of one"));
@@ -91,7 +91,7 @@ TEST_F(CheckShards, OneThatIsLeftFromAnEarlierRunIsRefused) {
   EXPECT_EQ(merge().exit_code, 1);
 }
 
-TEST_F(CheckShards, WhatDidNotChangeIsKnownToBeTheSame) {
+TEST_F(CheckShards, UnchangedScenariosAreNotRunAgain) {
   check();
   const ProgramRun second = check("--verbose");
   EXPECT_EQ(second.exit_code, 1);
@@ -116,7 +116,7 @@ TEST_F(CheckShards, WhatDidNotChangeIsKnownToBeTheSame) {
   EXPECT_THAT(gone.err, Not(HasSubstr("nothing changed since the last check: neither")));
 }
 
-TEST_F(CheckShards, WhatIsKnownIsKnownOfThisBuildAlone) {
+TEST_F(CheckShards, CachedResultsHoldForOneBuildOnly) {
   // readelf reads the linker's build id independently.
   const std::string listed = folder_ / "notes.txt";
   const std::string readelf = "LC_ALL=C readelf -n '" CONTACTSCOPE_BINARY_DIR "/contactscope' > ";
@@ -161,7 +161,7 @@ TEST_F(CheckShards, LimitsOfAViewAreTakenFromItsScenario) {
   const ProgramRun loose = check("group/two");
   EXPECT_THAT(loose.err, HasSubstr("(1 changed,")) << "the trace alone";
   folder_.write("scenarios/group/two.toml", moved + "limits = { total = 7 }\n");
-  EXPECT_THAT(check("group/two --verbose").out, HasSubstr("allowed are 7 pixels"));
+  EXPECT_THAT(check("group/two --verbose").out, HasSubstr("allowed: 7 pixels"));
   folder_.write("scenarios/group/two.toml", moved + "view_limits = { side = { total = 7 } }\n");
   EXPECT_THAT(check("group/two").out, HasSubstr("'side' is no view"));
 }

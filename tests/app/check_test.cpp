@@ -35,11 +35,11 @@ std::string changed(const std::string& from, const std::string& to) {
   return text.replace(at, from.size(), to);
 }
 
-TEST_F(Check, NothingIsWrittenUnlessAsked) {
+TEST_F(Check, NothingIsWrittenByDefault) {
   std::filesystem::create_directory(folder_ / "snapshots");
   const ProgramRun first = check();
   EXPECT_EQ(first.exit_code, 1);
-  EXPECT_EQ(first.out, "new         group/idea: new, nothing is stored of group/idea\n");
+  EXPECT_EQ(first.out, "new         group/idea: new, nothing is stored for group/idea\n");
   EXPECT_THAT(first.err, HasSubstr("check --write-missing stores what is not there yet"));
   EXPECT_THAT(stored(), IsEmpty());
   const ProgramRun written = check("--write-missing");
@@ -60,7 +60,7 @@ TEST_F(Check, AFolderThatIsNotThereIsNamedAsOne) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "snapshots"));
 }
 
-TEST_F(Check, WithCiNothingIsWritten) {
+TEST_F(Check, CiWritesNothing) {
   std::filesystem::create_directory(folder_ / "snapshots");
   const ProgramRun result = check("", "CI=true");
   EXPECT_EQ(result.exit_code, 1);
@@ -118,7 +118,7 @@ TEST_F(Check, OneOfTwoPicturesIsAccepted) {
   EXPECT_EQ(check().exit_code, 0);
 }
 
-TEST_F(Check, WhatIsNotInTheReportIsNotAccepted) {
+TEST_F(Check, AcceptRefusesNamesNotInTheReport) {
   check("--update");
   store(changed("0.495", "0.480"));
   check();
@@ -206,19 +206,19 @@ TEST_F(Check, SnapshotsOfAScenarioThatIsGoneAreStale) {
   EXPECT_THAT(read_text(folder_ / "junit.xml"), HasSubstr("name=\"idea\">")) << "no file is told";
 }
 
-TEST_F(Check, WhatAPictureMayDifferByIsToldWhereItsScenarioSaysSo) {
+TEST_F(Check, LimitsOfAPictureAreReportedIfItsScenarioSetsThem) {
   const auto with_limits = [](std::string scenario) {
     return scenario.insert(scenario.find("[snapshots]\n") + 12, "limits = { total = 60 }\n");
   };
   store(with_limits(small_scenario()));
   check("--update");
   store(with_limits(changed("0.495", "0.480")));
-  EXPECT_THAT(check().out, HasSubstr("allowed are 60 pixels"));
+  EXPECT_THAT(check().out, HasSubstr("allowed: 60 pixels"));
   store(changed("0.495", "0.480"));
-  EXPECT_THAT(check().out, Not(HasSubstr("allowed are")));
+  EXPECT_THAT(check().out, Not(HasSubstr("allowed: ")));
 }
 
-TEST_F(Check, JsonIsWhatTheReportHas) {
+TEST_F(Check, JsonMatchesTheReport) {
   check("--update");
   const ProgramRun result = check("--json");
   EXPECT_EQ(result.exit_code, 0);

@@ -65,7 +65,7 @@ TEST(CommandLine, TheHelpOfEveryVerbHasExamplesValuesAndExitCodes) {
   }
 }
 
-TEST(CommandLine, UsageErrorsAreTroubleAndPrintNothingOnStandardOutput) {
+TEST(CommandLine, UsageErrorsExitWithTwoAndPrintNothingOnStandardOutput) {
   for (const char* arguments :
        {"", "fly", "--manual", "--manual vi", "render", "trace", "trace a b", "render x --size 12",
         "render x --size 10x10", "render x --frames 5:2", "render x --frames a",
@@ -86,7 +86,7 @@ TEST(CommandLine, UsageErrorsNameTheRemedy) {
   EXPECT_THAT(run("trace nowhere").err, HasSubstr("list scenarios"));
 }
 
-TEST(CommandLine, MisspeltWordsAreNamedWithWhatIsMeant) {
+TEST(CommandLine, MisspeltWordsAreNamedWithTheNearest) {
   EXPECT_THAT(run("rendr my.toml").err, HasSubstr("'rendr' is no verb; did you mean 'render'?"));
   EXPECT_THAT(run("--quiet render").err, HasSubstr("stands before the verb"));
   EXPECT_THAT(run("trace my.toml --frame 3").err,
@@ -128,7 +128,7 @@ TEST(CommandLine, OneBadScenarioAmongGoodOnesLeavesNothingWritten) {
   EXPECT_THAT(files_below(folder / "out"), IsEmpty());
 }
 
-TEST(CommandLine, EveryBadScenarioIsToldInOneRun) {
+TEST(CommandLine, EveryBadScenarioIsReportedInOneRun) {
   const TemporaryFolder folder;
   const std::string one = folder.write("scenarios/a/first.toml", "title = 3\n");
   const std::string two = folder.write("scenarios/a/second.toml", "titel = \"x\"\n");

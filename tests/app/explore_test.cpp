@@ -151,7 +151,7 @@ std::string twelve(const std::string& name, const std::string& normal = "[0, 1, 
   return text + "]\n";
 }
 
-TEST(ExplorePatch, PointsOfOnesOwnHaveARowForEachReducerAndWeighNothing) {
+TEST(ExplorePatch, UserPointsHaveARowForEachReducerAndNoWeight) {
   const TemporaryFolder folder;
   folder.write("mine/twelve.toml", twelve("my twelve"));
   const std::string file = "'" + (folder / "mine/twelve.toml") + "'";

@@ -33,10 +33,10 @@ TEST(FigureOptions, MistakesNameTheOptionAndTheRemedy) {
   fails("--camera 1,2,3", "--camera=4,2,4,0,0,0,30");
   fails("--orthographic=tall", "--orthographic=1.5");
   fails("--words nowhere", "`contactscope list words`");
-  fails("--font README.md", "this is no TrueType font");
+  fails("--font README.md", "this is not a TrueType font");
 }
 
-TEST(FigureOptions, UnknownWordsAreToldWithTheNearest) {
+TEST(FigureOptions, UnknownWordsAreReportedWithTheNearest) {
   const TemporaryFolder folder;
   const std::string words = folder.write("de.toml", "[words]\n\"referenze face\" = \"Fläche\"\n");
   const ProgramRun result = run(kFigure + "--words '" + words + "'");

@@ -66,7 +66,7 @@ std::string scenario_titled(const std::string& title) {
   return text.replace(at, text.find('\n', at) - at, "title = \"" + title + "\"");
 }
 
-TEST(FigurePictures, CharactersThatNoFontHasAreTold) {
+TEST(FigurePictures, CharactersThatNoFontHasAreReported) {
   const TemporaryFolder folder;
   const std::string file = folder.write("my/box.toml", scenario_titled("箱"));
   const ProgramRun result =

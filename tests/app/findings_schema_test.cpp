@@ -85,7 +85,7 @@ Schema findings_schema() {
   return Schema(Json::parse(read_text(CONTACTSCOPE_SOURCE_DIR "/src/trace/findings.schema.json")));
 }
 
-TEST(FindingsSchema, EveryKindOfFindingIsAsItSays) {
+TEST(FindingsSchema, EveryKindOfFindingMatchesIt) {
   const Schema schema = findings_schema();
   const TemporaryFolder folder;
   const auto store = [&](const std::string& name, const std::string& text) {
@@ -129,7 +129,7 @@ TEST(FindingsSchema, EveryKindOfFindingIsAsItSays) {
                                  "unmet_expectation", "unreadable", "unreadable_scenario"));
 }
 
-TEST(FindingsSchema, WhatIsOtherwiseIsAFault) {
+TEST(FindingsSchema, DeviationsFromTheSchemaAreFaults) {
   const Schema schema = findings_schema();
   Json document = Json::parse(
       R"({"schema": "contactscope.check/1", "snapshots": "s", "same": false, "summary": "",

@@ -52,7 +52,7 @@ TEST_F(Formats, VectorsAloneOpenNoOpenGL) {
   EXPECT_THAT(text("group/idea/frame_0001.pdf"), StartsWith("%PDF-"));
 }
 
-TEST_F(Formats, AnchorsStandBesideThePicture) {
+TEST_F(Formats, AnchorsAreWrittenNextToThePicture) {
   const ProgramRun result = render("--format svg --frames 1 --anchors");
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(files(),
@@ -91,7 +91,7 @@ TEST_F(Formats, AFileOfOneFrameHasItsName) {
   EXPECT_THAT(text("group/idea/frame_0001.webp"), Not(HasSubstr("ANIM")));
 }
 
-TEST_F(Formats, APngSaysHowItIsMadeAgain) {
+TEST_F(Formats, APngContainsTheCommandThatMadeIt) {
   ASSERT_EQ(render("--layers shapes,contacts --frames 1 --quiet --jobs 1").exit_code, 0);
   const PngText said = read_png_text(folder_ / "out/group/idea/frame_0001.png");
   const std::map<std::string, std::string> all(said.begin(), said.end());
@@ -108,7 +108,7 @@ TEST_F(Formats, APngSaysHowItIsMadeAgain) {
   EXPECT_TRUE(read_text(folder_ / "again/group/idea/frame_0001.png") == before);
 }
 
-TEST_F(Formats, WhatIsNotKnownIsAnsweredWithWhatThereIs) {
+TEST_F(Formats, UnknownFormatsAreRefusedWithTheKnownOnes) {
   const ProgramRun result = render("--format gif");
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_THAT(result.err, AllOf(HasSubstr("--format 'gif'"), HasSubstr("png"), HasSubstr("svg"),
@@ -174,7 +174,7 @@ TEST_F(Formats, ASheetHasAllScenariosOfAGroup) {
   EXPECT_THAT(text("group/sheet.svg"), AllOf(HasSubstr("group/idea"), HasSubstr("group/other")));
 }
 
-TEST_F(Formats, WhatDoesNotGoTogetherIsRefused) {
+TEST_F(Formats, ConflictingOptionsAreRefused) {
   for (const auto& [options, record] :
        {std::pair{"--strip 0", "2 to 64"},
         {"--strip 4 --format apng", "--strip is one picture, and --format apng"},

@@ -55,7 +55,7 @@ TEST(AHair, TurnsTheAxis) {
             HasSubstr("4 of 4 ids changed")));
 }
 
-TEST(AHair, WithAPreferenceTurnsNothing) {
+TEST(AHair, WithAPreferenceFlipsNothing) {
   EXPECT_THAT(record(tilted("0.003", "relative"), tilted("-0.003", "relative")),
               AllOf(HasSubstr("crate: turned by 0.006 degrees; so 3 axis queries"),
                     testing::Not(HasSubstr("now prefers"))));

@@ -28,7 +28,7 @@ std::string crate(const std::string& normal, const std::string& separation) {
          R"("manifolds":[{"normal":[)" + normal + R"(],"points":[)" + points + "]}]}]}\n";
 }
 
-TEST(LintVerb, SaysOkOfATraceThatIsRight) {
+TEST(LintVerb, ReportsOkForACorrectTrace) {
   const TemporaryFolder folder;
   const std::string file = folder.write("right.jsonl", crate("0,1,0", "-0.02"));
   const ProgramRun result = run("lint '" + file + "'");
@@ -67,7 +67,7 @@ TEST(LintVerb, PrintsJson) {
   EXPECT_EQ(finding["a"], "ground");
 }
 
-TEST(LintVerb, WhatCannotBeReadIsTrouble) {
+TEST(LintVerb, AnUnreadableTraceExitsWithTwo) {
   const TemporaryFolder folder;
   const std::string torn = folder.write("torn.jsonl", std::string(kHeader) + "\n{\"frame\":");
   EXPECT_EQ(run("lint '" + torn + "'").exit_code, 2);
@@ -96,7 +96,7 @@ TEST(LintVerb, ATornFileIsReadUpToItsLastWholeLine) {
 }
 
 /// contactscope's own results are right, except in scenarios that show how something goes wrong.
-TEST(LintVerb, SlowNothingIsSaidOfScenariosButOfThoseThatShowAFault) {
+TEST(LintVerb, SlowOnlyScenariosThatShowAFaultHaveFindings) {
   const ProgramRun result = run("lint --json scenarios");
   const auto json = nlohmann::json::parse(result.out);
   std::vector<std::string> record;

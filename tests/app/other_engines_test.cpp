@@ -47,7 +47,7 @@ TEST(OtherEngines, TheSampleOfTheReferenceIsDrawnAlsoFromStandardInput) {
   EXPECT_THAT(run("doctor '" + file + "'").out, HasSubstr("ok  trace of mine/crate"));
 }
 
-TEST(OtherEngines, WhatIsWrongOnStandardInputIsNamedByLine) {
+TEST(OtherEngines, ErrorsOnStandardInputNameTheLine) {
   const TemporaryFolder folder;
   const std::string bad = folder.write(
       "bad", replaced(sample_of_the_reference(), "\"a\":\"ground\"", "\"a\":\"grund\""));
@@ -91,7 +91,7 @@ TEST(OtherEngines, ShapesComeAndGo) {
 }
 
 /// Names in any language stay unchanged. A shape may be repeated, but only in the same form.
-TEST(OtherEngines, NamesOfAnyLanguageAndShapesThatAreToldAgain) {
+TEST(OtherEngines, NamesOfAnyLanguageAndRepeatedShapes) {
   const TemporaryFolder folder;
   std::string sample = sample_of_the_reference();
   for (const char* place : {"\"crate\":{\"type\"", "\"b\":\"crate\"", "\"crate\":{\"position\""})
@@ -196,7 +196,7 @@ std::string two_crates() {
                   "\"other\":{\"position\":[4,1,0]," + pose + ",\"crate\":{\"position\"");
 }
 
-TEST(OtherEngines, APairAloneIsWhatATraceWithoutTheRestShows) {
+TEST(OtherEngines, APairAloneLooksLikeATraceWithoutTheRest) {
   const TemporaryFolder folder;
   const std::string both = folder.write("both.jsonl", two_crates());
   const auto draw = [&](const std::string& file, const std::string& to, const std::string& more) {
@@ -218,7 +218,7 @@ TEST(OtherEngines, APairAloneIsWhatATraceWithoutTheRestShows) {
   EXPECT_THAT(unknown.err, HasSubstr("did you mean 'ground'"));
 }
 
-TEST(OtherEngines, ViewsComeFromAFileThatHasNothingElse) {
+TEST(OtherEngines, ViewsComeFromAFileOfViewsOnly) {
   const TemporaryFolder folder;
   const std::string file = folder.write("both.jsonl", two_crates());
   const std::string views = folder.write("views.toml",
@@ -233,7 +233,7 @@ TEST(OtherEngines, ViewsComeFromAFileThatHasNothingElse) {
   EXPECT_THAT(unknown.err, HasSubstr("it has far, near"));
 }
 
-TEST(OtherEngines, LayersWithoutDataAreTold) {
+TEST(OtherEngines, LayersWithoutDataAreReported) {
   const TemporaryFolder folder;
   const std::string file = folder.write("crate.jsonl", sample_of_the_reference());
   const ProgramRun result = run(
@@ -244,7 +244,7 @@ TEST(OtherEngines, LayersWithoutDataAreTold) {
 }
 
 /// The contacts of an engine can be a baseline, as those of a scenario can.
-TEST(OtherEngines, TracesAreStoredAndCheckedAgainstWhatTheyWere) {
+TEST(OtherEngines, TracesAreStoredAndChecked) {
   const TemporaryFolder folder;
   const std::string file = folder.write("crate.jsonl", sample_of_the_reference());
   const std::string check =

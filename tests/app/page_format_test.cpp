@@ -53,7 +53,7 @@ TEST(PageFormat, IsOneSmallFileOfAllFramesThatFetchesNothing) {
   EXPECT_EQ(read_text(folder / "out/hull/clip_step_by_step/sequence.html"), html);
 }
 
-TEST(PageFormat, HasPanelsBesideTheView) {
+TEST(PageFormat, HasPanelsNextToTheView) {
   const TemporaryFolder folder;
   const ProgramRun result =
       run("render hull/face_contact --format html --frames 0:12:6 --quiet --out '" +

@@ -83,7 +83,7 @@ TEST(Render, NoneMeansNoLayersAndNoPanels) {
               HasSubstr("'none' stands alone"));
 }
 
-TEST(Render, VerboseSaysWhatRanAndWhatWasLeftOut) {
+TEST(Render, VerboseListsWhatRanAndWhatWasLeftOut) {
   const TemporaryFolder folder;
   const ProgramRun plain =
       run("render hull/coherent_points --verbose --size 320x180 --out '" + (folder / "out") + "'");
@@ -158,7 +158,7 @@ TEST(Render, TraceThatDoesNotFitTogetherIsNamedByLine) {
   EXPECT_THAT(files_below(folder / "out"), IsEmpty());
 }
 
-TEST(Render, WhatPanelsHaveNoRoomForIsNamed) {
+TEST(Render, RowsWithoutRoomInPanelsAreNamed) {
   const TemporaryFolder folder;
   std::string scenario = "title = \"nine\"\n";
   for (int i = 0; i < 9; ++i) {

@@ -88,7 +88,7 @@ class ReportPage : public testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(ReportPage, LeadsByTheCauseWithContentsAndEveryWayToCompare) {
+TEST_F(ReportPage, GroupsByCauseWithContentsAndEveryComparisonMode) {
   const nlohmann::json page = in_page(R"(
     const text = selector => [...document.querySelectorAll(selector)].map(one => one.textContent);
     const ways = {};

@@ -74,7 +74,7 @@ TEST_F(ReviewTest, CtrlCEndsItAndKeepsWhatWasDone) {
   EXPECT_THAT(left(), HasSubstr("rejected          group/idea/trace"));
 }
 
-TEST_F(ReviewTest, AnotherScenarioThatSomebodyEditedIsNoPartOfACause) {
+TEST_F(ReviewTest, AnotherScenarioThatWasEditedIsNotPartOfACause) {
   folder_.write("scenarios/group/other.toml", small_scenario());
   check("--write-missing");
   std::string moved = small_scenario();
@@ -110,10 +110,10 @@ TEST_F(ReviewTest, APictureOfAnotherDriverIsAcceptedByItsPlainName) {
   EXPECT_THAT(left(), HasSubstr("group/idea/frame_0000.osmesa")) << "the nearest is shown";
   const ProgramRun accepted = check("--accept group/idea/frame_0000");
   EXPECT_THAT(accepted.out, HasSubstr("updated group/idea/frame_0000.osmesa"));
-  EXPECT_THAT(check("--accept group/idea/trace --as osmesa").err, HasSubstr("is no picture"));
+  EXPECT_THAT(check("--accept group/idea/trace --as osmesa").err, HasSubstr("is not a picture"));
 }
 
-TEST_F(ReviewTest, AnUnmetExpectationIsMendedWhoeverIsTold) {
+TEST_F(ReviewTest, AnUnmetExpectationHasARemedyInEveryOutput) {
   folder_.write("scenarios/group/idea.toml",
                 small_scenario() + "[[expect]]\na = \"slab\"\nb = \"crate\"\npoints = 3\n");
   check("--update");
@@ -141,7 +141,7 @@ TEST_F(ReviewTest, AnUnreadableScenarioIsInEveryReport) {
     EXPECT_THAT(record, HasSubstr("unknown key 'titel'"));
 }
 
-TEST_F(ReviewTest, WithoutATerminalItSaysWhatElseThereIs) {
+TEST_F(ReviewTest, WithoutATerminalItNamesTheAlternatives) {
   const ProgramRun result = run("review " + out(), "CI=");
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_THAT(result.err, HasSubstr("review --list"));
@@ -157,7 +157,7 @@ TEST_F(ReviewTest, ACandidateThatIsStaleIsRefused) {
   EXPECT_THAT(result.err, HasSubstr("2 findings accepted, 1 refused"));
 }
 
-TEST_F(ReviewTest, ShowTellsOneAndWhereItsPicturesAre) {
+TEST_F(ReviewTest, ShowPrintsOneFindingAndItsPictures) {
   const ProgramRun plain = run("show group/idea/frame_0001 " + out());
   EXPECT_EQ(plain.exit_code, 0) << plain.err;
   EXPECT_THAT(plain.out, HasSubstr("its facts changed, and with them"));
@@ -199,7 +199,7 @@ TEST_F(ReviewTest, AFileThatDecidesNothingIsRefused) {
   EXPECT_THAT(run("review --from x.json " + out(), "CI=true").err, HasSubstr("unset CI"));
 }
 
-TEST_F(ReviewTest, OthersAreToldInTheirWays) {
+TEST_F(ReviewTest, GithubJunitAndMarkdownHaveTheFindings) {
   const ProgramRun result = check("--github --junit '" + (folder_ / "junit.xml") +
                                   "' --markdown '" + (folder_ / "summary.md") + "'");
   EXPECT_THAT(result.out, HasSubstr("::error file="));
@@ -224,7 +224,7 @@ TEST_F(ReviewTest, OthersAreToldInTheirWays) {
   EXPECT_THAT(summary, HasSubstr("contactscope check --accept group/idea"));
 }
 
-TEST_F(ReviewTest, ThePageHoldsItsPicturesAndWhatAccepts) {
+TEST_F(ReviewTest, ThePageHasItsPicturesAndAcceptCommands) {
   const std::string page = read_text(folder_ / "out/check/report.html");
   EXPECT_THAT(page, Not(HasSubstr("@REPORT@")));
   EXPECT_THAT(page, HasSubstr("data:image/png;base64,"));

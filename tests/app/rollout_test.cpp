@@ -71,7 +71,7 @@ TEST_F(Rollout, OurOwnCrateStands) {
 }
 
 /// The input contains everything that an engine needs.
-TEST_F(Rollout, AskedWithMassesSurfacesAndScripts) {
+TEST_F(Rollout, RequestHasMassesSurfacesAndScripts) {
   const std::string heard = folder_ / "heard.jsonl";
   engine("ear", "echo $1 > '" + heard + ".question'; cat > '" + heard +
                     "'; echo I only listen >&2; exit 3");
@@ -122,7 +122,7 @@ TEST_F(Rollout, AnEngineInWhichTheCrateFalls) {
   EXPECT_THAT(table.out, HasSubstr("hollow: 'crate' is the first to fall, at 0.2"));
 }
 
-TEST_F(Rollout, EnginesThatHangCrashOrTalkNonsenseAreJudgedByWhatTheyTold) {
+TEST_F(Rollout, EnginesThatHangOrCrashAreJudgedByTheFramesTheyGave) {
   std::string own = run("trace '" + crate_ + "'").out;
   const std::string good = folder_.write("good.jsonl", own);
   const std::size_t seventh = own.find("{\"frame\":7");
@@ -150,7 +150,7 @@ TEST_F(Rollout, EnginesThatHangCrashOrTalkNonsenseAreJudgedByWhatTheyTold) {
   EXPECT_EQ(entry(result, "contactscope")["frames"], 40);
 }
 
-TEST_F(Rollout, WhatIsNotDynamicIsRefusedWithTheRemedy) {
+TEST_F(Rollout, AStaticSceneIsRefusedWithTheRemedy) {
   const ProgramRun result = rollout("--engines contactscope hull/face_contact");
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_THAT(result.err, HasSubstr("hull/face_contact.toml: no shape is dynamic"));

@@ -59,7 +59,7 @@ TEST(Sequence, AShortTraceIsHeldWhole) {
 
 /// As many frames of a long trace are held as the budget allows, including the first, the last and
 /// the deepest; all others can be shown.
-TEST(Sequence, OfALongTraceSomeFramesStandForTheOthers) {
+TEST(Sequence, ALongTraceIsSampled) {
   const TemporaryFolder folder;
   constexpr int kFrames = 1001;
   const std::string text = long_trace(kFrames, 333);
@@ -87,7 +87,7 @@ TEST(Sequence, OfALongTraceSomeFramesStandForTheOthers) {
 }
 
 /// Forces on a over a hundredth of a second, which equal impulses on b.
-TEST(Sequence, ImpulsesAreNewtonSecondsOnBHoweverTheyAreTold) {
+TEST(Sequence, ImpulsesAreConvertedToNewtonSecondsOnB) {
   const TemporaryFolder folder;
   std::string text = long_trace(1, 0);
   const std::string point = "\"separation\":-0.1,";

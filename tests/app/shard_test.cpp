@@ -34,7 +34,7 @@ TEST(Shard, PartsAreBalancedByTime) {
   EXPECT_THAT(names_in_shard(all, {2, 2}), ElementsAre("b/b", "c/c", "d/d"));
 }
 
-TEST(Shard, WhatATimesFileDoesNotKnowCostsAsTheMiddleOne) {
+TEST(Shard, ScenariosWithoutATimeCostTheMedian) {
   const TemporaryFolder folder;
   const std::string file = folder.write("times.json", R"({"a/a":10,"b/b":4,"c/c":1})");
   std::vector<Costed> scenarios = {{"a/a"}, {"b/b"}, {"c/c"}, {"new/one"}};

@@ -49,7 +49,7 @@ TEST(ShrinkVerb, TakesTheTwoShapesOfASceneThatShowIt) {
   EXPECT_THAT(trace.out, HasSubstr(R"("axis":"edge_edge")"));
 }
 
-TEST(ShrinkVerb, SaysWhatIsMissing) {
+TEST(ShrinkVerb, NamesWhatIsMissing) {
   const ProgramRun without = run("shrink hull/edge_contact");
   EXPECT_EQ(without.exit_code, 2);
   EXPECT_THAT(without.err, HasSubstr("shrink needs --while"));

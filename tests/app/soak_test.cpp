@@ -47,7 +47,7 @@ TEST_F(SoakShards, MergedTheyAreTheSameBytesForOneTwoAndFive) {
   EXPECT_FALSE(json.contains("shard"));
 }
 
-TEST_F(SoakShards, WhatIsNoWholeIsRefused) {
+TEST_F(SoakShards, AnIncompleteSetIsRefused) {
   part(1, 3, "out");
   part(3, 3, "out");
   EXPECT_THAT(merge("out").err, HasSubstr("shard 2 of 3 is missing"));

@@ -9,7 +9,7 @@
 namespace contactscope::test {
 namespace {
 
-TEST(StudyPlot, IsAPictureOfTheSizeAskedForWithInkInIt) {
+TEST(StudyPlot, IsANonemptyPictureOfTheRequestedSize) {
   const TemporaryFolder folder;
   const ProgramRun result =
       run("study reducers --cases 20 --size 640x360 --quiet --out '" + (folder / "out") + "'");

@@ -38,7 +38,7 @@ std::string table_of(const std::vector<double>& parameters) {
   return out.str();
 }
 
-TEST(Table, CurvesHaveAColumnWhateverTheirParametersAre) {
+TEST(Table, CurvesHaveAColumnForAnyParameters) {
   EXPECT_EQ(
       table_of({16, 32}),
       "way (m): largest, by frame\nscene       16       32  failed\npair   1.6e+01  3.2e+01  0 "
@@ -46,7 +46,7 @@ TEST(Table, CurvesHaveAColumnWhateverTheirParametersAre) {
   EXPECT_EQ(table_of({0}).substr(0, 50), "way (m): largest, by frame\nscene        0  failed\n");
 }
 
-TEST(Table, OfManyParametersDecadesAreShownOrSomeOfThem) {
+TEST(Table, ManyParametersShowDecadesOrASubset) {
   std::vector<double> halves, frames;
   for (int i = 0; i < 12; ++i) halves.push_back(std::pow(10.0, 0.5 * i));
   for (int i = 0; i < 33; ++i) frames.push_back(i);

@@ -60,7 +60,7 @@ TEST_F(Versus, EnginesThatHangCrashOrTalkNonsenseStopNoOther) {
 }
 
 /// A program that answers half of the frames is judged on those.
-TEST_F(Versus, FramesThatAreMissingAreTold) {
+TEST_F(Versus, MissingFramesAreReported) {
   engine("short", "head -n 2");
   const ProgramRun result = versus(std::string(kScenario) + " --engines short");
   EXPECT_EQ(entry(result, "short")["pairs"], 1);
@@ -68,7 +68,7 @@ TEST_F(Versus, FramesThatAreMissingAreTold) {
 }
 
 /// A flipped answer with swapped shapes is named by the cause that lint finds.
-TEST_F(Versus, WhatAnEngineDoesWrongIsNamed) {
+TEST_F(Versus, TheFaultOfAnEngineIsNamed) {
   const std::string own = run("trace hull/eight_points_to_four --frames 0:8:4").out;
   std::string half = own;
   for (std::size_t at = 0;

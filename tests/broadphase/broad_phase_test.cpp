@@ -208,7 +208,7 @@ TEST_P(EveryBroadPhase, GivesHandlesOfRemovedBoxesAgain) {
   EXPECT_THAT(phase_->pairs(), ElementsAre(BoxPair{0, 1}));
 }
 
-TEST_P(EveryBroadPhase, TellsItsMemory) {
+TEST_P(EveryBroadPhase, ReportsItsMemory) {
   const std::size_t empty = phase_->memory();
   RandomBoxes random(Spread::Uniform, 10, 1);
   for (int i = 0; i < 1000; ++i) phase_->add(random.box());

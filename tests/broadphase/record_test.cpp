@@ -79,7 +79,7 @@ TEST_P(RecordedBroadPhase, TestsOfCellsAddUpToWhatWasCompared) {
   if (GetParam() == "tree") EXPECT_GE(tests, 2 * (compared - with_large));
 }
 
-TEST(ColumnsRecord, TheAxisAlongWhichBoxesLieFarthestApartIsSwept) {
+TEST(ColumnsRecord, TheAxisOfLargestSpreadIsSwept) {
   for (int axis = 0; axis < 3; ++axis) {
     const auto phase = make_broad_phase("columns");
     for (int i = 0; i < 10; ++i) {

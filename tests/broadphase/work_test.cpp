@@ -57,7 +57,7 @@ TEST(BroadPhaseWork, SlowGrowsWithTheSquareByBruteForceOnly) {
   EXPECT_LT(growth("columns", false), 1.5) << "a column is as long as the scene";
 }
 
-TEST(BroadPhaseWork, OfSweepAndPruneIsSmallWhereLittleMoves) {
+TEST(BroadPhaseWork, SweepAndPruneDoesLittleIfLittleMoves) {
   // Ends in a cube of n boxes are n^(2/3) times as dense: as many more pass in the same movement.
   EXPECT_LT(growth("sweep_and_prune", true), 5.0 / 3 + 0.1);
   const auto phase = make_broad_phase("sweep_and_prune");
@@ -74,7 +74,7 @@ TEST(BroadPhaseWork, OfSweepAndPruneIsSmallWhereLittleMoves) {
   EXPECT_LT(work_of(*phase) - first, first / 20);
 }
 
-TEST(BroadPhaseWork, OfATreeIsNoneWhereBoxesStayInTheirMargins) {
+TEST(BroadPhaseWork, ATreeDoesNoneIfBoxesStayInTheirMargins) {
   const auto phase = make_broad_phase("tree");
   for (const Aabb<float>& box : scene(1000)) phase->add(box);
   const std::int64_t before = phase->counts().visits;
@@ -85,7 +85,7 @@ TEST(BroadPhaseWork, OfATreeIsNoneWhereBoxesStayInTheirMargins) {
   EXPECT_EQ(phase->counts().visits, before);
 }
 
-TEST(BroadPhaseWork, OfAQueryIsFarLessThanAllBoxes) {
+TEST(BroadPhaseWork, AQueryVisitsFarFewerThanAllBoxes) {
   for (const char* name : {"octree", "tree"}) {
     const auto phase = make_broad_phase(name);
     const std::vector<Aabb<float>> boxes = scene(8000);

@@ -134,7 +134,7 @@ void compare_with_marching(double away) {
   EXPECT_LT(undecided, kPairs / 100);
 }
 
-TEST(MovingFeatures, SlowAreMetWhenMarchingSays) {
+TEST(MovingFeatures, SlowMeetWhenMarchingMeets) {
   compare_with_marching<double>(0);
   compare_with_marching<float>(0);
 }

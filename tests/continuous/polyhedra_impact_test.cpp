@@ -25,7 +25,7 @@ MovingPair<double> random_polyhedra(Random& random, double size, double most_tur
   return pair;
 }
 
-TYPED_TEST(PolyhedraImpact, SlowOfEverySizeAreAsExhaustionSays) {
+TYPED_TEST(PolyhedraImpact, SlowEverySizeMatchesExhaustion) {
   Random random(21);
   Tally tally;
   constexpr int kPairs = 200;
@@ -51,7 +51,7 @@ TYPED_TEST(PolyhedraImpact, SlowFarFromTheOriginNothingIsLost) {
 }
 
 /// Paths of a hundred sizes in one step, and spins about a far pivot without other motion.
-TYPED_TEST(PolyhedraImpact, SlowLongWaysAndPureSpinsAreAsExhaustionSays) {
+TYPED_TEST(PolyhedraImpact, SlowLongPathsAndPureSpinsMatchExhaustion) {
   Random random(23);
   Tally tally;
   constexpr int kPairs = 100;
@@ -154,7 +154,7 @@ TYPED_TEST(PolyhedraImpact, ParallelFacesThatSlideDoNotMeet) {
 }
 
 /// Passing with or without clearance: a difference of ten tolerances is detected for certain.
-TYPED_TEST(PolyhedraImpact, WhatGrazesIsToldFromWhatPassesBy) {
+TYPED_TEST(PolyhedraImpact, GrazesAreDistinguishedFromMisses) {
   using S = TypeParam;
   Random random(26);
   for (int i = 0; i < 300; ++i) {
@@ -176,7 +176,7 @@ TYPED_TEST(PolyhedraImpact, WhatGrazesIsToldFromWhatPassesBy) {
   }
 }
 
-TYPED_TEST(PolyhedraImpact, TheStartIsToldApart) {
+TYPED_TEST(PolyhedraImpact, OverlapAndHitAtTheStartDiffer) {
   using S = TypeParam;
   Random random(27);
   for (int i = 0; i < 100; ++i) {
@@ -202,7 +202,7 @@ TYPED_TEST(PolyhedraImpact, TheStartIsToldApart) {
 
 /// A hit reports a point on the surface of each shape at the reported distance, and a normal along
 /// which the shapes are separated.
-TYPED_TEST(PolyhedraImpact, PointsLieOnTheShapesAndTheNormalKeepsThemApart) {
+TYPED_TEST(PolyhedraImpact, PointsLieOnTheShapesAndTheNormalSeparatesThem) {
   using S = TypeParam;
   Random random(28);
   int hits = 0;

@@ -192,7 +192,7 @@ TYPED_TEST(PortalCasts, APortalOfCubesThatMeetFlatLiesInTheirFaces) {
   EXPECT_NEAR(static_cast<double>(closest.on_b.z() - closest.on_a.z()), 1e-4, 3e-6);
 }
 
-TYPED_TEST(PortalCasts, EveryPlaneThatIsToldBringsTheSafeTimeOn) {
+TYPED_TEST(PortalCasts, EveryRecordedPlaneAdvancesTheSafeTime) {
   using S = TypeParam;
   Random random(32);
   std::size_t most = 0;
@@ -237,7 +237,7 @@ TYPED_TEST(PortalCasts, GoOnFromThePortalOfTheSearchBefore) {
   EXPECT_GT(fewer, hits * 3 / 4);
 }
 
-TYPED_TEST(PortalCasts, WithoutAWayOrWithMiddlesThatMeetNothingIsDecided) {
+TYPED_TEST(PortalCasts, ZeroDisplacementOrEqualCentresAreUndecided) {
   using S = TypeParam;
   const Hull<double> cube = make_box(Vec3d(1, 1, 1));
   Flight still{cube, cube, {}, {}, Vec3d::Zero()};

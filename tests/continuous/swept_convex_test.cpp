@@ -102,12 +102,12 @@ void capsules_are_as_marching_says(double away) {
   EXPECT_GT(tally.separated, 2000);
 }
 
-TEST(SweptCapsule, SlowIsAsMarchingSays) {
+TEST(SweptCapsule, SlowMatchesMarching) {
   capsules_are_as_marching_says(0);
   capsules_are_as_marching_says(1000);
 }
 
-TEST(SweptBox, SlowIsAsMarchingSays) {
+TEST(SweptBox, SlowMatchesMarching) {
   for (const double away : {0.0, 1000.0}) {
     Random random(52);
     SweptTally tally;
@@ -130,7 +130,7 @@ TEST(SweptBox, SlowIsAsMarchingSays) {
   }
 }
 
-TEST(SweptCapsule, OverlapsAtTheStartWhicheverWayItGoesOn) {
+TEST(SweptCapsule, OverlapsAtTheStartForAnyDisplacement) {
   const std::array<Vec3d, 3> triangle = {Vec3d(0, 0, 0), Vec3d(4, 0, 0), Vec3d(0, 4, 0)};
   const std::array<Vec3d, 3> turned = {triangle[0], triangle[2], triangle[1]};
   for (const Vec3d& offset : {Vec3d(0, 0, 2), Vec3d(0, 0, -2), Vec3d(3, 0, 0), Vec3d(0, 0, 0)}) {
@@ -150,7 +150,7 @@ TEST(SweptCapsule, OverlapsAtTheStartWhicheverWayItGoesOn) {
   }
 }
 
-TEST(SweptConvex, TellsOverlapAtTheStartApartFromAHit) {
+TEST(SweptConvex, DistinguishesInitialOverlapFromAHit) {
   const std::array<Vec3d, 3> triangle = {Vec3d(0, 0, 0), Vec3d(1, 0, 0), Vec3d(0, 1, 0)};
   const Vec3d down(0, 0, -2);
   const std::array<Vec3d, 2> above = {Vec3d(0.2, 0.2, 1), Vec3d(0.3, 0.2, 1)};

@@ -134,7 +134,7 @@ void compare_with_marching(double away, double slack) {
   EXPECT_GT(separated, 500);
 }
 
-TEST(SweptSphere, SlowIsAsMarchingSays) {
+TEST(SweptSphere, SlowMatchesMarching) {
   compare_with_marching<double>(0, 1e-9);
   compare_with_marching<float>(0, 1e-9);
 }
@@ -143,7 +143,7 @@ TEST(SweptSphere, SlowIsRightAKilometreFromTheOrigin) {
   compare_with_marching<float>(1000, 1e-9);
 }
 
-TEST(SweptSphere, TellsOverlapAtTheStartApartFromAHit) {
+TEST(SweptSphere, DistinguishesInitialOverlapFromAHit) {
   const std::array<Vec3d, 3> triangle = {Vec3d(0, 0, 0), Vec3d(1, 0, 0), Vec3d(0, 1, 0)};
   const Vec3d down(0, 0, -1);
   EXPECT_EQ(sweep_sphere_triangle(Vec3d(0.2, 0.2, 0.1), down, 0.2, triangle).status,

@@ -19,7 +19,7 @@ class TimeOfImpact : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(TimeOfImpact, Scalars);
 
-TYPED_TEST(TimeOfImpact, SlowTranslationIsAsExhaustionSays) {
+TYPED_TEST(TimeOfImpact, SlowTranslationMatchesExhaustion) {
   for (const Find<TypeParam> find : kMethods<TypeParam>) {
     Random random(1);
     Tally tally;
@@ -32,7 +32,7 @@ TYPED_TEST(TimeOfImpact, SlowTranslationIsAsExhaustionSays) {
   }
 }
 
-TYPED_TEST(TimeOfImpact, SlowRotationIsAsExhaustionSays) {
+TYPED_TEST(TimeOfImpact, SlowRotationMatchesExhaustion) {
   for (const Find<TypeParam> find : kMethods<TypeParam>) {
     Random random(2);
     Tally tally;
@@ -91,7 +91,7 @@ TYPED_TEST(TimeOfImpact, ABallMeetsAWallWhenItHasGoneTheGap) {
 
 /// A rod that turns by half a circle next to a ball. Its end draws a circle, and at both ends of
 /// the step it is far from the ball. A comparison of only the ends would report "separated".
-TYPED_TEST(TimeOfImpact, ARodThatTurnsPastHitsOnItsWay) {
+TYPED_TEST(TimeOfImpact, ARotatingRodHitsMidStep) {
   using S = TypeParam;
   const Vec3<S> ends[2] = {{S(-1), 0, 0}, {S(1), 0, 0}};
   const Vec3<S> centre = Vec3<S>::Zero();
@@ -110,7 +110,7 @@ TYPED_TEST(TimeOfImpact, ARodThatTurnsPastHitsOnItsWay) {
   EXPECT_EQ(time_of_impact(rod, ball).status, ImpactStatus::Separated);
 }
 
-TYPED_TEST(TimeOfImpact, OverlapAtTheStartIsToldApartFromAHitAtZero) {
+TYPED_TEST(TimeOfImpact, InitialOverlapDiffersFromAHitAtZero) {
   using S = TypeParam;
   const Vec3<S> centre = Vec3<S>::Zero();
   MovingShape<S> one{support_set(centre), {}, S(0.5)};
@@ -145,7 +145,7 @@ double height(const MovingPlane<double>& plane, const Core<double>& core,
 }
 
 /// A plane may turn too: no point of B passes through it undetected.
-TYPED_TEST(TimeOfImpact, SlowPlanesAreAsEveryVertexSays) {
+TYPED_TEST(TimeOfImpact, SlowPlanesMatchAllVertices) {
   using S = TypeParam;
   using FindPlane = ImpactResult<S> (*)(const MovingPlane<S>&, const MovingShape<S>&,
                                         const ImpactLimits<S>&, ImpactRun<S>*);

@@ -15,7 +15,7 @@ TEST(FeatureId, TheSameCrossingHasOneIdInEitherOrder) {
   EXPECT_EQ(FeatureId::of({Owner::A, 9}, {Owner::A, 2}).first, (FeatureRef{Owner::A, 2}));
 }
 
-TEST(FeatureId, FlippingTradesTheOwnersAndStaysSorted) {
+TEST(FeatureId, FlippingSwapsTheOwnersAndStaysSorted) {
   const FeatureId id = FeatureId::of({Owner::A, 3}, {Owner::B, 7});
   EXPECT_EQ(id.flipped(), FeatureId::of({Owner::A, 7}, {Owner::B, 3}));
   EXPECT_EQ(id.flipped().flipped(), id);

@@ -34,7 +34,7 @@ TEST(Titles, PlaceholdersNameFactsPairsAndNouns) {
   EXPECT_EQ(parsed.title[1][1].text, "later {x}");
 }
 
-TEST(Titles, WhatIsWrongIsSaidWithWhatWouldBeRight) {
+TEST(Titles, ErrorsAreReportedWithTheRemedy) {
   const auto problem = [](const char* text) { return parse_title(text).problem; };
   EXPECT_THAT(problem("{depth}"), HasSubstr("unknown placeholder '{depth}'; known: frame, time"));
   EXPECT_THAT(problem("a {kept"), HasSubstr("'{' without its '}'"));

@@ -40,7 +40,7 @@ TEST(Words, PlacesHoldNumbersOrNames) {
   EXPECT_EQ(words.of("4 points, overlap"), "4 Punkte, Überlappung");
 }
 
-TEST(Words, WhatStandsInAPlaceIsReplacedToo) {
+TEST(Words, ValuesOfPlaceholdersAreReplacedToo) {
   Words words = german();
   words.replace("crate", "Kiste");
   EXPECT_EQ(words.of("faces of crate"), "Flächen von Kiste");
@@ -54,7 +54,7 @@ TEST(Words, TitlesWithPlaceholdersAreReplacedAsTheyAreFilled) {
   EXPECT_EQ(words.of("Face contact: 6 points remain"), "Flächenkontakt: es bleiben 6 Punkte");
 }
 
-TEST(Words, PlacesMayTradeTheirOrder) {
+TEST(Words, PlacesMaySwapTheirOrder) {
   Words words;
   words.replace("{n} of {m}", "von {m}: {n}");
   EXPECT_EQ(words.of("3 of 7"), "von 7: 3");
@@ -68,7 +68,7 @@ TEST(Words, LaterEntriesTakeThePlaceOfEarlierOnes) {
   EXPECT_EQ(words.of("whisker"), "Strich");
 }
 
-TEST(Words, WhatHasAnEmptyWordAsAPartIsNotSaid) {
+TEST(Words, TextsWithAnEmptyPartAreOmitted) {
   Words words = german();
   words.replace("crate", "");
   EXPECT_EQ(words.of("crate"), "");
@@ -78,7 +78,7 @@ TEST(Words, WhatHasAnEmptyWordAsAPartIsNotSaid) {
   EXPECT_THAT(Words::mistake("step {n} of {m}", ""), IsEmpty());
 }
 
-TEST(Words, MistakesAreToldInWords) {
+TEST(Words, MistakesAreDescribed) {
   EXPECT_THAT(Words::mistake("step {n} of {m}", "Schritt {n} von {m}"), IsEmpty());
   EXPECT_THAT(Words::mistake("step {n} of {m}", "Schritt {n}"), HasSubstr("{m} is missing"));
   EXPECT_THAT(Words::mistake("overlap", "{n} tief"), HasSubstr("{n} does not stand in"));

@@ -54,7 +54,7 @@ struct QueriedCrate : CrateOnSlab {
   trace::Query& query() { return *pair().query; }
 };
 
-TEST(Answers, AreSaidInWords) {
+TEST(Answers, AreSpelledInWords) {
   QueriedCrate requested(true, false);
   EXPECT_EQ(spell_question(requested.query()), "do the oriented boxes overlap, touching included?");
   EXPECT_EQ(spell_answer(requested.pair()),
@@ -80,7 +80,7 @@ TEST(Answers, AreSaidInWords) {
   EXPECT_EQ(spell_axis(requested.query(), requested.query().axes[1]), "A's x × B's z");
 }
 
-TEST(Answers, OfMeshesTellWhatWasFound) {
+TEST(Answers, MeshAnswersStateTheResult) {
   QueriedCrate requested(true, true);
   requested.query() = {};
   requested.query().requested = "overlap";
@@ -109,7 +109,7 @@ int lines_in(const Sketch& sketch, const Color& color) {
                           std::ranges::count_if(sketch.curves, same));
 }
 
-TEST(Answers, ColourTheBoundsThatWereAsked) {
+TEST(Answers, ColourTheQueriedBounds) {
   for (const auto& [bounds, shapes, kind] : {std::tuple{true, true, AnswerKind::Yes},
                                              {true, false, AnswerKind::FalsePositive},
                                              {false, false, AnswerKind::No},
@@ -126,7 +126,7 @@ TEST(Answers, ColourTheBoundsThatWereAsked) {
   }
 }
 
-TEST(Answers, OrientedBoxesBesideOthersAreDrawnBroaderInTheirPlace) {
+TEST(Answers, OrientedBoxesAmongOthersAreDrawnBroaderInPlace) {
   QueriedCrate requested(false, false);
   requested.view.layers = {Layer::Volumes};
   // How far the lines extend, and the width of the widest line in the answer's colour.
@@ -150,7 +150,7 @@ TEST(Answers, OrientedBoxesBesideOthersAreDrawnBroaderInTheirPlace) {
   EXPECT_EQ(drawn(), std::pair(1.0, 2.5f));
 }
 
-TEST(Answers, WhatBoundsSayIsToldWhateverTheyWereAsked) {
+TEST(Answers, TheResultOfBoundsIsStatedForEveryQuery) {
   for (const auto& [bounds, shapes, words] :
        {std::tuple{true, true, "bounds say yes, as the shapes do"},
         {true, false, "bounds say yes, the shapes no"},
@@ -190,7 +190,7 @@ TEST(Answers, ShowTheClosestPoints) {
   EXPECT_EQ(sketch.labels[0].text, "gap 120 mm");
 }
 
-TEST(Answers, OfSeveralDistancesFromAShapeTheShortestIsStrongest) {
+TEST(Answers, TheShortestOfSeveralDistancesIsStrongest) {
   QueriedCrate requested(false, false);
   requested.query().point_a = Vec3d(0, 0, 0);
   requested.query().point_b = Vec3d(0, 0.12, 0);
@@ -221,7 +221,7 @@ std::vector<std::string> panel_texts(QueriedCrate& requested, Panel panel, std::
   return crate_sample::texts(drawing);
 }
 
-TEST(Answers, PanelsTellThemOverTime) {
+TEST(Answers, PanelsShowThemOverTime) {
   QueriedCrate requested(true, false);
   trace::Frame later = requested.frames[0];
   later.frame = 1;
@@ -246,7 +246,7 @@ TEST(Answers, IntervalsAreThoseOfPairsInView) {
   EXPECT_THAT(panel_texts(requested, Panel::AxisIntervals), Contains(HasSubstr("does not apply")));
 }
 
-TEST(Answers, ThePipelineCountsWhatIsAskedBesideWhatIsCollided) {
+TEST(Answers, ThePipelineCountsQueriesNextToCollisions) {
   QueriedCrate requested(true, true);
   trace::Pair separation = requested.pair();
   separation.overlap = false;
@@ -277,7 +277,7 @@ TEST(Answers, ASummaryShowsAllPairsThatItHasRoomFor) {
   EXPECT_THAT(record, Not(Contains(HasSubstr("more pair"))));
 }
 
-TEST(Answers, PanelsSayWhereTheyDoNotApply) {
+TEST(Answers, PanelsStateWhereTheyDoNotApply) {
   QueriedCrate requested(true, false);
   requested.pair().query.reset();
   EXPECT_THAT(panel_texts(requested, Panel::Answers), Contains(HasSubstr("does not apply")));

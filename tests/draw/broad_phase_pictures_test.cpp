@@ -79,7 +79,7 @@ TEST_F(BroadPhasePicture, CellsAreTilesOnOneFloorThoseOfMoreTestsDarkerAndAbove)
   EXPECT_GT(normal.y(), 0) << "seen from above";
 }
 
-TEST_F(BroadPhasePicture, TilesOfAGridBearWhatTheirCellsCostTogether) {
+TEST_F(BroadPhasePicture, TilesOfAGridShowTheSumOfTheirCells) {
   phase().method = "grid";
   phase().cells = {{{{0, 0, 0}, {1, 1, 1}}, 0, 2, 3},
                    {{{0, 1, 0}, {1, 2, 1}}, 0, 2, 9},
@@ -121,7 +121,7 @@ TEST_F(BroadPhasePicture, NodesOfAnOctreeBearTheirTestsWhereNoOtherNodeCoversThe
   EXPECT_THAT(legend_of(drawn), testing::ElementsAre("tests at a node: up to 9"));
 }
 
-TEST_F(BroadPhasePicture, OfATreeNoNumbersStandForTheyDoNotAddUp) {
+TEST_F(BroadPhasePicture, TreeNodesHaveNoCountsAsTheyDoNotAddUp) {
   crowd();
   phase().method = "tree";
   phase().cells = {{{{0, 0, 0}, {2, 1, 2}}, 0, 1, 3}, {{{2, 0, 0}, {4, 1, 2}}, 0, 1, 8}};
@@ -215,7 +215,7 @@ TEST_F(BroadPhasePicture, AHeapOfMoreThanAHundredShapesIsDrawnWithoutHiddenEdges
   EXPECT_FALSE(std::ranges::any_of(heap.lines, faint));
 }
 
-TEST_F(BroadPhasePicture, WhatIsTooLargeForCellsIsExplained) {
+TEST_F(BroadPhasePicture, BoxesTooLargeForCellsAreExplained) {
   phase().cells = {{{{0, 1, 2}, {3, 4, 5}}, 0, 2, 10}, {{{3, 1, 2}, {6, 4, 5}}, 0, 2, 10}};
   EXPECT_THAT(legend_of(sketch(Layer::Cells)),
               testing::Not(Contains(testing::HasSubstr("too large for cells"))));
@@ -278,7 +278,7 @@ TEST_F(BroadPhasePicture, WithoutCellsNothingIsDrawnAndNothingExplained) {
   EXPECT_TRUE(legend_of(drawn).empty());
 }
 
-TEST_F(BroadPhasePicture, TheEndpointsPanelTellsSwapsAxisByAxis) {
+TEST_F(BroadPhasePicture, TheEndpointsPanelListsSwapsByAxis) {
   phase().end_swaps = {{"x", 0.5, "crate", "slab", true, false},
                        {"x", -0.5, "slab", "crate", true, false},
                        {"y", 0, "crate", "slab", true, true}};
@@ -287,7 +287,7 @@ TEST_F(BroadPhasePicture, TheEndpointsPanelTellsSwapsAxisByAxis) {
                                                      "along z: nothing passes", "crate", "slab"}));
 }
 
-TEST_F(BroadPhasePicture, AnAxisOnWhichNothingPassesTakesNoRoomBesideOneOnWhichSomethingDoes) {
+TEST_F(BroadPhasePicture, AnAxisWithoutSwapsTakesNoRoomIfAnotherHasSome) {
   const auto rows = [&] {
     const std::vector<std::string> record = panel(Panel::Endpoints);
     return std::ranges::count(record, "crate");
@@ -297,8 +297,7 @@ TEST_F(BroadPhasePicture, AnAxisOnWhichNothingPassesTakesNoRoomBesideOneOnWhichS
   EXPECT_EQ(rows(), 1);
 }
 
-TEST_F(BroadPhasePicture,
-       OfTheOnlyTwoBoxesThatPassThePanelTellsTheOtherAxesAndDrawsTheOneThatPartsThem) {
+TEST_F(BroadPhasePicture, ThePanelListsTheOtherAxesAndDrawsTheSeparatingOneForTheOnlySwap) {
   phase().bounds[1].box = {{2, -0.002, -0.5}, {3, 0.998, 0.5}};
   phase().end_swaps = {{"y", 0, "crate", "slab", true, false}};
   const std::vector<std::string> record = panel(Panel::Endpoints);
@@ -321,18 +320,18 @@ TEST_F(BroadPhasePicture, WhereEndsPassIsALineAcrossBothBoxes) {
   EXPECT_EQ(found[0].at.x(), -0.5);
 }
 
-TEST_F(BroadPhasePicture, WithoutABroadPhaseTheEndpointsPanelSaysSo) {
+TEST_F(BroadPhasePicture, WithoutABroadPhaseTheEndpointsPanelHasANote) {
   scene.frames[0].broad_phase.reset();
   EXPECT_THAT(panel(Panel::Endpoints),
               Contains(testing::HasSubstr("does not apply: no broad phase")));
 }
 
-TEST_F(BroadPhasePicture, ThePipelineCountsWhatEachStageLetsThrough) {
+TEST_F(BroadPhasePicture, ThePipelineCountsWhatEachStagePasses) {
   EXPECT_THAT(panel(Panel::Pipeline), IsSupersetOf({"pairs of 2 shapes", "1", "1,234",
                                                     "pairs in contact", "contact points", "2"}));
 }
 
-TEST_F(BroadPhasePicture, BesideCellsAloneThePipelineEndsWithTheBroadPhase) {
+TEST_F(BroadPhasePicture, WithCellsOnlyThePipelineEndsWithTheBroadPhase) {
   scene.view.layers = {Layer::Shapes, Layer::Bounds, Layer::Cells};
   const std::vector<std::string> record = panel(Panel::Pipeline);
   EXPECT_THAT(record, Contains("whose boxes overlap"));
@@ -361,7 +360,7 @@ TEST_F(BroadPhasePicture, AFewBoxesBearTheirNames) {
   EXPECT_THAT(names(), testing::IsEmpty()) << "many do not";
 }
 
-TEST_F(BroadPhasePicture, BesideCellsOnlyWhatIsAloneOfItsKindBearsItsName) {
+TEST_F(BroadPhasePicture, WithCellsOnlyBoxesUniqueOfTheirKindAreNamed) {
   phase().bounds = {{"crate_1", {{0, 0, 0}, {1, 1, 1}}},
                     {"crate_2", {{2, 0, 0}, {3, 1, 1}}},
                     {"slab", {{4, 0, 0}, {9, 1, 3}}}};
@@ -372,7 +371,7 @@ TEST_F(BroadPhasePicture, BesideCellsOnlyWhatIsAloneOfItsKindBearsItsName) {
   EXPECT_THAT(names, testing::ElementsAre("slab"));
 }
 
-TEST_F(BroadPhasePicture, ANameStandsBesideItsOwnBoxAndInNoOther) {
+TEST_F(BroadPhasePicture, ANameIsNextToItsBoxAndInsideNoOther) {
   phase().bounds = {{"left", {{0, 0, 0}, {2, 1, 2}}}, {"right", {{1, 0, 1}, {3, 1, 3}}}};
   const Eigen::AlignedBox3d left(Vec3d(0, 0, 0), Vec3d(2, 1, 2)),
       right(Vec3d(1, 0, 1), Vec3d(3, 1, 3));

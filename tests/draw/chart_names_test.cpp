@@ -36,7 +36,7 @@ TEST(ChartNames, ANumberStaysWithItsUnit) {
   EXPECT_THAT(words(drawing), Not(Contains("ms")));
 }
 
-TEST(ChartNames, OfALineWithoutANameNothingIsWritten) {
+TEST(ChartNames, ALineWithoutANameHasNoLabel) {
   trace::Study study = curves_of("named", {1, 2, 3});
   study.series.push_back(study.series.front());
   study.series.back().method = "second";
@@ -63,7 +63,7 @@ TEST(ChartNames, ZerosStandInARowBelowALogarithmicAxis) {
   EXPECT_THAT(words(plot(curves_of("none", {1, 1, 1, 1}), 1280, 720)), Not(Contains("0")));
 }
 
-TEST(ChartNames, FailuresAreToldBesideTheirFirstCross) {
+TEST(ChartNames, FailuresAreLabelledAtTheirFirstCross) {
   trace::Study study = curves_of("8 samples: 2 µs", {1, 1, 1, 1});
   study.failed = "hits missed";
   study.series.front().points.back().failed = 7;

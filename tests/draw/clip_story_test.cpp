@@ -72,7 +72,7 @@ TEST(NumberedCorners, KeepTheirNumbersUntilTheyAreCutAway) {
   EXPECT_THAT(numbered_corners(scene.clip(), 0), IsEmpty());
 }
 
-TEST(ClipStory, SaysWhatEachPlaneDoes) {
+TEST(ClipStory, DescribesEachPlane) {
   ClippedSquare scene;
   EXPECT_EQ(scene.at(0).heading, "The two faces before clipping");
   EXPECT_EQ(scene.at(1).heading, "Side plane 1 of 4 cuts 2 corners away and makes 2");
@@ -115,7 +115,7 @@ TEST(ClipStory, TheActivePlaneIsTheOnlyOne) {
             4);  // its own border
 }
 
-TEST(ClipStory, TheLastStepHasNoSidePlanesAndTellsHowFarAboveTheFaceAPointIs) {
+TEST(ClipStory, TheLastStepHasNoSidePlanesAndShowsHeightAboveTheFace) {
   ClippedSquare scene;
   const Sketch sketch = scene.at(5);
   for (const Curve& curve : sketch.curves)

@@ -35,7 +35,7 @@ TEST(ContactCells, StayOnTheCanvasAtEverySize) {
   }
 }
 
-TEST(ContactCells, HoldEachOtherApart) {
+TEST(ContactCells, TextsDoNotOverlap) {
   for (const auto& [width, height] : {std::pair{640, 360}, {1280, 720}}) {
     for (const int cells : {2, 18}) {
       const std::vector<Text> list = all<Text>(drawn(moments_of(cells, 60), 30, width, height));
@@ -148,7 +148,7 @@ TEST(ContactCells, AllPointsThatTieForTheDeepestAreMarked) {
   EXPECT_EQ(squares_about(drawn({moment}, 0), kept[1].center), 0);
 }
 
-TEST(ContactCells, ExtremesHaveTheirBoxAndTheLegendTellsAllAreas) {
+TEST(ContactCells, ExtremesHaveTheirBoxAndTheLegendListsAllAreas) {
   ContactMoment moment;
   moment.cells = {cell_of("extremes", octagon())};
   EXPECT_THAT(words(drawn({moment}, 0)), Contains("kept area, hatched: lost"));
@@ -163,7 +163,7 @@ TEST(ContactCells, ExtremesHaveTheirBoxAndTheLegendTellsAllAreas) {
   EXPECT_THAT(words(drawn({moment}, 0)), IsSupersetOf({"box along the axes", "x", "z"}));
 }
 
-TEST(ContactCells, StripsSayWhenAndHowOrangeIsMeant) {
+TEST(ContactCells, StripsExplainWhenAndHowOrangeIsUsed) {
   std::vector<ContactMoment> moments = moments_of(1, 30);
   EXPECT_THAT(words(drawn(moments, 15)), Contains("points over time, orange: kept"));
   EXPECT_THAT(words(drawn(moments, 15)), Not(Contains("now"))) << "the moments have no time";
@@ -323,7 +323,7 @@ TEST(ContactCells, AreMapsSeenFromAboveAtOneScale) {
   }
 }
 
-TEST(ContactCells, PatchesThatStandApartInTheWorldAreEachInTheMiddleOfTheirCell) {
+TEST(ContactCells, DistantPatchesAreEachCentredInTheirCell) {
   // The same octagon here, ten metres aside, and on a wall: x stays to the right.
   const auto moved = [](double shift, bool upright) {
     std::vector<trace::Point> points = octagon();
@@ -352,7 +352,7 @@ TEST(ContactCells, PatchesThatStandApartInTheWorldAreEachInTheMiddleOfTheirCell)
   }
 }
 
-TEST(ContactCells, ACellWithoutContactSaysSo) {
+TEST(ContactCells, ACellWithoutContactHasANote) {
   std::vector<ContactMoment> moments = moments_of(2, 2);
   moments[1].cells[0].points.clear();
   moments[1].cells[0].kept.clear();
@@ -364,7 +364,7 @@ TEST(ContactCells, ACellWithoutContactSaysSo) {
   expect_on_canvas(drawing, "one without contact");
 }
 
-TEST(ContactCells, WhereNothingTouchesWordsSaySo) {
+TEST(ContactCells, WithoutContactThereIsANote) {
   std::vector<trace::Frame> frames(3);
   for (int f = 0; f < 3; ++f) frames[static_cast<std::size_t>(f)].frame = f;
   frames[0].pairs.push_back({"crate", "floor", "", "hull-hull", "separated", 1, {}, {}, {}, {}});

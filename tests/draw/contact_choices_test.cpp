@@ -39,7 +39,7 @@ std::vector<ContactMoment> chosen() {
   return moments;
 }
 
-TEST(ContactCells, LabelsOfAChoiceKeepApart) {
+TEST(ContactCells, LabelsOfAChoiceDoNotOverlap) {
   for (const auto& [width, height] : {std::pair{640, 360}, {1280, 720}}) {
     for (int choices = 1; choices <= 4; ++choices) {
       const Drawing drawing = drawn(chosen(), 0, width, height, choices);
@@ -59,7 +59,7 @@ TEST(ContactCells, LabelsOfAChoiceKeepApart) {
   }
 }
 
-TEST(ContactCells, TheThirdChoiceIsToldByTheSizeOfEachTriangleOnEitherSide) {
+TEST(ContactCells, TheThirdChoiceShowsTriangleAreasOnEitherSide) {
   std::vector<ContactMoment> moments = chosen();
   for (trace::Measure& measure : moments[0].cells[0].choices[2].measures)
     measure.value = -measure.value;
@@ -85,7 +85,7 @@ TEST(ContactCells, AChoiceShowsWhatEachCandidateWasWorth) {
   }
 }
 
-TEST(ContactCells, TheLegendOfAChoiceTellsItsMarks) {
+TEST(ContactCells, TheLegendOfAChoiceListsItsMarks) {
   const auto record = [](int choices) { return words(drawn(chosen(), 0, 1280, 720, choices)); };
   EXPECT_THAT(record(4), IsSupersetOf({"added outside", "triangle so far"}));
   EXPECT_THAT(record(2), testing::Not(Contains("added outside")));
@@ -115,7 +115,7 @@ TEST(ContactCells, MoreChoicesThanWereMadeShowTheLast) {
   EXPECT_EQ(rings(drawn(chosen(), 0, 1280, 720, 64)).size(), 4u + 1);
 }
 
-TEST(Explored, HasACellForEachReducerInTheOrderAsked) {
+TEST(Explored, HasACellForEachReducerInOrder) {
   trace::Exploration exploration;
   exploration.frame = 7;
   exploration.a = "crate";

@@ -62,7 +62,7 @@ TEST(Features, ClosestPointsOfTwoEdgesShowBothAsCrossedOnesDo) {
   }
 }
 
-TEST(Features, APairWithoutALabelIsCalledByWhatTouches) {
+TEST(Features, AnUnlabelledPairIsNamedByItsFeatures) {
   TouchingCrate scene("edge-face");
   EXPECT_THAT(feature_labels(scene.sketch()), Contains("edge on face: 2 points"));
   scene.pair().label = "mine";
@@ -146,7 +146,7 @@ TEST(SatQueries, StandInThreeColumnsThatShowTheSame) {
   EXPECT_NEAR(places[1].y, places[0].y, 0.5);
 }
 
-TEST(Trail, OfALongWayTheSkinsAreAllAlongIt) {
+TEST(Trail, ALongPathHasSkinsAllAlongIt) {
   CrateOnSlab scene;
   scene.frames.assign(40, scene.frames[0]);
   for (int f = 0; f < 40; ++f) {

@@ -63,7 +63,7 @@ struct BallInSlab : CrateOnSlab {
   }
 };
 
-TEST(Whisker, OfABallReachesFromTheFaceToItsDeepestPointShallowAndDeep) {
+TEST(Whisker, BallWhiskerGoesFromFaceToDeepestPointShallowAndDeep) {
   for (const char* axis : {"closest_points", "face_a"}) {
     BallInSlab scene;
     scene.manifold().axis = axis;
@@ -74,7 +74,7 @@ TEST(Whisker, OfABallReachesFromTheFaceToItsDeepestPointShallowAndDeep) {
   }
 }
 
-TEST(Whisker, OfABallThatIsShapeAEndsOnTheFaceOfB) {
+TEST(Whisker, BallAsShapeAEndsOnTheFaceOfB) {
   BallInSlab scene;
   std::swap(scene.pair().a, scene.pair().b);
   scene.manifold().axis = "closest_points";
@@ -91,7 +91,7 @@ TEST(Whisker, OfABallThatIsShapeAEndsOnTheFaceOfB) {
   EXPECT_TRUE(normal->from.isApprox(Vec3d(0, -0.2, 0)));
 }
 
-TEST(Whisker, OfACapsulePastAnEdgeReachesFromTheEdgeToItsSurface) {
+TEST(Whisker, CapsulePastAnEdgeGoesFromTheEdgeToItsSurface) {
   BallInSlab scene;
   // The edge is at the origin, the capsule's axis 0.1 m below it: its surface is 0.35 m below.
   scene.manifold().axis = "edge_edge";
@@ -102,7 +102,7 @@ TEST(Whisker, OfACapsulePastAnEdgeReachesFromTheEdgeToItsSurface) {
   EXPECT_TRUE(ends[0][1].isApprox(Vec3d(0, -0.35, 0)));
 }
 
-TEST(Whisker, OfTwoHullsEdgesIsCentredOnTheirMiddle) {
+TEST(Whisker, HullEdgePairIsCentredOnItsMiddle) {
   CrateOnSlab scene;
   scene.view.layers = {Layer::Shapes, Layer::Contacts};
   scene.manifold().axis = "edge_edge";
@@ -183,7 +183,7 @@ TEST(Sweep, WhereItFirstMeetsABodyHasFaces) {
 }
 
 // From frames alone, the end is seen only if the crate has passed through by then.
-TEST(Sweep, ItsEndIsDrawnWhereTheNextFrameDoesNotTell) {
+TEST(Sweep, ItsEndIsDrawnIfNotInTheNextFrame) {
   FallingCrate scene;
   const auto says = [&] { return explained(scene.sketch()); };
   EXPECT_THAT(says(), testing::Not(Contains(HasSubstr("if nothing stopped it"))));
@@ -192,7 +192,7 @@ TEST(Sweep, ItsEndIsDrawnWhereTheNextFrameDoesNotTell) {
 }
 
 // The path of the point that meets shows the turn; straight motion needs no arrow.
-TEST(Sweep, WhatTurnsShowsTheWayOfThePointThatMeets) {
+TEST(Sweep, ARotatingShapeShowsThePathOfItsHitPoint) {
   FallingCrate scene;
   const auto says = [&] { return explained(scene.sketch()); };
   EXPECT_THAT(says(), testing::Not(Contains("way of the point that meets")));
@@ -204,7 +204,7 @@ TEST(Sweep, WhatTurnsShowsTheWayOfThePointThatMeets) {
 }
 
 // The arrow continues the motion of the middle; a turning body has no straight path.
-TEST(Sweep, WhatIsNotSeenAtTheNextFrameShowsItsWayThere) {
+TEST(Sweep, AnEndNotInTheNextFrameShowsItsDisplacement) {
   FallingCrate scene;
   scene.pair().impact->status = "separated";
   scene.pair().impact->distances.back().distance = 0.2;
@@ -309,7 +309,7 @@ TEST(Contacts, APointWithinTheMarginLooksUnlikeOneThatTouches) {
   EXPECT_THAT(explained(sketch), Contains(HasSubstr("within the margin")));
 }
 
-TEST(Gap, OfSeparatedHullsIsAsLongAsTheSeparationFromFaceToCorners) {
+TEST(Gap, SeparatedHullsShowTheSeparationFromFaceToCorners) {
   CrateOnSlab scene;
   scene.view.layers = {Layer::Shapes, Layer::Contacts};
   scene.frames[0].poses[1].second.position.y() = 0.8;
@@ -373,7 +373,7 @@ TEST(PairLabel, StandsClearOfTheBodyThatItNames) {
   EXPECT_EQ(found, 1);
 }
 
-TEST(PairLabel, OfPairsThatShareABodyEachHasAPlaceOfItsOwn) {
+TEST(PairLabel, PairsThatShareABodyHaveDistinctPlaces) {
   CrateOnSlab scene;
   scene.view.focus = Focus::Shapes;
   scene.view.layers = {Layer::Shapes};
@@ -493,7 +493,7 @@ TEST(Overlap, HasOneSignWhereItsWhiskerIsSeen) {
   EXPECT_EQ(measures(sketch_frame(scene.staged(), scene.frames[0])).size(), 1u);
 }
 
-TEST(Title, ADepthThatItTellsStandsOnItsWhiskerOnce) {
+TEST(Title, ADepthInTheTitleIsOnItsWhiskerOnce) {
   CrateOnSlab scene;
   scene.view.layers = {Layer::Shapes, Layer::Contacts};
   const auto record = [&](const char* title) {
@@ -508,7 +508,7 @@ TEST(Title, ADepthThatItTellsStandsOnItsWhiskerOnce) {
   EXPECT_EQ(record("A crate stands {overlap} deep"), 0) << "its label says it";
 }
 
-TEST(Whisker, OfGapsAloneHasAFactorOfTheirOwn) {
+TEST(Whisker, GapsAloneHaveTheirOwnFactor) {
   CrateOnSlab scene;
   for (trace::Point& point : scene.manifold().points) point.separation = 1e-4;
   const SequenceScales scales = scene.staged().scales;

@@ -26,7 +26,7 @@ double length_of(const Contour& contour) {
   return length;
 }
 
-TEST(Contours, OfACircleAreOneClosedLine) {
+TEST(Contours, ACircleIsOneClosedLine) {
   const auto values =
       grid(41, 31, [](int x, int y) { return std::hypot(x - 19.3, y - 15.1) - 11.2; });
   const std::vector<Contour> found = contours_at(values, 41, 0);
@@ -37,7 +37,7 @@ TEST(Contours, OfACircleAreOneClosedLine) {
   EXPECT_NEAR(length_of(found[0]), 2 * 3.14159265 * 11.2, 0.1);
 }
 
-TEST(Contours, OfAPlaneEndAtTheBorder) {
+TEST(Contours, APlaneEndsAtTheBorder) {
   const auto values = grid(9, 5, [](int x, int y) { return 0.5 * x + y; });
   const std::vector<Contour> found = contours_at(values, 9, 2.75);
   ASSERT_EQ(found.size(), 1U);
@@ -71,7 +71,7 @@ TEST(Contours, GoByACornerThatLiesOnAPointOfTheGrid) {
   EXPECT_THAT(lines[0].points, testing::Contains(Vec3d(2, 2, 0)));
 }
 
-TEST(Contours, OfOneValueOrOutOfReachAreNone) {
+TEST(Contours, ConstantOrOutOfRangeHasNone) {
   EXPECT_TRUE(contours_at(grid(5, 5, [](int, int) { return 2.0; }), 5, 0).empty());
   EXPECT_TRUE(contours_at(grid(5, 5, [](int, int) { return 0.0; }), 5, 0).empty());
   EXPECT_TRUE(contours_at(grid(5, 1, [](int x, int) { return x - 2.0; }), 5, 0).empty());

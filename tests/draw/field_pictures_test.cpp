@@ -79,7 +79,7 @@ TEST(FieldPicture, NamesNoGroundOnAnotherShape) {
   EXPECT_TRUE(slab.coarse().empty());
 }
 
-TEST(FieldPicture, OfWhatTheFieldIsOfOnlyWhatItHasLostIsOutlined) {
+TEST(FieldPicture, OnlyPartsThatTheFieldHasLostAreOutlined) {
   SlicedSlab slab;
   slab.view.layers = {Layer::Shapes, Layer::Field};
   const auto outlines = [&] {
@@ -93,7 +93,7 @@ TEST(FieldPicture, OfWhatTheFieldIsOfOnlyWhatItHasLostIsOutlined) {
   EXPECT_EQ(outlines(), 0);
 }
 
-TEST(FieldPicture, WhatIsCutHidesNothing) {
+TEST(FieldPicture, ASlicedShapeHidesNothing) {
   SlicedSlab slab;
   slab.view.layers = {Layer::Shapes, Layer::Field};
   const std::size_t of_crate = slab.sketch().occluders.size();
@@ -116,7 +116,7 @@ TEST(FieldPicture, APointIsOnTheSurfaceOfTheFieldAndItsOverlapGoesInFromThere) {
   EXPECT_NEAR((ends("sdf-hull").on_b - at).norm(), 0.002, 1e-9);
 }
 
-TEST(FieldPicture, APlaceThatWasAskedIsOnNoWhisker) {
+TEST(FieldPicture, AProbeOnAWhiskerHasNoMark) {
   SlicedSlab slab;
   slab.view.layers = {Layer::Field, Layer::Contacts};
   slab.frames[0].poses[1].second.position = {0, 0.3, 0};

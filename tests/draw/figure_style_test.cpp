@@ -37,7 +37,7 @@ TEST(FigureStyle, AsItStandsChangesNothing) {
   EXPECT_EQ(drawing.background.a, 1);
 }
 
-TEST(FigureStyle, WhatIsLeftOutGivesItsRoomToTheView) {
+TEST(FigureStyle, OmittedPartsGiveTheirRoomToTheView) {
   const Rect all = Figure().staged().layout.view;
   Figure figure;
   figure.style.title = false;
@@ -64,7 +64,7 @@ TEST(FigureStyle, AnEmptyTitleLeavesNoHole) {
   EXPECT_EQ(figure.staged().layout.view.y, 24);
 }
 
-TEST(FigureStyle, TypeHasTheSizeThatIsAskedFor) {
+TEST(FigureStyle, TypeHasTheRequestedSize) {
   // 8 pt at 300 dots an inch: an em of 33.3 pixels, with a line of 39 pixels.
   Figure figure;
   figure.width = 992;
@@ -79,7 +79,7 @@ TEST(FigureStyle, TypeHasTheSizeThatIsAskedFor) {
   EXPECT_LE(layout.panels.bottom(), layout.legend.y);
 }
 
-TEST(FigureStyle, WideFiguresKeepPanelsBeside) {
+TEST(FigureStyle, WideFiguresKeepSidePanels) {
   Figure figure;
   figure.width = 2126;  // 180 mm
   figure.height = 1200;
@@ -133,7 +133,7 @@ TEST(FigureStyle, WordsAreReplacedWhereTheyEnterAndMeasuredSo) {
       << "the row that it takes is measured in German";
 }
 
-TEST(Moments, StoriesAndCountedFramesTellSteps) {
+TEST(Moments, StoriesAndCountedFramesShowSteps) {
   std::vector<trace::Frame> frames(5);
   for (int i = 0; i < 5; ++i) {
     frames[static_cast<std::size_t>(i)].frame = i;

@@ -71,7 +71,7 @@ TEST(Hatch, NothingIsLostWhereAllIsKept) {
   EXPECT_NEAR(length_of(hatched(box(5, 5, 90, 60), box(0, 0, 200, 200), 3)), 0, 1e-3);
 }
 
-TEST(Hatch, OfPointsOnALineOrInOnePlaceIsEmpty) {
+TEST(Hatch, CollinearOrEqualPointsHaveNone) {
   EXPECT_TRUE(hatched({{1, 1}, {5, 5}, {9, 9}}, {}, 2).empty());
   EXPECT_TRUE(hatched({{1, 1}, {1, 1}, {1, 1}}, {}, 2).empty());
   EXPECT_TRUE(hatched({}, {}, 2).empty());

@@ -183,7 +183,7 @@ TEST(SimplexSteps, NoPointOfASimplexIsNearerThanTheNearest) {
   }
 }
 
-TEST(Insets, StandBesideTheShapesAndLeaveThePanels) {
+TEST(Insets, AreNextToTheShapesAndLeaveThePanels) {
   const Staged staged({two_cubes()}, view_of({Panel::Minkowski, Panel::Summary, Panel::GaussMap}));
   EXPECT_THAT(staged.staging.view.panels, ElementsAre(Panel::Summary));
   ASSERT_EQ(staged.staging.insets.size(), 2u);
@@ -267,7 +267,7 @@ TEST(MinkowskiInset, WithoutFactsOnlyTheOriginIsLeft) {
   EXPECT_EQ(staged.picture().note, "");
 }
 
-TEST(MinkowskiInset, WithoutStepsItSaysWhereTheOriginIs) {
+TEST(MinkowskiInset, WithoutStepsItStatesWhereTheOriginIs) {
   trace::Frame frame = two_cubes();
   frame.pairs[0].penetration.reset();
   EXPECT_EQ(Staged({frame}, view_of({Panel::Minkowski})).picture().note, "holds the origin");
@@ -275,7 +275,7 @@ TEST(MinkowskiInset, WithoutStepsItSaysWhereTheOriginIs) {
   EXPECT_EQ(Staged({frame}, view_of({Panel::Minkowski})).picture().note, "the origin is outside");
 }
 
-TEST(MinkowskiInset, TheBorderOfTheDifferenceIsAsFarAsTheBoxesAreDeepOrApart) {
+TEST(MinkowskiInset, TheBorderDistanceIsTheOverlapOrSeparation) {
   // A cube with edges of 2 m about the place of B, which is 0.8 m up: 0.2 m deep at the bottom.
   for (const double lift : {0.0, 0.5}) {
     trace::Frame frame = two_cubes();

@@ -66,7 +66,7 @@ TEST(LabelPlacer, FarPlacesGetALeader) {
   EXPECT_TRUE(place->needs_leader);
 }
 
-TEST(LabelPlacer, LinesDoNotRunThroughALabelThatHasRoomBesideThem) {
+TEST(LabelPlacer, LinesDoNotCrossALabelThatHasRoomElsewhere) {
   LabelPlacer placer(kView);
   placer.avoid({{0, 90}, {300, 90}});  // directly above the anchor, the label's preferred place
   const auto place = placer.place({150, 100}, kWidth, kAscent, kDescent, {8, {0, -1}});

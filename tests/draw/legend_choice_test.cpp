@@ -47,7 +47,7 @@ TEST(LegendChoice, LabelsNoPoints) {
   EXPECT_TRUE(choice.labelled.empty());
 }
 
-TEST(LegendChoice, ListsWhatHasNoPlaceAndWhatIsMany) {
+TEST(LegendChoice, ListsEntriesWithoutAPlaceAndRepeatedOnes) {
   std::vector<LegendEntry> entries = numbered(kBodySwatch, 1, true);
   for (const LegendEntry& entry : numbered(kFaceSwatch, 2, true)) entries.push_back(entry);
   for (const LegendEntry& entry : numbered(kPointSwatch, 3, true)) entries.push_back(entry);
@@ -59,7 +59,7 @@ TEST(LegendChoice, ListsWhatHasNoPlaceAndWhatIsMany) {
   EXPECT_FALSE(choice.listed.back().anchor);
 }
 
-TEST(LegendChoice, WhatAPanelShowsAloneGoesFirst) {
+TEST(LegendChoice, EntriesOnlyInAPanelAreDroppedFirst) {
   std::vector<LegendEntry> entries = numbered(kPointSwatch, 6, false);
   entries[1].next_to = true;
   const LegendChoice choice = choose_legend(entries);
@@ -67,7 +67,7 @@ TEST(LegendChoice, WhatAPanelShowsAloneGoesFirst) {
   EXPECT_EQ(std::ranges::count(choice.listed, true, &LegendEntry::next_to), 0);
 }
 
-TEST(LegendChoice, LabelsSayTheFirstWords) {
+TEST(LegendChoice, LabelsHaveTheFirstWords) {
   LegendEntry entry;
   entry.text = "side plane, outward normal";
   EXPECT_EQ(label_of(entry), "side plane");
@@ -97,7 +97,7 @@ struct BusyCrate : CrateOnSlab {
   }
 };
 
-TEST(LegendOfPictures, HasFiveEntriesAndSaysTheMostOfTheRestInPlace) {
+TEST(LegendOfPictures, HasFiveEntriesAndLabelsMostOthersInPlace) {
   BusyCrate crate;
   const Staging staging = crate.staged();
   const LegendChoice choice = legend_of(staging, crate.frames[0]);

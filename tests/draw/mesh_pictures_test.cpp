@@ -114,7 +114,7 @@ TEST(MeshPictures, ALonePointIsADotAndTheEndOfALineIsNot) {
   EXPECT_EQ(sketch.marks[0].at, Vec3d(0, 0, -0.5));
 }
 
-TEST(MeshPictures, ATouchThatDoesNotCountIsDashedAndDrawnOnceHoweverManyTrianglesShareIt) {
+TEST(MeshPictures, ATouchThatDoesNotCountIsDashedAndDrawnOnceForAllTriangles) {
   TwoSurfaces scene;
   scene.frames[0].pairs[0].overlap = false;
   scene.meet("touching", {0, 0, 1}, {0, 0, 0});
@@ -216,7 +216,7 @@ TEST(MeshPictures, AMeshWithoutAnInsideShowsWhereItIsOpen) {
   EXPECT_THAT(legend_texts(scene.sketch()), Contains("edge at which the surface ends"));
 }
 
-TEST(MeshPictures, WhatIsInsideOfTheOtherIsDashedThroughIt) {
+TEST(MeshPictures, AMeshInsideTheOtherIsDashedThroughIt) {
   TwoSurfaces scene;
   const auto record = [&](const char* containment) {
     scene.frames[0].pairs[0].query->containment = {.a = containment, .b = "outside"};
@@ -293,7 +293,7 @@ TEST(MeshPictures, CandidatesAreShownWithoutTheBoxesThatLedToThem) {
   EXPECT_THAT(legend_texts(scene.sketch()), Not(Contains("box of the shape that asks")));
 }
 
-TEST(MeshPictures, OfATreeTheBoxesAreShownThatAreLeftOutOrTestedAndNoTwoShareASide) {
+TEST(MeshPictures, ATreeShowsCulledAndTestedBoxesAndNoTwoShareASide) {
   TwoSurfaces scene;
   scene.view.layers = {Layer::Tree};
   trace::Tree& tree = scene.frames[0].pairs[0].tree.emplace();
@@ -357,12 +357,12 @@ TEST_F(MeshPanels, TheMatrixHasABlockForEachPairOfNodesThatDecidedSomething) {
                     Contains("1 pairs of triangles, green")));
 }
 
-TEST_F(MeshPanels, WithoutTwoMeshesTheMatrixSaysSo) {
+TEST_F(MeshPanels, WithoutTwoMeshesTheMatrixHasANote) {
   EXPECT_THAT(crate_sample::texts(laid_out(Panel::NodePairs)),
               Contains(HasSubstr("does not apply")));
 }
 
-TEST_F(MeshPanels, WhatTreesCostIsCountedWhereAPairIsAskedAndElseExpectedForEachMesh) {
+TEST_F(MeshPanels, TreeCostIsCountedForAQueriedPairAndEstimatedOtherwise) {
   for (int k = 0; k < 3; ++k) {
     if (k > 0) scene.add_frame();
     trace::Frame& frame = scene.frames.back();
@@ -379,7 +379,7 @@ TEST_F(MeshPanels, WhatTreesCostIsCountedWhereAPairIsAskedAndElseExpectedForEach
                     Contains("boxes a query is expected to test")));
 }
 
-TEST(MeshPictures, WaysThroughTheStepAreArrowsOfOneScale) {
+TEST(MeshPictures, DisplacementsAreArrowsOfOneScale) {
   TwoSurfaces scene;
   scene.view.layers = {Layer::Shapes, Layer::Velocities};
   EXPECT_THAT(scene.sketch().arrows, testing::IsEmpty()) << "nobody asked what they meet";
@@ -407,7 +407,7 @@ TEST(MeshPictures, ANormalThatLeansFromItsFlatSurfaceIsMarkedWithItsAngle) {
   EXPECT_THAT(labels(), Not(Contains("leans 30°"))) << "alone it may be that of an edge";
 }
 
-TEST(MeshPictures, TheMatrixAloneAsksForNodePairs) {
+TEST(MeshPictures, OnlyTheMatrixNeedsNodePairs) {
   View view;
   view.layers = {};
   EXPECT_FALSE(stages_shown({view}).node_pairs);

@@ -19,7 +19,7 @@ TEST(PanelHeights, OnePanelWithAWantedHeightLeavesTheRestFree) {
   EXPECT_THAT(divide_column({kList}, 600, kGap, kNote), ElementsAre(400));
 }
 
-TEST(PanelHeights, WhatTheListDoesNotWantIsDividedByShares) {
+TEST(PanelHeights, HeightLeftByTheListIsDividedByShares) {
   EXPECT_THAT(divide_column({kList, kChart, kMap}, 1020, kGap, kNote), ElementsAre(400, 300, 300));
 }
 
@@ -27,7 +27,7 @@ TEST(PanelHeights, ChartsGetAllTheirCurvesBeforeTheListGrows) {
   EXPECT_THAT(divide_column({kChart, kList}, 360, kGap, kNote), ElementsAre(200, 150));
 }
 
-TEST(PanelHeights, NobodyGetsLessThanItsLeastThoughItsShareIsSmall) {
+TEST(PanelHeights, ASmallShareStillGetsItsMinimum) {
   const PanelNeed strip{90, 90, 0, 0.1f};
   EXPECT_THAT(divide_column({strip, kMap}, 410, kGap, kNote), ElementsAre(90, 310));
 }

@@ -85,7 +85,7 @@ TEST_F(PanelSheet, SummaryOfManyPairsHoldsThoseThatHaveRoomAndCountsTheOthers) {
   expect_inside(summary.drawing, kSheet);
 }
 
-TEST_F(PanelSheet, SummaryWantsRoomForAllPairsAndTheFrameThatSaysMost) {
+TEST_F(PanelSheet, SummaryNeedsRoomForAllPairsAndTheLongestFrame) {
   const float one = need(Panel::Summary).wanted;
   repeat_pair(3);
   EXPECT_GT(need(Panel::Summary).wanted, 2.5f * one);
@@ -114,7 +114,7 @@ TEST_F(PanelSheet, ContactPlaneCutsAFloorAtTheBorderOfItsMap) {
   EXPECT_NEAR(widest, kSheet.width, 1) << "the floor fills the map";
 }
 
-TEST_F(PanelSheet, ContactPlaneSaysWhatItsPointsComeTo) {
+TEST_F(PanelSheet, ContactPlaneSummarizesItsPoints) {
   EXPECT_THAT(texts(filled(Panel::ContactPlane).drawing), Contains("2 points, 1.00 m apart"));
   scene.manifold().points.pop_back();
   EXPECT_THAT(texts(filled(Panel::ContactPlane).drawing), Contains("1 point, no area"));
@@ -179,7 +179,7 @@ TEST_F(PanelSheet, AxisHistoryCountsSwitchesAndCacheHitsUpToTheFrame) {
   expect_inside(filled(Panel::AxisHistory, kSheet, {4}).drawing, kSheet);
 }
 
-TEST_F(PanelSheet, AxisHistoryWithoutTestsSaysSoInLinesThatFit) {
+TEST_F(PanelSheet, AxisHistoryWithoutTestsHasANoteThatFits) {
   const Drawing drawing = filled(Panel::AxisHistory).drawing;
   EXPECT_THAT(texts(drawing), Contains(HasSubstr("does not apply")));
   expect_inside(drawing, kSheet);

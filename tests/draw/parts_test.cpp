@@ -89,7 +89,7 @@ TEST(Parts, ALabelKnowsWhatItNames) {
   EXPECT_EQ(ids, 1);
 }
 
-TEST(Parts, APartInWhichNothingWasDrawnIsLeftOut) {
+TEST(Parts, PartsWithoutPrimitivesAreLeftOut) {
   Drawing drawing;
   drawing.begin("shapes");
   drawing.begin("contacts", "a b", "mark");

@@ -28,7 +28,7 @@ TEST(Pen, SizesAreThoseOfAPictureOf720Lines) {
   EXPECT_EQ(std::get<Text>(drawing.primitives[1]).size, 28);
 }
 
-TEST(Pen, AStraightPathIsOneStrokeHoweverManyPointsItHas) {
+TEST(Pen, AStraightPathIsOneStrokeForAnyNumberOfPoints) {
   Drawing drawing;
   std::vector<Point2> points;
   for (int i = 0; i <= 60; ++i) points.push_back({3.0f * static_cast<float>(i), 50});

@@ -71,7 +71,7 @@ TEST(PictureCost, APictureCostsWhatItsOwnFrameDoes) {
   }
 }
 
-TEST(PictureCost, LayersThatAViewDoesNotNameAreNotAsked) {
+TEST(PictureCost, LayersThatAViewOmitsAreNotCalled) {
   const LayerTable table = counting_table();
   CrateOnSlab scene = sliding(10, 3);
   scene.view.layers = {};
@@ -84,7 +84,7 @@ TEST(PictureCost, LayersThatAViewDoesNotNameAreNotAsked) {
 }
 
 // Some legends are made separately from the drawing: neither may contain more than the other.
-TEST(PictureCost, WhatDrawsNothingExplainsNothing) {
+TEST(PictureCost, EmptyLayersHaveNoLegend) {
   CrateOnSlab scene;
   for (std::size_t i = 0; i < kLayerNames.size(); ++i) {
     scene.view.layers = {static_cast<Layer>(i)};

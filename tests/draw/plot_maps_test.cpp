@@ -135,11 +135,11 @@ void expect_legible(const Drawing& drawing) {
   }
 }
 
-TEST(PlotCurves, TextStaysOnTheCanvasAndApart) {
+TEST(PlotCurves, TextIsOnTheCanvasWithoutOverlap) {
   for (const auto& [width, height] : kSizes) expect_legible(plot_curves(curves(), width, height));
 }
 
-TEST(PlotMap, TextStaysOnTheCanvasAndApart) {
+TEST(PlotMap, TextIsOnTheCanvasWithoutOverlap) {
   for (const auto& [width, height] : kSizes) {
     expect_legible(plot_map(numbered_map(), width, height));
     expect_legible(plot_map(named_map(), width, height));
@@ -243,7 +243,7 @@ TEST(PlotCurves, NamesOfOptionsAreReadAsWords) {
   EXPECT_THAT(all, Not(Contains(HasSubstr("_"))));
 }
 
-TEST(PlotCurves, FramesAreEquallyFarApart) {
+TEST(PlotCurves, FramesAreEvenlySpaced) {
   trace::Study study = study_of(trace::StudyForm::Curves);
   trace::StudySeries& line = study.series.emplace_back();
   line.method = "frames";
@@ -317,7 +317,7 @@ TEST(PlotCurves, LinesOfAFewPanelsAreNamedOnceAndLinesOfManyInALegend) {
   EXPECT_EQ(times_named(), 1) << "in the legend";
 }
 
-TEST(PlotCurves, WhatIsQuietIsGreyAndAnothersLookIsKept) {
+TEST(PlotCurves, QuietSeriesAreGreyAndALookIsKept) {
   trace::Study study = study_of(trace::StudyForm::Curves);
   study.series.push_back({"quiet", points(0.4)});
   study.series.push_back({"third", points(0)});
@@ -350,7 +350,7 @@ TEST(PlotCurves, AnAxisOfOneDecadeHasTwoLabelsAndMore) {
   expect_legible(drawing);
 }
 
-TEST(PlotCurves, WhatHasOneValueAPointIsNotCalledTheLargest) {
+TEST(PlotCurves, ASingleValueAPointIsNotCalledTheLargest) {
   trace::Study study = curves();
   EXPECT_THAT(words(plot_curves(study, 1280, 720)), Contains("Largest error / size"));
   for (trace::StudySeries& series : study.series)
@@ -388,7 +388,7 @@ TEST(PlotMap, ACellForEachPointAndACrossWhereSomeFailed) {
   EXPECT_GT(count().second, strokes + 10);
 }
 
-TEST(PlotMap, SharesAreColouredByWhatFailedAloneAndNameTheirSteps) {
+TEST(PlotMap, SharesAreColouredByFailuresAloneAndNameTheirSteps) {
   trace::Study map = study_of(trace::StudyForm::Map);
   map.row = "row";
   map.unit = trace::kShare;
@@ -413,7 +413,7 @@ TEST(PlotMap, SharesAreColouredByWhatFailedAloneAndNameTheirSteps) {
   EXPECT_THAT(all, Not(Contains("some cases failed")));
 }
 
-TEST(PlotCurves, FailuresThatHaveAWordAreNamedBesideTheirCrossesAndHaveNoLegend) {
+TEST(PlotCurves, NamedFailuresAreLabelledAtTheirCrossesWithoutALegend) {
   trace::Study study = study_of(trace::StudyForm::Curves);
   study.series.push_back({"rising", points(0.4, 18)});
   EXPECT_THAT(words(plot_curves(study, 1280, 720)), Contains("failures, of all cases"));
@@ -446,11 +446,11 @@ TEST(PlotCurves, TimesThatAddUpAreOnALinearAxisInMilliseconds) {
               testing::IsSupersetOf({"0 ms", "40 ms", "100 ms"}));
 }
 
-TEST(PlotAnswers, TextStaysOnTheCanvasAndApart) {
+TEST(PlotAnswers, TextIsOnTheCanvasWithoutOverlap) {
   for (const auto& [width, height] : kSizes) expect_legible(plot_answers(answers(), width, height));
 }
 
-TEST(PlotAnswers, EachAnswerHasAColourAndWhatIsWrongASquare) {
+TEST(PlotAnswers, EachAnswerHasAColourAndWrongOnesASquare) {
   trace::Study study = answers();
   const Drawing right = plot_answers(study, 1280, 720);
   EXPECT_EQ(std::ranges::count(words(right), "0 of 144 wrong"), 3);

@@ -56,7 +56,7 @@ bool overlap(const Rect& a, const Rect& b) {
   return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
 }
 
-TEST(Plot, TextStaysOnTheCanvasAndKeepsApartAtFullAndHalfSize) {
+TEST(Plot, TextIsOnTheCanvasWithoutOverlapAtFullAndHalfSize) {
   for (const auto& [width, height] : {std::pair{1280, 720}, {640, 360}}) {
     const std::vector<Text> all = texts(plot(crowded(), width, height));
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -94,7 +94,7 @@ TEST(Plot, EveryMethodIsLabelledInBothPanels) {
   }
 }
 
-TEST(Plot, SaysTitleAxesDecadesContextAndWhichWayIsBetter) {
+TEST(Plot, ShowsTitleAxesDecadesContextAndBetterDirection) {
   const std::vector<std::string> all = words(plot(crowded(), 1280, 720));
   for (const char* text : {"What each reducer loses", "lost area,", "mean", "worst", "0", "0.1",
                            "100 ns", "1 µs", "better", "time of a call, median"}) {
@@ -198,7 +198,7 @@ TEST(PlotGeometry, ZerosFailuresAndTheRestHaveRowsOfTheirOwn) {
   EXPECT_TRUE(never.points.empty());
 }
 
-TEST(PlotGeometry, ErrorsWithinTheResolutionStandInTheRowOfZerosWhichSaysSo) {
+TEST(PlotGeometry, ErrorsWithinTheResolutionAreInTheLabelledRowOfZeros) {
   trace::Study study = crowded();
   study.resolution = 1e-6;
   study.series[18].points[0].error = 0.9e-6;
@@ -221,7 +221,7 @@ TEST(PlotGeometry, FasterIsToTheLeftAndCloserIsLower) {
   }
 }
 
-TEST(OnFront, HoldsWhatNoOtherBeatsAtTheSameParameter) {
+TEST(OnFront, HoldsTheBestAtEachParameter) {
   trace::Study study;
   study.series = {{"fast", {point(5, 0.5, 10)}},
                   {"close", {point(5, 0.01, 1000)}},

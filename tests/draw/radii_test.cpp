@@ -123,7 +123,7 @@ TEST(Radii, ACapsuleHasAVirtualSphereAboutTheNearestPointOfItsAxis) {
   EXPECT_THAT(said(sketch), Contains("overlap 300 + 250 − 500 = 50 mm"));
 }
 
-TEST(Radii, OfParallelAxesTheStretchBetweenTheTwoPointsIsMarkedOnBoth) {
+TEST(Radii, ParallelAxesMarkTheSegmentBetweenTheTwoPoints) {
   RoundScene scene(round_shape("lower", {{-0.8, 0, 0}, {0.8, 0, 0}}, 0.25), Vec3d::Zero(),
                    round_shape("upper", {{-0.6, 0, 0}, {0.6, 0, 0}}, 0.25), Vec3d(0.7, 0.42, 0));
   scene.touch(Vec3d::UnitY(), "closest_points",
@@ -138,7 +138,7 @@ TEST(Radii, OfParallelAxesTheStretchBetweenTheTwoPointsIsMarkedOnBoth) {
   }
 }
 
-TEST(Radii, OfAxesThatMeetTheNormalIsAtRightAnglesToBoth) {
+TEST(Radii, CrossingAxesHaveANormalPerpendicularToBoth) {
   RoundScene scene(round_shape("lower", {{-0.8, 0, 0}, {0.8, 0, 0}}, 0.25), Vec3d::Zero(),
                    round_shape("upper", {{0, 0, -0.7}, {0, 0, 0.7}}, 0.2), Vec3d::Zero());
   scene.view.eye = Vec3d(3, 1, 3);
@@ -182,7 +182,7 @@ TEST(Radii, OnTheSurfaceOfAHullTheOverlapIsTheRadius) {
   EXPECT_THAT(said(scene.sketch()), Contains("overlap 300 mm"));
 }
 
-TEST(Contacts, APairThatIsSkippedSaysSo) {
+TEST(Contacts, ASkippedPairHasANote) {
   RoundScene scene(round_shape("outer", {Vec3d::Zero()}, 0.5), Vec3d::Zero(),
                    round_shape("inner", {Vec3d::Zero()}, 0.3), Vec3d::Zero());
   scene.pair().separation = -0.8;
@@ -192,7 +192,7 @@ TEST(Contacts, APairThatIsSkippedSaysSo) {
   EXPECT_THAT(said(scene.sketch()), Contains("no normal: contact skipped"));
 }
 
-TEST(Normals, OfACentreOnAnEdgeTheOtherFaceThatIsAsNearHasItsArrowToo) {
+TEST(Normals, ACentreOnAnEdgeHasAnArrowForTheOtherFaceToo) {
   RoundScene scene(cuboid("block", {0.8, 0.35, 0.5}), Vec3d(0, -0.35, 0),
                    round_shape("ball", {Vec3d::Zero()}, 0.3), Vec3d(0.8, 0, 0));
   scene.touch(Vec3d::UnitY(), "face_a", {{{0.8, 0, 0}, -0.3, "a:f2 b:v0"}});
@@ -285,7 +285,7 @@ TEST(Radii, TheirSumStandsOffTheEdgesOfAHull) {
   }
 }
 
-TEST(Radii, TheirSumStandsBesideBothShapes) {
+TEST(Radii, TheirSumIsOutsideBothShapes) {
   for (const double aside : {0.0, 0.35}) {
     RoundScene scene(round_shape("large", {Vec3d::Zero()}, 0.5), Vec3d::Zero(),
                      round_shape("small", {Vec3d::Zero()}, 0.3), {aside, 0.6, 0});

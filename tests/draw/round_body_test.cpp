@@ -173,7 +173,7 @@ TEST(RoundBody, PowerPlaneGoesThroughTheCircleInWhichSpheresMeet) {
   EXPECT_GT(plane.distance({0.9, 0, 0}), 0);
 }
 
-TEST(RoundBody, PowerPlanePartsBodiesThatAreApart) {
+TEST(RoundBody, PowerPlaneSeparatesDisjointBodies) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> coordinate(-1, 1);
   int separated = 0;

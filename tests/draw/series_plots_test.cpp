@@ -82,7 +82,7 @@ Drawing stability_panel(const std::vector<trace::Frame>& frames, std::size_t mom
   return panel_of(Panel::Stability, frames, moment, rect, pixel);
 }
 
-TEST(StabilityPanel, SaysTheVerdictAndTheMarginInWords) {
+TEST(StabilityPanel, ShowsTheVerdictAndTheMarginInWords) {
   const std::vector<trace::Frame> frames = settling();
   EXPECT_THAT(texts(stability_panel(frames, 3)), Contains("stable"));
   EXPECT_THAT(texts(stability_panel(frames, 3)), Contains("50.0 mm inside of the support"));
@@ -92,7 +92,7 @@ TEST(StabilityPanel, SaysTheVerdictAndTheMarginInWords) {
   for (std::size_t f = 0; f < frames.size(); ++f) stability_panel(frames, f);  // stays inside
 }
 
-TEST(StabilityPanel, TellsAgesWhereThePictureTellsThem) {
+TEST(StabilityPanel, ShowsAgesIfThePictureShowsThem) {
   CrateOnSlab scene;
   scene.persist();
   scene.balance("stable");
@@ -156,14 +156,14 @@ TEST(StabilityPanel, SmallPanelsKeepTheMapAndStayInside) {
   }
 }
 
-TEST(StabilityPanel, WithoutTheFactItSaysSo) {
+TEST(StabilityPanel, WithoutTheFactItHasANote) {
   const CrateOnSlab scene;
   EXPECT_THAT(
       texts(stability_panel(scene.frames, 0)),
       ElementsAre("stability: centre of mass over the contact", "no stability in this sequence"));
 }
 
-TEST(TimeSeries, HoldsWhatTheFramesSay) {
+TEST(TimeSeries, HoldsTheValuesOfTheFrames) {
   const std::vector<TimeSeries> all = time_series(settling());
   ASSERT_EQ(all.size(), 1u);
   EXPECT_THAT(all[0].penetration, ElementsAre(0, 0.001, 0.002, 0.003, 0.004));
@@ -229,7 +229,7 @@ TEST(TimeSeries, TwoPairsHaveLinesOfTheirOwnThatEndWithTheirContact) {
   EXPECT_THAT(time_series(settling())[0].pairs, IsEmpty()) << "one pair needs no name";
 }
 
-TEST(TimeSeries, OfManyPairsTheDeepestIsNamed) {
+TEST(TimeSeries, TheDeepestOfManyPairsIsNamed) {
   std::vector<trace::Frame> frames = two_pairs();
   for (trace::Frame& frame : frames) {
     for (const char* name : {"third", "fourth", "fifth"}) {
@@ -300,7 +300,7 @@ TEST(PlotsPanel, ChartsHaveUnitsTheNewestValueAndARoundTick) {
   for (std::size_t f = 0; f < 5; ++f) plots_panel(f);  // stays inside
 }
 
-TEST(PlotsPanel, WhatIsTheSameInEveryFrameIsALineOfWords) {
+TEST(PlotsPanel, AConstantSeriesIsALineOfWords) {
   std::vector<trace::Frame> frames = settling();
   frames.erase(frames.begin());  // in the air
   const std::vector<std::string> all = texts(panel_of(Panel::Plots, frames, 2));
@@ -323,7 +323,7 @@ TEST(PlotsPanel, CurvesEndAtTheCurrentFrame) {
   EXPECT_EQ(strokes(4), 3 + 3) << "what goes on straight is one stroke";
 }
 
-TEST(PlotsPanel, WhatRoundingLeavesOfZeroIsZero) {
+TEST(PlotsPanel, RoundingErrorAroundZeroIsZero) {
   std::vector<trace::Frame> frames = settling();
   for (trace::Frame& frame : frames) frame.solver->bodies[0].kinetic_energy *= 1e-15;
   const Drawing drawing = panel_of(Panel::Plots, frames, 3);

@@ -66,7 +66,7 @@ TEST(Loads, TheSumOfSeveralPointsStandsAtABracketOverAllOfThem) {
   EXPECT_GT((bracket[1].to - bracket[1].from).normalized().dot(Vec3d::UnitX()), 0.8);
 }
 
-TEST(Loads, OfOnePointTheArrowSaysItself) {
+TEST(Loads, TheArrowOfASinglePointHasTheValue) {
   PushedCrate scene(1);
   for (trace::Frame& frame : scene.frames) frame.pairs[0].manifolds[0].points.resize(1);
   const Sketch sketch = scene.drawn();
@@ -75,7 +75,7 @@ TEST(Loads, OfOnePointTheArrowSaysItself) {
   EXPECT_THAT(brackets(sketch), IsEmpty());
 }
 
-TEST(Loads, OfPointsThatAreSeenInOnePlaceOneArrowIsTheSum) {
+TEST(Loads, PointsThatCoincideInViewShareOneArrowOfTheSum) {
   PushedCrate scene(1);
   scene.view.eye = Vec3d(5, 0, 0.5);
   scene.view.target = Vec3d(0, 0, 0.5);
@@ -93,7 +93,7 @@ TEST(Loads, OfPointsThatAreSeenInOnePlaceOneArrowIsTheSum) {
   EXPECT_THAT(words_of(scene.drawn()), Not(Contains("20.0 N"))) << "a number of no arrow";
 }
 
-TEST(Impulses, APointThatIsStillApartAndGetsNothingHasNoMark) {
+TEST(Impulses, ASeparatedPointWithoutImpulseHasNoMark) {
   PushedCrate scene(0);
   scene.view.layers = {Layer::Shapes, Layer::Impulses};
   scene.view.impulse_scale = 0.1;
@@ -107,7 +107,7 @@ TEST(Impulses, APointThatIsStillApartAndGetsNothingHasNoMark) {
   EXPECT_EQ(nodes(), 1);
 }
 
-TEST(Friction, OfAPointThatHasFarLessThanAnotherHasNoArrow) {
+TEST(Friction, APointWithFarLessThanAnotherHasNoArrow) {
   PushedCrate scene(1);
   scene.view.layers = {Layer::Shapes, Layer::Impulses, Layer::Friction};
   const auto arrows = [&] {
@@ -164,7 +164,7 @@ TEST(UsualNormal, StepsBackAndTheOthersStandOut) {
   EXPECT_THAT(legend_words(OnManyTriangles(0).sketch()), Contains("normal, from A to B"));
 }
 
-TEST(SharedCorners, SayHowManyPointsOneDotIs) {
+TEST(SharedCorners, ShowTheNumberOfPointsAtADot) {
   OnManyTriangles scene(0);
   scene.pair().manifolds[1].points[0].position = scene.pair().manifolds[0].points[0].position;
   EXPECT_THAT(words_of(scene.sketch()), Contains("×2"));

@@ -53,7 +53,7 @@ TEST(IncrementalPicture, NewIsFilledPersistedHalfFilledAndBrokenHollowWithItsRea
   EXPECT_THAT(legend(sketch), Contains("taken out, and why"));
 }
 
-TEST(IncrementalPicture, AReplacedPointLeadsToTheOneInItsPlaceAndSaysHowFarItIs) {
+TEST(IncrementalPicture, AReplacedPointHasALineToItsReplacementAndTheDistance) {
   CrateOnSlab scene;
   scene.persist();
   std::vector<trace::PersistentPoint>& points = scene.pair().incremental->points;
@@ -153,7 +153,7 @@ TEST(IncrementalPicture, DistanceOfTheCoresIsBothMarginsAndTheGapOrLessTheOverla
   }
 }
 
-TEST(IncrementalPicture, CoresThatOverlapSayHowDeepAndByWhichMethod) {
+TEST(IncrementalPicture, OverlappingCoresShowTheDepthAndTheMethod) {
   CrateOnSlab scene;
   scene.persist();
   scene.pair().incremental->query = "sat";
@@ -204,7 +204,7 @@ TEST(StabilityPicture, BodiesWithoutContactHaveACentreOfMassToo) {
   EXPECT_THAT(legend(sketch), ElementsAre("centre of mass"));
 }
 
-TEST(StabilityPicture, StableBodySaysHowFarInsideAndHasNoAxis) {
+TEST(StabilityPicture, StableBodyShowsItsMarginAndHasNoAxis) {
   CrateOnSlab scene;
   scene.balance("stable");
   scene.view.layers = {Layer::Support};
@@ -214,7 +214,7 @@ TEST(StabilityPicture, StableBodySaysHowFarInsideAndHasNoAxis) {
   EXPECT_THAT(legend(sketch), ElementsAre("support: hull of the contact points"));
 }
 
-TEST(StabilityPicture, NearEnoughTheWayToTheBorderIsMeasured) {
+TEST(StabilityPicture, AtCloseRangeTheDistanceToTheBorderIsShown) {
   CrateOnSlab scene;
   scene.balance("stable");
   const Vec3d from = scene.pair().stability->projection;
@@ -249,7 +249,7 @@ TEST(StabilityPicture, PanelIsExplainedWhereNoLayerShowsTheSame) {
               ElementsAre("support: a line between two points", "axis about which the body turns"));
 }
 
-TEST(StabilityPicture, FreeAxisIsNamedAndTurnsTheWayThatTheBodyFalls) {
+TEST(StabilityPicture, FreeAxisIsNamedAndTurnsAsTheBodyFalls) {
   CrateOnSlab scene;
   scene.balance("turns about a line");
   scene.view.layers = {Layer::Support};
@@ -283,7 +283,7 @@ TEST(StabilityPicture, BodyOnOnePointTurnsAboutItTowardsItsCentreOfMass) {
   EXPECT_GT((tip.from - center).cross(*tip.to - tip.from).normalized().z(), 0.9);
 }
 
-TEST(DynamicsPicture, ArrowsAreAsLongAsTheLegendSays) {
+TEST(DynamicsPicture, ArrowsHaveTheLengthOfTheLegend) {
   CrateOnSlab scene;
   scene.solve(2);
   scene.view.layers = {Layer::Velocities, Layer::Impulses};
@@ -448,7 +448,7 @@ TEST(DynamicsPicture, FrictionAsASubjectHasAScaleOfItsOwn) {
               Contains("friction, " + spell_impulse_scale(staging.scales.friction)));
 }
 
-TEST(DynamicsPicture, OfTheRelativeVelocityThePartAlongTheNormalIsNamed) {
+TEST(DynamicsPicture, TheNormalPartOfTheRelativeVelocityIsNamed) {
   CrateOnSlab scene;
   scene.manifold().points.pop_back();
   scene.solve(2);

@@ -80,7 +80,7 @@ TEST(Theme, RolesStandOutFromTheGround) {
   }
 }
 
-TEST(Theme, WhatIsLeftFreeTakesTheGround) {
+TEST(Theme, HalosTakeTheBackgroundColour) {
   const Color ground = rgb(0x203040);
   for (const Theme theme : kThemes) {
     const Color halo = themed(with_alpha(kWhite, 0.85f), ColorUse::Line, theme, ground);
@@ -89,7 +89,7 @@ TEST(Theme, WhatIsLeftFreeTakesTheGround) {
   }
 }
 
-TEST(Theme, GreyHasNoHueAndKeepsRolesApart) {
+TEST(Theme, GreyHasNoHueAndDistinctRoles) {
   const auto grey = [](const Color& color) {
     return themed(color, ColorUse::Line, Theme::Grey, kWhite);
   };

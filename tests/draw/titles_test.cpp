@@ -48,7 +48,7 @@ TEST(TitlesOfPictures, TheFirstAlternativeThatIsWholeIsShown) {
   EXPECT_EQ(crate.title("{gap} | {overlap}"), "…");
 }
 
-TEST(TitlesOfPictures, ArePairsShapesAndSequencesThatTheyAskFor) {
+TEST(TitlesOfPictures, FillInPairsShapesAndSequences) {
   TitledCrate crate;
   crate.pair().label = "left";
   trace::Pair other = crate.pair();
@@ -64,12 +64,12 @@ TEST(TitlesOfPictures, ArePairsShapesAndSequencesThatTheyAskFor) {
   EXPECT_EQ(crate.title("{hits} of {frames:frame}, {hit_rate}"), "1 of 2 frames, 50 %");
 }
 
-TEST(TitlesOfPictures, OfAnotherEngineKeepTheirBraces) {
+TEST(TitlesOfPictures, AnotherEngineKeepsItsBraces) {
   TitledCrate crate;
   EXPECT_EQ(crate.title("map<{int}>"), "map<{int}>");
 }
 
-TEST(TitlesOfPictures, ThatAreLongShrinkAndThenTakeTwoLines) {
+TEST(TitlesOfPictures, LongOnesShrinkAndThenTakeTwoLines) {
   const std::string words =
       "Baumgarte pushes overlaps out with a velocity, and the deep crate keeps";
   const FittedTitle whole = fit_title("Short", 1232, 1);
@@ -85,7 +85,7 @@ TEST(TitlesOfPictures, ThatAreLongShrinkAndThenTakeTwoLines) {
   EXPECT_THAT(fit_title(words, 120, 1).lines.front(), HasSubstr("…"));
 }
 
-TEST(TitlesOfPictures, AskForTheStagesThatTheyLookAt) {
+TEST(TitlesOfPictures, RequestTheStagesTheyRead) {
   View view;
   view.layers.clear();
   EXPECT_FALSE(stages_shown({view}).reduction);
@@ -96,7 +96,7 @@ TEST(TitlesOfPictures, AskForTheStagesThatTheyLookAt) {
   EXPECT_TRUE(stages_shown({view}).gjk);
 }
 
-TEST(WordsOfPairs, TellWhatAStateLeavesOpen) {
+TEST(WordsOfPairs, RefineTheState) {
   trace::Pair pair;
   pair.state = "touching";
   pair.separation = 0.004;

@@ -77,7 +77,7 @@ TEST(SideBySide, EachIsNamedOnceAndShowsItsOwnPair) {
   EXPECT_EQ(std::ranges::count(drawn, "right"), 1);
 }
 
-TEST(SideBySide, APairWithoutALabelIsNotShownBesideNamedOnes) {
+TEST(SideBySide, AnUnnamedPairIsNotShownAmongNamedOnes) {
   TwoCrates crates;
   trace::Frame& frame = crates.frames[0];
   frame.pairs.push_back(frame.pairs[1]);
@@ -88,7 +88,7 @@ TEST(SideBySide, APairWithoutALabelIsNotShownBesideNamedOnes) {
   EXPECT_EQ(crates.staged().viewports.size(), 3u) << "where none is named all are";
 }
 
-TEST(SideBySide, BoundsSayTheirAnswerInTheHeading) {
+TEST(SideBySide, BoundsHaveTheirAnswerInTheHeading) {
   TwoCrates crates;
   for (trace::Pair& pair : crates.frames[0].pairs) {
     trace::Query& query = pair.query.emplace();

@@ -96,7 +96,7 @@ TEST(Tunnelling, WithoutLookingBetweenFramesNearlyAllPass) {
   EXPECT_GE(come_through<double>(Bullet::Sphere, Wall::Box, 300, std::nullopt, 50, random), 45);
 }
 
-TEST(Tunnelling, SpeculativeContactsStopWhatFliesStraight) {
+TEST(Tunnelling, SpeculativeContactsStopAStraightFlight) {
   Random random(8);
   EXPECT_EQ(
       come_through<double>(Bullet::Sphere, Wall::Box, 300, ImpactMethod::Speculative, 50, random),
@@ -144,7 +144,7 @@ TEST(ImpactStops, AStackAndASlidingCrateAreLeftAlone) {
 }
 
 /// A ball hits the first of two others and stops; that one stops at the second in the same step.
-TEST(ImpactStops, WhatWasPushedIsLookedAtAgain) {
+TEST(ImpactStops, APushedBodyIsTestedAgain) {
   Scene<double> scene;
   scene.world.gravity.setZero();
   for (const double x : {0.0, 2.0, 4.0}) scene.add_sphere(0.1, {x, 0, 0}, 1);

@@ -14,7 +14,7 @@ Shape<double> field_of(const Shape<double>& shape, int cells) {
   return field_shape(build_distance_field(shape, {.cells = cells}), shape);
 }
 
-TEST(FieldBody, HasTheMassOfWhatItIsMadeOfAlsoMovedScaledAndInsideOut) {
+TEST(FieldBody, HasTheMassOfItsSourceAlsoMovedScaledAndInsideOut) {
   const Hull<double> box = make_box(Vec3d(0.5, 0.3, 0.2));
   Mesh<double> mesh = surface_of(box);
   std::vector<std::array<int, 3>> turned = mesh.triangles;

@@ -112,7 +112,7 @@ TEST(Integrate, ATumblingBoxFollowsEulersEquations) {
   EXPECT_NEAR(error[0] / error[1], 4, 0.1);  // second order
 }
 
-TEST(Integrate, NoSpinHoweverFastGainsEnergy) {
+TEST(Integrate, NoSpinGainsEnergyAtAnySpeed) {
   Random random(22);
   for (int i = 0; i < 300; ++i) {
     std::vector<Body<double>> bodies = {
@@ -129,7 +129,7 @@ TEST(Integrate, NoSpinHoweverFastGainsEnergy) {
   }
 }
 
-TEST(Integrate, AScriptedBodyTurnsAsItsScriptSays) {
+TEST(Integrate, AScriptedBodyFollowsItsScript) {
   const Pose<double> from{Quatd(Eigen::AngleAxisd(3, Vec3d::UnitZ())), Vec3d(1, 2, 3)};
   const Pose<double> to{Quatd(Eigen::AngleAxisd(3.5, Vec3d::UnitZ())), Vec3d(1, 4, 3)};
   Body<double> body = static_body(from);

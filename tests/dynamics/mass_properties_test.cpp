@@ -50,7 +50,7 @@ std::vector<Textbook> textbook_hulls() {
   return all;
 }
 
-TEST(MassProperties, HullsHaveThoseOfTheTextbookHoweverTheyLie) {
+TEST(MassProperties, HullsHaveThoseOfTheTextbookInAnyPose) {
   Random random(11);
   for (const Textbook& textbook : textbook_hulls()) {
     for (int i = 0; i < 20; ++i) {
@@ -121,7 +121,7 @@ TEST(MassProperties, AnotherMassScalesTheInertiaAlone) {
   EXPECT_LT(difference(heavy.inertia, diagonal(16, 16, 16)), 1e-14);  // m (4 + 4) / 12
 }
 
-TEST(MassProperties, TheShortestEdgeIsThatOfABoxHoweverItLies) {
+TEST(MassProperties, TheShortestEdgeIsThatOfABoxInAnyPose) {
   Random random(12);
   for (int i = 0; i < 50; ++i) {
     const Vec3d half(random.decade(-4, 3), random.decade(-4, 3), random.decade(-4, 3));

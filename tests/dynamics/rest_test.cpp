@@ -18,7 +18,7 @@ trace::Stability of(const std::vector<Vec3d>& points, const Vec3d& center) {
   return rest_of(points, Vec3d::UnitY(), center, kRestRounding);
 }
 
-TEST(Resting, OfNoPointsIsNoContact) {
+TEST(Resting, NoPointsAreNoContact) {
   const trace::Stability none = of({}, Vec3d(1, 2, 3));
   EXPECT_EQ(none.verdict, "no contact");
   EXPECT_TRUE(none.support.empty());
@@ -99,7 +99,7 @@ TEST(Resting, IsTheSameAtEveryScaleAndPose) {
   }
 }
 
-TEST(Resting, OfARecordTakesAllManifolds) {
+TEST(Resting, ARecordTakesAllManifolds) {
   trace::Pair pair;
   for (const double x : {-1.0, 1.0}) {
     trace::Manifold& manifold = pair.manifolds.emplace_back();

@@ -27,7 +27,7 @@ void rest(Sleepers<double>& sleepers, std::vector<Body<double>>& bodies,
   for (int i = 0; i < 31; ++i) sleepers.settle(bodies, touches, kStep);
 }
 
-TEST(Islands, AreNamedByTheirLowestBodyHoweverTheyAreJoined) {
+TEST(Islands, AreNamedByTheirLowestBodyInAnyOrderOfJoins) {
   Islands islands(7);
   islands.join(5, 6);
   islands.join(2, 5);
@@ -38,7 +38,7 @@ TEST(Islands, AreNamedByTheirLowestBodyHoweverTheyAreJoined) {
   EXPECT_EQ(islands.of(3), 1);
 }
 
-TEST(Sleepers, NobodySleepsUnlessTheSettingsSaySo) {
+TEST(Sleepers, BodiesSleepOnlyIfEnabled) {
   Scene<double> scene = balls(1);
   scene.settings.sleep_after.reset();
   Sleepers<double> sleepers(scene.world.bodies, scene.settings);
@@ -58,7 +58,7 @@ TEST(Sleepers, ABodySleepsAfterTheTimeForWhichItWasSlow) {
   EXPECT_TRUE(scene.body(1).velocity.isZero(0));
 }
 
-TEST(Sleepers, AFastFrameBeginsTheTimeAnew) {
+TEST(Sleepers, AFastFrameResetsTheTimer) {
   Scene<double> scene = balls(1);
   Sleepers<double> sleepers(scene.world.bodies, scene.settings);
   for (int i = 0; i < 60; ++i) {
@@ -103,7 +103,7 @@ TEST(Sleepers, AnIslandWakesAsAWholeWhenOneThatIsAwakeTouchesIt) {
   EXPECT_FALSE(sleepers.asleep(1));
 }
 
-TEST(Sleepers, WhatAScriptMovesWakesWhatItTouchesAndWhatStandsStillDoesNot) {
+TEST(Sleepers, AScriptedBodyWakesItsContactsOnlyIfItMoves) {
   for (const bool spins : {false, true}) {
     Scene<double> scene = balls(2);
     const int lift = scene.add_box({1, 1, 1}, {}, 0);

@@ -216,7 +216,7 @@ TEST(Restitution, BeginsAtTwiceWhatGravityAddsInASubStepAtEveryStep) {
   }
 }
 
-TEST(Restitution, WhatRestsDoesNotBounce) {
+TEST(Restitution, ARestingBodyDoesNotBounce) {
   Scene<double> scene;
   scene.restitution = 1;
   scene.settings.slop = 0.001;
@@ -309,7 +309,7 @@ TEST(Correction, BaumgarteLeavesNoMoreThanThePushSpeed) {
   }
 }
 
-TEST(Correction, ProjectionMovesTheWholeWayAtOnceAndGivesNoVelocity) {
+TEST(Correction, ProjectionCorrectsFullyAtOnceWithoutVelocity) {
   Scene<double> scene = two_balls(PositionCorrection::Projection);
   scene.settings.slop = 0.005;
   scene.advance();
@@ -392,7 +392,7 @@ TEST(Speculative, AFastBallIsStoppedByWhatItWouldPass) {
   }
 }
 
-TEST(Speculative, APointThatStaysApartIsNotTouched) {
+TEST(Speculative, ASeparatedPointGetsNoImpulse) {
   Scene<double> scene;
   scene.settings.speculative_margin = 1;
   scene.add_plane();

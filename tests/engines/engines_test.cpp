@@ -80,7 +80,7 @@ TEST(Engines, StepAPyramid) {
 
 /// A spinning hull with oblique axes, and a box on a lid that a script raises, without gravity. The
 /// initial energy checks masses, inertia and velocities; the box's gain checks the lid's speed.
-TEST(Engines, AreToldMassesVelocitiesAndScripts) {
+TEST(Engines, ReceiveMassesVelocitiesAndScripts) {
   const TemporaryFolder folder;
   const std::string scene = folder.write("tests/thrown.toml", R"(title = "Thrown"
 [time]

@@ -35,7 +35,7 @@ TEST(FieldBounds, SlowAreNeverWrongInAMillionQueries) {
   }
 }
 
-TEST(FieldBounds, OfANodeAreItsRounding) {
+TEST(FieldBounds, NodeBoundsAreWithinRounding) {
   // Fine nodes are within the band and the diagonal of a block of the surface, 2^15 steps.
   Random random(19);
   const double size = random.decade(-4, 4);

@@ -178,7 +178,7 @@ TEST(DistanceField, GradientsPointAwayFromTheSurface) {
   }
 }
 
-TEST(DistanceField, FarPointsGetTheWayToTheLattice) {
+TEST(DistanceField, FarPointsGetTheDistanceToTheLattice) {
   const PlacedField field = build_distance_field(make_box(Vec3d(1, 1, 1)), {.cells = 8});
   EXPECT_NEAR(field.exact(Vec3d(100, 0, 0)).distance, 99, 1e-12);
   EXPECT_NEAR(field.sample(Vec3d(100, 0, 0)).distance, 99, field.cell);
@@ -196,7 +196,7 @@ std::string refusal_of(const Shape<double>& shape, const FieldSettings& settings
   return "none";
 }
 
-TEST(DistanceField, RefusesMoreBytesThanAllowedAndSaysHowMany) {
+TEST(DistanceField, RefusesMoreBytesThanAllowedAndReportsHowMany) {
   const Shape<double> ball = Sphere<double>{1};
   // 4096 cells and a rim of 8: 1026 blocks a side, 1027^3 nodes of 16 bytes, 1026^3 numbers of 4.
   EXPECT_NE(refusal_of(ball, {.cells = 4096}).find("(21651489232 bytes)"), std::string::npos)

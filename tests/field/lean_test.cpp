@@ -21,7 +21,7 @@ Mesh<double> rough_ball(Random& random, double roughness) {
   return test::built(ball);
 }
 
-TEST(Lean, SlowNoWayToANearestPointLeansMore) {
+TEST(Lean, SlowNoNearestPointLeansMore) {
   Random random(31);
   long limited = 0, leaning = 0;
   for (int i = 0; i < 20; ++i) {

@@ -100,7 +100,7 @@ TEST(SmoothCells, SlowBlendWithinTheirPartOfACellNearlyEverywhere) {
   }
 }
 
-TEST(SmoothCells, NoneIfTheSettingSaysSoAndNoneAtEdgesOfABox) {
+TEST(SmoothCells, NoneIfDisabledAndNoneAtEdgesOfABox) {
   const Vec3d half(0.5, 0.3, 0.2);
   const PlacedField all = build_distance_field(make_box(half), {.cells = 32});
   const PlacedField some =

@@ -50,7 +50,7 @@ void expect_first_zero_stays() {
     EXPECT_TRUE(std::signbit(box.upper[k])) << k;
   }
 }
-TEST(Aabb, OfTwoZerosTheFirstStays) {
+TEST(Aabb, TheFirstOfTwoZerosIsKept) {
   expect_first_zero_stays<float>();
   expect_first_zero_stays<double>();
 }
@@ -83,7 +83,7 @@ void expect_queried_as_overlaps() {
   EXPECT_GT(overlapping, 500);
 }
 
-TEST(Aabb, ABoxThatIsAskedAboutManyOverlapsTheSameOnes) {
+TEST(Aabb, ABatchedOverlapTestMatchesSingleTests) {
   expect_queried_as_overlaps<float>();
   expect_queried_as_overlaps<double>();
 }

@@ -151,7 +151,7 @@ Mesh<double> mesh_of(const MeshInput& input) {
   return build_mesh(input.vertices, input.triangles);
 }
 
-TEST(AabbTree, AsksNoMoreTrianglesAfterTheFirstThatHolds) {
+TEST(AabbTree, StopsAfterTheFirstAcceptedTriangle) {
   Random random(31);
   const Mesh<double> mesh = make_grid(10, 10, 24, 24, 0.5);
   int stopped = 0;
@@ -223,7 +223,7 @@ TEST(AabbTree, AnEmptyBoxFindsNothing) {
   EXPECT_TRUE(found(grid.tree, Aabb<double>{}).empty());
 }
 
-TEST(AabbTree, TrianglesComeInTheSameOrderEachTimeWhateverTheBox) {
+TEST(AabbTree, TrianglesComeInTheSameOrderForEveryBox) {
   const Mesh<double> grid = make_grid(10, 10, 20, 20, 0.3);
   const std::vector<int> all = found(grid.tree, grid.tree.bounds());
   EXPECT_EQ(all, grid.tree.triangles);
@@ -238,7 +238,7 @@ TEST(AabbTree, TrianglesComeInTheSameOrderEachTimeWhateverTheBox) {
   }
 }
 
-TEST(AabbTree, ARecordedQueryTellsWhatItLookedAt) {
+TEST(AabbTree, ARecordedQueryHasWhatItVisited) {
   const Mesh<double> grid = make_grid(10, 10, 20, 20, 0);
   const Aabb<double> box{Vec3d(1.1, -1, 1.1), Vec3d(1.3, 1, 1.4)};  // inside one cell
   const trace::Tree record = grid.tree.recorded_query(box);
@@ -263,7 +263,7 @@ TEST(AabbTree, ARecordedQueryTellsWhatItLookedAt) {
   }
 }
 
-TEST(AabbTree, AQueryMissedAtTheRootLooksAtNothingElse) {
+TEST(AabbTree, AQueryMissedAtTheRootVisitsNothingElse) {
   const Mesh<double> grid = make_grid(10, 10, 20, 20, 0);
   const trace::Tree record = grid.tree.recorded_query({Vec3d(20, 0, 0), Vec3d(21, 1, 1)});
   ASSERT_EQ(record.visits.size(), 1u);
@@ -335,7 +335,7 @@ TEST(AabbTree, TheHeuristicBeatsHalvingOnASkewedMesh) {
   }
 }
 
-TEST(AabbTree, WhatIsATrillionTimesSmallerThanTheWholeIsCutAsWell) {
+TEST(AabbTree, ATrillionTimesSmallerPartIsSplitAsWell) {
   Random random(8);
   const auto small = random_soup(random, 2000, 1e-6, 1e-8, Vec3d::Zero());
   const Mesh<double> alone = mesh_of(small);

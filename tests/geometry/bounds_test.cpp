@@ -76,7 +76,7 @@ TYPED_TEST(Bounds, HoldEveryVertexOfAnyHull) {
   }
 }
 
-TYPED_TEST(Bounds, OfABoxIsTheBoxHoweverTurned) {
+TYPED_TEST(Bounds, BoxObbIsTheBoxAtAnyRotation) {
   using S = TypeParam;
   Random random(2);
   EXPECT_EQ(obb_of(Shape<S>(hull_cast<S>(make_box(Vec3d(0.5, 0.25, 0.1)))))->half_extents,
@@ -91,7 +91,7 @@ TYPED_TEST(Bounds, OfABoxIsTheBoxHoweverTurned) {
   }
 }
 
-TYPED_TEST(Bounds, OfATetrahedronIsTheCubeThatNoFaceLiesIn) {
+TYPED_TEST(Bounds, TetrahedronObbIsTheCubeNoFaceLiesIn) {
   using S = TypeParam;
   Random random(3);
   const std::vector<Vec3d> corners = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
@@ -155,7 +155,7 @@ TEST(SphereAround, ManyPointsOnASphereAndOneOrNone) {
   EXPECT_EQ(sphere_around<double>(std::vector<Vec3d>(3, Vec3d(1, 2, 3))).radius, 0);
 }
 
-TYPED_TEST(Bounds, OfRoundShapesAndNoneOfPlanes) {
+TYPED_TEST(Bounds, RoundShapesHaveThemPlanesDoNot) {
   using S = TypeParam;
   Random random(6);
   for (int trial = 0; trial < 200; ++trial) {
@@ -202,7 +202,7 @@ TYPED_TEST(Bounds, OfRoundShapesAndNoneOfPlanes) {
   EXPECT_FALSE(bounding_sphere_of(plane));
 }
 
-TYPED_TEST(Bounds, OfAMeshHoldItsVertices) {
+TYPED_TEST(Bounds, MeshBoundsHoldItsVertices) {
   using S = TypeParam;
   Random random(7);
   const Pose<double> pose = random.pose(100);

@@ -53,7 +53,7 @@ double reach(const Hull<double>& hull, const Vec3d& direction) {
   return farthest;
 }
 
-TEST(CoreHull, OfABoxIsTheSmallerBoxAndNumbersItsFeaturesAlike) {
+TEST(CoreHull, ABoxGivesASmallerBoxWithTheSameFeatureIds) {
   const Hull<double> box = make_box(Vec3d(0.5, 0.25, 1.0));
   const CoreHull core = core_hull(box, 0.02);
   EXPECT_EQ(core.margin, 0.02);

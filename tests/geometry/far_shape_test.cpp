@@ -19,7 +19,7 @@ Shape<double> box_at(const Vec3d& place) {
   return build_hull(corners);
 }
 
-TEST(FarShape, IsOneWhoseMiddleIsMoreThanFourRadiiAway) {
+TEST(FarShape, HasItsCentreMoreThanFourRadiiAway) {
   EXPECT_EQ(moved_origin(box_at({11.9, 0, 0})), Vec3d::Zero());  // its radius is 3
   EXPECT_EQ(moved_origin(box_at({0, -12.1, 0})), Vec3d(0, double(-12.1F), 0));
   EXPECT_EQ(moved_origin(make_box(Vec3d(1, 1, 1))), Vec3d::Zero());
@@ -36,7 +36,7 @@ TEST(FarShape, IsMovedToAPlaceThatAFloatHolds) {
   EXPECT_LT((origin - Vec3d(1234567.891, -0.1, 54321.987654321)).norm(), 0.1);
 }
 
-TEST(FarShape, OfAHullKeepsItsForm) {
+TEST(FarShape, AHullKeepsItsShape) {
   test::Generator random(1);
   const Points points = test::in_ball(random, 40);
   const Hull<double> near = build_hull(points);
@@ -64,7 +64,7 @@ TEST(FarShape, OfAHullKeepsItsForm) {
   EXPECT_EQ(hull.lanes, laid_out.lanes);
 }
 
-TEST(FarShape, OfAMeshKeepsItsTrianglesAndEdges) {
+TEST(FarShape, AMeshKeepsItsTrianglesAndEdges) {
   const Mesh<double> near = make_grid(4, 4, 8, 8, 0.5);
   std::vector<Vec3d> moved_vertices = near.vertices;
   const Vec3d away(0, 4096, -8192);
@@ -84,7 +84,7 @@ TEST(FarShape, OfAMeshKeepsItsTrianglesAndEdges) {
   EXPECT_LT((mesh.tree.bounds().center() - near.tree.bounds().center() - rest).norm(), 4e-12);
 }
 
-TEST(FarShape, OfACapsuleMovesItsEnds) {
+TEST(FarShape, ACapsuleMovesItsEnds) {
   const Capsule<double> pill{{Vec3d(100, 0, 0), Vec3d(102, 0, 0)}, 0.5};
   const Shape<double> centred = seen_from(pill, Vec3d(101, 0, 0));
   const auto& moved = std::get<Capsule<double>>(centred);

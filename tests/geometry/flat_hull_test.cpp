@@ -103,7 +103,7 @@ TEST(FlatHull, SolidsAreTheSameWhetherOrNotFlatOnesAreAllowed) {
   }
 }
 
-TEST(FlatHullRefuses, WhatIsNoPolygon) {
+TEST(FlatHullRefuses, NonPolygons) {
   const auto refusal = [](const Points& points) -> std::string {
     try {
       build_hull(points, {.weld_duplicates = true, .allow_flat = true});

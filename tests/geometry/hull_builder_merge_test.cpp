@@ -131,7 +131,7 @@ Hull<double> unmerged(const Points& points) {
   return triangulate_faces(build_hull(points));
 }
 
-TEST(UnmergedHull, OfAGridIsACubeOfTwelveTriangles) {
+TEST(UnmergedHull, AGridIsACubeOfTwelveTriangles) {
   const Hull<double> hull = unmerged(box_grid(3));
   EXPECT_TRUE(is_sound(hull));
   EXPECT_TRUE(is_convex(hull, 1e-15));

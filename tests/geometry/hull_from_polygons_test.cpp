@@ -83,7 +83,7 @@ Plane<double> plane_of(const Points& corners) {
   return hull_from_polygons(corners, {{0, 1, 2, 3}, {3, 2, 1, 0}}).planes[0];
 }
 
-TEST(NewellPlane, OfATurnedSquareFarAwayHasTheTurnedNormal) {
+TEST(NewellPlane, ARotatedSquareFarAwayHasTheRotatedNormal) {
   Generator random(1);
   const Points square = {Vec3d(-1, 0, 1), Vec3d(1, 0, 1), Vec3d(1, 0, -1), Vec3d(-1, 0, -1)};
   for (int i = 0; i < 20; ++i) {
@@ -96,7 +96,7 @@ TEST(NewellPlane, OfATurnedSquareFarAwayHasTheTurnedNormal) {
   }
 }
 
-TEST(NewellPlane, OfAWarpedSquareRunsThroughTheMean) {
+TEST(NewellPlane, AWarpedSquareHasThePlaneOfTheMean) {
   const Plane<double> plane =
       plane_of({Vec3d(-1, 0.1, 1), Vec3d(1, -0.1, 1), Vec3d(1, 0.1, -1), Vec3d(-1, -0.1, -1)});
   EXPECT_LT((plane.normal - Vec3d::UnitY()).norm(), 1e-15);

@@ -129,7 +129,7 @@ TEST(MeshAdjacency, AcrossATJunctionThereIsNoNeighbour) {
   expect_mutual(mesh);
 }
 
-TEST(MeshAdjacency, ThreeTrianglesOnOneEdgeAreReportedAndApart) {
+TEST(MeshAdjacency, ThreeTrianglesOnOneEdgeAreReportedUnlinked) {
   MeshInput book{{{0, 0, 0}, {0, 0, 1}}, {}};
   for (int page = 0; page < 3; ++page) {
     book.vertices.emplace_back(std::cos(page), std::sin(page), 0.5);
@@ -183,7 +183,7 @@ TEST(MeshAdjacency, EdgesAreConvexFromADegreeOn) {
   }
 }
 
-TEST(MeshAdjacency, ASheetFoldedOntoItselfIsConvexWhicheverWayRoundingFalls) {
+TEST(MeshAdjacency, ASheetFoldedOntoItselfIsConvexForAnyRounding) {
   for (const double rounding : {-1e-16, 0.0, 1e-16}) {
     MeshInput input = hinge(std::numbers::pi);
     input.vertices[3].y() = rounding;

@@ -10,7 +10,7 @@
 namespace contactscope::test {
 namespace {
 
-TEST(Grid, IsCentredOnTheOriginAndAsLargeAsAsked) {
+TEST(Grid, IsCentredOnTheOriginWithItsSize) {
   const Mesh<double> grid = make_grid(10, 4, 50, 20, 0.25);
   const Aabb<double> bounds = grid.tree.bounds();
   EXPECT_EQ(bounds.lower.x(), -5);
@@ -34,7 +34,7 @@ TEST(Grid, WithoutAmplitudeIsExactlyFlat) {
   for (const Vec3d& normal : grid.normals) EXPECT_EQ(normal, Vec3d::UnitY());
 }
 
-TEST(Grid, SlowWavesThreeTimesAlongEachSideAndAsHighAsAsked) {
+TEST(Grid, SlowHasThreeWavesAlongEachSideAndItsHeight) {
   const Mesh<double> grid = make_grid(12, 24, 120, 240, 0.25);
   const auto height = [&](int i, int j) {
     return grid.vertices[static_cast<std::size_t>(i + 121 * j)].y();

@@ -49,7 +49,7 @@ TEST(Mesh, TrianglesWithoutAnAreaAreDroppedAndReported) {
   EXPECT_THAT(report.zero_area_triangles, ElementsAre(0, 2, 3));
 }
 
-TEST(Mesh, TrianglesWithoutAnAreaAreKeptWhereThatIsAsked) {
+TEST(Mesh, DegenerateTrianglesAreKeptOnRequest) {
   const Mesh<double> mesh = build_mesh_with_flat_triangles(
       {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}, {3, 3, 0}, {3, 3, 3}});
   ASSERT_EQ(mesh.triangle_count(), 4);
@@ -157,7 +157,7 @@ TEST(TriangleNormal, IsRightForSliversAtEveryScaleAndPlace) {
   EXPECT_GT(kept, 10000);
 }
 
-TEST(TriangleNormal, OfATriangleThatIsKeptTurnsByLessThanADegreeWithTheLastDigit) {
+TEST(TriangleNormal, ChangesUnderADegreeByTheLastDigitIfTheTriangleIsKept) {
   Random random(2);
   double most = 0;
   for (int i = 0; i < 20000; ++i) {

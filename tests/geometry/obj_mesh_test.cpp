@@ -119,7 +119,7 @@ TEST(ObjMesh, AFileWithoutFacesIsRefused) {
   EXPECT_THAT(refusal_of(kSquare), AllOf(HasSubstr("no face"), HasSubstr("'f' lines")));
 }
 
-TEST(ObjMesh, WhatIsNoObjFileIsRefused) {
+TEST(ObjMesh, AnInvalidObjFileIsRefused) {
   EXPECT_THAT(refusal_of(std::string("\x89PNG\r\n\x1a\n\0\xff", 10)), HasSubstr(":1:1: '?PNG'"));
   EXPECT_THAT(refusal_of("v 0 0 0\nv 1 nan 0\nv 0 1 0\nf 1 2 3\n"), StartsWith(":2:5:"));
   EXPECT_THAT(refusal_of(""), HasSubstr("empty"));

@@ -135,7 +135,7 @@ TEST_F(Obj, AFaceThatNamesNoVertexIsRefusedAtItsLine) {
 TEST_F(Obj, AFaceOfMoreThanTenThousandCornersIsRefusedAtItsLine) {
   std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf";
   for (int i = 0; i <= 10'000; ++i) text += " " + std::to_string(1 + i % 3);
-  EXPECT_THAT(refusal_of(text), AllOf(StartsWith(":4:"), HasSubstr("cut it into faces")));
+  EXPECT_THAT(refusal_of(text), AllOf(StartsWith(":4:"), HasSubstr("split it into faces")));
 }
 
 TEST_F(Obj, ABackslashJoinsALineWithTheNext) {

@@ -39,7 +39,7 @@ TEST(MakeBox, VertexIndexSpellsTheSigns) {
   EXPECT_DOUBLE_EQ(measure(box).volume, 48);
 }
 
-TEST(MakeBox, OfAspectAMillionAndAnyScaleIsSound) {
+TEST(MakeBox, AspectAMillionIsSoundAtAnyScale) {
   for (const double scale : {1e-4, 1.0, 1e4}) {
     const Hull<double> box = make_box(scale * Vec3d(1, 1e-6, 1));
     EXPECT_TRUE(is_sound(box));

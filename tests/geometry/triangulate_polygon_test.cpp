@@ -162,7 +162,7 @@ TEST(TriangulatePolygon, AHoleJoinedByADoubleEdgeStaysOpen) {
                   {1, 1, 0}});
 }
 
-TEST(TriangulatePolygon, WhatCrossesItselfOrHasNoAreaStillGivesThatMany) {
+TEST(TriangulatePolygon, SelfCrossingOrZeroAreaStillGivesThatMany) {
   EXPECT_EQ(triangulate_polygon(Polygon{{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}}).size(), 2u);
   EXPECT_EQ(triangulate_polygon(Polygon(7, Vec3d(1, 2, 3))).size(), 5u);
   EXPECT_EQ(triangulate_polygon(star({1, -1, 1, -1, 1, -1, 1})).size(), 5u);

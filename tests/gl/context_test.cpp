@@ -105,7 +105,7 @@ TEST(ProbeRoutes, ReportsEveryRouteWithItsVersionAndRenderer) {
   EXPECT_EQ(reports.back().works, test::osmesa_is_installed()) << reports.back().failure;
 }
 
-TEST(ProbeRoutes, SaysWhyARouteFailsAndWhatToDo) {
+TEST(ProbeRoutes, ReportsWhyARouteFailsAndWhatToDo) {
   const std::vector<RouteReport> reports = probe_routes({kMissing, kMissing});
   ASSERT_EQ(reports.size(), 2u);
   for (const RouteReport& report : reports) {

@@ -42,7 +42,7 @@ TEST(GlyphAtlas, PlacesNeverOverlapAndHoldTheirBitmaps) {
   }
 }
 
-TEST(GlyphAtlas, AskingAgainGivesTheSamePlaceAndNoChange) {
+TEST(GlyphAtlas, ASecondLookupGivesTheSamePlaceAndNoChange) {
   GlyphAtlas atlas;
   const GlyphKey key{U'g', 20, FontWeight::Bold, 1, 2};
   const GlyphPlace first = atlas.find(key);

@@ -157,7 +157,7 @@ TEST_F(RasterizerTest, FillsOfEitherWindingHaveTheirArea) {
   EXPECT_NEAR(ink(paint(*context_, 120, 120, {hexagon})), area, 0.005 * area);
 }
 
-TEST_F(RasterizerTest, WhatHasNoAreaPaintsNothing) {
+TEST_F(RasterizerTest, PrimitivesWithoutAreaPaintNothing) {
   const Color black{0, 0, 0, 1};
   const Image image =
       paint(*context_, 40, 40,

@@ -71,7 +71,7 @@ TEST(BenchHistory, RatiosDoNotJumpWithoutAReason) {
   EXPECT_THAT(faults_of(history), IsEmpty());
 }
 
-TEST(BenchHistory, JumpsAreSeenEitherWay) {
+TEST(BenchHistory, JumpsAreSeenUpAndDown) {
   EXPECT_THAT(faults_of("a\t1\t2.0\t\na\t2\t2.29\t\nb\t1\t1\t\nb\t2\t0.88\t\n"), IsEmpty());
   EXPECT_THAT(faults_of("# why\n\na\t1\t2.0\t\na\t2\t2.4\t\nb\t2\t1\t\n"),
               ElementsAre(HasSubstr("line 4: a is 2.4 at 2, 20 % off the row before")));
@@ -83,7 +83,7 @@ TEST(BenchHistory, JumpsAreSeenEitherWay) {
               ElementsAre(HasSubstr("line 3: a is 9 at 3")));
 }
 
-TEST(BenchHistory, LinesThatCannotBeReadAreTold) {
+TEST(BenchHistory, UnreadableLinesAreReported) {
   EXPECT_THAT(faults_of("a\t1\n"), ElementsAre(HasSubstr("line 1: benchmark, commit")));
   EXPECT_THAT(faults_of("a\t1\tfast\t\na\t1\t0\t\na\t1\tinf\t\n"),
               ElementsAre(HasSubstr("'fast' is no ratio"), HasSubstr("'0' is no ratio"),

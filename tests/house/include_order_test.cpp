@@ -81,13 +81,13 @@ TEST(IncludeOrder, AnIncludeOfNoFileIsCaught) {
               ElementsAre("src/core/pose.h:1: \"core/pse.h\" is no file of src or render"));
 }
 
-TEST(IncludeOrder, AFileBesideItsUserIsFound) {
+TEST(IncludeOrder, AFileNextToItsUserIsFound) {
   EXPECT_THAT(
       include_violations({{"src/core/pose.cpp", "#include \"pose.h\""}, {"src/core/pose.h", ""}}),
       IsEmpty());
 }
 
-TEST(IncludeOrder, AFileOfAFolderBesideIsFoundAndHeldToTheOrder) {
+TEST(IncludeOrder, AFileOfASiblingFolderIsFoundAndChecked) {
   const std::vector<SourceFile> files = {
       {"src/adapters/engine.h",
        "#include \"../recorder/contactscope.h\"\n#include \"../core/at.h\""},

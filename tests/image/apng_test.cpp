@@ -106,7 +106,7 @@ TEST(Apng, KeepsOnlyWhatChanged) {
   EXPECT_EQ(shown[2].box, (PixelBox{0, 0, 1, 1})) << "nothing changed";
 }
 
-TEST(Apng, SaysHowManyPicturesAndThatItPlaysForever) {
+TEST(Apng, HasTheNumberOfPicturesAndPlaysForever) {
   ApngEncoder encoder;
   encoder.add(dot_on_white(10), 40);
   encoder.add(dot_on_white(20), 40);

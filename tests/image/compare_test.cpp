@@ -61,7 +61,7 @@ TEST(ComparePixels, CatchesADotMovedByTwoPixels) {
   }
 }
 
-TEST(ComparePixels, CatchesAMissingDotAndSaysWhere) {
+TEST(ComparePixels, CatchesAMissingDotAndReportsWhere) {
   SceneOptions missing;
   missing.with_dot = false;
   const PixelComparison result = compare_pixels(scene(), scene(missing));
@@ -95,7 +95,7 @@ TEST(ComparePixels, CatchesAWrongSize) {
   EXPECT_EQ(compare_pixels(scene(), Image()).verdict, PixelVerdict::SizeDiffers);
 }
 
-TEST(ComparePixels, LetsRoundingOfTwoStepsPassEverywhere) {
+TEST(ComparePixels, AcceptsRoundingOfTwoStepsEverywhere) {
   Image rounded = scene();
   std::mt19937 random(7);
   std::uniform_int_distribution<int> noise(-2, 2);
@@ -119,7 +119,7 @@ TEST(ComparePixels, CountsAStepOfThreeInOneChannel) {
   EXPECT_EQ(compare_pixels(scene(), other).verdict, PixelVerdict::WithinTolerance);
 }
 
-TEST(ComparePixels, LetsFortyScatteredPixelsInPairsPass) {
+TEST(ComparePixels, AcceptsFortyScatteredPixelsInPairs) {
   Image scattered = scene();
   for (int i = 0; i < 20; ++i) {
     const int x = 10 + 11 * i, y = 5 + 7 * (i % 20);

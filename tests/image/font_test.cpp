@@ -168,7 +168,7 @@ TEST(Font, TheEmbeddedOneComesFirst) {
   EXPECT_EQ(font_data(FontWeight::Regular, 1).size(), data.size());
 }
 
-TEST(Font, WhatIsNoFontIsRefusedAndForgotten) {
+TEST(Font, AnInvalidFontIsRefusedAndDropped) {
   const std::string path = ::testing::TempDir() + "none.ttf";
   const std::string text = "this is a text and no font at all";
   write_whole_file(path, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});

@@ -163,10 +163,10 @@ TEST_F(Png, BrokenFilesAreErrorsWithThePath) {
   };
   EXPECT_EQ(record("a.png"), path("a.png") + ": cannot be read as a PNG: it is cut off or damaged");
   for (const char* name : {"empty.png", "text.png"})
-    EXPECT_EQ(record(name), path(name) + ": cannot be read as a PNG: it is none");
+    EXPECT_EQ(record(name), path(name) + ": cannot be read as a PNG: it is not one");
 }
 
-TEST_F(Png, SaysWhatItIsBeforeItsPixels) {
+TEST_F(Png, HasItsTextBeforeItsPixels) {
   const PngText text = {{"Software", "contactscope 1.2.3"},
                         {"Title", "Über zwei Zeilen:\n–40 °C"},
                         {"Command", "contactscope render a --frames 1"}};

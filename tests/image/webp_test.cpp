@@ -43,7 +43,7 @@ TEST(Webp, KeepsAlphaAndTheColoursUnderIt) {
   WebPFree(rgba);
 }
 
-TEST(Webp, SaysWhatItIs) {
+TEST(Webp, ContainsItsDescription) {
   const Bytes file = encode_webp(testing::dot_on_white(30), "<x>about</x>");
   EXPECT_EQ(decoded(file), testing::dot_on_white(30));
   EXPECT_NE(std::string(file.begin(), file.end()).find("<x>about</x>"), std::string::npos);

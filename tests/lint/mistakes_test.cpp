@@ -195,7 +195,7 @@ std::vector<Seed> seeds() {
   };
 }
 
-TEST(Lint, NothingIsSaidOfTracesThatAreRight) {
+TEST(Lint, CorrectTracesHaveNoFindings) {
   for (const Trace* trace : {&heap(), &stack(), &terrain()})
     EXPECT_THAT(causes_of(lint(*trace)), IsEmpty()) << trace->header.scenario;
 }

@@ -30,7 +30,7 @@ double lowest_corner(const Quatd& rotation) {
   return rotation.toRotationMatrix().row(1).cwiseAbs().dot(Vec3d(0.3, 0.2, 0.4));
 }
 
-TEST(OwnContacts, OfARoundedHullOnAMeshAreDeeperByTheMargin) {
+TEST(OwnContacts, ARoundedHullOnAMeshIsDeeperByTheMargin) {
   const Quatd leaning(Eigen::AngleAxisd(0.4, Vec3d(1, 0.3, 0.2).normalized()));
   for (const Quatd& rotation : {Quatd(Quatd::Identity()), leaning}) {
     for (const double margin : {0.0, 0.05, 0.2}) {
@@ -46,7 +46,7 @@ TEST(OwnContacts, OfARoundedHullOnAMeshAreDeeperByTheMargin) {
   }
 }
 
-TEST(OwnContacts, OfShapesFartherApartThanTheirMarginsAreNone) {
+TEST(OwnContacts, ShapesBeyondTheirMarginsHaveNone) {
   const Solid on_top(rounded_box(0.05)), below(floor_of_triangles());
   const auto found =
       own_contacts({&below, {}}, {&on_top, {Quatd(Quatd::Identity()), Vec3d(0, 0.26, 0)}});

@@ -1,4 +1,4 @@
-#include "manifold/collide_box_box.h"
+#include "manifold/fast/collide_box_box.h"
 
 #include <gtest/gtest.h>
 

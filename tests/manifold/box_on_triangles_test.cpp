@@ -1,4 +1,4 @@
-#include "manifold/box_on_triangles.h"
+#include "manifold/fast/box_on_triangles.h"
 
 #include <gtest/gtest.h>
 
@@ -100,7 +100,7 @@ Hull<double> any_box(Random& random, double size) {
   return make_box(half);
 }
 
-TYPED_TEST(BoxOnTriangle, OfAnySizeInAnyPoseIsAsForAnyHull) {
+TYPED_TEST(BoxOnTriangle, AnySizeAndPoseMatchesTheGeneralHull) {
   using S = TypeParam;
   Random random(71);
   Done done;

@@ -191,7 +191,7 @@ TEST(Capabilities, EveryClaimedCellAnswersRight) {
   EXPECT_GT(claimed, 100);
 }
 
-TEST(Capabilities, WhatIsRefusedHasAReasonThatSaysWhatElse) {
+TEST(Capabilities, RefusalsHaveAReasonAndAnAlternative) {
   for_every_cell([&](QueryMethod method, QueryKind query, ShapeKind one, ShapeKind other) {
     const std::optional<std::string> reason = refusal(method, query, one, other);
     EXPECT_EQ(reason, refusal(method, query, other, one));

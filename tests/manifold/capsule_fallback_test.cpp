@@ -84,7 +84,7 @@ TYPED_TEST(CapsuleFallback, OverlappingAxesInParallelGiveAPerpendicularAndTwoPoi
   }
 }
 
-TYPED_TEST(CapsuleFallback, PointsOnAnAxisAndPointsOnPointsAreToldApart) {
+TYPED_TEST(CapsuleFallback, PointOnAxisDiffersFromPointOnPoint) {
   using S = TypeParam;
   const Shape<double> point = test::upright_capsule(0, 0.3);
   const Shape<double> capsule = test::lying_capsule(1, 0.2);
@@ -128,7 +128,7 @@ Changes largest_changes(PlacedShapes pair, int frames, const Motion& pose) {
   return changes;
 }
 
-TYPED_TEST(CapsuleFallback, IsAtRightAnglesToBothAxesAndAsDeepAsTheyAreHoweverSmallTheirAngle) {
+TYPED_TEST(CapsuleFallback, IsPerpendicularToBothAxesAndAsDeepAsTheyAreAtAnySmallAngle) {
   using S = TypeParam;
   test::Random random(3);
   int two_points = 0, degenerate = 0;

@@ -1,4 +1,4 @@
-#include "manifold/clear_of_triangle.h"
+#include "manifold/fast/clear_of_triangle.h"
 
 #include <gtest/gtest.h>
 
@@ -56,7 +56,7 @@ class ClearTriangles : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(ClearTriangles, Scalars);
 
-TYPED_TEST(ClearTriangles, AreApartByTheSeparatingAxisTest) {
+TYPED_TEST(ClearTriangles, AreSeparatedByTheSeparatingAxisTest) {
   using S = TypeParam;
   Random random(41);
   int clear = 0, gap = 0;

@@ -52,7 +52,7 @@ TEST(Clip, LeavesNothingOfAPolygonOutside) {
               false);
 }
 
-TEST(Clip, ThroughTwoCornersMakesNoSecondCornersBesideThem) {
+TEST(Clip, ThroughTwoCornersAddsNoDuplicateCorners) {
   // The plane runs along a diagonal: the corners on it stay, nothing is added.
   const Vec3d diagonal = Vec3d(1, 0, 1).normalized();
   ClipPolygon<double> result;

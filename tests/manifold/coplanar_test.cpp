@@ -112,7 +112,7 @@ TYPED_TEST(Coplanar, TrianglesThatDoNotMeetStillGiveAPoint) {
   EXPECT_EQ(test::collide(pair.cast<S>()).points.size(), 4u);
 }
 
-TYPED_TEST(Coplanar, SlowUnmergedHullsAreNeverWithoutContactAndAsDeepAsBruteForceSays) {
+TYPED_TEST(Coplanar, SlowUnmergedHullsAlwaysHaveContactWithTheBruteForceDepth) {
   using S = TypeParam;
   Random random(20150303);
   int touching = 0;

@@ -44,7 +44,7 @@ Made create(const PairCase<double>& pair, AxisKind chosen, AxisKind deepest) {
   return made;
 }
 
-TEST(CreateContact, ADeepestFaceBesideWhichTheSupportHangsOverTouchesAtItsRim) {
+TEST(CreateContact, ADeepestFaceWithItsSupportOutsideTouchesAtItsRim) {
   const Made made = create(overhanging(), AxisKind::FaceA, AxisKind::FaceA);
   ASSERT_NEAR(made.axes.face_a.separation, -0.02, 1e-12);
   ASSERT_FALSE(made.contact.points.empty());
@@ -66,7 +66,7 @@ TEST(CreateContact, ADeepestFaceBesideWhichTheSupportHangsOverTouchesAtItsRim) {
 
 // A knife with its edge down, level, along x. Its ends lean outwards as they rise and face down
 // more than its sides do. So the end at the support vertex is clipped, and all of it is outside A.
-TEST(CreateContact, AKnifeWhoseEndIsBesideTouchesWhereItsEdgeIsAbove) {
+TEST(CreateContact, AKnifeWithItsEndOutsideTouchesWhereItsEdgeIsAbove) {
   const double width = 0.05, height = 1, lean = 1.5;
   std::vector<Vec3d> points;
   for (const double x : {1.0, -1.0}) {
@@ -91,7 +91,7 @@ TEST(CreateContact, AKnifeWhoseEndIsBesideTouchesWhereItsEdgeIsAbove) {
   }
 }
 
-TEST(CreateContact, ShallowPreferredFaceGivesWayToTheDeepestAxis) {
+TEST(CreateContact, ShallowPreferredFaceYieldsToTheDeepestAxis) {
   // If the sides of the preferred face slope outwards below it, its deepest point may lie outside
   // it, and the clip may be shallower than the least overlap allows: a few pairs in a hundred.
   test::Random random(3);

@@ -37,7 +37,7 @@ CollideOptions reduced_by(const char* reducer) {
   return options;
 }
 
-TEST(Decisions, AreToldOnlyWhereTheyAreAskedFor) {
+TEST(Decisions, AreRecordedOnlyOnRequest) {
   const PairCase<double> pair = test::stacked_cubes(20 * kDegree, 0.01);
   EXPECT_TRUE(test::record_of<double>(shapes_of(pair)).decisions.empty());
   EXPECT_FALSE(decided(pair).decisions.empty());
@@ -91,7 +91,7 @@ TEST(Decisions, AMarginIsTheChangeAfterWhichTheAxisIsAnother) {
   EXPECT_EQ(decision(at(below), "axis")->over, decision(at(above), "axis")->took);
 }
 
-TEST(Decisions, SeparatedCubesTellHowFarTheyAreFromTouching) {
+TEST(Decisions, SeparatedCubesReportTheirSeparation) {
   const trace::Pair pair = decided(test::stacked_cubes(20 * kDegree, -0.25));
   const trace::Decision* const contact = decision(pair, "contact");
   ASSERT_NE(contact, nullptr);
@@ -100,7 +100,7 @@ TEST(Decisions, SeparatedCubesTellHowFarTheyAreFromTouching) {
   EXPECT_EQ(decision(pair, "axis"), nullptr);
 }
 
-TEST(Decisions, EachStepOfAReducerTellsTheRunnerUp) {
+TEST(Decisions, EachStepOfAReducerHasTheRunnerUp) {
   const trace::Pair pair = decided(test::stacked_cubes(30 * kDegree, 0.01), reduced_by("area"));
   int steps = 0;
   for (const trace::Decision& recorded : pair.decisions) {
@@ -114,7 +114,7 @@ TEST(Decisions, EachStepOfAReducerTellsTheRunnerUp) {
   EXPECT_EQ(steps, 4);
 }
 
-TEST(Decisions, TheBestAreaTellsBySoMuchItIsTheBest) {
+TEST(Decisions, TheBestAreaHasItsMargin) {
   const trace::Pair pair = decided(test::stacked_cubes(30 * kDegree, 0.01), reduced_by("optimal"));
   const trace::Decision* const points = decision(pair, "points");
   ASSERT_NE(points, nullptr);
@@ -124,7 +124,7 @@ TEST(Decisions, TheBestAreaTellsBySoMuchItIsTheBest) {
   EXPECT_LT(*points->margin_area, 0.2);
 }
 
-TEST(Decisions, OfTradedShapesAreOfTheOther) {
+TEST(Decisions, MirroringSwapsTheShapes) {
   const PairCase<double> pair = test::stacked_cubes(20 * kDegree, 0.01);
   trace::Pair record = decided(pair);
   trace::mirror(record);
@@ -136,7 +136,7 @@ trace::Flip flip_of(const PlacedShapes& pair, const CollideOptions& options = {}
   return flip_distance<double>(pair.a, pair.pose_a, pair.b, pair.pose_b, options);
 }
 
-TEST(FlipDistance, OfABallOnAFaceIsTheWayOutOfIt) {
+TEST(FlipDistance, BallOnAFaceHasTheDistanceOutOfIt) {
   const Shape<double> box = test::cube(0.5);
   for (const double overlap : {0.001, 0.002, 0.004}) {
     const trace::Flip flip =
@@ -148,7 +148,7 @@ TEST(FlipDistance, OfABallOnAFaceIsTheWayOutOfIt) {
   }
 }
 
-TEST(FlipDistance, BesideATieIsAsNearAsTheTie) {
+TEST(FlipDistance, NearATieIsTheTurnToTheTie) {
   // A cube on its edge over a face: a turn to either side changes the incident face, at 45 degrees.
   for (const double off : {1e-4, 1e-3}) {
     PairCase<double> pair{test::cube(0.5), test::at(0, 0, 0), test::cube(0.3),
@@ -175,7 +175,7 @@ TEST(FlipDistance, TheSameSeedGivesTheSame) {
   EXPECT_EQ(flip_of(pair), flip_of(pair));
 }
 
-TEST(FlipDistance, OfShapesThatAreApartThereIsNone) {
+TEST(FlipDistance, SeparatedShapesHaveNone) {
   const trace::Flip flip = flip_of(shapes_of(test::stacked_cubes(30 * kDegree, -0.01)));
   EXPECT_FALSE(flip.offset || flip.turn || flip.last_places);
 }

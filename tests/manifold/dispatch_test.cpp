@@ -114,7 +114,7 @@ TEST(Dispatch, TwoPlanesMakeNoContact) {
   EXPECT_EQ(record.kind, "plane-plane");
 }
 
-TYPED_TEST(Dispatch, SlowTradingShapesOfDifferentKindsMirrorsEveryBit) {
+TYPED_TEST(Dispatch, SlowSwappingShapesOfDifferentKindsMirrorsEveryBit) {
   using S = TypeParam;
   test::Random random(1);
   for (const ShapeKind a : kKinds) {
@@ -145,7 +145,7 @@ PlacedShapes coincident_pair(test::Random& random, ShapeKind kind, int number) {
   return pair;
 }
 
-TYPED_TEST(Dispatch, TradingTwoRoundShapesMirrorsEveryBitAlsoWhereTheirCentresCoincide) {
+TYPED_TEST(Dispatch, SwappingTwoRoundShapesMirrorsEveryBitAlsoAtEqualCentres) {
   using S = TypeParam;
   test::Random random(2);
   for (const ShapeKind kind : {ShapeKind::Sphere, ShapeKind::Capsule}) {
@@ -165,7 +165,7 @@ TYPED_TEST(Dispatch, TradingTwoRoundShapesMirrorsEveryBitAlsoWhereTheirCentresCo
 }
 
 // If one face is clearly the best, swapping the hulls changes only rounding.
-TYPED_TEST(Dispatch, SlowTradingTwoHullsMirrorsTheContactUnlessFacesOfBothAreNearlyAsDeep) {
+TYPED_TEST(Dispatch, SlowSwappingTwoHullsMirrorsTheContactUnlessBothFacesTie) {
   using S = TypeParam;
   constexpr double kEpsilon = std::numeric_limits<S>::epsilon();
   test::Random random(5);
@@ -226,7 +226,7 @@ TYPED_TEST(Dispatch, SlowRecordingChangesNoBitOfAnyPair) {
   }
 }
 
-TYPED_TEST(Dispatch, ARecordIsToldInTheOrderOfTheArguments) {
+TYPED_TEST(Dispatch, ARecordIsInTheOrderOfTheArguments) {
   using S = TypeParam;
   test::Random random(4);
   for (const ShapeKind a : kKinds) {
@@ -249,7 +249,7 @@ TYPED_TEST(Dispatch, ARecordIsToldInTheOrderOfTheArguments) {
   }
 }
 
-TYPED_TEST(Dispatch, SlowTradingTheArgumentsMirrorsTheWholeRecord) {
+TYPED_TEST(Dispatch, SlowSwappingTheArgumentsMirrorsTheWholeRecord) {
   using S = TypeParam;
   trace::Stages all;
   all.gauss_map = all.minkowski = true;

@@ -86,7 +86,7 @@ class FaceOverEdge : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(FaceOverEdge, Scalars);
 
-TYPED_TEST(FaceOverEdge, BoxesAQuarterTurnApartTouchWithFaces) {
+TYPED_TEST(FaceOverEdge, BoxesAtAQuarterTurnTouchWithFaces) {
   const TurnedBox a{{1, 2, 2}, {test::about(Vec3d::UnitY(), test::kDegree * 90), {4, -8, 0}}};
   const TurnedBox b{{3, 2, 3}, {test::about(Vec3d::UnitX(), test::kDegree * 90), {3, -11, -2}}};
   expect_points_on_both<TypeParam>(a, b);

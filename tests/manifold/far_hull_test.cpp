@@ -92,7 +92,7 @@ TEST_P(FarHulls, GivenFarFromTheirOriginWithTheOppositePoseAreAsDeep) {
 }
 
 /// Level geometry: every hull is in the level's own coordinates, and all have the same pose.
-TEST_P(FarHulls, OfALevelInItsOwnCoordinatesLoseNoOverlap) {
+TEST_P(FarHulls, InLevelCoordinatesLoseNoOverlap) {
   Random random(22);
   int wrong_unmoved = 0;
   for (int i = 0; i < 300; ++i) {

@@ -225,7 +225,7 @@ TEST(FieldPairs, RoundShapesMeshesAndOtherFieldsMeetAField) {
   EXPECT_EQ(depth(test::lying_capsule(0.3, 0.2), 0.21), -std::numeric_limits<double>::infinity());
 }
 
-TEST(FieldPairs, WhatIsWhollyInsideIsFound) {
+TEST(FieldPairs, AShapeWhollyInsideIsFound) {
   const Shape<double> small = field_of(make_box(Vec3d(0.1, 0.1, 0.1)), {.cells = 8});
   const Shape<double> large = field_of(make_box(Vec3d(1, 1, 1)), {.cells = 8});
   const Pose<double> inside = test::at(0.5, 0, 0);
@@ -390,7 +390,7 @@ TEST(FieldPairs, ASeparatedMeshIsAsFarAsItsNearestTriangle) {
   }
 }
 
-TEST(FieldPairs, TradingTheArgumentsMirrorsTheContact) {
+TEST(FieldPairs, SwappingTheArgumentsMirrorsTheContact) {
   const Shape<double> field = field_of(make_box(Vec3d(1, 0.5, 1)), {.cells = 16});
   const Shape<double> box = make_box(Vec3d(0.3, 0.3, 0.3));
   const Pose<double> pose{test::about({1, 2, 3}, 0.4), {0.1, 0.9, 0.2}};

@@ -7,7 +7,7 @@ namespace contactscope {
 namespace {
 
 // GJK searches for the closest point over an edge and a vertex, but not above a face.
-TEST(GjkRecord, TellsTheStepsOfGjkWhereItRan) {
+TEST(GjkRecord, HasTheStepsOfGjkIfItRan) {
   const Shape<double> box = test::cube(0.5);
   const auto record_at = [&](const Vec3d& center) {
     return test::record_of<double>({box, {}, test::ball(0.5), {Quatd::Identity(), center}});

@@ -24,7 +24,7 @@ class ContactIds : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(ContactIds, Scalars);
 
-TYPED_TEST(ContactIds, FlipWhenAAndBTradePlaces) {
+TYPED_TEST(ContactIds, FlipWhenAAndBAreSwapped) {
   using S = TypeParam;
   // Box on box in general position: the same two faces meet whichever is the reference.
   test::Random random(2007);
@@ -56,7 +56,7 @@ TYPED_TEST(ContactIds, FlipWhenAAndBTradePlaces) {
   }
 }
 
-TYPED_TEST(ContactIds, OfAnEdgeContactFlipToo) {
+TYPED_TEST(ContactIds, FlipForAnEdgeContactToo) {
   using S = TypeParam;
   const PairCase<S> pair = test::crossed_edges(1, 0.01).cast<S>();
   const Manifold<S> there = collide(pair);
@@ -95,7 +95,7 @@ TYPED_TEST(ContactIds, StayWhileTheFeaturesStay) {
   }
 }
 
-TYPED_TEST(ContactIds, OfACornerInsideTheOtherFaceAreItsTwoEdges) {
+TYPED_TEST(ContactIds, ACornerInsideTheOtherFaceHasItsTwoEdges) {
   using S = TypeParam;
   const PairCase<double> pair{make_box({5, 1, 5}), test::at(0, -1, 0), test::cube(0.5),
                               test::at(1, 0.49, 2)};

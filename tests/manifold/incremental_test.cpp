@@ -136,7 +136,7 @@ TYPED_TEST(Incremental, APointOverTheEdgeNoLongerFacesItsFeature) {
   EXPECT_THAT(reasons, ElementsAre("other features", "other features"));
 }
 
-TYPED_TEST(Incremental, ANewPointThatIsTooCloseTakesThePlaceOfTheOldOneAndItsName) {
+TYPED_TEST(Incremental, APointTooCloseToAnOldOneReplacesItAndTakesItsName) {
   using S = TypeParam;
   // A sphere moves sideways and turns, so that its own place moves too.
   Stepped<S> pair(ball(0.5), box(2, 0.5, 2));
@@ -331,7 +331,7 @@ TEST(IncrementalManifold, IsLeftBehindWhenTheShapesPart) {
   EXPECT_TRUE(pair.persistent().points.empty());
 }
 
-TEST(IncrementalManifold, TradingTheShapesMirrorsTheRecord) {
+TEST(IncrementalManifold, SwappingTheShapesMirrorsTheRecord) {
   Stepped<double> pair(box(0.5, 0.5, 0.5), ground()), swapped(ground(), box(0.5, 0.5, 0.5));
   const trace::Pair recorded = pair.record(at(0, 0.49, 0), at(0, 0, 0));
   const trace::Pair other = swapped.record(at(0, 0, 0), at(0, 0.49, 0));
@@ -425,7 +425,7 @@ TEST(IncrementalManifold, WithoutAReducerABoxThatTurnsKeepsItsFourCorners) {
   EXPECT_EQ(most, 4U);  // equal features are the same point
 }
 
-TEST(IncrementalManifold, EveryPenetrationMethodTellsItsNameAndAboutTheSameDepth) {
+TEST(IncrementalManifold, EveryPenetrationMethodReportsItsNameAndASimilarDepth) {
   for (const PenetrationMethod method : {PenetrationMethod::Sat, PenetrationMethod::Epa,
                                          PenetrationMethod::Mpr, PenetrationMethod::Sampling}) {
     Stepped<double> pair(box(0.5, 0.5, 0.5), box(2, 0.5, 2));

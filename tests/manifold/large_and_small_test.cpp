@@ -60,7 +60,7 @@ void expect_points_at(const Small& small, const PlacedShapes& pair, double size,
     EXPECT_NEAR(point.separation, -0.01 * size, 4e-7) << small.name << size << ' ' << reach;
 }
 
-TYPED_TEST(LargeAndSmall, AsManyPointsOnAFloorHoweverLargeItIs) {
+TYPED_TEST(LargeAndSmall, AsManyPointsOnAFloorOfAnySize) {
   using S = TypeParam;
   test::Random random(31);
   for (const double size : {0.01, 0.1, 1.0}) {
@@ -85,7 +85,7 @@ TYPED_TEST(LargeAndSmall, AsManyPointsOnAFloorHoweverLargeItIs) {
 }
 
 // Turned by 20 degrees, two of the crate's corners overhang on each side of the beam: six points.
-TYPED_TEST(LargeAndSmall, ABeamCutsOffWhatHangsOverItsSidesHoweverLongItIs) {
+TYPED_TEST(LargeAndSmall, ABeamOfAnyLengthCutsOffWhatHangsOverItsSides) {
   using S = TypeParam;
   test::Random random(32);
   for (double reach = 10; reach < 2e6; reach *= 3) {
@@ -109,7 +109,7 @@ TYPED_TEST(LargeAndSmall, ABeamCutsOffWhatHangsOverItsSidesHoweverLongItIs) {
 }
 
 // The same contact, recorded or not, in either order, reduced or not.
-TYPED_TEST(LargeAndSmall, IsToldAsItIsReturned) {
+TYPED_TEST(LargeAndSmall, RecordMatchesTheResult) {
   using S = TypeParam;
   const PlacedShapes pair{test::cube(0.01),
                           {Quatd::Identity(), {0.31, 0.0099, 0.2}},

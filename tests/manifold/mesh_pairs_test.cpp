@@ -103,7 +103,7 @@ TEST(MeshPairs, ASphereIsAsFarFromATriangleAsItsClosestPoint) {
   EXPECT_GT(touching, 400);
 }
 
-TEST(MeshPairs, ACapsuleBesideATriangleIsAsFarAsTheClosestPoints) {
+TEST(MeshPairs, ACapsuleNextToATriangleHasTheClosestDistance) {
   test::Random random(12);
   int touching = 0;
   for (int i = 0; i < 4000; ++i) {
@@ -175,7 +175,7 @@ TEST(MeshPairs, ACapsuleAlongAnEdgeHasTwoPointsWhereverItIsAboutTheEdge) {
   }
 }
 
-TEST(MeshPairs, AHullOverlapsATriangleAsDeepAsTheShallowestOfAllAxesSays) {
+TEST(MeshPairs, AHullOverlapsATriangleByTheShallowestOfAllAxes) {
   test::Random random(13);
   int touching = 0;
   CollideOptions exact;
@@ -293,7 +293,7 @@ void next_to_edges(double size, const Visit& visit) {
         visit(Vec3d(size * (on_edge + offset * displacement)));
 }
 
-TEST(MeshPairs, NothingFeelsAnEdgeOfAFlatFloorHoweverNearToItItIs) {
+TEST(MeshPairs, NothingFeelsAnEdgeOfAFlatFloorAtAnyDistance) {
   for (const double size : {1e-3, 1.0, 1e3}) {
     const Mesh<double> floor = make_grid(8 * size, 8 * size, 8, 8, 0);
     for (const Slider& slider : sliders(size)) {
@@ -448,7 +448,7 @@ void expect_recorded_and_skipped(const PlacedShapes& pair, const Vec3d& front) {
   EXPECT_NEAR(skipped.separation, -radius, 1e-6 * radius);
 }
 
-TEST(MeshPairs, ACentreInTheSurfaceIsToldAsDegenerateAndCanBeSkipped) {
+TEST(MeshPairs, ACentreInTheSurfaceIsDegenerateAndCanBeSkipped) {
   test::Random random(16);
   for (const double size : {1e-4, 1.0, 1e4}) {
     const Mesh<double> grid = make_grid(4 * size, 4 * size, 8, 8, 0);
@@ -467,7 +467,7 @@ TEST(MeshPairs, ACentreInTheSurfaceIsToldAsDegenerateAndCanBeSkipped) {
 // ---------------------------------------------------------------------------------------------
 // Records
 
-TEST(MeshPairs, ARecordTellsHowTheTrianglesWereFound) {
+TEST(MeshPairs, ARecordHasTheTraversalOfTheTree) {
   const Mesh<double> floor = make_grid(8, 8, 16, 16, 0);
   const PlacedShapes pair{test::ball(0.3), at(0.1, 0.25, 0.2), floor, at(0, 0, 0)};
   const trace::Pair record = test::record_of<double>(pair);
@@ -491,7 +491,7 @@ TEST(MeshPairs, ARecordTellsHowTheTrianglesWereFound) {
   }
 }
 
-TEST(MeshPairs, ASphereFarFromEveryTriangleIsToldAFiniteDistance) {
+TEST(MeshPairs, ASphereFarFromEveryTriangleHasAFiniteDistance) {
   const Mesh<double> floor = make_grid(8, 8, 4, 4, 0);
   const trace::Pair record = test::record_of<double>({test::ball(0.5), at(0, 3, 0), floor, {}});
   EXPECT_EQ(record.state, "separated");

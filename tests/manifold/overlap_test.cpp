@@ -20,7 +20,7 @@ class Overlap : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(Overlap, Scalars);
 
-TYPED_TEST(Overlap, OfAHullWithItselfInPlaceHasPoints) {
+TYPED_TEST(Overlap, AHullWithItselfInPlaceHasPoints) {
   using S = TypeParam;
   test::Random random(1);
   for (int i = 0; i < 200; ++i) {
@@ -37,7 +37,7 @@ TYPED_TEST(Overlap, OfAHullWithItselfInPlaceHasPoints) {
   }
 }
 
-TYPED_TEST(Overlap, OfAPointedHullDeepInsideHasPoints) {
+TYPED_TEST(Overlap, APointedHullDeepInsideHasPoints) {
   using S = TypeParam;
   test::Random random(2);
   for (int i = 0; i < 500; ++i) {
@@ -56,7 +56,7 @@ TYPED_TEST(Overlap, OfAPointedHullDeepInsideHasPoints) {
   }
 }
 
-TYPED_TEST(Overlap, OfACoveringBodyIsNeverLostBetweenFaces) {
+TYPED_TEST(Overlap, ACoveringBodyIsNeverLostBetweenFaces) {
   using S = TypeParam;
   // The support vertex of a truncated pyramid's least deep face may be outside the face, because
   // the sides slope outwards below it. Then the clip alone is not deep enough.

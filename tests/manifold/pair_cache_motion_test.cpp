@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <limits>
 
-#include "manifold/collide_box_box.h"
 #include "manifold/dispatch.h"
+#include "manifold/fast/collide_box_box.h"
 #include "moving_pairs.h"
 #include "support/brute_force_sat.h"
 #include "support/builders.h"
@@ -227,7 +227,7 @@ TYPED_TEST(PairCacheMotion, TwoBoxesGiveTheSameBitsWatchedOrNot) {
   EXPECT_GT(by_themselves, touching / 2);
 }
 
-TEST(PairCacheHistory, TheRecordTellsHowFarTheSecondBoxHasMoved) {
+TEST(PairCacheHistory, TheRecordHasTheMotionOfTheSecondBox) {
   const PairCase<double> start = test::stacked_cubes(0.4, 0.005);
   const Shape<double> a = start.a, b = start.b;
   PairCache<double> cache;

@@ -59,7 +59,7 @@ TEST(PairCache, BoxesAtRestMayMoveBySeveralPercentOfTheirSize) {
   EXPECT_EQ(query_pair(pair, cache).kind, CachedKind::Features);
 }
 
-TEST(PairCache, NoPointOfOneHullSeenFromTheOtherMovesFartherThanIsSaid) {
+TEST(PairCache, NoPointRelativeToTheOtherHullMovesFartherThanTheBound) {
   Random random(8);
   for (int i = 0; i < 300; ++i) {
     Vec3d normal;
@@ -155,7 +155,7 @@ TEST(PairCache, TheCrossProductOfTheLastEdgesSeparatesToo) {
   EXPECT_NEAR(query_pair(pair, cache).separation, 0.01f, 1e-5f);
 }
 
-TEST(PairCache, FeaturesThatHavePartedSeparateThePairAndAreStillThere) {
+TEST(PairCache, SeparatedFeaturesSeparateThePairAndAreKept) {
   PairCase<float> pair = resting<float>();
   PairCache<float> cache;
   const Manifold<float> before = collide(pair, cache);
@@ -187,7 +187,7 @@ TEST(PairCache, WithoutAPreferenceOnlySeparatingAxesAreKept) {
   EXPECT_FALSE(query_pair(pair, preferring, options).hit);
 }
 
-TEST(PairCache, OfAnotherPairDoesNoHarm) {
+TEST(PairCache, AnotherPairDoesNoHarm) {
   Random random(5);
   for (int i = 0; i < 200; ++i) {
     const PairCase<float> one = test::random_pair(random).cast<float>();

@@ -323,7 +323,7 @@ PlacedShapes spheres(double radius_b, double x) {
           test::at(x, 0.01, 0.02)};
 }
 
-TEST(Ask, TwoMeshesTellTheTrianglesThatCross) {
+TEST(Ask, TwoMeshesReportTheirCrossingTriangles) {
   const trace::Pair record = record_of(spheres(1, 1.2), kOverlap);
   EXPECT_EQ(record.overlap, true);
   EXPECT_EQ(record.state, "touching");

@@ -67,7 +67,7 @@ class PenetrationContact : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(PenetrationContact, Scalars);
 
-TYPED_TEST(PenetrationContact, OfStackedCubesIsThatOfTheSeparatingAxisTest) {
+TYPED_TEST(PenetrationContact, StackedCubesMatchTheSeparatingAxisTest) {
   using S = TypeParam;
   const PairCase<S> pair = test::stacked_cubes(20 * test::kDegree, 0.05).cast<S>();
   const Manifold<S> expected = test::collide(pair, by<S>(PenetrationMethod::Sat));
@@ -77,7 +77,7 @@ TYPED_TEST(PenetrationContact, OfStackedCubesIsThatOfTheSeparatingAxisTest) {
   }
 }
 
-TYPED_TEST(PenetrationContact, OfCrossedEdgesIsOnePointOfTheSameEdges) {
+TYPED_TEST(PenetrationContact, CrossedEdgesHaveOnePointOfTheSameEdges) {
   using S = TypeParam;
   const PairCase<S> pair = test::crossed_edges(1, 0.03).cast<S>();
   const Manifold<S> expected = test::collide(pair, by<S>(PenetrationMethod::Sat));
@@ -160,7 +160,7 @@ TYPED_TEST(PenetrationContact, LeavesNothingInACache) {
   EXPECT_TRUE(equal_contacts(found, test::collide(pair, by<S>(PenetrationMethod::Epa))));
 }
 
-TYPED_TEST(PenetrationContact, ApartByLessThanTheMarginIsLeftToTheSeparatingAxisTest) {
+TYPED_TEST(PenetrationContact, SeparationWithinTheMarginUsesTheSeparatingAxisTest) {
   using S = TypeParam;
   const PairCase<S> pair = test::stacked_cubes(0.3, -0.01).cast<S>();
   for (const PenetrationMethod method : kDeepMethods) {
@@ -175,7 +175,7 @@ TYPED_TEST(PenetrationContact, ApartByLessThanTheMarginIsLeftToTheSeparatingAxis
   }
 }
 
-TYPED_TEST(PenetrationContact, FallsBackToTheSeparatingAxisTestAndSaysSo) {
+TYPED_TEST(PenetrationContact, FallsBackToTheSeparatingAxisTestAndReportsIt) {
   using S = TypeParam;
   // Level cubes so close that GJK cannot decide, but separated by more than EPA's rounding.
   Random random(37);
@@ -198,7 +198,7 @@ TYPED_TEST(PenetrationContact, FallsBackToTheSeparatingAxisTestAndSaysSo) {
   EXPECT_GT(fallbacks, 400);
 }
 
-TYPED_TEST(PenetrationContact, IsToldInTheWorldFromTheFirstShapeToTheSecond) {
+TYPED_TEST(PenetrationContact, IsRecordedInTheWorldFromFirstToSecond) {
   using S = TypeParam;
   Random random(41);
   int recorded = 0;
@@ -298,7 +298,7 @@ TEST(MinkowskiRecord, ItsNearestFaceIsTheDepthAndItsEdgePairsHoldTheBestAxis) {
   EXPECT_GT(by_edges, 5);
 }
 
-TEST(MinkowskiRecord, IsLeftOutUnlessAskedForAndWhereItIsLarge) {
+TEST(MinkowskiRecord, IsOmittedByDefaultAndWhereItIsLarge) {
   const PairCase<double> small = test::stacked_cubes(0.3, 0.05);
   trace::Pair unasked;
   recorded_contact(small, {}, unasked);
@@ -315,7 +315,7 @@ TEST(MinkowskiRecord, IsLeftOutUnlessAskedForAndWhereItIsLarge) {
   EXPECT_FALSE(refused.minkowski);
 }
 
-TEST(CrossingEdgePairs, AreThoseThatTheTalkAsksFor) {
+TEST(CrossingEdgePairs, AreThoseOfTheGaussMapTest) {
   Random random(53);
   for (int i = 0; i < 40; ++i) {
     const PairCase<double> pair = test::everyday_pair(random);

@@ -177,7 +177,7 @@ TYPED_TEST(PlanePairs, BoxOnAFaceAnEdgeAndACornerIsNamedSo) {
   EXPECT_EQ(sunk.type, ContactType::PointFace);
 }
 
-TYPED_TEST(PlanePairs, TypeForgivesATiltThatNobodySeesUnlessPreferenceIsOff) {
+TYPED_TEST(PlanePairs, TypeForgivesAnInvisibleTiltUnlessPreferenceIsOff) {
   using S = TypeParam;
   CollideOptions strict;
   strict.preference = Preference::None;
@@ -278,7 +278,7 @@ TYPED_TEST(PlanePairs, ReducerLeavesFourOfTheCornersOfASunkenBox) {
   EXPECT_EQ(record.reduction->points.size(), 8u);
 }
 
-TYPED_TEST(PlanePairs, OfMoreVerticesThanAManifoldHoldsTheDeepestAreKeptInOrder) {
+TYPED_TEST(PlanePairs, TheDeepestVerticesAreKeptInOrderIfThereAreTooMany) {
   using S = TypeParam;
   std::vector<Vec3d> points;
   for (int i = 0; i < 400; ++i) {  // a spiral over the sphere

@@ -124,7 +124,7 @@ TYPED_TEST(RecordOfAPair, HoldsTheManifoldExactly) {
   EXPECT_EQ(record.separation, test::deepest(manifold));
 }
 
-TYPED_TEST(RecordOfAPair, TellsTheStagesOfAFaceContact) {
+TYPED_TEST(RecordOfAPair, HasTheStagesOfAFaceContact) {
   using S = TypeParam;
   CollideOptions options;
   options.reducer = find_reducer("area");
@@ -177,7 +177,7 @@ TYPED_TEST(RecordOfAPair, TellsTheStagesOfAFaceContact) {
   EXPECT_GT(record.reduction->area, 0.8 * record.reduction->best_area);
 }
 
-TYPED_TEST(RecordOfAPair, TellsThePointsThatSpanTheBestArea) {
+TYPED_TEST(RecordOfAPair, HasThePointsThatSpanTheBestArea) {
   using S = TypeParam;
   CollideOptions options;
   options.reducer = find_reducer("extremes");
@@ -213,7 +213,7 @@ TYPED_TEST(RecordOfAPair, SidePlanesAreInTheOrderOfTheReferencePolygon) {
   }
 }
 
-TYPED_TEST(RecordOfAPair, TellsWhatWasDroppedAndWhy) {
+TYPED_TEST(RecordOfAPair, HasTheDroppedPointsAndWhy) {
   using S = TypeParam;
   PairCase<double> pair = test::stacked_cubes(0, 0);
   pair.pose_b.rotation = test::about(Vec3d::UnitZ(), 5 * kDegree);
@@ -228,7 +228,7 @@ TYPED_TEST(RecordOfAPair, TellsWhatWasDroppedAndWhy) {
   EXPECT_FALSE(record.reduction.has_value());
 }
 
-TYPED_TEST(RecordOfAPair, TellsTheBestOfEveryQueryAlsoWhereTheEdgesCannotWin) {
+TYPED_TEST(RecordOfAPair, HasTheBestOfEveryQueryEvenIfEdgesCannotWin) {
   using S = TypeParam;
   // A tilted small cube well inside the face of a large one.
   PairCase<double> pair{test::cube(0.5), test::at(0, 0, 0), test::cube(0.2), test::at(0, 0.69, 0)};
@@ -240,7 +240,7 @@ TYPED_TEST(RecordOfAPair, TellsTheBestOfEveryQueryAlsoWhereTheEdgesCannotWin) {
   EXPECT_NEAR(record.sat->edge->normal.norm(), 1, 1e-6);
 }
 
-TYPED_TEST(RecordOfAPair, TellsTheEdgesOfAnEdgeContact) {
+TYPED_TEST(RecordOfAPair, HasTheEdgesOfAnEdgeContact) {
   using S = TypeParam;
   trace::Pair record;
   recorded(test::crossed_edges(1, 0.01).cast<S>(), {}, record);

@@ -57,7 +57,7 @@ TYPED_TEST(Regressions, MujocoBoxBoxDeepHasFourPoints) {
   }
 }
 
-TYPED_TEST(Regressions, MujocoBoxBoxBad0IsAMillimetreApartAlongZ) {
+TYPED_TEST(Regressions, MujocoBoxBoxBad0HasAMillimetreGapAlongZ) {
   using S = TypeParam;
   // The reported poses touch; a millimetre is added along z for the reported gap.
   const PairCase<double> pair{make_box({0.5, 0.5, 1.5}), at(0.3, 0, 5.5), make_box({1.5, 0.5, 0.5}),

@@ -106,7 +106,7 @@ TYPED_TEST(SpherePairs, SlowRandomPairsAgreeWithASearchAlongTheAxis) {
   EXPECT_GT(touching, 2000);
 }
 
-TYPED_TEST(SpherePairs, SpheresThatKissTouchAndApartDoNotUnlessWithinTheMargin) {
+TYPED_TEST(SpherePairs, SpheresTouchOnlyAtZeroSeparationOrWithinTheMargin) {
   using S = TypeParam;
   const auto at_distance = [](double distance) {
     return PlacedShapes{test::ball(0.5), {}, test::ball(0.25), test::at(0, 0, distance)};

@@ -1,4 +1,4 @@
-#include "manifold/collide_two_capsules.h"
+#include "manifold/fast/collide_two_capsules.h"
 
 #include <gtest/gtest.h>
 

@@ -167,7 +167,7 @@ TEST_F(PanelColumnTest, EveryPairIsThereWhereTheColumnHasRoomAtAnyScale) {
   }
 }
 
-TEST_F(PanelColumnTest, WhatHasNoRoomIsNamedAndTheFirstPanelIsThere) {
+TEST_F(PanelColumnTest, PanelsWithoutRoomAreNamedAndTheFirstIsShown) {
   const std::vector<trace::Frame> frames = resting_ball(true);
   trace::Header header;
   const draw::Staging staging =

@@ -68,14 +68,14 @@ TEST(PackageCollide, CapsuleLiesOnAMesh) {
   }
 }
 
-TEST(PackageCollide, HullIsBuiltOrTakenAsItsFacesSay) {
+TEST(PackageCollide, HullIsBuiltOrTakenFromItsFaces) {
   const std::vector<Vec3> corners = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
   const Hull listed{corners, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}};
   for (const Hull& hull : {Hull{corners}, listed})
     EXPECT_NEAR(collide(Plane{}, {}, hull, at_height(0.9)).separation, -0.1, 1e-12);
 }
 
-TEST(PackageCollide, RecordingChangesNoBitAndTellsTheStages) {
+TEST(PackageCollide, RecordingChangesNoBitAndHasTheStages) {
   const Collider one = Box{{0.5, 0.5, 0.5}}, other = Box{{0.4, 0.3, 0.2}};
   const Pose tilted{{0.2, 0.75, 0.1}, {kQuarter, 0.1, kQuarter, 0.05}};
   CollideOptions options;
@@ -118,7 +118,7 @@ TEST(PackageCollide, GeometryWithoutAnAnswerHasAStatus) {
   EXPECT_NEAR(centred.separation, -2, 1e-12);
 }
 
-TEST(PackageCollide, RecordedGapIsTold) {
+TEST(PackageCollide, RecordHasTheSeparation) {
   CollideOptions options;
   options.record = true;
   const Contacts gap = collide(Sphere{1}, {}, Sphere{1}, at_height(2.5), options);

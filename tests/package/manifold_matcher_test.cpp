@@ -27,7 +27,7 @@ TEST(ManifoldMatcher, TakesPointsInAnyOrder) {
   EXPECT_THAT(said_of(turned), IsEmpty());
 }
 
-TEST(ManifoldMatcher, TellsThePointThatMoved) {
+TEST(ManifoldMatcher, NamesThePointThatMoved) {
   Manifold moved = patch();
   moved.points[1].position.x += 0.0013;
   EXPECT_THAT(moved, Not(IsManifold({0, 1, 0}, 0.02, kCorners, 1e-3)));
@@ -35,7 +35,7 @@ TEST(ManifoldMatcher, TellsThePointThatMoved) {
   EXPECT_THAT(said_of(moved, 0.002), IsEmpty());
 }
 
-TEST(ManifoldMatcher, TellsThePointsThatAreMissingOrTooMany) {
+TEST(ManifoldMatcher, NamesMissingAndExtraPoints) {
   Manifold fewer = patch();
   fewer.points.pop_back();
   EXPECT_EQ(said_of(fewer), "3 points instead of 4; no point at (-1, 0, 1)");
@@ -44,7 +44,7 @@ TEST(ManifoldMatcher, TellsThePointsThatAreMissingOrTooMany) {
   EXPECT_EQ(said_of(more), "5 points instead of 4; an extra point at (0, 0, 0)");
 }
 
-TEST(ManifoldMatcher, TellsNormalAndDepth) {
+TEST(ManifoldMatcher, ReportsTheNormalAndDepth) {
   Manifold other = patch();
   other.normal = {0, -1, 0};
   other.points[2].separation = -0.05;
@@ -52,13 +52,13 @@ TEST(ManifoldMatcher, TellsNormalAndDepth) {
   EXPECT_THAT(said_of(other), HasSubstr("depth 50 mm instead of 20 mm"));
 }
 
-TEST(ManifoldMatcher, WhatIsNoNumberIsNotEqual) {
+TEST(ManifoldMatcher, NanIsNotEqual) {
   Manifold broken = patch();
   broken.points[0].position.y = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THAT(said_of(broken, 1), Not(IsEmpty()));
 }
 
-TEST(ManifoldMatcher, SaysWhatWasExpectedAndFound) {
+TEST(ManifoldMatcher, ReportsExpectedAndFound) {
   testing::StringMatchResultListener listener;
   const testing::Matcher<Manifold> matcher = IsManifold({0, 1, 0}, 0.02, {{0, 0, 0}}, 1e-3);
   EXPECT_FALSE(matcher.MatchAndExplain(patch(), &listener));

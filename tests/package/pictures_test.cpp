@@ -48,7 +48,7 @@ TEST(PackagePictures, FrameIsDrawnToMemory) {
   EXPECT_THAT(read_text(folder / "crate.png"), testing::StartsWith("\x89PNG"));
 }
 
-TEST(PackagePictures, WhatThereIsNotIsRefused) {
+TEST(PackagePictures, UnknownFramesAndLayersAreRefused) {
   const Contacts contacts = crate_at(0.48);
   RenderOptions layer = small(), tiny = small();
   layer.layers = {"shape"};

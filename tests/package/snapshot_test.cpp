@@ -65,7 +65,7 @@ class PackageSnapshot : public testing::Test {
   Variable update_{"CONTACTSCOPE_UPDATE", nullptr};
 };
 
-TEST_F(PackageSnapshot, MissingOneIsAFailureThatSaysHowToWriteIt) {
+TEST_F(PackageSnapshot, MissingOneIsAFailureWithTheRemedy) {
   const Comparison missing = compare(patch_moved_by(0));
   EXPECT_FALSE(missing.ok);
   EXPECT_THAT(missing.message, HasSubstr(folder_ / "stack/frame_12/trace.jsonl"));
@@ -73,7 +73,7 @@ TEST_F(PackageSnapshot, MissingOneIsAFailureThatSaysHowToWriteIt) {
   EXPECT_THAT(folder_.files(), IsEmpty());
 }
 
-TEST_F(PackageSnapshot, IsWrittenWhenAskedAndThenTheSame) {
+TEST_F(PackageSnapshot, IsWrittenOnRequestAndThenTheSame) {
   EXPECT_TRUE(compare(patch_moved_by(0), true).ok);
   EXPECT_THAT(folder_.files(), ElementsAre("stack/frame_12/trace.jsonl"));
   const Comparison same = compare(patch_moved_by(0));
@@ -82,7 +82,7 @@ TEST_F(PackageSnapshot, IsWrittenWhenAskedAndThenTheSame) {
   EXPECT_TRUE(compare(patch_moved_by(1e-9)).ok) << "less than a rounding of float";
 }
 
-TEST_F(PackageSnapshot, EnvironmentAsksForItToo) {
+TEST_F(PackageSnapshot, EnvironmentRequestsItToo) {
   const Variable update("CONTACTSCOPE_UPDATE", "1");
   EXPECT_TRUE(compare(patch_moved_by(0), std::nullopt).ok);
   EXPECT_TRUE(compare(patch_moved_by(0.5), std::nullopt).ok);
@@ -97,7 +97,7 @@ TEST_F(PackageSnapshot, NothingIsWrittenInCI) {
   EXPECT_THAT(folder_.files(), IsEmpty());
 }
 
-TEST_F(PackageSnapshot, PointThatMovedIsTold) {
+TEST_F(PackageSnapshot, MovedPointIsReported) {
   compare(patch_moved_by(0), true);
   const Comparison moved = compare(patch_moved_by(0.0013));
   EXPECT_FALSE(moved.ok);

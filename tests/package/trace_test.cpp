@@ -24,7 +24,7 @@ Frame frame_at(int number, double height) {
   return frame;
 }
 
-TEST(PackageTrace, WhatIsWrittenIsReadBack) {
+TEST(PackageTrace, AWrittenTraceReadsBack) {
   TraceInfo info;
   info.scenario = "mine/crate";
   info.title = "A crate";
@@ -78,7 +78,7 @@ TEST(PackageTrace, WrongFileIsRefusedWithItsPlace) {
   }
 }
 
-TEST(PackageTrace, RemedyIsToldByItself) {
+TEST(PackageTrace, TheRemedyIsSeparate) {
   try {
     parse_trace("{\"schema\":\"contactscope.trace/9\"}\n", "old.jsonl");
     FAIL() << "it was read";
@@ -90,7 +90,7 @@ TEST(PackageTrace, RemedyIsToldByItself) {
   }
 }
 
-TEST(PackageTrace, WhatDoesNotFitTogetherIsRefused) {
+TEST(PackageTrace, InconsistentFramesAreRefused) {
   Frame strange = frame_at(0, 0.5);
   strange.pairs[0].b = "crte";
   try {

@@ -14,7 +14,7 @@ using testing::IsEmpty;
 using testing::Pair;
 using testing::SizeIs;
 
-TEST(PointFacts, SayGapOrOverlapAndNeverASign) {
+TEST(PointFacts, HaveGapOrOverlapAndNeverASign) {
   EXPECT_THAT(gap_row(-0.002), Pair("overlap", "2.00 mm"));
   EXPECT_THAT(gap_row(0.002), Pair("gap", "2.00 mm"));
   EXPECT_THAT(gap_row(0), Pair("gap", "0"));
@@ -69,7 +69,7 @@ TEST(PointFacts, AreThereOnlyWhereALayerShowsThem) {
   EXPECT_THAT(point_facts(staging, scene.frames[0], drawing), IsEmpty());
 }
 
-TEST(AreaFacts, OfShapesAreTheirOutlinesNearestFirst) {
+TEST(AreaFacts, ShapesAreOutlinesNearestFirst) {
   CrateOnSlab scene;
   scene.solve(0.25);
   scene.view.layers = {Layer::Shapes};
@@ -80,11 +80,11 @@ TEST(AreaFacts, OfShapesAreTheirOutlinesNearestFirst) {
   EXPECT_EQ(areas[0].name, "crate");
   EXPECT_EQ(areas[0].polygon.size(), 6u);  // of a box seen from a corner
   EXPECT_THAT(areas[0].rows, Contains(Pair("shape", "box")));
-  EXPECT_THAT(areas[0].rows, Contains(Pair("moves", "(0.5, 0, 0) m/s")));
+  EXPECT_THAT(areas[0].rows, Contains(Pair("velocity", "(0.5, 0, 0) m/s")));
   EXPECT_EQ(areas[1].name, "slab");
 }
 
-TEST(AreaFacts, OfFacesAreThereWhereTheyAreShown) {
+TEST(AreaFacts, FacesHaveThemWhereShown) {
   CrateOnSlab scene;
   trace::Clip& clip = scene.pair().clip.emplace();
   clip.reference = {"slab", 2, Vec3d::UnitY(), {{-1, 0, -1}, {-1, 0, 1}, {1, 0, 1}, {1, 0, -1}}};
@@ -104,7 +104,7 @@ TEST(AreaFacts, OfFacesAreThereWhereTheyAreShown) {
   EXPECT_THAT(areas_with({}), IsEmpty());
 }
 
-TEST(PairFacts, TellTouchesApartFromPointsWithinTheMargin) {
+TEST(PairFacts, DistinguishTouchesFromPointsWithinTheMargin) {
   CrateOnSlab scene;
   scene.pair().separation = -0.002;
   EXPECT_THAT(pair_facts(scene.frames[0]).at(0).rows, Contains(Pair("state", "touching")));

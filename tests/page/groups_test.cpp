@@ -37,7 +37,7 @@ TEST(Groups, AreThePartsOfADrawing) {
   EXPECT_EQ(groups[1].layer, "reference_face");
 }
 
-TEST(Groups, OfAPictureWithoutPartsAreNone) {
+TEST(Groups, APictureWithoutPartsHasNone) {
   EXPECT_THAT(groups_of({.width = 10, .height = 10}), SizeIs(0));
 }
 
@@ -53,7 +53,7 @@ TEST(GroupStore, HoldsWhatFramesShareOnce) {
   EXPECT_THAT(store.text(2), testing::EndsWith("</g>\n"));
 }
 
-TEST(GroupStore, TellsApartWhatOnePictureHasTwice) {
+TEST(GroupStore, DistinguishesEqualGroupsOfAPicture) {
   GroupStore store;
   EXPECT_THAT(store.add(groups_of(dots({"ids", "contacts", "ids"}, 30))), ElementsAre(0, 1, 2));
   EXPECT_EQ(store.text(0).substr(9), store.text(2).substr(9));  // except for the number

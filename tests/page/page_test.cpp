@@ -78,7 +78,7 @@ TEST(Page, ListsTheLayersInDrawingOrder) {
   EXPECT_THAT(names, testing::ElementsAre("shapes", "contacts", "ids", "shape_names"));
 }
 
-TEST(Page, SaysTitleSourceAndCommandAsText) {
+TEST(Page, HasTitleSourceAndCommandAsText) {
   const std::string html = page_of(moving());
   EXPECT_THAT(html,
               HasSubstr("<h1 id=\"title\">A crate &lt;on&gt; &quot;a&quot; slab &amp; more</h1>"));

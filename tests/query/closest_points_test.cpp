@@ -141,7 +141,7 @@ TYPED_TEST(ClosestPoints, ParallelSegmentsKeepTheMiddleUnderRotation) {
   }
 }
 
-TYPED_TEST(ClosestPoints, ParallelSegmentsApartMeetAtTheirEnds) {
+TYPED_TEST(ClosestPoints, OffsetParallelSegmentsMeetAtTheirEnds) {
   using S = TypeParam;
   const Segments<S> segments{Vec3<S>(0, 0, 0), Vec3<S>(1, 0, 0), Vec3<S>(8, 4, 0),
                              Vec3<S>(4, 4, 0)};

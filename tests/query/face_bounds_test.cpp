@@ -1,4 +1,4 @@
-#include "query/face_bounds.h"
+#include "query/fast/face_bounds.h"
 
 #include <gtest/gtest.h>
 

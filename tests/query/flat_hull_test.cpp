@@ -112,7 +112,7 @@ TYPED_TEST(FlatHulls, HaveTheAxisThatExhaustionFinds) {
   EXPECT_GT(edges, 500);
 }
 
-TYPED_TEST(FlatHulls, AreAsFarApartAsExhaustionFinds) {
+TYPED_TEST(FlatHulls, HaveTheDistanceThatExhaustionFinds) {
   using S = TypeParam;
   Random random(6);
   int separated = 0;
@@ -165,7 +165,7 @@ TYPED_TEST(FlatHulls, AreAsDeepByEveryMethodAsExhaustionFinds) {
   EXPECT_GT(converged, deep * 99 / 100);
 }
 
-TYPED_TEST(FlatHulls, SideBySideOnOnePlaneAreApart) {
+TYPED_TEST(FlatHulls, CoplanarSideBySideAreSeparated) {
   using S = TypeParam;
   const Hull<double> plate = build_hull(
       std::vector<Vec3d>{{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1}}, {.allow_flat = true});
@@ -186,7 +186,7 @@ TYPED_TEST(FlatHulls, SideBySideOnOnePlaneAreApart) {
 
 // Each separates along a side of either hull in the direction of the other: the normal points from
 // A to B, and the hulls lie on different sides.
-TYPED_TEST(FlatHulls, SideBySideOnOnePlaneHaveANormalThatPartsThem) {
+TYPED_TEST(FlatHulls, CoplanarSideBySideHaveASeparatingNormal) {
   using S = TypeParam;
   const auto flat = [](const std::vector<Vec3d>& corners) {
     return build_hull(corners, {.allow_flat = true});

@@ -75,7 +75,7 @@ TYPED_TEST(Gjk, EqualPointsTouch) {
   EXPECT_EQ(gjk(support_set(origin), support_set(origin), Pose<S>{}).status, GjkStatus::Touching);
 }
 
-TYPED_TEST(Gjk, PointAboveFaceEdgeAndCornerTellsTheFeature) {
+TYPED_TEST(Gjk, PointAboveFaceEdgeAndCornerHasTheFeature) {
   using S = TypeParam;
   const Hull<S> cube = box<S>(1, 1, 1);
   const GjkResult<S> face = distance_to_point(cube, {0.25, 0.5, 3});
@@ -180,7 +180,7 @@ TYPED_TEST(Gjk, NearlyParallelFacesKeepGapAndNormal) {
   }
 }
 
-TYPED_TEST(Gjk, FarApartAndOfDifferentSize) {
+TYPED_TEST(Gjk, DistantAndOfDifferentSize) {
   using S = TypeParam;
   const Hull<S> large = box<S>(1e4, 1e4, 1e4);
   const Hull<S> small = box<S>(1e-4, 1e-4, 1e-4);

@@ -35,7 +35,7 @@ TEST(FacePrism, SegmentIsCutByTheSidesThatItCrosses) {
   EXPECT_EQ(clipped.edges[1], -1);
 }
 
-TEST(FacePrism, SegmentBesideThePrismLeavesNothing) {
+TEST(FacePrism, SegmentOutsideThePrismLeavesNothing) {
   const Hull<double> box = make_box(Vec3d(1, 1, 2));
   const Vec3d next_to[2] = {Vec3d(1.1, 1, -5), Vec3d(1.1, 1, 5)};
   EXPECT_TRUE(clip_to_prism(box, kTop, next_to, 1e-12).empty());
@@ -52,7 +52,7 @@ TEST(FacePrism, SegmentInASidePlaneIsKeptWhole) {
   EXPECT_EQ(clipped.parameters[1], 1);
 }
 
-TEST(FacePrism, WhatIsLeftOfASegmentProjectsIntoTheFaceAndTheRestDoesNot) {
+TEST(FacePrism, OnlyTheClippedSegmentProjectsIntoTheFace) {
   Random random(1);
   int cuts = 0;
   for (int i = 0; i < 3000; ++i) {
@@ -75,7 +75,7 @@ TEST(FacePrism, WhatIsLeftOfASegmentProjectsIntoTheFaceAndTheRestDoesNot) {
   EXPECT_GT(cuts, 300);
 }
 
-TEST(FacePrism, BesideAnEdgeTheSegmentEndsWhereTheEdgeDoes) {
+TEST(FacePrism, NextToAnEdgeTheSegmentEndsWithTheEdge) {
   const Hull<double> box = make_box(Vec3d(1, 1, 2));
   int edge = 0;  // the half-edge of the top face along x = 1
   while (box.half_edges[static_cast<std::size_t>(edge)].face != kTop || box.origin(edge).x() != 1 ||

@@ -105,7 +105,7 @@ TEST(MeshOverlap, ACubeInsideACubeCrossesNothing) {
   EXPECT_EQ(overlap.counts.triangle_pairs, 0);
 }
 
-TEST(MeshOverlap, TheRecordTellsEveryNodePairOnce) {
+TEST(MeshOverlap, TheRecordHasEveryNodePairOnce) {
   const Mesh<double> a = built(test::sphere_mesh(1, 16, 11, 0.1));
   const Mesh<double> b = built(test::sphere_mesh(1, 13, 9, 0));
   const Pose<double> b_in_a{Quatd::Identity(), Vec3d(1, 0.5, 0.2)};
@@ -196,7 +196,7 @@ int expect_same_through_changes(double size, int seed, int frames) {
   return crossing;
 }
 
-TEST(MeshFront, SlowGivesWhatTheRootsGiveWhateverHappens) {
+TEST(MeshFront, SlowMatchesATraversalFromTheRoots) {
   for (int i = 0; i < 9; ++i) {
     const double size = std::pow(10.0, i - 4);  // 1e-4 to 1e4
     EXPECT_GT(expect_same_through_changes<float>(size, 53 + i, 300), 60) << size;
@@ -204,7 +204,7 @@ TEST(MeshFront, SlowGivesWhatTheRootsGiveWhateverHappens) {
   }
 }
 
-TEST(MeshFront, IsThatOfANewTraversalOnceThingsHaveComeToRest) {
+TEST(MeshFront, MatchesAFreshTraversalOnceAtRest) {
   const Mesh<float> a = mesh_cast<float>(built(test::sphere_mesh(1, 24, 17, 0.1)));
   const Mesh<float> b = mesh_cast<float>(built(test::sphere_mesh(1, 21, 15, 0)));
   const auto next_to = [](float offset) {
@@ -227,7 +227,7 @@ TEST(MeshFront, IsThatOfANewTraversalOnceThingsHaveComeToRest) {
             0.8 * static_cast<double>(first.counts.node_pairs));
 }
 
-TEST(MeshFront, MeshesThatHavePartedAreComparedOnce) {
+TEST(MeshFront, SeparatedMeshesAreComparedOnce) {
   const Mesh<double> mesh = built(test::sphere_mesh(1, 16, 11, 0.1));
   MeshFront front;
   mesh_overlap(mesh, mesh, {Quatd::Identity(), Vec3d(1, 0, 0)}, nullptr, &front);
@@ -239,7 +239,7 @@ TEST(MeshFront, MeshesThatHavePartedAreComparedOnce) {
   }
 }
 
-TEST(MeshFront, ANewTreeMakesItVoid) {
+TEST(MeshFront, IsVoidForARebuiltTree) {
   Mesh<double> a = built(test::sphere_mesh(1, 16, 11, 0.1));
   const Mesh<double> b = built(test::sphere_mesh(1, 13, 9, 0));
   const Pose<double> b_in_a{Quatd::Identity(), Vec3d(1, 0.5, 0.2)};
@@ -258,7 +258,7 @@ TEST(MeshFront, ANewTreeMakesItVoid) {
   EXPECT_LT(kept, visits.size());
 }
 
-TEST(MeshFront, TheRecordTellsWhatWasComparedAndNothingTwice) {
+TEST(MeshFront, TheRecordHasEachComparedPairOnce) {
   const Mesh<double> a = built(test::sphere_mesh(1, 16, 11, 0.1));
   const Mesh<double> b = built(test::sphere_mesh(1, 13, 9, 0));
   MeshFront front;

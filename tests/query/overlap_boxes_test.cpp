@@ -129,7 +129,7 @@ TYPED_TEST(OverlapOfBoxes, WithinATolerance) {
   EXPECT_FALSE(overlaps(a, b, Comparison<S>::within(S(0.999))));
 }
 
-TYPED_TEST(OverlapOfBoxes, CrossedEdgesAreApartOnlyAlongTheirCrossProduct) {
+TYPED_TEST(OverlapOfBoxes, CrossedEdgesSeparateOnlyAlongTheirCrossProduct) {
   using S = TypeParam;
   const Quatd edge_up(Eigen::AngleAxisd(0.7853981633974483, Vec3d::UnitX()));
   const Quatd across(Eigen::AngleAxisd(1.2, Vec3d::UnitY()));
@@ -254,7 +254,7 @@ TEST(OverlapOfParallelBoxes, SlowAThresholdOfZeroMissesDeepOverlapsAndTheGuardNo
   RecordProperty("deepest_miss", std::to_string(plain.deepest_miss));
 }
 
-TEST(OverlapOfNearlyParallelBoxes, SkippingCallsOverlappingWhatOnlyAShortCrossProductKeepsApart) {
+TEST(OverlapOfNearlyParallelBoxes, SkippingMissesASeparationAlongAShortCrossProduct) {
   // Two sticks of length 2, an edge down over an edge up, crossing at 0.01 rad, separated by 1 mm.
   const Quatd edge_up(Eigen::AngleAxisd(0.7853981633974483, Vec3d::UnitX()));
   const Quatd across(Eigen::AngleAxisd(0.01, Vec3d::UnitY()));

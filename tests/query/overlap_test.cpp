@@ -90,7 +90,7 @@ long double distance_from(const Vec3<long double>& half, const Vec3<long double>
   return (point - nearest).norm();
 }
 
-TYPED_TEST(Overlap, OfBoxAndSphereIsTheirDistanceUnderRigidMotions) {
+TYPED_TEST(Overlap, BoxAndSphereMatchTheirDistanceUnderRigidMotions) {
   using S = TypeParam;
   Random random(2);
   int overlapping = 0;
@@ -165,7 +165,7 @@ TYPED_TEST(Overlap, AnAabbIsAnObbThatIsNotTurned) {
   }
 }
 
-TYPED_TEST(Overlap, OfSpheresIsRightAtEverySizeAndFarAway) {
+TYPED_TEST(Overlap, SpheresAreRightAtEverySizeAndFarAway) {
   using S = TypeParam;
   Random random(3);
   for (int trial = 0; trial < 5000; ++trial) {

@@ -34,7 +34,7 @@ class Penetration : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(Penetration, Scalars);
 
-TYPED_TEST(Penetration, OfStackedCubesIsUpAndTheOverlapFromATenthOfAMillimetreToTenKilometres) {
+TYPED_TEST(Penetration, StackedCubesHaveTheOverlapUpwardFromATenthOfAMillimetreTo10Km) {
   using S = TypeParam;
   for (double size = 1e-4; size < 2e4; size *= 10) {
     PairCase<double> pair{test::cube(0.5 * size),
@@ -56,7 +56,7 @@ TYPED_TEST(Penetration, OfStackedCubesIsUpAndTheOverlapFromATenthOfAMillimetreTo
   }
 }
 
-TYPED_TEST(Penetration, OfCrossedEdgesIsTheirCrossProduct) {
+TYPED_TEST(Penetration, CrossedEdgesHaveTheirCrossProduct) {
   using S = TypeParam;
   const PairCase<S> pair = test::crossed_edges(1, 0.03).cast<S>();
   for (const PenetrationMethod method : {PenetrationMethod::Epa, PenetrationMethod::Mpr}) {
@@ -68,7 +68,7 @@ TYPED_TEST(Penetration, OfCrossedEdgesIsTheirCrossProduct) {
   }
 }
 
-TYPED_TEST(Penetration, OfCoresThatAreApartIsNamedSo) {
+TYPED_TEST(Penetration, SeparatedCoresAreReported) {
   using S = TypeParam;
   for (const double gap : {1e-3, 0.1, 10.0}) {
     const PairCase<S> pair = test::stacked_cubes(0.3, -gap).cast<S>();
@@ -81,7 +81,7 @@ TYPED_TEST(Penetration, OfCoresThatAreApartIsNamedSo) {
   }
 }
 
-TYPED_TEST(Penetration, OfNumbersThatAreNotFiniteIsNamedSo) {
+TYPED_TEST(Penetration, NonFiniteNumbersAreReported) {
   using S = TypeParam;
   const PairCase<S> good = test::stacked_cubes(0.3, 0.01).cast<S>();
   for (const S bad : {std::numeric_limits<S>::quiet_NaN(), std::numeric_limits<S>::infinity()}) {
@@ -100,7 +100,7 @@ TYPED_TEST(Penetration, OfNumbersThatAreNotFiniteIsNamedSo) {
   }
 }
 
-TYPED_TEST(Penetration, OfSegmentsThatCrossIsFlatAndAcrossBoth) {
+TYPED_TEST(Penetration, CrossingSegmentsAreFlatAndAcrossBoth) {
   using S = TypeParam;
   const Vec3<S> along_x[2] = {{-1, 0, 0}, {1, 0, 0}}, along_z[2] = {{0, 0, -1}, {0, 0, 2}};
   for (const PenetrationMethod method : {PenetrationMethod::Sat, PenetrationMethod::Epa}) {
@@ -114,7 +114,7 @@ TYPED_TEST(Penetration, OfSegmentsThatCrossIsFlatAndAcrossBoth) {
   }
 }
 
-TYPED_TEST(Penetration, OfSegmentsInOneLineAndOfPointsOnEachOtherIsFlat) {
+TYPED_TEST(Penetration, CollinearSegmentsAndEqualPointsAreFlat) {
   using S = TypeParam;
   const Vec3<S> one[2] = {{-1, 0, 0}, {1, 0, 0}}, other[2] = {{0, 0, 0}, {2, 0, 0}};
   const Vec3<S> point(S(0.5), 0, 0);
@@ -130,7 +130,7 @@ TYPED_TEST(Penetration, OfSegmentsInOneLineAndOfPointsOnEachOtherIsFlat) {
   flat(support_set(point), support_set(point));
 }
 
-TYPED_TEST(Penetration, OfPointsAndSegmentsInABoxIsTheWayToTheNearestFace) {
+TYPED_TEST(Penetration, PointsAndSegmentsInABoxLeaveByTheNearestFace) {
   using S = TypeParam;
   const Hull<S> box = hull_cast<S>(make_box(Vec3d(1, 2, 3)));
   const S tolerance = 32 * std::numeric_limits<S>::epsilon();
@@ -155,7 +155,7 @@ TYPED_TEST(Penetration, OfPointsAndSegmentsInABoxIsTheWayToTheNearestFace) {
   }
 }
 
-TYPED_TEST(Penetration, OfSwappedShapesIsOppositeAndAsDeep) {
+TYPED_TEST(Penetration, SwappedShapesAreOppositeAndAsDeep) {
   using S = TypeParam;
   Random random(11);
   for (int i = 0; i < 300; ++i) {
@@ -299,7 +299,7 @@ PairCase<double> balls_in_each_other() {
   return {ball, Pose<double>(), ball, {random.rotation(), Vec3d(1e-3, 2e-3, -1e-3)}};
 }
 
-TEST(Epa, OutOfIterationsStillPartsTheShapes) {
+TEST(Epa, StillSeparatesAtTheIterationLimit) {
   const PairCase<double> pair = balls_in_each_other();
   double last = std::numeric_limits<double>::infinity();
   for (const int allowed : {1, 4, 16, 64, 0}) {
@@ -341,7 +341,7 @@ TEST(Mpr, EndsInsideItsCapOnEveryPairAndNamesIt) {
   }
 }
 
-TEST(Mpr, OfPlatesThatOverhangLeavesByTheSideThatTheRayMeets) {
+TEST(Mpr, OverhangingPlatesLeaveByTheSideTheRayHits) {
   const PairCase<double> pair{make_box(Vec3d(2, 0.1, 2)), at(0, 0, 0), make_box(Vec3d(2, 0.1, 2)),
                               at(1.5, 0.06, 0)};
   const auto by_epa = penetration_of(PenetrationMethod::Epa, pair);
@@ -353,7 +353,7 @@ TEST(Mpr, OfPlatesThatOverhangLeavesByTheSideThatTheRayMeets) {
   EXPECT_NEAR(by_mpr.normal.x(), 1, 1e-14);
 }
 
-TEST(Sampling, NoDirectionIsFartherFromASampleThanItSays) {
+TEST(Sampling, NoDirectionIsFartherFromASampleThanItsBound) {
   for (const int count : {6, 7, 12, 33, 100, 256, 1000}) {
     std::vector<Vec3d> directions;
     SamplingDirections spread(count);

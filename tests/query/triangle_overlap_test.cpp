@@ -73,7 +73,7 @@ TEST(TriangleOverlap, NeighboursInOnePlaneTouch) {
   expect_segment(overlap, Vec3d(1, 0, 0), Vec3d(4, 0, 0));
 }
 
-TEST(TriangleOverlap, ANeedleThroughATriangleTouchesAndIsTold) {
+TEST(TriangleOverlap, ANeedleThroughATriangleTouches) {
   const TriangleOverlap<double> overlap =
       triangle_overlap<double>(kFloor, {Vec3d(1, 1, 1), Vec3d(1, 1, 3), Vec3d(1, 1, -1)});
   EXPECT_EQ(overlap.kind, Touching);

@@ -6,7 +6,7 @@
 
 #include "core/at.h"
 #include "geometry/primitives.h"
-#include "query/point_faces.h"
+#include "query/fast/point_faces.h"
 #include "support/brute_force_distance.h"
 #include "support/random_geometry.h"
 
@@ -77,7 +77,7 @@ TEST(VoronoiRegion, HoldsThePointsToWhichItsFeatureIsNearestInDouble) {
   expect_nearest_features<double>(12);
 }
 
-TEST(VoronoiRegion, OfABoxIsBesideItsEdgesAndBeyondItsCorners) {
+TEST(VoronoiRegion, BoxRegionsAreOutsideEdgesAndBeyondCorners) {
   const Hull<double> box = make_box(Vec3d(1, 2, 3));
   const auto edge = region_from_face(box, Vec3d(1.5, 2.2, 1), 5.0);
   ASSERT_TRUE(edge);

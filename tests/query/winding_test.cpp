@@ -93,7 +93,7 @@ TEST(Winding, AMeshInsideAnotherIsFound) {
       Containment::BInA);
 }
 
-TEST(Winding, APartAmongManyIsFound) {
+TEST(Winding, OnePartAmongManyIsFound) {
   // Two cubes in one mesh; the second one is inside.
   Mesh<double> one = cube_mesh(1);
   std::vector<Vec3d> vertices;
@@ -106,7 +106,7 @@ TEST(Winding, APartAmongManyIsFound) {
             Containment::BInA);
 }
 
-TEST(Winding, HolesAreTold) {
+TEST(Winding, HolesAreReported) {
   const Mesh<double> cube = cube_mesh(1);
   EXPECT_TRUE(open_edges(cube).empty());
   std::vector<std::array<int, 3>> triangles = cube.triangles;

@@ -57,7 +57,7 @@ cs_point point_at(double x, double y, double z, double separation) {
   return point;
 }
 
-TEST_F(Recording, OfAStepReadsBack) {
+TEST_F(Recording, AStepReadsBack) {
   cs_settings settings{};
   settings.poses_at = 2;
   settings.force_step = 0.01;
@@ -356,7 +356,7 @@ TEST_F(Recording, CylindersAndConesStandAlongTheirAxis) {
   }
 }
 
-TEST_F(Recording, NotesAreSaidOnce) {
+TEST_F(Recording, NotesArePrintedOnce) {
   cs_recorder* r = start();
   testing::internal::CaptureStderr();
   for (const char* text : {"a ray is left out", "a ray", "a ray is left out", "a ray", "left out"})
@@ -391,7 +391,7 @@ TEST_F(Recording, MeshesAndHeightFieldsFaceUp) {
   }
 }
 
-TEST_F(Recording, NamesOfAnyLanguageAndNoneAreTold) {
+TEST_F(Recording, NamesOfAnyLanguageAndNoneAreRecorded) {
   cs_recorder* r = start();
   for (const char* name : {"Würfel \"1\"\\\n", "箱", "箱", "\xff\xc3(\xed\xa0\x80", "箱"})
     cs_sphere(r, name, 1);
@@ -421,7 +421,7 @@ TEST_F(Recording, ANumberThatIsNoneIsNamedByTheReader) {
   }
 }
 
-TEST_F(Recording, AFullDiskEndsItAndIsTold) {
+TEST_F(Recording, AFullDiskEndsItWithAnError) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
   cs_recorder* r = cs_start("/dev/full", "mine/stack", nullptr, nullptr, nullptr);
   const int ball = cs_sphere(r, "ball", 1);
@@ -454,7 +454,7 @@ TEST_F(Recording, ARecorderOfNullDoesNothing) {
 }
 
 /// Invalid data is omitted: an unknown shape, a pair with one, a point outside a frame.
-TEST_F(Recording, WhatDoesNotFitIsLeftOut) {
+TEST_F(Recording, InconsistentCallsAreIgnored) {
   cs_recorder* r = start();
   const int a = cs_sphere(r, "a", 1), b = cs_sphere(r, "b", 1);
   const cs_point point = point_at(0, 0, 0, 0);

@@ -1,4 +1,4 @@
-#include "reduce/area_of_eight.h"
+#include "reduce/fast/area_of_eight.h"
 
 #include <gtest/gtest.h>
 

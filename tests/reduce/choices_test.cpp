@@ -65,7 +65,7 @@ std::vector<ContactPoint<double>> hand_made() {
       {{-10, 0, 0.1}, {10, 0, 0.2}, {9, -4, 0.3}, {11, -2, 0.6}, {0, 1, 0.5}, {0, 0, 0.4}});
 }
 
-TEST(Choices, OfAHandMadePolygonHaveTheRulesInOrder) {
+TEST(Choices, AHandMadePolygonHasTheRulesInOrder) {
   EXPECT_THAT(rules(choices("area", hand_made())),
               ElementsAre("support", "farthest", "triangle", "outside"));
   EXPECT_THAT(rules(choices("area_deepest", hand_made())),
@@ -74,7 +74,7 @@ TEST(Choices, OfAHandMadePolygonHaveTheRulesInOrder) {
               ElementsAre("support", "farthest", "triangle", "distance"));
 }
 
-TEST(Choices, OfAHandMadePolygonAreExact) {
+TEST(Choices, AHandMadePolygonIsExact) {
   const std::vector<ContactPoint<double>> points =
       points_at({{0, 0, 1}, {4, 0, 2}, {4, 3, 7}, {0, 3, 3}, {2, 5, 4}, {6, 1, 5}});
   // As if 2, 0, 5 and 3 were kept.
@@ -116,7 +116,7 @@ TEST(Choices, OfAHandMadePolygonAreExact) {
   EXPECT_DOUBLE_EQ(least, -6);
 }
 
-TEST(Choices, OfADistanceReducerMeasureDistancesFromEdges) {
+TEST(Choices, ADistanceReducerMeasuresDistancesFromEdges) {
   // 1 0 2 first. Point 4 is 1 m from the long edge; 3 is farther from the short one, but adds less.
   const std::vector<ContactPoint<double>> points =
       points_at({{-10, 0}, {10, 0}, {10, -4}, {11.5, -2}, {0, 1}});
@@ -205,7 +205,7 @@ TEST_P(ChoicesOf, RandomPolygonsAreBestAtEachStepInTheKeptOrder) {
   EXPECT_GT(steps, 1000);
 }
 
-TEST(Choices, OfExtremesAreSupportPointsAlongTwoAxes) {
+TEST(Choices, ExtremesAreSupportPointsAlongTwoAxes) {
   // Lowest and highest in x and z, and two that are neither.
   const auto points = points_at({{-2, 0.5}, {3, 0.2}, {0.1, -1}, {0.3, 1.5}, {1, 1}, {-1, -0.5}});
   const auto [kept, made] = record("extremes", points);

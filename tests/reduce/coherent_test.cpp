@@ -150,7 +150,7 @@ TYPED_TEST(CoherentReducer, SlowBoundsAreaAndDepthOfManyPoints) {
   }
 }
 
-TYPED_TEST(CoherentReducer, SlowBoundsAreaAndDepthWhateverWasKeptBefore) {
+TYPED_TEST(CoherentReducer, SlowBoundsAreaAndDepthForAnyPreviousPoints) {
   using S = TypeParam;
   test::Random random(32);
   for (const test::Shape shape : test::kShapes) {
@@ -203,7 +203,7 @@ TYPED_TEST(CoherentReducer, WithoutHistoryIsOptimalOnALevelPatch) {
   }
 }
 
-TYPED_TEST(CoherentReducer, NoiseChangesNoIdOfWhatRests) {
+TYPED_TEST(CoherentReducer, NoiseChangesNoIdAtRest) {
   using S = TypeParam;
   test::Random random(34);
   int changed_by_optimal = 0;
@@ -324,7 +324,7 @@ std::vector<ContactPoint<S>> points_at(const std::vector<Place>& places,
   return points;
 }
 
-TYPED_TEST(CoherentReducer, LetsGoOfOldPointsWhenTheDeepestIsNotAmongThem) {
+TYPED_TEST(CoherentReducer, DropsOldPointsIfTheDeepestIsNotAmongThem) {
   using S = TypeParam;
   const std::vector<Place> hexagon = {{2, 0}, {1, 1.7}, {-1, 1.7}, {-2, 0}, {-1, -1.7}, {1, -1.7}};
   const Vec3<S> up = Vec3<S>::UnitZ();
@@ -343,7 +343,7 @@ TYPED_TEST(CoherentReducer, LetsGoOfOldPointsWhenTheDeepestIsNotAmongThem) {
 
 // As in a patch on several triangles of a mesh. The kept four are within the tolerance of the
 // largest choice, which is the other four.
-TYPED_TEST(CoherentReducer, TellsPointsOfOneIdApartByTheirOrder) {
+TYPED_TEST(CoherentReducer, DistinguishesPointsOfOneIdByOrder) {
   using S = TypeParam;
   const auto points = points_at<S>({{1, 1},
                                     {0.99, 0.99},

@@ -176,7 +176,7 @@ TYPED_TEST(DepthTies, SlowTheLargestAreaIsKeptAndNoRoundingChangesIt) {
   EXPECT_GT(least, 0.8);
 }
 
-TYPED_TEST(DepthTies, SlowOfSomeEquallyDeepPointsThatWithTheLargestAreaIsKept) {
+TYPED_TEST(DepthTies, SlowTheLargestAreaBreaksATieOfDepths) {
   using S = TypeParam;
   test::Random random(52);
   for (int i = 0; i < kPatches; ++i) {
@@ -210,7 +210,7 @@ LevelPatch<S> octagon() {
   return patch;
 }
 
-TYPED_TEST(DepthTies, OfEqualAreasThatOfTheFrameBeforeStays) {
+TYPED_TEST(DepthTies, ATieOfAreasKeepsThePreviousFrame) {
   using S = TypeParam;
   LevelPatch<S> patch = octagon<S>();
   for (const char* name : {"optimal", "optimal_deepest", "area_deepest", "coherent"}) {

@@ -18,7 +18,7 @@ using testing::Contains;
 using testing::ElementsAre;
 using testing::UnorderedElementsAre;
 
-TEST(EngineChoices, Box3dStartsWithDepthAndWayTogether) {
+TEST(EngineChoices, Box3dStartsWithDepthPlusDistance) {
   // -z is Box3D's fixed direction in a floor.
   const std::vector<PlanePoint> flat = {{0, -3}, {4, 0}, {0, 3}, {-4, 0}, {0, 0}};
   EXPECT_EQ(kept_by("box3d", points_at(flat)).front(), 0);
@@ -27,7 +27,7 @@ TEST(EngineChoices, Box3dStartsWithDepthAndWayTogether) {
   EXPECT_EQ(kept_by("box3d", points_at(deep)).front(), 4);
 }
 
-TEST(EngineChoices, Box3dLetsAnEarlierPointWinByFivePercent) {
+TEST(EngineChoices, Box3dPrefersAnEarlierPointByFivePercent) {
   // The last point is farther than the one before by 1% or by 5%: 2% and 10% in squares.
   EXPECT_THAT(kept_by("box3d", points_at({{0, -9}, {1, 0}, {-1, 0}, {0, 1}, {0.1, 1.1}})),
               ElementsAre(0, 3, 1, 2));
@@ -159,7 +159,7 @@ TEST(EngineChoices, MjxWastesItsFourthChoiceOnASquare) {
 
 class FourPointReducer : public testing::TestWithParam<std::string> {};
 
-TEST_P(FourPointReducer, KeepsTheFirstOfItsChoicesWhenAskedForFewer) {
+TEST_P(FourPointReducer, KeepsTheFirstOfItsChoicesForASmallerCount) {
   test::Random random(12);
   for (int i = 0; i < 100; ++i) {
     const test::ContactPolygon polygon = test::random_contact_polygon(random, 9);

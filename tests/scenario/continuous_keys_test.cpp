@@ -24,13 +24,13 @@ std::string crate_over_floor(const std::string& rest) {
          rest;
 }
 
-TEST(ContinuousKeys, DiscreteAsksNothing) {
+TEST(ContinuousKeys, DiscreteHasNoImpact) {
   EXPECT_FALSE(first_frame(crate_over_floor("")).pairs.at(0).impact);
   EXPECT_FALSE(
       first_frame(crate_over_floor("[pipeline]\ncontinuous = \"discrete\"\n")).pairs.at(0).impact);
 }
 
-TEST(ContinuousKeys, TheTraceTellsWhenAPairMeets) {
+TEST(ContinuousKeys, TheTraceHasTheTimeOfImpact) {
   for (const std::string method : {"conservative_advancement", "time_of_impact"}) {
     const trace::Frame frame =
         first_frame(crate_over_floor("[pipeline]\ncontinuous = \"" + method + "\"\n"));
@@ -52,7 +52,7 @@ TEST(ContinuousKeys, TheTraceTellsWhenAPairMeets) {
   }
 }
 
-TEST(ContinuousKeys, AnEntryAsksItOfItsPairAlone) {
+TEST(ContinuousKeys, AnEntryAppliesToItsPairAlone) {
   const std::string text = crate_over_floor(
       "[shapes.wall]\ntype = \"plane\"\nnormal = [1, 0, 0]\noffset = -3\n"
       "[[pairs]]\na = \"crate\"\nb = \"wall\"\n"
@@ -101,14 +101,14 @@ double end_of(const std::string& text) {
   return Runner(scenario).frame(2).poses.at(0).second.position.x();
 }
 
-TEST(ContinuousKeys, TheSolverStopsWhatMeetsBetweenFrames) {
+TEST(ContinuousKeys, TheSolverStopsImpactsBetweenFrames) {
   EXPECT_NEAR(end_of(shot("discrete")), 1.4, 1e-5);
   for (const std::string method :
        {"speculative", "swept", "conservative_advancement", "time_of_impact"})
     EXPECT_NEAR(end_of(shot(method)), -0.105, 0.01) << method;
 }
 
-TEST(ContinuousKeys, TheTraceTellsStops) {
+TEST(ContinuousKeys, TheTraceHasTheStops) {
   const trace::Frame frame = first_frame(shot("time_of_impact"));
   ASSERT_TRUE(frame.solver);
   ASSERT_EQ(frame.solver->stops.size(), 1u);
@@ -144,7 +144,7 @@ TEST(ContinuousKeys, GhostsAreCounted) {
   EXPECT_TRUE(hit.pairs.at(0).impact->ghosts.empty());
 }
 
-TEST(ContinuousKeys, WhatHappensBetweenFramesCanBeExpected) {
+TEST(ContinuousKeys, ImpactsBetweenFramesCanBeExpected) {
   const auto failures = [](const std::string& method, const std::string& expected) {
     const Scenario scenario = parse_scenario(
         shot(method, "[[expect]]\na = \"ball\"\nb = \"wall\"\nframes = [0, 0]\n" + expected),
@@ -205,7 +205,7 @@ TEST(ContinuousKeys, MeshesThatTurnAreFollowedOnTheirArcs) {
 }
 
 /// In a step of 100,000 km, float rounds by more than the separation; the search runs in double.
-TEST(ContinuousKeys, AWayThatHidesTheGapIsNoOverlap) {
+TEST(ContinuousKeys, ADisplacementThatHidesTheGapIsNoOverlap) {
   std::string text = crate_over_floor("[pipeline]\ncontinuous = \"time_of_impact\"\n");
   text.replace(text.find("[0, -4, 0]"), 10, "[0, -2e8, 0]");
   const trace::Frame frame = first_frame(text);

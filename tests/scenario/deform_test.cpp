@@ -245,7 +245,7 @@ INSTANTIATE_TEST_SUITE_P(
                "unknown key 'tree'"}),
     name_of_test);
 
-TEST(Deform, ATreeWithoutADeformationIsToldToHaveNoEffect) {
+TEST(Deform, ATreeWithoutADeformationHasNoEffect) {
   const std::string rigid =
       one_shape("type = \"mesh\"\ngrid = { size = 1, cells = 1 }\ntree = \"refit\"\n");
   EXPECT_THAT(
@@ -273,7 +273,7 @@ radius = 0.25
 )";
 }
 
-TEST(Deform, TheTreeIsToldAndAutoBuildsItAnewWhereItCostsThirtyPerCentMore) {
+TEST(Deform, TheTreeIsRecordedAndAutoRebuildsItAtThirtyPerCentMore) {
   const Scenario auto_scenario = parse_scenario(wound("auto"), "a.toml");
   const Scenario refit_scenario = parse_scenario(wound("refit"), "a.toml");
   const Scenario rebuild_scenario = parse_scenario(wound("rebuild"), "a.toml");
@@ -299,7 +299,7 @@ TEST(Deform, TheTreeIsToldAndAutoBuildsItAnewWhereItCostsThirtyPerCentMore) {
   EXPECT_LT(rebuilt, 20);
 }
 
-TEST(Deform, ALaterFrameDoesNotDependOnWhichFramesWereAskedForBefore) {
+TEST(Deform, ALaterFrameDoesNotDependOnEarlierRequests) {
   const Scenario scenario = parse_scenario(wound("auto"), "a.toml");
   Runner all(scenario), last(scenario);
   for (int frame = 0; frame < 30; ++frame) all.frame(frame);
@@ -361,7 +361,7 @@ TEST(Deform, ABroadPhaseGoesByTheBoxOfTheFrame) {
   EXPECT_NEAR(after.broad_phase->bounds.at(0).box.upper.y(), 0.3, 1e-4);
 }
 
-TEST(Deform, BoundsThatAreAskedAreThoseOfTheFrame) {
+TEST(Deform, QueriedBoundsAreThoseOfTheFrame) {
   for (const char* bounds : {"aabb", "obb", "sphere"}) {
     const Scenario scenario = parse_scenario(
         swell("[[pairs]]\na = \"grid\"\nb = \"ball\"\nquery = \"overlap\"\nbounds = \"" +

@@ -73,7 +73,7 @@ TEST(Expect, ComputedNumbersHaveSixDigitsUnlessThatHidesTheDifference) {
               HasSubstr("got -0.10000002384185791 m"));
 }
 
-TEST(Expect, WhatHoldsSaysNothing) {
+TEST(Expect, MetExpectationsAreSilent) {
   EXPECT_THAT(unmet_expectations(expecting("state = \"touching\"\npoints = 3\naxis = \"face_a\"\n"
                                            "type = \"face-face\"\n"
                                            "normal = [0, -1, 0]\nseparation = -0.005"),
@@ -86,7 +86,7 @@ TEST(Expect, WhatHoldsSaysNothing) {
               IsEmpty());
 }
 
-TEST(Expect, AnotherContactTypeOrNoneIsTold) {
+TEST(Expect, AnotherContactTypeOrNoneFails) {
   EXPECT_THAT(
       unmet_expectations(expecting("type = \"point-face\""), {touching()}),
       ElementsAre("hull/a.toml:10: frame 3, crate-floor: expected type point-face, got face-face"));

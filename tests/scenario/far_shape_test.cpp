@@ -72,7 +72,7 @@ TEST(FarShapes, MakeTheSameContactsAsNearTheirOrigin) {
   }
 }
 
-TEST(FarShapes, AreToldAsTheFileHasThem) {
+TEST(FarShapes, AreRecordedAsInTheFile) {
   const Scenario scenario = scene(kFar);
   Runner runner(scenario);
   const trace::Header header = runner.header();

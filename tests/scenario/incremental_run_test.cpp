@@ -44,7 +44,7 @@ TEST(IncrementalRun, KeysOfAPairAreItsOwn) {
   EXPECT_EQ(scenario.pairs.at(1).pipeline, PipelineSettings());
 }
 
-TEST(IncrementalRun, FourPointsAndAStableManifoldTakeFourFramesBesideOne) {
+TEST(IncrementalRun, FourPointsAndAStableManifoldTakeFourFramesNotOne) {
   const Scenario scenario = parse_scenario(kIncrementalCrate, "g/a.toml");
   Runner runner(scenario);
   const char* const verdicts[] = {
@@ -75,7 +75,7 @@ TEST(IncrementalRun, AViewThatShowsStabilityHasItOfEveryPair) {
   EXPECT_NEAR(facts.pairs[1].stability->margin, 0.5, 1e-6);
 }
 
-TEST(IncrementalRun, AnyFrameIsTheSameWhicheverWasAskedForBefore) {
+TEST(IncrementalRun, AFrameDoesNotDependOnEarlierRequests) {
   const Scenario scenario = parse_scenario(kIncrementalCrate, "g/a.toml");
   Runner in_order(scenario);
   std::vector<std::string> lines;
@@ -86,7 +86,7 @@ TEST(IncrementalRun, AnyFrameIsTheSameWhicheverWasAskedForBefore) {
     EXPECT_EQ(trace::to_json_line(other.frame(frame)), lines[static_cast<std::size_t>(frame)]);
 }
 
-TEST(IncrementalRun, ARecordChangesNothingAndTradingTheShapesMirrors) {
+TEST(IncrementalRun, ARecordChangesNothingAndSwappingMirrors) {
   const Scenario scenario = parse_scenario(kIncrementalCrate, "g/a.toml");
   std::string text = kIncrementalCrate;
   text.replace(text.find("a = \"crate\"\nb = \"floor\""), 23, "a = \"floor\"\nb = \"crate\"");

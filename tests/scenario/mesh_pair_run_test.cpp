@@ -57,7 +57,7 @@ TEST(MeshPairRun, BlocksThatWereLeftOutAndPairsOfLeavesAreAllPairsOfTriangles) {
   }
 }
 
-TEST(MeshPairRun, NobodyIsToldNodePairsUnlessAViewShowsThem) {
+TEST(MeshPairRun, NodePairsAreRecordedOnlyIfAViewShowsThem) {
   const Scenario scenario = parse_scenario(wavy_pair(""), "a.toml");
   Runner runner(scenario);
   EXPECT_TRUE(runner.frame(0).pairs.at(0).query->node_pairs.empty());
@@ -80,7 +80,7 @@ TEST(MeshPairRun, HowATreeIsKeptChangesNoAnswer) {
   }
 }
 
-TEST(MeshPairRun, ACoherentTraversalFindsTheSameAndTellsWhatItCompared) {
+TEST(MeshPairRun, ACoherentTraversalFindsTheSameAndRecordsItsPairs) {
   const std::string slow = "[[views]]\npanels = [\"node_pairs\"]\n";
   std::string text = wavy_pair(slow + "[pipeline]\ntraversal = \"coherent\"\n");
   text.replace(text.find("dt = 0.1"), 8, "dt = 0.002");
@@ -104,7 +104,7 @@ TEST(MeshPairRun, ACoherentTraversalFindsTheSameAndTellsWhatItCompared) {
   }
 }
 
-TEST(MeshPairRun, ATraversalOfWhatHasNoTwoTreesIsToldToHaveNoEffect) {
+TEST(MeshPairRun, ATraversalWithoutTwoTreesHasNoEffect) {
   const Scenario scenario = parse_scenario(
       wavy_pair("[pipeline]\nquery = \"overlap\"\nbounds = \"aabb\"\ntraversal = \"coherent\"\n"),
       "a.toml");
@@ -137,7 +137,7 @@ dt = 0.05
 )";
 }
 
-TEST(MeshPairRun, AnAutomaticTreeIsBuiltAnewWhereQueriesCostThirtyPerCentMore) {
+TEST(MeshPairRun, AnAutomaticTreeIsRebuiltIfQueriesCostThirtyPerCentMore) {
   std::string refit_text = wound_pair("4", "0");
   refit_text.replace(refit_text.find("motion.deform"), 0, "tree = \"refit\"\n");
   const Scenario scenario = parse_scenario(wound_pair("4", "0"), "a.toml");
@@ -168,7 +168,7 @@ TEST(MeshPairRun, AnAutomaticTreeIsBuiltAnewWhereQueriesCostThirtyPerCentMore) {
   EXPECT_LT(nodes, nodes_refitted);
 }
 
-TEST(MeshPairRun, AnAutomaticTreeIsNotBuiltAnewBecauseMeshesComeCloser) {
+TEST(MeshPairRun, AnAutomaticTreeIsNotRebuiltIfMeshesComeCloser) {
   // Wound so little that the tree stays as good as new, while the other mesh moves down through it.
   const Scenario scenario = parse_scenario(wound_pair("0.001", "-0.3"), "a.toml");
   Runner runner(scenario);

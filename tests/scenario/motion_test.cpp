@@ -94,7 +94,7 @@ keyframes = [ { time = 0, rotation = { axis = [1, 2, 2], degrees = 10 } },
     expect_same(pose_at(shape, t), {0, 0, 0}, axis, (10 + 120 * t) * kDegree);
 }
 
-TEST(Motion, SlerpGoesTheShortestWay) {
+TEST(Motion, SlerpTakesTheShortestArc) {
   // From 10 to 350 degrees: 20 degrees backwards, not 340 forwards.
   const ScenarioShape shape = shape_from(R"(
 [shapes.s.motion]
@@ -121,7 +121,7 @@ keyframes = [ { time = 0, rotation = { quat_wxyz = [1, 0, 0, 0] } },
   }
 }
 
-TEST(Motion, WhatAKeyframeLeavesOutIsTakenFromTheOneBefore) {
+TEST(Motion, AKeyframeInheritsOmittedKeysFromTheOneBefore) {
   const ScenarioShape shape = shape_from(R"(
 position = [1, 1, 1]
 rotation = { axis = [0, 0, 1], degrees = 20 }

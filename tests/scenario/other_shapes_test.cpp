@@ -45,7 +45,7 @@ TEST(OtherShapes, StandInTheTraceWithWhatTheyAreMadeOf) {
 }
 
 // The user's a and b decide, not the order in the file.
-TEST(OtherShapes, TradingAAndBMirrorsTheManifold) {
+TEST(OtherShapes, SwappingAAndBMirrorsTheManifold) {
   const auto pair_of = [](const std::string& a, const std::string& b) {
     const Scenario scenario = parse_scenario(
         kShapes + "[[pairs]]\na = \"" + a + "\"\nb = \"" + b + "\"\n", "hull/a.toml");

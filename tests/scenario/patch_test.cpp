@@ -51,7 +51,7 @@ TEST(Patch, TitlesAndNamesAreThoseOfTheFile) {
   EXPECT_EQ(scenario.patches[1].name, "patch 2");
 }
 
-TEST(Patch, FrameTellsItsReductionAsThatOfAPairWithoutShapes) {
+TEST(Patch, FrameHasItsReductionAsAPairWithoutShapes) {
   const trace::Frame frame = frame_of(parse_scenario(five(), "mine/five.toml"));
   EXPECT_THAT(frame.poses, IsEmpty());
   ASSERT_THAT(frame.pairs, SizeIs(1));

@@ -116,7 +116,7 @@ INSTANTIATE_TEST_SUITE_P(
                "17:17", "remove 'bounds'"}),
     name_of_test);
 
-TEST(QueryKeys, WhatDefaultPairsCannotAnswerIsLeftOutAndTold) {
+TEST(QueryKeys, UnsupportedDefaultPairsAreOmittedWithAWarning) {
   const Scenario contacts = parsed(kFloorAndWall);
   EXPECT_THAT(contacts.pairs, IsEmpty());
   EXPECT_THAT(contacts.warnings,
@@ -135,7 +135,7 @@ std::vector<std::string> idle(const std::string& keys) {
   return parsed(two_boxes("[pipeline]\n" + keys)).warnings;
 }
 
-TEST(QueryKeys, WithoutEffectAreTold) {
+TEST(QueryKeys, WithoutEffectWarn) {
   EXPECT_THAT(idle("comparison = \"exclusive\"\n"),
               ElementsAre(AllOf(HasSubstr("line 9: 'comparison' has no effect"),
                                 HasSubstr("set query = \"overlap\""))));

@@ -65,7 +65,7 @@ INSTANTIATE_TEST_SUITE_P(Scalars, Run, ::testing::Values("float", "double"),
                            return std::string(test.param);
                          });
 
-TEST_P(Run, ASinkingCrateMeetsWhatArithmeticSays) {
+TEST_P(Run, ASinkingCrateMatchesTheArithmetic) {
   const Scenario scenario = sinking(GetParam());
   Runner runner(scenario);
   for (int frame = 0; frame < scenario.frames; ++frame)
@@ -137,7 +137,7 @@ TEST(RunScalar, FloatPosesAndVerticesAreThoseOfFloat) {
   EXPECT_EQ(Runner(in_double).header().shapes[0].vertices[7].cwiseAbs(), Vec3d(0.1, 0.3, 0.7));
 }
 
-TEST_P(Run, WatchingChangesNothing) {
+TEST_P(Run, RecordingChangesNothing) {
   const Scenario scenario = sinking(GetParam());
   Runner watched(scenario), unwatched(scenario);
   for (int number = 0; number < scenario.frames; ++number) {
@@ -176,7 +176,7 @@ TEST_P(Run, RunnersOfOneScenarioDoNotDisturbEachOtherOnThreads) {
 }
 
 // A turning crate, once for each reducer: those that use the previous frame have a choice to keep.
-TEST_P(Run, AFrameIsTheSameWhicheverWereAskedForBefore) {
+TEST_P(Run, AFrameDoesNotDependOnEarlierRequests) {
   std::string text =
       two_boxes("position = [0, -0.99, 0]\n[time]\nframes = 8\ndt = 0.1\n[pipeline]\nscalar = \"" +
                 std::string(GetParam()) + "\"\n");
@@ -200,7 +200,7 @@ TEST_P(Run, AFrameIsTheSameWhicheverWereAskedForBefore) {
   EXPECT_EQ(Runner(scenario).frame(5).pairs.front().reduction->points.size(), 8u);
 }
 
-TEST_P(Run, ACacheIsKeptFromFrameToFrameUnlessTheFileSaysOtherwise) {
+TEST_P(Run, ACachePersistsAcrossFramesUnlessDisabled) {
   const std::string motion = two_boxes(
       "position = [0, -0.99, 0]\n[time]\nframes = 8\ndt = 0.1\n"
       "[[pairs]]\na = \"crate\"\nb = \"floor\"\nlabel = \"kept\"\n"
@@ -309,7 +309,7 @@ std::string swaying_on(const std::string& floor, bool slab_first) {
 
 const std::string kBoxFloor =
     "[shapes.floor]\ntype = \"box\"\nhalf_extents = [0.5, 0.5, 0.5]\nposition = [0, -0.5, 0]\n";
-TEST(RunReducers, WhoRemembersKeepsTheSameWhicheverShapeIsNamedFirst) {
+TEST(RunReducers, StatefulOnesKeepTheSameWhicheverShapeIsNamedFirst) {
   for (const bool slab_first : {false, true}) {
     const Scenario scenario = parse_scenario(swaying_on(kBoxFloor, slab_first), "g/a.toml");
     const auto kept = kept_of(scenario, 0);
@@ -338,7 +338,7 @@ TEST(RunPairs, EachEntryRunsWithItsOwnSettings) {
   EXPECT_EQ(frame.pairs[2].sat->preference, "none");
 }
 
-TEST(RunPairs, TheMarginKeepsPointsThatAreApart) {
+TEST(RunPairs, TheMarginKeepsSeparatedPoints) {
   const std::string gap = "position = [0, -1.01, 0]\n[pipeline]\nmargin = ";
   const Scenario none = parse_scenario(two_boxes(gap + "0"), "g/a.toml");
   const Scenario some = parse_scenario(two_boxes(gap + "0.02"), "g/a.toml");
@@ -359,7 +359,7 @@ TEST(RunPairs, ASceneOfOneShapeHasAPoseAndNoPairs) {
   EXPECT_THAT(frame.pairs, IsEmpty());
 }
 
-TEST(RunPairs, ThePenetrationMethodOfThePipelineOrThePairIsUsedAndTold) {
+TEST(RunPairs, ThePenetrationMethodOfPipelineOrPairIsUsedAndRecorded) {
   const std::string deep =
       "position = [0, -0.95, 0]\nrotation = { axis = [0, 1, 0], degrees = 20 }\n"
       "[pipeline]\npenetration = \"epa\"\n";

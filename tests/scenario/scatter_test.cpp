@@ -17,7 +17,7 @@ std::string scattered_box(const std::string& scatter, const std::string& more = 
          scatter + "\n" + more;
 }
 
-TEST(Scatter, CopiesLieInTheRegionEachTurnedInItsOwnWay) {
+TEST(Scatter, CopiesLieInTheRegionEachWithItsOwnRotation) {
   const Scenario scenario = parse_scenario(
       scattered_box("{ count = 300, lower = [-1, 5, 2], upper = [3, 6, 2] }"), "a.toml");
   ASSERT_EQ(scenario.shapes.size(), 300u);
@@ -81,7 +81,7 @@ TEST(Scatter, SizesFillTheirRangeAndSmallOnesAreMany) {
   EXPECT_NEAR(small, 505, 60) << "half of them below twice the smallest";
 }
 
-TEST(Scatter, TheSeedAloneSaysWhichCopies) {
+TEST(Scatter, TheSeedAloneDeterminesTheCopies) {
   const auto first = [](const std::string& seed) {
     return parse_scenario(
                scattered_box("{ count = 5, lower = [0, 0, 0], upper = [1, 1, 1]" + seed + " }"),

@@ -373,7 +373,7 @@ TEST(Scenario, IsNamedAfterItsFolderAndFile) {
   EXPECT_THAT(name("a.toml"), EndsWith("/a"));
 }
 
-TEST(Scenario, ObjFilesAreFoundBesideTheScenario) {
+TEST(Scenario, ObjFilesAreFoundNextToTheScenario) {
   const TemporaryFolder folder;
   folder.write("hull/parts/wedge.obj",
                "v 0 0 0\nv 2 0 0\nv 0 1 0\nv 0 0 1\nv 2 0 1\nv 0 1 1\n"

@@ -97,14 +97,14 @@ TEST(Sdf, IsSlicedWhereAViewShowsIt) {
     EXPECT_NEAR(probe.separation, probe.position.y(), 0.02);
 }
 
-TEST(Sdf, IsSlicedAcrossTheWayToTheEye) {
+TEST(Sdf, IsSlicedAcrossTheViewDirection) {
   const Scenario scenario = parse_scenario(
       kBoxOnField + "[[views]]\nlayers = [\"field\"]\neye = [0.2, 5, 0.1]\n", "field/a.toml");
   const trace::FieldSlice slice = Runner(scenario).frame(0).field_slices.at(0);
   EXPECT_GT(slice.next.cross(slice.next_row).y(), 0.99 * slice.next.norm() * slice.next_row.norm());
 }
 
-TEST(Sdf, MakesContactsOrAnswersWhatItIsAsked) {
+TEST(Sdf, MakesContactsOrAnswersQueries) {
   const auto pair_with = [](const std::string& pipeline) {
     const Scenario scenario = parse_scenario(kBoxOnField + pipeline, "field/a.toml");
     return Runner(scenario).frame(0).pairs.at(0);
@@ -119,7 +119,7 @@ TEST(Sdf, MakesContactsOrAnswersWhatItIsAsked) {
   EXPECT_EQ(pair_with("[pipeline]\nfield = \"sampled\"\n").state, "touching");
 }
 
-TEST(Sdf, PairsThatCannotBeAskedAreRefusedWithTheReason) {
+TEST(Sdf, UnsupportedPairsAreRefusedWithTheReason) {
   const std::string pairs = "[[pairs]]\na = \"floor\"\nb = \"crate\"\n";
   EXPECT_THAT(complaint(kBoxOnField + pairs + "query = \"distance\"\n"), HasSubstr("margin"));
   EXPECT_THAT(complaint(kBoxOnField + pairs + "manifold = \"incremental\"\n"),
@@ -156,7 +156,7 @@ INSTANTIATE_TEST_SUITE_P(
         Broken{"OfHasAPlace", sdf("{ type = \"sphere\", radius = 1, position = [0, 0, 0] }"),
                "4:37", "unknown key 'position'"},
         Broken{"APlane", sdf("{ type = \"plane\", normal = [0, 1, 0], offset = 0 }"), "4:6",
-               "a plane has no end"},
+               "a plane is infinite"},
         Broken{"AnOpenSheet", sdf("{ type = \"mesh\", grid = { size = 1, cells = 2 } }"), "4:6",
                "the mesh has no inside"},
         Broken{"NoCells", sdf(kBall, "cells = 1"), "5:9", "2 to 4096"},

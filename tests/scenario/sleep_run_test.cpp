@@ -45,7 +45,7 @@ INSTANTIATE_TEST_SUITE_P(
       return name;
     });
 
-TEST_P(SleepRun, WhatRestsSleepsUntilSomethingFallsOnIt) {
+TEST_P(SleepRun, ARestingStackSleepsUntilABodyFallsOnIt) {
   const Scenario scenario = parse_scenario(stacks("sleep_after = 0.5", GetParam()), "g/a.toml");
   Runner runner(scenario);
   EXPECT_THAT(asleep_in(runner.frame(20)), ::testing::IsEmpty());
@@ -80,7 +80,7 @@ TEST_P(SleepRun, SleepersStayWhereTheyAre) {
   }
 }
 
-TEST_P(SleepRun, AFrameIsTheSameWhicheverWereAskedForBefore) {
+TEST_P(SleepRun, AFrameDoesNotDependOnEarlierRequests) {
   const Scenario scenario = parse_scenario(stacks("sleep_after = 0.5", GetParam()), "g/a.toml");
   Runner watched(scenario), skipping(scenario), bare(scenario);
   std::vector<std::string> lines;
@@ -97,7 +97,7 @@ TEST_P(SleepRun, AFrameIsTheSameWhicheverWereAskedForBefore) {
 }
 
 // With a threshold that no body falls below, nothing changes.
-TEST_P(SleepRun, WhereNobodyComesToRestNothingChanges) {
+TEST_P(SleepRun, WithoutARestingBodyNothingChanges) {
   const Scenario sleepless = parse_scenario(stacks("slop = 0.005", GetParam()), "g/a.toml");
   const Scenario restless =
       parse_scenario(stacks("slop = 0.005\nsleep_after = 1000", GetParam()), "g/a.toml");
@@ -114,7 +114,7 @@ TEST_P(SleepRun, WhereNobodyComesToRestNothingChanges) {
   }
 }
 
-TEST(SleepRun, AScriptThatBeginsToMoveWakesWhatStandsOnIt) {
+TEST(SleepRun, AScriptThatStartsMovingWakesTheBodiesOnIt) {
   const Scenario scenario = parse_scenario(
       "title = \"Lift\"\n[time]\nframes = 120\n"
       "[shapes.crate]\ntype = \"box\"\nhalf_extents = [0.5, 0.5, 0.5]\nposition = [0, 1, 0]\n"

@@ -43,7 +43,7 @@ INSTANTIATE_TEST_SUITE_P(Pipelines, DynamicRun,
                            return name;
                          });
 
-TEST_P(DynamicRun, AFrameIsTheSameWhicheverWereAskedForBeforeAndACopyGoesOnAlike) {
+TEST_P(DynamicRun, AFrameDoesNotDependOnEarlierRequestsAndACopyContinuesAlike) {
   const Scenario scenario =
       parse_scenario(falling(std::string("[pipeline]\n") + GetParam()), "g/a.toml");
   Runner runner(scenario);
@@ -62,7 +62,7 @@ TEST_P(DynamicRun, AFrameIsTheSameWhicheverWereAskedForBeforeAndACopyGoesOnAlike
   }
 }
 
-TEST_P(DynamicRun, WatchingChangesNothing) {
+TEST_P(DynamicRun, RecordingChangesNothing) {
   const Scenario scenario =
       parse_scenario(falling(std::string("[pipeline]\n") + GetParam()), "g/a.toml");
   Runner watched(scenario), unwatched(scenario);
@@ -115,7 +115,7 @@ slop = 0.001
 scalar = "double"
 )";
 
-TEST(DynamicRun, AStackCarriesItsWeightAndTellsIt) {
+TEST(DynamicRun, AStackCarriesItsWeightAndRecordsIt) {
   const Scenario scenario =
       parse_scenario(std::string(kResting) +
                          "[[expect]]\na = \"lower\"\nb = \"floor\"\nframes = [150, 199]\n"
@@ -276,7 +276,7 @@ TEST(World, WithoutASolverThereAreTotalsWherePlotsAreShown) {
 }
 
 // Only keys that are written and have no effect are reported, with their line.
-TEST(IdleKeys, AreToldWithTheirLineAndTheRemedy) {
+TEST(IdleKeys, AreReportedWithTheirLineAndTheRemedy) {
   const auto warnings = [](const std::string& text) {
     return parse_scenario(text, "g/a.toml").warnings;
   };

@@ -37,7 +37,7 @@ TEST(Expression, BindsAsArithmeticDoes) {
   EXPECT_TRUE(holds("0 && 1 || !0"));
 }
 
-TEST(Expression, ComparesWhatSidesSay) {
+TEST(Expression, ComparesBothSides) {
   const std::map<std::string, Value> facts = {{"float.points", 2.0},
                                               {"double.points", 4.0},
                                               {".axis", std::string("face_a")},
@@ -50,7 +50,7 @@ TEST(Expression, ComparesWhatSidesSay) {
   EXPECT_FALSE(holds("lint.y", facts));
 }
 
-TEST(Expression, WhatNobodyKnowsIsNeitherEqualNorUnequal) {
+TEST(Expression, UnknownValuesAreNeitherEqualNorUnequal) {
   EXPECT_FALSE(holds("separation == separation"));
   EXPECT_FALSE(holds("separation != 1"));
   EXPECT_FALSE(holds("separation"));
@@ -71,7 +71,7 @@ TEST(Expression, NamesItsSides) {
               ElementsAre("", "bullet", "double", "lint"));
 }
 
-TEST(Expression, SaysWhereItIsWrongAndWhatWouldBeRight) {
+TEST(Expression, ReportsTheErrorWithItsPlaceAndRemedy) {
   EXPECT_THAT(complaint("float.pionts > 1"), HasSubstr("did you mean 'points'?"));
   EXPECT_THAT(complaint("points = 1"), HasSubstr("column 8 of 'points = 1': compare with '=='"));
   EXPECT_THAT(complaint("points >"), HasSubstr("a quantity is missing at the end"));

@@ -66,7 +66,7 @@ TEST(Shrink, TheSamePairGivesTheSameResult) {
   EXPECT_EQ(to_scenario(shrunk(pair, text).pair, "a", "b"), once);
 }
 
-TEST(Shrink, WhatFloatAndDoubleDisagreeAboutStays) {
+TEST(Shrink, ADisagreementOfFloatAndDoubleStays) {
   // Far from the origin, float loses a separation of a tenth of a millimetre.
   PairOfTwo pair = two_rocks(1.2);
   pair.a.kind = pair.b.kind = SmallShape::Kind::Box;
@@ -114,7 +114,7 @@ PairOfTwo recorded(PairOfTwo pair, const std::function<void(trace::Manifold&)>& 
   return pair;
 }
 
-TEST(Shrink, WhatLintFindsInATraceStaysAndTheTraceIsMadeWithIt) {
+TEST(Shrink, ALintFindingStaysAndItsTraceIsWritten) {
   struct Case {
     const char* cause;
     std::function<void(trace::Manifold&)> mistake;
@@ -147,7 +147,7 @@ TEST(Shrink, WhatLintFindsInATraceStaysAndTheTraceIsMadeWithIt) {
   }
 }
 
-TEST(Shrink, AnEngineThatDisagreesIsAskedForEachPair) {
+TEST(Shrink, ADisagreeingEngineIsRunForEachPair) {
   int requested = 0;
   // It misses everything above two metres.
   const Engine blind = [&](const trace::Trace& request) {

@@ -34,11 +34,11 @@ trace::Header cubes(const std::string& scalar) {
   return header;
 }
 
-TEST(Brittle, AMarginWithinRoundingIsTold) {
+TEST(Brittle, AMarginWithinRoundingIsReported) {
   const trace::Frame frame = decided({"axis", "face_a", "edge_edge", 2e-7, {}, {}});
   EXPECT_THAT(brittle_decisions(cubes("float"), frame),
               ElementsAre("frame 12, floor-crate: axis: face_a over edge_edge by 200 nm, which is "
-                          "within rounding: another machine may choose otherwise"));
+                          "within rounding: another machine may choose differently"));
   EXPECT_THAT(brittle_decisions(cubes("double"), frame), IsEmpty());
 }
 

@@ -89,7 +89,7 @@ TEST_F(Check, AMovedDotFailsWithItsNumbersAndTheLimits) {
   EXPECT_EQ(finding.key(), "hull/face_contact/frame_0012");
   ASSERT_TRUE(finding.pixels.has_value());
   EXPECT_GT(finding.pixels->found.differing, 8);
-  EXPECT_THAT(finding.details, Contains("allowed are 100 pixels, fewer than 8 of them together, "
+  EXPECT_THAT(finding.details, Contains("allowed: 100 pixels, fewer than 8 of them together, "
                                         "and a channel by 2"));
   EXPECT_EQ(finding.stored_sha256, sha256_of_file(picture()));
   ASSERT_TRUE(checked.expected.has_value());
@@ -110,7 +110,7 @@ TEST_F(Check, AnotherSizeFails) {
                       "hull/face_contact frame 12: picture has size 161x90, stored is 160x90"));
 }
 
-TEST_F(Check, ATornPictureIsUnreadableAndAnUpdateMendsIt) {
+TEST_F(Check, ATornPictureIsUnreadableAndAnUpdateFixesIt) {
   store_picture(kKey, dot_picture(80, 45));
   std::filesystem::resize_file(picture(), std::filesystem::file_size(picture()) / 2);
   EXPECT_THAT(check(dot_picture(80, 45)).finding,
@@ -119,9 +119,9 @@ TEST_F(Check, ATornPictureIsUnreadableAndAnUpdateMendsIt) {
   EXPECT_EQ(check(dot_picture(80, 45)).finding, std::nullopt);
 }
 
-TEST_F(Check, NothingIsStoredWhereNobodyAsked) {
+TEST_F(Check, NothingIsStoredByDefault) {
   EXPECT_THAT(check(dot_picture(80, 45)).finding,
-              Reports(FindingKind::New, "nothing is stored of hull/face_contact"));
+              Reports(FindingKind::New, "nothing is stored for hull/face_contact"));
   EXPECT_THAT(check(sample_trace()).finding, Reports(FindingKind::New, "nothing is stored"));
   EXPECT_TRUE(std::filesystem::is_empty(root()));
   store_trace(sample_trace());
@@ -187,7 +187,7 @@ TEST_F(Check, AStoredTraceThatCannotBeReadFails) {
   EXPECT_THAT(check(sample_trace()).finding, Reports(FindingKind::Unreadable, "trace.jsonl:3"));
 }
 
-TEST_F(Check, UpdateRewritesWhatDiffersAndTellsWhat) {
+TEST_F(Check, UpdateRewritesWhatDiffersAndReportsIt) {
   store_picture(kKey, dot_picture(80, 45));
   store_trace(sample_trace());
   trace::Trace other = sample_trace();
@@ -235,12 +235,12 @@ TEST_F(Check, AnyOfTheDriversPicturesPassesAndTheNearestIsShown) {
   EXPECT_EQ(checked.nearest, next_to("frame_0012.osmesa.png"));
   EXPECT_EQ(checked.expected, dot_picture(100, 45));
   EXPECT_THAT(checked.finding->details,
-              Contains("held against the nearest of 2, frame_0012.osmesa.png"));
+              Contains("compared with the nearest of 2, frame_0012.osmesa.png"));
   const std::vector<int> frames{12};
   EXPECT_THAT(check_stale(archive(), {}, frames, kLocal), IsEmpty()) << "it goes with its picture";
 }
 
-TEST_F(Check, AKnownBugIsToldByItsNote) {
+TEST_F(Check, AKnownBugIsReportedWithItsNote) {
   store_picture(kKey, dot_picture(80, 45));
   write_png(next_to("frame_0012.bad_31.png").string(), dot_picture(100, 45));
   write_text(next_to("frame_0012.bad_31.txt"), "the bug of the lost dot is back\n");
@@ -251,13 +251,14 @@ TEST_F(Check, AKnownBugIsToldByItsNote) {
   EXPECT_EQ(check(dot_picture(80, 45)).finding, std::nullopt);
 }
 
-TEST_F(Check, AKnownBadTraceIsToldToo) {
+TEST_F(Check, AKnownBadTraceIsReportedToo) {
   trace::Trace other = sample_trace();
   sample_manifold(other).normal *= -1;
   store_trace(sample_trace());
   write_text(next_to("trace.bad_31.jsonl"), to_json_lines(other));
-  EXPECT_THAT(check(other).finding,
-              Reports(FindingKind::KnownBad, "is as trace.bad_31.jsonl, which is known to be bad"));
+  EXPECT_THAT(
+      check(other).finding,
+      Reports(FindingKind::KnownBad, "matches trace.bad_31.jsonl, which is known to be bad"));
 }
 
 TEST_F(Check, AStalePictureFailsUntilAnUpdateRemovesIt) {
@@ -276,7 +277,7 @@ TEST_F(Check, AStalePictureFailsUntilAnUpdateRemovesIt) {
   EXPECT_THAT(stale(kLocal), IsEmpty());
 }
 
-TEST_F(Check, WhatIsLeftOfARemovedScenarioIsOrphaned) {
+TEST_F(Check, FilesOfARemovedScenarioAreOrphaned) {
   store_picture(kKey, dot_picture(80, 45));
   store_trace(sample_trace());
   check_frames(archive(), {"r", {{3, "a"}}}, kUpdate);
@@ -287,7 +288,7 @@ TEST_F(Check, WhatIsLeftOfARemovedScenarioIsOrphaned) {
   EXPECT_THAT(folder_.files(), IsEmpty());
 }
 
-TEST_F(Check, AnUnreadableTraceOfARemovedScenarioIsSaidAndStays) {
+TEST_F(Check, AnUnreadableTraceOfARemovedScenarioIsReported) {
   store_picture(kKey, dot_picture(80, 45));
   folder_.write("hull/face_contact/trace.jsonl", "");
   for (const Policy& policy : {kLocal, kUpdate}) {
@@ -314,7 +315,7 @@ TEST_F(Check, FramesThatAreNotStoredAreHeldByTheirHashes) {
   EXPECT_THAT(checked.changed, ElementsAre(2, 3));
 }
 
-TEST_F(Check, HashesOfAMachineThatRoundsOtherwiseAreNotCompared) {
+TEST_F(Check, HashesOfAMachineThatRoundsDifferentlyAreNotCompared) {
   check_frames(archive(), {"one", {{1, "a"}}}, kUpdate);
   const CheckedFrames checked = check_frames(archive(), {"another", {{1, "x"}}}, kLocal);
   EXPECT_FALSE(checked.is_compared);

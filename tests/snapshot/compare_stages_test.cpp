@@ -59,7 +59,7 @@ TEST(CompareStages, ClipFaces) {
               ElementsAre("incident face: normal flipped"));
 }
 
-TEST(CompareStages, ClipPolygonsTellTheVertexThatMovedMost) {
+TEST(CompareStages, ClipPolygonsNameTheVertexThatMovedMost) {
   EXPECT_THAT(after([](trace::Pair& pair) {
                 pair.clip->steps[1].polygon[0].z() += 0.001;
                 pair.clip->steps[1].polygon[2].z() += 0.003;
@@ -258,7 +258,7 @@ TEST(CompareStages, Stability) {
               ElementsAre("stability gone"));
 }
 
-TEST(CompareStages, WhatAReducerConsideredAndABestPolygon) {
+TEST(CompareStages, AReducersChoicesAndItsBestPolygon) {
   EXPECT_THAT(after([](trace::Pair& pair) {
                 pair.reduction->best = {0, 2};
               }),

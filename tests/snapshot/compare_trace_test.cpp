@@ -25,7 +25,7 @@ std::vector<std::string> after(const std::function<void(trace::Trace&)>& change)
   return compare_traces(sample_trace(), actual);
 }
 
-TEST(CompareTraces, EqualTracesHaveNothingToTell) {
+TEST(CompareTraces, EqualTracesHaveNoDifferences) {
   EXPECT_THAT(compare_traces(sample_trace(), sample_trace()), IsEmpty());
 }
 
@@ -36,7 +36,7 @@ TEST(CompareTraces, ATraceThatWentThroughItsFileIsEqual) {
   EXPECT_THAT(compare_traces(trace::read_trace(file, "file"), sample_trace()), IsEmpty());
 }
 
-TEST(CompareTraces, AMovedPointTellsHowFarAndWhere) {
+TEST(CompareTraces, AMovedPointHasDistanceAndAxis) {
   EXPECT_THAT(after([](trace::Trace& trace) {
                 sample_manifold(trace).points[2].position.x() += 0.0013;
                 sample_manifold(trace).points[2].separation += 0.0013;
@@ -81,7 +81,7 @@ TEST(CompareTraces, AFlippedNormalIsSeen) {
               ElementsAre("hull/face_contact frame 12, crate-floor: normal flipped"));
 }
 
-TEST(CompareTraces, ATurnedNormalTellsTheAngle) {
+TEST(CompareTraces, ARotatedNormalHasTheAngle) {
   EXPECT_THAT(after([](trace::Trace& trace) {
                 sample_manifold(trace).normal = Vec3d(std::sin(0.01), -std::cos(0.01), 0);
                 sample_manifold(trace).axis = "edge_edge";
@@ -90,7 +90,7 @@ TEST(CompareTraces, ATurnedNormalTellsTheAngle) {
                           "axis face_b -> edge_edge"));
 }
 
-TEST(CompareTraces, LosingContactIsToldFirst) {
+TEST(CompareTraces, LostContactIsReportedFirst) {
   EXPECT_THAT(after([](trace::Trace& trace) {
                 sample_pair(trace).state = "separated";
                 sample_pair(trace).separation = 0.01;
@@ -175,7 +175,7 @@ TEST(CompareTraces, TheHeaderCounts) {
               ElementsAre("hull/face_contact, floor: gone"));
 }
 
-TEST(CompareTraces, AFrameTellsSoMuchAndNoMore) {
+TEST(CompareTraces, AFrameHasALimitOfSentences) {
   const std::vector<std::string> sentences = after([](trace::Trace& trace) {
     for (int i = 0; i < 20; ++i) {
       sample_manifold(trace).points.push_back({Vec3d::Zero(), 0, "a:e0 b:e" + std::to_string(i)});
@@ -320,7 +320,7 @@ TEST(CompareTraces, BodiesAndSettingsOfTheSolver) {
               ElementsAre(frame + ": solver gone"));
 }
 
-TEST(CompareTraces, TotalsAreHeldAgainstWhatTheySumUp) {
+TEST(CompareTraces, TotalsAreComparedWithTheirSums) {
   const std::string frame = "hull/face_contact frame 12";
   EXPECT_THAT(after([](trace::Trace& trace) { trace.frames[1].totals.reset(); }),
               ElementsAre(frame + ": totals gone"));
@@ -396,11 +396,11 @@ TEST_F(CompareWithStored, NumbersWithinTheirToleranceAreTheSameThoughTheirBytesD
   EXPECT_THAT(compare(), IsEmpty());
 }
 
-TEST_F(CompareWithStored, WhatNoFactHoldsFailsByItsLine) {
+TEST_F(CompareWithStored, TextOutsideAllFactsFailsByItsLine) {
   replace("\"slop\":0.0", "\"slop\":-0.0");
-  EXPECT_THAT(compare(),
-              ElementsAre(testing::AllOf(testing::HasSubstr("line 3 of file is not as it would be"),
-                                         testing::HasSubstr("\"slop\":-0.0,"))));
+  EXPECT_THAT(compare(), ElementsAre(testing::AllOf(
+                             testing::HasSubstr("line 3 of file is written differently"),
+                             testing::HasSubstr("\"slop\":-0.0,"))));
   text_ = to_json_lines(trace_);
   replace("\"substeps\":4", "\"substeps\":4,\"seed\":1");
   EXPECT_THAT(compare(), ElementsAre(testing::HasSubstr("\"seed\":1")));

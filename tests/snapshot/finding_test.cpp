@@ -36,7 +36,7 @@ Outcome three_scenarios() {
   return outcome;
 }
 
-TEST(Findings, OneCauseIsToldOnceWithItsScenarios) {
+TEST(Findings, ACauseIsListedOnceWithItsScenarios) {
   const Outcome outcome = three_scenarios();
   const std::vector<Cause> all = causes(outcome);
   ASSERT_THAT(all, SizeIs(3));
@@ -63,7 +63,7 @@ TEST(Findings, AFewEditedScenariosAreACauseEach) {
   EXPECT_EQ(causes_of(2, "trace: 7, chosen "), 1u) << "one edit of the program";
 }
 
-TEST(Findings, WhatIsStoredWithoutAFileIsCountedBesideTheScenarios) {
+TEST(Findings, OrphanedSnapshotsAreCountedNextToTheScenarios) {
   Outcome outcome = three_scenarios();
   outcome.scenarios.push_back({"e/e"});
   outcome.scenarios[4].findings = {{FindingKind::Orphaned, "e/e", "", {}, "e/e/trace.jsonl"}};
@@ -96,7 +96,7 @@ TEST(FirstCause, IsWhatThePipelineDecidesFirst) {
   EXPECT_THAT(record.cause, HasSubstr("so 1 point and 1 of 4 ids changed"));
 }
 
-TEST(FirstCause, ADecisionIsToldWithBothOfItsNumbers) {
+TEST(FirstCause, ADecisionHasBothOfItsNumbers) {
   trace::Trace stored = sample_trace();
   trace::Sat& before = *sample_pair(stored).sat;
   before.face_a->separation = -0.02001;
@@ -122,7 +122,7 @@ std::string record_of(const std::function<void(trace::Pair&)>& change,
   return compare_with_stored(to_json_lines(sample_trace()), "file", now, margins).cause;
 }
 
-TEST(FirstCause, EveryChoiceIsToldWithItsMargin) {
+TEST(FirstCause, EveryChoiceHasItsMargin) {
   EXPECT_THAT(
       record_of([](trace::Pair& pair) { pair.clip->incident.face = 5; },
                 {"incident_face", "face 5", "face 3", {}, {}, 1e-6}),
@@ -143,7 +143,7 @@ TEST(FirstCause, EveryChoiceIsToldWithItsMargin) {
               HasSubstr("the shapes are now separated instead of touching, with 20 nm to spare"));
 }
 
-TEST(FirstCause, APreferenceIsToldByWhatItLeaves) {
+TEST(FirstCause, APreferenceHasItsRemainder) {
   const std::string record = record_of(
       [](trace::Pair& pair) {
         pair.sat->face_a->separation = -0.006;
@@ -153,7 +153,7 @@ TEST(FirstCause, APreferenceIsToldByWhatItLeaves) {
   EXPECT_THAT(record, HasSubstr("1 mm between them, with 4 um to spare over an edge pair"));
 }
 
-TEST(FirstCause, WhatMovedIsToldWithTheChoiceThatItTurned) {
+TEST(FirstCause, AMotionIsReportedWithTheChoiceItFlipped) {
   trace::Trace now = sample_trace();
   for (trace::Frame& frame : now.frames) frame.poses[0].second.position.y() += 3e-5;
   now.frames[1].pairs[0].clip->incident.face = 5;
@@ -165,7 +165,7 @@ TEST(FirstCause, WhatMovedIsToldWithTheChoiceThatItTurned) {
                         "clip step changed"));
 }
 
-TEST(FirstCause, WhatTheFileSaysIsToldApartFromWhatTheSolverMoves) {
+TEST(FirstCause, InputPosesAreDistinguishedFromSolverMotion) {
   trace::Trace stored = sample_trace();
   for (trace::Frame& frame : stored.frames) frame.solver.reset();
   const auto is_input = [&](std::size_t frame) {

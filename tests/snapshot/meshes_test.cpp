@@ -47,7 +47,7 @@ class StoredMeshes : public testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(StoredMeshes, ALargeOneStandsOnceHoweverManyNameIt) {
+TEST_F(StoredMeshes, ALargeOneIsStoredOnceForAllReferences) {
   const std::string text = to_json_lines(with_strip(4000));
   store("group/one", with_strip(4000));
   store("group/two", with_strip(4000));
@@ -72,7 +72,7 @@ TEST_F(StoredMeshes, EdgesThatDoNotFollowFromTheFacesAreKept) {
   EXPECT_EQ(read("group/one"), to_json_lines(trace));
 }
 
-TEST_F(StoredMeshes, WhatNobodyNamesAnyMoreGoes) {
+TEST_F(StoredMeshes, UnreferencedMeshesAreRemoved) {
   store("group/one", with_strip(4000));
   store("group/two", with_strip(4000));
   store("group/one", with_strip(4000, 0.2));
@@ -85,7 +85,7 @@ TEST_F(StoredMeshes, WhatNobodyNamesAnyMoreGoes) {
   EXPECT_THAT(files_below(root()), IsEmpty());
 }
 
-TEST_F(StoredMeshes, ATornOrMissingOneIsToldWithItsRemedy) {
+TEST_F(StoredMeshes, ATornOrMissingOneHasARemedy) {
   store("group/one", with_strip(4000));
   const std::filesystem::path file = root() / "meshes" / *meshes().begin();
   const auto message = [&]() -> std::string {
@@ -97,9 +97,9 @@ TEST_F(StoredMeshes, ATornOrMissingOneIsToldWithItsRemedy) {
     return "nothing was thrown";
   };
   folder_.write("meshes/" + *meshes().begin(), read_text(file).substr(0, 1000));
-  EXPECT_THAT(message(), HasSubstr("is not what its name says: it is no whole gzip file"));
+  EXPECT_THAT(message(), HasSubstr("does not match its name: it is not a complete gzip file"));
   folder_.write("meshes/" + *meshes().begin(), gzip("{}\n"));
-  EXPECT_THAT(message(), HasSubstr("it is another one's"));
+  EXPECT_THAT(message(), HasSubstr("it belongs to another mesh"));
   std::filesystem::remove(file);
   EXPECT_THAT(message(), HasSubstr("group/one/trace.jsonl:1:1: its mesh meshes/"));
   EXPECT_THAT(message(), HasSubstr("check --update"));
@@ -133,7 +133,7 @@ TEST_F(StoredMeshes, ATraceThatWasStoredWholeIsStillTheSame) {
       check_trace(archive_of(root(), trace.header.scenario), trace, {}).finding.has_value());
 }
 
-TEST(Gzip, ReadsBackAndRefusesWhatIsTorn) {
+TEST(Gzip, ReadsBackAndRefusesTornData) {
   for (const std::string& text : {std::string(), std::string("abc"), std::string(100000, 'x')})
     EXPECT_EQ(gunzip(gzip(text)), text);
   std::string file = gzip("some bytes that are not long");

@@ -58,7 +58,7 @@ TEST_F(ReportFiles, AMovedDotLeavesItsPictures) {
   EXPECT_EQ(read_png(out("hull/face_contact/frame_0012.actual.png")), dot_picture(82, 45));
 }
 
-TEST_F(ReportFiles, WhatIsTheSameLeavesItsFindingsAlone) {
+TEST_F(ReportFiles, AnUnchangedPictureLeavesOnlyTheFindings) {
   report(dot_picture(82, 45));
   report(dot_picture(80, 45));
   EXPECT_THAT(out_.files(), UnorderedElementsAre("check/findings.json"));
@@ -113,7 +113,7 @@ TEST_F(ReportFiles, AStaleCandidateIsRefused) {
   EXPECT_THAT(accept(folder(), snapshots_.path(), only(outcome)), HasSubstr("candidate"));
 }
 
-TEST_F(ReportFiles, UnderAWordMoreItStandsBesideWhatIsStored) {
+TEST_F(ReportFiles, AKnownBugIsStoredNextToTheSnapshot) {
   Outcome outcome = report(dot_picture(82, 45));
   EXPECT_EQ(accept(folder(), snapshots_.path(), only(outcome), {"bad_31", "it is back"}), "");
   EXPECT_THAT(snapshots_.files(), UnorderedElementsAre("hull/face_contact/frame_0012.png",
@@ -135,7 +135,8 @@ TEST_F(ReportFiles, OnlyPicturesHaveAnotherBaseline) {
   trace.candidate = "hull/face_contact/trace.actual.jsonl";
   trace.stored_sha256 = sha256_of_file(snapshots_ / "hull/face_contact/trace.jsonl");
   trace.candidate_sha256 = sha256_of_file(folder() / trace.candidate);
-  EXPECT_THAT(accept(folder(), snapshots_.path(), trace, {"osmesa"}), HasSubstr("is no picture"));
+  EXPECT_THAT(accept(folder(), snapshots_.path(), trace, {"osmesa"}),
+              HasSubstr("is not a picture"));
   EXPECT_TRUE(trace.fails());
 }
 

@@ -49,7 +49,7 @@ TEST(Spelling, MovesAlongAnAxisNameIt) {
   EXPECT_EQ(spell_move(Vec3d(1, 1, 1), Vec3d(1.3, 1.4, 1)), "moved 500 mm along (0.6, 0.8, 0)");
 }
 
-TEST(Spelling, AMoveToNowhereNamesBothPlaces) {
+TEST(Spelling, AMoveToNanNamesBothPlaces) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(spell_move(Vec3d(1, 2, 3), Vec3d(1, nan, 3)), "moved from (1, 2, 3) to (1, nan, 3)");
 }

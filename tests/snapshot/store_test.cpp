@@ -50,7 +50,7 @@ class StoredFiles : public testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(StoredFiles, WhatIsNotStoredAnyMoreIsStale) {
+TEST_F(StoredFiles, ObsoleteFilesAreStale) {
   put("hull/face_contact/trace.jsonl");
   put("hull/face_contact/notes.md");
   put("hull/face_contact/frame_0000.png");
@@ -91,7 +91,7 @@ TEST_F(StoredFiles, ANameWithoutAFolderIsWrittenWhereWeAre) {
   EXPECT_EQ(read_text(folder_ / "junit.xml"), "x");
 }
 
-TEST_F(StoredFiles, WritingReplacesTheWholeFileAndLeavesNothingBeside) {
+TEST_F(StoredFiles, WritingReplacesTheWholeFileAndLeavesNoOther) {
   const std::filesystem::path file = folder_.path() / "a" / "b" / "text";
   write_text(file, "a long first text");
   write_text(file, "short");
@@ -99,7 +99,7 @@ TEST_F(StoredFiles, WritingReplacesTheWholeFileAndLeavesNothingBeside) {
   EXPECT_THAT(folder_.files(), UnorderedElementsAre("a/b/text"));
 }
 
-TEST_F(StoredFiles, WhatCannotBeWrittenIsAnErrorAndLeavesNothing) {
+TEST_F(StoredFiles, AFailedWriteIsAnErrorAndLeavesNothing) {
   std::filesystem::create_directories(folder_.path() / "folder" / "inside");
   EXPECT_THROW(write_text(folder_.path() / "folder", "x"), std::filesystem::filesystem_error);
   EXPECT_THAT(folder_.files(), IsEmpty());

@@ -10,7 +10,7 @@ constexpr FindingKind kKinds[] = {FindingKind::Changed,    FindingKind::New,
                                   FindingKind::Unreadable, FindingKind::UnmetExpectation,
                                   FindingKind::KnownBad};
 
-TEST(Verdict, NothingIsWrittenWhereNobodyAsked) {
+TEST(Verdict, NothingIsWrittenByDefault) {
   for (const FindingKind kind : kKinds) EXPECT_EQ(decide(kind, {}), Done::Nothing);
 }
 
@@ -23,7 +23,7 @@ TEST(Verdict, WriteMissingWritesNothingElse) {
     EXPECT_EQ(decide(kind, policy), Done::Nothing);
 }
 
-TEST(Verdict, UpdateMendsEveryFile) {
+TEST(Verdict, UpdateFixesEveryFile) {
   for (const Update update : {Update::Failed, Update::All}) {
     const Policy policy{false, update};
     EXPECT_EQ(decide(FindingKind::Changed, policy), Done::Updated);
@@ -34,13 +34,13 @@ TEST(Verdict, UpdateMendsEveryFile) {
   }
 }
 
-TEST(Verdict, NoUpdateMendsAnExpectationOrTakesAKnownBug) {
+TEST(Verdict, NoUpdateFixesAnExpectationOrTakesAKnownBug) {
   const Policy policy{false, Update::All};
   EXPECT_EQ(decide(FindingKind::UnmetExpectation, policy), Done::Nothing);
   EXPECT_EQ(decide(FindingKind::KnownBad, policy), Done::Nothing);
 }
 
-TEST(Verdict, CiNeverWritesWhateverIsAsked) {
+TEST(Verdict, CiNeverWritesWithAnyOption) {
   for (const Update update : {Update::None, Update::Missing, Update::Failed, Update::All})
     for (const FindingKind kind : kKinds) EXPECT_EQ(decide(kind, {true, update}), Done::Nothing);
 }

@@ -55,7 +55,7 @@ INSTANTIATE_TEST_SUITE_P(Scalars, Explore, testing::Values("float", "double"),
                          [](const auto& test) { return std::string(test.param); });
 
 /// Two crates turn on a floor: two manifolds that are explored at once.
-TEST_P(Explore, SaysTheSameForAnyNumberOfThreads) {
+TEST_P(Explore, GivesTheSameForAnyNumberOfThreads) {
   const Scenario scenario = octagon(
       GetParam(), std::string(kAtRest) + "\nmotion = { angular_velocity = [0, 0.1, 0] }",
       "[shapes.other]\ntype = \"box\"\nhalf_extents = [0.2, 0.2, 0.2]\nposition = [0.3, 1.19, 0]\n"
@@ -138,7 +138,7 @@ TEST_P(Explore, AtRestNothingChangesAndNothingMoves) {
   }
 }
 
-TEST_P(Explore, BodiesMoveAsTheScriptSays) {
+TEST_P(Explore, BodiesFollowTheScript) {
   const std::string sliding = std::string(kAtRest) + "\nmotion = { velocity = [0.06, 0, -0.08] }";
   const auto explorations = explore(octagon(GetParam(), sliding), 3, untimed());
   ASSERT_THAT(explorations, SizeIs(4));
@@ -175,7 +175,7 @@ Scenario rocking_bar(const std::string& scalar) {
       "hull/bar.toml");
 }
 
-TEST_P(Explore, PointsThatGiveWayToOthersHaveMovedThere) {
+TEST_P(Explore, ReplacedPointsHaveMovedToTheOthers) {
   const auto explorations =
       explore(rocking_bar(GetParam()), 2, untimed({"deepest", "optimal_deepest"}));
   ASSERT_THAT(explorations, SizeIs(3));
@@ -203,7 +203,7 @@ std::pair<double, double> cut(double turn) {
 
 // The centre of a square of contacts stays when the octagon's other square replaces it: a measure
 // of the centre alone would miss the change.
-TEST_P(Explore, ASquareThatGivesWayToTheOtherHasMoved) {
+TEST_P(Explore, ASquareReplacedByTheOtherHasMoved) {
   const std::string turning =
       "position = [0, 0.495, 0]\n[shapes.crate.motion]\nkeyframes = [\n"
       "{ time = 0.0, rotation = { axis = [0, 1, 0], degrees = 43 } },\n"
@@ -306,7 +306,7 @@ TEST_P(Explore, EveryReducerHoldsASlabInTheMiddleAndNoneOneThatHangsOver) {
   EXPECT_THAT(held("position = [0, 0.095, -0.8]"), ElementsAre(false));
 }
 
-TEST_P(Explore, WhatNothingTouchesIsLeftOutAndForgotten) {
+TEST_P(Explore, SeparatedFramesAreLeftOutAndReset) {
   // Down, up, and down again, after a quarter turn: frames 0 and 2 touch.
   const std::string hopping =
       "rotation = { axis = [0, 1, 0], degrees = 45 }\nmotion = { keyframes = [ "
@@ -380,7 +380,7 @@ TEST_P(Explore, PairsThatDifferInAnyOtherSettingAllAppear) {
   EXPECT_EQ(alone[0].label, "");
 }
 
-TEST_P(Explore, AnswersOnlyTheReducersAskedForInThatOrder) {
+TEST_P(Explore, AnswersOnlyTheGivenReducersInOrder) {
   const auto explorations =
       explore(octagon(GetParam(), kAtRest), 0, untimed({"optimal", "none", "area"}));
   ASSERT_THAT(explorations, SizeIs(1));
@@ -468,7 +468,7 @@ TEST(Summarize, MovesAreTheWorstFrameAndInfiniteOnBodiesAtRest) {
   EXPECT_EQ(summarize(frames).at(0).moves, std::numeric_limits<double>::infinity());
 }
 
-TEST(Summarize, OfNothingThereAreNoRowsAndAtRestNothingMoves) {
+TEST(Summarize, NoInputGivesNoRowsAndAtRestNothingMoves) {
   EXPECT_THAT(summarize({}), IsEmpty());
   trace::Exploration exploration;
   exploration.reducers = {answer("only", 1, 0)};

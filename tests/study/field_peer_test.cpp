@@ -26,7 +26,7 @@ class FieldPeer : public testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(FieldPeer, SaysWhatItBuiltAndFound) {
+TEST_F(FieldPeer, ReportsWhatItBuiltAndFound) {
   const std::string seen = folder_ / "seen";
   const auto field = query_pair("cat >'" + seen +
                                 "'\necho name Fake 1.0\necho build 12.5 bytes 3000 nanoseconds 2\n"
@@ -49,7 +49,7 @@ TEST_F(FieldPeer, OneThatFailsOrEndsEarlyIsAnError) {
                std::runtime_error);
 }
 
-TEST_F(FieldPeer, OneThatIsNotThereIsNotAsked) {
+TEST_F(FieldPeer, AMissingOneIsNotRun) {
   const Mesh<double> triangle = build_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
   EXPECT_FALSE(run_field_peer({folder_.path().string()}, "none", triangle, 64, 3, 2, {}));
 }

@@ -25,7 +25,7 @@ velocity = [0, -0.001, 0]
 scalar = "double"
 )";
 
-TEST(FlipDistanceStudy, TellsOfEachFrameHowFarThePointsAreFromOthers) {
+TEST(FlipDistanceStudy, MeasuresTheFlipDistanceOfEachFrame) {
   const std::vector<Scenario> scenarios = {parse_scenario(kSinkingBall, "mine/ball.toml")};
   StudyOptions options;
   options.scenarios = &scenarios;
@@ -47,7 +47,7 @@ TEST(FlipDistanceStudy, TellsOfEachFrameHowFarThePointsAreFromOthers) {
   EXPECT_EQ(studies[1].series[0].points[0].failed, 1);
 }
 
-TEST(FlipDistanceStudy, OfTheFramesThatAreNamed) {
+TEST(FlipDistanceStudy, UsesTheNamedFrames) {
   const std::vector<Scenario> scenarios = {parse_scenario(kSinkingBall, "mine/ball.toml")};
   StudyOptions options;
   options.scenarios = &scenarios;

@@ -131,7 +131,7 @@ TEST(LimitSweep, AtTheOriginAndCoincident) {
   }
 }
 
-TEST(StackedPair, OverlapsByWhatIsAskedFor) {
+TEST(StackedPair, OverlapsByTheGivenAmount) {
   std::mt19937_64 engine(6);
   for (const LimitSweep& sweep : limit_sweeps()) {
     for (const PairKind& kind : sweep.kinds) {

@@ -10,7 +10,7 @@ namespace {
 constexpr LandingMethod kEvery[] = {LandingMethod::OneShot, LandingMethod::ByDistance,
                                     LandingMethod::ByIds};
 
-TEST(ManifoldStabilityStudy, ALevelDropIsStableAtOnceInOneShotAndInFourFramesAtLeastOtherwise) {
+TEST(ManifoldStabilityStudy, ALevelDropIsStableAtOnceInOneShotAndElseInFourFramesOrMore) {
   const LandingCase drop{Landing::Drop, 0.02, Vec3d(0.4, 0.3, 0.5), 0.3};
   EXPECT_EQ(land(drop, LandingMethod::OneShot, 90).frames_to_stable, 1);
   EXPECT_GE(land(drop, LandingMethod::ByDistance, 90).frames_to_stable, 4);

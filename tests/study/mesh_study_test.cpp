@@ -64,7 +64,7 @@ void expect_exact_answers() {
   }
 }
 
-TEST(TriangleStudy, ACornerMovedByLastBitsIsWhereTheMapSaysItIs) {
+TEST(TriangleStudy, ACornerMovedByLastBitsIsWhereTheMapHasIt) {
   expect_exact_answers<float>();
   expect_exact_answers<double>();
 }

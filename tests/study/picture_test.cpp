@@ -84,7 +84,7 @@ TEST(Picture, TheTitleIsTheResultOfTheRun) {
   EXPECT_THAT(picture_tunnelling(study).title, HasSubstr("swept up to 1 %"));
 }
 
-TEST(Picture, OfFlipDistancesTheSmallestIsToldWithItsUnit) {
+TEST(Picture, TheSmallestFlipDistanceIsShownWithItsUnit) {
   trace::Study study;
   study.measure = "way";
   study.error = "smallest way";
@@ -104,7 +104,7 @@ TEST(Picture, OfFlipDistancesTheSmallestIsToldWithItsUnit) {
   EXPECT_THAT(picture_flip_distance(study).title, HasSubstr("2 last places of a coordinate"));
 }
 
-TEST(Picture, WhatLacksTheNumbersOfItsResultKeepsItsTitle) {
+TEST(Picture, AStudyWithoutNumbersKeepsItsTitle) {
   for (const StudyInfo& info : studies()) {
     if (info.picture == nullptr) continue;
     for (const char* measure : {"area", "passed", "error", "map", "jitter", "time", "wrong"}) {

@@ -109,7 +109,7 @@ TEST(ReducerStudy, ErrorsAreSharesAndTimesAreInOrder) {
   }
 }
 
-TEST(ReducerStudy, WhoKeepsNoAreaHasFailedAndLostAllOfIt) {
+TEST(ReducerStudy, AReducerWithoutAreaHasFailedAndLostAll) {
   int failed = 0;
   for (const trace::StudySeries& series : results()[0].series) {
     for (const trace::StudyPoint& point : series.points) {
@@ -172,7 +172,7 @@ TEST(ReducerStudy, AreaLosesSomethingAndAnOptimalReducerNothing) {
 }
 
 /// None of them is the deepest, so area decides: greedy steps may only begin at a poor point.
-TEST(ReducerStudy, OfEquallyDeepPointsTheBestFourAreKept) {
+TEST(ReducerStudy, TheBestFourOfEquallyDeepPointsAreKept) {
   const trace::Study& flat = results()[3];
   for (const trace::StudySeries& series : flat.series) {
     for (const trace::StudyPoint& point : series.points) {
@@ -192,7 +192,7 @@ TEST(ReducerStudy, OfEquallyDeepPointsTheBestFourAreKept) {
   }
 }
 
-TEST(ReducerStudy, OnlyWhoAsksForTheDeepestNeverLosesIt) {
+TEST(ReducerStudy, OnlyDepthReducersNeverLoseTheDeepest) {
   for (const trace::StudySeries& series : results()[2].series) {
     const std::vector<std::string> always = {
         "area_deepest", "deepest", "bullet", "ode", "physx", "optimal_deepest", "physx_cluster"};

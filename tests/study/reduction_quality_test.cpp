@@ -92,7 +92,7 @@ TEST(ReductionQuality, DeepestIsKeptOrNot) {
   EXPECT_TRUE(measured(points, {0, 1, 2, 5}).deepest_kept) << "one of two that are as deep";
 }
 
-TEST(ReductionQuality, DepthErrorIsWhatAPlaneCannotTell) {
+TEST(ReductionQuality, DepthErrorIsTheDeviationFromAPlane) {
   Points tilted;
   for (const auto& p : kRectangle) {
     tilted.push_back(point(p.position.x(), p.position.z(), -0.02 + 0.003 * p.position.x()));
@@ -127,7 +127,7 @@ TEST(ReductionQuality, NoPointsLoseNothingAndNothingKeptLosesAll) {
   EXPECT_DOUBLE_EQ(measured(kRectangle, {}).wrench_error, 1);
 }
 
-TEST(Supports, WeightOverThePolygonItsEdgeAndBeside) {
+TEST(Supports, WeightOverThePolygonItsEdgeAndOutside) {
   const std::vector<int> all = {0, 1, 2, 3};
   const std::vector<int> half = {0, 1, 3};
   EXPECT_TRUE(supports(kRectangle, Vec3d::UnitY(), all, Vec3d(0.5, 7, 0.5)));

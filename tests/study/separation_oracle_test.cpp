@@ -45,7 +45,7 @@ TEST(SeparationOracle, OverlappingHullsAgreeWithBruteForceOverAllAxes) {
   EXPECT_GT(overlapping, 30);
 }
 
-TEST(SeparationOracle, HullsApartHaveTheirDistance) {
+TEST(SeparationOracle, SeparatedHullsHaveTheirDistance) {
   Random random(2);
   for (int i = 0; i < 40; ++i) {
     const Hull<double> a = test::random_hull(random, 8, 1, 3);

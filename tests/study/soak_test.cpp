@@ -73,7 +73,7 @@ TEST(Soak, ACaseIsFoundAgainByItsNumber) {
 // The only two wrong cases in a hundred million: the end of one capsule and a point near an end of
 // the other are closest, but by so little that squared distances in float are equal to those of
 // both ends. The normal must still be perpendicular to the axis.
-TEST(Soak, APointBesideAnEndLeansTheNormalByNoMoreThanRounding) {
+TEST(Soak, APointNearAnEndTiltsTheNormalByRoundingOnly) {
   for (const std::int64_t number : {37'586'174, 63'044'941}) {
     const PairVerdict verdict = judge_pair<float>(soak_case(1, number).pair);
     EXPECT_EQ(verdict.fault, ContactFault::None) << number;

@@ -25,7 +25,7 @@ SolverSettings stack_settings(PositionCorrection correction, int iterations, int
   return settings;
 }
 
-TEST(StackPlan, IsHeavyOnTopAndLeansOnNothing) {
+TEST(StackPlan, IsHeavyOnTopWithSmallOffsets) {
   const StackPlan plan = seeded_plan(6, 1000);
   ASSERT_EQ(plan.boxes.size(), 6u);
   for (std::size_t i = 0; i < 6; ++i) {
@@ -52,7 +52,7 @@ TEST(SolverStack, TwoBoxesComeToRestAndCarryTheirWeight) {
 }
 
 // A single box 60 cm to the side of the one below has to fall with any solver.
-TEST(SolverStack, ABoxThatNothingHoldsHasFallen) {
+TEST(SolverStack, AnUnsupportedBoxHasFallen) {
   StackPlan plan = seeded_plan(2, 1);
   plan.boxes[1].x = plan.boxes[0].x + 0.6;
   const StackOutcome outcome = run_stack(plan, stack_settings(PositionCorrection::Baumgarte, 8, 4));
@@ -67,7 +67,7 @@ TEST(SolverStack, AHeavyBoxSinksIntoLightOnesWhereNoImpulseIsKept) {
   EXPECT_NE(run_stack(seeded_plan(3, 1000), settings).fault, StackFault::None);
 }
 
-TEST(SolverStack, EnergyFromNowhereIsFound) {
+TEST(SolverStack, EnergyGainIsFound) {
   // Four times each overlap per step: boxes are thrown instead of pushed.
   SolverSettings settings = stack_settings(PositionCorrection::Baumgarte, 1);
   settings.baumgarte = 4;

@@ -122,7 +122,7 @@ class EveryKey : public testing::Test {
   ordered_json frame_ = ordered_json::parse(to_json_line(filled_trace().frames[0]));
 };
 
-TEST_F(EveryKey, SlowThatIsNeededIsMissed) {
+TEST_F(EveryKey, SlowRequiredIsReportedIfMissing) {
   ASSERT_EQ(complaint(), "no complaint");
   each([&](ordered_json& object, const std::string& key, bool needed) {
     const ordered_json before = object;
@@ -136,7 +136,7 @@ TEST_F(EveryKey, SlowThatIsNeededIsMissed) {
   });
 }
 
-TEST_F(EveryKey, OfTheWrongTypeIsNamed) {
+TEST_F(EveryKey, WithTheWrongTypeIsNamed) {
   each([&](ordered_json& object, const std::string& key, bool) {
     const ordered_json before = object[key];
     const bool is_text = before.is_string() || before.is_object();

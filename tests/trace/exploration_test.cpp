@@ -131,7 +131,7 @@ std::string refused(Spoil&& spoil) {
   return "written";
 }
 
-TEST(ExplorationJson, WhatIsNotFiniteIsNotWritten) {
+TEST(ExplorationJson, NonFiniteIsNotWritten) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
   EXPECT_THAT(refused([&](Exploration& e) { e.points[0].position.y() = nan; }),

@@ -92,7 +92,7 @@ TEST(TraceJson, NumbersReadBackToTheSameBits) {
   }
 }
 
-TEST(TraceJson, SlowWhatIsNotFiniteIsNotWritten) {
+TEST(TraceJson, SlowNonFiniteIsNotWritten) {
   for (const double bad :
        {std::numeric_limits<double>::quiet_NaN(), -std::numeric_limits<double>::infinity()}) {
     Trace trace = filled_trace();

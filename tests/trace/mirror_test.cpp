@@ -24,7 +24,7 @@ TEST(Mirror, TwiceIsTheIdentity) {
             line_after([](Pair&) {}));
 }
 
-TEST(Mirror, WhatIsOfOneShapeIsOfTheOther) {
+TEST(Mirror, SwapsWhatBelongsToEachShape) {
   const Pair pair = sample_frame().pairs[0];
   Pair mirrored = pair;
   mirrored.kind = "hull-mesh";
@@ -47,7 +47,7 @@ TEST(Mirror, WhatIsOfOneShapeIsOfTheOther) {
   EXPECT_EQ(mirrored.stability->margin, pair.stability->margin);
 }
 
-TEST(Mirror, WhatPointsFromOneToTheOtherTurnsRound) {
+TEST(Mirror, ReversesVectorsFromAToB) {
   const Pair pair = sample_frame().pairs[0];
   Pair mirrored = pair;
   mirror(mirrored);

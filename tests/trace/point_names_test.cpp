@@ -53,7 +53,7 @@ TEST(PointNames, AreTheSameOnWhicheverSurfaceAnEngineHasItsPoints) {
   EXPECT_EQ(ids_of(on_high), ids_of(middle));
 }
 
-TEST(PointNames, LeaveWhatAnEngineTells) {
+TEST(PointNames, KeepTheIdsOfAnEngine) {
   Frame frame = box_on_box(0);
   frame.pairs.front().manifolds.front().points.front().id = "77";
   name_points({unit_box("low"), unit_box("high")}, frame);

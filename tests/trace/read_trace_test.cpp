@@ -56,7 +56,7 @@ TEST(ReadTrace, BrokenJsonIsNamedByLineAndColumn) {
   EXPECT_THAT(complaint("{\"schema\": 1e999}"), StartsWith("run.jsonl:1:1: "));
 }
 
-TEST(ReadTrace, WhatKeepsALineFromBeingJsonIsSaid) {
+TEST(ReadTrace, InvalidJsonIsReported) {
   const auto frame = [](const std::string& time) {
     return header_line() + "{\"frame\":0,\"time\":" + time + "}\n";
   };
@@ -141,7 +141,7 @@ TEST(TraceReader, ReadsAgainFromTheFirstFrameAndPassesOverOthers) {
   EXPECT_FALSE(reader.skip());
 }
 
-TEST(ReadTrace, AnEmptyFileAsksForItsHeader) {
+TEST(ReadTrace, AnEmptyFileNeedsAHeader) {
   EXPECT_THAT(complaint(""), HasSubstr("run.jsonl: the trace is empty"));
   EXPECT_THAT(complaint("\n  \n"), HasSubstr("contactscope.trace/1"));
 }
@@ -162,7 +162,7 @@ TEST(ReadTrace, AMissingKeyIsNamedWithItsPlace) {
 }
 
 /// Facts that follow from others may be omitted.
-TEST(ReadTrace, WhatFollowsFromTheRestIsFilledIn) {
+TEST(ReadTrace, DerivedValuesAreFilledIn) {
   std::istringstream in(
       R"({"schema":"contactscope.trace/1","scenario":"mine/stack","scalar":"float","up":"y","engine":"Mine","version":"2.1",)"
       R"("poses_at":"after_step","shapes":{"floor":{"type":"plane","vertices":[],"half_space":{"normal":[0,1,0],"offset":0}},)"
@@ -207,7 +207,7 @@ TEST(ReadTrace, AWrongTypeIsNamedWithItsPlace) {
   EXPECT_THAT(complaint(header_line() + "[]"), HasSubstr("the line is of type array"));
 }
 
-TEST(ReadTrace, AnIndexThatPointsNowhereIsRefused) {
+TEST(ReadTrace, AnIndexOutOfRangeIsRefused) {
   EXPECT_THAT(complaint(frame_with("/pairs/0/reduction/kept/0", 2)),
               HasSubstr("'pairs[0].reduction.kept[0]' is 2, but there are 2 points"));
   ordered_json header = ordered_json::parse(to_json_line(sample_header()));

@@ -115,7 +115,7 @@ TEST(StageJson, WithoutASolverTotalsAreOfAllPointsAndAPairHasNamesOfItsOwn) {
   EXPECT_EQ(totals.kinetic_energy, 0);
 }
 
-TEST(StageJson, AnIndexThatPointsNowhereIsRefused) {
+TEST(StageJson, AnIndexOutOfRangeIsRefused) {
   const auto at = [](const char* pointer, const ordered_json& value) {
     return [=](ordered_json& line) { line.at(ordered_json::json_pointer(pointer)) = value; };
   };

@@ -97,7 +97,7 @@ TEST(StudyCsv, QuotesWhatHoldsCommasAndQuotes) {
   EXPECT_THAT(text, HasSubstr(",GCC 12,Release,2026-01-02T03:04:05Z,float\n"));
 }
 
-TEST(StudyJson, CurvesAndMapsSayWhereTheirSeriesStand) {
+TEST(StudyJson, CurvesAndMapsHaveThePlacesOfTheirSeries) {
   Study study = sample_study();
   study.form = StudyForm::Map;
   study.row = "size (m)";
@@ -121,7 +121,7 @@ TEST(StudyJson, CurvesAndMapsSayWhereTheirSeriesStand) {
   EXPECT_THAT(rows[3], testing::EndsWith(",float,,size (m),"));
 }
 
-TEST(StudyJson, WorkPrecisionInPanelsSaysToWhichEachSeriesBelongs) {
+TEST(StudyJson, WorkPrecisionInPanelsHasThePanelOfEachSeries) {
   Study study = sample_study();
   EXPECT_FALSE(has_panels(study));
   study.series[1].panel = "sub-steps";

@@ -66,7 +66,7 @@ TEST(Anchors, FacesHaveTheirNameMiddleAndCorners) {
   EXPECT_EQ(all["faces"][0]["polygon"].size(), 4u);
 }
 
-TEST(Anchors, LabelsSayWhatTheyNameAndWhereTheyStand) {
+TEST(Anchors, LabelsHaveTheirTargetAndPosition) {
   CrateOnSlab scene;
   scene.view.layers = {Layer::Shapes, Layer::Ids};
   const json all = anchors(scene);

@@ -33,7 +33,7 @@ struct Font {
   bool readable = false;
 };
 
-TEST(FontSubset, HoldsTheLettersAskedForAndNoOthers) {
+TEST(FontSubset, HoldsTheGivenLettersAndNoOthers) {
   for (const FontWeight weight : {FontWeight::Regular, FontWeight::Bold}) {
     const Font font(font_subset({weight, 0}, {U'a', U'7', U'²', U'−'}));
     ASSERT_TRUE(font.readable);

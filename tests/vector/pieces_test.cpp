@@ -51,7 +51,7 @@ TEST(Visible, NothingOutsideTransparentOrEmptyIsLeft) {
                                                      false, false, false));
 }
 
-TEST(Visible, WhatLaterOpaqueFillsCoverIsGone) {
+TEST(Visible, ShapesUnderLaterOpaqueFillsAreGone) {
   const auto hidden = [](const draw::Primitive& first, std::vector<draw::Primitive> later) {
     later.insert(later.begin(), first);
     return !visible(canvas(later)).front();
@@ -83,7 +83,7 @@ TEST(Pieces, NeighboursOfOneColourAreOnePath) {
   EXPECT_EQ(std::get<FillPath>(pieces[2]).color.b, 1);
 }
 
-TEST(Pieces, OpaquePolygonsJoinWhateverTheirWinding) {
+TEST(Pieces, OpaquePolygonsJoinForAnyWinding) {
   Fill turned = box(15, 15, 30, 30, kRed);
   std::ranges::reverse(turned.polygon);
   const std::vector<Piece> pieces = pieces_of(canvas({box(10, 10, 20, 20, kRed), turned}));
@@ -126,7 +126,7 @@ TEST(Pieces, ACurveOfFlatEndsThatOverlapIsOneLine) {
               testing::ElementsAre(Point2{10, 10}, Point2{30, 10}, Point2{50, 14}));
 }
 
-TEST(Pieces, DashesRunOnOrBeginAnew) {
+TEST(Pieces, DashesContinueOrRestart) {
   const auto dashed = [](const Point2& from, const Point2& to, float phase) {
     return Stroke{from, to, 2, kRed, Cap::Butt, 6, 4, phase};
   };

@@ -108,7 +108,7 @@ TEST(Svg, NoPlaceIsOutsideOfTheCanvas) {
   EXPECT_GT(places, 30);
 }
 
-TEST(Svg, WhatHasNoColourIsNotWritten) {
+TEST(Svg, TransparentIsNotWritten) {
   draw::Drawing drawing{.width = 20, .height = 20, .background = {1, 1, 1, 0}};
   drawing.primitives.push_back(draw::Disc{{5, 5}, 0, 3, {1, 0, 0, 0}});
   const std::string svg = svg_of(drawing, {.embed_font = false});

@@ -97,7 +97,7 @@ TEST(Rollout, AFreeFallGainsNoEnergy) {
   EXPECT_TRUE(score.findings.empty());
 }
 
-TEST(Rollout, VelocitiesThatAreToldCount) {
+TEST(Rollout, RecordedVelocitiesCount) {
   trace::Trace request = request_of_balls({{0, 10, 0}}, 3);
   request.frames.front().solver->bodies.front().velocity = {3, 0, 0};
   request.frames.front().solver->bodies.front().angular_velocity = {0, 0, 2};
@@ -123,7 +123,7 @@ TEST(Rollout, ASpinIsTakenFromThePoses) {
 }
 
 /// The lower ball rests on the ground, the upper one on it; the third hangs next to them.
-TEST(Rollout, WhatIsBorneRests) {
+TEST(Rollout, ASupportedBodyRests) {
   const trace::Trace request = request_of_balls({{0, 0.5, 0}, {0, 1.499, 0}, {1.001, 1.5, 0}}, 2);
   const std::vector<RolloutBody> bodies = rollout_bodies(request);
   ASSERT_EQ(bodies.size(), 3u);

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "core/manifold.h"
-#include "query/box_edges.h"
+#include "query/fast/box_edges.h"
 #include "query/sat.h"
 #include "query/tolerance.h"
 

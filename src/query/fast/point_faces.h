@@ -10,8 +10,8 @@
 #include "core/scratch.h"
 #include "geometry/hull.h"
 #include "geometry/lanes.h"
+#include "query/fast/lane_search.h"
 #include "query/hull_feature.h"
-#include "query/lane_search.h"
 
 namespace contactscope {
 

@@ -8,7 +8,7 @@
 
 #include "core/dot_order.h"
 #include "core/pose.h"
-#include "query/box_pair.h"
+#include "query/fast/box_pair.h"
 
 /// Three-vectors in one register each, with operations that are bitwise equal to Eigen's.
 namespace contactscope::boxes {

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "manifold/clip.h"
-#include "query/box_pair.h"
+#include "query/fast/box_pair.h"
 
 /// clip() for a rectangle against the four side planes of another, without branches on the corners'
 /// positions. Gives the same corners in the same order with the same bits as four calls of clip().

@@ -7,7 +7,7 @@
 
 #include "core/pack.h"
 #include "core/scratch.h"
-#include "query/lane_search.h"
+#include "query/fast/lane_search.h"
 #include "query/sat.h"
 
 /// Finds the best face of a hull against another without measuring every face against every vertex,

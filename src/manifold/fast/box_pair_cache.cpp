@@ -2,8 +2,8 @@
 #include <cmath>
 #include <limits>
 
-#include "manifold/box_face_contact.h"
-#include "manifold/collide_box_box.h"
+#include "manifold/fast/box_face_contact.h"
+#include "manifold/fast/collide_box_box.h"
 #include "manifold/pair_motion.h"
 
 namespace contactscope {

@@ -6,7 +6,7 @@
 
 #include "manifold/collide_options.h"
 #include "manifold/contact.h"
-#include "query/box_edges.h"
+#include "query/fast/box_edges.h"
 #include "reduce/reducer.h"
 
 /// Contact of two boxes and its manifold: Contact and finish_contact() for kernels that work on

@@ -3,7 +3,7 @@
 #include "geometry/mesh.h"
 #include "manifold/collide_options.h"
 #include "manifold/contact.h"
-#include "query/box_triangle_sat.h"
+#include "query/fast/box_triangle_sat.h"
 
 namespace contactscope {
 

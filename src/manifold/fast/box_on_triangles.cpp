@@ -1,4 +1,4 @@
-#include "manifold/box_on_triangles.h"
+#include "manifold/fast/box_on_triangles.h"
 
 #include <algorithm>
 #include <array>
@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "core/at.h"
-#include "manifold/clip_rectangle.h"
 #include "manifold/contact_depth.h"
 #include "manifold/edge_contact.h"
-#include "query/box_triangle_sat.h"
+#include "manifold/fast/clip_rectangle.h"
+#include "query/fast/box_triangle_sat.h"
 
 namespace contactscope {
 namespace {

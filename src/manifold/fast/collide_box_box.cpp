@@ -1,10 +1,10 @@
-#include "manifold/collide_box_box.h"
+#include "manifold/fast/collide_box_box.h"
 
 #include <cmath>
 #include <limits>
 
-#include "manifold/box_face_contact.h"
-#include "query/box_sat.h"
+#include "manifold/fast/box_face_contact.h"
+#include "query/fast/box_sat.h"
 
 namespace contactscope {
 namespace {

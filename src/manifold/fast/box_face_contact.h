@@ -8,10 +8,10 @@
 #include <limits>
 
 #include "core/plane.h"
-#include "manifold/box_contact.h"
-#include "manifold/clip_rectangle.h"
 #include "manifold/contact_depth.h"
-#include "query/box_pair.h"
+#include "manifold/fast/box_contact.h"
+#include "manifold/fast/clip_rectangle.h"
+#include "query/fast/box_pair.h"
 #include "query/tolerance.h"
 
 /// The face contact of two boxes: the incident face at the support vertex, clipped against the

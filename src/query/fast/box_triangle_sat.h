@@ -7,7 +7,7 @@
 #include "core/manifold.h"
 #include "geometry/box_topology.h"
 #include "geometry/mesh.h"
-#include "query/packed_vectors.h"
+#include "query/fast/packed_vectors.h"
 #include "query/sat.h"
 #include "query/tolerance.h"
 

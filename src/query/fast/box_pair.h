@@ -11,7 +11,7 @@
 #include "core/dot_order.h"
 #include "core/pose.h"
 #include "geometry/box_topology.h"
-#include "query/box_axes.h"
+#include "query/fast/box_axes.h"
 #include "query/hull_pair.h"
 
 /// Two boxes (Hull::is_box) in registers: the equivalent of HullPair, with bitwise equal numbers. A

@@ -8,7 +8,7 @@
 #include "geometry/hull.h"
 #include "geometry/lanes.h"
 #include "geometry/mesh.h"
-#include "query/packed_vectors.h"
+#include "query/fast/packed_vectors.h"
 
 namespace contactscope {
 

@@ -1,4 +1,4 @@
-#include "manifold/collide_two_capsules.h"
+#include "manifold/fast/collide_two_capsules.h"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 
 #include "manifold/contact.h"
 #include "manifold/round_order.h"
-#include "query/packed_vectors.h"
+#include "query/fast/packed_vectors.h"
 #include "query/tolerance.h"
 
 namespace contactscope {

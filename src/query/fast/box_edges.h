@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-#include "query/box_pair.h"
+#include "query/fast/box_pair.h"
 
 /// Two crossing edges of boxes: their indices, their separation along the cross product, and their
 /// closest points. Bitwise equal to the results of query_edges() and closest_points() for hulls,
