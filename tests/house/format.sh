@@ -10,4 +10,4 @@ case "$("${format:-false}" --version 2>/dev/null || true)" in
 esac
 # contactscope.h is laid out by hand for readers of C; planted.h is a list.
 find src render tests \( -name '*.h' -o -name '*.cpp' \) ! -name contactscope.h ! -name planted.h |
-  sort | xargs -P 2 -n 64 "$format" --dry-run -Werror
+  sort | xargs -P 2 -n 32 "$format" --dry-run -Werror
