@@ -171,7 +171,7 @@ auto build_at(const Value& at, const char* kind, const Build& build) {
   try {
     return build();
   } catch (const ShapeError& error) {
-    at.fail("'" + at.name() + "' makes no " + kind + ": " + error.what());
+    at.fail(std::string("cannot build a ") + kind + " from '" + at.name() + "': " + error.what());
   }
 }
 
