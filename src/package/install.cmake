@@ -46,7 +46,7 @@ string(REGEX MATCHALL "snapshots/[^)]*\\.png" documents "${with_pictures}")
 list(APPEND documents README.md CHANGELOG.md CONTRIBUTING.md scenarios/README.md render/README.md
   render/snapshot/README.md render/vector/README.md src/README.md src/adapters/README.md
   src/app/README.md src/package/README.md src/recorder/README.md src/study/README.md
-  src/trace/README.md src/versus/README.md)
+  src/trace/README.md src/versus/README.md tests/bench/README.md)
 foreach(document IN LISTS documents)
   cmake_path(GET document PARENT_PATH folder)
   install(FILES ${PROJECT_SOURCE_DIR}/${document} DESTINATION ${doc_dir}/contactscope/${folder}

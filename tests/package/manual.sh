@@ -16,7 +16,7 @@ test -s "$tree/share/fish/vendor_completions.d/contactscope.fish"
 documents=$tree/share/doc/contactscope
 test -s "$documents/NOTICE"
 # Files that the installed README.md links to.
-grep -o '](\(src\|render\|scenarios\|snapshots\)[^)]*\.\(md\|png\)' "$documents/README.md" | cut -c3- | sort -u |
+grep -o '](\(src\|render\|scenarios\|snapshots\|tests\)[^)]*\.\(md\|png\)' "$documents/README.md" | cut -c3- | sort -u |
   while read -r link; do
     test -s "$documents/$link" || { echo "README.md links to $link, which is not installed"; exit 1; }
   done
