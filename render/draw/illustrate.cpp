@@ -5,13 +5,13 @@
 #include <optional>
 
 #include "core/at.h"
-#include "core/words.h"
 #include "draw/insets/contact_plane.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/palette.h"
 #include "draw/scene/points.h"
 #include "draw/scene/quantity.h"
 #include "draw/staging.h"
+#include "view/words.h"
 
 namespace contactscope::draw {
 namespace {

@@ -4,11 +4,11 @@
 #include <string_view>
 
 #include "core/convex_polygon.h"
-#include "core/shape_name.h"
 #include "draw/scene/pair_words.h"
 #include "draw/scene/solid.h"
 #include "draw/staging.h"
 #include "image/font.h"
+#include "view/shape_name.h"
 
 /// Names of shapes, written on the shapes, so that the legend need not list them.
 namespace contactscope::draw {

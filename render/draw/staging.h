@@ -3,7 +3,6 @@
 #include <memory>
 #include <vector>
 
-#include "core/view.h"
 #include "draw/insets/contact_cells.h"
 #include "draw/insets/inset.h"
 #include "draw/layers/layer.h"
@@ -12,6 +11,7 @@
 #include "draw/title.h"
 #include "draw/viewports.h"
 #include "trace/trace.h"
+#include "view/view.h"
 
 namespace contactscope::draw {
 

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "core/title.h"
 #include "draw/scene/quantity.h"
 #include "trace/trace.h"
+#include "view/title.h"
 
 namespace contactscope::draw {
 

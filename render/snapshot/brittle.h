@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "core/view.h"
 #include "snapshot/margins.h"
 #include "trace/trace.h"
+#include "view/view.h"
 
 namespace contactscope::snapshot {
 

@@ -223,7 +223,7 @@ class ShapeWriter {
     if (is_field) all.up_axis = static_cast<const btHeightfieldTerrainShape&>(form).getUpAxis();
     form.processAllTriangles(&all, -everywhere(), everywhere());
     if (form.getMargin() > 0)
-      note(form, "recorded without its margin, by which its contacts begin farther out");
+      note(form, "recorded without its margin, so its contacts begin farther out");
     return cs_mesh(recorder_, called(name, is_field ? "height field" : "mesh").c_str(),
                    all.vertices.data(), int(all.vertices.size() / 3), all.indices.data(),
                    int(all.indices.size() / 3));

@@ -200,10 +200,10 @@ class FclRecorder {
       case fcl::BV_KDOP24:
         return add_mesh<fcl::KDOP<S, 24>>(called("mesh"), geometry);
       case fcl::GEOM_PLANE:
-        cs_note(recorder_, "FCL: a Plane is left out, it has two sides; a Halfspace is recorded");
+        cs_note(recorder_, "FCL: a Plane is left out because it has two sides; use a Halfspace");
         return -1;
       default:
-        cs_note(recorder_, "FCL: an octree, or a geometry of no type known here, is left out");
+        cs_note(recorder_, "FCL: an octree or a geometry of unknown type is left out");
         return -1;
     }
   }

@@ -133,7 +133,7 @@ class MujocoRecorder {
       case mjGEOM_HFIELD:
         return add_height_field(name, model_->geom_dataid[geom]);
       default:
-        cs_note(recorder_, "MuJoCo: a geom is left out that is of no type known here");
+        cs_note(recorder_, "MuJoCo: a geom of unknown type is left out");
         return -1;
     }
   }

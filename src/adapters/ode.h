@@ -192,12 +192,12 @@ class OdeRecorder {
         return add_mesh(geom, is.count);
       case dHeightfieldClass:
         cs_note(recorder_,
-                "ODE: a height field is left out, it does not tell its heights; form() does");
+                "ODE: a height field is left out, ODE hides its heights; give them with form()");
         return -1;
       case dRayClass:
         return -1;
       default:
-        cs_note(recorder_, "ODE: a geom is left out whose class tells no form; form() does");
+        cs_note(recorder_, "ODE: a geom of unknown class is left out; give its form with form()");
         return -1;
     }
   }

@@ -142,8 +142,7 @@ void from_root_down(int root, const Visit& visit) {
   while (!left.empty()) {
     const auto [node, depth] = left.back();
     left.pop_back();
-    visit(node, depth,
-              [&left, below = depth + 1](int child) { left.emplace_back(child, below); });
+    visit(node, depth, [&left, below = depth + 1](int child) { left.emplace_back(child, below); });
   }
 }
 

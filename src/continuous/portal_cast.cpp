@@ -193,7 +193,8 @@ GjkSimplex<S> PortalCast<S>::portal() const {
 template <class S>
 Closest<S> PortalCast<S>::closest(S time) const {
   const Vec3<S> gone = time * offset_;
-  std::array<Vec3<S>, 4> points;
+  std::array<Vec3<S>, 4> points = {Vec3<S>::Zero(), Vec3<S>::Zero(), Vec3<S>::Zero(),
+                                   Vec3<S>::Zero()};
   for (int i = 0; i < 3; ++i) at(points, i) = at(corners_, i).point + gone;
   NearestOnSimplex<S> nearest;
   nearest_on_simplex(points, 3, S(2), nearest);

@@ -27,7 +27,7 @@ contactscope::CollideOptions inside(const CollideOptions& options) {
   if (!(options.margin >= 0) || !std::isfinite(options.margin))
     throw std::invalid_argument("the margin is negative or not finite; give metres, or 0");
   if (options.name_a.empty() || options.name_b.empty() || options.name_a == options.name_b)
-    throw std::invalid_argument("name_a and name_b are to be two names");
+    throw std::invalid_argument("name_a and name_b must be two different names");
   contactscope::CollideOptions all;
   all.margin = options.margin;
   all.penetration = penetration_named(options.penetration);

@@ -28,8 +28,8 @@ void require_indices(const auto& polygons, std::size_t vertices, const char* wha
   for (const auto& polygon : polygons)
     for (const int index : polygon)
       if (index < 0 || static_cast<std::size_t>(index) >= vertices)
-        throw ShapeError(std::string(what) + " names vertex " + std::to_string(index) + " of " +
-                         std::to_string(vertices) + "; the first is 0");
+        throw ShapeError(std::string(what) + " uses vertex " + std::to_string(index) + " of " +
+                         std::to_string(vertices) + "; indices start at 0");
 }
 
 using Inside = contactscope::Shape<double>;

@@ -81,8 +81,7 @@ Comparison compare_manifold(const Manifold& manifold, const Vec3& normal, double
   for (std::size_t i = 0; i < is_met.size(); ++i)
     if (!is_met[i]) wrong.push_back("no point at " + snapshot::spell_vector(expected[i]));
   for (std::size_t i = 0; i < is_used.size(); ++i)
-    if (!is_used[i])
-      wrong.push_back("a point at " + snapshot::spell_vector(actual[i]) + " too many");
+    if (!is_used[i]) wrong.push_back("an extra point at " + snapshot::spell_vector(actual[i]));
   Comparison found{wrong.empty()};
   for (const std::string& one : wrong) found.message += (found.message.empty() ? "" : "; ") + one;
   return found;

@@ -136,8 +136,8 @@ const char* name_of(Scalar scalar) {
 
 void refuse(const std::string& what, const std::string& word,
             const std::vector<std::string_view>& known) {
-  throw std::invalid_argument("there is no " + what + " '" + word + "'; " +
-                              did_you_mean(word, known) + "there is " + quoted_list(known));
+  throw std::invalid_argument("unknown " + what + " '" + word + "'; " + did_you_mean(word, known) +
+                              "known: " + quoted_list(known));
 }
 
 }  // namespace contactscope::package

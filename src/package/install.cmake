@@ -40,12 +40,23 @@ endif()
 install(TARGETS contactscope COMPONENT program)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE NOTICE DESTINATION ${doc_dir}/contactscope
   COMPONENT program)
+# Documents with their folders, so that the links between them hold, and the pictures of README.md.
+file(STRINGS ${PROJECT_SOURCE_DIR}/README.md with_pictures REGEX "\\(snapshots/[^)]*\\.png\\)")
+string(REGEX MATCHALL "snapshots/[^)]*\\.png" documents "${with_pictures}")
+list(APPEND documents README.md CHANGELOG.md CONTRIBUTING.md scenarios/README.md render/README.md
+  render/snapshot/README.md render/vector/README.md src/README.md src/adapters/README.md
+  src/app/README.md src/package/README.md src/recorder/README.md src/study/README.md
+  src/trace/README.md src/versus/README.md tests/bench/README.md)
+foreach(document IN LISTS documents)
+  cmake_path(GET document PARENT_PATH folder)
+  install(FILES ${PROJECT_SOURCE_DIR}/${document} DESTINATION ${doc_dir}/contactscope/${folder}
+    COMPONENT program)
+endforeach()
 # The program finds scenarios there relative to its own location.
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/scenarios
   DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/contactscope COMPONENT program)
 install(FILES ${PROJECT_SOURCE_DIR}/src/trace/findings.schema.json
   DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/contactscope COMPONENT program)
-install(DIRECTORY words DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/contactscope COMPONENT program)
 
 # The man page and shell completions, as printed by the program.
 #   contactscope_manual(WHAT FILE FOLDER...)

@@ -20,7 +20,7 @@ gl::Backend backend_named(const std::string& name) {
   if (name == "auto") return gl::Backend::Auto;
   if (name == "egl") return gl::Backend::Egl;
   if (name == "osmesa") return gl::Backend::Osmesa;
-  refuse("route to OpenGL", name, {"auto", "egl", "osmesa"});
+  refuse("OpenGL backend", name, {"auto", "egl", "osmesa"});
 }
 
 template <class Word, std::size_t N>
@@ -40,7 +40,7 @@ View view_of(const RenderOptions& options) {
   if (options.eye) view.eye = to_inside(*options.eye);
   if (options.target) view.target = to_inside(*options.target);
   if (view.eye && view.target && *view.eye == *view.target)
-    throw std::invalid_argument("eye and target are the same place; move one of them");
+    throw std::invalid_argument("eye and target are the same point; move one of them");
   for (const std::optional<Vec3d>& place : {view.eye, view.target})
     if (place && !place->allFinite())
       throw std::invalid_argument("eye or target is not finite; give metres");
@@ -56,7 +56,7 @@ void require_size(int side) {
   constexpr int kMin = 64, kMax = 8192;  // a size that every OpenGL 3.3 driver supports
   if (side < kMin || side > kMax)
     throw std::invalid_argument("a picture of " + std::to_string(side) +
-                                " pixels; width and height are between 64 and 8192");
+                                " pixels; width and height must be between 64 and 8192");
 }
 
 Picture outside(const Image& image) {
@@ -127,8 +127,8 @@ void write_png(const std::string& path, const Picture& picture) {
           : 0;
   if (pixels == 0 || picture.rgba.size() != 4 * pixels)
     throw std::invalid_argument("a picture of " + std::to_string(picture.width) + "x" +
-                                std::to_string(picture.height) + " pixels has " +
-                                std::to_string(4 * pixels) + " bytes, more than none; this has " +
+                                std::to_string(picture.height) + " pixels must have " +
+                                std::to_string(4 * pixels) + " bytes, more than 0; this has " +
                                 std::to_string(picture.rgba.size()));
   Image image(picture.width, picture.height);
   for (std::size_t i = 0; i < pixels; ++i)

@@ -72,7 +72,7 @@ std::string pictures_of(const std::string& name, const Facts& expected, const Fa
                         const std::vector<std::string>& sentences, const fs::path& out) {
   const auto i = recorded_frame(name, expected, sentences),
              j = recorded_frame(name, actual, sentences);
-  if (!i || !j) return "no pictures: there is no frame in one of them";
+  if (!i || !j) return "no pictures: one of the traces has no frame";
   try {
     const std::array<Image, 2> drawn = both_drawn(expected, *i, actual, *j);
     const fs::path stem =
@@ -87,7 +87,7 @@ std::string pictures_of(const std::string& name, const Facts& expected, const Fa
     write(".expected.png", drawn[0]);
     write(".actual.png", drawn[1]);
     return "see " + write(".difference.png", difference_image(drawn[0], drawn[1])) +
-           ", with .expected.png and .actual.png beside it";
+           ", with .expected.png and .actual.png next to it";
   } catch (const RenderError& error) {
     return std::string("no pictures: ") + error.what();
   }
@@ -103,21 +103,21 @@ Comparison compare(Facts actual, const std::string& name, const SnapshotOptions&
   const bool update = wanted && !is_set("CI");
   actual.header.scenario = name;
   const std::string how = wanted
-                              ? "CI is set, which writes nothing; unset it, and run the test again"
+                              ? "CI is set, so nothing is written; unset it and run the test again"
                               : "run the test once with CONTACTSCOPE_UPDATE=1";
   const auto write = [&](const std::string& message) -> Comparison {
     try {
       snapshot::write_stored_trace(folder, stored, snapshot::to_json_lines(actual));
     } catch (const std::domain_error& error) {
-      return {false, name + ": not stored, for a number is not finite: " + error.what()};
+      return {false, name + ": not stored, because a number is not finite: " + error.what()};
     }
     return {true, message};
   };
   const std::optional<std::string> text = snapshot::read_stored_trace(folder, name);
   if (!text) {
-    if (update) return write(name + ": wrote " + file + "; look at it and commit it");
-    return {false, name + ": nothing is stored at " + file + "; " + how +
-                       ", look at what it writes, and commit it; $CONTACTSCOPE_SNAPSHOTS names "
+    if (update) return write(name + ": wrote " + file + "; review it and commit it");
+    return {false, name + ": no snapshot at " + file + "; " + how +
+                       ", review the file and commit it; $CONTACTSCOPE_SNAPSHOTS names "
                        "another folder"};
   }
   Facts expected;
@@ -125,19 +125,19 @@ Comparison compare(Facts actual, const std::string& name, const SnapshotOptions&
     expected = parse_trace(*text, stored.string()).facts().trace;
   } catch (const InputError& error) {
     if (!update) throw;
-    return write(std::string(error.what()) + "\nwrote " + file + " anew");
+    return write(std::string(error.what()) + "\nrewrote " + file);
   }
   Facts compared = actual;
   if (has_stand_ins) compared.header = expected.header;
   const std::vector<std::string> sentences =
       snapshot::compare_with_stored(*text, stored.string(), compared).sentences;
   if (sentences.empty()) return {true, {}};
-  if (update) return write(joined(sentences) + "\nwrote " + file + " anew");
+  if (update) return write(joined(sentences) + "\nrewrote " + file);
   std::string message = joined(sentences);
   if (options.pictures)
     message += "\n" + pictures_of(name, expected, compared, sentences,
                                   given_or(options.out, "CONTACTSCOPE_OUT", "out"));
-  return {false, message + "\nif that is right, " + how + ": it writes " + file + " anew"};
+  return {false, message + "\nif this is right, " + how + ": it rewrites " + file};
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ TravellingWave read_wave(const Value& value) {
   wave.amplitude = read_bounded(table.require("amplitude", "amplitude = 0.1 (metres)"), "metres");
   wave.wavelength = read_length(table.require("wavelength", "wavelength = 1.0 (metres)"));
   wave.speed =
-      read_bounded(table.require("speed", "speed = 1.0 (metres a second)"), "metres a second");
+      read_bounded(table.require("speed", "speed = 1.0 (metres per second)"), "metres per second");
   return wave;
 }
 
@@ -38,8 +38,9 @@ Twist read_twist(const Value& value) {
     twist.rate = read_bounded(*radians, "radians");
   else
     twist.rate =
-        read_bounded(table.require("degrees", "degrees = 90.0 (a metre along the axis, a second)"),
-                     "degrees") /
+        read_bounded(
+            table.require("degrees", "degrees = 90.0 (per metre along the axis, per second)"),
+            "degrees") /
         180 * std::numbers::pi;
   return twist;
 }
@@ -50,18 +51,19 @@ std::vector<Vec3d> read_vertices(const Value& file, const Mesh<double>& mesh,
   ObjMesh obj = load_obj(file, folder, load_obj_mesh);
   const auto differs = [&](const char* what, std::size_t of_file, std::size_t of_mesh) {
     if (of_file != of_mesh)
-      file.fail(std::string("the number of ") + what + " is " + std::to_string(of_file) + " in '" +
-                file.string() + "', and " + std::to_string(of_mesh) +
-                " in the mesh that it deforms; a keyframe has the same triangles, with their "
-                "vertices elsewhere");
+      file.fail(
+          std::string("the number of ") + what + " is " + std::to_string(of_file) + " in '" +
+          file.string() + "', and " + std::to_string(of_mesh) +
+          " in the mesh that it deforms; give a file with the same triangles and moved vertices");
   };
   differs("vertices", obj.vertices.size(), mesh.vertices.size());
   differs("triangles", obj.triangles.size(), mesh.triangles.size());
   for (int i = 0; i < mesh.triangle_count(); ++i)
     if (at(obj.triangles, i) != at(mesh.triangles, i))
-      file.fail("triangle " + std::to_string(i) + " of '" + file.string() +
-                "' joins other vertices than that of the mesh that it deforms; write the file "
-                "with the same faces in the same order");
+      file.fail(
+          "triangle " + std::to_string(i) + " of '" + file.string() +
+          "' has other vertices than in the mesh that it deforms; write the file with the same "
+          "faces in the same order");
   check_reach(obj.vertices, file);
   return std::move(obj.vertices);
 }
@@ -90,13 +92,12 @@ Deformation read_deformation(const Value& value, const ScenarioShape& shape,
   const auto* const mesh = std::get_if<Mesh<double>>(shape.geometry.get());
   if (mesh == nullptr)
     value.fail("'" + shape.name + "' is a " + shape.type +
-               ", which keeps its form; only a mesh deforms: give it type = \"mesh\", or leave "
-               "out 'deform'");
+               ", and only a mesh deforms; give it type = \"mesh\", or leave out 'deform'");
   const Value& table = value.table({"wave", "twist", "keyframes"});
   const auto wave = table.find("wave"), twist = table.find("twist");
   const auto keyframes = table.find("keyframes");
   if (wave.has_value() + twist.has_value() + keyframes.has_value() != 1)
-    table.fail("'deform' is one of 'wave', 'twist' and 'keyframes'; give exactly one");
+    table.fail("'deform' needs exactly one of 'wave', 'twist' and 'keyframes'");
   if (wave) return read_wave(*wave);
   if (twist) return read_twist(*twist);
   return read_vertex_keyframes(*keyframes, *mesh, folder);

@@ -34,9 +34,9 @@ double read_mass(const Value& table, const ScenarioShape& shape) {
   if (!mass && !density)
     table.fail("'" + shape.name +
                "' is dynamic and has no mass; add mass = 1.0 (kilograms) or density = 1000 "
-               "(kilograms a cubic metre)");
+               "(kilograms per cubic metre)");
   const double kilograms = mass ? mass->positive("kilograms")
-                                : density->positive("kilograms a cubic metre") * filled->mass;
+                                : density->positive("kilograms per cubic metre") * filled->mass;
   const Value& given = mass ? *mass : *density;
   if (kilograms < kSmallestMass || kilograms > kLargestMass)
     given.fail("'" + given.name() +
@@ -67,7 +67,7 @@ SolverSettings read_solver_keys(const Value& value) {
       word_of<PositionCorrection>({"baumgarte", "projection", "soft"}, "position correction"));
   table.read("warm_start", solver.warm_start, &Value::boolean);
   table.read("baumgarte", solver.baumgarte, read_share);
-  table.read("push_speed", solver.push_speed, at_most(kLargestLength, "metres a second"));
+  table.read("push_speed", solver.push_speed, at_most(kLargestLength, "metres per second"));
   table.read("slop", solver.slop, at_most(kLargestLength, "metres"));
   table.read("hertz", solver.hertz, [](const Value& hertz) {
     hertz.positive("hertz");
@@ -76,7 +76,7 @@ SolverSettings read_solver_keys(const Value& value) {
   table.read("damping_ratio", solver.damping_ratio, at_most(kMaxHertz));
   table.read("speculative_margin", solver.speculative_margin, at_most(kLargestLength, "metres"));
   table.read("sleep_after", solver.sleep_after, at_most(kLongestRest, "seconds"));
-  table.read("sleep_speed", solver.sleep_speed, at_most(kLargestLength, "metres a second"));
+  table.read("sleep_speed", solver.sleep_speed, at_most(kLargestLength, "metres per second"));
   return solver;
 }
 
@@ -104,9 +104,7 @@ ScenarioBody read_body(const Value& motion, const ScenarioShape& shape) {
   if (const auto keyframes = table.find("keyframes"))
     keyframes->fail("'keyframes' and 'dynamic' both move the shape; leave one of them out");
   if (const auto deform = table.find("deform"))
-    deform->fail(
-        "a body of the solver keeps its form: its mass would have to move with it; leave out "
-        "'deform' or 'dynamic'");
+    deform->fail("a dynamic shape cannot deform; leave out 'deform' or 'dynamic'");
   ScenarioBody body;
   body.mass = read_mass(table, shape);
   body.velocity = read_velocity(table, "velocity", "m/s");
@@ -140,7 +138,7 @@ double read_friction(const Value& value) {
 
 double read_share(const Value& value) {
   const double share = value.not_negative();
-  if (share > 1) value.fail("'" + value.name() + "' is a share; it may be 0 to 1");
+  if (share > 1) value.fail("'" + value.name() + "' is a fraction; give a number from 0 to 1");
   return share;
 }
 

@@ -42,10 +42,11 @@ void require_pair(const Expectation& expectation, const Scenario& scenario, cons
   const Shape<double>& shape_b = *scenario.shape(expectation.b).geometry;
   const Question& question = scenario.pipeline.question;
   if (refusal(question, kind_of(shape_a), kind_of(shape_b)))
-    at.fail("nothing can be expected of " + both + ": " + pair_kind(shape_a, shape_b) + " pairs " +
+    at.fail("no expectation is possible for " + both + ": " + pair_kind(shape_a, shape_b) +
+            " pairs " +
             (question.kind == QueryKind::Manifold
                  ? std::string("are not collided")
-                 : std::string("cannot be asked for \"") + to_string(question.kind) + "\"") +
+                 : std::string("cannot be queried for \"") + to_string(question.kind) + "\"") +
             "; remove this entry");
   if (scenario.broad_phase.empty())
     at.fail("the pair " + both + " is not run; list it in [[pairs]]");
@@ -67,17 +68,14 @@ void read_between_frames(const Value& table, const Scenario& scenario, Expectati
     if (!value) continue;
     const std::string quoted = std::string("'") + key + "'";
     if (!settings.continuous)
-      value->fail(
-          quoted +
-          " is of what happens between frames, and nobody looks there; set 'continuous' for "
-          "the pair");
+      value->fail(quoted + " needs continuous collision detection; set 'continuous' for the pair");
     if (key == std::string_view("ghosts") && settings.continuous != ImpactMethod::Speculative)
       value->fail(
           "'ghosts' are speculative contacts; set continuous = \"speculative\", or expect an "
           "impact");
     if (key == std::string_view("stops") && !scenario.shape(expectation.a).dynamic() &&
         !scenario.shape(expectation.b).dynamic())
-      value->fail("'stops' are of the solver, and neither shape is dynamic; expect an impact");
+      value->fail("'stops' need the solver, and neither shape is dynamic; expect an impact");
   }
   if (const auto impact = table.find("impact"))
     expectation.impact =
@@ -103,16 +101,15 @@ void require_answers(const Value& table, const Question& question) {
   const std::string requested = std::string("\"") + to_string(question.kind) + "\"";
   if (question.kind == QueryKind::Manifold) {
     refuse({"overlap", "touching", "intersections"},
-           "is answered where a pair is asked for it; set query = \"overlap\" there, or expect a "
-           "state");
+           "needs a query; set query = \"overlap\" for the pair, or expect a state");
     return;
   }
-  refuse({"points", "axis", "type", "load"}, "is of contacts, and the pair is asked for " +
+  refuse({"points", "axis", "type", "load"}, "needs contacts, and the pair's query is " +
                                                  requested +
                                                  "; expect overlap, separation or normal");
   if (question.kind != QueryKind::Touching)
-    refuse({"touching"}, "is the answer to query = \"touching\", and the pair is asked for " +
-                             requested + "; expect overlap");
+    refuse({"touching"},
+           "needs query = \"touching\", and the pair's query is " + requested + "; expect overlap");
 }
 
 /// Rejects intersections for a pair that is not tested triangle by triangle.
@@ -121,12 +118,12 @@ void require_triangles(const Value& count, const Expectation& expectation,
   for (const int index : {expectation.a, expectation.b}) {
     const ScenarioShape& shape = scenario.shape(index);
     if (!shape.is_mesh())
-      count.fail("'intersections' are of the triangles of two meshes, and '" + shape.name +
-                 "' is none; expect overlap");
+      count.fail("'intersections' need two meshes, and '" + shape.name +
+                 "' is not a mesh; expect overlap");
   }
   if (settings_of(expectation, scenario).question.bounds)
     count.fail(
-        "'intersections' are of triangles, and the pair is asked of its bounds; expect overlap, or "
+        "'intersections' count triangles, and the pair's query tests bounds; expect overlap, or "
         "remove 'bounds'");
 }
 
@@ -162,7 +159,7 @@ Expectation read_expectation(const Value& value, const Scenario& scenario) {
     expectation.points = points->integer(0, kMaxCount);
     if (expectation.state && (*expectation.state == "touching") == (*expectation.points == 0))
       points->fail(
-          "'points' contradicts 'state'; a touching pair has points, a separated has none");
+          "'points' contradicts 'state'; a touching pair has points, a separated one has none");
   }
   if (const auto axis = table.find("axis"))
     expectation.axis = axis->one_of({"face_a", "face_b", "edge_edge", "closest_points"}, "axis");
@@ -182,12 +179,12 @@ Expectation read_expectation(const Value& value, const Scenario& scenario) {
   if (const auto load = table.find("load")) {
     expectation.load = load->not_negative("newtons");
     if (!scenario.shape(expectation.a).dynamic() && !scenario.shape(expectation.b).dynamic())
-      load->fail("'load' is what the solver gives, and neither shape is dynamic");
+      load->fail("'load' needs the solver, and neither shape is dynamic; remove it");
   }
   if (const auto asleep = table.find("asleep")) {
     expectation.asleep = asleep->boolean();
     if (!scenario.solver.sleep_after)
-      asleep->fail("'asleep' is of bodies that may sleep; set [solver] sleep_after = 0.5");
+      asleep->fail("'asleep' needs bodies that can sleep; set [solver] sleep_after = 0.5");
   }
   table.read("tolerance", expectation.tolerance,
              [](const Value& tolerance) { return tolerance.not_negative("metres"); });
@@ -286,7 +283,7 @@ double load_of(const trace::Pair& pair, double dt) {
 /// Adds what is not as expected in the step after the frame.
 void add_between_frames(const Expectation& expected, const trace::Pair& pair,
                         const trace::Frame* frame, std::vector<Unmet>& list) {
-  const std::string status = pair.impact ? pair.impact->status : "nobody looked";
+  const std::string status = pair.impact ? pair.impact->status : "not queried";
   if (expected.impact && status != *expected.impact)
     list.push_back({"expected impact " + *expected.impact, status});
   if (expected.impact_time) {
@@ -389,7 +386,7 @@ std::vector<Unmet> unmet(const Scenario& scenario, const Expectation& expected,
   if (pair == frame.pairs.end() && !scenario.broad_phase.empty()) {
     trace::Pair gap;
     gap.state = "separated";
-    if (expected.separation) return {{"the boxes of the two are apart", ""}};
+    if (expected.separation) return {{"their bounding boxes are separated", ""}};
     return unmet(expected, gap, scenario.dt, nullptr);
   }
   if (pair == frame.pairs.end()) return {{"the frame has no such pair", ""}};
@@ -439,7 +436,7 @@ std::vector<std::string> unmet_expectations(const Scenario& scenario,
                              (expected.label.empty() ? "" : " (" + expected.label + ")") + ": " +
                              one.first.wanted;
       if (!one.first.got.empty()) sentence += ", got " + one.first.got;
-      if (!one.alike) sentence += "; others differ";
+      if (!one.alike) sentence += "; other frames differ";
       sentences.push_back(std::move(sentence));
     }
   }

@@ -20,7 +20,7 @@ void report(const Value& table, const char* key, const std::string& why, Sentenc
 /// Why a query key has no effect on a pair; empty if it has one.
 std::string idle_question(std::string_view key, const Question& question) {
   const std::string requested =
-      std::string("the pair is asked for \"") + to_string(question.kind) + "\"";
+      std::string("the pair's query is \"") + to_string(question.kind) + "\"";
   if (question.kind == QueryKind::Manifold)
     return requested + "; set query = \"overlap\", or remove it";
   const bool is_overlap = question.kind == QueryKind::Overlap;
@@ -29,11 +29,11 @@ std::string idle_question(std::string_view key, const Question& question) {
   if (key == "tolerance")
     return is_overlap || question.kind == QueryKind::Touching
                ? ""
-               : requested + ", which is told in metres; remove it";
+               : requested + ", whose result is in metres; remove it";
   if (question.bounds != QueryMethod::Obb)
     return "only oriented boxes are tested along axes; set bounds = \"obb\", or remove it";
   if (key == "skip_up_to" && question.test.axes != ObbAxes::Fifteen)
-    return "only the fifteen axes are skipped by a threshold; set axes = \"fifteen\", or remove it";
+    return "only the test of fifteen axes has a threshold; set axes = \"fifteen\", or remove it";
   return "";
 }
 
@@ -51,21 +51,20 @@ std::string idle_reason(std::string_view key, const ScenarioPair& pair, const Sc
   const Question& question = pair.pipeline.question;
   if (key == "traversal")
     return walks_trees(scenario, pair) ? ""
-                                       : "only trees of two meshes that are asked themselves are "
-                                         "gone through together; set "
-                                         "query = \"overlap\" of two meshes, or remove it";
+                                       : "only a query of two meshes without bounds traverses "
+                                         "two trees; set query = \"overlap\", or remove it";
   if (std::ranges::find(kQuestionKeys, key) != std::end(kQuestionKeys))
     return idle_question(key, question);
   if (question.kind != QueryKind::Manifold) {
     if (key == "penetration" && question.kind == QueryKind::Penetration && (hull_a || hull_b))
       return "";
-    return std::string("the pair is asked for \"") + to_string(question.kind) +
-           "\", and makes no contacts; remove it";
+    return std::string("the pair's query is \"") + to_string(question.kind) +
+           "\", which makes no contacts; remove it";
   }
   if (key == "penetration")
     return incremental || (hull_a && hull_b)
                ? ""
-               : "it is of two hulls (boxes, hulls, cylinders, cones), or of incremental manifolds";
+               : "it needs two hulls (boxes, hulls, cylinders, cones) or an incremental manifold";
   if (key == "field") {
     const auto is_field = [&](int i) {
       return kind_of(*scenario.shape(i).geometry) == ShapeKind::Field;
@@ -78,8 +77,7 @@ std::string idle_reason(std::string_view key, const ScenarioPair& pair, const Sc
       key == "core_margin" || key == "breaking_distance" || key == "confirm";
   if (!of_incremental) return "";
   if (!incremental) return "the manifold is one-shot; set manifold = \"incremental\", or remove it";
-  if (key == "core_margin" && !hull_a && !hull_b)
-    return "only cores of hulls lie within a margin; remove it";
+  if (key == "core_margin" && !hull_a && !hull_b) return "only hulls have a core margin; remove it";
   return "";
 }
 
@@ -121,7 +119,7 @@ void report_solver_keys(const Value& table, PositionCorrection correction, Sente
   for (const auto& [key, of] : kKeys)
     if (correction != of)
       report(table, key,
-             std::string("overlaps are worked off by \"") + to_string(correction) +
+             std::string("position_correction is \"") + to_string(correction) +
                  "\"; set position_correction = \"" + to_string(of) + "\", or remove it",
              sentences);
 }
@@ -140,7 +138,7 @@ void warn_of_idle_keys(const Value& file, Scenario& scenario) {
   for (int i = 0; i < count_of(shapes); ++i)
     if (!scenario.shape(i).deforms())
       report(at(shapes, i), "tree",
-             "the mesh keeps its form; give it motion = { deform = .. }, or remove it", sentences);
+             "the mesh does not deform; give it motion = { deform = .. }, or remove it", sentences);
   if (std::ranges::any_of(scenario.shapes, &ScenarioShape::dynamic)) {
     if (const auto solver = file.find("solver"))
       report_solver_keys(*solver, scenario.solver.position_correction, sentences);
@@ -155,8 +153,7 @@ void warn_of_idle_keys(const Value& file, Scenario& scenario) {
   }
   for (const Value& shape : shapes)
     for (const char* key : {"friction", "restitution"})
-      report(shape, key, "no shape is dynamic, and only the solver goes by it; remove it",
-             sentences);
+      report(shape, key, "no shape is dynamic, and only the solver uses it; remove it", sentences);
 }
 
 }  // namespace contactscope::scenario_file

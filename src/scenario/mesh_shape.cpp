@@ -25,10 +25,11 @@ void warn(const std::string& name, const MeshReport& report, std::vector<std::st
   if (!report.zero_area_triangles.empty())
     warnings.push_back(mesh + some_triangles(report.zero_area_triangles) + " no area and " +
                        (report.zero_area_triangles.size() == 1 ? "was" : "were") +
-                       " left out; triangles count from 0, in traces among those that are kept");
+                       " left out; indices start at 0, in traces they count kept triangles only");
   if (!report.flipped_edges.empty())
-    warnings.push_back(mesh + "across " + std::to_string(report.flipped_edges.size()) +
-                       " of its edges a triangle is turned over; such an edge counts as a border");
+    warnings.push_back(
+        mesh + std::to_string(report.flipped_edges.size()) +
+        " of its edges join triangles of opposite winding; such an edge counts as a border");
   if (!report.non_manifold_edges.empty())
     warnings.push_back(mesh + std::to_string(report.non_manifold_edges.size()) +
                        " of its edges are shared by more than two triangles; such an edge counts "

@@ -55,14 +55,12 @@ std::optional<std::string> impact_refusal(const ScenarioShape& a, const Scenario
                                           ImpactMethod method) {
   if (a.is_mesh() && b.is_mesh() && (a.deforms() || b.deforms())) {
     if (method == ImpactMethod::TimeOfImpact) return std::nullopt;
-    return "meshes that deform are asked corner by corner and edge by edge; set continuous = "
-           "\"time_of_impact\"";
+    return "only one method handles meshes that deform; set continuous = \"time_of_impact\"";
   }
   for (const ScenarioShape* shape : {&a, &b})
     if (shape->deforms())
       return "'" + shape->name +
-             "' changes its form between frames, which only another mesh can be asked about; "
-             "remove "
+             "' deforms between frames, and only pairs of two meshes support that; remove "
              "'continuous', or its motion.deform";
   const auto reason = impact_refusal(kind_of(*a.geometry), kind_of(*b.geometry));
   if (reason) return *reason + "; remove 'continuous'";

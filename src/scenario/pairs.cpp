@@ -69,8 +69,8 @@ void read_question(const Value& table, Question& question) {
   if (!question.inclusive && question.tolerance > 0) {
     const auto key = table.find("tolerance") ? table.find("tolerance") : table.find("comparison");
     key->fail(
-        "an exclusive comparison counts no gap at all, and a tolerance counts gaps; remove "
-        "'tolerance', or set comparison = \"inclusive\"");
+        "'tolerance' contradicts an exclusive comparison; remove 'tolerance', or set comparison = "
+        "\"inclusive\"");
   }
   if (question.bounds && (question.kind == QueryKind::Manifold)) {
     const auto key = table.find("bounds") ? table.find("bounds") : table.find("query");
@@ -92,7 +92,7 @@ void check_question(const ScenarioPair& pair, const std::vector<ScenarioShape>& 
   const auto key = entry.find("query");
   (key ? *key : entry)
       .fail("'" + at(shapes, pair.a).name + "' and '" + at(shapes, pair.b).name +
-            "' cannot be asked for \"" + to_string(question.kind) + "\": " + *reason);
+            "' cannot be queried for \"" + to_string(question.kind) + "\": " + *reason);
 }
 
 /// Rejects a [[pairs]] entry with `continuous` if the time of impact of its shapes cannot be
@@ -103,7 +103,7 @@ void check_continuous(const ScenarioPair& pair, const std::vector<ScenarioShape>
   if (!key || !pair.pipeline.continuous) return;
   const ScenarioShape &a = at(shapes, pair.a), &b = at(shapes, pair.b);
   if (const auto reason = impact_refusal(a, b, *pair.pipeline.continuous))
-    key->fail("'" + a.name + "' and '" + b.name + "' cannot be asked when they meet: " + *reason);
+    key->fail("'" + a.name + "' and '" + b.name + "' have no continuous query: " + *reason);
 }
 
 /// The settings that [pipeline] and [[pairs]] share; keys of incremental manifolds are checked even
@@ -130,7 +130,7 @@ PipelineSettings read_settings(const Value& table, PipelineSettings settings) {
   table.read("continuous", settings.continuous, [](const Value& value) {
     Keys words{"discrete"};
     for (const ImpactMethodInfo& info : impact_methods()) words.push_back(info.name);
-    const std::string word = value.one_of(words, "way to look between frames");
+    const std::string word = value.one_of(words, "continuous method");
     std::optional<ImpactMethod> chosen;
     for (const ImpactMethodInfo& info : impact_methods())
       if (word == info.name) chosen = info.method;
@@ -139,7 +139,7 @@ PipelineSettings read_settings(const Value& table, PipelineSettings settings) {
   table.read("traversal", settings.traversal,
              word_of<Traversal>({"from_roots", "coherent"}, "traversal"));
   table.read("field", settings.field,
-             word_of<FieldSearch>({"conservative", "sampled"}, "search of a distance field"));
+             word_of<FieldSearch>({"conservative", "sampled"}, "distance field search"));
   table.read("internal_edges", settings.internal_edges, &Value::boolean);
   table.read("degenerate", settings.degenerate,
              word_of<Degenerate>({"fallback", "skip"}, "answer"));
@@ -202,13 +202,13 @@ std::vector<ScenarioPair> read_pairs(const Value& value, const std::vector<Scena
     if (pair.a == pair.b) b.fail("'a' and 'b' are the same shape; a pair needs two");
     table.read("label", pair.label, &Value::non_empty_string);
     if (const auto scalar = table.find("scalar"))
-      scalar->fail("one scalar serves the whole file; set 'scalar' in [pipeline]");
+      scalar->fail("'scalar' applies to the whole file; set it in [pipeline]");
     pair.pipeline = read_settings(table, settings);
     check_incremental(pair, shapes, item);
     check_question(pair, shapes, item);
     check_continuous(pair, shapes, item);
     if (!seen.emplace(std::min(pair.a, pair.b), std::max(pair.a, pair.b), pair.label).second)
-      item.fail("these two shapes are paired already; give each such entry a 'label' of its own");
+      item.fail("these two shapes are already a pair; give each such entry its own 'label'");
     pairs.push_back(std::move(pair));
   }
   return pairs;
@@ -275,7 +275,7 @@ void leave_out_unanswered(Scenario& scenario) {
         both +
         (question.kind == QueryKind::Manifold
              ? "make no contacts: " + kind + " pairs are not collided, and left out"
-             : "are left out: " + kind + " pairs cannot be asked for \"" +
+             : "are left out: " + kind + " pairs cannot be queried for \"" +
                    to_string(question.kind) + "\"") +
         "; " + *reason);
     return true;

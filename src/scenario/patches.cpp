@@ -44,7 +44,7 @@ void warn_of_settings(const Value& pipeline, std::vector<std::string>& warnings)
   for (const Value& setting : pipeline.members()) {
     if (std::ranges::find(kPatchSettings, setting.name()) != std::end(kPatchSettings)) continue;
     warnings.push_back("line " + std::to_string(setting.line()) + ": '" + setting.name() +
-                       "' has no effect: the points of a patch are found already; remove it");
+                       "' has no effect: a patch already has its points; remove it");
   }
 }
 
@@ -55,15 +55,14 @@ void read_patches(const Value& file, const Value& value, Scenario& scenario) {
     if (const auto other = file.find(key))
       other->fail(
           std::string("'") + key +
-          "' is of shapes, and a file of [[patch]] has none, but the points that they would "
-          "give; remove it, or the patches");
+          "' needs shapes, and a file of [[patch]] has only points; remove it, or the patches");
   }
   std::set<std::string> names;
   for (const Value& item : value.array_of_tables()) {
     scenario.patches.push_back(read_patch(item, scenario.patches.size()));
     if (!names.insert(scenario.patches.back().name).second)
       item.fail("two patches are named '" + scenario.patches.back().name +
-                "'; give each a 'name' of its own");
+                "'; give each its own 'name'");
   }
   if (scenario.patches.empty())
     value.fail("'patch' is empty; add a [[patch]] with its 'normal' and 'points'");
@@ -84,7 +83,7 @@ void read_patches(const Value& file, const Value& value, Scenario& scenario) {
     for (std::size_t i = 0; i < tables.size(); ++i) {
       if (scenario.views[i].kind != ViewKind::ContactPlane)
         tables[i].fail(
-            "a patch has no shapes to see, only its points in their plane; set kind = "
+            "a patch has no shapes to draw, only points in a plane; set kind = "
             "\"contact_plane\", or leave 'views' out");
     }
   }

@@ -45,9 +45,11 @@ Quatd from_matrix(const Value& value) {
   const double error = (gram - Mat3<double>::Identity()).cwiseAbs().maxCoeff();
   if (!(error <= kMatrixTolerance))
     value.fail(
-        "'matrix' is no rotation: its rows are not unit vectors at right angles (within 0.0001)");
+        "'matrix' is not a rotation: its rows are not unit vectors at right angles (within "
+        "0.0001)");
   if (matrix.determinant() < 0)
-    value.fail("'matrix' is no rotation: it mirrors (determinant -1); change the sign of one row");
+    value.fail(
+        "'matrix' is not a rotation: it mirrors (determinant -1); change the sign of one row");
   Quatd rotation(matrix);
   rotation.normalize();
   return rotation;
@@ -157,8 +159,7 @@ Motion read_motion(const Value& value, const Pose<double>& start, double end_tim
     if (const auto value_of = table.find(key)) {
       value_of->positive();
       value_of->fail(std::string("'") + key +
-                     "' serves dynamic shapes only; add dynamic = true, or leave it out of a "
-                     "scripted motion");
+                     "' applies to dynamic shapes only; add dynamic = true, or remove it");
     }
   return motion;
 }

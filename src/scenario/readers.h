@@ -171,7 +171,7 @@ auto build_at(const Value& at, const char* kind, const Build& build) {
   try {
     return build();
   } catch (const ShapeError& error) {
-    at.fail("'" + at.name() + "' makes no " + kind + ": " + error.what());
+    at.fail(std::string("cannot build a ") + kind + " from '" + at.name() + "': " + error.what());
   }
 }
 
@@ -220,7 +220,7 @@ double read_share(const Value& value);
 
 // views.cpp
 
-/// A title with valid placeholders; see core/title.h.
+/// A title with valid placeholders; see view/title.h.
 std::string read_title(const Value& value);
 /// Rejects title placeholders whose `of` names a pair or shape that does not exist.
 void check_title(const Value& value, const Scenario& scenario);

@@ -34,8 +34,8 @@ std::array<double, 2> read_scale(const Value& value) {
   const std::vector<double> range = value.numbers(2);
   if (!(range[0] >= 1 / kLargestFactor && range[0] <= range[1] && range[1] <= kLargestFactor))
     value.fail(
-        "'scale' is from the smallest size to the largest, 0.001 to 1000 times that of the "
-        "shape; write scale = [0.5, 2]");
+        "'scale' is the smallest and the largest factor, within 0.001 to 1000; write scale = "
+        "[0.5, 2]");
   return {range[0], range[1]};
 }
 
@@ -45,7 +45,7 @@ Scatter read_scatter(const Value& value) {
   const auto count = table.find("count"), cells = table.find("cells");
   if (count && cells) cells->fail("give 'count' or 'cells', not both");
   if (!count && !cells)
-    table.fail("'scatter' does not say how many; add count = 100, or cells = [10, 1, 10]");
+    table.fail("'scatter' has no number of copies; add count = 100, or cells = [10, 1, 10]");
   if (count) scatter.count = count->integer(1, kMaxCopies);
   if (cells) scatter.cells = read_cells(*cells);
   if (cells) scatter.count = scatter.cells[0] * scatter.cells[1] * scatter.cells[2];
@@ -53,7 +53,7 @@ Scatter read_scatter(const Value& value) {
   const Value upper = table.require("upper", "upper = [1, 2, 1] (metres)");
   scatter.upper = read_position(upper);
   if (!(scatter.lower.array() <= scatter.upper.array()).all())
-    upper.fail("'upper' is below 'lower'; it has no smaller coordinate");
+    upper.fail("'upper' is below 'lower'; no coordinate of it may be smaller");
   table.read("seed", scatter.seed, integer_in(0, 1'000'000'000));
   table.read("scale", scatter.scale, read_scale);
   table.read("turned", scatter.turned, &Value::boolean);
@@ -94,14 +94,13 @@ std::vector<ScenarioShape> scattered(const ScenarioShape& model, const Value& va
     position->fail("'scatter' places the copies; remove 'position'");
   if (const auto rotation = table.find("rotation"); rotation && scatter.turned)
     rotation->fail(
-        "'scatter' turns each copy by a rotation of its own; remove 'rotation', or add "
-        "turned = false to 'scatter'");
+        "'scatter' rotates each copy; remove 'rotation', or add turned = false to 'scatter'");
   if (const auto motion = table.find("motion"); motion && motion->find("keyframes"))
     motion->fail("keyframes would move every copy of '" + model.name +
                  "' to the same places; give a velocity, or dynamic = true");
   if (kind_of(*model.geometry) == ShapeKind::Plane || kind_of(*model.geometry) == ShapeKind::Mesh)
     value.fail("spheres, capsules and hulls can be scattered, and '" + model.name + "' is a " +
-               model.type + "; write each one as a shape of its own");
+               model.type + "; write each copy as its own shape");
 
   std::mt19937_64 engine(static_cast<std::uint64_t>(scatter.seed));
   std::vector<ScenarioShape> copies;

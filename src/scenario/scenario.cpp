@@ -10,10 +10,10 @@
 #include "core/at.h"
 #include "core/input_file.h"
 #include "core/plain_text.h"
-#include "core/shape_name.h"
 #include "scenario/readers.h"
 #include "scenario/scenario_name.h"
 #include "scenario/words_file.h"
+#include "view/shape_name.h"
 
 namespace contactscope {
 namespace {
@@ -98,7 +98,7 @@ std::string read_text(const std::string& path) {
   if (status.type() == fs::file_type::not_found)
     refuse("there is no such file; give the path of a scenario (.toml)");
   if (error)
-    refuse("cannot be looked at (" + error.message() +
+    refuse("cannot be accessed (" + error.message() +
            "); give the path of a scenario (.toml) that can be read");
   if (status.type() == fs::file_type::directory)
     refuse("this is a folder; give the path of a scenario (.toml) in it");
@@ -111,7 +111,7 @@ std::string read_text(const std::string& path) {
     in.read(begin.data(), static_cast<std::streamsize>(begin.size()));
     refuse_foreign(path, begin, size);
     refuse("the file has " + std::to_string(size) + " bytes; a scenario may have " +
-           std::to_string(kMaxScenarioBytes) + ", and large meshes belong into an .obj file");
+           std::to_string(kMaxScenarioBytes) + ", and large meshes belong in an .obj file");
   }
   std::string text(error ? 0 : static_cast<std::size_t>(size), '\0');
   in.read(text.data(), static_cast<std::streamsize>(text.size()));
@@ -182,8 +182,8 @@ Scenario parse_scenario(const std::string& text, const std::string& path) {
   scenario.name = scenario_name(path);
   if (const std::string wrong = not_plain(scenario.name); !wrong.empty())
     throw InputError(printable(path), 0, 0,
-                     "the name of a scenario is that of its file and folder, and this one has " +
-                         wrong + "; rename it");
+                     "a scenario is named after its file and folder, and this name has " + wrong +
+                         "; rename it");
   scenario.path = path;
   const auto patch = file.find("patch");
   std::optional<Value> title = file.find("title");
@@ -251,20 +251,7 @@ toml::table scenario_file::read_document(const std::string& path) {
 }
 
 std::vector<std::string_view> names_in_pictures(const Scenario& scenario) {
-  std::vector<std::string_view> names = {scenario.source};
-  // Add each alternative of a title. Values of its placeholders are in the word's braces.
-  const auto add_title = [&](std::string_view title) {
-    constexpr std::string_view kSeparator = " | ";
-    while (!title.empty()) {
-      const std::size_t end = std::min(title.find(kSeparator), title.size());
-      names.push_back(title.substr(0, end));
-      title.remove_prefix(std::min(end + kSeparator.size(), title.size()));
-    }
-  };
-  add_title(scenario.title);
-  for (const View& view : scenario.views) {
-    if (view.title) add_title(*view.title);
-  }
+  std::vector<std::string_view> names;
   for (const ScenarioShape& shape : scenario.shapes) {
     names.push_back(shape.name);
     names.push_back(kind_of_name(shape.name));
@@ -284,7 +271,7 @@ std::vector<std::string> scenario_files(const std::string& root) {
   std::vector<std::string> files;
   if (!fs::is_directory(root)) {
     throw InputError(root, 0, 0,
-                     "no such folder; run where scenarios/ is, or name --scenarios DIR");
+                     "no such folder; run where scenarios/ is, or give --scenarios DIR");
   }
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root)) {
     if (entry.is_regular_file() && entry.path().extension() == ".toml") {

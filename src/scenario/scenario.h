@@ -10,13 +10,13 @@
 #include "core/at.h"
 #include "core/manifold.h"
 #include "core/pose.h"
-#include "core/view.h"
 #include "dynamics/solver_settings.h"
 #include "geometry/shape.h"
 #include "manifold/collide_options.h"
 #include "manifold/pair_query.h"
 #include "reduce/reducer.h"
 #include "scenario/deform.h"
+#include "view/view.h"
 
 /// Contents of a scenario file, parsed and checked; scenarios/README.md documents the format.
 namespace contactscope {

@@ -32,7 +32,7 @@ Shape<double> read_sdf(const Value& table, const Surroundings& surroundings) {
   const Value of = table.require("of", "of = { type = \"box\", half_extents = [0.5, 0.5, 0.5] }");
   if (!of.is_table())
     of.fail(
-        "'of' is the shape whose distances are kept, written inline: of = { type = \"sphere\", "
+        "'of' is the shape of the distance field, written inline: of = { type = \"sphere\", "
         "radius = 0.5 }");
   const Shape<double> shape = read_plain_shape(of, surroundings);
   FieldSettings settings;

@@ -52,8 +52,8 @@ Hull<double> hull_of_points(const std::vector<Vec3d>& points, const Value& at, c
   if (hull.flat())
     surroundings.warnings.push_back(
         "line " + std::to_string(at.line()) + ": the hull '" + shape.name() +
-        "' is flat: its points lie on one plane, and it is taken as a polygon with "
-        "two sides; give a point off the plane if it is to have a volume");
+        "' is flat: its points lie on one plane, so it becomes a polygon with "
+        "two sides; add a point off the plane to give it a volume");
   return hull;
 }
 
@@ -179,7 +179,7 @@ void read_shape(const Value& value, const Surroundings& surroundings, double end
   if (value.name().empty())
     value.fail("a shape has an empty name; write [shapes.NAME] with at least one character");
   if (!value.is_table())
-    value.fail("'" + value.name() + "' is no table; write a shape as [shapes." + value.name() +
+    value.fail("'" + value.name() + "' is not a table; write a shape as [shapes." + value.name() +
                "] with its type below");
   const auto named = value.find("type");
   const std::string word =
@@ -220,8 +220,8 @@ void refuse_deforming_with_bodies(const Value& value, const std::vector<Scenario
       ->find("motion")
       ->find("deform")
       ->fail("'" + body->name +
-             "' is dynamic, and the solver does not know how fast the surface of a "
-             "mesh that deforms moves; leave out 'deform', or move '" +
+             "' is dynamic, and the solver does not know the surface velocity of a "
+             "mesh that deforms; leave out 'deform', or move '" +
              body->name + "' by keyframes");
 }
 
@@ -260,7 +260,7 @@ fs::path existing_obj_file(const Value& value, const fs::path& folder) {
   for (char& c : extension)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   if (extension != ".obj")
-    value.fail("'file' is '" + name + "', which is no .obj file; give a Wavefront .obj");
+    value.fail("'file' is '" + name + "', which is not an .obj file; give a Wavefront .obj");
   const fs::path path = folder / name;
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
@@ -282,7 +282,7 @@ std::vector<ScenarioShape> read_shapes(const Value& value, const Surroundings& s
   for (const ScenarioShape& shape : shapes)
     if (!names.insert(shape.name).second)
       value.fail("two shapes are named '" + shape.name +
-                 "', of which one is a copy that 'scatter' makes; give the other another name");
+                 "', one of them a copy from 'scatter'; rename the other");
   if (shapes.empty()) value.fail("[shapes] is empty; add a shape as [shapes.NAME]");
   refuse_deforming_with_bodies(value, shapes);
   return shapes;

@@ -76,14 +76,14 @@ std::string unknown_key(std::string_view key, const Keys& keys) {
       remedy = "rotation = { quat_wxyz = [w, x, y, z] } or rotation = { quat_xyzw = [x, y, z, w] }";
     return std::string("'")
         .append(key)
-        .append("' does not say the order of its components; write ")
+        .append("' does not define the order of its components; write ")
         .append(remedy);
   }
   if (key == "angle" && known("degrees"))
-    return found + ", which does not say its unit; write 'degrees' or 'radians'";
+    return found + ", which has no unit; write 'degrees' or 'radians'";
   const std::string near = nearest(key, keys);
   return found +
-         (near.empty() ? "; known here: " + quoted_list(keys) : "; did you mean '" + near + "'?");
+         (near.empty() ? "; known keys: " + quoted_list(keys) : "; did you mean '" + near + "'?");
 }
 
 }  // namespace
@@ -223,7 +223,7 @@ toml::table parse_document(const std::string& text, const std::string& file) {
   try {
     return toml::parse(std::string_view(text), std::string_view(file));
   } catch (const toml::parse_error& error) {
-    std::string message = "this is no TOML: " + std::string(error.description());
+    std::string message = "this is not valid TOML: " + std::string(error.description());
     if (message.find("redefine") != std::string::npos)
       message += "; a key or table may be given only once";
     else if (message.find("could not be interpreted as a value") != std::string::npos)

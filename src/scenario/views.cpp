@@ -3,8 +3,8 @@
 #include <cmath>
 #include <set>
 
-#include "core/title.h"
 #include "scenario/readers.h"
+#include "view/title.h"
 
 namespace contactscope {
 namespace scenario_file {
@@ -54,13 +54,12 @@ std::vector<Word> read_words(const Value& value, const std::array<std::string_vi
 
 /// Metres of arrow per newton second.
 double read_impulse_scale(const Value& value) {
-  const double scale = value.positive("metres for one newton second");
+  const double scale = value.positive("metres per newton second");
   const double decade = std::pow(10.0, std::floor(std::log10(scale) + 1e-9));
   const double leading = scale / decade;
   if (std::ranges::none_of(std::array{1.0, 2.0, 5.0},
                            [&](double step) { return std::abs(leading - step) < 1e-6; }))
-    value.fail(
-        "the legend states the scale by one digit; it may be 1, 2 or 5 times a power of ten");
+    value.fail("the legend shows one digit of the scale; give 1, 2 or 5 times a power of ten");
   return scale;
 }
 
@@ -88,7 +87,7 @@ View read_view(const Value& value) {
   if (kind && kind->one_of({"scene", "contact_plane"}, "kind") == "contact_plane")
     return read_contact_plane(table);
   if (const auto choices = table.find("choices"))
-    choices->fail("'choices' is for a view of kind = \"contact_plane\"; name that kind");
+    choices->fail("'choices' is for a view of kind = \"contact_plane\"; set that kind");
   View view = default_view();
   view.focus = Focus::Contact;  // a custom view should show the contact
   table.read("name", view.name, read_view_name);
@@ -99,7 +98,7 @@ View read_view(const Value& value) {
     const double extent = std::max(view.eye->norm(), view.target->norm());
     if ((*view.eye - *view.target).norm() <= 1e-9 * extent)  // rounding leaves no direction
       table.find("eye")->fail(
-          "'eye' and 'target' are the same point; move the eye away from what it looks at");
+          "'eye' and 'target' are the same point; move the eye away from the target");
   }
   const auto fov = table.find("fov_degrees");
   const auto height = table.find("orthographic_height");
@@ -140,8 +139,8 @@ void check_title(const Value& value, const Scenario& scenario) {
     for (const TitlePiece& piece : pieces) {
       for (const std::string& name : {piece.of, piece.of_other})
         if (!name.empty() && !is_known(name))
-          value.fail("the title asks for something of '" + name +
-                     "', which is no shape and no label of a pair");
+          value.fail("the title names '" + name +
+                     "', which is neither a shape nor the label of a pair");
     }
   }
 }
@@ -152,7 +151,7 @@ std::vector<View> read_views(const Value& value) {
   for (const Value& item : value.array_of_tables()) {
     views.push_back(read_view(item));
     if (!names.insert(views.back().name).second)
-      item.fail("two views are named '" + views.back().name + "'; give each a 'name' of its own");
+      item.fail("two views are named '" + views.back().name + "'; give each its own 'name'");
   }
   if (views.empty()) value.fail("'views' is empty; leave it out for one view of all shapes");
   return views;
@@ -184,7 +183,7 @@ SnapshotSettings read_snapshots(const std::optional<Value>& value, int frames,
     for (const Value& item : list->array()) {
       const int frame = item.integer(0, frames - 1);
       if (!snapshots.frames.empty() && frame <= snapshots.frames.back())
-        item.fail("the frames to store must be in rising order, each once");
+        item.fail("the frames to store must be in ascending order, each once");
       snapshots.frames.push_back(frame);
     }
     if (snapshots.frames.empty())
@@ -200,7 +199,7 @@ SnapshotSettings read_snapshots(const std::optional<Value>& value, int frames,
   if (const auto own = table.find("view_limits")) {
     for (const Value& limits : own->members()) {
       if (std::ranges::find(views, limits.name(), &View::name) == views.end())
-        limits.fail("'" + limits.name() + "' is no view of this scenario");
+        limits.fail("'" + limits.name() + "' is not a view of this scenario");
       snapshots.view_limits[limits.name()] = read_limits(limits);
     }
   }

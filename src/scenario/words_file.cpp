@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "core/shape_name.h"
 #include "scenario/readers.h"
 
 namespace contactscope {
@@ -15,17 +14,17 @@ Words scenario_file::read_words_table(const Value& table,
   for (const Value& entry : table.members()) {
     if (std::ranges::find(known, entry.name()) == known.end()) {
       const std::string near = nearest(entry.name(), known);
-      entry.fail("no picture has the word '" + entry.name() + "'; " +
-                 (near.empty() ? "`contactscope list words` has all that there are"
-                               : "did you mean '" + near + "'?"));
+      entry.fail(
+          "no picture has the word '" + entry.name() + "'; " +
+          (near.empty() ? "`contactscope list words` prints all" : "did you mean '" + near + "'?"));
     }
     const std::string by = entry.string();
-    if (const std::string mistake = Words::mistake(entry.name(), by); !mistake.empty())
-      entry.fail("'" + by + "' cannot stand for '" + entry.name() + "': " + mistake);
-    words.replace(entry.name(), by);
-    // Pictures show a shape's name as words.
+    if (!by.empty() && place_in(by) != place_in(entry.name()))
+      entry.fail("'" + by + "' and '" + entry.name() + "' need the same place in braces");
     if (std::ranges::find(names, entry.name()) != names.end())
-      words.replace(name_in_words(entry.name()), by);
+      words.rename(entry.name(), by);
+    else
+      words.replace(entry.name(), by);
   }
   return words;
 }

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/words.h"
+#include "view/words.h"
 
 namespace contactscope {
 
@@ -13,12 +13,12 @@ struct Scenario;
 namespace scenario_file {
 class Value;
 
-/// A [words] table: texts of pictures, or names of the scenario, with their replacements. Throws
-/// InputError for an unknown text, or if a replacement loses its numbers.
+/// A [words] table: texts of pictures, or `names`, with their replacements. Throws InputError for an
+/// unknown text, or if a replacement loses its place.
 Words read_words_table(const Value& table, const std::vector<std::string_view>& names);
 }  // namespace scenario_file
 
-/// Names of a scenario that appear in pictures: title, source, shapes, labels of pairs.
+/// Names of a scenario that appear in pictures: of shapes and their kinds, and labels of pairs.
 std::vector<std::string_view> names_in_pictures(const Scenario& scenario);
 
 /// The [words] table of a file, which may contain more; empty without one. `names` can be replaced

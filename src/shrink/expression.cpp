@@ -81,7 +81,7 @@ class Expression::Parser {
 
   Node whole() {
     Node root = disjunction();
-    if (!token_.empty()) fail("'" + token_ + "' is one too many");
+    if (!token_.empty()) fail("unexpected '" + token_ + "'");
     return root;
   }
 
@@ -102,7 +102,7 @@ class Expression::Parser {
     };
     if (first == '"' || first == '\'') {
       const std::size_t end = text_.find(first, at_ + 1);
-      if (end == std::string::npos) fail("a text without its closing quote");
+      if (end == std::string::npos) fail("the closing quote is missing");
       token_ = text_.substr(at_, end + 1 - at_);
       at_ = end + 1;
     } else if (is_word(first)) {
@@ -123,7 +123,7 @@ class Expression::Parser {
     if (token_ == "&&") token_ = "and";
     if (token_ == "||") token_ = "or";
     if (token_ == "!") token_ = "not";
-    if (token_ == "=") fail("a single '='; compare by '=='");
+    if (token_ == "=") fail("compare with '==', not '='");
   }
 
   bool take(const std::string& token) {
@@ -133,8 +133,8 @@ class Expression::Parser {
   }
   void need(const std::string& token) {
     if (!take(token))
-      fail(token_.empty() ? "it ends, and '" + token + "' is missing"
-                          : "'" + token_ + "' stands where '" + token + "' should");
+      fail(token_.empty() ? "'" + token + "' is missing at the end"
+                          : "found '" + token_ + "', expected '" + token + "'");
   }
 
   static Node apply(const std::string& name, std::vector<Node> operands) {
@@ -179,7 +179,7 @@ class Expression::Parser {
       need(")");
       return inner;
     }
-    if (token_.empty()) fail("it ends where a quantity should stand");
+    if (token_.empty()) fail("a quantity is missing at the end");
     const char first = token_.front();
     if (first == '"' || first == '\'') {
       Node text{Node::Kind::Constant, token_.substr(1, token_.size() - 2), {}, {}, {}, {}};
@@ -188,7 +188,7 @@ class Expression::Parser {
     }
     if (std::isdigit(static_cast<unsigned char>(first)) != 0 || first == '.') return number();
     if (std::isalpha(static_cast<unsigned char>(first)) == 0)
-      fail("'" + token_ + "' stands where a quantity should");
+      fail("found '" + token_ + "', expected a quantity");
     if (take("abs")) {
       need("(");
       Node inner = disjunction();
@@ -210,7 +210,7 @@ class Expression::Parser {
     double value = 0;
     const char* const end = token_.data() + token_.size();
     const auto [stop, error] = std::from_chars(token_.data(), end, value);
-    if (error != std::errc() || stop != end) fail("'" + token_ + "' is no number");
+    if (error != std::errc() || stop != end) fail("'" + token_ + "' is not a number");
     next();
     return {Node::Kind::Constant, value, {}, {}, {}, {}};
   }
@@ -218,7 +218,7 @@ class Expression::Parser {
   Node side() {
     Node named{Node::Kind::Fact, {}, token_, {}, {}, {}};
     if (token_.empty() || std::isalpha(static_cast<unsigned char>(token_.front())) == 0)
-      fail("a side should stand here, as angle(float, double)");
+      fail("expected a side, such as in angle(float, double)");
     sides_.insert(token_);
     next();
     return named;
@@ -238,9 +238,9 @@ class Expression::Parser {
     const bool is_known =
         named.side == "lint" || named.side == "unmet" || quantities().contains(named.quantity);
     if (!is_known)
-      fail("'" + named.quantity + "' is no quantity; " +
-           did_you_mean(named.quantity, quantity_words()) + "there is " +
-           quoted_list(quantity_words()) + ", lint, lint.CAUSE and unmet");
+      fail("'" + named.quantity + "' is not a quantity; " +
+           did_you_mean(named.quantity, quantity_words()) +
+           "known: " + quoted_list(quantity_words()) + ", lint, lint.CAUSE and unmet");
     sides_.insert(named.side);
     next();
     return named;

@@ -136,7 +136,7 @@ class Explorations {
         for (const std::size_t place : line->places)
           if (line->explorer.has_times(result_[place]))
             line->explorer.measure_time(result_[place], memories[place]);
-        report("manifolds that are timed", count_of(lines));
+        report("timed manifolds", count_of(lines));
       }
     }
     return std::move(result_);

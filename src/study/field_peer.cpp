@@ -31,7 +31,7 @@ PeerField read_answer(const std::string& program, const std::string& text, std::
     in >> field.distances.emplace_back() >> gradient.x() >> gradient.y() >> gradient.z();
     field.gradients.push_back(gradient);
   }
-  if (!in) throw std::runtime_error(program + ": its answer ends too early, or is no number");
+  if (!in) throw std::runtime_error(program + ": its answer is incomplete or not a number");
   return field;
 }
 

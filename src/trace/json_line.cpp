@@ -9,9 +9,8 @@ namespace contactscope::trace {
 namespace {
 
 constexpr const char* kNoJson =
-    "this line is no JSON from here on; a trace has one whole object on each line, so it may be "
-    "torn: make it "
-    "again";
+    "this line is not valid JSON from here on; a trace has one object per line, so it may be "
+    "cut off: record it again";
 
 /// Explains why a line is not JSON from a column on, counted from 1.
 std::string why_no_json(const std::string& line, std::size_t column, const std::string& record) {
@@ -19,14 +18,13 @@ std::string why_no_json(const std::string& line, std::size_t column, const std::
   if (line.starts_with("\xff\xfe") || line.starts_with("\xfe\xff"))
     return "the file is UTF-16; a trace is UTF-8";
   if (record.find("UTF-8") != std::string::npos)
-    return "from here on this line is no UTF-8, as names have to be; it may be Latin-1, or binary";
+    return "from here on this line is not UTF-8; it may be Latin-1 or binary";
   constexpr std::size_t kBefore = 6;  // a sign, and the letters parsed as a literal
   std::string near = line.substr(column > kBefore ? column - kBefore : 0, 2 * kBefore);
   std::ranges::transform(near, near.begin(), [](unsigned char c) { return std::tolower(c); });
   if (near.find("nan") != std::string::npos || near.find("inf") != std::string::npos)
-    return "this line is no JSON from here on, which has no nan and no infinity; find where the "
-           "engine makes it, or leave "
-           "the pair out";
+    return "this line is not valid JSON from here on, which has no nan and no infinity; find where "
+           "the engine computes it, or leave the pair out";
   return kNoJson;
 }
 
@@ -56,7 +54,7 @@ Node JsonLine::parse_again(const std::string& line) {
   try {
     again = nlohmann::ordered_json::parse(line, is_shallow).dump();
     if (deepest >= kDeepest)
-      throw Complaint{"lists and objects are in each other more than " + std::to_string(kDeepest) +
+      throw Complaint{"lists and objects are nested more than " + std::to_string(kDeepest) +
                       " deep; a trace needs a dozen"};
   } catch (const nlohmann::json::parse_error& error) {
     throw NoJson{static_cast<int>(error.byte), why_no_json(line, error.byte, error.what())};

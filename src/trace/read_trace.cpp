@@ -113,9 +113,8 @@ Header read_header(const Node& node) {
   const std::string name = schema.string();
   if (name == kSchema) return read<Header>(node, nullptr);
   const std::string_view family(kSchema, std::string_view(kSchema).find('/') + 1);
-  schema.fail(
-      "is '" + name + "'; '" + kSchema + "' is what can be read here" +
-      (name.starts_with(family) ? ": update contactscope, or have the writer write that" : ""));
+  schema.fail("is '" + name + "'; only '" + kSchema + "' can be read" +
+              (name.starts_with(family) ? ": update contactscope, or write that schema" : ""));
 }
 
 bool is_blank(const std::string& line) {
@@ -148,8 +147,7 @@ std::optional<Frame> TraceReader::next() {
   Frame frame;
   const bool any = next_line([&](const Node& node) {
     if (node.is_object() && node.find("schema"))
-      throw Complaint{
-          "this is a second header; a file holds one trace: begin another file with it"};
+      throw Complaint{"this is a second header; a file holds one trace: start a new file with it"};
     frame = read<Frame>(node, nullptr);
     know(frame.shapes);
     complete(kinds_, frame);

@@ -54,7 +54,7 @@ struct Pipe {
   Pipe() {
     std::array<int, 2> ends{};
     if (pipe2(ends.data(), O_CLOEXEC) != 0)
-      throw std::system_error(errno, std::generic_category(), "a pipe cannot be made");
+      throw std::system_error(errno, std::generic_category(), "cannot create a pipe");
     read.reset(ends[0]);
     write.reset(ends[1]);
   }
@@ -83,8 +83,7 @@ pid_t start(const std::string& program, const std::vector<std::string>& argument
   for (const std::string& argument : arguments) list.push_back(const_cast<char*>(argument.c_str()));
   list.push_back(nullptr);
   const pid_t child = fork();
-  if (child < 0)
-    throw std::system_error(errno, std::generic_category(), "no process can be started");
+  if (child < 0) throw std::system_error(errno, std::generic_category(), "cannot start a process");
   if (child > 0) return child;
   setpgid(0, 0);  // so that its children are stopped with it
   dup2(in.read.get(), STDIN_FILENO);

@@ -120,7 +120,7 @@ class Judge {
         score_.failure = "frame " + std::to_string(frame.frame) + " " + what;
       return false;
     };
-    if (requested == request_.frames.end()) return lost("was not asked for");
+    if (requested == request_.frames.end()) return lost("was not requested");
     frame.time = requested->time;
     for (const auto& [name, pose] : requested->poses) latest_[name] = pose;
     for (const RolloutBody& body : bodies_) {
@@ -128,7 +128,7 @@ class Judge {
       if (pose == nullptr) return lost("has no pose of '" + body.name + "'");
       if (!pose->position.allFinite() || !pose->rotation.coeffs().allFinite() ||
           !(pose->position.cwiseAbs().maxCoeff() < kFarAway))
-        return lost("has '" + body.name + "' nowhere");
+        return lost("has an invalid pose of '" + body.name + "'");
     }
     // Scripted shapes have the requested poses, whatever the engine reports.
     std::erase_if(frame.poses, [&](const trace::Placement& one) {

@@ -85,11 +85,8 @@ class Installed : public testing::Test {
     std::filesystem::create_directories(folder_ / "here");
     std::filesystem::copy_file(CONTACTSCOPE_BINARY_DIR "/contactscope",
                                folder_ / "bin/contactscope");
-    const auto link = [&](const char* to, const char* name) {
-      std::filesystem::create_directory_symlink(to, folder_.path() / "share/contactscope" / name);
-    };
-    link(CONTACTSCOPE_SOURCE_DIR "/scenarios", "scenarios");
-    link(CONTACTSCOPE_SOURCE_DIR "/src/package/words", "words");
+    std::filesystem::create_directory_symlink(CONTACTSCOPE_SOURCE_DIR "/scenarios",
+                                              folder_ / "share/contactscope/scenarios");
   }
   int run_here(const std::string& arguments) const {
     return std::system(("cd '" + (folder_ / "here") + "' && ../bin/contactscope " + arguments +
@@ -99,18 +96,6 @@ class Installed : public testing::Test {
 
   TemporaryFolder folder_;
 };
-
-TEST_F(Installed, AFolderOfTheNameOfALanguageIsNoFileOfWords) {
-  folder_.write("here/idea.toml", small_scenario());
-  const std::string render = "render idea.toml --format svg --frames 0 --quiet --words de --out ";
-  ASSERT_EQ(run_here(render + "../before"), 0) << read_text(folder_ / "err.txt");
-  folder_.write("here/de/note", "");
-  ASSERT_EQ(run_here(render + "../beside"), 0) << read_text(folder_ / "err.txt");
-  const std::set<std::string> pictures = files_below(folder_ / "before");
-  ASSERT_EQ(pictures.size(), 1u);
-  EXPECT_EQ(read_text(folder_.path() / "beside" / *pictures.begin()),
-            read_text(folder_.path() / "before" / *pictures.begin()));
-}
 
 TEST_F(Installed, NamesAreLookedUpOneByOneHereAndWhereTheProgramIs) {
   folder_.write("here/scenarios/mine/idea.toml", small_scenario());

@@ -163,7 +163,7 @@ TEST_F(CheckShards, LimitsOfAViewAreTakenFromItsScenario) {
   folder_.write("scenarios/group/two.toml", moved + "limits = { total = 7 }\n");
   EXPECT_THAT(check("group/two --verbose").out, HasSubstr("allowed: 7 pixels"));
   folder_.write("scenarios/group/two.toml", moved + "view_limits = { side = { total = 7 } }\n");
-  EXPECT_THAT(check("group/two").out, HasSubstr("'side' is no view"));
+  EXPECT_THAT(check("group/two").out, HasSubstr("'side' is not a view"));
 }
 
 TEST(Help, IsAVerbToo) {

@@ -42,7 +42,7 @@ std::string complaint(const std::string& scenario) {
 std::vector<std::string> known_words(const std::string& message) {
   std::vector<std::string> words;
   const std::size_t begin = message.find("known: ");
-  const std::size_t here = message.find("known here: ");
+  const std::size_t here = message.find("known keys: ");
   const std::string list = message.substr(std::min({begin, here, message.size()}));
   const std::regex quoted("'([^']*)'");
   for (std::sregex_iterator word(list.begin(), list.end(), quoted), end; word != end; ++word)

@@ -53,7 +53,7 @@ TEST_F(Versus, EnginesThatHangCrashOrTalkNonsenseStopNoOther) {
   };
   EXPECT_THAT(failure("crash"), HasSubstr("signal 11"));
   EXPECT_THAT(failure("hang"), HasSubstr("stopped after"));
-  EXPECT_THAT(failure("nonsense"), HasSubstr("no JSON"));
+  EXPECT_THAT(failure("nonsense"), HasSubstr("not valid JSON"));
   EXPECT_THAT(failure("sorry"), HasSubstr("exit code 3: no licence"));
   EXPECT_THAT(failure("deaf"), HasSubstr("empty"));
   EXPECT_EQ(entry(result, "contactscope")["missed"], 0);

@@ -33,8 +33,8 @@ trace::TestedAxis axis(const char* kind, int a, int b, const Vec3d& direction, d
 }
 
 /// The crate on the slab, with a query of oriented boxes.
-struct QueriedCrate : CrateOnSlab {
-  explicit QueriedCrate(bool bounds_overlap, bool shapes_overlap) {
+struct CrateWithQuery : CrateOnSlab {
+  explicit CrateWithQuery(bool bounds_overlap, bool shapes_overlap) {
     trace::Pair& requested = pair();
     requested.manifolds.clear();
     requested.state = bounds_overlap ? "touching" : "separated";
@@ -55,7 +55,7 @@ struct QueriedCrate : CrateOnSlab {
 };
 
 TEST(Answers, AreSpelledInWords) {
-  QueriedCrate requested(true, false);
+  CrateWithQuery requested(true, false);
   EXPECT_EQ(spell_question(requested.query()), "do the oriented boxes overlap, touching included?");
   EXPECT_EQ(spell_answer(requested.pair()),
             "yes, though the shapes are 0.120 m apart: a false positive");
@@ -81,7 +81,7 @@ TEST(Answers, AreSpelledInWords) {
 }
 
 TEST(Answers, MeshAnswersStateTheResult) {
-  QueriedCrate requested(true, true);
+  CrateWithQuery requested(true, true);
   requested.query() = {};
   requested.query().requested = "overlap";
   requested.query().containment = {"outside", "inside"};
@@ -114,7 +114,7 @@ TEST(Answers, ColourTheQueriedBounds) {
                                              {true, false, AnswerKind::FalsePositive},
                                              {false, false, AnswerKind::No},
                                              {false, true, AnswerKind::Missed}}) {
-    QueriedCrate requested(bounds, shapes);
+    CrateWithQuery requested(bounds, shapes);
     requested.view.layers = {Layer::Volumes};
     const Staging staging = requested.staged();
     const Sketch sketch = sketch_frame(staging, requested.frames[0]);
@@ -127,7 +127,7 @@ TEST(Answers, ColourTheQueriedBounds) {
 }
 
 TEST(Answers, OrientedBoxesAmongOthersAreDrawnBroaderInPlace) {
-  QueriedCrate requested(false, false);
+  CrateWithQuery requested(false, false);
   requested.view.layers = {Layer::Volumes};
   // How far the lines extend, and the width of the widest line in the answer's colour.
   const auto drawn = [&] {
@@ -156,14 +156,14 @@ TEST(Answers, TheResultOfBoundsIsStatedForEveryQuery) {
         {true, false, "bounds say yes, the shapes no"},
         {false, false, "bounds say no"},
         {false, true, "bounds say no, the shapes yes"}}) {
-    QueriedCrate requested(bounds, shapes);
+    CrateWithQuery requested(bounds, shapes);
     requested.view.layers = {Layer::Volumes};
     EXPECT_EQ(legend_of(requested.staged(), requested.frames[0]).listed[0].text, words);
   }
 }
 
 TEST(Answers, ShowAxesThatSeparateAndThoseOfNoise) {
-  QueriedCrate requested(false, false);
+  CrateWithQuery requested(false, false);
   requested.view.layers = {Layer::TestedAxes};
   Sketch sketch = sketch_frame(requested.staged(), requested.frames[0]);
   ASSERT_EQ(sketch.arrows.size(), 1u);
@@ -180,7 +180,7 @@ TEST(Answers, ShowAxesThatSeparateAndThoseOfNoise) {
 }
 
 TEST(Answers, ShowTheClosestPoints) {
-  QueriedCrate requested(false, false);
+  CrateWithQuery requested(false, false);
   requested.query().point_a = Vec3d(0, 0, 0);
   requested.query().point_b = Vec3d(0, 0.12, 0);
   requested.view.layers = {Layer::Answer};
@@ -191,7 +191,7 @@ TEST(Answers, ShowTheClosestPoints) {
 }
 
 TEST(Answers, TheShortestOfSeveralDistancesIsStrongest) {
-  QueriedCrate requested(false, false);
+  CrateWithQuery requested(false, false);
   requested.query().point_a = Vec3d(0, 0, 0);
   requested.query().point_b = Vec3d(0, 0.12, 0);
   requested.view.layers = {Layer::Answer};
@@ -210,7 +210,8 @@ TEST(Answers, TheShortestOfSeveralDistancesIsStrongest) {
   EXPECT_EQ(sketch.arrows[0].width, sketch.arrows[1].width);
 }
 
-std::vector<std::string> panel_texts(QueriedCrate& requested, Panel panel, std::size_t frame = 0) {
+std::vector<std::string> panel_texts(CrateWithQuery& requested, Panel panel,
+                                     std::size_t frame = 0) {
   requested.view.panels = {panel};
   const Staging staging = requested.staged();
   const std::vector<FilledPanel> panels = make_panels(staging, requested.frames);
@@ -222,7 +223,7 @@ std::vector<std::string> panel_texts(QueriedCrate& requested, Panel panel, std::
 }
 
 TEST(Answers, PanelsShowThemOverTime) {
-  QueriedCrate requested(true, false);
+  CrateWithQuery requested(true, false);
   trace::Frame later = requested.frames[0];
   later.frame = 1;
   later.pairs[0].query->shapes->overlap = true;
@@ -238,7 +239,7 @@ TEST(Answers, PanelsShowThemOverTime) {
 }
 
 TEST(Answers, IntervalsAreThoseOfPairsInView) {
-  QueriedCrate requested(true, false);
+  CrateWithQuery requested(true, false);
   requested.view.eye = Vec3d(0, 1, 5);
   requested.view.target = Vec3d(0, 0, 0);
   EXPECT_THAT(panel_texts(requested, Panel::AxisIntervals), Contains("A's y"));
@@ -247,7 +248,7 @@ TEST(Answers, IntervalsAreThoseOfPairsInView) {
 }
 
 TEST(Answers, ThePipelineCountsQueriesNextToCollisions) {
-  QueriedCrate requested(true, true);
+  CrateWithQuery requested(true, true);
   trace::Pair separation = requested.pair();
   separation.overlap = false;
   requested.frames[0].pairs.push_back(separation);
@@ -265,7 +266,7 @@ TEST(Answers, ThePipelineCountsQueriesNextToCollisions) {
 }
 
 TEST(Answers, ASummaryShowsAllPairsThatItHasRoomFor) {
-  QueriedCrate requested(true, true);
+  CrateWithQuery requested(true, true);
   requested.query().requested = "distance";
   requested.query().gap = 0.12;
   for (const char* label : {"second", "third", "fourth"}) {
@@ -278,7 +279,7 @@ TEST(Answers, ASummaryShowsAllPairsThatItHasRoomFor) {
 }
 
 TEST(Answers, PanelsStateWhereTheyDoNotApply) {
-  QueriedCrate requested(true, false);
+  CrateWithQuery requested(true, false);
   requested.pair().query.reset();
   EXPECT_THAT(panel_texts(requested, Panel::Answers), Contains(HasSubstr("does not apply")));
   EXPECT_THAT(panel_texts(requested, Panel::AxisIntervals), Contains(HasSubstr("does not apply")));

@@ -179,7 +179,7 @@ TEST(ContactCells, AScenarioWithoutWordsForTheStripHasNone) {
         .size();
   };
   Words none;
-  none.replace("points over time", "");
+  none.replace("points over time, orange: kept", "");
   FigureStyle style;
   style.words = std::make_shared<const Words>(none);
   EXPECT_LT(bars(style), bars({}));

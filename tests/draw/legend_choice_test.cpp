@@ -166,8 +166,8 @@ TEST(NamesOfShapes, AndEntriesOfTheLegendAreLeftOutByAnEmptyWord) {
   CrateOnSlab crate;
   crate.view.layers = {Layer::Shapes, Layer::Contacts};
   Words words;
-  words.replace("crate", "");
-  words.replace("contact point", "");
+  words.rename("crate", "");
+  words.replace("contact point, {sign}", "");
   FigureStyle style;
   style.words = std::make_shared<const Words>(words);
   const Staging staging = stage(crate.header, crate.frames, crate.view, 1280, 720, style);

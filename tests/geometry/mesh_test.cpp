@@ -115,7 +115,7 @@ TEST(Mesh, CoordinatesThatAreNotFiniteAreRefused) {
       [] {
         build_mesh({{-1.5e308, 0, 0}, {1.5e308, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
       },
-      "larger");
+      "too large");
 }
 
 TEST(Mesh, AMeshWithoutAnyAreaIsRefused) {

@@ -143,7 +143,7 @@ TEST(PackageCollide, ShapesThatAreNoneAreRefused) {
   EXPECT_THAT(refusal(Hull{{{0, 0, 0}}, {{0, 1, 2}}}), HasSubstr("vertex 1 of 1"));
   EXPECT_THAT(refusal(Mesh{{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{{0, 1, 2}}}}),
               testing::Not("taken"));
-  EXPECT_THAT(refusal(Mesh{{{0, 0, 0}}, {{{0, 1, 7}}}}), HasSubstr("the first is 0"));
+  EXPECT_THAT(refusal(Mesh{{{0, 0, 0}}, {{{0, 1, 7}}}}), HasSubstr("indices start at 0"));
   EXPECT_THAT(refusal(Plane{{0, 0, 0}, 1}), HasSubstr("normal"));
 }
 
@@ -164,7 +164,7 @@ TEST(PackageCollide, UnknownWordsAreRefusedWithTheKnownOnes) {
   EXPECT_THAT(said(reducer), HasSubstr("did you mean 'optimal_deepest'?"));
   EXPECT_THAT(said(penetration), HasSubstr("'sat', 'epa', 'mpr' and 'sampling'"));
   EXPECT_THAT(said(points), HasSubstr("max_points"));
-  EXPECT_THAT(said(names), HasSubstr("two names"));
+  EXPECT_THAT(said(names), HasSubstr("two different names"));
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ TEST(ManifoldMatcher, NamesMissingAndExtraPoints) {
   EXPECT_EQ(said_of(fewer), "3 points instead of 4; no point at (-1, 0, 1)");
   Manifold more = patch();
   more.points.push_back({{0, 0, 0}, -0.01});
-  EXPECT_EQ(said_of(more), "5 points instead of 4; a point at (0, 0, 0) too many");
+  EXPECT_EQ(said_of(more), "5 points instead of 4; an extra point at (0, 0, 0)");
 }
 
 TEST(ManifoldMatcher, ReportsTheNormalAndDepth) {

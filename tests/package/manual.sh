@@ -1,6 +1,6 @@
 #!/bin/sh
-# The installed program finds its scenarios from anywhere. Its man page and completions are in their
-# places, and a shell completes with them.
+# The installed program finds its scenarios from anywhere. Its man page, documents and completions are
+# in their places, and a shell completes with them.
 #   manual.sh TREE
 set -eu
 tree=$1
@@ -13,7 +13,13 @@ for verb in render trace check review show merge explore study lint versus docto
 done
 test -s "$tree/share/zsh/site-functions/_contactscope"
 test -s "$tree/share/fish/vendor_completions.d/contactscope.fish"
-test -s "$tree/share/doc/contactscope/NOTICE"
+documents=$tree/share/doc/contactscope
+test -s "$documents/NOTICE"
+# Files that the installed README.md links to.
+grep -o '](\(src\|render\|scenarios\|snapshots\|tests\)[^)]*\.\(md\|png\)' "$documents/README.md" | cut -c3- | sort -u |
+  while read -r link; do
+    test -s "$documents/$link" || { echo "README.md links to $link, which is not installed"; exit 1; }
+  done
 if ! command -v bash >/dev/null; then exit 0; fi
 PATH=$tree/bin:$PATH bash -eu -c '
   source "$1"

@@ -42,7 +42,7 @@ TEST(BrokenPath, Device) {
 }
 
 TEST(BrokenPath, NameTooLongForTheSystem) {
-  EXPECT_THAT(load_complaint(std::string(5000, 'a')), HasSubstr("cannot be looked at"));
+  EXPECT_THAT(load_complaint(std::string(5000, 'a')), HasSubstr("cannot be accessed"));
 }
 
 // The superuser reads every file, so such a test run drops its privileges for a while.
@@ -121,7 +121,7 @@ TEST(BrokenPath, ObjFileOfVerticesInALine) {
   folder.write("leaf.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 3 0 0\nf 1 2 3 4\n");
   const std::string path =
       folder.write("a.toml", one_shape("type = \"hull\"\nfile = \"leaf.obj\""));
-  EXPECT_THAT(load_complaint(path), StartsWith(path + ":4:8: 'file' makes no hull: "));
+  EXPECT_THAT(load_complaint(path), StartsWith(path + ":4:8: cannot build a hull from 'file': "));
 }
 
 TEST(BrokenPath, ObjFileThatIsAFolder) {

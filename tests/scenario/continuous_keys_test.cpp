@@ -284,7 +284,7 @@ INSTANTIATE_TEST_SUITE_P(
                          "motion.deform = { twist = { axis = [0, 1, 0], degrees = 90 } }\n"
                          "[[pairs]]\na = \"crate\"\nb = \"sheet\"\n"
                          "continuous = \"time_of_impact\"\n"),
-               "15:14", "changes its form"}),
+               "15:14", "deforms between frames"}),
     [](const auto& test) { return name_of_test(test); });
 
 }  // namespace

@@ -206,8 +206,9 @@ std::string wave(const std::string& keys) {
 INSTANTIATE_TEST_SUITE_P(
     Deform, BrokenDeform,
     ::testing::Values(
-        Broken{"None", scene("{ }"), "5:17", "'deform' is one of 'wave', 'twist' and 'keyframes'"},
-        Broken{"Two", scene("{ wave = {}, twist = {} }"), "5:17", "give exactly one"},
+        Broken{"None", scene("{ }"), "5:17",
+               "'deform' needs exactly one of 'wave', 'twist' and 'keyframes'"},
+        Broken{"Two", scene("{ wave = {}, twist = {} }"), "5:17", "needs exactly one"},
         Broken{"Misspelled", scene("{ wav = {} }"), "5:19", "did you mean 'wave'?"},
         Broken{"NoWavelength", wave("amplitude = 1, speed = 1"), "5:26",
                "missing key 'wavelength' in 'wave'; add wavelength = 1.0 (metres)"},
@@ -216,7 +217,7 @@ INSTANTIATE_TEST_SUITE_P(
         Broken{"HugeAmplitude", wave("amplitude = 1e10, wavelength = 1, speed = 1"), "5:81",
                "'amplitude' is too large; it may be up to 1e9 metres"},
         Broken{"HugeSpeed", wave("amplitude = 1, wavelength = 1, speed = -1e10"), "5:108",
-               "'speed' is too large; it may be up to 1e9 metres a second"},
+               "'speed' is too large; it may be up to 1e9 metres per second"},
         Broken{"ZeroAxis", scene("{ twist = { axis = [0, 0, 0], degrees = 1 } }"), "5:36",
                "'axis' is zero; give a direction"},
         Broken{"NoAngle", scene("{ twist = { axis = [0, 1, 0] } }"), "5:27",
@@ -230,9 +231,9 @@ INSTANTIATE_TEST_SUITE_P(
                "there is no file"},
         Broken{"OfABox",
                one_shape("type = \"box\"\nhalf_extents = [1, 1, 1]\nmotion.deform = {}\n"), "5:17",
-               "'rock' is a box, which keeps its form; only a mesh deforms"},
+               "'rock' is a box, and only a mesh deforms"},
         Broken{"BesideABody", scene(kWave) + "motion = { dynamic = true, mass = 1 }\n", "5:17",
-               "'ball' is dynamic, and the solver does not know how fast the surface of a mesh"},
+               "'ball' is dynamic, and the solver does not know the surface velocity of a mesh"},
         Broken{"OfABody",
                one_shape("type = \"box\"\nhalf_extents = [1, 1, 1]\n"
                          "motion = { dynamic = true, mass = 1, deform = {} }\n"),
@@ -247,9 +248,10 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(Deform, ATreeWithoutADeformationHasNoEffect) {
   const std::string rigid =
       one_shape("type = \"mesh\"\ngrid = { size = 1, cells = 1 }\ntree = \"refit\"\n");
-  EXPECT_THAT(parse_scenario(rigid, "a.toml").warnings,
-              testing::ElementsAre("line 5: 'tree' has no effect: the mesh keeps its form; give it "
-                                   "motion = { deform = .. }, or remove it"));
+  EXPECT_THAT(
+      parse_scenario(rigid, "a.toml").warnings,
+      testing::ElementsAre("line 5: 'tree' has no effect: the mesh does not deform; give it "
+                           "motion = { deform = .. }, or remove it"));
   EXPECT_THAT(parse_scenario(scene(kWave, "tree = \"refit\"\n"), "a.toml").warnings, IsEmpty());
 }
 

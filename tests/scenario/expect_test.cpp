@@ -61,7 +61,7 @@ TEST(Expect, FramesThatFailAlikeAreFoldedByWhatIsExpected) {
                           "-0.1 m, got -0.005 m (tolerance 1e-05)"));
   frames[2].pairs[0].manifolds[0].points.resize(1);
   EXPECT_THAT(unmet_expectations(scenario, frames)[0],
-              EndsWith("expected 4 points, got 3; others differ"));
+              EndsWith("expected 4 points, got 3; other frames differ"));
 }
 
 TEST(Expect, ComputedNumbersHaveSixDigitsUnlessThatHidesTheDifference) {

@@ -24,9 +24,9 @@ TEST(FlatHulls, AreTakenWithAWarning) {
   EXPECT_TRUE(scenario.shapes[1].hull()->flat());
   EXPECT_THAT(
       scenario.warnings,
-      ElementsAre("line 7: the hull 'plate' is flat: its points lie on one plane, and it is "
-                  "taken as a polygon with two sides; give a point off the plane if it is "
-                  "to have a volume"));
+      ElementsAre("line 7: the hull 'plate' is flat: its points lie on one plane, so it "
+                  "becomes a polygon with two sides; add a point off the plane to give it a "
+                  "volume"));
 }
 
 TEST(FlatHulls, TouchWithAllTheirCorners) {

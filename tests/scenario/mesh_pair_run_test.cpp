@@ -109,8 +109,8 @@ TEST(MeshPairRun, ATraversalWithoutTwoTreesHasNoEffect) {
       wavy_pair("[pipeline]\nquery = \"overlap\"\nbounds = \"aabb\"\ntraversal = \"coherent\"\n"),
       "a.toml");
   EXPECT_THAT(scenario.warnings,
-              testing::ElementsAre(testing::HasSubstr("'traversal' has no effect: only trees of "
-                                                      "two meshes that are asked themselves")));
+              testing::ElementsAre(testing::HasSubstr("'traversal' has no effect: only a query "
+                                                      "of two meshes without bounds")));
 }
 
 /// A sheet that is wound up, and another one that moves by `speed` along y.

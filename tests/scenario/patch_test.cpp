@@ -113,7 +113,7 @@ INSTANTIATE_TEST_SUITE_P(
         Broken{"SameName", five("name = \"x\"\n" + five("name = \"x\"\n")), "5:1",
                "two patches are named 'x'"},
         Broken{"BesideShapes", five("[shapes.a]\ntype = \"sphere\"\nradius = 1\n"), "4:1",
-               "'shapes' is of shapes, and a file of [[patch]] has none"},
+               "'shapes' needs shapes, and a file of [[patch]] has only points"},
         Broken{"BesideTime", five("[time]\nframes = 3\n"), "4:1", "remove it, or the patches"},
         Broken{"SceneView", five("[[views]]\nlayers = [\"contacts\"]\n"), "4:1",
                "set kind = \"contact_plane\""},

@@ -109,7 +109,7 @@ INSTANTIATE_TEST_SUITE_P(
         Broken{"BoxesHaveNoTriangles",
                two_boxes("[pipeline]\nquery = \"overlap\"\n[[expect]]\na = \"crate\"\n"
                          "b = \"floor\"\nintersections = 0\n"),
-               "13:17", "'crate' is none; expect overlap"},
+               "13:17", "'crate' is not a mesh; expect overlap"},
         Broken{"BoundsHaveNoTriangles",
                meshes("query = \"overlap\"\nbounds = \"aabb\"\n[[expect]]\na = \"floor\"\n"
                       "b = \"wall\"\nintersections = 0\n"),

@@ -143,7 +143,7 @@ INSTANTIATE_TEST_SUITE_P(
                "title = \"a\"\n[shapes.floor]\ntype = \"plane\"\nnormal = [0, 1, 0]\noffset = 0\n"
                "scatter = { count = 2, " +
                    kSomewhere + " }",
-               "6:11", "'floor' is a plane; write each one as a shape of its own"},
+               "6:11", "'floor' is a plane; write each copy as its own shape"},
         Broken{"SameName",
                scattered_box("{ count = 2, " + kSomewhere + " }",
                              "[shapes.crate_2]\ntype = \"sphere\"\nradius = 1"),

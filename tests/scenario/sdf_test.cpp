@@ -130,7 +130,7 @@ TEST(Sdf, UnsupportedPairsAreRefusedWithTheReason) {
       "= [1, 0, 0], direction = [0, 1, 0], amplitude = 0.1, wavelength = 1, speed = 1 } }\n";
   EXPECT_THAT(complaint(kBoxOnField + sheet + "[[pairs]]\na = \"floor\"\nb = \"sheet\"\n" +
                         "continuous = \"time_of_impact\"\n"),
-              HasSubstr("changes its form"));
+              HasSubstr("deforms between frames"));
 }
 
 class BrokenSdf : public ::testing::TestWithParam<Broken> {};

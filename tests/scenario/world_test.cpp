@@ -285,7 +285,7 @@ TEST(IdleKeys, AreReportedWithTheirLineAndTheRemedy) {
       "true, "
       "mass = 1 }\n[shapes.floor]\ntype = \"plane\"\nnormal = [0, 1, 0]\noffset = -1\n";
   EXPECT_THAT(warnings(moving + "[solver]\nhertz = 20\n"),
-              ElementsAre("line 11: 'hertz' has no effect: overlaps are worked off by "
+              ElementsAre("line 11: 'hertz' has no effect: position_correction is "
                           "\"baumgarte\"; set position_correction = \"soft\", or remove it"));
   EXPECT_THAT(warnings(moving + "[solver]\nposition_correction = \"soft\"\nbaumgarte = 0.1\n"
                                 "hertz = 20\ndamping_ratio = 5\n"),
@@ -293,11 +293,10 @@ TEST(IdleKeys, AreReportedWithTheirLineAndTheRemedy) {
   EXPECT_THAT(warnings(moving + "[pipeline]\npenetration = \"sat\"\nconfirm = \"ids\"\n"),
               ElementsAre(::testing::StartsWith("line 11: 'penetration' has no effect"),
                           ::testing::StartsWith("line 12: 'confirm' has no effect")));
-  EXPECT_THAT(
-      warnings(moving + "[pipeline]\nmanifold = \"incremental\"\npenetration = \"epa\"\n"
-                        "core_margin = 0.1\nbreaking_distance = 0.1\n"),
-      ElementsAre("line 13: 'core_margin' has no effect: only cores of hulls lie within a margin; "
-                  "remove it"));
+  EXPECT_THAT(warnings(moving + "[pipeline]\nmanifold = \"incremental\"\npenetration = \"epa\"\n"
+                                "core_margin = 0.1\nbreaking_distance = 0.1\n"),
+              ElementsAre("line 13: 'core_margin' has no effect: only hulls have a core margin; "
+                          "remove it"));
   EXPECT_THAT(warnings(moving), IsEmpty());
 
   const std::string still = two_boxes("[world]\nfriction = 0.5\n[solver]\nhertz = 20\n");

@@ -48,7 +48,7 @@ std::string frame_without(const char* parent, const char* key) {
 
 TEST(ReadTrace, BrokenJsonIsNamedByLineAndColumn) {
   EXPECT_THAT(complaint(header_line() + "{\"frame\":0,,}"), StartsWith("run.jsonl:2:12: "));
-  EXPECT_THAT(complaint("garbage"), StartsWith("run.jsonl:1:1: this line is no JSON"));
+  EXPECT_THAT(complaint("garbage"), StartsWith("run.jsonl:1:1: this line is not valid JSON"));
   EXPECT_THAT(complaint(to_json_line(sample_header()).substr(0, 40)),
               StartsWith("run.jsonl:1:41: "));
   EXPECT_THAT(complaint(header_line() + "\xff\xfe"), StartsWith("run.jsonl:2:1: "));
@@ -62,9 +62,9 @@ TEST(ReadTrace, InvalidJsonIsReported) {
   };
   for (const char* number : {"NaN", "nan", "-nan", "Infinity", "-inf"})
     EXPECT_THAT(complaint(frame(number)), HasSubstr("no nan and no infinity")) << number;
-  EXPECT_THAT(complaint(frame("-,1")), HasSubstr("it may be torn"));
+  EXPECT_THAT(complaint(frame("-,1")), HasSubstr("it may be cut off"));
   EXPECT_THAT(complaint(frame("1e999")), HasSubstr("too large for a double: '1e999'"));
-  EXPECT_THAT(complaint(header_line() + "{\"na\xefme\":0}\n"), HasSubstr("is no UTF-8"));
+  EXPECT_THAT(complaint(header_line() + "{\"na\xefme\":0}\n"), HasSubstr("is not UTF-8"));
   EXPECT_THAT(complaint("\x1f\x8b\x08\x01\x02"), HasSubstr("compressed"));
   EXPECT_THAT(complaint("\xff\xfe{"), HasSubstr("UTF-16"));
   EXPECT_THAT(complaint(header_line() + header_line()), HasSubstr(":2:1: this is a second header"));
@@ -84,7 +84,7 @@ TEST(ReadTrace, RareSpellingsOfJsonAreRead) {
   EXPECT_EQ(to_json_line(with("\"more\":\"\\ud83d\\ude00\",")), frame);
   EXPECT_EQ(to_json_line(with("\"frame\":99999,\"poses\":[],")), frame) << "the last one holds";
   EXPECT_THAT(complaint(header_line() + "{\"more\":\"\\udc00\"," + frame.substr(1)),
-              HasSubstr(":2:15: this line is no JSON"));
+              HasSubstr(":2:15: this line is not valid JSON"));
 }
 
 TEST(ReadTrace, ListsInListsWithoutEndAreRefused) {
@@ -93,7 +93,7 @@ TEST(ReadTrace, ListsInListsWithoutEndAreRefused) {
                               std::string(static_cast<std::size_t>(depth), ']');
     EXPECT_THAT(
         complaint(header_line() + "{\"more\":" + lists + ",\"number\":18446744073709551616}"),
-        HasSubstr("run.jsonl:2:1: lists and objects are in each other more than 1000 deep"));
+        HasSubstr("run.jsonl:2:1: lists and objects are nested more than 1000 deep"));
   }
   EXPECT_THAT(complaint(header_line() + "{\"more\":\"" + std::string(2000, '[') +
                         "\\\"[\",\"number\":18446744073709551616}"),
@@ -149,10 +149,9 @@ TEST(ReadTrace, AnEmptyFileNeedsAHeader) {
 TEST(ReadTrace, AnotherSchemaIsRefused) {
   ordered_json header = ordered_json::parse(to_json_line(sample_header()));
   header["schema"] = "contactscope.trace/2";
-  EXPECT_THAT(
-      complaint(header.dump()),
-      HasSubstr("'schema' is 'contactscope.trace/2'; 'contactscope.trace/1' is what can be read "
-                "here: update contactscope"));
+  EXPECT_THAT(complaint(header.dump()),
+              HasSubstr("'schema' is 'contactscope.trace/2'; only 'contactscope.trace/1' can be "
+                        "read: update contactscope"));
   EXPECT_THAT(complaint(to_json_line(sample_frame())), HasSubstr("has no key 'schema'"));
 }
 

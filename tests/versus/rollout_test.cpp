@@ -190,7 +190,7 @@ TEST(Rollout, ABodyThatIsLostEndsTheJudging) {
   EngineRun nowhere = moved(request, still);
   nowhere.trace.frames[6].poses.front().second.position.y() =
       std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(judge_rollout(request, nowhere).failure, "frame 6 has 'ball0' nowhere");
+  EXPECT_EQ(judge_rollout(request, nowhere).failure, "frame 6 has an invalid pose of 'ball0'");
   EXPECT_EQ(judge_rollout(request, nowhere).penetration.size(), 6u);
 }
 

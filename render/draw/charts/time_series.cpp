@@ -8,9 +8,9 @@
 #include <string_view>
 #include <utility>
 
-#include "core/shape_name.h"
 #include "draw/scene/pair_words.h"
 #include "draw/scene/pairs.h"
+#include "view/shape_name.h"
 
 namespace contactscope::draw {
 namespace {

@@ -208,8 +208,8 @@ void ContactCells::draw_cell(std::size_t number, std::size_t moment, const Pen& 
   if (grid_.strip > 0) {
     const double inset = pen.px(3), caption = pen.px(kStripCaption), axis = pen.px(axis_height());
     const double y = map.bottom() + inset;
-    pen.text(pen.fitted("points over time, orange: kept", Weight::Regular, width),
-             pixel(rect.x, y + 0.75 * caption), Align::Left, kQuietText);
+    pen.text(pen.fitted(kStripText, Weight::Regular, width), pixel(rect.x, y + 0.75 * caption),
+             Align::Left, kQuietText);
     const Rect strip{rect.x, y + caption, rect.width, grid_.strip - 2 * inset - caption - axis};
     ids_[number].draw_rows(strip, moment, moments_.size(), pen);
     if (axis > 0) draw_strip_axis(strip, moment, pen);

@@ -104,6 +104,7 @@ class ContactCells {
   static constexpr double kNumber = 14;     // size of the numbers below
   static constexpr double kNumberRow = 17;  // height of a row of numbers
   static constexpr double kStripCaption = 18, kStripAxis = 14;
+  static constexpr const char* kStripText = "points over time, orange: kept";
   static constexpr double kGap = 14;  // between cells
 
   /// Factor of the text and marks in cells compared with the rest of the picture.

@@ -134,7 +134,7 @@ void ContactCells::gather_ids() {
 
 /// Whether the scenario translates the strip's caption to nothing, because only one frame matters.
 bool ContactCells::is_named_away() const {
-  return style_.words && style_.words->of("points over time").empty();
+  return style_.words && style_.words->of(kStripText).empty();
 }
 
 double ContactCells::strip_height() const {

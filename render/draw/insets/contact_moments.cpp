@@ -4,11 +4,11 @@
 #include <string_view>
 
 #include "core/at.h"
-#include "core/shape_name.h"
 #include "draw/insets/contact_cells.h"
 #include "draw/scene/pair_words.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"
+#include "view/shape_name.h"
 
 namespace contactscope::draw {
 namespace {

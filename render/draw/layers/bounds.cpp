@@ -1,10 +1,10 @@
 #include <algorithm>
 
-#include "core/shape_name.h"
 #include "draw/layers/layer.h"
 #include "draw/scene/box_outline.h"
 #include "draw/scene/pair_words.h"
 #include "draw/scene/points.h"
+#include "view/shape_name.h"
 
 /// The boxes that a broad phase used to find pairs.
 namespace contactscope::draw {

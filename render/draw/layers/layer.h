@@ -2,8 +2,8 @@
 
 #include <array>
 
-#include "core/layers.h"
 #include "draw/scene/scene.h"
+#include "view/layers.h"
 
 namespace contactscope::draw {
 

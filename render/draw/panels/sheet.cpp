@@ -2,9 +2,9 @@
 #include <cmath>
 
 #include "core/at.h"
-#include "core/words.h"
 #include "draw/panels/panel.h"
 #include "draw/scene/layout.h"
+#include "view/words.h"
 
 namespace contactscope::draw {
 namespace {

@@ -3,8 +3,8 @@
 #include <memory>
 #include <optional>
 
-#include "core/words.h"
 #include "draw/scene/theme.h"
+#include "view/words.h"
 
 namespace contactscope::draw {
 

@@ -102,9 +102,8 @@ Layout make_layout(int width, int height, bool has_panels,
   if (!style.title || (title && title->empty())) {
     layout.title_lines = 0;
   } else if (title && style.follows()) {
-    const std::string said = layout.words ? layout.words->of(*title) : *title;
     layout.title_lines = static_cast<int>(
-        title_lines(said, layout.px(layout.title_size), static_cast<float>(inner), kMaxTitleLines)
+        title_lines(*title, layout.px(layout.title_size), static_cast<float>(inner), kMaxTitleLines)
             .size());
   }
   int rows = 0;

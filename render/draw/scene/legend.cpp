@@ -4,8 +4,8 @@
 #include <cmath>
 #include <tuple>
 
-#include "core/words.h"
 #include "image/font.h"
+#include "view/words.h"
 
 namespace contactscope::draw {
 namespace {

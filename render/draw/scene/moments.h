@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "core/view.h"
 #include "trace/trace.h"
+#include "view/view.h"
 
 namespace contactscope::draw {
 

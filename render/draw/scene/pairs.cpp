@@ -6,9 +6,9 @@
 #include <optional>
 #include <set>
 
-#include "core/shape_name.h"
 #include "draw/scene/pair_words.h"
 #include "draw/scene/points.h"
+#include "view/shape_name.h"
 
 namespace contactscope::draw {
 namespace {

@@ -6,8 +6,8 @@
 #include <optional>
 #include <utility>
 
-#include "core/words.h"
 #include "draw/scene/layout.h"
+#include "view/words.h"
 
 namespace contactscope::draw {
 namespace {

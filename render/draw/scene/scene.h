@@ -11,11 +11,11 @@
 #include <vector>
 
 #include "core/at.h"
-#include "core/view.h"
 #include "draw/scene/camera.h"
 #include "draw/scene/quantity.h"
 #include "draw/scene/sketch.h"
 #include "trace/trace.h"
+#include "view/view.h"
 
 namespace contactscope::draw {
 

@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "core/view.h"
 #include "trace/trace.h"
+#include "view/view.h"
 
 /// The step of GJK or EPA that a frame shows.
 namespace contactscope::draw {

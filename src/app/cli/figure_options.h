@@ -22,7 +22,7 @@ struct FigureLength {
 
 /// The options, as read.
 struct FigureOptions {
-  std::string words;               // a file, or the name of an installed one
+  std::string words;               // a file
   std::vector<std::string> fonts;  // regular, and optionally bold
   double dpi = 300;                // pixels per inch for physical sizes
   double scale = 1, line_width = 1;

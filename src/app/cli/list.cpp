@@ -8,10 +8,10 @@
 #include "broadphase/broad_phase.h"
 #include "continuous/impact_of_shapes.h"
 #include "core/at.h"
-#include "core/title.h"
-#include "core/words.h"
 #include "reduce/reducer.h"
 #include "study/study.h"
+#include "view/title.h"
+#include "view/words.h"
 
 namespace contactscope::app {
 namespace {

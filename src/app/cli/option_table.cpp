@@ -162,7 +162,7 @@ const std::vector<Option>& option_table() {
       {"--theme", "NAME", drawing, read<&Options::theme, parse_theme>,
        "Colours: light, dark, grey or print", named(Kind::Words, draw::kThemeNames)},
       {"--words", "FILE", drawing, &Options::words,
-       "TOML file with replacements of the texts in pictures; or de, which is installed", kFile},
+       "TOML file with replacements of the texts in pictures", kFile},
       {"--font", "FILE,...", drawing, &Options::fonts,
        "TrueType file for characters that the built-in font lacks; or two, regular,bold", kFile},
 

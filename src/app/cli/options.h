@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "app/cli/figure_options.h"
-#include "core/layers.h"
 #include "gl/context.h"
 #include "snapshot/verdict.h"
+#include "view/layers.h"
 
 namespace contactscope::app {
 

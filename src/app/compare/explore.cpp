@@ -11,12 +11,12 @@
 #include "app/render/figure_canvas.h"
 #include "app/render/renderer.h"
 #include "core/at.h"
-#include "core/title.h"
 #include "draw/insets/contact_cells.h"
 #include "reduce/reducer.h"
 #include "snapshot/finding.h"
 #include "snapshot/store.h"
 #include "study/exploration.h"
+#include "view/title.h"
 
 namespace contactscope::app {
 namespace {

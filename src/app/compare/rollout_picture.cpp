@@ -7,10 +7,10 @@
 #include "app/cli/table.h"
 #include "app/render/renderer.h"
 #include "core/at.h"
-#include "core/title.h"
 #include "draw/charts/time_chart.h"
 #include "draw/scene/quantity.h"
 #include "draw/staging.h"
+#include "view/title.h"
 
 namespace contactscope::app {
 namespace {

@@ -10,7 +10,6 @@
 #include "app/compare/rollout.h"
 #include "app/render/renderer.h"
 #include "core/at.h"
-#include "core/title.h"
 #include "draw/insets/contact_cells.h"
 #include "draw/scene/quantity.h"
 #include "scenario/run.h"
@@ -21,6 +20,7 @@
 #include "versus/own.h"
 #include "versus/reference.h"
 #include "versus/request.h"
+#include "view/title.h"
 
 namespace contactscope::app {
 namespace {

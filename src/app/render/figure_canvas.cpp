@@ -98,14 +98,8 @@ void report_left_out(const trace::Header& header, const std::vector<trace::Frame
 }
 
 std::string words_path(const std::string& named) {
-  namespace fs = std::filesystem;
   std::error_code unknown;
-  if (fs::is_regular_file(named, unknown)) return named;
-  const fs::path program = fs::read_symlink("/proc/self/exe", unknown);
-  const fs::path installed =
-      program.parent_path().parent_path() / "share" / "contactscope" / "words" / (named + ".toml");
-  if (fs::is_regular_file(installed, unknown)) return installed.string();
-  if (fs::exists(named, unknown)) return named;  // a folder or a pipe: reading it gives the error
+  if (std::filesystem::exists(named, unknown)) return named;
   throw UsageError("--words '" + named +
                    "': there is no such file; give a TOML file with a [words] table. `contactscope "
                    "list words` prints its keys");
@@ -134,9 +128,7 @@ std::shared_ptr<const Words> words_of(const Input& input, const Options& options
   std::vector<std::string_view> names = names_in_pictures(input.scenario);
   Words words;
   if (input.trace) {
-    const trace::Header& header = input.trace->header;
-    names.insert(names.end(), {header.title, header.source});
-    for (const trace::Shape& shape : header.shapes) names.push_back(shape.name);
+    for (const trace::Shape& shape : input.trace->header.shapes) names.push_back(shape.name);
   } else {
     words = load_words(input.scenario.path, names);
   }

@@ -6,9 +6,9 @@
 
 #include "app/cli/catalogue.h"
 #include "app/cli/verbs.h"
-#include "core/view.h"
 #include "draw/scene/figure_style.h"
 #include "trace/trace.h"
+#include "view/view.h"
 
 namespace contactscope::app {
 

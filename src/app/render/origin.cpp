@@ -5,8 +5,8 @@
 #include <iterator>
 
 #include "app/cli/narrow.h"
-#include "core/title.h"
 #include "image/sha256.h"
+#include "view/title.h"
 
 namespace contactscope::app {
 namespace {

@@ -100,11 +100,11 @@ Sequence sequence_of(Input& input, const std::vector<View>& views, const Options
   return sequence;
 }
 
-/// Warns about requested layers that stay empty.
+/// Warns about has_layers layers that stay empty.
 void report_idle_layers(const Input& input, const draw::Staging& staging, const Sequence& sequence,
                         const Options& options) {
-  const bool requested = options.layers || views_are_of_file(options);
-  if (!input.trace || !requested || options.quiet) return;
+  const bool has_layers = options.layers || views_are_of_file(options);
+  if (!input.trace || !has_layers || options.quiet) return;
   const std::vector<std::string> idle = idle_layers(staging, sequence.frames);
   if (!idle.empty()) report_idle(input.file, idle);
 }

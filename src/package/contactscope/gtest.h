@@ -35,7 +35,7 @@ class SnapshotMatcher {
     if (!found.message.empty()) *listener << (found.ok ? "" : "which differs:\n") << found.message;
     return found.ok;
   }
-  void DescribeTo(std::ostream* out) const { *out << "is as the snapshot " << name_ << " has it"; }
+  void DescribeTo(std::ostream* out) const { *out << "matches the snapshot " << name_; }
   void DescribeNegationTo(std::ostream* out) const {
     *out << "differs from the snapshot " << name_;
   }
@@ -67,7 +67,7 @@ class ManifoldMatcher {
          << depth_ << " m deep";
   }
   void DescribeNegationTo(std::ostream* out) const {
-    *out << "is not: ";
+    *out << "is not a manifold that ";
     DescribeTo(out);
   }
 

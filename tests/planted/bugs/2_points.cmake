@@ -36,8 +36,8 @@ planted_bug(crossing_capsules_pulled_together FILE src/manifold/collide_capsule_
   WAS [[return normal.dot(between) < S(0) ? Vec3<S>(-normal) : normal;]]
   IS [[return !@BUG@ && normal.dot(between) < S(0) ? Vec3<S>(-normal) : normal;]])
 planted_bug(antiparallel_capsules_pair_the_same_ends FILE src/manifold/collide_capsule_capsule.cpp TESTS manifold
-  WAS [[const bool same_way = axes.a.along.dot(axes.b.along) > S(0);]]
-  IS [[const bool same_way = @BUG@ || axes.a.along.dot(axes.b.along) > S(0);]])
+  WAS [[const bool same_direction = axes.a.along.dot(axes.b.along) > S(0);]]
+  IS [[const bool same_direction = @BUG@ || axes.a.along.dot(axes.b.along) > S(0);]])
 planted_bug(one_point_for_two FILE src/manifold/collide_capsule_capsule.cpp TESTS manifold
   WAS [[for (int side = 0; side < 2; ++side) {]]
   IS [[for (int side = 0; side < (@BUG@ ? 1 : 2); ++side) {]])
@@ -60,8 +60,8 @@ planted_bug(cache_never_gives_up FILE src/manifold/pair_motion.h TESTS manifold
   WAS [[return bound <= margin && bound - separation <= tolerance;]]
   IS [[return @BUG@ || (bound <= margin && bound - separation <= tolerance);]])
 planted_bug(cache_forgets_to_turn FILE src/manifold/pair_motion.h TESTS manifold
-  WAS [[return S(2) * std::sqrt(std::min(apart, opposite));]]
-  IS [[return @BUG@ ? S(0) : S(2) * std::sqrt(std::min(apart, opposite));]])
+  WAS [[return S(2) * std::sqrt(std::min(gap, opposite));]]
+  IS [[return @BUG@ ? S(0) : S(2) * std::sqrt(std::min(gap, opposite));]])
 planted_bug(float_at_extreme_sizes FILE src/manifold/dispatch.cpp TESTS manifold
   WAS [[if (belongs_in_double(a, b))]]
   IS [[if (!@BUG@ && belongs_in_double(a, b))]])
@@ -69,30 +69,30 @@ planted_bug(ids_of_traded_shapes_not_flipped FILE src/manifold/dispatch.h TESTS 
   WAS [[for (ContactPoint<S>& point : manifold.points) point.id = point.id.flipped();]]
   IS [[for (ContactPoint<S>& point : manifold.points) point.id = @BUG@ ? point.id : point.id.flipped();]])
 planted_bug(ids_kept_before_not_flipped FILE src/manifold/dispatch.h TESTS manifold
-  WAS [[if (traded && !options.reduction.previous.empty())]]
-  IS [[if (!@BUG@ && traded && !options.reduction.previous.empty())]])
+  WAS [[if (swapped && !options.reduction.previous.empty())]]
+  IS [[if (!@BUG@ && swapped && !options.reduction.previous.empty())]])
 planted_bug(support_kept_however_far FILE src/manifold/pair_cache.cpp TESTS manifold
   WAS [[const bool still_deepest = S(2) * moved < cache.support_clearance;]]
   IS [[const bool still_deepest = @BUG@ || S(2) * moved < cache.support_clearance;]])
 
 # Two boxes, which have a special path.
-planted_bug(box_normal_of_b_not_turned FILE src/manifold/box_face_contact.h TESTS manifold
+planted_bug(box_normal_of_b_not_turned FILE src/manifold/fast/box_face_contact.h TESTS manifold
   WAS [[contact.normal = of_a ? normal : -normal;]]
   IS [[contact.normal = of_a || @BUG@ ? normal : -normal;]])
-planted_bug(box_ids_of_the_other_owner FILE src/manifold/box_face_contact.h TESTS manifold
+planted_bug(box_ids_of_the_other_owner FILE src/manifold/fast/box_face_contact.h TESTS manifold
   WAS [[const int incident = faces.incident + (of_a ? 6 : 0)]]
   IS [[const int incident = faces.incident + (of_a != @BUG@ ? 6 : 0)]])
 
 # Two capsules and a box on a mesh, which have special paths too.
-planted_bug(capsule_normal_of_traded_shapes_not_turned FILE src/manifold/collide_two_capsules.cpp TESTS manifold
-  WAS [[direction * (traded ? S(-1) : S(1))]]
-  IS [[direction * (traded && !@BUG@ ? S(-1) : S(1))]])
-planted_bug(capsule_foot_from_the_first_end FILE src/manifold/collide_two_capsules.cpp TESTS manifold
+planted_bug(capsule_normal_of_traded_shapes_not_turned FILE src/manifold/fast/collide_two_capsules.cpp TESTS manifold
+  WAS [[direction * (swapped ? S(-1) : S(1))]]
+  IS [[direction * (swapped && !@BUG@ ? S(-1) : S(1))]])
+planted_bug(capsule_foot_from_the_first_end FILE src/manifold/fast/collide_two_capsules.cpp TESTS manifold
   WAS [[on[owner] = axes[owner].ends[end];]]
   IS [[on[owner] = axes[owner].ends[@BUG@ ? 0 : end];]])
-planted_bug(triangle_on_a_box_from_behind FILE src/manifold/box_on_triangles.cpp TESTS manifold
+planted_bug(triangle_on_a_box_from_behind FILE src/manifold/fast/box_on_triangles.cpp TESTS manifold
   WAS [[const int incident = sign * triangle.normal[axis] > S(0) ? 1 : 0;]]
   IS [[const int incident = (sign * triangle.normal[axis] > S(0)) != @BUG@ ? 1 : 0;]])
-planted_bug(edge_of_a_triangle_climbs FILE src/query/box_triangle_sat.h TESTS manifold query
+planted_bug(edge_of_a_triangle_climbs FILE src/query/fast/box_triangle_sat.h TESTS manifold query
   WAS [[const bool falls = along_face(second, vector<S>(triangle.directions[k])) < S(0);]]
   IS [[const bool falls = (along_face(second, vector<S>(triangle.directions[k])) < S(0)) != @BUG@;]])

@@ -21,8 +21,8 @@ planted_bug(impulses_kept_and_given_traded FILE render/draw/layers/impulses.cpp 
   WAS [[scene.scales.impulse * (warm ? point.impulse->warm_start : point.impulse->normal);]]
   IS [[scene.scales.impulse * (warm != @BUG@ ? point.impulse->warm_start : point.impulse->normal);]])
 planted_bug(friction_of_the_other_body FILE render/draw/layers/impulses.cpp TESTS draw
-  WAS [[const Vec3d way = side * share * scales.friction * point.impulse->friction;]]
-  IS [[const Vec3d way = (@BUG@ ? -side : side) * share * scales.friction * point.impulse->friction;]])
+  WAS [[const Vec3d offset = side * share * scales.friction * point.impulse->friction;]]
+  IS [[const Vec3d offset = (@BUG@ ? -side : side) * share * scales.friction * point.impulse->friction;]])
 planted_bug(any_surplus_of_points_is_as_expected FILE src/scenario/expect.cpp TESTS scenario
   WAS [[if (count != *expected.points)]]
   IS [[if (@BUG@ ? count < *expected.points : count != *expected.points)]])

@@ -1,4 +1,4 @@
-#include "core/shape_name.h"
+#include "view/shape_name.h"
 
 namespace contactscope {
 

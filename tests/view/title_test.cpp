@@ -1,4 +1,4 @@
-#include "core/title.h"
+#include "view/title.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "core/title.h"
+#include "view/title.h"
 
 #include <algorithm>
 #include <charconv>

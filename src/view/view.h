@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "core/layers.h"
 #include "core/vec3.h"
+#include "view/layers.h"
 
 namespace contactscope {
 
@@ -38,7 +38,7 @@ struct View {
   std::optional<double> orthographic_height;  // metres
   /// Length of an arrow in metres per newton second (loads: per newton); default: fitted.
   std::optional<double> impulse_scale;
-  /// Title of its pictures, see core/title.h. Default: the scenario's.
+  /// Title of its pictures, see view/title.h. Default: the scenario's.
   std::optional<std::string> title;
   /// Shows each pair in its own viewport, side by side, all with the same parallel projection.
   bool side_by_side = false;
