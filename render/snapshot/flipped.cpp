@@ -66,12 +66,12 @@ std::string spell_chosen(const trace::Sat& before, const trace::Sat& now,
     text += " to " + spell_axis(before.chosen) + ": " + spell("%.4g mm", *taken * 1e3) + " both";
   const bool is_tie = between <= kTie * std::max(std::abs(*taken), std::abs(*left));
   // In mm as the separations, unless that needs many digits.
-  const std::string offset =
+  const std::string spelled =
       between >= 1e-5 && between < 1 ? spell("%.2g mm", between * 1e3) : spell_length(between);
   if (is_tie)
-    text += between > 0 ? ", a tie of " + offset : ", a tie";
+    text += between > 0 ? ", a tie of " + spelled : ", a tie";
   else
-    text += ", " + offset + " between them";
+    text += ", " + spelled + " between them";
   constexpr double kSameNumber = 0.05;
   const bool says_more =
       margin && margin->margin && std::abs(*margin->margin - between) > kSameNumber * between;

@@ -133,7 +133,7 @@ std::size_t bytes_of(const std::vector<T>& list) {
 inline constexpr float kLargestCoordinate = 1e15f;
 bool is_bounded(const Aabb<float>& box);
 
-/// Calls tell(node, depth, open) for the nodes of a tree, parents first. open(child) queues a
+/// Calls visit(node, depth, open) for the nodes of a tree, parents first. open(child) queues a
 /// child. `root`: -1 for an empty tree.
 template <class Visit>
 void from_root_down(int root, const Visit& visit) {

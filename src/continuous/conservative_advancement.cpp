@@ -10,7 +10,7 @@ struct DistanceOverSpeed {
   /// Makes no prediction.
   template <class Approach, class S>
   std::optional<Closest<S>> foresee(Approach& /*approach*/, S /*radii*/,
-                                    const Separation<S>& /*apart*/, ImpactResult<S>& /*result*/,
+                                    const Separation<S>& /*state*/, ImpactResult<S>& /*result*/,
                                     ImpactRun<S>* /*run*/) const {
     return std::nullopt;
   }

@@ -90,15 +90,15 @@ CastStatus PortalCast<S>::discover() {
   // the path. The limit keeps the direction from vanishing.
   constexpr S kMaxTilt = S(0.9), kTilt = S(5);
   const Vec3<S>& point = corners_[0].point;
-  Vec3<S> next_to = point - (point.dot(offset_) / offset_squared) * offset_;
-  S off = next_to.norm();
-  if (!(off * off > kMinSquare<S>)) next_to = any_perpendicular(offset_), off = S(1);
-  next_to /= off;
+  Vec3<S> perpendicular = point - (point.dot(offset_) / offset_squared) * offset_;
+  S off = perpendicular.norm();
+  if (!(off * off > kMinSquare<S>)) perpendicular = any_perpendicular(offset_), off = S(1);
+  perpendicular /= off;
   const S tilt = std::min(kMaxTilt, kTilt * off / far);
-  if (measure(first - tilt * next_to, corners_[1])) return CastStatus::Separated;
+  if (measure(first - tilt * perpendicular, corners_[1])) return CastStatus::Separated;
   const bool same = corners_[0].index_a == corners_[1].index_a &&  //
                     corners_[0].index_b == corners_[1].index_b;
-  if (same && measure(-next_to, corners_[1])) return CastStatus::Separated;
+  if (same && measure(-perpendicular, corners_[1])) return CastStatus::Separated;
 
   for (int i = 0; i < kMaxDiscoveries; ++i) {
     Vec3<S> across = offset_.cross(corners_[1].point - corners_[0].point);

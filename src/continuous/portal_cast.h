@@ -52,7 +52,7 @@ class PortalCast {
   PortalCast(const Turning<S>& a, const Turning<S>& b, S scale);
 
   /// Places the shapes in their orientations at a time of the step. `between`: B's pivot from A's
-  /// at time 0 of the cast, metres. `way`: its displacement until time 1, metres.
+  /// at time 0 of the cast, metres. `offset`: its displacement until time 1, metres.
   void place(S time, const Vec3<S>& between, const Vec3<S>& offset);
 
   /// `planes`: receives the planes that increased the safe time; null: not recorded.

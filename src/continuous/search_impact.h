@@ -18,7 +18,7 @@ struct Separation {
   S until = 1;                      // end of the search
 };
 
-/// Measures the distance of two moving shapes, lets advance(approach, apart, result, step) move
+/// Measures the distance of two moving shapes, lets advance(approach, state, result, step) move
 /// `result.time` to a later safe time, and measures again, until they are near or the step is over.
 /// They stay separated if `result.time` reaches allowed.until. `approach` measures in a frame that
 /// moves with the pivot of `of_a`.

@@ -20,7 +20,7 @@ struct RootBrackets {
   }
   template <class S>
   std::optional<Closest<S>> foresee(const ApproachToPlane<S>& /*approach*/, S /*radii*/,
-                                    const Separation<S>& /*apart*/, ImpactResult<S>& /*result*/,
+                                    const Separation<S>& /*state*/, ImpactResult<S>& /*result*/,
                                     ImpactRun<S>* /*run*/) const {
     return std::nullopt;
   }

@@ -177,7 +177,7 @@ class Stopper {
     cut(a, time);
     cut(b, time);
     separate_at_rest(meeting);
-    turned = push_separate(a, b, time);
+    turned = solve_contacts_near(a, b, time);
     for (const int i : turned) {
       const Body<S>& body = at(bodies_, i);
       if (!body.dynamic()) continue;
@@ -216,7 +216,7 @@ class Stopper {
   /// Solves the contacts of both bodies and of all near them at `time` for their velocities.
   /// Returns both and all whose velocity has changed, in order. (A body that is only near must
   /// yield too: with infinite mass it would drive them on at its velocity.)
-  std::vector<int> push_separate(int a, int b, S time) {
+  std::vector<int> solve_contacts_near(int a, int b, S time) {
     std::vector<int> who{a, b};
     for (int other = 0; other < count_of(bodies_); ++other)
       if (other != a && other != b && (near_pair(a, other) || near_pair(b, other)))

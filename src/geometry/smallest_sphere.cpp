@@ -25,13 +25,13 @@ std::optional<Ball> ball_through(const Support& points) {
   const Vec3d origin = points[0];
   const int count = static_cast<int>(points.size()) - 1;
   if (count == 0) return Ball{origin, 0};
-  Eigen::MatrixXd methods(3, count);
-  for (int i = 0; i < count; ++i) methods.col(i) = points[static_cast<std::size_t>(i) + 1] - origin;
-  const Eigen::MatrixXd gram = 2 * methods.transpose() * methods;
+  Eigen::MatrixXd offsets(3, count);
+  for (int i = 0; i < count; ++i) offsets.col(i) = points[static_cast<std::size_t>(i) + 1] - origin;
+  const Eigen::MatrixXd gram = 2 * offsets.transpose() * offsets;
   const Eigen::VectorXd squares = 0.5 * gram.diagonal();
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> solver(gram);
   if (solver.rank() < count) return std::nullopt;
-  const Vec3d out = methods * solver.solve(squares);
+  const Vec3d out = offsets * solver.solve(squares);
   return Ball{origin + out, out.squaredNorm()};
 }
 

@@ -245,8 +245,9 @@ std::optional<Verdict> judge(const Solids& solids, const Moments& frames, const 
         if (!record) return;
         const Vec3d where =
             in_world(reading.points, *a, *b, reading.point_scale * read(*record, reading.axes));
-        const double next_to = std::abs(solid.distance(where));
-        worst.claim({Wrong::Side, m, p, 0, next_to, name}, next_to, kSideTolerances * tolerance);
+        const double off_surface = std::abs(solid.distance(where));
+        worst.claim({Wrong::Side, m, p, 0, off_surface, name}, off_surface,
+                    kSideTolerances * tolerance);
       };
       on_its_surface(on_a, *a, pair.a);
       on_its_surface(on_b, *b, pair.b);

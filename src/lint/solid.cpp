@@ -89,17 +89,18 @@ std::optional<double> Solid::exit_of_round(const Vec3d& point, const Vec3d& dire
   const Vec3d from = vertices_[0] - point, axis = vertices_[1] - vertices_[0];
   const Vec3d across_from = from - direction * direction.dot(from);
   const Vec3d across_axis = axis - direction * direction.dot(axis);
-  // The exit is from the ball at an end, or from one between them where along + sqrt(r^2 -
-  // beside^2) is largest.
+  // The exit is from the ball at an end, or from one between them where
+  // along + sqrt(r^2 - across^2) is largest.
   const double squared = across_axis.squaredNorm();
   const double crossing = squared > 0 ? -across_axis.dot(across_from) / squared : 0.0;
   std::optional<double> last;
   const auto leave_ball = [&](double where) {
     const Vec3d center = from + where * axis;
     const double along = direction.dot(center);
-    const double next_to = (center - along * direction).squaredNorm();
-    if (next_to <= radius_ * radius_)
-      last = std::max(last.value_or(-kInfinity), along + std::sqrt(radius_ * radius_ - next_to));
+    const double squared_across = (center - along * direction).squaredNorm();
+    if (squared_across <= radius_ * radius_)
+      last = std::max(last.value_or(-kInfinity),
+                      along + std::sqrt(radius_ * radius_ - squared_across));
   };
   leave_ball(0);
   leave_ball(1);
@@ -156,8 +157,8 @@ std::optional<double> Solid::exit_of_surface(const Vec3d& point, const Vec3d& di
     const Vec3d crossing = point + where * direction;
     for (int k = 0; k < 3; ++k) {
       const Vec3d edge = mesh.corner(t, (k + 1) % 3) - mesh.corner(t, k);
-      const double next_to = mesh.normal(t).cross(edge).dot(crossing - mesh.corner(t, k));
-      if (next_to < -1e-9 * edge.norm() * size_) return;
+      const double inward = mesh.normal(t).cross(edge).dot(crossing - mesh.corner(t, k));
+      if (inward < -1e-9 * edge.norm() * size_) return;
     }
     found = where;
   });

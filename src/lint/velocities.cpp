@@ -101,12 +101,13 @@ class VelocitiesWatch final : public Watch {
       const auto middle = [](const Placed& placed) {
         return placed.pose.transform(placed.solid->center_of_mass());
       };
-      const std::array<Vec3d, 2> methods = {(middle(*now) - middle(*before)) / last,
-                                            (middle(*after) - middle(*now)) / step};
+      const std::array<Vec3d, 2> measured = {(middle(*now) - middle(*before)) / last,
+                                             (middle(*after) - middle(*now)) / step};
       constexpr double kMoving = 0.2,
                        kTurning = 0.5;  // metres and radians per second: more than solvers correct
-      if (std::ranges::all_of(methods, [](const Vec3d& offset) { return offset.norm() > kMoving; }))
-        velocities_.see(frames, body.name, body.velocity, methods, now->pose.rotation, step);
+      if (std::ranges::all_of(measured,
+                              [](const Vec3d& offset) { return offset.norm() > kMoving; }))
+        velocities_.see(frames, body.name, body.velocity, measured, now->pose.rotation, step);
       const std::array<Vec3d, 2> turns = {turn(before->pose, now->pose) / last,
                                           turn(now->pose, after->pose) / step};
       if (std::ranges::all_of(turns, [](const Vec3d& offset) { return offset.norm() > kTurning; }))

@@ -12,33 +12,34 @@ constexpr std::size_t kMax = 2 * kWhole;
 constexpr double kSameDepth = 1.05;
 
 /// Key of everything that is reported of a pair, except its position in the trace.
-std::string offset_of(const WrongPair& pair) {
-  std::string offset = pair.explained_by.to_string();
-  offset += pair.gross ? '!' : '.';
-  offset += std::to_string(static_cast<int>(pair.problem.kind));
+std::string signature_of(const WrongPair& pair) {
+  std::string signature = pair.explained_by.to_string();
+  signature += pair.gross ? '!' : '.';
+  signature += std::to_string(static_cast<int>(pair.problem.kind));
   if (pair.deeper != 0) {
-    offset += pair.deeper > 0 ? '+' : '-';
-    offset += std::to_string(std::lround(std::log(std::abs(pair.deeper)) / std::log(kSameDepth)));
+    signature += pair.deeper > 0 ? '+' : '-';
+    signature +=
+        std::to_string(std::lround(std::log(std::abs(pair.deeper)) / std::log(kSameDepth)));
   }
-  return offset;
+  return signature;
 }
 
 }  // namespace
 
 void WrongPairs::add(WrongPair pair) {
   ++count_;
-  std::string offset;
+  std::string signature;
   if (kept_.size() >= kWhole) {
     if (places_.empty())
-      for (std::size_t i = 0; i < kept_.size(); ++i) places_.emplace(offset_of(kept_[i]), i);
-    offset = offset_of(pair);
-    const auto known = places_.find(offset);
+      for (std::size_t i = 0; i < kept_.size(); ++i) places_.emplace(signature_of(kept_[i]), i);
+    signature = signature_of(pair);
+    const auto known = places_.find(signature);
     // With thousands of distinct errors their exact frequencies do not matter.
     if (known != places_.end() || kept_.size() >= kMax) {
       ++kept_[known != places_.end() ? known->second : kept_.size() - 1].times;
       return;
     }
-    places_.emplace(std::move(offset), kept_.size());
+    places_.emplace(std::move(signature), kept_.size());
   }
   kept_.push_back(std::move(pair));
 }

@@ -41,12 +41,12 @@ Vec3<S> from_edge(const Hull<S>& hull, int half_edge, const Vec3<S>& point) {
 }
 
 /// The closest feature of the hull to a centre that projects into none of its nearest faces and is
-/// beyond the half-edge `beside` of one. If the Voronoi regions of edges and vertices decide, GJK
+/// beyond the half-edge `side_edge` of one. If the Voronoi regions of edges and vertices decide, GJK
 /// runs only for a record.
 template <class S>
 Touch<S> touch_edge_or_vertex(const Hull<S>& hull, const Vec3<S>& center, int nearest_face,
-                              int next_to, S scale, GjkRun<S>* run) {
-  const std::optional<HullFeature> region = voronoi_region(hull, next_to, center, scale);
+                              int side_edge, S scale, GjkRun<S>* run) {
+  const std::optional<HullFeature> region = voronoi_region(hull, side_edge, center, scale);
   const auto by_gjk = [&] {
     const GjkSimplex<S> start =
         simplex_near(hull, nearest_outside_edge(hull, nearest_face, center), 0);
@@ -95,9 +95,9 @@ S collide_sphere_hull(const Sphere<S>& a, const Hull<S>& b, const Pose<S>& b_in_
     if (tied) {
       degenerate = on_surface ? "centre on an edge or a vertex" : "centre as near to several faces";
     }
-  } else if (const int next_to = outside_side(b, face, center); next_to >= 0) {
+  } else if (const int side_edge = outside_side(b, face, center); side_edge >= 0) {
     const Touch<S> closest =
-        touch_edge_or_vertex(b, center, face, next_to, scale, gjk_run(recorder));
+        touch_edge_or_vertex(b, center, face, side_edge, scale, gjk_run(recorder));
     if (recorder) [[unlikely]]
       recorder->gjk(b_in_a);
     if (closest.distance > touching_distance(scale)) {

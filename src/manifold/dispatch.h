@@ -95,7 +95,7 @@ template <class Work>
 }
 
 /// Runs work(pair, options) in processing order: the order of the arguments, `given`, or the
-/// opposite one if `traded`. It fills `manifolds` and, if not null, `record`. Afterwards both are
+/// opposite one if `swapped`. It fills `manifolds` and, if not null, `record`. Afterwards both are
 /// in the order of the arguments.
 template <class S, class Work>
 [[gnu::always_inline]] inline void work_in_order(const PlacedPair<S>& given, bool swapped,

@@ -38,8 +38,8 @@ struct ContactNormal {
   S tolerance = kNormalTolerance<S>;
 
   /// Whether this offset from a feature rises along the normal by more than the tolerance.
-  bool rises(const Vec3<S>& offset) const {
-    return direction.dot(offset) > tolerance * offset.norm();
+  bool rises(const Vec3<S>& edge_vector) const {
+    return direction.dot(edge_vector) > tolerance * edge_vector.norm();
   }
 };
 
@@ -123,12 +123,12 @@ bool belongs_to_surface(const Mesh<S>& mesh, int triangle, const ContactNormal<S
   if (edge >= 0) return !rises_across(mesh, triangle, edge, normal);
   int top = 0;
   for (int k = 1; k < 3; ++k) {
-    const Vec3<S> offset = mesh.corner(triangle, k) - mesh.corner(triangle, top);
-    if (normal.direction.dot(offset) > S(0)) top = k;
+    const Vec3<S> edge_vector = mesh.corner(triangle, k) - mesh.corner(triangle, top);
+    if (normal.direction.dot(edge_vector) > S(0)) top = k;
   }
   const auto fall = [&](int k) {
-    const Vec3<S> offset = mesh.corner(triangle, top) - mesh.corner(triangle, k);
-    return normal.direction.dot(offset) / offset.norm();
+    const Vec3<S> edge_vector = mesh.corner(triangle, top) - mesh.corner(triangle, k);
+    return normal.direction.dot(edge_vector) / edge_vector.norm();
   };
   const int one = (top + 1) % 3;
   const int other = (top + 2) % 3;
@@ -191,12 +191,12 @@ bool crosses(const Mesh<S>& mesh, int triangle, const Vec3<S>& from, const Vec3<
   const S before = normal.dot(Vec3<S>(from - mesh.corner(triangle, 0)));
   const S behind = normal.dot(Vec3<S>(to - mesh.corner(triangle, 0)));
   if (!(before * behind < S(0))) return false;
-  const Vec3<S> offset = to - from;
+  const Vec3<S> edge_vector = to - from;
   int left = 0, right = 0;
   for (int k = 0; k < 3; ++k) {
     const Vec3<S> corner = mesh.corner(triangle, k) - from;
     const Vec3<S> next = mesh.corner(triangle, (k + 1) % 3) - from;
-    const S turn = offset.dot(corner.cross(next));
+    const S turn = edge_vector.dot(corner.cross(next));
     left += turn > S(0) ? 1 : 0;
     right += turn < S(0) ? 1 : 0;
   }

@@ -6,7 +6,7 @@
 #include "manifold/recorder.h"
 #include "query/support_set.h"
 
-/// The methods of ask(), each in the file of its name. All work in A's frame and record into the
+/// The methods of query_pair(), each in the file of its name. All work in A's frame and record into the
 /// record's `query`, in the world.
 namespace contactscope {
 

@@ -40,13 +40,12 @@ endif()
 install(TARGETS contactscope COMPONENT program)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE NOTICE DESTINATION ${doc_dir}/contactscope
   COMPONENT program)
-# Documents with their folders, so that the links between them hold, and the pictures of README.md.
-file(STRINGS ${PROJECT_SOURCE_DIR}/README.md with_pictures REGEX "\\(snapshots/[^)]*\\.png\\)")
-string(REGEX MATCHALL "snapshots/[^)]*\\.png" documents "${with_pictures}")
-list(APPEND documents README.md CHANGELOG.md CONTRIBUTING.md scenarios/README.md render/README.md
-  render/snapshot/README.md render/vector/README.md src/README.md src/adapters/README.md
-  src/app/README.md src/package/README.md src/recorder/README.md src/study/README.md
-  src/trace/README.md src/versus/README.md tests/bench/README.md)
+# README.md and the documents and pictures that it links to, in their folders, so that the links hold.
+file(READ ${PROJECT_SOURCE_DIR}/README.md readme)
+string(REGEX MATCHALL "\\([a-zA-Z0-9_/]+\\.(md|png)" documents "${readme}")
+list(TRANSFORM documents REPLACE "^\\(" "")
+list(APPEND documents README.md)
+list(REMOVE_DUPLICATES documents)
 foreach(document IN LISTS documents)
   cmake_path(GET document PARENT_PATH folder)
   install(FILES ${PROJECT_SOURCE_DIR}/${document} DESTINATION ${doc_dir}/contactscope/${folder}

@@ -214,9 +214,9 @@ ClosestOfSegments<S> closest_of_segments(const Vec3<S>& from_a, const Vec3<S>& t
   const std::span<const Candidate<S>> all(candidates, static_cast<std::size_t>(count + 4));
 
   if (is_parallel && squared_lengths > S(0)) {
-    const Middle<S> next_to = middle_where(
+    const Middle<S> outside = middle_where(
         all, [&](const Candidate<S>& candidate) { return is_outside(candidate, a, b); });
-    if (!next_to.empty()) return at_parameters(next_to.a(), next_to.b(), a, b);
+    if (!outside.empty()) return at_parameters(outside.a(), outside.b(), a, b);
   }
   // Candidates at the same distance meet in the middle.
   S least = std::numeric_limits<S>::infinity();

@@ -5,7 +5,7 @@
 namespace contactscope {
 
 /// Builds a recorded axis from measurements along a direction of any length: the projections are
-/// those of the unit direction times `length`. `way`, metres: from A's centre to B's.
+/// those of the unit direction times `length`. `offset`, metres: from A's centre to B's.
 template <class S>
 OverlapAxis<S> overlap_axis(OverlapAxisKind kind, int a, int b, const Vec3<S>& direction, S length,
                             const Vec3<S>& offset, S distance, S reach_a, S reach_b) {

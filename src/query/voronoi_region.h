@@ -63,13 +63,13 @@ std::optional<HullFeature> voronoi_region(const Hull<S>& hull, int half_edge, co
     const S before_target = -along.dot(from_target) - rounding * length(from_target);
     if (past_origin > S(0) && before_target > S(0)) {
       // Distance outside of the face to the left of either half-edge, times the edge's length.
-      const auto next_to = [&](int of, S sign) {
+      const auto outside_of = [&](int of, S sign) {
         const Vec3<S>& normal = at(hull.planes, at(hull.half_edges, of).face).normal;
         return sign * along.cross(normal).dot(from_origin);
       };
       const S least = rounding * length(along);
-      const S outside_left = next_to(edge, S(1)),
-              outside_right = next_to(Hull<S>::twin(edge), S(-1));
+      const S outside_left = outside_of(edge, S(1)),
+              outside_right = outside_of(Hull<S>::twin(edge), S(-1));
       if (outside_left > least && outside_right > least)
         return HullFeature{FeatureKind::Edge, edge};
       if (outside_left >= -least && outside_right >= -least) return std::nullopt;

@@ -24,8 +24,8 @@ constexpr int kMaxCoherentCorners = 8;
 template <class S>
 struct Reference {
   KeptIndices kept;
-  int next_to = -1;  // its deep point that is not a corner of the ring, if any
-  S size;            // measure()
+  int inner = -1;  // its deep point that is not a corner of the ring, if any
+  S size;          // measure()
   bool by_length;
   S deepest;  // separation
   S slack;    // allowed increase of the separation
@@ -64,7 +64,7 @@ Reference<S> find_reference(const Candidates<S>& points, Patch<S>& patch,
     if (!reference.kept.empty() && size <= reference.size + patch.tie) return;
     reference.size = size;
     reference.kept = kept;
-    reference.next_to = choice.is_in_ring ? -1 : i;
+    reference.inner = choice.is_in_ring ? -1 : i;
   };
   improve_with(deepest);
   for (int i = 0; i < points.count(); ++i)
@@ -78,7 +78,7 @@ struct CoherentWish {
   StaticVector<bool, kMaxManifoldPoints> is_old, is_deep;  // by corner
   // A deep point inside the patch that is kept in addition to the ring; the hull includes it.
   // Without it the ring must have a deep corner.
-  std::optional<Vec2<S>> next_to;
+  std::optional<Vec2<S>> inner;
   S least_doubled_area;
   int most;  // corners, 2 to kMaxCoherentCorners
 };
@@ -107,8 +107,8 @@ void improve_from(const Patch<S>& patch, const CoherentWish<S>& wish, int first,
   };
   const auto corner = [&](int i) { return (first + i) % columns; };
   const auto is_old = [&](int i) { return static_cast<int>(at(wish.is_old, corner(i))); };
-  const auto is_deep = [&](int i) { return wish.next_to || at(wish.is_deep, corner(i)); };
-  const Vec2<S> centre = wish.next_to.value_or(patch.corner(first));
+  const auto is_deep = [&](int i) { return wish.inner || at(wish.is_deep, corner(i)); };
+  const Vec2<S> centre = wish.inner.value_or(patch.corner(first));
 
   chains.assign(static_cast<std::size_t>(place(wish.most, 0, false, 0)), {});
   at(chains, place(0, is_old(0), is_deep(0), 0)).doubled_area = S(0);
@@ -179,16 +179,16 @@ KeptIndices most_coherent(const Candidates<S>& points, const Patch<S>& patch,
   wish.most = most;
   CoherentRing<S> best = most_coherent_ring(patch, wish);
   KeptIndices chosen;
-  if (reference.next_to >= 0) {
-    wish.next_to = patch.project(points[reference.next_to]);
+  if (reference.inner >= 0) {
+    wish.inner = patch.project(points[reference.inner]);
     wish.most = most - 1;
     CoherentRing<S> around = most_coherent_ring(patch, wish);
     if (!around.ring.corners.empty()) {
-      around.old += static_cast<int>(steps::contains(old, reference.next_to));
+      around.old += static_cast<int>(steps::contains(old, reference.inner));
     }
     if (around.old > best.old) {
       best = around;
-      chosen.push_back(reference.next_to);
+      chosen.push_back(reference.inner);
     }
   }
   if (best.ring.corners.empty()) return reference.kept;

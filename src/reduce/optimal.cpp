@@ -169,17 +169,17 @@ int corner_at(const Patch<S>& patch, const Vec2<S>& place) {
 template <class S>
 CornerRing<S> ring_around(const Patch<S>& patch, const Vec2<S>& place, int most) {
   if (most > 2 && !patch.is_flat) return best_ring(patch, most - 1, &place);
-  CornerRing<S> next_to;
+  CornerRing<S> corners_kept;
   const auto add = [&](int corner) {
-    if (!patch.coincide(patch.corner(corner), place)) next_to.corners.push_back(corner);
+    if (!patch.coincide(patch.corner(corner), place)) corners_kept.corners.push_back(corner);
   };
   if (most == 2) {
-    const auto separated = [&](int i) { return (place - patch.corner(i)).squaredNorm(); };
-    add(std::max(0, steps::highest(patch.count, separated, S(0), S(1), patch.tie)));
+    const auto squared_distance = [&](int i) { return (place - patch.corner(i)).squaredNorm(); };
+    add(std::max(0, steps::highest(patch.count, squared_distance, S(0), S(1), patch.tie)));
   } else if (most > 2) {
     for (const int corner : farthest_pair(patch).corners) add(corner);
   }
-  return next_to;
+  return corners_kept;
 }
 
 }  // namespace

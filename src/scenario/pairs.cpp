@@ -146,7 +146,7 @@ PipelineSettings read_settings(const Value& table, PipelineSettings settings) {
   return settings;
 }
 
-/// Calls tell(a, b) for all pairs of these shapes; if the scenario has dynamic shapes, only for
+/// Calls report(a, b) for all pairs of these shapes; if the scenario has dynamic shapes, only for
 /// pairs with a dynamic one, since the solver cannot separate others. Returns the number of pairs.
 template <class Report>
 std::size_t pairs_among(const std::vector<int>& indices, const std::vector<ScenarioShape>& shapes,

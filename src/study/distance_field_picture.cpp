@@ -83,7 +83,7 @@ trace::Study picture_errors(const trace::Study& measured) {
     };
     const trace::StudyPoint& base = at_usual("trilinear");
     const auto ratio = [&](double over, double under) { return number(over / under) + " ×"; };
-    const auto next_to = [&](const trace::StudyPoint& other) {
+    const auto error_ratio = [&](const trace::StudyPoint& other) {
       return ratio(base.error.value(), other.error.value());
     };
     const auto slower = [&](const trace::StudyPoint& other) {
@@ -93,13 +93,14 @@ trace::Study picture_errors(const trace::Study& measured) {
     // The mark contains the name.
     const auto compare = [&](const std::string& name, const trace::StudyPoint& other) {
       mark(study, name, "", kUsualCells,
-           name + ": " + next_to(other) + " as close as trilinear, " + slower(other) + " the time");
+           name + ": " + error_ratio(other) + " as close as trilinear, " + slower(other) +
+               " the time");
       for (trace::StudySeries& series : study.series)
         if (series.method == name) series.method.clear();
     };
     compare("cubic", cubic);
     compare("cubic, exact cells", exact);
-    return "A cubic field with exact cells is " + next_to(exact) +
+    return "A cubic field with exact cells is " + error_ratio(exact) +
            " as close as a trilinear one, in " + slower(exact) + " the time";
   });
   return study;

@@ -33,12 +33,12 @@ inline int changed(const Points& before, const Points& now) {
 inline double largest_distance(const Points& some, const Points& others) {
   double most = 0;
   for (const trace::Point& place : some) {
-    const auto offset = [&](const trace::Point& other) {
+    const auto distance = [&](const trace::Point& other) {
       return (place.position - other.position).norm();
     };
     const auto same = std::ranges::find(others, place.id, &trace::Point::id);
     most = std::max(
-        most, same != others.end() ? offset(*same) : std::ranges::min(mapped(others, offset)));
+        most, same != others.end() ? distance(*same) : std::ranges::min(mapped(others, distance)));
   }
   return most;
 }

@@ -22,7 +22,7 @@ constexpr int kMicrometres[] = {10, 100, 1000, 10000, 100000};  // per frame
 constexpr double kMilliseconds = 1e-6;
 
 /// Pose in which the two cut each other in a ring.
-Pose<float> next_to() {
+Pose<float> cutting_pose() {
   const Quatd turn(Eigen::AngleAxisd(0.7, Vec3d(1, 2, 3).normalized()));
   return Pose<double>{turn, {1.1, 0.35, 0.2}}.cast<float>();
 }
@@ -69,11 +69,11 @@ void study_sizes(const StudyOptions& options, const StudyStep& step, trace::Stud
       return nodes;
     });
     const trace::Nanoseconds query = timed(repetitions, [&] {
-      return static_cast<double>(mesh_overlap(mesh, mesh, next_to()).intersections.size());
+      return static_cast<double>(mesh_overlap(mesh, mesh, cutting_pose()).intersections.size());
     });
     AabbTree<float> tree = mesh.tree;
     const trace::Nanoseconds refit = timed(repetitions, [&] {
-      const std::vector<Vec3f> moved = vertices_in(mesh, next_to());
+      const std::vector<Vec3f> moved = vertices_in(mesh, cutting_pose());
       tree.refit(moved, mesh.triangles);
       return static_cast<double>(tree.bounds().lower.x());
     });
@@ -95,13 +95,13 @@ void study_deformation(const StudyOptions& options, const StudyStep& step, trace
     const char* name;
     TreeUpdate how;
   };
-  constexpr Method kStepLengths[] = {
+  constexpr Method kMethods[] = {
       {"refit", TreeUpdate::Refit}, {"rebuild", TreeUpdate::Rebuild}, {"auto", TreeUpdate::Auto}};
   const std::string balls =
       std::to_string(at_rest.triangle_count()) + " triangles, one ball twisted";
   std::vector<std::size_t> expected;
-  for (const Method& offset : kStepLengths) {
-    trace::StudySeries frame{offset.name, {}, balls, "frames, a tenth of a radian a metre each"};
+  for (const Method& method : kMethods) {
+    trace::StudySeries frame{method.name, {}, balls, "frames, a tenth of a radian a metre each"};
     trace::StudySeries cost = frame, compared = frame;
     cost.panel = "boxes that a small query is expected to test";
     compared.panel = "node pairs compared";
@@ -123,8 +123,8 @@ void study_deformation(const StudyOptions& options, const StudyStep& step, trace
         cost_when_built = built_before;
         spent.measure(1, [&](int) {
           rebuilt =
-              update_tree(mesh, MeshQueryCost::update_after(verdict, offset.how), cost_when_built);
-          found = mesh_overlap(mesh, at_rest, next_to());
+              update_tree(mesh, MeshQueryCost::update_after(verdict, method.how), cost_when_built);
+          found = mesh_overlap(mesh, at_rest, cutting_pose());
           return static_cast<double>(found.counts.node_pairs);
         });
       }
@@ -134,7 +134,7 @@ void study_deformation(const StudyOptions& options, const StudyStep& step, trace
       add_point(frame, k, time.min * kMilliseconds, time);
       add_point(cost, k, mesh.tree.expected_cost(), time);
       add_point(compared, k, static_cast<double>(found.counts.node_pairs), time);
-      if (&offset == &kStepLengths[0])
+      if (&method == &kMethods[0])
         expected.push_back(found.intersections.size());
       else if (found.intersections.size() != at(expected, k - 1))
         frame.points.back().failed = 1;
@@ -142,7 +142,7 @@ void study_deformation(const StudyOptions& options, const StudyStep& step, trace
     times.series.push_back(std::move(frame));
     costs.series.push_back(std::move(cost));
     costs.series.push_back(std::move(compared));
-    step(std::string("twisted, ") + offset.name);
+    step(std::string("twisted, ") + method.name);
   }
 }
 
@@ -161,7 +161,7 @@ void study_motion(const StudyOptions& options, const StudyStep& step, trace::Stu
     const Mesh<float>& mesh;
     Pose<float> pose;
   };
-  const Moved both[] = {{"one ball moves beside the other", outer, next_to()},
+  const Moved both[] = {{"one ball moves beside the other", outer, cutting_pose()},
                         {"one ball moves in the other", inner, Pose<float>{}}};
   for (const Moved& moved : both) {
     const std::string by = "micrometres a frame, " + std::string(moved.name);

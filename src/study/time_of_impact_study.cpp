@@ -72,10 +72,10 @@ std::vector<trace::Study> study_impact_finders(const std::vector<ImpactFinderInf
                                                const StudyOptions& options,
                                                const StudyProgress& progress) {
   std::vector<ImpactWorkload> workloads;
-  for (const double offset : kStepLengths)
-    workloads.push_back({"translating", "metres in the step", offset, {offset, 0, 0}});
-  for (const double offset : kStepLengths)
-    workloads.push_back({"rotating", "metres in the step", offset, {offset, kFullTurn, 0}});
+  for (const double distance : kStepLengths)
+    workloads.push_back({"translating", "metres in the step", distance, {distance, 0, 0}});
+  for (const double distance : kStepLengths)
+    workloads.push_back({"rotating", "metres in the step", distance, {distance, kFullTurn, 0}});
   for (const double origin : kOrigins)
     workloads.push_back({"far from the origin", "metres away", origin, {10, kFullTurn, origin}});
   const int count = options.cases.value_or(kImpactCases);

@@ -26,13 +26,13 @@ int edge_between(const Shape& shape, int from, int to) {
   return found == shape.edges.end() ? -1 : static_cast<int>(found - shape.edges.begin());
 }
 
-/// The face of a convex polyhedron that is most aligned with `way` (unit, local). If an edge or a
+/// The face of a convex polyhedron that is most aligned with `direction` (unit, local). If an edge or a
 /// face is in front, only its faces count: the face next to a sharp edge may point elsewhere.
-int facing(const Shape& shape, const Vec3d& offset) {
+int facing(const Shape& shape, const Vec3d& direction) {
   double front = -std::numeric_limits<double>::infinity(), back = -front;
   for (const Vec3d& vertex : shape.vertices) {
-    front = std::max(front, offset.dot(vertex));
-    back = std::min(back, offset.dot(vertex));
+    front = std::max(front, direction.dot(vertex));
+    back = std::min(back, direction.dot(vertex));
   }
   const double flat = kFlat * (front - back);
   int best = -1;
@@ -41,9 +41,9 @@ int facing(const Shape& shape, const Vec3d& offset) {
   for (std::size_t i = 0; i < shape.faces.size(); ++i) {
     const std::vector<int>& face = shape.faces[i];
     const bool in_front = std::ranges::count_if(face, [&](int vertex) {
-                            return front - offset.dot(at(shape.vertices, vertex)) <= flat;
+                            return front - direction.dot(at(shape.vertices, vertex)) <= flat;
                           }) >= 2;
-    const double alignment = normal_of(shape, face).dot(offset);
+    const double alignment = normal_of(shape, face).dot(direction);
     if (in_front < best_is_in_front ||
         (in_front == best_is_in_front && alignment <= best_alignment))
       continue;
@@ -55,8 +55,8 @@ int facing(const Shape& shape, const Vec3d& offset) {
 }
 
 /// The triangle of a mesh nearest to a point (local). Of equally near ones, such as two that share
-/// an edge, the one more aligned with `way` wins.
-int nearest_triangle(const Shape& mesh, const Vec3d& point, const Vec3d& offset) {
+/// an edge, the one more aligned with `direction` wins.
+int nearest_triangle(const Shape& mesh, const Vec3d& point, const Vec3d& direction) {
   int best = -1;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
@@ -70,7 +70,7 @@ int nearest_triangle(const Shape& mesh, const Vec3d& point, const Vec3d& offset)
       const Vec3d& to = at(mesh.vertices, face[(k + 1) % face.size()]);
       out = std::max(out, (to - from).cross(normal).normalized().dot(point - from));
     }
-    out += 1e-3 * (1 - normal.dot(offset)) * (at(mesh.vertices, face[1]) - origin).norm();
+    out += 1e-3 * (1 - normal.dot(direction)) * (at(mesh.vertices, face[1]) - origin).norm();
     if (out >= least) continue;
     least = out;
     best = static_cast<int>(i);
@@ -86,7 +86,7 @@ bool is_seen_end_on(const Outline& outline, const Shape& shape) {
 
 }  // namespace
 
-Outline outline_of(const PlacedShape& placed, const Manifold& manifold, const Vec3d& offset,
+Outline outline_of(const PlacedShape& placed, const Manifold& manifold, const Vec3d& direction,
                    const ContactPlane& plane) {
   const Shape& shape = placed.shape;
   Outline outline;
@@ -99,12 +99,12 @@ Outline outline_of(const PlacedShape& placed, const Manifold& manifold, const Ve
   if (shape.faces.empty()) {
     for (int i = 0; i < static_cast<int>(shape.vertices.size()); ++i) add(i, 0, i);
     if (is_seen_end_on(outline, shape)) {
-      const int front = offset.dot(placed.vertex(0)) > offset.dot(placed.vertex(1)) ? 0 : 1;
+      const int front = direction.dot(placed.vertex(0)) > direction.dot(placed.vertex(1)) ? 0 : 1;
       outline = {};
       add(front, 0, front);
     }
   } else {
-    const Vec3d local = placed.pose.inverse_rotate(offset);
+    const Vec3d local = placed.pose.inverse_rotate(direction);
     const bool is_mesh = shape.type == "mesh";
     outline.face =
         !is_mesh ? facing(shape, local)

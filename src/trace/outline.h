@@ -20,7 +20,7 @@ struct Outline {
   std::vector<Vec2d> corners{};
   std::vector<int> vertices{}, edges{};  // numbers of the corners, and of edges that start there
   int face = 0;
-  double alignment = 0;  // cosine between its normal and `way` of outline_of()
+  double alignment = 0;  // cosine between its normal and `direction` of outline_of()
   double size = 0;       // metres
   bool is_face = false;
 };
@@ -38,9 +38,9 @@ struct PlacedShape {
   Vec3d vertex(int index) const { return pose.transform(at(shape.vertices, index)); }
 };
 
-/// Outline of the side of a shape that faces `way` (unit, world). For a mesh it is the manifold's
-/// triangle, or the nearest one. Empty if no side faces `way`.
-Outline outline_of(const PlacedShape& placed, const Manifold& manifold, const Vec3d& offset,
+/// Outline of the side of a shape that faces `direction` (unit, world). For a mesh it is the manifold's
+/// triangle, or the nearest one. Empty if no side faces `direction`.
+Outline outline_of(const PlacedShape& placed, const Manifold& manifold, const Vec3d& direction,
                    const ContactPlane& plane);
 
 /// The feature of an outline that a point is on: a corner, the edge that starts there, or neither.

@@ -48,12 +48,12 @@ Vec2d edge_direction(const Outline& outline, const Place& place) {
   return (outline.corners[next] - outline.corners[place.corner]).normalized();
 }
 
-/// The edge at a corner that is more perpendicular to `way`.
-std::uint32_t steeper_edge(const Outline& outline, const Place& corner, const Vec2d& offset) {
+/// The edge at a corner that is more perpendicular to `direction`.
+std::uint32_t steeper_edge(const Outline& outline, const Place& corner, const Vec2d& direction) {
   const std::size_t count = outline.corners.size();
   const Place before{FeatureKind::Edge, (corner.corner + count - 1) % count};
-  const Place& steeper = std::abs(edge_direction(outline, before).dot(offset)) <
-                                 std::abs(edge_direction(outline, corner).dot(offset))
+  const Place& steeper = std::abs(edge_direction(outline, before).dot(direction)) <
+                                 std::abs(edge_direction(outline, corner).dot(direction))
                              ? before
                              : corner;
   return static_cast<std::uint32_t>(std::max(0, outline.edges[steeper.corner]));

@@ -106,10 +106,10 @@ TEST_F(ReportPage, GroupsByCauseWithContentsAndEveryComparisonMode) {
   EXPECT_EQ(page["contents"], page["articles"]);
   EXPECT_THAT(page["contents"].dump(),
               AllOf(HasSubstr("group/one/trace"), HasSubstr("group/one/frame_0001")));
-  for (const char* offset : {"side by side", "slider", "onion skin", "blink"}) {
-    ASSERT_TRUE(page["ways"].contains(offset)) << page["ways"];
-    EXPECT_EQ(page["ways"][offset]["images"], 2) << offset;
-    EXPECT_EQ(page["ways"][offset]["loaded"], true) << offset;
+  for (const char* mode : {"side by side", "slider", "onion skin", "blink"}) {
+    ASSERT_TRUE(page["ways"].contains(mode)) << page["ways"];
+    EXPECT_EQ(page["ways"][mode]["images"], 2) << mode;
+    EXPECT_EQ(page["ways"][mode]["loaded"], true) << mode;
   }
   EXPECT_EQ(page["ways"]["slider"]["range"], true);
   EXPECT_EQ(page["ways"]["difference"]["images"], 1);

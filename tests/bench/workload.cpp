@@ -41,13 +41,13 @@ std::vector<Placement> placements(Workload workload, const Placement& drawn, Ran
   const Pose<double> whole = random.pose(5);
   const Placement placed{moved(whole, drawn.a), moved(whole, drawn.b)};
   if (!is_moving(workload)) return {placed};
-  const Vec3d offset = random.unit_vector();
+  const Vec3d direction = random.unit_vector();
   const Vec3d axis = random.unit_vector();
   std::vector<Placement> result;
   for (int i = 0; i < kSteps; ++i) {
     const double steps = i - 0.5 * (kSteps - 1);
     Placement step = placed;
-    step.b.position += steps * kMoveAStep * offset;
+    step.b.position += steps * kMoveAStep * direction;
     step.b.rotation =
         (Quatd(Eigen::AngleAxisd(steps * kTurnAStep, axis)) * placed.b.rotation).normalized();
     result.push_back(step);

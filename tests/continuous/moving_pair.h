@@ -134,8 +134,8 @@ inline MovingPair<double> random_moving_pair(Random& random, double size, double
   }
   pair.motion_a.start = random.pose(0.1 * size);
   pair.motion_b.start = random.pose(0.1 * size);
-  const Vec3d offset = random.unit_vector();
-  pair.motion_b.start.position += random.uniform(2, 5) * size * offset;
+  const Vec3d direction = random.unit_vector();
+  pair.motion_b.start.position += random.uniform(2, 5) * size * direction;
   const Vec3d aim = random.vector(-1, 1);
   const double far = random.decade(-0.3, 1);
   const Vec3d relative = far * (size * aim - pair.motion_b.start.position);

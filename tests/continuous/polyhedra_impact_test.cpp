@@ -65,8 +65,8 @@ TYPED_TEST(PolyhedraImpact, SlowLongPathsAndPureSpinsMatchExhaustion) {
       // About A's place: B swings past A or into it.
       pair.motion_a.displacement = pair.motion_b.displacement = Vec3d(3, -2, 1);
       const Vec3d to_a = pair.motion_a.start.position - pair.motion_b.start.position;
-      const Vec3d next_to = to_a + random.vector(-2, 2);
-      pair.motion_b.pivot = pair.motion_b.start.rotation.conjugate() * Vec3d(0.5 * next_to);
+      const Vec3d lever = to_a + random.vector(-2, 2);
+      pair.motion_b.pivot = pair.motion_b.start.rotation.conjugate() * Vec3d(0.5 * lever);
       const double angle = random.uniform(1, 6);
       pair.motion_b.turn = angle * random.unit_vector();
     }
@@ -101,7 +101,7 @@ TYPED_TEST(PolyhedraImpact, SlowBarsThatSpinAsTheyComeAreNotLate) {
 }
 
 /// Two boxes with half extents of one size, in a frame that is turned and moved. B starts `offset`
-/// sizes from A and moves by `way` sizes.
+/// sizes from A and moves by `shift` sizes.
 template <class S>
 struct BoxPair {
   BoxPair(Random& random, double size, double away, const Vec3d& offset, const Vec3d& shift)

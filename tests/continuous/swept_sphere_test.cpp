@@ -76,9 +76,9 @@ Case random_case(Random& random, double size) {
   of.radius = size * random.decade(-3, 0.5);
   of.start = place + (2 * size + 2 * of.radius) * random.unit_vector();
   const double a = random.uniform(-0.3, 1), b = random.uniform(-0.3, 1);
-  const Vec3d next_to = of.radius * random.vector(-1.2, 1.2);
+  const Vec3d aside = of.radius * random.vector(-1.2, 1.2);
   const Vec3d aim = of.triangle[0] + a * (of.triangle[1] - of.triangle[0]) +
-                    b * (of.triangle[2] - of.triangle[0]) + next_to;
+                    b * (of.triangle[2] - of.triangle[0]) + aside;
   of.offset = random.decade(-0.5, 1) * (aim - of.start);
   return of;
 }

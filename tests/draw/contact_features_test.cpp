@@ -105,7 +105,7 @@ TEST(Exits, TheOneThatIsTakenLeadsToWhereTheShapesJustTouch) {
   EXPECT_NEAR(highest, 1, 1e-9);
 }
 
-TEST(Exits, OfShapesApartThereAreNone) {
+TEST(Exits, SeparatedShapesHaveNone) {
   DeepCrate scene;
   scene.frames[0].poses[1].second.position = {0, 0.51, 0};
   EXPECT_TRUE(scene.sketch().arrows.empty());
@@ -156,15 +156,15 @@ TEST(Trail, ALongPathHasSkinsAllAlongIt) {
   scene.view.layers = {Layer::Trail};
   const Staging staging = scene.staged();
   double first = 1e300;
-  int methods = 0;
+  int paths = 0;
   for (const Line& line : sketch_frame(staging, scene.frames.back()).lines) {
     if (!line.style.dashed) continue;
     first = std::min(first, line.from.x());
-    ++methods;
+    ++paths;
   }
   EXPECT_LT(first, 1.2);  // the last twelve frames begin at 1.35
-  EXPECT_GE(methods, 1);
-  EXPECT_LE(methods, 12);
+  EXPECT_GE(paths, 1);
+  EXPECT_LE(paths, 12);
 }
 
 TEST(SatQueries, AGapEndsTheTest) {

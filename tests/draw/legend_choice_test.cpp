@@ -61,10 +61,10 @@ TEST(LegendChoice, ListsEntriesWithoutAPlaceAndRepeatedOnes) {
 
 TEST(LegendChoice, EntriesOnlyInAPanelAreDroppedFirst) {
   std::vector<LegendEntry> entries = numbered(kPointSwatch, 6, false);
-  entries[1].next_to = true;
+  entries[1].in_panel = true;
   const LegendChoice choice = choose_legend(entries);
   EXPECT_EQ(choice.listed.size(), 5u);
-  EXPECT_EQ(std::ranges::count(choice.listed, true, &LegendEntry::next_to), 0);
+  EXPECT_EQ(std::ranges::count(choice.listed, true, &LegendEntry::in_panel), 0);
 }
 
 TEST(LegendChoice, LabelsHaveTheFirstWords) {

@@ -148,7 +148,7 @@ TEST(MeshPictures, CornersOfTheTriangleThatMeetsFirstGoStraightOn) {
   trace::Impact& impact = scene.hit();
   impact.triangle_a = 0;
   impact.corners_a = {{-1, -1, 1}, {1, -1, 1}, {1, -1, -1}};
-  const auto methods = [&] {
+  const auto paths = [&] {
     return std::ranges::count_if(scene.sketch().arrows, [&](const Arrow& arrow) {
       // The heads end a little before the corners, so as not to hide them.
       const auto ends_at = [&](const Vec3d& corner) { return (corner - *arrow.to).norm() < 0.2; };
@@ -157,10 +157,10 @@ TEST(MeshPictures, CornersOfTheTriangleThatMeetsFirstGoStraightOn) {
              (*arrow.to - arrow.from).normalized().isApprox(Vec3d(0, -1, 0), 1e-9);
     });
   };
-  EXPECT_EQ(methods(), 3);
+  EXPECT_EQ(paths(), 3);
   EXPECT_THAT(legend_texts(scene.sketch()), Contains("way of a corner"));
   impact.triangle_a = -1;
-  EXPECT_EQ(methods(), 0) << "of which nobody says where it is now";
+  EXPECT_EQ(paths(), 0) << "of which nobody says where it is now";
 }
 
 TEST(MeshPictures, TrianglesThatMeetFirstBearTheLettersOfTheirMeshes) {

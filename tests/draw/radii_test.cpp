@@ -289,8 +289,9 @@ TEST(Radii, TheirSumIsOutsideBothShapes) {
   for (const double aside : {0.0, 0.35}) {
     RoundScene scene(round_shape("large", {Vec3d::Zero()}, 0.5), Vec3d::Zero(),
                      round_shape("small", {Vec3d::Zero()}, 0.3), {aside, 0.6, 0});
-    const Vec3d offset = Vec3d(aside, 0.6, 0).normalized();
-    scene.touch(offset, "centres", {{0.45 * offset, Vec3d(aside, 0.6, 0).norm() - 0.8, ""}});
+    const Vec3d unit_direction = Vec3d(aside, 0.6, 0).normalized();
+    scene.touch(unit_direction, "centres",
+                {{0.45 * unit_direction, Vec3d(aside, 0.6, 0).norm() - 0.8, ""}});
     const Staging staging = scene.staged();
     const Sketch sketch = sketch_frame(staging, scene.frames[0]);
     const auto sum = std::ranges::find_if(sketch.labels, [](const Label& label) {

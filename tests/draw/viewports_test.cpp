@@ -140,12 +140,11 @@ TEST(Magnifiers, AreLargerWhereTheyCoverNothing) {
     tiny.view.orthographic_height = height;
     return *tiny.staged().magnifier;
   };
-  const Magnifier next_to = magnifier(5), over = magnifier(1.4);
-  EXPECT_GT(next_to.frame.height, 1.2 * over.frame.height);
+  const Magnifier aside = magnifier(5), over = magnifier(1.4);
+  EXPECT_GT(aside.frame.height, 1.2 * over.frame.height);
   const Staging staging = tiny.staged();
   EXPECT_NEAR(over.frame.height, 0.3 * staging.layout.view.height, 1e-9);
-  EXPECT_NEAR(next_to.frame.width / next_to.frame.height, over.frame.width / over.frame.height,
-              1e-9);
+  EXPECT_NEAR(aside.frame.width / aside.frame.height, over.frame.width / over.frame.height, 1e-9);
 }
 
 TEST(Magnifiers, AreNotThereWhereTheSubjectIsSeen) {

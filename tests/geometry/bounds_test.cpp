@@ -112,14 +112,14 @@ long double smallest_radius(const std::vector<Vec3d>& points) {
       if ((chosen >> i & 1U) != 0) through.push_back(points[i].cast<long double>());
     if (through.size() < 2 || through.size() > 4) continue;
     const auto count = static_cast<Eigen::Index>(through.size()) - 1;
-    Matrix methods(3, count);
+    Matrix offsets(3, count);
     for (Eigen::Index i = 0; i < count; ++i)
-      methods.col(i) = through[static_cast<std::size_t>(i) + 1] - through[0];
-    const Matrix normal = methods.transpose() * methods;
+      offsets.col(i) = through[static_cast<std::size_t>(i) + 1] - through[0];
+    const Matrix normal = offsets.transpose() * offsets;
     const Eigen::FullPivLU<Matrix> solver(normal);
     if (solver.rank() < count) continue;
     const Matrix factors = solver.solve(Matrix(0.5L * normal.diagonal()));
-    const Extended center = through[0] + Extended(methods * factors);
+    const Extended center = through[0] + Extended(offsets * factors);
     const long double radius = (center - through[0]).norm();
     bool holds = true;
     for (const Vec3d& point : points)

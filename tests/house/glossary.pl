@@ -92,12 +92,11 @@ for my $path (@paths) {
         my ($code, $comment) = ($line, '');
         if ($source) {
             if ($raw) { if ($code =~ s/^.*?\)["'\w]*"//) { $raw = 0 } else { $in_comment = 0; next } }
-            if ($code =~ s/R"\w*\(.*?\)\w*"/ /g) { }
+            $code =~ s/R"\w*\(.*?\)\w*"/ /g;
             if ($code =~ s/R"\w*\(.*$//) { $raw = 1 }
             $code =~ s/"(?:[^"\\]|\\.)*"/ /g;
             if ($code =~ s{//[/!<]*(.*)$}{}) { $comment = $1 }
             $code = '' if $code =~ /^\s*#\s*include/;
-            # Names: whole identifiers are counted once a place.
             found($path, $number, $1, $line) while $code =~ /\b(kMost|kLeast)/g;
             words_in($path, $number, $code, $line);
         } else {

@@ -89,8 +89,8 @@ BoxPairCase at_rest(Random& random) {
   pair.b_in_a.rotation =
       Quatd(Eigen::AngleAxisd(yaw, axis)) * random.rotation_by(at(tilts, random.index(5)));
   pair.b_in_a.rotation.normalize();
-  const Vec3d next_to = random.vector(-0.4, 0.4);
-  pair.b_in_a.position = next_to - axis * axis.dot(next_to);
+  const Vec3d offset = random.vector(-0.4, 0.4);
+  pair.b_in_a.position = offset - axis * axis.dot(offset);
   leave_overlap(pair, axis, random.chance(0.2) ? 0 : random.uniform(-0.001, 0.02));
   return pair;
 }

@@ -182,13 +182,13 @@ void judge_random_pairs(int count, std::uint64_t seed) {
   EXPECT_GT(together, count / 4);
 }
 
-TEST(Ask, ConvexPairsAreJudgedRightInDouble) {
+TEST(PairQuery, ConvexPairsAreJudgedRightInDouble) {
   judge_random_pairs<double>(600, 71);
 }
-TEST(Ask, ConvexPairsAreJudgedRightInFloat) {
+TEST(PairQuery, ConvexPairsAreJudgedRightInFloat) {
   judge_random_pairs<float>(600, 72);
 }
-TEST(Ask, SlowConvexPairs) {
+TEST(PairQuery, SlowConvexPairs) {
   judge_random_pairs<double>(test::cases(3'000), 73);
   judge_random_pairs<float>(test::cases(3'000), 74);
 }
@@ -240,13 +240,13 @@ void judge_kisses() {
   }
 }
 
-TEST(Ask, ShapesThatTouchTouchAtEveryScale) {
+TEST(PairQuery, ShapesThatTouchTouchAtEveryScale) {
   judge_kisses<double>();
   judge_kisses<float>();
 }
 
 /// Changes one number after the other.
-TEST(Ask, TheRoundingOfAPointIsThatOfEachNumberThatPlacesIt) {
+TEST(PairQuery, TheRoundingOfAPointIsThatOfEachNumberThatPlacesIt) {
   Random random(77);
   constexpr double kChange = 1e-7;
   for (int i = 0; i < 300; ++i) {
@@ -273,7 +273,7 @@ TEST(Ask, TheRoundingOfAPointIsThatOfEachNumberThatPlacesIt) {
   EXPECT_NEAR(rounding_along(Vec3d::UnitY(), floor, {500, 1, -500}, 1), 2, 1e-12);
 }
 
-TEST(Ask, APlaneIsMeasuredAlongItsNormal) {
+TEST(PairQuery, APlaneIsMeasuredAlongItsNormal) {
   Random random(76);
   for (int i = 0; i < 300; ++i) {
     const double size = random.decade(-4, 4);
@@ -298,7 +298,7 @@ TEST(Ask, APlaneIsMeasuredAlongItsNormal) {
   }
 }
 
-TEST(Ask, AMeshIsASurface) {
+TEST(PairQuery, AMeshIsASurface) {
   const Mesh<double> cube = test::cube_mesh(1);
   const auto pair = [&](double x) -> PlacedShapes {
     return {test::ball(0.25), test::at(x, 0.1, 0.2), cube, {}};
@@ -323,7 +323,7 @@ PlacedShapes spheres(double radius_b, double x) {
           test::at(x, 0.01, 0.02)};
 }
 
-TEST(Ask, TwoMeshesReportTheirCrossingTriangles) {
+TEST(PairQuery, TwoMeshesReportTheirCrossingTriangles) {
   const trace::Pair record = record_of(spheres(1, 1.2), kOverlap);
   EXPECT_EQ(record.overlap, true);
   EXPECT_EQ(record.state, "touching");
@@ -342,7 +342,7 @@ TEST(Ask, TwoMeshesReportTheirCrossingTriangles) {
   }
 }
 
-TEST(Ask, AMeshInsideAnotherOverlapsIt) {
+TEST(PairQuery, AMeshInsideAnotherOverlapsIt) {
   const trace::Pair inside = record_of(spheres(0.4, 0.1), kOverlap);
   EXPECT_EQ(inside.overlap, true);
   EXPECT_TRUE(inside.intersections.empty());
@@ -363,7 +363,7 @@ TEST(Ask, AMeshInsideAnotherOverlapsIt) {
   EXPECT_EQ(unknown.query->containment->b, "unknown");
 }
 
-TEST(Ask, ExclusiveMeshesMeetWithTheirInteriors) {
+TEST(PairQuery, ExclusiveMeshesMeetWithTheirInteriors) {
   const Mesh<double> cube = test::cube_mesh(0.5);
   const auto at = [&](double x, double y, const Question& question) {
     return answer_of<double>({cube, {}, cube, test::at(x, y, 0)}, question).overlap;

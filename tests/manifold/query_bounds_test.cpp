@@ -143,7 +143,7 @@ TEST(QueryBounds, TouchingBoundsTouch) {
   }
 }
 
-TEST(QueryBounds, TradingTheShapesMirrorsTheRecord) {
+TEST(QueryBounds, SwappingTheShapesMirrorsTheRecord) {
   Random random(83);
   for (int i = 0; i < 60; ++i) {
     const PlacedShapes pair = random_boxes(random);
@@ -177,7 +177,7 @@ TEST(QueryBounds, MeshesHaveBoundsAsWell) {
   }
 }
 
-TEST(QueryBounds, WhatTheyCannotSayIsRefused) {
+TEST(QueryBounds, UnsupportedQueriesAreRefused) {
   using K = ShapeKind;
   Question question{.kind = QueryKind::Penetration, .bounds = QueryMethod::Aabb};
   EXPECT_THAT(*refusal(question, K::Hull, K::Hull), testing::HasSubstr("remove 'bounds'"));

@@ -238,7 +238,7 @@ void judge_random_scenes(int count, std::uint64_t seed) {
 }
 
 /// Five millimetres above a floor of one kilometre, and on the floor's far side.
-TEST(AskOnFloor, ABallOverAFloorOfAKilometreDoesNotTouchIt) {
+TEST(QueryOnFloor, ABallOverAFloorOfAKilometreDoesNotTouchIt) {
   for (const Vec3d& place : {Vec3d(0, 0.505, 0), Vec3d(480, 0.50001, -490)}) {
     const PlacedShapes pair{make_box(Vec3d(500, 1, 500)),
                             test::at(0, -1, 0),
@@ -253,13 +253,13 @@ TEST(AskOnFloor, ABallOverAFloorOfAKilometreDoesNotTouchIt) {
   }
 }
 
-TEST(AskOnFloor, RandomFloorsInDouble) {
+TEST(QueryOnFloor, RandomFloorsInDouble) {
   judge_random_scenes<double>(1000, 345);
 }
-TEST(AskOnFloor, RandomFloorsInFloat) {
+TEST(QueryOnFloor, RandomFloorsInFloat) {
   judge_random_scenes<float>(1000, 346);
 }
-TEST(AskOnFloor, SlowRandomFloors) {
+TEST(QueryOnFloor, SlowRandomFloors) {
   judge_random_scenes<double>(test::cases(10'000), 347);
   judge_random_scenes<float>(test::cases(10'000), 348);
 }

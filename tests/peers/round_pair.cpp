@@ -120,12 +120,12 @@ RoundPair random_round_pair(ShapeKind a, ShapeKind b, Random& random) {
                  {random.rotation(), Vec3d::Zero()},
                  random_shape(b, random),
                  {random.rotation(), Vec3d::Zero()}};
-  const Vec3d offset = random.unit_vector();
-  const double touching = -separation_along(offset, pair);
+  const Vec3d unit_direction = random.unit_vector();
+  const double touching = -separation_along(unit_direction, pair);
   const double depth = random.uniform(0, 1);
   double part = random.uniform(0, 1.05);                      // any
   if (depth < 0.5) part = 1 - 0.1 * random.uniform(-0.2, 1);  // a little
-  pair.pose_b.position = part * touching * offset;
+  pair.pose_b.position = part * touching * unit_direction;
   const Pose<double> whole = random.pose(5);
   pair.pose_a = compose(whole, pair.pose_a);
   pair.pose_b = compose(whole, pair.pose_b);

@@ -110,8 +110,8 @@ PairCase<double> images(Random& random) {
     pair.pose_b.rotation =
         (random.rotation_by(random.decade(-8, -2)) * pair.pose_b.rotation).normalized();
   }
-  const Vec3d next_to = random.chance(0.5) ? Vec3d::Zero() : random.vector(-0.3, 0.3);
-  pair.pose_b.position = next_to;
+  const Vec3d shifted = random.chance(0.5) ? Vec3d::Zero() : random.vector(-0.3, 0.3);
+  pair.pose_b.position = shifted;
   leave_overlap(pair, random.chance(0.7) ? axis : Vec3d::Unit(random.index(3)), overlap(random));
   return pair;
 }

@@ -201,8 +201,8 @@ TYPED_TEST(FlatHulls, CoplanarSideBySideHaveASeparatingNormal) {
         plate, Pose<double>(), triangle, {test::about(Vec3d::UnitY(), 0.7 * turn), place}};
     const PairCase<S> pair = exact.template cast<S>();
     const HullPair<S> placed(pair.a, pair.b, relative_pose(pair.pose_a, pair.pose_b));
-    const auto gap_along = [&](const Vec3d& offset) {
-      return test::separation_along(offset, exact.a, exact.pose_a, exact.b, exact.pose_b);
+    const auto gap_along = [&](const Vec3d& normal) {
+      return test::separation_along(normal, exact.a, exact.pose_a, exact.b, exact.pose_b);
     };
     const auto gap = [&](const EdgeQuery<S>& found) {
       return gap_along(found.normal.template cast<double>());

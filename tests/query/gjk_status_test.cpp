@@ -57,20 +57,20 @@ HullPairInA symmetric_pair(Random& random) {
     return test::random_hull(random, 4 + random.index(5), reach, 4);
   };
   HullPairInA pair{shape(size), shape(other), {}};
-  Vec3d offset = random.unit_vector();
+  Vec3d direction = random.unit_vector();
   if (kind == 0) {
     pair.b_in_a.rotation = test::about(Vec3d::UnitZ(), random.uniform(-3, 3));
-    offset = Vec3d(offset.x(), offset.y(), 0).normalized();
+    direction = Vec3d(direction.x(), direction.y(), 0).normalized();
   } else if (kind == 1) {
-    offset = Vec3d::Unit(random.index(3));
+    direction = Vec3d::Unit(random.index(3));
   } else {
     pair.b_in_a.rotation = random.rotation();
   }
   // Deep, barely overlapping, barely separated and far.
   const double depths[] = {0.2, 0.9, 0.999, 0.99999, 1, 1.00001, 1.001, 1.3};
-  const double separation =
-      test::separation_along(offset, pair.a, {}, pair.b, pair.b_in_a);  // with coincident origins
-  pair.b_in_a.position = -separation * depths[random.index(8)] * offset;
+  const double separation = test::separation_along(direction, pair.a, {}, pair.b,
+                                                   pair.b_in_a);  // with coincident origins
+  pair.b_in_a.position = -separation * depths[random.index(8)] * direction;
   return pair;
 }
 

@@ -208,8 +208,8 @@ TYPED_TEST(Gjk, DuplicateCollinearAndCoplanarPointsAreFine) {
   const GjkResult<S> above = gjk(square_set, line_set, at(-1, 0.5, 0.25).cast<S>());
   EXPECT_EQ(above.status, GjkStatus::Separated);
   EXPECT_EQ(above.distance, S(0.5));
-  const GjkResult<S> next_to = gjk(square_set, line_set, at(5, 0, 0).cast<S>());
-  EXPECT_EQ(next_to.distance, S(3));
+  const GjkResult<S> shifted = gjk(square_set, line_set, at(5, 0, 0).cast<S>());
+  EXPECT_EQ(shifted.distance, S(3));
   const GjkResult<S> within = gjk(square_set, line_set, at(-1, 0, 0.25).cast<S>());
   EXPECT_EQ(within.status, GjkStatus::Touching);
   const GjkResult<S> same = gjk(square_set, square_set, Pose<S>{});

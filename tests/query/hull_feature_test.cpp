@@ -37,8 +37,8 @@ TEST(FacePrism, SegmentIsCutByTheSidesThatItCrosses) {
 
 TEST(FacePrism, SegmentOutsideThePrismLeavesNothing) {
   const Hull<double> box = make_box(Vec3d(1, 1, 2));
-  const Vec3d next_to[2] = {Vec3d(1.1, 1, -5), Vec3d(1.1, 1, 5)};
-  EXPECT_TRUE(clip_to_prism(box, kTop, next_to, 1e-12).empty());
+  const Vec3d outside[2] = {Vec3d(1.1, 1, -5), Vec3d(1.1, 1, 5)};
+  EXPECT_TRUE(clip_to_prism(box, kTop, outside, 1e-12).empty());
   const Vec3d past_a_corner[2] = {Vec3d(0.5, 1, 3), Vec3d(3, 1, 0.5)};
   EXPECT_TRUE(clip_to_prism(box, kTop, past_a_corner, 1e-12).empty());
 }

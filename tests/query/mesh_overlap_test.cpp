@@ -83,9 +83,9 @@ TEST(MeshOverlap, SlowMeshesFarFromTheOriginGiveThePairsOfBruteForce) {
 
 TEST(MeshOverlap, CubesFaceToFaceShareAreas) {
   const Mesh<double> mesh = cube_mesh(1);
-  const Pose<double> next_to{Quatd::Identity(), Vec3d(2, 0.5, 0.25)};
-  expect_brute_force(mesh, mesh, next_to);
-  const MeshOverlap<double> overlap = mesh_overlap(mesh, mesh, next_to);
+  const Pose<double> shifted{Quatd::Identity(), Vec3d(2, 0.5, 0.25)};
+  expect_brute_force(mesh, mesh, shifted);
+  const MeshOverlap<double> overlap = mesh_overlap(mesh, mesh, shifted);
   EXPECT_TRUE(overlap.overlapping());
   int areas = 0;
   for (const MeshIntersection<double>& pair : overlap.intersections) {
@@ -207,22 +207,22 @@ TEST(MeshFront, SlowMatchesATraversalFromTheRoots) {
 TEST(MeshFront, MatchesAFreshTraversalOnceAtRest) {
   const Mesh<float> a = mesh_cast<float>(built(test::sphere_mesh(1, 24, 17, 0.1)));
   const Mesh<float> b = mesh_cast<float>(built(test::sphere_mesh(1, 21, 15, 0)));
-  const auto next_to = [](float offset) {
+  const auto pose_at = [](float offset) {
     return Pose<float>{Quat<float>(0.8F, 0, 0.6F, 0), Vec3f(offset, 0.2F, 0.1F)};
   };
   MeshFront front;
   for (int frame = 0; frame <= 40; ++frame)
-    mesh_overlap(a, b, next_to(0.04F * static_cast<float>(frame)), nullptr, &front);
+    mesh_overlap(a, b, pose_at(0.04F * static_cast<float>(frame)), nullptr, &front);
   const std::size_t passed = front.pairs.size();
   // Each node gets a turn in eight frames, and one of two levels may get it before the other.
-  for (int frame = 0; frame < 200; ++frame) mesh_overlap(a, b, next_to(1.6F), nullptr, &front);
+  for (int frame = 0; frame < 200; ++frame) mesh_overlap(a, b, pose_at(1.6F), nullptr, &front);
   MeshFront fresh;
-  const MeshOverlap<float> first = mesh_overlap(a, b, next_to(1.6F), nullptr, &fresh);
+  const MeshOverlap<float> first = mesh_overlap(a, b, pose_at(1.6F), nullptr, &fresh);
   EXPECT_GT(passed, fresh.pairs.size());
   EXPECT_EQ(front.pairs, fresh.pairs);
   EXPECT_GT(first.counts.leaf_pairs, 0);
   // At rest it saves most of the nodes above it.
-  const MeshOverlap<float> rest = mesh_overlap(a, b, next_to(1.6F), nullptr, &front);
+  const MeshOverlap<float> rest = mesh_overlap(a, b, pose_at(1.6F), nullptr, &front);
   EXPECT_LT(static_cast<double>(rest.counts.node_pairs),
             0.8 * static_cast<double>(first.counts.node_pairs));
 }

@@ -76,9 +76,9 @@ std::vector<Vec3d> near_points(Random& random) {
     if (std::ranges::find(points, point) == points.end()) points.push_back(point);
   }
   for (int more = 1 + random.index(3); more > 0; --more) {
-    const Vec3d next_to = points[static_cast<std::size_t>(random.index(count_of(points)))];
+    const Vec3d center = points[static_cast<std::size_t>(random.index(count_of(points)))];
     const double distance = 5 * random.decade(-9, -2);
-    points.push_back(next_to + distance * random.unit_vector());
+    points.push_back(center + distance * random.unit_vector());
   }
   return points;
 }

@@ -19,9 +19,9 @@ using test::Random;
 template <class S>
 std::optional<HullFeature> region_from_face(const Hull<S>& hull, const Vec3<S>& point, S scale) {
   const int face = PointFaces<S>(hull, point).nearest(S(0));
-  const int next_to = outside_side(hull, face, point);
-  if (next_to < 0) return std::nullopt;
-  return voronoi_region(hull, next_to, point, scale);
+  const int side = outside_side(hull, face, point);
+  if (side < 0) return std::nullopt;
+  return voronoi_region(hull, side, point, scale);
 }
 
 template <class S>

@@ -84,10 +84,10 @@ TEST(Winding, SlowAgreesWithSolidAngles) {
 TEST(Winding, AMeshInsideAnotherIsFound) {
   const Mesh<double> large = cube_mesh(3), small = cube_mesh(1);
   const Pose<double> within{Quatd::Identity(), Vec3d(0.5, -0.5, 0.25)};
-  const Pose<double> next_to{Quatd::Identity(), Vec3d(7, 0, 0)};
+  const Pose<double> elsewhere{Quatd::Identity(), Vec3d(7, 0, 0)};
   EXPECT_EQ(mesh_containment(large, small, within), Containment::BInA);
   EXPECT_EQ(mesh_containment(small, large, within), Containment::AInB);
-  EXPECT_EQ(mesh_containment(large, small, next_to), Containment::Separation);
+  EXPECT_EQ(mesh_containment(large, small, elsewhere), Containment::Separation);
   EXPECT_EQ(
       mesh_containment(mesh_cast<float>(large), mesh_cast<float>(small), within.cast<float>()),
       Containment::BInA);

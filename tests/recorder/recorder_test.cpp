@@ -289,9 +289,9 @@ TEST_F(Recording, ShapesComeAndGoAndPairsKeepTheirOrder) {
 TEST_F(Recording, PartsOfACompoundGoWithIt) {
   cs_recorder* r = start();
   const int truck = cs_compound(r, "truck"), wheel = cs_sphere(r, "truck/wheel", 0.5);
-  const double next_to[3] = {1, 0, 0}, place[3] = {0, 5, 0};
+  const double shifted[3] = {1, 0, 0}, place[3] = {0, 5, 0};
   const double quarter[4] = {std::sqrt(0.5), 0, 0, std::sqrt(0.5)};  // about z
-  cs_part(r, truck, wheel, next_to, quarter);
+  cs_part(r, truck, wheel, shifted, quarter);
   cs_begin_frame(r, 0);
   cs_pose(r, truck, place, quarter);
   cs_stop(r);

@@ -44,7 +44,7 @@ class Check : public testing::Test {
   void store_trace(const trace::Trace& trace) { check(trace, kUpdate); }
   const std::filesystem::path& root() const { return folder_.path(); }
   std::filesystem::path picture() const { return picture_path(root(), kKey); }
-  std::filesystem::path next_to(const std::string& name) const {
+  std::filesystem::path sibling(const std::string& name) const {
     return picture().parent_path() / name;
   }
   /// Sets a file's time to long ago, so that any rewriting shows.
@@ -229,10 +229,10 @@ TEST_F(Check, ATraceWithANumberThatIsNotFiniteIsNeverStored) {
 
 TEST_F(Check, AnyOfTheDriversPicturesPassesAndTheNearestIsShown) {
   store_picture(kKey, dot_picture(80, 45));
-  write_png(next_to("frame_0012.osmesa.png").string(), dot_picture(100, 45));
+  write_png(sibling("frame_0012.osmesa.png").string(), dot_picture(100, 45));
   EXPECT_EQ(check(dot_picture(100, 45)).finding, std::nullopt);
   const CheckedPicture checked = check(dot_picture(101, 45));
-  EXPECT_EQ(checked.nearest, next_to("frame_0012.osmesa.png"));
+  EXPECT_EQ(checked.nearest, sibling("frame_0012.osmesa.png"));
   EXPECT_EQ(checked.expected, dot_picture(100, 45));
   EXPECT_THAT(checked.finding->details,
               Contains("compared with the nearest of 2, frame_0012.osmesa.png"));
@@ -242,8 +242,8 @@ TEST_F(Check, AnyOfTheDriversPicturesPassesAndTheNearestIsShown) {
 
 TEST_F(Check, AKnownBugIsReportedWithItsNote) {
   store_picture(kKey, dot_picture(80, 45));
-  write_png(next_to("frame_0012.bad_31.png").string(), dot_picture(100, 45));
-  write_text(next_to("frame_0012.bad_31.txt"), "the bug of the lost dot is back\n");
+  write_png(sibling("frame_0012.bad_31.png").string(), dot_picture(100, 45));
+  write_text(sibling("frame_0012.bad_31.txt"), "the bug of the lost dot is back\n");
   const CheckedPicture checked = check(dot_picture(100, 45), kUpdate);
   EXPECT_THAT(checked.finding, Reports(FindingKind::KnownBad, "the bug of the lost dot is back"));
   EXPECT_TRUE(checked.finding->fails());
@@ -255,7 +255,7 @@ TEST_F(Check, AKnownBadTraceIsReportedToo) {
   trace::Trace other = sample_trace();
   sample_manifold(other).normal *= -1;
   store_trace(sample_trace());
-  write_text(next_to("trace.bad_31.jsonl"), to_json_lines(other));
+  write_text(sibling("trace.bad_31.jsonl"), to_json_lines(other));
   EXPECT_THAT(
       check(other).finding,
       Reports(FindingKind::KnownBad, "matches trace.bad_31.jsonl, which is known to be bad"));

@@ -37,12 +37,12 @@ TEST(FlipDistanceStudy, MeasuresTheFlipDistanceOfEachFrame) {
   ASSERT_EQ(studies.size(), 3u);
   EXPECT_EQ(studies[0].measure, "way");
   ASSERT_EQ(studies[0].series.size(), 1u);
-  const trace::StudySeries& offset = studies[0].series[0];
-  EXPECT_EQ(offset.method, "slab-ball");
-  EXPECT_EQ(offset.panel, "mine/ball");
-  ASSERT_EQ(offset.points.size(), 3u);
+  const trace::StudySeries& distance = studies[0].series[0];
+  EXPECT_EQ(distance.method, "slab-ball");
+  EXPECT_EQ(distance.panel, "mine/ball");
+  ASSERT_EQ(distance.points.size(), 3u);
   for (std::size_t i = 0; i < 3; ++i)
-    EXPECT_NEAR(offset.points[i].error.value_or(0), 0.001 * static_cast<double>(i + 1), 1e-6);
+    EXPECT_NEAR(distance.points[i].error.value_or(0), 0.001 * static_cast<double>(i + 1), 1e-6);
   // A ball's contact is the same after any rotation.
   EXPECT_EQ(studies[1].series[0].points[0].failed, 1);
 }

@@ -58,8 +58,8 @@ Quatd Random::rotation_by(double angle) {
 
 Pose<double> Random::pose(double radius) {
   const Quatd turned = rotation();
-  const Vec3d offset = unit_vector();
-  return {turned, radius * std::cbrt(uniform(0, 1)) * offset};
+  const Vec3d direction = unit_vector();
+  return {turned, radius * std::cbrt(uniform(0, 1)) * direction};
 }
 
 namespace {

@@ -173,10 +173,10 @@ TEST(Rollout, ABallThatPassesThroughAnotherIsSeen) {
     return Pose<double>{Quatd::Identity(), {i == 0 ? std::min(3.4 * k, 4.0) : 5.0, 5, 0}};
   });
   EXPECT_EQ(stopped.passed, 0);
-  const RolloutScore next_to = flown([](int i, int k) {
+  const RolloutScore shifted = flown([](int i, int k) {
     return Pose<double>{Quatd::Identity(), {i == 0 ? 3.4 * k : 5.0, i == 0 ? 6.05 : 5.0, 0}};
   });
-  EXPECT_EQ(next_to.passed, 0);
+  EXPECT_EQ(shifted.passed, 0);
 }
 
 /// Frames after one with a missing or non-finite body are not judged.

@@ -164,14 +164,14 @@ float side_room(const std::vector<NamedLine>& lines, const Pen& pen) {
 
 void name_at_side(const std::vector<NamedLine>& lines, const Rect& area, const Pen& pen) {
   const auto right = static_cast<float>(area.right());
-  std::vector<SideLabel> next_to;
+  std::vector<SideLabel> side_labels;
   std::vector<const NamedLine*> inside;
   std::vector<std::vector<Point2>> anchors;
   for (const NamedLine& line : lines) {
     if (line.points.empty() || line.name.empty()) continue;
     const Point2& end = line.points.back();
     if (end.x > right - pen.px(kAtBorder)) {
-      next_to.push_back({&line, rows_of(line, pen), end.y});
+      side_labels.push_back({&line, rows_of(line, pen), end.y});
     } else {
       inside.push_back(&line);
       anchors.push_back({end});
@@ -179,10 +179,10 @@ void name_at_side(const std::vector<NamedLine>& lines, const Rect& area, const P
   }
   name_near(inside, anchors, lines, area, pen);
   const float row = pen.px(kRow);
-  spread_out(next_to, row, pen.px(kBetweenNames), static_cast<float>(area.y),
+  spread_out(side_labels, row, pen.px(kBetweenNames), static_cast<float>(area.y),
              static_cast<float>(area.bottom()) + pen.px(kOverhang));
   const float left = right + pen.px(kLeader);
-  for (const SideLabel& name : next_to) {
+  for (const SideLabel& name : side_labels) {
     pen.line(name.line->points.back(), {left - pen.px(3), name.middle}, 1, name.line->color);
     float baseline =
         name.middle + pen.px(5) - 0.5f * row * static_cast<float>(name.rows.size() - 1);

@@ -205,8 +205,8 @@ struct ChoicePen : Pen {
     const double inscribed = 2 * twice / ((b - a).norm() + (c - b).norm() + (a - c).norm());
     const bool fits = inscribed > 1.1 * width_of(spelled, Weight::Bold);
     // Beyond the point's number.
-    const Vec2d next_to = c + px(26) * outward(middle, c);
-    return {fits ? Vec2d((a + b + c) / 3) : next_to, spelled, kContact, true, fits, false};
+    const Vec2d at_corner = c + px(26) * outward(middle, c);
+    return {fits ? Vec2d((a + b + c) / 3) : at_corner, spelled, kContact, true, fits, false};
   }
 
   void write(const Label& label) {

@@ -57,8 +57,8 @@ void draw_axes(const ContactPlane& plane, const std::vector<Point2>& box) {
     plane.fill({pixel(tip), pixel(tip - head * along + 0.42 * head * across),
                 pixel(tip - head * along - 0.42 * head * across)},
                kNormal);
-    const Vec2d next_to = 0.5 * (from + tip) + plane.px(8) * (level ? Vec2d(0, 1) : Vec2d(-1, 0));
-    plane.text(name, pixel(next_to.x(), next_to.y() + plane.px(level ? 8 : 4)), Align::Center,
+    const Vec2d label_at = 0.5 * (from + tip) + plane.px(8) * (level ? Vec2d(0, 1) : Vec2d(-1, 0));
+    plane.text(name, pixel(label_at.x(), label_at.y() + plane.px(level ? 8 : 4)), Align::Center,
                kText, Weight::Bold);
   }
 }

@@ -78,7 +78,7 @@ Vec2d outward(const Vec2d& middle, const Vec2d& at);
 /// Marks of the contact plane, in pixels. They are the same in all pictures, but smaller if points
 /// are close together; `size` 1 is for a single patch.
 void draw_kept_point(const Point2& at, const Pen& pen, double size);
-/// `apart`: the point does not touch yet.
+/// `separated`: the point does not touch yet.
 void draw_plain_point(const Point2& at, const Pen& pen, bool separated = false);
 void draw_dropped_point(const Point2& at, const Pen& pen, double size);
 /// A square around the point, kept or not.

@@ -86,14 +86,14 @@ struct DifferencePen {
     }
   }
 
-  /// The next support point: searched from `from` along the unit direction `way`. A dashed line
+  /// The next support point: searched from `from` along the unit direction `search`. A dashed line
   /// through it, perpendicular to that direction, has the whole difference on one side.
-  void next(const SimplexStep& step, const Vec3d& from, const Vec3d& offset) const {
+  void next(const SimplexStep& step, const Vec3d& from, const Vec3d& search) const {
     if (!step.next) return;
     const Vec3d at = difference(*step.next);
-    const Vec3d along = offset.cross(camera.to_eye(at)).normalized();
+    const Vec3d along = search.cross(camera.to_eye(at)).normalized();
     const double least = kMinSearch * static_cast<double>(scale) / camera.pixels_per_metre(from);
-    const Vec3d end = from + std::max(least, (at - from).dot(offset)) * offset;
+    const Vec3d end = from + std::max(least, (at - from).dot(search)) * search;
     // A halo would cover the origin.
     sketch.arrows.push_back(
         {.from = from, .to = end, .width = 1.8f, .color = kText, .halo = false, .open = true});

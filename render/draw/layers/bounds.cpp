@@ -45,10 +45,10 @@ NamePlace free_side(const Scene& scene, const trace::Bounds& bounds,
   const auto is_free = [&](const NamePlace& name) {
     const double room = kNameRoom / pixels;
     return std::ranges::none_of(all, [&](const trace::Bounds& other) {
-      const Vec3d offset = name.at - center(other.box), reach = half(other.box);
+      const Vec3d screen_axis = name.at - center(other.box), reach = half(other.box);
       return &other != &bounds &&
-             std::abs(right.dot(offset)) < right.cwiseAbs().dot(reach) + room &&
-             std::abs(up.dot(offset)) < up.cwiseAbs().dot(reach) + room;
+             std::abs(right.dot(screen_axis)) < right.cwiseAbs().dot(reach) + room &&
+             std::abs(up.dot(screen_axis)) < up.cwiseAbs().dot(reach) + room;
     });
   };
   for (const Vec3d& out : {Vec3d(-up), up, right, Vec3d(-right)})
@@ -125,7 +125,7 @@ void draw_shared(const Scene& scene, const trace::Box& a, const trace::Box& b, S
     }
   }
   const Vec3d seen = scene.camera.pixels_per_metre(shared.center()) * shared.sizes();
-  const auto width = [&](const Vec3d& offset) { return seen.dot(offset.cwiseAbs()); };
+  const auto width = [&](const Vec3d& screen_axis) { return seen.dot(screen_axis.cwiseAbs()); };
   if (std::min(width(scene.camera.right()), width(scene.camera.up())) >
       kMinShared * scene.scales.pixel)
     sketch.explain(kSharedSwatch, "where two boxes overlap", shared.center());
@@ -145,11 +145,11 @@ void draw_swept_axes(const Scene& scene, const std::vector<trace::Bounds>& all, 
   const double length = kAxisLength * pixel;
   constexpr const char* kNames[] = {"x", "y", "z"};
   for (int axis = 0; axis < 3; ++axis) {
-    const Vec3d offset = length * Vec3d::Unit(axis);
+    const Vec3d screen_axis = length * Vec3d::Unit(axis);
     // An axis along the view is a point.
-    if (std::hypot(right.dot(offset), up.dot(offset)) < 0.3 * length) continue;
-    sketch.arrows.push_back(arrow_to_scale(corner, offset, 2, 9, kShapeEdge));
-    sketch.label(corner + offset, kNames[axis], kText, 16, 6, Vec3d::Unit(axis));
+    if (std::hypot(right.dot(screen_axis), up.dot(screen_axis)) < 0.3 * length) continue;
+    sketch.arrows.push_back(arrow_to_scale(corner, screen_axis, 2, 9, kShapeEdge));
+    sketch.label(corner + screen_axis, kNames[axis], kText, 16, 6, Vec3d::Unit(axis));
   }
 }
 

@@ -265,8 +265,8 @@ bool write_tests(const Scene& scene, const std::vector<trace::Cell>& cells, cons
     above = above.subspan(1);
     if (cell.tests == 0) continue;
     const std::vector<Vec3d> corners = floor.tile_of(cell.box);
-    for (const std::size_t next_to : {1, 3})
-      if (flat(corners[next_to] - corners[0]).norm() < kMinCounted * pixel) return false;
+    for (const std::size_t neighbour : {1, 3})
+      if (flat(corners[neighbour] - corners[0]).norm() < kMinCounted * pixel) return false;
     const std::optional<Vec2d> place = place_in_tile(tile, above, boxes, pixel);
     if (!place) return false;
     numbers.emplace_back(*place, cell.tests);

@@ -29,29 +29,30 @@ struct Exit {
   bool of_edges = false;
 };
 
-double reach_along(const PlacedShape& shape, const Vec3d& offset) {
+double reach_along(const PlacedShape& shape, const Vec3d& direction) {
   double reach = -1e300;
-  for (const Vec3d& vertex : shape.vertices) reach = std::max(reach, offset.dot(vertex));
+  for (const Vec3d& vertex : shape.vertices) reach = std::max(reach, direction.dot(vertex));
   return reach;
 }
 
 // Along the normals of all faces, and along the best recorded cross product of two edges.
 std::vector<Exit> exits(const trace::Pair& pair, const PlacedShape& a, const PlacedShape& b) {
-  std::vector<Exit> methods;
-  const auto add = [&](const Vec3d& offset, bool of_edges) {
-    methods.push_back({offset, reach_along(a, offset) + reach_along(b, Vec3d(-offset)), of_edges});
+  std::vector<Exit> candidates;
+  const auto add = [&](const Vec3d& direction, bool of_edges) {
+    candidates.push_back(
+        {direction, reach_along(a, direction) + reach_along(b, Vec3d(-direction)), of_edges});
   };
   for (int face = 0; face < count_of(a.mesh->normals); ++face) add(a.normal(face), false);
   for (int face = 0; face < count_of(b.mesh->normals); ++face) add(-b.normal(face), false);
   if (pair.sat && pair.sat->edge) add(pair.sat->edge->normal, true);
-  std::ranges::stable_sort(methods, {}, &Exit::overlap);
+  std::ranges::stable_sort(candidates, {}, &Exit::overlap);
   std::vector<Exit> distinct;
-  for (const Exit& offset : methods) {
+  for (const Exit& exit : candidates) {
     const auto same = [&](const Exit& other) {
-      return other.direction.dot(offset.direction) > kSameDirection;
+      return other.direction.dot(exit.direction) > kSameDirection;
     };
     if (distinct.size() < kMaxExits && std::ranges::none_of(distinct, same))
-      distinct.push_back(offset);
+      distinct.push_back(exit);
   }
   return distinct;
 }
@@ -62,20 +63,20 @@ void draw_exits(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   if (a->mesh->normals.empty() || b->mesh->normals.empty() || a->is_mesh() || b->is_mesh()) return;
   const Vec3d& normal = pair.manifolds.front().normal;
   const Vec3d center = b->pose.transform(b->traced().center_of_mass);
-  const std::vector<Exit> methods = exits(pair, *a, *b);
-  const bool any_of_edges = std::ranges::any_of(methods, &Exit::of_edges);
-  for (const Exit& offset : methods) {
-    if (offset.overlap <= 0) return;  // separated: nothing to resolve
-    const bool taken = normal.dot(offset.direction) > kTaken;
-    const Vec3d end = center + offset.overlap * offset.direction;
+  const std::vector<Exit> candidates = exits(pair, *a, *b);
+  const bool any_of_edges = std::ranges::any_of(candidates, &Exit::of_edges);
+  for (const Exit& exit : candidates) {
+    if (exit.overlap <= 0) return;  // separated: nothing to resolve
+    const bool taken = normal.dot(exit.direction) > kTaken;
+    const Vec3d end = center + exit.overlap * exit.direction;
     const Color color = taken ? kAxisText : kAxis;
     sketch.arrows.push_back(
         arrow_to_scale(center, end - center, taken ? 5.0f : 2.5f, taken ? 16.0f : 12.0f, color));
     // The kind of feature is written if both kinds occur.
-    const std::string name = offset.of_edges ? "edges: " : any_of_edges ? "face: " : "";
+    const std::string name = exit.of_edges ? "edges: " : any_of_edges ? "face: " : "";
     sketch
-        .label(end, name + spell_length(offset.overlap, 0, scene.scales.length), kAxisText,
-               taken ? 20.0f : 17.0f, 10, offset.direction)
+        .label(end, name + spell_length(exit.overlap, 0, scene.scales.length), kAxisText,
+               taken ? 20.0f : 17.0f, 10, exit.direction)
         .bold = taken;
     if (!taken) {
       sketch.explain(kOtherExitSwatch, "other ways out");

@@ -12,13 +12,14 @@ namespace {
 constexpr Swatch kTouchingFeatureSwatch{LegendGroup::Faces, 6,
                                         [](auto& pen) { pen.level_line(0, 22, 5, kIncidentFace); }};
 
-/// The edge with both ends farthest along `way`.
-std::optional<std::array<Vec3d, 2>> farthest_edge(const PlacedShape& shape, const Vec3d& offset) {
+/// The edge with both ends farthest along `direction`.
+std::optional<std::array<Vec3d, 2>> farthest_edge(const PlacedShape& shape,
+                                                  const Vec3d& direction) {
   std::optional<std::array<Vec3d, 2>> best;
   double most = -1e300;
   for (const ShapeMesh::Edge& edge : shape.mesh->edges) {
     const Vec3d &from = shape.vertex(edge.from), &to = shape.vertex(edge.to);
-    const double reach = offset.dot(from) + offset.dot(to);
+    const double reach = direction.dot(from) + direction.dot(to);
     if (reach <= most) continue;
     most = reach;
     best = {from, to};
@@ -30,7 +31,7 @@ std::optional<std::array<Vec3d, 2>> farthest_edge(const PlacedShape& shape, cons
 struct TouchingFeature {
   const PlacedShape* shape = nullptr;
   std::string_view kind;  // "point", "edge" or "face"
-  Vec3d offset;           // unit, towards the touched face
+  Vec3d direction;        // unit, towards the touched face
 };
 
 /// Nothing for crossed edges and round shapes.
@@ -61,20 +62,20 @@ std::string words_of(const Scene& scene, std::string_view kind) {
 
 // In the colour of the incident face, to which the features belong.
 void draw_feature(const TouchingFeature& feature, const std::string& words, Sketch& sketch) {
-  const auto& [placed, kind, offset] = feature;
+  const auto& [placed, kind, direction] = feature;
   const PlacedShape& shape = *placed;
   if (kind == "point") {
     const auto corner = std::ranges::max_element(
-        shape.vertices, {}, [&](const Vec3d& vertex) { return feature.offset.dot(vertex); });
+        shape.vertices, {}, [&](const Vec3d& vertex) { return feature.direction.dot(vertex); });
     sketch.mark(MarkKind::WideRing, *corner, kIncidentFace);
   } else if (kind == "edge") {
-    const auto edge = farthest_edge(shape, offset);
+    const auto edge = farthest_edge(shape, direction);
     if (!edge) return;
     sketch.line((*edge)[0], (*edge)[1], {6.0f, kIncidentFace});
   } else if (kind == "face") {
     int best = 0;
     for (int face = 1; face < count_of(shape.mesh->normals); ++face)
-      if (offset.dot(shape.normal(face)) > offset.dot(shape.normal(best))) best = face;
+      if (direction.dot(shape.normal(face)) > direction.dot(shape.normal(best))) best = face;
     sketch.face(shape.polygon(best), with_alpha(kIncidentFace, 0.35f), {5.0f, kIncidentFace});
   } else {
     return;

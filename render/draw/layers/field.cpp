@@ -87,13 +87,13 @@ class Cells {
 /// Draws the sides of cells, each once, as a few long lines.
 void draw_grid(const trace::FieldSlice& slice, Sketch& sketch) {
   const Cells cells(slice);
-  std::vector<std::array<int, 2>> below, next_to;  // sides, by the cell above or to the right
+  std::vector<std::array<int, 2>> below, right_of;  // sides, by the cell above or to the right
   for (const auto& [column, row] : slice.band) {
     below.insert(below.end(), {{column, row}, {column, row + 1}});
-    next_to.insert(next_to.end(), {{row, column}, {row, column + 1}});
+    right_of.insert(right_of.end(), {{row, column}, {row, column + 1}});
   }
   for (const bool upright : {false, true}) {
-    auto& sides = upright ? next_to : below;
+    auto& sides = upright ? right_of : below;
     std::ranges::sort(sides);
     sides.erase(std::unique(sides.begin(), sides.end()), sides.end());
     Cells::each_run(sides, [&](int line, int begin, int end) {

@@ -90,9 +90,9 @@ void draw_free_axis(const Scene& scene, const trace::Pair& pair, const std::arra
   const Vec3d place = last ? Vec3d(to - inset * along) : Vec3d(from + inset * along);
   const Vec3d axis = torque.dot(along) < 0 ? Vec3d(-along) : along;
   // A body in balance may turn either way: arrows in both directions.
-  for (const double offset : {1.0, -1.0}) {
-    if (offset < 0 && pair.stability->margin != 0) break;
-    draw_curved_arrow(scene.camera, place, offset * axis, turn, 2 * std::numbers::pi * kFreeTurn,
+  for (const double direction : {1.0, -1.0}) {
+    if (direction < 0 && pair.stability->margin != 0) break;
+    draw_curved_arrow(scene.camera, place, direction * axis, turn, 2 * std::numbers::pi * kFreeTurn,
                       2.5f, kNormal, sketch);
   }
 }
@@ -138,9 +138,9 @@ void draw_verdict(const Scene& scene, const trace::Stability& stability, Sketch&
     if (seen && *seen >= kMinMargin * scene.scales.pixel) {
       sketch.arrows.push_back(
           {.from = from, .to = *border, .double_headed = true, .width = 1.5f, .color = kNormal});
-      const Vec3d offset = (*border - from).normalized();
+      const Vec3d direction = (*border - from).normalized();
       sketch.label(0.5 * (from + *border), margin, kText, 17, 9,
-                   Vec3d(scene.camera.up() - scene.camera.up().dot(offset) * offset));
+                   Vec3d(scene.camera.up() - scene.camera.up().dot(direction) * direction));
     } else {
       verdict += ", " + margin;
     }

@@ -98,9 +98,9 @@ class Crossings {
     Contour line{{}, closed};
     for (int side = start, before = -1; side >= 0;) {
       go_to(place(side), line.points);
-      auto& methods = at(next_, side);
-      const int on = methods[0] != before ? methods[0] : methods[1];
-      methods = {-1, -1};
+      auto& neighbours = at(next_, side);
+      const int on = neighbours[0] != before ? neighbours[0] : neighbours[1];
+      neighbours = {-1, -1};
       before = side;
       side = on == start ? -1 : on;
     }

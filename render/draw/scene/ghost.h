@@ -5,7 +5,7 @@
 /// Shapes drawn at poses that they do not have in this frame, such as predicted or corrected ones.
 namespace contactscope::draw {
 
-/// Turns the shape about `pivot` by `turn` (axis times radians), then moves it by `way`. World,
+/// Turns the shape about `pivot` by `turn` (axis times radians), then moves it by `offset`. World,
 /// metres.
 PlacedShape moved(PlacedShape shape, const Vec3d& pivot, const Vec3d& offset, const Vec3d& turn);
 

@@ -20,7 +20,7 @@ void Legend::explain(const LegendEntry& entry) {
   const auto found = std::ranges::find(entries_, entry);
   if (found == entries_.end()) return entries_.push_back(entry);
   if (!found->anchor) found->anchor = entry.anchor;
-  found->next_to = found->next_to && entry.next_to;
+  found->in_panel = found->in_panel && entry.in_panel;
 }
 
 void Legend::explain(const Legend& other) {
@@ -67,7 +67,7 @@ LegendChoice choose_legend(const std::vector<LegendEntry>& sorted) {
   if (sorted.size() <= kMaxLegendEntries) return {sorted, {}};
   // Entries with smaller ranks are listed.
   const auto rank = [](const LegendEntry& entry) {
-    if (entry.next_to) return 6;
+    if (entry.in_panel) return 6;
     if (!entry.anchor) return 0;
     switch (entry.swatch->group) {
       case LegendGroup::Points:

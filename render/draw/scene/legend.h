@@ -45,7 +45,7 @@ struct LegendEntry {
   /// World position at which a label in the scene can replace the entry. Nothing if only the legend
   /// can explain the sign, because it is everywhere or because the text states its scale.
   std::optional<Vec3d> anchor{};
-  bool next_to = false;  // shown by a panel and not by the view
+  bool in_panel = false;  // shown by a panel and not by the view
 
   bool operator==(const LegendEntry& other) const {
     return swatch == other.swatch && text == other.text;

@@ -164,16 +164,16 @@ struct RadiiSketch {
     if (offset.norm() < metres(from, kMinLength)) return;
     const Vec3d outwards = column < 0 ? Vec3d(-right) : right;
     const double pixels = kColumn * std::abs(column);
-    const Vec3d next_to = metres(from, pixels) * outwards;
+    const Vec3d sideways = metres(from, pixels) * outwards;
     const Vec3d beyond = metres(from, pixels + kBeyondColumn) * outwards;
     for (const Vec3d& end : {from, Vec3d(from + offset)}) sketch.line(end, end + beyond, kToColumn);
-    sketch.arrows.push_back({.from = from + next_to,
-                             .to = from + next_to + offset,
+    sketch.arrows.push_back({.from = from + sideways,
+                             .to = from + sideways + offset,
                              .double_headed = true,
                              .width = 1.8f,
                              .head = 9,
                              .color = line});
-    sketch.label(from + next_to + kLabelled * offset, text, ink, kLengthSize, 8, outwards);
+    sketch.label(from + sideways + kLabelled * offset, text, ink, kLengthSize, 8, outwards);
   }
 
   void radius(const Vec3d& from, const Vec3d& offset, const Vec3d& right, int column) {

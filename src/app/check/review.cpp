@@ -106,7 +106,7 @@ class ReviewSession {
       std::cout << "\n[" << i + 1 << "/" << open_.size() << "] " << finding.key() << "  "
                 << snapshot::name_of(finding.kind) << '\n'
                 << finding.sentence << '\n';
-      if (!query_pair(open_[i], keys)) break;
+      if (!decide(open_[i], keys)) break;
     }
   }
 
@@ -117,7 +117,7 @@ class ReviewSession {
   };
 
   /// False to quit.
-  bool query_pair(const Waiting& requested, const Keys& keys) {
+  bool decide(const Waiting& requested, const Keys& keys) {
     Finding& finding = *requested.finding;
     while (true) {
       std::cout << "a c r s w q? " << std::flush;

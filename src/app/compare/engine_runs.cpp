@@ -64,7 +64,7 @@ std::map<std::string, std::string> programs_of(const std::vector<std::string>& e
   return programs;
 }
 
-versus::EngineRun query_pair(const std::string& name, const std::string& program,
+versus::EngineRun run_engine(const std::string& name, const std::string& program,
                              const std::string& question, const trace::Trace& request,
                              double limit) {
   versus::EngineRun engine_run{name, "", "", "", "", {}};

@@ -22,7 +22,7 @@ std::map<std::string, std::string> programs_of(const std::vector<std::string>& e
 
 /// Runs a program with `question`, "contacts" or "rollout". If it crashes, exceeds `limit` seconds
 /// or writes invalid output, the result has the frames so far and the reason in `failure`.
-versus::EngineRun query_pair(const std::string& name, const std::string& program,
+versus::EngineRun run_engine(const std::string& name, const std::string& program,
                              const std::string& question, const trace::Trace& request,
                              double limit);
 

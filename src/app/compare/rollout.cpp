@@ -49,7 +49,7 @@ Rollout rollout_of(const Scenario& scenario, const std::vector<std::string>& eng
     stop_if_interrupted();
     rollout.engine_runs.push_back(
         programs.contains(name)
-            ? query_pair(name, programs.at(name), "rollout", rollout.request, time_limit)
+            ? run_engine(name, programs.at(name), "rollout", rollout.request, time_limit)
             : own_rollout(scenario));
     rollout.scores.push_back(versus::judge_rollout(rollout.request, rollout.engine_runs.back()));
   }

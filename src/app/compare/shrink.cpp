@@ -71,7 +71,7 @@ std::map<std::string, shrink::Engine> engines_of(const shrink::Expression& expre
   for (const auto& [name, program] : programs_of(names))
     engines[name] = [name = name, program = program,
                      limit = options.time_limit](const trace::Trace& request) {
-      return query_pair(name, program, "contacts", request, limit).trace;
+      return run_engine(name, program, "contacts", request, limit).trace;
     };
   return engines;
 }

@@ -222,7 +222,7 @@ ExitCode run_versus(const Options& options) {
     for (const std::string& name : engines)
       if (programs.contains(name))
         match.engine_runs.push_back(
-            query_pair(name, programs.at(name), "contacts", match.request, options.time_limit));
+            run_engine(name, programs.at(name), "contacts", match.request, options.time_limit));
     std::vector<Score> scores;
     nlohmann::ordered_json one{{"scenario", match.name},
                                {"engines", nlohmann::ordered_json::array()}};

@@ -125,7 +125,7 @@ class ClearOfTriangle {
   bool outside_face(const Three (&corners)[3], S separation) const {
     const int stride = padded(hull_.face_count());
     const S* const normals = hull_.lanes.normals.data();
-    lanes::Flags<S> next_to = {};
+    lanes::Flags<S> outside = {};
     for (int i = 0; i < stride; i += lanes::kWidth<S>) {
       const Pack x = lanes::load(normals + i), y = lanes::load(normals + stride + i),
                  z = lanes::load(normals + 2 * stride + i);
@@ -134,9 +134,9 @@ class ClearOfTriangle {
       };
       const Pack least =
           lanes::smaller(lanes::smaller(along(corners[0]), along(corners[1])), along(corners[2]));
-      next_to |= least - lanes::load(hull_.lanes.offsets.data() + i) > separation;
+      outside |= least - lanes::load(hull_.lanes.offsets.data() + i) > separation;
     }
-    return lanes::bits<S>(next_to) != 0;
+    return lanes::bits<S>(outside) != 0;
   }
 
   /// Along the direction to the hull's centre from the nearest point of the triangle's outline. If
@@ -151,11 +151,11 @@ class ClearOfTriangle {
     const Three squared = along[0] * along[0] + along[1] * along[1] + along[2] * along[2];
     const Three zero = {}, one = boxes::all_of(S(1));
     const Three part = lanes::smaller(lanes::larger(Three(ahead / squared), zero), one);
-    const Three methods[] = {rest[0] - part * along[0], rest[1] - part * along[1],
-                             rest[2] - part * along[2]};
-    const Three far = methods[0] * methods[0] + methods[1] * methods[1] + methods[2] * methods[2];
+    const Three feet[] = {rest[0] - part * along[0], rest[1] - part * along[1],
+                          rest[2] - part * along[2]};
+    const Three far = feet[0] * feet[0] + feet[1] * feet[1] + feet[2] * feet[2];
     const int nearest = far[0] <= far[1] ? (far[0] <= far[2] ? 0 : 2) : (far[1] <= far[2] ? 1 : 2);
-    const Three offset = {methods[0][nearest], methods[1][nearest], methods[2][nearest], S(0)};
+    const Three offset = {feet[0][nearest], feet[1][nearest], feet[2][nearest], S(0)};
     S highest = -std::numeric_limits<S>::infinity();
     for (const Three& corner : corners) {
       const Three terms = offset * corner;

@@ -41,11 +41,11 @@ struct Products {
     squares =
         Coordinates<S>(a.along * a.along, b.along * b.along, a.along * b.along, offset * offset)
             .sums();
-    methods = Coordinates<S>(a_offset, b_offset, a_offset, b_offset).sums();
+    projections = Coordinates<S>(a_offset, b_offset, a_offset, b_offset).sums();
   }
 
-  Three<S> squares;  // a a, b b, a b, offset offset
-  Three<S> methods;  // a offset, b offset
+  Three<S> squares;      // a a, b b, a b, offset offset
+  Three<S> projections;  // a offset, b offset
 };
 
 /// The nearest ends of two axes, or the nearest end of one and the other axis.
@@ -70,7 +70,8 @@ template <class S>
   constexpr S kUnsure = S(2048) * std::numeric_limits<S>::epsilon();
   const Three<S>& squares = products.squares;
   const Three<S> aa = spread<0>(squares), bb = spread<1>(squares), ab = spread<2>(squares);
-  const Three<S> a_offset = spread<0>(products.methods), b_offset = spread<1>(products.methods);
+  const Three<S> a_offset = spread<0>(products.projections),
+                 b_offset = spread<1>(products.projections);
   const Three<S> unsure = kUnsure * (aa + bb + spread<3>(squares));
   constexpr Three<S> kS = {0, 1, 0, 1}, kT = {0, 0, 1, 1};
   constexpr Three<S> kInS = S(1) - S(2) * kS, kInT = S(1) - S(2) * kT;
@@ -81,8 +82,8 @@ template <class S>
 
   // s = 0, s = 1, t = 0, t = 1.
   const Three<S> lengths = __builtin_shufflevector(squares, squares, 1, 1, 0, 0);
-  const Three<S> methods = __builtin_shufflevector(b_offset, -a_offset, 0, 0, 4, 4);
-  const Three<S> foot = (methods + ab * kS) / lengths;
+  const Three<S> projections = __builtin_shufflevector(b_offset, -a_offset, 0, 0, 4, 4);
+  const Three<S> foot = (projections + ab * kS) / lengths;
   const Three<S> to_end = lanes::smaller(foot, S(1) - foot);
   const Three<S> begins = __builtin_shufflevector(a_offset, -b_offset, 0, 0, 4, 4);
   const Three<S> far = __builtin_shufflevector(squares, squares, 0, 0, 1, 1);
@@ -106,7 +107,7 @@ template <class S>
   const Three<S> end = axis.ends[beyond_middle ? 1 : 0];
   const Three<S> along = (point - end) * axis.along;
   const S offset = (along[0] + (along[1] + along[2])) / squared_length;
-  // From the second end: the parameter 1 + way is rounded before it is subtracted from 1.
+  // From the second end: the parameter 1 + offset is rounded before it is subtracted from 1.
   return end + (beyond_middle ? -(S(1) - (S(1) + offset)) : offset) * axis.along;
 }
 

@@ -38,8 +38,8 @@ struct TriangleByBox {
     offset = (along[0] + along[1]) + along[2];
 
     const Three<S> centroid = (second + third) / S(3);
-    const Coordinates<S> methods(centroid, second - centroid, third - centroid, position);
-    const Three<S> lengths = square_roots<S>(methods.dot(methods));
+    const Coordinates<S> offsets(centroid, second - centroid, third - centroid, position);
+    const Three<S> lengths = square_roots<S>(offsets.dot(offsets));
     radius = largest_of<S>(lengths);
     scale = ((box_radius + lengths[0]) + radius) + lengths[3];
 

@@ -163,9 +163,9 @@ template <class S>
 
   const S negligible = points.negligible_area(first, second);
   const Positions<S> to_second = at.to(points[second]);
-  const Eight<S> next_to = doubled_areas(to_first, to_second, normal);
+  const Eight<S> doubled = doubled_areas(to_first, to_second, normal);
   const Eight<S> sizes =
-      Eight<S>::from([](const P& area) { return lanes::larger(area, P(-area)); }, next_to);
+      Eight<S>::from([](const P& area) { return lanes::larger(area, P(-area)); }, doubled);
   const S largest = most_of(sizes);
   if (!(largest > negligible)) return false;
   const int third = earliest(sizes, largest);
@@ -176,10 +176,10 @@ template <class S>
   // If the ring third, first, second is clockwise, areas outside it are positive. The edge from
   // first to second is already measured.
   const bool left =
-      (bits_of<S>([](const P& area) { return area > P{}; }, next_to) >> third & 1U) != 0;
+      (bits_of<S>([](const P& area) { return area > P{}; }, doubled) >> third & 1U) != 0;
   const S clockwise = left ? S(-1) : S(1);
   const Positions<S> to_third = at.to(points[third]);
-  const Eight<S> of_edges[] = {doubled_areas(to_third, to_first, normal), next_to,
+  const Eight<S> of_edges[] = {doubled_areas(to_third, to_first, normal), doubled,
                                doubled_areas(to_second, to_third, normal)};
   // Points of the ring and unused indices add nothing.
   alignas(32) constexpr S kNumbers[kEight] = {0, 1, 2, 3, 4, 5, 6, 7};
