@@ -130,7 +130,9 @@ void expect_momenta_kept(int count, double tolerance) {
     // Projection turns what spins, which keeps its angular momentum and not its energy.
     const bool projects = settings.position_correction == PositionCorrection::Projection;
     EXPECT_LE(change.gained, projects ? 0.2 : 0.03) << i;
-    if (friction == 0) ASSERT_LE(change.spin, tolerance) << i;
+    if (friction == 0) {
+      ASSERT_LE(change.spin, tolerance) << i;
+    }
   }
   EXPECT_GT(hits, count / 2);
 }
@@ -176,7 +178,9 @@ TEST(Bounce, AFallingBallIsNotDeepBeforeItsFirstContactInFourOrMoreSubsteps) {
     for (int frame = 0; frame < 70; ++frame) {
       scene.advance();
       EXPECT_GT(scene.body(ball).center.y(), 0.5 - 0.004) << substeps << ", frame " << frame;
-      if (scene.load(0, ball) > 0) EXPECT_LT(scene.body(ball).velocity.y(), 1e-9);
+      if (scene.load(0, ball) > 0) {
+        EXPECT_LT(scene.body(ball).velocity.y(), 1e-9);
+      }
     }
   }
 }

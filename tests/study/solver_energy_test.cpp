@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace contactscope {
 namespace {
 
@@ -30,8 +32,10 @@ TEST(SolverEnergy, BaumgarteWithAllOfItsPushGainsMore) {
   SolverSettings settings;
   settings.substeps = 8;
   settings.push_speed = 1e6;
-  for (const EnergyScene& scene : energy_scenes())
-    if (scene.name == "deep box") EXPECT_GT(energy_gained(scene, settings), 1);
+  const std::vector<EnergyScene> scenes = energy_scenes();
+  const auto deep = std::ranges::find(scenes, "deep box", &EnergyScene::name);
+  ASSERT_NE(deep, scenes.end());
+  EXPECT_GT(energy_gained(*deep, settings), 1);
 }
 
 }  // namespace
