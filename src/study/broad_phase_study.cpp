@@ -248,8 +248,6 @@ std::vector<trace::Study> study_broad_phase(const StudyOptions& options,
   return study_pair_finders(own_pair_finders(), kNumbersOfBoxes, options, progress);
 }
 
-// The picture.
-
 using namespace record;
 
 namespace {

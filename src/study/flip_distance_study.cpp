@@ -77,8 +77,6 @@ std::vector<trace::Study> study_flip_distance(const StudyOptions& options,
   return results;
 }
 
-// The picture.
-
 using namespace record;
 
 /// The title contains the smallest change of all, and its point is marked.

@@ -246,8 +246,6 @@ std::vector<trace::Study> study_limits(const StudyOptions& options, const StudyP
   return results;
 }
 
-// The picture.
-
 using namespace record;
 
 namespace {

@@ -233,8 +233,6 @@ std::vector<trace::Study> study_overlap(const StudyOptions& options,
   return results;
 }
 
-// The picture.
-
 using namespace record;
 
 namespace {

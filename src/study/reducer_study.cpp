@@ -184,8 +184,6 @@ std::vector<trace::Study> study_reducers(const StudyOptions& options,
   return results;
 }
 
-// The picture.
-
 using namespace record;
 
 namespace {

@@ -132,8 +132,6 @@ std::vector<trace::Study> study_time_of_impact(const StudyOptions& options,
   return study_impact_finders(finders, options, progress);
 }
 
-// The picture.
-
 using namespace record;
 
 namespace {

@@ -235,8 +235,6 @@ std::vector<trace::Study> study_triangles(const StudyOptions& options,
   return results;
 }
 
-// The picture.
-
 using namespace record;
 
 namespace {

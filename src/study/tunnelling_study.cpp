@@ -203,8 +203,6 @@ std::vector<trace::Study> study_tunnelling(const StudyOptions& options,
   return results;
 }
 
-// The picture.
-
 using namespace record;
 
 namespace {

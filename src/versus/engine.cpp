@@ -24,7 +24,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr const char* kPrefix = "contactscope-engine-";
 
-/// A file in memory; closes itself. A pipe would need somebody at both ends.
+/// A file in memory; closes itself. Unlike a pipe it needs no reader while a program writes.
 class MemoryFile {
  public:
   explicit MemoryFile(const std::string& text = {})

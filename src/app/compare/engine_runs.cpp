@@ -106,7 +106,8 @@ void print_words(const versus::EngineRun& engine_run, std::ostream& out) {
     out << engine_run.name << " prints: " << line << '\n';
 }
 
-nlohmann::ordered_json json_of(const versus::EngineRun& engine_run, const std::string& failure) {
+nlohmann::ordered_json engine_json(const versus::EngineRun& engine_run,
+                                   const std::string& failure) {
   nlohmann::ordered_json json{{"name", engine_run.name}};
   const auto add = [&](const char* key, const std::string& text) {
     if (!text.empty()) json[key] = text;
@@ -119,7 +120,7 @@ nlohmann::ordered_json json_of(const versus::EngineRun& engine_run, const std::s
   return json;
 }
 
-nlohmann::ordered_json json_of(const std::vector<lint::Finding>& findings) {
+nlohmann::ordered_json findings_json(const std::vector<lint::Finding>& findings) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   for (const lint::Finding& finding : findings) json.push_back(to_json(finding));
   return json;

@@ -35,7 +35,7 @@ trace::Trace run_frames(const Scenario& scenario, const std::vector<int>& frames
 void print_words(const versus::EngineRun& engine_run, std::ostream& out);
 
 /// JSON of a judged run: its engine, and its refusal, or failure and error output.
-nlohmann::ordered_json json_of(const versus::EngineRun& engine_run, const std::string& failure);
-nlohmann::ordered_json json_of(const std::vector<lint::Finding>& findings);
+nlohmann::ordered_json engine_json(const versus::EngineRun& engine_run, const std::string& failure);
+nlohmann::ordered_json findings_json(const std::vector<lint::Finding>& findings);
 
 }  // namespace contactscope::app

@@ -85,7 +85,7 @@ Table table_of(const Rollout& rollout) {
 }
 
 Json json_of(const RolloutScore& score, const EngineRun& engine_run) {
-  Json json = json_of(engine_run, score.failure);
+  Json json = engine_json(engine_run, score.failure);
   if (!score.refusal.empty()) return json;
   json["frames"] = score.time.size();
   json["resting"] = score.resting;
@@ -104,7 +104,7 @@ Json json_of(const RolloutScore& score, const EngineRun& engine_run) {
                     {"energy", score.energy},
                     {"penetration", score.penetration},
                     {"drift", score.drift}};
-  json["findings"] = json_of(score.findings);
+  json["findings"] = findings_json(score.findings);
   return json;
 }
 

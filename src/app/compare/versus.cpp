@@ -88,7 +88,7 @@ Table table_of(const std::vector<Score>& scores) {
 }
 
 nlohmann::ordered_json json_of(const Score& score, const EngineRun& engine_run) {
-  nlohmann::ordered_json json = json_of(engine_run, score.failure);
+  nlohmann::ordered_json json = engine_json(engine_run, score.failure);
   json["pairs"] = score.pairs;
   json["missed"] = score.missed;
   json["invented"] = score.invented;
@@ -101,7 +101,7 @@ nlohmann::ordered_json json_of(const Score& score, const EngineRun& engine_run) 
   if (score.patches > 0) json["area_ratio"] = score.area;
   if (score.id_frames > 0) json["ids_kept"] = score.ids_kept;
   if (score.id_frames > 0 && score.ids_are_made_up) json["ids_are_made_up"] = true;
-  json["findings"] = json_of(score.findings);
+  json["findings"] = findings_json(score.findings);
   return json;
 }
 
