@@ -19,9 +19,7 @@ struct RootBrackets {
     return foresee_impact(approach, radii, distance, result, run);
   }
   template <class S>
-  std::optional<Closest<S>> foresee(const ApproachToPlane<S>& /*approach*/, S /*radii*/,
-                                    const Separation<S>& /*state*/, ImpactResult<S>& /*result*/,
-                                    ImpactRun<S>* /*run*/) const {
+  std::nullopt_t foresee(const ApproachToPlane<S>&, const auto&...) const {
     return std::nullopt;
   }
   template <class Approach, class S>
@@ -50,6 +48,35 @@ struct RootBrackets {
   }
 };
 
+/// Distance over the fastest possible approach.
+struct DistanceOverSpeed {
+  std::nullopt_t foresee(const auto&...) const { return std::nullopt; }
+  template <class Approach, class S>
+  void operator()(const Approach& approach, const Separation<S>& spacing, ImpactResult<S>& result,
+                  ImpactStep<S>& step) const {
+    const S speed = approach.closing_speed(spacing.axis);
+    const S left = spacing.until - result.time;
+    ++result.bounds;
+    const S gap = spacing.separation - spacing.target;
+    result.time = gap >= speed * left ? spacing.until : result.time + gap / speed;
+    step.bracket_end =
+        step.distance >= speed * left ? spacing.until : step.time + step.distance / speed;
+    step.bracket_separation = spacing.separation - speed * (step.bracket_end - step.time);
+  }
+};
+
+/// The only axis that can separate a shape from a plane is the plane's.
+template <class S, class Advance>
+ImpactResult<S> search(const MovingPlane<S>& a, const MovingShape<S>& b,
+                       const ImpactLimits<S>& allowed, ImpactRun<S>* run, const Advance& advance) {
+  return search_impact(ApproachToPlane<S>(a, b), S(0), b.radius, a.motion, allowed, run, advance);
+}
+template <class S, class Advance>
+ImpactResult<S> search(const MovingShape<S>& a, const MovingShape<S>& b,
+                       const ImpactLimits<S>& allowed, ImpactRun<S>* run, const Advance& advance) {
+  return search_impact(Approach<S>(a, b), a.radius, b.radius, a.motion, allowed, run, advance);
+}
+
 }  // namespace
 
 template <class S>
@@ -57,24 +84,34 @@ ImpactResult<S> time_of_impact(const MovingShape<S>& a, const MovingShape<S>& b,
                                const ImpactLimits<S>& allowed, ImpactRun<S>* run) {
   prefetch_points(a.core);
   prefetch_points(b.core);
-  return search_impact(Approach<S>(a, b), a.radius, b.radius, a.motion, allowed, run,
-                       RootBrackets());
+  return search(a, b, allowed, run, RootBrackets());
 }
-
 template <class S>
 ImpactResult<S> time_of_impact(const MovingPlane<S>& a, const MovingShape<S>& b,
                                const ImpactLimits<S>& allowed, ImpactRun<S>* run) {
-  return search_impact(ApproachToPlane<S>(a, b), S(0), b.radius, a.motion, allowed, run,
-                       RootBrackets());
+  return search(a, b, allowed, run, RootBrackets());
+}
+template <class S>
+ImpactResult<S> conservative_advancement(const MovingShape<S>& a, const MovingShape<S>& b,
+                                         const ImpactLimits<S>& allowed, ImpactRun<S>* run) {
+  return search(a, b, allowed, run, DistanceOverSpeed());
+}
+template <class S>
+ImpactResult<S> conservative_advancement(const MovingPlane<S>& a, const MovingShape<S>& b,
+                                         const ImpactLimits<S>& allowed, ImpactRun<S>* run) {
+  return search(a, b, allowed, run, DistanceOverSpeed());
 }
 
-template ImpactResult<float> time_of_impact(const MovingShape<float>&, const MovingShape<float>&,
-                                            const ImpactLimits<float>&, ImpactRun<float>*);
-template ImpactResult<double> time_of_impact(const MovingShape<double>&, const MovingShape<double>&,
-                                             const ImpactLimits<double>&, ImpactRun<double>*);
-template ImpactResult<float> time_of_impact(const MovingPlane<float>&, const MovingShape<float>&,
-                                            const ImpactLimits<float>&, ImpactRun<float>*);
-template ImpactResult<double> time_of_impact(const MovingPlane<double>&, const MovingShape<double>&,
-                                             const ImpactLimits<double>&, ImpactRun<double>*);
+template <class A, class S>
+using Search = ImpactResult<S>(const A&, const MovingShape<S>&, const ImpactLimits<S>&,
+                               ImpactRun<S>*);
+template Search<MovingShape<float>, float> time_of_impact<float>;
+template Search<MovingPlane<float>, float> time_of_impact<float>;
+template Search<MovingShape<double>, double> time_of_impact<double>;
+template Search<MovingPlane<double>, double> time_of_impact<double>;
+template Search<MovingShape<float>, float> conservative_advancement<float>;
+template Search<MovingPlane<float>, float> conservative_advancement<float>;
+template Search<MovingShape<double>, double> conservative_advancement<double>;
+template Search<MovingPlane<double>, double> conservative_advancement<double>;
 
 }  // namespace contactscope

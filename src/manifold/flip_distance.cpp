@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <optional>
 #include <random>
 #include <vector>
@@ -18,13 +17,6 @@ namespace {
 constexpr double kReach = 0.01;  // as a fraction of the smaller shape
 constexpr int kHalvings = 12;    // bisection steps between a change and its double
 constexpr int kMaxPlaces = 1 << 20;
-
-Vec3d random_direction(std::mt19937_64& engine) {
-  const double z = uniform(engine, -1, 1);
-  const double angle = uniform(engine, 0, 2 * std::numbers::pi);
-  const double around = std::sqrt(1 - z * z);
-  return {around * std::cos(angle), around * std::sin(angle), z};
-}
 
 /// The identity of a pair's points: ids, with the triangle of a mesh.
 using Names = std::vector<std::pair<int, FeatureId>>;

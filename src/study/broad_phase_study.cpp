@@ -200,16 +200,12 @@ std::vector<trace::Study> study_pair_finders(const std::vector<PairFinderInfo>& 
       {{"time", "All pairs of boxes that overlap: time of a step", "milliseconds, median"},
        {"longest", "All pairs of boxes that overlap: the longest step", "milliseconds, longest"},
        {"memory", "What a broad phase holds", "bytes a box"},
-       {"comparisons", "How many boxes are held against each other",
-        "comparisons a box and step"}});
-  for (trace::Study& study : results) study.form = trace::StudyForm::Curves;
+       {"comparisons", "How many boxes are held against each other", "comparisons a box and step"}},
+      trace::StudyForm::Curves);
   const StudyStep report =
       counted(progress, static_cast<int>(std::size(kScenes) * numbers_of_boxes.size()));
   for (const BoxScene& scene : kScenes) {
-    const std::size_t first = results[0].series.size();
-    for (trace::Study& study : results)
-      for (const PairFinderInfo& info : finders)
-        study.series.push_back({info.name, {}, scene.name, std::string("boxes, ") + scene.name});
+    const StudyLines lines(results, finders, scene.name, std::string("boxes, ") + scene.name);
     for (const int count : numbers_of_boxes) {
       const auto takes_part = [&](const PairFinderInfo& info) {
         return count <= most_boxes(info, scene);
@@ -236,8 +232,7 @@ std::vector<trace::Study> study_pair_finders(const std::vector<PairFinderInfo>& 
       for (std::size_t i = 0; i < engine_runs.size(); ++i) {
         if (engine_runs[i].of == 0) continue;
         const std::vector<trace::StudyPoint> points = engine_runs[i].points(count);
-        for (std::size_t m = 0; m < results.size(); ++m)
-          results[m].series[first + i].points.push_back(points[m]);
+        for (std::size_t m = 0; m < results.size(); ++m) lines.points(m, i).push_back(points[m]);
       }
     }
   }
@@ -251,6 +246,57 @@ std::vector<trace::Study> study_pair_finders(const std::vector<PairFinderInfo>& 
 std::vector<trace::Study> study_broad_phase(const StudyOptions& options,
                                             const StudyProgress& progress) {
   return study_pair_finders(own_pair_finders(), kNumbersOfBoxes, options, progress);
+}
+
+using namespace record;
+
+namespace {
+
+constexpr const char* kPanel = "Made from nothing in each step";
+
+/// Time of each method for the largest number of boxes, the fastest first. Added to the names of
+/// lines that reach it.
+std::string result_of(const trace::Study& measured, trace::Study& study) {
+  const trace::StudySeries& columns = series_of(measured, "columns", "from nothing");
+  const trace::StudyPoint& most = columns.points.back();
+  const auto of = [&](const char* method) {
+    return point_at(series_of(measured, method, "from nothing"), most.parameter).nanoseconds.median;
+  };
+  const std::string result = "To find all pairs of " + count(most.parameter) +
+                             " boxes a sweep in columns takes " + duration(of("columns")) +
+                             ", a grid " + duration(of("grid")) + ", a tree " +
+                             duration(of("tree"));
+  for (trace::StudySeries& series : study.series)
+    if (!series.points.empty() && series.points.back().parameter == most.parameter)
+      series.method += ": " + duration(series.points.back().nanoseconds.median);
+  // Explain why other lines end earlier.
+  std::vector<std::string> slow;
+  double given = 0;
+  for (const trace::StudySeries& series : study.series)
+    if (!series.points.empty() && series.points.back().parameter < most.parameter) {
+      slow.push_back(series.method);
+      given = std::max(given, series.points.back().parameter);
+    }
+  if (!slow.empty()) study.shown += "; " + listed(slow) + " were given at most " + count(given);
+  return result;
+}
+
+}  // namespace
+
+trace::Study picture_broad_phase(const trace::Study& measured) {
+  trace::Study study = measured;
+  keep_panels(study, {{"from nothing", kPanel}});  // tables contain the other scenes
+  for (trace::StudySeries& series : study.series) {
+    std::ranges::replace(series.method, '_', ' ');
+    if (series.method == "sweep and prune") series.method = "sweep & prune";
+    if (series.method == "columns") series.method = "sweep in columns";
+    if (series.method == "tree") series.method = "tree of boxes";
+    series.parameter = "boxes";
+  }
+  if (study.measure != "time") return study;
+  study.shown = "Up: milliseconds to find all pairs of boxes that overlap, median of the steps";
+  if (!measured.series.empty()) report(study, [&] { return result_of(measured, study); });
+  return study;
 }
 
 }  // namespace contactscope

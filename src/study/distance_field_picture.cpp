@@ -37,11 +37,6 @@ bool is_peer(const std::string& field) {
   return std::ranges::find(kFields, field, &Named::second) == kFields.end();
 }
 
-void show_cells_alone(trace::Study& study) {
-  keep_panels(study, {{kByCells, ""}});
-  for (trace::StudySeries& series : study.series) series.parameter = "cells along the longest side";
-}
-
 trace::Study picture_errors(const trace::Study& measured) {
   trace::Study study = measured;
   std::vector<Named> named = all_fields(measured);
@@ -50,19 +45,17 @@ trace::Study picture_errors(const trace::Study& measured) {
     return field.second == "trilinear, exact cells" || field.second == "cubic, some cells exact";
   });
   keep_methods(study, named);
-  show_cells_alone(study);
+  keep_panels(study, {{kByCells, ""}});
+  name_parameter(study, "cells");
   const bool is_length = study.unit == "m";
   if (is_length) {
     study.unit = "µm";
     study.resolution *= kMicrometres;
+    scale_errors(study, kMicrometres);
   }
+  drop_worst(study);
   for (trace::StudySeries& series : study.series) {
-    series.parameter = "cells";
     series.quiet = is_peer(series.method);
-    for (trace::StudyPoint& point : series.points) {
-      point.error_worst.reset();
-      if (is_length && point.error) *point.error *= kMicrometres;
-    }
     // One size, so that a field is one marker; tables contain the others and the worst.
     std::erase_if(series.points, [](const auto& point) { return point.parameter != kUsualCells; });
   }
@@ -109,7 +102,8 @@ trace::Study picture_errors(const trace::Study& measured) {
 trace::Study picture_build(const trace::Study& measured) {
   trace::Study study = measured;
   keep_methods(study, all_fields(measured));
-  show_cells_alone(study);
+  keep_panels(study, {{kByCells, ""}});
+  name_parameter(study, "cells along the longest side");
   // "all triangles in long double, 2000 points within 2 cm of a wavy ball, by band": the mesh.
   const std::size_t begin = study.reference.find(" of a "), end = study.reference.find(", by band");
   const bool is_named = begin != std::string::npos && end != std::string::npos && begin < end;
@@ -178,18 +172,14 @@ trace::Study picture_missed(const trace::Study& measured) {
     }
   }
   const trace::StudySeries searched = worst_of_panels(measured, "conservative");
-  double conservative = 0;
-  for (const trace::StudyPoint& point : searched.points)
-    conservative = std::max(conservative, point.error.value_or(0));
+  const double conservative = largest_error(searched);
   if (!searched.points.empty()) {
     trace::StudySeries& line = study.series.emplace_back(searched);
     line.method = "conservative search: any depth";
     line.look = 1;
   }
-  for (trace::StudySeries& series : study.series) {
-    series.panel.clear();
-    series.parameter = "cells from point to point";
-  }
+  for (trace::StudySeries& series : study.series) series.panel.clear();
+  name_parameter(study, "cells from point to point");
   study.unit = trace::kShare;
   study.shown =
       "A cube overlaps a ball, whose distance field is asked at points of the cube's faces; "

@@ -8,11 +8,10 @@
 #include "core/at.h"
 #include "field/distance_field.h"
 #include "manifold/field_contact.h"
-#include "study/ball_mesh.h"
+#include "study/closed_mesh.h"
 #include "study/field_peer.h"
 #include "study/random_cases.h"
 #include "study/study.h"
-#include "study/surface_truth.h"
 
 namespace contactscope {
 namespace {
@@ -68,12 +67,10 @@ Measurement judge_field(const Mesh<double>& mesh, const std::vector<TruePoint>& 
   Measurement measured(4, count_of(points));
   PassTimes build;
   PlacedField field;
-  for (int i = 0; i < std::min(repetitions, 3); ++i) {
-    build.measure(1, [&](int) {
-      field = build_distance_field(mesh, settings);
-      return field.cell;
-    });
-  }
+  build.measure(std::min(repetitions, 3), 1, [&](int) {
+    field = build_distance_field(mesh, settings);
+    return field.cell;
+  });
   for (const TruePoint& point : points) {
     const FieldSample sample = field.sample(point.place);
     measured.errors[0].add(std::abs(sample.distance - point.distance));
@@ -81,9 +78,8 @@ Measurement judge_field(const Mesh<double>& mesh, const std::vector<TruePoint>& 
   }
   measured.errors[2].add(1e-6 * static_cast<double>(field.field->bytes()));
   measured.errors[3].add(1e-6 * build.summary().min);
-  for (int i = 0; i < repetitions; ++i)
-    measured.times.measure(count_of(points),
-                           [&](int k) { return field.sample(at(points, k).place).distance; });
+  measured.times.measure(repetitions, count_of(points),
+                         [&](int k) { return field.sample(at(points, k).place).distance; });
   return measured;
 }
 
@@ -194,9 +190,8 @@ std::vector<trace::Study> study_field_errors(const StudyOptions& options, const 
     step(std::string("band, ") + method.name);
   }
   // A field has a single size.
-  for (std::size_t m = 2; m < results.size(); ++m)
-    for (trace::StudySeries& series : results[m].series)
-      for (trace::StudyPoint& point : series.points) point.of = 1;
+  for (const std::size_t of_field : {2U, 3U})
+    record::each_point(results[of_field], [](trace::StudyPoint& point) { point.of = 1; });
   return results;
 }
 
@@ -228,11 +223,16 @@ std::vector<FieldPiece> cube_poked(std::mt19937_64& engine, double depth) {
   return pieces;
 }
 
-void add_missed(const StudyOptions& options, trace::Study& result, const StudyStep& step) {
+std::vector<trace::Study> study_missed(const StudyOptions& options, const StudyStep& step) {
   const int count = options.cases.value_or(kPokeCases);
+  std::vector<trace::Study> results =
+      results_of("distance_field", "double", "cells between points",
+                 "how the cases are made, seed " + std::to_string(options.seed),
+                 {{"missed", "Overlaps that points of the surface miss", "share of the overlaps",
+                   "", 0.5 / count}},
+                 trace::StudyForm::Curves);
   const PlacedField sphere =
       build_distance_field(Sphere<double>{0.5}, FieldSettings{.cells = kSphereCells});
-  std::vector<trace::Study> results{std::move(result)};
   for (const double poke : kPokes) {
     std::vector<std::vector<FieldPiece>> cases;
     for (int i = 0; i < count; ++i) {
@@ -240,12 +240,9 @@ void add_missed(const StudyOptions& options, trace::Study& result, const StudySt
       cases.push_back(cube_poked(engine, poke * sphere.cell));
     }
     std::string depth = std::to_string(poke).substr(0, poke < 0.1 ? 4 : poke < 1 ? 3 : 1);
+    const std::string panel = depth + (poke == 1 ? " cell deep" : " cells deep");
     for (const FieldSearch search : {FieldSearch::Sampled, FieldSearch::Conservative}) {
-      add_line(results,
-               {to_string(search),
-                {},
-                depth + (poke == 1 ? " cell deep" : " cells deep"),
-                depth + (poke == 1 ? " cell" : " cells") + " deep, by cells between points"},
+      add_line(results, {to_string(search), {}, panel, panel + ", by cells between points"},
                kSpacings, [&](double spacing) {
                  const FieldSearchLimits limits{.search = search, .spacing = spacing * sphere.cell};
                  Measurement measured(1, count);
@@ -259,7 +256,8 @@ void add_missed(const StudyOptions& options, trace::Study& result, const StudySt
     }
     step("overlaps " + depth + " cells deep");
   }
-  result = std::move(results.front());
+  finish_share(results[0]);
+  return results;
 }
 
 /// A wall with a plate, `thickness` metres, whose centre is `height` metres above the wall's.
@@ -287,10 +285,15 @@ Mesh<double> wall_with_plate(double thickness, double height) {
   return build_mesh(std::move(vertices), std::move(triangles));
 }
 
-void add_plates(const StudyOptions& options, trace::Study& result, const StudyStep& step) {
+std::vector<trace::Study> study_plates(const StudyOptions& options, const StudyStep& step) {
   const int plates = std::min(options.cases.value_or(kPlates), kPlates);
   constexpr double kCell = 1.0 / kPlateCells;
-  std::vector<trace::Study> results{std::move(result)};
+  std::vector<trace::Study> results =
+      results_of("distance_field", "double", "cells between points",
+                 "how the cases are made, seed " + std::to_string(options.seed),
+                 {{"plate", "What a field loses of a thin plate",
+                   "share of its places called outside", "", 0.5 / (kPlates * kPlatePlaces)}},
+                 trace::StudyForm::Curves);
   for (const FieldMethod& method : kFieldMethods) {
     add_line(results, {method.name, {}, "a plate beside a wall", "cells thick"}, kThicknesses,
              [&](double thickness) {
@@ -316,7 +319,8 @@ void add_plates(const StudyOptions& options, trace::Study& result, const StudySt
              });
     step(std::string("plates, ") + method.name);
   }
-  result = std::move(results.front());
+  finish_share(results[0]);
+  return results;
 }
 
 }  // namespace
@@ -329,22 +333,8 @@ std::vector<trace::Study> study_distance_field(const StudyOptions& options,
                                                const StudyProgress& progress) {
   const StudyStep step = counted(progress, 10 + 3 + 5);
   std::vector<trace::Study> results = study_field_errors(options, step);
-  const int cases = options.cases.value_or(kPokeCases);
-  std::vector<trace::Study> shares =
-      results_of("distance_field", "double", "cells between points",
-                 "how the cases are made, seed " + std::to_string(options.seed),
-                 {{"missed", "Overlaps that points of the surface miss", "share of the overlaps",
-                   "", 0.5 / cases},
-                  {"plate", "What a field loses of a thin plate",
-                   "share of its places called outside", "", 0.5 / (kPlates * kPlatePlaces)}});
-  add_missed(options, shares[0], step);
-  add_plates(options, shares[1], step);
-  for (trace::Study& study : shares) {
-    study.form = trace::StudyForm::Curves;
-    for (trace::StudySeries& series : study.series)
-      for (trace::StudyPoint& point : series.points) point.error_worst = point.error;  // a share
-    results.push_back(std::move(study));
-  }
+  for (const auto& study : {study_missed, study_plates})
+    std::ranges::move(study(options, step), std::back_inserter(results));
   return results;
 }
 

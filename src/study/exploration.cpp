@@ -1,6 +1,7 @@
 #include "study/exploration.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <mutex>
 #include <tuple>
@@ -268,6 +269,12 @@ std::vector<trace::Exploration> explore_in(const trace::Trace& trace,
   return explorations.explored();
 }
 
+/// The median; 0 of none.
+double middle_of(std::vector<double> numbers) {
+  std::ranges::sort(numbers);
+  return numbers.empty() ? 0 : numbers[numbers.size() / 2];
+}
+
 }  // namespace
 
 std::vector<trace::Exploration> explore(const Scenario& scenario, int last_frame,
@@ -279,6 +286,48 @@ std::vector<trace::Exploration> explore(const Scenario& scenario, int last_frame
 std::vector<trace::Exploration> explore(const trace::Trace& trace, const ExploreOptions& options) {
   return trace.header.scalar == "double" ? explore_in<double>(trace, options)
                                          : explore_in<float>(trace, options);
+}
+
+std::vector<ReducerSummary> summarize(const std::vector<trace::Exploration>& explorations) {
+  std::vector<ReducerSummary> rows;
+  if (explorations.empty()) return rows;
+  for (std::size_t i = 0; i < explorations.front().reducers.size(); ++i) {
+    ReducerSummary row;
+    row.name = explorations.front().reducers[i].name;
+    row.mean_area_ratio = row.deepest_kept = 0;
+    std::vector<double> medians, quarters, least;
+    const double share = 1.0 / static_cast<double>(explorations.size());
+    for (const trace::Exploration& exploration : explorations) {
+      const trace::ReducerAnswer& answer = exploration.reducers[i];
+      row.mean_area_ratio += share * answer.area_ratio;
+      row.worst_area_ratio = std::min(row.worst_area_ratio, answer.area_ratio);
+      row.mean_wrench_error += share * answer.wrench_error;
+      row.worst_wrench_error = std::max(row.worst_wrench_error, answer.wrench_error);
+      row.worst_depth_error = std::max(row.worst_depth_error, answer.depth_error);
+      row.deepest_kept += answer.deepest_kept ? share : 0;
+      if (answer.supports_center_of_mass)
+        row.supported = row.supported.value_or(0) + (*answer.supports_center_of_mass ? share : 0);
+      row.ids_changed += answer.ids_changed;
+      if (answer.patch_moved > 0 || exploration.bodies_moved > 0) {
+        const double moves = exploration.bodies_moved > 0
+                                 ? answer.patch_moved / exploration.bodies_moved
+                                 : std::numeric_limits<double>::infinity();
+        row.moves = std::max(row.moves.value_or(0), moves);
+      }
+      if (answer.median) medians.push_back(*answer.median);
+      if (answer.quarter) quarters.push_back(*answer.quarter);
+      if (answer.min) least.push_back(*answer.min);
+    }
+    row.median = middle_of(std::move(medians));
+    row.quarter = middle_of(std::move(quarters));
+    if (!least.empty()) row.min = std::ranges::min(least);
+    rows.push_back(row);
+  }
+  std::ranges::sort(rows, [](const ReducerSummary& a, const ReducerSummary& b) {
+    return std::tuple(-a.mean_area_ratio, a.mean_wrench_error, a.name) <
+           std::tuple(-b.mean_area_ratio, b.mean_wrench_error, b.name);
+  });
+  return rows;
 }
 
 }  // namespace contactscope

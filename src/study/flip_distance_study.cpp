@@ -1,6 +1,4 @@
 #include <algorithm>
-#include <chrono>
-#include <cmath>
 #include <map>
 
 #include "core/at.h"
@@ -32,37 +30,38 @@ std::vector<trace::Study> study_flip_distance(const StudyOptions& options,
        {"turn", "The smallest turn of b after which a pair has other points", "smallest turn",
         "rad"},
        {"last_places", "How many last places a coordinate of b is from other points",
-        "smallest number of last places"}});
-  for (trace::Study& result : results) result.form = trace::StudyForm::Curves;
+        "smallest number of last places"}},
+      trace::StudyForm::Curves);
   trace::Stages stages = trace::Stages::none();
   stages.flip = true;
   stages.flip_directions = options.cases.value_or(kDirections);
   stages.flip_seed = static_cast<int>(options.seed);
   int total = 0;
   for (const Scenario& scenario : scenarios) total += scenario.frames;
-  int done = 0;
+  const StudyStep step = counted(progress, total);
   for (const Scenario& scenario : scenarios) {
     Runner runner(scenario, stages);
     std::map<std::string, std::array<trace::StudySeries, 3>> lines;
     for (int frame = 0; frame < scenario.frames; ++frame) {
-      progress(++done, total, scenario.name + ", frame " + std::to_string(frame));
+      step(scenario.name + ", frame " + std::to_string(frame));
       if (!options.only_frames.empty() && std::ranges::count(options.only_frames, frame) == 0)
         continue;
-      const auto begin = std::chrono::steady_clock::now();
-      const trace::Frame facts = runner.frame(frame);
-      const std::chrono::duration<double, std::nano> time =
-          std::chrono::steady_clock::now() - begin;
+      trace::Frame facts;
+      PassTimes times;
+      times.measure(1, [&](int) {
+        facts = runner.frame(frame);
+        return static_cast<double>(facts.pairs.size());
+      });
+      const double each = times.summary().median / static_cast<double>(facts.pairs.size());
       for (const trace::Pair& pair : facts.pairs) {
         if (!pair.flip) continue;
-        const std::optional<double> numbers[] = {
-            pair.flip->offset, pair.flip->turn,
-            pair.flip->last_places ? std::optional<double>(*pair.flip->last_places) : std::nullopt};
+        const std::optional<double> numbers[] = {pair.flip->offset, pair.flip->turn,
+                                                 pair.flip->last_places};
         for (std::size_t i = 0; i < 3; ++i) {
           trace::StudySeries& line = lines[name_of(pair)][i];
           line.method = name_of(pair);
           line.panel = scenario.name;
           line.parameter = "frame";
-          const double each = time.count() / static_cast<double>(facts.pairs.size());
           line.points.push_back({static_cast<double>(frame),
                                  numbers[i],
                                  numbers[i],
@@ -76,6 +75,36 @@ std::vector<trace::Study> study_flip_distance(const StudyOptions& options,
       for (std::size_t i = 0; i < 3; ++i) results[i].series.push_back(of_pair[i]);
   }
   return results;
+}
+
+using namespace record;
+
+/// The title contains the smallest change of all, and its point is marked.
+trace::Study picture_flip_distance(const trace::Study& measured) {
+  trace::Study study = measured;
+  trace::StudySeries* pair = nullptr;
+  trace::StudyPoint* least = nullptr;
+  for (trace::StudySeries& series : study.series)
+    for (trace::StudyPoint& point : series.points)
+      if (point.error && (least == nullptr || *point.error < *least->error))
+        pair = &series, least = &point;
+  if (least == nullptr) return study;
+  const bool is_distance = study.measure == "way", is_turn = study.measure == "turn";
+  least->mark = is_distance ? length(*least->error)
+                : is_turn   ? power(*least->error) + " rad"
+                            : count(*least->error);
+  const std::string change = is_distance ? "a way of " + least->mark
+                             : is_turn   ? "a turn of " + least->mark
+                                         : least->mark + " last places of a coordinate";
+  const bool is_one_scenario = std::ranges::all_of(
+      study.series, [&](const trace::StudySeries& one) { return one.panel == pair->panel; });
+  study.title = "At the least " + change + " gives " + pair->method + " other points, in frame " +
+                count(least->parameter) + (is_one_scenario ? "" : " of " + pair->panel);
+  if (is_distance) scale_errors(study, 1000);  // millimetres
+  const std::string unit = is_distance ? "mm" : study.unit;
+  study.shown = "Up: " + study.error + " of the second shape after which a pair has other points" +
+                (unit.empty() ? "" : ", " + unit) + ". Crosses: nothing changes it";
+  return study;
 }
 
 }  // namespace contactscope

@@ -9,6 +9,7 @@
 
 #include "continuous/sweep.h"
 #include "geometry/hull.h"
+#include "study/study.h"
 
 namespace contactscope {
 
@@ -71,5 +72,10 @@ struct ImpactTally {
 };
 
 ImpactTally judge_impacts(ImpactFinder& finder, std::span<const ImpactCase> cases);
+
+/// The study `time_of_impact` with these finders, timed in turn.
+std::vector<trace::Study> study_impact_finders(const std::vector<ImpactFinderInfo>& finders,
+                                               const StudyOptions& options,
+                                               const StudyProgress& progress);
 
 }  // namespace contactscope

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "core/at.h"
 #include "core/workers.h"
@@ -50,12 +51,10 @@ void judge_all(const Cases& cases, int repetitions, Workers& workers, Measuremen
     add_case(unrounded, verdict.lost, verdict.unrounded_error / pair.size, verdict.unrounded_ulps);
     rounded.emplace_back(pair);
   }
-  for (int pass = 0; pass < repetitions; ++pass) {
-    own.times.measure(count_of(rounded), [&](int i) {
-      const double separation = at(rounded, i).collide_once();
-      return std::isfinite(separation) ? separation : 0.0;
-    });
-  }
+  own.times.measure(repetitions, count_of(rounded), [&](int i) {
+    const double separation = at(rounded, i).collide_once();
+    return std::isfinite(separation) ? separation : 0.0;
+  });
   unrounded.times = own.times;
 }
 
@@ -72,18 +71,14 @@ Cell judge(const Cases& cases, int repetitions, Workers& workers) {
 /// An empty study with the common data; maps are in ulps.
 trace::Study described(const StudyOptions& options, trace::StudyForm form, const char* measure,
                        const char* title, int cases, const std::string& of_what = "a cell") {
-  trace::Study study;
-  study.study = "stability";
-  study.measure = measure;
-  study.title = title;
-  study.context = study_context("float and double");
-  study.reference = "all axes and features in extended precision, " + std::to_string(cases) +
-                    " cases " + of_what + ", seed " + std::to_string(options.seed);
-  study.error = form == trace::StudyForm::Map
-                    ? "largest error of the contact (ulps of the pair's coordinates)"
-                    : "error of the contact / size of the shapes";
-  study.form = form;
-  return study;
+  const char* const error = form == trace::StudyForm::Map
+                                ? "largest error of the contact (ulps of the pair's coordinates)"
+                                : "error of the contact / size of the shapes";
+  return results_of("stability", "float and double", "",
+                    "all axes and features in extended precision, " + std::to_string(cases) +
+                        " cases " + of_what + ", seed " + std::to_string(options.seed),
+                    {{measure, title, error}}, form)
+      .front();
 }
 
 std::vector<PairKind> every_kind() {
@@ -204,34 +199,18 @@ std::vector<double> LimitSweep::values() const {
 
 const std::vector<LimitSweep>& limit_sweeps() {
   using enum Stacked;
+  const std::vector<PairKind> kTilted = {{Box, Box},       {Capsule, Box}, {Box, Plane},
+                                         {Capsule, Plane}, {Box, Mesh},    {Capsule, Mesh}};
+  const std::vector<PairKind> kOnLongOnes = {{Sphere, Capsule}, {Capsule, Capsule}, {Sphere, Box},
+                                             {Capsule, Box},    {Box, Box},         {Sphere, Mesh},
+                                             {Capsule, Mesh},   {Box, Mesh}};
+  const std::vector<PairKind> kCrossed = {{Box, Box}, {Capsule, Capsule}, {Capsule, Box}};
   static const std::vector<LimitSweep> list = {
-      {"tilt",
-       "tilt (rad)",
-       &Stacking::tilt,
-       1e-9,
-       1,
-       {{Box, Box}, {Capsule, Box}, {Box, Plane}, {Capsule, Plane}, {Box, Mesh}, {Capsule, Mesh}}},
+      {"tilt", "tilt (rad)", &Stacking::tilt, 1e-9, 1, kTilted},
       {"scale", "size (m)", &Stacking::size, 1e-6, 1e6, every_kind()},
       {"distance", "distance from the origin (m)", &Stacking::distance, 0.1, 1e7, every_kind()},
-      {"aspect",
-       "aspect ratio",
-       &Stacking::aspect,
-       1,
-       1e6,
-       {{Sphere, Capsule},
-        {Capsule, Capsule},
-        {Sphere, Box},
-        {Capsule, Box},
-        {Box, Box},
-        {Sphere, Mesh},
-        {Capsule, Mesh},
-        {Box, Mesh}}},
-      {"angle",
-       "angle between edges (rad)",
-       &Stacking::angle,
-       1e-12,
-       0.1,
-       {{Box, Box}, {Capsule, Capsule}, {Capsule, Box}}},
+      {"aspect", "aspect ratio", &Stacking::aspect, 1, 1e6, kOnLongOnes},
+      {"angle", "angle between edges (rad)", &Stacking::angle, 1e-12, 0.1, kCrossed},
       {"kiss", "overlap, 1 = coincident", &Stacking::overlap, 1e-9, 1, every_kind()},
   };
   return list;
@@ -265,6 +244,106 @@ std::vector<trace::Study> study_limits(const StudyOptions& options, const StudyP
   std::vector<trace::Study> results = run_sweeps(options, workers, step);
   for (const LimitMap& map : kLimitMaps) results.push_back(run_map(map, options, workers, step));
   return results;
+}
+
+using namespace record;
+
+namespace {
+
+constexpr double kKilometre = 1000;
+constexpr const char* kDistance = "distance";
+constexpr std::string_view kAsMeant = ", unrounded";  // the geometry before rounding
+
+trace::Study picture_sweeps(const trace::Study& measured) {
+  trace::Study study = measured;
+  // Compared with the unrounded geometry; tables contain the loss by arithmetic alone.
+  std::erase_if(study.series, [](const trace::StudySeries& series) {
+    return !series.method.ends_with(kAsMeant);
+  });
+  // Errors grow with distance, not with size; tables contain the other sweeps.
+  keep_panels(study, {{kDistance, ""}});
+  name_parameter(study, "m from the origin");
+  double first_lost = 1e300;
+  for (trace::StudySeries& series : study.series) {
+    series.method.resize(series.method.size() - kAsMeant.size());
+    for (const trace::StudyPoint& point : series.points)
+      if (point.failed > 0) first_lost = std::min(first_lost, point.parameter);
+  }
+  // From there on only found contacts would count; the map of overlaps shows the lost ones.
+  for (trace::StudySeries& series : study.series)
+    std::erase_if(series.points, [&](const auto& point) { return point.parameter >= first_lost; });
+  study.signal.clear();
+  study.reference = study.reference.substr(0, study.reference.find(';'));
+  study.shown =
+      "Up: largest error of a contact over the size of its shapes, whose poses float or double "
+      "rounds; both axes logarithmic";
+  report(study, [&] {
+    const auto far = [&](const std::string& scalar) {
+      const trace::StudySeries& series =
+          series_of(measured, scalar + std::string(kAsMeant), kDistance);
+      const std::string off = power(point_at(series, kKilometre).error_worst.value());
+      mark(study, scalar, "", kKilometre, "1 km: " + off);
+      return off;
+    };
+    const std::string in_float = far("float");
+    return "1 km from the origin a contact is off by " + in_float +
+           " of its shapes' size in float, by " + far("double") + " in double";
+  });
+  return study;
+}
+
+/// The deepest overlap, relative to the size, that is lost at a distance; 0 if none.
+double lost_at(const trace::Study& study, const char* panel, double distance) {
+  double lost = 0;
+  for (const trace::StudySeries& series : study.series)
+    if (series.panel == panel && series.row && point_at(series, distance).failed > 0)
+      lost = std::max(lost, *series.row);
+  return lost;
+}
+
+/// The smallest distance at which an overlap is lost; 0 if none.
+double nearest_loss(const trace::Study& study, const char* panel) {
+  double nearest = 0;
+  for (const trace::StudySeries& series : study.series)
+    for (const trace::StudyPoint& point : series.points)
+      if (series.panel == panel && point.failed > 0 && (nearest == 0 || point.parameter < nearest))
+        nearest = point.parameter;
+  return nearest;
+}
+
+trace::Study picture_map(const trace::Study& measured) {
+  trace::Study study = measured;
+  if (study.measure != "distance_overlap") return study;
+  keep_panels(study, {{"float, unrounded", "Float"}, {"double, unrounded", "Double"}});
+  name_parameter(study, "distance from the origin, m");
+  study.row.clear();  // the subtitle has it
+  // Tables contain the errors of found contacts.
+  study.unit = trace::kShare;
+  study.shown =
+      "Up: overlap / size of the shapes. Colour: share of the contacts that are lost, not found or "
+      "off by half of their depth.";
+  report(study, [&] {
+    const double in_float = lost_at(measured, "float, unrounded", kKilometre);
+    const double in_double = nearest_loss(measured, "double, unrounded");
+    for (trace::StudySeries& series : study.series)
+      for (trace::StudyPoint& point : series.points) {
+        if (series.panel == "Float" && point.parameter == kKilometre && series.row == in_float)
+          point.mark = "1 km: " + power(in_float);
+        if (series.panel == "Double" && point.parameter == in_double && point.failed > 0)
+          point.mark = count(in_double / kKilometre) + " km";
+      }
+    return "1 km from the origin float loses some overlaps of " + power(in_float) +
+           " of the size; double loses none" +
+           (in_double > 0 ? " nearer than " + count(in_double / 1000) + " km" : "");
+  });
+  return study;
+}
+
+}  // namespace
+
+trace::Study picture_limits(const trace::Study& measured) {
+  return measured.form == trace::StudyForm::Curves ? picture_sweeps(measured)
+                                                   : picture_map(measured);
 }
 
 }  // namespace contactscope

@@ -201,8 +201,8 @@ std::vector<trace::Study> study_manifold_stability(const StudyOptions& options,
        {"rotation", "Rotation that the motion cannot have by symmetry",
         "artificial rotation (degrees)", "", kRotationResolution},
        {"wander", "How the middle of the contact patch wanders",
-        "way of the patch / half length of the box", "", kWanderResolution}});
-  for (trace::Study& study : results) study.form = trace::StudyForm::Curves;
+        "way of the patch / half length of the box", "", kWanderResolution}},
+      trace::StudyForm::Curves);
   const StudyStep step =
       counted(progress, static_cast<int>(std::size(kLandingPanels) * std::size(kLandingMethods)));
   for (const LandingPanel& panel : kLandingPanels) {

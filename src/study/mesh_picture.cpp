@@ -13,7 +13,7 @@ const std::vector<Named> kTrees = {
 
 double sum_of(const trace::StudySeries& series) {
   double sum = 0;
-  for (const trace::StudyPoint& point : series.points) sum += point.error.value_or(0);
+  for (const trace::StudyPoint& point : series.points) sum += error_of(point);
   return sum;
 }
 
@@ -39,11 +39,11 @@ trace::Study picture_times(const trace::Study& measured) {
   for (trace::StudySeries& series : study.series) {
     triangles = series.panel.substr(0, series.panel.find(' '));
     series.panel.clear();
-    series.parameter = "frame";
     double sum = 0;
     for (trace::StudyPoint& point : series.points)
-      point.error = point.error_worst = sum += point.error.value_or(0);
+      point.error = point.error_worst = sum += error_of(point);
   }
+  name_parameter(study, "frame");
   study.unit = trace::kSum;
   study.shown = "Up: time of all frames so far, in which a ball of " + triangles +
                 " triangles is twisted, its tree brought up to date and queried";
@@ -74,19 +74,18 @@ trace::Study picture_costs(const trace::Study& measured) {
   for (trace::StudySeries& series : study.series) {
     divide_by(series, series_of(kept, kTrees[0].second, series.panel));
     series.quiet = series.method == kTrees[0].second;
-    series.parameter = "frame";
     if (series.points.empty()) continue;
-    const auto error = [](const trace::StudyPoint& point) { return point.error.value_or(0); };
     if (series.method == kTrees[1].second) {
-      refitted = error(series.points.back());
+      refitted = error_of(series.points.back());
       series.points.back().mark = times(refitted, 2);
     }
     if (series.method == kTrees[2].second) {
-      trace::StudyPoint& most = *std::ranges::max_element(series.points, {}, error);
-      most_automatic = error(most);
+      trace::StudyPoint& most = *std::ranges::max_element(series.points, {}, error_of);
+      most_automatic = error_of(most);
       most.mark = times(most_automatic, 3);
     }
   }
+  name_parameter(study, "frame");
   study.unit = trace::kTimes;
   study.shown =
       "Up: node pairs that a query compares, over those with a tree that is rebuilt in each frame";
@@ -118,10 +117,9 @@ trace::Study picture_motion(const trace::Study& measured) {
     study.series.push_back(ratio);
   }
   if (study.series.empty()) return study;
-  for (trace::StudySeries& series : study.series)
-    for (trace::StudyPoint& point : series.points) {
-      if (least < 1 && point.error == least) point.mark = percent(1 - least) + " less";
-    }
+  each_point(study, [&](trace::StudyPoint& point) {
+    if (least < 1 && point.error == least) point.mark = percent(1 - least) + " less";
+  });
   // Both lines end close together: put values into their names.
   for (trace::StudySeries& series : study.series) {
     const double last = series.points.empty() ? 1 : series.points.back().error.value_or(1);

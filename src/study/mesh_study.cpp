@@ -5,7 +5,7 @@
 
 #include "core/at.h"
 #include "query/mesh_query_cost.h"
-#include "study/ball_mesh.h"
+#include "study/closed_mesh.h"
 #include "study/study.h"
 
 namespace contactscope {
@@ -38,7 +38,7 @@ std::vector<Vec3f> twisted(const std::vector<Vec3f>& vertices, double angle) {
 template <class Call>
 trace::Nanoseconds timed(int repetitions, const Call& call) {
   PassTimes times;
-  for (int r = 0; r < repetitions; ++r) times.measure(1, [&](int) { return call(); });
+  times.measure(repetitions, 1, [&](int) { return call(); });
   return times.summary();
 }
 
@@ -219,8 +219,8 @@ std::vector<trace::Study> study_meshes(const StudyOptions& options, const StudyP
        {"cost", "What a tree costs a query as its mesh is twisted or moves",
         "boxes, or pairs of them"},
        {"motion", "From the roots, or from where the last frame ended: the time of a query",
-        "milliseconds, least"}});
-  for (trace::Study& study : results) study.form = trace::StudyForm::Curves;
+        "milliseconds, least"}},
+      trace::StudyForm::Curves);
   const StudyStep step = counted(progress, static_cast<int>(std::size(kMeridians)) + 5);
   study_deformation(options, step, results[0], results[1]);
   study_sizes(options, step, results[0]);

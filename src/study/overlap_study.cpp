@@ -1,7 +1,6 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
+#include <functional>
 
 #include "core/at.h"
 #include "query/overlap.h"
@@ -19,56 +18,6 @@ constexpr double kThresholds[] = {1e-18, 1e-16, 1e-15, 1e-14, 1e-12, 1e-10, 1e-8
                                   1e-7,  1e-6,  1e-5,  1e-4,  1e-3,  1e-2,  1e-1};
 constexpr int kThresholdPairs = 20000;
 constexpr int kThresholdRepetitions = 3;
-
-// The largest gap of two boxes over all axes, metres, by brute force over the corners in long
-// double. Shares no code with the tests. A cross product whose direction long double cannot
-// represent is shorter than 1e-16, and faces give the gap that precisely.
-
-using LongVec = Vec3<long double>;
-
-template <class S>
-std::array<LongVec, 8> corners_of(const Obb<S>& box, const Vec3<S>& origin) {
-  std::array<LongVec, 8> corners;
-  for (int corner = 0; corner < 8; ++corner) {
-    LongVec& at_corner = at(corners, corner);
-    at_corner = box.center.template cast<long double>() - origin.template cast<long double>();
-    for (int k = 0; k < 3; ++k) {
-      const LongVec reach = box.axes.col(k).template cast<long double>() *
-                            static_cast<long double>(box.half_extents[k]);
-      at_corner += (corner >> k & 1) != 0 ? reach : LongVec(-reach);
-    }
-  }
-  return corners;
-}
-
-template <class S>
-double largest_gap(const Obb<S>& a, const Obb<S>& b) {
-  const auto corners_a = corners_of(a, a.center), corners_b = corners_of(b, a.center);
-  long double largest = -std::numeric_limits<long double>::infinity();
-  const auto try_axis = [&](const LongVec& axis) {
-    const long double length = axis.norm();
-    if (!(length > 0)) return;
-    const auto extent = [&](const std::array<LongVec, 8>& corners) {
-      long double low = axis.dot(corners[0]), high = low;
-      for (const LongVec& corner : corners) {
-        low = std::min(low, axis.dot(corner));
-        high = std::max(high, axis.dot(corner));
-      }
-      return std::pair(low, high);
-    };
-    const auto [low_a, high_a] = extent(corners_a);
-    const auto [low_b, high_b] = extent(corners_b);
-    largest = std::max(largest, std::max(low_b - high_a, low_a - high_b) / length);
-  };
-  const Mat3<long double> axes_a = a.axes.template cast<long double>(),
-                          axes_b = b.axes.template cast<long double>();
-  for (int i = 0; i < 3; ++i) {
-    try_axis(axes_a.col(i).cross(axes_a.col((i + 1) % 3)));
-    try_axis(axes_b.col(i).cross(axes_b.col((i + 1) % 3)));
-    for (int j = 0; j < 3; ++j) try_axis(axes_a.col(i).cross(axes_b.col(j)));
-  }
-  return static_cast<double>(largest);
-}
 
 /// Two boxes with all bounds of each.
 struct BoundedPair {
@@ -88,7 +37,7 @@ struct BoundedPair {
   bool overlap;  // by brute force
 
   BoundedPair(const Bounded& one, const Bounded& other)
-      : a(one), b(other), overlap(largest_gap(a.box, b.box) <= 0) {}
+      : a(one), b(other), overlap(box_separation(a.box, b.box) <= 0) {}
 };
 
 /// The longest side is 1 m, the others are that over `elongation`; random rotations, and positions
@@ -112,17 +61,18 @@ struct BoundMethod {
 };
 
 constexpr auto kInclusive = Comparison<float>::inclusive();
+template <auto bound>
+bool bounds_overlap(const BoundedPair& pair) {
+  return overlaps(pair.a.*bound, pair.b.*bound, kInclusive);
+}
 const BoundMethod kBoundMethods[] = {
-    {"AABB",
-     [](const BoundedPair& pair) { return overlaps(pair.a.aabb, pair.b.aabb, kInclusive); }},
-    {"sphere",
-     [](const BoundedPair& pair) { return overlaps(pair.a.sphere, pair.b.sphere, kInclusive); }},
+    {"AABB", bounds_overlap<&BoundedPair::Bounded::aabb>},
+    {"sphere", bounds_overlap<&BoundedPair::Bounded::sphere>},
     {"OBB, six axes",
      [](const BoundedPair& pair) {
        return overlaps(pair.a.box, pair.b.box, kInclusive, {ObbAxes::Faces, 0});
      }},
-    {"OBB, fifteen axes",
-     [](const BoundedPair& pair) { return overlaps(pair.a.box, pair.b.box, kInclusive); }},
+    {"OBB, fifteen axes", bounds_overlap<&BoundedPair::Bounded::box>},
 };
 
 std::vector<trace::Study> study_bounds(const StudyOptions& options, const StudyProgress& progress) {
@@ -148,8 +98,7 @@ std::vector<trace::Study> study_bounds(const StudyOptions& options, const StudyP
       [&](std::size_t m, std::size_t p, std::size_t i) {
         return kBoundMethods[m].overlap(pairs[p][i]) ? 1.0 : 0.0;
       });
-  for (trace::StudySeries& series : results[0].series)
-    for (trace::StudyPoint& point : series.points) point.error_worst.reset();  // a share has none
+  record::drop_worst(results[0]);  // a share has none
   return results;
 }
 
@@ -190,7 +139,7 @@ NearParallelPair<S> near_parallel_pair(std::mt19937_64& engine, int index) {
   NearParallelPair<S> pair{{Vec3<S>::Zero(), turn.toRotationMatrix().cast<S>(), half_a.cast<S>()},
                            {offset.cast<S>(), other.toRotationMatrix().cast<S>(), half_b.cast<S>()},
                            0};
-  pair.gap = largest_gap(pair.a, pair.b);
+  pair.gap = box_separation(pair.a, pair.b);
   return pair;
 }
 
@@ -212,10 +161,8 @@ Measurement judge_threshold(const std::vector<NearParallelPair<S>>& pairs, const
     measured.errors[0].add(wrong ? off : kRoundingOfFloat);
     measured.errors[1].add(wrong ? 1 : 0);
   }
-  for (int repetition = 0; repetition < repetitions; ++repetition) {
-    measured.times.measure(count_of(pairs),
-                           [&](int i) { return answer(at(pairs, i)) ? 1.0 : 0.0; });
-  }
+  measured.times.measure(repetitions, count_of(pairs),
+                         [&](int i) { return answer(at(pairs, i)) ? 1.0 : 0.0; });
   return measured;
 }
 
@@ -253,15 +200,12 @@ std::vector<trace::Study> study_thresholds(const StudyOptions& options,
       {{"threshold", "Skip too few cross products and overlaps are missed, too many and gaps are",
         "overlap or gap that is missed (m)", "", kRoundingOfFloat},
        {"wrong", "How often skipping short cross products, or not, gives the wrong answer",
-        "share of the pairs with a wrong answer", "", 0.5 / cases}});
-  for (trace::Study& study : results) study.form = trace::StudyForm::Curves;
+        "share of the pairs with a wrong answer", "", 0.5 / cases}},
+      trace::StudyForm::Curves);
   const StudyStep step = counted(progress, 4);
   add_threshold_lines<float>(options, "float", results, step);
   add_threshold_lines<double>(options, "double", results, step);
-  for (trace::StudySeries& series : results[1].series) {
-    for (trace::StudyPoint& point : series.points)
-      point.error = point.error_worst = std::max(*point.error, results[1].resolution);  // a share
-  }
+  finish_share(results[1], results[1].resolution);
   // Group series by panel.
   for (trace::Study& study : results)
     std::ranges::stable_sort(study.series, std::ranges::greater(), &trace::StudySeries::panel);
@@ -287,6 +231,114 @@ std::vector<trace::Study> study_overlap(const StudyOptions& options,
   std::vector<trace::Study> results = study_bounds(options, progress);
   std::ranges::move(study_thresholds(options, progress), std::back_inserter(results));
   return results;
+}
+
+using namespace record;
+
+namespace {
+
+constexpr double kRod = 10;  // length over width
+constexpr const char* kAxisAligned = "axis-aligned box";
+
+/// Over length by width instead of time; tables contain times.
+trace::Study picture_bounds(const trace::Study& measured) {
+  trace::Study study = measured;
+  keep_methods(study, {{"sphere", "bounding sphere"},
+                       {"AABB", kAxisAligned},
+                       {"OBB, six axes", "oriented box, six face normals"},
+                       {"OBB, fifteen axes", "oriented box, fifteen axes"}});
+  name_parameter(study, "length of the boxes / their width");
+  study.form = trace::StudyForm::Curves;
+  study.unit = trace::kShare;
+  study.shown =
+      "Up: of the pairs that a bound lets through, the share that is apart. Rods: " + number(kRod) +
+      " times as long as wide";
+  report(study, [&] {
+    const auto at_rod = [&](const char* method) {
+      return percent(error_at(series_of(measured, method), kRod));
+    };
+    mark(study, kAxisAligned, "", kRod, "rods: " + at_rod("AABB"));
+    return at_rod("AABB") + " of the rods that axis-aligned boxes let through are apart; " +
+           (error_at(series_of(measured, "OBB, fifteen axes"), kRod) > 0
+                ? "of those of fifteen axes " + at_rod("OBB, fifteen axes")
+                : "fifteen axes let none of them through");
+  });
+  return study;
+}
+
+constexpr const char* kGuarded = "no threshold, each gap judged by its own rounding error";
+
+/// Marks the worst float error of both kinds.
+std::string result_of_thresholds(const trace::Study& measured, trace::Study& study) {
+  for (trace::StudySeries& series : study.series) {
+    if (series.method.starts_with(kGuarded) || series.points.empty()) continue;
+    // Use the last of equal ones, where the line turns.
+    const auto error = [](const trace::StudyPoint& point) { return point.error_worst.value_or(0); };
+    const double most = error(*std::ranges::max_element(series.points, {}, error));
+    trace::StudyPoint* worst = nullptr;
+    for (trace::StudyPoint& point : series.points)
+      if (error(point) == most) worst = &point;
+    if (most > 0) worst->mark = number(most) + " mm";
+  }
+  double missed = 0, closed = 0;
+  for (const trace::StudySeries& series : measured.series) {
+    double worst = 0;
+    for (const trace::StudyPoint& point : series.points)
+      if (point.error_worst > measured.resolution) worst = std::max(worst, *point.error_worst);
+    if (series.method == "float")
+      (series.panel == "overlaps called apart" ? missed : closed) = worst;
+  }
+  return "In float a small threshold misses overlaps of up to " + number(1000 * missed) +
+         " mm, a large one closes gaps of up to " + number(1000 * closed) + " mm";
+}
+
+bool is_right(const trace::StudySeries& series) {
+  return std::ranges::all_of(series.points, [](const trace::StudyPoint& point) {
+    return point.error_worst.value_or(0) == 0;
+  });
+}
+
+trace::Study picture_thresholds(const trace::Study& measured) {
+  trace::Study study = measured;
+  drop_resolution(study);
+  // Double looks the same at smaller thresholds; tables contain it.
+  keep_methods(study, {{"float", "float"}, {"float, guarded", kGuarded}});
+  std::ranges::stable_sort(study.series, std::ranges::greater(), &trace::StudySeries::panel);
+  const auto is_guarded = [](const trace::StudySeries& series) {
+    return series.method == kGuarded;
+  };
+  // Drawn on top; if both kinds are always right, one line of zeros suffices.
+  const auto guarded =
+      std::stable_partition(study.series.begin(), study.series.end(), std::not_fn(is_guarded));
+  const bool never_wrong = std::all_of(guarded, study.series.end(), is_right);
+  if (never_wrong && guarded != study.series.end())
+    study.series.erase(guarded + 1, study.series.end());
+  for (trace::StudySeries& series : study.series) {
+    series.look = is_guarded(series) ? 2 : series.panel == "overlaps called apart" ? 0 : 1;
+    if (!is_guarded(series))
+      series.method = series.panel;
+    else if (never_wrong)
+      series.method += ": never wrong";
+    series.panel.clear();
+    series.parameter = "threshold: edges at an angle with a smaller sine give no axis";
+  }
+  if (study.measure == "threshold") {
+    scale_errors(study, 1000);  // millimetres
+    study.shown =
+        "Up: the deepest overlap that is called apart, the widest gap that is called an overlap, "
+        "mm";
+    report(study, [&] { return result_of_thresholds(measured, study); });
+  } else {
+    study.unit = trace::kShare;
+  }
+  return study;
+}
+
+}  // namespace
+
+trace::Study picture_overlap(const trace::Study& measured) {
+  return measured.measure == "false_positives" ? picture_bounds(measured)
+                                               : picture_thresholds(measured);
 }
 
 }  // namespace contactscope

@@ -150,9 +150,9 @@ std::vector<trace::Study> study_penetration(const StudyOptions& options,
       [&](std::size_t s, std::size_t e, std::size_t i) {
         return kDepthSeries[s].find(e, cases, i).depth;
       });
-  for (trace::StudySeries& series : results[2].series) {
-    for (trace::StudyPoint& point : series.points) point.failed = 0;  // they have a status
-  }
+  record::each_point(results[2], [](trace::StudyPoint& point) {
+    point.failed = 0;  // they have a status
+  });
   return results;
 }
 

@@ -25,11 +25,27 @@ bool is_at(const trace::StudyPoint& point, double parameter) {
 }
 
 bool same_places(const trace::StudySeries& one, const trace::StudySeries& other) {
-  return std::ranges::equal(one.points, other.points,
+  return one.panel == other.panel &&
+         std::ranges::equal(one.points, other.points,
                             [](const trace::StudyPoint& a, const trace::StudyPoint& b) {
                               return a.parameter == b.parameter && a.error == b.error &&
                                      a.error_worst == b.error_worst && a.failed == b.failed;
                             });
+}
+
+/// Keeps the series with one of these names, which they then get; colours as in the full study.
+void keep(trace::Study& study, const std::vector<Named>& named,
+          std::string trace::StudySeries::*name) {
+  std::vector<trace::StudySeries> kept;
+  for (const auto& [from, to] : named) {
+    for (const trace::StudySeries& series : study.series) {
+      if (series.*name != from) continue;
+      kept.push_back(series);
+      if (!series.look) kept.back().look = look_of(study, series.method);
+      kept.back().*name = to;
+    }
+  }
+  study.series = std::move(kept);
 }
 
 /// Units, the largest first; a value uses the first in which it is at least one.
@@ -76,65 +92,45 @@ double error_at(const trace::StudySeries& series, double parameter) {
 }
 
 void keep_methods(trace::Study& study, const std::vector<Named>& named) {
-  std::vector<trace::StudySeries> kept;
-  for (const Named& one : named) {
-    for (const trace::StudySeries& series : study.series) {
-      if (series.method != one.first) continue;
-      kept.push_back(series);
-      kept.back().look = look_of(study, series.method);
-      kept.back().method = one.second;
-    }
-  }
-  study.series = std::move(kept);
+  keep(study, named, &trace::StudySeries::method);
 }
 
 void keep_panels(trace::Study& study, const std::vector<Named>& named) {
-  std::vector<trace::StudySeries> kept;
-  for (const Named& one : named) {
-    for (const trace::StudySeries& series : study.series) {
-      if (series.panel != one.first) continue;
-      kept.push_back(series);
-      if (!kept.back().look) kept.back().look = look_of(study, series.method);
-      kept.back().panel = one.second;
-    }
-  }
-  study.series = std::move(kept);
+  keep(study, named, &trace::StudySeries::panel);
 }
 
 void join_equal(trace::Study& study) {
-  const auto of_method = [&](const std::string& method) {
-    std::vector<const trace::StudySeries*> list;
-    for (const trace::StudySeries& series : study.series)
-      if (series.method == method) list.push_back(&series);
-    return list;
+  struct Group {
+    std::vector<std::string> methods;
+    std::vector<trace::StudySeries> series;  // of the first method, one per panel
   };
-  const auto equal = [&](const std::string& one, const std::string& other) {
-    return std::ranges::equal(of_method(one), of_method(other),
-                              [](const trace::StudySeries* a, const trace::StudySeries* b) {
-                                return a->panel == b->panel && same_places(*a, *b);
-                              });
-  };
-  std::vector<std::vector<std::string>> groups;
+  std::vector<Group> methods, groups;
   for (const trace::StudySeries& series : study.series) {
-    const auto is_in = [&](const std::vector<std::string>& group) {
-      return std::ranges::find(group, series.method) != group.end();
-    };
-    if (std::ranges::any_of(groups, is_in)) continue;
-    const auto same = std::ranges::find_if(
-        groups, [&](const auto& group) { return equal(group.front(), series.method); });
-    if (same == groups.end())
-      groups.push_back({series.method});
+    const auto known = std::ranges::find_if(
+        methods, [&](const Group& one) { return one.methods.front() == series.method; });
+    if (known == methods.end())
+      methods.push_back({{series.method}, {series}});
     else
-      same->push_back(series.method);
+      known->series.push_back(series);
   }
-  for (const std::vector<std::string>& group : groups) {
-    std::erase_if(study.series, [&](const trace::StudySeries& series) {
-      return series.method != group.front() &&
-             std::ranges::find(group, series.method) != group.end();
+  for (Group& one : methods) {
+    const auto same = std::ranges::find_if(groups, [&](const Group& group) {
+      return std::ranges::equal(group.series, one.series, same_places);
     });
-    for (trace::StudySeries& series : study.series)
-      if (series.method == group.front()) series.method = listed(group);
+    if (same == groups.end())
+      groups.push_back(std::move(one));
+    else
+      same->methods.push_back(one.methods.front());
   }
+  std::vector<trace::StudySeries> joined;
+  for (trace::StudySeries& series : study.series)
+    for (const Group& group : groups)
+      if (group.methods.front() == series.method) {
+        joined.push_back(std::move(series));
+        joined.back().method = listed(group.methods);
+        break;
+      }
+  study.series = std::move(joined);
 }
 
 void mark(trace::Study& study, const std::string& method, const std::string& panel,
@@ -146,19 +142,38 @@ void mark(trace::Study& study, const std::string& method, const std::string& pan
   }
 }
 
+void name_parameter(trace::Study& study, const std::string& name) {
+  for (trace::StudySeries& series : study.series) series.parameter = name;
+}
+
+void drop_worst(trace::Study& study) {
+  each_point(study, [](trace::StudyPoint& point) { point.error_worst.reset(); });
+}
+
+double largest_error(const trace::StudySeries& series) {
+  double largest = 0;
+  for (const trace::StudyPoint& point : series.points) largest = std::max(largest, error_of(point));
+  return largest;
+}
+
+void scale_errors(trace::Study& study, double factor) {
+  each_point(study, [&](trace::StudyPoint& point) {
+    for (std::optional<double>* error : {&point.error, &point.error_worst})
+      if (*error) **error *= factor;
+  });
+}
+
 void show_least_times(trace::Study& study) {
-  for (trace::StudySeries& series : study.series)
-    for (trace::StudyPoint& point : series.points)
-      point.nanoseconds.median = point.nanoseconds.max = point.nanoseconds.min;
+  each_point(study, [](trace::StudyPoint& point) {
+    point.nanoseconds.median = point.nanoseconds.max = point.nanoseconds.min;
+  });
 }
 
 void drop_resolution(trace::Study& study) {
-  for (trace::StudySeries& series : study.series) {
-    for (trace::StudyPoint& point : series.points) {
-      for (std::optional<double>* error : {&point.error, &point.error_worst})
-        if (*error && **error <= study.resolution) *error = 0;
-    }
-  }
+  each_point(study, [&](trace::StudyPoint& point) {
+    for (std::optional<double>* error : {&point.error, &point.error_worst})
+      if (*error && **error <= study.resolution) *error = 0;
+  });
 }
 
 std::string number(double value, int digits) {

@@ -45,6 +45,24 @@ void join_equal(trace::Study& study);
 /// panels; does nothing if the point is missing.
 void mark(trace::Study& study, const std::string& method, const std::string& panel,
           double parameter, const std::string& words);
+/// Calls change(point) for every point of a study.
+template <class Change>
+void each_point(trace::Study& study, const Change& change) {
+  for (trace::StudySeries& series : study.series)
+    for (trace::StudyPoint& point : series.points) change(point);
+}
+/// Names the parameter of all series.
+void name_parameter(trace::Study& study, const std::string& name);
+/// Leaves the worst errors to the tables.
+void drop_worst(trace::Study& study);
+/// Multiplies errors, as to show metres in millimetres.
+void scale_errors(trace::Study& study, double factor);
+/// A point's mean error; 0 if all cases failed.
+inline double error_of(const trace::StudyPoint& point) {
+  return point.error.value_or(0);
+}
+/// The largest mean error of a series, 0 without points.
+double largest_error(const trace::StudySeries& series);
 /// Uses the minimum of each time, which other programs disturb least.
 void show_least_times(trace::Study& study);
 /// Sets errors within the resolution to zero.

@@ -8,17 +8,6 @@
 #include "geometry/hull_builder.h"
 
 namespace contactscope {
-namespace {
-
-Vec3d unit_vector(std::mt19937_64& engine) {
-  const double z = uniform(engine, -1, 1);
-  const double turn = uniform(engine, 0, 2 * std::numbers::pi);
-  const double r = std::sqrt(1 - z * z);
-  return {r * std::cos(turn), r * std::sin(turn), z};
-}
-
-}  // namespace
-
 Quatd uniform_rotation(std::mt19937_64& engine) {
   const double share = uniform(engine, 0, 1);
   const double first = uniform(engine, 0, 2 * std::numbers::pi);
@@ -35,7 +24,7 @@ Hull<double> ellipsoid_hull(std::mt19937_64& engine, int vertices, double size) 
   for (int i = 0; i < 3; ++i) axes[i] = size * uniform(engine, 0.5, 1);
   std::vector<Vec3d> points;
   for (int i = 0; i < vertices; ++i)
-    points.push_back(turn * Vec3d(axes.cwiseProduct(unit_vector(engine))));
+    points.push_back(turn * Vec3d(axes.cwiseProduct(random_direction(engine))));
   return build_hull(points);
 }
 
@@ -115,9 +104,9 @@ OverlappingHulls overlapping_hulls(std::mt19937_64& engine, int vertices) {
     hulls.a = ellipsoid_hull(engine, vertices, hulls.size);
     hulls.b = ellipsoid_hull(engine, vertices, hulls.size);
     hulls.b_in_a.rotation = uniform_rotation(engine);
-    hulls.offset = unit_vector(engine);
-    hulls.turn_axis = unit_vector(engine);
-    const Vec3d direction = unit_vector(engine);
+    hulls.offset = random_direction(engine);
+    hulls.turn_axis = random_direction(engine);
+    const Vec3d direction = random_direction(engine);
     const double overlap = hulls.size * uniform(engine, 0.01, 0.1);
     double reach_a = 0, reach_b = 0;
     for (const Vec3d& v : hulls.a.vertices) reach_a = std::max(reach_a, direction.dot(v));

@@ -76,16 +76,21 @@ void add_flat(Case& made, std::mt19937_64& engine) {
   }
 }
 
+KeptIndices reduced(const Method& method, const ContactPolygon& polygon, std::size_t index,
+                    double scale, std::span<const FeatureId> previous) {
+  ReduceOptions options = reduce_options(static_cast<int>(index));
+  options.scale = scale;
+  options.previous = previous;
+  return reduce<float>(method.reducer, polygon.points, polygon.normal, options);
+}
+
 /// Ids that a reducer with memory kept in the last of the earlier frames.
 std::vector<FeatureId> remembered(const Method& method, const Frames& frames, double scale) {
   std::vector<FeatureId> ids;
-  for (const ContactPolygon& frame : std::span(frames).first(kFramesBefore)) {
-    ReduceOptions options = reduce_options(0);
-    options.scale = scale;
-    options.previous = ids;
-    const KeptIndices kept = reduce<float>(method.reducer, frame.points, frame.normal, options);
-    ids = mapped(kept, [&](int i) { return at(frame.points, i).id; });
-  }
+  if (!method.remembers) return ids;
+  for (const ContactPolygon& frame : std::span(frames).first(kFramesBefore))
+    ids = mapped(reduced(method, frame, 0, scale, ids),
+                 [&](int i) { return at(frame.points, i).id; });
   return ids;
 }
 
@@ -141,21 +146,13 @@ std::vector<trace::Study> study_reducers(const StudyOptions& options,
   // Separate generators, so that the polygons do not depend on motion and levelling.
   std::mt19937_64 motion(~options.seed), level(options.seed ^ 0x666c6174);
   const auto without_rounding = [](double error) { return error < kRounding ? 0 : error; };
-  const auto reduced = [&](std::size_t m, std::size_t p, std::size_t i) {
-    ReduceOptions reduce_by = reduce_options(static_cast<int>(i));
-    if (all[m].remembers) reduce_by.previous = memory[m][p][i];
-    const ContactPolygon& polygon = cases[p][i].frames.back();
-    return reduce<float>(all[m].reducer, polygon.points, polygon.normal, reduce_by);
+  const auto kept_of = [&](std::size_t m, std::size_t p, std::size_t i) {
+    return reduced(all[m], cases[p][i].frames.back(), i, 0, memory[m][p][i]);
   };
   const auto lost_of_flat = [&](const Method& method, const Case& made, std::size_t i) {
-    ReduceOptions reduce_by = reduce_options(static_cast<int>(i));
-    reduce_by.scale = made.largest;
-    std::vector<FeatureId> before;
-    if (method.remembers) before = remembered(method, made.flat, made.largest);
-    reduce_by.previous = before;
     const ContactPolygon& polygon = made.flat.back();
     const KeptIndices kept =
-        reduce<float>(method.reducer, polygon.points, polygon.normal, reduce_by);
+        reduced(method, polygon, i, made.largest, remembered(method, made.flat, made.largest));
     return without_rounding(1 - judge(kept, polygon).area_ratio);
   };
   measure_grid(
@@ -170,8 +167,8 @@ std::vector<trace::Study> study_reducers(const StudyOptions& options,
       [&](std::size_t m, std::size_t p, Measurement& measured) {
         for (std::size_t i = 0; i < cases[p].size(); ++i) {
           const Frames& frames = cases[p][i].frames;
-          if (all[m].remembers) memory[m][p].push_back(remembered(all[m], frames, 0));
-          const trace::ReducerAnswer quality = judge(reduced(m, p, i), frames.back());
+          memory[m][p].push_back(remembered(all[m], frames, 0));
+          const trace::ReducerAnswer quality = judge(kept_of(m, p, i), frames.back());
           measured.failed += quality.area > 0 ? 0 : 1;
           measured.errors[0].add(without_rounding(1 - quality.area_ratio));
           measured.errors[1].add(without_rounding(quality.wrench_error));
@@ -180,13 +177,80 @@ std::vector<trace::Study> study_reducers(const StudyOptions& options,
         }
       },
       [&](std::size_t m, std::size_t p, std::size_t i) {
-        const KeptIndices kept = reduced(m, p, i);
+        const KeptIndices kept = kept_of(m, p, i);
         return kept.empty() ? 0.0 : static_cast<double>(kept.back());
       });
-  for (trace::StudySeries& series : results[2].series) {
-    for (trace::StudyPoint& point : series.points) point.error_worst.reset();  // a share has none
-  }
+  record::drop_worst(results[2]);  // a share has none
   return results;
+}
+
+using namespace record;
+
+namespace {
+
+constexpr double kShownPoints = 8;
+const std::vector<Named> kOwn = {{"optimal_deepest", "best four with the deepest"},
+                                 {"area_deepest", "greedy with the deepest"},
+                                 {"optimal", "best four by area alone"},
+                                 {"coherent", "near the last frame's choice"},
+                                 {"area", "greedy, by area"}};
+// Drawn in grey: reducers of engines.
+const std::vector<Named> kOfEngines = {{"bullet", "Bullet"}, {"ode", "ODE"},   {"physx", "PhysX"},
+                                       {"box3d", "Box3D"},   {"jolt", "Jolt"}, {"mjx", "MJX"}};
+// The first ones of each list always keep the deepest point. The others drop it to gain area, so
+// compare only the first ones; tables contain all.
+constexpr std::size_t kOwnWithDeepest = 2, kEnginesWithDeepest = 3;
+
+}  // namespace
+
+trace::Study picture_reducers(const trace::Study& measured) {
+  trace::Study study = measured;
+  const bool is_of_area = study.measure == "area", is_flat = study.measure == "flat";
+  std::vector<Named> all = kOwn, engines = kOfEngines;
+  if (is_of_area) all.resize(kOwnWithDeepest), engines.resize(kEnginesWithDeepest);
+  all.insert(all.end(), engines.begin(), engines.end());
+  keep_methods(study, all);
+  // One number of points, so that a method is one marker; tables contain the others and the worst.
+  for (trace::StudySeries& series : study.series) {
+    series.quiet = std::ranges::find(kOwn, series.method, &Named::second) == kOwn.end();
+    std::erase_if(series.points, [](const auto& point) { return point.parameter != kShownPoints; });
+  }
+  drop_worst(study);
+  show_least_times(study);
+  study.shown = "Four points kept of eight. Grey: as engines choose.";
+  if (!is_of_area && !is_flat) return study;
+  study.shown =
+      is_flat ? "Four points kept of eight that are equally deep. Grey: as engines choose."
+              : "All keep the deepest of eight points and three more. Grey: as engines choose.";
+  drop_resolution(study);
+  study.unit = trace::kShare;
+  study.error = "share of the area that is lost";
+  report(study, [&] {
+    const auto lost = [&](const char* method) {
+      return error_at(series_of(measured, method), kShownPoints);
+    };
+    const auto of = [&](const Named& engine) { return lost(engine.first.c_str()); };
+    std::vector<Named> by_loss = engines;
+    std::ranges::stable_sort(by_loss, {}, of);
+    std::vector<std::string> names;
+    for (const Named& engine : by_loss) names.push_back(engine.second);
+    const double least = of(by_loss.front()), most = of(by_loss.back());
+    const double own = error_at(series_of(study, kOwn[0].second), kShownPoints);
+    for (trace::StudySeries& series : study.series) {
+      const std::string record = series.method + ": " + percent(error_at(series, kShownPoints));
+      if (series.method != kOwn[0].second) {
+        series.method = record;
+        continue;
+      }
+      mark(study, series.method, "", kShownPoints, record);
+      series.method.clear();  // the mark contains it
+    }
+    const std::string best = is_flat ? "Where all points are equally deep, the default loses "
+                                     : "The best four points with the deepest lose ";
+    return best + percent(own) + " of the area, the choices of " + listed(names) + " " +
+           percent(least) + " to " + percent(most);
+  });
+  return study;
 }
 
 }  // namespace contactscope

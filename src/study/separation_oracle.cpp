@@ -263,6 +263,26 @@ OracleAxis oracle_axis(const Hull<double>& a, const Hull<double>& b, const Pose<
 }
 
 template <class S>
+double box_separation(const Obb<S>& a, const Obb<S>& b) {
+  const auto core_of = [&](const Obb<S>& box) {
+    const Vec center = box.center.template cast<Real>() - a.center.template cast<Real>();
+    const Mat3<Real> axes = box.axes.template cast<Real>();
+    const Vec half = box.half_extents.template cast<Real>();
+    Core core;
+    for (int i = 0; i < 8; ++i) {
+      const Vec signs((i & 1) != 0 ? 1 : -1, (i & 2) != 0 ? 1 : -1, (i & 4) != 0 ? 1 : -1);
+      core.vertices.push_back(center + axes * signs.cwiseProduct(half));
+    }
+    for (int k = 0; k < 3; ++k) {
+      core.edges.emplace_back(Vec::Zero(), axes.col(k));
+      core.normals.push_back(axes.col(k).cross(axes.col((k + 1) % 3)).normalized());
+    }
+    return core;
+  };
+  return static_cast<double>(largest_separation(core_of(a), core_of(b)));
+}
+
+template <class S>
 SeparationOracle::SeparationOracle(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b,
                                    const Pose<S>& pose_b) {
   // Relative to A, since the world's origin may be far. If A has faces, also in A's rotation:
@@ -316,6 +336,8 @@ double SeparationOracle::separation_along(const Vec3d& normal, int triangle) con
   return static_cast<double>(along(direction, a, b) - a.radius - b.radius);
 }
 
+template double box_separation(const Obb<float>&, const Obb<float>&);
+template double box_separation(const Obb<double>&, const Obb<double>&);
 template SeparationOracle::SeparationOracle(const Shape<float>&, const Pose<float>&,
                                             const Shape<float>&, const Pose<float>&);
 template SeparationOracle::SeparationOracle(const Shape<double>&, const Pose<double>&,

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/pose.h"
+#include "geometry/obb.h"
 #include "geometry/shape.h"
 
 /// Separations of placed shapes in extended precision. The pipeline's input is taken as exact:
@@ -24,6 +25,12 @@ struct OracleAxis {
 /// on the Gauss map by the talk's IsMinkowskiFace, its distance by the talk's Project. Face normals
 /// are recomputed from the vertices.
 OracleAxis oracle_axis(const Hull<double>& a, const Hull<double>& b, const Pose<double>& b_in_a);
+
+/// The largest separation of two boxes over their fifteen axes, metres, negative if overlapping. A
+/// cross product whose direction long double cannot represent is shorter than 1e-16, and faces give
+/// the separation that precisely.
+template <class S>
+double box_separation(const Obb<S>& a, const Obb<S>& b);
 
 /// A placed shape for the oracle.
 struct OracleBody {

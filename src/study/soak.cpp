@@ -123,17 +123,17 @@ Soak soak_pairs(std::uint64_t seed, std::int64_t cases, std::int64_t first, std:
   return soak;
 }
 
+void SoakLine::add(const SoakLine& more) {
+  pairs += more.pairs;
+  exact += more.exact;
+  for (std::size_t fault = 0; fault < faults.size(); ++fault) faults[fault] += more.faults[fault];
+  for (const auto& [exponent, number] : more.errors) errors[exponent] += number;
+  keep_worst(*this, more.worst_ulps, more.worst_case);
+}
+
 void add(Soak& whole, const Soak& part) {
-  for (std::size_t i = 0; i < whole.lines.size() && i < part.lines.size(); ++i) {
-    SoakLine& line = whole.lines[i];
-    const SoakLine& more = part.lines[i];
-    line.pairs += more.pairs;
-    line.exact += more.exact;
-    for (std::size_t fault = 0; fault < line.faults.size(); ++fault)
-      line.faults[fault] += more.faults[fault];
-    for (const auto& [exponent, number] : more.errors) line.errors[exponent] += number;
-    keep_worst(line, more.worst_ulps, more.worst_case);
-  }
+  for (std::size_t i = 0; i < whole.lines.size() && i < part.lines.size(); ++i)
+    whole.lines[i].add(part.lines[i]);
   whole.failures.insert(whole.failures.end(), part.failures.begin(), part.failures.end());
   keep_first(whole.failures);
 }

@@ -38,6 +38,7 @@ struct SoakLine {
   std::map<int, std::int64_t> errors{};  // by exponent e: above 2^(e-1) ulps, up to 2^e
 
   std::int64_t wrong() const;
+  void add(const SoakLine& more);
 };
 
 /// A wrong result, to be examined later.

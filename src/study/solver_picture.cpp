@@ -29,17 +29,14 @@ std::string short_reference(const std::string& reference) {
 void show_jitter(const trace::Study& measured, trace::Study& study) {
   keep_panels(study, {{kSubsteps, ""}});
   double last_fall = 0;
-  for (const trace::StudySeries& series : study.series)
-    for (const trace::StudyPoint& point : series.points)
-      if (point.failed > 0) last_fall = std::max(last_fall, point.parameter);
-  for (trace::StudySeries& series : study.series) {
-    series.parameter = "sub-steps of a frame, an iteration each";
+  each_point(study, [&](const trace::StudyPoint& point) {
+    if (point.failed > 0) last_fall = std::max(last_fall, point.parameter);
+  });
+  name_parameter(study, "sub-steps of a frame, an iteration each");
+  for (trace::StudySeries& series : study.series)
     std::erase_if(series.points, [&](const auto& point) { return point.parameter <= last_fall; });
-    for (trace::StudyPoint& point : series.points) {
-      point.error_worst.reset();  // tables contain it
-      if (point.error) *point.error *= 1000;
-    }
-  }
+  drop_worst(study);
+  scale_errors(study, 1000);
   study.form = trace::StudyForm::Curves;
   study.shown = "Up: mean speed of the fastest box in the third second, mm/s";
   report(study, [&] {
@@ -102,8 +99,8 @@ trace::Study picture_map(const trace::Study& measured) {
     const std::string method = panel.substr(0, panel.find(','));
     panel = method == "soft" ? "Soft contacts" : method == "baumgarte" ? "Baumgarte" : "Projection";
     if (is_cold) panel += kColdPanel;
-    series.parameter = "mass of the top / others";
   }
+  name_parameter(study, "mass of the top / others");
   study.shown = "Colour: " + study.error + ", at 16 sweeps a frame";
   study.failed = "fell";
   study.reference = short_reference(study.reference);

@@ -96,7 +96,8 @@ class StackResults {
  public:
   /// `call` names a measure; without a name it is omitted.
   template <class Call>
-  StackResults(const StudyOptions& options, int cases, const char* parameter, const Call& call)
+  StackResults(const StudyOptions& options, int cases, const char* parameter, trace::StudyForm form,
+               const Call& call)
       : options_(options), cases_(options.cases.value_or(cases)) {
     std::vector<StudyMeasure> measures;
     for (const StackMeasure& measure : kStackMeasures) {
@@ -105,7 +106,7 @@ class StackResults {
       measures.push_back(called);
       values_.push_back(measure.value);
     }
-    results = results_of("solver", "float", parameter, "", measures);
+    results = results_of("solver", "float", parameter, "", measures, form);
   }
 
   /// Thread-safe.
@@ -161,12 +162,13 @@ class StackResults {
 
 std::vector<trace::Study> curves(const CurveStack& stack, const StudyOptions& options,
                                  const StudyStep& step) {
-  StackResults stacks(
-      options, stack.cases, "iterations or sub-steps", [&](const StackMeasure& m) -> StudyMeasure {
-        if (&stack != kCurveStacks && m.map_name == nullptr) return {};
-        return {std::string(m.name) + stack.suffix, std::string(m.title) + stack.title, m.error,
-                m.unit, kStackResolution};
-      });
+  StackResults stacks(options, stack.cases, "iterations or sub-steps",
+                      trace::StudyForm::WorkPrecision, [&](const StackMeasure& m) -> StudyMeasure {
+                        if (&stack != kCurveStacks && m.map_name == nullptr) return {};
+                        return {std::string(m.name) + stack.suffix,
+                                std::string(m.title) + stack.title, m.error, m.unit,
+                                kStackResolution};
+                      });
   for (const CurvePanel& panel : kCurvePanels) {
     for (const SolverMethod& method : kSolverMethods) {
       add_line(stacks.results, {method.name, {}, panel.name, panel.parameter}, kCounts,
@@ -182,14 +184,12 @@ std::vector<trace::Study> curves(const CurveStack& stack, const StudyOptions& op
 
 std::vector<trace::Study> maps(const StudyOptions& options, const StudyStep& step) {
   constexpr const char* kParameter = "top mass / others";
-  StackResults stacks(options, kMapCases, kParameter, [](const StackMeasure& m) -> StudyMeasure {
-    if (m.map_name == nullptr) return {};
-    return {m.map_name, std::string(m.title) + ", by height and mass", m.map_error};
+  constexpr auto kMap = trace::StudyForm::Map;
+  StackResults stacks(options, kMapCases, kParameter, kMap, [](const StackMeasure& m) {
+    if (m.map_name == nullptr) return StudyMeasure{};
+    return StudyMeasure{m.map_name, std::string(m.title) + ", by height and mass", m.map_error};
   });
-  for (trace::Study& study : stacks.results) {
-    study.row = "stack";
-    study.form = trace::StudyForm::Map;
-  }
+  for (trace::Study& study : stacks.results) study.row = "stack";
   std::vector<double> ratios;
   for (int i = 0; i < kRatioSteps; ++i) ratios.push_back(std::pow(10.0, 0.5 * i));
   struct Row {
@@ -218,14 +218,7 @@ std::vector<trace::Study> maps(const StudyOptions& options, const StudyStep& ste
     add_line(stacks.results, {row.name(), {}, row.method.map_name, kParameter}, ratios,
              [&](double) { return *next++; });
   }
-  for (trace::Study& study : stacks.results) {
-    for (trace::StudySeries& series : study.series) {
-      for (trace::StudyPoint& point : series.points) {  // metres to millimetres
-        if (point.error) point.error = 1000 * *point.error;
-        if (point.error_worst) point.error_worst = 1000 * *point.error_worst;
-      }
-    }
-  }
+  for (trace::Study& study : stacks.results) record::scale_errors(study, 1000);  // millimetres
   return stacks.finished();
 }
 
@@ -248,8 +241,8 @@ trace::Study energies(const StudyOptions& options, const StudyStep& step) {
       results_of("solver", "double", "sub-steps of a frame",
                  "energy at the start and the work of taking out its overlaps; twenty scenes",
                  {{"energy", "How much energy a solver adds", "energy gained", trace::kShare,
-                   kEnergyResolution}});
-  results.front().form = trace::StudyForm::Curves;
+                   kEnergyResolution}},
+                 trace::StudyForm::Curves);
   const std::vector<EnergyScene> scenes = energy_scenes();
   for (const EnergyMethod& method : kEnergyMethods) {
     add_line(results, {method.name, {}}, kEnergySubsteps, [&](int substeps) {

@@ -108,7 +108,8 @@ trace::StudyPoint Measurement::point(double parameter, std::size_t measure) cons
 
 std::vector<trace::Study> results_of(const std::string& study, const std::string& scalar,
                                      const std::string& parameter, const std::string& reference,
-                                     const std::vector<StudyMeasure>& measures) {
+                                     const std::vector<StudyMeasure>& measures,
+                                     trace::StudyForm form) {
   return mapped(measures, [&](const StudyMeasure& measure) {
     trace::Study result;
     result.study = study;
@@ -120,7 +121,14 @@ std::vector<trace::Study> results_of(const std::string& study, const std::string
     result.unit = measure.unit;
     result.resolution = measure.resolution;
     result.parameter = parameter;
+    result.form = form;
     return result;
+  });
+}
+
+void finish_share(trace::Study& study, double least) {
+  record::each_point(study, [&](trace::StudyPoint& point) {
+    point.error = point.error_worst = std::max(*point.error, least);
   });
 }
 

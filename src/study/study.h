@@ -94,6 +94,10 @@ class PassTimes {
     add(time.count() / calls);
     sink_ = used;
   }
+  template <class Call>
+  void measure(int repetitions, int calls, const Call& call) {
+    for (int i = 0; i < repetitions; ++i) measure(calls, call);
+  }
   void add(double nanoseconds) { times_.push_back(nanoseconds); }
 
   std::vector<double> sorted() const;
@@ -127,7 +131,34 @@ struct StudyMeasure {
 /// One result for each measure of a study, without lines.
 std::vector<trace::Study> results_of(const std::string& study, const std::string& scalar,
                                      const std::string& parameter, const std::string& reference,
-                                     const std::vector<StudyMeasure>& measures);
+                                     const std::vector<StudyMeasure>& measures,
+                                     trace::StudyForm form = trace::StudyForm::WorkPrecision);
+
+/// Makes the worst of each share the share itself; `least`: drawn for shares of none.
+void finish_share(trace::Study& study, double least = 0);
+
+/// Lines of one panel, a line per name in each result of a study.
+class StudyLines {
+ public:
+  template <class Names>
+  StudyLines(std::vector<trace::Study>& results, const Names& names, const std::string& panel,
+             const std::string& parameter)
+      : results_(results), first_(results.front().series.size()) {
+    for (trace::Study& study : results)
+      for (const auto& named : names) study.series.push_back({named.name, {}, panel, parameter});
+  }
+  void add(std::size_t line, double parameter, const Measurement& measured) const {
+    for (std::size_t i = 0; i < results_.size(); ++i)
+      points(i, line).push_back(measured.point(parameter, i));
+  }
+  std::vector<trace::StudyPoint>& points(std::size_t result, std::size_t line) const {
+    return results_[result].series[first_ + line].points;
+  }
+
+ private:
+  std::vector<trace::Study>& results_;
+  std::size_t first_;
+};
 
 /// Adds a line to each result of a study, from `judge(parameter)` at each parameter.
 template <class Parameters, class Judge>
@@ -148,6 +179,7 @@ struct StudyGrid {
   int cases;  // per parameter
   int repetitions;
   int threads;
+  std::string panel{}, axis{};  // of the lines
 
   /// `list`: items with a `name`. The options override the study's own numbers.
   template <class Methods>
@@ -196,7 +228,8 @@ void measure_grid(const StudyGrid& grid, std::vector<trace::Study>& results,
   }
   for (std::size_t m = 0; m < methods; ++m) {
     auto next = measured[m].begin();
-    add_line(results, {grid.methods[m], {}}, grid.parameters, [&](int) { return *next++; });
+    add_line(results, {grid.methods[m], {}, grid.panel, grid.axis}, grid.parameters,
+             [&](int) { return *next++; });
   }
 }
 

@@ -2,13 +2,14 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
+#include <map>
 
 #include "core/at.h"
 #include "query/triangle_overlap.h"
 #include "study/plain_triangle_test.h"
 #include "study/random_cases.h"
 #include "study/study.h"
-#include "study/triangle_answers.h"
 
 namespace contactscope {
 namespace {
@@ -18,88 +19,16 @@ constexpr int kDistances[] = {1, 4, 16, 64, 256, 1024, 4096, 16384, 65536, 26214
 constexpr int kTrianglePairs = 20000;
 constexpr int kTriangleRepetitions = 5;
 
-/// Corners as integer multiples of a unit, exact in float.
-using GridVec = std::array<std::int64_t, 3>;
-using GridTriangle = std::array<GridVec, 3>;
-constexpr std::int64_t kReach = 1 << 22;  // largest corner coordinate of the first triangle, units
-
-/// Two triangles near one plane, and whether they share a point.
+/// Two triangles near one plane, whose corners are whole multiples of a unit and exact in float,
+/// and whether they share a point.
 struct NearlyCoplanar {
-  GridTriangle a, b;
+  Triangle<std::int64_t> a, b;
   bool overlap;
 };
+constexpr std::int64_t kReach = 1 << 22;  // largest corner coordinate of the first triangle, units
 
-// Whether two triangles share a point, in integers: an edge of one meets the other. Shares no code
-// with the tested method, which compares intervals on the line of both planes. Determinants of
-// differences below 2^26 fit into 128 bits.
-
-__extension__ using Wide = __int128;
-
-/// The sign of (b - a) x (c - a) . (d - a).
-int grid_orient(const GridVec& a, const GridVec& b, const GridVec& c, const GridVec& d) {
-  const auto offset = [&a](const GridVec& to, std::size_t k) { return Wide(to[k] - a[k]); };
-  const Wide volume = (offset(b, 1) * offset(c, 2) - offset(b, 2) * offset(c, 1)) * offset(d, 0) +
-                      (offset(b, 2) * offset(c, 0) - offset(b, 0) * offset(c, 2)) * offset(d, 1) +
-                      (offset(b, 0) * offset(c, 1) - offset(b, 1) * offset(c, 0)) * offset(d, 2);
-  return (volume > 0) - (volume < 0);
-}
-
-/// The sign of (b - a) x (c - a), seen along an axis.
-int grid_orient(const GridVec& a, const GridVec& b, const GridVec& c, std::size_t axis) {
-  const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
-  const Wide area = Wide(b[u] - a[u]) * Wide(c[v] - a[v]) - Wide(b[v] - a[v]) * Wide(c[u] - a[u]);
-  return (area > 0) - (area < 0);
-}
-
-/// For four points in one plane that is not parallel to `axis`.
-bool grid_segments_meet(const GridVec& p, const GridVec& q, const GridVec& r, const GridVec& s,
-                        std::size_t axis) {
-  const int r_side = grid_orient(p, q, r, axis), s_side = grid_orient(p, q, s, axis);
-  const int p_side = grid_orient(r, s, p, axis), q_side = grid_orient(r, s, q, axis);
-  if (r_side * s_side > 0 || p_side * q_side > 0) return false;
-  if (r_side != 0 || s_side != 0) return true;
-  for (std::size_t k = 0; k < 3; ++k) {  // collinear
-    const auto [low, high] = std::minmax(p[k], q[k]);
-    if (std::max(r[k], s[k]) < low || high < std::min(r[k], s[k])) return false;
-  }
-  return true;
-}
-
-bool grid_segment_meets(const GridVec& p, const GridVec& q, const GridTriangle& t) {
-  const int p_side = grid_orient(t[0], t[1], t[2], p), q_side = grid_orient(t[0], t[1], t[2], q);
-  if (p_side * q_side > 0) return false;
-  if (p_side != 0 || q_side != 0) {
-    int least = 1, most = -1;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const int side = grid_orient(p, q, t[k], t[(k + 1) % 3]);
-      least = std::min(least, side);
-      most = std::max(most, side);
-    }
-    return least >= 0 || most <= 0;
-  }
-  std::size_t axis = 0;
-  while (axis < 2 && grid_orient(t[0], t[1], t[2], axis) == 0) ++axis;
-  const int front = grid_orient(t[0], t[1], t[2], axis);
-  bool inside = true;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const GridVec &from = t[k], &to = t[(k + 1) % 3];
-    if (grid_segments_meet(p, q, from, to, axis)) return true;
-    inside = inside && grid_orient(from, to, p, axis) * front >= 0;
-  }
-  return inside;
-}
-
-bool grid_overlap(const GridTriangle& a, const GridTriangle& b) {
-  for (std::size_t k = 0; k < 3; ++k)
-    if (grid_segment_meets(a[k], a[(k + 1) % 3], b) || grid_segment_meets(b[k], b[(k + 1) % 3], a))
-      return true;
-  return false;
-}
-
-bool has_area(const GridTriangle& t) {
-  return grid_orient(t[0], t[1], t[2], std::size_t{0}) != 0 ||
-         grid_orient(t[0], t[1], t[2], std::size_t{1}) != 0 ||
-         grid_orient(t[0], t[1], t[2], std::size_t{2}) != 0;
+bool has_area(const Triangle<std::int64_t>& t) {
+  return !(t[1] - t[0]).cross(t[2] - t[0]).isZero(0);
 }
 
 /// The first triangle is random, of about 2^22 units; the corners of the second are near its plane,
@@ -110,21 +39,19 @@ NearlyCoplanar nearly_coplanar(std::mt19937_64& engine, double distance) {
   };
   while (true) {
     NearlyCoplanar pair;
-    for (GridVec& corner : pair.a)
-      for (std::int64_t& number : corner) number = nearest(uniform(engine, -1, 1) * kReach);
-    const auto vec = [](const GridVec& v) {
-      return Vec3d(static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2]));
-    };
-    const Vec3d origin = vec(pair.a[0]), u = vec(pair.a[1]) - origin, v = vec(pair.a[2]) - origin;
+    for (auto& corner : pair.a)
+      for (int k = 0; k < 3; ++k) corner[k] = nearest(uniform(engine, -1, 1) * kReach);
+    const Vec3d origin = pair.a[0].cast<double>();
+    const Vec3d u = pair.a[1].cast<double>() - origin, v = pair.a[2].cast<double>() - origin;
     const Vec3d normal = u.cross(v).normalized();
-    for (GridVec& corner : pair.b) {
+    for (auto& corner : pair.b) {
       const double along_u = uniform(engine, -0.5, 1.2), along_v = uniform(engine, -0.5, 1.2);
       const double off = distance * uniform(engine, -1, 1);
       const Vec3d place = origin + along_u * u + along_v * v + off * normal;
-      for (std::size_t k = 0; k < 3; ++k) corner[k] = nearest(place[static_cast<int>(k)]);
+      for (int k = 0; k < 3; ++k) corner[k] = nearest(place[k]);
     }
     if (!has_area(pair.a) || !has_area(pair.b)) continue;
-    pair.overlap = grid_overlap(pair.a, pair.b);
+    pair.overlap = PlainTriangleTest<std::int64_t>().overlap(pair.a, pair.b);
     return pair;
   }
 }
@@ -137,12 +64,11 @@ struct Metric {
   Metric(const NearlyCoplanar& pair, double unit)
       : a(scaled(pair.a, unit)), b(scaled(pair.b, unit)) {}
 
-  static Triangle<S> scaled(const GridTriangle& t, double unit) {
-    Triangle<S> made;
-    for (std::size_t c = 0; c < 3; ++c)
-      for (std::size_t k = 0; k < 3; ++k)
-        made[c][static_cast<int>(k)] = static_cast<S>(static_cast<double>(t[c][k]) * unit);
-    return made;
+  static Triangle<S> scaled(const Triangle<std::int64_t>& t, double unit) {
+    const auto corner = [&](std::size_t i) -> Vec3<S> {
+      return (t[i].template cast<double>() * unit).template cast<S>();
+    };
+    return {corner(0), corner(1), corner(2)};
   }
 };
 
@@ -183,36 +109,113 @@ struct TriangleSize {
 };
 constexpr TriangleSize kTriangleSizes[] = {{"of 0.12 mm", -13}, {"of 1 m", 0}, {"of 8 km", 13}};
 
+constexpr int kFirstUnit = -24, kLastUnit = 23;
+
+TriangleOverlapKind right_answer(int i, int j) {
+  if (i == j) return TriangleOverlapKind::Touching;
+  return i > j ? TriangleOverlapKind::None : TriangleOverlapKind::Proper;
+}
+
+template <class S>
+TriangleOverlapKind plain_answer(int i, int j) {
+  const auto [a, b] = nearly_touching<S>(i, j);
+  return PlainTriangleTest<S>(0).kind(a, b);
+}
+
+TriangleOverlapKind exact_answer(int i, int j) {
+  const auto [a, b] = nearly_touching<double>(i, j);
+  return triangle_overlap_kind(a, b);
+}
+
+struct AnsweringTest {
+  const char* panel;
+  const char* unit;
+  TriangleOverlapKind (*answer)(int i, int j);
+};
+
+constexpr AnsweringTest kAnsweringTests[] = {{"float", "2⁻²⁴ m", &plain_answer<float>},
+                                             {"double", "2⁻⁵³ m", &plain_answer<double>},
+                                             {"exact", "2⁻⁵³ m", &exact_answer}};
+
+/// Rounds a number below 32 to a fixed number of binary digits, so that differences of two are
+/// exact.
+template <class S>
+S in_all_digits(double number) {
+  constexpr int kDigits = std::numeric_limits<S>::digits - 5;
+  return static_cast<S>(std::ldexp(std::nearbyint(std::ldexp(number, kDigits)), -kDigits));
+}
+
 }  // namespace
+
+template <class S>
+std::array<Triangle<S>, 2> nearly_touching(int i, int j) {
+  constexpr S kUnit = std::numeric_limits<S>::epsilon() / 2;
+  const auto corner = [](double x, double y) {
+    const S exact_x = in_all_digits<S>(x), exact_y = in_all_digits<S>(y);
+    return Vec3<S>(exact_x, exact_y, exact_y - exact_x);
+  };
+  const Triangle<S> a = {corner(12.1389726, 14.6127341), corner(-17.2056147, -5.3371983),
+                         corner(-3.4117366, -20.5721198)};
+  const Vec3<S> moved(S(0.5) + static_cast<S>(i) * kUnit, S(0.5) + static_cast<S>(j) * kUnit, 0);
+  return {a, Triangle<S>{moved, Vec3<S>{S(1.5), S(-2.25), 9}, Vec3<S>{7, -3, 5}}};
+}
+
+trace::Study triangle_answers() {
+  trace::Study study =
+      results_of(
+          "triangle_triangle", "float and double", "",
+          "the side of the plane in whole numbers of these units",
+          {{"last_bits", "A corner on a triangle, moved by its last bits: what a test answers",
+            "answer"}})
+          .front();
+  study.form = trace::StudyForm::Answers;
+  study.row = "units along y";
+  for (const AnsweringTest& test : kAnsweringTests) {
+    const std::string parameter = std::string("units of ") + test.unit + " along x";
+    for (int j = kFirstUnit; j <= kLastUnit; ++j) {
+      trace::StudySeries& row = study.series.emplace_back(
+          trace::StudySeries{test.panel, {}, test.panel, parameter, double(j)});
+      for (int i = kFirstUnit; i <= kLastUnit; ++i) {
+        const TriangleOverlapKind answer = test.answer(i, j);
+        const double record = static_cast<double>(answer);
+        row.points.push_back(
+            {double(i), record, std::nullopt, {}, answer == right_answer(i, j) ? 0 : 1, 1});
+      }
+    }
+  }
+  return study;
+}
+
+template std::array<Triangle<float>, 2> nearly_touching(int, int);
+template std::array<Triangle<double>, 2> nearly_touching(int, int);
 
 /// Pairs of triangles, one with its corners within a few units in the last place of the other's
 /// plane: share of wrong answers to whether they share a point, at three sizes. The reference uses
 /// integers, from which the corners are made. Also a map of one corner's last bits, see
-/// triangle_answers.h.
+/// plain_triangle_test.h.
 std::vector<trace::Study> study_triangles(const StudyOptions& options,
                                           const StudyProgress& progress) {
-  const StudyGrid grid(options, kTriangleMethods, kDistances, kTrianglePairs, kTriangleRepetitions);
+  StudyGrid grid(options, kTriangleMethods, kDistances, kTrianglePairs, kTriangleRepetitions);
   std::vector<trace::Study> results = results_of(
       "triangle_triangle", "float", "units in the last place",
       "every edge against the other triangle in whole numbers, " + std::to_string(grid.cases) +
           " pairs a point, seed " + std::to_string(options.seed),
       {{"wrong", "Triangles near one plane: how often a test is wrong, and what never is",
-        "share of wrong answers", "", 0.5 / grid.cases}});
-  results[0].form = trace::StudyForm::Curves;
-  std::vector<std::vector<NearlyCoplanar>> pairs;
+        "share of wrong answers", "", 0.5 / grid.cases}},
+      trace::StudyForm::Curves);
+  std::vector<std::vector<NearlyCoplanar>> pairs(grid.parameters.size());
+  std::mt19937_64 engine(options.seed);
+  for (std::size_t p = 0; p < pairs.size(); ++p)
+    for (int i = 0; i < grid.cases; ++i)
+      pairs[p].push_back(nearly_coplanar(engine, grid.parameters[p]));
   for (const TriangleSize& size : kTriangleSizes) {
     const double unit = std::ldexp(1.0, size.exponent) / static_cast<double>(kReach);
-    std::mt19937_64 engine(options.seed);
     std::vector<MetricPairs> metric(grid.parameters.size());
-    const std::size_t first = results[0].series.size();
+    grid.panel = std::string("triangles ") + size.panel;
+    grid.axis = "units in the last place off one plane, " + grid.panel;
     measure_grid(
         grid, results, progress,
         [&](std::size_t p) {
-          if (pairs.size() <= p) {  // the same at each size
-            pairs.emplace_back();
-            for (int i = 0; i < grid.cases; ++i)
-              pairs[p].push_back(nearly_coplanar(engine, grid.parameters[p]));
-          }
           for (const NearlyCoplanar& pair : pairs[p]) {
             metric[p].in_float.emplace_back(pair, unit);
             metric[p].in_double.emplace_back(pair, unit);
@@ -226,17 +229,105 @@ std::vector<trace::Study> study_triangles(const StudyOptions& options,
         [&](std::size_t m, std::size_t p, std::size_t i) {
           return kTriangleMethods[m].overlap(metric[p], i) ? 1.0 : 0.0;
         });
-    for (std::size_t s = first; s < results[0].series.size(); ++s) {
-      trace::StudySeries& series = results[0].series[s];
-      series.panel = std::string("triangles ") + size.panel;
-      series.parameter = "units in the last place off one plane, " + series.panel;
-      // A share has no worst; zero errors are drawn as half a pair.
-      for (trace::StudyPoint& point : series.points)
-        point.error = point.error_worst = std::max(*point.error, results[0].resolution);
-    }
   }
+  finish_share(results[0], results[0].resolution);
   results.push_back(triangle_answers());
   return results;
+}
+
+using namespace record;
+
+namespace {
+
+/// The first of equal worst points.
+trace::StudyPoint& worst_of(trace::Study& study, const std::string& method) {
+  trace::StudyPoint* worst = nullptr;
+  for (trace::StudySeries& series : study.series)
+    if (series.method == method)
+      for (trace::StudyPoint& point : series.points)
+        if (worst == nullptr || error_of(point) > error_of(*worst)) worst = &point;
+  if (worst == nullptr) throw std::out_of_range(method);
+  return *worst;
+}
+
+constexpr const char* kUsualSize = "triangles of 1 m";
+constexpr const char* kEpsilon = "float with an epsilon of 1 µm";
+
+/// Lines end at the first parameter at which every method is almost always right.
+void end_where_all_are_right(trace::Study& study) {
+  constexpr double kAlmostNone = 1e-3;
+  std::map<double, double> most;  // share of wrong answers, by parameter
+  each_point(study, [&](const trace::StudyPoint& point) {
+    most[point.parameter] = std::max(most[point.parameter], error_of(point));
+  });
+  const auto end =
+      std::ranges::find_if(most, [](const auto& one) { return one.second < kAlmostNone; });
+  if (end == most.end()) return;
+  for (trace::StudySeries& series : study.series)
+    std::erase_if(series.points, [&](const auto& point) { return point.parameter > end->first; });
+}
+
+trace::Study picture_wrong(const trace::Study& measured) {
+  trace::Study study = measured;
+  drop_resolution(study);
+  trace::Study judged = study;
+  keep_panels(judged, {{kUsualSize, ""}});
+  keep_methods(study, {{"float", "float"},
+                       {"float, epsilon 1e-6 m", kEpsilon},
+                       {"double", "double"},
+                       {"exact", "exact"}});
+  // An epsilon only fits one size; tables contain the others.
+  keep_panels(study, {{kUsualSize, ""}});
+  end_where_all_are_right(study);
+  join_equal(study);
+  name_parameter(study, "units in the last place off the plane");
+  study.unit = trace::kShare;
+  study.shown = "Up: share of wrong answers to whether two triangles of 1 m share a point";
+  report(study, [&] {
+    const auto most = [&](trace::Study& whose, const char* method) {
+      trace::StudyPoint& worst = worst_of(whose, method);
+      return worst.mark = error_of(worst) > 0 ? percent(error_of(worst)) : "none";
+    };
+    const std::string in_double = most(judged, "double"), exact = most(judged, "exact");
+    const std::string in_float = most(study, "float"), guarded = most(study, kEpsilon);
+    // The names of the lines contain the shared value.
+    for (trace::StudySeries& series : study.series)
+      if (in_double == exact && series.method == "double and exact") series.method += ": " + exact;
+    return "Float gets up to " + in_float +
+           " of nearly coplanar triangles wrong, float with an epsilon of 1 µm up to " + guarded;
+  });
+  return study;
+}
+
+trace::Study picture_answers(const trace::Study& measured) {
+  trace::Study study = measured;
+  double corners = 0;
+  const auto wrong_in = [&](const char* panel) {
+    double wrong = 0;
+    corners = 0;
+    for (const trace::StudySeries& series : measured.series) {
+      if (series.panel != panel) continue;
+      for (const trace::StudyPoint& point : series.points) wrong += point.failed, corners += 1;
+    }
+    return wrong > 0 ? count(wrong) : std::string("none");
+  };
+  const std::string in_float = wrong_in("float"), in_double = wrong_in("double"),
+                    exact = wrong_in("exact");
+  study.title = "Of " + count(corners) + " places of a corner at a plane float gets " + in_float +
+                " wrong, double " + in_double + ", the exact test " + exact;
+  for (trace::StudySeries& series : study.series)
+    series.panel[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(series.panel[0])));
+  study.shown =
+      "Colour: the answer for a triangle, a corner of which is moved by its last bits; on the "
+      "diagonal it touches the plane, above it crosses";
+  return study;
+}
+
+}  // namespace
+
+trace::Study picture_triangles(const trace::Study& measured) {
+  return measured.form == trace::StudyForm::Answers ? picture_answers(measured)
+                                                    : picture_wrong(measured);
 }
 
 }  // namespace contactscope

@@ -1,13 +1,12 @@
 #include "versus/engine.h"
 
-#include <fcntl.h>
-#include <poll.h>
 #include <signal.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <chrono>
 #include <cstdlib>
@@ -25,59 +24,43 @@ using Clock = std::chrono::steady_clock;
 
 constexpr const char* kPrefix = "contactscope-engine-";
 
-/// One end of a pipe; closes itself.
-class Descriptor {
+/// A file in memory; closes itself. Unlike a pipe it needs no reader while a program writes.
+class MemoryFile {
  public:
-  explicit Descriptor(int number = -1) : number_(number) {}
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() { close(); }
+  explicit MemoryFile(const std::string& text = {})
+      : number_(memfd_create("contactscope", MFD_CLOEXEC)) {
+    for (std::size_t written = 0; written < text.size() || number_ < 0;) {
+      const ssize_t count = write(number_, text.data() + written, text.size() - written);
+      if (count < 0)
+        throw std::system_error(errno, std::generic_category(), "cannot write a file in memory");
+      written += static_cast<std::size_t>(count);
+    }
+    lseek(number_, 0, SEEK_SET);
+  }
+  MemoryFile(const MemoryFile&) = delete;
+  MemoryFile& operator=(const MemoryFile&) = delete;
+  ~MemoryFile() { close(number_); }
 
-  void close() {
-    if (number_ >= 0) ::close(number_);
-    number_ = -1;
-  }
-  void reset(int number) {
-    close();
-    number_ = number;
-  }
   int get() const { return number_; }
-  bool is_open() const { return number_ >= 0; }
+  std::size_t size() const {
+    struct stat facts {};
+    return fstat(number_, &facts) == 0 ? static_cast<std::size_t>(facts.st_size) : 0;
+  }
+  std::string text() const {
+    std::string all(size(), '\0');
+    std::size_t count = 0;
+    for (ssize_t more = 1; more > 0; count += static_cast<std::size_t>(std::max<ssize_t>(more, 0)))
+      more = pread(number_, all.data() + count, all.size() - count, static_cast<off_t>(count));
+    all.resize(count);
+    return all;
+  }
 
  private:
   int number_;
 };
 
-struct Pipe {
-  Descriptor read, write;
-
-  Pipe() {
-    std::array<int, 2> ends{};
-    if (pipe2(ends.data(), O_CLOEXEC) != 0)
-      throw std::system_error(errno, std::generic_category(), "cannot create a pipe");
-    read.reset(ends[0]);
-    write.reset(ends[1]);
-  }
-};
-
-/// Ignores SIGPIPE, for programs that close their input early.
-class WithoutBrokenPipe {
- public:
-  WithoutBrokenPipe() {
-    struct sigaction ignore {};
-    ignore.sa_handler = SIG_IGN;
-    sigaction(SIGPIPE, &ignore, &before_);
-  }
-  ~WithoutBrokenPipe() { sigaction(SIGPIPE, &before_, nullptr); }
-  WithoutBrokenPipe(const WithoutBrokenPipe&) = delete;
-  WithoutBrokenPipe& operator=(const WithoutBrokenPipe&) = delete;
-
- private:
-  struct sigaction before_ {};
-};
-
-pid_t start(const std::string& program, const std::vector<std::string>& arguments, Pipe& in,
-            Pipe& out, Pipe& err) {
+pid_t start(const std::string& program, const std::vector<std::string>& arguments,
+            const MemoryFile& in, const MemoryFile& out, const MemoryFile& err) {
   std::vector<char*> list;
   list.push_back(const_cast<char*>(program.c_str()));
   for (const std::string& argument : arguments) list.push_back(const_cast<char*>(argument.c_str()));
@@ -86,47 +69,15 @@ pid_t start(const std::string& program, const std::vector<std::string>& argument
   if (child < 0) throw std::system_error(errno, std::generic_category(), "cannot start a process");
   if (child > 0) return child;
   setpgid(0, 0);  // so that its children are stopped with it
-  dup2(in.read.get(), STDIN_FILENO);
-  dup2(out.write.get(), STDOUT_FILENO);
-  dup2(err.write.get(), STDERR_FILENO);
+  dup2(in.get(), STDIN_FILENO);
+  dup2(out.get(), STDOUT_FILENO);
+  dup2(err.get(), STDERR_FILENO);
   execv(program.c_str(), list.data());
   _exit(127);
 }
 
-/// Appends the available data; closes at the end of the stream.
-void read_some(Descriptor& from, std::string& to) {
-  std::array<char, 65536> buffer{};
-  const ssize_t count = read(from.get(), buffer.data(), buffer.size());
-  if (count > 0)
-    to.append(buffer.data(), static_cast<std::size_t>(count));
-  else if (count == 0 || (errno != EINTR && errno != EAGAIN))
-    from.close();
-}
-
-void write_some(Descriptor& to, const std::string& text, std::size_t& written) {
-  constexpr std::size_t kPiece = 65536;
-  const std::size_t left = text.size() - written;
-  const ssize_t count =
-      left == 0 ? 0 : write(to.get(), text.data() + written, std::min(left, kPiece));
-  if (count > 0) written += static_cast<std::size_t>(count);
-  const bool failed = count < 0 && errno != EINTR && errno != EAGAIN;
-  if (failed || written == text.size()) to.close();
-}
-
-/// The line that names an error, as interpreters print it first; else the last line with text.
-std::string last_line(const std::string& text) {
-  std::istringstream lines(text);
-  std::string line, last;
-  while (std::getline(lines, line)) {
-    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
-    if (line.substr(0, line.find(' ')).ends_with("Error:")) return line;
-    last = line;
-  }
-  return last;
-}
-
 std::string ending_of(int status, const std::string& err) {
-  const std::string said = last_line(err).empty() ? "" : ": " + last_line(err);
+  const std::string line = last_line(err), said = line.empty() ? "" : ": " + line;
   if (WIFSIGNALED(status))
     return "it crashed, signal " + std::to_string(WTERMSIG(status)) + " (" +
            strsignal(WTERMSIG(status)) + ")" + said;
@@ -150,54 +101,40 @@ bool is_program(const fs::path& path) {
 
 }  // namespace
 
+std::string last_line(const std::string& text) {
+  std::istringstream lines(text);
+  std::string line, last;
+  while (std::getline(lines, line)) {
+    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+    if (line.substr(0, line.find(' ')).ends_with("Error:")) return line;
+    last = line;
+  }
+  return last;
+}
+
 Answer run_program(const std::string& program, const std::vector<std::string>& arguments,
                    const std::string& input, double limit_seconds, std::size_t limit_bytes) {
-  const WithoutBrokenPipe guard;
-  Pipe in, out, err;
-  const pid_t child = start(program, arguments, in, out, err);
-  in.read.close();
-  out.write.close();
-  err.write.close();
-  fcntl(in.write.get(), F_SETFL, O_NONBLOCK);
-
-  Answer answer;
-  std::string errors;
-  std::size_t written = 0;
+  const MemoryFile in(input), out, err;
   const auto begin = Clock::now();
-  const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - begin).count(); };
+  const pid_t child = start(program, arguments, in, out, err);
   std::string stopped;
-  while (out.read.is_open() || err.read.is_open()) {
-    const double left = limit_seconds - seconds();
-    if (left <= 0)
+  int status = 0;
+  while (waitpid(child, &status, WNOHANG) == 0) {
+    if (std::chrono::duration<double>(Clock::now() - begin).count() > limit_seconds)
       stopped = "it was stopped after " + std::to_string(static_cast<int>(limit_seconds)) + " s";
-    if (answer.out.size() + errors.size() > limit_bytes)
+    else if (out.size() + err.size() > limit_bytes)
       stopped = "it wrote more than " + std::to_string(limit_bytes >> 20) + " MB, and was stopped";
     if (!stopped.empty()) {
       kill(-child, SIGKILL);
-      break;
-    }
-    std::array<pollfd, 3> ends{pollfd{out.read.get(), POLLIN, 0}, pollfd{err.read.get(), POLLIN, 0},
-                               pollfd{in.write.get(), POLLOUT, 0}};
-    poll(ends.data(), ends.size(), static_cast<int>(std::min(left, 1.0) * 1000) + 1);
-    if (ends[0].revents != 0) read_some(out.read, answer.out);
-    if (ends[1].revents != 0) read_some(err.read, errors);
-    if (ends[2].revents != 0) write_some(in.write, input, written);
-  }
-  in.write.close();
-  // A program that has closed its streams may use the remaining time.
-  int status = 0;
-  while (stopped.empty() && waitpid(child, &status, WNOHANG) == 0) {
-    if (seconds() > limit_seconds) {
-      stopped = "it was stopped after " + std::to_string(static_cast<int>(limit_seconds)) + " s";
-      kill(-child, SIGKILL);
+      waitpid(child, &status, 0);
       break;
     }
     usleep(1000);
   }
-  if (!stopped.empty()) waitpid(child, &status, 0);
-  answer.said = errors;
-  if (stopped.empty() && WIFEXITED(status)) answer.exit_code = WEXITSTATUS(status);
-  answer.failure = stopped.empty() ? ending_of(status, errors) : stopped;
+  Answer answer{out.text(), err.text(), stopped};
+  if (!stopped.empty()) return answer;
+  if (WIFEXITED(status)) answer.exit_code = WEXITSTATUS(status);
+  answer.failure = ending_of(status, answer.said);
   return answer;
 }
 

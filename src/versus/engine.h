@@ -20,6 +20,9 @@ struct Answer {
 /// Exit status of a program that does not step, or not this scene; its last line is the reason.
 inline constexpr int kNoRollout = 3;
 
+/// The line that names an error, as interpreters print it first; else the last line with text.
+std::string last_line(const std::string& text);
+
 /// Runs a program with these arguments and this standard input. It is killed after `limit_seconds`
 /// or `limit_bytes` of output; the failure contains the rest of its standard error. Throws
 /// std::system_error if no process can be started.

@@ -8,7 +8,6 @@
 #include "core/at.h"
 #include "trace/find.h"
 #include "versus/reference.h"
-#include "versus/rollout_passing.h"
 
 namespace contactscope::versus {
 namespace {
@@ -20,21 +19,20 @@ struct Boxed {
   std::string name;
   bool is_body = false;
   lint::Placed placed{};
-  Vec3d lower = Vec3d::Zero(), upper = Vec3d::Zero();
-
-  bool meets(const Boxed& other) const {
-    return (lower.array() <= other.upper.array()).all() &&
-           (other.lower.array() <= upper.array()).all();
-  }
+  Aabb<double> box{};
 };
 
-Boxed boxed(const std::string& name, bool is_body, const lint::Placed& placed) {
-  Boxed made{name, is_body, placed};
+Aabb<double> box_of(const lint::Placed& placed) {
+  Aabb<double> box;
   for (int axis = 0; axis < 3; ++axis) {
-    made.lower[axis] = -placed.extent(-Vec3d::Unit(axis));
-    made.upper[axis] = placed.extent(Vec3d::Unit(axis));
+    box.lower[axis] = -placed.extent(-Vec3d::Unit(axis));
+    box.upper[axis] = placed.extent(Vec3d::Unit(axis));
   }
-  return made;
+  return box;
+}
+
+bool meet(const Aabb<double>& a, const Aabb<double>& b) {
+  return (a.lower.array() <= b.upper.array()).all() && (b.lower.array() <= a.upper.array()).all();
 }
 
 struct Motion {
@@ -70,6 +68,82 @@ int acting_points(const trace::Frame& frame) {
         pushing += point.active && point.impulse && point.impulse->normal > 0;
       }
   return with_impulse > 0 ? pushing : acting;
+}
+
+constexpr double kInside = 0.25;  // relative to the thinner shape
+constexpr int kLooks = 8;         // while a body moves by the thinner one's thickness
+constexpr int kMaxLooks = 2000;   // per step
+
+/// The motion of a shape between two frames.
+struct Path {
+  lint::Placed from, to;
+
+  lint::Placed at(double share) const {
+    lint::Placed there = from;
+    there.pose.position = (1 - share) * from.pose.position + share * to.pose.position;
+    there.pose.rotation = from.pose.rotation.slerp(share, to.pose.rotation);
+    return there;
+  }
+  Aabb<double> box() const {
+    Aabb<double> both = box_of(from);
+    both.include(box_of(to));
+    return both;
+  }
+  Vec3d move() const { return to.pose.position - from.pose.position; }
+  /// Shortest side of its box; infinite for a surface.
+  double thickness() const {
+    const double least = (from.solid->upper() - from.solid->lower()).minCoeff();
+    return from.solid->is_convex() && least > 0 ? least : std::numeric_limits<double>::infinity();
+  }
+};
+
+std::optional<Path> path_of(const lint::Solids& solids, const std::string& name,
+                            const trace::Frame& before, const trace::Frame& now) {
+  const auto from = lint::place(solids, &before, name, {});
+  const auto to = lint::place(solids, &now, name, {});
+  if (!from || !to || from->solid->is_plane()) return std::nullopt;
+  return Path{*from, *to};
+}
+
+bool passes(const Path& body, const Path& other) {
+  const double thin = std::min(body.thickness(), other.thickness());
+  const double relative_motion = (body.move() - other.move()).norm();
+  if (!(relative_motion > body.thickness()) || !meet(body.box(), other.box())) return false;
+  const auto is_inside = [&](double share) {
+    const std::optional<double> separation = separation_of(body.at(share), other.at(share));
+    return separation && *separation < -kInside * thin;
+  };
+  if (is_inside(0) || is_inside(1)) return false;
+  const int looks =
+      static_cast<int>(std::min<double>(kMaxLooks, std::ceil(kLooks * relative_motion / thin)));
+  for (int i = 1; i < looks; ++i)
+    if (is_inside(static_cast<double>(i) / looks)) return true;
+  return false;
+}
+
+/// A body that passed through another shape between two frames.
+struct Passing {
+  std::string body, other;
+};
+
+/// Finds the passings in the step between two frames from shapes and poses alone. Bodies that move
+/// by more than their thickness are sampled between the frames, with linear positions and constant
+/// rotation. A body has passed if it is inside another by a quarter of the thinner one's thickness
+/// in between, but in neither frame. Both frames must have the poses of all shapes.
+std::vector<Passing> passings(const lint::Solids& solids, const std::vector<RolloutBody>& bodies,
+                              const trace::Frame& before, const trace::Frame& now) {
+  std::vector<Passing> found;
+  for (const RolloutBody& body : bodies) {
+    const std::optional<Path> own = path_of(solids, body.name, before, now);
+    // A body at rest next to a bullet is found from the bullet.
+    if (!own || own->move().norm() <= own->thickness()) continue;
+    for (const trace::Placement& one : now.poses) {
+      if (one.first == body.name) continue;
+      const std::optional<Path> other = path_of(solids, one.first, before, now);
+      if (other && passes(*own, *other)) found.push_back({body.name, one.first});
+    }
+  }
+  return found;
 }
 
 class Judge {
@@ -108,7 +182,7 @@ class Judge {
  private:
   bool has_velocities(const trace::Frame& frame) const {
     return frame.solver && std::ranges::all_of(bodies_, [&](const RolloutBody& body) {
-             return std::ranges::count(frame.solver->bodies, body.name, &trace::Body::name) > 0;
+             return trace::find_body(frame, body.name) != nullptr;
            });
   }
 
@@ -183,8 +257,7 @@ class Judge {
   Motion motion_of(const RolloutBody& body, const Pose<double>& pose,
                    const trace::Frame& frame) const {
     if (score_.has_velocities) {
-      const trace::Body& record =
-          *std::ranges::find(frame.solver->bodies, body.name, &trace::Body::name);
+      const trace::Body& record = *trace::find_body(frame, body.name);
       return {record.velocity, record.angular_velocity};
     }
     if (!before_ || frame.frame == request_.frames.front().frame)
@@ -197,13 +270,13 @@ class Judge {
     for (const trace::Placement& one : frame.poses) {
       const bool is_body = std::ranges::count(bodies_, one.first, &RolloutBody::name) > 0;
       if (const auto placed = lint::place(solids_, &frame, one.first, {}))
-        shapes.push_back(boxed(one.first, is_body, *placed));
+        shapes.push_back({one.first, is_body, *placed, box_of(*placed)});
     }
     double deepest = 0;
     for (std::size_t i = 0; i < shapes.size(); ++i)
       for (std::size_t k = i + 1; k < shapes.size(); ++k) {
         const Boxed &a = shapes[i], &b = shapes[k];
-        if ((!a.is_body && !b.is_body) || !a.meets(b)) continue;
+        if ((!a.is_body && !b.is_body) || !meet(a.box, b.box)) continue;
         const std::optional<double> separation = separation_of(a.placed, b.placed);
         if (!separation && score_.unknown.empty()) score_.unknown = a.name + "-" + b.name;
         const double depth = -separation.value_or(0);

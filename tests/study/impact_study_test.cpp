@@ -2,8 +2,8 @@
 
 #include <string>
 
+#include "study/impact_cases.h"
 #include "study/study.h"
-#include "study/time_of_impact_study.h"
 #include "study_lines.h"
 
 namespace contactscope {

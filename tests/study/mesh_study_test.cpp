@@ -5,8 +5,8 @@
 #include <string>
 
 #include "core/at.h"
+#include "study/plain_triangle_test.h"
 #include "study/study.h"
-#include "study/triangle_answers.h"
 #include "study_lines.h"
 #include "support/exact_triangles.h"
 

@@ -2,9 +2,12 @@
 
 #include <sstream>
 
+#include "app/check/lint.h"
+#include "app/cli/progress.h"
 #include "app/cli/trace_file.h"
 #include "core/input_error.h"
 #include "scenario/nearest_word.h"
+#include "scenario/run.h"
 #include "versus/engine.h"
 #include "versus/request.h"
 
@@ -29,22 +32,17 @@ trace::Trace read_answer(std::string text, const std::string& name, std::string&
   return answer.frames.empty() ? trace::Trace{} : answer;
 }
 
-/// The reason that a program gives for not stepping.
-std::string last_words(const std::string& said) {
-  std::istringstream lines(said);
-  std::string last = "no rollout";
-  for (std::string line; std::getline(lines, line);)
-    if (line.find_first_not_of(" \t\r") != std::string::npos) last = line;
-  return last;
+/// This program, and all engines that are found.
+std::vector<std::string> known_engines() {
+  std::vector<std::string> engines = versus::engines_found(versus::own_folders());
+  engines.insert(engines.begin(), kOwn);
+  return engines;
 }
 
 }  // namespace
 
 std::vector<std::string> requested_engines(const Options& options) {
-  if (!options.engines.empty()) return options.engines;
-  std::vector<std::string> engines = versus::engines_found(versus::own_folders());
-  engines.insert(engines.begin(), kOwn);
-  return engines;
+  return options.engines.empty() ? known_engines() : options.engines;
 }
 
 std::map<std::string, std::string> programs_of(const std::vector<std::string>& engines) {
@@ -53,8 +51,7 @@ std::map<std::string, std::string> programs_of(const std::vector<std::string>& e
     if (name == kOwn) continue;
     const std::optional<std::string> program = versus::find_engine(name, versus::own_folders());
     if (!program) {
-      std::vector<std::string> known = versus::engines_found(versus::own_folders());
-      known.insert(known.begin(), kOwn);
+      const std::vector<std::string> known = known_engines();
       const std::vector<std::string_view> views(known.begin(), known.end());
       throw UsageError("--engines '" + name + "': there is no program contactscope-engine-" + name +
                        " next to contactscope or in $PATH; there are " + quoted_list(views));
@@ -72,7 +69,8 @@ versus::EngineRun run_engine(const std::string& name, const std::string& program
   engine_run.failure = answer.failure;
   engine_run.notes = answer.said;
   if (question == "rollout" && answer.exit_code == versus::kNoRollout) {
-    engine_run.refusal = last_words(answer.said);
+    const std::string reason = versus::last_line(answer.said);
+    engine_run.refusal = reason.empty() ? "no rollout" : reason;
     return engine_run;
   }
   // Drop the incomplete line of a crashed program.
@@ -91,11 +89,41 @@ versus::EngineRun run_engine(const std::string& name, const std::string& program
   return engine_run;
 }
 
+trace::Trace run_frames(const Scenario& scenario, const std::vector<int>& frames) {
+  Runner runner(scenario, trace::Stages::none());
+  trace::Trace whole{runner.header(), {}};
+  for (const int frame : frames) {
+    stop_if_interrupted();
+    whole.frames.push_back(runner.frame(frame));
+  }
+  return whole;
+}
+
 void print_words(const versus::EngineRun& engine_run, std::ostream& out) {
   std::istringstream lines(engine_run.notes);
   int left = kMaxNotes;
   for (std::string line; std::getline(lines, line) && left-- > 0;)
     out << engine_run.name << " prints: " << line << '\n';
+}
+
+nlohmann::ordered_json engine_json(const versus::EngineRun& engine_run,
+                                   const std::string& failure) {
+  nlohmann::ordered_json json{{"name", engine_run.name}};
+  const auto add = [&](const char* key, const std::string& text) {
+    if (!text.empty()) json[key] = text;
+  };
+  add("engine", engine_run.engine);
+  add("version", engine_run.version);
+  add("no_rollout", engine_run.refusal);
+  add("failure", failure);
+  if (engine_run.refusal.empty()) add("said", engine_run.notes);
+  return json;
+}
+
+nlohmann::ordered_json findings_json(const std::vector<lint::Finding>& findings) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const lint::Finding& finding : findings) json.push_back(to_json(finding));
+  return json;
 }
 
 }  // namespace contactscope::app

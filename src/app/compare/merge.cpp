@@ -2,10 +2,10 @@
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "app/check/reports/report.h"
 #include "app/check/review.h"
+#include "app/cli/shard.h"
 #include "app/cli/verbs.h"
 #include "app/compare/soak.h"
 #include "app/render/origin.h"
@@ -20,8 +20,9 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 struct Part {
-  fs::path folder;
+  std::string from;  // folder
   snapshot::Outcome outcome;
+  snapshot::Shard shard{};
 };
 
 /// Shard reports in an --out folder, or the folder itself if it is a report.
@@ -47,47 +48,43 @@ std::vector<Part> read_parts(const std::vector<std::string>& names) {
   std::vector<Part> parts;
   for (const std::string& name : names) {
     for (const fs::path& folder : reports_in(name)) {
-      parts.push_back({folder, snapshot::read_outcome(folder)});
-      if (!parts.back().outcome.shard)
-        throw InputError(folder.string(), 0, 0,
-                         "this is the report of a whole run, not of a shard");
+      Part& part = parts.emplace_back();
+      part.from = folder.generic_string();
+      part.outcome = snapshot::read_outcome(folder);
+      if (!part.outcome.shard)
+        throw InputError(part.from, 0, 0, "this is the report of a whole run, not of a shard");
+      part.shard = *part.outcome.shard;
     }
   }
-  std::ranges::sort(parts, {}, [](const Part& part) { return part.outcome.shard->part; });
+  std::ranges::sort(parts, {}, [](const Part& part) { return part.shard.part; });
   return parts;
 }
 
 /// Checks that all shards of one run are present, each shard and scenario once. Throws UsageError.
 void require_whole(const std::vector<Part>& parts) {
   const snapshot::Outcome& first = parts.front().outcome;
-  std::set<int> there;
-  std::map<std::string, std::string> owners;
   for (const Part& part : parts) {
     const snapshot::Outcome& outcome = part.outcome;
-    const std::string folder = part.folder.generic_string();
-    if (outcome.shard->of != first.shard->of || outcome.all != first.all ||
+    const std::string both = part.from + " and " + parts.front().from + " are ";
+    if (part.shard.of != parts.front().shard.of || outcome.all != first.all ||
         outcome.snapshots != first.snapshots || outcome.facts_only != first.facts_only)
-      throw UsageError(folder + " and " + parts.front().folder.generic_string() +
-                       " are reports of different commands, so they are not parts of one run; run "
-                       "all shards on the same files with the same options");
+      throw UsageError(both +
+                       "reports of different commands, so they are not parts of one run; run all "
+                       "shards on the same files with the same options");
     if (outcome.made_of != first.made_of)
-      throw UsageError(folder + " and " + parts.front().folder.generic_string() +
-                       " are from different programs or scenario files, so one of them is from an "
+      throw UsageError(both +
+                       "from different programs or scenario files, so one of them is from an "
                        "earlier run; run its shard again");
-    if (!there.insert(outcome.shard->part).second)
-      throw UsageError("shard " + std::to_string(outcome.shard->part) + " is there twice, in " +
-                       folder + " too");
-    for (const snapshot::ScenarioOutcome& scenario : outcome.scenarios) {
-      const auto [owner, is_new] = owners.emplace(scenario.scenario, folder);
+  }
+  require_every_shard(parts);
+  std::map<std::string, std::string> owners;
+  for (const Part& part : parts)
+    for (const snapshot::ScenarioOutcome& scenario : part.outcome.scenarios) {
+      const auto [owner, is_new] = owners.emplace(scenario.scenario, part.from);
       if (!is_new)
-        throw UsageError(scenario.scenario + " is in " + owner->second + " and in " + folder +
+        throw UsageError(scenario.scenario + " is in " + owner->second + " and in " + part.from +
                          "; the shards had different --times");
     }
-  }
-  for (int part = 1; part <= first.shard->of; ++part)
-    if (!there.contains(part))
-      throw UsageError("shard " + std::to_string(part) + " of " + std::to_string(first.shard->of) +
-                       " is missing");
   for (const std::string& name : first.all)
     if (!owners.contains(name))
       throw UsageError(name + " is in no shard; they had different --times");
@@ -105,9 +102,9 @@ ExitCode merge_checks(const Options& options) {
       for (const snapshot::Finding& finding : scenario.findings)
         for (const std::string& file :
              {finding.candidate, finding.expected, finding.difference, finding.layers_picture})
-          if (!file.empty()) report.copy_file(part.folder / file, file);
+          if (!file.empty()) report.copy_file(fs::path(part.from) / file, file);
     }
-    if (const auto text = snapshot::read_text_file(part.folder / "times.json"))
+    if (const auto text = snapshot::read_text_file(fs::path(part.from) / "times.json"))
       times.update(Json::parse(*text));
   }
   std::ranges::stable_sort(outcome.scenarios, {}, &snapshot::ScenarioOutcome::scenario);

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <numeric>
 
 #include "app/check/lint.h"
 #include "app/cli/catalogue.h"
@@ -15,7 +16,6 @@
 #include "app/render/renderer.h"
 #include "core/at.h"
 #include "core/input_error.h"
-#include "scenario/run.h"
 #include "versus/rollout.h"
 
 namespace contactscope::app {
@@ -30,15 +30,12 @@ constexpr int kMaxFindings = 2;  // per engine, in the table and below it; JSON 
 /// This program's solver with the scenario's settings.
 EngineRun own_rollout(const Scenario& scenario) {
   EngineRun own{kOwn, kOwn, CONTACTSCOPE_VERSION, "", "", {}};
-  Runner runner(scenario, trace::Stages::none());
-  own.trace.header = runner.header();
-  for (int frame = 0; frame < scenario.frames; ++frame) {
-    stop_if_interrupted();
-    own.trace.frames.push_back(runner.frame(frame));
-    // Other queries than contacts claim none.
-    std::erase_if(own.trace.frames.back().pairs,
-                  [](const trace::Pair& pair) { return pair.query.has_value(); });
-  }
+  std::vector<int> frames(static_cast<std::size_t>(scenario.frames));
+  std::iota(frames.begin(), frames.end(), 0);
+  own.trace = run_frames(scenario, frames);
+  // Other queries than contacts claim none.
+  for (trace::Frame& frame : own.trace.frames)
+    std::erase_if(frame.pairs, [](const trace::Pair& pair) { return pair.query.has_value(); });
   return own;
 }
 
@@ -73,29 +70,23 @@ Table table_of(const Rollout& rollout) {
       table.push_back({score.name, "no rollout", "-", "-", "-", "-", "-", "-", "-", "-", "-"});
       continue;
     }
-    const bool rests = score.resting > 0 && !score.time.empty();
+    const bool ran = !score.time.empty(), rests = score.resting > 0 && ran;
+    const auto where = [](bool known, const std::string& text) { return known ? text : "-"; };
     table.push_back({score.name, std::to_string(score.time.size()), std::to_string(score.resting),
-                     rests ? std::to_string(score.fallen) : "-",
+                     where(rests, std::to_string(score.fallen)),
                      score.fell_at ? spelled("%.2f", *score.fell_at) : "-",
-                     rests ? millimetres(score.worst_drift) : "-",
-                     score.time.empty() ? "-" : millimetres(score.worst_penetration),
-                     score.time.empty() ? "-" : std::to_string(score.passed),
-                     score.time.empty() ? "-" : spelled("%.3g", score.energy_gained),
-                     score.time.empty() ? "-" : spelled("%.1f", score.points), causes_of(score)});
+                     where(rests, millimetres(score.worst_drift)),
+                     where(ran, millimetres(score.worst_penetration)),
+                     where(ran, std::to_string(score.passed)),
+                     where(ran, spelled("%.3g", score.energy_gained)),
+                     where(ran, spelled("%.1f", score.points)), causes_of(score)});
   }
   return table;
 }
 
 Json json_of(const RolloutScore& score, const EngineRun& engine_run) {
-  Json json{{"name", score.name}};
-  if (!engine_run.engine.empty()) json["engine"] = engine_run.engine;
-  if (!engine_run.version.empty()) json["version"] = engine_run.version;
-  if (!score.refusal.empty()) {
-    json["no_rollout"] = score.refusal;
-    return json;
-  }
-  if (!score.failure.empty()) json["failure"] = score.failure;
-  if (!engine_run.notes.empty()) json["said"] = engine_run.notes;
+  Json json = engine_json(engine_run, score.failure);
+  if (!score.refusal.empty()) return json;
   json["frames"] = score.time.size();
   json["resting"] = score.resting;
   json["fallen"] = score.fallen;
@@ -113,8 +104,7 @@ Json json_of(const RolloutScore& score, const EngineRun& engine_run) {
                     {"energy", score.energy},
                     {"penetration", score.penetration},
                     {"drift", score.drift}};
-  json["findings"] = Json::array();
-  for (const lint::Finding& finding : score.findings) json["findings"].push_back(to_json(finding));
+  json["findings"] = findings_json(score.findings);
   return json;
 }
 
@@ -122,24 +112,20 @@ Json json_of(const RolloutScore& score, const EngineRun& engine_run) {
 void print_notes(const Rollout& rollout, std::ostream& out) {
   for (std::size_t i = 0; i < rollout.scores.size(); ++i) {
     const RolloutScore& score = rollout.scores[i];
-    if (!score.refusal.empty()) {
-      out << score.name << ": " << score.refusal << '\n';
-      continue;
-    }
+    const auto note = [&](bool holds, const std::string& text) {
+      if (holds) out << score.name << ": " << text << '\n';
+    };
+    note(!score.refusal.empty(), score.refusal);
+    if (!score.refusal.empty()) continue;
     print_words(rollout.engine_runs[i], out);
-    if (!score.failure.empty()) out << score.name << ": " << score.failure << '\n';
-    if (score.fell_at)
-      out << score.name << ": '" << score.first_fallen << "' is the first to fall, at "
-          << spelled("%.2f", *score.fell_at) << " s\n";
-    if (score.worst_penetration > 0)
-      out << score.name << ": deepest in " << score.worst_place << '\n';
-    if (score.passed > 0)
-      out << score.name << ": the first to pass through another in " << score.first_passed << '\n';
-    if (!score.unknown.empty())
-      out << score.name << ": the depth of " << score.unknown << " is not known, of two meshes\n";
-    if (!score.has_velocities && !score.time.empty())
-      out << score.name
-          << ": reports no velocities; its energy is computed from the differences of poses\n";
+    note(!score.failure.empty(), score.failure);
+    note(score.fell_at.has_value(), "'" + score.first_fallen + "' is the first to fall, at " +
+                                        spelled("%.2f", score.fell_at.value_or(0)) + " s");
+    note(score.worst_penetration > 0, "deepest in " + score.worst_place);
+    note(score.passed > 0, "the first to pass through another in " + score.first_passed);
+    note(!score.unknown.empty(), "the depth of " + score.unknown + " is not known, of two meshes");
+    note(!score.has_velocities && !score.time.empty(),
+         "reports no velocities; its energy is computed from the differences of poses");
     for (int k = 0; k < std::min(kMaxFindings, count_of(score.findings)); ++k)
       out << record(score.name, at(score.findings, k)) << '\n';
   }

@@ -10,20 +10,15 @@
 #include "draw/charts/time_chart.h"
 #include "draw/scene/quantity.h"
 #include "draw/staging.h"
+#include "study/picture.h"
+#include "trace/find.h"
 #include "view/title.h"
 
 namespace contactscope::app {
 namespace {
 
+using contactscope::record::listed;
 using versus::RolloutScore;
-
-/// "bullet, ode and jolt".
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
-  return text;
-}
 
 /// Name in the engine's own spelling; the requested name if it returned nothing.
 std::string name_of(const Rollout& rollout, std::size_t i) {
@@ -31,11 +26,16 @@ std::string name_of(const Rollout& rollout, std::size_t i) {
   return engine.empty() ? rollout.scores[i].name : engine;
 }
 
-/// Heading for scenes without resting bodies: engines that keep bodies separated.
-std::string overlaps_of(const Rollout& rollout) {
+std::vector<std::size_t> with_frames(const Rollout& rollout) {
   std::vector<std::size_t> engines;
   for (std::size_t i = 0; i < rollout.scores.size(); ++i)
     if (!rollout.scores[i].time.empty()) engines.push_back(i);
+  return engines;
+}
+
+/// Heading for scenes without resting bodies: engines that keep bodies separated.
+std::string overlaps_of(const Rollout& rollout) {
+  std::vector<std::size_t> engines = with_frames(rollout);
   if (engines.empty()) return "No engine steps it";
   std::vector<std::string> passed, stopped;
   for (const std::size_t i : engines)
@@ -55,9 +55,7 @@ std::string overlaps_of(const Rollout& rollout) {
 
 /// Engines with frames: first those in which a body fell, by time, then by increasing drift.
 std::vector<std::size_t> by_outcome(const Rollout& rollout) {
-  std::vector<std::size_t> engines;
-  for (std::size_t i = 0; i < rollout.scores.size(); ++i)
-    if (!rollout.scores[i].time.empty()) engines.push_back(i);
+  std::vector<std::size_t> engines = with_frames(rollout);
   std::ranges::stable_sort(engines, {}, [&](std::size_t i) {
     const RolloutScore& score = rollout.scores[i];
     return std::pair(!score.fell_at, score.fell_at ? *score.fell_at : score.worst_drift);
@@ -218,12 +216,12 @@ void place_masses(const trace::Trace& request, trace::Frame& frame) {
   if (frame.solver) return;
   frame.solver.emplace();
   for (const versus::RolloutBody& body : versus::rollout_bodies(request)) {
-    const auto pose = std::ranges::find(frame.poses, body.name, &trace::Placement::first);
-    if (pose == frame.poses.end()) continue;
+    const Pose<double>* const pose = trace::find_pose(frame, body.name);
+    if (pose == nullptr) continue;
     trace::Body& placed = frame.solver->bodies.emplace_back();
     placed.name = body.name;
     placed.mass = body.mass;
-    placed.center_of_mass = pose->second.transform(body.center);
+    placed.center_of_mass = pose->transform(body.center);
   }
 }
 
@@ -237,14 +235,9 @@ trace::Frame frame_of(const Rollout& rollout, std::size_t engine, int shown) {
   frame.frame = record[last].frame;
   frame.poses = record[last].poses;
   for (const trace::Shape& shape : rollout.request.header.shapes) {
-    if (std::ranges::count(frame.poses, shape.name, &trace::Placement::first) > 0) continue;
-    for (int k = frame.frame; k >= 0; --k) {
-      const auto& requested = at(rollout.request.frames, k).poses;
-      const auto pose = std::ranges::find(requested, shape.name, &trace::Placement::first);
-      if (pose == requested.end()) continue;
-      frame.poses.push_back(*pose);
-      break;
-    }
+    for (int k = frame.frame; k >= 0 && trace::find_pose(frame, shape.name) == nullptr; --k)
+      if (const auto* const pose = trace::find_pose(at(rollout.request.frames, k), shape.name))
+        frame.poses.emplace_back(shape.name, *pose);
   }
   return frame;
 }

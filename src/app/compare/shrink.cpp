@@ -10,9 +10,9 @@
 #include "app/cli/trace_file.h"
 #include "app/cli/verbs.h"
 #include "app/compare/engine_runs.h"
-#include "image/whole_file.h"
-#include "scenario/run.h"
 #include "shrink/source_facts.h"
+#include "snapshot/store.h"
+#include "versus/request.h"
 
 namespace contactscope::app {
 namespace {
@@ -33,12 +33,7 @@ Source read_source(const Options& options) {
   std::vector<Scenario> scenarios = load_scenarios(options);
   if (scenarios.size() != 1) throw UsageError("shrink takes one scenario or trace");
   Source source{scenarios.front().name, std::move(scenarios.front()), {}};
-  Runner runner(*source.scenario, trace::Stages::none());
-  source.trace.header = runner.header();
-  for (const int frame : options.selected(source.scenario->frames)) {
-    stop_if_interrupted();
-    source.trace.frames.push_back(runner.frame(frame));
-  }
+  source.trace = run_frames(*source.scenario, options.selected(source.scenario->frames));
   return source;
 }
 
@@ -122,10 +117,6 @@ void expect_what_double_has(PairOfTwo& pair) {
   pair.expectation.emplace_back("separation", shrink::spell(right->separation));
 }
 
-void write(const fs::path& path, const std::string& text) {
-  write_whole_file(path.string(), std::vector<std::uint8_t>(text.begin(), text.end()));
-}
-
 /// "hull_face_contact" for "hull/face_contact" or "runs/hull_face_contact.jsonl".
 std::string stem_of(const Source& source) {
   std::string stem = source.scenario ? source.name : fs::path(source.name).stem().string();
@@ -157,13 +148,12 @@ ExitCode run_shrink(const Options& options) {
   const fs::path file = folder / (stem_of(source) + ".toml");
   const std::string place = source.name + ", frame " + std::to_string(found->frame) + ", " +
                             found->a + " and " + found->b;
-  write(file, shrink::to_scenario(shrunk.pair, expression.text(), "shrunk from " + place));
+  snapshot::write_text(file,
+                       shrink::to_scenario(shrunk.pair, expression.text(), "shrunk from " + place));
   std::optional<fs::path> claims;
   if (shrunk.pair.claims) {
     claims = folder / (stem_of(source) + ".jsonl");
-    const trace::Trace trace = shrink::Judge::trace_of(shrunk.pair);
-    write(*claims, trace::to_json_line(trace.header) + "\n" +
-                       trace::to_json_line(trace.frames.front()) + "\n");
+    snapshot::write_text(*claims, versus::to_text(shrink::Judge::trace_of(shrunk.pair)));
   }
   const int before = found->pair.vertex_count(), after = shrunk.pair.vertex_count();
   if (options.json) {

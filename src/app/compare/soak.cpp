@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "app/cli/progress.h"
+#include "app/cli/shard.h"
 #include "app/cli/table.h"
 #include "core/input_error.h"
 #include "snapshot/store.h"
@@ -33,11 +34,7 @@ std::vector<SoakLine> by_sweep(const Soak& soak) {
       sums.push_back(line);
       continue;
     }
-    sum->pairs += line.pairs;
-    sum->exact += line.exact;
-    for (std::size_t i = 0; i < sum->faults.size(); ++i) sum->faults[i] += line.faults[i];
-    for (const auto& [exponent, count] : line.errors) sum->errors[exponent] += count;
-    sum->worst_ulps = std::max(sum->worst_ulps, line.worst_ulps);
+    sum->add(line);
   }
   std::ranges::stable_sort(sums, {}, &SoakLine::scalar);
   std::ranges::reverse(sums);
@@ -83,7 +80,7 @@ ExitCode report(const Soak& soak, const std::string& file, const Options& option
 }
 
 struct SoakPart {
-  std::string file;
+  std::string from;  // file
   Soak soak;
   snapshot::Shard shard;
 };
@@ -97,25 +94,16 @@ SoakPart read_part(const std::string& file) {
   return {file, std::move(soak), *shard};
 }
 
-void require_every_part(const std::vector<SoakPart>& parts) {
+void require_one_run(const std::vector<SoakPart>& parts) {
   const SoakPart& first = parts.front();
-  for (int wanted = 1; const SoakPart& part : parts) {
+  for (const SoakPart& part : parts) {
     if (part.shard.of != first.shard.of || part.soak.seed != first.soak.seed ||
         part.soak.cases != first.soak.cases || part.soak.lines.size() != first.soak.lines.size())
-      throw UsageError(part.file + " and " + first.file +
+      throw UsageError(part.from + " and " + first.from +
                        " are parts of different runs; run all shards with one program and the same "
                        "--cases and --seed, each run with its own --out");
-    const std::string of = " of " + std::to_string(first.shard.of);
-    if (part.shard.part < wanted)
-      throw UsageError("shard " + std::to_string(part.shard.part) + of + " is there twice, in " +
-                       part.file + " too");
-    if (part.shard.part > wanted)
-      throw UsageError("shard " + std::to_string(wanted) + of + " is missing");
-    ++wanted;
   }
-  if (static_cast<int>(parts.size()) < first.shard.of)
-    throw UsageError("shard " + std::to_string(parts.size() + 1) + " of " +
-                     std::to_string(first.shard.of) + " is missing");
+  require_every_shard(parts);
 }
 
 }  // namespace
@@ -159,7 +147,7 @@ ExitCode merge_soak(const std::vector<std::string>& files, const Options& option
   std::vector<SoakPart> parts;
   for (const std::string& file : files) parts.push_back(read_part(file));
   std::ranges::stable_sort(parts, {}, [](const SoakPart& part) { return part.shard.part; });
-  require_every_part(parts);
+  require_one_run(parts);
   Soak whole = parts.front().soak;
   for (std::size_t i = 1; i < parts.size(); ++i) add(whole, parts[i].soak);
   const std::string file =

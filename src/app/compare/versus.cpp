@@ -12,12 +12,10 @@
 #include "core/at.h"
 #include "draw/insets/contact_cells.h"
 #include "draw/scene/quantity.h"
-#include "scenario/run.h"
 #include "snapshot/finding.h"
 #include "snapshot/store.h"
 #include "trace/find.h"
 #include "versus/comparison.h"
-#include "versus/own.h"
 #include "versus/reference.h"
 #include "versus/request.h"
 #include "view/title.h"
@@ -38,13 +36,8 @@ struct Match {
 };
 
 trace::Trace run_whole(const Input& input) {
-  trace::Trace whole;
-  Runner runner(input.scenario, trace::Stages::none());
-  whole.header = runner.header();
-  for (const int frame : input.frames) {
-    whole.frames.push_back(runner.frame(frame));
-    versus::keep_queried_pairs(whole.frames.back());
-  }
+  trace::Trace whole = run_frames(input.scenario, input.frames);
+  for (trace::Frame& frame : whole.frames) versus::keep_queried_pairs(frame);
   return whole;
 }
 
@@ -95,11 +88,7 @@ Table table_of(const std::vector<Score>& scores) {
 }
 
 nlohmann::ordered_json json_of(const Score& score, const EngineRun& engine_run) {
-  nlohmann::ordered_json json{{"name", score.name}};
-  if (!engine_run.engine.empty()) json["engine"] = engine_run.engine;
-  if (!engine_run.version.empty()) json["version"] = engine_run.version;
-  if (!score.failure.empty()) json["failure"] = score.failure;
-  if (!engine_run.notes.empty()) json["said"] = engine_run.notes;
+  nlohmann::ordered_json json = engine_json(engine_run, score.failure);
   json["pairs"] = score.pairs;
   json["missed"] = score.missed;
   json["invented"] = score.invented;
@@ -112,17 +101,14 @@ nlohmann::ordered_json json_of(const Score& score, const EngineRun& engine_run) 
   if (score.patches > 0) json["area_ratio"] = score.area;
   if (score.id_frames > 0) json["ids_kept"] = score.ids_kept;
   if (score.id_frames > 0 && score.ids_are_made_up) json["ids_are_made_up"] = true;
-  json["findings"] = nlohmann::ordered_json::array();
-  for (const lint::Finding& finding : score.findings) json["findings"].push_back(to_json(finding));
+  json["findings"] = findings_json(score.findings);
   return json;
 }
 
 /// Prints what does not fit into the table: failures, the largest error, lint findings.
 void print_notes(const Match& match, const std::vector<Score>& scores, std::ostream& out) {
   for (const Score& score : scores) {
-    const EngineRun& engine_run =
-        *std::ranges::find(match.engine_runs, score.name, &EngineRun::name);
-    print_words(engine_run, out);
+    print_words(*std::ranges::find(match.engine_runs, score.name, &EngineRun::name), out);
     if (!score.failure.empty()) out << score.name << ": " << score.failure << '\n';
     for (const lint::Finding& finding : score.findings) out << record(score.name, finding) << '\n';
   }
