@@ -61,7 +61,7 @@ void for_each_row(const Staging& staging, const trace::Frame& frame, const trace
                         noise_of(*staging.header, staging.meshes, frame, pair),
                         staging.scales.length);
   });
-  if (pair.state != "separated") add("points", [&] { return counted(pair); });
+  if (!pair.manifolds.empty()) add("points", [&] { return counted(pair); });
   if (pair.incremental) {
     const trace::Incremental& incremental = *pair.incremental;
     add("cores", [&] {

@@ -346,7 +346,7 @@ struct Composer {
                            mark.kind == MarkKind::HeldOrigin ||
                            (mark.kind == MarkKind::Node && is_under_arrow(*at));
     if (is_inside != inside) return;
-    const float reach = draw_mark(mark.kind, *at, mark.color, pen);
+    const float reach = draw_mark(mark.kind, *at, mark.color, pen, mark.size);
     if (reach > 0) placer.block(*at, reach);
   }
 
