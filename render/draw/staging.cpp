@@ -119,9 +119,8 @@ Extent gather(const trace::Header& header, const std::vector<trace::Frame>& fram
     std::vector<PlacedShape> placed = place_shapes(meshes, frame);
     std::vector<PlacedShape> own;  // of the subject
     if (!cast.subject.empty()) {
-      std::ranges::copy_if(placed, std::back_inserter(own), [&](const PlacedShape& shape) {
-        return cast.subject[shape.place];
-      });
+      std::ranges::copy_if(placed, std::back_inserter(own),
+                           [&](const PlacedShape& shape) { return cast.subject[shape.place]; });
       if (cast.own_home) keep_home(*cast.own_home, shapes_in_contact(meshes, frame), own);
     }
     if (cast.home) keep_home(*cast.home, shapes_in_contact(meshes, frame), placed);
@@ -393,8 +392,8 @@ Staging stage(const trace::Header& header, const std::vector<trace::Frame>& fram
   };
   fit();
   if (style.legend)
-    staging.layout = layout(
-        legend_widths(staging, fitted != nullptr && fitted->all ? fitted->frames : frames));
+    staging.layout =
+        layout(legend_widths(staging, fitted != nullptr && fitted->all ? fitted->frames : frames));
   staging.camera = camera_in(staging.layout.view);
   fit();
   staging.title = stage_title(title, frames, staging.scales.length);

@@ -32,9 +32,8 @@ enum class Focus {
   Deepest,  // the pair with the largest overlap
   Worst,    // the pair with the largest overlap for the size of its smaller body
 };
-inline constexpr std::array kFocusNames = {
-    std::string_view("contact"), std::string_view("shapes"), std::string_view("deepest"),
-    std::string_view("worst")};
+inline constexpr std::array kFocusNames = {std::string_view("contact"), std::string_view("shapes"),
+                                           std::string_view("deepest"), std::string_view("worst")};
 
 /// One camera on a scenario, with the layers and panels that it shows.
 struct View {

@@ -13,7 +13,7 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr std::size_t kNumbered = 5;  // as the panel `worst` lists
+constexpr std::size_t kNumbered = 5;                // as the panel `worst` lists
 constexpr float kMinSize = 0.55f, kMaxSize = 2.0f;  // factors of a speck's radius
 constexpr float kNormalLength = 46;                 // pixels
 constexpr LineStyle kMarkedOutline{2.4f, kText};
@@ -52,11 +52,11 @@ void mark_pair(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
                              .color = kNormal});
     sketch.explain(kMarkedNormalSwatch, "normal, from A to B", place);
   }
-  Label& label = sketch.label(
-      place,
-      spell_separation(at->point->separation, scene.noise(pair), scene.scales.length) + ": " +
-          pair_name(pair),
-      kContact, 17, 34, Vec3d(scene.camera.up()));
+  Label& label =
+      sketch.label(place,
+                   spell_separation(at->point->separation, scene.noise(pair), scene.scales.length) +
+                       ": " + pair_name(pair),
+                   kContact, 17, 34, Vec3d(scene.camera.up()));
   label.leader = true;
 }
 
@@ -93,8 +93,7 @@ void draw_crowd(const Scene& scene, Sketch& sketch) {
   const bool sized = scene.scales.heap;
   const trace::Pair* const marked = sized ? marked_pair(scene) : nullptr;
   double deepest = 0;  // metres
-  for (const trace::Pair& pair : scene.frame.pairs)
-    deepest = std::max(deepest, overlap_of(pair));
+  for (const trace::Pair& pair : scene.frame.pairs) deepest = std::max(deepest, overlap_of(pair));
   const auto size_of = [&](const trace::Point& point) {
     if (!sized) return 1.0f;
     const double share = deepest > 0 ? std::max(0.0, -point.separation / deepest) : 0;
@@ -102,7 +101,7 @@ void draw_crowd(const Scene& scene, Sketch& sketch) {
   };
   // Specks of points behind bodies would seem to be in front of them. A contact point is inside
   // both bodies, so a point just behind their surface counts as visible.
-  const HiddenLines bodies(scene.camera, sketch.occluders, sketch.shadows);
+  const HiddenLines bodies(scene.camera, sketch.occluders, sketch.shadows, sketch.bodies);
   const auto is_behind = [&](const Vec3d& at) {
     const double metres = kWithin * scene.scales.pixel / scene.camera.pixels_per_metre(at);
     const Vec3d before = at + metres * scene.camera.to_eye(at).normalized();

@@ -22,8 +22,7 @@ using Bins = std::array<std::size_t, kBins>;
 /// and are the same in all frames of a sequence, as is their height for a point.
 class OverlapsPanel : public PanelContent {
  public:
-  OverlapsPanel(const Staging& staging, const Frames& frames)
-      : staging_(staging), frames_(frames) {
+  OverlapsPanel(const Staging& staging, const Frames& frames) : staging_(staging), frames_(frames) {
     double deepest = 0;  // metres
     each_overlap(frames, [&](double overlap) { deepest = std::max(deepest, overlap); });
     if (deepest <= 0) return;
@@ -65,7 +64,8 @@ class OverlapsPanel : public PanelContent {
     const Pen pen(sheet.pen().drawing(), sheet.pen().scale(), kBinLabel);
     const Rect rest = sheet.rest();
     const double top = rest.y + pen.px(kAboveBars);
-    const double height = std::min<double>(pen.px(kMaxBars), rest.bottom() - pen.px(kBelowBars) - top);
+    const double height =
+        std::min<double>(pen.px(kMaxBars), rest.bottom() - pen.px(kBelowBars) - top);
     const double foot = top + height, width = rest.width / kBins;
     const int marked = deepest > 0 ? bin_of(deepest) : -1;
     for (int i = 0; i < kBins; ++i) {

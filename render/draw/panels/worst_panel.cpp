@@ -72,8 +72,7 @@ class WorstPanel : public PanelContent {
 
   /// Of one ranking, pixels.
   float height() const {
-    return static_cast<float>(kRanked + 1) * Sheet::line_height(scale_) +
-           kBetweenRankings * scale_;
+    return static_cast<float>(kRanked + 1) * Sheet::line_height(scale_) + kBetweenRankings * scale_;
   }
 
   /// Nothing for the first frame, and if the frame before is not in memory.
@@ -83,8 +82,7 @@ class WorstPanel : public PanelContent {
   }
 
   std::string spelled(Rank by, const trace::Frame& frame, const RankedPair& ranked) const {
-    if (by == Rank::Impulse)
-      return spell_quantity(ranked.value, "N s", 3, staging_.scales.load);
+    if (by == Rank::Impulse) return spell_quantity(ranked.value, "N s", 3, staging_.scales.load);
     return spell_length(ranked.value,
                         noise_of(*staging_.header, staging_.meshes, frame, *ranked.pair),
                         staging_.scales.length);
@@ -119,8 +117,8 @@ class WorstPanel : public PanelContent {
         pen.text(Said{std::to_string(i + 1)}, pixel(row.x + pen.px(4), baseline), Align::Left, ink,
                  Weight::Bold);
       const float name = pen.px(kNumberColumn);
-      const float room = static_cast<float>(row.width) - name - pen.px(14) -
-                         pen.width_of(Said{value}, weight);
+      const float room =
+          static_cast<float>(row.width) - name - pen.px(14) - pen.width_of(Said{value}, weight);
       pen.text(pen.fitted(pair_name(*ranked[i].pair), weight, room),
                pixel(row.x + static_cast<double>(name), baseline), Align::Left, ink, weight);
       sheet.skip_to(row.bottom());

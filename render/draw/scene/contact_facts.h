@@ -33,10 +33,10 @@ bool is_heap(const trace::Frame& frame);
 
 /// Quantities by which pairs are ranked.
 enum class Rank {
-  Overlap,    // metres
-  Worst,      // overlap as a share of the smaller body's radius
-  Impulse,    // newton seconds
-  Change,     // metres between the overlaps of this frame and the previous one
+  Overlap,  // metres
+  Worst,    // overlap as a share of the smaller body's radius
+  Impulse,  // newton seconds
+  Change,   // metres between the overlaps of this frame and the previous one
 };
 
 struct RankedPair {

@@ -8,13 +8,13 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr double kLarge = 4;         // radii of the median body: a floor, a tray, a landscape
-constexpr double kInner = 0.75;      // share of the bodies that set the scale
-constexpr double kFree = 1.5;        // of their reach
+constexpr double kLarge = 4;     // radii of the median body: a floor, a tray, a landscape
+constexpr double kInner = 0.75;  // share of the bodies that set the scale
+constexpr double kFree = 1.5;    // of their reach
 constexpr double kInContact = 3;
-constexpr double kMinReach = 8;      // radii of the median body
-constexpr double kFarOff = 4;        // reaches: surely no part of the scene
-constexpr double kAround = 0.15;     // of the region's size, on each side
+constexpr double kMinReach = 8;        // radii of the median body
+constexpr double kFarOff = 4;          // reaches: surely no part of the scene
+constexpr double kAround = 0.15;       // of the region's size, on each side
 constexpr std::size_t kMinBodies = 8;  // of a scene that has bodies which fly off
 
 /// A body in a frame.
@@ -33,7 +33,8 @@ double quantile(std::vector<double> values, double share) {
 Vec3d median_of(const std::vector<Spot>& spots) {
   Vec3d middle;
   for (int axis = 0; axis < 3; ++axis)
-    middle[axis] = quantile(mapped(spots, [&](const Spot& spot) { return spot.center[axis]; }), 0.5);
+    middle[axis] =
+        quantile(mapped(spots, [&](const Spot& spot) { return spot.center[axis]; }), 0.5);
   return middle;
 }
 
@@ -46,7 +47,9 @@ bool is_body(const ShapeMesh& mesh) {
 std::vector<bool> shapes_in_contact(const ShapeMeshes& meshes, const trace::Frame& frame) {
   std::vector<bool> touches(meshes.size(), false);
   for (const trace::Pair& pair : frame.pairs) {
-    const auto has_points = [](const trace::Manifold& manifold) { return !manifold.points.empty(); };
+    const auto has_points = [](const trace::Manifold& manifold) {
+      return !manifold.points.empty();
+    };
     if (std::ranges::none_of(pair.manifolds, has_points)) continue;
     for (const std::string* name : {&pair.a, &pair.b})
       if (const auto place = meshes.find(*name)) touches[*place] = true;

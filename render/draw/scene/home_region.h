@@ -17,10 +17,10 @@ namespace contactscope::draw {
 /// ball of bodies needs at most 1.33. Shapes much larger than the median body, such as floors, are
 /// no bodies: only their part around the region counts.
 struct HomeRegion {
-  Eigen::AlignedBox3d box;       // around the bodies in it, metres
-  Eigen::AlignedBox3d around;    // the same, a little larger
+  Eigen::AlignedBox3d box;     // around the bodies in it, metres
+  Eigen::AlignedBox3d around;  // the same, a little larger
   Vec3d middle = Vec3d::Zero();
-  double reach = 0;              // metres from the middle: of bodies that touch nothing
+  double reach = 0;  // metres from the middle: of bodies that touch nothing
   double reach_in_contact = 0;
   std::vector<bool> is_large{};  // for each shape of the header
   bool fly_off = false;          // some body is far outside in some frame

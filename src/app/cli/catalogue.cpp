@@ -124,8 +124,7 @@ Input input_of(Sequence&& trace, const Options& options) {
   // The legend names two shapes; names of very many shapes would hide them.
   constexpr std::size_t kFewest = 3, kMax = 24;
   const std::size_t shapes = trace.header.shapes.size();
-  if (shapes >= kFewest && shapes <= kMax)
-    view.layers.push_back(Layer::Names);
+  if (shapes >= kFewest && shapes <= kMax) view.layers.push_back(Layer::Names);
   input.trace = std::move(trace);
   if (std::vector<View> views = views_of_file(options); !views.empty())
     input.scenario.views = std::move(views);

@@ -60,8 +60,7 @@ std::size_t drawn_by(const draw::Sketch& sketch) {
 
 void narrow(Sequence& sequence, const Options& options) {
   if (!word_in_focus(options))
-    for (const std::string& name : options.focus)
-      require_shape(sequence.header, "--focus", name);
+    for (const std::string& name : options.focus) require_shape(sequence.header, "--focus", name);
   if (options.pair.empty() && options.shapes.empty()) return;
   if (!options.pair.empty() && options.pair.size() != 2)
     throw UsageError("--pair names two shapes, as --pair=crate,floor");

@@ -126,10 +126,9 @@ void draw_sequences(Input& input, const Options& options, Renderer& renderer, Si
   for (const View& view : views) {
     const FigureCanvas canvas =
         canvas_of(sequence.header, sequence.frames, view, options, Size{}, words);
-    const draw::Staging staging =
-        draw::stage(sequence.header, sequence.frames, view, canvas.size.width, canvas.size.height,
-                    canvas.style, draw::kLayers, scenario.snapshots.frames,
-                    fitted ? &*fitted : nullptr);
+    const draw::Staging staging = draw::stage(
+        sequence.header, sequence.frames, view, canvas.size.width, canvas.size.height, canvas.style,
+        draw::kLayers, scenario.snapshots.frames, fitted ? &*fitted : nullptr);
     report_idle_layers(input, staging, sequence, options);
     const bool is_one_of_several = scenario.views.size() > 1;
     sinks.begin({scenario.name, is_one_of_several ? std::optional(view.name) : std::nullopt,
