@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <random>
 
@@ -131,7 +132,6 @@ TEST(HeapCamera, FramesTheShapesInFocus) {
   heap.view.focus_on = {"crate_8", "floor"};
   EXPECT_GT(share(heap.staged(), heap.frames[0].poses[9].second.position), 0.2);
   heap.view.focus_on.clear();
-  // Crate 48 of 49 has 7 * 48 % 49 + 1 = 43 mm, crate 6 has 43, crate 13 43, ...: 43 is the most.
   heap.touch("crate_30", "crate_31", heap.frames[0].poses[31].second.position, -0.2);
   heap.view.focus = Focus::Deepest;
   const Staging staging = heap.staged();
@@ -156,19 +156,19 @@ TEST(HeapMarks, OnePointStandsOutAndTheOthersHaveAnAreaByOverlap) {
   EXPECT_EQ(sketch.arrows.size(), 1u) << "the normal of the deepest point";
   const auto ring = std::ranges::find(sketch.marks, MarkKind::WideRing, &Mark::kind);
   ASSERT_NE(ring, sketch.marks.end());
-  std::map<double, float> sizes;  // by overlap
+  std::map<long, float> sizes;  // by overlap, millimetres
   const trace::Point* deepest = nullptr;
   for (const trace::Pair& pair : heap.frames[0].pairs) {
     const trace::Point& point = pair.manifolds[0].points[0];
     if (deepest == nullptr || point.separation < deepest->separation) deepest = &point;
     for (const Mark& mark : sketch.marks)
       if (mark.at == point.position && mark.kind != MarkKind::WideRing)
-        sizes[-point.separation] = mark.size;
+        sizes[std::lround(-1000 * point.separation)] = mark.size;
   }
   EXPECT_EQ(ring->at, deepest->position);
   ASSERT_EQ(sizes.size(), 36u);
   EXPECT_TRUE(std::ranges::is_sorted(sizes, {}, [](const auto& size) { return size.second; }));
-  EXPECT_NEAR(sizes[0.036] / sizes[0.009], 2, 1e-3) << "four times the area";
+  EXPECT_NEAR(sizes[36] / sizes[9], 2, 1e-3) << "four times the area";
   const Heap few(5);  // 25 manifolds
   EXPECT_EQ(sketch_frame(few.staged(), few.frames[0]).arrows.size(), 25u);
 }

@@ -16,13 +16,10 @@ namespace {
 constexpr std::size_t kNumbered = 5;                // as the panel `worst` lists
 constexpr float kMinSize = 0.55f, kMaxSize = 2.0f;  // factors of a speck's radius
 constexpr float kNormalLength = 46;                 // pixels
-constexpr LineStyle kMarkedOutline{2.4f, kText};
+constexpr LineStyle kMarkedOutline{2.6f, kContact};
 
 constexpr Swatch kSpeckSwatch{LegendGroup::Points, 3, [](auto& pen) { pen.dot(0, 2.4, kContact); }};
-constexpr Swatch kSizedSwatch{LegendGroup::Points, 3, [](auto& pen) {
-                                pen.dot(-6, 1.6, kContact);
-                                pen.dot(2, 4.4, kContact);
-                              }};
+constexpr Swatch kSizedSwatch{LegendGroup::Points, 3, [](auto& pen) { pen.dot(0, 4, kContact); }};
 constexpr Swatch kMarkedNormalSwatch{LegendGroup::Forces, 0,
                                      [](auto& pen) { pen.arrow(3, 10, kNormal); }};
 
@@ -37,8 +34,7 @@ void mark_pair(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const Vec3d& place = at->point->position;
   for (const std::string* name : {&pair.a, &pair.b}) {
     const PlacedShape* shape = scene.find(*name);
-    if (shape != nullptr && !shape->traced().half_space && !shape->is_mesh() &&
-        !is_large(scene, *shape))
+    if (shape != nullptr && !shape->traced().half_space && !is_large(scene, *shape))
       draw_ghost(scene.camera, *shape, kMarkedOutline, sketch);
   }
   sketch.mark(MarkKind::Speck, place, kContact, kMaxSize);

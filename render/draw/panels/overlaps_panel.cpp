@@ -1,8 +1,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <span>
 
 #include "draw/panels/panel.h"
+#include "draw/scene/contact_facts.h"
 #include "draw/scene/palette.h"
 #include "draw/scene/quantity.h"
 
@@ -46,17 +50,11 @@ class OverlapsPanel : public PanelContent {
   std::string lay_out(const PanelMoment& moment, Sheet& sheet) override {
     const trace::Frame& frame = frames_[moment.frame];
     const Bins bins = bins_of(frame);
-    std::size_t overlapping = 0, points = 0;
+    const auto overlapping = std::accumulate(bins.begin(), bins.end(), std::int64_t{0});
     double deepest = 0;
-    for (const std::size_t count : bins) overlapping += count;
-    for (const trace::Pair& pair : frame.pairs)
-      for (const trace::Manifold& manifold : pair.manifolds)
-        for (const trace::Point& point : manifold.points) {
-          ++points;
-          deepest = std::max(deepest, -point.separation);
-        }
-    sheet.heading("overlaps of " + spell_count(static_cast<std::int64_t>(overlapping)) + " of " +
-                  spell_count(static_cast<std::int64_t>(points)) + " points");
+    each_overlap({&frame, 1}, [&](double overlap) { deepest = std::max(deepest, overlap); });
+    sheet.heading("overlaps of " + spell_count(overlapping) + " of " +
+                  spell_count(static_cast<std::int64_t>(count_contacts(frame).points)) + " points");
     if (most_ == 0) {
       sheet.line("no point overlaps in any frame", kText);
       return {};
@@ -95,7 +93,7 @@ class OverlapsPanel : public PanelContent {
 
  private:
   template <class Visit>
-  static void each_overlap(const Frames& frames, const Visit& visit) {
+  static void each_overlap(std::span<const trace::Frame> frames, const Visit& visit) {
     for (const trace::Frame& frame : frames)
       for (const trace::Pair& pair : frame.pairs)
         for (const trace::Manifold& manifold : pair.manifolds)
@@ -117,10 +115,8 @@ class OverlapsPanel : public PanelContent {
 
   Bins bins_of(const trace::Frame& frame) const {
     Bins bins{};
-    for (const trace::Pair& pair : frame.pairs)
-      for (const trace::Manifold& manifold : pair.manifolds)
-        for (const trace::Point& point : manifold.points)
-          if (point.separation < 0) ++bins[static_cast<std::size_t>(bin_of(-point.separation))];
+    each_overlap({&frame, 1},
+                 [&](double overlap) { ++bins[static_cast<std::size_t>(bin_of(overlap))]; });
     return bins;
   }
 

@@ -8,19 +8,19 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr std::size_t kRanked = 5;     // rows of a ranking
 constexpr float kBetweenRankings = 6;  // pixels at 720 lines
 constexpr double kNumberColumn = 18;
 
 struct Ranking {
   Rank by;
+  std::size_t rows;
   const char* title;
   Color color;
 };
 constexpr Ranking kRankings[] = {
-    {Rank::Overlap, "by overlap", kContact},
-    {Rank::Impulse, "by impulse", kImpulse},
-    {Rank::Change, "by change of overlap since the last frame", kDropped},
+    {Rank::Overlap, 5, "by overlap", kContact},
+    {Rank::Impulse, 3, "by impulse", kImpulse},
+    {Rank::Change, 3, "by change of overlap since the last frame", kDropped},
 };
 
 /// The pairs of a frame with the largest overlaps, impulses and changes, among any number of pairs.
@@ -35,21 +35,21 @@ class WorstPanel : public PanelContent {
 
   PanelNeed need(const PanelMoment&) const override {
     const float heading = Sheet::heading_height(scale_);
-    const float all = heading + static_cast<float>(rankings().size()) * height();
-    return {heading + height(), all, all, 0};
+    float all = heading;
+    for (const Ranking& ranking : rankings()) all += height_of(ranking);
+    return {heading + height_of(kRankings[0]), all, all, 0};
   }
 
   std::string lay_out(const PanelMoment& moment, Sheet& sheet) override {
     const trace::Frame& frame = frames_[moment.frame];
     const ContactCounts counts = count_contacts(frame);
-    const auto number = [](std::size_t count, const char* one, const char* many) {
-      return spell_count(static_cast<std::int64_t>(count)) + " " + (count == 1 ? one : many);
-    };
-    sheet.heading("worst of " + number(counts.pairs, "pair", "pairs") + " in contact");
+    sheet.heading("worst of " + spell_count(static_cast<std::int64_t>(counts.pairs)) +
+                  (counts.pairs == 1 ? " pair" : " pairs") + " in contact");
     std::size_t left_out = 0;
     for (const Ranking& ranking : rankings()) {
       constexpr double kWholePixels = 1;  // a panel's area is cut to whole pixels
-      if (left_out > 0 || sheet.rest().height + kWholePixels < static_cast<double>(height())) {
+      if (left_out > 0 ||
+          sheet.rest().height + kWholePixels < static_cast<double>(height_of(ranking))) {
         ++left_out;
         continue;
       }
@@ -70,9 +70,10 @@ class WorstPanel : public PanelContent {
     return shown;
   }
 
-  /// Of one ranking, pixels.
-  float height() const {
-    return static_cast<float>(kRanked + 1) * Sheet::line_height(scale_) + kBetweenRankings * scale_;
+  /// Pixels.
+  float height_of(const Ranking& ranking) const {
+    return static_cast<float>(ranking.rows + 1) * Sheet::line_height(scale_) +
+           kBetweenRankings * scale_;
   }
 
   /// Nothing for the first frame, and if the frame before is not in memory.
@@ -91,8 +92,8 @@ class WorstPanel : public PanelContent {
   void draw_ranking(const Ranking& ranking, std::size_t index, Sheet& sheet) const {
     const trace::Frame& frame = frames_[index];
     const std::vector<RankedPair> ranked =
-        ranked_pairs(frame, ranking.by, kRanked, staging_.meshes, before(index));
-    const float end = static_cast<float>(sheet.rest().y) + height();
+        ranked_pairs(frame, ranking.by, ranking.rows, staging_.meshes, before(index));
+    const float end = static_cast<float>(sheet.rest().y) + height_of(ranking);
     sheet.line(ranking.title, kQuietText);
     if (ranked.empty())
       sheet.line(ranking.by == Rank::Change && before(index) == nullptr ? "no frame before this one"

@@ -118,7 +118,7 @@ Input input_of(Sequence&& trace, const Options& options) {
   View& view = input.scenario.views.front();
   view.panels = {Panel::Summary};
   if (std::ranges::any_of(trace.frames, draw::is_heap)) {
-    view.panels = {Panel::Worst, Panel::Overlaps, Panel::Plots};
+    view.panels = {Panel::Worst, Panel::Plots};
     view.charts = {Chart::Overlap, Chart::Points};
   }
   // The legend names two shapes; names of very many shapes would hide them.

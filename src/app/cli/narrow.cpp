@@ -42,8 +42,7 @@ Options with_camera(Options options) {
   return options;
 }
 
-/// What --focus means, unless it names shapes. A shape with such a name is meant together with
-/// another one.
+/// The word of --focus; nothing if it names shapes.
 std::optional<Focus> word_in_focus(const Options& options) {
   if (options.focus.size() != 1) return std::nullopt;
   const std::string& word = options.focus.front();
