@@ -23,9 +23,9 @@ constexpr Swatch kSizedSwatch{LegendGroup::Points, 3, [](auto& pen) { pen.dot(0,
 constexpr Swatch kMarkedNormalSwatch{LegendGroup::Forces, 0,
                                      [](auto& pen) { pen.arrow(3, 10, kNormal); }};
 
-bool is_large(const Scene& scene, const PlacedShape& shape) {
-  constexpr double kLarge = 4;
-  return !(shape.mesh->radius < kLarge * scene.meshes.smallest_radius());
+bool is_much_larger(const Scene& scene, const PlacedShape& shape) {
+  constexpr double kMuchLarger = 4;
+  return !(shape.mesh->radius < kMuchLarger * scene.meshes.smallest_radius());
 }
 
 void mark_pair(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
@@ -34,7 +34,7 @@ void mark_pair(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const Vec3d& place = at->point->position;
   for (const std::string* name : {&pair.a, &pair.b}) {
     const PlacedShape* shape = scene.find(*name);
-    if (shape != nullptr && !shape->traced().half_space && !is_large(scene, *shape))
+    if (shape != nullptr && !shape->traced().half_space && !is_much_larger(scene, *shape))
       draw_ghost(scene.camera, *shape, kMarkedOutline, sketch);
   }
   sketch.mark(MarkKind::Speck, place, kContact, kMaxSize);

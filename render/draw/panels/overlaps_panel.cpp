@@ -16,9 +16,9 @@ namespace {
 // Pixels at 720 lines.
 constexpr double kMinBars = 40, kMaxBars = 120, kBelowBars = 20, kAboveBars = 18, kBinLabel = 13;
 
-constexpr int kDecades = 4;  // below the deepest overlap of the sequence; the rest share a bin
-constexpr std::array kSteps = {1.0, 2.0, 5.0};
-constexpr int kBins = kDecades * static_cast<int>(kSteps.size()) + 1;
+constexpr int kShownDecades = 4;  // below the deepest overlap of the sequence; the rest share a bin
+constexpr std::array kBinEnds = {1.0, 2.0, 5.0};
+constexpr int kBins = kShownDecades * static_cast<int>(kBinEnds.size()) + 1;
 
 using Bins = std::array<std::size_t, kBins>;
 
@@ -104,7 +104,7 @@ class OverlapsPanel : public PanelContent {
   /// 1, 2 or 5 times a power of ten, metres; 0 is 1 m.
   static double end_at(int index) {
     const int decade = static_cast<int>(std::floor(index / 3.0));
-    return kSteps[static_cast<std::size_t>(index - 3 * decade)] * std::pow(10.0, decade);
+    return kBinEnds[static_cast<std::size_t>(index - 3 * decade)] * std::pow(10.0, decade);
   }
 
   int bin_of(double overlap) const {
