@@ -15,8 +15,8 @@ constexpr double kMarginal = 0.05;  // share of the size of the support
 
 PairState state_of(const trace::Pair& pair, double touching) {
   const auto has_points = [](const trace::Manifold& manifold) { return !manifold.points.empty(); };
-  // Points count, not the word in the trace: engines may write both, and titles count points.
-  if (std::ranges::none_of(pair.manifolds, has_points))
+  // A pair with points is not separated, whatever an engine's trace says: titles count its points.
+  if (pair.state == "separated" && std::ranges::none_of(pair.manifolds, has_points))
     return pair.separation < 0 ? PairState::Skipped : PairState::Separation;
   return pair.separation > touching ? PairState::WithinMargin : PairState::Touching;
 }
