@@ -10,6 +10,7 @@
 #include "draw/scene/palette.h"
 #include "draw/scene/points.h"
 #include "draw/scene/quantity.h"
+#include "draw/scene/solid.h"
 #include "draw/staging.h"
 #include "view/words.h"
 
@@ -35,6 +36,8 @@ Needs needs_of(Panel panel) {
     case Panel::Stability:
       return {&Stages::stability};
     case Panel::Approach:
+    case Panel::Worst:
+    case Panel::Overlaps:
     case Panel::Plots:
     case Panel::Pipeline:
       return {};
@@ -238,6 +241,22 @@ std::vector<LegendEntry> said_entries(const Legend& legend, const Staging& stagi
   return said.sorted();
 }
 
+/// Reports how many shapes are outside of a view that does not follow them.
+void report_absent(const Scene& scene, const Layout& layout, Drawing& drawing) {
+  constexpr double kSize = 15, kInside = 6;  // pixels
+  const auto is_absent = [&](const PlacedShape& shape) {
+    return !shape.pose.position.allFinite() || !in_view(scene.camera, shape);
+  };
+  const auto absent = std::ranges::count_if(scene.shapes, is_absent);
+  if (absent == 0) return;
+  drawing.begin(kMomentPart);
+  const Pen pen(drawing, layout.scale, kSize);
+  pen.text(absent == 1 ? "1 shape has left the view"
+                       : spell_count(absent) + " shapes have left the view",
+           pixel(layout.view.x, layout.view.bottom() - pen.px(kInside)), Align::Left, kText,
+           Weight::Bold, 0, 3);
+}
+
 }  // namespace
 
 Scene scene_of(const Staging& staging, const trace::Frame& frame) {
@@ -323,6 +342,7 @@ Drawing illustrate(const Staging& staging, const trace::Frame& frame) {
     draw_inset(staging.insets[i], insets[i], staging.layout, drawing);
   }
   if (staging.style.legend) draw_legend(choice.listed, staging.layout, drawing);
+  if (staging.leaves_out) report_absent(*shots.front().scene, staging.layout, drawing);
   draw_captions(title, staging.header->source, staging.moments.of(frame), staging.layout, drawing);
   return drawing;
 }

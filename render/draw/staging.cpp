@@ -8,7 +8,9 @@
 
 #include "core/at.h"
 #include "draw/scene/answers.h"
+#include "draw/scene/contact_facts.h"
 #include "draw/scene/ghost.h"
+#include "draw/scene/home_region.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/points.h"
 #include "draw/scene/solid.h"
@@ -25,6 +27,7 @@ constexpr double kShapesShare = 0.92;  // share of the view if all shapes should
 constexpr double kMinShapes = 0.72;    // share of the distance from which all shapes are visible
 constexpr double kLargeShape = 2.2;    // radii of the smallest: a floor, may be cropped
 constexpr double kMinContext = 0.45;   // of the smaller shape's radius: a point has no size
+constexpr double kSubjectShare = 0.5;  // share of the view of shapes that the view focuses on
 
 double radians(double degrees) {
   return degrees * std::numbers::pi / 180;
@@ -45,6 +48,19 @@ struct Cloud {
       if (i >= last.size() || frame[i] != last[i]) points.push_back(frame[i]);
     }
     last = std::move(frame);
+  }
+};
+
+/// Shapes that a camera should show.
+struct Cast {
+  std::optional<HomeRegion> home;      // of all shapes; nothing: none is left out
+  std::optional<HomeRegion> own_home;  // of the subject
+  std::vector<bool> subject;           // for each shape of the header; empty: all shapes
+  bool heap = false;                   // the contacts have no common normal
+
+  bool has(const ShapeMeshes& meshes, const std::string& name) const {
+    const auto place = meshes.find(name);
+    return subject.empty() || (place && subject[*place]);
   }
 };
 
@@ -89,7 +105,8 @@ std::vector<Vec3d> swept_points(const std::vector<PlacedShape>& placed, const tr
 // not be cropped, nor the ground with everything on it. Otherwise the subject is all shapes except
 // floors.
 Extent gather(const trace::Header& header, const std::vector<trace::Frame>& frames,
-              const View& view, ShapeMeshes& meshes, bool with_sweeps = false) {
+              const View& view, ShapeMeshes& meshes, bool with_sweeps = false,
+              const Cast& cast = {}) {
   const Vec3d usual = default_direction(header);
   const double least = meshes.smallest_radius();
   const double smallest = std::isfinite(least) ? least : 0;  // zero without shapes
@@ -99,7 +116,14 @@ Extent gather(const trace::Header& header, const std::vector<trace::Frame>& fram
   Extent extent;
   Cloud shapes, subject;
   for (const trace::Frame& frame : frames) {
-    const std::vector<PlacedShape> placed = place_shapes(meshes, frame);
+    std::vector<PlacedShape> placed = place_shapes(meshes, frame);
+    std::vector<PlacedShape> own;  // of the subject
+    if (!cast.subject.empty()) {
+      std::ranges::copy_if(placed, std::back_inserter(own),
+                           [&](const PlacedShape& shape) { return cast.subject[shape.place]; });
+      if (cast.own_home) keep_home(*cast.own_home, shapes_in_contact(meshes, frame), own);
+    }
+    if (cast.home) keep_home(*cast.home, shapes_in_contact(meshes, frame), placed);
     std::vector<Vec3d> points = extent_points(placed), chosen;
     for (const PlacedShape& shape : placed) {
       if (const auto& plane = shape.traced().half_space)
@@ -114,9 +138,10 @@ Extent gather(const trace::Header& header, const std::vector<trace::Frame>& fram
         if (volume) append(points, extent_points(*volume));
     }
     if (with_sweeps && view.shows(Layer::Sweep)) append(points, swept_points(placed, frame));
-    shapes.add(std::move(points));
+    shapes.add(cast.subject.empty() ? std::move(points) : extent_points(own));
     subject.add(std::move(chosen));
     for (const trace::Pair& pair : frame.pairs) {
+      if (!cast.has(meshes, pair.a) && !cast.has(meshes, pair.b)) continue;
       if (extent.normal.isZero() && !pair.manifolds.empty())
         extent.normal = seen_side(placed, pair, usual);
       append(extent.contact, positions_of(pair));
@@ -130,8 +155,13 @@ Extent gather(const trace::Header& header, const std::vector<trace::Frame>& fram
     meshes[i].patch = plane.patch();
     Cloud corners;
     for (const Pose<double>& pose : plane.poses) corners.add(patch_corners(*meshes[i].patch, pose));
-    append(extent.shapes, corners.points);
+    if (cast.subject.empty()) append(extent.shapes, corners.points);
   }
+  if (!cast.subject.empty()) {
+    extent.contact.clear();
+    subject.points.clear();
+  }
+  if (cast.heap) extent.normal = up_axis(header);
   extent.subject = planes.empty() ? subject.points : extent.shapes;
   extent.croppable = planes.empty() && !any_round;
   if (extent.contact.empty()) return extent;
@@ -154,7 +184,7 @@ Vec3d viewing_direction(const trace::Header& header, const Vec3d& normal) {
 }
 
 Camera fit_camera(const trace::Header& header, const Extent& extent, const View& view,
-                  const Rect& viewport) {
+                  const Rect& viewport, bool has_subject) {
   // A fitted parallel projection starts with a distant eye, whose rays are nearly parallel.
   const bool parallel = view.orthographic_height && !(*view.orthographic_height > 0);
   const double fov = radians(parallel ? kParallelField : view.fov_degrees.value_or(kFieldOfView));
@@ -172,7 +202,7 @@ Camera fit_camera(const trace::Header& header, const Extent& extent, const View&
     append(points, more);
     return fit_view(points, direction, up, view.target, half_height, aspect, share);
   };
-  ViewFit best = fit(extent.shapes, kShapesShare);
+  ViewFit best = fit(extent.shapes, has_subject ? kSubjectShare : kShapesShare);
   if (view.focus == Focus::Contact && !extent.contact.empty()) {
     ViewFit close = fit(extent.contact, kPatchShare);
     const ViewFit around = fit(extent.subject, kShapesShare, extent.contact);
@@ -259,13 +289,57 @@ std::vector<std::vector<float>> legend_widths(const Staging& staging,
 
 }  // namespace
 
+namespace {
+
+/// The two shapes of the pair that `focus` means, in the frame where it is largest.
+std::vector<std::string> names_in_focus(const std::vector<trace::Frame>& frames, Focus focus,
+                                        const ShapeMeshes& meshes) {
+  const Rank by = focus == Focus::Worst ? Rank::Worst : Rank::Overlap;
+  RankedPair first;
+  for (const trace::Frame& frame : frames)
+    for (const RankedPair& ranked : ranked_pairs(frame, by, 1, meshes))
+      if (ranked.value > first.value) first = ranked;
+  if (first.pair == nullptr) return {};
+  return {first.pair->a, first.pair->b};
+}
+
+/// Next to a much smaller shape, a large one in focus is only context.
+Cast cast_of(const std::vector<trace::Frame>& frames, const View& view, const ShapeMeshes& meshes,
+             bool is_trace) {
+  Cast cast;
+  if (std::optional<HomeRegion> home = home_region(meshes, frames);
+      home && (is_trace ? home->cuts_off : home->fly_off))
+    cast.home = std::move(home);
+  cast.heap = is_trace && std::ranges::any_of(frames, is_heap);
+  if (view.focus_on.empty()) return cast;
+  cast.subject.assign(meshes.size(), false);
+  for (const std::string& name : view.focus_on)
+    if (const auto place = meshes.find(name)) cast.subject[*place] = true;
+  cast.own_home = home_region(meshes, frames, cast.subject);
+  if (!cast.own_home) return cast;
+  for (std::size_t i = 0; i < meshes.size(); ++i)
+    if (cast.own_home->is_large[i]) cast.subject[i] = false;
+  cast.heap = false;
+  return cast;
+}
+
+}  // namespace
+
 Staging stage(const trace::Header& header, const std::vector<trace::Frame>& frames,
               const View& requested, int width, int height, const FigureStyle& style,
-              const LayerTable& layers, const std::vector<int>& stored) {
+              const LayerTable& layers, const std::vector<int>& stored,
+              const FittedFrames* fitted) {
   View view = requested;
   const std::vector<Panel> insets = take_insets(view);
   ShapeMeshes meshes(header.shapes);
-  const Extent extent = gather(header, frames, view, meshes);
+  const std::vector<trace::Frame>& to_fit = fitted != nullptr ? fitted->frames : frames;
+  if (view.focus == Focus::Deepest || view.focus == Focus::Worst)
+    view.focus_on = names_in_focus(to_fit, view.focus, meshes);
+  const Cast cast = cast_of(to_fit, view, meshes, fitted != nullptr);
+  const Extent extent = gather(header, to_fit, view, meshes, false, cast);
+  const auto camera_in = [&](const Rect& viewport) {
+    return fit_camera(header, extent, view, viewport, !cast.subject.empty());
+  };
   const auto layout = [&](const std::vector<std::vector<float>>& widths) {
     return make_layout(width, height, !view.panels.empty(), widths, count_of(insets), style,
                        plain_title(view.title.value_or(header.title)));
@@ -273,7 +347,8 @@ Staging stage(const trace::Header& header, const std::vector<trace::Frame>& fram
   // The camera needs the view's rectangle, which needs the legend's rows, which depend on the
   // contents of the frames. Therefore the legend of all frames is made with a provisional camera.
   Staging staging{&header,           view,       &layers,
-                  std::move(meshes), layout({}), fit_camera(header, extent, view, layout({}).view)};
+                  std::move(meshes), layout({}), camera_in(layout({}).view)};
+  staging.leaves_out = cast.home && cast.subject.empty() && !view.eye && !view.target;
   staging.style = style;
   staging.layout.words = staging.style.words.get();
   staging.moments = Moments(frames, view.story);
@@ -316,8 +391,10 @@ Staging stage(const trace::Header& header, const std::vector<trace::Frame>& fram
     staging.insets = stage_insets(insets, up_axis(header), staging.camera, staging.layout, frames);
   };
   fit();
-  if (style.legend) staging.layout = layout(legend_widths(staging, frames));
-  staging.camera = fit_camera(header, extent, view, staging.layout.view);
+  if (style.legend)
+    staging.layout =
+        layout(legend_widths(staging, fitted != nullptr && fitted->all ? fitted->frames : frames));
+  staging.camera = camera_in(staging.layout.view);
   fit();
   staging.title = stage_title(title, frames, staging.scales.length);
   if (staging.viewports.empty())

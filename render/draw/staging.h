@@ -32,15 +32,28 @@ struct Staging {
   StagedTitle title{};
   std::vector<PairViewport> viewports{};  // if the view shows pairs side by side
   std::optional<Magnifier> magnifier{};
+  /// Whether the camera was fitted to all shapes except those that are outside of `home`.
+  bool leaves_out = false;
+};
+
+/// Frames that the camera is fitted to.
+struct FittedFrames {
+  std::vector<trace::Frame> frames;
+  bool all = true;  // false: a sample of the drawn frames
 };
 
 /// Prepares a sequence from all frames, without drawing. Uses the view's eye, target and lens if
 /// given. Otherwise fits the camera to the contact patches (30 degrees above the contact plane,
 /// patches half as wide as the view), or to all shapes without contact or if the view requests it.
 /// Fits views of pairs to the `stored` frames, if any. finish() applies the rest of the style.
+///
+/// `fitted`: of a trace, the frames that are drawn. The camera then leaves out bodies outside the
+/// HomeRegion of these frames, and the parts of large shapes around it. Without `fitted`, as for a
+/// scenario, it fits all frames, and leaves bodies out only if some fly far off.
 Staging stage(const trace::Header& header, const std::vector<trace::Frame>& frames,
               const View& view, int width, int height, const FigureStyle& style = {},
-              const LayerTable& layers = kLayers, const std::vector<int>& stored = {});
+              const LayerTable& layers = kLayers, const std::vector<int>& stored = {},
+              const FittedFrames* fitted = nullptr);
 
 /// Draws one frame from the trace alone, without computing contacts. Equal frames give equal
 /// drawings.

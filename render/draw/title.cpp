@@ -6,6 +6,7 @@
 #include <set>
 
 #include "draw/scene/answers.h"
+#include "draw/scene/contact_facts.h"
 #include "draw/scene/pair_words.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"
@@ -28,17 +29,6 @@ Pairs pairs_of(const TitlePiece& piece, const trace::Frame& frame) {
     if (meant) pairs.push_back(&pair);
   }
   return pairs;
-}
-
-/// Separation of a pair, metres, negative for an overlap; nothing if it is unknown.
-std::optional<double> separation_of(const trace::Pair& pair) {
-  if (pair.query) return pair.query->gap;
-  const std::vector<PairPoint> points = all_points(pair);
-  if (pair.separation != 0 || points.empty())
-    return pair.separation != 0 ? std::optional(pair.separation) : std::nullopt;
-  double deepest = points.front().point->separation;
-  for (const PairPoint& any : points) deepest = std::min(deepest, any.point->separation);
-  return deepest;
 }
 
 Words counted(std::int64_t count, const TitlePiece& piece) {
@@ -78,10 +68,7 @@ std::size_t persistent(const trace::Pair& pair, const char* state) {
 
 double impulse_of(const Pairs& pairs) {
   double total = 0;
-  for (const trace::Pair* pair : pairs) {
-    for (const PairPoint& any : all_points(*pair))
-      if (any.point->impulse) total += any.point->impulse->normal;
-  }
+  for (const trace::Pair* pair : pairs) total += draw::impulse_of(*pair);
   return total;
 }
 
@@ -226,7 +213,8 @@ struct Filler {
       nearest = pair;
       least = *separation;
     }
-    if (nearest == nullptr || (gaps ? !(least > 0) : !(least < 0))) return {};
+    // A gap within rounding is none: such a pair touches, as the panels say.
+    if (nearest == nullptr || (gaps ? !(least > staging.scales.touching) : !(least < 0))) return {};
     return spell_length(std::abs(least), noise_of(*staging.header, staging.meshes, frame, *nearest),
                         staging.scales.length);
   }

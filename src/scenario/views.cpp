@@ -110,7 +110,8 @@ View read_view(const Value& value) {
   }
   if (height) view.orthographic_height = read_length(*height);
   table.read("impulse_scale", view.impulse_scale, read_impulse_scale);
-  table.read("focus", view.focus, word_of<Focus>({"contact", "shapes"}, "focus"));
+  table.read("focus", view.focus,
+             word_of<Focus>({"contact", "shapes", "deepest", "worst"}, "focus"));
   view.side_by_side = [&] {
     const auto layout = table.find("layout");
     return layout && layout->one_of({"one", "side_by_side"}, "layout") == "side_by_side";

@@ -60,6 +60,8 @@
 /// Panels of a view, in the same form.
 #define CONTACTSCOPE_PANELS(ROW)               \
   ROW(Summary, "summary")                      \
+  ROW(Worst, "worst")                          \
+  ROW(Overlaps, "overlaps")                    \
   ROW(ContactPlane, "contact_plane")           \
   ROW(AxisHistory, "axis_history")             \
   ROW(Stability, "stability")                  \

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/vec3.h"
@@ -24,7 +26,14 @@ enum class Story {
 };
 
 /// Target of the automatic camera.
-enum class Focus { Contact, Shapes };
+enum class Focus {
+  Contact,
+  Shapes,
+  Deepest,  // the pair with the largest overlap
+  Worst,    // the pair with the largest overlap for the size of its smaller body
+};
+inline constexpr std::array kFocusNames = {std::string_view("contact"), std::string_view("shapes"),
+                                           std::string_view("deepest"), std::string_view("worst")};
 
 /// One camera on a scenario, with the layers and panels that it shows.
 struct View {
@@ -45,6 +54,7 @@ struct View {
   /// Shows subjects smaller than 20 pixels again, magnified.
   bool inset = true;
   Focus focus = Focus::Contact;
+  std::vector<std::string> focus_on;  // names of shapes that the camera frames; empty: see `focus`
   Story story = Story::None;
   std::vector<Layer> layers;
   std::vector<Panel> panels;

@@ -206,7 +206,7 @@ INSTANTIATE_TEST_SUITE_P(
         Broken{"FlatView", two_boxes("[[views]]\northographic_height = 0"), "9:23",
                "must be greater than zero"},
         Broken{"UnknownFocus", two_boxes("[[views]]\nfocus = \"crate\""), "9:9",
-               "unknown focus 'crate'; known: 'contact' and 'shapes'"},
+               "unknown focus 'crate'; known: 'contact', 'shapes', 'deepest' and 'worst'"},
         Broken{"UnknownStory", two_boxes("[[views]]\nstory = \"clip_step\""), "9:9",
                "unknown story 'clip_step'; did you mean 'clip_steps'?"},
         Broken{"SameNameTwice", two_boxes("[[views]]\n[[views]]"), "9:1",

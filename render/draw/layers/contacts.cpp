@@ -1,12 +1,12 @@
 #include <algorithm>
 
+#include "draw/layers/crowd.h"
 #include "draw/layers/layer.h"
 #include "draw/scene/pair_words.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/points.h"
 #include "draw/scene/quantity.h"
 #include "draw/scene/solid.h"
-#include "draw/scene/visibility.h"
 #include "image/font.h"
 
 /// Gregorius 2015, "Contact Points" and "Contact Manifolds"; the gap of separated shapes.
@@ -23,7 +23,6 @@ constexpr Swatch kOneShotSwatch{LegendGroup::Points, 4, [](auto& pen) {
                                   pen.whisker(2.5, kContact);
                                   draw_square(pen.middle(), pen.px(4.2), kContact, pen.drawing());
                                 }};
-constexpr Swatch kSpeckSwatch{LegendGroup::Points, 3, [](auto& pen) { pen.dot(0, 2.4, kContact); }};
 constexpr Swatch kSeparatedSwatch{LegendGroup::Points, 10, [](auto& pen) {
                                     pen.whisker(1.5, kContact);
                                     pen.dot(0, 4.8, kWhite);
@@ -122,33 +121,6 @@ std::optional<OnBoth> gap_of(const trace::Pair& pair, const PlacedShape& a, cons
     return separated.along(*pair.cache->normal, pair.cache->axis == "face_b");
   }
   return std::nullopt;
-}
-
-// Specks of points behind bodies would seem to be in front of them. A contact point is inside both
-// bodies, so a point just behind their surface counts as visible.
-void draw_specks(const Scene& scene, Sketch& sketch) {
-  constexpr double kWithin = 6;    // pixels
-  constexpr float kBehind = 0.4f;  // alpha
-  const HiddenLines bodies(scene.camera, sketch.occluders, sketch.shadows);
-  const auto is_behind = [&](const Vec3d& at) {
-    const double metres = kWithin * scene.scales.pixel / scene.camera.pixels_per_metre(at);
-    const Vec3d before = at + metres * scene.camera.to_eye(at).normalized();
-    return bodies.split(before, before).front().hidden;
-  };
-  for (const trace::Pair& pair : scene.frame.pairs) {
-    if (pair.manifolds.empty()) continue;
-    sketch.begin(name_of(Layer::Contacts), pair.a + " " + pair.b);
-    for (const PairPoint& kept : kept_points(pair)) {
-      const Vec3d& at = kept.point->position;
-      if (is_behind(at)) {
-        sketch.mark(MarkKind::Core, at, with_alpha(kContact, kBehind));
-        sketch.explain(kSpeckSwatch, "contact point, pale behind a body");
-      } else {
-        sketch.mark(MarkKind::Speck, at, kContact);
-        sketch.explain(kSpeckSwatch, "contact point");
-      }
-    }
-  }
 }
 
 void draw_points(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
@@ -257,7 +229,7 @@ void report_skipped(const Scene& scene, const trace::Pair& pair, Sketch& sketch)
 }
 
 void draw_contacts(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
-  if (scene.crowded()) return;  // see draw_specks()
+  if (scene.crowded()) return;  // see draw_crowd()
   if (pair.query) return;       // no contacts; see layer Answer
   report_skipped(scene, pair, sketch);
   if (!pair.incremental || !scene.shows(Layer::Persistent)) draw_points(scene, pair, sketch);
@@ -388,7 +360,7 @@ const LayerDrawing kContactsLayer{
     .result = draw_contacts,
     .above =
         [](const Scene& scene, Sketch& sketch) {
-          if (scene.crowded()) draw_specks(scene, sketch);
+          if (scene.crowded()) draw_crowd(scene, sketch);
         },
 };
 

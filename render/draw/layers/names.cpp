@@ -1,6 +1,7 @@
 #include <limits>
 
 #include "draw/layers/layer.h"
+#include "draw/scene/home_region.h"
 #include "draw/scene/points.h"
 #include "draw/scene/solid.h"
 
@@ -30,9 +31,14 @@ Vec3d place_of(const Camera& camera, const PlacedShape& shape) {
   return box_around(shape.vertices).center();
 }
 
+// Among many shapes only those in contact are named, which titles and panels mention. In a heap only
+// the pair that stands out has names; see draw_crowd().
 void draw_names(const Scene& scene, Sketch& sketch) {
+  constexpr std::size_t kMaxNames = 12;
+  if (scene.scales.heap) return;
+  const std::vector<bool> touches = shapes_in_contact(scene.meshes, scene.frame);
   for (const PlacedShape& shape : scene.shapes)
-    if (in_view(scene.camera, shape))
+    if (in_view(scene.camera, shape) && (scene.shapes.size() <= kMaxNames || touches[shape.place]))
       sketch.label(place_of(scene.camera, shape), shape.traced().name, kText,
                    scene.shapes.size() > 8 ? kSmallName : 16, 0);
 }

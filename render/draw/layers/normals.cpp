@@ -148,6 +148,7 @@ void draw_rivals(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
 }
 
 void draw_normals(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+  if (scene.scales.heap) return;  // see draw_crowd()
   draw_rivals(scene, pair, sketch);
   // Full-length arrows on a mesh would be too dense.
   const bool many = pair.manifolds.size() > kFewManifolds;

@@ -5,6 +5,7 @@
 
 #include "core/at.h"
 #include "draw/layers/layer.h"
+#include "draw/scene/ghost.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"
 #include "draw/scene/solid.h"
@@ -30,7 +31,21 @@ void draw_core(const PlacedShape& shape, Sketch& sketch) {
 }
 
 // With more shapes than this, hidden edges would only be noise.
-constexpr std::size_t kHeap = 100;
+constexpr std::size_t kManyShapes = 100;
+
+// Shapes around those in focus, which they would hide.
+constexpr LineStyle kContextOutline{1.0f, with_alpha(kShapeEdge, 0.3f)};
+
+// Surfaces of a heap hide what is behind them: translucent ones on each other have no outlines.
+void make_opaque(std::span<Surface> surfaces) {
+  for (Surface& surface : surfaces) {
+    if (surface.kind != Surface::Kind::Body) continue;
+    const float alpha = surface.color.a;
+    for (float Color::*const part : {&Color::r, &Color::g, &Color::b})
+      surface.color.*part = alpha * surface.color.*part + (1 - alpha);  // over white
+    surface.color.a = 1;
+  }
+}
 
 // Removes hidden edges and core marks that were added after these counts.
 void hide_insides(std::size_t lines, std::size_t curves, std::size_t marks, Sketch& sketch) {
@@ -117,14 +132,19 @@ void draw_shapes(const Scene& scene, Sketch& sketch) {
   const std::size_t lines = sketch.lines.size(), curves = sketch.curves.size(),
                     marks = sketch.marks.size();
   for (const PlacedShape& shape : scene.shapes) {
+    if (scene.is_context(shape)) {
+      if (!shape.traced().half_space) draw_ghost(scene.camera, shape, kContextOutline, sketch);
+      continue;
+    }
     const Color fill = shape.is_a ? kShapeA : kShapeB;
     const std::size_t before = sketch.lines.size(), occluders = sketch.occluders.size();
     if (shape.is_mesh()) {
       draw_mesh(scene, shape, fill, sketch);
     } else {
-      const auto draw = shape.traced().half_space   ? draw_plane
-                        : shape.traced().radius > 0 ? draw_round
-                                                    : draw_solid;
+      const auto draw = shape.traced().half_space                        ? draw_plane
+                        : shape.traced().radius > 0 && scene.scales.heap ? draw_small_round
+                        : shape.traced().radius > 0                      ? draw_round
+                                                                         : draw_solid;
       draw(scene.camera, shape, fill, sketch);
     }
     if (const trace::FieldSlice* slice = slice_of(scene, shape)) {
@@ -134,7 +154,9 @@ void draw_shapes(const Scene& scene, Sketch& sketch) {
     }
     if (shows_margin(shape)) draw_core(shape, sketch);
   }
-  if (scene.shapes.size() > kHeap) hide_insides(lines, curves, marks, sketch);
+  if (scene.shapes.size() > kManyShapes || scene.scales.heap)
+    hide_insides(lines, curves, marks, sketch);
+  if (scene.scales.heap) make_opaque(sketch.surfaces);
 }
 
 // The widest margin, because a wrong margin is the first suspect if bodies float.

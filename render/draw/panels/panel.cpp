@@ -9,6 +9,8 @@ namespace {
 
 constexpr std::pair<Panel, MakePanel*> kPanelRows[] = {
     {Panel::Summary, make_summary_panel},
+    {Panel::Worst, make_worst_panel},
+    {Panel::Overlaps, make_overlaps_panel},
     {Panel::ContactPlane, make_contact_plane_panel},
     {Panel::AxisHistory, make_axis_history_panel},
     {Panel::Stability, make_stability_panel},

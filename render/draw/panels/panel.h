@@ -115,7 +115,8 @@ std::vector<float> divide_column(const std::vector<PanelNeed>& needs, float heig
 
 // The panels, one file each.
 using MakePanel = std::unique_ptr<PanelContent>(const Staging&, const Frames&);
-MakePanel make_summary_panel, make_contact_plane_panel, make_axis_history_panel;
+MakePanel make_summary_panel, make_worst_panel, make_overlaps_panel;
+MakePanel make_contact_plane_panel, make_axis_history_panel;
 MakePanel make_stability_panel, make_plots_panel, make_pipeline_panel, make_endpoints_panel;
 MakePanel make_node_pairs_panel, make_tree_cost_panel;
 MakePanel make_axis_intervals_panel, make_answers_panel, make_approach_panel;

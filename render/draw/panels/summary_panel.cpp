@@ -3,6 +3,7 @@
 
 #include "draw/panels/panel.h"
 #include "draw/scene/answers.h"
+#include "draw/scene/contact_facts.h"
 #include "draw/scene/pair_words.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"
@@ -61,7 +62,7 @@ void for_each_row(const Staging& staging, const trace::Frame& frame, const trace
                         noise_of(*staging.header, staging.meshes, frame, pair),
                         staging.scales.length);
   });
-  if (pair.state != "separated") add("points", [&] { return counted(pair); });
+  if (!pair.manifolds.empty()) add("points", [&] { return counted(pair); });
   if (pair.incremental) {
     const trace::Incremental& incremental = *pair.incremental;
     add("cores", [&] {
@@ -112,7 +113,7 @@ class SummaryPanel : public PanelContent {
     return {least, least, height_of(all, moment), 0};
   }
 
-  // The first pairs that fit completely, so that all frames show the same ones.
+  // As many pairs as fit completely. If some do not fit, those with the largest overlaps are shown.
   std::string lay_out(const PanelMoment& moment, Sheet& sheet) override {
     const std::vector<trace::Pair>& pairs = frames_[moment.frame].pairs;
     constexpr float kWholePixels = 1;  // pixels; a panel's area is cut to whole pixels
@@ -123,10 +124,16 @@ class SummaryPanel : public PanelContent {
       shown = std::clamp<std::size_t>(static_cast<std::size_t>(others / pair_height_), 1,
                                       pairs.size() - 1);
     }
+    std::vector<const trace::Pair*> order;
+    for (const trace::Pair& pair : pairs) order.push_back(&pair);
+    if (shown < pairs.size())
+      std::ranges::stable_sort(order, std::ranges::greater(),
+                               [](const trace::Pair* pair) { return overlap_of(*pair); });
     for (std::size_t i = 0; i < shown; ++i) {
-      const std::string label = pairs[i].label.empty() ? "" : pairs[i].label + ": ";
-      sheet.heading(label + pairs[i].a + ", " + pairs[i].b);
-      for_each_row(staging_, frames_[moment.frame], pairs[i],
+      const trace::Pair& pair = *order[i];
+      const std::string label = pair.label.empty() ? "" : pair.label + ": ";
+      sheet.heading(label + pair.a + ", " + pair.b);
+      for_each_row(staging_, frames_[moment.frame], pair,
                    [&](const char* name, auto&& spell) { sheet.row(name, spell()); });
       sheet.skip(kBetweenPairs * sheet.text_height());
     }

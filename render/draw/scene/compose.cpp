@@ -43,7 +43,7 @@ struct Composer {
   Drawing& drawing;
   Pen pen{drawing, layout.scale, 0};
   LabelPlacer placer{layout.view};
-  HiddenLines hidden_lines{camera, sketch.occluders, sketch.shadows};
+  HiddenLines hidden_lines{camera, sketch.occluders, sketch.shadows, sketch.bodies};
   std::size_t current = 0;  // index of the sketch part that is being drawn
   // Ranges of x where the upper and the lower border of the view cut off bodies.
   std::array<std::optional<std::pair<float, float>>, 2> cuts{};
@@ -346,7 +346,7 @@ struct Composer {
                            mark.kind == MarkKind::HeldOrigin ||
                            (mark.kind == MarkKind::Node && is_under_arrow(*at));
     if (is_inside != inside) return;
-    const float reach = draw_mark(mark.kind, *at, mark.color, pen);
+    const float reach = draw_mark(mark.kind, *at, mark.color, pen, mark.size);
     if (reach > 0) placer.block(*at, reach);
   }
 

@@ -21,15 +21,39 @@ constexpr double kSeam = 8;
 // If there are more occluders, as in a terrain, a grid on the screen finds those near a line.
 constexpr std::size_t kManyOccluders = 96;
 constexpr int kColumns = 48, kRows = 32;
+constexpr std::size_t kManyBodies = 12;
+
+/// Corners of a rectangle on the screen that holds the body; nothing if a part may be behind the eye.
+std::vector<Point2> corners_around(const RoundBody& body, const Camera& camera) {
+  constexpr double kWider = 1.2;  // a ball in perspective is an ellipse, off the middle
+  std::vector<Point2> corners;
+  for (const Vec3d& core : body.core) {
+    const Vec3d near = core + body.radius * camera.to_eye(core).normalized();
+    const std::optional<Point2> middle = camera.project(core);
+    if (!middle || !camera.project(near)) return {};
+    const double reach = kWider * body.radius * camera.pixels_per_metre(near);
+    corners.push_back(pixel(middle->x - reach, middle->y - reach));
+    corners.push_back(pixel(middle->x + reach, middle->y + reach));
+  }
+  return corners;
+}
 
 }  // namespace
 
 HiddenLines::HiddenLines(const Camera& camera, const Occluders& occluders,
-                         const std::vector<ConvexShadow>& shadows)
+                         const std::vector<ConvexShadow>& shadows,
+                         const std::vector<RoundBody>& bodies)
     : camera_(camera), begins_{0}, cells_(kColumns * kRows) {
-  for (const ConvexShadow& shadow : shadows) {
-    bounds_.insert(bounds_.end(), shadow.begin(), shadow.end());
-    everywhere_.push_back(end_shadow());
+  const bool many_bodies = shadows.size() >= kManyBodies && bodies.size() == shadows.size();
+  for (std::size_t i = 0; i < shadows.size(); ++i) {
+    bounds_.insert(bounds_.end(), shadows[i].begin(), shadows[i].end());
+    const int index = end_shadow();
+    const std::vector<Point2> seen =
+        many_bodies ? corners_around(bodies[i], camera) : std::vector<Point2>();
+    if (seen.empty())
+      everywhere_.push_back(index);
+    else
+      each_cell(seen, [&](std::size_t cell) { cells_[cell].push_back(index); });
   }
   const bool few = occluders.size() < kManyOccluders;
   for (const std::vector<Vec3d>& polygon : occluders) {

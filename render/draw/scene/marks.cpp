@@ -54,7 +54,7 @@ PointState point_state(const std::string& state) {
   return state == "broken" ? PointState::Broken : PointState::Persisted;
 }
 
-float draw_mark(MarkKind kind, const Point2& at, const Color& color, const Pen& pen) {
+float draw_mark(MarkKind kind, const Point2& at, const Color& color, const Pen& pen, float size) {
   struct Ring {
     double inner, outer;
     Color color;
@@ -91,7 +91,7 @@ float draw_mark(MarkKind kind, const Point2& at, const Color& color, const Pen& 
       return pen.px(reach) + pen.px(2);
     }
     case MarkKind::Core:
-      return rings(0, {{0, kCoreRadius, color}});
+      return rings(0, {{0, size * kCoreRadius, color}});
     case MarkKind::Quartered:
     case MarkKind::SmallQuartered: {
       const float radius = pen.px(kind == MarkKind::Quartered ? kCenterRadius : kFootRadius);
@@ -108,7 +108,8 @@ float draw_mark(MarkKind kind, const Point2& at, const Color& color, const Pen& 
       draw_square(at, pen.px(kSquare), color, pen.drawing());
       return pen.px(kSquare + kDotHalo);
     case MarkKind::Speck:
-      return rings(0, {{0, kSpeckRadius + 0.5 * kDotHalo, kWhite}, {0, kSpeckRadius, color}});
+      return rings(
+          0, {{0, size * kSpeckRadius + 0.5 * kDotHalo, kWhite}, {0, size * kSpeckRadius, color}});
     case MarkKind::Node:
       return rings(0, {{0, kNodeRadius + 0.5 * kDotHalo, kWhite}, {0, kNodeRadius, color}});
   }

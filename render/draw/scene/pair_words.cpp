@@ -14,7 +14,9 @@ constexpr double kMarginal = 0.05;  // share of the size of the support
 }  // namespace
 
 PairState state_of(const trace::Pair& pair, double touching) {
-  if (pair.state == "separated")
+  const auto has_points = [](const trace::Manifold& manifold) { return !manifold.points.empty(); };
+  // A pair with points is not separated, whatever an engine's trace says: titles count its points.
+  if (pair.state == "separated" && std::ranges::none_of(pair.manifolds, has_points))
     return pair.separation < 0 ? PairState::Skipped : PairState::Separation;
   return pair.separation > touching ? PairState::WithinMargin : PairState::Touching;
 }

@@ -18,8 +18,8 @@ constexpr int kOutlineSteps = 96;
 // Share of the radius: points this near to a shadow's border are visible, like the outline's
 // chords.
 constexpr double kBorder = 1.2e-3;
-constexpr int kLongitudes = 48;
-constexpr double kLatitudeStep = 7.5 * kPi / 180;
+constexpr int kLongitudes = 48, kCoarseLongitudes = 16;
+constexpr double kLatitudeStep = 7.5 * kPi / 180, kCoarseLatitudeStep = 24 * kPi / 180;
 
 // On the outline the normal is perpendicular to the view ray: n . towards = offset.
 struct Tangency {
@@ -42,11 +42,13 @@ struct Patch {
 };
 
 // The sphere of directions in bands around the light, so that no patch crosses a tone border.
-std::vector<Patch> patches_around(const Vec3d& light) {
+std::vector<Patch> patches_around(const Vec3d& light, bool coarse = false) {
+  const int longitudes = coarse ? kCoarseLongitudes : kLongitudes;
+  const double step = coarse ? kCoarseLatitudeStep : kLatitudeStep;
   std::vector<double> latitudes = {0};
   const auto reach = [&](double angle) {
     const double from = latitudes.back();
-    const int steps = std::max(1, static_cast<int>(std::ceil((angle - from) / kLatitudeStep)));
+    const int steps = std::max(1, static_cast<int>(std::ceil((angle - from) / step)));
     for (int i = 1; i <= steps; ++i) latitudes.push_back(from + (angle - from) * i / steps);
   };
   for (const double border : kToneBorders) reach(std::acos(border));
@@ -57,14 +59,14 @@ std::vector<Patch> patches_around(const Vec3d& light) {
   const auto at = [&](std::size_t latitude, int longitude) -> Vec3d {
     if (latitude == 0) return light;
     if (latitude + 1 == latitudes.size()) return -light;
-    const double angle = 2 * kPi * (longitude % kLongitudes) / kLongitudes;
+    const double angle = 2 * kPi * (longitude % longitudes) / longitudes;
     const double across = std::sin(latitudes[latitude]);
     return std::cos(latitudes[latitude]) * light + across * std::cos(angle) * u +
            across * std::sin(angle) * v;
   };
   std::vector<Patch> patches;
   for (std::size_t i = 0; i + 1 < latitudes.size(); ++i) {
-    for (int j = 0; j < kLongitudes; ++j) {
+    for (int j = 0; j < longitudes; ++j) {
       Patch patch{{at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)},
                   std::cos(0.5 * (latitudes[i] + latitudes[i + 1]))};
       if (i == 0) patch.normals.erase(patch.normals.begin());
@@ -138,7 +140,7 @@ std::vector<Vec3d> RoundBody::outline(const Camera& camera) const {
   return mapped(outline_of(*this, camera), &OutlinePoint::at);
 }
 
-std::vector<RoundBody::Facet> RoundBody::front(const Camera& camera) const {
+std::vector<RoundBody::Facet> RoundBody::front(const Camera& camera, bool coarse) const {
   std::vector<Facet> facets;
   if (contains_eye(*this, camera)) return facets;
   const auto add = [&](std::vector<Vec3d> polygon, double lit) {
@@ -146,7 +148,7 @@ std::vector<RoundBody::Facet> RoundBody::front(const Camera& camera) const {
   };
   const Vec3d along = core.back() - core.front();
   const bool is_capsule = along.squaredNorm() > 0;
-  for (const Patch& patch : patches_around(key_light(camera))) {
+  for (const Patch& patch : patches_around(key_light(camera), coarse)) {
     std::vector<Vec3d> seam;  // normals perpendicular to a capsule's axis, between its two ends
     for (std::size_t end = 0; end < (is_capsule ? 2u : 1u); ++end) {
       std::vector<Vec3d> normals = patch.normals;

@@ -119,6 +119,11 @@ const PlacedShape* Scene::find(std::string_view name) const {
   return found != shapes.end() && found->place == *place ? &*found : nullptr;
 }
 
+bool Scene::is_context(const PlacedShape& shape) const {
+  return crowded() && !view.focus_on.empty() &&
+         std::ranges::find(view.focus_on, shape.traced().name) == view.focus_on.end();
+}
+
 std::span<const trace::Body> Scene::bodies() const {
   if (!frame.solver) return {};
   return frame.solver->bodies;

@@ -99,6 +99,7 @@ struct SequenceScales {
   LengthUnit length{};           // unit of all lengths
   std::optional<Prefix> load{};  // common prefix of all impulses or forces
   double touching = 0;           // metres: contact points with a larger separation do not touch
+  bool heap = false;             // so many contacts that marks at each would hide the bodies
 };
 
 /// Camera of a pair that has its own viewport; null: the camera of the whole view.
@@ -130,7 +131,11 @@ struct Scene {
 
   bool shows(Layer layer) const { return view.shows(layer); }
   /// Whether there are so many shapes that lengths, names and signs of each would cover them.
-  bool crowded() const { return header.shapes.size() > kCrowd; }
+  bool crowded() const {
+    return (view.side_by_side ? header.shapes.size() : shapes.size()) > kCrowd || scales.heap;
+  }
+  /// Whether a shape is only context: in a crowd it would hide the shapes that the view focuses on.
+  bool is_context(const PlacedShape& shape) const;
   /// Null if there is no shape of that name.
   const PlacedShape* find(std::string_view name) const;
   /// Ends of an edge of the shape with that name; nothing if there is no such edge.

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "draw/scene/contact_facts.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"
 #include "draw/scene/scripted_bodies.h"
@@ -124,6 +125,7 @@ SequenceScales fit_scales(const ShapeMeshes& meshes, const std::vector<trace::Fr
   }
 
   scales.pixel = layout.scale;
+  scales.heap = !view.side_by_side && std::ranges::any_of(frames, is_heap);
   scales.overlap = fit_overlap(deepest, scales.pixel);
   fit_gap(gap, deepest > 0, scales);
   const double smallest = meshes.smallest_radius();

@@ -86,6 +86,7 @@ struct Mark {
   MarkKind kind = MarkKind::Dot;
   Vec3d at;
   Color color;
+  float size = 1;  // factor of the radius of a speck or a point behind a body
 };
 
 /// Meaning of a number next to a point. Each meaning has its own shape around the number.
@@ -158,8 +159,8 @@ struct Sketch {
     lines.push_back({from, to, {border, color}});
     lines.push_back({from, to, style, true});
   }
-  void mark(MarkKind kind, const Vec3d& at, const Color& color) {
-    marks.push_back({kind, at, color});
+  void mark(MarkKind kind, const Vec3d& at, const Color& color, float size = 1) {
+    marks.push_back({kind, at, color, size});
   }
   Label& label(const Vec3d& at, const std::string& text, const Color& color, float size,
                double clearance, const std::optional<Vec3d>& direction = std::nullopt) {
@@ -174,7 +175,8 @@ struct Sketch {
 };
 
 /// Draws a mark. Returns the radius that labels avoid, canvas pixels; 0: labels may cover it.
-float draw_mark(MarkKind kind, const Point2& at, const Color& color, const Pen& pen);
+float draw_mark(MarkKind kind, const Point2& at, const Color& color, const Pen& pen,
+                float size = 1);
 
 /// Symbol of a centre of mass: a disc quartered black and white, with a white halo; pixels.
 void draw_quartered_disc(const Point2& center, float radius, float border, Drawing& drawing);

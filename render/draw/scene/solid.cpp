@@ -47,10 +47,12 @@ void draw_solid(const Camera& camera, const PlacedShape& shape, const Color& fil
   }
 }
 
-void draw_body(const Camera& camera, const RoundBody& body, const Color& fill,
-               const LineStyle& outline, Sketch& sketch) {
+namespace {
+
+void add_body(const Camera& camera, const RoundBody& body, const Color& fill,
+              const LineStyle& outline, bool coarse, Sketch& sketch) {
   const int index = count_of(sketch.bodies);
-  for (RoundBody::Facet& facet : body.front(camera))
+  for (RoundBody::Facet& facet : body.front(camera, coarse))
     sketch.surfaces.push_back(
         {std::move(facet.polygon), toned(fill, facet.lit), index, Surface::Kind::Body});
   const std::vector<Vec3d> around = body.outline(camera);
@@ -61,12 +63,24 @@ void draw_body(const Camera& camera, const RoundBody& body, const Color& fill,
   sketch.bodies.push_back(body);
 }
 
+}  // namespace
+
+void draw_body(const Camera& camera, const RoundBody& body, const Color& fill,
+               const LineStyle& outline, Sketch& sketch) {
+  add_body(camera, body, fill, outline, false, sketch);
+}
+
 void draw_round(const Camera& camera, const PlacedShape& shape, const Color& fill, Sketch& sketch) {
   constexpr Color kCore = with_alpha(kShapeEdge, 0.6f);
   const RoundBody body{shape.vertices, shape.traced().radius};
   draw_body(camera, body, fill, kSilhouette, sketch);
   if (body.core.size() == 2) sketch.line(body.core[0], body.core[1], {1.0f, kCore, true});
   for (const Vec3d& point : body.core) sketch.mark(MarkKind::Core, point, kCore);
+}
+
+void draw_small_round(const Camera& camera, const PlacedShape& shape, const Color& fill,
+                      Sketch& sketch) {
+  add_body(camera, {shape.vertices, shape.traced().radius}, fill, kSilhouette, true, sketch);
 }
 
 PatchFit::PatchFit(const trace::HalfSpace& plane, const Pose<double>& pose, const Vec3d& up) {

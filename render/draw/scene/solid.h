@@ -19,6 +19,9 @@ void draw_body(const Camera& camera, const RoundBody& body, const Color& fill,
 /// Draws a body and inside it the core that contacts are measured from. Gregorius 2015 draws
 /// spheres and capsules as points and segments with a radius.
 void draw_round(const Camera& camera, const PlacedShape& shape, const Color& fill, Sketch& sketch);
+/// The same for one of many small bodies: with fewer facets, and without its core.
+void draw_small_round(const Camera& camera, const PlacedShape& shape, const Color& fill,
+                      Sketch& sketch);
 
 /// Draws the triangles of a mesh, from a staircase step to ten thousand. Lines are strong at
 /// borders, creases and silhouettes, and thin between triangles; thin lines fade if triangles are

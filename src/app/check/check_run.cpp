@@ -239,9 +239,12 @@ class Checker {
   void check_pictures(const snapshot::StoredScenario& archive, const Scenario& scenario,
                       const View& view, Sequence& sequence, ScenarioOutcome& outcome,
                       std::vector<Finding>& findings) {
+    const std::vector<int>& drawn = scenario.snapshots.frames;
+    std::optional<draw::FittedFrames> fitted;
+    if (!sequence.numbers.empty()) fitted = fitted_frames(sequence, drawn);
     const draw::Staging staging = draw::stage(
         sequence.header, sequence.frames, view, scenario.snapshots.width, scenario.snapshots.height,
-        style_of(scenario), draw::kLayers, scenario.snapshots.frames);
+        style_of(scenario), draw::kLayers, drawn, fitted ? &*fitted : nullptr);
     renderer_.render(
         staging, sequence, scenario.snapshots.frames, [&](const trace::Frame& shown, Image image) {
           const Timed timed(log_, "compare");

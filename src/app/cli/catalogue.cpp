@@ -12,6 +12,7 @@
 #include "core/input_error.h"
 #include "core/input_file.h"
 #include "core/plain_text.h"
+#include "draw/scene/contact_facts.h"
 #include "reduce/reducer.h"
 #include "scenario/nearest_word.h"
 #include "scenario/scenario_name.h"
@@ -114,12 +115,16 @@ Input input_of(Sequence&& trace, const Options& options) {
   Input input;
   input.scenario.name = trace.header.scenario;
   input.scenario.views = {default_view()};
-  input.scenario.views.front().panels = {Panel::Summary};
+  View& view = input.scenario.views.front();
+  view.panels = {Panel::Summary};
+  if (std::ranges::any_of(trace.frames, draw::is_heap)) {
+    view.panels = {Panel::Worst, Panel::Plots};
+    view.charts = {Chart::Overlap, Chart::Points};
+  }
   // The legend names two shapes; names of very many shapes would hide them.
   constexpr std::size_t kFewest = 3, kMax = 24;
   const std::size_t shapes = trace.header.shapes.size();
-  if (shapes >= kFewest && shapes <= kMax)
-    input.scenario.views.front().layers.push_back(Layer::Names);
+  if (shapes >= kFewest && shapes <= kMax) view.layers.push_back(Layer::Names);
   input.trace = std::move(trace);
   if (std::vector<View> views = views_of_file(options); !views.empty())
     input.scenario.views = std::move(views);
@@ -153,6 +158,7 @@ void override_views(std::vector<View>& views, const Options& options) {
     view.panels = options.panels.value_or(view.panels);
   }
   place_camera(views, options);
+  place_focus(views, options);
 }
 
 }  // namespace

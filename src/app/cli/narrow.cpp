@@ -42,6 +42,13 @@ Options with_camera(Options options) {
   return options;
 }
 
+/// The word of --focus; nothing if it names shapes.
+std::optional<Focus> word_in_focus(const Options& options) {
+  if (options.focus.size() != 1) return std::nullopt;
+  const std::string& word = options.focus.front();
+  return word_named<Focus>(kFocusNames, word == "contacts" ? "contact" : word);
+}
+
 /// Number of items that a layer added to a picture.
 std::size_t drawn_by(const draw::Sketch& sketch) {
   return sketch.surfaces.size() + sketch.curves.size() + sketch.lines.size() +
@@ -51,6 +58,8 @@ std::size_t drawn_by(const draw::Sketch& sketch) {
 }  // namespace
 
 void narrow(Sequence& sequence, const Options& options) {
+  if (!word_in_focus(options))
+    for (const std::string& name : options.focus) require_shape(sequence.header, "--focus", name);
   if (options.pair.empty() && options.shapes.empty()) return;
   if (!options.pair.empty() && options.pair.size() != 2)
     throw UsageError("--pair names two shapes, as --pair=crate,floor");
@@ -84,6 +93,14 @@ void narrow(Sequence& sequence, const Options& options) {
     });
   };
   std::ranges::for_each(sequence.frames, sequence.trim);
+}
+
+void place_focus(std::vector<View>& views, const Options& options) {
+  for (View& view : views) {
+    const std::optional<Focus> word = word_in_focus(options);
+    if (word) view.focus = *word;
+    view.focus_on = word ? std::vector<std::string>() : options.focus;
+  }
 }
 
 void place_camera(std::vector<View>& views, const Options& all) {

@@ -12,6 +12,9 @@ void narrow(Sequence& sequence, const Options& options);
 /// not three numbers.
 void place_camera(std::vector<View>& views, const Options& options);
 
+/// Applies --focus to all views. narrow() refuses names that are no shapes.
+void place_focus(std::vector<View>& views, const Options& options);
+
 /// True if --view names a file.
 bool views_are_of_file(const Options& options);
 

@@ -176,6 +176,9 @@ const std::vector<Option>& option_table() {
       {"--pair", "A,B", "shrink", &Options::pair, "Search only these two shapes"},
       {"--shapes", "NAME,...", "render", &Options::shapes,
        "Show only these shapes, as crate,floor"},
+      {"--focus", "NAME,...", "render", &Options::focus,
+       "What the camera frames: names of shapes, as crate,floor; or contacts, shapes, deepest (the "
+       "pair with the largest overlap) or worst (the same for its smaller body's size)"},
       {"--eye", "X,Y,Z", "render", &Options::eye, "Position of the camera in metres"},
       {"--target", "X,Y,Z", "render", &Options::target,
        "Point that the camera looks at, in metres"},

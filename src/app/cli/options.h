@@ -58,6 +58,7 @@ struct PictureOptions : FigureOptions {
   std::string view;                 // a name; for traces also a TOML file, or file:name
   std::vector<std::string> pair;    // two shapes; hides all others
   std::vector<std::string> shapes;  // shapes to show; empty: all
+  std::vector<std::string> focus;   // of the camera: shapes, or one word
   std::vector<double> eye, target;  // camera, metres; empty: the view's
   double fov_degrees = 0;           // 0: the view's
   std::vector<double> camera;       // eye, target and optionally field of view

@@ -77,7 +77,7 @@ std::string title_of(const trace::Header& header) {
   const std::string engine =
       header.engine + (header.version.empty() ? "" : " " + header.version) + ": ";
   return engine + "{kept:point}, {overlap} deep | " + engine + "{kept:point}, {gap} apart | " +
-         engine + "nothing touches";
+         engine + "{kept:point}, no overlap | " + engine + "nothing touches";
 }
 
 // Runs the scenario or takes the trace.
@@ -116,6 +116,8 @@ void draw_sequences(Input& input, const Options& options, Renderer& renderer, Si
   Sequence sequence = sequence_of(input, views, options, log);
   const std::shared_ptr<const Words> words = words_of(input, options);
   const PictureOrigin origin = origin_of(input, sequence.header, options);
+  std::optional<draw::FittedFrames> fitted;
+  if (!sequence.numbers.empty()) fitted = fitted_frames(sequence, input.frames);
   if (options.strip) {
     draw_strips(input, sequence, origin, words, options, renderer, sinks);
     progress.advance(scenario.name);
@@ -124,9 +126,9 @@ void draw_sequences(Input& input, const Options& options, Renderer& renderer, Si
   for (const View& view : views) {
     const FigureCanvas canvas =
         canvas_of(sequence.header, sequence.frames, view, options, Size{}, words);
-    const draw::Staging staging =
-        draw::stage(sequence.header, sequence.frames, view, canvas.size.width, canvas.size.height,
-                    canvas.style, draw::kLayers, scenario.snapshots.frames);
+    const draw::Staging staging = draw::stage(
+        sequence.header, sequence.frames, view, canvas.size.width, canvas.size.height, canvas.style,
+        draw::kLayers, scenario.snapshots.frames, fitted ? &*fitted : nullptr);
     report_idle_layers(input, staging, sequence, options);
     const bool is_one_of_several = scenario.views.size() > 1;
     sinks.begin({scenario.name, is_one_of_several ? std::optional(view.name) : std::nullopt,

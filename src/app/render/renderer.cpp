@@ -51,6 +51,20 @@ Sequence run_sequence(const Scenario& scenario, const trace::Stages& stages, boo
   return sequence;
 }
 
+draw::FittedFrames fitted_frames(Sequence& sequence, const std::vector<int>& numbers) {
+  constexpr std::size_t kMax = 16;  // frames of a heap are large
+  std::vector<int> chosen = numbers;
+  if (chosen.size() > kMax) {
+    chosen.clear();
+    for (std::size_t i = 0; i < kMax; ++i)
+      chosen.push_back(numbers[i * (numbers.size() - 1) / (kMax - 1)]);
+  }
+  draw::FittedFrames fitted{{}, chosen.size() == numbers.size()};
+  sequence.each(chosen,
+                [&](std::size_t index) { fitted.frames.push_back(sequence.frames[index]); });
+  return fitted;
+}
+
 gl::Context& Renderer::context() {
   if (!context_) {
     const Timed timed(log_, "open OpenGL");

@@ -1,0 +1,131 @@
+#include "draw/layers/crowd.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "draw/layers/layer.h"
+#include "draw/scene/contact_facts.h"
+#include "draw/scene/ghost.h"
+#include "draw/scene/pair_words.h"
+#include "draw/scene/visibility.h"
+#include "view/shape_name.h"
+
+namespace contactscope::draw {
+namespace {
+
+constexpr std::size_t kNumbered = 5;                // as the panel `worst` lists
+constexpr float kMinSize = 0.55f, kMaxSize = 2.0f;  // factors of a speck's radius
+constexpr float kNormalLength = 46;                 // pixels
+constexpr LineStyle kMarkedOutline{2.6f, kContact};
+
+constexpr Swatch kSpeckSwatch{LegendGroup::Points, 3, [](auto& pen) { pen.dot(0, 2.4, kContact); }};
+constexpr Swatch kSizedSwatch{LegendGroup::Points, 3, [](auto& pen) { pen.dot(0, 4, kContact); }};
+constexpr Swatch kMarkedNormalSwatch{LegendGroup::Forces, 0,
+                                     [](auto& pen) { pen.arrow(3, 10, kNormal); }};
+
+bool is_much_larger(const Scene& scene, const PlacedShape& shape) {
+  constexpr double kMuchLarger = 4;
+  return !(shape.mesh->radius < kMuchLarger * scene.meshes.smallest_radius());
+}
+
+void mark_pair(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+  const std::optional<PairPoint> at = deepest_point(pair);
+  if (!at) return;
+  const Vec3d& place = at->point->position;
+  for (const std::string* name : {&pair.a, &pair.b}) {
+    const PlacedShape* shape = scene.find(*name);
+    if (shape != nullptr && !shape->traced().half_space && !is_much_larger(scene, *shape))
+      draw_ghost(scene.camera, *shape, kMarkedOutline, sketch);
+  }
+  sketch.mark(MarkKind::Speck, place, kContact, kMaxSize);
+  sketch.mark(MarkKind::WideRing, place, kContact);
+  if (scene.shows(Layer::Normals)) {
+    sketch.arrows.push_back({.from = place,
+                             .direction = at->manifold->normal,
+                             .pixels = kNormalLength,
+                             .width = 3,
+                             .head = 12,
+                             .color = kNormal});
+    sketch.explain(kMarkedNormalSwatch, "normal, from A to B", place);
+  }
+  Label& label =
+      sketch.label(place,
+                   spell_separation(at->point->separation, scene.noise(pair), scene.scales.length) +
+                       ": " + pair_name(pair),
+                   kContact, 17, 34, Vec3d(scene.camera.up()));
+  label.leader = true;
+}
+
+/// Numbers of the pairs in the panel `worst`.
+void number_pairs(const Scene& scene, const trace::Pair* marked, Sketch& sketch) {
+  if (!scene.view.shows(Panel::Worst) || !scene.view.focus_on.empty()) return;
+  const std::vector<RankedPair> ranked =
+      ranked_pairs(scene.frame, Rank::Overlap, kNumbered, scene.meshes);
+  for (std::size_t i = 0; i < ranked.size(); ++i) {
+    if (ranked[i].pair == marked) continue;
+    const std::optional<PairPoint> at = deepest_point(*ranked[i].pair);
+    sketch.begin(name_of(Layer::Contacts), ranked[i].pair->a + " " + ranked[i].pair->b);
+    sketch.label(at->point->position, std::to_string(i + 1), kText, 16, 8);
+  }
+}
+
+}  // namespace
+
+const trace::Pair* marked_pair(const Scene& scene) {
+  const std::vector<std::string>& names = scene.view.focus_on;
+  if (names.size() == 2) {
+    for (const trace::Pair& pair : scene.frame.pairs)
+      if ((pair.a == names[0] && pair.b == names[1]) || (pair.a == names[1] && pair.b == names[0]))
+        return &pair;
+    return nullptr;
+  }
+  const auto first = ranked_pairs(scene.frame, Rank::Overlap, 1, scene.meshes);
+  return first.empty() || first[0].value <= scene.scales.touching ? nullptr : first[0].pair;
+}
+
+void draw_crowd(const Scene& scene, Sketch& sketch) {
+  constexpr double kWithin = 6;    // pixels
+  constexpr float kBehind = 0.4f;  // alpha
+  const bool sized = scene.scales.heap;
+  const trace::Pair* const marked = sized ? marked_pair(scene) : nullptr;
+  double deepest = 0;  // metres
+  for (const trace::Pair& pair : scene.frame.pairs) deepest = std::max(deepest, overlap_of(pair));
+  const auto size_of = [&](const trace::Point& point) {
+    if (!sized) return 1.0f;
+    const double share = deepest > 0 ? std::max(0.0, -point.separation / deepest) : 0;
+    return std::max(kMinSize, kMaxSize * static_cast<float>(std::sqrt(share)));
+  };
+  // Specks of points behind bodies would seem to be in front of them. A contact point is inside
+  // both bodies, so a point just behind their surface counts as visible.
+  const HiddenLines bodies(scene.camera, sketch.occluders, sketch.shadows, sketch.bodies);
+  const auto is_behind = [&](const Vec3d& at) {
+    const double metres = kWithin * scene.scales.pixel / scene.camera.pixels_per_metre(at);
+    const Vec3d before = at + metres * scene.camera.to_eye(at).normalized();
+    return bodies.split(before, before).front().hidden;
+  };
+  for (const trace::Pair& pair : scene.frame.pairs) {
+    if (pair.manifolds.empty()) continue;
+    sketch.begin(name_of(Layer::Contacts), pair.a + " " + pair.b);
+    for (const PairPoint& kept : kept_points(pair)) {
+      const Vec3d& at = kept.point->position;
+      const float size = size_of(*kept.point);
+      const bool behind = is_behind(at);
+      if (behind)
+        sketch.mark(MarkKind::Core, at, with_alpha(kContact, kBehind), size);
+      else
+        sketch.mark(MarkKind::Speck, at, kContact, size);
+      if (sized)
+        sketch.explain(kSizedSwatch, "contact point, area = overlap, pale behind a body");
+      else
+        sketch.explain(kSpeckSwatch,
+                       behind ? "contact point, pale behind a body" : "contact point");
+    }
+  }
+  if (!sized) return;
+  number_pairs(scene, marked, sketch);
+  if (marked == nullptr) return;
+  sketch.begin(name_of(Layer::Contacts), marked->a + " " + marked->b);
+  mark_pair(scene, *marked, sketch);
+}
+
+}  // namespace contactscope::draw

@@ -1,0 +1,263 @@
+// Pictures of many bodies: the camera, the mark that stands out, and panels that rank and count.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <random>
+
+#include "draw/drawn_texts.h"
+#include "draw/panels/panel.h"
+#include "draw/scene/contact_facts.h"
+#include "draw/scene/home_region.h"
+#include "draw/scene/pair_words.h"
+#include "draw/staging.h"
+
+namespace contactscope::draw {
+namespace {
+
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+trace::Shape box(const std::string& name, const Vec3d& half) {
+  trace::Shape shape;
+  shape.name = name;
+  shape.type = "box";
+  for (int i = 0; i < 8; ++i)
+    shape.vertices.push_back(
+        half.cwiseProduct(Vec3d(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1)));
+  shape.faces = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
+                 {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
+  return shape;
+}
+
+Pose<double> at(const Vec3d& position) {
+  Pose<double> pose;
+  pose.position = position;
+  return pose;
+}
+
+/// Crates in a square on a floor, each with one contact point; overlaps differ.
+struct Heap {
+  trace::Header header;
+  std::vector<trace::Frame> frames{1};
+  View view;
+
+  explicit Heap(int side, double floor = 3) {
+    header.scenario = "engine/run";
+    header.up = "y";
+    header.title =
+        "{kept:point}, {overlap} deep | {kept:point}, {gap} apart | "
+        "{kept:point}, no overlap | nothing touches";
+    header.shapes.push_back(box("floor", {floor, 0.1, floor}));
+    frames[0].poses.emplace_back("floor", at({0, -0.1, 0}));
+    for (int i = 0; i < side * side; ++i) {
+      const std::string name = "crate_" + std::to_string(i);
+      header.shapes.push_back(box(name, {0.25, 0.25, 0.25}));
+      const Vec3d place(0.7 * (i % side - 0.5 * (side - 1)), 0.25,
+                        0.7 * (i / side - 0.5 * (side - 1)));
+      frames[0].poses.emplace_back(name, at(place));
+      touch("floor", name, place - Vec3d(0, 0.25, 0), -0.001 * ((7 * i) % (side * side) + 1));
+    }
+    view.focus = Focus::Shapes;
+    view.layers = {Layer::Shapes, Layer::Contacts, Layer::Normals};
+  }
+
+  void touch(const std::string& a, const std::string& b, const Vec3d& point, double separation) {
+    trace::Pair& pair = frames[0].pairs.emplace_back();
+    pair.a = a;
+    pair.b = b;
+    pair.kind = "hull-hull";
+    pair.state = "touching";
+    pair.separation = separation;
+    trace::Manifold& manifold = pair.manifolds.emplace_back();
+    manifold.normal = Vec3d::UnitY();
+    manifold.points = {{point, separation, "id"}};
+  }
+
+  /// Moves a crate without a contact.
+  void throw_off(int crate, const Vec3d& to) {
+    const std::string name = "crate_" + std::to_string(crate);
+    for (auto& [shape, pose] : frames[0].poses)
+      if (shape == name) pose.position = to;
+    std::erase_if(frames[0].pairs, [&](const trace::Pair& pair) { return pair.b == name; });
+  }
+
+  Staging staged(bool as_trace = true) const {
+    const FittedFrames fitted{frames};
+    return stage(header, frames, view, 1280, 720, {}, kLayers, {}, as_trace ? &fitted : nullptr);
+  }
+  double pixels_per_metre(bool as_trace = true) const {
+    return staged(as_trace).camera.pixels_per_metre(Vec3d::Zero());
+  }
+};
+
+TEST(HeapCamera, BodiesThatFlyOffDoNotShrinkTheRest) {
+  Heap heap(7);
+  const double before = heap.pixels_per_metre();
+  EXPECT_THAT(words(illustrate(heap.staged(), heap.frames[0])),
+              Not(Contains(HasSubstr("left the view"))));
+  heap.throw_off(3, {40, 3, 0});
+  heap.throw_off(17, {-900, 2e4, 30});
+  heap.throw_off(24, {5, -1e9, 1});
+  EXPECT_NEAR(heap.pixels_per_metre(), before, 0.02 * before);
+  EXPECT_THAT(words(illustrate(heap.staged(), heap.frames[0])),
+              Contains("3 shapes have left the view"));
+}
+
+TEST(HeapCamera, AScenarioLosesABodyOnlyIfItFliesFarOff) {
+  Heap heap(7);
+  const double before = heap.pixels_per_metre(false);
+  heap.throw_off(3, {12, 3, 0});
+  EXPECT_LT(heap.pixels_per_metre(false), 0.6 * before) << "the crate is in view";
+  heap.throw_off(3, {1e4, 3, 0});
+  EXPECT_NEAR(heap.pixels_per_metre(false), before, 0.05 * before);
+}
+
+TEST(HeapCamera, AWideFloorDoesNotCount) {
+  const Heap small(6, 3), wide(6, 300);
+  EXPECT_GT(wide.pixels_per_metre(), 0.9 * small.pixels_per_metre());
+  EXPECT_LT(wide.pixels_per_metre(false), 0.1 * small.pixels_per_metre(false));
+}
+
+TEST(HeapCamera, FramesTheShapesInFocus) {
+  Heap heap(7, 12);
+  const auto share = [](const Staging& staging, const Vec3d& center) {
+    EXPECT_TRUE(staging.camera.sees(center));
+    return 0.5 * staging.camera.pixels_per_metre(center) / staging.layout.view.height;
+  };
+  heap.view.focus_on = {"crate_8", "floor"};
+  EXPECT_GT(share(heap.staged(), heap.frames[0].poses[9].second.position), 0.2);
+  heap.view.focus_on.clear();
+  heap.touch("crate_30", "crate_31", heap.frames[0].poses[31].second.position, -0.2);
+  heap.view.focus = Focus::Deepest;
+  const Staging staging = heap.staged();
+  EXPECT_EQ(staging.view.focus_on, (std::vector<std::string>{"crate_30", "crate_31"}));
+  EXPECT_GT(share(staging, heap.frames[0].poses[31].second.position), 0.15);
+}
+
+TEST(HeapFocus, TheWorstOverlapIsForTheSizeOfTheSmallerBody) {
+  Heap heap(5);
+  heap.header.shapes.push_back(box("pebble", {0.02, 0.02, 0.02}));
+  heap.frames[0].poses.emplace_back("pebble", at({0, 0.52, 0}));
+  heap.touch("crate_12", "pebble", {0, 0.5, 0}, -0.01);
+  heap.view.focus = Focus::Worst;
+  EXPECT_EQ(heap.staged().view.focus_on, (std::vector<std::string>{"crate_12", "pebble"}));
+  heap.view.focus = Focus::Deepest;
+  EXPECT_EQ(heap.staged().view.focus_on.at(0), "floor");
+}
+
+TEST(HeapMarks, OnePointStandsOutAndTheOthersHaveAnAreaByOverlap) {
+  const Heap heap(6);
+  const Sketch sketch = sketch_frame(heap.staged(), heap.frames[0]);
+  EXPECT_EQ(sketch.arrows.size(), 1u) << "the normal of the deepest point";
+  const auto ring = std::ranges::find(sketch.marks, MarkKind::WideRing, &Mark::kind);
+  ASSERT_NE(ring, sketch.marks.end());
+  std::map<long, float> sizes;  // by overlap, millimetres
+  const trace::Point* deepest = nullptr;
+  for (const trace::Pair& pair : heap.frames[0].pairs) {
+    const trace::Point& point = pair.manifolds[0].points[0];
+    if (deepest == nullptr || point.separation < deepest->separation) deepest = &point;
+    for (const Mark& mark : sketch.marks)
+      if (mark.at == point.position && mark.kind != MarkKind::WideRing)
+        sizes[std::lround(-1000 * point.separation)] = mark.size;
+  }
+  EXPECT_EQ(ring->at, deepest->position);
+  ASSERT_EQ(sizes.size(), 36u);
+  EXPECT_TRUE(std::ranges::is_sorted(sizes, {}, [](const auto& size) { return size.second; }));
+  EXPECT_NEAR(sizes[36] / sizes[9], 2, 1e-3) << "four times the area";
+  const Heap few(5);  // 25 manifolds
+  EXPECT_EQ(sketch_frame(few.staged(), few.frames[0]).arrows.size(), 25u);
+}
+
+/// Texts of a panel.
+std::vector<std::string> panel_texts(const Heap& heap, Panel panel) {
+  Heap shown = heap;
+  shown.view.panels = {panel};
+  const Staging staging = shown.staged();
+  Drawing drawing;
+  Sheet sheet({900, 80, 332, 600}, 1, drawing);
+  const auto panels = make_panels(staging, shown.frames);
+  EXPECT_EQ(panels.at(0).content->lay_out({shown.frames.size() - 1, {}}, sheet), "");
+  return words(drawing);
+}
+
+TEST(HeapFacts, TitlePanelAndMarkAgree) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> separation(-0.02, 0.002);
+  for (int run = 0; run < 20; ++run) {
+    Heap heap(6);
+    double least = 0;
+    for (trace::Pair& pair : heap.frames[0].pairs) {
+      pair.separation = pair.manifolds[0].points[0].separation = separation(random);
+      least = std::min(least, pair.separation);
+    }
+    const Staging staging = heap.staged();
+    const std::string depth = spell_length(-least, 0, staging.scales.length);
+    EXPECT_EQ(fill_title(staging, heap.frames[0]), "36 points, " + depth + " deep");
+    EXPECT_THAT(words(illustrate(staging, heap.frames[0])),
+                Contains(HasSubstr("overlap " + depth + ": floor and crate")));
+    const std::vector<std::string> ranked = panel_texts(heap, Panel::Worst);
+    EXPECT_THAT(ranked, Contains("worst of 36 pairs in contact"));
+    EXPECT_EQ(
+        *std::ranges::find_if(ranked, [](const std::string& text) { return text.ends_with("mm"); }),
+        depth);
+  }
+}
+
+TEST(HeapFacts, PointsWithoutAnOverlapAreNoContradiction) {
+  Heap heap(6);
+  for (trace::Pair& pair : heap.frames[0].pairs) {
+    pair.separation = pair.manifolds[0].points[0].separation = 0;
+    pair.state = "separated";  // as some engines write
+    EXPECT_EQ(state_of(pair, 0), PairState::Touching);
+  }
+  EXPECT_EQ(fill_title(heap.staged(), heap.frames[0]), "36 points, no overlap");
+  EXPECT_THAT(panel_texts(heap, Panel::Worst), Contains("none"));
+  EXPECT_THAT(panel_texts(heap, Panel::Overlaps), Contains("no point overlaps in any frame"));
+  EXPECT_TRUE(std::ranges::none_of(sketch_frame(heap.staged(), heap.frames[0]).marks,
+                                   [](const Mark& m) { return m.kind == MarkKind::WideRing; }));
+}
+
+TEST(HeapPanels, WorstRanksByOverlapImpulseAndChange) {
+  Heap heap(6);
+  heap.frames.push_back(heap.frames[0]);
+  heap.frames[1].frame = 1;
+  for (trace::Pair& pair : heap.frames[1].pairs) {
+    trace::Point& point = pair.manifolds[0].points[0];
+    point.impulse = trace::Impulse{pair.b == "crate_11" ? 9.0 : 1.0};
+    if (pair.b == "crate_20") point.separation -= 0.0155;
+  }
+  const ShapeMeshes meshes(heap.header.shapes);
+  const auto first = [&](Rank by) {
+    return ranked_pairs(heap.frames[1], by, 5, meshes, &heap.frames[0]).at(0);
+  };
+  EXPECT_EQ(first(Rank::Impulse).pair->b, "crate_11");
+  EXPECT_EQ(first(Rank::Change).pair->b, "crate_20");
+  EXPECT_NEAR(first(Rank::Change).value, 0.0155, 1e-12);
+  const auto all = ranked_pairs(heap.frames[1], Rank::Overlap, 99, meshes);
+  ASSERT_EQ(all.size(), 36u);
+  EXPECT_TRUE(std::ranges::is_sorted(all, std::ranges::greater(), &RankedPair::value));
+  const std::vector<std::string> texts = panel_texts(heap, Panel::Worst);
+  EXPECT_THAT(texts, Contains("floor and crate 11"));
+  EXPECT_THAT(texts, Contains("15.5 mm"));
+  EXPECT_THAT(texts, Contains("9.00 N s"));
+}
+
+TEST(HeapPanels, OverlapsCountEachPointOnce) {
+  Heap heap(8);
+  heap.touch("crate_1", "crate_2", Vec3d::Zero(), 0.01);
+  const std::vector<std::string> texts = panel_texts(heap, Panel::Overlaps);
+  EXPECT_EQ(texts.at(0), "overlaps of 64 of 65 points");
+  // Overlaps of 1 to 64 mm: 1, 1, 3, 5, 10, 30 and 14 of them end at 1, 2, 5, 10, 20, 50, 100 mm.
+  std::vector<std::string> bars;
+  for (const std::string& text : texts)
+    if (text.find_first_not_of("0123456789") == std::string::npos) bars.push_back(text);
+  EXPECT_EQ(bars, (std::vector<std::string>{"1", "1", "3", "5", "10", "30", "14"}));
+}
+
+}  // namespace
+}  // namespace contactscope::draw
