@@ -162,7 +162,7 @@ void PackedFacts::add(const trace::Frame& frame) {
   if (frame.solver)
     for (const trace::Body& body : frame.solver->bodies)
       json_["masses"].emplace(body.name, body.mass);
-  // What a pair has beyond its manifolds stays JSON.
+  // All that a pair has next to its manifolds stays JSON.
   trace::Frame other;
   other.pairs = frame.pairs;
   other.deformed = frame.deformed;

@@ -19,7 +19,10 @@ async function start() {
   // ---- Drawing
 
   const dark = matchMedia('(prefers-color-scheme: dark)'), theme = () => state.theme || (dark.matches ? 'dark' : 'light'), css = role => data[theme()][role];
-  const canvas = byId('view'), scene = new THREE.Scene(), renderer = new THREE.WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: true });
+  // Without a GPU smooth edges would take most of the time.
+  const trial = document.createElement('canvas').getContext('webgl'), driver = trial && trial.getExtension('WEBGL_debug_renderer_info');
+  const antialias = !driver || !/swiftshader|llvmpipe|software/i.test(trial.getParameter(driver.UNMASKED_RENDERER_WEBGL));
+  const canvas = byId('view'), scene = new THREE.Scene(), renderer = new THREE.WebGLRenderer({ canvas, antialias });
   renderer.setPixelRatio(devicePixelRatio);
   PIXELS.value = new THREE.Vector2(1, 1);
   const orbit = new Orbit(canvas, data.header.up === 'z', () => { dirty = true; link(); });

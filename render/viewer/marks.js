@@ -1,4 +1,4 @@
-// What is drawn above the bodies: lines with a width in pixels, dots, and translucent polygons. Each is refilled for a frame.
+// Marks above the bodies: lines with a width in pixels, dots, and translucent polygons. Each is refilled for a frame.
 
 const PIXELS = { value: null };  // size of the canvas, shared by the shaders
 const color = new Map();         // role -> [r, g, b] of the theme

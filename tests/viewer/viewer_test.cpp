@@ -72,7 +72,8 @@ TEST(Viewer, FetchesNothingAndNamesOfATraceAreNoMarkup) {
 class InChromium : public testing::Test {
  protected:
   void SetUp() override {
-    if (three_script().empty()) GTEST_SKIP() << "three.js is not installed (apt-get install libjs-three)";
+    if (three_script().empty())
+      GTEST_SKIP() << "three.js is not installed (apt-get install libjs-three)";
     for (const char* name : {"chromium", "chromium-browser", "google-chrome"})
       if (std::system((std::string("command -v ") + name + " > /dev/null").c_str()) == 0)
         chromium_ = name;
