@@ -38,7 +38,7 @@ std::int32_t steps(double value, double step) {
   return static_cast<std::int32_t>(std::clamp(std::round(value / step), -kMax, kMax));
 }
 
-/// Of a positive number; 0 means that it is not recorded.
+/// Takes a positive number; 0 means that it is not recorded.
 std::int32_t float_steps(double value) {
   const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(std::max(0.0, value)));
   return static_cast<std::int32_t>(bits >> kDroppedBits) + 1;

@@ -5,7 +5,6 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
 
 #include "draw/crate_on_slab.h"
 #include "shrink/expression.h"
@@ -77,33 +76,18 @@ class InChromium : public testing::Test {
     for (const char* name : {"chromium", "chromium-browser", "google-chrome"})
       if (std::system((std::string("command -v ") + name + " > /dev/null").c_str()) == 0)
         chromium_ = name;
+    if (std::system("command -v node > /dev/null") != 0) GTEST_SKIP() << "node is not installed";
     if (chromium_.empty()) GTEST_SKIP() << "Chromium is not installed (apt-get install chromium)";
   }
 
-  /// The result of a script that runs in the page when it is ready.
+  /// The result of a script that runs in the page when it is drawn.
   json result(const std::string& script) const {
-    std::string html = page_of(rising());
-    html.insert(
-        html.rfind("</body>"),
-        "<script>HTMLElement.prototype.setPointerCapture = () => {};"
-        "const answer = value => { document.documentElement.innerHTML = '<pre>' + "
-        "btoa(unescape(encodeURIComponent(JSON.stringify(value)))) + '</pre>'; };"
-        "const timer = setInterval(() => { if (!document.documentElement.dataset.ready) "
-        "return; clearInterval(timer); requestAnimationFrame(() => { try { answer((() => {" +
-            script +
-            "})()); } catch (error) { answer({error: String(error.stack)}); } }); }, 20);"
-            "</script>");
-    const std::string file = folder_ / "page.html";
-    std::ofstream(file) << html;
-    FILE* const pipe = popen(
-        (chromium_ +
-         " --headless=new --no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader "
-         "--disable-dev-shm-usage --window-size=900,700 --user-data-dir='" +
-         (folder_ / "profile") + "' --virtual-time-budget=4000 --dump-dom 'file://" + file +
-         "#frame=6&find=points+%3E+1' 2> /dev/null | sed -n 's|.*<pre>\\(.*\\)</pre>.*|\\1|p' | "
-         "base64 -d")
-            .c_str(),
-        "r");
+    const std::string page = folder_.write("page.html", page_of(rising()));
+    const std::string command =
+        "timeout 120 node '" CONTACTSCOPE_VIEWER_TESTS "/in_chromium.mjs' " + chromium_ +
+        " 'file://" + page + "#frame=6&find=points+%3E+1' '" + (folder_ / "profile") + "' < '" +
+        folder_.write("script.js", script) + "'";
+    FILE* const pipe = popen(command.c_str(), "r");
     std::string text;
     std::array<char, 4096> buffer;
     for (std::size_t count; pipe && (count = fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
@@ -111,7 +95,7 @@ class InChromium : public testing::Test {
     if (pipe) pclose(pipe);
     const json answer = json::parse(text, nullptr, false);
     EXPECT_TRUE(answer.is_object()) << text;
-    return answer;
+    return answer.is_object() ? answer : json{{"error", "the page did not answer"}};
   }
 
  private:
@@ -124,6 +108,7 @@ TEST_F(InChromium, ShowsTheFactsOfTheTraceAndAnswersClicksKeysAndSearch) {
     const { data, state, onScreen, orbit } = contactscope, canvas = document.getElementById('view');
     const text = id => document.getElementById(id).textContent, all = [];
     const fire = (target, type, x, y, more) => target.dispatchEvent(new PointerEvent(type, { clientX: x, clientY: y, button: 0, bubbles: true, ...more }));
+    HTMLElement.prototype.setPointerCapture = () => {};  // made-up pointers cannot be captured
     const key = key => document.dispatchEvent(new KeyboardEvent('keydown', { key }));
     for (let i = 0; i < data.points.id.length; ++i)
       all.push([...data.points.position.subarray(3 * i, 3 * i + 3), data.points.separation[i], data.points.impulse[i], data.texts[data.points.id[i]]]);
