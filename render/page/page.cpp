@@ -190,6 +190,7 @@ void Page::add(const trace::Frame& frame, const Drawing& drawing) {
   const Drawing panels = taken_from(drawing, is_panel);
   const std::vector<int> legend = legend_of(drawing, view);
   for (const draw::Part& part : view.parts) layers_.insert(part.layer);
+  const int known = groups_.size();
   const std::vector<int> in_view = groups_.add(groups_of(view));
   const std::vector<int> in_panels = groups_.add(groups_of(panels));
   vector::add_characters(drawing, used_);
@@ -220,6 +221,8 @@ void Page::add(const trace::Frame& frame, const Drawing& drawing) {
     if (!title.empty()) title_ = title;
   }
   frames_.push_back(json.dump());
+  size_ += frames_.back().size();
+  for (int number = known; number < groups_.size(); ++number) size_ += groups_.text(number).size();
 }
 
 Page::Areas Page::areas() const {

@@ -26,6 +26,9 @@ class Page {
   /// be embedded.
   std::string html() const;
 
+  /// Approximate length of html() with the frames so far.
+  std::size_t size() const { return size_; }
+
  private:
   /// Regions of the pictures, pixels.
   struct Areas {
@@ -38,6 +41,7 @@ class Page {
   const draw::Staging& staging_;
   PictureOrigin origin_;
   GroupStore groups_;
+  std::size_t size_ = 0;
   vector::UsedCharacters used_;
   std::vector<std::string> frames_;                          // as JSON
   std::vector<std::pair<std::string, std::string>> legend_;  // symbols and texts

@@ -81,8 +81,8 @@ std::string title_of(const trace::Header& header) {
 }
 
 // Runs the scenario or takes the trace.
-Sequence sequence_of(Input& input, const std::vector<View>& views, const Options& options,
-                     RunLog& log) {
+Sequence sequence_of(Input& input, const std::vector<View>& views, bool every_stage,
+                     const Options& options, RunLog& log) {
   Sequence sequence;
   if (input.trace) {
     sequence = std::move(*input.trace);
@@ -91,7 +91,8 @@ Sequence sequence_of(Input& input, const std::vector<View>& views, const Options
       sequence.header.title = title_of(sequence.header);
     log.left_out(input.scenario.name + ": the pipeline, because a trace is drawn as it is");
   } else {
-    const trace::Stages stages = draw::stages_shown(views);
+    trace::Stages stages = draw::stages_shown(views);
+    if (every_stage) stages.sat = stages.clip = stages.reduction = stages.penetration = true;
     sequence = run_sequence(input.scenario, stages, options.timing, log);
     account_stages(input.scenario, stages, log);
   }
@@ -113,7 +114,7 @@ void draw_sequences(Input& input, const Options& options, Renderer& renderer, Si
                     Progress& progress, RunLog& log) {
   const Scenario& scenario = input.scenario;
   const std::vector<View> views = selected_views(scenario, options);
-  Sequence sequence = sequence_of(input, views, options, log);
+  Sequence sequence = sequence_of(input, views, sinks.needs_stages(), options, log);
   const std::shared_ptr<const Words> words = words_of(input, options);
   const PictureOrigin origin = origin_of(input, sequence.header, options);
   std::optional<draw::FittedFrames> fitted;
@@ -134,11 +135,18 @@ void draw_sequences(Input& input, const Options& options, Renderer& renderer, Si
     sinks.begin({scenario.name, is_one_of_several ? std::optional(view.name) : std::nullopt,
                  of_view(origin, view, is_one_of_several, options), &staging, &sequence,
                  input.frames});
-    renderer.each_drawing(staging, sequence, input.frames,
-                          [&](const trace::Frame& frame, draw::Drawing drawing) {
-                            sinks.add(frame, std::move(drawing));
-                            progress.advance(scenario.name);
-                          });
+    const auto add = [&](const trace::Frame& frame, draw::Drawing drawing) {
+      sinks.add(frame, std::move(drawing));
+      progress.advance(scenario.name);
+    };
+    if (sinks.needs_drawings()) {
+      renderer.each_drawing(staging, sequence, input.frames, add);
+    } else {
+      sequence.each(input.frames, [&](std::size_t index) {
+        stop_if_interrupted();
+        add(sequence.frames[index], {});
+      });
+    }
     sinks.end();
   }
 }
@@ -173,7 +181,7 @@ ExitCode run_render(const Options& options) {
     Progress progress(pictures, options.quiet);
     if (options.sheet) {
       const auto run = [&](Input& input) {
-        return sequence_of(input, selected_views(input.scenario, options), options, total);
+        return sequence_of(input, selected_views(input.scenario, options), false, options, total);
       };
       draw_sheet(inputs, run, options, renderer, sinks, progress);
     } else {

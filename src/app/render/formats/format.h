@@ -56,6 +56,7 @@ struct Format {
   std::string_view extension;  // ".png"
   std::string_view what;       // short description
   bool needs_pixels = false;   // false: OpenGL is not opened for it
+  bool needs_drawings = true;  // false: it is made from the facts, with every stage recorded
   /// Encodes one picture as a file. Must be thread-safe.
   std::vector<std::uint8_t> (*encode)(const Shot& shot) = nullptr;
   /// Begins a file of a whole sequence.

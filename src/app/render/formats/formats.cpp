@@ -9,7 +9,7 @@ namespace contactscope::app {
 
 const std::vector<Format>& formats() {
   static const std::vector<Format> all = {kPngFormat,  kSvgFormat,  kPdfFormat, kHtmlFormat,
-                                          kApngFormat, kWebpFormat, kMp4Format};
+                                          kApngFormat, kWebpFormat, kMp4Format, kViewerFormat};
   return all;
 }
 

@@ -1,3 +1,7 @@
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+
 #include "app/cli/verbs.h"
 #include "app/render/formats/rows.h"
 #include "image/whole_file.h"
@@ -9,10 +13,17 @@ namespace {
 
 class HtmlReel : public Reel {
  public:
-  explicit HtmlReel(const ReelPlan& plan) : path_(plan.path), page_(*plan.staging, plan.origin) {}
+  explicit HtmlReel(const ReelPlan& plan)
+      : path_(plan.path), frames_(plan.frames.size()), page_(*plan.staging, plan.origin) {}
 
   void add(const Shot& shot, const trace::Frame& frame) override {
     page_.add(frame, *shot.drawing);
+    const double megabytes = 1e-6 * double(page_.size()) / double(++added_) * double(frames_);
+    if (has_warned_ || added_ < std::min(frames_, kFramesOfEstimate) || megabytes < kLargePage)
+      return;
+    has_warned_ = true;
+    std::cerr << path_ << " will have about " << std::lround(megabytes)
+              << " MB; --format viewer writes a small page of the same frames that can be turned\n";
   }
   void finish() override {
     const std::string html = page_.html();
@@ -20,7 +31,12 @@ class HtmlReel : public Reel {
   }
 
  private:
+  static constexpr std::size_t kFramesOfEstimate = 4;
+  static constexpr double kLargePage = 30;  // MB
+
   std::string path_;
+  std::size_t frames_, added_ = 0;
+  bool has_warned_ = false;
   page::Page page_;
 };
 

@@ -6,6 +6,6 @@ namespace contactscope::app {
 
 // Each is defined in the file of its name.
 extern const Format kPngFormat, kSvgFormat, kPdfFormat, kHtmlFormat, kApngFormat, kWebpFormat,
-    kMp4Format;
+    kMp4Format, kViewerFormat;
 
 }  // namespace contactscope::app

@@ -47,6 +47,10 @@ class Sinks {
     return written_;
   }
   int files() const;
+  /// False if add() may get empty drawings.
+  bool needs_drawings() const;
+  /// Whether a format shows every stage.
+  bool needs_stages() const;
 
  private:
   Shot shot_of(draw::Drawing drawing);

@@ -1,0 +1,151 @@
+// The bodies: one instanced mesh for all of one form, and the lines of their edges.
+
+const CREASE = Math.cos(25 * Math.PI / 180);  // flatter edges are not drawn
+const SURFACE = [`
+  attribute vec4 tint; varying vec4 vTint; varying vec3 vNormal, vSeen;
+  void main() {
+    vec4 seen = viewMatrix * instanceMatrix * vec4(position, 1.);
+    vNormal = (viewMatrix * instanceMatrix * vec4(normal, 0.)).xyz; vSeen = seen.xyz; vTint = tint;
+    gl_Position = projectionMatrix * seen;
+  }`, `
+  uniform vec3 tones, edge; uniform vec2 borders; uniform float alpha, rim;
+  varying vec4 vTint; varying vec3 vNormal, vSeen;
+  void main() {
+    vec3 n = normalize(vNormal) * (gl_FrontFacing ? 1. : -1.);
+    float lit = dot(n, normalize(vec3(-.5, .75, .62))), facing = abs(dot(n, normalize(vSeen)));
+    float tone = lit > borders.x ? tones.x : lit > borders.y ? tones.y : tones.z;
+    float outline = rim * (1. - smoothstep(1., 1.6, facing / (fwidth(facing) * (vTint.a > 1.5 ? 3. : 1.6) + 1e-5)));
+    gl_FragColor = vec4(mix(vTint.rgb * tone, edge, outline), max(alpha, outline));
+  }`];
+const point3 = ([x, y, z]) => new THREE.Vector3(x, y, z);
+/** Moves a geometry: +`axis` becomes `direction`. */
+const laid = (geometry, axis, direction, middle) => {
+  const turn = new THREE.Quaternion().setFromUnitVectors(axis, direction.clone().normalize());
+  return geometry.applyMatrix(new THREE.Matrix4().compose(middle, turn, new THREE.Vector3(1, 1, 1)));
+};
+
+/** The surface of a shape in its frame. `reach`: half of the width at which planes are drawn. */
+function surfaceOf(shape, reach) {
+  const ends = (shape.vertices || []).map(point3), radius = shape.radius || 0;
+  if (shape.half_space) {
+    const normal = point3(shape.half_space.normal), plane = new THREE.PlaneBufferGeometry(2 * reach, 2 * reach);
+    return { open: true, geometry: laid(plane, new THREE.Vector3(0, 0, 1), normal, normal.clone().multiplyScalar(shape.half_space.offset)) };
+  }
+  if (!(radius > 0) || ends.length > 2) return { geometry: polyhedron(shape.vertices || [], shape.faces || []), open: shape.type === 'mesh' };
+  if (ends.length === 1) return { round: true, geometry: new THREE.SphereBufferGeometry(radius, 32, 20).translate(...shape.vertices[0]) };
+  const half = ends[0].distanceTo(ends[1]) / 2, profile = [];
+  for (let i = 0; i < 22; ++i) {
+    const angle = Math.PI * ((i < 11 ? i : i - 1) / 20 - 0.5);
+    profile.push(new THREE.Vector2(Math.max(1e-6, Math.cos(angle) * radius), Math.sin(angle) * radius + (i < 11 ? -half : half)));
+  }
+  const along = ends[1].clone().sub(ends[0]);
+  return { round: true, geometry: laid(new THREE.LatheBufferGeometry(profile, 28), new THREE.Vector3(0, 1, 0), along, ends[0].addScaledVector(along, 0.5)) };
+}
+function polyhedron(vertices, faces) {
+  const geometry = new THREE.BufferGeometry();
+  const corners = faces.flatMap(face => face.slice(2).flatMap((_, i) => [face[0], face[i + 1], face[i + 2]]));
+  geometry.setAttribute('position', new THREE.BufferAttribute(new Float32Array(corners.flatMap(corner => vertices[corner])), 3));
+  geometry.computeVertexNormals();
+  return geometry;
+}
+
+/** Edges where two faces meet at an angle, and borders: pairs of vertices. */
+function creases(shape) {
+  const vertices = (shape.vertices || []).map(point3), found = new Map();
+  for (const face of shape.radius > 0 ? [] : shape.faces || []) {
+    const normal = new THREE.Vector3(), end = i => face[(i + 1) % face.length];
+    face.forEach((corner, i) => normal.add(vertices[corner].clone().cross(vertices[end(i)])));
+    normal.normalize();
+    face.forEach((corner, i) => {
+      const key = Math.min(corner, end(i)) + ' ' + Math.max(corner, end(i)), known = found.get(key);
+      if (known) known.angle = known.normal.dot(normal);
+      else found.set(key, { ends: [corner, end(i)], normal, angle: -1 });
+    });
+  }
+  return [...found.values()].filter(edge => edge.angle < CREASE).map(edge => edge.ends);
+}
+
+class Bodies {
+  constructor(scene) {
+    // A body is an `a` if it is first in the first pair that names it.
+    this.isA = data.shapes.map((_, body) => (data.pairs.find(([a, b]) => a === body || b === body) || [body])[0] === body);
+    const sizes = data.shapes.map(shape => {
+      const box = new THREE.Box3().setFromPoints((shape.vertices || []).map(point3));
+      return box.isEmpty() ? 0 : box.getSize(new THREE.Vector3()).length() + 2 * (shape.radius || 0);
+    }).filter(size => size > 0).sort((a, b) => a - b);
+    this.size = sizes[sizes.length >> 1] || 1;  // of a typical body, metres
+    this.reach = 1.5 * (sizes.pop() || 4);
+    this.creases = data.shapes.map(creases);
+    this.matrices = data.shapes.map(() => new THREE.Matrix4());
+    this.here = data.shapes.map(() => false);
+    this.probe = new THREE.Mesh();
+    this.lines = new Lines(1);
+    const forms = new Map(), deformed = new Set(Object.values(data.deformed).flatMap(Object.keys));
+    data.shapes.forEach((shape, body) => {
+      const key = JSON.stringify([shape.vertices, shape.faces, shape.radius, shape.half_space, deformed.has(shape.name) && body]);
+      forms.set(key, [...forms.get(key) || [], body]);
+    });
+    this.forms = [...forms.values()].map(members => {
+      const { geometry, open, round } = surfaceOf(data.shapes[members[0]], this.reach);
+      const tints = setAttribute(geometry, 'tint', new Float32Array(4 * members.length), 4, true);
+      const material = new THREE.ShaderMaterial({ vertexShader: SURFACE[0], fragmentShader: SURFACE[1], transparent: true,
+        side: open ? THREE.DoubleSide : THREE.FrontSide, extensions: { derivatives: true },
+        uniforms: { tones: { value: point3(data.tones) }, borders: { value: new THREE.Vector2(...data.tone_borders) },
+          edge: { value: new THREE.Vector3() }, alpha: { value: 1 }, rim: { value: round ? 1 : 0 } } });
+      const mesh = Object.assign(new THREE.InstancedMesh(geometry, material, members.length), { frustumCulled: false });
+      scene.add(mesh);
+      return { members, mesh, tints };
+    });
+    scene.add(this.lines.object);
+  }
+
+  place(frame) {
+    const one = new THREE.Vector3(1, 1, 1), q = new THREE.Quaternion();
+    data.shapes.forEach((shape, body) => {
+      const pose = poseOf(body, frame);
+      this.here[body] = Boolean(pose);
+      if (pose) this.matrices[body].compose(point3(pose), q.set(pose[4], pose[5], pose[6], pose[3]).normalize(), one);
+      const deformed = (data.deformed[frame] || {})[shape.name];
+      if (!deformed) return;
+      shape.vertices = deformed.vertices;
+      const { geometry } = this.forms.find(form => form.members[0] === body).mesh, form = polyhedron(shape.vertices, shape.faces);
+      for (const name of ['position', 'normal']) geometry.attributes[name].copy(form.attributes[name]).needsUpdate = true;
+    });
+  }
+
+  /** `chosen`: bodies that stand out. */
+  draw(shown, opaque, chosen) {
+    const edge = color.get('edge'), none = new THREE.Matrix4().makeScale(0, 0, 0), { lines, matrices, creases } = this;
+    lines.rows = 0;
+    for (const { members, mesh, tints } of this.forms) {
+      members.forEach((body, i) => {
+        const stands = chosen.has(body), wide = stands ? 3 : creases[body].length > 400 ? 0.7 : 1.4;
+        mesh.setMatrixAt(i, this.here[body] ? matrices[body] : none);
+        tints.array.set([...color.get(this.isA[body] ? 'shape_a' : 'shape_b').map(c => stands ? c * 0.86 : c), stands ? 2 : 1], 4 * i);
+        if (!shown || !this.here[body] || !creases[body].length) return;
+        const world = data.shapes[body].vertices.map(vertex => point3(vertex).applyMatrix4(matrices[body]).toArray());
+        for (const [from, to] of creases[body]) lines.add(world[from], world[to], edge, wide, wide < 1 ? 0.5 : 1);
+      });
+      mesh.instanceMatrix.needsUpdate = tints.needsUpdate = true;
+      mesh.material.uniforms.alpha.value = opaque ? 1 : 0.62;
+      mesh.material.uniforms.edge.value.set(...edge);
+      mesh.material.depthWrite = opaque;
+      mesh.visible = shown;
+    }
+    lines.object.material.depthTest = opaque;
+    lines.flush();
+  }
+
+  /** The nearest body on a ray; -1 without one. */
+  hit(raycaster) {
+    const hits = [];
+    for (const { members, mesh } of this.forms)
+      for (const body of members.filter(member => this.here[member])) {
+        Object.assign(this.probe, { geometry: mesh.geometry, material: mesh.material, matrixWorld: this.matrices[body], body });
+        const first = hits.length;
+        this.probe.raycast(raycaster, hits);
+        for (const hit of hits.slice(first)) hit.body = body;
+      }
+    return hits.sort((a, b) => a.distance - b.distance).map(hit => hit.body)[0] ?? -1;
+  }
+}

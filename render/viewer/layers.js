@@ -1,0 +1,89 @@
+// The layers of a frame, from its facts: what pictures show, in the same colours and forms.
+
+const CROWD = 30;  // above so many manifolds points show their depth by size, and normals are left out
+
+class Layers {
+  constructor(scene, bodies) {
+    Object.assign(this, { bodies, fills: new Fills(), lines: new Lines(4), dots: new Dots(scene), deepest: Math.max(...data.totals.overlap) });
+    scene.add(this.fills.object, this.lines.object);
+    // Lines of overlap are longer by a round factor, so that the deepest is up to a tenth of a typical body.
+    const exact = this.deepest > 0 ? bodies.size / 10 / this.deepest : 1;
+    this.factor = exact < 2 ? 1 : [1, 2, 5].map(step => step * 10 ** Math.floor(Math.log10(exact))).filter(step => step <= exact).pop();
+    this.strongest = data.points.impulse.reduce((most, impulse) => Math.max(most, impulse || 0), 0);
+  }
+
+  /** Fills lines, dots and polygons. Returns labels: { at, text, role }. `on`: layers; `found`: records to mark. */
+  draw(frame, on, selection, found) {
+    const { lines, dots, fills, bodies } = this, { contacts, manifolds, points } = data, ink = role => color.get(role), worst = data.totals.worst[frame];
+    const labels = this.labels = [];
+    for (const marks of [lines, dots, fills]) marks.rows = 0;
+    this.crowd = contacts.manifolds[contacts.first[frame + 1]] - contacts.manifolds[contacts.first[frame]] > CROWD;
+    for (const record of recordsOf(frame)) {
+      const chosen = selection && selection.pair === contacts.pair[record], few = !this.crowd || chosen;
+      this.drawStages(stagesOf(record), on);
+      for (let m = contacts.manifolds[record]; m < contacts.manifolds[record + 1]; ++m) {
+        const normal = manifolds.normal.subarray(3 * m, 3 * m + 3), count = manifolds.first[m + 1] - manifolds.first[m], middle = [0, 0, 0];
+        for (let i = manifolds.first[m]; i < manifolds.first[m + 1]; ++i) {
+          const at = positionOf(i), overlap = Math.max(0, -points.separation[i]);
+          for (let k = 0; k < 3; ++k) middle[k] += at[k] / count;
+          if (on.has('contacts')) {
+            const radius = few ? (overlap > 0 ? 6 : 4) : 1.8 + 5 * Math.sqrt(overlap / (this.deepest || 1));
+            dots.add(at, ink('contacts'), DOT, radius);
+            if (found.has(record)) dots.add(at, ink('finding'), RING, radius + 5);
+            if (few && overlap > 0) lines.add(at, at.map((x, k) => x + normal[k] * overlap * this.factor), ink('contacts'), 2.5);
+          }
+          if (on.has('ids') && few) labels.push({ at, text: data.texts[points.id[i]], role: 'text' });
+          if (on.has('impulses') && points.impulse[i] > 0)
+            lines.arrow(at, normal, bodies.size * 0.8 * points.impulse[i] / this.strongest, ink('impulses'), few ? 2.5 : 1.5);
+          if (chosen && pointKey(i, record) === selection.point) dots.add(at, ink('text'), RING, 12);
+        }
+        if (count && on.has('normals') && few) lines.arrow(middle, normal, bodies.size * 0.45, ink('normals'), 2.5);
+      }
+    }
+    if (worst >= 0 && on.has('contacts')) {
+      dots.add(positionOf(worst), ink('contacts'), DOT, 8);
+      dots.add(positionOf(worst), ink('text'), RING, 11);
+      labels.push({ at: positionOf(worst), text: 'deepest: ' + metres(-points.separation[worst]), role: 'text' });
+    }
+    this.drawBodies(frame, on, selection);
+    for (const marks of [fills, lines, dots]) marks.flush();
+    dots.look(bodies.size * 0.3, this.crowd ? 0.3 : 0.9);
+    return labels;
+  }
+
+  drawStages({ clip, reduction }, on) {
+    const { lines, dots, fills, labels } = this, ink = role => color.get(role), last = clip && clip.steps[clip.steps.length - 1];
+    for (const [layer, face, dash] of clip ? [['reference_face', clip.reference, 0], ['incident_face', clip.incident, 7]] : []) {
+      if (!on.has(layer)) continue;
+      fills.polygon(face.polygon, ink(layer), 0.35);
+      lines.loop(face.polygon, ink(layer), 3, dash);
+    }
+    if (clip && on.has('side_planes'))
+      clip.reference.polygon.forEach((corner, i, all) => clip.steps[i] && lines.arrow(corner.map((x, k) => (x + all[(i + 1) % all.length][k]) / 2),
+        clip.steps[i].normal, this.bodies.size * 0.12, ink('side_planes'), 2));
+    if (last && on.has('clip_polygons')) lines.loop(last.polygon, ink('clip_polygons'), 2.5);
+    if (clip && on.has('dropped')) for (const point of clip.dropped) dots.add(point.position, ink('dropped'), CROSS, 5);
+    if (reduction && on.has('candidates'))
+      reduction.points.forEach((point, i) => dots.add(point.position, ink('dropped'), reduction.kept.includes(i) ? HOLLOW : CROSS, 5));
+    if (!reduction || !on.has('reduced')) return;
+    reduction.kept.forEach((kept, order) => {
+      dots.add(reduction.points[kept].position, ink('contacts'), RING, 10);
+      labels.push({ at: reduction.points[kept].position, text: String(order + 1), role: 'contacts' });
+    });
+  }
+
+  drawBodies(frame, on, selection) {
+    const { bodies, dots, lines } = this;
+    data.shapes.forEach((shape, body) => {
+      if (!bodies.here[body]) return;
+      const at = point3(shape.center_of_mass || [0, 0, 0]).applyMatrix4(bodies.matrices[body]).toArray();
+      if (on.has('center_of_mass') && !shape.half_space && shape.type !== 'mesh') {
+        dots.add(at, color.get('text'), DOT, 5);
+        dots.add(at, color.get('ground'), DOT, 1);
+      }
+      const velocity = on.has('velocities') ? velocityOf(body, frame) : [0, 0, 0], speed = Math.hypot(...velocity);
+      if (speed > 1e-3) lines.arrow(at, velocity.map(x => x / speed), Math.min(2 * bodies.size, speed * 0.15), color.get('velocities'), 2.5);
+      if (selection && selection.body === body || on.has('names') && data.shapes.length <= 12) this.labels.push({ at, text: shape.name, role: 'text' });
+    });
+  }
+}

@@ -1,0 +1,187 @@
+#include "viewer/viewer.h"
+
+#include <gmock/gmock.h>
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+
+#include "draw/crate_on_slab.h"
+#include "shrink/expression.h"
+#include "support/temporary_folder.h"
+
+namespace contactscope::viewer {
+namespace {
+
+using draw::crate_sample::CrateOnSlab;
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::Not;
+
+/// Twelve frames: the crate rises by a millimetre a frame and leaves the slab after the third. In
+/// frame 3 the normal turns.
+CrateOnSlab rising() {
+  CrateOnSlab scene;
+  scene.header.title = "A crate </script><script>document.title = \"broken\"</script>";
+  scene.header.shapes[1].name = scene.frames[0].poses[1].first = scene.frames[0].pairs[0].b =
+      "crate <b>&amp;";
+  scene.view.layers = {Layer::Shapes, Layer::Contacts, Layer::Normals};
+  const trace::Frame first = scene.frames[0];
+  scene.frames.clear();
+  for (int i = 0; i < 12; ++i) {
+    trace::Frame& frame = scene.frames.emplace_back(first);
+    frame.frame = 3 * i;
+    frame.time = 0.02 * i;
+    frame.poses[1].second.position.y() += 0.001 * i;
+    trace::Pair& pair = frame.pairs[0];
+    for (trace::Point& point : pair.manifolds[0].points) {
+      point.separation += 0.001 * i;
+      point.position.x() *= 1 - 0.01 * i;
+      point.impulse = trace::Impulse{.normal = 1.25 * i};
+    }
+    pair.separation = pair.manifolds[0].points[0].separation;
+    if (i == 1) pair.manifolds[0].normal = Vec3d(0.6, 0.8, 0);
+    if (i > 3) pair.manifolds.clear();
+    if (i > 3) pair.state = "separated";
+  }
+  scene.header.frames = 12;
+  return scene;
+}
+
+std::string page_of(const CrateOnSlab& scene) {
+  const draw::Staging staging = scene.staged();
+  PictureOrigin origin;
+  origin.scenario = "mine/crate";
+  origin.command = "contactscope render mine/crate --format viewer";
+  Viewer viewer(staging, origin);
+  for (const trace::Frame& frame : scene.frames) viewer.add(frame);
+  return viewer.html();
+}
+
+TEST(Viewer, FetchesNothingAndNamesOfATraceAreNoMarkup) {
+  const std::string html = page_of(rising());
+  for (const char* word : {"http:", "https:", " src=", "<link", "broken", "crate <b>", "@DATA@"})
+    EXPECT_THAT(html, Not(HasSubstr(word)));
+  EXPECT_THAT(html, HasSubstr("default-src 'none'"));
+  if (!three_script().empty()) EXPECT_THAT(html, HasSubstr("MIT License"));
+  EXPECT_EQ(html, page_of(rising()));
+}
+
+/// The page in headless Chromium.
+class InChromium : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (three_script().empty())
+      GTEST_SKIP() << "three.js is not installed (apt-get install libjs-three)";
+    for (const char* name : {"chromium", "chromium-browser", "google-chrome"})
+      if (std::system((std::string("command -v ") + name + " > /dev/null").c_str()) == 0)
+        chromium_ = name;
+    if (std::system("command -v node > /dev/null") != 0) GTEST_SKIP() << "node is not installed";
+    if (chromium_.empty()) GTEST_SKIP() << "Chromium is not installed (apt-get install chromium)";
+  }
+
+  /// The result of a script that runs in the page when it is drawn.
+  json result(const std::string& script) const {
+    const std::string page = folder_.write("page.html", page_of(rising()));
+    const std::string command =
+        "timeout 120 node '" CONTACTSCOPE_VIEWER_TESTS "/in_chromium.mjs' " + chromium_ +
+        " 'file://" + page + "#frame=6&find=points+%3E+1' '" + (folder_ / "profile") + "' < '" +
+        folder_.write("script.js", script) + "'";
+    FILE* const pipe = popen(command.c_str(), "r");
+    std::string text;
+    std::array<char, 4096> buffer;
+    for (std::size_t count; pipe && (count = fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
+      text.append(buffer.data(), count);
+    if (pipe) pclose(pipe);
+    const json answer = json::parse(text, nullptr, false);
+    EXPECT_TRUE(answer.is_object()) << text;
+    return answer.is_object() ? answer : json{{"error", "the page did not answer"}};
+  }
+
+ private:
+  std::string chromium_;
+  TemporaryFolder folder_;
+};
+
+TEST_F(InChromium, ShowsTheFactsOfTheTraceAndAnswersClicksKeysAndSearch) {
+  const json page = result(R"(
+    const { data, state, onScreen, orbit } = contactscope, canvas = document.getElementById('view');
+    const text = id => document.getElementById(id).textContent, all = [];
+    const fire = (target, type, x, y, more) => target.dispatchEvent(new PointerEvent(type, { clientX: x, clientY: y, button: 0, bubbles: true, ...more }));
+    HTMLElement.prototype.setPointerCapture = () => {};  // made-up pointers cannot be captured
+    const key = key => document.dispatchEvent(new KeyboardEvent('keydown', { key }));
+    for (let i = 0; i < data.points.id.length; ++i)
+      all.push([...data.points.position.subarray(3 * i, 3 * i + 3), data.points.separation[i], data.points.impulse[i], data.texts[data.points.id[i]]]);
+    const seen = { title: document.title, points: all, pose: [...data.pose.subarray(7 * 23, 7 * 24)], start: state.frame, found: text('found'), quantities: contactscope.quantities,
+      separation: data.contacts.separation[11] };
+    // A click on the first point of frame 6, and one on nothing.
+    const box = canvas.getBoundingClientRect(), at = data.manifolds.first[data.contacts.manifolds[2]];
+    const [x, y] = onScreen(data.points.position.subarray(3 * at, 3 * at + 3));
+    fire(canvas, 'pointerdown', box.left + x, box.top + y);
+    fire(canvas, 'pointerup', box.left + x, box.top + y);
+    seen.clicked = state.selection;
+    seen.facts = text('facts');
+    seen.markup = document.querySelectorAll('#facts b').length;
+    seen.hash = contactscope.hash();
+    // A drag turns the view and selects nothing else.
+    const yaw = orbit.yaw;
+    fire(canvas, 'pointerdown', box.left + 50, box.top + 50);
+    fire(canvas, 'pointermove', box.left + 150, box.top + 50);
+    fire(canvas, 'pointerup', box.left + 150, box.top + 50);
+    seen.turned = orbit.yaw - yaw;
+    seen.still = state.selection;
+    // The end of the timeline, keys, a layer.
+    const line = document.getElementById('timeline').getBoundingClientRect();
+    fire(document.getElementById('timeline'), 'pointerdown', line.right - 6, line.top + 20);
+    seen.scrubbed = data.frames[state.frame];
+    key('ArrowLeft');
+    seen.stepped = data.frames[state.frame];
+    key('Home');
+    seen.before = contactscope.layers.dots.rows;
+    key('1');
+    seen.shapes = [state.on.has('shapes'), contactscope.bodies.forms[0].mesh.visible];
+    contactscope.search('normal_turn > 30 deg and not overlap < 0.1 mm');
+    seen.search = [text('found'), text('hits')];
+    contactscope.search('overlap > ');
+    seen.wrong = text('found');
+    return seen;)");
+  ASSERT_FALSE(page.contains("error")) << page["error"];
+  const CrateOnSlab scene = rising();
+  EXPECT_EQ(page["title"], scene.header.title);
+  std::size_t i = 0;
+  for (const trace::Frame& frame : scene.frames)
+    for (const trace::Manifold& manifold : frame.pairs[0].manifolds)
+      for (const trace::Point& point : manifold.points) {
+        const json& shown = page["points"].at(i++);
+        for (int k = 0; k < 3; ++k)
+          EXPECT_NEAR(shown[static_cast<std::size_t>(k)].get<double>(), point.position[k], 1e-4);
+        EXPECT_NEAR(shown[3].get<double>(), point.separation, 3e-7);
+        EXPECT_NEAR(shown[4].get<double>(), point.impulse->normal, 5e-4 * point.impulse->normal);
+        EXPECT_EQ(shown[5], point.id);
+      }
+  EXPECT_EQ(page["points"].size(), i);
+  EXPECT_NEAR(page["pose"][1].get<double>(), scene.frames[11].poses[1].second.position.y(), 1e-4);
+  EXPECT_NEAR(page["separation"].get<double>(), scene.frames[11].pairs[0].separation, 3e-7);
+  for (const std::string& quantity : shrink::quantities())
+    EXPECT_THAT(page["quantities"].get<std::vector<std::string>>(), testing::Contains(quantity));
+  EXPECT_EQ(page["start"], 2);
+  EXPECT_EQ(page["found"], "4 records in 4 frames");
+  EXPECT_EQ(page["clicked"].dump(), R"({"pair":0,"point":"b:v4"})");
+  EXPECT_THAT(page["facts"].get<std::string>(), HasSubstr("slab and crate <b>&amp;"));
+  EXPECT_THAT(page["facts"].get<std::string>(), HasSubstr("2.5 N s"));
+  EXPECT_EQ(page["markup"], 0);
+  EXPECT_THAT(page["hash"].get<std::string>(), HasSubstr("frame=6&"));
+  EXPECT_THAT(page["hash"].get<std::string>(), HasSubstr("point=b%3Av4"));
+  EXPECT_NEAR(page["turned"].get<double>(), -0.8, 1e-9);
+  EXPECT_EQ(page["still"], page["clicked"]);
+  EXPECT_EQ(page["scrubbed"], 33);
+  EXPECT_EQ(page["stepped"], 30);
+  EXPECT_EQ(page["before"], 2 + 2 + 2 + 1);  // points, found ones, the deepest, the selected one
+  EXPECT_EQ(page["shapes"].dump(), "[false,false]");
+  EXPECT_EQ(page["search"][0], "1 record in 1 frame");
+  EXPECT_THAT(page["search"][1].get<std::string>(), HasSubstr("frame 3: slab and crate <b>&amp;"));
+  EXPECT_THAT(page["wrong"].get<std::string>(), HasSubstr("a quantity is missing at the end"));
+}
+
+}  // namespace
+}  // namespace contactscope::viewer
