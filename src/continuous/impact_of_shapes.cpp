@@ -5,7 +5,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "continuous/approach_to_plane.h"
+#include "continuous/approach.h"
 #include "continuous/impact_with_mesh.h"
 #include "continuous/rounded_down.h"
 #include "field/distance_field.h"

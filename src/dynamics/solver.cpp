@@ -1,7 +1,6 @@
 #include "dynamics/solver.h"
 
 #include "dynamics/integrate.h"
-#include "dynamics/projection.h"
 #include "dynamics/solve_velocities.h"
 
 namespace contactscope {
