@@ -1,5 +1,6 @@
 #include "dynamics/solver.h"
 
+#include "core/instantiate.h"
 #include "dynamics/integrate.h"
 #include "dynamics/solve_velocities.h"
 
@@ -81,9 +82,6 @@ void solve_impact(std::vector<Body<S>>& bodies, std::span<const PairContacts<S>>
   }
 }
 
-template decltype(solve_impact<float>) solve_impact<float>;
-template decltype(solve_impact<double>) solve_impact<double>;
-template decltype(solve_step<float>) solve_step<float>;
-template decltype(solve_step<double>) solve_step<double>;
+CONTACTSCOPE_FLOAT_AND_DOUBLE(solve_impact, solve_step);
 
 }  // namespace contactscope
