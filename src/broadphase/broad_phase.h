@@ -91,7 +91,6 @@ class BroadPhase {
   virtual std::size_t own_memory() const { return 0; }
 
   void report(int i, int j) { found_.push_back(i < j ? BoxPair{i, j} : BoxPair{j, i}); }
-  /// Reports i and j if their boxes overlap.
   void compare(int i, int j) {
     ++counts_.comparisons;
     if (overlaps(box(i), box(j))) report(i, j);

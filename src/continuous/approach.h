@@ -51,7 +51,6 @@ class Turning {
   Quat<S> rotation(S time) const {
     return angle_ == S(0) ? start_ : turned(start_, axis_, time * angle_);
   }
-  /// Extent along a direction at a time.
   S extent(const Vec3<S>& direction, S time) const {
     const Vec3<S> local = rotation(time).conjugate() * direction;
     const int farthest = support_index(core_, local);

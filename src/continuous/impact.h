@@ -17,7 +17,6 @@ enum class ImpactStatus {
   OutOfIterations,
 };
 
-/// "separated", "hit", "overlapping", "out_of_iterations".
 constexpr const char* to_string(ImpactStatus status) {
   constexpr const char* kNames[] = {"separated", "hit", "overlapping", "out_of_iterations"};
   return kNames[static_cast<int>(status)];

@@ -8,12 +8,11 @@
 
 #include "broadphase/broad_phase.h"
 #include "continuous/motion_bounds.h"
-#include "continuous/rounded_down.h"
 #include "core/at.h"
 #include "core/instantiate.h"
 #include "dynamics/solver.h"
 #include "geometry/core_hull.h"
-#include "geometry/flat_triangle.h"
+#include "geometry/mesh.h"
 #include "manifold/in_double.h"
 
 namespace contactscope {

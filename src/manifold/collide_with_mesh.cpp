@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "core/instantiate.h"
-#include "geometry/flat_triangle.h"
+#include "geometry/mesh.h"
 #include "manifold/collide_pairs.h"
 #include "manifold/collide_with_triangles.h"
 #include "manifold/create_contact.h"

@@ -4,7 +4,7 @@
 #include <limits>
 #include <optional>
 
-#include "geometry/flat_triangle.h"
+#include "geometry/mesh.h"
 #include "geometry/triangle_hull.h"
 #include "manifold/collide_pairs.h"
 #include "manifold/internal_edges.h"
@@ -172,7 +172,6 @@ S normal_tolerance(const SeenFromMesh<S>& shape, const Mesh<S>& mesh, int triang
   return std::max(kNormalTolerance<S>, tie_tolerance(std::sqrt(squared)) / distance);
 }
 
-/// Removes the points that are deeper than this separation.
 template <class S>
 void drop_deeper(S separation, Contact<S>& contact) {
   remove_points(contact,

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "core/static_vector.h"
-#include "geometry/flat_triangle.h"
 #include "geometry/mesh.h"
 #include "manifold/internal_edges.h"
 #include "query/closest_points.h"

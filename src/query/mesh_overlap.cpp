@@ -7,7 +7,6 @@
 #include "core/at.h"
 #include "core/instantiate.h"
 #include "core/pack.h"
-#include "query/mesh_front.h"
 
 namespace contactscope {
 

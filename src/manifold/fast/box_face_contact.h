@@ -161,7 +161,6 @@ template <class S>
   return {std::countr_zero(below(least) | 0x100U), least[0], (near & (near - 1)) == 0};
 }
 
-/// A reference face of one box and the incident face of the other.
 template <class S>
 struct FacePair {
   Plane<S> plane;         // of the reference face, A's frame
