@@ -2,23 +2,41 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
 #include "core/at.h"
 
 namespace contactscope {
+namespace {
+
+/// The reference: compares every box with every other one, n (n - 1) / 2 comparisons.
+class BruteForce : public Clonable<BruteForce> {
+  void find_pairs(BroadPhaseRecord* /*record*/) override {
+    for (int i = 0; i < handles(); ++i) {
+      for (int j = i + 1; has(i) && j < handles(); ++j) {
+        if (has(j)) compare(i, j);
+      }
+    }
+  }
+};
+
+}  // namespace
 
 // Each is defined in the file of its name.
-BroadPhaseInfo brute_force_broad_phase(), grid_broad_phase(), sweep_and_prune_broad_phase(),
-    octree_broad_phase(), tree_broad_phase(), columns_broad_phase();
+BroadPhaseInfo grid_broad_phase(), sweep_and_prune_broad_phase(), octree_broad_phase(),
+    tree_broad_phase(), columns_broad_phase();
 
 const std::vector<BroadPhaseInfo>& broad_phases() {
   static const std::vector<BroadPhaseInfo> all = {
-      brute_force_broad_phase(), grid_broad_phase(), sweep_and_prune_broad_phase(),
-      octree_broad_phase(),      tree_broad_phase(), columns_broad_phase()};
+      info_of<BruteForce>("brute_force", "every box with every other one"),
+      grid_broad_phase(),
+      sweep_and_prune_broad_phase(),
+      octree_broad_phase(),
+      tree_broad_phase(),
+      columns_broad_phase()};
   return all;
 }
 
@@ -101,32 +119,33 @@ const std::vector<BoxPair>& BroadPhase::pairs(BroadPhaseRecord* record) {
   return found_;
 }
 
-PairChanges BroadPhase::changes() {
-  const std::vector<BoxPair>& now = pairs();
-  PairChanges result;
-  std::ranges::set_difference(now, last_, std::back_inserter(result.begun));
-  std::ranges::set_difference(last_, now, std::back_inserter(result.ended));
-  last_ = now;
-  return result;
-}
-
-std::vector<int> BroadPhase::query(const Aabb<float>& box) const {
-  std::vector<int> found;
-  find(box, found);
-  std::ranges::sort(found);
-  return found;
-}
-
-void BroadPhase::find(const Aabb<float>& box, std::vector<int>& found) const {
-  counts_.comparisons += handles();
-  for (int i = 0; i < handles(); ++i) {
-    if (overlaps(at(boxes_, i), box)) found.push_back(i);
-  }
-}
-
 std::size_t BroadPhase::memory() const {
-  return bytes_of(boxes_) + bytes_of(free_) + bytes_of(found_) + bytes_of(last_) +
-         sorter_.memory() + own_memory();
+  return bytes_of(boxes_) + bytes_of(free_) + bytes_of(found_) + sorter_.memory() + own_memory();
+}
+
+void PairSorter::sort(std::vector<BoxPair>& pairs, int handles) {
+  if (count_of(pairs) < handles / 4) {
+    std::ranges::sort(pairs);
+    return;
+  }
+  // Counting sort by b, then a stable one by a. Neither has unpredictable branches.
+  const auto numbers = static_cast<std::size_t>(handles) + 1;
+  first_of_a_.assign(numbers, 0);
+  first_of_b_.assign(numbers, 0);
+  for (const BoxPair& pair : pairs) {
+    ++at(first_of_a_, pair.a + 1);
+    ++at(first_of_b_, pair.b + 1);
+  }
+  std::partial_sum(first_of_a_.begin(), first_of_a_.end(), first_of_a_.begin());
+  std::partial_sum(first_of_b_.begin(), first_of_b_.end(), first_of_b_.begin());
+  by_b_.resize(pairs.size());
+  for (const BoxPair& pair : pairs) at(by_b_, at(first_of_b_, pair.b)++) = pair;
+  for (const BoxPair& pair : by_b_) at(pairs, at(first_of_a_, pair.a)++) = pair;
+}
+
+std::size_t PairSorter::memory() const {
+  return sizeof(int) * (first_of_a_.capacity() + first_of_b_.capacity()) +
+         sizeof(BoxPair) * by_b_.capacity();
 }
 
 }  // namespace contactscope

@@ -13,12 +13,6 @@
 
 namespace contactscope {
 
-/// Both ascending.
-struct PairChanges {
-  std::vector<BoxPair> begun;
-  std::vector<BoxPair> ended;
-};
-
 /// Work that a broad phase has done since it was made, independent of the machine.
 struct BroadPhaseCounts {
   std::int64_t comparisons = 0;  // of two boxes
@@ -72,13 +66,9 @@ class BroadPhase {
   void move(int handle, const Aabb<float>& box);
   void remove(int handle);
 
-  /// All pairs that overlap now, ascending. The next call of this or of changes() overwrites them.
-  /// `record`: emptied first; null: not recorded, no cost. Does not change the pairs.
+  /// All pairs that overlap now, ascending. The next call overwrites them. `record`: emptied first;
+  /// null: not recorded, no cost. Does not change the pairs.
   const std::vector<BoxPair>& pairs(BroadPhaseRecord* record = nullptr);
-  /// Pairs that have begun or ended since the last call. A reused handle is the same box.
-  PairChanges changes();
-  /// Handles of the boxes that overlap `box`, ascending.
-  std::vector<int> query(const Aabb<float>& box) const;
 
   bool has(int handle) const;
   const Aabb<float>& box(int handle) const { return boxes_[static_cast<std::size_t>(handle)]; }
@@ -98,12 +88,9 @@ class BroadPhase {
   virtual void removing(int /*handle*/) {}
   /// Reports each overlapping pair once, in any order, by report(). `record`: as in pairs().
   virtual void find_pairs(BroadPhaseRecord* record) = 0;
-  /// Appends each box that overlaps to `found`, once, in any order. The default tests all boxes.
-  virtual void find(const Aabb<float>& box, std::vector<int>& found) const;
   virtual std::size_t own_memory() const { return 0; }
 
   void report(int i, int j) { found_.push_back(i < j ? BoxPair{i, j} : BoxPair{j, i}); }
-  /// Reports i and j if their boxes overlap.
   void compare(int i, int j) {
     ++counts_.comparisons;
     if (overlaps(box(i), box(j))) report(i, j);
@@ -119,7 +106,6 @@ class BroadPhase {
   std::vector<Aabb<float>> boxes_;  // by handle; empty if unused
   std::vector<int> free_;
   std::vector<BoxPair> found_;
-  std::vector<BoxPair> last_;  // of the last changes()
   PairSorter sorter_;
 };
 

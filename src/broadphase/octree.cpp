@@ -11,8 +11,8 @@ constexpr int kDeepestLevel = 24;  // halvings of the root; boxes of a ten-milli
 
 /// A loose octree: each box is in the node of its size that contains its centre, and a node extends
 /// to the boxes below it, by at most half of its side. A box is in one node, found without visiting
-/// others, and stays there while its centre does. Suits varying density. The root doubles until it
-/// contains every centre. Infinite boxes are compared with all.
+/// others. Suits varying density. The root doubles until it contains every centre and is as large as
+/// the largest box. Infinite boxes are compared with all.
 /// Source: Ulrich 2000, "Loose Octrees", Game Programming Gems 1.
 class Octree : public Clonable<Octree> {
   struct Node {
@@ -112,29 +112,19 @@ class Octree : public Clonable<Octree> {
     });
   }
 
-  void find(const Aabb<float>& box, std::vector<int>& found) const override {
-    const auto test = [&](int handle) {
-      ++counts_.comparisons;
-      if (overlaps(this->box(handle), box)) found.push_back(handle);
-    };
-    for (const int handle : endless_) test(handle);
-    visit(box, test);
-  }
-
   /// Calls test(handle) for all boxes in nodes that reach into a box.
   template <class Test>
-  void visit(const Aabb<float>& box, Test&& test) const {
-    std::vector<int>& open = open_;
-    open.clear();
-    if (root_ >= 0) open.push_back(root_);
-    while (!open.empty()) {
-      const Node& node = at(nodes_, open.back());
-      open.pop_back();
+  void visit(const Aabb<float>& box, Test&& test) {
+    open_.clear();
+    if (root_ >= 0) open_.push_back(root_);
+    while (!open_.empty()) {
+      const Node& node = at(nodes_, open_.back());
+      open_.pop_back();
       ++counts_.visits;
       if (!overlaps(node.reach, box)) continue;
       for (const int handle : node.here) test(handle);
       for (const int child : node.children) {
-        if (child >= 0 && at(nodes_, child).below > 0) open.push_back(child);
+        if (child >= 0 && at(nodes_, child).below > 0) open_.push_back(child);
       }
     }
   }
@@ -149,7 +139,7 @@ class Octree : public Clonable<Octree> {
     at(nodes_, node).reach.include(box(handle));
   }
 
-  /// Makes the root a child of a node of twice its side that extends towards a point.
+  /// Doubles the root towards a point: the old root becomes a child of a new one if it has boxes.
   void grow(const Vec3<float>& towards) {
     Cube larger = {cube_.center, 2 * cube_.half};
     for (int i = 0; i < 3; ++i)
@@ -176,7 +166,7 @@ class Octree : public Clonable<Octree> {
   Cube cube_;               // of the root
   std::vector<int> homes_;  // node of each handle; -1 for infinite boxes
   std::vector<int> endless_;
-  mutable std::vector<int> open_;  // nodes that a search has yet to visit
+  std::vector<int> open_;  // nodes that a search has yet to visit
 };
 
 }  // namespace

@@ -218,27 +218,6 @@ class Tree : public Clonable<Tree> {
     });
   }
 
-  void find(const Aabb<float>& box, std::vector<int>& found) const override {
-    const auto test = [&](int handle) {
-      ++counts_.comparisons;
-      if (overlaps(this->box(handle), box)) found.push_back(handle);
-    };
-    for (const int handle : endless_) test(handle);
-    std::vector<int> open;
-    if (root_ >= 0) open.push_back(root_);
-    while (!open.empty()) {
-      const Node& node = at(nodes_, open.back());
-      open.pop_back();
-      ++counts_.visits;
-      if (!overlaps(node.box, box)) continue;
-      if (node.is_leaf()) {
-        test(node.handle);
-      } else {
-        open.insert(open.end(), std::begin(node.children), std::end(node.children));
-      }
-    }
-  }
-
   std::size_t own_memory() const override {
     return bytes_of(nodes_) + bytes_of(leaves_) + bytes_of(free_) + bytes_of(endless_) +
            bytes_of(open_);

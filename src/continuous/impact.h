@@ -17,7 +17,6 @@ enum class ImpactStatus {
   OutOfIterations,
 };
 
-/// "separated", "hit", "overlapping", "out_of_iterations".
 constexpr const char* to_string(ImpactStatus status) {
   constexpr const char* kNames[] = {"separated", "hit", "overlapping", "out_of_iterations"};
   return kNames[static_cast<int>(status)];
@@ -99,7 +98,7 @@ struct ImpactLimits {
 /// so shapes far from the origin lose no more precision than their coordinates have lost.
 ///
 /// Bounding balls give the time at which the search starts. Polyhedra are cast against each other
-/// from there (foresee_impact.h). The search then finds the root of the separation along GJK's
+/// from there (foresee_impact()). The search then finds the root of the separation along GJK's
 /// axis: exactly if nothing turns, else by a bound between now and where the nearest points would
 /// meet. Round shapes skip the cast. `run`: null: not recorded.
 template <class S>

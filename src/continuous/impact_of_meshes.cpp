@@ -69,7 +69,6 @@ class SweptMesh {
 
   const AabbTree<S>& tree() const { return mesh_.tree; }
   SweptBox<S> node(int i) const { return {at(tree().nodes, i).box, at(end_tree_.nodes, i).box}; }
-  /// Box of the triangle at a place in the tree.
   SweptBox<S> leaf_box(int place) const {
     return {at(tree().boxes, place), at(end_tree_.boxes, place)};
   }

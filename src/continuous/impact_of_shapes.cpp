@@ -5,9 +5,10 @@
 #include <type_traits>
 #include <utility>
 
-#include "continuous/approach_to_plane.h"
+#include "continuous/approach.h"
 #include "continuous/impact_with_mesh.h"
-#include "continuous/rounded_down.h"
+#include "continuous/motion_bounds.h"
+#include "core/instantiate.h"
 #include "field/distance_field.h"
 
 namespace contactscope {
@@ -270,9 +271,6 @@ std::vector<S> distances_through(const Shape<S>& a, const Sweep<S>& sweep_a, con
                      first.moving().radius + second.radius, count);
 }
 
-template decltype(impact_of_shapes<float>) impact_of_shapes<float>;
-template decltype(impact_of_shapes<double>) impact_of_shapes<double>;
-template decltype(distances_through<float>) distances_through<float>;
-template decltype(distances_through<double>) distances_through<double>;
+CONTACTSCOPE_FLOAT_AND_DOUBLE(impact_of_shapes, distances_through);
 
 }  // namespace contactscope

@@ -26,7 +26,6 @@ struct ImpactMethodInfo {
 /// All methods, in listing order.
 const std::vector<ImpactMethodInfo>& impact_methods();
 
-/// "speculative", "swept", "conservative_advancement", "time_of_impact".
 constexpr const char* to_string(ImpactMethod method) {
   constexpr const char* kNames[] = {"speculative", "swept", "conservative_advancement",
                                     "time_of_impact"};

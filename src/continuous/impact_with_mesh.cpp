@@ -9,6 +9,7 @@
 #include "broadphase/broad_phase.h"
 #include "continuous/approach.h"
 #include "continuous/swept_sphere.h"
+#include "core/instantiate.h"
 
 namespace contactscope {
 namespace {
@@ -175,9 +176,6 @@ ShapeImpact<double> impact_of_rigid_meshes(const Mesh<S>& a, const Sweep<double>
   return found;
 }
 
-template decltype(impact_with_mesh<float>) impact_with_mesh<float>;
-template decltype(impact_with_mesh<double>) impact_with_mesh<double>;
-template decltype(impact_of_rigid_meshes<float>) impact_of_rigid_meshes<float>;
-template decltype(impact_of_rigid_meshes<double>) impact_of_rigid_meshes<double>;
+CONTACTSCOPE_FLOAT_AND_DOUBLE(impact_with_mesh, impact_of_rigid_meshes);
 
 }  // namespace contactscope

@@ -5,8 +5,24 @@
 #include <limits>
 
 #include "broadphase/world_box.h"
+#include "continuous/sweep.h"
+#include "core/instantiate.h"
 
 namespace contactscope {
+
+template <class S>
+Pose<S> Sweep<S>::at(S time) const {
+  const S angle = turn.norm();
+  Pose<S> pose = start;
+  if (angle > S(0))
+    pose.rotation = turned(start.rotation, Vec3<S>(turn / angle), time * angle).normalized();
+  pose.position = start.transform(pivot) + time * displacement - pose.rotate(pivot);
+  return pose;
+}
+
+template struct Sweep<float>;
+template struct Sweep<double>;
+
 namespace {
 
 template <class S>
@@ -75,11 +91,6 @@ S largest_approach(const Shape<S>& a, const Sweep<S>& sweep_a, const Shape<S>& b
          chord(b, sweep_b);
 }
 
-template decltype(reach_about_pivot<float>) reach_about_pivot<float>;
-template decltype(reach_about_pivot<double>) reach_about_pivot<double>;
-template decltype(swept_world_box<float>) swept_world_box<float>;
-template decltype(swept_world_box<double>) swept_world_box<double>;
-template decltype(largest_approach<float>) largest_approach<float>;
-template decltype(largest_approach<double>) largest_approach<double>;
+CONTACTSCOPE_FLOAT_AND_DOUBLE(reach_about_pivot, swept_world_box, largest_approach);
 
 }  // namespace contactscope

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "continuous/sweep.h"
 #include "geometry/aabb.h"
 #include "geometry/shape.h"
@@ -21,5 +23,12 @@ Aabb<float> swept_world_box(const Shape<S>& shape, const Sweep<S>& sweep, double
 template <class S>
 S largest_approach(const Shape<S>& a, const Sweep<S>& sweep_a, const Shape<S>& b,
                    const Sweep<S>& sweep_b);
+
+/// Casts a safe time >= 0 (no impact before it) to another scalar.
+template <class S>
+S rounded_down(double time) {
+  const S near = static_cast<S>(time);
+  return static_cast<double>(near) > time ? std::nextafter(near, S(0)) : near;
+}
 
 }  // namespace contactscope

@@ -27,7 +27,6 @@ enum class FeatureStatus {
   Overlapping,  // at time 0, or closer than rounding then
 };
 
-/// "separated", "hit", "near", "overlapping".
 constexpr const char* to_string(FeatureStatus status) {
   constexpr const char* kNames[] = {"separated", "hit", "near", "overlapping"};
   return kNames[static_cast<int>(status)];

@@ -12,7 +12,6 @@ enum class SweptStatus {
   Overlapping,  // at the start
 };
 
-/// "separated", "hit", "overlapping".
 constexpr const char* to_string(SweptStatus status) {
   constexpr const char* kNames[] = {"separated", "hit", "overlapping"};
   return kNames[static_cast<int>(status)];
@@ -20,7 +19,6 @@ constexpr const char* to_string(SweptStatus status) {
 
 enum class TriangleFeature { Face, Edge, Vertex };
 
-/// "face", "edge", "vertex".
 constexpr const char* to_string(TriangleFeature feature) {
   constexpr const char* kNames[] = {"face", "edge", "vertex"};
   return kNames[static_cast<int>(feature)];

@@ -42,10 +42,8 @@ struct Body {
 
   bool dynamic() const { return inverse_mass > 0; }
 
-  /// Pose of the shape.
   Pose<S> pose() const { return {rotation, center - rotation * local_center}; }
 
-  /// Places the shape at a pose.
   void place(const Pose<S>& pose) {
     rotation = pose.rotation;
     center = pose.transform(local_center);

@@ -8,11 +8,11 @@
 
 #include "broadphase/broad_phase.h"
 #include "continuous/motion_bounds.h"
-#include "continuous/rounded_down.h"
 #include "core/at.h"
+#include "core/instantiate.h"
 #include "dynamics/solver.h"
 #include "geometry/core_hull.h"
-#include "geometry/flat_triangle.h"
+#include "geometry/mesh.h"
 #include "manifold/in_double.h"
 
 namespace contactscope {
@@ -336,9 +336,6 @@ std::vector<ImpactStop<S>> stop_at_impacts(std::vector<Body<S>>& bodies,
   return Stopper<S>(bodies, before, shapes, cores, pair_of, settings, dt).run();
 }
 
-template decltype(impact_cores<float>) impact_cores<float>;
-template decltype(impact_cores<double>) impact_cores<double>;
-template decltype(stop_at_impacts<float>) stop_at_impacts<float>;
-template decltype(stop_at_impacts<double>) stop_at_impacts<double>;
+CONTACTSCOPE_FLOAT_AND_DOUBLE(impact_cores, stop_at_impacts);
 
 }  // namespace contactscope

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/at.h"
+#include "core/instantiate.h"
 
 namespace contactscope {
 
@@ -139,9 +140,6 @@ void solve_awake(std::vector<Body<S>>& bodies, std::span<const PairContacts<S>> 
 
 template class Sleepers<float>;
 template class Sleepers<double>;
-template decltype(mean_speed<float>) mean_speed<float>;
-template decltype(mean_speed<double>) mean_speed<double>;
-template decltype(solve_awake<float>) solve_awake<float>;
-template decltype(solve_awake<double>) solve_awake<double>;
+CONTACTSCOPE_FLOAT_AND_DOUBLE(mean_speed, solve_awake);
 
 }  // namespace contactscope

@@ -1,7 +1,7 @@
 #include "dynamics/solver.h"
 
+#include "core/instantiate.h"
 #include "dynamics/integrate.h"
-#include "dynamics/projection.h"
 #include "dynamics/solve_velocities.h"
 
 namespace contactscope {
@@ -82,9 +82,6 @@ void solve_impact(std::vector<Body<S>>& bodies, std::span<const PairContacts<S>>
   }
 }
 
-template decltype(solve_impact<float>) solve_impact<float>;
-template decltype(solve_impact<double>) solve_impact<double>;
-template decltype(solve_step<float>) solve_step<float>;
-template decltype(solve_step<double>) solve_step<double>;
+CONTACTSCOPE_FLOAT_AND_DOUBLE(solve_impact, solve_step);
 
 }  // namespace contactscope

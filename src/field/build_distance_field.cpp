@@ -4,7 +4,6 @@
 #include "core/input_error.h"
 #include "field/closed_surface.h"
 #include "field/field_builder.h"
-#include "field/surface_of.h"
 
 namespace contactscope {
 namespace {

@@ -7,6 +7,7 @@
 
 #include "core/at.h"
 #include "core/input_error.h"
+#include "geometry/triangulate.h"
 #include "query/winding.h"
 
 namespace contactscope {
@@ -130,6 +131,19 @@ ClosedSurface close_surface(const Mesh<double>& mesh) {
         "the mesh has no inside: its parts cancel, or it is a sheet; give a mesh that encloses a "
         "volume, with all fronts outside");
   return closed;
+}
+
+Mesh<double> surface_of(const Hull<double>& hull) {
+  std::vector<std::array<int, 3>> triangles;
+  for (int face = 0; face < hull.face_count(); ++face) {
+    const std::vector<int> around = face_vertices(hull, face);
+    const std::vector<Vec3d> corners =
+        mapped(around, [&](int vertex) -> Vec3d { return at(hull.vertices, vertex); });
+    for (const std::array<int, 3>& triangle : triangulate_polygon(corners))
+      triangles.push_back(
+          {at(around, triangle[0]), at(around, triangle[1]), at(around, triangle[2])});
+  }
+  return build_mesh(hull.vertices, std::move(triangles));
 }
 
 }  // namespace contactscope

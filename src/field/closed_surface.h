@@ -1,5 +1,6 @@
 #pragma once
 
+#include "geometry/hull.h"
 #include "geometry/mesh.h"
 
 namespace contactscope {
@@ -29,5 +30,9 @@ inline constexpr double kLargestCapShare = 0.5;
 ///
 /// Throws ShapeError if the caps exceed kLargestCapShare, or if nothing is inside.
 ClosedSurface close_surface(const Mesh<double>& mesh);
+
+/// The faces of a hull as triangles, fronts outside, in the order of the faces; its frame, metres.
+/// Vertices keep their indices. Throws ShapeError if no face has an area.
+Mesh<double> surface_of(const Hull<double>& hull);
 
 }  // namespace contactscope

@@ -247,7 +247,6 @@ struct PlacedField {
   }
 };
 
-/// A shape from a field and its source.
 inline Field<double> field_shape(const PlacedField& placed, const Shape<double>& source) {
   return {placed.field, placed.origin, placed.cell,
           std::make_shared<const FieldSource<double>>(FieldSource<double>{source})};

@@ -1,7 +1,5 @@
 #include "field/nearest_point.h"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "core/at.h"

@@ -14,7 +14,6 @@
 
 namespace contactscope {
 
-/// The surface point nearest to a query point.
 struct NearestPoint {
   Vec3d point = Vec3d::Zero();                               // on the surface, its frame and unit
   double squared = std::numeric_limits<double>::infinity();  // distance, squared

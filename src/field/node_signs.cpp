@@ -1,4 +1,4 @@
-#include "field/node_signs.h"
+#include "field/block_filler.h"
 
 #include <algorithm>
 #include <vector>

@@ -1,8 +1,8 @@
 #include <cmath>
 
 #include "core/at.h"
+#include "field/block_filler.h"
 #include "field/field_builder.h"
-#include "field/node_signs.h"
 
 namespace contactscope {
 

@@ -3,7 +3,6 @@
 #include <optional>
 #include <span>
 
-#include "geometry/bounding_sphere.h"
 #include "geometry/obb.h"
 #include "geometry/shape.h"
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/instantiate.h"
 #include "geometry/box_topology.h"
 #include "geometry/lanes.h"
 
@@ -93,13 +94,10 @@ std::vector<int> face_vertices(const Hull<S>& hull, int face) {
   return vertices;
 }
 
-template void lay_out(Hull<float>&);
-template void lay_out(Hull<double>&);
+CONTACTSCOPE_FLOAT_AND_DOUBLE(lay_out, face_vertices);
 template Hull<float> hull_cast<float, double>(const Hull<double>&);
 template Hull<double> hull_cast<double, double>(const Hull<double>&);
 template Hull<double> hull_cast<double, float>(const Hull<float>&);
 template Hull<float> hull_cast<float, float>(const Hull<float>&);
-template std::vector<int> face_vertices<float>(const Hull<float>&, int);
-template std::vector<int> face_vertices<double>(const Hull<double>&, int);
 
 }  // namespace contactscope

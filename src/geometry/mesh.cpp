@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "core/at.h"
-#include "geometry/flat_triangle.h"
+#include "core/instantiate.h"
 
 namespace contactscope {
 namespace {
@@ -46,7 +46,6 @@ void require_vertices(Triangles triangles, int vertex_count) {
   }
 }
 
-/// One side of an edge of a triangle.
 struct Side {
   int low, high;  // welded vertices
   int triangle;
@@ -281,15 +280,6 @@ bool update_tree(Mesh<S>& mesh, TreeUpdate how, double& cost_when_built) {
   return true;
 }
 
-template double bend_angle(const Mesh<float>&, int, int);
-template double bend_angle(const Mesh<double>&, int, int);
-template Mesh<float> mesh_cast(const Mesh<double>&);
-template Mesh<double> mesh_cast(const Mesh<double>&);
-template void update_surface(Mesh<float>&);
-template void update_surface(Mesh<double>&);
-template void refit(Mesh<float>&);
-template void refit(Mesh<double>&);
-template bool update_tree(Mesh<float>&, TreeUpdate, double&);
-template bool update_tree(Mesh<double>&, TreeUpdate, double&);
+CONTACTSCOPE_FLOAT_AND_DOUBLE(bend_angle, mesh_cast, update_surface, refit, update_tree);
 
 }  // namespace contactscope

@@ -48,13 +48,25 @@ Obb<S> placed(const Obb<S>& box, const Pose<S>& pose) {
   return result;
 }
 
-/// The same box. Rounding moves the centre by up to half an ulp of the coordinates, so the half
-/// extents reach from there to the farther side. An empty box stays empty.
+/// Closed ball around a shape, metres. Empty by default: a radius of -1. A radius of 0 is a point.
 template <class S>
-Obb<S> obb_of(const Aabb<S>& box) {
-  if (box.empty()) return {};
-  const Vec3<S> center = box.center();
-  return {center, Mat3<S>::Identity(), (box.upper - center).cwiseMax(center - box.lower)};
+struct BoundingSphere {
+  using Scalar = S;
+
+  Vec3<S> center = Vec3<S>::Zero();
+  S radius = -1;
+
+  /// True if no point is inside, and for a sphere with NaN.
+  bool empty() const { return !(radius >= 0) || center.hasNaN(); }
+
+  friend bool operator==(const BoundingSphere&, const BoundingSphere&) = default;
+};
+
+/// Transforms a sphere from its own frame to the parent of `pose`. Its centre is rounded like the
+/// shape's vertices.
+template <class S>
+BoundingSphere<S> placed(const BoundingSphere<S>& sphere, const Pose<S>& pose) {
+  return {pose.transform(sphere.center), sphere.radius};
 }
 
 }  // namespace contactscope

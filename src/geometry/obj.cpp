@@ -36,7 +36,6 @@ constexpr std::array<std::string_view, 46> kStatements = {
 /// Cutting a face with more corners into triangles would take minutes.
 constexpr std::size_t kMaxCorners = 10'000;
 
-/// Content of a file.
 struct Contents {
   std::vector<Vec3d> vertices;
   std::vector<std::vector<int>> faces;  // vertex indices from 0, in file order

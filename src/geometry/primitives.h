@@ -34,7 +34,6 @@ inline constexpr int kMaxGridCells = 2'000'000;
 /// That is three waves along each side, exactly flat for amplitude 0. Vertex i + (cells_x + 1) j is
 /// the i-th along +x in row j along +z. Cell c = i + cells_x j has triangles 2c, at the corner of
 /// least x and z, and 2c + 1.
-/// least one cell along each side and at most kMaxGridCells in total.
 Mesh<double> make_grid(double size_x, double size_z, int cells_x, int cells_z, double amplitude);
 
 }  // namespace contactscope

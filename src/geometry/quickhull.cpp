@@ -9,7 +9,7 @@
 //   4. replace them with a cone of triangles from the horizon to the point;
 //   5. merge coplanar and concave faces, see merge_faces.cpp;
 //   6. redistribute the points of all removed or changed faces to new or changed faces;
-//   7. at the end, split notched faces, see notches.cpp.
+//   7. at the end, split notched faces, see merge_faces.cpp.
 // Deviations: a heap selects the faces; points of changed faces are redistributed too, because
 // their plane moved; step 7; the tolerance is limited by the thickness; and the result is verified.
 

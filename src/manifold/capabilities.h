@@ -21,7 +21,6 @@ enum class QueryKind {
 };
 inline constexpr int kQueryKinds = 5;
 
-/// "overlap", "touching", "distance", "penetration", "manifold".
 constexpr const char* to_string(QueryKind kind) {
   constexpr const char* kNames[] = {"overlap", "touching", "distance", "penetration", "manifold"};
   return kNames[static_cast<int>(kind)];
@@ -43,8 +42,6 @@ enum class QueryMethod {
 };
 inline constexpr int kQueryMethods = 11;
 
-/// "aabb", "obb", "sphere", "support", "gjk", "sat", "epa", "mpr", "sampling", "triangles",
-/// "contacts".
 constexpr const char* to_string(QueryMethod method) {
   constexpr const char* kNames[] = {"aabb", "obb", "sphere",   "support",   "gjk",     "sat",
                                     "epa",  "mpr", "sampling", "triangles", "contacts"};

@@ -4,26 +4,12 @@
 
 #include "manifold/collide_pairs.h"
 #include "manifold/create_contact.h"
+#include "query/fast/face_bounds.h"
 #include "query/penetration.h"
 #include "query/tolerance.h"
 
 namespace contactscope {
 namespace {
-
-/// Separation of the other hull's deepest vertex from the plane of `face`.
-template <class S>
-FaceQuery<S> measured_face(const PlacedHull<S>& reference, const PlacedHull<S>& other, int face) {
-  const Plane<S> plane = reference.plane(face);
-  FaceQuery<S> query{face, -1, std::numeric_limits<S>::infinity()};
-  for (int v = 0; v < other.vertices.count(); ++v) {
-    const Vec3<S> vertex = other.vertices[v];
-    const S distance = dot(plane.normal.x(), plane.normal.y(), plane.normal.z(), vertex.x(),
-                           vertex.y(), vertex.z()) -
-                       plane.offset;
-    if (distance < query.separation) query.separation = distance, query.support = v;
-  }
-  return query;
-}
 
 /// Index of the farthest vertex, or most parallel normal, along a direction.
 template <class S>
@@ -90,8 +76,8 @@ SatResult<S> axes_of_normal(const HullPair<S>& pair, const Vec3<S>& normal, S de
                             Preference preference) {
   SatResult<S> axes;
   axes.queries_run = 3;
-  axes.face_a = measured_face(pair.a, pair.b, farthest(pair.a.normals, normal));
-  axes.face_b = measured_face(pair.b, pair.a, farthest(pair.b.normals, Vec3<S>(-normal)));
+  axes.face_a = measure_face(pair.a, farthest(pair.a.normals, normal), pair.b);
+  axes.face_b = measure_face(pair.b, farthest(pair.b.normals, Vec3<S>(-normal)), pair.a);
   axes.edge = nearest_edge_pair(pair, normal);
 
   axes.deepest = AxisKind::FaceA;
@@ -121,8 +107,7 @@ std::optional<S> collide_by_penetration(const Hull<S>& a, const Hull<S>& b, cons
                                         Recorder<S>* recorder) {
   const SupportSet<S> set_a = support_set(a), set_b = support_set(b);
   const GjkResult<S> query = gjk<S>(set_a, set_b, b_in_a, nullptr, gjk_run(recorder));
-  if (recorder) [[unlikely]]
-    recorder->gjk(Pose<S>());
+  if (recorder) recorder->gjk(Pose<S>());
   const bool overlap = may_overlap(query, set_a, set_b, b_in_a);
   if (!overlap && query.distance > options.margin) return query.distance;
   if (!overlap) return std::nullopt;
@@ -133,14 +118,12 @@ std::optional<S> collide_by_penetration(const Hull<S>& a, const Hull<S>& b, cons
     const HullPair<S> pair(a, b, b_in_a);
     const SatResult<S> axes = axes_of_normal(pair, found.normal, found.depth, options.preference);
     if (axes.status == SatStatus::Touching) {
-      if (recorder) [[unlikely]]
-        recorder->penetration(options.penetration, found, nullptr);
+      if (recorder) recorder->penetration(options.penetration, found, nullptr);
       create_contact(pair, axes, options, contact, recorder);
       return axes.separation(axes.chosen);
     }
   }
-  if (recorder) [[unlikely]]
-    recorder->penetration(options.penetration, found, "sat");
+  if (recorder) recorder->penetration(options.penetration, found, "sat");
   return std::nullopt;
 }
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/instantiate.h"
 #include "manifold/collide_pairs.h"
 #include "manifold/round_contact.h"
 #include "query/capsule_touch.h"
@@ -266,8 +267,7 @@ S collide_capsule_hull(const Capsule<S>& a, const Hull<S>& b, const Pose<S>& b_i
 
   const CapsuleTouch<S> touch =
       capsule_touch(b, ends, axes, scale, touching_distance(scale), gjk_run(recorder));
-  if (recorder) [[unlikely]]
-    recorder->gjk(b_in_a);
+  if (recorder) recorder->gjk(b_in_a);
   const S separation = touch.distance - a.radius;
   if (touch.distance > reach) return separation;
   if (touch.degenerate != nullptr && skips_degenerate(touch.degenerate, options, recorder))
@@ -276,9 +276,6 @@ S collide_capsule_hull(const Capsule<S>& a, const Hull<S>& b, const Pose<S>& b_i
   return separation;
 }
 
-template decltype(add_capsule_touch<float>) add_capsule_touch<float>;
-template decltype(add_capsule_touch<double>) add_capsule_touch<double>;
-template CollideConvex<float, Capsule<float>, Hull<float>> collide_capsule_hull;
-template CollideConvex<double, Capsule<double>, Hull<double>> collide_capsule_hull;
+CONTACTSCOPE_FLOAT_AND_DOUBLE(add_capsule_touch, collide_capsule_hull);
 
 }  // namespace contactscope

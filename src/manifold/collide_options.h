@@ -11,7 +11,6 @@ enum class Degenerate {
   Skip,      // no contact
 };
 
-/// "fallback", "skip", as in scenarios.
 constexpr const char* to_string(Degenerate degenerate) {
   return degenerate == Degenerate::Fallback ? "fallback" : "skip";
 }
@@ -22,7 +21,6 @@ enum class FieldSearch {
   Sampled,       // samples vertices and points about one cell from each other: may miss overlaps
 };
 
-/// "conservative", "sampled", as in scenarios.
 constexpr const char* to_string(FieldSearch search) {
   return search == FieldSearch::Conservative ? "conservative" : "sampled";
 }

@@ -7,7 +7,6 @@
 #include "geometry/bounds.h"
 #include "manifold/collide_pairs.h"
 #include "manifold/field_contact.h"
-#include "manifold/field_gap.h"
 #include "manifold/in_double.h"
 
 // A field can only be sampled at points, so the other shape is represented by points: its vertices,
@@ -316,8 +315,7 @@ S collide_with_field(const Shape<S>& a, const Field<S>& b, const Pose<S>& b_in_a
   const bool recorded = sink.recorder != nullptr;
   FieldTouches touches =
       touches_of(a, PlacedField::of(b), field_in_a, options, radius, recorded, probes);
-  if (probes != nullptr) [[unlikely]]
-    sink.recorder->field_search(options.field, field_in_a);
+  if (probes != nullptr) sink.recorder->field_search(options.field, field_in_a);
   // Outside the field, or around it. If around, the touches within the margin do not separate.
   if (conservative && (touches.found.empty() || touches.least > 0)) {
     if (const auto* hull = std::get_if<Hull<S>>(&a)) add_contained(*hull, b, field_in_a, touches);

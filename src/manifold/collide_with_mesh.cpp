@@ -2,7 +2,8 @@
 #include <limits>
 #include <optional>
 
-#include "geometry/flat_triangle.h"
+#include "core/instantiate.h"
+#include "geometry/mesh.h"
 #include "manifold/collide_pairs.h"
 #include "manifold/collide_with_triangles.h"
 #include "manifold/create_contact.h"
@@ -258,11 +259,6 @@ S collide_hull_mesh(const Hull<S>& a, const Mesh<S>& b, const Pose<S>& b_in_a,
                                 is_clear);
 }
 
-template CollideWithMesh<float, Sphere<float>> collide_sphere_mesh;
-template CollideWithMesh<double, Sphere<double>> collide_sphere_mesh;
-template CollideWithMesh<float, Capsule<float>> collide_capsule_mesh;
-template CollideWithMesh<double, Capsule<double>> collide_capsule_mesh;
-template CollideWithMesh<float, Hull<float>> collide_hull_mesh;
-template CollideWithMesh<double, Hull<double>> collide_hull_mesh;
+CONTACTSCOPE_FLOAT_AND_DOUBLE(collide_sphere_mesh, collide_capsule_mesh, collide_hull_mesh);
 
 }  // namespace contactscope

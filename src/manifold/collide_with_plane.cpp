@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/instantiate.h"
 #include "manifold/collide_pairs.h"
 #include "manifold/round_contact.h"
 #include "query/tolerance.h"
@@ -132,11 +133,6 @@ S collide_hull_plane(const Hull<S>& a, const HalfSpace<S>& b, const Pose<S>& b_i
   return lowest;
 }
 
-template CollideConvex<float, Sphere<float>, HalfSpace<float>> collide_sphere_plane;
-template CollideConvex<double, Sphere<double>, HalfSpace<double>> collide_sphere_plane;
-template CollideConvex<float, Capsule<float>, HalfSpace<float>> collide_capsule_plane;
-template CollideConvex<double, Capsule<double>, HalfSpace<double>> collide_capsule_plane;
-template CollideConvex<float, Hull<float>, HalfSpace<float>> collide_hull_plane;
-template CollideConvex<double, Hull<double>, HalfSpace<double>> collide_hull_plane;
+CONTACTSCOPE_FLOAT_AND_DOUBLE(collide_sphere_plane, collide_capsule_plane, collide_hull_plane);
 
 }  // namespace contactscope

@@ -1,6 +1,10 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/manifold.h"
+#include "manifold/pair_cache.h"
 #include "query/tolerance.h"
 
 /// Which clipped points make a contact, and whether they are as deep as the hulls overlap. Metres;
@@ -21,6 +25,31 @@ template <class S>
 bool is_deep_enough(S deepest, S best, Preference preference, S scale) {
   const S part = preference == Preference::Relative ? S(0.95) : S(1);
   return deepest <= part * best + depth_rounding(scale);
+}
+
+/// The difference of two rotations that differ by an angle t moves no unit vector farther than 2
+/// sin(t / 2). That is at most twice the distance of their quaternions, 2 sin(t / 4), with the
+/// signs that bring them nearest.
+template <class S>
+S turn_since(const PairCache<S>& cache, const Quat<S>& rotation) {
+  const S gap = (rotation.coeffs() - cache.rotation.coeffs()).squaredNorm();
+  const S opposite = (rotation.coeffs() + cache.rotation.coeffs()).squaredNorm();
+  return S(2) * std::sqrt(std::min(gap, opposite));
+}
+
+/// Whether the preference accepts an axis of this separation if no axis has more than `bound`, and
+/// the pair touches within the margin.
+template <class S>
+bool preferred(S separation, S bound, S margin, S min_radius) {
+  const S tolerance = preference_tolerance(std::min(bound, S(0)), min_radius);
+  return bound <= margin && bound - separation <= tolerance;
+}
+
+/// Whether points whose deepest has this separation are deep enough, whichever axis is now best:
+/// the best axis is no deeper than the kept one.
+template <class S>
+bool is_still_deep(S deepest, S separation, S scale) {
+  return separation > S(0) || is_deep_enough(deepest, separation, Preference::Relative, scale);
 }
 
 }  // namespace contactscope

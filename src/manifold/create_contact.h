@@ -22,8 +22,6 @@ template <class S>
 void create_contact(const HullPair<S>& pair, const SatResult<S>& axes,
                     const CollideOptions& options, Contact<S>& contact, Recorder<S>* recorder);
 
-// face_contact.cpp
-
 /// Gregorius 2015, "Hull vs Hull: Face Contact", "Face Contact Clipping", "Coherent Points". Clips
 /// the incident face against the side planes of the reference face, but not against the reference
 /// face itself. Keeps points up to `margin` (metres) above it and moves them onto it. Points above

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "core/instantiate.h"
 #include "geometry/core_hull.h"
 #include "manifold/incremental_step.h"
 #include "manifold/recorder.h"
@@ -194,15 +195,13 @@ void collide_incremental(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S
   work_in_order<S>({a, pose_a, b, pose_b}, swapped, options, manifolds, record, work);
 }
 
-#define CONTACTSCOPE_INSTANTIATE(S)                                                                \
-  template void Recorder<S>::incremental(const CoreQuery<S>&, const IncrementalStep<S>&,           \
-                                         const PersistentManifold<S>&, const IncrementalOptions&); \
-  template void collide_incremental(const Shape<S>&, const Pose<S>&, const Shape<S>&,              \
-                                    const Pose<S>&, const CollideOptions&,                         \
-                                    const IncrementalOptions&, PersistentManifold<S>&,             \
-                                    Manifolds<S>&, trace::Pair*, const trace::Stages&);
-CONTACTSCOPE_INSTANTIATE(float)
-CONTACTSCOPE_INSTANTIATE(double)
-#undef CONTACTSCOPE_INSTANTIATE
+template void Recorder<float>::incremental(const CoreQuery<float>&, const IncrementalStep<float>&,
+                                           const PersistentManifold<float>&,
+                                           const IncrementalOptions&);
+template void Recorder<double>::incremental(const CoreQuery<double>&,
+                                            const IncrementalStep<double>&,
+                                            const PersistentManifold<double>&,
+                                            const IncrementalOptions&);
+CONTACTSCOPE_FLOAT_AND_DOUBLE(collide_incremental);
 
 }  // namespace contactscope

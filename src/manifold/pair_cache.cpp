@@ -1,12 +1,12 @@
 #include "manifold/pair_cache.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
+#include "core/instantiate.h"
+#include "manifold/contact_depth.h"
 #include "manifold/create_contact.h"
 #include "manifold/edge_contact.h"
-#include "manifold/pair_motion.h"
 #include "manifold/recorder.h"
 #include "query/support_set.h"
 #include "query/tolerance.h"
@@ -307,9 +307,6 @@ PairCache<S> cache_of(const HullPair<S>& pair, const Pose<S>& b_in_a, const Coll
   return cache;
 }
 
-template decltype(collide_from_cache<float>) collide_from_cache<float>;
-template decltype(collide_from_cache<double>) collide_from_cache<double>;
-template decltype(cache_of<float>) cache_of<float>;
-template decltype(cache_of<double>) cache_of<double>;
+CONTACTSCOPE_FLOAT_AND_DOUBLE(collide_from_cache, cache_of);
 
 }  // namespace contactscope

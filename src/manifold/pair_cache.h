@@ -50,7 +50,6 @@ class Recorder;
 
 enum class CachedKind : std::uint8_t { Empty, SeparatingAxis, Features };
 
-/// "separating_axis", "features", as in traces.
 constexpr const char* to_string(CachedKind kind) {
   if (kind == CachedKind::Empty) return "empty";
   return kind == CachedKind::SeparatingAxis ? "separating_axis" : "features";
@@ -82,7 +81,6 @@ struct PairCache {
   S incident_clearance = 0;  // how much lower its cosine is than the next face's
 };
 
-/// Answer of the cache.
 template <class S>
 struct CacheAnswer {
   bool hit = false;

@@ -1,8 +1,8 @@
 #include "manifold/pair_query.h"
 
-#include <algorithm>
 #include <utility>
 
+#include "core/instantiate.h"
 #include "manifold/in_double.h"
 #include "manifold/queried_pair.h"
 
@@ -56,19 +56,18 @@ void record_gap(const Gap& gap, const Pose<double>& pose_a, trace::Pair* record)
 
 /// Two convex shapes, or a convex shape and a plane.
 template <class S>
-Answer<S> query_solids(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b,
-                       const Pose<S>& pose_b, const Question& question, trace::Pair* record,
+Answer<S> query_solids(const PlacedPair<S>& pair, const Question& question, trace::Pair* record,
                        const trace::Stages& stages) {
-  const Shape<double>&wide_a = wide(a), &wide_b = wide(b);
-  const PlacedCore core_a = core_of(wide_a, wide(pose_a));
+  const Shape<double>&wide_a = wide(pair.a), &wide_b = wide(pair.b);
+  const PlacedCore core_a = core_of(wide_a, wide(pair.pose_a));
+  const Pose<double> pose_b = wide(pair.pose_b);
   Gap gap;
   if (const auto* plane = std::get_if<HalfSpace<double>>(&wide_b)) {
-    gap = gap_to_plane(core_a, *plane, wide(pose_b), kEpsilon<S>);
+    gap = gap_to_plane(core_a, *plane, pose_b, kEpsilon<S>);
   } else {
     std::optional<Recorder<double>> recorder;
-    if (record) [[unlikely]]
-      recorder.emplace(ToWorld<double>(core_a.given), stages, *record);
-    gap = gap_of_cores(core_a, core_of(wide_b, wide(pose_b)), question, kEpsilon<S>,
+    if (record) recorder.emplace(ToWorld<double>(core_a.given), stages, *record);
+    gap = gap_of_cores(core_a, core_of(wide_b, pose_b), question, kEpsilon<S>,
                        recorder ? &*recorder : nullptr);
   }
   record_gap(gap, core_a.given, record);
@@ -86,15 +85,14 @@ Answer<S> answer_where_near(const std::optional<Gap>& gap, const Question& quest
 
 /// All contacts with a mesh or a field within the margin. The record does not keep their manifolds.
 template <class S>
-Manifolds<S> contacts_within(double margin, const Shape<S>& a, const Pose<S>& pose_a,
-                             const Shape<S>& b, const Pose<S>& pose_b, trace::Pair* record,
+Manifolds<S> contacts_within(double margin, const PlacedPair<S>& pair, trace::Pair* record,
                              const trace::Stages& stages) {
   CollideOptions options;
   options.margin = margin;
   options.preference = Preference::None;
   options.internal_edges = false;
   Manifolds<S> manifolds;
-  collide(a, pose_a, b, pose_b, options, manifolds, nullptr, record, stages);
+  collide(pair.a, pair.pose_a, pair.b, pair.pose_b, options, manifolds, nullptr, record, stages);
   if (record) [[unlikely]] {
     record->manifolds.clear();
     record->separation = 0;
@@ -104,32 +102,30 @@ Manifolds<S> contacts_within(double margin, const Shape<S>& a, const Pose<S>& po
 
 /// A convex shape and the surface of a mesh.
 template <class S>
-Answer<S> query_mesh(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b,
-                     const Pose<S>& pose_b, const Question& question, trace::Pair* record,
+Answer<S> query_mesh(const PlacedPair<S>& pair, const Question& question, trace::Pair* record,
                      const trace::Stages& stages) {
-  const Shape<double>& wide_a = wide(a);
-  const PlacedCore core = core_of(wide_a, wide(pose_a));
-  std::optional<Gap> gap = gap_to_mesh(core, std::get<Mesh<S>>(b), wide(pose_b), question);
+  const Shape<double>& wide_a = wide(pair.a);
+  const PlacedCore core = core_of(wide_a, wide(pair.pose_a));
+  std::optional<Gap> gap =
+      gap_to_mesh(core, std::get<Mesh<S>>(pair.b), wide(pair.pose_b), question);
   if (gap) gap->method = QueryMethod::Contacts;
-  if (record) [[unlikely]]
-    contacts_within(question.tolerance, a, pose_a, b, pose_b, record, stages);
+  if (record) contacts_within(question.tolerance, pair, record, stages);
   if (gap) record_gap(*gap, core.given, record);
   return answer_where_near<S>(gap, question);
 }
 
 /// Any shape and a field, by their contacts.
 template <class S>
-Answer<S> query_field(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b,
-                      const Pose<S>& pose_b, const Question& question, trace::Pair* record,
+Answer<S> query_field(const PlacedPair<S>& pair, const Question& question, trace::Pair* record,
                       const trace::Stages& stages) {
-  const Pose<double> wide_a = wide(pose_a), wide_b = wide(pose_b);
-  const Aabb<double> box = aabb_of(b)->template cast<double>();
+  const Pose<double> wide_a = wide(pair.pose_a), wide_b = wide(pair.pose_b);
+  const Aabb<double> box = aabb_of(pair.b)->template cast<double>();
   const double reach = box.lower.cwiseAbs().cwiseMax(box.upper.cwiseAbs()).norm();
   const double bound =
       bound_of_rounding(wide_a.position.norm() + wide_b.position.norm() + 2 * reach, kEpsilon<S>);
   std::optional<Gap> gap;
   for (const Manifold<S>& manifold :
-       contacts_within(question.tolerance + bound, a, pose_a, b, pose_b, record, stages))
+       contacts_within(question.tolerance + bound, pair, record, stages))
     for (const ContactPoint<S>& point : manifold.points)
       if (!gap || static_cast<double>(point.separation) < *gap->gap) {
         gap = {.gap = static_cast<double>(point.separation),
@@ -153,17 +149,16 @@ Answer<S> query_field(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& 
 
 /// Queries the shapes themselves, in the order of the table.
 template <class S>
-Answer<S> query_any_shapes(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b,
-                           const Pose<S>& pose_b, const Question& question, trace::Pair* record,
+Answer<S> query_any_shapes(const QueriedShape<S>& a, const QueriedShape<S>& b,
+                           const Question& question, trace::Pair* record,
                            const trace::Stages& stages, MeshFront* front) {
-  if (kind_of(b) == ShapeKind::Field)
-    return query_field(a, pose_a, b, pose_b, question, record, stages);
-  if (const auto* mesh = std::get_if<Mesh<S>>(&a))
-    return query_meshes(*mesh, pose_a, std::get<Mesh<S>>(b), pose_b, question,
+  const PlacedPair<S> pair{a.shape, a.pose, b.shape, b.pose};
+  if (kind_of(b.shape) == ShapeKind::Field) return query_field(pair, question, record, stages);
+  if (const auto* mesh = std::get_if<Mesh<S>>(&a.shape))
+    return query_meshes(*mesh, a.pose, std::get<Mesh<S>>(b.shape), b.pose, question,
                         stages.query ? record : nullptr, stages, front);
-  if (kind_of(b) == ShapeKind::Mesh)
-    return query_mesh(a, pose_a, b, pose_b, question, record, stages);
-  return query_solids(a, pose_a, b, pose_b, question, record, stages);
+  if (kind_of(b.shape) == ShapeKind::Mesh) return query_mesh(pair, question, record, stages);
+  return query_solids(pair, question, record, stages);
 }
 
 /// The shapes' own answer, next to a query of their bounds.
@@ -174,8 +169,7 @@ trace::WithinBounds within_bounds(const QueriedShape<S>& a, const QueriedShape<S
   question.bounds.reset();
   if (kind_of(a.shape) == ShapeKind::Mesh && kind_of(b.shape) == ShapeKind::Mesh)
     question.tolerance = 0;
-  const Answer<S> answer = query_any_shapes<S>(a.shape, a.pose, b.shape, b.pose, question, nullptr,
-                                               kUsualStages, nullptr);
+  const Answer<S> answer = query_any_shapes(a, b, question, nullptr, kUsualStages, nullptr);
   trace::WithinBounds recorded;
   recorded.overlap = answer.overlap;
   if (answer.gap) recorded.gap = static_cast<double>(*answer.gap);
@@ -187,11 +181,9 @@ template <class S>
 Answer<S> query_in_order(const QueriedShape<S>& a, const QueriedShape<S>& b,
                          const Question& question, trace::Pair* record, const trace::Stages& stages,
                          MeshFront* front) {
-  if (!question.bounds)
-    return query_any_shapes<S>(a.shape, a.pose, b.shape, b.pose, question, record, stages, front);
+  if (!question.bounds) return query_any_shapes(a, b, question, record, stages, front);
   trace::Pair* const recorded = stages.query ? record : nullptr;
-  if (recorded) [[unlikely]]
-    recorded->query->shapes = within_bounds(a, b, question);
+  if (recorded) recorded->query->shapes = within_bounds(a, b, question);
   return query_bounds(a, b, question, recorded);
 }
 
@@ -240,12 +232,6 @@ void record_answer(const Answer<S>& answer, trace::Pair& record) {
   if (answer.gap) record.separation = static_cast<double>(*answer.gap);
 }
 
-#define CONTACTSCOPE_INSTANTIATE(S)                                                              \
-  template Answer<S> query_pair(const QueriedShape<S>&, const QueriedShape<S>&, const Question&, \
-                                bool, trace::Pair*, const trace::Stages&, MeshFront*);           \
-  template void record_answer(const Answer<S>&, trace::Pair&);
-CONTACTSCOPE_INSTANTIATE(float)
-CONTACTSCOPE_INSTANTIATE(double)
-#undef CONTACTSCOPE_INSTANTIATE
+CONTACTSCOPE_FLOAT_AND_DOUBLE(query_pair, record_answer);
 
 }  // namespace contactscope

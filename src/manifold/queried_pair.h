@@ -70,7 +70,6 @@ double bound_of_rounding(double lengths, Epsilon epsilon);
 Gap gap_of_cores(const PlacedCore& a, const PlacedCore& b, const Question& question,
                  Epsilon epsilon, Recorder<double>* recorder);
 
-/// Convex shape and plane.
 Gap gap_to_plane(const PlacedCore& a, const HalfSpace<double>& b, const Pose<double>& pose_b,
                  Epsilon epsilon);
 

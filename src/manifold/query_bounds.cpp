@@ -1,6 +1,6 @@
-#include <algorithm>
 #include <array>
 
+#include "core/instantiate.h"
 #include "manifold/queried_pair.h"
 
 namespace contactscope {
@@ -144,11 +144,6 @@ Answer<S> query_bounds(const QueriedShape<S>& a, const QueriedShape<S>& b, const
                              });
 }
 
-#define CONTACTSCOPE_INSTANTIATE(S)                                                                \
-  template Answer<S> query_bounds(const QueriedShape<S>&, const QueriedShape<S>&, const Question&, \
-                                  trace::Pair*);
-CONTACTSCOPE_INSTANTIATE(float)
-CONTACTSCOPE_INSTANTIATE(double)
-#undef CONTACTSCOPE_INSTANTIATE
+CONTACTSCOPE_FLOAT_AND_DOUBLE(query_bounds);
 
 }  // namespace contactscope

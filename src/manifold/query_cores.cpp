@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "core/instantiate.h"
 #include "geometry/triangle_hull.h"
 #include "manifold/queried_pair.h"
 #include "query/penetration.h"
@@ -65,8 +66,7 @@ Gap gap_of_cores(const PlacedCore& a, const PlacedCore& b, const Question& quest
   const double computed =
       rounding_of_double(reach_of(a.set) + reach_of(b.set) + b_in_a.position.norm() + radii);
   const GjkResult<double> cores = gjk<double>(a.set, b.set, b_in_a, nullptr, gjk_run(recorder));
-  if (recorder) [[unlikely]]
-    recorder->gjk(Pose<double>());
+  if (recorder) recorder->gjk(Pose<double>());
   Gap found;
   const auto from_cores = [&](double distance, const Vec3d& normal, const Vec3d& on_a,
                               const Vec3d& on_b) {
@@ -88,8 +88,7 @@ Gap gap_of_cores(const PlacedCore& a, const PlacedCore& b, const Question& quest
     PenetrationMethod method =
         question.kind == QueryKind::Penetration ? question.penetration : PenetrationMethod::Sat;
     PenetrationResult<double> deep = by(method, penetration_steps(recorder));
-    if (recorder) [[unlikely]]
-      recorder->penetration(method, deep, nullptr);
+    if (recorder) recorder->penetration(method, deep, nullptr);
     // The other methods give more than the least depth, which may be only rounding.
     if (method != PenetrationMethod::Sat && !question.inclusive && radii <= bound) {
       const PenetrationResult<double> least = by(PenetrationMethod::Sat, nullptr);
@@ -161,11 +160,6 @@ std::optional<Gap> gap_to_mesh(const PlacedCore& a, const Mesh<S>& b, const Pose
   return least;
 }
 
-#define CONTACTSCOPE_INSTANTIATE(S)                                                               \
-  template std::optional<Gap> gap_to_mesh(const PlacedCore&, const Mesh<S>&, const Pose<double>&, \
-                                          const Question&);
-CONTACTSCOPE_INSTANTIATE(float)
-CONTACTSCOPE_INSTANTIATE(double)
-#undef CONTACTSCOPE_INSTANTIATE
+CONTACTSCOPE_FLOAT_AND_DOUBLE(gap_to_mesh);
 
 }  // namespace contactscope

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "core/instantiate.h"
 #include "manifold/queried_pair.h"
 #include "query/mesh_overlap.h"
 #include "query/winding.h"
@@ -100,24 +101,15 @@ Answer<S> query_meshes(const Mesh<S>& a, const Pose<S>& pose_a, const Mesh<S>& b
   answer.overlap = std::ranges::any_of(found.intersections, [&](const MeshIntersection<S>& one) {
     return counts(one.overlap.kind, question.inclusive);
   });
-  if (record) [[unlikely]]
-    record_intersections(found, pose_a, *record);
-  if (watched) [[unlikely]]
-    record->query->node_pairs = recorded_node_pairs(a.tree, b.tree, visits);
+  if (record) record_intersections(found, pose_a, *record);
+  if (watched) record->query->node_pairs = recorded_node_pairs(a.tree, b.tree, visits);
   if (found.overlapping()) return answer;
   const Containment containment = mesh_containment(a, b, b_in_a);
   answer.overlap = containment == Containment::AInB || containment == Containment::BInA;
-  if (record) [[unlikely]]
-    record->query->containment = recorded_containment(containment, b);
+  if (record) record->query->containment = recorded_containment(containment, b);
   return answer;
 }
 
-#define CONTACTSCOPE_INSTANTIATE(S)                                                               \
-  template Answer<S> query_meshes(const Mesh<S>&, const Pose<S>&, const Mesh<S>&, const Pose<S>&, \
-                                  const Question&, trace::Pair*, const trace::Stages&,            \
-                                  MeshFront*);
-CONTACTSCOPE_INSTANTIATE(float)
-CONTACTSCOPE_INSTANTIATE(double)
-#undef CONTACTSCOPE_INSTANTIATE
+CONTACTSCOPE_FLOAT_AND_DOUBLE(query_meshes);
 
 }  // namespace contactscope

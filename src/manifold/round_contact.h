@@ -69,8 +69,8 @@ void add_round_point(const Vec3<S>& core_a, S radius_a, const Vec3<S>& core_b, S
 // stored and its vertices are exact.
 
 /// A core nearer to a vertex or an edge than this touches it. Closer, the difference of the closest
-/// points is about an ulp of the coordinates in each component and could turn the normal by a
-/// quarter.
+/// points is about an ulp of the coordinates in each component and could turn the normal by up to
+/// 90 degrees.
 template <class S>
 S touching_distance(S scale) {
   return S(16) * std::numeric_limits<S>::epsilon() * scale;

@@ -5,7 +5,9 @@
 
 #include "core/at.h"
 #include "manifold/dispatch.h"
+#include "package/contactscope/reduce.h"
 #include "package/facts.h"
+#include "reduce/reducer.h"
 
 namespace contactscope::package {
 namespace {
@@ -22,6 +24,16 @@ PenetrationMethod penetration_named(const std::string& name) {
   refuse("penetration method", name, known);
 }
 
+/// Null for "none".
+const ReducerInfo* reducer_named(const std::string& name) {
+  const ReducerInfo* const found = find_reducer(name);
+  if (found == nullptr && name != "none")
+    refuse("reducer", name, mapped(contactscope::reducers(), [](const ReducerInfo& info) {
+             return std::string_view(info.name);
+           }));
+  return found;
+}
+
 contactscope::CollideOptions inside(const CollideOptions& options) {
   if (options.max_points < 1) throw std::invalid_argument("max_points is less than 1");
   if (!(options.margin >= 0) || !std::isfinite(options.margin))
@@ -31,27 +43,9 @@ contactscope::CollideOptions inside(const CollideOptions& options) {
   contactscope::CollideOptions all;
   all.margin = options.margin;
   all.penetration = penetration_named(options.penetration);
-  all.reducer = find_reducer(options.reducer);
-  if (all.reducer == nullptr && options.reducer != "none")
-    refuse("reducer", options.reducer,
-           mapped(contactscope::reducers(),
-                  [](const ReducerInfo& info) { return std::string_view(info.name); }));
+  all.reducer = reducer_named(options.reducer);
   all.reduction.max_points = options.max_points;
   return all;
-}
-
-template <class S>
-Manifold outside(const contactscope::Manifold<S>& manifold) {
-  Manifold recorded;
-  recorded.normal = to_outside(manifold.normal.template cast<double>());
-  recorded.axis = contactscope::to_string(manifold.axis);
-  recorded.type = contactscope::to_string(manifold.type);
-  recorded.triangle = manifold.triangle;
-  for (const contactscope::ContactPoint<S>& point : manifold.points)
-    recorded.points.push_back({to_outside(point.position.template cast<double>()),
-                               static_cast<double>(point.separation),
-                               contactscope::to_string(point.id)});
-  return recorded;
 }
 
 bool is_placed(const contactscope::Pose<double>& pose) {
@@ -88,7 +82,10 @@ Contacts collide_in(const Collider& a, const contactscope::Pose<double>& pose_a,
   contactscope::collide<S>(shape_in<S>(a.built()), rounded_a, shape_in<S>(b.built()), rounded_b,
                            inside(options), manifolds, nullptr, options.record ? &pair : nullptr);
   Contacts contacts;
-  contacts.manifolds = mapped(manifolds, [](const auto& manifold) { return outside(manifold); });
+  contactscope::trace::Pair recorded;
+  record_manifolds<S>(manifolds, recorded);
+  contacts.manifolds =
+      mapped(recorded.manifolds, [](const auto& manifold) { return to_outside(manifold); });
   if (!manifolds.empty()) contacts.status = ContactStatus::Touching;
   contacts.separation = separation_of(contacts.manifolds);
   if (options.record) {
@@ -97,6 +94,25 @@ Contacts collide_in(const Collider& a, const contactscope::Pose<double>& pose_a,
                                         rounded_b.template cast<double>(), std::move(pair)));
   }
   return contacts;
+}
+
+template <class S>
+std::vector<int> kept_in(const Manifold& manifold, const ReducerInfo* reducer,
+                         const ReduceOptions& options) {
+  std::vector<contactscope::ContactPoint<S>> points;
+  for (const ContactPoint& point : manifold.points) {
+    // Ids are opaque here. Reducers that use ids get no points of an earlier frame.
+    const FeatureRef number = vertex_ref(Owner::A, count_of(points));
+    points.push_back({to_inside(point.position).cast<S>(), static_cast<S>(point.separation),
+                      FeatureId::of(number, number)});
+  }
+  contactscope::ReduceOptions inside;
+  inside.max_points = options.max_points;
+  inside.seed = options.seed;
+  const contactscope::Vec3<S> normal = to_inside(manifold.normal).cast<S>();
+  const KeptIndices kept =
+      contactscope::reduce<S>(reducer, contactscope::ContactPoints<S>(points), normal, inside);
+  return {kept.begin(), kept.end()};
 }
 
 }  // namespace
@@ -121,6 +137,23 @@ Contacts collide(const Collider& a, const Pose& pose_a, const Collider& b, const
   }
   if (options.scalar == Scalar::Float) return collide_in<float>(a, placed_a, b, placed_b, options);
   return collide_in<double>(a, placed_a, b, placed_b, options);
+}
+
+std::vector<Reducer> reducers() {
+  return mapped(contactscope::reducers(), [](const ReducerInfo& info) {
+    return Reducer{info.name, info.summary};
+  });
+}
+
+std::vector<int> reduce(const Manifold& manifold, const std::string& reducer,
+                        const ReduceOptions& options) {
+  const ReducerInfo* const found = reducer_named(reducer);
+  if (options.max_points < 1) throw std::invalid_argument("max_points is less than 1");
+  if (manifold.points.size() > kMaxManifoldPoints)
+    throw std::invalid_argument("a manifold has at most " + std::to_string(kMaxManifoldPoints) +
+                                " points, this one " + std::to_string(manifold.points.size()));
+  if (options.scalar == Scalar::Float) return kept_in<float>(manifold, found, options);
+  return kept_in<double>(manifold, found, options);
 }
 
 }  // namespace contactscope::package

@@ -10,7 +10,6 @@
 namespace contactscope::package {
 namespace {
 
-/// An expected point and the actual point nearest to it.
 struct Nearest {
   int expected = -1, actual = -1;
   double distance = 0;

@@ -1,7 +1,6 @@
 #include "package/contactscope/render.h"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 
 #include "core/at.h"

@@ -4,6 +4,7 @@
 #include <limits>
 #include <span>
 
+#include "core/instantiate.h"
 #include "core/pack.h"
 #include "query/tolerance.h"
 
@@ -226,9 +227,6 @@ ClosestOfSegments<S> closest_of_segments(const Vec3<S>& from_a, const Vec3<S>& t
   return at_parameters(nearest.a(), nearest.b(), a, b);
 }
 
-template decltype(closest_on_segment<float>) closest_on_segment<float>;
-template decltype(closest_on_segment<double>) closest_on_segment<double>;
-template decltype(closest_of_segments<float>) closest_of_segments<float>;
-template decltype(closest_of_segments<double>) closest_of_segments<double>;
+CONTACTSCOPE_FLOAT_AND_DOUBLE(closest_on_segment, closest_of_segments);
 
 }  // namespace contactscope

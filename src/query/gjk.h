@@ -52,7 +52,6 @@ struct GjkResult {
 /// thousand random pairs, including needles and plates, took less than forty.
 inline constexpr int kMaxGjkIterations = 256;
 
-/// Record of a GJK run.
 template <class S>
 struct GjkRun {
   GjkResult<S> result;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/instantiate.h"
 #include "core/static_vector.h"
 
 namespace contactscope {
@@ -125,15 +126,7 @@ ClippedSegment<S> clip_to_edge(const Hull<S>& hull, int half_edge, const Vec3<S>
   return clipped;
 }
 
-template decltype(feature_of_b<float>) feature_of_b<float>;
-template decltype(feature_of_b<double>) feature_of_b<double>;
-template decltype(nearest_outside_edge<float>) nearest_outside_edge<float>;
-template decltype(nearest_outside_edge<double>) nearest_outside_edge<double>;
-template decltype(projects_into<float>) projects_into<float>;
-template decltype(projects_into<double>) projects_into<double>;
-template decltype(clip_to_prism<float>) clip_to_prism<float>;
-template decltype(clip_to_prism<double>) clip_to_prism<double>;
-template decltype(clip_to_edge<float>) clip_to_edge<float>;
-template decltype(clip_to_edge<double>) clip_to_edge<double>;
+CONTACTSCOPE_FLOAT_AND_DOUBLE(feature_of_b, nearest_outside_edge, projects_into);
+CONTACTSCOPE_FLOAT_AND_DOUBLE(clip_to_prism, clip_to_edge);
 
 }  // namespace contactscope

@@ -19,7 +19,6 @@ namespace contactscope {
 ///
 /// The base is the first query after the last build, or a later one that is cheaper in both counts.
 /// If g leaves the range 1/2 to 2, the current query becomes the next base.
-/// next base.
 class MeshQueryCost {
  public:
   enum class Verdict : std::uint8_t {

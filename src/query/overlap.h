@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "geometry/aabb.h"
-#include "geometry/bounding_sphere.h"
 #include "geometry/obb.h"
 
 /// Overlap tests of bounding volumes, in one frame, metres. Each can record its axes.
@@ -55,7 +54,7 @@ enum class OverlapAxisKind {
   FaceA,    // `a`: axis of A, 0 to 2; x, y, z for an Aabb
   FaceB,    // `b`: axis of B
   Edges,    // the cross product of axis `a` of A and axis `b` of B
-  Closest,  // from the point of A closest to a sphere's centre to that centre
+  Closest,  // of two spheres: from centre to centre
 };
 
 constexpr const char* to_string(OverlapAxisKind kind) {
@@ -104,17 +103,6 @@ template <class S>
 bool overlaps(const BoundingSphere<S>& a, const BoundingSphere<S>& b,
               const Comparison<S>& comparison, OverlapRecord<S>* record = nullptr);
 
-/// Uses the distance of the sphere's centre from the box (Arvo 1990, "A Simple Method for
-/// Box-Sphere Intersection Testing"). No fixed set of axes gives this distance.
-template <class S>
-bool overlaps(const Aabb<S>& a, const BoundingSphere<S>& b, const Comparison<S>& comparison,
-              OverlapRecord<S>* record = nullptr);
-
-/// The same in the box's frame.
-template <class S>
-bool overlaps(const Obb<S>& a, const BoundingSphere<S>& b, const Comparison<S>& comparison,
-              OverlapRecord<S>* record = nullptr);
-
 /// The separating axis test for two oriented boxes: Gottschalk, Lin and Manocha 1996, "OBBTree".
 /// Boxes are separated exactly if one of fifteen axes has a gap. The largest gap is at least the
 /// distance over sqrt(3).
@@ -134,7 +122,7 @@ bool overlaps(const Obb<S>& a, const BoundingSphere<S>& b, const Comparison<S>& 
 /// 3. Exclusive: boxes that touch or are separated are never reported as overlapping. Boxes that
 ///    overlap by more than 48 epsilon D along all fifteen axes are.
 /// All three refer to the boxes given by the exact numbers of `a` and `b`, for any angles and
-/// sizes, including parallel, nearly parallel and flat boxes. Derived in overlap_boxes.cpp.
+/// sizes, including parallel, nearly parallel and flat boxes. Derived in overlap.cpp.
 template <class S>
 bool overlaps(const Obb<S>& a, const Obb<S>& b, const Comparison<S>& comparison,
               const ObbTest<S>& test, OverlapRecord<S>* record = nullptr);
@@ -142,14 +130,6 @@ template <class S>
 bool overlaps(const Obb<S>& a, const Obb<S>& b, const Comparison<S>& comparison,
               OverlapRecord<S>* record = nullptr) {
   return overlaps(a, b, comparison, ObbTest<S>{}, record);
-}
-
-/// Tests two oriented boxes, see obb_of(). Boxes within half an ulp of the Aabb's coordinates count
-/// as touching.
-template <class S>
-bool overlaps(const Aabb<S>& a, const Obb<S>& b, const Comparison<S>& comparison,
-              OverlapRecord<S>* record = nullptr) {
-  return overlaps(obb_of(a), b, comparison, record);
 }
 
 }  // namespace contactscope

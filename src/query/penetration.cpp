@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/instantiate.h"
 #include "query/capsule_sat.h"
 #include "query/closest_points.h"
 #include "query/penetration_bounds.h"
@@ -147,9 +148,6 @@ PenetrationResult<S> penetration(PenetrationMethod method, const SupportSet<S>& 
   return sat_penetration(a, b, b_in_a);
 }
 
-template decltype(may_overlap<float>) may_overlap<float>;
-template decltype(may_overlap<double>) may_overlap<double>;
-template decltype(penetration<float>) penetration<float>;
-template decltype(penetration<double>) penetration<double>;
+CONTACTSCOPE_FLOAT_AND_DOUBLE(may_overlap, penetration);
 
 }  // namespace contactscope

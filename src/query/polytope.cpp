@@ -1,6 +1,5 @@
 #include "query/polytope.h"
 
-#include <cmath>
 #include <limits>
 
 namespace contactscope {

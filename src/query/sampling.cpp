@@ -1,3 +1,4 @@
+#include "core/instantiate.h"
 #include "query/penetration_bounds.h"
 
 #include <algorithm>
@@ -111,9 +112,6 @@ PenetrationResult<S> sampling(const SupportSet<S>& a, const SupportSet<S>& b, co
   return difference.result(status, lower, directions);
 }
 
-template decltype(sampling_angle<float>) sampling_angle<float>;
-template decltype(sampling_angle<double>) sampling_angle<double>;
-template decltype(sampling<float>) sampling<float>;
-template decltype(sampling<double>) sampling<double>;
+CONTACTSCOPE_FLOAT_AND_DOUBLE(sampling_angle, sampling);
 
 }  // namespace contactscope

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/instantiate.h"
 #include "core/pack.h"
 #include "geometry/lanes.h"
 
@@ -101,11 +102,6 @@ S reach_of(const SupportSet<S>& set) {
   return std::sqrt(squared);
 }
 
-template decltype(support_index<float>) support_index<float>;
-template decltype(support_index<double>) support_index<double>;
-template decltype(middle_of<float>) middle_of<float>;
-template decltype(middle_of<double>) middle_of<double>;
-template decltype(reach_of<float>) reach_of<float>;
-template decltype(reach_of<double>) reach_of<double>;
+CONTACTSCOPE_FLOAT_AND_DOUBLE(support_index, middle_of, reach_of);
 
 }  // namespace contactscope

@@ -41,7 +41,6 @@ void prefetch_points(const SupportSet<S>& set) {
   if (set.hull != nullptr) prefetch(set.hull->lanes.vertices);
 }
 
-/// A central point of the set.
 template <class S>
 Vec3<S> middle_of(const SupportSet<S>& set);
 

@@ -42,7 +42,7 @@ struct TriangleOverlap {
 /// After Guigue and Devillers 2003, "Fast and Robust Triangle-Triangle Overlap Test Using
 /// Orientation Predicates". Steps:
 ///   1. test the corners of each against the plane of the other: all strictly on one side is None;
-///   2. all in the plane: coplanar, or one has no area; see flat_triangles.h;
+///   2. all in the plane: coplanar, or one has no area;
 ///   3. each triangle cuts the line of both planes in an interval that ends on the two edges of its
 ///      lone corner. Two predicates order the ends.
 /// Deviations: we distinguish touching from overlap; both are an intersection there. Two more

@@ -1,9 +1,9 @@
 #include "query/winding.h"
 
-#include <algorithm>
 #include <limits>
 
 #include "core/at.h"
+#include "core/instantiate.h"
 #include "geometry/predicates.h"
 #include "query/mesh_overlap.h"
 
@@ -125,12 +125,6 @@ Containment mesh_containment(const Mesh<S>& a, const Mesh<S>& b, const Pose<S>& 
   return Containment::Separation;
 }
 
-template Winding winding_number(const Mesh<float>&, const Vec3<float>&);
-template Winding winding_number(const Mesh<double>&, const Vec3<double>&);
-template std::vector<MeshEdge> open_edges(const Mesh<float>&);
-template std::vector<MeshEdge> open_edges(const Mesh<double>&);
-template Containment mesh_containment(const Mesh<float>&, const Mesh<float>&, const Pose<float>&);
-template Containment mesh_containment(const Mesh<double>&, const Mesh<double>&,
-                                      const Pose<double>&);
+CONTACTSCOPE_FLOAT_AND_DOUBLE(winding_number, open_edges, mesh_containment);
 
 }  // namespace contactscope

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "core/at.h"
+#include "core/instantiate.h"
 #include "core/scratch.h"
 
 namespace contactscope {
@@ -346,17 +347,7 @@ std::vector<ReducerInfo> optimal_reducers() {
                  reduce_to_optimal_deepest)};
 }
 
-template decltype(farthest_pair<float>) farthest_pair<float>;
-template decltype(farthest_pair<double>) farthest_pair<double>;
-template decltype(largest_ring<float>) largest_ring<float>;
-template decltype(largest_ring<double>) largest_ring<double>;
-template decltype(measure<float>) measure<float>;
-template decltype(measure<double>) measure<double>;
-template decltype(as_before_if_equal<float>) as_before_if_equal<float>;
-template decltype(as_before_if_equal<double>) as_before_if_equal<double>;
-template decltype(points_of<float>) points_of<float>;
-template decltype(points_of<double>) points_of<double>;
-template decltype(largest_with<float>) largest_with<float>;
-template decltype(largest_with<double>) largest_with<double>;
+CONTACTSCOPE_FLOAT_AND_DOUBLE(farthest_pair, largest_ring, measure, as_before_if_equal, points_of);
+CONTACTSCOPE_FLOAT_AND_DOUBLE(largest_with);
 
 }  // namespace contactscope

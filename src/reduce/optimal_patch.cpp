@@ -1,4 +1,4 @@
-#include "reduce/optimal_patch.h"
+#include "reduce/optimal_ring.h"
 
 #include <algorithm>
 #include <array>

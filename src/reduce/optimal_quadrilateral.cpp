@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "core/instantiate.h"
 #include "reduce/optimal_ring.h"
 
 namespace contactscope {
@@ -247,9 +248,6 @@ CornerRing<S> best_quadrilateral_through(const Patch<S>& patch, int through) {
   return ring_across(patch, through, to, most[0]);
 }
 
-template decltype(area_of_best_quadrilateral<float>) area_of_best_quadrilateral<float>;
-template decltype(area_of_best_quadrilateral<double>) area_of_best_quadrilateral<double>;
-template decltype(best_quadrilateral_through<float>) best_quadrilateral_through<float>;
-template decltype(best_quadrilateral_through<double>) best_quadrilateral_through<double>;
+CONTACTSCOPE_FLOAT_AND_DOUBLE(area_of_best_quadrilateral, best_quadrilateral_through);
 
 }  // namespace contactscope

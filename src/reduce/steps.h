@@ -90,7 +90,6 @@ inline void add_once(KeptIndices& kept, int index) {
   if (index >= 0 && !contains(kept, index)) kept.push_back(index);
 }
 
-/// The first max_points choices.
 inline KeptIndices first_of(KeptIndices choices, const ReduceOptions& options) {
   choices.truncate(std::min(choices.size(), static_cast<std::size_t>(options.max_points)));
   return choices;

@@ -5,7 +5,7 @@
 #include "continuous/impact_of_meshes.h"
 #include "continuous/impact_of_shapes.h"
 #include "core/at.h"
-#include "geometry/flat_triangle.h"
+#include "geometry/mesh.h"
 #include "scenario/deform.h"
 
 namespace contactscope {

@@ -1,4 +1,4 @@
-#include "geometry/flat_triangle.h"
+#include "geometry/mesh.h"
 #include "geometry/obj.h"
 #include "geometry/primitives.h"
 #include "scenario/readers.h"

@@ -16,7 +16,7 @@
 
 #include "continuous/feature_pair.h"
 #include "continuous/impact_of_meshes.h"
-#include "continuous/swept_convex.h"
+#include "continuous/swept_sphere.h"
 #include "core/at.h"
 #include "study/impact_cases.h"
 #include "study/study.h"
@@ -90,14 +90,6 @@ void bench_swept(int queries, int repetitions) {
     };
     bench("sphere", [](const Query& query) {
       return sweep_sphere_triangle(query.start, query.offset, query.radius, query.triangle).time;
-    });
-    bench("capsule", [](const Query& query) {
-      const std::array<Vec3f, 2> ends = {query.start, query.start + Vec3f(0.3F, 0.2F, 0.1F)};
-      return sweep_capsule_triangle(ends, query.offset, query.radius, query.triangle).time;
-    });
-    bench("box", [](const Query& query) {
-      const Obb<float> box{query.start, Mat3<float>::Identity(), Vec3f::Constant(query.radius)};
-      return sweep_box_triangle(box, query.offset, query.triangle).time;
     });
   }
 }

@@ -59,7 +59,6 @@ std::vector<BoxPair> pairs_by_definition(const BroadPhase& phase) {
 void live(BroadPhase& phase, Spread spread, int rounds, std::uint32_t seed) {
   RandomBoxes random(spread, seed % 3 == 0 ? 3.0f : 12.0f, seed);
   std::vector<int> alive;
-  std::vector<BoxPair> before;
   for (int round = 0; round < rounds; ++round) {
     const int operations = round == 0 ? 150 : random.below(50);
     for (int k = 0; k < operations; ++k) {
@@ -88,21 +87,6 @@ void live(BroadPhase& phase, Spread spread, int rounds, std::uint32_t seed) {
     }
     const std::vector<BoxPair> pairs = pairs_by_definition(phase);
     ASSERT_EQ(phase.pairs(), pairs) << "round " << round << ", seed " << seed;
-    const PairChanges changes = phase.changes();
-    std::vector<BoxPair> begun, ended;
-    std::ranges::set_difference(pairs, before, std::back_inserter(begun));
-    std::ranges::set_difference(before, pairs, std::back_inserter(ended));
-    ASSERT_EQ(changes.begun, begun);
-    ASSERT_EQ(changes.ended, ended);
-    before = pairs;
-
-    const Aabb<float> requested = random.box();
-    std::vector<int> inside;
-    for (const int handle : alive) {
-      if (overlaps(phase.box(handle), requested)) inside.push_back(handle);
-    }
-    std::ranges::sort(inside);
-    ASSERT_EQ(phase.query(requested), inside);
   }
 }
 
@@ -140,7 +124,6 @@ TEST_P(EveryBroadPhase, AgreesOnScenesOfThousands) {
 
 TEST_P(EveryBroadPhase, IsEmptyAtFirst) {
   EXPECT_THAT(phase_->pairs(), IsEmpty());
-  EXPECT_THAT(phase_->query(cube(0, 0, 0)), IsEmpty());
   EXPECT_FALSE(phase_->has(0));
 }
 
@@ -180,10 +163,9 @@ TEST_P(EveryBroadPhase, APlaneMeetsWhatReachesIntoIt) {
   EXPECT_THAT(phase_->pairs(),
               ElementsAre(BoxPair{floor, on}, BoxPair{floor, wall}, BoxPair{on, wall}));
   phase_->move(above, cube(0, 0.4f, 0));
-  EXPECT_THAT(phase_->changes().begun, ::testing::Contains(BoxPair{floor, above}));
+  EXPECT_THAT(phase_->pairs(), ::testing::Contains(BoxPair{floor, above}));
   phase_->remove(floor);
-  EXPECT_THAT(phase_->changes().ended,
-              ElementsAre(BoxPair{floor, on}, BoxPair{floor, above}, BoxPair{floor, wall}));
+  EXPECT_THAT(phase_->pairs(), ElementsAre(BoxPair{on, wall}));
 }
 
 TEST_P(EveryBroadPhase, RefusesNanAndEmptyBoxesAndStaysAsItWas) {
@@ -197,7 +179,7 @@ TEST_P(EveryBroadPhase, RefusesNanAndEmptyBoxesAndStaysAsItWas) {
   }
   EXPECT_EQ(phase_->box(only), cube(0, 0, 0));
   EXPECT_EQ(phase_->handles(), 1);
-  EXPECT_THAT(phase_->query(cube(0, 0, 0)), ElementsAre(only));
+  EXPECT_TRUE(phase_->has(only));
 }
 
 TEST_P(EveryBroadPhase, GivesHandlesOfRemovedBoxesAgain) {

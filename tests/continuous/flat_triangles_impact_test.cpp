@@ -6,7 +6,7 @@
 
 #include "continuous/impact_of_meshes.h"
 #include "core/at.h"
-#include "geometry/flat_triangle.h"
+#include "geometry/mesh.h"
 #include "support/brute_force_distance.h"
 #include "support/exact_triangles.h"
 #include "support/random_geometry.h"

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "continuous/impact_with_mesh.h"
+#include "field/closed_surface.h"
 #include "field/distance_field.h"
-#include "field/surface_of.h"
 #include "geometry/hull_builder.h"
 #include "geometry/primitives.h"
 #include "support/random_geometry.h"

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "dynamics/scene.h"
+#include "field/closed_surface.h"
 #include "field/distance_field.h"
-#include "field/surface_of.h"
 #include "support/sphere_mesh.h"
 
 namespace contactscope::test {

@@ -8,7 +8,6 @@
 #include <limits>
 #include <string>
 
-#include "geometry/flat_triangle.h"
 #include "mesh_shapes.h"
 
 namespace contactscope::test {

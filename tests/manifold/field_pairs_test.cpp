@@ -5,8 +5,8 @@
 #include <set>
 
 #include "core/at.h"
+#include "field/closed_surface.h"
 #include "field/distance_field.h"
-#include "field/surface_of.h"
 #include "geometry/hull_builder.h"
 #include "geometry/primitives.h"
 #include "manifold/dispatch.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "geometry/flat_triangle.h"
+#include "geometry/mesh.h"
 #include "manifold/placed_shapes.h"
 #include "support/brute_force_distance.h"
 #include "support/builders.h"

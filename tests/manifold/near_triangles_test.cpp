@@ -1,4 +1,4 @@
-#include "manifold/near_triangles.h"
+#include "manifold/internal_edges.h"
 
 #include <gtest/gtest.h>
 

@@ -8,17 +8,16 @@
 #include <utility>
 
 #include "core/at.h"
-#include "manifold/contact_depth.h"
 #include "manifold/edge_contact.h"
-#include "manifold/fast/clip_rectangle.h"
+#include "manifold/fast/box_face_contact.h"
 #include "query/fast/box_triangle_sat.h"
 
 namespace contactscope {
 namespace {
 
-using boxes::absolute;
 using boxes::BoxTriangleAxis;
 using boxes::Coordinates;
+using boxes::kEdgeRefs;
 using boxes::lane_bits;
 using boxes::Three;
 using boxes::TriangleByBox;
@@ -44,56 +43,10 @@ template <class S, class Sum>
   return std::countr_zero(lane_bits<S>(low == least) | lane_bits<S>(high == least) << 4 | 0x80U);
 }
 
-/// The box's face at a vertex that is most anti-parallel to a normal, as incident_face().
-template <class S>
-[[gnu::always_inline]] inline int face_against(int vertex, const Three<S>& normal) {
-  int best = 0;
-  S least = std::numeric_limits<S>::infinity();
-  for (const int face : kBox.faces_around[static_cast<std::size_t>(vertex)]) {
-    const S cosine = face % 2 == 0 ? normal[face / 2] : -normal[face / 2];
-    best = cosine < least ? face : best;
-    least = cosine < least ? cosine : least;
-  }
-  return best;
-}
-
-/// The edges of a box, then those of a triangle, in the order of ids. A table, because reading a
-/// reference as one word stalls if it was written as two bytes and an int.
-constexpr std::array<FeatureRef, 15> kEdgeRefs = [] {
-  std::array<FeatureRef, 15> refs;
-  for (int i = 0; i < 15; ++i)
-    refs[static_cast<std::size_t>(i)] = i < 12 ? edge_ref(Owner::A, i) : edge_ref(Owner::B, i - 12);
-  return refs;
-}();
-using EdgePlaces = std::array<std::uint8_t, 4>;  // indices into kEdgeRefs, in the order of a ring
-constexpr std::array<EdgePlaces, 6> kBoxRings = [] {
-  std::array<EdgePlaces, 6> rings{};
-  for (std::size_t face = 0; face < 6; ++face) {
-    for (std::size_t i = 0; i < 4; ++i)
-      rings[face][i] = static_cast<std::uint8_t>(kBox.face_ring[face][i] / 2);
-  }
-  return rings;
-}();
-/// For the front and the back, numbered as in TriangleHull.
+/// Indices into boxes::kEdgeRefs, in the order of a ring. A is the box, B the triangle: its front
+/// and its back, numbered as in TriangleHull.
+using EdgePlaces = std::array<std::uint8_t, 4>;
 constexpr std::array<EdgePlaces, 2> kTriangleRings = {{{12, 13, 14}, {12, 14, 13}}};
-
-/// The side planes of a box's faces, a lane per side, in the order of the ring.
-template <class S>
-struct FaceSides {
-  std::array<S, 4> x{}, y{}, z{};
-};
-template <class S>
-constexpr std::array<FaceSides<S>, 6> kFaceSides = [] {
-  std::array<FaceSides<S>, 6> sides;
-  for (std::size_t face = 0; face < 6; ++face) {
-    for (std::size_t i = 0; i < 4; ++i) {
-      const int side = kBox.face(kBox.face_ring[face][i] ^ 1);
-      FaceSides<S>& of = sides[face];
-      (side / 2 == 0 ? of.x : side / 2 == 1 ? of.y : of.z)[i] = side % 2 == 0 ? S(1) : S(-1);
-    }
-  }
-  return sides;
-}();
 
 /// Adds the clipped corners below the reference face, or up to `margin` above it, moved onto it.
 template <class S>
@@ -114,8 +67,8 @@ template <class S>
     const std::uint8_t one = edge(crossing & 7U), two = edge(crossing >> 4);
     contact.points.push_back(
         {boxes::vector<S>(position - distance * normal), std::min(distance, margin), {}});
-    contact.points.back().id.first = kEdgeRefs[std::min(one, two)];
-    contact.points.back().id.second = kEdgeRefs[std::max(one, two)];
+    contact.points.back().id.first = std::bit_cast<FeatureRef>(kEdgeRefs[std::min(one, two)]);
+    contact.points.back().id.second = std::bit_cast<FeatureRef>(kEdgeRefs[std::max(one, two)]);
   }
   contact.type = face_contact_type(contact.points.size());
 }
@@ -175,7 +128,7 @@ template <class Sum>
   const Three<S> normal = face == 0 ? triangle.normal : -triangle.normal;
   const S offset = face == 0 ? triangle.offset : -triangle.offset;
   const int support = lowest_vertex<S>(Three<S>(normal * half_), offset, sum);
-  const int incident = face_against<S>(support, normal);
+  const int incident = boxes::incident_at<S>(support, boxes::vector<S>(normal));
   boxes::RectanglePair<S> rectangles;
   rectangles.thickness = clip_thickness(triangle.scale);
   for (std::size_t i = 0; i < 4; ++i)
@@ -205,7 +158,7 @@ template <class Sum>
   contact.normal = boxes::vector<S>(-normal);
   contact.scale = triangle.scale;
   contact.points.clear();
-  add_points(clipped, kBoxRings[static_cast<std::size_t>(incident)],
+  add_points(clipped, boxes::kRingEdges[static_cast<std::size_t>(incident)],
              kTriangleRings[static_cast<std::size_t>(face)], normal, offset, margin_,
              triangle.scale, contact);
   return true;
@@ -224,13 +177,7 @@ template <class S>
   rectangles.corners[0] = triangle.corners[incident == 0 ? 0 : 1];
   rectangles.corners[1] = triangle.corners[incident == 0 ? 1 : 0];
   rectangles.corners[2] = triangle.corners[2];
-  const FaceSides<S>& sides = kFaceSides<S>[static_cast<std::size_t>(face)];
-  rectangles.side_x = lanes::load_pack<Three<S>>(sides.x.data());
-  rectangles.side_y = lanes::load_pack<Three<S>>(sides.y.data());
-  rectangles.side_z = lanes::load_pack<Three<S>>(sides.z.data());
-  rectangles.side_offset = absolute<S>(rectangles.side_x) * half_[0] +
-                           absolute<S>(rectangles.side_y) * half_[1] +
-                           absolute<S>(rectangles.side_z) * half_[2];
+  boxes::lay_sides(half_, face, rectangles);
   boxes::ClippedRectangle<S> clipped;
   if (!boxes::clip_rectangle<3>(rectangles, clipped)) [[unlikely]]
     return false;
@@ -239,8 +186,8 @@ template <class S>
   contact.scale = triangle.scale;
   contact.points.clear();
   add_points(clipped, kTriangleRings[static_cast<std::size_t>(incident)],
-             kBoxRings[static_cast<std::size_t>(face)], boxes::three(contact.normal), half_[axis],
-             margin_, triangle.scale, contact);
+             boxes::kRingEdges[static_cast<std::size_t>(face)], boxes::three(contact.normal),
+             half_[axis], margin_, triangle.scale, contact);
   return true;
 }
 

@@ -2,9 +2,9 @@
 #include <cmath>
 #include <limits>
 
+#include "manifold/contact_depth.h"
 #include "manifold/fast/box_face_contact.h"
 #include "manifold/fast/collide_box_box.h"
-#include "manifold/pair_motion.h"
 
 namespace contactscope {
 namespace {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstring>
 #include <limits>
 #include <type_traits>
 
@@ -15,12 +16,13 @@ namespace contactscope::boxes {
 
 using lanes::after_next, lanes::Columns, lanes::next, lanes::spread, lanes::Three;
 
-/// Loads lanes from S number `first` of a box in memory order: center, axes, half_extents.
-template <class S>
-[[gnu::always_inline]] inline Three<S> load(const Obb<S>& box, int first) {
-  static_assert(sizeof(Obb<S>) == 15 * sizeof(S) && std::is_standard_layout_v<Obb<S>>);
+/// Loads four numbers, starting with number `kFirst`, from a type that consists of numbers only.
+template <class S, int kFirst, class T>
+[[gnu::always_inline]] inline Three<S> four_of(const T& numbers) {
+  static_assert(sizeof(T) >= (kFirst + 4) * sizeof(S) && std::is_standard_layout_v<T>);
   Three<S> pack;
-  std::memcpy(&pack, reinterpret_cast<const std::byte*>(&box) + first * sizeof(S), sizeof pack);
+  std::memcpy(&pack, reinterpret_cast<const std::byte*>(&numbers) + kFirst * sizeof(S),
+              sizeof pack);
   return pack;
 }
 
@@ -55,10 +57,10 @@ template <class S>
 class BoxAxes {
  public:
   [[gnu::always_inline]] BoxAxes(const Obb<S>& a, const Obb<S>& b) {
-    const Columns<S> axes_a{{load(a, 3), load(a, 6), load(a, 9)}};
-    const Columns<S> axes_b{{load(b, 3), load(b, 6), load(b, 9)}};
+    const Columns<S> axes_a{{four_of<S, 3>(a), four_of<S, 6>(a), four_of<S, 9>(a)}};
+    const Columns<S> axes_b{{four_of<S, 3>(b), four_of<S, 6>(b), four_of<S, 9>(b)}};
     const Columns<S> to_a = axes_a.transposed();
-    const Three<S> offset = load(b, 0) - load(a, 0);
+    const Three<S> offset = four_of<S, 0>(b) - four_of<S, 0>(a);
     half_a_ = half_extents(a);
     half_b_ = half_extents(b);
     offset_ = to_a.times(offset);
@@ -112,7 +114,7 @@ class BoxAxes {
 
  private:
   [[gnu::always_inline]] static Three<S> half_extents(const Obb<S>& box) {
-    const Three<S> last = load(box, 11);  // at the end of the box: nothing follows it
+    const Three<S> last = four_of<S, 11>(box);  // at the end of the box: nothing follows it
     return __builtin_shufflevector(last, last, 1, 2, 3, 3);
   }
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-#include "query/fast/box_pair.h"
+#include "query/fast/packed_vectors.h"
 
 /// Two crossing edges of boxes: their indices, their separation along the cross product, and their
 /// closest points. Bitwise equal to the results of query_edges() and closest_points() for hulls,
@@ -16,10 +16,6 @@ template <class S>
 [[gnu::always_inline]] inline S dot(const Three<S>& a, const Three<S>& b) {
   const Three<S> products = a * b;
   return dot_sum<S>(S(products[0]), S(products[1]), S(products[2]));
-}
-template <class S>
-[[gnu::always_inline]] inline Three<S> cross(const Three<S>& a, const Three<S>& b) {
-  return next(a) * after_next(b) - after_next(a) * next(b);
 }
 
 /// A vertex of B in A's frame. For all vertices, VerticesOfB is cheaper.
@@ -97,9 +93,7 @@ template <class S>
   // The cross product of the axes. That of the edges has the same or the opposite sign.
   const Three<S> axes = unit<S>(i + 2) * after_next(direction) - unit<S>(i + 1) * next(direction);
   const Three<S> u = unit<S>(i) * up_a, v = direction * up_b, c = axes * (up_a * up_b);
-  const Three<S> from_a =
-      pair.half_a *
-      lanes::load_pack<Three<S>>(kVertexSigns<S>[static_cast<std::size_t>(vertex_a)].data());
+  const Three<S> from_a = vertex_of_box<S>(pair.half_a, vertex_a);
   const Three<S> from_b = vertex_of_b(pair, vertex_b), to_b = vertex_of_b(pair, vertex_b ^ 1 << j);
   const Three<S> between = from_b - from_a;
 

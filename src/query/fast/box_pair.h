@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
-#include <utility>
 
 #include "core/dot_order.h"
 #include "core/pose.h"
@@ -54,6 +53,20 @@ inline constexpr std::array<std::array<S, 4>, 8> kVertexSigns = [] {
 }();
 
 template <class S>
+[[gnu::always_inline]] inline Three<S> square_roots(const Three<S>& of) {
+  Three<S> roots;
+  for (int i = 0; i < 4; ++i) roots[i] = std::sqrt(of[i]);
+  return roots;
+}
+
+/// A vertex of a box about the origin.
+template <class S>
+[[gnu::always_inline]] inline Three<S> vertex_of_box(const Three<S>& half, int vertex) {
+  return half *
+         lanes::load_pack<Three<S>>(kVertexSigns<S>[static_cast<std::size_t>(vertex)].data());
+}
+
+template <class S>
 struct BoxPair {
   [[gnu::always_inline]] BoxPair(const Hull<S>& hull_a, const Hull<S>& hull_b,
                                  const Pose<S>& b_in_a)
@@ -80,9 +93,8 @@ struct BoxPair {
   [[gnu::always_inline]] Columns<S> directions_of_b() const {
     const Three<S> lengths = half_b + half_b;
     const Three<S> x = rows.of[0] * lengths, y = rows.of[1] * lengths, z = rows.of[2] * lengths;
-    const Three<S> squared = dot_sum<S>(Three<S>(x * x), Three<S>(y * y), Three<S>(z * z));
-    Three<S> norms;
-    for (int i = 0; i < 4; ++i) norms[i] = std::sqrt(squared[i]);
+    const Three<S> norms =
+        square_roots<S>(dot_sum<S>(Three<S>(x * x), Three<S>(y * y), Three<S>(z * z)));
     return {{columns.of[0] * spread<0>(lengths) / spread<0>(norms),
              columns.of[1] * spread<1>(lengths) / spread<1>(norms),
              columns.of[2] * spread<2>(lengths) / spread<2>(norms)}};
@@ -104,8 +116,7 @@ class VerticesOfA {
   [[gnu::always_inline]] explicit VerticesOfA(const BoxPair<S>& pair)
       : half_(three(pair.a.half_extents)) {}
   [[gnu::always_inline]] Three<S> operator[](int vertex) const {
-    return half_ *
-           lanes::load_pack<Three<S>>(kVertexSigns<S>[static_cast<std::size_t>(vertex)].data());
+    return vertex_of_box<S>(half_, vertex);
   }
 
  private:

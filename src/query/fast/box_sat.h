@@ -110,25 +110,10 @@ template <int kJ, class S>
                            spread<kAfter>(pair.half_b) * absolute<S>(pair.columns.of[kNext]);
   const Three<S> gap = absolute<S>(offset) - (reach_a + reach_b);
   const Three<S> squares = column * column;
-  const Three<S> squared = next(squares) + after_next(squares);
-  Three<S> sine;
-  for (int i = 0; i < 4; ++i) sine[i] = std::sqrt(squared[i]);
+  const Three<S> sine = square_roots<S>(next(squares) + after_next(squares));
   const Three<S> over_sine = S(1) / sine;  // infinite if parallel
   return {offset, sine, over_sine, (gap - off) * over_sine,
           lanes::smaller<Three<S>>((gap + off) * over_sine, floor + sliver * sine)};
-}
-
-template <class S>
-[[gnu::always_inline]] inline S largest_of(const Three<S>& a, const Three<S>& b,
-                                           const Three<S>& c) {
-  const Three<S> three = lanes::larger(lanes::larger(a, b), c);
-  return std::max(std::max(three[0], three[1]), three[2]);
-}
-
-/// Axis i of A and axis j of B set bit 4 j + i.
-template <class S, class F>
-[[gnu::always_inline]] inline std::uint32_t nine_bits(const F& a, const F& b, const F& c) {
-  return (lane_bits<S>(a) | lane_bits<S>(b) << 4 | lane_bits<S>(c) << 8) & 0x777U;
 }
 
 /// sat() for two boxes. Metres; `margin` >= 0.
@@ -181,8 +166,8 @@ template <class S>
     } else {
       const S rival = most_lower - S(2) * tie;
       const std::uint32_t near =
-          nine_bits<S>(nine[0].upper >= rival, nine[1].upper >= rival, nine[2].upper >= rival);
-      const std::uint32_t best = nine_bits<S>(
+          bits_of_nine<S>(nine[0].upper >= rival, nine[1].upper >= rival, nine[2].upper >= rival);
+      const std::uint32_t best = bits_of_nine<S>(
           nine[0].lower == most_lower, nine[1].lower == most_lower, nine[2].lower == most_lower);
       if (near != best || (best & (best - 1)) != 0 || !(most_lower > floor + tie + handicap))
         return result;

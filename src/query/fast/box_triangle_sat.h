@@ -60,12 +60,6 @@ struct TriangleByBox {
   S radius, scale;
 };
 
-template <class S>
-[[gnu::always_inline]] inline Three<S> vertex_of_box(const Three<S>& half, int vertex) {
-  return half *
-         lanes::load_pack<Three<S>>(kVertexSigns<S>[static_cast<std::size_t>(vertex)].data());
-}
-
 /// One of two crossing edges, with the interface that closest_points() needs.
 template <class S>
 struct MetEdge {
@@ -134,17 +128,6 @@ template <class S>
   return axes;
 }
 
-/// Largest of nine lanes. In masks, axis i of the box and edge k of the triangle have bit 4 k + i.
-template <class S>
-[[gnu::always_inline]] inline S largest_of_nine(const Three<S>& a, const Three<S>& b,
-                                                const Three<S>& c) {
-  return largest_of<S>(lanes::larger(lanes::larger(a, b), c));
-}
-template <class S, class F>
-[[gnu::always_inline]] inline std::uint32_t bits_of_nine(const F& a, const F& b, const F& c) {
-  return (lane_bits<S>(a) | lane_bits<S>(b) << 4 | lane_bits<S>(c) << 8) & 0x777U;
-}
-
 template <class S>
 struct BoxTriangleAxis {
   enum Verdict {
@@ -203,13 +186,13 @@ template <class S>
   const EdgeAxes<S> axes[] = {edge_axes(triangle, 0, half, off, floor),
                               edge_axes(triangle, 1, half, off, floor),
                               edge_axes(triangle, 2, half, off, floor)};
-  const S most_lower = largest_of_nine<S>(axes[0].lower, axes[1].lower, axes[2].lower);
+  const S most_lower = largest_of<S>(axes[0].lower, axes[1].lower, axes[2].lower);
   const S handicap = edge_handicap(triangle.scale, preference);  // as in sat()
   if (most_lower > margin + tie + handicap) {
     result.verdict = Axis::Separated;
     return result;
   }
-  const S most_upper = largest_of_nine<S>(axes[0].upper, axes[1].upper, axes[2].upper);
+  const S most_upper = largest_of<S>(axes[0].upper, axes[1].upper, axes[2].upper);
   if (!(most_upper <= margin)) return result;
 
   // The same as choose() of sat.cpp.

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <cstring>
+#include <cstdint>
 #include <type_traits>
 
 #include "core/dot_order.h"
@@ -12,16 +11,6 @@
 
 /// Three-vectors in one register each, with operations that are bitwise equal to Eigen's.
 namespace contactscope::boxes {
-
-/// Loads four numbers, starting with number `kFirst`, from a type that consists of numbers only.
-template <class S, int kFirst, class T>
-[[gnu::always_inline]] inline Three<S> four_of(const T& numbers) {
-  static_assert(sizeof(T) >= (kFirst + 4) * sizeof(S) && std::is_standard_layout_v<T>);
-  Three<S> pack;
-  std::memcpy(&pack, reinterpret_cast<const std::byte*>(&numbers) + kFirst * sizeof(S),
-              sizeof pack);
-  return pack;
-}
 
 /// u x v. The bracket has entry k + 1 in lane k.
 template <class S>
@@ -39,11 +28,15 @@ template <class S>
   return std::max(std::max(v[0], v[1]), v[2]);
 }
 
+/// The largest of nine lanes, and the flags of nine: lane i of pack k has bit 4 k + i.
 template <class S>
-[[gnu::always_inline]] inline Three<S> square_roots(const Three<S>& of) {
-  Three<S> roots;
-  for (int i = 0; i < 4; ++i) roots[i] = std::sqrt(of[i]);
-  return roots;
+[[gnu::always_inline]] inline S largest_of(const Three<S>& a, const Three<S>& b,
+                                           const Three<S>& c) {
+  return largest_of<S>(lanes::larger(lanes::larger(a, b), c));
+}
+template <class S, class F>
+[[gnu::always_inline]] inline std::uint32_t bits_of_nine(const F& a, const F& b, const F& c) {
+  return (lane_bits<S>(a) | lane_bits<S>(b) << 4 | lane_bits<S>(c) << 8) & 0x777U;
 }
 
 /// Four vectors as x, y and z packs.

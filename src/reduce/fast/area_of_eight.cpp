@@ -1,7 +1,6 @@
 #include "reduce/fast/area_of_eight.h"
 
 #include <bit>
-#include <cmath>
 #include <cstdint>
 
 #include "core/dot_order.h"

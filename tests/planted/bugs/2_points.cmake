@@ -1,14 +1,14 @@
 # The pipeline: points.
-planted_bug(most_parallel_incident_face FILE src/manifold/face_contact.cpp TESTS manifold
+planted_bug(most_parallel_incident_face FILE src/manifold/create_contact.cpp TESTS manifold
   WAS [[const S along = reference_normal.dot(hull.normal(face));]]
   IS [[const S along = (@BUG@ ? S(-1) : S(1)) * reference_normal.dot(hull.normal(face));]])
-planted_bug(normal_of_b_not_turned FILE src/manifold/face_contact.cpp TESTS manifold
+planted_bug(normal_of_b_not_turned FILE src/manifold/create_contact.cpp TESTS manifold
   WAS [[contact.normal = reference == Owner::A ? plane.normal : Vec3<S>(-plane.normal);]]
   IS [[contact.normal = reference == Owner::A || @BUG@ ? plane.normal : Vec3<S>(-plane.normal);]])
-planted_bug(points_halfway_to_the_reference_face FILE src/manifold/face_contact.cpp TESTS manifold
+planted_bug(points_halfway_to_the_reference_face FILE src/manifold/create_contact.cpp TESTS manifold
   WAS [[const Vec3<S> moved = vertex.position - distance * plane.normal;]]
   IS [[const Vec3<S> moved = vertex.position - (@BUG@ ? S(0.5) : S(1)) * distance * plane.normal;]])
-planted_bug(margin_forgotten_when_clipping FILE src/manifold/face_contact.cpp TESTS manifold
+planted_bug(margin_forgotten_when_clipping FILE src/manifold/create_contact.cpp TESTS manifold
   WAS [[const S highest = highest_kept(margin, scale);]]
   IS [[const S highest = highest_kept(@BUG@ ? S(0) : margin, scale);]])
 planted_bug(empty_face_contact FILE src/manifold/create_contact.cpp TESTS manifold
@@ -29,7 +29,7 @@ planted_bug(clip_ids_of_the_edge_before FILE src/manifold/clip.cpp TESTS manifol
 planted_bug(clip_names_the_way_back_wrong FILE src/manifold/clip.cpp TESTS manifold
   WAS [[{crossing, p_inside ? side_edge : p.leaving, ]]
   IS [[{crossing, p_inside || @BUG@ ? side_edge : p.leaving, ]])
-planted_bug(fallback_normal_does_not_turn FILE src/manifold/collide_sphere_sphere.cpp TESTS manifold
+planted_bug(fallback_normal_does_not_turn FILE src/manifold/collide_sphere.cpp TESTS manifold
   WAS [[contact.normal = b_in_a.rotate(Vec3<S>::UnitY());]]
   IS [[contact.normal = @BUG@ ? Vec3<S>(Vec3<S>::UnitY()) : b_in_a.rotate(Vec3<S>::UnitY());]])
 planted_bug(crossing_capsules_pulled_together FILE src/manifold/collide_capsule_capsule.cpp TESTS manifold
@@ -41,7 +41,7 @@ planted_bug(antiparallel_capsules_pair_the_same_ends FILE src/manifold/collide_c
 planted_bug(one_point_for_two FILE src/manifold/collide_capsule_capsule.cpp TESTS manifold
   WAS [[for (int side = 0; side < 2; ++side) {]]
   IS [[for (int side = 0; side < (@BUG@ ? 1 : 2); ++side) {]])
-planted_bug(ball_point_beside_the_hull FILE src/manifold/collide_sphere_hull.cpp TESTS manifold
+planted_bug(ball_point_beside_the_hull FILE src/manifold/collide_sphere.cpp TESTS manifold
   WAS [[const Vec3<S> position = touch.distance * contact.normal;]]
   IS [[const Vec3<S> position = (@BUG@ ? separation : touch.distance) * contact.normal;]])
 planted_bug(plane_points_halfway FILE src/manifold/collide_with_plane.cpp TESTS manifold
@@ -56,10 +56,10 @@ planted_bug(back_of_a_triangle_is_its_front FILE src/manifold/collide_with_mesh.
 planted_bug(last_edge_of_a_triangle FILE src/manifold/collide_with_mesh.cpp TESTS manifold
   WAS [[if (!(squared < least)) continue;]]
   IS [[if (!@BUG@ && !(squared < least)) continue;]])
-planted_bug(cache_never_gives_up FILE src/manifold/pair_motion.h TESTS manifold
+planted_bug(cache_never_gives_up FILE src/manifold/contact_depth.h TESTS manifold
   WAS [[return bound <= margin && bound - separation <= tolerance;]]
   IS [[return @BUG@ || (bound <= margin && bound - separation <= tolerance);]])
-planted_bug(cache_forgets_to_turn FILE src/manifold/pair_motion.h TESTS manifold
+planted_bug(cache_forgets_to_turn FILE src/manifold/contact_depth.h TESTS manifold
   WAS [[return S(2) * std::sqrt(std::min(gap, opposite));]]
   IS [[return @BUG@ ? S(0) : S(2) * std::sqrt(std::min(gap, opposite));]])
 planted_bug(float_at_extreme_sizes FILE src/manifold/dispatch.cpp TESTS manifold

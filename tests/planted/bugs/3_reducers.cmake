@@ -2,7 +2,7 @@
 planted_bug(points_on_a_line_keep_the_support FILE src/reduce/area.cpp TESTS reduce
   WAS [[    kept[0] = other;]]
   IS [[    if (!@BUG@) kept[0] = other;]])
-planted_bug(extremes_along_one_way FILE src/reduce/extremes.cpp TESTS reduce
+planted_bug(extremes_along_one_way FILE src/reduce/area.cpp TESTS reduce
   WAS [[return {-u, u, -v, v};]]
   IS [[return {-u, u, -v, @BUG@ ? Vec3<S>(-v) : v};]])
 planted_bug(coherent_keeps_half_the_area FILE src/reduce/coherent.cpp TESTS reduce

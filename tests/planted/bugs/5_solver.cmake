@@ -35,6 +35,6 @@ planted_bug(gravity_bounces_too FILE src/dynamics/solve_velocities.h TESTS dynam
 planted_bug(arms_stay_behind FILE src/dynamics/solver.cpp TESTS dynamics
   WAS [[follow(BodyPair<S>(all, contact), contact);]]
   IS [[if (!@BUG@) follow(BodyPair<S>(all, contact), contact);]])
-planted_bug(push_gains_angular_momentum FILE src/dynamics/projection.h TESTS dynamics
+planted_bug(push_gains_angular_momentum FILE src/dynamics/solve_velocities.h TESTS dynamics
   WAS [[  take_back(bodies, contact,]]
   IS [[  if (!@BUG@) take_back(bodies, contact,]])

@@ -1,5 +1,8 @@
+#include <cmath>
+#include <limits>
 #include <optional>
 
+#include "core/instantiate.h"
 #include "manifold/collide_pairs.h"
 #include "manifold/round_contact.h"
 #include "query/closest_points.h"
@@ -10,6 +13,78 @@
 #include "query/voronoi_region.h"
 
 namespace contactscope {
+namespace {
+
+/// How far rounding can move the centre off the axis, metres: the centre was turned into the
+/// capsule's frame, and points on an axis that is oblique there are rounded across it.
+template <class S>
+S rounding_across(const Vec3<S>& center, const Capsule<S>& capsule) {
+  const Vec3<S> along = capsule.points[1] - capsule.points[0];
+  const Vec3<S> unit = safe_unit(along);
+  const Vec3<S> squares = unit.cwiseAbs2();
+  const S obliqueness = std::sqrt(squares.dot(Vec3<S>(Vec3<S>::Ones() - squares)));
+  constexpr S kRoundings = S(8) * std::numeric_limits<S>::epsilon();
+  return kRoundings * (safe_norm(center) + obliqueness * safe_norm(along));
+}
+
+}  // namespace
+
+/// Works in the capsule's own frame, where its axis is exact even if it is much longer than the
+/// distance. Steps: 1. the vector to the closest point of the axis; 2. its direction is the normal,
+/// unless it is only rounding.
+template <class S>
+S collide_sphere_capsule(const Sphere<S>& a, const Capsule<S>& b, const Pose<S>& b_in_a,
+                         const CollideOptions& options, Contact<S>& contact,
+                         Recorder<S>* recorder) {
+  const Vec3<S> center = b_in_a.inverse_transform(Vec3<S>::Zero());
+  const Vec3<S> along = b.points[1] - b.points[0];
+  const Vec3<S> unit = safe_unit(along);
+  const ClosestOnSegment<S> closest = closest_on_segment(center, b.points[0], b.points[1]);
+  const FeatureRef feature = axis_feature(Owner::B, closest.parameter, !unit.isZero(S(0)));
+  Vec3<S> to_axis = closest.point - center;
+  // On a long axis the point is rounded by more than the distance of a near centre.
+  if (feature.kind != FeatureKind::Vertex) to_axis = rejected(to_axis, unit);
+  const S distance = safe_norm(to_axis);
+  const S separation = distance - (a.radius + b.radius);
+  if (separation > options.margin) return separation;
+
+  if (distance > rounding_across(center, b)) {
+    contact.normal = b_in_a.rotate(safe_unit(to_axis));
+  } else {
+    const char* geometry = along.isZero(S(0)) ? "coincident centres" : "centre on the axis";
+    if (skips_degenerate(geometry, options, recorder)) return separation;
+    contact.normal = b_in_a.rotate(body_perpendicular(along));
+  }
+  contact.axis = AxisKind::ClosestPoints;
+  contact.type = contact_type(FeatureKind::Vertex, feature.kind);
+  const FeatureId id = FeatureId::of(vertex_ref(Owner::A, 0), feature);
+  add_round_point(Vec3<S>(Vec3<S>::Zero()), a.radius, b_in_a.rotate(to_axis), b.radius,
+                  contact.normal, distance, id, contact);
+  return separation;
+}
+
+template <class S>
+S collide_sphere_sphere(const Sphere<S>& a, const Sphere<S>& b, const Pose<S>& b_in_a,
+                        const CollideOptions& options, Contact<S>& contact, Recorder<S>* recorder) {
+  const Vec3<S>& center_b = b_in_a.position;
+  const S distance = safe_norm(center_b);
+  const S separation = distance - (a.radius + b.radius);
+  if (separation > options.margin) return separation;
+
+  if (distance > S(0)) {
+    contact.normal = safe_unit(center_b);
+  } else {
+    if (skips_degenerate("coincident centres", options, recorder)) return separation;
+    contact.normal = b_in_a.rotate(Vec3<S>::UnitY());
+  }
+  contact.axis = AxisKind::ClosestPoints;
+  contact.type = ContactType::PointPoint;
+  const FeatureId id = FeatureId::of(vertex_ref(Owner::A, 0), vertex_ref(Owner::B, 0));
+  add_round_point(Vec3<S>(Vec3<S>::Zero()), a.radius, center_b, b.radius, contact.normal, distance,
+                  id, contact);
+  return separation;
+}
+
 namespace {
 
 /// The closest feature of the hull to the centre, in the hull's frame.
@@ -98,8 +173,7 @@ S collide_sphere_hull(const Sphere<S>& a, const Hull<S>& b, const Pose<S>& b_in_
   } else if (const int side_edge = outside_side(b, face, center); side_edge >= 0) {
     const Touch<S> closest =
         touch_edge_or_vertex(b, center, face, side_edge, scale, gjk_run(recorder));
-    if (recorder) [[unlikely]]
-      recorder->gjk(b_in_a);
+    if (recorder) recorder->gjk(b_in_a);
     if (closest.distance > touching_distance(scale)) {
       touch = closest;
     } else if (closest.feature.kind != FeatureKind::Face) {
@@ -120,7 +194,6 @@ S collide_sphere_hull(const Sphere<S>& a, const Hull<S>& b, const Pose<S>& b_in_
   return separation;
 }
 
-template CollideConvex<float, Sphere<float>, Hull<float>> collide_sphere_hull;
-template CollideConvex<double, Sphere<double>, Hull<double>> collide_sphere_hull;
+CONTACTSCOPE_FLOAT_AND_DOUBLE(collide_sphere_sphere, collide_sphere_capsule, collide_sphere_hull);
 
 }  // namespace contactscope
