@@ -49,7 +49,8 @@ TEST(TraceReference, EveryKeyOfTheSchemaIsInTheReference) {
   const std::string text = read_text(CONTACTSCOPE_SOURCE_DIR "/src/trace/README.md");
   int keys = 0;
   for (const auto& [fact, definition] : schema["$defs"].items()) {
-    for (const auto& [key, value] : definition.value("properties", nlohmann::json()).items()) {
+    const nlohmann::json properties = definition.value("properties", nlohmann::json::object());
+    for (const auto& [key, value] : properties.items()) {
       EXPECT_THAT(text, HasSubstr("`" + key + "`")) << fact;
       ++keys;
     }
