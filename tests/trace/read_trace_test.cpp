@@ -309,7 +309,7 @@ TEST(ReadTrace, FramesKeepTheirOrder) {
   EXPECT_EQ(trace.frames[2].frame, 5);
 }
 
-TEST(ReadTrace, SlowDamagedTextIsATraceOrRefusedInOneLineWithItsPlace) {
+TEST(ReadTrace, SlowDamagedTextIsATraceOrRefusedInLinesWithTheirPlace) {
   const std::string text = header_line() + to_json_line(sample_frame()) + "\n";
   test::Random random(19);
   int refused = 0;
@@ -318,9 +318,12 @@ TEST(ReadTrace, SlowDamagedTextIsATraceOrRefusedInOneLineWithItsPlace) {
     const std::string message = complaint(test::damaged(text, text, random));
     if (message == "no complaint") continue;
     ++refused;
-    EXPECT_THAT(message, StartsWith("run.jsonl:"));
     EXPECT_LT(message.size(), 3'000u) << message;
-    EXPECT_TRUE(std::ranges::none_of(message, [](char c) { return c >= 0 && c < ' '; })) << message;
+    std::istringstream lines(message);  // several for a header
+    for (std::string line; std::getline(lines, line);) {
+      EXPECT_THAT(line, StartsWith("run.jsonl:"));
+      EXPECT_TRUE(std::ranges::none_of(line, [](char c) { return c >= 0 && c < ' '; })) << line;
+    }
   }
   EXPECT_GT(refused, texts / 4);
   EXPECT_LT(refused, texts);
