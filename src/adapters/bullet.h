@@ -39,6 +39,8 @@ class BulletRecorder {
     world.*Callbacks::before() = &BulletRecorder::begin_step;
     world.*Callbacks::after() = &BulletRecorder::end_step;
   }
+  BulletRecorder(btDynamicsWorld* world, const char* path, const char* scenario = "bullet/run")
+      : BulletRecorder(*world, path, scenario) {}
   ~BulletRecorder() {
     if (world_.*Callbacks::before() == &BulletRecorder::begin_step)
       world_.*Callbacks::before() = before_;

@@ -16,12 +16,6 @@
 namespace contactscope::app {
 namespace {
 
-template <class Number>
-void limit(CLI::Option& to, const OptionValues& values) {
-  if (values.min < values.max)
-    to.check(CLI::Range(static_cast<Number>(values.min), static_cast<Number>(values.max)));
-}
-
 /// Adds an option with its target. Texts with a reader go nowhere yet: read_texts() reads them when
 /// the command line is known to be complete.
 CLI::Option* add_targeted(CLI::App& verb, const Option& option, Options& to) {
@@ -38,12 +32,7 @@ CLI::Option* add_targeted(CLI::App& verb, const Option& option, Options& to) {
         } else if constexpr (std::is_same_v<To, Reader>) {
           return option.repeats() ? verb.add_option(name, texts) : verb.add_option(name, text);
         } else {
-          CLI::Option* const added = verb.add_option(name, to.*target);
-          using Value = std::decay_t<decltype(to.*target)>;
-          if constexpr (std::is_arithmetic_v<Value>) limit<Value>(*added, option.values);
-          if constexpr (requires { (to.*target).has_value(); })
-            limit<typename Value::value_type>(*added, option.values);
-          return added;
+          return verb.add_option(name, to.*target);
         }
       },
       option.to);
@@ -51,7 +40,6 @@ CLI::Option* add_targeted(CLI::App& verb, const Option& option, Options& to) {
 
 void add(CLI::App& verb, const Option& option, Options& to) {
   CLI::Option* const added = add_targeted(verb, option, to)->description(option.description());
-  if (option.values.is_closed) added->check(CLI::IsMember(option.values.words));
   if (!option.value.empty()) added->option_text(option.value);
   if (!option.is_argument() && option.repeats()) added->allow_extra_args(false)->delimiter(',');
   if (option.is_required()) added->required();
@@ -124,7 +112,9 @@ int run(int argc, char** argv) {
       "Exit codes: 0 done, no difference; 1 a difference, an unmet expectation or a wrong claim; 2 "
       "an "
       "error,\nsuch as a bad file, wrong usage or no OpenGL; 130 stopped by Ctrl-C.\n"
-      "contactscope help VERB prints its options, with examples.\n"
+      "contactscope help VERB prints its options, with examples; contactscope help scenario all "
+      "keys of a "
+      "scenario.\n"
       "contactscope --manual man, bash, zsh or fish prints the man page or the completions of a "
       "shell.");
   Options options;
@@ -140,6 +130,13 @@ int run(int argc, char** argv) {
   }
 
   std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
+  std::string format;  // keys, after the help of a verb
+  if (arguments.size() == 2 && arguments[0] == "help") format = reference(arguments[1]);
+  if (arguments.size() == 2 && arguments[1] == "scenario" && !format.empty()) {
+    std::cout << format;
+    flush_output();
+    return static_cast<int>(ExitCode::Same);
+  }
   request_help(arguments);
   check_usage(arguments);
   try {
@@ -147,7 +144,9 @@ int run(int argc, char** argv) {
     program.parse(arguments);
   } catch (const CLI::ParseError& error) {
     // Help and version also arrive here, with code 0.
-    if (program.exit(error) != 0) return static_cast<int>(ExitCode::Trouble);
+    if (error.get_exit_code() != 0) throw UsageError(error.what());
+    program.exit(error);
+    std::cout << format;
     flush_output();
     return static_cast<int>(ExitCode::Same);
   }

@@ -7,41 +7,26 @@
 namespace contactscope::scenario_file {
 namespace {
 
-/// A number from -1e9 to 1e9 `unit`.
-double read_bounded(const Value& value, const char* unit) {
-  const double number = value.number(unit);
-  if (std::abs(number) > kLargestLength)
-    value.fail("'" + value.name() + "' is too large; it may be up to 1e9 " + unit);
-  return number;
-}
-
 TravellingWave read_wave(const Value& value) {
-  const Value& table = value.table({"axis", "direction", "amplitude", "wavelength", "speed"});
+  const Value table = value.table({"wave"});
   TravellingWave wave;
-  wave.axis = read_direction(table.require("axis", "axis = [1, 0, 0], along which it travels"));
-  wave.direction = read_direction(
-      table.require("direction", "direction = [0, 1, 0], along which vertices move"));
-  wave.amplitude = read_bounded(table.require("amplitude", "amplitude = 0.1 (metres)"), "metres");
-  wave.wavelength = read_length(table.require("wavelength", "wavelength = 1.0 (metres)"));
-  wave.speed =
-      read_bounded(table.require("speed", "speed = 1.0 (metres per second)"), "metres per second");
+  wave.axis = read_direction(table.require("axis"));
+  wave.direction = read_direction(table.require("direction"));
+  wave.amplitude = table.require("amplitude").number();
+  wave.wavelength = table.require("wavelength").number();
+  wave.speed = table.require("speed").number();
   return wave;
 }
 
 Twist read_twist(const Value& value) {
-  const Value& table = value.table({"axis", "degrees", "radians"});
-  const auto degrees = table.find("degrees"), radians = table.find("radians");
-  if (degrees && radians) radians->fail("give 'degrees' or 'radians', not both");
+  const Value table = value.table({"twist"});
+  table.not_both("degrees", "radians");
   Twist twist;
-  twist.axis = read_direction(table.require("axis", "axis = [0, 1, 0]"));
-  if (radians)
-    twist.rate = read_bounded(*radians, "radians");
+  twist.axis = read_direction(table.require("axis"));
+  if (const auto radians = table.find("radians"))
+    twist.rate = radians->number();
   else
-    twist.rate =
-        read_bounded(
-            table.require("degrees", "degrees = 90.0 (per metre along the axis, per second)"),
-            "degrees") /
-        180 * std::numbers::pi;
+    twist.rate = table.require("degrees").number() / 180 * std::numbers::pi;
   return twist;
 }
 
@@ -72,12 +57,12 @@ std::vector<VertexKeyframe> read_vertex_keyframes(const Value& value, const Mesh
                                                   const std::filesystem::path& folder) {
   std::vector<VertexKeyframe> keyframes;
   for (const Value& item : value.array_of_tables()) {
-    const Value& table = item.table({"time", "file"});
-    const Value time = table.require("time", "time = 0.5 (seconds)");
-    const double seconds = time.number("seconds");
+    const Value table = item.table({"keyframe of deform"});
+    const Value time = table.require("time");
+    const double seconds = time.number();
     if (!keyframes.empty() && seconds <= keyframes.back().time)
       time.fail("keyframes must be in order of time, each later than the one before");
-    const Value file = table.require("file", "file = \"NAME.obj\"");
+    const Value file = table.require("file");
     keyframes.push_back({seconds, read_vertices(file, mesh, folder)});
   }
   if (keyframes.empty())
@@ -93,7 +78,7 @@ Deformation read_deformation(const Value& value, const ScenarioShape& shape,
   if (mesh == nullptr)
     value.fail("'" + shape.name + "' is a " + shape.type +
                ", and only a mesh deforms; give it type = \"mesh\", or leave out 'deform'");
-  const Value& table = value.table({"wave", "twist", "keyframes"});
+  const Value table = value.table({"deform"});
   const auto wave = table.find("wave"), twist = table.find("twist");
   const auto keyframes = table.find("keyframes");
   if (wave.has_value() + twist.has_value() + keyframes.has_value() != 1)

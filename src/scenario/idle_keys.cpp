@@ -134,7 +134,7 @@ void warn_of_idle_keys(const Value& file, Scenario& scenario) {
     for (const Value& entry : pairs->array_of_tables())
       report_pair_keys(entry, pair_of(entry, scenario), scenario, sentences);
   }
-  const std::vector<Value> shapes = file.require("shapes", "").members();
+  const std::vector<Value> shapes = file.require("shapes").members();
   for (int i = 0; i < count_of(shapes); ++i)
     if (!scenario.shape(i).deforms())
       report(at(shapes, i), "tree",

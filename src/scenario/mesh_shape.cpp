@@ -6,7 +6,6 @@
 namespace contactscope::scenario_file {
 namespace {
 
-constexpr int kMaxCells = 4096;                   // per side
 constexpr std::size_t kMaxTriangles = 4'000'000;  // limit of a grid
 
 /// "triangle 3 has", "triangles 3, 5 and 9 more have"
@@ -49,8 +48,8 @@ Mesh<double> mesh_from(const std::vector<Vec3d>& points,
 }
 
 Mesh<double> read_listed(const Value& table, MeshBuilder& build, MeshReport& report) {
-  const Value vertices = table.require("vertices", "vertices = [[x, y, z], ..]");
-  const Value triangles = table.require("triangles", "triangles = [[0, 1, 2]]");
+  const Value vertices = table.require("vertices");
+  const Value triangles = table.require("triangles");
   const std::vector<Vec3d> points = read_points(vertices);
   if (points.empty()) vertices.fail("'vertices' is empty; list at least three points");
   check_reach(points, vertices);
@@ -81,21 +80,13 @@ std::vector<Value> for_each_direction(const Value& value) {
 }
 
 Mesh<double> read_grid(const Value& value) {
-  const Value& grid = value.table({"size", "cells", "amplitude"});
-  const std::vector<Value> size =
-      for_each_direction(grid.require("size", "size = 10.0 (metres, or one for each direction)"));
-  const std::vector<Value> cells =
-      for_each_direction(grid.require("cells", "cells = 16 (or one for each direction)"));
+  const Value grid = value.table({"grid"});
+  const std::vector<Value> size = for_each_direction(grid.require("size"));
+  const std::vector<Value> cells = for_each_direction(grid.require("cells"));
   double amplitude = 0;
-  if (const auto given = grid.find("amplitude")) {
-    amplitude = given->not_negative("metres");
-    if (amplitude > kLargestLength)
-      given->fail("'amplitude' is too large; it may be up to 1e9 metres");
-  }
-  const double size_x = read_length(size[0]);
-  const double size_z = read_length(size[1]);
-  const int cells_x = cells[0].integer(1, kMaxCells);
-  const int cells_z = cells[1].integer(1, kMaxCells);
+  grid.read("amplitude", amplitude);
+  const double size_x = size[0].number(), size_z = size[1].number();
+  const int cells_x = cells[0].integer(), cells_z = cells[1].integer();
   return build_at(value, "mesh",
                   [&] { return make_grid(size_x, size_z, cells_x, cells_z, amplitude); });
 }

@@ -1,6 +1,7 @@
 #include "scenario/nearest_word.h"
 
 #include <algorithm>
+#include <sstream>
 
 namespace contactscope {
 namespace {
@@ -22,6 +23,64 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return edits[a.size()][b.size()];
 }
 
+/// Words here, each with those of other programs and of everyday language for it.
+constexpr std::string_view kMeanings = R"(
+contacts: contact_points collisions manifolds
+normals: contact_normals
+shapes: bodies objects geometry wireframe
+bounds: aabbs
+broad_phase: broadphase
+loads: forces
+box: cube cuboid
+sphere: ball
+hull: convex polyhedron
+mesh: trimesh triangle_mesh
+plane: half_space
+sdf: distance_field
+half_extents: extents half_size half_sizes
+position: origin translation location
+rotation: orientation
+triangles: faces indices
+vertices: points
+restitution: bounciness elasticity
+friction: mu
+dt: timestep time_step
+angular_velocity: omega
+velocity: linear_velocity
+substeps: sub_steps
+fov_degrees: fov
+eye: camera
+separation: depth distance
+points: count
+--out: -o --output --outdir --output-dir
+--jobs: -j --threads
+--quiet: -q
+--verbose: -v
+--version: -V
+--format: -f
+--size: --resolution
+--frames: --frame
+--target: --look-at
+--eye: --position
+render: draw
+lint: validate
+versus: compare
+shrink: minimize reduce
+)";
+
+/// The word here that has this meaning, of those in `candidates`.
+std::string meant_by(std::string_view word, const std::vector<std::string_view>& candidates) {
+  std::istringstream lines{std::string(kMeanings)};
+  for (std::string line; std::getline(lines, line);) {
+    const std::string here = line.substr(0, line.find(':'));
+    const std::string others = line.substr(std::min(here.size() + 1, line.size())) + " ";
+    if (others.find(" " + std::string(word) + " ") != std::string::npos &&
+        std::ranges::find(candidates, here) != candidates.end())
+      return here;
+  }
+  return {};
+}
+
 }  // namespace
 
 std::string nearest(std::string_view word, const std::vector<std::string_view>& candidates) {
@@ -29,6 +88,7 @@ std::string nearest(std::string_view word, const std::vector<std::string_view>& 
   // nothing. Long words are not misspelled keys and would only cost time.
   constexpr std::size_t kLongest = 64;
   if (word.size() > kLongest) return {};
+  if (const std::string here = meant_by(word, candidates); !here.empty()) return here;
   std::string best;
   std::size_t best_distance = 0;
   for (const std::string_view candidate : candidates) {
@@ -46,10 +106,10 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string_vi
   return near.empty() ? "" : "did you mean '" + near + "'? ";
 }
 
-std::string quoted_list(const std::vector<std::string_view>& words) {
+std::string quoted_list(const std::vector<std::string_view>& words, const char* last) {
   std::string list;
   for (std::size_t i = 0; i < words.size(); ++i) {
-    if (i > 0) list += i + 1 == words.size() ? " and " : ", ";
+    if (i > 0) list += i + 1 == words.size() ? last : ", ";
     list.append(1, '\'').append(words[i]).append(1, '\'');
   }
   return list;

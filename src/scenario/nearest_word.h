@@ -6,8 +6,8 @@
 
 namespace contactscope {
 
-/// The candidate that `word` most likely misspells: up to a third of its letters wrong, two swapped
-/// ones counted as one. Empty if none is near.
+/// The candidate that `word` most likely means: another word for it; or one that it misspells, with up
+/// to a third of its letters wrong, two swapped ones counted as one. Empty if none is near.
 std::string nearest(std::string_view word, const std::vector<std::string_view>& candidates);
 
 /// "did you mean 'half_extents'? ", or empty.
@@ -21,6 +21,6 @@ std::vector<std::string_view> names_in(const List& list) {
 }
 
 /// "'a', 'b' and 'c'".
-std::string quoted_list(const std::vector<std::string_view>& words);
+std::string quoted_list(const std::vector<std::string_view>& words, const char* last = " and ");
 
 }  // namespace contactscope

@@ -13,30 +13,7 @@
 namespace contactscope::scenario_file {
 namespace {
 
-// More than solvers use of one manifold.
-constexpr int kMaxPoints = 64;
 constexpr std::size_t kMaxPairs = 4096;  // per scenario, listed or by default
-
-double within_reach(const Value& value, double length) {
-  if (length > kLargestLength)
-    value.fail("'" + value.name() + "' is larger than 1e9 metres; lower it");
-  return length;
-}
-
-double read_least_length(const Value& value) {
-  return within_reach(value, value.positive("metres"));
-}
-
-/// Adds the keys that [pipeline] and [[pairs]] share.
-Keys with_settings(Keys keys) {
-  // Contact keys, then query keys.
-  keys.insert(keys.end(), {"scalar", "manifold", "reducer", "max_points", "margin", "cache",
-                           "preference", "degenerate", "internal_edges", "field", "core_margin",
-                           "breaking_distance", "confirm", "penetration", "continuous"});
-  keys.insert(keys.end(),
-              {"query", "bounds", "comparison", "tolerance", "axes", "skip_up_to", "traversal"});
-  return keys;
-}
 
 /// Rejects an incremental pair whose points cannot persist; `where` is the key that made it so.
 void check_incremental(const ScenarioPair& pair, const std::vector<ScenarioShape>& shapes,
@@ -54,18 +31,12 @@ void check_incremental(const ScenarioPair& pair, const std::vector<ScenarioShape
 
 /// Reads the query of a pair; contradictions are errors of the key that causes them.
 void read_question(const Value& table, Question& question) {
-  table.read(
-      "query", question.kind,
-      word_of<QueryKind>({"overlap", "touching", "distance", "penetration", "manifold"}, "query"));
-  table.read("bounds", question.bounds, word_of<QueryMethod>({"aabb", "obb", "sphere"}, "bounds"));
-  table.read("comparison", question.inclusive, [](const Value& value) {
-    return value.one_of({"inclusive", "exclusive"}, "comparison") == "inclusive";
-  });
-  table.read("tolerance", question.tolerance,
-             [](const Value& value) { return within_reach(value, value.not_negative("metres")); });
-  table.read("axes", question.test.axes,
-             word_of<ObbAxes>({"faces", "fifteen", "guarded"}, "choice of axes"));
-  table.read("skip_up_to", question.test.skip_up_to, read_share);
+  table.read("query", question.kind);
+  table.read("bounds", question.bounds);
+  table.read("comparison", question.inclusive, &Value::word);
+  table.read("tolerance", question.tolerance);
+  table.read("axes", question.test.axes);
+  table.read("skip_up_to", question.test.skip_up_to);
   if (!question.inclusive && question.tolerance > 0) {
     const auto key = table.find("tolerance") ? table.find("tolerance") : table.find("comparison");
     key->fail(
@@ -109,40 +80,27 @@ void check_continuous(const ScenarioPair& pair, const std::vector<ScenarioShape>
 /// The settings that [pipeline] and [[pairs]] share; keys of incremental manifolds are checked even
 /// if they have no effect.
 PipelineSettings read_settings(const Value& table, PipelineSettings settings) {
-  table.read("manifold", settings.manifold,
-             word_of<ManifoldKind>({"one-shot", "incremental"}, "manifold"));
-  table.read("core_margin", settings.incremental.core_margin, read_least_length);
-  table.read("breaking_distance", settings.incremental.breaking_distance, read_least_length);
-  table.read("confirm", settings.incremental.confirm,
-             word_of<Confirm>({"distance", "ids"}, "confirmation"));
+  table.read("manifold", settings.manifold);
+  table.read("core_margin", settings.incremental.core_margin);
+  table.read("breaking_distance", settings.incremental.breaking_distance);
+  table.read("confirm", settings.incremental.confirm);
   table.read("reducer", settings.reducer,
              [](const Value& value) { return value.one_of(names_in(reducers()), "reducer"); });
-  table.read("max_points", settings.max_points, integer_in(1, kMaxPoints));
-  table.read("margin", settings.margin,
-             [](const Value& value) { return within_reach(value, value.not_negative("metres")); });
-  table.read("cache", settings.cache, &Value::boolean);
-  table.read("preference", settings.preference,
-             word_of<Preference>({"relative", "none"}, "preference"));
-  table.read("penetration", settings.penetration,
-             word_of<PenetrationMethod>({"sat", "epa", "mpr", "sampling"}, "penetration method"));
+  table.read("max_points", settings.max_points);
+  table.read("margin", settings.margin);
+  table.read("cache", settings.cache);
+  table.read("preference", settings.preference);
+  table.read("penetration", settings.penetration);
   settings.question.penetration = settings.penetration;
   read_question(table, settings.question);
   table.read("continuous", settings.continuous, [](const Value& value) {
-    Keys words{"discrete"};
-    for (const ImpactMethodInfo& info : impact_methods()) words.push_back(info.name);
-    const std::string word = value.one_of(words, "continuous method");
-    std::optional<ImpactMethod> chosen;
-    for (const ImpactMethodInfo& info : impact_methods())
-      if (word == info.name) chosen = info.method;
-    return chosen;
+    const int word = value.word();  // the first is "discrete"
+    return word > 0 ? std::optional(static_cast<ImpactMethod>(word - 1)) : std::nullopt;
   });
-  table.read("traversal", settings.traversal,
-             word_of<Traversal>({"from_roots", "coherent"}, "traversal"));
-  table.read("field", settings.field,
-             word_of<FieldSearch>({"conservative", "sampled"}, "distance field search"));
-  table.read("internal_edges", settings.internal_edges, &Value::boolean);
-  table.read("degenerate", settings.degenerate,
-             word_of<Degenerate>({"fallback", "skip"}, "answer"));
+  table.read("traversal", settings.traversal);
+  table.read("field", settings.field);
+  table.read("internal_edges", settings.internal_edges);
+  table.read("degenerate", settings.degenerate);
   return settings;
 }
 
@@ -166,9 +124,9 @@ std::size_t pairs_among(const std::vector<int>& indices, const std::vector<Scena
 }  // namespace
 
 PipelineSettings read_pipeline(const Value& value) {
-  const Value& table = value.table(with_settings({}));
+  const Value table = value.table({"pipeline"});
   PipelineSettings settings;
-  table.read("scalar", settings.scalar, word_of<Scalar>({"float", "double"}, "scalar"));
+  table.read("scalar", settings.scalar);
   return read_settings(table, settings);
 }
 
@@ -194,10 +152,10 @@ std::vector<ScenarioPair> read_pairs(const Value& value, const std::vector<Scena
     value.fail("there are " + std::to_string(items.size()) + " pairs; at most " +
                std::to_string(kMaxPairs) + " can be run");
   for (const Value& item : items) {
-    const Value& table = item.table(with_settings({"a", "b", "label"}));
+    const Value table = item.table({"pairs", "pipeline"});
     ScenarioPair pair;
-    pair.a = shape_named(table.require("a", "a = \"NAME\" of a shape"), shapes);
-    const Value b = table.require("b", "b = \"NAME\" of a shape");
+    pair.a = shape_named(table.require("a"), shapes);
+    const Value b = table.require("b");
     pair.b = shape_named(b, shapes);
     if (pair.a == pair.b) b.fail("'a' and 'b' are the same shape; a pair needs two");
     table.read("label", pair.label, &Value::non_empty_string);
@@ -215,12 +173,12 @@ std::vector<ScenarioPair> read_pairs(const Value& value, const std::vector<Scena
 }
 
 std::string read_broad_phase(const std::optional<Value>& world, const std::optional<Value>& pairs) {
-  const auto key = world ? world->find("broad_phase") : std::nullopt;
+  const auto key = world ? world->table({"world"}).find("broad_phase") : std::nullopt;
   if (!key) return "";
   if (pairs)
     key->fail(
         "'broad_phase' chooses among all pairs, and [[pairs]] lists those to run; remove one");
-  return key->one_of(names_in(broad_phases()), "broad phase");
+  return key->string();
 }
 
 std::vector<ScenarioPair> every_pair(const std::vector<ScenarioShape>& shapes,

@@ -12,22 +12,17 @@ ContactPoint<double> read_patch_point(const Value& value) {
     value.fail("'" + value.name() +
                "' is a point with its separation; write [x, y, z, separation] in metres, where a "
                "negative separation is an overlap");
-  std::vector<double> numbers;
-  for (const Value& item : value.array()) {
-    numbers.push_back(item.number("metres"));
-    if (std::abs(numbers.back()) > kLargestLength)
-      item.fail("'" + item.name() + "' is too far away; coordinates may be up to 1e9 metres");
-  }
+  const std::vector<double> numbers = value.numbers(4);
   return {{numbers[0], numbers[1], numbers[2]}, numbers[3], FeatureId()};
 }
 
 ScenarioPatch read_patch(const Value& value, std::size_t place) {
-  const Value& table = value.table({"name", "normal", "points"});
+  const Value table = value.table({"patch"});
   ScenarioPatch patch;
   patch.name = "patch " + std::to_string(place + 1);
   table.read("name", patch.name, &Value::non_empty_string);
-  patch.normal = read_direction(table.require("normal", "normal = [0, 1, 0], from a to b"));
-  const Value points = table.require("points", "points = [[x, y, z, separation], ...]");
+  patch.normal = read_direction(table.require("normal"));
+  const Value points = table.require("points");
   patch.points = mapped(points.array(), read_patch_point);
   if (patch.points.empty())
     points.fail("'points' is empty; a patch has at least one, as [x, y, z, separation] in metres");

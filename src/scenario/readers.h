@@ -13,6 +13,7 @@
 
 #include "core/input_error.h"
 #include "core/vec3.h"
+#include "scenario/keys.h"
 #include "scenario/nearest_word.h"
 #include "scenario/scenario.h"
 
@@ -25,12 +26,13 @@ namespace contactscope::scenario_file {
 
 using Keys = std::vector<std::string_view>;
 
-/// One value of the file. `name` appears in messages: "half_extents" or "vertices[3]". Refers to
-/// the parsed document and the file's name, which must outlive it.
+/// One value of the file. `name` appears in messages: "half_extents" or "vertices[3]". Its type and
+/// limits are those of its key (keys.cpp). Refers to the parsed document and the file's name, which
+/// must outlive it.
 class Value {
  public:
-  Value(const std::string& file, const toml::node& node, std::string name)
-      : file_(&file), node_(&node), name_(std::move(name)) {}
+  Value(const std::string& file, const toml::node& node, std::string name, const Key* key = nullptr)
+      : file_(&file), node_(&node), name_(std::move(name)), key_(key) {}
 
   const std::string& name() const { return name_; }
   int line() const { return static_cast<int>(node_->source().begin.line); }
@@ -41,55 +43,78 @@ class Value {
   /// Throws InputError at this value; the message becomes one printable line of limited length.
   [[noreturn]] void fail(const std::string& message) const;
 
-  /// Finite numbers, including integers. `unit` is for messages: "a number in metres".
-  double number(const char* unit = nullptr) const;
-  double positive(const char* unit = nullptr) const;
-  double not_negative(const char* unit = nullptr) const;
+  /// A finite number within the limits of the key, including integers.
+  double number() const;
+  /// That many such numbers.
   std::vector<double> numbers(std::size_t count) const;
   Vec3d vector3() const;
-  /// From `low` to `high`, inclusive.
+  /// Within the limits of the key; or from `low` to `high`, inclusive.
+  int integer() const;
   int integer(int low, int high) const;
   bool boolean() const;
+  /// One of the words of the key, if it has some.
   std::string string() const;
   std::string non_empty_string() const;
   /// A string that is one of `choices`; `kind` describes them in messages.
-  std::string one_of(const Keys& choices, const char* kind) const;
+  std::string one_of(const Keys& choices, const std::string& kind) const;
+  /// The position of such a string among the words of the key.
+  int word() const;
   std::vector<Value> array() const;
   std::vector<Value> array_of_tables() const;
-  /// Returns this, which must be a table; rejects the first key that is not in `keys`.
-  const Value& table(const Keys& keys) const;
+  /// This, which must be a table with the keys of these tables; rejects the first other key.
+  Value table(const Keys& tables) const;
+  /// This as a table with the keys of these tables among others.
+  Value among(const Keys& tables) const;
   /// The value of a key of this table. Empty if the key is missing or this is not a table.
   std::optional<Value> find(std::string_view key) const;
-  /// Sets `target` to the value of a key, read by `reader`, if the file has the key.
+  /// Sets `target` to the value of a key, if the file has the key. An enumerator is at the position of
+  /// its word among those of the key.
+  template <class Target>
+  void read(std::string_view key, Target& target) const {
+    if (const std::optional<Value> value = find(key)) value->get(target);
+  }
+  /// The same with a reader.
   template <class Target, class Reader>
   void read(std::string_view key, Target& target, const Reader& reader) const {
     if (const std::optional<Value> value = find(key)) target = std::invoke(reader, *value);
   }
-  /// Throws at the table if the key is missing; `example` shows how to write it.
-  Value require(std::string_view key, const std::string& example) const;
+  /// Throws at the table if the key is missing, with the example of the key.
+  Value require(std::string_view key) const;
+  /// Throws at the second of these keys if the table has both.
+  void not_both(std::string_view one, std::string_view other) const;
   /// The named values of a table, in file order.
   std::vector<Value> members() const;
 
  private:
+  void get(bool& target) const { target = boolean(); }
+  void get(int& target) const { target = integer(); }
+  void get(double& target) const { target = number(); }
+  void get(std::string& target) const { target = string(); }
+  void get(Vec3d& target) const { target = vector3(); }
+  template <class Target>
+  void get(std::optional<Target>& target) const {
+    get(target.emplace());
+  }
+  template <class Enum>
+  requires std::is_enum_v<Enum>
+  void get(Enum& target) const { target = static_cast<Enum>(word()); }
+
   /// Throws: this value has the wrong type; `wanted` describes the right one.
   [[noreturn]] void wrong_type(const std::string& wanted) const;
+  void require_one(const std::string& text, const Keys& choices, const std::string& kind) const;
+  /// The message for an unknown key of this table.
+  std::string unknown(std::string_view key, const toml::node& value, const Keys& known) const;
+  /// A part of this value, with the limits of its key.
+  Value part(const toml::node& node, std::string name) const {
+    return Value(*file_, node, std::move(name), key_);
+  }
 
   const std::string* file_;
   const toml::node* node_;
   std::string name_;
+  const Key* key_;  // null: any type
+  Keys tables_{};   // of its keys
 };
-
-/// Readers for Value::read(): an integer from `low` to `high`, and the enumerator at the position
-/// of a string in `words`.
-inline auto integer_in(int low, int high) {
-  return [=](const Value& value) { return value.integer(low, high); };
-}
-template <class Enum>
-auto word_of(const Keys& words, const char* kind) {
-  return [words, kind](const Value& value) {
-    return static_cast<Enum>(std::ranges::find(words, value.one_of(words, kind)) - words.begin());
-  };
-}
 
 /// Throws InputError if the text is not TOML.
 toml::table parse_document(const std::string& text, const std::string& file);
@@ -103,15 +128,10 @@ toml::table read_document(const std::string& path);
 inline constexpr double kSmallestLength = 1e-9;
 inline constexpr double kLargestLength = 1e9;
 
-double read_length(const Value& value);
-/// Three coordinates in metres, each at most kLargestLength in size.
-Vec3d read_position(const Value& value);
 /// Three components, not all zero, normalised.
 Vec3d read_direction(const Value& value);
 /// The keys position and rotation of a table; missing ones come from `otherwise`.
 Pose<double> read_pose(const Value& table, const Pose<double>& otherwise);
-/// A velocity of a motion, at most 1e9 `unit`; zero if missing.
-Vec3d read_velocity(const Value& table, const char* key, const char* unit);
 /// A [shapes.NAME.motion] table of a shape that is not dynamic. `start` is the shape's own pose,
 /// `end_time` the time of the last frame in seconds; constant velocities must stay within
 /// kLargestLength until then.
@@ -213,11 +233,6 @@ WorldSettings read_world(const std::optional<Value>& value, const std::string& u
 /// [solver]. Lengths are adjusted to the smallest dynamic one of `shapes`.
 SolverSettings read_solver(const std::optional<Value>& value,
                            const std::vector<ScenarioShape>& shapes);
-/// Coulomb's coefficient of friction, 0 to 1000.
-double read_friction(const Value& value);
-/// A number from 0 to 1, such as a restitution.
-double read_share(const Value& value);
-
 // views.cpp
 
 /// A title with valid placeholders; see view/title.h.

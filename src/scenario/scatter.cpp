@@ -8,7 +8,6 @@ namespace contactscope::scenario_file {
 namespace {
 
 constexpr int kMaxCopies = 20000;  // per shape
-constexpr double kLargestFactor = 1e3;
 
 struct Scatter {
   Vec3d lower, upper;          // metres, bounds of the copies' origins
@@ -24,39 +23,35 @@ std::array<int, 3> read_cells(const Value& value) {
   if (numbers.size() != 3)
     value.fail("'cells' are three numbers, along x, y and z; write cells = [4, 1, 4]");
   std::array<int, 3> cells{};
-  for (std::size_t i = 0; i < 3; ++i) cells[i] = numbers[i].integer(1, kMaxCopies);
+  for (std::size_t i = 0; i < 3; ++i) cells[i] = numbers[i].integer();
   if (std::int64_t{cells[0]} * cells[1] * cells[2] > kMaxCopies)
     value.fail("'cells' make more than " + std::to_string(kMaxCopies) + " copies; lower them");
   return cells;
 }
 
-std::array<double, 2> read_scale(const Value& value) {
-  const std::vector<double> range = value.numbers(2);
-  if (!(range[0] >= 1 / kLargestFactor && range[0] <= range[1] && range[1] <= kLargestFactor))
-    value.fail(
-        "'scale' is the smallest and the largest factor, within 0.001 to 1000; write scale = "
-        "[0.5, 2]");
-  return {range[0], range[1]};
-}
-
 Scatter read_scatter(const Value& value) {
-  const Value& table = value.table({"count", "cells", "seed", "lower", "upper", "scale", "turned"});
+  const Value table = value.table({"scatter"});
   Scatter scatter;
   const auto count = table.find("count"), cells = table.find("cells");
-  if (count && cells) cells->fail("give 'count' or 'cells', not both");
+  table.not_both("count", "cells");
   if (!count && !cells)
     table.fail("'scatter' has no number of copies; add count = 100, or cells = [10, 1, 10]");
-  if (count) scatter.count = count->integer(1, kMaxCopies);
+  if (count) scatter.count = count->integer();
   if (cells) scatter.cells = read_cells(*cells);
   if (cells) scatter.count = scatter.cells[0] * scatter.cells[1] * scatter.cells[2];
-  scatter.lower = read_position(table.require("lower", "lower = [-1, 0, -1] (metres)"));
-  const Value upper = table.require("upper", "upper = [1, 2, 1] (metres)");
-  scatter.upper = read_position(upper);
+  scatter.lower = table.require("lower").vector3();
+  const Value upper = table.require("upper");
+  scatter.upper = upper.vector3();
   if (!(scatter.lower.array() <= scatter.upper.array()).all())
     upper.fail("'upper' is below 'lower'; no coordinate of it may be smaller");
-  table.read("seed", scatter.seed, integer_in(0, 1'000'000'000));
-  table.read("scale", scatter.scale, read_scale);
-  table.read("turned", scatter.turned, &Value::boolean);
+  table.read("seed", scatter.seed);
+  if (const auto scale = table.find("scale")) {
+    const std::vector<double> range = scale->numbers(2);
+    if (range[0] > range[1])
+      scale->fail("'scale' is the smallest and the largest factor; write scale = [0.5, 2]");
+    scatter.scale = {range[0], range[1]};
+  }
+  table.read("turned", scatter.turned);
   return scatter;
 }
 

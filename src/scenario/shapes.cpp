@@ -16,12 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Keys of all types of shapes.
-const Keys kCommonKeys = {"type",     "position",    "rotation", "motion",
-                          "friction", "restitution", "scatter"};
-
-// Half the limit of one face: a clip polygon of two such caps fits easily.
-constexpr int kMaxSegments = 64;
 constexpr std::size_t kMaxHullPoints = 100000;
 constexpr int kMaxShapes = 100000;  // per scenario, after scattering
 
@@ -60,7 +54,7 @@ Hull<double> hull_of_points(const std::vector<Vec3d>& points, const Value& at, c
 Shape<double> read_hull(const Value& table, const Surroundings& surroundings) {
   const auto vertices = table.find("vertices");
   const auto file = table.find("file");
-  if (vertices && file) file->fail("give 'vertices' or 'file', not both");
+  table.not_both("vertices", "file");
   if (!vertices && !file)
     table.fail("the hull '" + table.name() +
                "' has no points; add vertices = [[x, y, z], ..] or file = \"NAME.obj\"");
@@ -70,87 +64,71 @@ Shape<double> read_hull(const Value& table, const Surroundings& surroundings) {
 }
 
 Shape<double> read_box(const Value& table, const Surroundings&) {
-  const Value value = table.require("half_extents", "half_extents = [0.5, 0.5, 0.5] (metres)");
-  value.numbers(3);
-  const std::vector<double> lengths = mapped(value.array(), read_length);
-  const Vec3d half_extents(lengths[0], lengths[1], lengths[2]);
-  return build_merged(value, table, [&] { return make_box(half_extents); });
+  const Value value = table.require("half_extents");
+  return build_merged(value, table, [&] { return make_box(value.vector3()); });
 }
 
 template <Hull<double> (*kMake)(double radius, double half_height, int segments)>
 Shape<double> read_round(const Value& table, const Surroundings&) {
-  const double radius = read_length(table.require("radius", "radius = 0.5 (metres)"));
-  const double height = read_length(table.require("half_height", "half_height = 0.5 (metres)"));
-  const int segments = table.require("segments", "segments = 16 (sides of the tessellation)")
-                           .integer(3, kMaxSegments);
+  const double radius = table.require("radius").number();
+  const double height = table.require("half_height").number();
+  const int segments = table.require("segments").integer();
   return build_merged(table, table, [&] { return kMake(radius, height, segments); });
 }
 
 Shape<double> read_sphere(const Value& table, const Surroundings&) {
-  return Sphere<double>{read_length(table.require("radius", "radius = 0.5 (metres)"))};
+  return Sphere<double>{table.require("radius").number()};
 }
 
 Shape<double> read_capsule(const Value& table, const Surroundings&) {
   Capsule<double> capsule;
-  capsule.radius = read_length(table.require("radius", "radius = 0.5 (metres)"));
-  const auto points = table.find("points");
-  const auto half_height = table.find("half_height");
-  if (points && half_height) half_height->fail("give 'points' or 'half_height', not both");
+  capsule.radius = table.require("radius").number();
+  table.not_both("points", "half_height");
+  const auto points = table.find("points"), half_height = table.find("half_height");
   if (!points && !half_height)
     table.fail("the capsule '" + table.name() +
                "' has no length; add points = [[..], [..]] or half_height = 0.5");
   if (half_height) {
-    const double length = read_length(*half_height);
+    const double length = half_height->number();
     capsule.points = {Vec3d(0, -length, 0), Vec3d(0, length, 0)};
     return capsule;
   }
   const std::vector<Value> centres = points->array();
   if (centres.size() != 2)
     points->fail("'points' of a capsule are its two centres, [[x, y, z], [x, y, z]]");
-  capsule.points = {read_position(centres[0]), read_position(centres[1])};
+  capsule.points = {centres[0].vector3(), centres[1].vector3()};
   return capsule;
 }
 
 Shape<double> read_plane(const Value& table, const Surroundings&) {
-  const Vec3d normal = read_direction(table.require("normal", "normal = [0, 1, 0]"));
-  const Value offset = table.require("offset", "offset = 0.0 (metres)");
-  const double distance = offset.number("metres");
-  if (std::abs(distance) > kLargestLength)
-    offset.fail("'offset' is too far away; it may be up to 1e9 metres");
-  return HalfSpace<double>{{normal, distance}};
+  const Vec3d normal = read_direction(table.require("normal"));
+  return HalfSpace<double>{{normal, table.require("offset").number()}};
 }
 
-/// A type of shape: its keys and its reader.
+/// A type of shape: the table of its keys, and its reader.
 struct Type {
-  std::string_view name;
-  Keys keys;
+  std::string_view name, keys;
   Shape<double> (*read)(const Value&, const Surroundings&);
 };
+constexpr Type kTypes[] = {
+    {"box", "Box", read_box},
+    {"hull", "Hull", read_hull},
+    {"cylinder", "Cylinder and cone", read_round<make_cylinder>},
+    {"cone", "Cylinder and cone", read_round<make_cone>},
+    {"sphere", "Sphere", read_sphere},
+    {"capsule", "Capsule", read_capsule},
+    {"mesh", "Mesh", read_mesh},
+    {"plane", "Plane", read_plane},
+    {"sdf", "Sdf", read_sdf},
+};
 
-const std::vector<Type>& types() {
-  static const std::vector<Type> all = {
-      {"box", {"half_extents", "merge_coplanar"}, read_box},
-      {"hull", {"vertices", "file", "merge_coplanar"}, read_hull},
-      {"cylinder",
-       {"radius", "half_height", "segments", "merge_coplanar"},
-       read_round<make_cylinder>},
-      {"cone", {"radius", "half_height", "segments", "merge_coplanar"}, read_round<make_cone>},
-      {"sphere", {"radius"}, read_sphere},
-      {"capsule", {"radius", "points", "half_height"}, read_capsule},
-      {"mesh", {"vertices", "triangles", "file", "grid", "tree"}, read_mesh},
-      {"plane", {"normal", "offset"}, read_plane},
-      {"sdf", {"of", "cells", "band", "interpolation", "exact"}, read_sdf},
-  };
-  return all;
-}
-
-/// Keys of all types, without duplicates.
-Keys every_key() {
-  Keys keys = kCommonKeys;
-  for (const Type& type : types())
-    for (const std::string_view key : type.keys)
-      if (std::ranges::find(keys, key) == keys.end()) keys.push_back(key);
-  return keys;
+/// The type of a shape. A table without one may have the keys of all.
+const Type& read_type(const Value& value) {
+  Keys tables{"shapes.NAME"};
+  if (!value.find("type"))
+    for (const Type& type : kTypes) tables.push_back(type.keys);
+  const Value table = value.find("type") ? value.among(tables) : value.table(tables);
+  return *std::ranges::find(kTypes, table.require("type").string(), &Type::name);
 }
 
 /// Adds a shape's collider, settings and motion.
@@ -181,23 +159,17 @@ void read_shape(const Value& value, const Surroundings& surroundings, double end
   if (!value.is_table())
     value.fail("'" + value.name() + "' is not a table; write a shape as [shapes." + value.name() +
                "] with its type below");
-  const auto named = value.find("type");
-  const std::string word =
-      (named ? *named : value.table(every_key()).require("type", "type = \"box\""))
-          .one_of(names_in(types()), "shape type");
-  const Type& type = *std::ranges::find(types(), word, &Type::name);
-  Keys keys = type.keys;
-  keys.insert(keys.end(), kCommonKeys.begin(), kCommonKeys.end());
-  const Value& table = value.table(keys);
+  const Type& type = read_type(value);
+  const Value table = value.table({type.keys, "shapes.NAME"});
 
   ScenarioShape shape;
   shape.name = value.name();
-  shape.type = word;
+  shape.type = type.name;
   shape.pose = read_pose(table, {});
   shape.geometry = std::make_shared<const Shape<double>>(type.read(table, surroundings));
-  table.read("tree", shape.tree, word_of<TreeUpdate>({"refit", "rebuild", "auto"}, "tree update"));
-  table.read("friction", shape.friction, read_friction);
-  table.read("restitution", shape.restitution, read_share);
+  table.read("tree", shape.tree);
+  table.read("friction", shape.friction);
+  table.read("restitution", shape.restitution);
   const auto scatter = table.find("scatter");
   if (!scatter) {
     shapes.push_back(completed(std::move(shape), table, surroundings, end_time));
@@ -228,15 +200,14 @@ void refuse_deforming_with_bodies(const Value& value, const std::vector<Scenario
 }  // namespace
 
 Shape<double> read_plain_shape(const Value& value, const Surroundings& surroundings) {
-  Keys words = names_in(types());
-  std::erase(words, "sdf");
-  const std::string word =
-      value.table(every_key()).require("type", "type = \"box\"").one_of(words, "shape type");
-  const Type& type = *std::ranges::find(types(), word, &Type::name);
-  Keys keys = type.keys;
-  std::erase(keys, "tree");
-  keys.push_back("type");
-  return type.read(value.table(keys), surroundings);
+  const Type& type = read_type(value);
+  const Value table = value.table({type.keys, "shapes.NAME"});
+  if (type.name == "sdf") value.fail("'of' is a distance field already; give it another type");
+  for (const Key& key : key_table("shapes.NAME").keys)
+    if (const auto given = table.find(key.name); given && key.name != "type")
+      given->fail("'" + value.name() + "' is a form without a place; remove '" + given->name() +
+                  "', or give it to the shape");
+  return type.read(table, surroundings);
 }
 
 std::vector<Vec3d> read_points(const Value& value) {

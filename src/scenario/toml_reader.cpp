@@ -1,7 +1,9 @@
 #include "scenario/readers.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <sstream>
 
 #include "core/at.h"
 #include "core/input_error.h"
@@ -62,28 +64,37 @@ std::string describe(const toml::node& node) {
   return node.is_boolean() ? "a boolean" : "a date or time";
 }
 
-std::string with_unit(const char* unit) {
-  return unit == nullptr ? "number" : std::string("number in ") + unit;
-}
+/// Keys of other programs and other places, and how to write them; % is the value.
+constexpr struct {
+  std::string_view key;
+  std::string_view known;  // a key of the table
+  std::string_view remedy;
+} kForeignKeys[] = {
+    {"quat", "rotation",
+     ", which does not define the order of its components; write rotation = { quat_wxyz = [w, x, "
+     "y, "
+     "z] } or rotation = { quat_xyzw = [x, y, z, w] }"},
+    {"quat", "quat_wxyz",
+     ", which does not define the order of its components; write quat_wxyz = [w, x, y, z] or "
+     "quat_xyzw = [x, y, z, w]"},
+    {"angle", "degrees", ", which has no unit; write 'degrees' or 'radians'"},
+    {"angle", "rotation", "; write rotation = { axis = [0, 1, 0], degrees = % }"},
+    {"degrees", "rotation", "; write rotation = { axis = [0, 1, 0], degrees = % }"},
+    {"mass", "motion", "; write motion = { dynamic = true, mass = % }"},
+    {"density", "motion", "; write motion = { dynamic = true, density = % }"},
+    {"dynamic", "motion", "; write motion = { dynamic = true, mass = 1.0 }"},
+};
 
-/// The message for an unknown key; some misspellings have their own.
-std::string unknown_key(std::string_view key, const Keys& keys) {
-  const std::string found = "unknown key '" + std::string(key) + "'";
-  const auto known = [&](std::string_view k) { return std::ranges::find(keys, k) != keys.end(); };
-  if (key == "quat" || key == "quaternion") {
-    const char* remedy = "quat_wxyz = [w, x, y, z] or quat_xyzw = [x, y, z, w]";
-    if (known("rotation"))
-      remedy = "rotation = { quat_wxyz = [w, x, y, z] } or rotation = { quat_xyzw = [x, y, z, w] }";
-    return std::string("'")
-        .append(key)
-        .append("' does not define the order of its components; write ")
-        .append(remedy);
+/// The value as in the file, if it is short.
+std::string written(const toml::node& value) {
+  if (const auto* number = value.as_floating_point()) {
+    char digits[32];
+    return {digits, std::to_chars(digits, digits + sizeof digits, number->get()).ptr};
   }
-  if (key == "angle" && known("degrees"))
-    return found + ", which has no unit; write 'degrees' or 'radians'";
-  const std::string near = nearest(key, keys);
-  return found +
-         (near.empty() ? "; known keys: " + quoted_list(keys) : "; did you mean '" + near + "'?");
+  std::ostringstream text;
+  text << toml::node_view<const toml::node>(value);
+  const std::string whole = text.str();
+  return whole.size() < 40 && whole.find('\n') == std::string::npos ? whole : "..";
 }
 
 }  // namespace
@@ -92,31 +103,59 @@ void Value::fail(const std::string& message) const {
   fail_at(*file_, node_->source().begin, message);
 }
 
+std::string Value::unknown(std::string_view key, const toml::node& value, const Keys& known) const {
+  const std::string found = "unknown key '" + std::string(key) + "'";
+  const auto is_known = [&](std::string_view k) {
+    return std::ranges::find(known, k) != known.end();
+  };
+  for (const auto& foreign : kForeignKeys) {
+    if ((key != foreign.key && !(key == "quaternion" && foreign.key == "quat")) ||
+        !is_known(foreign.known))
+      continue;
+    std::string remedy(foreign.remedy);
+    if (const std::size_t at = remedy.find('%'); at != std::string::npos)
+      remedy.replace(at, 1, written(value));
+    return found + remedy;
+  }
+  std::string elsewhere;
+  for (const KeyTable& table : key_tables()) {
+    if (table.find(key) == nullptr) continue;
+    const std::string heading = plain(table.heading);
+    if (!heading.starts_with("[")) {
+      if (is_known(table.name))
+        return found + "; write " + table.name + " = { " + std::string(key) + " = " +
+               written(value) + " }";
+    } else if (heading.find('.') == std::string::npos) {
+      elsewhere += (elsewhere.empty() ? "" : " or ") + heading;
+    }
+  }
+  const std::string near = nearest(key, known);
+  if (!near.empty()) return found + "; did you mean '" + near + "'?";
+  if (!elsewhere.empty()) return found + "; it belongs in " + elsewhere;
+  return found + "; known keys: " + quoted_list(known);
+}
+
 void Value::wrong_type(const std::string& wanted) const {
   fail("'" + name_ + "' is " + describe(*node_) + "; " + wanted + " is needed");
 }
 
-double Value::number(const char* unit) const {
+double Value::number() const {
   std::optional<double> value;
   if (const auto* real = node_->as_floating_point()) value = real->get();
   if (const auto* whole = node_->as_integer()) value = static_cast<double>(whole->get());
-  if (!value) wrong_type("a " + with_unit(unit));
+  const bool has_range = key_ != nullptr && !key_->range.empty();
+  const std::string range = has_range ? std::string(key_->range) : "";
+  if (!value) wrong_type(has_range ? "a number, " + range + "," : "a number");
   if (!std::isfinite(*value))
     fail("'" + name_ + "' is " + (std::isnan(*value) ? "not a number (nan)" : "infinite") +
-         "; a finite " + with_unit(unit) + " is needed");
+         (has_range ? "; it may be " + range : "; a finite number is needed"));
+  if (has_range && !key_->holds(*value))
+    fail("'" + name_ + "' is " + written(*node_) + "; it may be " + range);
   return *value;
 }
 
-double Value::positive(const char* unit) const {
-  const double value = number(unit);
-  if (value <= 0) fail("'" + name_ + "' must be greater than zero; give a " + with_unit(unit));
-  return value;
-}
-
-double Value::not_negative(const char* unit) const {
-  const double value = number(unit);
-  if (value < 0) fail("'" + name_ + "' must not be negative; give zero or a " + with_unit(unit));
-  return value;
+int Value::integer() const {
+  return integer(static_cast<int>(key_->low), static_cast<int>(key_->high));
 }
 
 int Value::integer(int low, int high) const {
@@ -137,6 +176,11 @@ std::string Value::string() const {
   if (!node_->is_string()) wrong_type("a string");
   const std::string& text = node_->as_string()->get();
   require_plain(*file_, node_->source().begin, "'" + name_ + "'", on_one_line(text));
+  if (key_ != nullptr && !key_->words.empty()) {
+    std::string kind(key_->name);
+    std::ranges::replace(kind, '_', ' ');
+    require_one(text, key_->words, kind);
+  }
   return text;
 }
 
@@ -146,18 +190,31 @@ std::string Value::non_empty_string() const {
   return text;
 }
 
-std::string Value::one_of(const Keys& choices, const char* kind) const {
-  std::string text = string();
-  if (std::ranges::find(choices, text) != choices.end()) return text;
-  fail("unknown " + std::string(kind) + " '" + text + "'; " + did_you_mean(text, choices) +
-       "known: " + quoted_list(choices));
+std::string Value::one_of(const Keys& choices, const std::string& kind) const {
+  const std::string text = string();
+  require_one(text, choices, kind);
+  return text;
+}
+
+void Value::require_one(const std::string& text, const Keys& choices,
+                        const std::string& kind) const {
+  if (std::ranges::find(choices, text) == choices.end())
+    fail("unknown " + kind + " '" + text + "'; " + did_you_mean(text, choices) +
+         "known: " + quoted_list(choices));
+}
+
+int Value::word() const {
+  return static_cast<int>(std::ranges::find(key_->words, string()) - key_->words.begin());
 }
 
 std::vector<double> Value::numbers(std::size_t count) const {
   const toml::array* items = node_->as_array();
+  if (node_->is_number())
+    fail("'" + name_ + "' is one number; give " + std::to_string(count) + ", as [" +
+         written(*node_) + ", ..]");
   if (items == nullptr || items->size() != count)
     wrong_type("an array of " + std::to_string(count) + " numbers");
-  return mapped(array(), [](const Value& item) { return item.number(); });
+  return mapped(array(), &Value::number);
 }
 
 Vec3d Value::vector3() const {
@@ -169,7 +226,7 @@ std::vector<Value> Value::array() const {
   if (!is_array()) wrong_type("an array");
   std::vector<Value> values;
   for (const toml::node& item : *node_->as_array())
-    values.emplace_back(*file_, item, name_ + "[" + std::to_string(values.size()) + "]");
+    values.push_back(part(item, name_ + "[" + std::to_string(values.size()) + "]"));
   return values;
 }
 
@@ -182,28 +239,51 @@ std::vector<Value> Value::array_of_tables() const {
   return values;
 }
 
-const Value& Value::table(const Keys& keys) const {
-  if (!is_table()) wrong_type("a table with the keys " + quoted_list(keys));
+Value Value::among(const Keys& tables) const {
+  Value some = *this;
+  some.tables_ = tables;
+  return some;
+}
+
+Value Value::table(const Keys& tables) const {
+  Keys known;
+  for (const std::string_view table : tables)
+    for (const Key& key : key_table(table).keys)
+      if (std::ranges::find(known, key.name) == known.end()) known.push_back(key.name);
+  if (!is_table()) wrong_type("a table with the keys " + quoted_list(known));
   const toml::key* first = nullptr;
   for (auto&& [key, item] : *node_->as_table()) {
-    if (std::ranges::find(keys, key.str()) != keys.end()) continue;
+    if (std::ranges::find(known, key.str()) != known.end()) continue;
     if (first == nullptr || key.source().begin < first->source().begin) first = &key;
   }
-  if (first != nullptr) fail_at(*file_, first->source().begin, unknown_key(first->str(), keys));
-  return *this;
+  if (first != nullptr)
+    fail_at(*file_, first->source().begin,
+            unknown(first->str(), *node_->as_table()->get(first->str()), known));
+  return among(tables);
 }
 
 std::optional<Value> Value::find(std::string_view key) const {
   const toml::table* table = node_->as_table();
   const toml::node* node = table == nullptr ? nullptr : table->get(key);
   if (node == nullptr) return std::nullopt;
-  return Value(*file_, *node, std::string(key));
+  const Key* known = nullptr;
+  for (const std::string_view name : tables_)
+    if (known == nullptr) known = key_table(name).find(key);
+  return Value(*file_, *node, std::string(key), known);
 }
 
-Value Value::require(std::string_view key, const std::string& example) const {
+Value Value::require(std::string_view key) const {
   if (std::optional<Value> found = find(key)) return *found;
+  std::string example;
+  for (const std::string_view table : tables_)
+    if (const Key* known = key_table(table).find(key)) example = known->example();
   const std::string where = name_.empty() ? "the file" : "'" + name_ + "'";
   fail("missing key '" + std::string(key) + "' in " + where + "; add " + example);
+}
+
+void Value::not_both(std::string_view one, std::string_view other) const {
+  if (const auto second = find(other); second && find(one))
+    second->fail("give '" + std::string(one) + "' or '" + std::string(other) + "', not both");
 }
 
 std::vector<Value> Value::members() const {
@@ -213,7 +293,7 @@ std::vector<Value> Value::members() const {
   std::vector<std::pair<toml::source_position, Value>> found;
   for (auto&& [key, node] : *table) {
     require_plain(*file_, key.source().begin, "this name", std::string(key.str()));
-    found.emplace_back(key.source().begin, Value(*file_, node, std::string(key.str())));
+    found.emplace_back(key.source().begin, part(node, std::string(key.str())));
   }
   std::ranges::stable_sort(found, std::less(), [](const auto& member) { return member.first; });
   return mapped(found, [](const auto& member) { return member.second; });

@@ -8,15 +8,6 @@
 
 namespace contactscope {
 namespace scenario_file {
-namespace {
-
-constexpr int kSmallestSide = 64;   // pixels
-constexpr int kLargestSide = 8192;  // pixels
-// Narrower and wider lenses give no useful picture.
-constexpr double kNarrowest = 1, kWidest = 150;  // degrees
-
-}  // namespace
-
 std::string read_title(const Value& value) {
   std::string text = value.string();
   const ParsedTitle parsed = parse_title(text);
@@ -54,7 +45,7 @@ std::vector<Word> read_words(const Value& value, const std::array<std::string_vi
 
 /// Metres of arrow per newton second.
 double read_impulse_scale(const Value& value) {
-  const double scale = value.positive("metres per newton second");
+  const double scale = value.number();
   const double decade = std::pow(10.0, std::floor(std::log10(scale) + 1e-9));
   const double leading = scale / decade;
   if (std::ranges::none_of(std::array{1.0, 2.0, 5.0},
@@ -75,50 +66,36 @@ View read_contact_plane(const Value& table) {
   }
   table.read("name", view.name, read_view_name);
   table.read("title", view.title, read_title);
-  table.read("choices", view.choices, integer_in(0, 64));
+  table.read("choices", view.choices);
   return view;
 }
 
 View read_view(const Value& value) {
-  const Value& table = value.table({"name", "eye", "target", "fov_degrees", "orthographic_height",
-                                    "focus", "story", "layers", "panels", "kind", "choices",
-                                    "impulse_scale", "title", "layout", "inset", "charts"});
-  const auto kind = table.find("kind");
-  if (kind && kind->one_of({"scene", "contact_plane"}, "kind") == "contact_plane")
-    return read_contact_plane(table);
+  const Value table = value.table({"views"});
+  View view = default_view();
+  table.read("kind", view.kind);
+  if (view.kind == ViewKind::ContactPlane) return read_contact_plane(table);
   if (const auto choices = table.find("choices"))
     choices->fail("'choices' is for a view of kind = \"contact_plane\"; set that kind");
-  View view = default_view();
   view.focus = Focus::Contact;  // a custom view should show the contact
   table.read("name", view.name, read_view_name);
   table.read("title", view.title, read_title);
-  table.read("eye", view.eye, read_position);
-  table.read("target", view.target, read_position);
+  table.read("eye", view.eye);
+  table.read("target", view.target);
   if (view.eye && view.target) {
     const double extent = std::max(view.eye->norm(), view.target->norm());
     if ((*view.eye - *view.target).norm() <= 1e-9 * extent)  // rounding leaves no direction
       table.find("eye")->fail(
           "'eye' and 'target' are the same point; move the eye away from the target");
   }
-  const auto fov = table.find("fov_degrees");
-  const auto height = table.find("orthographic_height");
-  if (fov && height) height->fail("give 'fov_degrees' or 'orthographic_height', not both");
-  if (fov) {
-    view.fov_degrees = fov->positive("degrees");
-    if (*view.fov_degrees < kNarrowest || *view.fov_degrees > kWidest)
-      fov->fail("'fov_degrees' is out of range; it may be 1 to 150");
-  }
-  if (height) view.orthographic_height = read_length(*height);
+  table.not_both("fov_degrees", "orthographic_height");
+  table.read("fov_degrees", view.fov_degrees);
+  table.read("orthographic_height", view.orthographic_height);
   table.read("impulse_scale", view.impulse_scale, read_impulse_scale);
-  table.read("focus", view.focus,
-             word_of<Focus>({"contact", "shapes", "deepest", "worst"}, "focus"));
-  view.side_by_side = [&] {
-    const auto layout = table.find("layout");
-    return layout && layout->one_of({"one", "side_by_side"}, "layout") == "side_by_side";
-  }();
-  table.read("inset", view.inset, &Value::boolean);
-  table.read("story", view.story,
-             word_of<Story>({"none", "clip_steps", "gjk_steps", "epa_steps"}, "story"));
+  table.read("focus", view.focus);
+  table.read("layout", view.side_by_side, &Value::word);
+  table.read("inset", view.inset);
+  table.read("story", view.story);
   table.read("layers", view.layers,
              [](const Value& layers) { return read_words<Layer>(layers, kLayerNames, "layer"); });
   table.read("panels", view.panels,
@@ -161,11 +138,11 @@ std::vector<View> read_views(const Value& value) {
 namespace {
 
 PictureLimits read_limits(const Value& value) {
-  const Value& table = value.table({"channel", "cluster", "total"});
+  const Value table = value.table({"limits"});
   PictureLimits limits;
-  table.read("channel", limits.channel, [](const Value& v) { return v.integer(0, 255); });
-  table.read("cluster", limits.cluster, [](const Value& v) { return v.integer(1, 1 << 26); });
-  table.read("total", limits.total, [](const Value& v) { return v.integer(0, 1 << 26); });
+  table.read("channel", limits.channel);
+  table.read("cluster", limits.cluster);
+  table.read("total", limits.total);
   return limits;
 }
 
@@ -178,7 +155,7 @@ SnapshotSettings read_snapshots(const std::optional<Value>& value, int frames,
     if (snapshots.frames.empty() || frame > snapshots.frames.back())
       snapshots.frames.push_back(frame);
   if (!value) return snapshots;
-  const Value& table = value->table({"frames", "size", "limits", "view_limits"});
+  const Value table = value->table({"snapshots"});
   if (const auto list = table.find("frames")) {
     snapshots.frames.clear();
     for (const Value& item : list->array()) {
@@ -193,8 +170,8 @@ SnapshotSettings read_snapshots(const std::optional<Value>& value, int frames,
   if (const auto size = table.find("size")) {
     const std::vector<Value> sides = size->array();
     if (sides.size() != 2) size->fail("'size' is width and height in pixels, such as [640, 360]");
-    snapshots.width = sides[0].integer(kSmallestSide, kLargestSide);
-    snapshots.height = sides[1].integer(kSmallestSide, kLargestSide);
+    snapshots.width = sides[0].integer();
+    snapshots.height = sides[1].integer();
   }
   table.read("limits", snapshots.limits, read_limits);
   if (const auto own = table.find("view_limits")) {

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "lint/causes.h"
 #include "scenario/nearest_word.h"
 
 namespace contactscope::shrink {
@@ -215,6 +216,14 @@ class Expression::Parser {
     return {Node::Kind::Constant, value, {}, {}, {}, {}};
   }
 
+  void require_cause(const std::string& cause) const {
+    const std::vector<std::string_view> known = lint::causes();
+    if (std::ranges::find(known, cause) != known.end()) return;
+    const std::string near = did_you_mean(cause, known);
+    fail("'" + cause + "' is not a cause of findings; " +
+         (near.empty() ? "known: " + quoted_list(known) : near));
+  }
+
   Node side() {
     Node named{Node::Kind::Fact, {}, token_, {}, {}, {}};
     if (token_.empty() || std::isalpha(static_cast<unsigned char>(token_.front())) == 0)
@@ -235,6 +244,7 @@ class Expression::Parser {
       named.side = token_.substr(0, dot);
       named.quantity = token_.substr(dot + 1);
     }
+    if (named.side == "lint" && !named.quantity.empty()) require_cause(named.quantity);
     const bool is_known =
         named.side == "lint" || named.side == "unmet" || quantities().contains(named.quantity);
     if (!is_known)

@@ -35,7 +35,12 @@ class Node {
 
   Node at(const char* key) const {
     if (auto found = find(key)) return *found;
-    throw Complaint{where() + " has no key '" + key + "'; a trace needs it"};
+    lacks(key, "");
+  }
+  /// Throws: a needed key is missing. `wanted` describes its value.
+  [[noreturn]] void lacks(const char* key, const std::string& wanted) const {
+    throw Complaint{where() + " has no key '" + key + "'; a trace needs it" +
+                    (wanted.empty() ? "" : ": ") + wanted};
   }
   /// Empty if the key is missing or null, which some writers use for "missing". The last of
   /// duplicate keys wins.

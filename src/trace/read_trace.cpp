@@ -4,13 +4,18 @@
 
 #include "core/input_error.h"
 #include "trace/json_line.h"
+#include "trace/reference.h"
 
 namespace contactscope::trace {
 namespace {
 
+/// Problems of a header; all are reported.
+using Problems = std::vector<std::string>;
+
 /// Sizes of the lists read so far in a fact and in those that contain it.
 struct Counts {
   const Counts* around = nullptr;
+  Problems* problems = nullptr;  // null: the first one is thrown
   std::vector<std::pair<std::string_view, std::size_t>> lists{};
 
   std::size_t of(std::string_view list) const {
@@ -22,7 +27,7 @@ struct Counts {
 };
 
 template <Listed T>
-T read(const Node& node, const Counts* around);
+T read(const Node& node, const Counts* around, Problems* problems = nullptr);
 
 template <class Owner, class V>
 struct Value {
@@ -50,7 +55,7 @@ struct Value {
   void read(const Node& node, T& value) const { read(node, value.emplace()); }
   template <Listed T>
   void read(const Node& node, T& value) const {
-    value = trace::read<T>(node, &counts);
+    value = trace::read<T>(node, &counts, counts.problems);
   }
   template <class T>
   void read(const Node& node, std::vector<T>& list) const {
@@ -86,35 +91,93 @@ void require_more(const Node& node, const Choice& choice) {
   for (const Node& measure : measures.items()) measure.at("edge");
 }
 
+/// Whether the needed key of a fact follows from other keys.
+template <class T>
+bool is_derived(const Node&, T&) {
+  return false;
+}
+/// The vertices of a shape: of a box from its half extents, of a sphere with a radius, of a plane.
+bool is_derived(const Node& node, Shape& shape) {
+  if (shape.type == "sphere" && node.find("radius")) shape.vertices = {Vec3d::Zero()};
+  if (const auto size = shape.type == "box" ? node.find("half_extents") : std::nullopt) {
+    const auto half = size->numbers<3>("must have three numbers");
+    for (const double z : {-half[2], half[2]})
+      for (const double y : {-half[1], half[1]})
+        for (const double x : {-half[0], half[0]}) shape.vertices.emplace_back(x, y, z);
+  }
+  return !shape.vertices.empty() || (shape.type == "plane" && node.find("half_space"));
+}
+
+/// The table of a fact in the reference.
+template <class T>
+constexpr const char* kTableOf = std::same_as<T, Header>     ? "Header"
+                                 : std::same_as<T, Shape>    ? "Shape"
+                                 : std::same_as<T, Frame>    ? "Frame"
+                                 : std::same_as<T, Pair>     ? "Pair"
+                                 : std::same_as<T, Manifold> ? "Manifold"
+                                 : std::same_as<T, Point>    ? "Point"
+                                                             : "";
+
+[[noreturn]] void report_missing(const Node& owner, const char* table, const char* key) {
+  const Key* const known = fact_key(table, key);
+  if (known == nullptr) owner.lacks(key, "");
+  const bool follows = known->otherwise != "needed";
+  owner.lacks(key, plain(known->type) + (follows ? "; or " + plain(known->otherwise) : ""));
+}
+
+/// Calls `part`, and keeps its complaint if there is a list of problems.
+template <class Part>
+void collecting(Problems* problems, const Part& part) {
+  try {
+    part();
+  } catch (const Complaint& complaint) {
+    if (problems == nullptr) throw;
+    problems->push_back(complaint.message);
+  }
+}
+
 template <Listed T>
-T read(const Node& node, const Counts* around) {
+T read(const Node& node, const Counts* around, Problems* problems) {
   T fact;
-  Counts counts{around};
+  Counts counts{around, problems};
   each_field<T>([&]<class V>(const Field<T, V>& field) {
-    V& value = fact.*field.member;
-    const Value<T, V> reader{field, counts};
-    if (field.is_object_key) return;
-    if (field.is_merged) return reader.read(node, value);
-    const Node owner = field.within != nullptr ? node.at(field.within) : node;
-    if (const auto found = field.needed() ? owner.at(field.key) : owner.find(field.key)) {
-      reader.read(*found, value);
-    } else if (field.otherwise != nullptr) {
-      field.otherwise(fact);
-    }
-    if constexpr (requires { value.push_back(value.front()); })
-      counts.lists.emplace_back(field.key, value.size());
+    const auto read_field = [&] {
+      V& value = fact.*field.member;
+      const Value<T, V> reader{field, counts};
+      if (field.is_object_key) return;
+      if (field.is_merged) return reader.read(node, value);
+      const Node owner = field.within != nullptr ? node.at(field.within) : node;
+      if (const auto found = owner.find(field.key)) {
+        reader.read(*found, value);
+      } else if (field.needed() && !is_derived(node, fact)) {
+        report_missing(owner, kTableOf<T>, field.key);
+      } else if (field.otherwise != nullptr) {
+        field.otherwise(fact);
+      }
+      if constexpr (requires { value.push_back(value.front()); })
+        counts.lists.emplace_back(field.key, value.size());
+    };
+    if constexpr (std::same_as<T, Header> || std::same_as<T, Shape>)
+      collecting(problems, read_field);
+    else
+      read_field();
   });
-  require_more(node, fact);
+  collecting(problems, [&] { require_more(node, fact); });
   return fact;
 }
 
-Header read_header(const Node& node) {
+/// Throws all problems at once.
+Header read_header(const Node& node, const std::string& place) {
   const Node schema = node.at("schema");
   const std::string name = schema.string();
-  if (name == kSchema) return read<Header>(node, nullptr);
   const std::string_view family(kSchema, std::string_view(kSchema).find('/') + 1);
-  schema.fail("is '" + name + "'; only '" + kSchema + "' can be read" +
-              (name.starts_with(family) ? ": update contactscope, or write that schema" : ""));
+  if (name != kSchema)
+    schema.fail("is '" + name + "'; only '" + kSchema + "' can be read" +
+                (name.starts_with(family) ? ": update contactscope, or write that schema" : ""));
+  Problems problems;
+  Header header = read<Header>(node, nullptr, &problems);
+  if (!problems.empty()) throw Complaint{in_lines(problems, place)};
+  return header;
 }
 
 bool is_blank(const std::string& line) {
@@ -123,9 +186,21 @@ bool is_blank(const std::string& line) {
 
 }  // namespace
 
+std::string in_lines(const std::vector<std::string>& problems, const std::string& place) {
+  constexpr std::size_t kMaxListed = 12;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(problems.size(), kMaxListed); ++i)
+    text += (i == 0 ? "" : "\n" + place) + problems[i];
+  if (problems.size() <= kMaxListed) return text;
+  return text + "\n" + place + "and " + std::to_string(problems.size() - kMaxListed) +
+         " more problems of this kind";
+}
+
 TraceReader::TraceReader(std::istream& in, std::string name)
     : in_(in), name_(std::move(name)), json_(std::make_unique<JsonLine>()) {
-  const bool any = next_line([&](const Node& line) { header_ = read_header(line); });
+  const bool any = next_line([&](const Node& line) {
+    header_ = read_header(line, name_ + ":" + std::to_string(number_) + ":1: ");
+  });
   if (!any)
     throw InputError(name_, 0, 0,
                      std::string("the trace is empty; its first line must be a header with "

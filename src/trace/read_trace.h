@@ -20,6 +20,9 @@ struct Torn {
   std::string why{};
 };
 
+/// One line for each problem, the second and further ones with their place in front.
+std::string in_lines(const std::vector<std::string>& problems, const std::string& place);
+
 /// Reads a trace frame by frame: memory depends on the largest frame, not on their number.
 class TraceReader {
  public:

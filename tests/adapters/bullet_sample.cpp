@@ -1,6 +1,6 @@
 // A stack of crates in Bullet, recorded: bullet_sample stack.jsonl
 #define CONTACTSCOPE_IMPLEMENTATION
-#include "adapters/bullet.h"
+#include <contactscope/adapters/bullet.h>
 
 int main(int count, char** arguments) {
   btDefaultCollisionConfiguration configuration;
@@ -10,7 +10,7 @@ int main(int count, char** arguments) {
   btDiscreteDynamicsWorld world(&dispatcher, &broadphase, &solver, &configuration);
   world.setGravity(btVector3(0, btScalar(-9.81), 0));
 
-  contactscope::BulletRecorder recorder(world, count > 1 ? arguments[1] : "stack.jsonl");
+  contactscope::BulletRecorder recorder(&world, count > 1 ? arguments[1] : "stack.jsonl");
 
   btStaticPlaneShape ground_shape(btVector3(0, 1, 0), 0);
   btRigidBody ground(btRigidBody::btRigidBodyConstructionInfo(0, nullptr, &ground_shape));

@@ -133,6 +133,51 @@ TEST(CommandLine, MisspeltWordsAreNamedWithTheNearest) {
               HasSubstr("did you mean 'shapes'?"));
 }
 
+TEST(CommandLine, OtherSpellingsAndMissingWordsAreNamedInTheSameForm) {
+  const std::pair<const char*, const char*> cases[] = {
+      {"render my.toml -o x", "render has no option -o; did you mean --out?"},
+      {"render my.toml --output x", "render has no option --output; did you mean --out?"},
+      {"render my.toml --eye 4 2 4", "have commas between them; write --eye 4,2,4"},
+      {"render my.toml --eye 4,a,4", "--eye '4,a,4': 'a' is not a number; write --eye X,Y,Z"},
+      {"render my.toml --jobs x", "--jobs 'x' is not a whole number; it may be 0 to 256"},
+      {"render my.toml --jobs -1", "--jobs is -1; it may be 0 to 256"},
+      {"render my.toml --fov wide", "--fov 'wide' is not a number; it may be 1 to 150"},
+      {"render my.toml --theme drak", "--theme 'drak' is not known; did you mean 'dark'?"},
+      {"render my.toml --out", "--out needs a value; write --out DIR"},
+      {"list layer", "WHAT 'layer' is not known; did you mean 'layers'?"},
+      {"trace a b", "trace takes only one argument, and 'b' is one more"},
+      {"trace", "trace needs a SCENARIO: A file or a name"},
+      {"review a", "review takes no argument, and 'a' is one more"},
+      {"", "give a verb; there is 'render'"},
+      {"shrink hull/face_contact --while lint.flipped_normal",
+       "'flipped_normal' is not a cause of findings; did you mean 'flipped_normals'?"},
+  };
+  for (const auto& [arguments, message] : cases) {
+    const ProgramRun result = run(arguments);
+    EXPECT_EQ(result.exit_code, 2) << arguments;
+    EXPECT_THAT(result.err, StartsWith("contactscope: ")) << arguments;
+    EXPECT_THAT(result.err, HasSubstr(message)) << arguments;
+  }
+}
+
+TEST(CommandLine, AFileIsNamedWithItsEnding) {
+  const TemporaryFolder folder;
+  folder.write("good.toml", small_scenario());
+  EXPECT_THAT(run("render '" + (folder / "good") + "'").err,
+              HasSubstr("no such file; did you mean " + (folder / "good.toml") + "?"));
+  EXPECT_THAT(run("render '" + (folder / "goood.toml") + "'").err, HasSubstr("did you mean"));
+}
+
+TEST(CommandLine, HelpPrintsTheKeysOfTheFormats) {
+  const std::string scenario = run("help scenario").out;
+  EXPECT_THAT(scenario,
+              HasSubstr("\n[solver]\n  iterations: 1 to 10000; default: 10\n      sweeps"));
+  EXPECT_THAT(scenario, HasSubstr("\nBox\n  half_extents: three numbers, 1e-9 to 1e9 m; required"));
+  const std::string trace = run("help trace").out;
+  EXPECT_THAT(trace, HasSubstr("--reducer"));
+  EXPECT_THAT(trace, HasSubstr("\nManifold\n  normal: three numbers; needed\n"));
+}
+
 TEST(CommandLine, NumberBeyondADoubleIsNamedAsOne) {
   const TemporaryFolder folder;
   folder.write("big.toml", "title = \"x\"\n[shapes.a]\ntype = \"sphere\"\nradius = 1e400\n");

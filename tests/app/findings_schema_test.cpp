@@ -1,7 +1,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -9,6 +8,7 @@
 #include <vector>
 
 #include "app/program.h"
+#include "support/json_schema.h"
 
 namespace contactscope::test {
 namespace {
@@ -18,75 +18,13 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::Not;
 
-/// The part of JSON Schema that findings.schema.json uses. An unknown keyword is an error of the
-/// schema, so that nothing in it remains unchecked.
-class Schema {
- public:
-  explicit Schema(Json whole) : whole_(std::move(whole)) {}
-
-  /// Places at which a document violates the schema.
-  std::vector<std::string> faults(const Json& document) const {
-    std::vector<std::string> found;
-    check(document, whole_, "", found);
-    return found;
-  }
-
- private:
-  static bool has_type(const Json& value, const std::string& type) {
-    if (type == "object") return value.is_object();
-    if (type == "array") return value.is_array();
-    if (type == "string") return value.is_string();
-    if (type == "boolean") return value.is_boolean();
-    return type == "integer" && value.is_number_integer();
-  }
-
-  void check(const Json& value, const Json& schema, const std::string& at,
-             std::vector<std::string>& found) const {
-    const auto fault = [&](const std::string& what) { found.push_back(at + ": " + what); };
-    for (const auto& [word, said] : schema.items()) {
-      if (word == "$ref")
-        check(value, whole_.at(Json::json_pointer(said.get<std::string>().substr(1))), at, found);
-      else if (word == "type")
-        has_type(value, said) ? void() : fault("no " + said.get<std::string>());
-      else if (word == "const")
-        value == said ? void() : fault("is another");
-      else if (word == "enum")
-        std::ranges::count(said, value) > 0 ? void() : fault(value.dump() + " is no such word");
-      else if (word == "minimum")
-        value >= said ? void() : fault("too small");
-      else if (word == "required")
-        for (const std::string key : said) value.contains(key) ? void() : fault("no " + key);
-      else if (word == "items")
-        for (const Json& item : value) check(item, said, at + "/-", found);
-      else if (word == "properties" || word == "additionalProperties")
-        check_members(value, schema, at, word == "properties", found);
-      else if (word != "$schema" && word != "$defs" && word != "title" && word != "description")
-        ADD_FAILURE() << "this test does not know '" << word << "'";
-    }
-  }
-
-  void check_members(const Json& value, const Json& schema, const std::string& at, bool are_listed,
-                     std::vector<std::string>& found) const {
-    const Json listed = schema.value("properties", Json::object());
-    for (const auto& [key, member] : value.items()) {
-      if (listed.contains(key) != are_listed) continue;
-      const Json& said = are_listed ? listed.at(key) : schema.at("additionalProperties");
-      if (said.is_boolean())
-        said.get<bool>() ? void() : found.push_back(at + ": '" + key + "' is not listed");
-      else
-        check(member, said, at + "/" + key, found);
-    }
-  }
-
-  Json whole_;
-};
-
-Schema findings_schema() {
-  return Schema(Json::parse(read_text(CONTACTSCOPE_SOURCE_DIR "/src/trace/findings.schema.json")));
+JsonSchema findings_schema() {
+  return JsonSchema(
+      Json::parse(read_text(CONTACTSCOPE_SOURCE_DIR "/src/trace/findings.schema.json")));
 }
 
 TEST(FindingsSchema, EveryKindOfFindingMatchesIt) {
-  const Schema schema = findings_schema();
+  const JsonSchema schema = findings_schema();
   const TemporaryFolder folder;
   const auto store = [&](const std::string& name, const std::string& text) {
     folder.write("scenarios/group/" + name + ".toml", text);
@@ -130,7 +68,7 @@ TEST(FindingsSchema, EveryKindOfFindingMatchesIt) {
 }
 
 TEST(FindingsSchema, DeviationsFromTheSchemaAreFaults) {
-  const Schema schema = findings_schema();
+  const JsonSchema schema = findings_schema();
   Json document = Json::parse(
       R"({"schema": "contactscope.check/1", "snapshots": "s", "same": false, "summary": "",
           "counts": {"scenarios": 1, "same": 0, "failing": 1, "frames": 1, "pictures": 0, "written": 0,

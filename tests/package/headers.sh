@@ -18,3 +18,11 @@ for header in "$tree"/include/contactscope/*.h; do
   count=$((count + 1))
 done
 test $count -ge 9
+# Headers of engines need their engine, so only their places are looked up, with each set of flags.
+for flags in "-I$tree/include" "$(PKG_CONFIG_PATH=$(dirname "$(find "$tree" -name contactscope-recorder.pc)") \
+    pkg-config --cflags contactscope-recorder)"; do
+  # shellcheck disable=SC2086  # $flags is a list of words
+  echo "#if !__has_include(<contactscope/adapters/bullet.h>) || !__has_include(<contactscope/recorder/contactscope.h>)
+#error
+#endif" | "$cxx" $flags -fsyntax-only -x c++ -
+done

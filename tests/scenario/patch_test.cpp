@@ -109,7 +109,7 @@ INSTANTIATE_TEST_SUITE_P(
         Broken{"NotFinite", "[[patch]]\nnormal = [0, 1, 0]\npoints = [[0, 0, 0, nan]]\n", "3:21",
                "not a number (nan)"},
         Broken{"TooFar", "[[patch]]\nnormal = [0, 1, 0]\npoints = [[0, 0, 2e9, 0]]\n", "3:18",
-               "too far away"},
+               "it may be -1e9 to 1e9 m"},
         Broken{"SameName", five("name = \"x\"\n" + five("name = \"x\"\n")), "5:1",
                "two patches are named 'x'"},
         Broken{"BesideShapes", five("[shapes.a]\ntype = \"sphere\"\nradius = 1\n"), "4:1",

@@ -313,12 +313,14 @@ class Checker {
   snapshot::Policy policy_;
 };
 
-/// Outcome of a scenario that could not be compared; `why` starts with the place in its file.
+/// Outcome of a scenario that could not be compared; each line of `why` starts with a place in its file.
 ScenarioOutcome unreadable(const Input& input, const std::string& why) {
   ScenarioOutcome outcome{input.scenario.name,
                           input.file.empty() ? input.scenario.path : input.file};
   Finding finding{FindingKind::UnreadableScenario, input.scenario.name};
-  finding.sentence = why;
+  std::istringstream lines(why);
+  std::getline(lines, finding.sentence);
+  for (std::string line; std::getline(lines, line);) finding.details.push_back(line);
   finding.cause = "unreadable scenario " + input.scenario.name;
   outcome.findings.push_back(std::move(finding));
   return outcome;

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "app/cli/narrow.h"
+#include "app/cli/option_readers.h"
 #include "core/at.h"
 #include "core/input_error.h"
 #include "core/input_file.h"
@@ -66,8 +67,17 @@ std::vector<std::string> files_named(const std::string& argument, const Options&
     for (const std::string& file : scenario_files(root))
       names.push_back(fs::path(file).lexically_relative(root).replace_extension().string());
   }
-  const std::string near =
-      nearest(argument, std::vector<std::string_view>(names.begin(), names.end()));
+  // Files next to it: one of this name with an ending comes first.
+  const fs::path folder = fs::path(argument).parent_path();
+  std::string near;
+  for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder, unknown)) {
+    const std::string ending = entry.path().extension().string();
+    if (ending != ".toml" && ending != ".jsonl") continue;
+    names.push_back((folder / entry.path().filename()).string());
+    if (fs::path(names.back()).replace_extension() == argument) near = names.back();
+  }
+  if (near.empty())
+    near = nearest(argument, std::vector<std::string_view>(names.begin(), names.end()));
   throw InputError(argument, 0, 0,
                    "no such file; " +
                        (near.empty() ? "" : "did you mean " + near + "? Otherwise ") +
@@ -164,9 +174,7 @@ void override_views(std::vector<View>& views, const Options& options) {
 }  // namespace
 
 void require_reducer(const std::string& name) {
-  if (std::ranges::find(reducers(), name, &ReducerInfo::name) == reducers().end())
-    throw UsageError("--reducer '" + name + "' is not a reducer; there are " +
-                     names_of(reducers()));
+  word_in("--reducer", name, names_in(reducers()));
 }
 
 std::string installed_scenarios() {

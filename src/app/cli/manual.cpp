@@ -3,6 +3,8 @@
 #include <sstream>
 
 #include "app/cli/verbs.h"
+#include "scenario/keys.h"
+#include "trace/reference.h"
 
 namespace contactscope::app {
 namespace {
@@ -108,6 +110,17 @@ std::string manual(const std::string& what, const std::string& version) {
   if (what == "zsh") return zsh_completion();
   if (what == "fish") return fish_completion();
   throw UsageError("--manual '" + what + "' is not known; it is man, bash, zsh or fish");
+}
+
+std::string reference(const std::string& what) {
+  if (what == "scenario") {
+    return "A scenario is a TOML file, GROUP/IDEA.toml. Its keys:\n\n" +
+           printed(scenario_file::key_tables()) +
+           "\ncontactscope list prints the names of layers, panels and reducers.\n";
+  }
+  if (what != "trace") return {};
+  return "\nA trace is JSON lines: a header, then one line for each frame. Its keys:\n\n" +
+         printed(trace::fact_tables());
 }
 
 }  // namespace contactscope::app

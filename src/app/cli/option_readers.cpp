@@ -1,5 +1,6 @@
 #include "app/cli/option_readers.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstdio>
@@ -29,23 +30,26 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   }
 }
 
-template <class Word, std::size_t N>
+template <class Word, class Names>
 std::vector<Word> parse_words(const std::string& option, const std::string& text,
-                              const std::array<std::string_view, N>& known) {
+                              const Names& names) {
   if (text == "none") return {};
   return mapped(split(text, ','), [&](std::string_view part) {
     const std::string name(part);
     if (name == "none") throw UsageError(option + " 'none' excludes all others; leave them out");
-    if (const std::optional<Word> word = word_named<Word>(known, name)) return *word;
-    const std::vector<std::string_view> all(known.begin(), known.end());
-    const std::string near = nearest(name, all);
-    throw UsageError(
-        option + " '" + name + "' is not known; " +
-        (near.empty() ? "there is " + quoted_list(all) : "did you mean '" + near + "'?"));
+    return static_cast<Word>(word_in(option, name, {names.begin(), names.end()}));
   });
 }
 
 }  // namespace
+
+std::size_t word_in(const std::string& option, const std::string& text,
+                    const std::vector<std::string_view>& known) {
+  const auto found = std::ranges::find(known, text);
+  if (found != known.end()) return static_cast<std::size_t>(found - known.begin());
+  throw UsageError(option + " '" + text + "' is not known; " + did_you_mean(text, known) +
+                   "there is " + quoted_list(known));
+}
 
 FrameRange parse_frames(const std::string& option, const std::string& text) {
   const std::vector<std::string_view> parts = split(text, ':');
@@ -90,10 +94,7 @@ double parse_orthographic(const std::string& option, const std::string& text) {
 }
 
 gl::Backend parse_backend(const std::string& option, const std::string& text) {
-  if (text == "auto") return gl::Backend::Auto;
-  if (text == "egl") return gl::Backend::Egl;
-  if (text == "osmesa") return gl::Backend::Osmesa;
-  throw UsageError(option + " '" + text + "' is not an OpenGL backend; write auto, egl or osmesa");
+  return static_cast<gl::Backend>(word_in(option, text, {"auto", "egl", "osmesa"}));
 }
 
 snapshot::Update parse_update(const std::string& option, const std::string& text) {
@@ -152,12 +153,8 @@ draw::Color parse_background(const std::string& option, const std::string& text)
 }
 
 draw::Theme parse_theme(const std::string& option, const std::string& text) {
-  const std::vector<std::string_view> names(draw::kThemeNames.begin(), draw::kThemeNames.end());
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (text == names[i]) return static_cast<draw::Theme>(i);
-  }
-  throw UsageError(option + " '" + text + "' is not known; " + did_you_mean(text, names) +
-                   "there is " + quoted_list(names));
+  return static_cast<draw::Theme>(
+      word_in(option, text, {draw::kThemeNames.begin(), draw::kThemeNames.end()}));
 }
 
 }  // namespace contactscope::app

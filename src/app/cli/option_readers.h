@@ -11,6 +11,10 @@
 /// name of the option and a remedy.
 namespace contactscope::app {
 
+/// Position of a word among those of an option. Throws UsageError with the nearest and all of them.
+std::size_t word_in(const std::string& option, const std::string& text,
+                    const std::vector<std::string_view>& known);
+
 Size parse_size(const std::string& option, const std::string& text);
 FrameRange parse_frames(const std::string& option, const std::string& text);
 /// Metres; 0: fitted.

@@ -105,7 +105,9 @@ const std::vector<Option>& option_table() {
        "texts "
        "in pictures",
        only(kListed)},
-      {"[VERB]", "", "help", &Options::what, "A verb that contactscope --help lists"},
+      {"[VERB]", "", "help", &Options::what,
+       "A verb that contactscope --help lists; or scenario, for all keys of a scenario. trace also "
+       "prints those of a trace"},
 
       {"--engines", "NAME,...", "versus", &Options::engines,
        "Engines, as contactscope,bullet; default: all that are found"},

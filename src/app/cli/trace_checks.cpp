@@ -14,6 +14,8 @@
 #include "geometry/hull_builder.h"
 #include "scenario/nearest_word.h"
 #include "snapshot/store.h"
+#include "trace/read_trace.h"
+#include "trace/reference.h"
 
 namespace contactscope::app {
 namespace {
@@ -34,6 +36,14 @@ void require(bool is_right, const std::string& otherwise) {
 template <std::invocable Words>
 void require(bool is_right, const Words& otherwise) {
   if (!is_right) throw Wrong{otherwise()};
+}
+
+/// A text that is one of the words of its key.
+template <class Place>
+void require_word(const Key& key, const std::string& text, const Place& place) {
+  require(std::ranges::find(key.words, text) != key.words.end(), [&] {
+    return place() + " is '" + text + "'; it may be " + quoted_list(key.words, " or ");
+  });
 }
 
 /// Faces of a convex shape listed clockwise have all other vertices in front of them.
@@ -139,34 +149,48 @@ bool is_kind(const std::string& kind) {
 
 }  // namespace
 
-TraceChecks::TraceChecks(trace::Header& header) : header_(header) {
+TraceChecks::TraceChecks(trace::Header& header, const std::string& place) : header_(header) {
+  std::vector<std::string> problems;
+  const auto expect = [&](bool is_right, const std::string& otherwise) {
+    if (!is_right) problems.push_back(printable(otherwise));
+  };
+  const auto each = [&](const auto& check) {
+    try {
+      check();
+    } catch (const Wrong& wrong) {
+      problems.push_back(printable(wrong.text));
+    }
+  };
   try {
     snapshot::scenario_folder("", header.scenario);
   } catch (const std::invalid_argument&) {
-    throw Wrong{"'scenario' is '" + header.scenario +
-                "'; write it as GROUP/IDEA, which is where its pictures go"};
+    expect(false, "'scenario' is '" + header.scenario +
+                      "'; write it as GROUP/IDEA, which is where its pictures go");
   }
-  require_plain("'scenario'", header.scenario);
-  require_plain("'title'", header.title);
-  require_plain("'source'", header.source);
-  require_plain("'engine'", header.engine);
-  require(header.poses_at.empty() || header.poses_at == "before_step" ||
-              header.poses_at == "after_step",
-          "'poses_at' is '" + header.poses_at + "'; it may be 'before_step' or 'after_step'");
+  for (const auto& [key, text] :
+       {std::pair("'scenario'", &header.scenario), std::pair("'title'", &header.title),
+        std::pair("'source'", &header.source), std::pair("'engine'", &header.engine)})
+    each([&, &name = key, &written = text] { require_plain(name, *written); });
+  for (const auto& [key, text] : {std::pair("poses_at", &header.poses_at),
+                                  std::pair("up", &header.up), std::pair("scalar", &header.scalar)})
+    each([&, &name = key, &written = text] {
+      if (name != std::string_view("poses_at") || !written->empty())
+        require_word(*trace::fact_key("Header", name), *written,
+                     [&] { return "'" + std::string(name) + "'"; });
+    });
   if (const std::optional<trace::ImpulseConvention>& impulses = header.impulses) {
-    require(impulses->unit == "N s" || impulses->unit == "N",
-            "'impulses.unit' is '" + impulses->unit + "'; it may be 'N s', or 'N' of forces");
-    require(impulses->on == "b" || impulses->on == "a",
-            "'impulses.on' is '" + impulses->on + "'; it may be 'a' or 'b'");
-    require(impulses->unit == "N s" || (impulses->step > 0 && std::isfinite(impulses->step)),
-            "'impulses.unit' is 'N', and 'impulses.step' is missing: forces need the seconds of a "
-            "step, such as 0.0166667");
+    expect(impulses->unit == "N s" || impulses->unit == "N",
+           "'impulses.unit' is '" + impulses->unit + "'; it may be 'N s', or 'N' of forces");
+    expect(impulses->on == "b" || impulses->on == "a",
+           "'impulses.on' is '" + impulses->on + "'; it may be 'a' or 'b'");
+    expect(impulses->unit != "N" || (impulses->step > 0 && std::isfinite(impulses->step)),
+           "'impulses.unit' is 'N', and 'impulses.step' is missing: forces need the seconds of a "
+           "step, such as 0.0166667");
   }
-  require(header.up == "y" || header.up == "z",
-          "'up' is '" + header.up + "'; it may be 'y' or 'z'");
   std::vector<trace::Shape> shapes = std::move(header.shapes);
   header.shapes.clear();
-  for (trace::Shape& shape : shapes) add(std::move(shape));
+  for (trace::Shape& shape : shapes) each([&] { add(std::move(shape)); });
+  if (!problems.empty()) throw Wrong{trace::in_lines(problems, place)};
 }
 
 void TraceChecks::add(trace::Shape shape) {
@@ -216,9 +240,9 @@ void TraceChecks::pair(std::size_t index, const trace::Pair& pair) const {
   const trace::Shape& b = named(pair.b, [&] { return place(".b"); });
   require_plain("the label of a pair", pair.label);
   require(&a != &b, [&] { return place(": 'a' and 'b' are the same shape; a pair needs two"); });
-  require(pair.state == "touching" || pair.state == "separated", [&] {
-    return place(".state is '") + pair.state + "'; it may be 'touching' or 'separated'";
-  });
+  static const Key &state = *trace::fact_key("Pair", "state"),
+                   &axis = *trace::fact_key("Manifold", "axis");
+  require_word(state, pair.state, [&] { return place(".state"); });
   require(is_kind(pair.kind), [&] {
     return place(".kind is '") + pair.kind +
            "'; it is two of 'sphere', 'capsule', 'hull', 'mesh', 'plane' and "
@@ -227,14 +251,7 @@ void TraceChecks::pair(std::size_t index, const trace::Pair& pair) const {
   for (std::size_t i = 0; i < pair.manifolds.size(); ++i) {
     const trace::Manifold& manifold = pair.manifolds[i];
     const auto one = [&] { return place(".manifolds[") + std::to_string(i) + "]"; };
-    const std::string& axis = manifold.axis;
-    require(axis.empty() || axis == "face_a" || axis == "face_b" || axis == "edge_edge" ||
-                axis == "closest_points",
-            [&] {
-              return one() + ".axis is '" + axis +
-                     "'; it may be 'face_a', 'face_b', 'edge_edge' or 'closest_points', or left "
-                     "out";
-            });
+    if (!manifold.axis.empty()) require_word(axis, manifold.axis, [&] { return one() + ".axis"; });
     const double length = manifold.normal.norm();
     require(is_unit(length), [&] {
       return one() + ".normal has length " + spelled("%.4g", length) +

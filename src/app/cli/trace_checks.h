@@ -15,8 +15,9 @@ class TraceChecks {
     std::string text;
   };
 
-  /// Adds convex hull faces to hulls without faces. Keeps a reference to header. Throws Wrong.
-  explicit TraceChecks(trace::Header& header);
+  /// Adds convex hull faces to hulls without faces. Keeps a reference to header. Throws Wrong with all
+  /// problems, each in a line; the second and further ones have `place` in front.
+  TraceChecks(trace::Header& header, const std::string& place);
 
   /// Checks the next frame and adds its shapes to the header. Throws Wrong.
   void frame(trace::Frame& frame);

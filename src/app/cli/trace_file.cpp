@@ -112,10 +112,10 @@ void TraceFile::begin() {
   }
   header_ = reader_->header();
   try {
-    checks_.emplace(header_);
+    checks_.emplace(header_, name_ + ":" + std::to_string(reader_->line()) + ":1: ");
     header_.impulses.reset();
   } catch (const TraceChecks::Wrong& wrong) {
-    throw InputError(name_, reader_->line(), 1, printable(wrong.text));
+    throw InputError(name_, reader_->line(), 1, wrong.text);
   }
 }
 

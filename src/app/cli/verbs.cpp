@@ -2,7 +2,12 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
+#include <optional>
+#include <sstream>
+#include <utility>
 
+#include "app/cli/option_readers.h"
 #include "scenario/nearest_word.h"
 
 namespace contactscope::app {
@@ -14,10 +19,12 @@ Verb render_verb(), trace_verb(), check_verb(), explore_verb(), study_verb(), do
 
 /// main.cpp turns `help render` into `render --help`.
 Verb help_verb() {
-  return {"help", "Print the options of a verb, with examples; or the verbs",
+  return {"help",
+          "Print the options of a verb, with examples; the verbs; or the keys of a scenario",
           [](const Options&) { return ExitCode::Same; },
           "Examples:\n"
           "  contactscope help check\n"
+          "  contactscope help scenario\n"
           "Exit codes: 0 done, 2 there is no such verb."};
 }
 
@@ -56,8 +63,8 @@ std::string option_name(const std::string& argument) {
   if (!option_name(word).empty())
     throw UsageError("'" + word + "' is before the verb; write contactscope VERB " + word +
                      ", where VERB is one of " + quoted_list(names));
-  throw UsageError("'" + word + "' is not a verb; " + did_you_mean(word, names) + "there is " +
-                   quoted_list(names));
+  throw UsageError((word.empty() ? "give a verb; " : "'" + word + "' is not a verb; ") +
+                   did_you_mean(word, names) + "there is " + quoted_list(names));
 }
 
 [[noreturn]] void refuse_option(const std::string& option, const Verb& verb) {
@@ -75,21 +82,116 @@ std::string option_name(const std::string& argument) {
   throw UsageError(what + "it has " + quoted_list(known));
 }
 
+/// Reads all of a text as a number.
+template <class Number>
+std::optional<Number> number_in(const std::string& text) {
+  Number number{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return error == std::errc() && end == text.data() + text.size() ? std::optional(number)
+                                                                  : std::nullopt;
+}
+
+template <class Number>
+void check_number(const Option& option, const std::string& text) {
+  const std::optional<Number> number = number_in<Number>(text);
+  const auto [low, high] = std::pair(option.values.min, option.values.max);
+  std::ostringstream limits;
+  limits.precision(10);
+  if (low < high) limits << "; it may be " << low << " to " << high;
+  const char* const kind =
+      std::is_integral_v<Number> ? "' is not a whole number" : "' is not a number";
+  if (!number) throw UsageError(option.name() + " '" + text + kind + limits.str());
+  const auto value = static_cast<double>(*number);
+  if (low < high && !(value >= low && value <= high))
+    throw UsageError(option.name() + " is " + text + limits.str());
+}
+
+/// Checks the text of an option or argument: a number, or one of its words.
+void check_value(const Option& option, const std::string& text) {
+  if (option.values.is_closed)
+    word_in(option.name(), text, {option.values.words.begin(), option.values.words.end()});
+  std::visit(
+      [&](auto to) {
+        using To = decltype(to);
+        if constexpr (std::is_same_v<To, int Options::*> ||
+                      std::is_same_v<To, std::optional<int> Options::*>)
+          check_number<int>(option, text);
+        else if constexpr (std::is_same_v<To, std::uint64_t Options::*>)
+          check_number<std::uint64_t>(option, text);
+        else if constexpr (std::is_same_v<To, double Options::*> ||
+                           std::is_same_v<To, std::optional<double> Options::*>)
+          check_number<double>(option, text);
+      },
+      option.to);
+}
+
+/// Checks the arguments that are not options: their number, and the words of those that have some.
+void check_positional(const Verb& verb, const std::vector<std::string>& given) {
+  std::size_t next = 0;
+  for (const Option* option : options_of(verb.name)) {
+    if (!option->is_argument()) continue;
+    if (next < given.size())
+      check_value(*option, given[next++]);
+    else if (option->is_required())
+      throw UsageError(verb.name + " needs a " + option->name() + ": " + option->help);
+    if (option->repeats()) return;
+  }
+  if (next < given.size())
+    throw UsageError(verb.name + (next == 0 ? " takes no argument" : " takes only one argument") +
+                     ", and '" + given[next] + "' is one more; leave it out" +
+                     (next == 0 ? "" : ", or run the verb once for each"));
+}
+
 }  // namespace
 
 void check_usage(const std::vector<std::string>& arguments) {
-  if (arguments.empty()) return;
+  if (arguments.empty()) refuse_verb("");
   const std::string& word = arguments.front();
   const auto verb = std::ranges::find(verbs(), word, &Verb::name);
   if (verb == verbs().end()) {
     if (word != "--help" && word != "-h" && word != "--version") refuse_verb(word);
     return;
   }
+  std::vector<std::string> positional;
+  bool is_help = false;
   for (std::size_t i = 1; i < arguments.size(); ++i) {
-    if (arguments[i] == "--") return;  // the rest is positional
-    const std::string option = option_name(arguments[i]);
-    if (!option.empty() && !has_option(*verb, option)) refuse_option(option, *verb);
+    if (arguments[i] == "--") {
+      positional.insert(positional.end(), arguments.begin() + static_cast<std::ptrdiff_t>(i) + 1,
+                        arguments.end());
+      break;
+    }
+    const std::string name = option_name(arguments[i]);
+    if (name.empty()) {
+      positional.push_back(arguments[i]);
+      continue;
+    }
+    if (!has_option(*verb, name)) refuse_option(name, *verb);
+    const std::vector<const Option*> options = options_of(verb->name);
+    const auto option = std::ranges::find(options, name, &Option::name);
+    is_help = is_help || option == options.end();
+    if (option == options.end() || !(*option)->takes_value()) continue;
+    const std::size_t equals = arguments[i].find('=');
+    const bool is_next = equals == std::string::npos;
+    if (is_next && (++i == arguments.size() || has_option(*verb, option_name(arguments[i]))))
+      throw UsageError(name + " needs a value; write " + name + " " + (*option)->value);
+    const std::string value = is_next ? arguments[i] : arguments[i].substr(equals + 1);
+    if (!std::holds_alternative<std::vector<double> Options::*>((*option)->to)) {
+      check_value(**option, value);
+      continue;
+    }
+    std::string with_commas = value;
+    while (i + 1 < arguments.size() && number_in<double>(arguments[i + 1]))
+      with_commas += "," + arguments[++i];
+    if (with_commas != value)
+      throw UsageError("the numbers of " + name + " have commas between them; write " + name + " " +
+                       with_commas);
+    std::istringstream parts(value);
+    for (std::string part; std::getline(parts, part, ',');)
+      if (!number_in<double>(part))
+        throw UsageError(name + " '" + value + "': '" + part + "' is not a number; write " + name +
+                         " " + (*option)->value);
   }
+  if (!is_help) check_positional(*verb, positional);
 }
 
 }  // namespace contactscope::app

@@ -24,9 +24,9 @@ const std::vector<Verb>& verbs();
 /// "--help", and the options of a verb.
 std::vector<std::string> option_names(const Verb& verb);
 
-/// Rejects unknown verbs and options with a suggestion, before the parser takes their values for
-/// positional arguments. `arguments` are without the program's name. Throws UsageError. Does not
-/// check the arguments of a verb.
+/// Rejects unknown verbs, options and words, values that are not the numbers of their option, and
+/// arguments that are missing or too many, with a suggestion. `arguments` are without the program's
+/// name. Throws UsageError.
 void check_usage(const std::vector<std::string>& arguments);
 
 }  // namespace contactscope::app

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "app/cli/catalogue.h"
+#include "app/cli/option_readers.h"
 #include "app/cli/progress.h"
 #include "app/cli/table.h"
 #include "app/cli/verbs.h"
@@ -23,10 +24,7 @@ namespace contactscope::app {
 namespace {
 
 const StudyInfo& find_study(const std::string& name) {
-  const auto found = std::ranges::find(studies(), name, &StudyInfo::name);
-  if (found != studies().end()) return *found;
-  throw UsageError("study '" + name + "' is not known; " + did_you_mean(name, names_in(studies())) +
-                   "there is " + names_of(studies()));
+  return studies()[word_in("study", name, names_in(studies()))];
 }
 
 /// Scenarios of a study; empty if it makes its own cases.

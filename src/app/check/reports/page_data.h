@@ -2,9 +2,9 @@
 
 #include <string_view>
 
-namespace contactscope::app {
+namespace contactscope {
 
 /// page.html, embedded by the build.
 std::string_view check_page();
 
-}  // namespace contactscope::app
+}  // namespace contactscope

@@ -1,0 +1,147 @@
+#include "core/key_table.h"
+
+#include <algorithm>
+#include <charconv>
+#include <limits>
+#include <optional>
+#include <regex>
+#include <utility>
+
+namespace contactscope {
+namespace {
+
+/// Calls `visit` with each part of the text.
+template <class Visit>
+void each_part(std::string_view text, std::string_view separator, const Visit& visit) {
+  while (true) {
+    const std::size_t end = text.find(separator);
+    visit(text.substr(0, end));
+    if (end == std::string_view::npos) return;
+    text.remove_prefix(end + separator.size());
+  }
+}
+
+/// The number that begins the text, and what follows it; nullopt if there is none.
+std::optional<std::pair<double, std::string_view>> number_in(std::string_view text) {
+  double number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc()) return std::nullopt;
+  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  return std::pair(number, text);
+}
+
+/// Finds "LOW to HIGH", "LOW or more", "more than LOW" or "more than LOW, up to HIGH" in the type.
+void read_range(Key& key) {
+  constexpr std::string_view kMoreThan = "more than ";
+  const std::size_t more = key.type.find(kMoreThan);
+  key.excludes_low = more != std::string_view::npos;
+  const std::size_t first = key.type.find_first_of("-0123456789");
+  const auto low = number_in(key.type.substr(std::min(first, key.type.size())));
+  if (!low) return;
+  const std::string_view to = key.excludes_low ? ", up to " : " to ";
+  const bool has_high = low->second.starts_with(to);
+  const auto high = has_high ? number_in(low->second.substr(to.size())) : std::nullopt;
+  if (!high && !key.excludes_low && !low->second.starts_with(" or more")) return;
+  key.low = low->first;
+  key.high = high ? high->first : std::numeric_limits<double>::infinity();
+  const std::size_t unit = key.type.size() - (high ? high->second : low->second).size();
+  const std::size_t begin = key.excludes_low ? more : first;
+  key.range = key.type.substr(begin, key.type.find(',', unit) - begin);
+}
+
+/// A line "| `a`, `b` | type | default | text |".
+Key parse_row(std::string_view line) {
+  line.remove_prefix(2);
+  line.remove_suffix(2);
+  Key key;
+  std::string_view* const cells[] = {&key.names, &key.type, &key.otherwise, &key.text};
+  std::size_t cell = 0;
+  each_part(line, " | ", [&](std::string_view part) {
+    if (cell < std::size(cells)) *cells[cell++] = part;
+  });
+  bool is_inside = false;
+  each_part(key.type, "\"", [&](std::string_view part) {
+    if (is_inside) key.words.push_back(part);
+    is_inside = !is_inside;
+  });
+  read_range(key);
+  return key;
+}
+
+/// Breaks a line before `width` columns.
+std::string wrapped(std::string_view text, std::string_view indent) {
+  constexpr std::size_t kWidth = 98;
+  std::string lines(indent);
+  std::size_t column = indent.size();
+  each_part(text, " ", [&](std::string_view word) {
+    if (column > indent.size() && column + 1 + word.size() > kWidth) {
+      lines.append("\n").append(indent);
+      column = indent.size();
+    }
+    if (column > indent.size()) lines += ' ';
+    lines += word;
+    column += 1 + word.size();
+  });
+  return lines + "\n";
+}
+
+}  // namespace
+
+std::string Key::example() const {
+  const std::size_t as = otherwise.find("as `");
+  std::string line = std::string(name) + " = ";
+  line += as == std::string_view::npos ? ".." : plain(otherwise.substr(as + 3));
+  return type.empty() ? line : line + " (" + plain(type) + ")";
+}
+
+const Key* KeyTable::find(std::string_view key) const {
+  const auto found = std::ranges::find(keys, key, &Key::name);
+  return found == keys.end() ? nullptr : &*found;
+}
+
+std::string plain(std::string_view markdown) {
+  static const std::regex mark("`|\\[([^\\]]*)\\]\\([^)]*\\)");  // or a link
+  return std::regex_replace(std::string(markdown), mark, "$1");
+}
+
+std::vector<KeyTable> parse_key_tables(std::string_view markdown) {
+  std::vector<KeyTable> tables;
+  std::string_view heading;
+  bool is_in_table = false;
+  each_part(markdown, "\n", [&](std::string_view line) {
+    if (line.starts_with('#')) heading = line.substr(line.find(' ') + 1);
+    const bool is_header = line.starts_with("| key | type | default |");
+    if (is_header) {
+      tables.push_back({plain(heading), heading, {}});
+      std::erase_if(tables.back().name, [](char c) { return c == '[' || c == ']'; });
+    } else if (is_in_table && line.starts_with("| `")) {
+      const Key row = parse_row(line);
+      each_part(row.names, ", ", [&](std::string_view name) {
+        tables.back().keys.push_back(row);
+        tables.back().keys.back().name = name.substr(1, name.size() - 2);
+      });
+    }
+    is_in_table = is_header || (is_in_table && line.starts_with('|'));
+  });
+  return tables;
+}
+
+std::string printed(const std::vector<KeyTable>& tables) {
+  std::string text;
+  for (const KeyTable& table : tables) {
+    text += (text.empty() ? "" : "\n") + plain(table.heading) + "\n";
+    for (std::size_t i = 0; i < table.keys.size(); ++i) {
+      const Key& key = table.keys[i];
+      if (i > 0 && key.names == table.keys[i - 1].names) continue;  // printed with that one
+      std::string line = plain(key.names) + ": " + plain(key.type);
+      if (key.otherwise.starts_with("required") || key.otherwise == "needed")
+        line += "; " + plain(key.otherwise);
+      else
+        line += "; default: " + plain(key.otherwise);
+      text += wrapped(line, "  ") + wrapped(plain(key.text), "      ");
+    }
+  }
+  return text;
+}
+
+}  // namespace contactscope
