@@ -45,7 +45,7 @@ struct LostSpot {
   double moved = 0;            // metres, b as seen from a
 };
 
-/// What is known of a pair from earlier frames.
+/// State of a pair in earlier frames.
 struct Known {
   Pose<double> b_in_a;
   std::vector<Spot> spots;  // of the frame before; empty: not reported there
@@ -70,7 +70,7 @@ class ContactsWatch final : public Watch {
   }
 
   void report(std::vector<Finding>& findings) override {
-    // Engines decide within rounding whether shapes touch. In long traces a few of these are no fault.
+    // Rounding decides whether shapes touch: in long traces a few of these are no fault.
     constexpr double kShare = 1e-4;
     pairs_.report("contacts of a pair vanish and return, and the shapes stay where they are",
                   "in these frames the pair has no contact: check the broad phase, caches that "

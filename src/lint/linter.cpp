@@ -141,7 +141,7 @@ std::vector<Finding> Linter::findings() {
   std::erase_if(all, [&](const Finding& finding) {
     return state_->options.ignores(finding.cause, finding.a, finding.b);
   });
-  // Under a mistake that is named, separations and impulses change in other ways than the poses.
+  // They follow from the mistake that is named.
   const bool is_explained = std::ranges::any_of(mistakes(), [&](const Mistake& mistake) {
     const auto found = std::ranges::find(all, mistake.name, &Finding::cause);
     return found != all.end() && is_reported(*found);

@@ -24,7 +24,7 @@ Aabb<double> box_of(const Placed& placed) {
   return {center - reach, center + reach};
 }
 
-/// Of shapes of any kind; empty if it cannot be computed. The normal is zero for meshes.
+/// For shapes of any kind; empty if it cannot be computed. The normal is zero for meshes.
 std::optional<Separation> separation_of(const Placed& a, const Placed& b) {
   if (const std::optional<Separation> best = best_separation(a, b)) return best;
   const std::optional<OwnContacts> own = own_contacts(a, b);

@@ -10,7 +10,7 @@
 
 namespace contactscope::lint {
 
-/// Of a sequence of any length an evenly spaced subset of up to kMax, and at least half as many.
+/// An evenly spaced subset of a sequence of any length: up to kMax, and at least half as many.
 template <class T, std::size_t kMax>
 class Thinned {
  public:
