@@ -63,7 +63,7 @@ class IdsWatch final : public Watch {
     changed_.report("ids change while nothing moves",
                     "name each point by the features that make it, not by its index or address: "
                     "solvers warm start from the point with the same id",
-                    1, 0, findings);
+                    1, 0.002, findings);
   }
 
  private:
