@@ -171,6 +171,10 @@ double tolerance_of(const Placed& a, const Placed& b) {
          b.solid->vagueness();
 }
 
+double Solids::tolerance_of(const Placed& a, const Placed& b) const {
+  return tolerance > 0 ? tolerance : lint::tolerance_of(a, b);
+}
+
 std::optional<Placed> place(const Solids& solids, const trace::Frame* frame,
                             const std::string& name, const Reading& reading) {
   const Solid* const solid = solids.find(name, reading.form);
@@ -195,7 +199,7 @@ std::optional<Verdict> judge(const Solids& solids, const Moments& frames, const 
   std::optional<Separation> best;
   if (reading.shape_scale == 1) best = best_separation(*a, *b);
   Verdict verdict;
-  verdict.tolerance = tolerance_of(*a, *b);
+  verdict.tolerance = solids.tolerance_of(*a, *b);
   const double tolerance = verdict.tolerance;
   WorstProblem worst(verdict);
   for (int m = 0; m < count_of(pair.manifolds); ++m) {

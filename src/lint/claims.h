@@ -2,6 +2,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -51,7 +52,11 @@ class Solids {
   /// The body of a shape; without one, the shape itself.
   const std::string& body_of(const std::string& name) const;
 
+  /// Allowed error of claims about two shapes, metres: `tolerance`, or tolerance_of() without it.
+  double tolerance_of(const Placed& a, const Placed& b) const;
+
   std::map<std::string, std::string> refused;  // reasons by name
+  double tolerance = 0;                        // metres; 0: not given
 
  private:
   std::map<std::string, trace::Shape> shapes_;
@@ -59,11 +64,16 @@ class Solids {
   mutable std::map<std::pair<std::string, Form>, Solid> reformed_;  // created on demand
 };
 
+struct LintOptions;
+
 /// A frame and its neighbours; nullptr if there is none.
 struct Moments {
   const trace::Frame* before = nullptr;
   const trace::Frame* now = nullptr;
   const trace::Frame* after = nullptr;
+  const LintOptions* options = nullptr;
+  /// Pairs of this frame whose errors a check over time explains.
+  std::set<const trace::Pair*>* explained = nullptr;
 };
 
 /// Pose of a shape in a frame under a reading; empty if there is none.

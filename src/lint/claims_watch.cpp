@@ -4,7 +4,7 @@
 #include <iterator>
 
 #include "core/at.h"
-#include "lint/watch.h"
+#include "lint/tally.h"
 #include "lint/wrong_pairs.h"
 
 namespace contactscope::lint {
@@ -15,6 +15,7 @@ constexpr int kTried = 1000;
 /// A few small errors are approximations of engines: leaning capsules, cut corners, points kept
 /// while bodies turn. Report errors only at this frequency, or beyond this many tolerances.
 constexpr double kOften = 0.02, kGross = 15;
+constexpr const char* kFewAndSmall = "2 %, or 15 tolerances";
 constexpr double kFewLeft = 0.25;
 /// Minimum share of the remaining wrong pairs for a cause, and minimum number if it may be chance.
 constexpr double kOfWrong = 0.3;
@@ -29,6 +30,15 @@ double common_depth(const Verdict& verdict) {
   const double middle = (least + most) / 2;
   const bool is_common = most - least <= std::max(verdict.tolerance, 0.1 * std::abs(middle));
   return is_common && std::abs(middle) > verdict.tolerance ? middle : 0;
+}
+
+/// Whether a mistake may be made in a single frame: not one of units, axes, shapes or moments.
+bool may_be_rare(const Reading& reading) {
+  Reading rare;
+  rare.normals_flipped = reading.normals_flipped;
+  rare.separations_negated = reading.separations_negated;
+  rare.sides_swapped = reading.sides_swapped;
+  return rare == reading;
 }
 
 /// Whether a form changes one of the two shapes.
@@ -152,7 +162,16 @@ class ClaimsWatch final : public Watch {
       const bool are_far = verdict->farthest > kFar * verdict->tolerance;
       if (all[e].reading.point_scale < 1 && !are_far) continue;
       const std::optional<Verdict> then = judge(solids, frames, pair, all[e].reading);
-      wrong.explained_by.set(e, then && kFixed * then->wrong <= verdict->wrong);
+      if (!then) continue;
+      // Or a gross error becomes one of an engine's approximations.
+      const bool is_smaller = wrong.gross && 2 * then->wrong <= verdict->wrong &&
+                              then->farthest <= kGross * then->tolerance;
+      wrong.explained_by.set(e, is_smaller || kFixed * then->wrong <= verdict->wrong);
+    }
+    if (frames.explained->contains(&pair)) {
+      for (std::size_t e = 0; e < std::min(all.size(), kMaxExplanations); ++e)
+        if (!may_be_rare(all[e].reading)) wrong.explained_by.reset(e);
+      if (wrong.explained_by.none()) return;
     }
     has_explained_ |= wrong.explained_by;
     wrong_.add(std::move(wrong));
@@ -182,10 +201,27 @@ class ClaimsWatch final : public Watch {
     }
   }
 
-  Finding finding(const std::string& cause, const std::string& what, const std::string& remedy,
-                  int count, const WrongPair& first) const {
-    return {cause,       what,    remedy,  count,      judged_, first.line,
-            first.frame, first.a, first.b, first.said, first.is};
+  /// The wrong pairs that are not reported yet and that fit; without a place if there are none.
+  template <class Fits>
+  Finding gathered(const std::string& cause, const std::string& what, const std::string& remedy,
+                   const Fits& fits) {
+    Finding finding{cause, what, remedy, 0, judged_};
+    const WrongPair* first = nullptr;
+    Marks marks;
+    for (const WrongPair& wrong : wrong_) {
+      if (wrong.record || !fits(wrong) || options_.ignores(cause, wrong.a, wrong.b)) continue;
+      finding.count += wrong.times;
+      marks.add({wrong.frame, wrong.line, wrong.a, wrong.b});
+      if (first == nullptr || (wrong.gross && !first->gross)) first = &wrong;
+    }
+    if (first == nullptr) return finding;
+    finding.line = first->line;
+    finding.frame = first->frame;
+    finding.a = first->a, finding.b = first->b;
+    finding.said = first->said, finding.is = first->is;
+    finding.marks = marks.kept();
+    if (!first->gross && finding.count < kOften * judged_) finding.below = kFewAndSmall;
+    return finding;
   }
 
   /// Reports the reading that makes most of the remaining wrong pairs right; of several the first,
@@ -205,6 +241,8 @@ class ClaimsWatch final : public Watch {
       // So do other axes, and another moment unless it explains at least half of all pairs.
       const bool moved = reading.moment != Moment::OfFrame && 2 * counts[e] < judged_;
       if ((several || moved || all[e].made[0]->alone) && counts[e] < kNoChance) counts[e] = 0;
+      // All points have one unit.
+      if (reading.point_scale != 1 && 2 * counts[e] < judged_) counts[e] = 0;
     }
     const auto most = std::ranges::max_element(counts);
     // One cause has many effects, so an explanation of few of many wrong pairs is chance.
@@ -212,18 +250,16 @@ class ClaimsWatch final : public Watch {
     // A simple one that explains nearly as many is more likely.
     const auto chosen = std::ranges::find_if(counts, [&](int n) { return n >= 0.9 * *most; });
     const auto e = static_cast<std::size_t>(chosen - counts.begin());
-    const WrongPair* first = nullptr;
-    for (const WrongPair& wrong : wrong_) {
-      if (wrong.record || !wrong.explained_by.test(e)) continue;
-      if (first == nullptr || (wrong.gross && !first->gross)) first = &wrong;
-    }
-    if (!first->gross && *chosen < kOften * judged_) return false;
-    for (WrongPair& wrong : wrong_) wrong.record = wrong.record || wrong.explained_by.test(e);
-    for (const Mistake* mistake : all[e].made) {
-      Finding one = finding(mistake->name, mistake->what, mistake->remedy, *chosen, *first);
+    const auto is_explained = [&](const WrongPair& wrong) { return wrong.explained_by.test(e); };
+    std::vector<Finding> named;
+    for (const Mistake* mistake : all[e].made)
+      named.push_back(gathered(mistake->name, mistake->what, mistake->remedy, is_explained));
+    if (!named.front().below.empty()) return false;
+    for (WrongPair& wrong : wrong_) wrong.record = wrong.record || is_explained(wrong);
+    for (Finding& one : named) {
       const auto same = std::ranges::find(findings, one.cause, &Finding::cause);
       if (same == findings.end()) {
-        findings.push_back(std::move(one));
+        if (one.count > 0) findings.push_back(std::move(one));
       } else if (same->line > 0) {
         same->count += one.count;
       }
@@ -247,18 +283,8 @@ class ClaimsWatch final : public Watch {
     const auto has_margin = [&](const WrongPair& wrong) {
       return !wrong.record && std::abs(wrong.deeper - margin) <= 0.1 * std::abs(margin);
     };
-    const WrongPair* first = nullptr;
-    int count = 0;
-    for (const WrongPair& wrong : wrong_) {
-      if (!has_margin(wrong)) continue;
-      count += wrong.times;
-      if (first == nullptr) first = &wrong;
-    }
-    // A single misplaced body has a depth too.
-    if (count < kOfWrong * wrong_.untold() || (count < kNoChance && 2 * count < judged_)) return;
-    for (WrongPair& wrong : wrong_) wrong.record = wrong.record || has_margin(wrong);
     const bool larger = margin > 0;
-    findings.push_back(finding(
+    Finding finding = gathered(
         larger ? "margin_added" : "margin_taken_off",
         "contacts fit shapes that are together " + metres(std::abs(margin)) +
             (larger ? " m larger" : " m smaller"),
@@ -266,20 +292,20 @@ class ClaimsWatch final : public Watch {
             ? "the engine adds a margin or radius: write the shapes with it (a hull may have a "
               "'radius' too), or find where it is added twice"
             : "the engine subtracts a margin, or shrinks a shape: write the shapes as they collide",
-        count, *first));
+        has_margin);
+    const int count = finding.count;
+    // A single misplaced body has a depth too.
+    if (count < kOfWrong * wrong_.untold() || (count < kNoChance && 2 * count < judged_)) return;
+    for (WrongPair& wrong : wrong_) wrong.record = wrong.record || has_margin(wrong);
+    finding.below.clear();
+    if (count > 0) findings.push_back(std::move(finding));
   }
 
   void report_unexplained(Wrong kind, std::vector<Finding>& findings) {
-    int count = 0;
-    const WrongPair* first = nullptr;
-    for (const WrongPair& wrong : wrong_) {
-      if (wrong.record || wrong.problem.kind != kind) continue;
-      count += wrong.times;
-      if (first == nullptr || (wrong.gross && !first->gross)) first = &wrong;
-    }
-    if (first == nullptr || (!first->gross && count < kOften * judged_)) return;
     const Words& words = kUnexplained[static_cast<int>(kind)];
-    findings.push_back(finding(words.cause, words.what, words.remedy, count, *first));
+    Finding finding = gathered(words.cause, words.what, words.remedy,
+                               [&](const WrongPair& wrong) { return wrong.problem.kind == kind; });
+    if (finding.count > 0) findings.push_back(std::move(finding));
   }
 
   static constexpr double kFactors[] = {-1, 0.5, 2};

@@ -56,15 +56,15 @@ class FrictionWatch final : public Watch {
   }
 
   void report(std::vector<Finding>& findings) override {
-    along_.report("friction_along_normal", "friction has a part along the normal",
+    along_.report("friction has a part along the normal",
                   "subtract it: friction - (friction . normal) normal; maybe friction holds the "
                   "whole impulse",
                   kFewest, 0.2, findings);
-    beyond_.report("friction_beyond_normal", "friction is many times the normal impulse",
+    beyond_.report("friction is many times the normal impulse",
                    "both are impulses over the step, in newton seconds: check their units", kFewest,
                    0.2, findings);
     forward_.report(
-        "friction_on_a", "friction accelerates the sliding",
+        "friction accelerates the sliding",
         "negate it: friction acts on b, as the normal impulse does, against the velocity "
         "of b relative to a",
         kFewest, 0.8, findings);
@@ -96,7 +96,8 @@ class FrictionWatch final : public Watch {
       });
   }
 
-  Tally along_, beyond_, forward_;
+  Tally along_{"friction_along_normal"}, beyond_{"friction_beyond_normal"},
+      forward_{"friction_on_a"};
 };
 
 }  // namespace

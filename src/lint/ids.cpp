@@ -2,7 +2,7 @@
 #include <map>
 #include <set>
 
-#include "lint/watch.h"
+#include "lint/tally.h"
 #include "trace/find.h"
 
 namespace contactscope::lint {
@@ -39,47 +39,31 @@ class IdsWatch final : public Watch {
       constexpr double kSamePlace = 1e-3;  // relative to the smaller shape
       const double near = kSamePlace * std::min(a->size(), b->size());
       if (!same_places(pair, *before, near)) continue;
-      ++still_;
+      ++changed_.of;
       if (ids == old) {
         see_swapped(frames, pair, *before, near);
         continue;
       }
-      ++changed_;
-      if (changed_ > 1) continue;
-      first_ = {"", "", "", 0, 0, frames.now->line, frames.now->frame, pair.a, pair.b, "", ""};
-      std::vector<std::string> now, then;
-      std::ranges::set_difference(ids, old, std::back_inserter(now));
-      std::ranges::set_difference(old, ids, std::back_inserter(then));
-      first_.said = "'" + now.front().substr(now.front().find(' ') + 1) + "'";
-      first_.is = "in the frame before, the point there was '" +
-                  then.front().substr(then.front().find(' ') + 1) + "'";
+      changed_.wrong(frames, pair.a, pair.b, [&] {
+        std::vector<std::string> now, then;
+        std::ranges::set_difference(ids, old, std::back_inserter(now));
+        std::ranges::set_difference(old, ids, std::back_inserter(then));
+        return std::pair("'" + now.front().substr(now.front().find(' ') + 1) + "'",
+                         "in the frame before, the point there was '" +
+                             then.front().substr(then.front().find(' ') + 1) + "'");
+      });
     }
   }
 
   void report(std::vector<Finding>& findings) override {
-    constexpr int kFewest = 3;
-    constexpr double kShare = 0.2;
-    if (alike_ >= kFewest && alike_ >= kShare * several_) {
-      Finding finding = first_alike_;
-      finding.cause = "ids_alike";
-      finding.what = "points of a manifold have the same id";
-      finding.remedy =
-          "name each point by the features that make it, or leave 'id' out: solvers warm start "
-          "from the point with the same id";
-      finding.count = alike_;
-      finding.of = several_;
-      findings.push_back(finding);
-    }
-    if (changed_ < kFewest || changed_ < kShare * still_) return;
-    Finding finding = first_;
-    finding.cause = "ids_change";
-    finding.what = "ids change while nothing moves";
-    finding.remedy =
-        "name each point by the features that make it, not by its index or address: solvers warm "
-        "start from the point with the same id";
-    finding.count = changed_;
-    finding.of = still_;
-    findings.push_back(finding);
+    alike_.report("points of a manifold have the same id",
+                  "name each point by the features that make it, or leave 'id' out: solvers warm "
+                  "start from the point with the same id",
+                  1, 0, findings);
+    changed_.report("ids change while nothing moves",
+                    "name each point by the features that make it, not by its index or address: "
+                    "solvers warm start from the point with the same id",
+                    1, 0.002, findings);
   }
 
  private:
@@ -94,13 +78,13 @@ class IdsWatch final : public Watch {
         names.insert(point.id);
       }
       if (named < 2) continue;
-      ++several_;
-      if (names.size() == named || alike_++ > 0) continue;
-      first_alike_ = {"",     "",     "", 0, 0, frames.now->line, frames.now->frame,
-                      pair.a, pair.b, "", ""};
-      first_alike_.said = std::to_string(named) + " points have " + std::to_string(names.size()) +
-                          (names.size() == 1 ? " id" : " ids");
-      first_alike_.is = "they are different points";
+      ++alike_.of;
+      if (names.size() == named) continue;
+      alike_.wrong(frames, pair.a, pair.b, [&] {
+        return std::pair(std::to_string(named) + " points have " + std::to_string(names.size()) +
+                             (names.size() == 1 ? " id" : " ids"),
+                         std::string("they are different points"));
+      });
     }
   }
 
@@ -119,11 +103,10 @@ class IdsWatch final : public Watch {
       const auto found = then.find(name);
       if (now.size() != 1 || found == then.end() || found->second.size() != 1) continue;
       if ((now.front() - found->second.front()).norm() <= near) continue;
-      if (changed_++ > 0) return;
-      first_ = {"", "", "", 0, 0, frames.now->line, frames.now->frame, pair.a, pair.b, "", ""};
-      first_.said = "'" + name.second + "' at " + spelled(now.front());
-      first_.is = "in the frame before, it was at " + spelled(found->second.front());
-      return;
+      return changed_.wrong(frames, pair.a, pair.b, [&] {
+        return std::pair("'" + name.second + "' at " + spelled(now.front()),
+                         "in the frame before, it was at " + spelled(found->second.front()));
+      });
     }
   }
 
@@ -140,9 +123,7 @@ class IdsWatch final : public Watch {
     return true;
   }
 
-  int still_ = 0, changed_ = 0;
-  int several_ = 0, alike_ = 0;
-  Finding first_, first_alike_;
+  Tally changed_{"ids_change"}, alike_{"ids_alike"};
 };
 
 }  // namespace

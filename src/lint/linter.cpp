@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 
 #include "core/at.h"
@@ -19,11 +20,53 @@ std::string spelled(const Vec3d& vector) {
   return "[" + metres(vector.x()) + ", " + metres(vector.y()) + ", " + metres(vector.z()) + "]";
 }
 
+bool LintOptions::ignores(const std::string& cause, const std::string& a,
+                          const std::string& b) const {
+  return std::ranges::any_of(ignored, [&](const Ignored& one) {
+    return one.cause == cause && (one.shape.empty() || one.shape == a || one.shape == b);
+  });
+}
+
+namespace {
+
+/// Mistakes that explain wrong claims come first, effects and unexplained claims late.
+int rank_of(const Finding& finding) {
+  if (!is_reported(finding)) return finding.is_hint ? 5 : 4;
+  const auto is = [&](auto... names) { return ((finding.cause == names) || ...); };
+  if (is("separation", "surface", "side", "normal", "deepest")) return 3;
+  if (is("pairs_flicker", "points_flicker", "impulses_flicker", "overlap_without_contact"))
+    return 2;
+  return is("poses_jump", "normals_jump", "depths_jump") ? 1 : 0;
+}
+
+/// Corners and edges are rounded by a margin.
+void add_hint(const trace::Shape& shape, std::vector<Finding>& hints) {
+  constexpr double kLarge = 0.25;
+  if (!(shape.margin > 0) || shape.vertices.empty()) return;
+  Vec3d lower = shape.vertices.front(), upper = lower;
+  for (const Vec3d& vertex : shape.vertices)
+    lower = lower.cwiseMin(vertex), upper = upper.cwiseMax(vertex);
+  const double share = shape.margin / ((upper - lower).minCoeff() / 2);
+  if (!(share > kLarge)) return;
+  hints.push_back({"large_margin",
+                   "the margin is " + metres(std::round(100 * share)) +
+                       " % of the smallest half extent of '" + shape.name + "'",
+                   "contacts at its corners and edges are off by as much: make the margin smaller",
+                   1, 0, 1, 0, shape.name});
+  hints.back().is_hint = true;
+}
+
+}  // namespace
+
 struct Linter::State {
-  State(const trace::Header& header, const LintOptions& options) {
-    for (const trace::Shape& shape : header.shapes) solids.add(shape);
+  State(const trace::Header& header, const LintOptions& given) : options(given) {
+    solids.tolerance = options.tolerance;
+    add(header.shapes);
+    // These come first: what they explain is no wrong claim.
+    if (!options.shapes_are_given) watches.push_back(watch_bodies_over_time());
+    watches.push_back(watch_contacts_over_time());
     watches.push_back(watch_claims(header, options));
-    watches.push_back(watch_overlaps());
+    watches.push_back(watch_overlaps(header));
     watches.push_back(watch_ids());
     watches.push_back(watch_records());
     watches.push_back(watch_friction());
@@ -32,6 +75,13 @@ struct Linter::State {
     watches.push_back(watch_rotations());
     watches.push_back(watch_velocities());
     watches.push_back(watch_motion(header));
+  }
+
+  void add(const std::vector<trace::Shape>& shapes) {
+    for (const trace::Shape& shape : shapes) {
+      solids.add(shape);
+      if (!options.shapes_are_given) add_hint(shape, hints);
+    }
   }
 
   /// Takes the next frame, null after the last one, and checks the one before it.
@@ -47,11 +97,14 @@ struct Linter::State {
     const auto neighbour = [&](const trace::Frame* frame, int offset) {
       return frame != nullptr && frame->frame == now->frame + offset ? frame : nullptr;
     };
-    const Moments moments{neighbour(before, -1), now, neighbour(after, 1)};
+    std::set<const trace::Pair*> explained;
+    const Moments moments{neighbour(before, -1), now, neighbour(after, 1), &options, &explained};
     for (const std::unique_ptr<Watch>& watch : watches) watch->see(solids, moments);
   }
 
+  LintOptions options;
   Solids solids;
+  std::vector<Finding> hints;
   std::vector<std::unique_ptr<Watch>> watches;
   const trace::Frame *before = nullptr, *now = nullptr, *after = nullptr;
   // These frames, unless the whole trace is in memory.
@@ -70,7 +123,7 @@ void Linter::frame(trace::Frame frame) {
 }
 
 void Linter::shapes(const std::vector<trace::Shape>& added) {
-  for (const trace::Shape& shape : added) state_->solids.add(shape);
+  state_->add(added);
 }
 
 void Linter::look_at(const trace::Frame& frame) {
@@ -80,18 +133,38 @@ void Linter::look_at(const trace::Frame& frame) {
 
 std::vector<Finding> Linter::findings() {
   state_->see(nullptr);
-  std::vector<Finding> all;
+  std::vector<Finding> all = state_->hints;
   for (const std::unique_ptr<Watch>& watch : state_->watches) watch->report(all);
   for (const auto& [name, why] : state_->solids.refused)
     all.push_back({"shape", "shape '" + name + "' bounds nothing, so its contacts cannot be judged",
                    why, 1, 0, 1, 0, name, "", "", ""});
+  std::erase_if(all, [&](const Finding& finding) {
+    return state_->options.ignores(finding.cause, finding.a, finding.b);
+  });
+  // They follow from the mistake that is named.
+  const bool is_explained = std::ranges::any_of(mistakes(), [&](const Mistake& mistake) {
+    const auto found = std::ranges::find(all, mistake.name, &Finding::cause);
+    return found != all.end() && is_reported(*found);
+  });
+  if (is_explained)
+    std::erase_if(all, [](const Finding& finding) {
+      return finding.cause == "depths_jump" || finding.cause == "impulses_flicker";
+    });
+  for (Finding& finding : all) {
+    if (state_->options.strict) finding.below.clear();
+    if (finding.marks.empty() && finding.line > 0)
+      finding.marks.push_back({finding.frame, finding.line, finding.a, finding.b});
+  }
+  std::ranges::stable_sort(all, {}, &rank_of);
   return all;
 }
 
 std::vector<Finding> lint(const trace::Trace& trace, const LintOptions& options) {
   Linter linter(trace.header, options);
   for (const trace::Frame& frame : trace.frames) linter.look_at(frame);
-  return linter.findings();
+  std::vector<Finding> findings = linter.findings();
+  std::erase_if(findings, [](const Finding& finding) { return !is_reported(finding); });
+  return findings;
 }
 
 }  // namespace contactscope::lint

@@ -10,6 +10,13 @@
 /// with a common cause are reported once, as the mistake that explains them.
 namespace contactscope::lint {
 
+/// An occurrence of a problem, for a timeline.
+struct Mark {
+  int frame = 0;
+  int line = 0;      // line in the file, from 1; 0: none
+  std::string a, b;  // shapes; b may be empty
+};
+
 /// One problem with all its occurrences.
 struct Finding {
   std::string cause;   // "flipped_normals"; for programs
@@ -20,13 +27,35 @@ struct Finding {
   // The first or the worst occurrence:
   int line = 0;  // line in the file, from 1; 0: none
   int frame = 0;
-  std::string a{}, b{};      // shapes; b may be empty
-  std::string said{}, is{};  // "separation -0.02", "the surfaces are 0.04 m apart"
+  std::string a{}, b{};       // shapes; b may be empty
+  std::string said{}, is{};   // "separation -0.02", "the surfaces are 0.04 m apart"
+  std::vector<Mark> marks{};  // in the order of frames; of many, an evenly spaced subset
+  /// The threshold that it does not reach: "2 % of them, or 15 tolerances". Empty: it is reported.
+  std::string below{};
+  bool is_hint = false;  // no fault, but worth knowing
+};
+
+/// Whether it is a fault, and often or large enough.
+inline bool is_reported(const Finding& finding) {
+  return finding.below.empty() && !finding.is_hint;
+}
+
+/// Findings to leave out.
+struct Ignored {
+  std::string cause;
+  std::string shape{};  // only those about this shape; empty: all
 };
 
 struct LintOptions {
   /// Shapes and poses were given to the engine, so do not check them.
   bool shapes_are_given = false;
+  /// Reports every occurrence: no finding is below a threshold.
+  bool strict = false;
+  /// Allowed error of separations and positions, metres; 0: a share of the smaller shape.
+  double tolerance = 0;
+  std::vector<Ignored> ignored{};
+
+  bool ignores(const std::string& cause, const std::string& a, const std::string& b) const;
 };
 
 /// Checks a trace frame by frame. Keeps sums and some examples of earlier frames, so memory does
@@ -43,7 +72,8 @@ class Linter {
   /// Like frame(), for a frame that stays in memory until two more were seen.
   void look_at(const trace::Frame& frame);
 
-  /// After the last frame: all problems, the most frequent causes first.
+  /// After the last frame: all problems, the most frequent causes first; then those below a
+  /// threshold, and hints.
   std::vector<Finding> findings();
 
  private:
@@ -51,7 +81,7 @@ class Linter {
   std::unique_ptr<State> state_;
 };
 
-/// Checks a complete trace.
+/// Checks a complete trace. Without hints and findings below a threshold.
 std::vector<Finding> lint(const trace::Trace& trace, const LintOptions& options = {});
 
 }  // namespace contactscope::lint

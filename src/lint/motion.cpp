@@ -4,7 +4,7 @@
 #include <set>
 
 #include "core/at.h"
-#include "lint/watch.h"
+#include "lint/tally.h"
 #include "trace/find.h"
 
 namespace contactscope::lint {
@@ -14,30 +14,28 @@ constexpr double kGravity = 9.81;  // metres per second squared
 constexpr int kEnough = 5;         // minimum number of samples
 constexpr double kAlike = 0.1;     // samples differ by at most this share
 
-/// A number from many frames or bodies. Keeps some thousand evenly spaced samples.
+/// A number from many frames or bodies.
 struct Samples {
-  std::vector<double> values;
-  int count = 0, every = 1;
+  Thinned<double, 10'000> values;
+  int count = 0;
   double least = 0, most = 0;
   int line = 0, frame = 0;
   std::string name;  // of the first
 
   void add(double value, int at_line, int at_frame, const std::string& of) {
-    if (count == 0) line = at_line, frame = at_frame, name = of, least = most = value;
+    if (count++ == 0) line = at_line, frame = at_frame, name = of, least = most = value;
     least = std::min(least, value);
     most = std::max(most, value);
-    if (count++ % every != 0) return;
-    values.push_back(value);
-    constexpr std::size_t kMax = 10'000;
-    if (values.size() < kMax) return;
-    every *= 2;
-    for (std::size_t i = 0; 2 * i < kMax; ++i) values[i] = values[2 * i];
-    values.resize(kMax / 2);
+    values.add(value);
+  }
+  Finding finding(const std::string& cause, const std::string& what, const std::string& remedy,
+                  const std::string& said, const std::string& is) const {
+    return {cause, what, remedy, count, count, line, frame, name, "", said, is};
   }
   /// The median, if most samples are close to it.
   std::optional<double> common() const {
-    if (values.size() < kEnough) return std::nullopt;
-    std::vector<double> sorted = values;
+    if (values.kept().size() < kEnough) return std::nullopt;
+    std::vector<double> sorted = values.kept();
     std::ranges::sort(sorted);
     const double middle = sorted[sorted.size() / 2];
     const auto alike = std::ranges::count_if(
@@ -152,6 +150,13 @@ class MotionWatch final : public Watch {
         if (std::abs(weights[axis]) > 0.95 * weights.norm())
           at(rests_, axis).add(weights[axis], frames.now->line, frames.now->frame, body.name);
       weights_.add(weights.dot(up_), frames.now->line, frames.now->frame, body.name);
+      ++rests_now_.of;
+      constexpr double kOff = 0.5;
+      if ((weights - up_).norm() > kOff)
+        rests_now_.wrong(frames, body.name, "", [&] {
+          return std::pair("its contacts carry " + metres(weights.dot(up_)) + " of its weight",
+                           std::string("it rests, and they carry all of it in other frames"));
+        });
       steps_ = frames.now->solver->substeps;
       step_ = step;
     }
@@ -165,17 +170,16 @@ class MotionWatch final : public Watch {
       const bool falls = fall && *fall < -0.5;
       const bool rests = rest && *rest > 0.1;
       const int along = up_name_ == "z" ? 2 : 1;
-      if ((!falls && !rests) || !at(falls_, along).values.empty() ||
-          !at(rests_, along).values.empty())
+      if ((!falls && !rests) || at(falls_, along).count > 0 || at(rests_, along).count > 0)
         continue;
       const Samples& samples = at(falls ? falls_ : rests_, axis);
-      findings.push_back({"up_axis", std::string("up is ") + at(kAxes, axis) + ", not " + up_name_,
+      findings.push_back(
+          samples.finding("up_axis", std::string("up is ") + at(kAxes, axis) + ", not " + up_name_,
                           std::string("write \"up\":\"") + at(kAxes, axis) +
                               "\" in the header, or rotate the world",
-                          samples.count, samples.count, samples.line, samples.frame, samples.name,
-                          "", "\"up\":\"" + up_name_ + "\"",
-                          falls ? std::string("it falls along -") + at(kAxes, axis)
-                                : std::string("its contacts carry it along ") + at(kAxes, axis)});
+                          "\"up\":\"" + up_name_ + "\"",
+                          (falls ? "it falls along -" : "its contacts carry it along ") +
+                              std::string(at(kAxes, axis))));
     }
   }
 
@@ -190,12 +194,11 @@ class MotionWatch final : public Watch {
     });
     if (!bears && falls == falls_.end()) return false;
     const Samples& samples = bears ? weights_ : *falls;
-    findings.push_back(
-        {"time_in_milliseconds", "'time' is in milliseconds", "divide it by 1000: it is in seconds",
-         samples.count, samples.count, samples.line, samples.frame, samples.name, "",
-         bears ? "its contacts carry " + metres(*share) + " of its weight"
-               : "it falls with " + metres(std::abs(*falls->common())) + " per second squared",
-         bears ? "it rests, so they carry all of it" : "it would be 9.81"});
+    findings.push_back(samples.finding(
+        "time_in_milliseconds", "'time' is in milliseconds", "divide it by 1000: it is in seconds",
+        bears ? "its contacts carry " + metres(*share) + " of its weight"
+              : "it falls with " + metres(std::abs(*falls->common())) + " per second squared",
+        bears ? "it rests, so they carry all of it" : "it would be 9.81"));
     return true;
   }
 
@@ -206,41 +209,45 @@ class MotionWatch final : public Watch {
       for (const auto& [unit, factor] :
            {std::pair("centimetres", 100.0), {"millimetres", 1000.0}}) {
         if (!is_near(std::abs(*fall), factor * kGravity)) continue;
-        findings.push_back({std::string("world_in_") + unit, std::string("lengths are in ") + unit,
+        findings.push_back(
+            samples.finding(std::string("world_in_") + unit, std::string("lengths are in ") + unit,
                             "divide all lengths by " + metres(factor) + ": a trace is in metres",
-                            samples.count, samples.count, samples.line, samples.frame, samples.name,
-                            "", "it falls with " + metres(std::abs(*fall)) + " per second squared",
-                            "in metres it would be 9.81"});
+                            "it falls with " + metres(std::abs(*fall)) + " per second squared",
+                            "in metres it would be 9.81"));
       }
     }
   }
 
   /// Reports a smaller unit of length in which all bodies have the density of a solid.
   void report_densities(std::vector<Finding>& findings) const {
-    if (densities_.values.empty()) return;
+    if (densities_.count == 0) return;
     constexpr double kLightest = 5, kHeaviest = 30'000;  // kg / m^3: foam, platinum
     for (const auto& [unit, factor] : {std::pair("centimetres", 100.0), {"millimetres", 1000.0}}) {
       const double cube = factor * factor * factor;
       if (cube * densities_.least < kLightest || cube * densities_.most > kHeaviest) continue;
       for (const Finding& finding : findings)
         if (finding.cause == std::string("world_in_") + unit) return;
+      const double density = densities_.values.kept().front();
       findings.push_back(
-          {std::string("world_in_") + unit, std::string("lengths are in ") + unit,
-           "divide all lengths by " + metres(factor) + ": a trace is in metres", densities_.count,
-           densities_.count, densities_.line, densities_.frame, densities_.name, "",
-           "its box and mass give " + metres(densities_.values.front()) + " kg per cubic metre",
-           "in metres it would be " + metres(cube * densities_.values.front())});
+          densities_.finding(std::string("world_in_") + unit, std::string("lengths are in ") + unit,
+                             "divide all lengths by " + metres(factor) + ": a trace is in metres",
+                             "its box and mass give " + metres(density) + " kg per cubic metre",
+                             "in metres it would be " + metres(cube * density)));
     }
   }
 
   void report_impulses(std::vector<Finding>& findings) const {
     const std::optional<double> share = weights_.common();
     if (!share) return;
+    if (is_near(*share, 1))
+      rests_now_.report("impulses on bodies at rest come and go",
+                        "check warm starting, and that the impulses of all points and of the last "
+                        "iteration are written",
+                        1, 0, findings);
     const auto say = [&](const char* cause, const char* what, const char* remedy) {
-      findings.push_back({cause, what, remedy, weights_.count, weights_.count, weights_.line,
-                          weights_.frame, weights_.name, "",
-                          "its contacts carry " + metres(*share) + " of its weight",
-                          "it rests, so they carry all of it"});
+      findings.push_back(weights_.finding(cause, what, remedy,
+                                          "its contacts carry " + metres(*share) + " of its weight",
+                                          "it rests, so they carry all of it"));
     };
     if (is_near(*share, -1))
       return say("impulses_on_a", "impulses act on a", "negate them: an impulse acts on b");
@@ -268,6 +275,7 @@ class MotionWatch final : public Watch {
   std::string up_name_;
   std::array<Samples, 3> falls_, rests_;
   Samples weights_, densities_;
+  Tally rests_now_{"impulses_flicker"};
   int steps_ = 0;
   double step_ = 1;
 };

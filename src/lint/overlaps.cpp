@@ -24,23 +24,34 @@ Aabb<double> box_of(const Placed& placed) {
   return {center - reach, center + reach};
 }
 
-/// Metres of overlap; 0 if there is none or it cannot be computed.
-double overlap_of(const Placed& a, const Placed& b) {
-  if (const std::optional<Separation> best = best_separation(a, b))
-    return std::max(-best->distance, 0.0);
+/// For shapes of any kind; empty if it cannot be computed. The normal is zero for meshes.
+std::optional<Separation> separation_of(const Placed& a, const Placed& b) {
+  if (const std::optional<Separation> best = best_separation(a, b)) return best;
   const std::optional<OwnContacts> own = own_contacts(a, b);
-  return own ? std::max(-own->separation, 0.0) : 0;
+  return own ? std::optional(Separation{own->separation}) : std::nullopt;
 }
 
 struct Missing {
   int count = 0;
   int line = 0, frame = 0;
   double deepest = 0;
+
+  void add(const Moments& frames, double overlap) {
+    ++count;
+    if (overlap <= deepest) return;
+    deepest = overlap;
+    line = frames.now->line;
+    frame = frames.now->frame;
+  }
 };
 
 class OverlapsWatch final : public Watch {
  public:
+  explicit OverlapsWatch(const trace::Header& header)
+      : up_(header.up == "z" ? Vec3d::UnitZ() : Vec3d::UnitY()) {}
+
   void see(const Solids& solids, const Moments& frames) override {
+    options_ = frames.options;
     std::set<Names> record;
     for (const trace::Pair& pair : frames.now->pairs) {
       const Names names = in_order(pair.a, pair.b);
@@ -79,27 +90,53 @@ class OverlapsWatch final : public Watch {
         "they have contacts in other frames: check the broad phase, and what is left out when "
         "a frame is written",
         untold_, findings);
+    std::erase_if(resting_, [&](const auto& one) {
+      return one.second.count < kResting || with_contacts_.contains(one.first) ||
+             deep_.contains(one.first);
+    });
+    report_kind("pair_never_reported", "a body rests on another, and no contact is reported",
+                "check the broad phase, the filter of pairs, and what is left out when a frame is "
+                "written; if a joint holds the bodies, ignore this pair",
+                resting_, findings);
   }
 
  private:
   using List = std::map<Names, Missing>;
 
-  static void look(const Solids& solids, const Moments& frames, const Names& names, List& list) {
+  /// Frames in which a body rests on another.
+  static constexpr int kResting = 10;
+
+  void look(const Solids& solids, const Moments& frames, const Names& names, List& list) {
     const std::optional<Placed> a = place(solids, frames.now, names.first, {});
     const std::optional<Placed> b = place(solids, frames.now, names.second, {});
     if (!a || !b) return;
-    const double overlap = overlap_of(*a, *b);
-    if (overlap <= 4 * tolerance_of(*a, *b)) return;
-    Missing& missing = list[names];
-    ++missing.count;
-    if (overlap <= missing.deepest) return;
-    missing.deepest = overlap;
-    missing.line = frames.now->line;
-    missing.frame = frames.now->frame;
+    const std::optional<Separation> separation = separation_of(*a, *b);
+    if (!separation || !(separation->distance < 0)) return;
+    const double overlap = -separation->distance;
+    if (overlap > 4 * solids.tolerance_of(*a, *b)) {
+      deep_.insert(names);
+      return list[names].add(frames, overlap);
+    }
+    // A sleeping body has no contacts, and keeps its pose.
+    const auto moves = [&](const std::string& name) {
+      const auto before = place(solids, frames.before, name, {});
+      const auto now = place(solids, frames.now, name, {});
+      return before && (before->pose.position != now->pose.position ||
+                        before->pose.rotation.coeffs() != now->pose.rotation.coeffs());
+    };
+    constexpr double kMinimum = 1e-6, kUpright = 0.5;
+    const double reach = a->pose.position.norm() + b->pose.position.norm();
+    if (overlap > kMinimum * reach && std::abs(separation->normal.dot(up_)) > kUpright &&
+        solids.body_of(names.first) != solids.body_of(names.second) &&
+        (moves(names.first) || moves(names.second)))
+      resting_[names].add(frames, overlap);
   }
 
-  static void report_kind(const char* cause, const char* what, const char* remedy, const List& list,
-                          std::vector<Finding>& findings) {
+  void report_kind(const char* cause, const char* what, const char* remedy, List& list,
+                   std::vector<Finding>& findings) const {
+    std::erase_if(list, [&](const auto& one) {
+      return options_ != nullptr && options_->ignores(cause, one.first.first, one.first.second);
+    });
     const auto deepest =
         std::ranges::max_element(list, {}, [](const auto& one) { return one.second.deepest; });
     if (deepest == list.end()) return;
@@ -111,13 +148,16 @@ class OverlapsWatch final : public Watch {
   }
 
   std::set<Names> with_contacts_;
-  List separation_, untold_;
+  List separation_, untold_, resting_;
+  std::set<Names> deep_;  // pairs without a contact that overlap more than bodies at rest
+  const LintOptions* options_ = nullptr;
+  Vec3d up_;
 };
 
 }  // namespace
 
-std::unique_ptr<Watch> watch_overlaps() {
-  return std::make_unique<OverlapsWatch>();
+std::unique_ptr<Watch> watch_overlaps(const trace::Header& header) {
+  return std::make_unique<OverlapsWatch>(header);
 }
 
 }  // namespace contactscope::lint

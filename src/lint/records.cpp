@@ -32,14 +32,14 @@ class RecordsWatch final : public Watch {
   }
 
   void report(std::vector<Finding>& findings) override {
-    twice_.report("pairs_twice", "pairs are reported twice in a frame",
+    twice_.report("pairs are reported twice in a frame",
                   "leave one out: many engines report a pair in both orders, or once for each body",
                   1, 0, findings);
-    empty_.report("touching_without_points", "pairs are 'touching' and have no points",
+    empty_.report("pairs are 'touching' and have no points",
                   "write their manifolds, or leave 'state' out: it follows from them", 1, 0,
                   findings);
     time_.report(
-        "times_do_not_rise", "'time' does not increase from frame to frame",
+        "'time' does not increase from frame to frame",
         "write the time of each frame, in seconds: velocities and impulses are compared with it", 1,
         0, findings);
   }
@@ -53,7 +53,7 @@ class RecordsWatch final : public Watch {
     time_.wrong(frames, "", "", [] { return std::pair<std::string, std::string>(); });
   }
 
-  Tally twice_, empty_, time_;
+  Tally twice_{"pairs_twice"}, empty_{"touching_without_points"}, time_{"times_do_not_rise"};
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "lint/watch.h"
+#include "lint/tally.h"
 
 namespace contactscope::lint {
 namespace {
@@ -15,36 +15,28 @@ class RotationsWatch final : public Watch {
       if (solid == nullptr) continue;
       constexpr double kAlmost = 0.999;
       if (std::abs(pose.rotation.w()) > kAlmost) ++upright_;
-      ++poses_;
+      ++half_turns_.of;
       if (std::abs(pose.rotation.z()) < kAlmost) continue;
-      if (half_turns_++ > 0) continue;
-      first_ = {"quaternions_xyzw",
-                "quaternions are in the order x, y, z, w",
-                "write w first: the key is 'quat_wxyz'",
-                0,
-                0,
-                frames.now->line,
-                frames.now->frame,
-                name,
-                "",
-                "'quat_wxyz' is 0, 0, 0, 1: half a turn about z",
-                "with w last it is no rotation, and no shape of the trace has 1, 0, 0, 0"};
+      half_turns_.wrong(frames, name, "", [] {
+        return std::pair("'quat_wxyz' is 0, 0, 0, 1: half a turn about z",
+                         "with w last it is no rotation, and no shape of the trace has 1, 0, 0, 0");
+      });
     }
   }
 
   void report(std::vector<Finding>& findings) override {
     constexpr int kFewest = 2;
-    if (half_turns_ < kFewest || upright_ > 0 || 2 * half_turns_ < poses_) return;
+    if (half_turns_.count < kFewest || upright_ > 0 || 2 * half_turns_.count < half_turns_.of)
+      return;
     for (const Finding& finding : findings)
-      if (finding.cause == first_.cause) return;
-    first_.count = half_turns_;
-    first_.of = poses_;
-    findings.push_back(first_);
+      if (finding.cause == half_turns_.cause) return;
+    half_turns_.report("quaternions are in the order x, y, z, w",
+                       "write w first: the key is 'quat_wxyz'", kFewest, 0.5, findings);
   }
 
  private:
-  int upright_ = 0, half_turns_ = 0, poses_ = 0;
-  Finding first_;
+  int upright_ = 0;
+  Tally half_turns_{"quaternions_xyzw"};
 };
 
 }  // namespace

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "lint/linter.h"
@@ -8,30 +10,65 @@
 
 namespace contactscope::lint {
 
+/// An evenly spaced subset of a sequence of any length: up to kMax, and at least half as many.
+template <class T, std::size_t kMax>
+class Thinned {
+ public:
+  void add(T one) {
+    if (count_++ % every_ != 0) return;
+    kept_.push_back(std::move(one));
+    if (kept_.size() < kMax) return;
+    every_ *= 2;
+    for (std::size_t i = 0; 2 * i < kMax; ++i) kept_[i] = std::move(kept_[2 * i]);
+    kept_.resize((kMax + 1) / 2);
+  }
+  const std::vector<T>& kept() const { return kept_; }
+
+ private:
+  std::vector<T> kept_;
+  std::size_t count_ = 0, every_ = 1;
+};
+using Marks = Thinned<Mark, 1000>;
+
 /// Counts occurrences of one problem among all cases, and keeps the first.
 struct Tally {
+  std::string cause{};
   int count = 0, of = 0;
-  Finding first;
+  Finding first{};
+  Marks marks{};
 
   /// Adds an occurrence; `said` and `is` are only built for the first.
   template <class Words>
+  void wrong_at(Mark mark, const Moments& frames, const Words& words) {
+    if (frames.options != nullptr && frames.options->ignores(cause, mark.a, mark.b)) return;
+    if (count++ == 0) {
+      const auto [said, is] = words();
+      first = {"", "", "", 0, 0, mark.line, mark.frame, mark.a, mark.b, said, is};
+    }
+    marks.add(std::move(mark));
+  }
+  template <class Words>
   void wrong(const Moments& frames, const std::string& a, const std::string& b,
              const Words& words) {
-    if (count++ > 0) return;
-    const auto [said, is] = words();
-    first = {"", "", "", 0, 0, frames.now->line, frames.now->frame, a, b, said, is};
+    wrong_at({frames.now->frame, frames.now->line, a, b}, frames, words);
   }
 
-  /// Reports the problem if it occurs at least `least` times and in that share of the cases.
-  void report(const char* cause, const char* what, const char* remedy, int least, double share,
+  /// Reports the problem, as below the threshold unless it occurs at least `least` times and in
+  /// that share of the cases.
+  void report(const char* what, const char* remedy, int least, double share,
               std::vector<Finding>& findings) const {
-    if (count < least || count < share * of) return;
+    if (count == 0) return;
     Finding finding = first;
     finding.cause = cause;
     finding.what = what;
     finding.remedy = remedy;
     finding.count = count;
     finding.of = of;
+    finding.marks = marks.kept();
+    if (count < share * of)
+      finding.below = metres(100 * share) + " %";
+    else if (count < least)
+      finding.below = std::to_string(least) + " of them";
     findings.push_back(finding);
   }
 };

@@ -69,12 +69,13 @@ class Readings {
   }
 
   /// Contacts stop bodies and solvers push them, so only report what happens almost everywhere.
-  void report(std::vector<Finding>& findings) const {
+  void report(std::vector<Finding>& findings) {
     constexpr int kFewest = 5;
     for (std::size_t i = 0; i < Count; ++i)
-      if (explained_[i] > 0.7 * wrong_.count && explained_[i] > 0.5 * wrong_.of)
-        return wrong_.report(others_[i].cause, others_[i].what, others_[i].remedy, kFewest, 0.5,
-                             findings);
+      if (explained_[i] > 0.7 * wrong_.count && explained_[i] > 0.5 * wrong_.of) {
+        wrong_.cause = others_[i].cause;
+        return wrong_.report(others_[i].what, others_[i].remedy, kFewest, 0.5, findings);
+      }
   }
 
  private:

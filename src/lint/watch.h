@@ -17,10 +17,15 @@ class Watch {
   virtual void report(std::vector<Finding>& findings) = 0;
 };
 
+/// bodies_over_time.cpp: poses that jump and come back, bodies that fly off.
+std::unique_ptr<Watch> watch_bodies_over_time();
+/// contacts_over_time.cpp: pairs and points that come and go, separations and normals that jump, all
+/// without motion; points reported twice.
+std::unique_ptr<Watch> watch_contacts_over_time();
 /// claims_watch.cpp: compares points, normals and separations with the shapes, and explains errors.
 std::unique_ptr<Watch> watch_claims(const trace::Header& header, const LintOptions& options);
-/// overlaps.cpp: overlapping shapes without contacts.
-std::unique_ptr<Watch> watch_overlaps();
+/// overlaps.cpp: overlapping shapes without contacts, also of bodies at rest on one another.
+std::unique_ptr<Watch> watch_overlaps(const trace::Header& header);
 /// ids.cpp: ids of points that change while nothing moves.
 std::unique_ptr<Watch> watch_ids();
 /// rotations.cpp: quaternions with w last that look like half turns.

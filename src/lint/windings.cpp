@@ -18,11 +18,13 @@ class WindingsWatch final : public Watch {
 
   void report(std::vector<Finding>& findings) override {
     constexpr int kFewest = 5;
-    for (const auto& [name, met] : met_)
-      met.report("mesh_inside_out", "all contacts of a mesh are on the back of its triangles",
+    for (auto& [name, met] : met_) {
+      met.cause = "mesh_inside_out";
+      met.report("all contacts of a mesh are on the back of its triangles",
                  "list the vertices of each triangle counter-clockwise as seen from outside; "
                  "left-handed engines and some files have them clockwise",
                  kFewest, 0.95, findings);
+    }
   }
 
  private:

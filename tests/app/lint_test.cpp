@@ -67,6 +67,25 @@ TEST(LintVerb, PrintsJson) {
   EXPECT_EQ(finding["a"], "ground");
 }
 
+TEST(LintVerb, KnownAndIgnoredFindingsExitWithZero) {
+  const TemporaryFolder folder;
+  const std::string half = folder.write("run.jsonl", crate("0,1,0", "-0.01"));
+  const std::string flipped = folder.write("next/run.jsonl", crate("0,-1,0", "-0.02"));
+  const std::string known = folder / "known.json";
+  EXPECT_EQ(run("lint --known '" + known + "' '" + half + "'").exit_code, 2);
+  EXPECT_EQ(run("lint --write-known '" + known + "' '" + half + "'").exit_code, 0);
+  const ProgramRun same = run("lint --known '" + known + "' '" + half + "'");
+  EXPECT_EQ(same.exit_code, 0) << same.out << same.err;
+  EXPECT_THAT(same.out, HasSubstr("1 known finding"));
+  const ProgramRun next = run("lint --known '" + known + "' '" + flipped + "'");
+  EXPECT_EQ(next.exit_code, 1);
+  EXPECT_THAT(next.out, HasSubstr("[flipped_normals]"));
+  EXPECT_EQ(run("lint --ignore half_depths '" + half + "'").exit_code, 0);
+  EXPECT_EQ(run("lint --ignore half_depths:crate '" + half + "'").exit_code, 0);
+  EXPECT_EQ(run("lint --ignore half_depths:other '" + half + "'").exit_code, 1);
+  EXPECT_EQ(run("lint --tolerance 0.02 '" + half + "'").exit_code, 0);
+}
+
 TEST(LintVerb, AnUnreadableTraceExitsWithTwo) {
   const TemporaryFolder folder;
   const std::string torn = folder.write("torn.jsonl", std::string(kHeader) + "\n{\"frame\":");

@@ -181,7 +181,7 @@ std::vector<Seed> seeds() {
          each_point(trace, [](auto&, auto&, trace::Point& point) { point.separation -= 0.04; });
        },
        "margin_added"},
-      {"contacts left out", heap, no_contacts_in_half_of_the_frames, "overlap_without_contact"},
+      {"contacts left out", heap, no_contacts_in_half_of_the_frames, "pairs_flicker"},
       {"told apart", heap, with_noise, "overlap_told_apart"},
       {"ids by chance", stack, ids_by_chance, "ids_change"},
       {"another axis up", heap, [](Trace& trace) { trace.header.up = "z"; }, "up_axis"},
@@ -212,11 +212,12 @@ TEST(Lint, ABoxThatFloatsAboveItsPointsIsNamedWithItsFrame) {
   pose_of(frame, top).position.y() += 0.04;
   const std::vector<Finding> findings = lint(trace);
   ASSERT_EQ(findings.size(), 1u) << testing::PrintToString(causes_of(findings));
+  EXPECT_EQ(findings[0].cause, "poses_jump");
   EXPECT_EQ(findings[0].line, 22);
   EXPECT_EQ(findings[0].frame, frame.frame);
   EXPECT_EQ(findings[0].count, 1);
-  EXPECT_EQ(findings[0].b, top);
-  EXPECT_THAT(findings[0].is, HasSubstr("0.0"));
+  EXPECT_EQ(findings[0].a, top);
+  EXPECT_THAT(findings[0].said, HasSubstr("0.04"));
 }
 
 /// In a single frame, in which nothing falls, masses reveal the unit.

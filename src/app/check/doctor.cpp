@@ -70,6 +70,7 @@ ExitCode run_doctor(const Options& options) {
         lint_trace(file, options, [&](const trace::Frame& frame) { inventory.add(frame); });
     files.push_back(inventory.words(file.header()));
     for (const lint::Finding& finding : found) {
+      if (!lint::is_reported(finding)) continue;
       wrong.push_back(record(file.name(), finding));
       findings.push_back(to_json(finding));
     }

@@ -1,20 +1,37 @@
 #include "app/check/lint.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/progress.h"
 #include "app/cli/verbs.h"
+#include "core/input_error.h"
 #include "scenario/run.h"
+#include "snapshot/store.h"
 
 namespace contactscope::app {
+namespace {
 
-std::vector<lint::Finding> lint_scenario(const Input& input) {
+lint::LintOptions linter_options(const Options& options) {
+  lint::LintOptions to{.strict = options.strict, .tolerance = options.tolerance};
+  for (const std::string& text : options.ignored) {
+    const std::size_t colon = std::min(text.find(':'), text.size());
+    to.ignored.push_back(
+        {text.substr(0, colon), colon < text.size() ? text.substr(colon + 1) : ""});
+  }
+  return to;
+}
+
+}  // namespace
+
+std::vector<lint::Finding> lint_scenario(const Input& input, const Options& options) {
   trace::Stages stages = trace::Stages::none();
   stages.reduction = true;  // shows which points were dropped on purpose
   Runner runner(input.scenario, stages);
-  lint::Linter linter(runner.header());
+  lint::Linter linter(runner.header(), linter_options(options));
   for (const int frame : input.frames) {
     trace::Frame facts = runner.frame(frame);
     facts.line = frame + 2;
@@ -25,7 +42,7 @@ std::vector<lint::Finding> lint_scenario(const Input& input) {
 
 std::vector<lint::Finding> lint_trace(TraceFile& file, const Options& options,
                                       const std::function<void(const trace::Frame&)>& look) {
-  lint::Linter linter(file.header());
+  lint::Linter linter(file.header(), linter_options(options));
   bool any = false;
   while (std::optional<trace::Frame> frame = file.next()) {
     stop_if_interrupted();
@@ -48,12 +65,16 @@ std::vector<lint::Finding> lint_trace(TraceFile& file, const Options& options,
 }
 
 std::string record(const std::string& file, const lint::Finding& finding) {
-  std::string text = file + ":" + std::to_string(std::max(finding.line, 1)) + ":1: " + finding.what;
+  std::string text = file + ":" + std::to_string(std::max(finding.line, 1)) +
+                     ":1: " + (finding.is_hint ? "hint: " : "") + finding.what;
   if (finding.of > 0)
     text += ", " + std::to_string(finding.count) + " of " + std::to_string(finding.of);
   else if (finding.count > 1)
     text += ", " + std::to_string(finding.count) + " times";
+  if (!finding.below.empty())
+    text += ", below the " + finding.below + " that is reported; --strict reports all";
   text += " [" + finding.cause + "]";
+  if (!finding.below.empty()) return text;
   if (!finding.a.empty()) {
     text += "\n  frame " + std::to_string(finding.frame) + ", " + finding.a +
             (finding.b.empty() ? "" : "-" + finding.b);
@@ -70,36 +91,95 @@ nlohmann::ordered_json to_json(const lint::Finding& finding) {
                               {"count", finding.count}};
   if (finding.of > 0) json["of"] = finding.of;
   if (finding.line > 0) json["line"] = finding.line;
-  if (!finding.a.empty()) {
-    json["frame"] = finding.frame;
-    json["a"] = finding.a;
-    if (!finding.b.empty()) json["b"] = finding.b;
-    if (!finding.said.empty()) json["said"] = finding.said;
-    if (!finding.is.empty()) json["is"] = finding.is;
+  if (!finding.below.empty()) json["below"] = finding.below;
+  if (finding.a.empty()) return json;
+  json["frame"] = finding.frame;
+  json["a"] = finding.a;
+  if (!finding.b.empty()) json["b"] = finding.b;
+  if (!finding.said.empty()) json["said"] = finding.said;
+  if (!finding.is.empty()) json["is"] = finding.is;
+  nlohmann::ordered_json& marks = json["marks"] = nlohmann::ordered_json::array();
+  for (const lint::Mark& mark : finding.marks) {
+    marks.push_back({{"frame", mark.frame}, {"a", mark.a}});
+    if (!mark.b.empty()) marks.back()["b"] = mark.b;
   }
   return json;
 }
 
 namespace {
 
+constexpr const char* kSchema = "contactscope.lint/1";
+
+/// How often a finding occurs, by the name of its file and its cause.
+using Shares = std::map<std::pair<std::string, std::string>, double>;
+
+Shares::key_type key_of(const std::string& file, const std::string& cause) {
+  return {std::filesystem::path(file).filename().string(), cause};
+}
+double share(int count, int of) {
+  return of > 0 ? static_cast<double>(count) / of : count;
+}
+
+/// The findings of a file that --json or --write-known has written. Throws InputError.
+Shares known_findings(const std::string& path) {
+  Shares shares;
+  if (path.empty()) return shares;
+  try {
+    const std::optional<std::string> text = snapshot::read_text_file(path);
+    if (!text) throw std::invalid_argument("there is no such file");
+    const auto json = nlohmann::json::parse(*text);
+    if (json.at("schema") != kSchema) throw std::invalid_argument("another schema");
+    for (const nlohmann::json& file : json.at("files"))
+      for (const nlohmann::json& one : file.at("findings"))
+        shares[key_of(file.at("file"), one.at("cause"))] =
+            share(one.at("count"), one.value("of", 0));
+  } catch (const std::exception& error) {
+    throw InputError(path, 1, 1,
+                     std::string("no findings of lint can be read here (") + error.what() +
+                         "); write them with `contactscope lint RUN.jsonl --write-known FILE`");
+  }
+  return shares;
+}
+
 ExitCode run_lint(const Options& options) {
+  const Shares known = known_findings(options.known);
+  constexpr double kMore = 1.5;  // times as frequent: a new finding
   bool clean = true;
-  nlohmann::ordered_json json{{"schema", "contactscope.lint/1"},
-                              {"files", nlohmann::ordered_json::array()}};
+  nlohmann::ordered_json json{{"schema", kSchema}, {"files", nlohmann::ordered_json::array()}};
   const auto report = [&](const std::string& file, const std::vector<lint::Finding>& findings) {
-    clean = clean && findings.empty();
     nlohmann::ordered_json one{{"file", file}, {"findings", nlohmann::ordered_json::array()}};
+    int known_here = 0;
+    bool clean_here = true;
     for (const lint::Finding& finding : findings) {
-      one["findings"].push_back(to_json(finding));
-      if (!options.json) std::cout << record(file, finding) << '\n';
+      const bool is_fault = lint::is_reported(finding);
+      const auto before = known.find(key_of(file, finding.cause));
+      const bool is_known = is_fault && before != known.end() &&
+                            share(finding.count, finding.of) <= kMore * before->second;
+      nlohmann::ordered_json entry = to_json(finding);
+      if (is_known) entry["known"] = true;
+      one[is_fault ? "findings" : finding.is_hint ? "hints" : "below"].push_back(entry);
+      known_here += is_known;
+      if (is_fault && !is_known) clean_here = false;
+      const bool is_shown = is_fault ? !is_known : !options.quiet;
+      if (!options.json && is_shown) std::cout << record(file, finding) << '\n';
     }
+    clean = clean && clean_here;
     json["files"].push_back(one);
-    if (findings.empty() && !options.json && !options.quiet) std::cout << "ok  " << file << '\n';
+    if (!clean_here || options.json || options.quiet) return;
+    std::cout << "ok  " << file;
+    if (known_here > 0)
+      std::cout << ", " << known_here << (known_here > 1 ? " known findings" : " known finding");
+    std::cout << '\n';
   };
   each_input(
-      options, [&](const Input& input) { report(input.scenario.path, lint_scenario(input)); },
+      options,
+      [&](const Input& input) { report(input.scenario.path, lint_scenario(input, options)); },
       [&](TraceFile& file) { report(file.name(), lint_trace(file, options)); });
   if (options.json) std::cout << json.dump() << '\n';
+  if (!options.write_known.empty()) {
+    snapshot::write_text(options.write_known, json.dump(1) + "\n");
+    return ExitCode::Same;
+  }
   return clean ? ExitCode::Same : ExitCode::Different;
 }
 
@@ -109,7 +189,9 @@ Verb lint_verb() {
   return {"lint", "Check the contacts in a trace against its own shapes and poses", &run_lint,
           "Examples:\n"
           "  contactscope lint run.jsonl\n"
-          "Exit codes: 0 nothing is wrong, 1 a claim is wrong, 2 an error."};
+          "  contactscope lint run.jsonl --write-known known.json   # the findings so far\n"
+          "  contactscope lint run.jsonl --known known.json         # exits with 0 if none is new\n"
+          "Exit codes: 0 nothing is wrong, or new; 1 a claim is wrong; 2 an error."};
 }
 
 }  // namespace contactscope::app

@@ -10,11 +10,11 @@
 
 namespace contactscope::app {
 
-/// Wrong claims in the pipeline's results for a scenario, with their lines in the frames + 1 lines
+/// Findings about the pipeline's results for a scenario, with their lines in the frames + 1 lines
 /// of `contactscope trace`.
-std::vector<lint::Finding> lint_scenario(const Input& input);
+std::vector<lint::Finding> lint_scenario(const Input& input, const Options& options);
 
-/// Wrong claims in a trace, for the frames of --frames, and the line where it breaks off. `look` is
+/// Findings about a trace, hints and those below a threshold included, for the frames of --frames, and the line where it breaks off. `look` is
 /// called with every frame. Throws InputError and UsageError.
 std::vector<lint::Finding> lint_trace(TraceFile& file, const Options& options,
                                       const std::function<void(const trace::Frame&)>& look = {});

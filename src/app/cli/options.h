@@ -86,6 +86,14 @@ struct CheckOptions {
   bool fresh = false;                    // also check scenarios that have not changed
 };
 
+/// Options of `lint`.
+struct LintOptions {
+  bool strict = false;               // report what is below a threshold
+  std::vector<std::string> ignored;  // CAUSE or CAUSE:SHAPE
+  double tolerance = 0;              // metres; 0: a share of each shape's size
+  std::string known, write_known;    // files of findings
+};
+
 /// Options of `explore`, `study`, `versus` and `shrink`.
 struct CompareOptions {
   std::vector<std::string> engines;  // empty: all that are found
@@ -98,7 +106,7 @@ struct CompareOptions {
   bool tables_only = false;          // draw nothing
 };
 
-struct Options : PictureOptions, CheckOptions, CompareOptions {
+struct Options : PictureOptions, CheckOptions, LintOptions, CompareOptions {
   std::vector<std::string> scenarios;  // or other files, folders or names
   std::string what;                    // argument of `list` and `help`
   std::string scenario_root = "scenarios";

@@ -1,0 +1,112 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "lint/tally.h"
+
+namespace contactscope::lint {
+namespace {
+
+/// Relative to its size: a smaller displacement within a step is no jump.
+constexpr double kLeap = 0.02, kLongStep = 0.5;
+/// A displacement is a jump if it is this many times the others.
+constexpr double kTimes = 10, kFaster = 4;
+
+class BodiesWatch final : public Watch {
+ public:
+  void see(const Solids& solids, const Moments& frames) override {
+    if (frames.before == nullptr) last_.clear(), jumped_.clear();
+    std::map<std::string, Vec3d> moved;
+    std::set<std::string> jumped;
+    double fastest = fastest_;
+    for (const auto& [name, pose] : frames.now->poses) {
+      const std::optional<Placed> now = place(solids, frames.now, name, {});
+      if (!now || now->solid->is_plane()) continue;
+      const std::optional<Placed> before = place(solids, frames.before, name, {});
+      const std::optional<Placed> after = place(solids, frames.after, name, {});
+      if (before && !jumped_.contains(name)) moved[name] = middle(*now) - middle(*before);
+      if (!before || !after) continue;
+      if (is_jump(solids, frames, name, *before, *now, *after))
+        jumped.insert(name);
+      else if (!jumped_.contains(name))
+        see_flight(frames, name, *before, *now, *after, fastest);
+    }
+    fastest_ = fastest;
+    last_ = std::move(moved);
+    jumped_ = std::move(jumped);
+  }
+
+  void report(std::vector<Finding>& findings) override {
+    jumps_.report(
+        "a body is elsewhere for a frame",
+        "the frames before and after have it in the same place: check which step's pose is "
+        "written, and interpolated poses",
+        1, 0, findings);
+    flights_.report(
+        "bodies fly off",
+        "look at the contacts of the frames just before: deep overlaps that are pushed "
+        "out within a step, wrong masses or inertias, or bodies that start in one another",
+        1, 0, findings);
+  }
+
+ private:
+  static Vec3d middle(const Placed& placed) {
+    return placed.pose.transform(placed.solid->center_of_mass());
+  }
+  static double turned(const Placed& from, const Placed& to) {
+    return to.pose.rotation.angularDistance(from.pose.rotation) * to.size();
+  }
+
+  /// Out and back within two steps, without speed before.
+  bool is_jump(const Solids& solids, const Moments& frames, const std::string& name,
+               const Placed& before, const Placed& now, const Placed& after) {
+    ++jumps_.of;
+    const auto speed = last_.find(name);
+    const double out = (middle(now) - middle(before)).norm() + turned(before, now);
+    const double rest = (middle(after) - middle(before)).norm() + turned(before, after) +
+                        (speed == last_.end() ? 0.0 : speed->second.norm());
+    if (out < kLeap * now.size() || out < kTimes * rest) return false;
+    jumps_.wrong(frames, name, "", [&] {
+      return std::pair("it is " + metres((middle(now) - middle(before)).norm()) +
+                           " m from its place in the frame before",
+                       "in the frame after, it is " +
+                           metres((middle(after) - middle(before)).norm()) + " m from there");
+    });
+    for (const trace::Pair& pair : frames.now->pairs)
+      if (solids.body_of(pair.a) == solids.body_of(name) ||
+          solids.body_of(pair.b) == solids.body_of(name))
+        frames.explained->insert(&pair);
+    return true;
+  }
+
+  /// Much faster than anything before, and than itself.
+  void see_flight(const Moments& frames, const std::string& name, const Placed& before,
+                  const Placed& now, const Placed& after, double& fastest) {
+    ++flights_.of;
+    const double step = (middle(after) - middle(now)).norm();
+    const double last = (middle(now) - middle(before)).norm();
+    if (step > kLongStep * now.size() && step > kFaster * fastest_ && step > kTimes * last)
+      flights_.wrong(frames, name, "", [&] {
+        return std::pair("it moves by " + metres(step) + " m in the next step",
+                         "it moves by " + metres(last) +
+                             " m in this one, and no body by more than " + metres(fastest_) +
+                             " m before");
+      });
+    else
+      fastest = std::max(fastest, step);
+  }
+
+  std::map<std::string, Vec3d> last_;  // displacements to this frame
+  double fastest_ = 0;                 // metres within a step, of any body
+  std::set<std::string> jumped_;       // bodies that were elsewhere in the frame before
+  Tally jumps_{"poses_jump"}, flights_{"bodies_fly_off"};
+};
+
+}  // namespace
+
+std::unique_ptr<Watch> watch_bodies_over_time() {
+  return std::make_unique<BodiesWatch>();
+}
+
+}  // namespace contactscope::lint

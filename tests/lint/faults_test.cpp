@@ -1,0 +1,149 @@
+#include "lint/faults.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+#include "lint/worlds.h"
+#include "support/temporary_folder.h"
+#include "trace/read_trace.h"
+
+/// Faults of engines in traces of Bullet and ODE, recorded by their adapters: the linter names each,
+/// and finds nothing in the traces as they are.
+namespace contactscope::lint {
+namespace {
+
+using test::World;
+using Record = void (*)(const test::Recording&);
+
+Trace recorded_by(Record record, World world) {
+  const TemporaryFolder folder;
+  test::Recording recording{.world = world, .path = folder / "run.jsonl"};
+  if (world == World::Heap) recording.bodies = 12, recording.unrecorded = 200;
+  record(recording);
+  std::ifstream in(recording.path);
+  return trace::read_trace(in, recording.path);
+}
+
+std::string named_in(const std::vector<Finding>& findings) {
+  std::string names;
+  for (const Finding& finding : findings) names += finding.cause + " ";
+  return names;
+}
+
+struct Source {
+  const char* name;
+  Trace trace;
+  std::vector<std::string> known{};  // what is wrong in it, at most
+};
+const std::vector<Source>& stacks() {
+  static const std::vector<Source> all = {
+      {"Bullet, stack", recorded_by(&test::record_in_bullet, World::Stack)},
+      {"ODE, stack", recorded_by(&test::record_in_ode, World::Stack)},
+  };
+  return all;
+}
+
+/// In a heap, Bullet keeps points while boxes slide, and rounds their edges against hulls.
+TEST(LintFaults, TracesOfEnginesAsTheyAreHaveNoFindings) {
+  std::vector<Source> sources = stacks();
+  sources.push_back({"Bullet, heap",
+                     recorded_by(&test::record_in_bullet, World::Heap),
+                     {"surface", "margin_taken_off"}});
+  sources.push_back({"ODE, heap", recorded_by(&test::record_in_ode, World::Heap)});
+  for (const Source& source : sources) {
+    ASSERT_EQ(source.trace.frames.size(), 60u);
+    for (const Finding& finding : lint(source.trace))
+      EXPECT_THAT(source.known, testing::Contains(finding.cause))
+          << source.name << ", " << finding.count << " of " << finding.of << ", frame "
+          << finding.frame << ", " << finding.a << "-" << finding.b << ": " << finding.said << "; "
+          << finding.is;
+  }
+}
+
+/// Each fault in every frame (every second one if it is a change), in one frame of 30, and once.
+TEST(LintFaults, SlowEachIsNamedFirstAlwaysRarelyAndOnce) {
+  constexpr const char* kOften[] = {"always", "rarely", "once"};
+  int named = 0, all = 0;
+  std::ostringstream misses;
+  for (const Source& source : stacks()) {
+    const std::vector<Target> chosen = targets(source.trace, 1);
+    ASSERT_FALSE(chosen.empty()) << source.name;
+    for (const Target& target : chosen)
+      for (const Fault& fault : faults())
+        for (const Often often : {Often::Always, Often::Rarely, Often::Once}) {
+          Trace trace = source.trace;
+          seed(trace, fault, target, often);
+          const std::vector<Finding> findings = lint(trace);
+          const std::vector<std::string>& expected =
+              often == Often::Always && !fault.always.empty() ? fault.always : fault.causes;
+          ++all;
+          if (!findings.empty() &&
+              std::ranges::find(expected, findings.front().cause) != expected.end()) {
+            ++named;
+            continue;
+          }
+          misses << source.name << ", " << target.a << "-" << target.b << ", " << fault.name << ", "
+                 << kOften[static_cast<int>(often)] << ": " << named_in(findings) << "\n";
+        }
+  }
+  EXPECT_GE(faults().size(), 20u);
+  EXPECT_GE(named, 0.95 * all) << named << " of " << all << "\n" << misses.str();
+}
+
+TEST(LintFaults, ABodyThatFliesOffIsNamedWithItsFrame) {
+  Trace trace = stacks()[0].trace;
+  const std::string body = targets(trace, 1).front().body;
+  for (std::size_t f = 31; f < 60; ++f) {
+    std::erase_if(trace.frames[f].pairs,
+                  [&](const trace::Pair& pair) { return pair.a == body || pair.b == body; });
+    for (trace::Placement& one : trace.frames[f].poses)
+      if (one.first == body) one.second.position.x() += static_cast<double>(f - 30);
+  }
+  const std::vector<Finding> findings = lint(trace);
+  const auto flight = std::ranges::find(findings, "bodies_fly_off", &Finding::cause);
+  ASSERT_NE(flight, findings.end()) << named_in(findings);
+  EXPECT_EQ(flight->frame, trace.frames[30].frame);
+  EXPECT_EQ(flight->a, body);
+}
+
+TEST(LintFaults, AFindingHasAMarkForEachFrameAndCanBeIgnored) {
+  Trace trace = stacks()[0].trace;
+  const Target target = targets(trace, 1).front();
+  seed(trace, faults().front(), target, Often::Rarely);
+  const auto found = [&](const LintOptions& options) { return lint(trace, options); };
+  const std::vector<Finding> findings = found({});
+  ASSERT_FALSE(findings.empty());
+  ASSERT_EQ(findings[0].marks.size(), 2u);
+  EXPECT_EQ(findings[0].marks[0].frame, trace.frames[20].frame);
+  EXPECT_EQ(findings[0].marks[1].frame, trace.frames[50].frame);
+  EXPECT_EQ(findings[0].marks[1].b, target.b);
+  const std::string cause = findings[0].cause;
+  const auto is_named = [&](const std::vector<Finding>& all) {
+    return std::ranges::find(all, cause, &Finding::cause) != all.end();
+  };
+  EXPECT_FALSE(is_named(found({.ignored = {{cause}}})));
+  EXPECT_FALSE(is_named(found({.ignored = {{cause, target.b}}})));
+  EXPECT_TRUE(is_named(found({.ignored = {{cause, "another"}}})));
+}
+
+TEST(LintFaults, WhatIsBelowAThresholdIsCountedAndStrictReportsIt) {
+  Trace trace = stacks()[0].trace;
+  trace::Point& point = trace.frames[30].pairs[0].manifolds[0].points[0];
+  point.position.y() += 0.004;
+  Linter linter(trace.header);
+  for (const trace::Frame& frame : trace.frames) linter.look_at(frame);
+  const std::vector<Finding> all = linter.findings();
+  const auto below = std::ranges::find(all, "surface", &Finding::cause);
+  ASSERT_NE(below, all.end()) << named_in(all);
+  EXPECT_EQ(below->count, 1);
+  EXPECT_FALSE(below->below.empty());
+  EXPECT_EQ(named_in(lint(trace)), "");
+  EXPECT_EQ(named_in(lint(trace, {.strict = true})), "surface ");
+  EXPECT_EQ(named_in(lint(trace, {.strict = true, .tolerance = 0.01})), "");
+}
+
+}  // namespace
+}  // namespace contactscope::lint
