@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <set>
+#include <tuple>
 
 #include "core/at.h"
+#include "find/finder.h"
 #include "scenario/nearest_word.h"
 
 namespace contactscope::app {
@@ -50,17 +53,54 @@ std::size_t drawn_by(const draw::Sketch& sketch) {
 
 }  // namespace
 
-void narrow(Sequence& sequence, const Options& options) {
-  if (options.pair.empty() && options.shapes.empty()) return;
+void require_pair(const trace::Header& header, const Options& options) {
   if (!options.pair.empty() && options.pair.size() != 2)
     throw UsageError("--pair names two shapes, as --pair=crate,floor");
+  for (const std::string& name : options.pair) require_shape(header, "--pair", name);
+}
+
+bool is_pair_named(const std::string& a, const std::string& b,
+                   const std::vector<std::string>& pair) {
+  return pair.empty() || (a == pair[0] && b == pair[1]) || (a == pair[1] && b == pair[0]);
+}
+
+find::Expression condition_of(const std::string& option, const std::string& text) {
+  try {
+    return find::Expression(text, find::vocabulary());
+  } catch (const find::ExpressionError& error) {
+    throw UsageError(option + ", " + error.what());
+  }
+}
+
+void keep_where(Sequence& sequence, std::vector<int>& frames, const Options& options) {
+  find::Finder finder(condition_of("--where", options.condition));
+  using Name = std::tuple<std::string, std::string, std::string>;
+  std::map<int, std::set<Name>> found;
+  const auto numbers =
+      sequence.file ? sequence.numbers : mapped(sequence.frames, &trace::Frame::frame);
+  sequence.each(numbers, [&](std::size_t index) {
+    for (find::Hit& hit : finder.next(sequence.frames[index]))
+      found[hit.frame].emplace(std::move(hit.a), std::move(hit.b), std::move(hit.label));
+  });
+  std::erase_if(frames, [&](int frame) { return !found.contains(frame); });
+  sequence.trim = [trim = sequence.trim, found](trace::Frame& frame) {
+    if (trim) trim(frame);
+    const auto of_frame = found.find(frame.frame);
+    std::erase_if(frame.pairs, [&](const trace::Pair& pair) {
+      return of_frame == found.end() || !of_frame->second.contains({pair.a, pair.b, pair.label});
+    });
+  };
+  std::ranges::for_each(sequence.frames, sequence.trim);
+}
+
+void narrow(Sequence& sequence, const Options& options) {
+  if (options.pair.empty() && options.shapes.empty()) return;
+  require_pair(sequence.header, options);
   std::set<std::string> shown(options.shapes.begin(), options.shapes.end());
   for (const std::string& name : shown) require_shape(sequence.header, "--shapes", name);
-  for (const std::string& name : options.pair) require_shape(sequence.header, "--pair", name);
   shown.insert(options.pair.begin(), options.pair.end());
   const auto is_pair = [two = options.pair](const trace::Pair& pair) {
-    return two.empty() || (pair.a == two[0] && pair.b == two[1]) ||
-           (pair.a == two[1] && pair.b == two[0]);
+    return is_pair_named(pair.a, pair.b, two);
   };
   sequence.trim = [shown, is_pair](trace::Frame& frame) {
     std::erase_if(frame.poses,

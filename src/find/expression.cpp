@@ -1,6 +1,7 @@
-#include "shrink/expression.h"
+#include "find/expression.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <charconv>
 #include <cmath>
@@ -10,7 +11,7 @@
 
 #include "scenario/nearest_word.h"
 
-namespace contactscope::shrink {
+namespace contactscope::find {
 
 struct Expression::Node {
   enum class Kind { Constant, Fact, Operator } kind = Kind::Constant;
@@ -18,19 +19,38 @@ struct Expression::Node {
   std::string side, quantity;  // for a fact
   std::string name;            // for an operator: "+", "<", "and", "abs", "angle", "negate"
   std::vector<Node> operands{};
+  Unit unit = Unit::Any;
 };
 
-const std::set<std::string>& quantities() {
-  static const std::set<std::string> all = {"points",   "separation", "touching", "overlap",
-                                            "axis",     "type",       "ids",      "normal_x",
-                                            "normal_y", "normal_z",   "manifolds"};
-  return all;
+const Quantity* Vocabulary::quantity(std::string_view name) const {
+  const auto found = std::ranges::find(quantities, name, &Quantity::name);
+  return found == quantities.end() ? nullptr : &*found;
 }
 
 namespace {
 
-std::vector<std::string_view> quantity_words() {
-  return {quantities().begin(), quantities().end()};
+/// A unit that may follow a number.
+struct UnitWord {
+  std::string_view name;
+  Unit unit;
+  double factor;  // to the unit in which values are
+};
+constexpr std::array<UnitWord, 11> kUnitWords = {{{"m", Unit::Metres, 1},
+                                                  {"cm", Unit::Metres, 1e-2},
+                                                  {"mm", Unit::Metres, 1e-3},
+                                                  {"um", Unit::Metres, 1e-6},
+                                                  {"nm", Unit::Metres, 1e-9},
+                                                  {"deg", Unit::Degrees, 1},
+                                                  {"rad", Unit::Degrees, 180 / std::numbers::pi},
+                                                  {"s", Unit::Seconds, 1},
+                                                  {"ms", Unit::Seconds, 1e-3},
+                                                  {"N", Unit::NewtonSeconds, 1},
+                                                  {"Ns", Unit::NewtonSeconds, 1}}};
+
+const char* spelled(Unit unit) {
+  constexpr const char* kNames[] = {"a number", "a count", "a text",    "a length",
+                                    "an angle", "a time",  "an impulse"};
+  return kNames[static_cast<std::size_t>(unit)];
 }
 
 double number_of(const Value& value) {
@@ -75,19 +95,22 @@ double calculate(const std::string& name, double a, double b) {
 /// Recursive descent: or, and, not, comparison, sum, product, sign, term.
 class Expression::Parser {
  public:
-  Parser(const std::string& text, std::set<std::string>& sides) : text_(text), sides_(sides) {
+  Parser(const std::string& text, const Vocabulary& vocabulary, std::vector<Fact>& facts)
+      : text_(text), vocabulary_(vocabulary), facts_(facts) {
     next();
   }
 
   Node whole() {
     Node root = disjunction();
-    if (!token_.empty()) fail("unexpected '" + token_ + "'");
+    if (!token_.empty()) fail("unexpected '" + token_ + "'; join conditions with 'and' or 'or'");
     return root;
   }
 
  private:
-  [[noreturn]] void fail(const std::string& what) const {
-    throw ExpressionError("column " + std::to_string(begin_ + 1) + " of '" + text_ + "': " + what);
+  [[noreturn]] void fail(const std::string& what) const { fail(begin_, what); }
+  [[noreturn]] void fail(std::size_t at, const std::string& what) const {
+    throw ExpressionError("column " + std::to_string(at + 1) + " of '" + text_ + "': " + what +
+                          "\n  " + text_ + "\n  " + std::string(at, ' ') + "^");
   }
 
   /// Reads the token that starts at `at_`; empty at the end.
@@ -137,8 +160,23 @@ class Expression::Parser {
                           : "found '" + token_ + "', expected '" + token + "'");
   }
 
-  static Node apply(const std::string& name, std::vector<Node> operands) {
-    return {Node::Kind::Operator, {}, {}, {}, name, std::move(operands)};
+  static Node apply(const std::string& name, std::vector<Node> operands, Unit unit = Unit::Any) {
+    return {Node::Kind::Operator, {}, {}, {}, name, std::move(operands), unit};
+  }
+
+  /// The unit of a result; fails at the operator if a length is compared with an angle.
+  Unit unit_of(const std::string& name, const Node& left, const Node& right, std::size_t at) const {
+    const Unit one = left.unit, other = right.unit;
+    if (name == "and" || name == "or") return Unit::Any;
+    const bool is_plain = other == Unit::Any || other == Unit::Count;
+    if (name == "*")
+      return is_plain ? one : one == Unit::Any || one == Unit::Count ? other : Unit::Any;
+    if (name == "/") return is_plain ? one : Unit::Any;
+    if (one != Unit::Any && other != Unit::Any && one != other)
+      fail(at, std::string("left of '") + name + "' is " + spelled(one) + ", right of it " +
+                   spelled(other));
+    if (name != "+" && name != "-") return Unit::Any;
+    return one == Unit::Any ? other : one;
   }
 
   template <class Below>
@@ -147,8 +185,11 @@ class Expression::Parser {
     for (;;) {
       const auto found = std::ranges::find(names, token_);
       if (found == names.end()) return left;
+      const std::size_t at = begin_;
       next();
-      left = apply(*found, {std::move(left), below()});
+      Node right = below();
+      const Unit unit = unit_of(*found, left, right, at);
+      left = apply(*found, {std::move(left), std::move(right)}, unit);
     }
   }
 
@@ -169,8 +210,10 @@ class Expression::Parser {
     return chain({"*", "/"}, [&] { return sign(); });
   }
   Node sign() {
-    if (take("-")) return apply("negate", {sign()});
-    return term();
+    if (!take("-")) return term();
+    Node inner = sign();
+    const Unit unit = inner.unit;
+    return apply("negate", {std::move(inner)}, unit);
   }
 
   Node term() {
@@ -182,7 +225,8 @@ class Expression::Parser {
     if (token_.empty()) fail("a quantity is missing at the end");
     const char first = token_.front();
     if (first == '"' || first == '\'') {
-      Node text{Node::Kind::Constant, token_.substr(1, token_.size() - 2), {}, {}, {}, {}};
+      Node text{
+          Node::Kind::Constant, token_.substr(1, token_.size() - 2), {}, {}, {}, {}, Unit::Text};
       next();
       return text;
     }
@@ -193,7 +237,8 @@ class Expression::Parser {
       need("(");
       Node inner = disjunction();
       need(")");
-      return apply("abs", {std::move(inner)});
+      const Unit unit = inner.unit;
+      return apply("abs", {std::move(inner)}, unit);
     }
     if (take("angle")) {
       need("(");
@@ -201,59 +246,106 @@ class Expression::Parser {
       need(",");
       Node other = side();
       need(")");
-      return apply("angle", {std::move(one), std::move(other)});
+      return apply("angle", {std::move(one), std::move(other)}, Unit::Degrees);
     }
     return fact();
   }
 
+  /// "5", "5 mm" or "5mm".
   Node number() {
     double value = 0;
     const char* const end = token_.data() + token_.size();
     const auto [stop, error] = std::from_chars(token_.data(), end, value);
-    if (error != std::errc() || stop != end) fail("'" + token_ + "' is not a number");
+    std::string unit(stop, static_cast<std::size_t>(end - stop));
+    if (error != std::errc() ||
+        (!unit.empty() && std::isalpha(static_cast<unsigned char>(unit.front())) == 0))
+      fail("'" + token_ + "' is not a number");
+    const bool is_apart = unit.empty();
+    std::size_t at = begin_ + token_.size() - unit.size();
     next();
-    return {Node::Kind::Constant, value, {}, {}, {}, {}};
+    if (is_apart) {
+      const bool is_word =
+          !token_.empty() && std::isalpha(static_cast<unsigned char>(token_.front())) != 0;
+      if (!is_word || token_ == "and" || token_ == "or")
+        return {Node::Kind::Constant, value, {}, {}, {}, {}, Unit::Any};
+      unit = token_;
+      at = begin_;
+      next();
+    }
+    const auto known = std::ranges::find(kUnitWords, unit, &UnitWord::name);
+    if (known == kUnitWords.end()) {
+      const std::vector<std::string_view> names = names_in(kUnitWords);
+      fail(at, "'" + unit + "' is not a unit; " + did_you_mean(unit, names) +
+                   "known: " + quoted_list(names));
+    }
+    if (unit == "N") need("s");
+    return {Node::Kind::Constant, value * known->factor, {}, {}, {}, {}, known->unit};
+  }
+
+  void require_side(const std::string& name) const {
+    const std::vector<std::string_view> sides(vocabulary_.sides.begin(), vocabulary_.sides.end());
+    if (!sides.empty() && std::ranges::find(sides, name) == sides.end())
+      fail("'" + name + "' is not known here; " + did_you_mean(name, sides) +
+           "before a dot there may be " + quoted_list(sides));
+  }
+  void note(const Fact& fact) {
+    if (std::ranges::find(facts_, fact) == facts_.end()) facts_.push_back(fact);
   }
 
   Node side() {
     Node named{Node::Kind::Fact, {}, token_, {}, {}, {}};
     if (token_.empty() || std::isalpha(static_cast<unsigned char>(token_.front())) == 0)
       fail("expected a side, such as in angle(float, double)");
-    sides_.insert(token_);
+    require_side(token_);
+    for (const char* axis : {"normal_x", "normal_y", "normal_z"}) note({token_, axis, Unit::Count});
     next();
     return named;
   }
 
   Node fact() {
     const std::size_t dot = token_.find('.');
-    Node named{Node::Kind::Fact, {}, {}, {}, {}, {}};
-    if (token_ == "unmet" || token_ == "lint") {
-      named.side = token_;
-    } else if (dot == std::string::npos) {
-      named.quantity = token_;
-    } else {
-      named.side = token_.substr(0, dot);
-      named.quantity = token_.substr(dot + 1);
+    Node named{Node::Kind::Fact, {}, token_.substr(0, dot == std::string::npos ? 0 : dot),
+               token_,           {}, {}};
+    if (dot != std::string::npos) named.quantity = token_.substr(dot + 1);
+    const std::vector<std::string>& counts = vocabulary_.counts;
+    if (dot == std::string::npos && std::ranges::find(counts, token_) != counts.end())
+      std::swap(named.side, named.quantity);
+    if (std::ranges::find(counts, named.side) == counts.end()) {
+      if (!named.side.empty()) require_side(named.side);
+      const Quantity* const known = vocabulary_.quantity(named.quantity);
+      if (known == nullptr) refuse(named.quantity);
+      if (known->is_change && !named.side.empty())
+        fail("'" + named.quantity + "' is a change from the frame before; leave out '" +
+             named.side + ".'");
+      named.unit = known->unit;
     }
-    const bool is_known =
-        named.side == "lint" || named.side == "unmet" || quantities().contains(named.quantity);
-    if (!is_known)
-      fail("'" + named.quantity + "' is not a quantity; " +
-           did_you_mean(named.quantity, quantity_words()) +
-           "known: " + quoted_list(quantity_words()) + ", lint, lint.CAUSE and unmet");
-    sides_.insert(named.side);
+    note({named.side, named.quantity, named.unit});
     next();
     return named;
   }
 
+  [[noreturn]] void refuse(const std::string& quantity) const {
+    std::vector<std::string_view> names = names_in(vocabulary_.quantities);
+    const std::string near = did_you_mean(quantity, names);
+    names.insert(names.end(), vocabulary_.counts.begin(), vocabulary_.counts.end());
+    fail("'" + quantity + "' is not a quantity; " + near + "known: " + quoted_list(names));
+  }
+
   const std::string& text_;
-  std::set<std::string>& sides_;
+  const Vocabulary& vocabulary_;
+  std::vector<Fact>& facts_;
   std::size_t at_ = 0, begin_ = 0;
   std::string token_;
 };
 
-Expression::Expression(const std::string& text) : text_(text) {
-  root_ = std::make_shared<const Node>(Parser(text_, sides_).whole());
+Expression::Expression(const std::string& text, const Vocabulary& vocabulary) : text_(text) {
+  root_ = std::make_shared<const Node>(Parser(text_, vocabulary, facts_).whole());
+}
+
+std::set<std::string> Expression::sides() const {
+  std::set<std::string> sides;
+  for (const Fact& fact : facts_) sides.insert(fact.side);
+  return sides;
 }
 
 Value Expression::evaluate(const Node& node, const Lookup& lookup) {
@@ -282,4 +374,4 @@ bool Expression::holds(const Lookup& lookup) const {
   return is_true(evaluate(*root_, lookup));
 }
 
-}  // namespace contactscope::shrink
+}  // namespace contactscope::find
