@@ -1,10 +1,12 @@
 #include "snapshot/compare_trace.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <map>
 #include <sstream>
 
-#include "snapshot/compare_frames.h"
+#include "snapshot/compare_facts.h"
 #include "snapshot/first_cause.h"
 #include "snapshot/store.h"
 
@@ -12,6 +14,74 @@ namespace contactscope::snapshot {
 namespace {
 
 using trace::Trace;
+
+// Sine and cosine of C libraries differ by one ulp between processors. Such a pose moves by up to
+// one ulp of its coordinates; two poses and the transform back to world space make four.
+constexpr double kPlaceUlps = 4;
+// One ulp in a quaternion moves a shape by up to two ulps of its extent; each later stage (query,
+// clip, area) rounds again. Twice the largest sum of those that we could count.
+constexpr double kExtentUlps = 16;
+// A polygon within the extent has a perimeter of at most 8 extents, which scales area errors.
+constexpr double kPerimeter = 8;
+
+double largest_coordinate(const std::vector<Vec3d>& points) {
+  double largest = 0;
+  for (const Vec3d& point : points) largest = std::max(largest, point.lpNorm<Eigen::Infinity>());
+  return largest;
+}
+
+/// Largest local coordinate of a shape. A plane is unbounded; its offset is what rounds.
+double extent(const trace::Shape& shape) {
+  if (shape.half_space) return std::abs(shape.half_space->offset);
+  return largest_coordinate(shape.vertices) + shape.radius;
+}
+
+/// Scale of the tolerances, from the expected trace alone, so that wild values in the actual one do
+/// not widen them.
+class Scale {
+ public:
+  explicit Scale(const trace::Header& header)
+      : ulp_(std::ldexp(1.0, header.scalar == "double" ? -52 : -23)) {
+    for (const trace::Shape& shape : header.shapes) extents_[shape.name] = extent(shape);
+  }
+
+  /// For one shape or a pair in a frame.
+  Tolerance of(const trace::Frame& frame, const std::string& a, const std::string& b) const {
+    const double extent = std::max(extent_of(a), extent_of(b));
+    double place = 0;
+    for (const auto& [name, pose] : frame.poses) {
+      if (name != a && name != b) continue;
+      place = std::max(place, pose.position.lpNorm<Eigen::Infinity>());
+    }
+    return make(place, extent);
+  }
+  /// For a shape in its local frame.
+  Tolerance of(const std::string& shape) const { return make(0, extent_of(shape)); }
+  /// For sums over a frame: lengths as for the largest pair, impulses and energies as for all pairs
+  /// together.
+  Tolerance of(const trace::Frame& frame) const {
+    Tolerance tolerance = make(0, 0);
+    for (const trace::Pair& pair : frame.pairs)
+      tolerance.length = std::max(tolerance.length, of(frame, pair.a, pair.b).length);
+    const auto add = [&](trace::Kind kind, double value) { tolerance.magnitude(kind) += value; };
+    each_magnitude(frame.pairs, add);
+    each_magnitude(frame.solver, add);
+    return tolerance;
+  }
+
+ private:
+  double extent_of(const std::string& shape) const {
+    const auto found = extents_.find(shape);
+    return found == extents_.end() ? 0 : found->second;
+  }
+  Tolerance make(double place, double extent) const {
+    const double local = kExtentUlps * extent * ulp_;
+    return {kPlaceUlps * place * ulp_ + local, kExtentUlps * ulp_, kPerimeter * extent * local};
+  }
+
+  double ulp_;
+  std::map<std::string, double> extents_;  // metres, largest local coordinate
+};
 
 /// Adds the sentences of the header or of one frame.
 void report(const std::string& place, const std::vector<Difference>& differences,
@@ -26,14 +96,23 @@ void report(const std::string& place, const std::vector<Difference>& differences
   }
 }
 
-/// Settles `actual`; see Changes.
-TraceDifferences compare_and_settle(const Trace& expected, Trace& actual,
-                                    const Margins& margins = {}) {
+/// Characters around a position of a line.
+std::string about(const std::string& line, std::size_t at) {
+  constexpr std::size_t kBefore = 24, kLength = 48;
+  return at < line.size() ? line.substr(at - std::min(at, kBefore), kLength) : "(the end)";
+}
+
+}  // namespace
+
+TraceDifferences compare_and_settle(const Trace& expected, Trace& actual, const Margins& margins) {
   TraceDifferences record;
   std::vector<FrameDifferences> all;
   const std::string name = actual.header.scenario;
-  const FrameComparison comparison(expected.header);
-  std::vector<Difference> header = comparison.header(expected.header, actual.header);
+  const Scale scale(expected.header);
+  std::vector<Difference> header;
+  Comparison([&](const std::string& shape, const std::string&) {
+    return scale.of(shape);
+  }).compare(expected.header, actual.header, {}, "", header);
 
   const auto number = [](const trace::Frame& frame) {
     return "frame " + std::to_string(frame.frame);
@@ -58,7 +137,10 @@ TraceDifferences compare_and_settle(const Trace& expected, Trace& actual,
 
   for (const auto& [i, j] : match.both) {
     const trace::Frame& frame = expected.frames[i];
-    std::vector<Difference> differences = comparison.frame(frame, actual.frames[j]);
+    std::vector<Difference> differences;
+    Comparison([&](const std::string& a, const std::string& b) {
+      return scale.of(frame, a, b);
+    }).compare(frame, actual.frames[j], {"", "", scale.of(frame)}, "", differences);
     report(name + " " + number(frame), differences, record.sentences);
     if (differences.empty()) continue;
     record.frames.push_back(frame.frame);
@@ -66,20 +148,14 @@ TraceDifferences compare_and_settle(const Trace& expected, Trace& actual,
   }
   if (!all.empty()) {
     FirstCause cause = first_cause(name, all, margins);
+    record.first = {cause.frame, cause.first->subject, cause.first->stage, cause.first->text,
+                    std::move(cause.chain)};
     record.cause = std::move(cause.sentence);
     record.signature = std::move(cause.signature);
     record.is_input = cause.is_input;
   }
   return record;
 }
-
-/// Characters around a position of a line.
-std::string about(const std::string& line, std::size_t at) {
-  constexpr std::size_t kBefore = 24, kLength = 48;
-  return at < line.size() ? line.substr(at - std::min(at, kBefore), kLength) : "(the end)";
-}
-
-}  // namespace
 
 std::vector<std::string> compare_traces(const Trace& expected, const Trace& actual) {
   Trace settled = actual;

@@ -33,6 +33,7 @@ enum class Stage {
   Frames,  // which frames are stored
 };
 
+/// Names of the stages.
 inline constexpr std::array<std::string_view, 19> kStages = {
     "setup",    "poses",  "broad phase", "pairs",     "cache",    "candidates", "axes",
     "decision", "faces",  "clipping",    "reduction", "manifold", "points",     "ids",

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <map>
 #include <optional>
 #include <string>
 #include <unordered_map>
@@ -11,8 +10,8 @@
 
 namespace contactscope::find {
 
-/// The names of an expression about a pair in a frame: those of pair_quantities(), changes since
-/// the frame before, and the side "previous", the pair in that frame.
+/// The names of an expression about a pair in a frame: those of pair_quantities(), and the side
+/// "previous", the pair in the frame before.
 const Vocabulary& vocabulary();
 
 /// A pair in a frame for which the expression holds.
@@ -24,24 +23,23 @@ struct Hit {
 };
 
 /// Finds the pairs for which an expression holds, frame by frame. A pair that left the trace is
-/// still tried in the first frame without it: it has no points there. Memory depends on the
-/// largest frame and on the number of different pairs.
+/// still tried in the first frame without it. Memory depends on the largest frame and on the number
+/// of different pairs.
 class Finder {
  public:
   explicit Finder(Expression expression);
 
   const Expression& expression() const { return expression_; }
   /// The parts of a frame that the expression needs.
-  trace::Parts parts() const;
+  trace::Parts parts() const { return {.poses = wants_poses_, .stages = false}; }
   /// The hits of the next frame, in the order of its pairs.
   std::vector<Hit> next(trace::Frame frame);
 
  private:
-  using Key = std::string;
   /// A frame, its pairs and poses by name.
   struct Moment {
     trace::Frame frame{};
-    std::unordered_map<Key, const trace::Pair*> pairs{};
+    std::unordered_map<std::string, const trace::Pair*> pairs{};
     std::unordered_map<std::string, const Pose<double>*> poses{};
   };
   /// Contact of a pair over the frames, by their place in the trace.
@@ -50,18 +48,14 @@ class Finder {
     int last = -1;
     int away = -1;  // frames without contact before that; -1: it had not touched before
   };
-  struct Tried;
-
-  static Key key_of(const trace::Pair& pair);
-  void keep(const Contact& contact);
-  Value value(const Tried& tried, const std::string& side, const std::string& quantity) const;
-  Value change(const Tried& tried, const std::string& quantity) const;
+  void try_pair(const trace::Pair& now, const trace::Pair* before, const Contact& contact,
+                std::vector<Hit>& hits) const;
 
   Expression expression_;
   bool wants_poses_ = false;
   std::optional<Moment> now_, before_;
   int place_ = -1;  // of the frame in the trace
-  std::unordered_map<Key, Contact> contacts_;
+  std::unordered_map<std::string, Contact> contacts_;
 };
 
 }  // namespace contactscope::find

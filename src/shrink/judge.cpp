@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "core/input_error.h"
-#include "find/pair_quantities.h"
+#include "find/quantities.h"
 #include "lint/linter.h"
 #include "scenario/run.h"
 #include "versus/comparison.h"
@@ -69,7 +69,7 @@ struct Run {
 find::Value quantity_of(const trace::Pair& pair, const std::string& quantity) {
   // Here the answer of a query, since pairs with one have no points.
   if (quantity == "overlap") return pair.overlap ? double(*pair.overlap) : find::kUnknown;
-  return std::ranges::find(find::pair_quantities(), quantity, &find::PairQuantity::name)->of(pair);
+  return find::value_of({&pair}, quantity);
 }
 
 double lint_of(const trace::Trace& trace, const std::string& cause) {
@@ -98,12 +98,10 @@ std::vector<std::string> unmet_of(const Run& run) {
 
 const find::Vocabulary& vocabulary() {
   static const find::Vocabulary known = [] {
-    find::Vocabulary all{{}, {}, {"lint", "unmet"}};
-    for (const find::Quantity& quantity : find::pair_quantities()) {
-      all.quantities.push_back(quantity);
-      if (quantity.name == "overlap") all.quantities.back().unit = find::Unit::Count;
-    }
-    return all;
+    const auto& all = find::pair_quantities();
+    find::Vocabulary names{{all.begin(), all.begin() + find::kOfPairAlone}, {}, {"lint", "unmet"}};
+    std::ranges::find(names.quantities, "overlap", &find::Quantity::name)->unit = find::Unit::Count;
+    return names;
   }();
   return known;
 }

@@ -53,17 +53,6 @@ std::size_t drawn_by(const draw::Sketch& sketch) {
 
 }  // namespace
 
-void require_pair(const trace::Header& header, const Options& options) {
-  if (!options.pair.empty() && options.pair.size() != 2)
-    throw UsageError("--pair names two shapes, as --pair=crate,floor");
-  for (const std::string& name : options.pair) require_shape(header, "--pair", name);
-}
-
-bool is_pair_named(const std::string& a, const std::string& b,
-                   const std::vector<std::string>& pair) {
-  return pair.empty() || (a == pair[0] && b == pair[1]) || (a == pair[1] && b == pair[0]);
-}
-
 find::Expression condition_of(const std::string& option, const std::string& text) {
   try {
     return find::Expression(text, find::vocabulary());
@@ -95,12 +84,15 @@ void keep_where(Sequence& sequence, std::vector<int>& frames, const Options& opt
 
 void narrow(Sequence& sequence, const Options& options) {
   if (options.pair.empty() && options.shapes.empty()) return;
-  require_pair(sequence.header, options);
+  if (!options.pair.empty() && options.pair.size() != 2)
+    throw UsageError("--pair names two shapes, as --pair=crate,floor");
   std::set<std::string> shown(options.shapes.begin(), options.shapes.end());
   for (const std::string& name : shown) require_shape(sequence.header, "--shapes", name);
+  for (const std::string& name : options.pair) require_shape(sequence.header, "--pair", name);
   shown.insert(options.pair.begin(), options.pair.end());
   const auto is_pair = [two = options.pair](const trace::Pair& pair) {
-    return is_pair_named(pair.a, pair.b, two);
+    return two.empty() || (pair.a == two[0] && pair.b == two[1]) ||
+           (pair.a == two[1] && pair.b == two[0]);
   };
   sequence.trim = [shown, is_pair](trace::Frame& frame) {
     std::erase_if(frame.poses,

@@ -16,12 +16,6 @@ find::Expression condition_of(const std::string& option, const std::string& text
 /// these.
 void keep_where(Sequence& sequence, std::vector<int>& frames, const Options& options);
 
-/// Throws UsageError if --pair does not name two shapes of a trace.
-void require_pair(const trace::Header& header, const Options& options);
-/// Whether --pair names these shapes, in any order, or none.
-bool is_pair_named(const std::string& a, const std::string& b,
-                   const std::vector<std::string>& pair);
-
 /// Applies the camera options of the command line to all views. Throws UsageError if a position is
 /// not three numbers.
 void place_camera(std::vector<View>& views, const Options& options);
