@@ -128,12 +128,14 @@ class Expression::Parser {
       if (end == std::string::npos) fail("the closing quote is missing");
       token_ = text_.substr(at_, end + 1 - at_);
       at_ = end + 1;
+    } else if (std::isdigit(static_cast<unsigned char>(first)) != 0 || first == '.') {
+      const char* const begin = text_.data() + at_;
+      const char* const end = std::from_chars(begin, text_.data() + text_.size(), number_).ptr;
+      if (end == begin) fail("'.' is not a number");
+      token_.assign(begin, end);
+      at_ += token_.size();
     } else if (is_word(first)) {
-      const bool is_number = std::isdigit(static_cast<unsigned char>(first)) != 0 || first == '.';
-      while (at_ < text_.size() &&
-             (is_word(text_[at_]) || (is_number && (text_[at_] == '-' || text_[at_] == '+') &&
-                                      (text_[at_ - 1] == 'e' || text_[at_ - 1] == 'E'))))
-        token_ += text_[at_++];
+      while (at_ < text_.size() && is_word(text_[at_])) token_ += text_[at_++];
     } else {
       token_ = text_[at_++];
       const std::string both = token_ + (at_ < text_.size() ? text_[at_] : ' ');
@@ -212,8 +214,7 @@ class Expression::Parser {
   Node sign() {
     if (!take("-")) return term();
     Node inner = sign();
-    const Unit unit = inner.unit;
-    return apply("negate", {std::move(inner)}, unit);
+    return apply("negate", {inner}, inner.unit);
   }
 
   Node term() {
@@ -237,8 +238,7 @@ class Expression::Parser {
       need("(");
       Node inner = disjunction();
       need(")");
-      const Unit unit = inner.unit;
-      return apply("abs", {std::move(inner)}, unit);
+      return apply("abs", {inner}, inner.unit);
     }
     if (take("angle")) {
       need("(");
@@ -253,33 +253,23 @@ class Expression::Parser {
 
   /// "5", "5 mm" or "5mm".
   Node number() {
-    double value = 0;
-    const char* const end = token_.data() + token_.size();
-    const auto [stop, error] = std::from_chars(token_.data(), end, value);
-    std::string unit(stop, static_cast<std::size_t>(end - stop));
-    if (error != std::errc() ||
-        (!unit.empty() && std::isalpha(static_cast<unsigned char>(unit.front())) == 0))
-      fail("'" + token_ + "' is not a number");
-    const bool is_apart = unit.empty();
-    std::size_t at = begin_ + token_.size() - unit.size();
+    Node number{Node::Kind::Constant, number_, {}, {}, {}, {}};
     next();
-    if (is_apart) {
-      const bool is_word =
-          !token_.empty() && std::isalpha(static_cast<unsigned char>(token_.front())) != 0;
-      if (!is_word || token_ == "and" || token_ == "or")
-        return {Node::Kind::Constant, value, {}, {}, {}, {}, Unit::Any};
-      unit = token_;
-      at = begin_;
+    const bool is_word =
+        !token_.empty() && std::isalpha(static_cast<unsigned char>(token_.front())) != 0;
+    if (!is_word || token_ == "and" || token_ == "or") return number;
+    const auto known = std::ranges::find(kUnitWords, token_, &UnitWord::name);
+    const std::vector<std::string_view> names = names_in(kUnitWords);
+    if (known == kUnitWords.end())
+      fail("'" + token_ + "' is not a unit; " + did_you_mean(token_, names) +
+           "known: " + quoted_list(names));
+    number.value = std::get<double>(number.value) * known->factor;
+    number.unit = known->unit;
+    if (take("N"))
+      need("s");
+    else
       next();
-    }
-    const auto known = std::ranges::find(kUnitWords, unit, &UnitWord::name);
-    if (known == kUnitWords.end()) {
-      const std::vector<std::string_view> names = names_in(kUnitWords);
-      fail(at, "'" + unit + "' is not a unit; " + did_you_mean(unit, names) +
-                   "known: " + quoted_list(names));
-    }
-    if (unit == "N") need("s");
-    return {Node::Kind::Constant, value * known->factor, {}, {}, {}, {}, known->unit};
+    return number;
   }
 
   void require_side(const std::string& name) const {
@@ -336,6 +326,7 @@ class Expression::Parser {
   std::vector<Fact>& facts_;
   std::size_t at_ = 0, begin_ = 0;
   std::string token_;
+  double number_ = 0;  // the value of a token that is a number
 };
 
 Expression::Expression(const std::string& text, const Vocabulary& vocabulary) : text_(text) {

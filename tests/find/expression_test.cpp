@@ -90,7 +90,7 @@ TEST(Expression, ReportsTheErrorWithItsPlaceAndRemedy) {
   EXPECT_THAT(complaint("(points > 1"), HasSubstr("')' is missing"));
   EXPECT_THAT(complaint("points > 1 2"), HasSubstr("unexpected '2'"));
   EXPECT_THAT(complaint("axis == 'face"), HasSubstr("closing quote"));
-  EXPECT_THAT(complaint("1.2.3 > 1"), HasSubstr("is not a number"));
+  EXPECT_THAT(complaint("1.2.3 > 1"), HasSubstr("column 4 of '1.2.3 > 1': unexpected '.3'"));
   EXPECT_THAT(complaint("angle(1, double) > 1"), HasSubstr("expected a side"));
 }
 
