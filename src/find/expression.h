@@ -26,8 +26,7 @@ namespace contactscope::find {
 using Value = std::variant<double, std::string>;
 inline constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-/// What a value measures. Values of different units cannot be compared; a number without a unit
-/// fits all.
+/// Unit of a value. Different ones cannot be compared; a number without a unit fits all.
 enum class Unit { Any, Count, Text, Metres, Degrees, Seconds, NewtonSeconds };
 
 /// A name that an expression may use.

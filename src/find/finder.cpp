@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "find/quantities.h"
-
 namespace contactscope::find {
 namespace {
 

@@ -1,4 +1,4 @@
-#include "find/quantities.h"
+#include "find/finder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,6 +30,27 @@ double impulse_of(const Pair& pair) {
 
 double points_of(const Pair& pair) {
   return double(joined(pair.manifolds, &Manifold::points).size());
+}
+
+double manifolds_of(const Pair& pair) {
+  return double(pair.manifolds.size());
+}
+
+double touching(const Pair& pair) {
+  return double(pair.state == "touching");
+}
+
+template <auto kOf>
+Value of_now(const M& m) {
+  return kOf(*m.now);
+}
+template <auto kOf, bool kGain = false>
+Value change_of(const M& m) {
+  const double change = kOf(*m.now) - kOf(*m.before);
+  return kGain ? std::max(0.0, change) : change;
+}
+Value loss_of_points(const M& m) {
+  return std::max(0.0, points_of(*m.before) - points_of(*m.now));
 }
 
 std::string ids_of(const Pair& pair) {
@@ -70,26 +91,29 @@ Value normal_turn(const M& m) {
 }
 
 /// Number of ids of one pair that the other does not have.
-double ids_only_in(const Pair& one, const Pair& other) {
+Value ids_only_in(const Pair& one, const Pair& other) {
   const std::multiset<std::string> ids = trace::point_ids(one), others = trace::point_ids(other);
   std::vector<std::string> only;
   std::ranges::set_difference(ids, others, std::back_inserter(only));
   return double(only.size());
 }
 
-/// The larger change of the two shapes.
-template <class Change>
-Value of_poses(const M& m, const Change& change) {
-  double most = kUnknown;
-  for (std::size_t i : {0u, 1u})
-    if (m.poses[i] && m.poses_before[i])
-      most = std::fmax(most, change(*m.poses_before[i], *m.poses[i]));
-  return most;
+double motion_between(const Pose<double>& from, const Pose<double>& to) {
+  return (to.position - from.position).norm();
 }
-
 double turn_between(const Pose<double>& from, const Pose<double>& to) {
   const Quatd turn = to.rotation * from.rotation.conjugate();
   return degrees(2 * std::atan2(turn.vec().norm(), std::abs(turn.w())));
+}
+
+/// The larger change of the two shapes.
+template <auto kChange>
+Value of_poses(const M& m) {
+  double most = kUnknown;
+  for (std::size_t i : {0u, 1u})
+    if (m.poses[i] && m.poses_before[i])
+      most = std::fmax(most, kChange(*m.poses_before[i], *m.poses[i]));
+  return most;
 }
 
 }  // namespace
@@ -97,14 +121,12 @@ double turn_between(const Pose<double>& from, const Pose<double>& to) {
 const std::vector<PairQuantity>& pair_quantities() {
   constexpr bool kChange = true;
   static const std::vector<PairQuantity> all = {
-      {{"points", Unit::Count}, [](const M& m) -> Value { return points_of(*m.now); }},
-      {{"manifolds", Unit::Count},
-       [](const M& m) -> Value { return double(m.now->manifolds.size()); }},
+      {{"points", Unit::Count}, &of_now<points_of>},
+      {{"manifolds", Unit::Count}, &of_now<manifolds_of>},
       {{"separation", Unit::Metres}, [](const M& m) -> Value { return m.now->separation; }},
-      {{"overlap", Unit::Metres}, [](const M& m) -> Value { return overlap_of(*m.now); }},
-      {{"touching", Unit::Count},
-       [](const M& m) -> Value { return double(m.now->state == "touching"); }},
-      {{"impulse", Unit::NewtonSeconds}, [](const M& m) -> Value { return impulse_of(*m.now); }},
+      {{"overlap", Unit::Metres}, &of_now<overlap_of>},
+      {{"touching", Unit::Count}, &of_now<touching>},
+      {{"impulse", Unit::NewtonSeconds}, &of_now<impulse_of>},
       {{"axis", Unit::Text}, &text_of<&Manifold::axis>},
       {{"type", Unit::Text}, &text_of<&Manifold::type>},
       {{"ids", Unit::Text}, [](const M& m) -> Value { return ids_of(*m.now); }},
@@ -119,25 +141,16 @@ const std::vector<PairQuantity>& pair_quantities() {
       {{"age", Unit::Count}, [](const M& m) -> Value { return m.age; }},
       {{"away", Unit::Count}, [](const M& m) -> Value { return m.away; }},
       {{"normal_turn", Unit::Degrees, kChange}, &normal_turn},
-      {{"overlap_change", Unit::Metres, kChange},
-       [](const M& m) -> Value { return overlap_of(*m.now) - overlap_of(*m.before); }},
-      {{"impulse_change", Unit::NewtonSeconds, kChange},
-       [](const M& m) -> Value { return impulse_of(*m.now) - impulse_of(*m.before); }},
-      {{"points_gained", Unit::Count, kChange},
-       [](const M& m) -> Value { return std::max(0.0, points_of(*m.now) - points_of(*m.before)); }},
-      {{"points_lost", Unit::Count, kChange},
-       [](const M& m) -> Value { return std::max(0.0, points_of(*m.before) - points_of(*m.now)); }},
+      {{"overlap_change", Unit::Metres, kChange}, &change_of<overlap_of>},
+      {{"impulse_change", Unit::NewtonSeconds, kChange}, &change_of<impulse_of>},
+      {{"points_gained", Unit::Count, kChange}, &change_of<points_of, true>},
+      {{"points_lost", Unit::Count, kChange}, &loss_of_points},
       {{"ids_gained", Unit::Count, kChange},
-       [](const M& m) -> Value { return ids_only_in(*m.now, *m.before); }},
+       [](const M& m) { return ids_only_in(*m.now, *m.before); }},
       {{"ids_lost", Unit::Count, kChange},
-       [](const M& m) -> Value { return ids_only_in(*m.before, *m.now); }},
-      {{"motion", Unit::Metres, kChange},
-       [](const M& m) {
-         return of_poses(m, [](const auto& from, const auto& to) {
-           return (to.position - from.position).norm();
-         });
-       }},
-      {{"turn", Unit::Degrees, kChange}, [](const M& m) { return of_poses(m, &turn_between); }}};
+       [](const M& m) { return ids_only_in(*m.before, *m.now); }},
+      {{"motion", Unit::Metres, kChange}, &of_poses<motion_between>},
+      {{"turn", Unit::Degrees, kChange}, &of_poses<turn_between>}};
   return all;
 }
 

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "core/input_error.h"
-#include "find/quantities.h"
+#include "find/finder.h"
 #include "lint/linter.h"
 #include "scenario/run.h"
 #include "versus/comparison.h"

@@ -85,17 +85,16 @@ struct CheckOptions {
   bool fresh = false;                    // also check scenarios that have not changed
 };
 
-/// Options of `explore`, `study`, `versus`, `find`, `diff` and `shrink`.
+/// Options of `explore`, `study`, `versus` and `shrink`.
 struct CompareOptions {
   std::vector<std::string> engines;  // empty: all that are found
   bool rollout = false;              // engines step the scene themselves
   double time_limit = 60;            // seconds, for an engine's program
-  std::string condition;             // of `shrink`, `find` and `render`
+  std::string condition;             // for `shrink`: expression to preserve
   std::string study;                 // name of the study to run
   std::uint64_t seed = 1;            // for its cases
   std::optional<int> cases;          // per point of a study; nullopt: the study's default
   bool tables_only = false;          // draw nothing
-  std::string picture_folder;        // for `diff`; empty: draw nothing
 };
 
 struct Options : PictureOptions, CheckOptions, CompareOptions {

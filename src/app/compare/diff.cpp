@@ -1,16 +1,10 @@
 #include <algorithm>
-#include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/progress.h"
-#include "app/cli/table.h"
 #include "app/cli/trace_file.h"
 #include "app/cli/verbs.h"
-#include "app/compare/rollout_picture.h"
-#include "app/render/renderer.h"
-#include "draw/charts/time_chart.h"
-#include "image/png.h"
 #include "snapshot/compare_runs.h"
 #include "snapshot/finding.h"
 #include "snapshot/spelling.h"
@@ -34,60 +28,6 @@ std::string farthest(const RunComparison& runs) {
   if (most == runs.distances.end() || most->metres == 0) return {};
   return "up to " + snapshot::spell_length(most->metres) + " in frame " +
          std::to_string(most->frame) + ", at " + most->shape;
-}
-
-/// Distance over time, with a mark where the runs part: the largest in each of some intervals.
-draw::TimeChart chart_of(const RunComparison& runs) {
-  constexpr std::size_t kMaxPoints = 1000;
-  draw::TimeLine line;
-  const std::size_t every = runs.distances.size() / kMaxPoints + 1;
-  for (std::size_t i = 0; i < runs.distances.size(); ++i) {
-    const RunDistance& one = runs.distances[i];
-    if (i % every == 0) {
-      line.time.push_back(one.time);
-      line.values.push_back(0);
-    }
-    line.values.back() = std::max(line.values.back(), one.metres);
-    if (one.frame == runs.parting->frame) line.marked = line.time.size() - 1;
-  }
-  line.mark = place_of(*runs.parting);
-  return {"Largest distance of a shape from where it is in the other run", "m", {line}};
-}
-
-/// The distance over time, and below it the frame in which the runs part, of both.
-Image picture_of(const RunComparison& runs, const std::vector<TraceFile*>& files,
-                 Renderer& renderer) {
-  const snapshot::Parting& parting = *runs.parting;
-  std::vector<draw::RolloutCell> cells;
-  if (parting.frame >= 0)
-    for (std::size_t i = 0; i < files.size(); ++i)
-      cells.push_back({files[i]->name(), i == 0 ? "" : parting.what, i});
-  const std::string far = farthest(runs);
-  const draw::RolloutPage page = draw::rollout_page(
-      "The runs part in " + place_of(parting) + ": " + std::string(name_of(parting.stage)),
-      far.empty() ? "All shapes are where they are in the other run" : "Apart: " + far, "",
-      cells.empty() ? "" : spelled("%.4g s", runs.frames[0].time), {chart_of(runs)}, cells, 1280,
-      draw::rollout_page_height(cells.size()));
-  Image picture = renderer.paint(page.drawing);
-  View view = default_view();
-  view.panels.clear();
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    trace::Header header = files[i]->header();
-    header.title.clear();
-    header.source.clear();
-    std::vector<trace::Frame> frames(runs.frames.begin(), runs.frames.end());
-    for (trace::Frame& frame : frames) {  // of a pair, nothing else
-      const auto is_other = [&](const auto& name) { return name != runs.a && name != runs.b; };
-      if (runs.a.empty()) continue;
-      std::erase_if(frame.poses, [&](const trace::Placement& one) { return is_other(one.first); });
-      std::erase_if(frame.pairs,
-                    [&](const trace::Pair& pair) { return is_other(pair.a) || is_other(pair.b); });
-    }
-    const draw::Staging staging = staged_in_cell(header, frames, view, page.cells[i]);
-    paste(renderer.paint(draw::illustrate(staging, frames[i])), staging.layout.view, page.cells[i],
-          picture);
-  }
-  return picture;
 }
 
 nlohmann::ordered_json to_json(const RunComparison& runs, const std::vector<std::string>& files,
@@ -145,22 +85,10 @@ ExitCode run_diff(const Options& options) {
   if (runs.distances.empty())
     throw UsageError("no frame of " + names[0] + " has the number of a frame of " + names[1]);
   const bool is_same = !runs.parting && runs.alone == std::array{0, 0};
-  std::string picture;
-  if (!options.picture_folder.empty() && runs.parting) {
-    RunLog log;
-    Renderer renderer(options.backend, log);
-    std::filesystem::create_directories(options.picture_folder);
-    picture = options.picture_folder + "/diff.png";
-    write_png(picture, picture_of(runs, {&a, &b}, renderer));
-  }
-  if (options.json) {
-    nlohmann::ordered_json json = to_json(runs, names, is_same);
-    if (!picture.empty()) json["picture"] = picture;
-    std::cout << json.dump() << '\n';
-  } else {
+  if (options.json)
+    std::cout << to_json(runs, names, is_same).dump() << '\n';
+  else
     print_text(runs, names);
-    if (!picture.empty()) std::cout << picture << '\n';
-  }
   return is_same ? ExitCode::Same : ExitCode::Different;
 }
 
@@ -174,7 +102,7 @@ coarser of the two scalars, do not count.
 
 Examples:
   contactscope diff before.jsonl after.jsonl
-  contactscope diff before.jsonl after.jsonl --out out    # also out/diff.png
+  contactscope diff before.jsonl after.jsonl --json
 Exit codes: 0 the same, 1 they differ, 2 an error.)"};
 }
 

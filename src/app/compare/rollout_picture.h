@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "draw/staging.h"
 #include "image/image.h"
 #include "trace/json.h"
 #include "versus/rollout.h"
@@ -26,11 +25,5 @@ struct Rollout {
 /// engine's scene at frame `shown` or its last before. Engines without frames are only named.
 Image rollout_picture(const Rollout& rollout, int shown, const std::optional<Size>& size,
                       Renderer& renderer);
-
-/// A canvas with a view, without captions and legend, in the size of a cell of a page.
-draw::Staging staged_in_cell(const trace::Header& header, const std::vector<trace::Frame>& frames,
-                             const View& view, const draw::Rect& cell);
-/// Copies the centre of a part of an image to the centre of a cell.
-void paste(const Image& from, const draw::Rect& part, const draw::Rect& cell, Image& to);
 
 }  // namespace contactscope::app
