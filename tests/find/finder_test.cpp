@@ -116,7 +116,10 @@ TEST(Finder, ListsTheValuesOfTheExpression) {
 
 TEST(Finder, ReadsTheSameFromTextOnSeveralThreadsWithoutTheOtherParts) {
   std::ostringstream text;
-  trace::Header header{.scenario = "mine/sample", .scalar = "double", .up = "y"};
+  trace::Header header;
+  header.scenario = "mine/sample";
+  header.scalar = "double";
+  header.up = "y";
   text << trace::to_json_line(header) << "\n\n";
   for (trace::Frame& frame : sample()) {
     for (trace::Pair& pair : frame.pairs) {
