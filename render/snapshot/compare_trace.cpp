@@ -96,9 +96,15 @@ void report(const std::string& place, const std::vector<Difference>& differences
   }
 }
 
-/// Settles `actual`; see Changes.
-TraceDifferences compare_and_settle(const Trace& expected, Trace& actual,
-                                    const Margins& margins = {}) {
+/// Characters around a position of a line.
+std::string about(const std::string& line, std::size_t at) {
+  constexpr std::size_t kBefore = 24, kLength = 48;
+  return at < line.size() ? line.substr(at - std::min(at, kBefore), kLength) : "(the end)";
+}
+
+}  // namespace
+
+TraceDifferences compare_and_settle(const Trace& expected, Trace& actual, const Margins& margins) {
   TraceDifferences record;
   std::vector<FrameDifferences> all;
   const std::string name = actual.header.scenario;
@@ -142,20 +148,14 @@ TraceDifferences compare_and_settle(const Trace& expected, Trace& actual,
   }
   if (!all.empty()) {
     FirstCause cause = first_cause(name, all, margins);
+    record.first = {cause.frame, cause.first->subject, cause.first->stage, cause.first->text,
+                    std::move(cause.chain)};
     record.cause = std::move(cause.sentence);
     record.signature = std::move(cause.signature);
     record.is_input = cause.is_input;
   }
   return record;
 }
-
-/// Characters around a position of a line.
-std::string about(const std::string& line, std::size_t at) {
-  constexpr std::size_t kBefore = 24, kLength = 48;
-  return at < line.size() ? line.substr(at - std::min(at, kBefore), kLength) : "(the end)";
-}
-
-}  // namespace
 
 std::vector<std::string> compare_traces(const Trace& expected, const Trace& actual) {
   Trace settled = actual;

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "snapshot/margins.h"
+#include "snapshot/stage.h"
 #include "trace/json.h"
 
 namespace contactscope::snapshot {
@@ -22,16 +24,30 @@ inline constexpr int kMaxSentences = 8;
 /// number, shapes by name, pairs by names and label, points by id.
 std::vector<std::string> compare_traces(const trace::Trace& expected, const trace::Trace& actual);
 
+/// The first difference: in the first frame that has one, the earliest stage of the pipeline.
+struct Parting {
+  int frame = -1;         // number; -1: the headers differ
+  std::string subject{};  // "crate-floor", or a shape; empty: the whole frame
+  Stage stage = Stage::Words;
+  std::string what{};   // "point 2 moved 1.3 mm along x"
+  std::string chain{};  // the same, and what followed
+};
+
 /// Differences and their first cause.
 struct TraceDifferences {
   std::vector<std::string> sentences{};  // from compare_traces()
-  std::string cause{};                   // the first difference that may explain the others
-  std::string signature{};               // of the cause; see FirstCause
-  bool is_input = false;                 // see FirstCause
-  std::vector<int> frames{};             // numbers of frames with differences
-  bool is_setup = false;                 // the header differs in more than its title and source
-  bool is_words = false;                 // title or source differ
+  std::optional<Parting> first{};
+  std::string cause{};        // the first difference that may explain the others
+  std::string signature{};    // of the cause; see FirstCause
+  bool is_input = false;      // see FirstCause
+  std::vector<int> frames{};  // numbers of frames with differences
+  bool is_setup = false;      // the header differs in more than its title and source
+  bool is_words = false;      // title or source differ
 };
+
+/// Compares; numbers of `actual` within tolerance become the expected ones.
+TraceDifferences compare_and_settle(const trace::Trace& expected, trace::Trace& actual,
+                                    const Margins& margins = {});
 
 /// Compares with the text of a stored file down to its bytes. If all facts agree within tolerance,
 /// the file must equal what this program would write for `actual`, numbers within tolerance as

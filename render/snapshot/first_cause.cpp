@@ -233,12 +233,15 @@ FirstCause first_cause(const std::string& scenario, const std::vector<FrameDiffe
   cause.sentence = scenario;
   if (frame->frame >= 0) cause.sentence += " frame " + std::to_string(frame->frame);
   if (!first->subject.empty()) cause.sentence += ", " + first->subject;
-  cause.sentence += ": " + spell_chain(frames, *frame, *first, margins);
+  cause.frame = frame->frame;
+  cause.first = first;
+  cause.chain = spell_chain(frames, *frame, *first, margins);
   std::set<std::string> pairs;
   for (const Difference& difference : frame->differences)
     if (find_pair(frame->actual, difference.subject)) pairs.insert(difference.subject);
   if (pairs.size() > 1)
-    cause.sentence += "; " + counted(static_cast<int>(pairs.size()), "pair") + " differ in it";
+    cause.chain += "; " + counted(static_cast<int>(pairs.size()), "pair") + " differ in it";
+  cause.sentence += ": " + cause.chain;
   std::vector<int> others;
   for (const FrameDifferences& one : frames)
     if (one.frame >= 0 && one.frame != frame->frame) others.push_back(one.frame);

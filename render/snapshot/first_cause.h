@@ -22,6 +22,9 @@ struct FirstCause {
   /// "hull/face_contact frame 12, table-crate: the separating axis test now prefers face b: -19.98 mm against
   /// -20.01 mm of face a, a tie of 0.03 mm; so the reference face, 4 clip steps and 3 of 4 ids changed".
   std::string sentence;
+  int frame = -1;  // of the first difference; -1: the header
+  const Difference* first = nullptr;
+  std::string chain;  // the end of the sentence: what changed first, and what followed
   /// Place and kind of the change in the pipeline, without numbers or names: equal for traces that
   /// one edit of the program may have changed.
   std::string signature;

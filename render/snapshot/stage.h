@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <concepts>
 #include <string_view>
 
@@ -31,6 +32,15 @@ enum class Stage {
   Words,   // title and source
   Frames,  // which frames are stored
 };
+
+/// Names of the stages.
+inline constexpr std::array<std::string_view, 19> kStages = {
+    "setup",    "poses",  "broad phase", "pairs",     "cache",    "candidates", "axes",
+    "decision", "faces",  "clipping",    "reduction", "manifold", "points",     "ids",
+    "answers",  "solver", "sums",        "words",     "frames"};
+inline constexpr std::string_view name_of(Stage stage) {
+  return kStages[static_cast<std::size_t>(stage)];
+}
 
 /// Stage of the value under a key of a struct T; `within` is the stage of the struct.
 template <class T>

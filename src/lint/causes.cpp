@@ -10,10 +10,18 @@ namespace {
 constexpr std::array kMargins = {"margin_added", "margin_taken_off"};
 constexpr std::array kUnexplained = {"separation", "surface", "side", "normal", "deepest"};
 constexpr std::array kOthers = {
-
     "overlap_told_apart",
     "overlap_without_contact",
+    "pair_never_reported",
     "pairs_twice",
+    "pairs_flicker",
+    "points_twice",
+    "points_flicker",
+    "depths_jump",
+    "normals_jump",
+    "impulses_flicker",
+    "poses_jump",
+    "bodies_fly_off",
     "touching_without_points",
     "times_do_not_rise",
     "ids_alike",

@@ -5,6 +5,8 @@
 #include <limits>
 
 #include "core/input_error.h"
+#include "find/finder.h"
+#include "lint/causes.h"
 #include "lint/linter.h"
 #include "scenario/run.h"
 #include "versus/comparison.h"
@@ -65,27 +67,10 @@ struct Run {
   trace::Trace trace;
 };
 
-Value quantity_of(const trace::Pair& pair, const std::string& quantity) {
-  if (quantity == "separation") return pair.separation;
-  if (quantity == "touching") return double(pair.state == "touching");
-  if (quantity == "overlap") return pair.overlap ? double(*pair.overlap) : kUnknown;
-  if (quantity == "manifolds") return double(pair.manifolds.size());
-  std::size_t points = 0;
-  std::string ids;
-  for (const trace::Manifold& manifold : pair.manifolds) {
-    points += manifold.points.size();
-    for (const trace::Point& point : manifold.points) ids += (ids.empty() ? "" : ", ") + point.id;
-  }
-  if (quantity == "points") return double(points);
-  if (quantity == "ids") return ids;
-  if (pair.manifolds.empty()) {
-    if (quantity.starts_with("normal")) return kUnknown;
-    return std::string();
-  }
-  const trace::Manifold& first = pair.manifolds.front();
-  if (quantity == "axis") return first.axis;
-  if (quantity == "type") return first.type;
-  return first.normal[quantity.back() - 'x'];
+find::Value quantity_of(const trace::Pair& pair, const std::string& quantity) {
+  // Here the answer of a query, since pairs with one have no points.
+  if (quantity == "overlap") return pair.overlap ? double(*pair.overlap) : find::kUnknown;
+  return find::value_of({&pair}, quantity);
 }
 
 double lint_of(const trace::Trace& trace, const std::string& cause) {
@@ -111,6 +96,16 @@ std::vector<std::string> unmet_of(const Run& run) {
 }
 
 }  // namespace
+
+const find::Vocabulary& vocabulary() {
+  static const find::Vocabulary known = [] {
+    const auto& all = find::pair_quantities();
+    find::Vocabulary names{{all.begin(), all.begin() + find::kOfPairAlone}, {}, {"lint", "unmet"}, lint::causes()};
+    std::ranges::find(names.quantities, "overlap", &find::Quantity::name)->unit = find::Unit::Count;
+    return names;
+  }();
+  return known;
+}
 
 std::optional<trace::Pair> Judge::in_double(const PairOfTwo& pair) {
   try {
@@ -161,7 +156,7 @@ bool Judge::holds(const PairOfTwo& pair) {
       if (found_pair) answer = *found_pair;
       if (!found_pair) answer.state = "separated";
       answer.separation =
-          answer.manifolds.empty() ? kUnknown : std::numeric_limits<double>::infinity();
+          answer.manifolds.empty() ? find::kUnknown : std::numeric_limits<double>::infinity();
       for (const trace::Manifold& manifold : answer.manifolds)
         for (const trace::Point& point : manifold.points)
           answer.separation = std::min(answer.separation, point.separation);
@@ -174,10 +169,10 @@ bool Judge::holds(const PairOfTwo& pair) {
     const std::size_t warnings = Run(pair).scenario.warnings.size();
     if (warnings > warnings_.value_or(warnings)) return false;
     const bool holds = expression_.holds([&](const std::string& side, const std::string& quantity) {
-      if (side == "lint") return Value(lint_of(trace_of(pair), quantity));
+      if (side == "lint") return find::Value(lint_of(trace_of(pair), quantity));
       if (side == "unmet") {
         const std::vector<std::string> unmet = unmet_of(Run(pair));
-        return Value(unmet_ && unmet != *unmet_ ? 0.0 : double(unmet.size()));
+        return find::Value(unmet_ && unmet != *unmet_ ? 0.0 : double(unmet.size()));
       }
       return quantity_of(report(side), quantity);
     });

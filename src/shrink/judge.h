@@ -7,7 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "shrink/expression.h"
+#include "find/expression.h"
 #include "shrink/pair_of_two.h"
 #include "trace/json.h"
 
@@ -16,13 +16,16 @@ namespace contactscope::shrink {
 /// An engine to query for contacts: returns its trace.
 using Engine = std::function<trace::Trace(const trace::Trace& request)>;
 
+/// The names that a condition of `shrink` may use.
+const find::Vocabulary& vocabulary();
+
 /// Tests whether a pair still has the property. Runs the scenario that would be written for the
 /// pair, so the result also holds for the file.
 class Judge {
  public:
   /// `engines`: one for each side of the expression that is not built in: "", "float", "double",
   /// "recorded", "lint", "unmet".
-  explicit Judge(const Expression& expression, std::map<std::string, Engine> engines = {})
+  explicit Judge(const find::Expression& expression, std::map<std::string, Engine> engines = {})
       : expression_(expression), engines_(std::move(engines)) {}
 
   /// Also false for invalid scenarios: a hull without volume, a shape that is too large.
@@ -38,7 +41,7 @@ class Judge {
   static trace::Trace trace_of(const PairOfTwo& pair);
 
  private:
-  const Expression& expression_;
+  const find::Expression& expression_;
   std::map<std::string, Engine> engines_;
   std::unordered_map<std::string, bool> known_;
   std::optional<std::vector<std::string>> unmet_;

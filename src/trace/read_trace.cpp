@@ -16,6 +16,7 @@ using Problems = std::vector<std::string>;
 struct Counts {
   const Counts* around = nullptr;
   Problems* problems = nullptr;  // null: the first one is thrown
+  const Parts* parts = nullptr;  // to read; null: all
   std::vector<std::pair<std::string_view, std::size_t>> lists{};
 
   std::size_t of(std::string_view list) const {
@@ -136,11 +137,30 @@ void collecting(Problems* problems, const Part& part) {
   }
 }
 
+template <class T>
+inline constexpr bool kIsStage = false;
+template <class T>
+inline constexpr bool kIsStage<Stage<T>> = true;
+
+/// Whether a field belongs to parts that are not read.
+template <class T, class V>
+bool is_left_out(const Field<T, V>& field, const Parts& parts) {
+  const std::string_view key = field.key;
+  if constexpr (std::same_as<T, Frame>)
+    return key == "poses"   ? !parts.poses
+           : key == "pairs" ? !parts.pairs
+                            : !parts.stages && key != "frame" && key != "time" && key != "shapes";
+  if constexpr (std::same_as<T, Pair>)
+    return !parts.stages && (kIsStage<V> || key == "intersections" || key == "decisions");
+  return false;
+}
+
 template <Listed T>
 T read(const Node& node, const Counts* around, Problems* problems) {
   T fact;
-  Counts counts{around, problems};
+  Counts counts{around, problems, around != nullptr ? around->parts : nullptr};
   each_field<T>([&]<class V>(const Field<T, V>& field) {
+    if (counts.parts != nullptr && is_left_out(field, *counts.parts)) return;
     const auto read_field = [&] {
       V& value = fact.*field.member;
       const Value<T, V> reader{field, counts};
@@ -154,7 +174,7 @@ T read(const Node& node, const Counts* around, Problems* problems) {
       } else if (field.otherwise != nullptr) {
         field.otherwise(fact);
       }
-      if constexpr (requires { value.push_back(value.front()); })
+      if constexpr (requires { value.push_back(value.front()); } && !std::same_as<V, std::string>)
         counts.lists.emplace_back(field.key, value.size());
     };
     if constexpr (std::same_as<T, Header> || std::same_as<T, Shape>)
@@ -178,6 +198,13 @@ Header read_header(const Node& node, const std::string& place) {
   Header header = read<Header>(node, nullptr, &problems);
   if (!problems.empty()) throw Complaint{in_lines(problems, place)};
   return header;
+}
+
+Frame read_frame(const Node& node, const Parts& parts) {
+  if (node.is_object() && node.find("schema"))
+    throw Complaint{"this is a second header; a file holds one trace: start a new file with it"};
+  const Counts counts{nullptr, nullptr, &parts, {}};
+  return read<Frame>(node, &counts, nullptr);
 }
 
 bool is_blank(const std::string& line) {
@@ -217,19 +244,55 @@ void TraceReader::know(const std::vector<Shape>& shapes) {
   for (const Shape& shape : shapes) kinds_.emplace(shape.name, kind_of(shape));
 }
 
+void TraceReader::finish(Frame& frame, int line) {
+  know(frame.shapes);
+  complete(kinds_, frame);
+  frame.line = line;
+  ++frames_;
+}
+
 std::optional<Frame> TraceReader::next() {
   if (torn_) return std::nullopt;
   Frame frame;
-  const bool any = next_line([&](const Node& node) {
-    if (node.is_object() && node.find("schema"))
-      throw Complaint{"this is a second header; a file holds one trace: start a new file with it"};
-    frame = read<Frame>(node, nullptr);
-    know(frame.shapes);
-    complete(kinds_, frame);
-    frame.line = number_;
+  const bool any = next_line([&](const Node& node) { frame = read_frame(node, {}); });
+  if (!any) return std::nullopt;
+  finish(frame, number_);
+  return frame;
+}
+
+bool TraceReader::take(FrameText& next) {
+  while (!torn_ && std::getline(in_, next.text)) {
+    ++number_;
+    if (is_blank(next.text)) continue;
+    next.line = number_;
+    next.is_open = in_.eof();
+    return true;
+  }
+  return false;
+}
+
+std::vector<Frame> TraceReader::read(std::vector<FrameText>& texts, const Parts& parts,
+                                     Workers& workers) {
+  while (parsers_.size() < static_cast<std::size_t>(workers.count()))
+    parsers_.push_back(std::make_unique<JsonLine>());
+  std::vector<Frame> frames(texts.size());
+  workers.for_each(static_cast<int>(texts.size()), [&](int i, int worker) {
+    const auto piece = static_cast<std::size_t>(i);
+    FrameText& one = texts[piece];
+    try {
+      frames[piece] =
+          read_frame(parsers_[static_cast<std::size_t>(worker)]->parse(one.text), parts);
+    } catch (const NoJson& broken) {
+      if (!one.is_open || frames_ + i == 0)
+        throw InputError(name_, one.line, broken.column, broken.why);
+      torn_ = Torn{one.line, broken.column, broken.why};  // the last one: no other thread is here
+    } catch (const Complaint& complaint) {
+      throw InputError(name_, one.line, 1, complaint.message);
+    }
   });
-  if (any) ++frames_;
-  return any ? std::optional(std::move(frame)) : std::nullopt;
+  if (torn_) frames.pop_back();
+  for (std::size_t i = 0; i < frames.size(); ++i) finish(frames[i], texts[i].line);
+  return frames;
 }
 
 bool TraceReader::skip() {

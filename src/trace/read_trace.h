@@ -8,11 +8,27 @@
 #include <unordered_map>
 #include <vector>
 
+#include "core/workers.h"
 #include "trace/json.h"
 
 namespace contactscope::trace {
 
 class JsonLine;
+
+/// Parts of a frame to read; the others stay empty. Reading contacts alone takes a fraction of the
+/// time of all stages.
+struct Parts {
+  bool poses = true;
+  bool pairs = true;
+  bool stages = true;  // of pairs, and the solver, the broad phase and other facts of the frame
+};
+
+/// The text of a frame.
+struct FrameText {
+  std::string text;
+  int line = 0;          // from 1
+  bool is_open = false;  // the file ends in it, without a newline
+};
 
 /// An incomplete last line, left by a writer that died.
 struct Torn {
@@ -38,6 +54,13 @@ class TraceReader {
   /// follows. Throws InputError.
   std::optional<Frame> next();
 
+  /// The next frame without parsing it; false after the last line.
+  bool take(FrameText& next);
+
+  /// Parses such texts, the next ones in order, on several threads. Fewer frames than texts if the
+  /// last one is torn. Throws InputError.
+  std::vector<Frame> read(std::vector<FrameText>& texts, const Parts& parts, Workers& workers);
+
   /// Skips the next frame without parsing it; false after the last line.
   bool skip();
 
@@ -57,12 +80,14 @@ class TraceReader {
   void know(const std::vector<Shape>& shapes);
   template <class Read>
   bool next_line(const Read& read_it);
+  void finish(Frame& frame, int line);
 
   std::istream& in_;
   std::string name_, line_;
-  std::unique_ptr<JsonLine> json_;  // parser of that line
-  int number_ = 0;                  // number of the line
-  std::streampos first_{};          // position after the header
+  std::unique_ptr<JsonLine> json_;                  // parser of that line
+  std::vector<std::unique_ptr<JsonLine>> parsers_;  // one for each thread
+  int number_ = 0;                                  // number of the line
+  std::streampos first_{};                          // position after the header
   int first_number_ = 0;
   int frames_ = 0;
   Header header_;

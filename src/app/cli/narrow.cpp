@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <set>
+#include <tuple>
 
 #include "core/at.h"
+#include "find/finder.h"
 #include "scenario/nearest_word.h"
 
 namespace contactscope::app {
@@ -56,6 +59,35 @@ std::size_t drawn_by(const draw::Sketch& sketch) {
 }
 
 }  // namespace
+
+find::Expression condition_of(const std::string& option, const std::string& text) {
+  try {
+    return find::Expression(text, find::vocabulary());
+  } catch (const find::ExpressionError& error) {
+    throw UsageError(option + ", " + error.what());
+  }
+}
+
+void keep_where(Sequence& sequence, std::vector<int>& frames, const Options& options) {
+  find::Finder finder(condition_of("--where", options.condition));
+  using Name = std::tuple<std::string, std::string, std::string>;
+  std::map<int, std::set<Name>> found;
+  const auto numbers =
+      sequence.file ? sequence.numbers : mapped(sequence.frames, &trace::Frame::frame);
+  sequence.each(numbers, [&](std::size_t index) {
+    for (find::Hit& hit : finder.next(sequence.frames[index]))
+      found[hit.frame].emplace(std::move(hit.a), std::move(hit.b), std::move(hit.label));
+  });
+  std::erase_if(frames, [&](int frame) { return !found.contains(frame); });
+  sequence.trim = [trim = sequence.trim, found](trace::Frame& frame) {
+    if (trim) trim(frame);
+    const auto of_frame = found.find(frame.frame);
+    std::erase_if(frame.pairs, [&](const trace::Pair& pair) {
+      return of_frame == found.end() || !of_frame->second.contains({pair.a, pair.b, pair.label});
+    });
+  };
+  std::ranges::for_each(sequence.frames, sequence.trim);
+}
 
 void narrow(Sequence& sequence, const Options& options) {
   if (!word_in_focus(options))

@@ -2,11 +2,19 @@
 
 #include "app/cli/catalogue.h"
 #include "app/render/renderer.h"
+#include "find/expression.h"
 
 namespace contactscope::app {
 
 /// Reduces a sequence to the shapes of --pair and --shapes. Throws UsageError for an unknown shape.
 void narrow(Sequence& sequence, const Options& options);
+
+/// The condition in the text of an option or argument. Throws UsageError.
+find::Expression condition_of(const std::string& option, const std::string& text);
+
+/// Reduces the frames to draw to those with a pair for which --where holds, and their pairs to
+/// these.
+void keep_where(Sequence& sequence, std::vector<int>& frames, const Options& options);
 
 /// Applies the camera options of the command line to all views. Throws UsageError if a position is
 /// not three numbers.

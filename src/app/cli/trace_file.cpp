@@ -21,6 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kStandardInput = "-";
+constexpr const char* kOnlyHeader = "there is only a header; each frame is a line after it";
 constexpr std::string_view kBlank = " \t\r\n";
 
 /// Copies a pipe to a temporary file for repeated reading. The file has no name, so it disappears
@@ -128,7 +129,7 @@ std::optional<trace::Frame> TraceFile::next() {
       if (!is_known_) checks_->frame(*frame);
       if (reader_->header().impulses) convert_impulses(*reader_->header().impulses, *frame);
     } else if (frames_ == 0) {
-      throw TraceChecks::Wrong{"there is only a header; each frame is a line after it"};
+      throw TraceChecks::Wrong{kOnlyHeader};
     } else if (!is_known_) {
       is_known_ = true;
       if (header_.frames == 0) header_.frames = checks_->last_frame() + 1;
@@ -137,6 +138,23 @@ std::optional<trace::Frame> TraceFile::next() {
     throw InputError(name_, frame ? frame->line : last_line, 1, printable(wrong.text));
   }
   return frame;
+}
+
+std::vector<trace::Frame> TraceFile::next(const trace::Parts& parts, Workers& workers) {
+  constexpr std::size_t kMaxFrames = 256, kMaxBytes = 4 << 20;  // enough for all threads to be busy
+  std::vector<trace::FrameText> texts;
+  trace::FrameText text;
+  for (std::size_t bytes = 0;
+       texts.size() < kMaxFrames && bytes < kMaxBytes && reader_->take(text);) {
+    bytes += text.text.size();
+    texts.push_back(std::move(text));
+  }
+  if (texts.empty() && frames_ == 0) throw InputError(name_, reader_->line(), 1, kOnlyHeader);
+  std::vector<trace::Frame> frames = reader_->read(texts, parts, workers);
+  frames_ += static_cast<int>(frames.size());
+  if (reader_->header().impulses)
+    for (trace::Frame& frame : frames) convert_impulses(*reader_->header().impulses, frame);
+  return frames;
 }
 
 void TraceFile::rewind() {

@@ -37,25 +37,25 @@ Source read_source(const Options& options) {
   return source;
 }
 
-shrink::Expression read_expression(const Options& options, const Source& source) {
+find::Expression read_expression(const Options& options, const Source& source) {
   if (options.condition.empty())
     throw UsageError(
         "shrink needs a condition to preserve: --while 'float.points != double.points', "
         "--while lint.flipped_normals, --while unmet");
   try {
-    shrink::Expression expression(options.condition);
+    find::Expression expression(options.condition, shrink::vocabulary());
     if (source.scenario && expression.sides().contains("recorded"))
       throw UsageError(
           "--while: nothing is recorded in a scenario; write float, double, or the "
           "name of an engine");
     return expression;
-  } catch (const shrink::ExpressionError& error) {
+  } catch (const find::ExpressionError& error) {
     throw UsageError(std::string("--while, ") + error.what());
   }
 }
 
 /// Engines among the sides of an expression.
-std::map<std::string, shrink::Engine> engines_of(const shrink::Expression& expression,
+std::map<std::string, shrink::Engine> engines_of(const find::Expression& expression,
                                                  const Options& options) {
   std::vector<std::string> names;
   for (const std::string& side : expression.sides())
@@ -82,7 +82,8 @@ struct Found {
 };
 
 /// The first pair of the first frame for which the expression holds in isolation.
-std::optional<Found> find(const Source& source, const Options& options, shrink::Judge& judge) {
+std::optional<Found> first_pair(const Source& source, const Options& options,
+                                shrink::Judge& judge) {
   for (const trace::Frame& frame : source.trace.frames) {
     if (options.frames && !options.frames->names(frame.frame)) continue;
     for (const trace::Pair& pair : frame.pairs) {
@@ -127,9 +128,9 @@ std::string stem_of(const Source& source) {
 ExitCode run_shrink(const Options& options) {
   note_interrupts();
   const Source source = read_source(options);
-  const shrink::Expression expression = read_expression(options, source);
+  const find::Expression expression = read_expression(options, source);
   shrink::Judge judge(expression, engines_of(expression, options));
-  const std::optional<Found> found = find(source, options, judge);
+  const std::optional<Found> found = first_pair(source, options, judge);
   if (!found) {
     std::cerr << "in no frame of " << source.name << " do two shapes alone satisfy "
               << expression.text() << "; " << judge.requested()

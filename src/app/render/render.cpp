@@ -97,6 +97,7 @@ Sequence sequence_of(Input& input, const std::vector<View>& views, bool every_st
     account_stages(input.scenario, stages, log);
   }
   narrow(sequence, options);
+  if (!options.condition.empty()) keep_where(sequence, input.frames, options);
   account_facts(input.scenario.name, views, sequence, log);
   return sequence;
 }
@@ -115,6 +116,11 @@ void draw_sequences(Input& input, const Options& options, Renderer& renderer, Si
   const Scenario& scenario = input.scenario;
   const std::vector<View> views = selected_views(scenario, options);
   Sequence sequence = sequence_of(input, views, sinks.needs_stages(), options, log);
+  if (input.frames.empty()) {
+    std::cerr << "in no frame of " << scenario.name << " is there a pair with " << options.condition
+              << '\n';
+    return;
+  }
   const std::shared_ptr<const Words> words = words_of(input, options);
   const PictureOrigin origin = origin_of(input, sequence.header, options);
   std::optional<draw::FittedFrames> fitted;
@@ -165,14 +171,21 @@ ExitCode run_render(const Options& options) {
   }
   if (options.shard && options.sheet)
     throw UsageError("--sheet shows all scenarios; leave out --shard");
+  if (options.sheet && !options.condition.empty())
+    throw UsageError("--sheet shows a frame of each scenario; leave out --where");
+  if (!options.condition.empty()) condition_of("--where", options.condition);  // fails early
   if (options.shard)
     keep_shard(inputs, options, [&](const Input& input) {
       return 1.0 + count_of(input.frames) * count_of(selected_views(input.scenario, options));
     });
-  int pictures = 0;
-  for (const Input& input : inputs)
-    pictures +=
-        cells ? 1 : count_of(input.frames) * count_of(selected_views(input.scenario, options));
+  const auto count_pictures = [&] {
+    int count = 0;
+    for (const Input& input : inputs)
+      count +=
+          cells ? 1 : count_of(input.frames) * count_of(selected_views(input.scenario, options));
+    return count;
+  };
+  int pictures = count_pictures();
 
   const auto begin = std::chrono::steady_clock::now();
   Renderer renderer(options.backend, total);
@@ -189,6 +202,7 @@ ExitCode run_render(const Options& options) {
     }
     sinks.finish();
   }
+  if (!options.condition.empty()) pictures = count_pictures();
   if (cells) pictures = sinks.files() / count_of(chosen);
   if (options.json) {
     nlohmann::ordered_json written;
@@ -213,7 +227,7 @@ ExitCode run_render(const Options& options) {
       std::cerr << ", " << snapshot::counted(files, "file");
     std::cerr << " in " << where.string() << '\n';
   }
-  return ExitCode::Same;
+  return pictures > 0 ? ExitCode::Same : ExitCode::Different;
 }
 
 }  // namespace
@@ -224,7 +238,8 @@ Verb render_verb() {
           "  contactscope render hull/face_contact\n"
           "  contactscope render hull/face_contact --format svg,pdf --frames 12\n"
           "  contactscope render run.jsonl --pair crate,floor --camera 4,2,4,0,0,0,30\n"
-          "Exit codes: 0 done, 2 an error."};
+          "  contactscope render run.jsonl --where 'overlap > 5 mm and normal_turn > 20 deg'\n"
+          "Exit codes: 0 done, 1 --where holds nowhere, 2 an error."};
 }
 
 }  // namespace contactscope::app

@@ -1,25 +1,35 @@
-#include "shrink/expression.h"
+#include "find/expression.h"
 
 #include <gmock/gmock.h>
 
 #include <map>
 
-namespace contactscope::shrink {
+namespace contactscope::find {
 namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
 
+/// As that of `shrink`: any side, and causes of `lint`.
+const Vocabulary& sides_and_causes() {
+  static const Vocabulary known{
+      {{"points", Unit::Count}, {"separation", Unit::Metres}, {"axis", Unit::Text}},
+      {},
+      {"lint", "unmet"}};
+  return known;
+}
+
 bool holds(const std::string& text, const std::map<std::string, Value>& facts = {}) {
-  return Expression(text).holds([&](const std::string& side, const std::string& quantity) {
-    const auto found = facts.find(side + (quantity.empty() ? "" : "." + quantity));
-    return found == facts.end() ? Value(kUnknown) : found->second;
-  });
+  return Expression(text, sides_and_causes())
+      .holds([&](const std::string& side, const std::string& quantity) {
+        const auto found = facts.find(side + (quantity.empty() ? "" : "." + quantity));
+        return found == facts.end() ? Value(kUnknown) : found->second;
+      });
 }
 
 std::string complaint(const std::string& text) {
   try {
-    Expression expression(text);
+    Expression expression(text, sides_and_causes());
   } catch (const ExpressionError& error) {
     return error.what();
   }
@@ -67,7 +77,9 @@ TEST(Expression, MeasuresAnAngleBetweenTwoNormals) {
 }
 
 TEST(Expression, NamesItsSides) {
-  EXPECT_THAT(Expression("angle(bullet, double) > 1 and lint.half_depths and points > 1").sides(),
+  EXPECT_THAT(Expression("angle(bullet, double) > 1 and lint.half_depths and points > 1",
+                         sides_and_causes())
+                  .sides(),
               ElementsAre("", "bullet", "double", "lint"));
 }
 
@@ -78,9 +90,9 @@ TEST(Expression, ReportsTheErrorWithItsPlaceAndRemedy) {
   EXPECT_THAT(complaint("(points > 1"), HasSubstr("')' is missing"));
   EXPECT_THAT(complaint("points > 1 2"), HasSubstr("unexpected '2'"));
   EXPECT_THAT(complaint("axis == 'face"), HasSubstr("closing quote"));
-  EXPECT_THAT(complaint("1.2.3 > 1"), HasSubstr("is not a number"));
+  EXPECT_THAT(complaint("1.2.3 > 1"), HasSubstr("column 4 of '1.2.3 > 1': unexpected '.3'"));
   EXPECT_THAT(complaint("angle(1, double) > 1"), HasSubstr("expected a side"));
 }
 
 }  // namespace
-}  // namespace contactscope::shrink
+}  // namespace contactscope::find

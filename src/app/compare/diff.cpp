@@ -1,0 +1,109 @@
+#include <algorithm>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/progress.h"
+#include "app/cli/trace_file.h"
+#include "app/cli/verbs.h"
+#include "snapshot/compare_runs.h"
+#include "snapshot/finding.h"
+#include "snapshot/spelling.h"
+
+namespace contactscope::app {
+namespace {
+
+using snapshot::RunComparison;
+using snapshot::RunDistance;
+
+/// "frame 12, crate-floor".
+std::string place_of(const snapshot::Parting& parting) {
+  const std::string frame =
+      parting.frame < 0 ? "the header" : "frame " + std::to_string(parting.frame);
+  return parting.subject.empty() ? frame : frame + ", " + parting.subject;
+}
+
+/// "up to 3 mm in frame 9, at crate"; empty if no shape moved.
+std::string farthest(const RunComparison& runs) {
+  const auto most = std::ranges::max_element(runs.distances, {}, &RunDistance::metres);
+  if (most == runs.distances.end() || most->metres == 0) return {};
+  return "up to " + snapshot::spell_length(most->metres) + " in frame " +
+         std::to_string(most->frame) + ", at " + most->shape;
+}
+
+nlohmann::ordered_json to_json(const RunComparison& runs, const std::vector<std::string>& files,
+                               bool is_same) {
+  nlohmann::ordered_json json{
+      {"schema", "contactscope.diff/1"}, {"files", files},      {"same", is_same},
+      {"frames", runs.distances.size()}, {"equal", runs.equal}, {"only_in", runs.alone}};
+  if (runs.rounding) json["rounding"] = *runs.rounding;
+  if (!runs.notes.empty()) json["notes"] = runs.notes;
+  if (runs.parting) {
+    nlohmann::ordered_json& first = json["first"];
+    if (runs.parting->frame >= 0) first["frame"] = runs.parting->frame;
+    if (!runs.a.empty()) first["a"] = runs.a, first["b"] = runs.b;
+    if (runs.a.empty() && !runs.parting->subject.empty()) first["shape"] = runs.parting->subject;
+    first["stage"] = name_of(runs.parting->stage);
+    first["what"] = runs.parting->what;
+    first["cause"] = runs.parting->chain;
+  }
+  for (const auto& [frame, time, metres, shape] : runs.distances)
+    if (metres > 0)
+      json["distances"].push_back({{"frame", frame}, {"distance", metres}, {"shape", shape}});
+  return json;
+}
+
+void print_text(const RunComparison& runs, const std::vector<std::string>& files) {
+  const std::string frames = snapshot::counted(static_cast<int>(runs.distances.size()), "frame");
+  if (runs.parting) {
+    std::cout << files[1] << " differs from " << files[0] << " first in " << place_of(*runs.parting)
+              << ", stage: " << name_of(runs.parting->stage) << "\n  " << runs.parting->chain
+              << '\n';
+    if (const std::string far = farthest(runs); !far.empty())
+      std::cout << "  shapes are apart " << far << '\n';
+    std::cout << "  " << runs.equal << " of " << frames << " are equal\n";
+  } else {
+    std::cout << "the same: " << frames << '\n';
+  }
+  if (runs.rounding)
+    std::cout << "  from frame " << *runs.rounding << " on there are differences by rounding\n";
+  for (std::size_t i = 0; i < files.size(); ++i)
+    if (runs.alone[i] > 0)
+      std::cout << "  " << snapshot::counted(runs.alone[i], "frame") << " only in " << files[i]
+                << '\n';
+  for (const std::string& note : runs.notes) std::cout << "  " << note << '\n';
+}
+
+ExitCode run_diff(const Options& options) {
+  note_interrupts();
+  const std::vector<std::string>& names = options.scenarios;
+  if (names.size() != 2)
+    throw UsageError("diff compares two traces, as contactscope diff a.jsonl b.jsonl");
+  TraceFile a(names[0]), b(names[1]);
+  Workers workers(hardware_threads());
+  const RunComparison runs = snapshot::compare_runs(a.reader(), b.reader(), workers);
+  for (const TraceFile* file : {&a, &b}) file->report_torn();
+  if (runs.distances.empty())
+    throw UsageError("no frame of " + names[0] + " has the number of a frame of " + names[1]);
+  const bool is_same = !runs.parting && runs.alone == std::array{0, 0};
+  if (options.json)
+    std::cout << to_json(runs, names, is_same).dump() << '\n';
+  else
+    print_text(runs, names);
+  return is_same ? ExitCode::Same : ExitCode::Different;
+}
+
+}  // namespace
+
+Verb diff_verb() {
+  return {
+      "diff", "Find where two runs of one scene part: the first frame, pair and stage", &run_diff,
+      R"(Frames are compared by number, shapes and pairs by name. Numbers that differ by rounding alone, of the
+coarser of the two scalars, do not count.
+
+Examples:
+  contactscope diff before.jsonl after.jsonl
+  contactscope diff before.jsonl after.jsonl --json
+Exit codes: 0 the same, 1 they differ, 2 an error.)"};
+}
+
+}  // namespace contactscope::app

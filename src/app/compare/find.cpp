@@ -1,0 +1,132 @@
+#include <cmath>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "app/cli/narrow.h"
+#include "app/cli/progress.h"
+#include "app/cli/table.h"
+#include "app/cli/trace_file.h"
+#include "app/cli/verbs.h"
+#include "find/finder.h"
+#include "snapshot/finding.h"
+
+namespace contactscope::app {
+namespace {
+
+using find::Hit;
+using find::Unit;
+using Fact = find::Expression::Fact;
+
+/// A number in the unit of its column.
+std::string cell_of(const find::Value& value, Unit unit) {
+  if (const auto* const text = std::get_if<std::string>(&value)) return *text;
+  const double number = std::get<double>(value);
+  if (std::isnan(number)) return "-";
+  if (unit == Unit::Metres) return millimetres(number);
+  return spelled(unit == Unit::Count ? "%.9g" : "%.4g", number);
+}
+
+std::string heading_of(const Fact& fact) {
+  constexpr const char* kUnits[] = {"", "", "", " mm", " deg", " s", " N s"};
+  return fact.name() + kUnits[static_cast<std::size_t>(fact.unit)];
+}
+
+void print_table(const std::vector<Hit>& hits, const std::vector<Fact>& facts) {
+  constexpr std::size_t kMaxRows = 1000;
+  const std::set<std::string> in_each_row = {"frame", "time", "a", "b"};
+  Table table{{"frame", "time s", "a", "b"}};
+  for (const Fact& fact : facts)
+    if (!in_each_row.contains(fact.name())) table.front().push_back(heading_of(fact));
+  for (const Hit& hit : hits) {
+    if (table.size() > kMaxRows) break;
+    const std::string label = hit.label.empty() ? "" : " (" + hit.label + ")";
+    table.push_back({std::to_string(hit.frame), spelled("%.6g", hit.time), hit.a, hit.b + label});
+    for (std::size_t i = 0; i < facts.size(); ++i)
+      if (!in_each_row.contains(facts[i].name()))
+        table.back().push_back(cell_of(hit.values[i], facts[i].unit));
+  }
+  print(table, std::cout);
+  if (hits.size() > kMaxRows)
+    std::cout << "and " << hits.size() - kMaxRows << " more, which --json lists\n";
+}
+
+/// Written entry by entry, since there may be very many.
+void print_json(const std::vector<Hit>& hits, const find::Expression& expression, int frames,
+                const std::string& file) {
+  using Json = nlohmann::ordered_json;
+  const std::string begin = Json{
+      {"schema", "contactscope.find/1"},
+      {"file", file},
+      {"where", expression.text()},
+      {"frames", frames}}.dump();
+  std::cout << begin.substr(0, begin.size() - 1) << ",\"found\":[";
+  for (const Hit& hit : hits) {
+    Json json{{"frame", hit.frame}, {"time", hit.time}, {"a", hit.a}, {"b", hit.b}};
+    if (!hit.label.empty()) json["label"] = hit.label;
+    for (std::size_t i = 0; i < hit.values.size(); ++i)
+      std::visit([&](const auto& value) { json["values"][expression.facts()[i].name()] = value; },
+                 hit.values[i]);
+    std::cout << (&hit == &hits.front() ? "" : ",") << json.dump();
+  }
+  std::cout << "]}\n";
+}
+
+ExitCode run_find(const Options& options) {
+  note_interrupts();
+  find::Finder finder(condition_of("EXPRESSION", options.condition));
+  TraceFile file(options.scenarios.front());
+  Workers workers(hardware_threads());
+  std::vector<Hit> hits;
+  std::set<int> found;
+  int frames = 0;
+  for (;;) {
+    stop_if_interrupted();
+    std::vector<trace::Frame> some = file.next(finder.parts(), workers);
+    if (some.empty()) break;
+    for (trace::Frame& frame : some) {
+      const bool is_wanted = !options.frames || options.frames->names(frame.frame);
+      frames += is_wanted;
+      for (Hit& hit : finder.next(std::move(frame))) {
+        if (!is_wanted) continue;
+        found.insert(hit.frame);
+        hits.push_back(std::move(hit));
+      }
+    }
+  }
+  file.report_torn();
+  if (frames == 0) throw UsageError("--frames names no frame of " + file.name());
+  if (options.json)
+    print_json(hits, finder.expression(), frames, file.name());
+  else if (!hits.empty())
+    print_table(hits, finder.expression().facts());
+  if (!options.quiet)
+    std::cerr << found.size() << " of " << snapshot::counted(frames, "frame") << '\n';
+  return hits.empty() ? ExitCode::Different : ExitCode::Same;
+}
+
+}  // namespace
+
+Verb find_verb() {
+  return {
+      "find", "Find the frames and pairs of a trace for which a condition holds", &run_find,
+      R"(The condition consists of quantities of a pair in a frame, numbers, also with a unit (m, cm, mm, um, nm,
+deg, rad, s, ms, N s), and texts in quotes, with + - * /, == != < <= > >=, and, or, not, parentheses and
+abs(x). Without a unit lengths are in metres, angles in degrees.
+Quantities: frame, time, a, b, label (the names of the pair), points, manifolds, separation (negative in
+overlap), overlap (0 when separated), touching, impulse (normal, sum over the points), axis, type, ids,
+normal_x, normal_y, normal_z. previous.QUANTITY is the value in the frame before.
+Since the frame before: normal_turn, overlap_change, impulse_change, points_gained, points_lost, ids_gained,
+ids_lost, and of the shape that moves more motion (of its origin) and turn. age: frames of contact without a
+break, 0 in the first. away: frames without contact before that. A pair that leaves the trace is tried once
+more, without points.
+
+Examples:
+  contactscope find run.jsonl 'overlap > 5 mm and normal_turn > 20 deg'
+  contactscope find run.jsonl 'points_lost > 0 and motion < 1 mm'     # contacts that flicker
+  contactscope find run.jsonl "age == 0 and away <= 2 and a == 'floor'" --json
+  contactscope render run.jsonl --where 'overlap > 5 mm'              # draws what is found
+Exit codes: 0 something is found, 1 nothing is, 2 an error.)"};
+}
+
+}  // namespace contactscope::app
