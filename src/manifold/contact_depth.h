@@ -45,11 +45,18 @@ bool preferred(S separation, S bound, S margin, S min_radius) {
   return bound <= margin && bound - separation <= tolerance;
 }
 
-/// Whether points whose deepest has this separation are deep enough, whichever axis is now best:
-/// the best axis is no deeper than the kept one.
-template <class S>
-bool is_still_deep(S deepest, S separation, S scale) {
-  return separation > S(0) || is_deep_enough(deepest, separation, Preference::Relative, scale);
+/// Whether points whose deepest has this separation are deep enough, whichever axis is now best.
+/// That axis is no deeper than the kept one, of this `separation`, nor than the best one of the
+/// full test can have become: no separation falls by more than the pair has `moved`. If that is not
+/// enough, `rival()` measures the other hull's face.
+template <class S, class Rival>
+bool is_still_deep(const PairCache<S>& cache, S deepest, S separation, S moved, S scale,
+                   const Rival& rival) {
+  const auto deep_for = [&](S best) {
+    return best > S(0) || is_deep_enough(deepest, best, Preference::Relative, scale);
+  };
+  return deep_for(std::max(separation, cache.best - moved)) ||
+         (cache.rival >= 0 && deep_for(rival()));
 }
 
 }  // namespace contactscope

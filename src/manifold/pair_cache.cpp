@@ -123,8 +123,11 @@ template <class S>
 bool belongs_to(const PairCache<S>& cache, const Hull<S>& a, const Hull<S>& b) {
   if (cache.radius_a != a.radius || cache.radius_b != b.radius) return false;
   const auto first = static_cast<std::size_t>(cache.first);
-  if (cache.axis == AxisKind::FaceA) return first < a.planes.size();
-  if (cache.axis == AxisKind::FaceB) return first < b.planes.size();
+  const auto has_faces = [&](const Hull<S>& kept, const Hull<S>& other) {
+    return first < kept.planes.size() && cache.rival < static_cast<int>(other.planes.size());
+  };
+  if (cache.axis == AxisKind::FaceA) return has_faces(a, b);
+  if (cache.axis == AxisKind::FaceB) return has_faces(b, a);
   return first < a.half_edges.size() &&
          static_cast<std::size_t>(cache.second) < b.half_edges.size();
 }
@@ -223,8 +226,15 @@ CacheAnswer<S> collide_from_cache(const Hull<S>& a, const Hull<S>& b, const Pose
   const S near_bound = rebuild(pair, cache, axis, motion.turn, cache.near_cosine - swing, scale,
                                margin, contact, recorder);
   const S bound = std::max(far_bound, near_bound);
-  answer.hit = !contact.points.empty() && preferred(axis.separation, bound, margin, min_radius) &&
-               is_still_deep(contact.deepest(), axis.separation, scale);
+  const auto rival = [&] {
+    return from_reference(pair, cache.axis, [&](const auto& kept, const auto& other) {
+      const Plane<S> plane = other.plane(cache.rival);
+      return plane.distance(kept.vertex(support_of(kept, Vec3<S>(-plane.normal))));
+    });
+  };
+  answer.hit =
+      !contact.points.empty() && preferred(axis.separation, bound, margin, min_radius) &&
+      is_still_deep(cache, contact.deepest(), axis.separation, motion.farthest, scale, rival);
   if (recorder && !answer.hit) [[unlikely]]
     recorder->clip_abandoned();
   return answer;
@@ -290,6 +300,7 @@ PairCache<S> cache_of(const HullPair<S>& pair, const Pose<S>& b_in_a, const Coll
   const S spare = tolerance - std::max(contact.deepest() - separation, S(0));
   cache.near_cosine = S(1) - S(0.6) * spare / (depth + tolerance);
   if (!(spare > S(0))) return cache;
+  cache.best = axes.separation(axes.deepest);
   cache.far = far_separation(pair, faces_a, faces_b, cache.normal, cache.near_cosine,
                              separation - kHorizon<S> * pair.min_radius, separation + tolerance);
   if (!preferred(separation, cache.far, static_cast<S>(options.margin), pair.min_radius))
@@ -297,8 +308,10 @@ PairCache<S> cache_of(const HullPair<S>& pair, const Pose<S>& b_in_a, const Coll
   cache.kind = CachedKind::Features;
   const S rounding = depth_rounding(pair.scale);
   if (cache.axis == AxisKind::FaceA) {
+    cache.rival = axes.face_b.face;
     note_features(pair.a, pair.b, axes.face_a, rounding, cache);
   } else if (cache.axis == AxisKind::FaceB) {
+    cache.rival = axes.face_a.face;
     note_features(pair.b, pair.a, axes.face_b, rounding, cache);
   }
   cache.rotation = b_in_a.rotation;

@@ -31,6 +31,22 @@ template <class S>
   return std::max(of_a, of_b);
 }
 
+/// Metres: separation along a face of the box that does not own the kept face.
+template <class S>
+[[gnu::always_inline]] inline S face_separation(const BoxPair<S>& pair, Owner kept, int face) {
+  const int axis = face / 2;
+  const S sign = face % 2 == 0 ? S(1) : S(-1);
+  const Three<S> half_a = boxes::three(pair.a.half_extents);
+  const Three<S> half_b = boxes::three(pair.b.half_extents);
+  if (kept == Owner::B) {
+    const S reach = boxes::dot<S>(boxes::absolute<S>(pair.rows.of[axis]), half_b);
+    return sign * pair.position[axis] - reach - half_a[axis];
+  }
+  const Three<S>& normal = pair.columns.of[axis];
+  const S reach = boxes::dot<S>(boxes::absolute<S>(normal), half_a);
+  return -sign * boxes::dot<S>(normal, pair.offset) - half_b[axis] - reach;
+}
+
 /// Whether the cache gives the contact; it has no points if the kept axis separates.
 template <class S>
 [[gnu::always_inline]] inline bool from_cache(const BoxPair<S>& pair, const Quat<S>& rotation,
@@ -50,7 +66,8 @@ template <class S>
   if (cache.kind != CachedKind::Features) return false;
 
   const S turn = turn_since(cache, rotation);
-  const S far_bound = cache.far + moved_since(cache, pair, turn) + depth_rounding(pair.scale);
+  const S moved = moved_since(cache, pair, turn);
+  const S far_bound = cache.far + moved + depth_rounding(pair.scale);
   if (!preferred(separation, far_bound, margin, pair.min_radius)) return false;
   S deepest;
   if (!boxes::face_contact(faces, owner, cache.first, rectangles, pair.scale, margin, contact,
@@ -59,7 +76,10 @@ template <class S>
   const S near_bound = deepest < S(0) ? deepest * (cache.near_cosine - turn) : deepest;
   const S bound = std::max(far_bound, near_bound);
   return contact.count > 0 && preferred(separation, bound, margin, pair.min_radius) &&
-         is_still_deep(deepest, separation, pair.scale);
+         is_still_deep(cache, deepest, separation, moved, pair.scale, [&] {
+           // Lower by the rounding of either sum, so that a hit here is one of the general path.
+           return face_separation(pair, owner, cache.rival) - tie_tolerance(pair.scale);
+         });
 }
 
 }  // namespace
@@ -72,7 +92,7 @@ template <class S>
                                                std::vector<Manifold<S>>& manifolds) {
   const bool on_face = cache.axis == AxisKind::FaceA || cache.axis == AxisKind::FaceB;
   if (cache.kind == CachedKind::Empty || !on_face || cache.radius_a != a.radius ||
-      cache.radius_b != b.radius || static_cast<unsigned>(cache.first) >= 6U ||
+      cache.radius_b != b.radius || static_cast<unsigned>(cache.first) >= 6U || cache.rival >= 6 ||
       options.preference != Preference::Relative)
     return false;
   const Pose<S> b_in_a = relative_pose(pose_a, pose_b);
