@@ -213,8 +213,7 @@ struct Filler {
       nearest = pair;
       least = *separation;
     }
-    // A gap within rounding is none: such a pair touches, as the panels say.
-    if (nearest == nullptr || (gaps ? !(least > staging.scales.touching) : !(least < 0))) return {};
+    if (nearest == nullptr || (gaps ? !(least > 0) : !(least < 0))) return {};
     return spell_length(std::abs(least), noise_of(*staging.header, staging.meshes, frame, *nearest),
                         staging.scales.length);
   }

@@ -4,11 +4,12 @@
 #include <array>
 #include <map>
 
+#include "core/at.h"
 #include "draw/scene/palette.h"
 #include "draw/scene/theme.h"
 #include "image/base64.h"
 #include "image/deflate.h"
-#include "shrink/expression.h"
+#include "shrink/judge.h"
 #include "vector/markup.h"
 
 namespace contactscope::viewer {
@@ -110,7 +111,7 @@ std::string Viewer::html() {
                      {draw::toned(draw::kWhite, 1).r, draw::toned(draw::kWhite, 0.3).r,
                       draw::toned(draw::kWhite, 0).r}},
                     {"tone_borders", draw::kToneBorders},
-                    {"quantities", shrink::quantities()}};
+                    {"quantities", mapped(shrink::vocabulary().quantities, &find::Quantity::name)}};
   if (!staging_.cells) page["camera"] = camera_json(staging_.camera);
   page["layers"] = ordered_json::array();
   for (const Layer layer : kShown) {

@@ -43,7 +43,7 @@ void add(CLI::App& verb, const Option& option, Options& to) {
   if (!option.value.empty()) added->option_text(option.value);
   if (!option.is_argument() && option.repeats()) added->allow_extra_args(false)->delimiter(',');
   if (option.is_required()) added->required();
-  if (option.is_required() && !option.repeats()) added->expected(1);
+  if (option.is_required() && !option.repeats()) added->expected(1)->allow_extra_args(false);
 }
 
 /// Text of an option on the command line, several values with commas between them; nullopt if it is

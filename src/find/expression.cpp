@@ -280,7 +280,7 @@ class Expression::Parser {
   }
   void require_cause(const std::string& name) const {
     const std::vector<std::string_view>& causes = vocabulary_.causes;
-    if (std::ranges::find(causes, name) != causes.end()) return;
+    if (causes.empty() || std::ranges::find(causes, name) != causes.end()) return;
     const std::string near = did_you_mean(name, causes);
     fail("'" + name + "' is not a cause of findings; " +
          (near.empty() ? "known: " + quoted_list(causes) : near));

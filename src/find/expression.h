@@ -39,9 +39,9 @@ struct Quantity {
 /// The names that the expressions of a verb may use.
 struct Vocabulary {
   std::vector<Quantity> quantities;
-  std::vector<std::string> sides;   // those that may precede a quantity; empty: any
-  std::vector<std::string> counts;  // sides that stand alone, or before a cause: "lint"
-  std::vector<std::string_view> causes{};  // that may follow "lint."
+  std::vector<std::string> sides;          // those that may precede a quantity; empty: any
+  std::vector<std::string> counts;         // sides that stand alone, or before a cause: "lint"
+  std::vector<std::string_view> causes{};  // that may follow "lint."; empty: any
 
   /// Null if there is none.
   const Quantity* quantity(std::string_view name) const;

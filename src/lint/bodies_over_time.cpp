@@ -80,13 +80,15 @@ class BodiesWatch final : public Watch {
     return true;
   }
 
-  /// Much faster than anything before, and than itself.
+  /// Much faster than anything before, and than itself. At rest there is nothing to compare with:
+  /// the first body that moves is shot on purpose.
   void see_flight(const Moments& frames, const std::string& name, const Placed& before,
                   const Placed& now, const Placed& after, double& fastest) {
     ++flights_.of;
     const double step = (middle(after) - middle(now)).norm();
     const double last = (middle(now) - middle(before)).norm();
-    if (step > kLongStep * now.size() && step > kFaster * fastest_ && step > kTimes * last)
+    if (fastest_ > 0 && step > kLongStep * now.size() && step > kFaster * fastest_ &&
+        step > kTimes * last)
       flights_.wrong(frames, name, "", [&] {
         return std::pair("it moves by " + metres(step) + " m in the next step",
                          "it moves by " + metres(last) +

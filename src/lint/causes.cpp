@@ -8,56 +8,55 @@ namespace contactscope::lint {
 namespace {
 
 constexpr std::array kMargins = {"margin_added", "margin_taken_off"};
-constexpr std::array kUnexplained = {"separation", "surface", "side", "normal", "deepest"};
-constexpr std::array kOthers = {
-    "overlap_told_apart",
-    "overlap_without_contact",
-    "pair_never_reported",
-    "pairs_twice",
-    "pairs_flicker",
-    "points_twice",
-    "points_flicker",
-    "depths_jump",
-    "normals_jump",
-    "impulses_flicker",
-    "poses_jump",
-    "bodies_fly_off",
-    "touching_without_points",
-    "times_do_not_rise",
-    "ids_alike",
-    "ids_change",
-    "mesh_inside_out",
-    "friction_along_normal",
-    "friction_beyond_normal",
-    "friction_on_a",
-    "up_axis",
-    "world_in_centimetres",
-    "world_in_millimetres",
-    "time_in_milliseconds",
-    "impulses_on_a",
-    "impulses_are_forces",
-    "impulses_of_a_substep",
-    "impulses_halved",
-    "impulses_doubled",
-    "impulses_unlike_weights",
-    "velocities_negated",
-    "velocities_of_a_step",
-    "velocities_in_centimetres",
-    "velocities_in_millimetres",
-    "velocities_in_frame_of_body",
-    "spins_negated",
-    "spins_in_degrees",
-    "spins_of_a_step",
-    "spins_in_frame_of_body",
-    "shape",
-    "torn"};
+constexpr std::array kClaimCauses = {"separation", "surface", "side", "normal", "deepest"};
+constexpr std::array kOthers = {"overlap_told_apart",
+                                "overlap_without_contact",
+                                "pair_never_reported",
+                                "pairs_twice",
+                                "pairs_flicker",
+                                "points_twice",
+                                "points_flicker",
+                                "depths_jump",
+                                "normals_jump",
+                                "impulses_flicker",
+                                "poses_jump",
+                                "bodies_fly_off",
+                                "touching_without_points",
+                                "times_do_not_rise",
+                                "ids_alike",
+                                "ids_change",
+                                "mesh_inside_out",
+                                "friction_along_normal",
+                                "friction_beyond_normal",
+                                "friction_on_a",
+                                "up_axis",
+                                "world_in_centimetres",
+                                "world_in_millimetres",
+                                "time_in_milliseconds",
+                                "impulses_on_a",
+                                "impulses_are_forces",
+                                "impulses_of_a_substep",
+                                "impulses_halved",
+                                "impulses_doubled",
+                                "impulses_unlike_weights",
+                                "velocities_negated",
+                                "velocities_of_a_step",
+                                "velocities_in_centimetres",
+                                "velocities_in_millimetres",
+                                "velocities_in_frame_of_body",
+                                "spins_negated",
+                                "spins_in_degrees",
+                                "spins_of_a_step",
+                                "spins_in_frame_of_body",
+                                "shape",
+                                "torn"};
 
 }  // namespace
 
 std::vector<std::string_view> causes() {
   std::vector<std::string_view> names(kMargins.begin(), kMargins.end());
   for (const Mistake& mistake : mistakes()) names.emplace_back(mistake.name);
-  names.insert(names.end(), kUnexplained.begin(), kUnexplained.end());
+  names.insert(names.end(), kClaimCauses.begin(), kClaimCauses.end());
   names.insert(names.end(), kOthers.begin(), kOthers.end());
   return names;
 }

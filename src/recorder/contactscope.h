@@ -59,8 +59,8 @@ extern "C" {
 typedef struct cs_recorder cs_recorder;
 
 typedef struct cs_settings {
-  int doubles; /* 1: the engine computes in double, write 17 digits; 0: in float, write 9 */
-  int z_up; /* 1: z points up; 0: y points up */
+  int doubles;  /* 1: the engine computes in double, write 17 digits; 0: in float, write 9 */
+  int z_up;     /* 1: z points up; 0: y points up */
   int poses_at; /* time of the poses: 0 same as the contacts, 1 before their step, 2 after it */
   double force_step; /* above 0: impulses are forces in newtons, over a step of this many seconds */
   int friction_on_a; /* 1: friction acts on a, not on b */
@@ -300,8 +300,7 @@ static int cs__digits(double value, int count, char* out) {
     digits[length++] = (char)('0' + part % 10);
   if (length > count) ++before; /* rounding reached the next power of ten */
   i = 0;
-  while (i < length - 1 && digits[i] == '0')
-    ++i; /* drop trailing zeros of the fraction */
+  while (i < length - 1 && digits[i] == '0') ++i; /* drop trailing zeros of the fraction */
   if (i > length - before) i = length - before > 0 ? length - before : 0;
   if (before <= 0) {
     *out++ = '0';

@@ -100,7 +100,8 @@ std::vector<std::string> unmet_of(const Run& run) {
 const find::Vocabulary& vocabulary() {
   static const find::Vocabulary known = [] {
     const auto& all = find::pair_quantities();
-    find::Vocabulary names{{all.begin(), all.begin() + find::kOfPairAlone}, {}, {"lint", "unmet"}, lint::causes()};
+    find::Vocabulary names{
+        {all.begin(), all.begin() + find::kOfPairAlone}, {}, {"lint", "unmet"}, lint::causes()};
     std::ranges::find(names.quantities, "overlap", &find::Quantity::name)->unit = find::Unit::Count;
     return names;
   }();

@@ -148,7 +148,7 @@ TEST(Study, UnknownNameIsTroubleAndListsTheStudies) {
   const ProgramRun result = run("study flight --out '" + (folder / "out") + "'");
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_THAT(result.out, IsEmpty());
-  EXPECT_THAT(result.err, HasSubstr("reducers, hull_precision"));
+  EXPECT_THAT(result.err, HasSubstr("'reducers', 'hull_precision'"));
   EXPECT_THAT(files_below(folder / "out"), IsEmpty());
 }
 

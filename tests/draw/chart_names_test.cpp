@@ -5,8 +5,8 @@
 
 #include "draw/charts/plot.h"
 #include "draw/charts/time_chart.h"
+#include "draw/drawn_texts.h"
 #include "draw/scene/pen.h"
-#include "drawn_texts.h"
 
 /// Names of lines in charts, and what distinguishes them.
 namespace contactscope::draw {
@@ -67,7 +67,7 @@ TEST(ChartNames, FailuresAreLabelledAtTheirFirstCross) {
   trace::Study study = curves_of("8 samples: 2 µs", {1, 1, 1, 1});
   study.failed = "hits missed";
   study.series.front().points.back().failed = 7;
-  const std::vector<Text> all = texts(plot(study, 1280, 720));
+  const std::vector<Text> all = drawn_texts(plot(study, 1280, 720));
   const auto record = std::ranges::find(all, "8 samples: 7 of 100 hits missed", &Text::text);
   ASSERT_NE(record, all.end()) << "without the time in the name of the line";
   EXPECT_GT(record->at.x, 400) << "the cross is at the right";

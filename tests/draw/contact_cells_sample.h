@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "draw/drawn_texts.h"
 #include "draw/insets/contact_cells.h"
 #include "image/font.h"
 
@@ -68,12 +69,6 @@ std::vector<T> all(const Drawing& drawing) {
   for (const Primitive& primitive : drawing.primitives) {
     if (const T* one = std::get_if<T>(&primitive)) list.push_back(*one);
   }
-  return list;
-}
-
-inline std::vector<std::string> words(const Drawing& drawing) {
-  std::vector<std::string> list;
-  for (const Text& text : all<Text>(drawing)) list.push_back(text.text);
   return list;
 }
 

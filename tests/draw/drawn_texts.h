@@ -9,7 +9,7 @@
 /// The texts of a drawing, in drawing order.
 namespace contactscope::draw {
 
-inline std::vector<Text> texts(const Drawing& drawing) {
+inline std::vector<Text> drawn_texts(const Drawing& drawing) {
   std::vector<Text> list;
   for (const Primitive& primitive : drawing.primitives)
     if (const auto* text = std::get_if<Text>(&primitive)) list.push_back(*text);
@@ -18,7 +18,7 @@ inline std::vector<Text> texts(const Drawing& drawing) {
 
 inline std::vector<std::string> words(const Drawing& drawing) {
   std::vector<std::string> list;
-  for (const Text& text : texts(drawing)) list.push_back(text.text);
+  for (const Text& text : drawn_texts(drawing)) list.push_back(text.text);
   return list;
 }
 

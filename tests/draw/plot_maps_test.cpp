@@ -4,6 +4,7 @@
 #include <set>
 
 #include "draw/charts/plot.h"
+#include "draw/drawn_texts.h"
 #include "draw/scene/camera.h"
 #include "draw/scene/palette.h"
 #include "image/font.h"
@@ -99,12 +100,6 @@ std::vector<T> all_of(const Drawing& drawing) {
   for (const Primitive& primitive : drawing.primitives) {
     if (const auto* one = std::get_if<T>(&primitive)) list.push_back(*one);
   }
-  return list;
-}
-
-std::vector<std::string> words(const Drawing& drawing) {
-  std::vector<std::string> list;
-  for (const Text& text : all_of<Text>(drawing)) list.push_back(text.text);
   return list;
 }
 

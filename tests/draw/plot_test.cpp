@@ -58,7 +58,7 @@ bool overlap(const Rect& a, const Rect& b) {
 
 TEST(Plot, TextIsOnTheCanvasWithoutOverlapAtFullAndHalfSize) {
   for (const auto& [width, height] : {std::pair{1280, 720}, {640, 360}}) {
-    const std::vector<Text> all = texts(plot(crowded(), width, height));
+    const std::vector<Text> all = drawn_texts(plot(crowded(), width, height));
     for (std::size_t i = 0; i < all.size(); ++i) {
       const Rect box = box_of(all[i]);
       EXPECT_GE(box.x, 0) << all[i].text;
@@ -77,7 +77,7 @@ TEST(Plot, WordsOfAMarkedPointStandOnNothingElse) {
   trace::Study study = crowded();
   study.series[3].points[1].mark = "8 points: 2.9 %";
   study.series[18].points[0].mark = "none lost";
-  const std::vector<Text> all = texts(plot(study, 1280, 720));
+  const std::vector<Text> all = drawn_texts(plot(study, 1280, 720));
   for (const char* marked : {"8 points: 2.9 %", "none lost"}) {
     const auto found = std::ranges::find(all, marked, &Text::text);
     ASSERT_NE(found, all.end()) << marked;

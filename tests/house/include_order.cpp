@@ -18,13 +18,14 @@ struct Folder {
 
 // In the order of src/README.md: a folder uses only folders before it.
 constexpr Folder kOrder[] = {
-    {"recorder", "src"},    {"core", "src"},       {"view", "src"},      {"trace", "src"},
-    {"geometry", "src"},    {"query", "src"},      {"field", "src"},     {"broadphase", "src"},
-    {"continuous", "src"},  {"reduce", "src"},     {"manifold", "src"},  {"lint", "src"},
-    {"versus", "src"},      {"dynamics", "src"},   {"scenario", "src"},  {"find", "src"},
-    {"shrink", "src"},      {"study", "src"},      {"image", "render"},  {"draw", "render"},
-    {"gl", "render"},       {"overlay", "render"}, {"vector", "render"}, {"page", "render"},
-    {"snapshot", "render"}, {"app", "src"},        {"package", "src"},   {"adapters", "src"},
+    {"recorder", "src"},   {"core", "src"},        {"view", "src"},      {"trace", "src"},
+    {"geometry", "src"},   {"query", "src"},       {"field", "src"},     {"broadphase", "src"},
+    {"continuous", "src"}, {"reduce", "src"},      {"manifold", "src"},  {"lint", "src"},
+    {"versus", "src"},     {"dynamics", "src"},    {"scenario", "src"},  {"find", "src"},
+    {"shrink", "src"},     {"study", "src"},       {"image", "render"},  {"draw", "render"},
+    {"gl", "render"},      {"overlay", "render"},  {"vector", "render"}, {"page", "render"},
+    {"viewer", "render"},  {"snapshot", "render"}, {"app", "src"},       {"package", "src"},
+    {"adapters", "src"},
 };
 
 /// The levels of a folder, and the levels that each may use. Other files are the top.

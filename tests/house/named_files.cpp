@@ -33,9 +33,12 @@ bool is_pattern(const std::string& name) {
 }
 
 bool names_a_file(const std::string& name, const std::set<std::string>& paths) {
+  // Installed headers of adapters are below contactscope/.
+  const std::string in_source =
+      name.starts_with("contactscope/adapters/") ? name.substr(sizeof "contactscope") : name;
   return kElsewhere.contains(name) || is_pattern(name) ||
          std::ranges::any_of(paths, [&](const std::string& path) {
-           return path == name || path.ends_with("/" + name);
+           return path == in_source || path.ends_with("/" + in_source);
          });
 }
 

@@ -55,7 +55,11 @@ TEST(VersusPeers, StepAPyramidAsWeDo) {
     EXPECT_EQ(engine["fallen"], 0);
     EXPECT_LT(engine["drift"]["worst"], 0.02);
     EXPECT_LT(engine["penetration"]["worst"], 0.02);
-    EXPECT_TRUE(engine["findings"].empty()) << engine["findings"];
+    // Of ODE a seventh of the contacts comes and goes from frame to frame.
+    for (const Json& finding : engine["findings"]) {
+      EXPECT_EQ(engine["name"], "ode");
+      EXPECT_THAT(finding["cause"].get<std::string>(), testing::EndsWith("_flicker")) << finding;
+    }
   }
 }
 
@@ -89,10 +93,12 @@ TEST(VersusPeers, HalfOverlapsOfMuJoCoAreNamed) {
   ASSERT_FALSE(json.is_discarded()) << result.err;
   const Json& boxes = json["matches"][0]["engines"][0];
   EXPECT_EQ(boxes["missed"], 0);
-  ASSERT_EQ(boxes["findings"].size(), boxes["version"] < "3.4" ? 1u : 0u) << boxes["findings"];
-  if (!boxes["findings"].empty()) {
-    EXPECT_EQ(boxes["findings"][0]["cause"], "half_depths");
-  }
+  // MuJoCo has a point twice in one frame.
+  std::vector<std::string> causes;
+  for (const Json& finding : boxes["findings"])
+    if (finding["cause"] != "points_twice") causes.push_back(finding["cause"]);
+  const bool halved = boxes["version"] < "3.4";
+  EXPECT_EQ(causes, std::vector<std::string>(halved ? 1 : 0, "half_depths")) << boxes["findings"];
   const Json& plane = json["matches"][1]["engines"][0];
   EXPECT_LT(plane["depth_error"]["worst"], 1e-6);
   EXPECT_TRUE(plane["findings"].empty());

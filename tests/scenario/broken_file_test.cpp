@@ -198,7 +198,7 @@ INSTANTIATE_TEST_SUITE_P(
         Broken{"LayerTwice", two_boxes("[[views]]\nlayers = [\"ids\", \"ids\"]"), "9:18",
                "the layer 'ids' is listed twice"},
         Broken{"UnknownPanel", two_boxes("[[views]]\npanels = [\"graph\"]"), "9:11",
-               "unknown panel 'graph'; known: 'summary', 'contact_plane', "},
+               "unknown panel 'graph'; known: 'summary', 'worst', "},
         Broken{"EyeIsTarget", two_boxes("[[views]]\neye = [1, 2, 3]\ntarget = [1, 2, 3]"), "9:7",
                "'eye' and 'target' are the same point"},
         Broken{"EyeOfTwoNumbers", two_boxes("[[views]]\neye = [1, 2]"), "9:7",

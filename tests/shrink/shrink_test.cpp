@@ -42,7 +42,7 @@ PairOfTwo two_rocks(double distance) {
 
 Shrunk shrunk(const PairOfTwo& pair, const std::string& text,
               std::map<std::string, Engine> engines = {}) {
-  const Expression expression(text);
+  const find::Expression expression(text, vocabulary());
   Judge judge(expression, std::move(engines));
   if (!pair.expectation.empty()) judge.remember_unmet(pair);
   EXPECT_TRUE(judge.holds(pair)) << text;

@@ -7,7 +7,7 @@
 #include <cstdlib>
 
 #include "draw/crate_on_slab.h"
-#include "shrink/expression.h"
+#include "shrink/judge.h"
 #include "support/temporary_folder.h"
 
 namespace contactscope::viewer {
@@ -63,7 +63,9 @@ TEST(Viewer, FetchesNothingAndNamesOfATraceAreNoMarkup) {
   for (const char* word : {"http:", "https:", " src=", "<link", "broken", "crate <b>", "@DATA@"})
     EXPECT_THAT(html, Not(HasSubstr(word)));
   EXPECT_THAT(html, HasSubstr("default-src 'none'"));
-  if (!three_script().empty()) EXPECT_THAT(html, HasSubstr("MIT License"));
+  if (!three_script().empty()) {
+    EXPECT_THAT(html, HasSubstr("MIT License"));
+  }
   EXPECT_EQ(html, page_of(rising()));
 }
 
@@ -162,8 +164,9 @@ TEST_F(InChromium, ShowsTheFactsOfTheTraceAndAnswersClicksKeysAndSearch) {
   EXPECT_EQ(page["points"].size(), i);
   EXPECT_NEAR(page["pose"][1].get<double>(), scene.frames[11].poses[1].second.position.y(), 1e-4);
   EXPECT_NEAR(page["separation"].get<double>(), scene.frames[11].pairs[0].separation, 3e-7);
-  for (const std::string& quantity : shrink::quantities())
-    EXPECT_THAT(page["quantities"].get<std::vector<std::string>>(), testing::Contains(quantity));
+  for (const find::Quantity& known : shrink::vocabulary().quantities)
+    EXPECT_THAT(page["quantities"].get<std::vector<std::string>>(),
+                testing::Contains(std::string(known.name)));
   EXPECT_EQ(page["start"], 2);
   EXPECT_EQ(page["found"], "4 records in 4 frames");
   EXPECT_EQ(page["clicked"].dump(), R"({"pair":0,"point":"b:v4"})");

@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "draw/layers/crowd.h"
 #include "draw/layers/layer.h"
+#include "draw/scene/crowd.h"
 #include "draw/scene/pair_words.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/points.h"

@@ -5,6 +5,7 @@
 
 #include "core/at.h"
 #include "core/convex_polygon.h"
+#include "draw/scene/points.h"
 
 namespace contactscope::draw {
 namespace {

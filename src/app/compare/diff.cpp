@@ -30,7 +30,7 @@ std::string farthest(const RunComparison& runs) {
          std::to_string(most->frame) + ", at " + most->shape;
 }
 
-nlohmann::ordered_json to_json(const RunComparison& runs, const std::vector<std::string>& files,
+nlohmann::ordered_json json_of(const RunComparison& runs, const std::vector<std::string>& files,
                                bool is_same) {
   nlohmann::ordered_json json{
       {"schema", "contactscope.diff/1"}, {"files", files},      {"same", is_same},
@@ -86,7 +86,7 @@ ExitCode run_diff(const Options& options) {
     throw UsageError("no frame of " + names[0] + " has the number of a frame of " + names[1]);
   const bool is_same = !runs.parting && runs.alone == std::array{0, 0};
   if (options.json)
-    std::cout << to_json(runs, names, is_same).dump() << '\n';
+    std::cout << json_of(runs, names, is_same).dump() << '\n';
   else
     print_text(runs, names);
   return is_same ? ExitCode::Same : ExitCode::Different;

@@ -125,7 +125,6 @@ Examples:
   contactscope find run.jsonl 'overlap > 5 mm and normal_turn > 20 deg'
   contactscope find run.jsonl 'points_lost > 0 and motion < 1 mm'     # contacts that flicker
   contactscope find run.jsonl "age == 0 and away <= 2 and a == 'floor'" --json
-  contactscope render run.jsonl --where 'overlap > 5 mm'              # draws what is found
 Exit codes: 0 something is found, 1 nothing is, 2 an error.)"};
 }
 

@@ -6,8 +6,8 @@ planted_bug(normals_point_back FILE render/draw/layers/normals.cpp TESTS draw
   WAS [[                      .direction = manifold.normal,]]
   IS [[                      .direction = Vec3d((@BUG@ ? -1.0 : 1.0) * manifold.normal),]])
 planted_bug(dots_two_pixels_off FILE render/draw/scene/compose.cpp TESTS draw
-  WAS [[const float reach = draw_mark(mark.kind, *at, mark.color, pen);]]
-  IS [[const float reach = draw_mark(mark.kind, *at + Point2{@BUG@ ? 2.0f : 0.0f, 0}, mark.color, pen);]])
+  WAS [[const float reach = draw_mark(mark.kind, *at, mark.color, pen, mark.size);]]
+  IS [[const float reach = draw_mark(mark.kind, *at + Point2{@BUG@ ? 2.0f : 0.0f, 0}, mark.color, pen, mark.size);]])
 planted_bug(colours_of_the_two_faces_traded FILE render/draw/layers/clipping.cpp TESTS draw
   WAS [[const Color color = kReference ? kReferenceFace : kIncidentFace;]]
   IS [[const Color color = kReference != @BUG@ ? kReferenceFace : kIncidentFace;]])

@@ -1,9 +1,8 @@
-#include "draw/layers/crowd.h"
+#include "draw/scene/crowd.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "draw/layers/layer.h"
 #include "draw/scene/contact_facts.h"
 #include "draw/scene/ghost.h"
 #include "draw/scene/pair_words.h"
