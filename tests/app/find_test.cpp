@@ -37,10 +37,10 @@ TEST(FindVerb, ListsFramesAndPairsAndRenderDrawsThem) {
   const ProgramRun table = run("find '" + file + "' 'points_lost > 0 and overlap < 3 cm'");
   EXPECT_EQ(table.exit_code, 0) << table.err;
   EXPECT_THAT(table.out, HasSubstr("points_lost  overlap mm\n"));
-  EXPECT_THAT(table.out, HasSubstr("    2     0.2  ground  crate            2          20\n"));
+  EXPECT_THAT(table.out, HasSubstr("\n2         0.2  ground  crate            2          20\n"));
   EXPECT_EQ(table.err, "1 of 3 frames\n");
 
-  const ProgramRun json = run("find '" + file + "' 'points_lost + normal_turn >= 0' --json");
+  const ProgramRun json = run("find '" + file + "' 'points_lost >= 0 and normal_turn >= 0' --json");
   const auto found = nlohmann::json::parse(json.out)["found"];
   ASSERT_EQ(found.size(), 2u);  // nothing is known of the first frame
   EXPECT_EQ(found[1]["frame"], 2);
