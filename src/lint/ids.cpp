@@ -99,7 +99,9 @@ class IdsWatch final : public Watch {
       return all;
     };
     const auto then = places(before);
-    for (const auto& [name, now] : places(pair)) {
+    for (const auto& place : places(pair)) {
+      const auto& name = place.first;
+      const std::vector<Vec3d>& now = place.second;
       const auto found = then.find(name);
       if (now.size() != 1 || found == then.end() || found->second.size() != 1) continue;
       if ((now.front() - found->second.front()).norm() <= near) continue;
