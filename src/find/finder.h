@@ -58,9 +58,9 @@ class Finder {
  private:
   /// A frame, its pairs and poses by name.
   struct Moment {
-    trace::Frame frame{};
-    std::unordered_map<std::string, const trace::Pair*> pairs{};
-    std::unordered_map<std::string, const Pose<double>*> poses{};
+    trace::Frame frame;
+    std::unordered_map<std::string, const trace::Pair*> pairs;
+    std::unordered_map<std::string, const Pose<double>*> poses;
   };
   /// Contact of a pair over the frames, by their place in the trace.
   struct Contact {

@@ -246,7 +246,7 @@ void expect_right(const trace::Trace& trace, const Promise& promise,
   }
   std::vector<std::string> causes;
   std::ostringstream findings;
-  // What an engine does in a single frame: ODE leaves out a point, MuJoCo has one twice.
+  // Glitches of the engines, in a single frame: ODE leaves out a point, MuJoCo has one twice.
   const std::set<std::string> own = {"points_flicker", "points_twice"};
   for (const lint::Finding& finding : lint::lint(trace)) {
     if (finding.count == 1 && own.contains(finding.cause)) continue;

@@ -55,7 +55,7 @@ TEST(VersusPeers, StepAPyramidAsWeDo) {
     EXPECT_EQ(engine["fallen"], 0);
     EXPECT_LT(engine["drift"]["worst"], 0.02);
     EXPECT_LT(engine["penetration"]["worst"], 0.02);
-    // Of ODE a seventh of the contacts comes and goes from frame to frame.
+    // In ODE a seventh of the contacts comes and goes from frame to frame.
     for (const Json& finding : engine["findings"]) {
       EXPECT_EQ(engine["name"], "ode");
       EXPECT_THAT(finding["cause"].get<std::string>(), testing::EndsWith("_flicker")) << finding;
