@@ -102,7 +102,9 @@ std::string_view stage_in_pair(const std::string& path) {
 std::vector<Place> places_of(const Json& frame) {
   std::vector<Place> places;
   const Json flat = frame.flatten();
-  for (const auto& [path, value] : flat.items()) {
+  for (const auto& item : flat.items()) {
+    const std::string path = item.key();
+    const Json& value = item.value();
     if (!value.is_number_float() && !value.is_string()) continue;
     Place place{path, "", ""};
     const auto part = [&](std::size_t begin) {
