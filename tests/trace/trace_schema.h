@@ -70,11 +70,17 @@ class SchemaMaker {
   }
 
  private:
+  static Json of(const std::string& key, const Json& value) {
+    Json json;
+    json[key] = value;
+    return json;
+  }
   static Json of_numbers(std::size_t count) {
-    return {{"type", "array"},
-            {"items", {{"type", "number"}}},
-            {"minItems", count},
-            {"maxItems", count}};
+    Json json = of("type", "array");
+    json["items"] = of("type", "number");
+    json["minItems"] = count;
+    json["maxItems"] = count;
+    return json;
   }
 
   template <Listed T>
@@ -83,7 +89,7 @@ class SchemaMaker {
     definitions_[name<T>()] = Json();  // its place, also for a fact that contains itself
     Json required = Json::array(), properties = Json::object();
     add_keys<T>(name<T>(), required, properties);
-    Json definition{{"type", "object"}};
+    Json definition = of("type", "object");
     if (!required.empty()) definition["required"] = required;
     definition["properties"] = properties;
     definitions_[name<T>()] = definition;
@@ -104,7 +110,12 @@ class SchemaMaker {
         if (field.presence == Presence::Optional) value["enum"].push_back("");  // unknown
       }
       if (is_own) value["description"] = plain(key->text);
-      if (field.presence == Presence::OrNull) value = {{"anyOf", {value, {{"type", "null"}}}}};
+      if (field.presence == Presence::OrNull) {
+        Json either = Json::array();
+        either.push_back(std::move(value));
+        either.push_back(of("type", "null"));
+        value = of("anyOf", either);
+      }
       if (field.within == nullptr) {
         properties[field.key] = value;
         if (field.needed()) required.push_back(field.key);
@@ -121,28 +132,34 @@ class SchemaMaker {
   template <class T>
   Json schema() {
     if constexpr (std::same_as<T, double>) {
-      return {{"type", "number"}};
+      return of("type", "number");
     } else if constexpr (std::same_as<T, int>) {
-      return {{"type", "integer"}};
+      return of("type", "integer");
     } else if constexpr (std::same_as<T, bool>) {
-      return {{"type", "boolean"}};
+      return of("type", "boolean");
     } else if constexpr (std::same_as<T, std::string>) {
-      return {{"type", "string"}};
+      return of("type", "string");
     } else if constexpr (std::same_as<T, Vec3d>) {
-      return {{"$ref", "#/$defs/vector"}};
+      return of("$ref", "#/$defs/vector");
     } else if constexpr (std::same_as<T, Quatd>) {
       return of_numbers(4);
     } else if constexpr (Listed<T>) {
       add<T>();
-      return {{"$ref", "#/$defs/" + name<T>()}};
+      return of("$ref", "#/$defs/" + name<T>());
     } else if constexpr (kIsOptional<T>) {
       return schema<typename Unwrapped<T>::type>();
     } else {
       using Entry = typename T::value_type;
       const Json entry = schema<Entry>();
-      if constexpr (Listed<Entry>)
-        if (has_name<Entry>()) return {{"type", "object"}, {"additionalProperties", entry}};
-      Json list{{"type", "array"}, {"items", entry}};
+      if constexpr (Listed<Entry>) {
+        if (has_name<Entry>()) {
+          Json names = of("type", "object");
+          names["additionalProperties"] = entry;
+          return names;
+        }
+      }
+      Json list = of("type", "array");
+      list["items"] = entry;
       if constexpr (requires { std::tuple_size<T>::value; })
         list["minItems"] = list["maxItems"] = std::tuple_size_v<T>;
       return list;
