@@ -225,7 +225,7 @@ std::map<PairNames, Claims> judge(const trace::Trace& trace) {
 
 void expect_right(const trace::Trace& trace, const Promise& promise,
                   const std::vector<PairNames>& known_faults,
-                  const std::vector<std::string>& record) {
+                  const std::vector<std::string>& expected) {
   constexpr double kUnit = 1e-5;
   const std::map<PairNames, Claims> all = judge(trace);
   EXPECT_FALSE(all.empty());
@@ -246,16 +246,13 @@ void expect_right(const trace::Trace& trace, const Promise& promise,
   }
   std::vector<std::string> causes;
   std::ostringstream findings;
-  // Glitches of the engines, in a single frame: ODE leaves out a point, MuJoCo has one twice.
-  const std::set<std::string> own = {"points_flicker", "points_twice"};
   for (const lint::Finding& finding : lint::lint(trace)) {
-    if (finding.count == 1 && own.contains(finding.cause)) continue;
     causes.push_back(finding.cause);
     findings << finding.cause << ": " << finding.what << ", " << finding.count << " of "
              << finding.of << "; frame " << finding.frame << ", " << finding.a << " and "
              << finding.b << ": " << finding.said << "; " << finding.is << "\n";
   }
-  EXPECT_THAT(causes, testing::UnorderedElementsAreArray(record)) << findings.str();
+  EXPECT_THAT(causes, testing::UnorderedElementsAreArray(expected)) << findings.str();
   for (const PairNames& known : known_faults)
     EXPECT_TRUE(all.contains(known)) << known.first << " and " << known.second << " never met";
 }

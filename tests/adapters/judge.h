@@ -39,7 +39,7 @@ struct Promise {
 /// it. Normals must be unit within 1e-5. The linter must report exactly these names of causes.
 void expect_right(const trace::Trace& trace, const Promise& promise,
                   const std::vector<PairNames>& known_faults = {},
-                  const std::vector<std::string>& record = {});
+                  const std::vector<std::string>& expected = {});
 
 /// Number of lines of a file of this folder that name the recorder or the library.
 int lines_for_the_recorder(const std::string& sample);
