@@ -68,7 +68,7 @@ std::size_t persistent(const trace::Pair& pair, const char* state) {
 
 double impulse_of(const Pairs& pairs) {
   double total = 0;
-  for (const trace::Pair* pair : pairs) total += draw::impulse_of(*pair);
+  for (const trace::Pair* pair : pairs) total += trace::impulse_of(*pair);
   return total;
 }
 

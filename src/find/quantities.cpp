@@ -11,22 +11,11 @@
 namespace contactscope::find {
 namespace {
 
+using trace::impulse_of;
 using trace::Manifold;
+using trace::overlap_of;
 using trace::Pair;
 using M = PairMoment;
-
-/// 0 without overlap.
-double overlap_of(const Pair& pair) {
-  const trace::Point* const deepest = trace::deepest_point(pair);
-  return deepest == nullptr ? 0 : std::max(0.0, -deepest->separation);
-}
-
-double impulse_of(const Pair& pair) {
-  double sum = 0;
-  for (const trace::Point& point : joined(pair.manifolds, &Manifold::points))
-    if (point.impulse) sum += point.impulse->normal;
-  return sum;
-}
 
 double points_of(const Pair& pair) {
   return double(joined(pair.manifolds, &Manifold::points).size());

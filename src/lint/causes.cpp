@@ -3,12 +3,12 @@
 #include <array>
 
 #include "lint/reading.h"
+#include "lint/watch.h"
 
 namespace contactscope::lint {
 namespace {
 
 constexpr std::array kMargins = {"margin_added", "margin_taken_off"};
-constexpr std::array kClaimCauses = {"separation", "surface", "side", "normal", "deepest"};
 constexpr std::array kOthers = {"overlap_told_apart",
                                 "overlap_without_contact",
                                 "pair_never_reported",
@@ -56,7 +56,7 @@ constexpr std::array kOthers = {"overlap_told_apart",
 std::vector<std::string_view> causes() {
   std::vector<std::string_view> names(kMargins.begin(), kMargins.end());
   for (const Mistake& mistake : mistakes()) names.emplace_back(mistake.name);
-  names.insert(names.end(), kClaimCauses.begin(), kClaimCauses.end());
+  for (const char* cause : unexplained_causes()) names.emplace_back(cause);
   names.insert(names.end(), kOthers.begin(), kOthers.end());
   return names;
 }

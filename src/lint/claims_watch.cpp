@@ -2,6 +2,7 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <span>
 
 #include "core/at.h"
 #include "lint/tally.h"
@@ -322,6 +323,10 @@ class ClaimsWatch final : public Watch {
 
 std::unique_ptr<Watch> watch_claims(const trace::Header& header, const LintOptions& options) {
   return std::make_unique<ClaimsWatch>(header, options);
+}
+
+std::vector<const char*> unexplained_causes() {
+  return mapped(std::span(kUnexplained), &Words::cause);
 }
 
 }  // namespace contactscope::lint

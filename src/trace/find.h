@@ -31,6 +31,21 @@ inline const Point* deepest_point(const Pair& pair) {
   return deepest;
 }
 
+/// Overlap of a pair in contact, metres; 0 without points or overlap.
+inline double overlap_of(const Pair& pair) {
+  const Point* const deepest = deepest_point(pair);
+  return deepest == nullptr ? 0 : std::max(0.0, -deepest->separation);
+}
+
+/// Sum of the normal impulses of a pair, newton seconds.
+inline double impulse_of(const Pair& pair) {
+  double sum = 0;
+  for (const Manifold& manifold : pair.manifolds)
+    for (const Point& point : manifold.points)
+      if (point.impulse) sum += point.impulse->normal;
+  return sum;
+}
+
 /// Ids of a pair's points, with the triangle for a mesh; points without an id are skipped.
 inline std::multiset<std::string> point_ids(const Pair& pair) {
   std::multiset<std::string> ids;

@@ -32,7 +32,9 @@ void expect_keys(const std::string& table, std::set<std::string> others) {
   });
   for (const KeyTable& rows : fact_tables())
     for (const Key& key : rows.keys)
-      if (rows.name == table) EXPECT_TRUE(keys.contains(std::string(key.name))) << key.name;
+      if (rows.name == table) {
+        EXPECT_TRUE(keys.contains(std::string(key.name))) << key.name;
+      }
 }
 
 TEST(TraceReference, TablesHaveTheKeysOfTheFactsAndNoOthers) {

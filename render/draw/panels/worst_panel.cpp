@@ -30,7 +30,7 @@ class WorstPanel : public PanelContent {
       : staging_(staging), frames_(frames), scale_(staging.layout.scale) {
     for (const trace::Frame& frame : frames)
       for (const trace::Pair& pair : frame.pairs)
-        has_impulses_ = has_impulses_ || draw::impulse_of(pair) > 0;
+        has_impulses_ = has_impulses_ || impulse_of(pair) > 0;
   }
 
   PanelNeed need(const PanelMoment&) const override {

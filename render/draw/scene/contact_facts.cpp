@@ -32,24 +32,11 @@ double smaller_radius(const trace::Pair& pair, const ShapeMeshes& meshes) {
 std::optional<double> separation_of(const trace::Pair& pair) {
   if (pair.query) return pair.query->gap;
   if (pair.separation != 0) return pair.separation;
-  const std::optional<PairPoint> deepest = deepest_point(pair);
-  return deepest ? std::optional(deepest->point->separation) : std::nullopt;
+  const trace::Point* const deepest = trace::deepest_point(pair);
+  return deepest != nullptr ? std::optional(deepest->separation) : std::nullopt;
 }
 
-double overlap_of(const trace::Pair& pair) {
-  const std::optional<PairPoint> deepest = deepest_point(pair);
-  return deepest ? std::max(0.0, -deepest->point->separation) : 0;
-}
-
-double impulse_of(const trace::Pair& pair) {
-  double total = 0;
-  for (const trace::Manifold& manifold : pair.manifolds)
-    for (const trace::Point& point : manifold.points)
-      if (point.impulse) total += point.impulse->normal;
-  return total;
-}
-
-std::optional<PairPoint> deepest_point(const trace::Pair& pair) {
+std::optional<PairPoint> deepest_contact(const trace::Pair& pair) {
   std::optional<PairPoint> deepest;
   for (const trace::Manifold& manifold : pair.manifolds)
     for (const trace::Point& point : manifold.points)

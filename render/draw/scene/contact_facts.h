@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "draw/scene/pairs.h"
+#include "trace/find.h"
 #include "trace/trace.h"
 
 /// Counts and ranks of contacts. Titles, panels and marks take them from here, so that they cannot
@@ -13,14 +14,8 @@ namespace contactscope::draw {
 /// Separation of a pair, metres, negative for an overlap; nothing if it is unknown.
 std::optional<double> separation_of(const trace::Pair& pair);
 
-/// Overlap of a pair in contact, metres; 0 without contact points or overlap.
-double overlap_of(const trace::Pair& pair);
-
-/// Sum of the normal impulses of a pair, newton seconds.
-double impulse_of(const trace::Pair& pair);
-
-/// The deepest point of a pair; nothing without points.
-std::optional<PairPoint> deepest_point(const trace::Pair& pair);
+/// The deepest point of a pair, with its manifold; nothing without points.
+std::optional<PairPoint> deepest_contact(const trace::Pair& pair);
 
 /// Totals of a frame.
 struct ContactCounts {

@@ -28,7 +28,7 @@ bool is_much_larger(const Scene& scene, const PlacedShape& shape) {
 }
 
 void mark_pair(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
-  const std::optional<PairPoint> at = deepest_point(pair);
+  const std::optional<PairPoint> at = deepest_contact(pair);
   if (!at) return;
   const Vec3d& place = at->point->position;
   for (const std::string* name : {&pair.a, &pair.b}) {
@@ -62,7 +62,7 @@ void number_pairs(const Scene& scene, const trace::Pair* marked, Sketch& sketch)
       ranked_pairs(scene.frame, Rank::Overlap, kNumbered, scene.meshes);
   for (std::size_t i = 0; i < ranked.size(); ++i) {
     if (ranked[i].pair == marked) continue;
-    const std::optional<PairPoint> at = deepest_point(*ranked[i].pair);
+    const std::optional<PairPoint> at = deepest_contact(*ranked[i].pair);
     sketch.begin(name_of(Layer::Contacts), ranked[i].pair->a + " " + ranked[i].pair->b);
     sketch.label(at->point->position, std::to_string(i + 1), kText, 16, 8);
   }
