@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/manifold.h"
 #include "manifold/pair_cache.h"
@@ -48,15 +49,30 @@ bool preferred(S separation, S bound, S margin, S min_radius) {
 /// Whether points whose deepest has this separation are deep enough, whichever axis is now best.
 /// That axis is no deeper than the kept one, of this `separation`, nor than the best one of the
 /// full test can have become: no separation falls by more than the pair has `moved`. If that is not
-/// enough, `rival()` measures the other hull's face.
-template <class S, class Rival>
+/// enough, `along_face()` measures the incident face and `along_edges()` the edges that cross at
+/// the deepest point: where the side planes cut off the support vertex, one of them is the best.
+template <class S, class AlongFace, class AlongEdges>
 bool is_still_deep(const PairCache<S>& cache, S deepest, S separation, S moved, S scale,
-                   const Rival& rival) {
+                   const AlongFace& along_face, const AlongEdges& along_edges) {
   const auto deep_for = [&](S best) {
     return best > S(0) || is_deep_enough(deepest, best, Preference::Relative, scale);
   };
-  return deep_for(std::max(separation, cache.best - moved)) ||
-         (cache.rival >= 0 && deep_for(rival()));
+  return deep_for(std::max(separation, cache.best - moved)) || deep_for(along_face()) ||
+         deep_for(along_edges());
+}
+
+/// The edges of A and B that cross at the deepest point, the first among equals; -1 if two edges of
+/// one hull do.
+template <class Points>
+std::pair<int, int> edges_at_deepest(const Points& points) {
+  const auto& deepest = *std::min_element(
+      points.begin(), points.end(),
+      [](const auto& one, const auto& two) { return one.separation < two.separation; });
+  const auto& [first, second] = deepest.id;
+  if (first.kind != FeatureKind::Edge || second.kind != FeatureKind::Edge ||
+      first.owner == second.owner)
+    return {-1, -1};
+  return {static_cast<int>(first.index), static_cast<int>(second.index)};
 }
 
 }  // namespace contactscope

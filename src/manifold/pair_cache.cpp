@@ -41,6 +41,7 @@ struct MeasuredAxis {
   Vec3<S> normal;  // unit, from A to B
   S separation;
   FaceQuery<S> face;  // of a face axis
+  int incident = -1;  // of a face axis whose contact was made: face of the other hull
   EdgeQuery<S> edge;  // of an edge axis
   S beyond = 0;       // metres: how far an edge axis's edges are from being the support
 };
@@ -67,15 +68,15 @@ bool supports_along(const Hull<S>& hull, int edge, const Vec3<S>& direction) {
   return of_direction > S(1) + left.dot(right) + S(32) * std::numeric_limits<S>::epsilon();
 }
 
-/// False if the edges are so nearly parallel that their cross product is unreliable (see
-/// kNoisySine).
+/// `outward` (A's frame) tells the normal from its opposite. False if the edges are so nearly
+/// parallel that their cross product is unreliable (see kNoisySine).
 template <class S>
-bool measure_edges(const FeaturePair<S>& pair, int edge_a, int edge_b, const Vec3<S>& last_normal,
+bool measure_edges(const FeaturePair<S>& pair, int edge_a, int edge_b, const Vec3<S>& outward,
                    MeasuredAxis<S>& axis) {
   const Vec3<S> cross = pair.a.direction(edge_a).cross(pair.b.direction(edge_b));
   const S sine = cross.norm();
   if (!(sine >= kNoisySine<S>)) return false;
-  axis.normal = cross * ((cross.dot(last_normal) >= S(0) ? S(1) : S(-1)) / sine);
+  axis.normal = cross * ((cross.dot(outward) >= S(0) ? S(1) : S(-1)) / sine);
   const Vec3<S> between = pair.b.origin(edge_b) - pair.a.origin(edge_a);
   axis.edge = {edge_a, edge_b, axis.normal.dot(between), axis.normal};
   const Vec3<S> to_a = pair.rotation.transpose() * Vec3<S>(-axis.normal);
@@ -123,11 +124,8 @@ template <class S>
 bool belongs_to(const PairCache<S>& cache, const Hull<S>& a, const Hull<S>& b) {
   if (cache.radius_a != a.radius || cache.radius_b != b.radius) return false;
   const auto first = static_cast<std::size_t>(cache.first);
-  const auto has_faces = [&](const Hull<S>& kept, const Hull<S>& other) {
-    return first < kept.planes.size() && cache.rival < static_cast<int>(other.planes.size());
-  };
-  if (cache.axis == AxisKind::FaceA) return has_faces(a, b);
-  if (cache.axis == AxisKind::FaceB) return has_faces(b, a);
+  if (cache.axis == AxisKind::FaceA) return first < a.planes.size();
+  if (cache.axis == AxisKind::FaceB) return first < b.planes.size();
   return first < a.half_edges.size() &&
          static_cast<std::size_t>(cache.second) < b.half_edges.size();
 }
@@ -155,8 +153,8 @@ Motion<S> motion_since(const PairCache<S>& cache, const FeaturePair<S>& pair,
 /// Returns its bound for all near axes: of the separation along unit directions whose cosine with
 /// the normal is at least `near_cosine`.
 template <class S>
-S rebuild(const FeaturePair<S>& pair, const PairCache<S>& cache, const MeasuredAxis<S>& axis,
-          S turn, S near_cosine, S scale, S margin, Contact<S>& contact, Recorder<S>* recorder) {
+S rebuild(const FeaturePair<S>& pair, const PairCache<S>& cache, MeasuredAxis<S>& axis, S turn,
+          S near_cosine, S scale, S margin, Contact<S>& contact, Recorder<S>* recorder) {
   S deepest;   // separation of the deepest point
   S slip = 0;  // metres between its points on the two hulls, along the contact plane
   if (cache.axis == AxisKind::EdgeEdge) {
@@ -171,14 +169,40 @@ S rebuild(const FeaturePair<S>& pair, const PairCache<S>& cache, const MeasuredA
     const bool still_incident =
         query.support == cache.support && S(2) * turn < cache.incident_clearance;
     deepest = from_reference(pair, cache.axis, [&](const auto& reference, const auto& other) {
-      const int incident = still_incident
-                               ? cache.incident
-                               : incident_face(other, query.support, reference.normal(query.face));
-      return create_face_contact(reference, other, owner, query, incident, scale, margin, contact,
-                                 recorder);
+      axis.incident = still_incident
+                          ? cache.incident
+                          : incident_face(other, query.support, reference.normal(query.face));
+      return create_face_contact(reference, other, owner, query, axis.incident, scale, margin,
+                                 contact, recorder);
     });
   }
   return (deepest < S(0) ? deepest * near_cosine : deepest) + slip;
+}
+
+/// The separation along the incident face of a face axis's contact; -infinity without one.
+template <class S>
+S along_incident(const FeaturePair<S>& pair, AxisKind axis, int incident) {
+  if (incident < 0) return -std::numeric_limits<S>::infinity();
+  return from_reference(pair, axis, [&](const auto& reference, const auto& other) {
+    const Plane<S> plane = other.plane(incident);
+    return plane.distance(reference.vertex(support_of(reference, Vec3<S>(-plane.normal))));
+  });
+}
+
+/// The separation along the cross product of an edge of A and one of B; -infinity if it is
+/// unreliable, or without edges.
+template <class S>
+S along_edges(const FeaturePair<S>& pair, const std::pair<int, int>& edges) {
+  const auto& [edge_a, edge_b] = edges;
+  const Hull<S>& a = pair.a.hull;
+  const auto normal = [&](int half_edge) -> const Vec3<S>& {
+    return at(a.planes, at(a.half_edges, half_edge).face).normal;
+  };
+  MeasuredAxis<S> axis;
+  return edge_a >= 0 && measure_edges(pair, 2 * edge_a, 2 * edge_b,
+                                      Vec3<S>(normal(2 * edge_a) + normal(2 * edge_a + 1)), axis)
+             ? axis.separation
+             : -std::numeric_limits<S>::infinity();
 }
 
 }  // namespace
@@ -226,15 +250,11 @@ CacheAnswer<S> collide_from_cache(const Hull<S>& a, const Hull<S>& b, const Pose
   const S near_bound = rebuild(pair, cache, axis, motion.turn, cache.near_cosine - swing, scale,
                                margin, contact, recorder);
   const S bound = std::max(far_bound, near_bound);
-  const auto rival = [&] {
-    return from_reference(pair, cache.axis, [&](const auto& kept, const auto& other) {
-      const Plane<S> plane = other.plane(cache.rival);
-      return plane.distance(kept.vertex(support_of(kept, Vec3<S>(-plane.normal))));
-    });
-  };
-  answer.hit =
-      !contact.points.empty() && preferred(axis.separation, bound, margin, min_radius) &&
-      is_still_deep(cache, contact.deepest(), axis.separation, motion.farthest, scale, rival);
+  answer.hit = !contact.points.empty() && preferred(axis.separation, bound, margin, min_radius) &&
+               is_still_deep(
+                   cache, contact.deepest(), axis.separation, motion.farthest, scale,
+                   [&] { return along_incident(pair, cache.axis, axis.incident); },
+                   [&] { return along_edges(pair, edges_at_deepest(contact.points)); });
   if (recorder && !answer.hit) [[unlikely]]
     recorder->clip_abandoned();
   return answer;
@@ -307,13 +327,10 @@ PairCache<S> cache_of(const HullPair<S>& pair, const Pose<S>& b_in_a, const Coll
     return cache;
   cache.kind = CachedKind::Features;
   const S rounding = depth_rounding(pair.scale);
-  if (cache.axis == AxisKind::FaceA) {
-    cache.rival = axes.face_b.face;
+  if (cache.axis == AxisKind::FaceA)
     note_features(pair.a, pair.b, axes.face_a, rounding, cache);
-  } else if (cache.axis == AxisKind::FaceB) {
-    cache.rival = axes.face_a.face;
+  else if (cache.axis == AxisKind::FaceB)
     note_features(pair.b, pair.a, axes.face_b, rounding, cache);
-  }
   cache.rotation = b_in_a.rotation;
   cache.center_b = pair.b.rotation * b.centroid + b_in_a.position;
   cache.center_a = pair.b.rotation.transpose() * Vec3<S>(a.centroid - b_in_a.position);

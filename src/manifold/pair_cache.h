@@ -74,7 +74,6 @@ struct PairCache {
   S near_cosine = 1;                       // axes at a larger angle are far
   S far = 0;                               // metres: largest separation of a far axis
   S best = 0;                              // metres: largest separation of any axis
-  int rival = -1;                          // for a face axis: the other hull's best face
 
   // For a face axis: results to reuse until another candidate can have overtaken them.
   int support = -1;          // vertex of the other hull, deepest below the face

@@ -349,12 +349,13 @@ template <class S>
     const std::size_t place = list & 15U;
     const Three<S>& position = clipped.positions[place];
     const S distance = dot<S>(normal, position) - faces.plane.offset;
-    if (!(distance <= highest)) continue;
+    const bool is_kept = distance <= highest;
     const S separation = std::min(distance, margin);
     const unsigned crossing = clipped.crossings[place];
     const std::uint8_t one = edges[crossing & 7U], two = edges[crossing >> 4];
     contact.put(position - distance * normal, separation, std::min(one, two), std::max(one, two));
-    deepest = separation < deepest ? separation : deepest;
+    contact.count -= is_kept ? 0 : 1;  // the next point replaces it; no branch to mispredict
+    deepest = is_kept && separation < deepest ? separation : deepest;
   }
   contact.type = face_contact_type(static_cast<std::size_t>(contact.count));
   return true;

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
+#include <utility>
 
 #include "manifold/contact_depth.h"
 #include "manifold/fast/box_face_contact.h"
@@ -31,20 +33,48 @@ template <class S>
   return std::max(of_a, of_b);
 }
 
-/// Metres: separation along a face of the box that does not own the kept face.
+/// Metres: separation along a face of the box that does not own the kept face, or less by the
+/// rounding of either sum, so that a hit here is one of the general path. Neither this nor
+/// along_edges() is inlined, which would slow down the rest.
 template <class S>
-[[gnu::always_inline]] inline S face_separation(const BoxPair<S>& pair, Owner kept, int face) {
+[[gnu::noinline]] S along_face(const BoxPair<S>& pair, Owner kept, int face) {
   const int axis = face / 2;
   const S sign = face % 2 == 0 ? S(1) : S(-1);
   const Three<S> half_a = boxes::three(pair.a.half_extents);
   const Three<S> half_b = boxes::three(pair.b.half_extents);
+  const S rounding = tie_tolerance(pair.scale);
   if (kept == Owner::B) {
     const S reach = boxes::dot<S>(boxes::absolute<S>(pair.rows.of[axis]), half_b);
-    return sign * pair.position[axis] - reach - half_a[axis];
+    return sign * pair.position[axis] - reach - half_a[axis] - rounding;
   }
   const Three<S>& normal = pair.columns.of[axis];
   const S reach = boxes::dot<S>(boxes::absolute<S>(normal), half_a);
-  return -sign * boxes::dot<S>(normal, pair.offset) - half_b[axis] - reach;
+  return -sign * boxes::dot<S>(normal, pair.offset) - half_b[axis] - reach - rounding;
+}
+
+/// Metres, less by rounding as above: separation along the cross product of an edge of A and one of
+/// B, out of the faces of A's; -infinity if it is unreliable, or without edges.
+template <class S>
+[[gnu::noinline]] S along_edges(const BoxPair<S>& pair, const std::pair<int, int>& edges) {
+  if (edges.first < 0) return -std::numeric_limits<S>::infinity();
+  const int edge = 2 * edges.first;
+  const auto axis_of = [](int half_edge) {
+    return (kBox.origin(half_edge) ^ kBox.origin(half_edge + 1)) >> 1;
+  };
+  const auto column = [&](int j) {
+    return Vec3<S>(pair.rotation(0, j), pair.rotation(1, j), pair.rotation(2, j));
+  };
+  Vec3<S> normal = Vec3<S>::Unit(axis_of(edge)).cross(column(axis_of(2 * edges.second)));
+  const S sine = normal.norm();
+  if (!(sine >= S(2) * kNoisySine<S>)) return -std::numeric_limits<S>::infinity();
+  S out = 0;
+  for (const int face : {kBox.face(edge), kBox.face(edge + 1)})
+    out += face % 2 == 0 ? normal[face / 2] : -normal[face / 2];
+  normal *= (out < S(0) ? S(-1) : S(1)) / sine;
+  S separation = normal.dot(pair.position) - normal.cwiseAbs().dot(pair.a.half_extents);
+  for (int j = 0; j < 3; ++j)
+    separation -= std::abs(normal.dot(column(j))) * pair.b.half_extents[j];
+  return separation - tie_tolerance(pair.scale);
 }
 
 /// Whether the cache gives the contact; it has no points if the kept axis separates.
@@ -76,10 +106,13 @@ template <class S>
   const S near_bound = deepest < S(0) ? deepest * (cache.near_cosine - turn) : deepest;
   const S bound = std::max(far_bound, near_bound);
   return contact.count > 0 && preferred(separation, bound, margin, pair.min_radius) &&
-         is_still_deep(cache, deepest, separation, moved, pair.scale, [&] {
-           // Lower by the rounding of either sum, so that a hit here is one of the general path.
-           return face_separation(pair, owner, cache.rival) - tie_tolerance(pair.scale);
-         });
+         is_still_deep(
+             cache, deepest, separation, moved, pair.scale,
+             [&] { return along_face(pair, owner, faces.incident); },
+             [&] {
+               const std::span points(contact.points, static_cast<std::size_t>(contact.count));
+               return along_edges(pair, edges_at_deepest(points));
+             });
 }
 
 }  // namespace
@@ -92,7 +125,7 @@ template <class S>
                                                std::vector<Manifold<S>>& manifolds) {
   const bool on_face = cache.axis == AxisKind::FaceA || cache.axis == AxisKind::FaceB;
   if (cache.kind == CachedKind::Empty || !on_face || cache.radius_a != a.radius ||
-      cache.radius_b != b.radius || static_cast<unsigned>(cache.first) >= 6U || cache.rival >= 6 ||
+      cache.radius_b != b.radius || static_cast<unsigned>(cache.first) >= 6U ||
       options.preference != Preference::Relative)
     return false;
   const Pose<S> b_in_a = relative_pose(pose_a, pose_b);
