@@ -6,12 +6,12 @@
 
 #include "core/at.h"
 #include "draw/insets/contact_plane.h"
+#include "draw/panels/panel.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/palette.h"
 #include "draw/scene/points.h"
 #include "draw/scene/quantity.h"
 #include "draw/scene/solid.h"
-#include "draw/staging.h"
 #include "view/words.h"
 
 namespace contactscope::draw {
@@ -20,52 +20,10 @@ namespace {
 constexpr float kInPlace = 15;  // pixels: size of a label that replaces an entry of the legend
 constexpr double kAway = 22;    // pixels: minimum length of its leader
 
-using Needs = std::array<bool Stages::*, 3>;
-
-Needs needs_of(Panel panel) {
-  switch (panel) {
-    case Panel::Summary:
-      return {&Stages::sat, &Stages::reduction, &Stages::query};
-    case Panel::AxisIntervals:
-    case Panel::Answers:
-      return {&Stages::query};
-    case Panel::ContactPlane:
-      return {&Stages::clip, &Stages::reduction};
-    case Panel::AxisHistory:
-      return {&Stages::sat};
-    case Panel::Stability:
-      return {&Stages::stability};
-    case Panel::Approach:
-    case Panel::Worst:
-    case Panel::Overlaps:
-    case Panel::Plots:
-    case Panel::Pipeline:
-      return {};
-    case Panel::TreeCost:
-      return {&Stages::query};
-    case Panel::Endpoints:
-      return {&Stages::cells};
-    case Panel::NodePairs:
-      return {&Stages::query, &Stages::node_pairs};
-    case Panel::Minkowski:
-      return {&Stages::minkowski, &Stages::gjk, &Stages::penetration};
-    case Panel::GaussMap:
-      return {&Stages::gauss_map, &Stages::sat};
-  }
-  return {};
-}
-
-Needs needs_of(Story story) {
-  switch (story) {
-    case Story::None:
-      return {};
-    case Story::ClipSteps:
-      return {&Stages::clip};
-    case Story::GjkSteps:
-    case Story::EpaSteps:
-      return {&Stages::gjk, &Stages::penetration};
-  }
-  return {};
+constexpr std::array<bool Stages::*, 3> needs_of(Story story) {
+  if (story == Story::ClipSteps) return {&Stages::clip};
+  if (story == Story::None) return {};
+  return {&Stages::gjk, &Stages::penetration};
 }
 
 // Labels are placed away from the middle of the contact.
@@ -149,14 +107,14 @@ bool has_sign(const LegendEntry& entry, const Sketch& sketch) {
          sketch.legend.entries().end();
 }
 
-// With views side by side, one label in the first view that has the sign is enough.
-void label_in_place(const LegendChoice& choice, std::vector<Sketch>& side_by_side) {
-  for (const LegendEntry& entry : choice.labelled) {
-    const auto sketch = std::ranges::find_if(
-        side_by_side, [&](const Sketch& each) { return has_sign(entry, each); });
-    if (sketch != side_by_side.end()) label_in_place(entry, *sketch);
-  }
-}
+// One view of the picture: the whole scene, or a pair with its own viewport.
+struct Shot {
+  const PairViewport* viewport = nullptr;
+  Layout layout;
+  std::optional<trace::Frame> part{};  // the part of the frame that the scene shows
+  std::optional<Scene> scene{};
+  Sketch sketch{};
+};
 
 /// Whether a text contains this number, not as part of a longer one.
 bool says(const std::string& text, const std::string& number) {
@@ -170,13 +128,13 @@ bool says(const std::string& text, const std::string& number) {
 
 // If the title states a depth, writes it next to the deepest whisker, unless another label does.
 void label_reported_depth(const Scene& scene, const std::string& title,
-                          const std::vector<Sketch>& others, Sketch& sketch) {
+                          const std::list<Shot>& others, Sketch& sketch) {
   constexpr float kSize = 17;
   constexpr double kSideGap = 13;  // pixels
   if (scene.crowded() || !scene.shows(Layer::Contacts)) return;
   const auto is_labelled = [](const std::string& number) {
-    return [&](const Sketch& any) {
-      return std::ranges::any_of(any.labels,
+    return [&](const Shot& any) {
+      return std::ranges::any_of(any.sketch.labels,
                                  [&](const Label& label) { return says(label.text, number); });
     };
   };
@@ -199,14 +157,6 @@ void label_reported_depth(const Scene& scene, const std::string& title,
     }
   }
 }
-
-// One view of the picture: the whole scene, or a pair with its own viewport.
-struct Shot {
-  const PairViewport* viewport = nullptr;
-  Layout layout;
-  std::optional<trace::Frame> part{};  // the part of the frame that the scene shows
-  std::optional<Scene> scene{};
-};
 
 // A list, because scenes hold references to their frames.
 std::list<Shot> shots_of(const Staging& staging, const trace::Frame& frame) {
@@ -284,13 +234,12 @@ Drawing illustrate(const Staging& staging, const trace::Frame& frame) {
   if (staging.cells) return staging.cells->frame(frame.frame);
   Drawing drawing{.width = staging.layout.width, .height = staging.layout.height};
   drawing.words = staging.layout.words;
-  const std::list<Shot> shots = shots_of(staging, frame);
+  std::list<Shot> shots = shots_of(staging, frame);
   Legend legend;
-  std::vector<Sketch> sketches;  // of each shot
   std::vector<InsetPicture> insets;
-  for (const Shot& shot : shots) {
-    sketches.push_back(sketched(staging, *shot.scene, false));
-    legend.explain(seen_by(shot.scene->camera, sketches.back().legend));
+  for (Shot& shot : shots) {
+    shot.sketch = sketched(staging, *shot.scene, false);
+    legend.explain(seen_by(shot.scene->camera, shot.sketch.legend));
   }
   for (const Inset& inset : staging.insets) {
     insets.push_back(sketch_inset(inset, *shots.front().scene));
@@ -298,19 +247,21 @@ Drawing illustrate(const Staging& staging, const trace::Frame& frame) {
   }
   explain_side_panels(staging.view, frame, legend);
   const LegendChoice choice = choose_legend(said_entries(legend, staging));
-  label_in_place(choice, sketches);
+  // With views side by side, one label in the first view that has the sign is enough.
+  for (const LegendEntry& entry : choice.labelled) {
+    const auto shot =
+        std::ranges::find_if(shots, [&](const Shot& each) { return has_sign(entry, each.sketch); });
+    if (shot != shots.end()) label_in_place(entry, shot->sketch);
+  }
   const std::string title = fill_title(staging, frame);
-  auto record = sketches.begin();
   const auto is_written_nearby = [&](const Shot& shot) {
     return shot.scene->scales.overlap != staging.scales.overlap;
   };
-  for (const Shot& shot : shots) {
-    if (!is_written_nearby(shot)) label_reported_depth(*shot.scene, title, sketches, *record);
-    ++record;
-  }
-  auto sketch = sketches.begin();
-  for (const Shot& shot : shots) {
+  for (Shot& shot : shots)
+    if (!is_written_nearby(shot)) label_reported_depth(*shot.scene, title, shots, shot.sketch);
+  for (Shot& shot : shots) {
     const Camera& camera = shot.scene->camera;
+    Sketch* const sketch = &shot.sketch;
     sketch->begin(kShapeNamesPart);
     draw_shape_names(*shot.scene, *sketch);
     compose(*sketch, camera, shot.layout, drawing);
@@ -334,7 +285,6 @@ Drawing illustrate(const Staging& staging, const trace::Frame& frame) {
       if (is_written_nearby(shot)) label_reported_depth(magnified, title, {}, *sketch);
       draw_magnified(*staging.magnifier, *middle, *sketch, note, camera, staging.layout, drawing);
     }
-    ++sketch;
   }
   for (std::size_t i = 0; i < insets.size(); ++i) {
     for (const LegendEntry& entry : choice.labelled)
@@ -347,26 +297,18 @@ Drawing illustrate(const Staging& staging, const trace::Frame& frame) {
   return drawing;
 }
 
-// Stages that a title may need.
-constexpr std::array kTitleStages = {&Stages::reduction,   &Stages::clip,      &Stages::gjk,
-                                     &Stages::penetration, &Stages::stability, &Stages::tree,
-                                     &Stages::query};
-
 Stages stages_shown(const std::vector<View>& views) {
   Stages stages = Stages::none();
-  const auto add = [&](const Needs& needs) {
+  const auto add = [&](const auto& needs) {
     for (const auto stage : needs) {
       if (stage != nullptr) stages.*stage = true;
     }
   };
   for (const View& view : views) {
     for (const Layer layer : view.layers) add(kLayers[static_cast<std::size_t>(layer)]->needs);
-    for (const Panel panel : view.panels) add(needs_of(panel));
+    for (const Panel panel : view.panels) add(kPanels[static_cast<std::size_t>(panel)]->needs);
     add(needs_of(view.story));
-    if (view.title) {
-      const Stages of_title = stages_of(parse_title(*view.title).title);
-      for (const auto stage : kTitleStages) stages.*stage = stages.*stage || of_title.*stage;
-    }
+    if (view.title) add_stages(parse_title(*view.title).title, stages);
     stages.reduction = stages.reduction || view.kind == ViewKind::ContactPlane;
   }
   return stages;

@@ -3,8 +3,9 @@
 #include <ranges>
 #include <set>
 
-#include "core/convex_polygon.h"
 #include "draw/scene/answers.h"
+#include "draw/scene/outlines.h"
+#include "draw/scene/pair_words.h"
 #include "draw/scene/solid.h"
 #include "draw/staging.h"
 #include "image/font.h"
@@ -48,33 +49,6 @@ const PlacedShape* labelled_body(const Scene& scene, const trace::Pair& pair) {
   return best;
 }
 
-// Convex silhouette on the screen, y down.
-std::vector<Vec2d> silhouette(const Camera& camera, const PlacedShape& shape) {
-  std::vector<Vec2d> points;
-  for (const Vec3d& p : extent_points(shape)) {
-    const std::optional<Point2> at = camera.project(p);
-    if (at) points.emplace_back(at->x, at->y);
-  }
-  return points.empty() ? points : convex_polygon(std::move(points));
-}
-
-// Separating axis test: both are convex, and the box is axis-aligned.
-bool overlap(const std::vector<Vec2d>& polygon, const Eigen::AlignedBox2d& box) {
-  if (polygon.size() < 3) return false;
-  Eigen::AlignedBox2d around;
-  for (const Vec2d& p : polygon) around.extend(p);
-  if (!around.intersects(box)) return false;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec2d& p = polygon[i];
-    const Vec2d edge = polygon[(i + 1) % polygon.size()] - p;
-    const auto is_outside = [&](int corner) {
-      return cross(edge, box.corner(static_cast<Eigen::AlignedBox2d::CornerType>(corner)) - p) < 0;
-    };
-    if (is_outside(0) && is_outside(1) && is_outside(2) && is_outside(3)) return false;
-  }
-  return true;
-}
-
 // An unnamed pair is named by its features if the view shows features: "edge on face: 2 points".
 // Queries of bounds add their answer, because it is the picture's subject.
 std::string pair_label_text(const Scene& scene, const trace::Pair& pair) {
@@ -83,10 +57,9 @@ std::string pair_label_text(const Scene& scene, const trace::Pair& pair) {
   }
   if (!scene.shows(Layer::Features) || pair.manifolds.size() != 1) return {};
   const trace::Manifold& manifold = pair.manifolds.front();
-  const std::size_t dash = manifold.type.find('-'), count = manifold.points.size();
-  if (dash == std::string::npos) return {};
-  return manifold.type.substr(0, dash) + " on " + manifold.type.substr(dash + 1) + ": " +
-         std::to_string(count) + (count == 1 ? " point" : " points");
+  const std::size_t count = manifold.points.size();
+  if (manifold.type.find('-') == std::string::npos) return {};
+  return spell_features(manifold.type) + ": " + counted(count, "point", "points");
 }
 
 }  // namespace
@@ -122,12 +95,12 @@ void draw_pair_label(const Scene& scene, const trace::Pair& pair, Sketch& sketch
     return shape.pose.transform(shape.traced().center_of_mass);
   };
   Vec3d middle = middle_of(*body);
-  std::vector<Vec2d> own = silhouette(camera, *body);
+  std::vector<Vec2d> own = outline_around(camera, extent_points(*body));
   // The answer of bounds belongs to both shapes.
   const PlacedShape* partner = scene.find(body->traced().name == pair.a ? pair.b : pair.a);
   if (pair.query && !pair.query->bounds.empty() && partner != nullptr) {
     middle = 0.5 * (middle + middle_of(*partner));
-    const std::vector<Vec2d> more = silhouette(camera, *partner);
+    const std::vector<Vec2d> more = outline_around(camera, extent_points(*partner));
     own.insert(own.end(), more.begin(), more.end());
   }
   const std::optional<Point2> at = camera.project(middle);
@@ -142,7 +115,7 @@ void draw_pair_label(const Scene& scene, const trace::Pair& pair, Sketch& sketch
   std::vector<Vec2d> both = own;
   for (const PlacedShape& shape : scene.shapes) {
     if (shape.traced().half_space || shape.is_mesh()) continue;
-    all.push_back(silhouette(camera, shape));
+    all.push_back(outline_around(camera, extent_points(shape)));
     const std::string& name = shape.traced().name;
     if (name == pair.a || name == pair.b)
       both.insert(both.end(), all.back().begin(), all.back().end());

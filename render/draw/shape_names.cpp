@@ -4,7 +4,9 @@
 #include <string_view>
 
 #include "core/convex_polygon.h"
+#include "draw/scene/outlines.h"
 #include "draw/scene/pair_words.h"
+#include "draw/scene/points.h"
 #include "draw/scene/solid.h"
 #include "draw/staging.h"
 #include "image/font.h"
@@ -50,18 +52,13 @@ std::vector<Vec2d> seen_outline(const Camera& camera, const PlacedShape& shape) 
   } else if (shape.is_mesh() && shape.vertices.size() <= kMaxVertices) {
     points = shape.vertices;
   } else if (shape.is_mesh()) {
-    Eigen::AlignedBox3d box;
-    for (const Vec3d& p : shape.vertices) box.extend(p);
+    const Eigen::AlignedBox3d box = box_around(shape.vertices);
     for (int i = 0; i < 8; ++i)
       points.push_back(box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i)));
   } else {
     points = extent_points(shape);
   }
-  std::vector<Vec2d> seen;
-  for (const Vec3d& p : points) {
-    if (const std::optional<Point2> at = camera.project(p)) seen.emplace_back(at->x, at->y);
-  }
-  return seen.size() < 3 ? std::vector<Vec2d>() : convex_polygon(std::move(seen));
+  return outline_around(camera, points);
 }
 
 /// Depth of a point inside a convex polygon with the winding of convex_polygon(); negative outside.

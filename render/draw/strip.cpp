@@ -26,31 +26,6 @@ FigureStyle with_type(FigureStyle style, double cell_width) {
   return style;
 }
 
-/// Copies a drawing without one layer.
-Drawing without_part(const Drawing& drawing, std::string_view layer) {
-  Drawing left = drawing;
-  left.primitives.clear();
-  left.parts.clear();
-  left.callouts.clear();
-  std::vector<std::size_t> moved(drawing.primitives.size());  // new index of each primitive
-  std::size_t part = 0;
-  bool is_left = true;
-  for (std::size_t i = 0; i < drawing.primitives.size(); ++i) {
-    for (; part < drawing.parts.size() && drawing.parts[part].first == i; ++part) {
-      const Part& begun = drawing.parts[part];
-      is_left = begun.layer != layer;
-      if (is_left) left.begin(begun.layer, begun.pair, begun.role);
-    }
-    moved[i] = left.primitives.size();
-    if (is_left) left.primitives.push_back(drawing.primitives[i]);
-  }
-  for (Callout callout : drawing.callouts) {
-    callout.text = moved[callout.text];
-    left.callouts.push_back(std::move(callout));
-  }
-  return left;
-}
-
 CellGrid grid_of(const Rect& room, int cells, int columns, double caption, double gap,
                  double shape) {
   CellGrid grid{.columns = std::min(columns, cells), .x = room.x, .y = room.y, .caption = caption};
@@ -70,9 +45,11 @@ int height_with(const CellGrid& grid, int cells, double room, double gap, int he
   return static_cast<int>(std::ceil(height - room + rows * grid.down - gap));
 }
 
+/// Without the heading of its step, which the page writes.
 void put(const CellGrid& grid, int i, const Drawing& cell, Drawing& page) {
   const Rect at = grid.cell(i);
-  page.append(cell, pixel(at.x, at.y));
+  page.append(cell.taken([](const Part& part) { return part.layer != "heading"; }),
+              pixel(at.x, at.y));
 }
 
 }  // namespace
@@ -175,7 +152,7 @@ Drawing Strip::page() const {
 }
 
 void Strip::place(int i, const Drawing& cell, Drawing& page) const {
-  put(grid_, i, without_part(cell, "heading"), page);
+  put(grid_, i, cell, page);
 }
 
 ContactSheet::ContactSheet(std::string title, int cells, int width, int columns,
@@ -218,7 +195,7 @@ Drawing ContactSheet::page(const std::vector<Entry>& entries) const {
 }
 
 void ContactSheet::place(int i, const Drawing& thumbnail, Drawing& page) const {
-  put(grid_, i, without_part(thumbnail, "heading"), page);
+  put(grid_, i, thumbnail, page);
 }
 
 }  // namespace contactscope::draw

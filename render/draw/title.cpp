@@ -1,6 +1,7 @@
 #include "draw/title.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <set>
@@ -31,7 +32,7 @@ Pairs pairs_of(const TitlePiece& piece, const trace::Frame& frame) {
   return pairs;
 }
 
-Words counted(std::int64_t count, const TitlePiece& piece) {
+Words spelled_count(std::int64_t count, const TitlePiece& piece) {
   std::string text = spell_count(count);
   if (!piece.many.empty()) text += " " + (count == 1 ? piece.one : piece.many);
   return text;
@@ -41,7 +42,7 @@ template <class Count>
 Words sum_over(const Pairs& pairs, const TitlePiece& piece, const Count& count) {
   std::int64_t total = 0;
   for (const trace::Pair* pair : pairs) total += static_cast<std::int64_t>(count(*pair));
-  return counted(total, piece);
+  return spelled_count(total, piece);
 }
 
 const trace::Pair* first_of(const Pairs& pairs, const auto& holds) {
@@ -81,21 +82,21 @@ struct Filler {
     const Pairs pairs = pairs_of(piece, frame);
     switch (*piece.fact) {
       case TitleFact::Frame:
-        return counted(frame.frame, piece);
+        return spelled_count(frame.frame, piece);
       case TitleFact::Time:
         return printed("%.3f s", frame.time);
       case TitleFact::Shapes:
-        return counted(count_of(frame.poses), piece);
+        return spelled_count(count_of(frame.poses), piece);
       case TitleFact::Bodies:
         if (!frame.solver) return {};
-        return counted(count_of(frame.solver->bodies), piece);
+        return spelled_count(count_of(frame.solver->bodies), piece);
       case TitleFact::Asleep:
         if (!frame.solver) return {};
-        return counted(static_cast<int>(std::ranges::count(
-                           frame.solver->bodies, std::optional(true), &trace::Body::asleep)),
-                       piece);
+        return spelled_count(static_cast<int>(std::ranges::count(
+                                 frame.solver->bodies, std::optional(true), &trace::Body::asleep)),
+                             piece);
       case TitleFact::Pairs:
-        return counted(count_of(pairs), piece);
+        return spelled_count(count_of(pairs), piece);
       case TitleFact::Touching:
         return sum_over(pairs, piece,
                         [](const trace::Pair& pair) { return !pair.manifolds.empty(); });
@@ -139,8 +140,8 @@ struct Filler {
           return each.gjk.has_value() || each.penetration.has_value();
         });
         if (pair == nullptr) return {};
-        return counted(pair->penetration ? pair->penetration->iterations : pair->gjk->iterations,
-                       piece);
+        return spelled_count(
+            pair->penetration ? pair->penetration->iterations : pair->gjk->iterations, piece);
       }
       case TitleFact::Stability:
       case TitleFact::Margin: {
@@ -178,7 +179,7 @@ struct Filler {
         });
       case TitleFact::Stops:
         if (!frame.solver) return {};
-        return counted(count_of(frame.solver->stops), piece);
+        return spelled_count(count_of(frame.solver->stops), piece);
       case TitleFact::Triangles:
         return sum_over(pairs, piece, [](const trace::Pair& pair) {
           return pair.tree ? pair.tree->candidates.size() : 0;
@@ -192,7 +193,7 @@ struct Filler {
         });
       case TitleFact::Comparisons:
         if (!frame.broad_phase) return {};
-        return counted(frame.broad_phase->comparisons, piece);
+        return spelled_count(frame.broad_phase->comparisons, piece);
       case TitleFact::Hits:
       case TitleFact::HitRate:
       case TitleFact::Frames:
@@ -276,15 +277,15 @@ std::string over_sequence(const TitlePiece& piece, const std::vector<trace::Fram
   }
   switch (*piece.fact) {
     case TitleFact::Hits:
-      return *counted(hits, piece);
+      return *spelled_count(hits, piece);
     case TitleFact::HitRate:
       return spell_share(static_cast<double>(hits) / static_cast<double>(frames.size()));
     case TitleFact::FalsePositives:
-      return *counted(wrong, piece);
+      return *spelled_count(wrong, piece);
     case TitleFact::DeepestOverlap:
       return deepest > 0 ? spell_length(deepest, 0, unit) : "";
     default:
-      return *counted(count_of(frames), piece);
+      return *spelled_count(count_of(frames), piece);
   }
 }
 
@@ -334,36 +335,22 @@ std::string fill_title(const Staging& staging, const trace::Frame& frame) {
   return words;
 }
 
-trace::Stages stages_of(const Title& title) {
-  trace::Stages stages = trace::Stages::none();
-  for (const TitleAlternative& pieces : title) {
+void add_stages(const Title& title, trace::Stages& stages) {
+  using Needs = std::array<bool trace::Stages::*, 2>;
+  constexpr std::array<Needs, 7> kNeeds = {{{},
+                                            {&trace::Stages::clip},
+                                            {&trace::Stages::reduction},
+                                            {&trace::Stages::gjk, &trace::Stages::penetration},
+                                            {&trace::Stages::stability},
+                                            {&trace::Stages::tree},
+                                            {&trace::Stages::query}}};  // of each TitleStage
+  for (const TitleAlternative& pieces : title)
     for (const TitlePiece& piece : pieces) {
       if (!piece.fact) continue;
-      switch (kTitleFactStages[static_cast<std::size_t>(*piece.fact)]) {
-        case TitleStage::Reduction:
-          stages.reduction = true;
-          break;
-        case TitleStage::Clip:
-          stages.clip = true;
-          break;
-        case TitleStage::Search:
-          stages.gjk = stages.penetration = true;
-          break;
-        case TitleStage::Stability:
-          stages.stability = true;
-          break;
-        case TitleStage::Tree:
-          stages.tree = true;
-          break;
-        case TitleStage::Query:
-          stages.query = true;
-          break;
-        case TitleStage::None:
-          break;
-      }
+      const TitleStage stage = kTitleFactStages[static_cast<std::size_t>(*piece.fact)];
+      for (const auto need : kNeeds[static_cast<std::size_t>(stage)])
+        if (need != nullptr) stages.*need = true;
     }
-  }
-  return stages;
 }
 
 }  // namespace contactscope::draw

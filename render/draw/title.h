@@ -26,7 +26,7 @@ StagedTitle stage_title(const std::string& text, const std::vector<trace::Frame>
 /// others.
 std::string fill_title(const Staging& staging, const trace::Frame& frame);
 
-/// Optional stages of the pipeline that a title needs.
-trace::Stages stages_of(const Title& title);
+/// Adds the optional stages of the pipeline that a title needs.
+void add_stages(const Title& title, trace::Stages& stages);
 
 }  // namespace contactscope::draw

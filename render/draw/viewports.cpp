@@ -46,17 +46,10 @@ std::vector<PairViewport> split_view(const std::vector<trace::Frame>& frames,
     columns = wide;
   }
   const std::size_t rows = (count + columns - 1) / columns;
-  const double width =
-      (layout.view.width - gap * static_cast<double>(columns - 1)) / static_cast<double>(columns);
-  const double height =
-      (layout.view.height - gap * static_cast<double>(rows - 1)) / static_cast<double>(rows);
   std::vector<PairViewport> viewports;
-  for (std::size_t i = 0; i < count; ++i) {
-    const Rect frame{layout.view.x + static_cast<double>(i % columns) * (width + gap),
-                     layout.view.y + static_cast<double>(i / columns) * (height + gap), width,
-                     height};
-    viewports.push_back({pairs[i]->a, pairs[i]->b, pairs[i]->label, frame, pair_name(*pairs[i])});
-  }
+  for (std::size_t i = 0; i < count; ++i)
+    viewports.push_back({pairs[i]->a, pairs[i]->b, pairs[i]->label,
+                         layout.view.cell(i, columns, rows, gap, gap), pair_name(*pairs[i])});
   return viewports;
 }
 

@@ -58,5 +58,6 @@ bool has_glyph(char32_t code_point, FontWeight weight);
 GlyphBitmap rasterize_glyph(char32_t code_point, float size, FontWeight weight, float subpixel_x,
                             float halo);
 std::vector<char32_t> code_points(std::string_view utf8);
+std::string utf8_of(char32_t code_point);
 
 }  // namespace contactscope

@@ -23,25 +23,8 @@ constexpr double kSignToText = 32;              // from its left end to the text
 constexpr std::string_view kLabels = "labels";  // of the view; without a row in the legend
 constexpr double kBorder = 3;                   // around view and panels, pixels at 720 lines
 
-/// Primitives and parts of a drawing for which `wanted` is true.
-template <class Wanted>
-Drawing taken_from(const Drawing& drawing, const Wanted& wanted) {
-  Drawing taken{.width = drawing.width, .height = drawing.height, .background = {1, 1, 1, 0}};
-  for (std::size_t i = 0; i < drawing.parts.size(); ++i) {
-    const draw::Part& part = drawing.parts[i];
-    if (!wanted(part)) continue;
-    const std::size_t end =
-        i + 1 < drawing.parts.size() ? drawing.parts[i + 1].first : drawing.primitives.size();
-    taken.begin(part.layer, part.pair, part.role);
-    taken.primitives.insert(taken.primitives.end(),
-                            drawing.primitives.begin() + static_cast<std::ptrdiff_t>(part.first),
-                            drawing.primitives.begin() + static_cast<std::ptrdiff_t>(end));
-  }
-  return taken;
-}
-
 Drawing part_of(const Drawing& drawing, std::string_view layer) {
-  return taken_from(drawing, [&](const draw::Part& part) { return part.layer == layer; });
+  return drawing.taken([&](const draw::Part& part) { return part.layer == layer; });
 }
 
 /// Parts that the page shows as scalable text.
@@ -59,7 +42,8 @@ std::string words_of(const Drawing& drawing, std::string_view layer) {
   return words;
 }
 
-std::vector<SvgGroup> groups_of(const Drawing& drawing) {
+std::vector<SvgGroup> groups_of(Drawing drawing) {
+  drawing.background.a = 0;
   return groups_in(vector::svg_of(drawing, {.embed_font = false}));
 }
 
@@ -185,9 +169,9 @@ std::vector<int> Page::legend_of(const Drawing& drawing, Drawing& view) {
 
 void Page::add(const trace::Frame& frame, const Drawing& drawing) {
   const auto is_panel = [](const draw::Part& part) { return part.layer == draw::kPanelPart; };
-  Drawing view = taken_from(
-      drawing, [&](const draw::Part& part) { return !is_panel(part) && !is_said_by_page(part); });
-  const Drawing panels = taken_from(drawing, is_panel);
+  Drawing view = drawing.taken(
+      [&](const draw::Part& part) { return !is_panel(part) && !is_said_by_page(part); });
+  const Drawing panels = drawing.taken(is_panel);
   const std::vector<int> legend = legend_of(drawing, view);
   for (const draw::Part& part : view.parts) layers_.insert(part.layer);
   const int known = groups_.size();

@@ -6,6 +6,7 @@
 #include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"
 #include "page/facts.h"
+#include "trace/find.h"
 
 namespace contactscope::page {
 namespace {
@@ -44,8 +45,7 @@ std::string state_words(const trace::Pair& pair) {
 }
 
 std::string count_words(const trace::Pair& pair) {
-  std::size_t count = 0;
-  for (const trace::Manifold& manifold : pair.manifolds) count += manifold.points.size();
+  const std::size_t count = draw::all_points(pair).size();
   std::string text = std::to_string(count);
   if (pair.manifolds.size() > 1)
     text += " in " + std::to_string(pair.manifolds.size()) + " manifolds";
@@ -106,20 +106,15 @@ void add_shapes(const draw::Staging& staging, const trace::Frame& frame,
   for (const draw::PlacedShape& shape : scene.shapes) {
     const trace::Shape& traced = shape.traced();
     if (shape.is_mesh() || traced.half_space) continue;
-    std::vector<Vec2d> corners;
-    bool whole = true;
-    for (const Vec3d& point : draw::extent_points(shape)) {
-      const std::optional<draw::Point2> at = staging.camera.project(point);
-      whole = whole && at.has_value();
-      if (at) corners.push_back({at->x, at->y});
-    }
-    if (!whole) continue;
+    const std::vector<Vec3d> points = draw::extent_points(shape);
+    std::vector<Vec2d> corners = draw::projected(staging.camera, points);
+    if (corners.size() < points.size()) continue;
     AreaFacts facts{.key = "shape|" + traced.name,
                     .name = traced.name,
                     .of = {},
                     .layer = std::string(name_of(Layer::Shapes))};
     for (const Vec2d& corner : convex_polygon(std::move(corners)))
-      facts.polygon.push_back(draw::pixel(corner.x(), corner.y()));
+      facts.polygon.push_back(draw::pixel(corner));
     facts.rows.emplace_back("shape", traced.type);
     const trace::Body* const body = scene.body(traced.name);
     if (body != nullptr) facts.rows.emplace_back("mass", draw::spell_number(body->mass) + " kg");
@@ -179,11 +174,7 @@ std::vector<PairFacts> pair_facts(const trace::Frame& frame) {
                                       (pair.a.empty() ? "" : ", " + pair.a + " to " + pair.b));
       if (!manifold.type.empty()) rows.emplace_back("features", manifold.type);
     }
-    double impulse = 0;
-    for (const trace::Manifold& manifold : pair.manifolds)
-      for (const trace::Point& point : manifold.points)
-        impulse += point.impulse ? point.impulse->normal : 0;
-    if (impulse > 0)
+    if (const double impulse = impulse_of(pair); impulse > 0)
       rows.emplace_back("impulses", draw::spell_quantity(impulse, "N s") + " in total");
     if (pair.stability) rows.emplace_back(pair.stability->shape, pair.stability->verdict);
     all.push_back(std::move(facts));

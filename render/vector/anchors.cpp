@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "draw/scene/pairs.h"
 #include "draw/scene/points.h"
 #include "image/font.h"
 
@@ -15,6 +16,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using draw::Point2;
 using draw::Rect;
+using Extent = Eigen::AlignedBox2d;  // pixels
 
 constexpr int kSchema = 1;
 // Pixels at 720 lines: the length of drawn normals.
@@ -25,20 +27,6 @@ double rounded(double value, double steps) {
   return std::round(value * steps) / steps;
 }
 
-/// A bounding box of points.
-struct Reach {
-  double left = 1e30, top = 1e30, right = -1e30, bottom = -1e30;
-
-  void extend(const Point2& p, double around = 0) {
-    left = std::min(left, p.x - around);
-    top = std::min(top, p.y - around);
-    right = std::max(right, p.x + around);
-    bottom = std::max(bottom, p.y + around);
-  }
-  bool empty() const { return left > right; }
-  Rect rect() const { return {left, top, right - left, bottom - top}; }
-};
-
 Rect box_of(const draw::Text& text) {
   const double width = text_width(text.text, text.size, text.weight);
   const double up = ascent(text.size, text.weight), down = descent(text.size, text.weight);
@@ -46,20 +34,20 @@ Rect box_of(const draw::Text& text) {
   return {left, text.at.y - up, width, up + down};
 }
 
-void extend(const draw::Fill& fill, Reach& extent) {
-  for (const Point2& corner : fill.polygon) extent.extend(corner);
+void extend(const draw::Fill& fill, Extent& extent) {
+  for (const Point2& corner : fill.polygon) extent.extend(draw::flat(corner));
 }
-void extend(const draw::Stroke& stroke, Reach& extent) {
-  extent.extend(stroke.from);
-  extent.extend(stroke.to);
+void extend(const draw::Stroke& stroke, Extent& extent) {
+  extent.extend(draw::flat(stroke.from)).extend(draw::flat(stroke.to));
 }
-void extend(const draw::Disc& disc, Reach& extent) {
-  extent.extend(disc.center, disc.outer);
+void extend(const draw::Disc& disc, Extent& extent) {
+  const Vec2d center = draw::flat(disc.center), reach = Vec2d::Constant(disc.outer);
+  extent.extend(Vec2d(center - reach)).extend(Vec2d(center + reach));
 }
-void extend(const draw::Text& text, Reach& extent) {
+void extend(const draw::Text& text, Extent& extent) {
   const Rect box = box_of(text);
-  extent.extend(draw::pixel(box.x, box.y));
-  extent.extend(draw::pixel(box.right(), box.bottom()));
+  extent.extend(draw::flat(draw::pixel(box.x, box.y)));
+  extent.extend(draw::flat(draw::pixel(box.right(), box.bottom())));
 }
 
 struct Anchors {
@@ -68,22 +56,18 @@ struct Anchors {
   const draw::Drawing& drawing;
   const draw::Camera& camera = staging.camera;
 
-  Json place(const Point2& at) const {
-    Json json;
-    json["pixels"] = {rounded(at.x, 100), rounded(at.y, 100)};
-    json["fraction"] = {rounded(at.x / drawing.width, 1e5), rounded(at.y / drawing.height, 1e5)};
-    return json;
+  /// `numbers`: horizontal and vertical ones by turns.
+  Json place(const std::vector<double>& numbers) const {
+    Json pixels, fraction;
+    for (const double number : numbers) {
+      const int side = pixels.size() % 2 == 0 ? drawing.width : drawing.height;
+      fraction.push_back(rounded(number / side, 1e5));
+      pixels.push_back(rounded(number, 100));
+    }
+    return {{"pixels", pixels}, {"fraction", fraction}};
   }
-
-  Json place(const Rect& rect) const {
-    Json json;
-    json["pixels"] = {rounded(rect.x, 100), rounded(rect.y, 100), rounded(rect.width, 100),
-                      rounded(rect.height, 100)};
-    json["fraction"] = {rounded(rect.x / drawing.width, 1e5), rounded(rect.y / drawing.height, 1e5),
-                        rounded(rect.width / drawing.width, 1e5),
-                        rounded(rect.height / drawing.height, 1e5)};
-    return json;
-  }
+  Json place(const Point2& at) const { return place({at.x, at.y}); }
+  Json place(const Rect& rect) const { return place({rect.x, rect.y, rect.width, rect.height}); }
 
   /// Position of a point in the view; nullopt if it is outside.
   std::optional<Point2> seen(const Vec3d& at) const {
@@ -92,29 +76,25 @@ struct Anchors {
     return found;
   }
 
-  static Json pair_of(const trace::Pair& pair) {
-    Json json = {pair.a, pair.b};
-    return json;
+  static void add_pair(const trace::Pair& pair, Json& json) {
+    json["pair"] = Json::array({pair.a, pair.b});
+    if (!pair.label.empty()) json["label"] = pair.label;
   }
 
   Json points() const {
     Json all = Json::array();
     for (const trace::Pair& pair : frame.pairs) {
       int number = 0;  // index within the pair
-      for (const trace::Manifold& manifold : pair.manifolds) {
-        for (const trace::Point& point : manifold.points) {
-          ++number;
-          const std::optional<Point2> at = seen(point.position);
-          if (!at) continue;
-          Json json;
-          json["pair"] = pair_of(pair);
-          if (!pair.label.empty()) json["label"] = pair.label;
-          json["number"] = number;
-          if (!point.id.empty()) json["id"] = point.id;
-          json["separation"] = point.separation;
-          json["at"] = place(*at);
-          all.push_back(std::move(json));
-        }
+      for (const auto& [manifold, point] : draw::all_points(pair)) {
+        ++number;
+        const std::optional<Point2> at = seen(point->position);
+        if (!at) continue;
+        Json& json = all.emplace_back();
+        add_pair(pair, json);
+        json["number"] = number;
+        if (!point->id.empty()) json["id"] = point->id;
+        json["separation"] = point->separation;
+        json["at"] = place(*at);
       }
     }
     return all;
@@ -131,45 +111,34 @@ struct Anchors {
         const double metres = staging.layout.px(kNormalLength) / camera.pixels_per_metre(from);
         const std::optional<Point2> tip = camera.project(from + metres * manifold.normal);
         if (!tip) continue;
-        Json json;
-        json["pair"] = pair_of(pair);
-        if (!pair.label.empty()) json["label"] = pair.label;
+        Json& json = all.emplace_back();
+        add_pair(pair, json);
         json["at"] = place(*at);
         json["tip"] = place(*tip);
-        all.push_back(std::move(json));
       }
     }
     return all;
   }
 
-  void add_face(const trace::Pair& pair, const std::string& name, const std::string& shape,
-                int face, const trace::Polygon& polygon, Json& all) const {
-    if (polygon.size() < 3) return;
-    const std::optional<Point2> middle = seen(draw::mean_of(polygon));
+  void add_face(const trace::Pair& pair, const char* name, const trace::ClipFace& face,
+                Json& all) const {
+    if (face.polygon.size() < 3) return;
+    const std::optional<Point2> middle = seen(draw::mean_of(face.polygon));
     if (!middle) return;
-    Json json;
-    json["name"] = name;
-    json["shape"] = shape;
-    json["face"] = face;
-    json["pair"] = pair_of(pair);
-    if (!pair.label.empty()) json["label"] = pair.label;
+    Json& json = all.emplace_back(Json{{"name", name}, {"shape", face.shape}, {"face", face.face}});
+    add_pair(pair, json);
     json["at"] = place(*middle);
-    Json corners = Json::array();
-    for (const Point2& corner : draw::project_polygon(camera, polygon))
-      corners.push_back(place(corner));
-    json["polygon"] = std::move(corners);
-    all.push_back(std::move(json));
+    json["polygon"] = Json::array();
+    for (const Point2& corner : draw::project_polygon(camera, face.polygon))
+      json["polygon"].push_back(place(corner));
   }
 
   Json faces() const {
     Json all = Json::array();
     for (const trace::Pair& pair : frame.pairs) {
       if (!pair.clip) continue;
-      const trace::Clip& clip = *pair.clip;
-      add_face(pair, "reference face", clip.reference.shape, clip.reference.face,
-               clip.reference.polygon, all);
-      add_face(pair, "incident face", clip.incident.shape, clip.incident.face,
-               clip.incident.polygon, all);
+      add_face(pair, "reference face", pair.clip->reference, all);
+      add_face(pair, "incident face", pair.clip->incident, all);
     }
     return all;
   }
@@ -179,10 +148,7 @@ struct Anchors {
     for (const draw::PlacedShape& shape : draw::place_shapes(staging.meshes, frame)) {
       const std::optional<Point2> at = seen(shape.pose.transform(shape.traced().center_of_mass));
       if (!at || shape.traced().half_space) continue;
-      Json json;
-      json["name"] = shape.traced().name;
-      json["at"] = place(*at);
-      all.push_back(std::move(json));
+      all.push_back({{"name", shape.traced().name}, {"at", place(*at)}});
     }
     return all;
   }
@@ -191,15 +157,11 @@ struct Anchors {
     Json all = Json::array();
     for (const draw::Callout& callout : drawing.callouts) {
       const auto& text = std::get<draw::Text>(drawing.primitives[callout.text]);
-      Json json;
-      json["text"] = text.text;
-      json["layer"] = callout.layer;
+      Json& json = all.emplace_back(Json{{"text", text.text}, {"layer", callout.layer}});
       if (!callout.pair.empty()) json["pair"] = callout.pair;
-      const std::string of = callout.of.empty() ? thing_at(callout.at) : callout.of;
-      if (!of.empty()) json["of"] = of;
+      if (const std::string of = thing_at(callout.at); !of.empty()) json["of"] = of;
       json["at"] = place(callout.at);
       json["box"] = place(box_of(text));
-      all.push_back(std::move(json));
     }
     return all;
   }
@@ -210,13 +172,9 @@ struct Anchors {
       const std::optional<Point2> found = seen(position);
       return found && distance(*found, at) < 0.5f;
     };
-    for (const trace::Pair& pair : frame.pairs) {
-      for (const trace::Manifold& manifold : pair.manifolds) {
-        for (const trace::Point& point : manifold.points) {
-          if (is_there(point.position)) return "point " + point.id;
-        }
-      }
-    }
+    for (const trace::Pair& pair : frame.pairs)
+      for (const auto& [manifold, point] : draw::all_points(pair))
+        if (is_there(point->position)) return "point " + point->id;
     for (const draw::PlacedShape& shape : draw::place_shapes(staging.meshes, frame)) {
       if (is_there(shape.pose.transform(shape.traced().center_of_mass)))
         return "shape " + shape.traced().name;
@@ -228,13 +186,10 @@ struct Anchors {
   Json rectangles() const {
     Json all = Json::array();
     const auto add = [&](const std::string& name, const Rect& rect) {
-      Json json;
-      json["name"] = name;
-      json["rect"] = place(rect);
-      all.push_back(std::move(json));
+      all.push_back({{"name", name}, {"rect", place(rect)}});
     };
     add("view", staging.layout.view);
-    std::vector<std::pair<std::string, Reach>> extents;
+    std::vector<std::pair<std::string, Extent>> extents;
     for (std::size_t i = 0; i < drawing.parts.size(); ++i) {
       const draw::Part& part = drawing.parts[i];
       const bool named = part.layer == draw::kPanelPart || part.layer == draw::kInsetPart ||
@@ -253,18 +208,18 @@ struct Anchors {
         std::visit([&](const auto& shape) { extend(shape, found->second); }, drawing.primitives[k]);
     }
     for (const auto& [name, extent] : extents) {
-      if (!extent.empty()) add(name, extent.rect());
+      const Vec2d sizes = extent.sizes();
+      if (!extent.isEmpty()) add(name, {extent.min().x(), extent.min().y(), sizes.x(), sizes.y()});
     }
     return all;
   }
 
   std::string write() const {
-    Json json;
-    json["schema"] = kSchema;
-    json["scenario"] = staging.header->scenario;
-    json["frame"] = frame.frame;
-    json["view"] = staging.view.name;
-    json["size"] = {drawing.width, drawing.height};
+    Json json{{"schema", kSchema},
+              {"scenario", staging.header->scenario},
+              {"frame", frame.frame},
+              {"view", staging.view.name},
+              {"size", Json::array({drawing.width, drawing.height})}};
     // A contact plane shows pairs in cells without a camera.
     const bool space = !staging.cells;
     json["points"] = space ? points() : Json::array();

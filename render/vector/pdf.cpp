@@ -120,7 +120,7 @@ struct PdfWriter {
     c.cairo_stroke(page);
   }
 
-  void add(const StrokePath& stroke) const {
+  void add(const StrokePath& stroke, bool) const {
     set_color(stroke.color);
     c.cairo_set_line_width(page, stroke.width);
     c.cairo_set_line_cap(page,
@@ -131,7 +131,7 @@ struct PdfWriter {
     c.cairo_stroke(page);
   }
 
-  void add(const Disc& disc) const {
+  void add(const Disc& disc, bool) const {
     set_color(disc.color);
     const bool ring = disc.inner > 0;
     const double radius = ring ? 0.5 * (disc.inner + disc.outer) : disc.outer;
@@ -147,7 +147,7 @@ struct PdfWriter {
     c.cairo_stroke(page);
   }
 
-  void add(const PlacedText& placed) const {
+  void add(const PlacedText& placed, bool) const {
     const Text& text = *placed.text;
     const std::vector<GlyphRun> runs = runs_of(placed);
     c.cairo_set_font_size(page, em_size(text.size, text.weight));
@@ -182,30 +182,12 @@ struct PdfWriter {
       // Characters without a glyph are question marks, as in pixels.
       const char32_t drawn = has_glyph(code, text.weight) ? code : U'?';
       run.glyphs.push_back({c.FT_Get_Char_Index(fonts.find(font).face, drawn), pen, placed.left.y});
-      const std::size_t before = run.utf8.size();
-      add_utf8(code, run.utf8);
-      run.clusters.push_back({static_cast<int>(run.utf8.size() - before), 1});
+      const std::string bytes = utf8_of(code);
+      run.utf8 += bytes;
+      run.clusters.push_back({static_cast<int>(bytes.size()), 1});
       pen += static_cast<double>(advance(code, text.size, text.weight));
     }
     return runs;
-  }
-
-  static void add_utf8(char32_t code, std::string& out) {
-    if (code < 0x80) {
-      out += static_cast<char>(code);
-    } else if (code < 0x800) {
-      out += static_cast<char>(0xC0 | code >> 6);
-      out += static_cast<char>(0x80 | (code & 0x3F));
-    } else if (code < 0x10000) {
-      out += static_cast<char>(0xE0 | code >> 12);
-      out += static_cast<char>(0x80 | (code >> 6 & 0x3F));
-      out += static_cast<char>(0x80 | (code & 0x3F));
-    } else {
-      out += static_cast<char>(0xF0 | code >> 18);
-      out += static_cast<char>(0x80 | (code >> 12 & 0x3F));
-      out += static_cast<char>(0x80 | (code >> 6 & 0x3F));
-      out += static_cast<char>(0x80 | (code & 0x3F));
-    }
   }
 };
 
@@ -265,17 +247,8 @@ std::string pdf_of(const draw::Drawing& drawing, const PdfOptions& options) {
     }
     for (const Group& group : groups_of(drawing)) {
       const bool surfaces = group.part != nullptr && group.part->role == "surface";
-      for (const Piece& piece : group.pieces) {
-        if (const auto* fill = std::get_if<FillPath>(&piece)) {
-          writer.add(*fill, surfaces);
-        } else if (const auto* stroke = std::get_if<StrokePath>(&piece)) {
-          writer.add(*stroke);
-        } else if (const auto* disc = std::get_if<Disc>(&piece)) {
-          writer.add(*disc);
-        } else {
-          writer.add(std::get<PlacedText>(piece));
-        }
-      }
+      for (const Piece& piece : group.pieces)
+        std::visit([&](const auto& shape) { writer.add(shape, surfaces); }, piece);
     }
     check(c.cairo_status(page.get()));
   }

@@ -7,7 +7,6 @@
 
 #include "draw/scene/camera.h"
 #include "image/font.h"
-#include "vector/visible.h"
 
 namespace contactscope::vector {
 namespace {
@@ -33,23 +32,17 @@ float area(const std::vector<Point2>& polygon) {
   return sum;
 }
 
-struct PolygonExtent {
-  float left = 0, top = 0, right = 0, bottom = 0;
+Eigen::AlignedBox2f box_of(const std::vector<Point2>& polygon) {
+  Eigen::AlignedBox2f box;
+  for (const Point2& p : polygon) box.extend(Eigen::Vector2f(p.x, p.y));
+  return box;
+}
 
-  explicit PolygonExtent(const std::vector<Point2>& points)
-      : left(points[0].x), top(points[0].y), right(left), bottom(top) {
-    for (const Point2& p : points) {
-      left = std::min(left, p.x);
-      right = std::max(right, p.x);
-      top = std::min(top, p.y);
-      bottom = std::max(bottom, p.y);
-    }
-  }
-  bool separated(const PolygonExtent& other) const {
-    return left > other.right - kTouching || other.left > right - kTouching ||
-           top > other.bottom - kTouching || other.top > bottom - kTouching;
-  }
-};
+/// Neighbours that only touch are separated.
+bool are_separated(const Eigen::AlignedBox2f& a, const Eigen::AlignedBox2f& b) {
+  return (a.min().array() > b.max().array() - kTouching).any() ||
+         (b.min().array() > a.max().array() - kTouching).any();
+}
 
 /// True if an edge of `a`, which has positive area, separates it from `b`.
 bool has_parting_side(const std::vector<Point2>& a, const std::vector<Point2>& b) {
@@ -65,8 +58,9 @@ bool has_parting_side(const std::vector<Point2>& a, const std::vector<Point2>& b
 struct Grouping {
   Rect canvas;
   std::vector<Group> groups{};
-  std::vector<PolygonExtent> extents{};  // of the current path's polygons, if it is translucent
-  float run = 0;                         // length of the current line, pixels
+  std::vector<Eigen::AlignedBox2f>
+      extents{};  // of the current path's polygons, if it is translucent
+  float run = 0;  // length of the current line, pixels
 
   std::vector<Piece>& pieces() { return groups.back().pieces; }
   template <class Kind>
@@ -88,7 +82,7 @@ struct Grouping {
       path = last<FillPath>();
       extents.clear();
     }
-    if (fill.color.a < 1) extents.emplace_back(polygon);
+    if (fill.color.a < 1) extents.push_back(box_of(polygon));
     path->polygons.push_back(std::move(polygon));
   }
 
@@ -96,9 +90,9 @@ struct Grouping {
   bool may_join(const FillPath& path, const std::vector<Point2>& polygon) const {
     if (path.color.a >= 1) return true;
     if (path.polygons.size() >= kMaxTranslucent) return false;
-    const PolygonExtent extent(polygon);
+    const Eigen::AlignedBox2f extent = box_of(polygon);
     for (std::size_t i = 0; i < extents.size(); ++i) {
-      if (!extents[i].separated(extent) && !has_parting_side(path.polygons[i], polygon) &&
+      if (!are_separated(extents[i], extent) && !has_parting_side(path.polygons[i], polygon) &&
           !has_parting_side(polygon, path.polygons[i]))
         return false;
     }

@@ -55,10 +55,17 @@ struct Group {
 };
 
 /// Visible pieces of a drawing, which must outlive them. Omits primitives without colour, size or a
-/// place on the canvas, and those that later opaque fills cover (visible.h). Adjacent fills of one
+/// place on the canvas, and those that later opaque fills cover (visible()). Adjacent fills of one
 /// colour share a path if they are opaque or do not overlap. Strokes of one style share a path, and
 /// are joined end to end into lines.
 std::vector<Group> groups_of(const draw::Drawing& drawing);
+
+/// For each primitive, true if it is visible: it has a colour and a size, reaches into the canvas,
+/// and later opaque fills do not cover all its pixels and their neighbours.
+///
+/// Goes from the last primitive to the first. A fill without alpha covers the pixels with their
+/// centres inside, as in rasterization. A primitive that touches only covered pixels is hidden.
+std::vector<bool> visible(const draw::Drawing& drawing);
 
 /// Position of a text in the rasterizer.
 PlacedText placed(const Text& text);

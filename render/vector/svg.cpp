@@ -175,17 +175,8 @@ struct SvgWriter {
     if (grouped) begin_group(*group.part);
     // No soft edges, as in the rasterizer: the background would shine through.
     const bool surface = grouped && group.part->role == "surface";
-    for (const Piece& piece : group.pieces) {
-      if (const auto* fill = std::get_if<FillPath>(&piece)) {
-        add(*fill, surface);
-      } else if (const auto* stroke = std::get_if<StrokePath>(&piece)) {
-        add(*stroke);
-      } else if (const auto* disc = std::get_if<Disc>(&piece)) {
-        add(*disc);
-      } else {
-        add(std::get<PlacedText>(piece));
-      }
-    }
+    for (const Piece& piece : group.pieces)
+      std::visit([&](const auto& shape) { add(shape, surface); }, piece);
     if (grouped) out += "</g>\n";
   }
 
@@ -227,7 +218,7 @@ struct SvgWriter {
     out += "/>\n";
   }
 
-  void add(const StrokePath& stroke) {
+  void add(const StrokePath& stroke, bool) {
     out += "<path d=\"";
     PathData data(out);
     for (const Polyline& line : stroke.lines) {
@@ -247,7 +238,7 @@ struct SvgWriter {
     out += "/>\n";
   }
 
-  void add(const Disc& disc) {
+  void add(const Disc& disc, bool) {
     const bool ring = disc.inner > 0;
     out += "<circle";
     attribute("cx", disc.center.x);
@@ -263,7 +254,7 @@ struct SvgWriter {
     out += "/>\n";
   }
 
-  void add(const PlacedText& placed) {
+  void add(const PlacedText& placed, bool) {
     const Text& text = *placed.text;
     out += "<text";
     // Anchor at the aligned end, so that other fonts fit too.

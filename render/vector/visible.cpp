@@ -1,5 +1,3 @@
-#include "vector/visible.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -7,11 +5,10 @@
 #include <span>
 
 #include "image/font.h"
+#include "vector/pieces.h"
 
 namespace contactscope::vector {
 namespace {
-
-using draw::Point2;
 
 // Below half a step of eight bits, no pixel changes.
 constexpr float kFaintest = 0.5f / 255;

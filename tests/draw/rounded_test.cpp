@@ -1,4 +1,4 @@
-#include "draw/scene/rounded.h"
+#include "draw/scene/scene.h"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include "vector/visible.h"
-
 namespace contactscope::vector {
 namespace {
 

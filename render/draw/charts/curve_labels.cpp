@@ -86,23 +86,6 @@ void spread_out(std::vector<SideLabel>& names, float row, float between, float t
   }
 }
 
-}  // namespace
-
-void draw_mark(const Point2& at, const Pen& pen) {
-  pen.ring(at, pen.px(kRing - 3), pen.px(kRing + 1.5), kWhite);
-  pen.ring(at, pen.px(kRing - 1.8), pen.px(kRing), kText);
-}
-
-Rect mark_box(const Point2& at, const Pen& pen) {
-  const double half = pen.px(kRing - 1);
-  return {at.x - half, at.y - half, 2 * half, 2 * half};
-}
-
-LineLabel mark_label(const MarkedPoint& mark, const Pen& pen) {
-  const float size = pen.px(kMarkLetters);
-  return {text_width(mark.words, size, FontWeight::Bold), {mark.at}, pen.px(0.6 * kRing), size};
-}
-
 void write_mark(const MarkedPoint& mark, const PlacedLabel& place, const Color& color,
                 const Pen& pen) {
   if (place.needs_leader) {
@@ -112,6 +95,29 @@ void write_mark(const MarkedPoint& mark, const PlacedLabel& place, const Color& 
   }
   pen.text(mark.words, pixel(place.box.x, place.box.y) + Point2{0, 0.84f * pen.px(kMarkLetters)},
            Align::Left, color, Weight::Bold, kMarkLetters, 2.5);
+}
+
+}  // namespace
+
+std::vector<PlacedLabel> place_with_marks(const std::vector<std::pair<MarkedPoint, Color>>& marks,
+                                          const std::vector<LineLabel>& labels,
+                                          LabelObstacles obstacles, const Rect& room, float height,
+                                          const Pen& pen) {
+  const float size = pen.px(kMarkLetters);
+  std::vector<LineLabel> all;
+  for (const auto& [mark, color] : marks) {
+    pen.ring(mark.at, pen.px(kRing - 3), pen.px(kRing + 1.5), kWhite);
+    pen.ring(mark.at, pen.px(kRing - 1.8), pen.px(kRing), kText);
+    obstacles.boxes.push_back(Rect{mark.at.x, mark.at.y, 0, 0}.grown(pen.px(kRing - 1)));
+    all.push_back(
+        {text_width(mark.words, size, FontWeight::Bold), {mark.at}, pen.px(0.6 * kRing), size});
+  }
+  all.insert(all.end(), labels.begin(), labels.end());
+  std::vector<PlacedLabel> places = place_line_labels(all, obstacles, room, height, pen.scale());
+  for (std::size_t i = 0; i < marks.size(); ++i)
+    write_mark(marks[i].first, places[i], marks[i].second, pen);
+  places.erase(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(marks.size()));
+  return places;
 }
 
 void name_near(const std::vector<const NamedLine*>& named,
@@ -127,26 +133,16 @@ void name_near(const std::vector<const NamedLine*>& named,
       obstacles.lines.push_back({line.points[i - step], line.points[i], 1.2f});
   }
   std::vector<LineLabel> labels;
-  std::vector<std::pair<const MarkedPoint*, Color>> marks;
-  for (const NamedLine& line : lines) {
-    for (const MarkedPoint& mark : line.marks) {
-      draw_mark(mark.at, pen);
-      obstacles.boxes.push_back(mark_box(mark.at, pen));
-      labels.push_back(mark_label(mark, pen));
-      marks.emplace_back(&mark, line.color);
-    }
-  }
+  std::vector<std::pair<MarkedPoint, Color>> marks;
+  for (const NamedLine& line : lines)
+    for (const MarkedPoint& mark : line.marks) marks.emplace_back(mark, line.color);
   for (std::size_t i = 0; i < named.size(); ++i)
     labels.push_back({pen.width_of(named[i]->name, weight_of(*named[i])), anchors[i]});
   const float height = pen.px(kLetters);
-  const double inset = pen.px(4);
-  const Rect room{area.x + inset, area.y + inset, area.width - 2 * inset, area.height - 2 * inset};
   const std::vector<PlacedLabel> places =
-      place_line_labels(labels, obstacles, room, height, pen.scale());
-  for (std::size_t i = 0; i < marks.size(); ++i)
-    write_mark(*marks[i].first, places[i], marks[i].second, pen);
+      place_with_marks(marks, labels, obstacles, area.grown(-pen.px(4)), height, pen);
   for (std::size_t i = 0; i < named.size(); ++i) {
-    const PlacedLabel& place = places[marks.size() + i];
+    const PlacedLabel& place = places[i];
     const NamedLine& line = *named[i];
     if (place.needs_leader) pen.line(place.anchor, place.leader_end, 1, line.color);
     pen.text(line.name, pixel(place.box.x, place.box.y) + Point2{0, 0.84f * height}, Align::Left,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "draw/scene/labels.h"
@@ -17,13 +18,12 @@ struct MarkedPoint {
 /// Size of that text, pixels at 720 lines: larger than names.
 inline constexpr float kMarkLetters = 16;
 
-/// A ring around such a point, and its box that labels must not cover.
-void draw_mark(const Point2& at, const Pen& pen);
-Rect mark_box(const Point2& at, const Pen& pen);
-/// Label request for its text, and drawing of the text at the place found.
-LineLabel mark_label(const MarkedPoint& mark, const Pen& pen);
-void write_mark(const MarkedPoint& mark, const PlacedLabel& place, const Color& color,
-                const Pen& pen);
+/// Places labels around marked points, whose texts in these colours are placed first. Draws the
+/// marks: a ring around each point and its text. Returns the places of the labels.
+std::vector<PlacedLabel> place_with_marks(const std::vector<std::pair<MarkedPoint, Color>>& marks,
+                                          const std::vector<LineLabel>& labels,
+                                          LabelObstacles obstacles, const Rect& room, float height,
+                                          const Pen& pen);
 
 /// A line of a chart in pixels, and its name.
 struct NamedLine {

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "core/at.h"
 #include "draw/charts/plot.h"
 #include "draw/scene/palette.h"
+#include "draw/scene/theme.h"
 
 namespace contactscope::draw {
 namespace {
@@ -15,17 +15,9 @@ constexpr std::array<Color, 7> kColors = {rgb(0x0072B2), rgb(0xD55E00), rgb(0x00
                                           rgb(0x000000)};
 constexpr std::size_t kMarkers = 9;
 
-// Web Content Accessibility Guidelines 2.1, "relative luminance".
-double luminance(const Color& color) {
-  const auto linear = [](double c) {
-    return c <= 0.03928 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
-  };
-  return 0.2126 * linear(color.r) + 0.7152 * linear(color.g) + 0.0722 * linear(color.b);
-}
-
-// Darkened until its contrast with white is 4.5, which the same guidelines require for text.
+// Darkened until its contrast with white is 4.5, which WCAG 2.1 requires for text.
 Color legible(Color color) {
-  while (1.05 / (luminance(color) + 0.05) < 4.5) {
+  while (contrast(color, kWhite) < 4.5) {
     for (float* channel : {&color.r, &color.g, &color.b}) *channel *= 0.97f;
   }
   return color;

@@ -106,17 +106,6 @@ trace::Study named_in_words(trace::Study study) {
   return study;
 }
 
-/// One of equal cells of a page, row by row, with gaps between them.
-Rect cell_of(const Rect& space, std::size_t columns, std::size_t rows, std::size_t i, double across,
-             double down) {
-  const auto column = static_cast<double>(i % columns), row = static_cast<double>(i / columns);
-  const double width =
-      (space.width - across * static_cast<double>(columns - 1)) / static_cast<double>(columns);
-  const double height =
-      (space.height - down * static_cast<double>(rows - 1)) / static_cast<double>(rows);
-  return {space.x + column * (width + across), space.y + row * (height + down), width, height};
-}
-
 }  // namespace
 
 void draw_decades_along(const Axis& axis, const Rect& area, bool grid, const Pen& pen,
@@ -217,7 +206,7 @@ std::vector<PlotPanel> panels_on(const PlotPage& page, const trace::Study& study
   const Rect space{page.panels.x + label, page.panels.y, page.panels.width - label,
                    page.panels.height};
   for (std::size_t i = 0; i < panels.size(); ++i) {
-    Rect& area = panels[i].area = cell_of(space, columns, rows, i, scale * kBetween, 0);
+    Rect& area = panels[i].area = space.cell(i, columns, rows, scale * kBetween, 0);
     area.y += scale * kHeading;
     area.height -= scale * (kHeading + kUnder);
     panels[i].begins_row = i % columns == 0;
@@ -247,8 +236,7 @@ Drawing plot(const trace::Study& measured, int width, int height) {
   PlotPage page = plot_page(study, subtitle(study), false, width, height);
   const double gutter = page.scale * static_cast<float>(kGutter);
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    const Rect rect =
-        cell_of(page.panels, columns, rows, i, gutter, in_panels ? 0.5 * gutter : gutter);
+    const Rect rect = page.panels.cell(i, columns, rows, gutter, in_panels ? 0.5 * gutter : gutter);
     draw_plot_panel(study, parts[i].first, rect, page, parts[i].second);
   }
   return page.drawing;

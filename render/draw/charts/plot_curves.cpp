@@ -83,13 +83,16 @@ bool has_zero(const PlotPanel& panel) {
   });
 }
 
+bool has_failures(const trace::StudySeries& series) {
+  return std::ranges::any_of(series.points, [](const auto& point) { return point.failed > 0; });
+}
+
 /// Maximum number of series with failures in a panel.
 int failing_series(const std::vector<PlotPanel>& panels) {
   std::ptrdiff_t most = 0;
   for (const PlotPanel& panel : panels)
     most = std::max(most, std::ranges::count_if(panel.series, [](const auto* series) {
-                      return std::ranges::any_of(
-                          series->points, [](const auto& point) { return point.failed > 0; });
+                      return has_failures(*series);
                     }));
   return static_cast<int>(most);
 }
@@ -178,9 +181,7 @@ struct Curves : Pen {
       name(series.method);
     }
     if (failure_rows == 0) return;
-    const auto failing = std::ranges::find_if(study.series, [](const trace::StudySeries& series) {
-      return std::ranges::any_of(series.points, [](const auto& point) { return point.failed > 0; });
-    });
+    const auto failing = std::ranges::find_if(study.series, has_failures);
     cross({at.x + px(15), at.y}, 4, 1.8, style_of(study, *failing).color);
     name("failures, of all cases");
   }

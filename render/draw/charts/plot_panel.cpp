@@ -244,31 +244,17 @@ struct Diagram : Pen {
       const std::vector<Point2>& points = line_of_ends->points;
       labels.push_back({width_of(ends[i]), {i == 0 ? points.front() : points.back()}});
     }
-    // Marked points choose first.
-    std::vector<LineLabel> marked_labels;
     std::vector<std::pair<MarkedPoint, Color>> marks;
-    for (const Course& course : plot.courses) {
-      for (std::size_t i = 0; i < course.points.size(); ++i) {
-        if (course.marks[i].empty()) continue;
-        const MarkedPoint& mark =
-            marks.emplace_back(MarkedPoint{course.points[i], course.marks[i]}, course.style.text)
-                .first;
-        draw_mark(mark.at, *this);
-        obstacles.boxes.push_back(mark_box(mark.at, *this));
-        marked_labels.push_back(mark_label(mark, *this));
-      }
-    }
-    labels.insert(labels.begin(), marked_labels.begin(), marked_labels.end());
+    for (const Course& course : plot.courses)
+      for (std::size_t i = 0; i < course.points.size(); ++i)
+        if (!course.marks[i].empty())
+          marks.emplace_back(MarkedPoint{course.points[i], course.marks[i]}, course.style.text);
     const float height = px(kPlotText);
     const double inset = px(3);
     const Rect room{left + inset, plot.failures_end + inset, right - left - 2 * inset,
                     bottom - plot.failures_end - 2 * inset};
-    const std::vector<PlacedLabel> places =
-        place_line_labels(labels, obstacles, room, height, scale());
-    const auto marked_end = places.begin() + static_cast<std::ptrdiff_t>(marks.size());
-    for (std::size_t i = 0; i < marks.size(); ++i)
-      write_mark(marks[i].first, places[i], marks[i].second, *this);
-    const std::vector<PlacedLabel> others(marked_end, places.end());
+    const std::vector<PlacedLabel> others =
+        place_with_marks(marks, labels, obstacles, room, height, *this);
     for (std::size_t i = 0; i < order.size(); ++i) {
       if (others[i].needs_leader)
         line(others[i].anchor, others[i].leader_end, 1, muted(order[i]->style.text));

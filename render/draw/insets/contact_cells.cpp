@@ -69,16 +69,15 @@ constexpr Swatch kTriangleSwatch{LegendGroup::Points, 12, [](auto& pen) {
                                    pen.area(kContact, 0.16f, 2);
                                  }};
 // Over the contact polygon, as in the map, with the remaining part of it.
-constexpr Swatch kKeptAreaSwatch{
-    LegendGroup::Points, 12, [](auto& pen) {
-      pen.box(with_alpha(kClipPolygon, 0.10f), kClipPolygon, 1.2);
-      pen.hatched(kDropped);
-      const std::vector<Point2> half = {pen.at(0, -7), pen.at(15, -7), pen.at(15, 7), pen.at(0, 7)};
-      pen.fill(half, kWhite);
-      pen.fill(half, with_alpha(kClipPolygon, 0.10f));
-      pen.fill(half, with_alpha(kContact, 0.16f));
-      pen.outline(half, 2, kContact);
-    }};
+constexpr Swatch kKeptAreaSwatch{LegendGroup::Points, 12, [](auto& pen) {
+                                   pen.box(with_alpha(kClipPolygon, 0.10f), kClipPolygon, 1.2);
+                                   pen.hatched(kDropped);
+                                   const std::vector<Point2> half = pen.block(0, 15);
+                                   pen.fill(half, kWhite);
+                                   pen.fill(half, with_alpha(kClipPolygon, 0.10f));
+                                   pen.fill(half, with_alpha(kContact, 0.16f));
+                                   pen.outline(half, 2, kContact);
+                                 }};
 constexpr Swatch kDeepestSwatch{LegendGroup::Points, 13,
                                 [](auto& pen) { draw_deepest_mark(pen.middle(), pen, 0.72); }};
 constexpr Swatch kBestPolygonSwatch{LegendGroup::Points, 15,

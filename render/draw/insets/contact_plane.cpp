@@ -5,7 +5,6 @@
 #include <string>
 
 #include "core/at.h"
-#include "draw/scene/kept_area.h"
 #include "draw/scene/labels.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"

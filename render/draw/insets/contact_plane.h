@@ -14,13 +14,6 @@
 /// The contact plane along its normal, used in panels, in views of that kind and in explore.
 namespace contactscope::draw {
 
-inline Vec2d flat(const Point2& p) {
-  return {p.x, p.y};
-}
-inline Point2 pixel(const Vec2d& p) {
-  return pixel(p.x(), p.y());
-}
-
 /// Right and up on the page, unit.
 struct PlaneAxes {
   Vec3d u = Vec3d::UnitX(), v = Vec3d::UnitY();

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "draw/insets/inset.h"
+#include "draw/panels/panel.h"
 #include "draw/scene/pair_words.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"
@@ -206,6 +207,8 @@ Vec3d gauss_map_direction(const std::vector<trace::Frame>& frames, const Vec3d& 
   return usual;
 }
 
+const PanelDrawing kGaussMapPanel{.needs = {&Stages::gauss_map, &Stages::sat}};
+
 InsetPicture sketch_gauss_map(const Inset& inset, const Scene& scene) {
   InsetPicture picture;
   picture.heading = "Gauss map of A and −B";
@@ -241,9 +244,7 @@ InsetPicture sketch_gauss_map(const Inset& inset, const Scene& scene) {
     sketch.explain(kBestAxisSwatch, "normal of the contact");
   }
   const std::size_t count = crossings.size();
-  if (count > 0)
-    picture.note =
-        std::to_string(count) + (count == 1 ? " pair of arcs crosses" : " pairs of arcs cross");
+  if (count > 0) picture.note = counted(count, "pair of arcs crosses", "pairs of arcs cross");
   if (in_front < count) picture.note += ", " + std::to_string(in_front) + " in front";
   return picture;
 }

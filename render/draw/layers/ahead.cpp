@@ -24,12 +24,7 @@ void draw_speculative_margin(const Scene& scene, const Vec3d& from, const Vec3d&
   if (!(margin > 0) || !scene.camera.sees(to)) return;
   sketch.line(to - 4 * aside, to + 2 * aside, {1.5f, kAxis, true});
   const Vec3d below = -3 * aside;
-  sketch.arrows.push_back({.from = from + below,
-                           .to = to + below,
-                           .double_headed = true,
-                           .width = 1.8f,
-                           .head = 10,
-                           .color = kAxis});
+  sketch.measure(from + below, to + below, 1.8f, 10, kAxis);
   sketch.label(0.5 * (from + to) + below,
                "speculative margin " + spell_length(margin, 0, scene.scales.length), kAxisText, 17,
                10, Vec3d(-scene.camera.up()));

@@ -27,6 +27,12 @@ constexpr LineStyle kAlone{1.2f, kDropped};
 constexpr Swatch kAloneSwatch{LegendGroup::Trees, 4,
                               [](auto& pen) { pen.area(kAlone.color, 0, kAlone.width); }};
 
+/// Null if there is no box of that name.
+const trace::Box* box_of(const std::string& name, const std::vector<trace::Bounds>& all) {
+  const auto found = std::ranges::find(all, name, &trace::Bounds::name);
+  return found == all.end() ? nullptr : &found->box;
+}
+
 /// Position of a name, and its direction from the box.
 struct NamePlace {
   Vec3d at, out;
@@ -87,7 +93,7 @@ void draw_boxes_of_shapes(const Scene& scene, Sketch& sketch) {
 // Edges of a solid box that face the viewer; hidden ones are faint, to keep many boxes readable.
 void outline_solid(const Scene& scene, const trace::Box& box, const LineStyle& style,
                    Sketch& sketch) {
-  const Eigen::AlignedBox3d solid(box.lower, box.upper);
+  const Eigen::AlignedBox3d solid = solid_box(box);
   // By bits: 1 the upper x, 2 the upper y, 4 the upper z.
   const auto corner = [&](int bits) {
     return Vec3d(solid.corner(static_cast<Eigen::AlignedBox3d::CornerType>(bits)));
@@ -110,19 +116,13 @@ void outline_solid(const Scene& scene, const trace::Box& box, const LineStyle& s
 
 // Fills the intersection of two boxes.
 void draw_shared(const Scene& scene, const trace::Box& a, const trace::Box& b, Sketch& sketch) {
-  const Eigen::AlignedBox3d shared =
-      Eigen::AlignedBox3d(a.lower, a.upper).intersection(Eigen::AlignedBox3d(b.lower, b.upper));
+  const Eigen::AlignedBox3d shared = solid_box(a).intersection(solid_box(b));
   if (shared.isEmpty()) return;
-  for (int axis = 0; axis < 3; ++axis) {
-    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-    for (const bool upper : {false, true}) {
-      std::vector<Vec3d> face(4, upper ? shared.max() : shared.min());
-      for (Vec3d& corner : face) corner[u] = shared.min()[u], corner[v] = shared.min()[v];
-      face[1][u] = face[2][u] = shared.max()[u];
-      face[2][v] = face[3][v] = shared.max()[v];
-      if (scene.camera.faces(face[0], (upper ? 1.0 : -1.0) * Vec3d::Unit(axis)))
-        sketch.surfaces.push_back({face, kShared});
-    }
+  int side = 0;
+  for (const std::vector<Vec3d>& face : sides_of(shared)) {
+    const Vec3d outward = (side % 2 == 0 ? -1.0 : 1.0) * Vec3d::Unit(side / 2);
+    if (scene.camera.faces(face[0], outward)) sketch.surfaces.push_back({face, kShared});
+    ++side;
   }
   const Vec3d seen = scene.camera.pixels_per_metre(shared.center()) * shared.sizes();
   const auto width = [&](const Vec3d& screen_axis) { return seen.dot(screen_axis.cwiseAbs()); };
@@ -134,10 +134,7 @@ void draw_shared(const Scene& scene, const trace::Box& a, const trace::Box& b, S
 // Directions of the axes along which sweep and prune sorts the ends.
 void draw_swept_axes(const Scene& scene, const std::vector<trace::Bounds>& all, Sketch& sketch) {
   Eigen::AlignedBox3d around;
-  for (const trace::Bounds& bounds : all) {
-    around.extend(bounds.box.lower);
-    around.extend(bounds.box.upper);
-  }
+  for (const trace::Bounds& bounds : all) around.extend(solid_box(bounds.box));
   const Vec3d right = scene.camera.right(), up = scene.camera.up(), reach = 0.5 * around.sizes();
   const double pixel = scene.scales.pixel / scene.camera.pixels_per_metre(around.center());
   const Vec3d corner = around.center() - right.cwiseAbs().dot(reach) * right -
@@ -148,7 +145,7 @@ void draw_swept_axes(const Scene& scene, const std::vector<trace::Bounds>& all, 
     const Vec3d screen_axis = length * Vec3d::Unit(axis);
     // An axis along the view is a point.
     if (std::hypot(right.dot(screen_axis), up.dot(screen_axis)) < 0.3 * length) continue;
-    sketch.arrows.push_back(arrow_to_scale(corner, screen_axis, 2, 9, kShapeEdge));
+    sketch.arrow_to_scale(corner, screen_axis, 2, 9, kShapeEdge);
     sketch.label(corner + screen_axis, kNames[axis], kText, 16, 6, Vec3d::Unit(axis));
   }
 }
@@ -156,19 +153,14 @@ void draw_swept_axes(const Scene& scene, const std::vector<trace::Bounds>& all, 
 // A line across both boxes at the place of an end swap. The place on the axis is the same, however
 // far the boxes are from each other along the other axes.
 void draw_passing_ends(const Scene& scene, const std::vector<trace::Bounds>& all, Sketch& sketch) {
-  const auto box_of = [&](const std::string& name) {
-    const auto found = std::ranges::find(all, name, &trace::Bounds::name);
-    return found == all.end() ? nullptr : &found->box;
-  };
   for (const trace::EndSwap& swap : scene.frame.broad_phase->end_swaps) {
-    const trace::Box *lower = box_of(swap.lower), *upper = box_of(swap.upper);
+    const trace::Box *lower = box_of(swap.lower, all), *upper = box_of(swap.upper, all);
     const int axis = swap.axis == "x" ? 0 : swap.axis == "y" ? 1 : 2;
     const Vec3d across = scene.camera.to_eye(Vec3d::Zero()).cross(Vec3d::Unit(axis)).cwiseAbs();
     if (lower == nullptr || upper == nullptr || across.isZero(0.1)) continue;
     int along = 0;
     across.maxCoeff(&along);
-    Eigen::AlignedBox3d both(lower->lower, lower->upper);
-    both.extend(upper->lower).extend(upper->upper);
+    const Eigen::AlignedBox3d both = solid_box(*lower).merged(solid_box(*upper));
     const double beyond =
         kBeyondBoxes * scene.scales.pixel / scene.camera.pixels_per_metre(both.center());
     Vec3d from = both.max(), to = both.max();
@@ -207,16 +199,12 @@ void draw_bounds(const Scene& scene, Sketch& sketch) {
     draw_swept_axes(scene, all, sketch);
     draw_passing_ends(scene, all, sketch);
   }
-  const auto box_of = [&](const std::string& name) -> const trace::Box* {
-    const auto found = std::ranges::find(all, name, &trace::Bounds::name);
-    return found == all.end() ? nullptr : &found->box;
-  };
   const auto is_mesh = [&](const std::string& name) {
     const PlacedShape* shape = scene.find(name);
     return shape != nullptr && shape->is_mesh();
   };
   for (const trace::Pair& pair : scene.frame.pairs) {
-    const trace::Box *a = box_of(pair.a), *b = box_of(pair.b);
+    const trace::Box *a = box_of(pair.a, all), *b = box_of(pair.b, all);
     // For a body on a mesh it is most of the body's own box, and would hide the triangles.
     if (a == nullptr || b == nullptr || is_mesh(pair.a) != is_mesh(pair.b)) continue;
     draw_shared(scene, *a, *b, sketch);

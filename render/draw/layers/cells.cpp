@@ -7,6 +7,7 @@
 #include <string>
 
 #include "draw/layers/layer.h"
+#include "draw/scene/box_outline.h"
 #include "draw/scene/tree_levels.h"
 #include "image/font.h"
 
@@ -37,17 +38,13 @@ Color tone_of(int tests) {
 
 // With the number of tones in the picture.
 template <int Tones>
-constexpr Swatch kTonesSwatch{
-    LegendGroup::Trees, 5, [](auto& pen) {
-      constexpr double kWide = 24.0 / Tones;
-      for (int i = 0; i < Tones; ++i) {
-        const double left = kWide * i;
-        pen.fill(
-            {pen.at(left, -7), pen.at(left + kWide, -7), pen.at(left + kWide, 7), pen.at(left, 7)},
-            kTones[static_cast<std::size_t>(i)].color);
-      }
-      pen.outline({pen.at(0, -7), pen.at(24, -7), pen.at(24, 7), pen.at(0, 7)}, 1, kBorder.color);
-    }};
+constexpr Swatch kTonesSwatch{LegendGroup::Trees, 5, [](auto& pen) {
+                                constexpr double kWide = 24.0 / Tones;
+                                for (int i = 0; i < Tones; ++i)
+                                  pen.fill(pen.block(kWide * i, kWide * i + kWide),
+                                           kTones[static_cast<std::size_t>(i)].color);
+                                pen.outline(pen.block(0, 24), 1, kBorder.color);
+                              }};
 constexpr Swatch kAboveSwatch{LegendGroup::Trees, 6,
                               [](auto& pen) { pen.box(kWhite, kAbove.color, 1); }};
 constexpr Swatch kLargeSwatch{LegendGroup::Trees, 8,
@@ -59,11 +56,10 @@ constexpr Swatch kOnlySwatch{LegendGroup::Trees, 7,
 
 constexpr Color kSpan = rgb(0xF7EFD9), kSpanned = rgb(0xE6D29A);
 constexpr LineStyle kBegins{5.0f, rgb(0x1F2328)};
-constexpr Swatch kSpanSwatch{
-    LegendGroup::Trees, 6, [](auto& pen) {
-      pen.box(kSpan, kSpan, 1);
-      pen.fill({pen.at(0, -3), pen.at(24, -3), pen.at(24, 3), pen.at(0, 3)}, kSpanned);
-    }};
+constexpr Swatch kSpanSwatch{LegendGroup::Trees, 6, [](auto& pen) {
+                               pen.box(kSpan, kSpan, 1);
+                               pen.fill(pen.block(0, 24, 3), kSpanned);
+                             }};
 constexpr Swatch kBeginsSwatch{
     LegendGroup::Trees, 7,
     [](auto& pen) { pen.line(pen.at(12, -7), pen.at(12, 7), kBegins.width, kBegins.color); }};
@@ -153,7 +149,7 @@ void draw_begins(const Scene& scene, Sketch& sketch) {
   const double pixel = scene.scales.pixel / scene.camera.pixels_per_metre(from);
   const double metres = kSweptLength * pixel;
   from[floor.across(sweep->axis)] -= kColumnGap * pixel;
-  sketch.arrows.push_back(arrow_to_scale(from, metres * offset, 2.5f, 10, kBegins.color));
+  sketch.arrow_to_scale(from, metres * offset, 2.5f, 10, kBegins.color);
   sketch.label(from + metres * offset, "swept along " + phase.swept, kBegins.color, 17, 8, offset);
 }
 
@@ -187,10 +183,7 @@ void draw_lattice(const trace::BroadPhase& phase, const Floor& floor, Sketch& sk
   if (!(side > 0)) return;
   const Vec3d corner = floor.tile_of(cell)[0];
   Eigen::AlignedBox3d around;
-  for (const trace::Bounds& bounds : phase.bounds) {
-    around.extend(bounds.box.lower);
-    around.extend(bounds.box.upper);
-  }
+  for (const trace::Bounds& bounds : phase.bounds) around.extend(solid_box(bounds.box));
   const Vec3d first = ((around.min() - corner) / side).array().floor();
   const Vec3d last = ((around.max() - corner) / side).array().ceil();
   const int x = floor.right(), y = floor.ahead();

@@ -87,13 +87,11 @@ void draw_side_plane(const trace::Polygon& face, const Vec3d& up, const Vec3d& o
   const trace::Polygon corners = {from - rise, to - rise, to + rise, from + rise};
   sketch.face(corners, with_alpha(kSidePlane, active ? 0.5f : 0.36f),
               {active ? 3.0f : 1.5f, kSidePlane});
-  sketch.arrows.push_back({.from = 0.5 * (from + to),
-                           .direction = outward,
-                           .pixels = active ? 64.0f : 30.0f,
-                           .width = active ? 4.0f : 1.5f,
-                           .head = active ? 15.0f : 8.0f,
-                           .color = kSidePlane,
-                           .halo = active});
+  const Vec3d middle = 0.5 * (from + to);
+  if (active)
+    sketch.arrow(middle, outward, 64, 4, 15, kSidePlane);
+  else
+    sketch.arrow(middle, outward, 30, 1.5f, 8, kSidePlane).halo = false;
 }
 
 void draw_side_planes(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "draw/layers/layer.h"
-#include "draw/scene/crowd.h"
+#include "draw/scene/contact_facts.h"
 #include "draw/scene/pair_words.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/points.h"
@@ -23,17 +23,13 @@ constexpr Swatch kOneShotSwatch{LegendGroup::Points, 4, [](auto& pen) {
                                   pen.whisker(2.5, kContact);
                                   draw_square(pen.middle(), pen.px(4.2), kContact, pen.drawing());
                                 }};
+template <bool kWhisker>
 constexpr Swatch kSeparatedSwatch{LegendGroup::Points, 10, [](auto& pen) {
-                                    pen.whisker(1.5, kContact);
+                                    if (kWhisker) pen.whisker(1.5, kContact);
                                     pen.dot(0, 4.8, kWhite);
                                     pen.dot(0, 4.8, with_alpha(kContact, 0.3f));
                                     pen.dot(3.7, 4.8, kContact);
                                   }};
-constexpr Swatch kSeparatedPlainSwatch{LegendGroup::Points, 10, [](auto& pen) {
-                                         pen.dot(0, 4.8, kWhite);
-                                         pen.dot(0, 4.8, with_alpha(kContact, 0.3f));
-                                         pen.dot(3.7, 4.8, kContact);
-                                       }};
 constexpr Swatch kOnePlaceSwatch{
     LegendGroup::Points, 12,
     [](auto& pen) { pen.text("×2", pen.at(1, 5.5), Align::Left, kContact, Weight::Bold, 15); }};
@@ -83,10 +79,6 @@ struct Separation {
   }
 };
 
-bool is_sphere(const PlacedShape& shape) {
-  return shape.traced().radius > 0 && shape.vertices.size() == 1;
-}
-
 // Nearest points of the shapes from the trace, or points along the separating axis.
 std::optional<OnBoth> gap_of(const trace::Pair& pair, const PlacedShape& a, const PlacedShape& b,
                              const Camera& camera) {
@@ -105,7 +97,7 @@ std::optional<OnBoth> gap_of(const trace::Pair& pair, const PlacedShape& a, cons
     const Vec3d outward = plane.pose.rotate(plane.traced().half_space->normal);
     return separated.along(of_a ? outward : Vec3d(-outward), !of_a);
   }
-  if (is_sphere(a) && is_sphere(b)) {
+  if (is_ball(a) && is_ball(b)) {
     const Vec3d offset = b.vertices[0] - a.vertices[0];
     if (offset.isZero()) return std::nullopt;
     return separated.along(offset.normalized(), true);
@@ -153,10 +145,10 @@ void draw_points(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
                           : MarkKind::Dot,
                 kept.point->position, kContact);
     if (measured)
-      sketch.explain(kSeparatedPlainSwatch, "point within the margin, not touching");
+      sketch.explain(kSeparatedSwatch<false>, "point within the margin, not touching");
     else if (separated)
-      sketch.explain(kSeparatedSwatch, "point within the margin, not touching: line = gap" +
-                                           spell_factor(scene.scales.gap));
+      sketch.explain(kSeparatedSwatch<true>, "point within the margin, not touching: line = gap" +
+                                                 spell_factor(scene.scales.gap));
     else if (square)
       sketch.explain(kOneShotSwatch, "one-shot point, whisker = overlap" + factor);
     else if (!any_whisker && all_ringed)
@@ -246,7 +238,7 @@ void draw_contacts(const Scene& scene, const trace::Pair& pair, Sketch& sketch) 
   const PlacedShape* b = scene.find(pair.b);
   if (measured_elsewhere || a == nullptr || b == nullptr) return;
   // Gregorius 2015, "Sphere vs Sphere": everything follows from the line between the centres.
-  if (is_sphere(*a) && is_sphere(*b) && !scene.shows(Layer::Core) &&
+  if (is_ball(*a) && is_ball(*b) && !scene.shows(Layer::Core) &&
       !a->vertices[0].isApprox(b->vertices[0], 1e-6)) {
     sketch.line(a->vertices[0], b->vertices[0], {1.2f, with_alpha(kShapeEdge, 0.8f), true});
     sketch.explain(kLineOfCentersSwatch, "line between the centres",
@@ -281,15 +273,13 @@ std::optional<PairPoint> deepest_of(const Scene& scene, const trace::Pair& pair)
 
 /// Labels the smallest gap of points within the margin, if its line is drawn.
 void draw_least_gap(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
-  const std::vector<PairPoint> points = all_points(pair);
-  if (points.empty() || !scene.shows(Layer::Contacts)) return;
-  const PairPoint& nearest = *std::ranges::min_element(
-      points, {}, [](const PairPoint& at) { return at.point->separation; });
-  if (!stands_off(*nearest.point, scene.scales)) return;
-  const OnBoth line = whisker_at(scene, pair, nearest);
+  const std::optional<PairPoint> nearest = deepest_contact(pair);
+  if (!nearest || !scene.shows(Layer::Contacts)) return;
+  if (!stands_off(*nearest->point, scene.scales)) return;
+  const OnBoth line = whisker_at(scene, pair, *nearest);
   sketch.label(
       0.5 * (line.on_a + line.on_b),
-      "gap " + spell_length(nearest.point->separation, scene.noise(pair), scene.scales.length),
+      "gap " + spell_length(nearest->point->separation, scene.noise(pair), scene.scales.length),
       kContact, 17, kNumberGap, Vec3d(-scene.camera.right()));
 }
 
@@ -297,20 +287,6 @@ Vec3d leftmost_of(const trace::Pair& pair, const Vec3d& left) {
   const std::vector<PairPoint> points = all_points(pair);
   const auto how_far = [&](const PairPoint& at) { return left.dot(at.point->position); };
   return std::ranges::max_element(points, {}, how_far)->point->position;
-}
-
-/// Metres, over all pairs of the frame.
-double largest_overlap(const Scene& scene) {
-  double largest = 0;
-  for (const trace::Pair& pair : scene.frame.pairs)
-    for (const PairPoint& at : all_points(pair)) largest = std::max(largest, -at.point->separation);
-  return largest;
-}
-
-double least_separation(const trace::Pair& pair) {
-  double least = 1e300;
-  for (const PairPoint& at : all_points(pair)) least = std::min(least, at.point->separation);
-  return least;
 }
 
 /// Labels the pair's overlap at its deepest point.
@@ -322,13 +298,15 @@ void draw_overlap(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const double pixels = scene.camera.pixels_per_metre(point.position);
   const double least = kMinDepth * scene.scales.pixel / (scene.scales.overlap * pixels);  // metres
   if (-point.separation < least) {
-    const double largest = largest_overlap(scene);
+    double largest = 0;  // in the frame
+    for (const trace::Pair& other : scene.frame.pairs)
+      largest = std::max(largest, overlap_of(other));
     if (largest < least || -point.separation < kMinShare * largest) return;
   }
   const OnBoth whisker = whisker_at(scene, pair, *deepest);
   // Equally deep points differ in the last digit. Use the number of the title and the charts.
   const std::string words =
-      spell_separation(least_separation(pair), scene.noise(pair), scene.scales.length);
+      spell_separation(-overlap_of(pair), scene.noise(pair), scene.scales.length);
   // One sign per overlap: with visible whiskers only the number is written next to them.
   const bool any_whisker = std::ranges::any_of(scene.frame.pairs, [&](const trace::Pair& other) {
     const std::optional<PairPoint> at = deepest_of(scene, other);

@@ -11,7 +11,7 @@
 #include "draw/scene/pair_words.h"
 #include "draw/scene/points.h"
 #include "draw/scene/quantity.h"
-#include "draw/scene/radii.h"
+#include "draw/scene/solid.h"
 
 /// Gregorius 2015, "Building Incremental Manifolds (1)"; Catto 2007, "GJK Contact Margins": shapes
 /// are cores inflated by margins. The cores stay separated while the margins overlap, so closest
@@ -170,12 +170,9 @@ void draw_sum(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   };
   const auto arrow = [&](int column, double from, double to, const Color& color, bool overlaps) {
     if (std::abs(to - from) < kMinOfSum * pixel) return;
-    sketch.arrows.push_back({.from = place(column, from),
-                             .to = place(column, to),
-                             .double_headed = !overlaps,
-                             .bars = overlaps,
-                             .width = 3,
-                             .color = color});
+    Arrow& added = sketch.measure(place(column, from), place(column, to), 3, 9, color);
+    added.double_headed = !overlaps;
+    added.bars = overlaps;
   };
   const auto line = [&](int column, double from, double to) {
     const LineStyle style{2.2f, kMargin};

@@ -70,8 +70,7 @@ void draw_exits(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
     const bool taken = normal.dot(exit.direction) > kTaken;
     const Vec3d end = center + exit.overlap * exit.direction;
     const Color color = taken ? kAxisText : kAxis;
-    sketch.arrows.push_back(
-        arrow_to_scale(center, end - center, taken ? 5.0f : 2.5f, taken ? 16.0f : 12.0f, color));
+    sketch.arrow_to_scale(center, end - center, taken ? 5.0f : 2.5f, taken ? 16.0f : 12.0f, color);
     // The kind of feature is written if both kinds occur.
     const std::string name = exit.of_edges ? "edges: " : any_of_edges ? "face: " : "";
     sketch

@@ -46,12 +46,11 @@ constexpr Swatch kLinesSwatch{LegendGroup::Trees, 21, [](auto& pen) {
 constexpr Color kCellBorder = with_alpha(kDropped, 0.5f);
 constexpr Swatch kBandSwatch{LegendGroup::Trees, 23,
                              [](auto& pen) { pen.box(kWhite, kCellBorder, 1); }};
-constexpr Swatch kExactSwatch{
-    LegendGroup::Trees, 24, [](auto& pen) {
-      pen.fill({pen.at(12, -7), pen.at(24, -7), pen.at(24, 7), pen.at(12, 7)}, kExact);
-      pen.outline({pen.at(0, -7), pen.at(12, -7), pen.at(12, 7), pen.at(0, 7)}, 1, kCellBorder);
-      pen.outline({pen.at(12, -7), pen.at(24, -7), pen.at(24, 7), pen.at(12, 7)}, 1, kCellBorder);
-    }};
+constexpr Swatch kExactSwatch{LegendGroup::Trees, 24, [](auto& pen) {
+                                pen.fill(pen.block(12, 24), kExact);
+                                pen.outline(pen.block(0, 12), 1, kCellBorder);
+                                pen.outline(pen.block(12, 24), 1, kCellBorder);
+                              }};
 constexpr Swatch kProbeSwatch{LegendGroup::Trees, 25, [](auto& pen) { pen.dot(0, 4, kProbe); }};
 
 /// Positions of a slice's cells.
@@ -63,6 +62,11 @@ class Cells {
         across_(slice.cell * slice.next_row.stableNormalized()) {}
 
   Vec3d corner(int column, int row) const { return origin_ + column * along_ + row * across_; }
+
+  /// Corners of a block of cells.
+  std::vector<Vec3d> block(int left, int low, int right, int high) const {
+    return {corner(left, low), corner(right, low), corner(right, high), corner(left, high)};
+  }
 
   /// Calls `visit(row, begin, end)` for each run of adjacent cells.
   template <class Visit>
@@ -97,10 +101,10 @@ void draw_grid(const trace::FieldSlice& slice, Sketch& sketch) {
     std::ranges::sort(sides);
     sides.erase(std::unique(sides.begin(), sides.end()), sides.end());
     Cells::each_run(sides, [&](int line, int begin, int end) {
-      if (upright)
-        sketch.line(cells.corner(line, begin), cells.corner(line, end), kGrid);
-      else
-        sketch.line(cells.corner(begin, line), cells.corner(end, line), kGrid);
+      const auto corner = [&](int i) {
+        return upright ? cells.corner(line, i) : cells.corner(i, line);
+      };
+      sketch.line(corner(begin), corner(end), kGrid);
     });
   }
 }
@@ -108,9 +112,7 @@ void draw_grid(const trace::FieldSlice& slice, Sketch& sketch) {
 void draw_exact_cells(const trace::FieldSlice& slice, Sketch& sketch) {
   const Cells cells(slice);
   Cells::each_run(slice.exact, [&](int row, int begin, int end) {
-    sketch.surfaces.push_back({{cells.corner(begin, row), cells.corner(end, row),
-                                cells.corner(end, row + 1), cells.corner(begin, row + 1)},
-                               kExact});
+    sketch.surfaces.push_back({cells.block(begin, row, end, row + 1), kExact});
   });
 }
 
@@ -199,10 +201,7 @@ bool draw_coarse_cells(const trace::FieldSlice& slice, Sketch& sketch) {
     for (int column = 0; column + kCoarse <= width; column += kCoarse) {
       if (fine.contains({column / kCoarse, row / kCoarse})) continue;
       sketch.curves.push_back(
-          {{cells.corner(column, row), cells.corner(column + kCoarse, row),
-            cells.corner(column + kCoarse, row + kCoarse), cells.corner(column, row + kCoarse)},
-           kGrid,
-           true});
+          {cells.block(column, row, column + kCoarse, row + kCoarse), kGrid, true});
       any = true;
     }
   }
@@ -314,15 +313,6 @@ std::vector<Segment2> seen_whiskers(const Scene& scene, const trace::Pair& pair)
   return whiskers;
 }
 
-/// Distance to the nearest point of a segment, pixels.
-float distance_from(const Segment2& line, const Point2& at) {
-  const Point2 offset = line.to - line.from;
-  const float squared = dot(offset, offset);
-  const float share =
-      squared > 0 ? std::clamp(dot(at - line.from, offset) / squared, 0.0f, 1.0f) : 0.0f;
-  return distance(line.from + share * offset, at);
-}
-
 /// Whether a place is within kOffSlice of the slice through one of the pair's fields.
 bool is_in_slice(const Scene& scene, const trace::Pair& pair, const Vec3d& at) {
   return std::ranges::any_of(scene.frame.field_slices, [&](const trace::FieldSlice& slice) {
@@ -341,7 +331,7 @@ void draw_probes(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const auto is_on_whisker = [&](const Vec3d& at) {
     const std::optional<Point2> seen = scene.camera.project(at);
     return seen && std::ranges::any_of(whiskers, [&](const Segment2& whisker) {
-             return distance_from(whisker, *seen) < kFromWhisker * scene.scales.pixel;
+             return distance(whisker.nearest(*seen), *seen) < kFromWhisker * scene.scales.pixel;
            });
   };
   const Vec3d right = scene.camera.right(), up = scene.camera.up();

@@ -18,12 +18,7 @@ void draw_flip_distance(const Scene& scene, const trace::Pair& pair, Sketch& ske
   if (places.empty()) return;
   const Vec3d from = mean_of(places);
   const double pixels = scene.camera.pixels_per_metre(from);
-  sketch.arrows.push_back({.from = from,
-                           .direction = pair.flip->direction,
-                           .pixels = kArrow,
-                           .width = 3,
-                           .head = 12,
-                           .color = kMotion});
+  sketch.arrow(from, pair.flip->direction, kArrow, 3, 12, kMotion);
   const Vec3d tip = from + kArrow * scene.scales.pixel / pixels * pair.flip->direction;
   sketch.explain(kFlipSwatch, "smallest way of B to other points", tip);
   sketch.label(tip, spell_length(*pair.flip->offset), kMotion, 17, 10, pair.flip->direction);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "draw/layers/layer.h"
+#include "draw/scene/contact_facts.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"
 
@@ -79,8 +80,7 @@ void draw_normal_impulse(const Scene& scene, const trace::Point& point, const Ve
       sketch.line(at, at + shown * out, {kKeptWidth, kKept});
       sketch.explain(kWarmStartSwatch, "kept from the step before");
     } else {
-      sketch.arrows.push_back(arrow_to_scale(at, shown * out, 3, 12, kImpulse));
-      sketch.arrows.back().halo = false;
+      sketch.arrow_to_scale(at, shown * out, 3, 12, kImpulse).halo = false;
       sketch.explain(kNormalImpulseSwatch,
                      (shows_loads(scene) ? "normal force, " : "normal impulse, ") +
                          spell_scale(scene, scene.scales.impulse));
@@ -127,8 +127,7 @@ std::optional<Vec3d> draw_friction(const Scene& scene, const trace::Point& point
   const auto seen = seen_distance(scene.camera, at, at + offset);
   if (!seen || !(*seen >= kMinFriction * scales.pixel)) return std::nullopt;
   if (point.impulse->friction.norm() < kMinOfFriction * largest) return std::nullopt;
-  sketch.arrows.push_back(arrow_to_scale(at, offset, 2.5f, 10, kFriction));
-  sketch.arrows.back().open = true;
+  sketch.arrow_to_scale(at, offset, 2.5f, 10, kFriction).open = true;
   if (share < 1) draw_break(scene, at + 0.6 * offset, offset.normalized(), kFriction, sketch);
   sketch.explain(kFrictionSwatch, own_scale ? "friction, " + spell_scale(scene, scales.friction)
                                             : "friction, same scale");
@@ -288,10 +287,7 @@ void draw_impulses(const Scene& scene, const trace::Pair& pair, Sketch& sketch) 
     return draw_load_of_one(scene, *one, side, sketch);
   }
   if (shows_loads(scene)) draw_load(scene, pair, side, sketch);
-  std::size_t points = 0;
-  for (const trace::Pair& other : scene.frame.pairs) {
-    for (const trace::Manifold& manifold : other.manifolds) points += manifold.points.size();
-  }
+  const std::size_t points = count_contacts(scene.frame).points;
   const double largest = largest_friction(scene);
   for (const auto& [manifold, point] : all_points(pair)) {
     const Vec3d& at = point->position;

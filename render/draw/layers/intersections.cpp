@@ -128,22 +128,21 @@ void draw_inside(const Scene& scene, const PlacedShape* mesh, const std::string&
 
 void draw_intersections(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const PlacedShape *a = scene.find(pair.a), *b = scene.find(pair.b);
-  std::set<int> crossing_a, crossing_b, coplanar_a, coplanar_b;
+  std::array<std::set<int>, 2> crossing, coplanar;  // triangles of A, and of B
   for (const trace::Intersection& meeting : pair.intersections) {
     if (meeting.kind == "touching") continue;
-    const bool coplanar = meeting.kind == "coplanar";
-    (coplanar ? coplanar_a : crossing_a).insert(meeting.a);
-    (coplanar ? coplanar_b : crossing_b).insert(meeting.b);
+    auto& [of_a, of_b] = meeting.kind == "coplanar" ? coplanar : crossing;
+    of_a.insert(meeting.a);
+    of_b.insert(meeting.b);
   }
+  const auto draw_both = [&](const auto& triangles, const Color& color, float fill) {
+    const bool any_of_a = draw_triangles(a, triangles[0], color, fill, sketch);
+    return draw_triangles(b, triangles[1], color, fill, sketch) || any_of_a;
+  };
   // Next to the boxes of trees the line of intersection is enough.
-  const bool set_off = !scene.shows(Layer::Tree);
-  const bool crosses_a = set_off && draw_triangles(a, crossing_a, kContact, 0.22f, sketch);
-  const bool crosses_b = set_off && draw_triangles(b, crossing_b, kContact, 0.22f, sketch);
-  if (crosses_a || crosses_b)
+  if (!scene.shows(Layer::Tree) && draw_both(crossing, kContact, 0.22f))
     sketch.explain(kCrossingTriangleSwatch, "triangle that crosses the other mesh");
-  const bool coplanar_of_a = draw_triangles(a, coplanar_a, kAxis, 0.35f, sketch);
-  const bool coplanar_of_b = draw_triangles(b, coplanar_b, kAxis, 0.35f, sketch);
-  if (coplanar_of_a || coplanar_of_b)
+  if (draw_both(coplanar, kAxis, 0.35f))
     sketch.explain(kCoplanarSwatch, "triangles that overlap in one plane");
   for (const trace::Intersection& meeting : pair.intersections) {
     if (meeting.a_degenerate) draw_degenerate(a, meeting.a, sketch);

@@ -7,6 +7,7 @@
 
 #include "draw/layers/layer.h"
 #include "draw/scene/pairs.h"
+#include "draw/scene/quantity.h"
 
 /// Bodies joined by contacts fall asleep and wake together: Catto 2010, "Islands". Islands follow
 /// from the trace: bodies joined by contact points, except static ones. The trace records whether
@@ -19,19 +20,13 @@ constexpr double kUnmoved = 1e-4;  // of a body's radius, per frame
 constexpr int kMinRest = 2;        // frames: less may be a turning point
 constexpr float kTint = 0.22f;     // opacity over a body's fill
 
+template <const Color& kInk>
 constexpr Swatch kIslandSwatch{LegendGroup::Trees, 9,
                                [](auto& pen) {
-                                 pen.level_line(3, 19, 2.5, kBox);
-                                 for (const double at : {3.0, 19.0}) pen.disc(pen.at(at), 4, kBox);
+                                 pen.level_line(3, 19, 2.5, kInk);
+                                 for (const double at : {3.0, 19.0}) pen.disc(pen.at(at), 4, kInk);
                                },
-                               kBox};
-constexpr Swatch kSleepingSwatch{LegendGroup::Trees, 9,
-                                 [](auto& pen) {
-                                   pen.level_line(3, 19, 2.5, kQuietText);
-                                   for (const double at : {3.0, 19.0})
-                                     pen.disc(pen.at(at), 4, kQuietText);
-                                 },
-                                 kQuietText};
+                               kInk};
 
 /// Island of each body of the solver.
 std::vector<std::size_t> islands_of(const Scene& scene) {
@@ -67,8 +62,7 @@ int rest_of(const Scene& scene, const trace::Body& body) {
   int frames = 0;
   for (auto past = scene.sequence->rbegin(); past != scene.sequence->rend(); ++past) {
     if (past->frame >= scene.frame.frame) continue;
-    const auto pose =
-        std::ranges::find(past->poses, body.name, [](const auto& placed) { return placed.first; });
+    const auto pose = std::ranges::find(past->poses, body.name, &trace::Placement::first);
     if (pose == past->poses.end()) break;
     const double offset = (pose->second.position - later->position).norm();
     const double turn = pose->second.rotation.angularDistance(later->rotation);
@@ -111,7 +105,8 @@ void draw_islands(const Scene& scene, Sketch& sketch) {
     if (island[i] != i) continue;
     const bool asleep = bodies[i].asleep == true;  // like all bodies of its island
     const Color color = asleep ? kQuietText : kBox;
-    int members = 0, rest = std::numeric_limits<int>::max();
+    std::size_t members = 0;
+    int rest = std::numeric_limits<int>::max();
     const trace::Body* highest = &bodies[i];
     for (std::size_t k = i; k < bodies.size(); ++k) {
       if (island[k] != i) continue;
@@ -125,12 +120,12 @@ void draw_islands(const Scene& scene, Sketch& sketch) {
     }
     ++number;
     if (asleep)
-      sketch.explain(kSleepingSwatch, "island that sleeps");
+      sketch.explain(kIslandSwatch<kQuietText>, "island that sleeps");
     else
-      sketch.explain(kIslandSwatch, "island: bodies that contacts join");
+      sketch.explain(kIslandSwatch<kBox>, "island: bodies that contacts join");
     if (scene.crowded()) continue;
-    std::string text = "island " + std::to_string(number) + ": " + std::to_string(members) +
-                       (members == 1 ? " body" : " bodies");
+    std::string text =
+        "island " + std::to_string(number) + ": " + counted(members, "body", "bodies");
     if (asleep)
       text += ", asleep";
     else if (bodies[i].asleep)

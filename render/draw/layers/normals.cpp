@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 #include "core/at.h"
 #include "draw/layers/layer.h"
@@ -18,8 +19,6 @@ constexpr double kBeyondTip = 6;    // distance of the face's number
 constexpr double kMinLean = 3;      // degrees
 constexpr double kAsNear = 1e-5;    // of a hull's radius
 
-constexpr Swatch kNormalSwatch{LegendGroup::Forces, 0,
-                               [](auto& pen) { pen.arrow(3, 10, kNormal); }};
 constexpr Swatch kRivalSwatch{LegendGroup::Forces, 2,
                               [](auto& pen) { pen.open_arrow(2, kDropped); }};
 constexpr Swatch kUsualNormalSwatch{LegendGroup::Forces, 1,
@@ -101,18 +100,13 @@ void draw_rivals(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   std::vector<Vec3d> normals;
   for (int f = 0; f < count_of(hull.traced().faces); ++f) normals.push_back(hull.normal(f));
   const Vec3d from = innermost(hull, round.vertices, normals);
-  double nearest = -std::numeric_limits<double>::infinity();
   const auto distance = [&](int f) { return at(normals, f).dot(from - hull.polygon(f)[0]); };
-  for (int f = 0; f < count_of(normals); ++f) nearest = std::max(nearest, distance(f));
-  const auto is_as_near = [&](int f) {
-    return distance(f) >= nearest - kAsNear * hull.mesh->radius;
-  };
-  int as_near = 0;
-  for (int f = 0; f < count_of(normals); ++f) as_near += is_as_near(f) ? 1 : 0;
-  const bool several = as_near > 1;
-  for (int f = 0; f < count_of(normals); ++f) {
+  std::vector<int> faces(normals.size());  // those that are as near as the nearest
+  std::iota(faces.begin(), faces.end(), 0);
+  const double nearest = distance(std::ranges::max(faces, {}, distance));
+  std::erase_if(faces, [&](int f) { return distance(f) < nearest - kAsNear * hull.mesh->radius; });
+  for (const int f : faces) {
     const Vec3d& normal = at(normals, f);
-    if (!is_as_near(f)) continue;
     const auto number_at = [&](const Arrow& arrow, bool taken) {
       const double metres = (arrow.pixels + kBeyondTip) / scene.camera.pixels_per_metre(arrow.from);
       sketch
@@ -126,7 +120,7 @@ void draw_rivals(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
     };
     const auto taken = std::ranges::find_if(pair.manifolds, is_taken);
     if (taken != pair.manifolds.end()) {
-      if (!several || taken->points.empty()) continue;
+      if (faces.size() < 2 || taken->points.empty()) continue;
       const Arrow own{.from = start_of_normal(scene, pair, *taken),
                       .direction = taken->normal,
                       .pixels = kUsualLength};
@@ -157,18 +151,16 @@ void draw_normals(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
     if (manifold.points.empty()) continue;
     const bool steps_back = usual && is_like(*usual, manifold.normal);
     const bool stands_out = usual && !steps_back;
-    const Arrow arrow{.from = start_of_normal(scene, pair, manifold),
-                      .direction = manifold.normal,
-                      .pixels = steps_back            ? 26.0f
-                                : many && !stands_out ? 44.0f
-                                                      : kUsualLength,
-                      .width = steps_back            ? 1.5f
-                               : many && !stands_out ? 2.0f
-                                                     : 3.0f,
-                      .head = steps_back            ? 7.0f
-                              : many && !stands_out ? 9.0f
-                                                    : 13.0f,
-                      .color = steps_back ? kDropped : kNormal};
+    Arrow arrow{.from = start_of_normal(scene, pair, manifold),
+                .direction = manifold.normal,
+                .pixels = kUsualLength,
+                .width = 3,
+                .head = 13,
+                .color = steps_back ? kDropped : kNormal};
+    if (steps_back)
+      arrow.pixels = 26, arrow.width = 1.5f, arrow.head = 7;
+    else if (many && !stands_out)
+      arrow.pixels = 44, arrow.width = 2, arrow.head = 9;
     if (!has_room(scene.camera, arrow)) continue;
     sketch.arrows.push_back(arrow);
     const Vec3d ahead = arrow.from + 0.7 * arrow.pixels /

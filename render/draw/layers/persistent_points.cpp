@@ -46,8 +46,7 @@ void lead_to_successor(const Scene& scene, const trace::Pair& pair,
   const Vec3d offset = nearest->point.position - from;
   const double clear = kClearOfDot * scene.scales.pixel / scene.camera.pixels_per_metre(from);
   if (offset.norm() > 2 * clear)
-    sketch.arrows.push_back(
-        arrow_to_scale(from, offset - clear * offset.normalized(), 2, 10, kDropped));
+    sketch.arrow_to_scale(from, offset - clear * offset.normalized(), 2, 10, kDropped);
   sketch.label(from + 0.5 * offset,
                spell_length(offset.norm(), scene.noise(pair), scene.scales.length), kDropped, 17, 9,
                scene.camera.up());

@@ -23,16 +23,15 @@ constexpr LineStyle kPath{1.8f, kContact, true};
 constexpr double kBeforeCross = 8;  // pixels between the cross and the tip of the path
 
 /// The prism's three tints next to each other, in the order of the text.
-constexpr Swatch kPrismSwatch{
-    LegendGroup::Motion, 9, [](auto& pen) {
-      constexpr double kBand = 8;  // pixels
-      double x = 0;
-      for (const Color& tint : {kFaceTint, kEdgeTint, kVertexTint}) {
-        pen.fill({pen.at(x, -7), pen.at(x + kBand, -7), pen.at(x + kBand, 7), pen.at(x, 7)}, tint);
-        x += kBand;
-      }
-      pen.outline({pen.at(0, -7), pen.at(x, -7), pen.at(x, 7), pen.at(0, 7)}, 1, kDropped);
-    }};
+constexpr Swatch kPrismSwatch{LegendGroup::Motion, 9, [](auto& pen) {
+                                constexpr double kBand = 8;  // pixels
+                                double x = 0;
+                                for (const Color& tint : {kFaceTint, kEdgeTint, kVertexTint}) {
+                                  pen.fill(pen.block(x, x + kBand), tint);
+                                  x += kBand;
+                                }
+                                pen.outline(pen.block(0, x), 1, kDropped);
+                              }};
 constexpr Swatch kPathSwatch{LegendGroup::Motion, 12, [](auto& pen) { pen.dashes(1.5, kContact); }};
 constexpr Swatch kCenterSwatch{LegendGroup::Motion, 13, [](auto& pen) { pen.crossed(kContact); }};
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "draw/layers/layer.h"
-#include "draw/scene/kept_area.h"
+#include "draw/scene/pairs.h"
 
 namespace contactscope::draw {
 namespace {

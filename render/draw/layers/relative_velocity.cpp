@@ -38,8 +38,7 @@ void draw_relative_velocity(const Scene& scene, const trace::Pair& pair, Sketch&
       return offset.norm() * scene.camera.pixels_per_metre(at) >= kMinClosing;
     };
     if (is_seen(whole)) {
-      sketch.arrows.push_back(arrow_to_scale(at, whole, 2, 10, kMotion));
-      sketch.arrows.back().open = true;
+      sketch.arrow_to_scale(at, whole, 2, 10, kMotion).open = true;
       sketch.line(at + whole, at + part, {1.2f, kMotion, true});
       sketch.explain(kWholeSwatch, "relative velocity at the contact, way in " +
                                        spell_quantity(scales.velocity, "s", 1));
@@ -55,7 +54,7 @@ void draw_relative_velocity(const Scene& scene, const trace::Pair& pair, Sketch&
       continue;
     }
     sketch.explain(kPartSwatch, "its part along the normal", Vec3d(at + 0.8 * part));
-    sketch.arrows.push_back(arrow_to_scale(at, part, 4, 14, kMotion));
+    sketch.arrow_to_scale(at, part, 4, 14, kMotion);
     sketch.label(at + part, spelled, kMotion, 18, 12, scene.camera.right());
   }
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "draw/layers/layer.h"
+#include "draw/scene/ghost.h"
 #include "draw/scene/pair_words.h"
 #include "draw/scene/points.h"
 #include "draw/scene/quantity.h"
@@ -61,13 +62,6 @@ std::array<std::optional<BestAxis>, 3> best_axes(const Scene& scene, const trace
   return found;
 }
 
-trace::Polygon square_about(const Vec3d& middle, const Vec3d& normal, const Vec3d& along,
-                            double half) {
-  const Vec3d u = (along - along.dot(normal) * normal).normalized(), v = normal.cross(u);
-  return {middle - half * (u + v), middle + half * (u - v), middle + half * (u + v),
-          middle - half * (u - v)};
-}
-
 /// Square about `middle`, enlarged to include all points of its plane within `margin` of `foot`.
 trace::Polygon plane_under(const Vec3d& middle, const Vec3d& normal, const Vec3d& along,
                            double half, const Vec3d& foot, double margin) {
@@ -78,13 +72,6 @@ trace::Polygon plane_under(const Vec3d& middle, const Vec3d& normal, const Vec3d
   const double down = std::max(half, margin - y), up = std::max(half, margin + y);
   return {middle - left * u - down * v, middle + right * u - down * v, middle + right * u + up * v,
           middle - left * u + up * v};
-}
-
-PlacedShape moved(const PlacedShape& shape, const Vec3d& by) {
-  PlacedShape copy = shape;
-  copy.pose.position += by;
-  for (Vec3d& vertex : copy.vertices) vertex += by;
-  return copy;
 }
 
 /// One column: the shapes and a query's best axis, moved by an offset.
@@ -107,7 +94,8 @@ struct Column {
     sketch.face(plane_under(middle, best.normal, along, reach, foot, kBeyondFoot * size),
                 with_alpha(kAxis, 0.22f * strength), {1.5f, with_alpha(kAxis, strength)});
     if (!of_edges) {
-      sketch.outline(square_about(offset + best.support, best.normal, along, 0.4 * reach),
+      const Vec3d support = offset + best.support;
+      sketch.outline(plane_under(support, best.normal, along, 0.4 * reach, support, 0),
                      {1.5f, with_alpha(kAxis, strength), true});
       std::vector<Vec3d> face = best.face;
       for (Vec3d& corner : face) corner += offset;
@@ -116,12 +104,7 @@ struct Column {
     }
     for (const auto& [from, to] : best.edges)
       sketch.line(from + offset, to + offset, {chosen ? 6.0f : 4.0f, kAxis});
-    sketch.arrows.push_back({.from = foot,
-                             .to = offset + best.support,
-                             .double_headed = true,
-                             .width = chosen ? 4.0f : 2.5f,
-                             .head = 11,
-                             .color = kAxisText});
+    sketch.measure(foot, offset + best.support, chosen ? 4.0f : 2.5f, 11, kAxisText);
     sketch.mark(MarkKind::Dot, offset + best.support, kAxisText);
     sketch.explain(kBestPlaneSwatch, "plane of the best face or edges, extended");
     sketch.explain(kSupportVertexSwatch, "support point of the other shape");
@@ -147,7 +130,8 @@ void draw_sat_queries(const Scene& scene, const trace::Pair& pair, Sketch& sketc
     const double column = view.x + (static_cast<double>(k) + 0.5) * view.width / 3;
     const Vec3d offset = (column - at->x) / pixels * camera.right();
     for (const PlacedShape* shape : {a, b})
-      draw_solid(camera, moved(*shape, offset), shape->is_a ? kShapeA : kShapeB, sketch);
+      draw_solid(camera, moved(*shape, Vec3d::Zero(), offset, Vec3d::Zero()),
+                 shape->is_a ? kShapeA : kShapeB, sketch);
     for (const PlacedShape* shape : {a, b})
       sketch.label(center_of(shape->vertices) + offset, shape->is_a ? "A" : "B", kText, kShapeName,
                    0);

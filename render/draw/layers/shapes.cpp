@@ -196,12 +196,7 @@ void measure_margin(const Scene& scene, const trace::Pair& pair, Sketch& sketch)
                 to = from + (of_a ? -margin : margin) * at.manifold->normal;
     const std::optional<float> pixels = seen_distance(scene.camera, from, to);
     if (!pixels || *pixels < kMinMeasured * scene.scales.pixel) continue;
-    sketch.arrows.push_back({.from = from,
-                             .to = to,
-                             .double_headed = true,
-                             .width = 2.2f,
-                             .head = 10,
-                             .color = kMargin});
+    sketch.measure(from, to, 2.2f, 10, kMargin);
     sketch.label(0.5 * (from + to), "margin " + spell_length(margin, 0, scene.scales.length),
                  kMargin, 17, 10, Vec3d(-right));
   }

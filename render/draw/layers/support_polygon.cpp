@@ -136,8 +136,7 @@ void draw_verdict(const Scene& scene, const trace::Stability& stability, Sketch&
     const std::optional<Vec3d> border = nearest_border(scene, stability);
     const std::optional<float> seen = seen_distance(scene.camera, from, *border);
     if (seen && *seen >= kMinMargin * scene.scales.pixel) {
-      sketch.arrows.push_back(
-          {.from = from, .to = *border, .double_headed = true, .width = 1.5f, .color = kNormal});
+      sketch.measure(from, *border, 1.5f, 9, kNormal);
       const Vec3d direction = (*border - from).normalized();
       sketch.label(0.5 * (from + *border), margin, kText, 17, 9,
                    Vec3d(scene.camera.up() - scene.camera.up().dot(direction) * direction));

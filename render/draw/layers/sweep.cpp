@@ -84,13 +84,8 @@ void draw_turning_path(const Scene& scene, const trace::Travel& travel, const Ve
   if (offset.size() < 3) return;
   const Vec3d last = offset.back(), along = (point - last).normalized();
   sketch.curves.push_back({offset, {kTurningPathWidth, kShapeEdge}});
-  sketch.arrows.push_back({.from = last,
-                           .to = Vec3d(point - kTurnClear / pixels * along),
-                           .width = kTurningPathWidth,
-                           .head = static_cast<float>(kTurnHead),
-                           .color = kShapeEdge,
-                           .halo = false,
-                           .head_share = 1});
+  sketch.arrow_head(last, point - kTurnClear / pixels * along, kTurningPathWidth, kTurnHead,
+                    kShapeEdge);
   sketch.explain(kTurningPathSwatch, "way of the point that meets");
 }
 
@@ -147,16 +142,20 @@ void draw_sweep(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const trace::Impact& impact = *pair.impact;
   // A cast moves shapes without rotation. Only the contact shows their rotation at that time.
   const bool is_cast = impact.method == "swept";
+  std::vector<std::pair<const PlacedShape*, const trace::Travel*>> moving;
+  for (const auto& [name, travel] :
+       {std::pair(&pair.a, &impact.travel_a), std::pair(&pair.b, &impact.travel_b)}) {
+    const PlacedShape* shape = scene.find(*name);
+    if (shape != nullptr && moves(scene, *shape, *travel)) moving.emplace_back(shape, travel);
+  }
   const auto draw_turned = [&](double time, double turned, const LineStyle& style,
                                bool filled = false) {
-    for (const auto& [name, travel] :
-         {std::pair(pair.a, impact.travel_a), std::pair(pair.b, impact.travel_b)}) {
-      const PlacedShape* shape = scene.find(name);
-      if (shape == nullptr || shape->traced().half_space || !moves(scene, *shape, travel)) continue;
+    for (const auto& [shape, travel] : moving) {
+      if (shape->traced().half_space) continue;
       std::optional<Color> fill;
       if (filled) fill = shape->is_a ? kShapeA : kShapeB;
       draw_ghost(scene.camera,
-                 moved(*shape, travel.pivot, time * travel.displacement, turned * travel.turn),
+                 moved(*shape, travel->pivot, time * travel->displacement, turned * travel->turn),
                  style, sketch, fill);
     }
   };
@@ -165,10 +164,8 @@ void draw_sweep(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   };
   const auto number_skins = [&](double time, std::size_t step) {
     if (!scene.view.shows(Panel::Approach)) return;
-    for (const auto& [name, travel] :
-         {std::pair(pair.a, &impact.travel_a), std::pair(pair.b, &impact.travel_b)})
-      if (const PlacedShape* shape = scene.find(name))
-        number_skin(scene, *shape, *travel, time, step, sketch);
+    for (const auto& [shape, travel] : moving)
+      number_skin(scene, *shape, *travel, time, step, sketch);
   };
   if (impact.status == "hit" && !impact.steps.empty()) number_skins(0, 1);
   double last = 0;
@@ -183,27 +180,24 @@ void draw_sweep(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
     number_skins(step.safe, i + 2);
     sketch.explain(kSkinSwatch, "a step of the search: apart for certain until then");
   }
-  const PlacedShape *a = scene.find(pair.a), *b = scene.find(pair.b);
-  const bool moved_any = (a != nullptr && moves(scene, *a, impact.travel_a)) ||
-                         (b != nullptr && moves(scene, *b, impact.travel_b));
   // If shapes still overlap at the end, a discrete engine would see it too: nothing is missed.
   const bool is_seen_anyway =
       impact.status == "hit" && !impact.distances.empty() && impact.distances.back().distance <= 0;
-  if (moved_any && !is_seen_anyway) {
+  if (!moving.empty() && !is_seen_anyway) {
     // A stopped shape does not get there, so its outline is weaker.
     draw_at(1, impact.status == "hit" ? kEndOfHit : kEnd);
-    const auto ends_in_view = [&](const PlacedShape* shape, const trace::Travel& travel) {
-      return shape != nullptr && moves(scene, *shape, travel) &&
-             in_view(scene.camera, moved(*shape, travel.pivot, travel.displacement, travel.turn));
+    const auto ends_in_view = [&](const auto& each) {
+      const auto& [shape, travel] = each;
+      return in_view(scene.camera,
+                     moved(*shape, travel->pivot, travel->displacement, travel->turn));
     };
-    if (ends_in_view(a, impact.travel_a) || ends_in_view(b, impact.travel_b))
+    if (std::ranges::any_of(moving, ends_in_view))
       sketch.explain(impact.status == "hit" ? kEndOfHitSwatch : kEndSwatch,
                      "at the next frame, if nothing stopped it");
   }
   if (!is_seen_anyway) {
-    for (const auto& [shape, travel] :
-         {std::pair(a, &impact.travel_a), std::pair(b, &impact.travel_b)}) {
-      if (shape == nullptr || !travel->turn.isZero(0) || !moves(scene, *shape, *travel)) continue;
+    for (const auto& [shape, travel] : moving) {
+      if (!travel->turn.isZero(0)) continue;
       // Centres of shapes other than balls are not visible, and here not important.
       if (impact.status == "hit" && border_of_ball(*shape) == 0) continue;
       const Vec3d middle = shape->pose.transform(shape->traced().center_of_mass);
@@ -215,8 +209,8 @@ void draw_sweep(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
     sketch.mark(MarkKind::WideRing, ghost, kAxis);
     sketch.explain(kGhostSwatch, "ghost: holds back what would go past", ghost);
   }
-  draw_met_triangle(scene, a, impact.triangle_a, impact.corners_a, sketch);
-  draw_met_triangle(scene, b, impact.triangle_b, impact.corners_b, sketch);
+  draw_met_triangle(scene, scene.find(pair.a), impact.triangle_a, impact.corners_a, sketch);
+  draw_met_triangle(scene, scene.find(pair.b), impact.triangle_b, impact.corners_b, sketch);
   name_met_triangle("A", kArcOfA, impact.corners_a, impact.corners_b, sketch);
   name_met_triangle("B", kArcOfB, impact.corners_b, impact.corners_a, sketch);
   if (impact.status != "hit") return;
@@ -225,7 +219,7 @@ void draw_sweep(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
     draw_turned(impact.time, impact.time, kTrue);
     sketch.explain(kTrueSwatch, "how it is turned by then");
   }
-  if (moved_any) {
+  if (!moving.empty()) {
     draw_at(impact.time, kMeeting, true);
     sketch.explain(kFirstMeetingSwatch, "where they first meet");
   }

@@ -81,15 +81,8 @@ void draw_tested_axes(const Scene& scene, const trace::Pair& pair, Sketch& sketc
       sketch.explain(kDecidingEdgesSwatch, "edges that make the axis", end_a);
     }
     const Color color = axis->separates ? kAxis : axis->skipped ? kDropped : kShapeEdge;
-    sketch.arrows.push_back({.from = middle,
-                             .direction = axis->direction,
-                             .pixels = kArrow,
-                             .width = axis->separates ? 3.5f
-                                      : axis->skipped ? 1.5f
-                                                      : 2.0f,
-                             .head = 11,
-                             .color = color,
-                             .open = axis->skipped});
+    const float width = axis->separates ? 3.5f : axis->skipped ? 1.5f : 2;
+    sketch.arrow(middle, axis->direction, kArrow, width, 11, color).open = axis->skipped;
     const std::string text =
         spell_axis(query, *axis) +
         (is_short(*axis) ? ", length " + spell_number(axis->length, 2) : std::string());

@@ -36,32 +36,12 @@ std::vector<Vec3d> widest_cut(const trace::Box& box, const PlacedShape& mesh) {
   int shortest = 0;
   const Vec3d sizes = box.upper - box.lower;
   sizes.minCoeff(&shortest);
-  const int u = (shortest + 1) % 3, v = (shortest + 2) % 3;
-  std::vector<Vec3d> corners(4, box.lower);
-  corners[1][u] = corners[2][u] = box.upper[u];
-  corners[2][v] = corners[3][v] = box.upper[v];
+  std::vector<Vec3d> corners = sides_of(solid_box(box))[2 * static_cast<std::size_t>(shortest)];
   for (Vec3d& corner : corners) {
     corner[shortest] = 0.5 * (box.lower[shortest] + box.upper[shortest]);
     corner = mesh.pose.transform(corner);
   }
   return corners;
-}
-
-std::vector<std::vector<Vec3d>> sides_of(const trace::Box& box, const Pose<double>& pose) {
-  std::vector<std::vector<Vec3d>> sides;
-  for (int axis = 0; axis < 3; ++axis) {
-    for (const Vec3d* end : {&box.lower, &box.upper}) {
-      std::vector<Vec3d>& side = sides.emplace_back(4, box.lower);
-      const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-      side[1][u] = side[2][u] = box.upper[u];
-      side[2][v] = side[3][v] = box.upper[v];
-      for (Vec3d& corner : side) {
-        corner[axis] = (*end)[axis];
-        corner = pose.transform(corner);
-      }
-    }
-  }
-  return sides;
 }
 
 const PlacedShape* mesh_of(const Scene& scene, const trace::Pair& pair) {
@@ -124,8 +104,10 @@ constexpr Swatch kLargestSwatch{LegendGroup::Trees, 6, [](auto& pen) { pen.area(
 void draw_largest(const std::vector<trace::Box>& boxes, const PlacedShape& mesh, Sketch& sketch) {
   const auto volume = [](const trace::Box& box) { return (box.upper - box.lower).prod(); };
   const trace::Box& largest = *std::ranges::max_element(boxes, {}, volume);
-  for (const std::vector<Vec3d>& side : sides_of(largest, mesh.pose))
+  for (std::vector<Vec3d>& side : sides_of(solid_box(largest))) {
+    for (Vec3d& corner : side) corner = mesh.pose.transform(corner);
     sketch.surfaces.push_back({side, with_alpha(kBox, 0.16f)});
+  }
   outline(largest, mesh.pose, {3.0f, kBox}, sketch);
   sketch.explain(kLargestSwatch, "largest of them");
   sketch.label(mesh.pose.transform(0.5 * (largest.lower + largest.upper)),

@@ -4,10 +4,9 @@
 #include <set>
 #include <string_view>
 
-#include "core/convex_polygon.h"
 #include "draw/layers/layer.h"
+#include "draw/scene/outlines.h"
 #include "draw/scene/quantity.h"
-#include "draw/scene/scripted_bodies.h"
 #include "draw/scene/solid.h"
 
 namespace contactscope::draw {
@@ -50,7 +49,7 @@ void draw_velocity(const Scene& scene, const trace::Body& body, double fastest, 
   if (pixels < kMinVelocity || body.velocity.norm() < kMinShare * fastest) return;
   sketch.explain(kVelocitySwatch,
                  "velocity, way in " + spell_quantity(scene.scales.velocity, "s", 1));
-  sketch.arrows.push_back(arrow_to_scale(center, offset, 3.5f, 13, kMotion));
+  sketch.arrow_to_scale(center, offset, 3.5f, 13, kMotion);
   if (numbered)
     sketch.label(center + offset, spell_quantity(body.velocity.norm(), "m/s"), kMotion, 16, 9,
                  offset.normalized());
@@ -96,8 +95,7 @@ std::vector<trace::Body> moving_bodies(const Scene& scene) {
 /// Middle of the visible part of a shape, at the shape's depth.
 std::optional<Vec3d> seen_middle(const Camera& camera, const PlacedShape& shape) {
   Eigen::AlignedBox2d seen;
-  for (const Vec3d& corner : extent_points(shape))
-    if (const std::optional<Point2> at = camera.project(corner)) seen.extend(Vec2d(at->x, at->y));
+  for (const Vec2d& at : projected(camera, extent_points(shape))) seen.extend(at);
   const Rect& view = camera.viewport();
   seen.clamp({Vec2d(view.x, view.y), Vec2d(view.right(), view.bottom())});
   const Vec3d center = shape.pose.transform(shape.traced().center_of_mass);
@@ -131,12 +129,8 @@ void draw_paths(const Scene& scene, Sketch& sketch) {
     if (!middle) return;
     const Vec3d along = offset.normalized();
     const double metres = scene.scales.pixel * pixels / scene.camera.pixels_per_metre(*middle);
-    sketch.arrows.push_back({.from = *middle - 0.5 * metres * along,
-                             .direction = along,
-                             .pixels = static_cast<float>(pixels),
-                             .width = 3.5f,
-                             .head = 13,
-                             .color = kMotion});
+    sketch.arrow(*middle - 0.5 * metres * along, along, static_cast<float>(pixels), 3.5f, 13,
+                 kMotion);
     const bool is_level = std::abs(along.dot(scene.camera.right())) > 0.5;
     sketch.label(*middle, spell_length(offset.norm()), kMotion, 17, 9,
                  is_level ? scene.camera.up() : scene.camera.right());
@@ -165,11 +159,7 @@ void draw_masses(const Scene& scene, Sketch& sketch) {
                                 scene.camera.up());
     const PlacedShape* shape = scene.find(body.name);
     if (shape == nullptr) continue;
-    for (const Vec3d& corner : extent_points(*shape)) {
-      if (const std::optional<Point2> at = scene.camera.project(corner))
-        label.ground.emplace_back(at->x, at->y);
-    }
-    label.ground = convex_polygon(std::move(label.ground));
+    label.ground = outline_around(scene.camera, extent_points(*shape));
   }
 }
 

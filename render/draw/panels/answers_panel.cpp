@@ -44,8 +44,7 @@ struct AnswerHistory {
 
 class AnswersPanel : public PanelContent {
  public:
-  AnswersPanel(const Staging& staging, const Frames& frames)
-      : scale_(staging.layout.scale), unit_(staging.scales.length) {
+  AnswersPanel(const Staging& staging, const Frames& frames) : PanelContent(staging, frames) {
     for (const trace::Pair* pair : distinct_pairs(frames, has_query)) {
       AnswerHistory& history = histories_.emplace_back();
       history.name = pair_name(*pair);
@@ -55,8 +54,7 @@ class AnswersPanel : public PanelContent {
         if (moment == nullptr || !moment->query) continue;
         answer = answer_kind(*moment);
         history.of_bounds = history.of_bounds || moment->query->shapes.has_value();
-        has_wrong_ =
-            has_wrong_ || *answer == AnswerKind::FalsePositive || *answer == AnswerKind::Missed;
+        has_wrong_ = has_wrong_ || is_wrong(*answer);
       }
     }
     std::ranges::stable_sort(histories_, {}, &AnswerHistory::of_bounds);
@@ -147,34 +145,23 @@ class AnswersPanel : public PanelContent {
   std::string answer_at(const AnswerHistory& history, std::size_t now) const {
     if (!history.answers[now]) return "not asked";
     const trace::Pair& moment = *history.moments[now];
-    if (history.measures) return spell_length(measured(moment), 0, unit_);
+    if (history.measures) return spell_length(measured(moment), 0, staging_.scales.length);
     if (has_measure_) return *history.answers[now] == AnswerKind::Yes ? "yes" : "no";
-    if (!history.of_bounds) return spell_answer(moment, unit_);
-    switch (*history.answers[now]) {
-      case AnswerKind::Yes:
-        return "yes";
-      case AnswerKind::No:
-        return "no";
-      case AnswerKind::FalsePositive:
-        return "yes, falsely";
-      case AnswerKind::Missed:
-        break;
-    }
-    return "no, falsely";
+    if (!history.of_bounds) return spell_answer(moment, staging_.scales.length);
+    return spell_answer_kind(*history.answers[now]);
   }
 
   /// For bounds, the count up to a frame: "falsely in 5 of 24 frames". Empty if none is wrong.
   static std::string record(const AnswerHistory& history, std::size_t now) {
-    int requested = 0, wrong = 0;
+    std::size_t requested = 0, wrong = 0;
     for (std::size_t f = 0; f <= now; ++f) {
       const auto& answer = history.answers[f];
       if (!answer) continue;
       ++requested;
-      wrong += *answer == AnswerKind::FalsePositive || *answer == AnswerKind::Missed;
+      wrong += is_wrong(*answer);
     }
     if (wrong == 0) return {};
-    return "falsely in " + std::to_string(wrong) + " of " + std::to_string(requested) +
-           (requested == 1 ? " frame" : " frames");
+    return "falsely in " + std::to_string(wrong) + " of " + counted(requested, "frame", "frames");
   }
 
   void draw_cells(const AnswerHistory& history, std::size_t now, const Sheet& sheet) const {
@@ -202,9 +189,7 @@ class AnswersPanel : public PanelContent {
     pen.frame({here, rest.y - pen.px(1.5), cell, height + pen.px(3)}, 1.5, kText);
   }
 
-  float scale_;
-  double larger_ = 1;  // enlargement if the sheet has room
-  LengthUnit unit_;
+  double larger_ = 1;                     // enlargement if the sheet has room
   bool has_wrong_ = false;                // some bounds answered wrongly in some frame
   bool has_measure_ = false;              // some query of a distance or depth, and none of bounds
   double farthest_ = 0;                   // metres, largest of these answers
@@ -213,8 +198,6 @@ class AnswersPanel : public PanelContent {
 
 }  // namespace
 
-std::unique_ptr<PanelContent> make_answers_panel(const Staging& staging, const Frames& frames) {
-  return std::make_unique<AnswersPanel>(staging, frames);
-}
+const PanelDrawing kAnswersPanel{.needs = {&Stages::query}, .make = make_panel<AnswersPanel>};
 
 }  // namespace contactscope::draw

@@ -23,8 +23,7 @@ bool is_query_of_time(const trace::Pair& pair) {
 /// time before which they cannot meet: the next point.
 class ApproachPanel : public PanelContent {
  public:
-  ApproachPanel(const Staging& staging, const Frames& frames)
-      : frames_(frames), scale_(staging.layout.scale) {}
+  using PanelContent::PanelContent;
 
   PanelNeed need(const PanelMoment&) const override {
     const auto high = [&](double chart) {
@@ -43,8 +42,8 @@ class ApproachPanel : public PanelContent {
       return {};
     }
     const trace::Impact& impact = *pair->impact;
-    sheet.row("method", in_words(impact.method) + ", " + std::to_string(impact.steps.size()) +
-                            (impact.steps.size() == 1 ? " step" : " steps"));
+    sheet.row("method",
+              in_words(impact.method) + ", " + counted(impact.steps.size(), "step", "steps"));
     sheet.row("answer", in_words(impact.status) +
                             (impact.status == "hit"
                                  ? ", at " + printed("%.1f", 100 * impact.time) + " % of the step"
@@ -52,8 +51,9 @@ class ApproachPanel : public PanelContent {
     if (!impact.steps.empty())
       sheet.line("pink: the distance falls no faster than this", kAxisText);
     if (!impact.distances.empty()) draw_chart(impact, sheet);
-    const auto others = std::ranges::count_if(pairs, is_query_of_time) - 1;
-    return others == 0 ? "" : std::to_string(others) + (others == 1 ? " pair" : " pairs");
+    const auto others =
+        static_cast<std::size_t>(std::ranges::count_if(pairs, is_query_of_time) - 1);
+    return others == 0 ? "" : counted(others, "pair", "pairs");
   }
 
  private:
@@ -120,15 +120,10 @@ class ApproachPanel : public PanelContent {
     return (1 - part) * impact.distances[before].distance +
            part * impact.distances[before + 1].distance;
   }
-
-  const Frames& frames_;
-  float scale_;
 };
 
 }  // namespace
 
-std::unique_ptr<PanelContent> make_approach_panel(const Staging& staging, const Frames& frames) {
-  return std::make_unique<ApproachPanel>(staging, frames);
-}
+const PanelDrawing kApproachPanel{.make = make_panel<ApproachPanel>};
 
 }  // namespace contactscope::draw

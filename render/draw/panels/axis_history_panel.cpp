@@ -30,16 +30,12 @@ bool from_cache(const trace::Pair& pair) {
   return pair.cache && pair.cache->hit;
 }
 
-std::string number_of(int number, const std::string& one, const char* plural) {
-  return std::to_string(number) + " " + one + (number == 1 ? "" : plural);
-}
-
 /// Counts up to a frame.
 struct AxisCounts {
-  int switches = 0, hits = 0, tests = 0;
+  std::size_t switches = 0, hits = 0, tests = 0;
 };
 
-AxisCounts counted(const std::vector<AxisMoment>& moments, std::size_t now) {
+AxisCounts axis_counts(const std::vector<AxisMoment>& moments, std::size_t now) {
   AxisCounts counts;
   for (const AxisMoment& moment : std::span(moments).first(now + 1)) {
     if (moment.pair == nullptr) continue;
@@ -51,10 +47,10 @@ AxisCounts counted(const std::vector<AxisMoment>& moments, std::size_t now) {
 
 /// "2 switches", and with a cache the number of full tests.
 std::string record(const AxisCounts& counts) {
-  std::string text = number_of(counts.switches, "switch", "es");
+  std::string text = counted(counts.switches, "switch", "switches");
   if (counts.hits > 0)
-    text += ", " + number_of(counts.tests, "full test", "s") + ", " +
-            number_of(counts.hits, "cache hit", "s");
+    text += ", " + counted(counts.tests, "full test", "full tests") + ", " +
+            counted(counts.hits, "cache hit", "cache hits");
   return text;
 }
 
@@ -62,7 +58,7 @@ std::string record(const AxisCounts& counts) {
 /// change of face or edge pair. With a cache, a row below shows the frames that tested all axes.
 class AxisHistoryPanel : public PanelContent {
  public:
-  AxisHistoryPanel(const Staging& staging, const Frames& frames) : scale_(staging.layout.scale) {
+  AxisHistoryPanel(const Staging& staging, const Frames& frames) : PanelContent(staging, frames) {
     cached_ = std::ranges::any_of(
         frames, [](const trace::Frame& frame) { return first_pair(frame, from_cache) != nullptr; });
     const std::vector<const trace::Pair*> pairs =
@@ -103,7 +99,7 @@ class AxisHistoryPanel : public PanelContent {
                      static_cast<float>(kAxisRows.size()));
     for (const auto& [name, moments] : std::span(pairs_).first(shown)) {
       if (!(headline_height() > 0))
-        sheet.line(name + ": " + record(counted(moments, moment.frame)), kText);
+        sheet.line(name + ": " + record(axis_counts(moments, moment.frame)), kText);
       draw_rows(moments, moment.frame, row, sheet);
       sheet.skip(row * static_cast<float>(kAxisRows.size()));
       if (cached_) {
@@ -127,7 +123,7 @@ class AxisHistoryPanel : public PanelContent {
 
   /// Summary of the history, large enough to be legible on a thumbnail.
   void draw_headline(const std::vector<AxisMoment>& moments, std::size_t now, Sheet& sheet) const {
-    const AxisCounts counts = counted(moments, now);
+    const AxisCounts counts = axis_counts(moments, now);
     const Rect rest = sheet.rest();
     const Pen& pen = sheet.pen();
     const std::string number = std::to_string(counts.hits) + " of " + std::to_string(now + 1);
@@ -205,7 +201,6 @@ class AxisHistoryPanel : public PanelContent {
     }
   }
 
-  float scale_;
   bool cached_ = false;    // some frame has a cache hit
   std::size_t count_ = 0;  // pairs with a known axis
   std::vector<std::pair<std::string, std::vector<AxisMoment>>> pairs_;  // the first pairs, by name
@@ -213,9 +208,6 @@ class AxisHistoryPanel : public PanelContent {
 
 }  // namespace
 
-std::unique_ptr<PanelContent> make_axis_history_panel(const Staging& staging,
-                                                      const Frames& frames) {
-  return std::make_unique<AxisHistoryPanel>(staging, frames);
-}
+const PanelDrawing kAxisHistoryPanel{.needs = {&Stages::sat}, .make = make_panel<AxisHistoryPanel>};
 
 }  // namespace contactscope::draw

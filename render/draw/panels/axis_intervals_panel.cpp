@@ -25,11 +25,7 @@ bool has_axes(const trace::Pair& pair) {
 
 class AxisIntervalsPanel : public PanelContent {
  public:
-  AxisIntervalsPanel(const Staging& staging, const Frames& frames)
-      : frames_(frames),
-        scale_(staging.layout.scale),
-        unit_(staging.scales.length),
-        staging_(staging) {
+  AxisIntervalsPanel(const Staging& staging, const Frames& frames) : PanelContent(staging, frames) {
     for (const trace::Frame& frame : frames) {
       for (const trace::Pair& pair : frame.pairs) {
         if (!is_shown(pair)) continue;
@@ -130,8 +126,9 @@ class AxisIntervalsPanel : public PanelContent {
     }
     const std::string gap = vanishes       ? "parallel"
                             : axis.skipped ? "skipped"
-                            : axis.gap > 0 ? spell_separation(axis.gap, 0, unit_)
-                                           : spell_length(std::abs(axis.gap), 0, unit_);
+                            : axis.gap > 0
+                                ? spell_separation(axis.gap, 0, staging_.scales.length)
+                                : spell_length(std::abs(axis.gap), 0, staging_.scales.length);
     const float baseline = static_cast<float>(rest.y) + sheet.text_height() * 0.86f;
     pen.text(gap, {static_cast<float>(rest.right()), baseline}, Align::Right,
              axis.separates ? kAxisText
@@ -141,19 +138,13 @@ class AxisIntervalsPanel : public PanelContent {
     sheet.line(spell_axis(query, axis), counts ? kText : kQuietText);
   }
 
-  const Frames& frames_;
-  float scale_;
-  LengthUnit unit_;
-  const Staging& staging_;
   double larger_ = 1;  // enlargement if the sheet has room
   double reach_ = 0;   // metres: largest distance of an interval's end from the middle
 };
 
 }  // namespace
 
-std::unique_ptr<PanelContent> make_axis_intervals_panel(const Staging& staging,
-                                                        const Frames& frames) {
-  return std::make_unique<AxisIntervalsPanel>(staging, frames);
-}
+const PanelDrawing kAxisIntervalsPanel{.needs = {&Stages::query},
+                                       .make = make_panel<AxisIntervalsPanel>};
 
 }  // namespace contactscope::draw

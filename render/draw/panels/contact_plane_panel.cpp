@@ -4,7 +4,6 @@
 
 #include "draw/insets/contact_plane.h"
 #include "draw/panels/panel.h"
-#include "draw/scene/kept_area.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/points.h"
 #include "draw/scene/quantity.h"
@@ -58,8 +57,7 @@ constexpr Color pale(const Color& color) {
 /// Contact plane of the first touching pair in one frame.
 class ContactPlanePanel : public PanelContent {
  public:
-  ContactPlanePanel(const Staging& staging, const Frames& frames)
-      : staging_(staging), frames_(frames) {
+  ContactPlanePanel(const Staging& staging, const Frames& frames) : PanelContent(staging, frames) {
     // The patch and the incident face must fit into the map. The reference face may be a whole
     // floor, and is cut at the map's border; of two round shapes the smaller one counts.
     for (const trace::Frame& frame : frames) {
@@ -79,9 +77,8 @@ class ContactPlanePanel : public PanelContent {
   }
 
   PanelNeed need(const PanelMoment&) const override {
-    const float scale = staging_.layout.scale;
-    const float lines = (kMinMapLines + kCaptionLines) * Sheet::line_height(scale);
-    const float least = Sheet::heading_height(scale) + lines;
+    const float lines = (kMinMapLines + kCaptionLines) * Sheet::line_height(scale_);
+    const float least = Sheet::heading_height(scale_) + lines;
     return {least, least, 0, 2};
   }
 
@@ -242,17 +239,13 @@ class ContactPlanePanel : public PanelContent {
     draw_plain_point(plane.at(point.position), plane, stands_off(point, staging_.scales));
   }
 
-  const Staging& staging_;
-  const Frames& frames_;
   std::vector<Vec3d> points_;                    // must fit in all frames
   std::vector<std::pair<Vec3d, double>> balls_;  // centre and radius; must fit too
 };
 
 }  // namespace
 
-std::unique_ptr<PanelContent> make_contact_plane_panel(const Staging& staging,
-                                                       const Frames& frames) {
-  return std::make_unique<ContactPlanePanel>(staging, frames);
-}
+const PanelDrawing kContactPlanePanel{.needs = {&Stages::clip, &Stages::reduction},
+                                      .make = make_panel<ContactPlanePanel>};
 
 }  // namespace contactscope::draw

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "draw/panels/panel.h"
+#include "draw/scene/box_outline.h"
 #include "draw/scene/pair_words.h"
 
 /// State of sweep and prune: the ends of all boxes, sorted on each axis, and the ends that have
@@ -23,21 +24,14 @@ constexpr const char* kAxes[] = {"x", "y", "z"};
 // If two boxes swap ends: the colour of a pair that begins or ends is that of overlapping boxes.
 constexpr Color kPairPasses = kBox, kOthersPass = kShapeEdge;
 
-std::string number_of(int number, const char* one, const char* many) {
-  return std::to_string(number) + " " + (number == 1 ? one : many);
-}
-
 class EndpointsPanel : public PanelContent {
  public:
-  EndpointsPanel(const Staging& staging, const Frames& frames)
-      : frames_(frames), scale_(staging.layout.scale) {
+  EndpointsPanel(const Staging& staging, const Frames& frames) : PanelContent(staging, frames) {
     for (const trace::Frame& frame : frames) {
       if (!frame.broad_phase) continue;
       boxes_ = std::max(boxes_, frame.broad_phase->bounds.size());
-      for (const trace::Bounds& bounds : frame.broad_phase->bounds) {
-        world_.extend(bounds.box.lower);
-        world_.extend(bounds.box.upper);
-      }
+      for (const trace::Bounds& bounds : frame.broad_phase->bounds)
+        world_.extend(solid_box(bounds.box));
     }
   }
 
@@ -103,7 +97,8 @@ class EndpointsPanel : public PanelContent {
 
   /// Describes the swaps on an axis; for a single swap with the names of the two boxes.
   static std::string what_passes(const trace::BroadPhase& phase, int axis) {
-    int swaps = 0, begun = 0, ended = 0;
+    int swaps = 0;
+    std::size_t begun = 0, ended = 0;
     const trace::EndSwap* last = nullptr;
     for (const trace::EndSwap& swap : phase.end_swaps) {
       if (swap.axis != kAxes[axis]) continue;
@@ -119,10 +114,10 @@ class EndpointsPanel : public PanelContent {
              in_words(swap.upper);
     }
     const std::string outcome = begun + ended == 0 ? "no pair begins"
-                                : ended == 0       ? number_of(begun, "pair begins", "pairs begin")
-                                : begun == 0       ? number_of(ended, "pair ends", "pairs end")
-                                             : number_of(begun, "pair begins", "pairs begin") +
-                                                   ", " + number_of(ended, "ends", "end");
+                                : ended == 0       ? counted(begun, "pair begins", "pairs begin")
+                                : begun == 0       ? counted(ended, "pair ends", "pairs end")
+                                             : counted(begun, "pair begins", "pairs begin") + ", " +
+                                                   counted(ended, "ends", "end");
     if (swaps > 1) return std::to_string(swaps) + " ends pass, " + outcome;
     return in_words(last->lower) + " passes " + in_words(last->upper) + ", " + outcome;
   }
@@ -183,16 +178,12 @@ class EndpointsPanel : public PanelContent {
     return color;
   }
 
-  const Frames& frames_;
-  float scale_;
   std::size_t boxes_ = 0;
   Eigen::AlignedBox3d world_;
 };
 
 }  // namespace
 
-std::unique_ptr<PanelContent> make_endpoints_panel(const Staging& staging, const Frames& frames) {
-  return std::make_unique<EndpointsPanel>(staging, frames);
-}
+const PanelDrawing kEndpointsPanel{.needs = {&Stages::cells}, .make = make_panel<EndpointsPanel>};
 
 }  // namespace contactscope::draw

@@ -14,19 +14,15 @@ constexpr double kMatrixCaption = 22;  // pixels at 720 lines, left of and below
 constexpr double kMinMatrix = 150, kGoodMatrix = 300, kMaxMatrix = 316;
 constexpr double kMinBlock = 2.6;  // smallest size of a pair of leaves
 
-const trace::Pair* queried_pair(const trace::Frame& frame) {
-  const auto found = std::ranges::find_if(frame.pairs, [](const trace::Pair& pair) {
-    return pair.query && !pair.query->node_pairs.empty();
-  });
-  return found == frame.pairs.end() ? nullptr : &*found;
+bool has_node_pairs(const trace::Pair& pair) {
+  return pair.query && !pair.query->node_pairs.empty();
 }
 
 /// Matrix of all pairs of a triangle of A (rows) and one of B (columns), both in tree order. The
 /// area of a skipped block is the work that it saves.
 class NodePairsPanel : public PanelContent {
  public:
-  NodePairsPanel(const Staging& staging, const Frames& frames)
-      : frames_(frames), scale_(staging.layout.scale) {}
+  using PanelContent::PanelContent;
 
   PanelNeed need(const PanelMoment&) const override {
     const auto high = [&](double matrix) {
@@ -38,7 +34,7 @@ class NodePairsPanel : public PanelContent {
 
   std::string lay_out(const PanelMoment& moment, Sheet& sheet) override {
     sheet.heading("triangles of A against those of B");
-    const trace::Pair* pair = queried_pair(frames_[moment.frame]);
+    const trace::Pair* pair = first_pair(frames_[moment.frame], has_node_pairs);
     if (pair == nullptr) {
       sheet.paragraph("does not apply: no two meshes are asked in this frame", kQuietText);
       return {};
@@ -96,15 +92,11 @@ class NodePairsPanel : public PanelContent {
              kQuietText);
     pen.text("A", pixel(rest.x, matrix.y + 0.5 * side), Align::Left, kArcOfA, Weight::Bold);
   }
-
-  const Frames& frames_;
-  float scale_;
 };
 
 }  // namespace
 
-std::unique_ptr<PanelContent> make_node_pairs_panel(const Staging& staging, const Frames& frames) {
-  return std::make_unique<NodePairsPanel>(staging, frames);
-}
+const PanelDrawing kNodePairsPanel{.needs = {&Stages::query, &Stages::node_pairs},
+                                   .make = make_panel<NodePairsPanel>};
 
 }  // namespace contactscope::draw

@@ -26,7 +26,7 @@ using Bins = std::array<std::size_t, kBins>;
 /// and are the same in all frames of a sequence, as is their height for a point.
 class OverlapsPanel : public PanelContent {
  public:
-  OverlapsPanel(const Staging& staging, const Frames& frames) : staging_(staging), frames_(frames) {
+  OverlapsPanel(const Staging& staging, const Frames& frames) : PanelContent(staging, frames) {
     double deepest = 0;  // metres
     each_overlap(frames, [&](double overlap) { deepest = std::max(deepest, overlap); });
     if (deepest <= 0) return;
@@ -39,10 +39,9 @@ class OverlapsPanel : public PanelContent {
   }
 
   PanelNeed need(const PanelMoment&) const override {
-    const float scale = staging_.layout.scale;
     const auto high = [&](double bars) {
-      return Sheet::heading_height(scale) +
-             scale * static_cast<float>(bars + kAboveBars + kBelowBars);
+      return Sheet::heading_height(scale_) +
+             scale_ * static_cast<float>(bars + kAboveBars + kBelowBars);
     };
     return {high(kMinBars), high(1.5 * kMinBars), high(kMaxBars), 0};
   }
@@ -96,9 +95,8 @@ class OverlapsPanel : public PanelContent {
   static void each_overlap(std::span<const trace::Frame> frames, const Visit& visit) {
     for (const trace::Frame& frame : frames)
       for (const trace::Pair& pair : frame.pairs)
-        for (const trace::Manifold& manifold : pair.manifolds)
-          for (const trace::Point& point : manifold.points)
-            if (point.separation < 0) visit(-point.separation);
+        for (const auto& [manifold, point] : all_points(pair))
+          if (point->separation < 0) visit(-point->separation);
   }
 
   /// 1, 2 or 5 times a power of ten, metres; 0 is 1 m.
@@ -120,16 +118,12 @@ class OverlapsPanel : public PanelContent {
     return bins;
   }
 
-  const Staging& staging_;
-  const Frames& frames_;
   int first_ = 0;         // end of the first bin
   std::size_t most_ = 0;  // points in a bin
 };
 
 }  // namespace
 
-std::unique_ptr<PanelContent> make_overlaps_panel(const Staging& staging, const Frames& frames) {
-  return std::make_unique<OverlapsPanel>(staging, frames);
-}
+const PanelDrawing kOverlapsPanel{.make = make_panel<OverlapsPanel>};
 
 }  // namespace contactscope::draw

@@ -1,38 +1,14 @@
 #include "draw/panels/panel.h"
 
 #include <algorithm>
-#include <iterator>
 #include <numeric>
 
 namespace contactscope::draw {
-namespace {
-
-constexpr std::pair<Panel, MakePanel*> kPanelRows[] = {
-    {Panel::Summary, make_summary_panel},
-    {Panel::Worst, make_worst_panel},
-    {Panel::Overlaps, make_overlaps_panel},
-    {Panel::ContactPlane, make_contact_plane_panel},
-    {Panel::AxisHistory, make_axis_history_panel},
-    {Panel::Stability, make_stability_panel},
-    {Panel::Plots, make_plots_panel},
-    {Panel::Pipeline, make_pipeline_panel},
-    {Panel::Endpoints, make_endpoints_panel},
-    {Panel::NodePairs, make_node_pairs_panel},
-    {Panel::TreeCost, make_tree_cost_panel},
-    {Panel::AxisIntervals, make_axis_intervals_panel},
-    {Panel::Answers, make_answers_panel},
-    {Panel::Approach, make_approach_panel},
-};
-
-}  // namespace
-
 std::vector<FilledPanel> make_panels(const Staging& staging, const Frames& frames) {
   std::vector<FilledPanel> panels;
-  for (const Panel panel : staging.view.panels) {
-    for (const auto& [known, make] : kPanelRows) {
-      if (known == panel) panels.push_back({panel, make(staging, frames)});
-    }
-  }
+  for (const Panel panel : staging.view.panels)
+    if (const auto make = kPanels[static_cast<std::size_t>(panel)]->make)
+      panels.push_back({panel, make(staging, frames)});
   return panels;
 }
 

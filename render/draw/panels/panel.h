@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -27,9 +28,7 @@ class Sheet {
   void heading(const std::string& text);
   /// Enlarges the following rows, so that a panel with enough room is legible on a slide as well.
   void enlarge(double times);
-  void line(const std::string& text, const Color& color) { lines({text}, color); }
-  /// Lines without spacing between them.
-  void lines(const std::vector<std::string>& all, const Color& color);
+  void line(const std::string& text, const Color& color);
   void paragraph(const std::string& text, const Color& color);
   /// Name and value in two columns.
   void row(const std::string& name, const std::string& value);
@@ -81,10 +80,15 @@ struct PanelNeed {
   float share = 0;   // share among panels with `wanted` 0
 };
 
+using Frames = std::vector<trace::Frame>;  // of a whole sequence
+
 /// Content of one panel for a sequence. It reads the frames once, when it is made or first laid
 /// out. After that the cost of a picture depends only on what it shows.
 class PanelContent {
  public:
+  /// Staging and frames outlive the content.
+  PanelContent(const Staging& staging, const Frames& frames)
+      : staging_(staging), frames_(frames), scale_(staging.layout.scale) {}
   virtual ~PanelContent() = default;
 
   /// Heights for the sheet. They are equal in all frames of a sequence with the same pairs.
@@ -92,9 +96,12 @@ class PanelContent {
 
   /// Fills the sheet. Returns a description of what did not fit, "2 pairs", or an empty string.
   virtual std::string lay_out(const PanelMoment& moment, Sheet& sheet) = 0;
-};
 
-using Frames = std::vector<trace::Frame>;  // of a whole sequence
+ protected:
+  const Staging& staging_;
+  const Frames& frames_;
+  const float scale_;  // pixels for one pixel at 720 lines
+};
 
 struct FilledPanel {
   Panel panel;
@@ -113,12 +120,26 @@ std::vector<FilledPanel> make_panels(const Staging& staging, const Frames& frame
 std::vector<float> divide_column(const std::vector<PanelNeed>& needs, float height, float gap,
                                  float note);
 
-// The panels, one file each.
-using MakePanel = std::unique_ptr<PanelContent>(const Staging&, const Frames&);
-MakePanel make_summary_panel, make_worst_panel, make_overlaps_panel;
-MakePanel make_contact_plane_panel, make_axis_history_panel;
-MakePanel make_stability_panel, make_plots_panel, make_pipeline_panel, make_endpoints_panel;
-MakePanel make_node_pairs_panel, make_tree_cost_panel;
-MakePanel make_axis_intervals_panel, make_answers_panel, make_approach_panel;
+/// The parts of a panel except its name: the stages it needs, and its content, which an inset does
+/// not have. It is defined in the panel's or inset's file.
+struct PanelDrawing {
+  std::array<bool Stages::*, 3> needs{};
+  std::unique_ptr<PanelContent> (*make)(const Staging&, const Frames&) = nullptr;
+};
+
+template <class Content>
+std::unique_ptr<PanelContent> make_panel(const Staging& staging, const Frames& frames) {
+  return std::make_unique<Content>(staging, frames);
+}
+
+#define CONTACTSCOPE_DECLARE(panel, name) extern const PanelDrawing k##panel##Panel;
+CONTACTSCOPE_PANELS(CONTACTSCOPE_DECLARE)
+#undef CONTACTSCOPE_DECLARE
+
+/// One entry for each Panel, in order.
+#define CONTACTSCOPE_ENTRY(panel, name) &k##panel##Panel,
+inline constexpr std::array<const PanelDrawing*, kPanelNames.size()> kPanels = {
+    CONTACTSCOPE_PANELS(CONTACTSCOPE_ENTRY)};
+#undef CONTACTSCOPE_ENTRY
 
 }  // namespace contactscope::draw

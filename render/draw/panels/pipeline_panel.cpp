@@ -79,7 +79,7 @@ std::vector<StageCount> stages_of(const trace::Frame& frame, const PairUse& use)
 class PipelinePanel : public PanelContent {
  public:
   PipelinePanel(const Staging& staging, const Frames& frames)
-      : frames_(frames), use_(use_of(staging.view, frames)), scale_(staging.layout.scale) {
+      : PanelContent(staging, frames), use_(use_of(staging.view, frames)) {
     for (const trace::Frame& frame : frames)
       for (const StageCount& stage : stages_of(frame, use_))
         if (stage.of_pairs) most_ = std::max(most_, stage.count);
@@ -137,16 +137,12 @@ class PipelinePanel : public PanelContent {
     return static_cast<float>(height);
   }
 
-  const Frames& frames_;
   PairUse use_;
-  float scale_;
   std::int64_t most_ = 1;  // pairs
 };
 
 }  // namespace
 
-std::unique_ptr<PanelContent> make_pipeline_panel(const Staging& staging, const Frames& frames) {
-  return std::make_unique<PipelinePanel>(staging, frames);
-}
+const PanelDrawing kPipelinePanel{.make = make_panel<PipelinePanel>};
 
 }  // namespace contactscope::draw

@@ -29,7 +29,7 @@ constexpr double kLegibleIdRow = 3.4;  // thinner rows look like a solid block
 /// gathered when a picture first needs them.
 class PlotsPanel : public PanelContent {
  public:
-  PlotsPanel(const Staging& staging, const Frames& frames) : staging_(staging), frames_(frames) {
+  PlotsPanel(const Staging& staging, const Frames& frames) : PanelContent(staging, frames) {
     solved_ = std::ranges::any_of(
         frames, [](const trace::Frame& frame) { return frame.solver.has_value(); });
   }
@@ -200,8 +200,6 @@ class PlotsPanel : public PanelContent {
     }
   }
 
-  const Staging& staging_;
-  const Frames& frames_;
   bool solved_ = false;
   std::vector<SeriesChart> charts_;
   std::vector<std::string> names_;      // of the curves
@@ -211,8 +209,6 @@ class PlotsPanel : public PanelContent {
 
 }  // namespace
 
-std::unique_ptr<PanelContent> make_plots_panel(const Staging& staging, const Frames& frames) {
-  return std::make_unique<PlotsPanel>(staging, frames);
-}
+const PanelDrawing kPlotsPanel{.make = make_panel<PlotsPanel>};
 
 }  // namespace contactscope::draw

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/at.h"
 #include "draw/panels/panel.h"
 #include "draw/scene/layout.h"
+#include "draw/scene/quantity.h"
 #include "view/words.h"
 
 namespace contactscope::draw {
@@ -95,9 +95,8 @@ void Sheet::write(const std::vector<std::string>& lines, float x, const Color& c
   skip(text_ * static_cast<float>(lines.size()));
 }
 
-void Sheet::lines(const std::vector<std::string>& all, const Color& color) {
-  write(mapped(all, [&](const std::string& one) { return pen_.said(one).text; }),
-        static_cast<float>(rect_.x), color);
+void Sheet::line(const std::string& text, const Color& color) {
+  write({pen_.said(text).text}, static_cast<float>(rect_.x), color);
 }
 
 void Sheet::paragraph(const std::string& text, const Color& color) {
@@ -117,9 +116,8 @@ void Sheet::row(const std::string& name, const std::string& value) {
 
 std::string Sheet::more(std::size_t count, const char* one, const char* many) {
   if (count == 0) return {};
-  const std::string things = count == 1 ? one : many, number = std::to_string(count);
-  line("and " + number + " more " + things, kQuietText);
-  return number + " " + things;
+  line("and " + std::to_string(count) + " more " + (count == 1 ? one : many), kQuietText);
+  return counted(count, one, many);
 }
 
 Rect Sheet::rest() const {

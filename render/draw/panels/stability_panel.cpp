@@ -35,19 +35,12 @@ constexpr std::size_t kMaxMaps = 3;
 constexpr std::array<std::string_view, 3> kVerdicts{"stable", "turns about a line",
                                                     "turns about a point"};
 
-Point2 nearest_on(const Point2& from, const Point2& to, const Point2& p) {
-  const Point2 offset = to - from;
-  const float squared = dot(offset, offset);
-  if (!(squared > 0)) return from;
-  return from + std::clamp(dot(p - from, offset) / squared, 0.0f, 1.0f) * offset;
-}
-
 /// Arrow from the projection to the nearest point of the border.
 void draw_margin(const Point2& from, const std::vector<Point2>& border, const Pen& pen) {
   if (border.empty()) return;
   std::vector<Point2> places;
   for (std::size_t i = 0; i < border.size(); ++i)
-    places.push_back(nearest_on(border[i], border[(i + 1) % border.size()], from));
+    places.push_back(Segment2{border[i], border[(i + 1) % border.size()]}.nearest(from));
   const auto reach = [&](const Point2& place) { return distance(place, from); };
   const Point2 nearest = std::ranges::min(places, {}, reach);
   const float least = reach(nearest);
@@ -66,8 +59,7 @@ void draw_margin(const Point2& from, const std::vector<Point2>& border, const Pe
 /// scale. Without room for everything, the map has priority.
 class StabilityPanel : public PanelContent {
  public:
-  StabilityPanel(const Staging& staging, const Frames& frames)
-      : staging_(staging), frames_(frames) {
+  StabilityPanel(const Staging& staging, const Frames& frames) : PanelContent(staging, frames) {
     has_ages_ = staging.view.shows(Layer::Persistent) &&
                 std::ranges::any_of(frames, [](const trace::Frame& frame) {
                   return first_pair(frame, [](const trace::Pair& pair) {
@@ -293,8 +285,6 @@ class StabilityPanel : public PanelContent {
     draw_time_axis(frames_.back().time, rows.x, rows.width, top + 0.82 * pen.px(kTimeRow), pen);
   }
 
-  const Staging& staging_;
-  const Frames& frames_;
   std::vector<History> histories_;
   SeriesChart margins_{"margin", "m"};
   bool has_ages_ = false;  // the picture shows ages: points without an age look different
@@ -302,8 +292,7 @@ class StabilityPanel : public PanelContent {
 
 }  // namespace
 
-std::unique_ptr<PanelContent> make_stability_panel(const Staging& staging, const Frames& frames) {
-  return std::make_unique<StabilityPanel>(staging, frames);
-}
+const PanelDrawing kStabilityPanel{.needs = {&Stages::stability},
+                                   .make = make_panel<StabilityPanel>};
 
 }  // namespace contactscope::draw

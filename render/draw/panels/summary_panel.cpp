@@ -32,7 +32,7 @@ std::string kinds_in_words(std::string kind) {
   return dash == std::string::npos ? kind : kind.replace(dash, 1, " and ");
 }
 
-std::string counted(const trace::Pair& pair) {
+std::string kept_of_all(const trace::Pair& pair) {
   const std::size_t kept = all_points(pair).size();
   const std::string text = std::to_string(kept);
   if (pair.manifolds.size() > 1)
@@ -62,7 +62,7 @@ void for_each_row(const Staging& staging, const trace::Frame& frame, const trace
                         noise_of(*staging.header, staging.meshes, frame, pair),
                         staging.scales.length);
   });
-  if (!pair.manifolds.empty()) add("points", [&] { return counted(pair); });
+  if (!pair.manifolds.empty()) add("points", [&] { return kept_of_all(pair); });
   if (pair.incremental) {
     const trace::Incremental& incremental = *pair.incremental;
     add("cores", [&] {
@@ -95,8 +95,7 @@ class SummaryPanel : public PanelContent {
  public:
   // A pair reserves the rows of a touching one, so that panels below do not move when it separates,
   // and at least the rows of the longest frame.
-  SummaryPanel(const Staging& staging, const Frames& frames)
-      : staging_(staging), frames_(frames), scale_(staging.layout.scale) {
+  SummaryPanel(const Staging& staging, const Frames& frames) : PanelContent(staging, frames) {
     std::size_t rows = 1;
     for (const trace::Frame& frame : frames) {
       for (const trace::Pair& pair : frame.pairs) {
@@ -164,16 +163,12 @@ class SummaryPanel : public PanelContent {
            Sheet::line_height(scale_) * static_cast<float>(lines);
   }
 
-  const Staging& staging_;
-  const Frames& frames_;
-  float scale_;
   float pair_height_ = 0;  // pixels
 };
 
 }  // namespace
 
-std::unique_ptr<PanelContent> make_summary_panel(const Staging& staging, const Frames& frames) {
-  return std::make_unique<SummaryPanel>(staging, frames);
-}
+const PanelDrawing kSummaryPanel{.needs = {&Stages::sat, &Stages::reduction, &Stages::query},
+                                 .make = make_panel<SummaryPanel>};
 
 }  // namespace contactscope::draw

@@ -42,8 +42,7 @@ class NamedCurves {
 /// areas of its boxes. A rebuild shows as a sawtooth.
 class TreeCostPanel : public PanelContent {
  public:
-  TreeCostPanel(const Staging& staging, const Frames& frames)
-      : frames_(frames), scale_(staging.layout.scale) {}
+  using PanelContent::PanelContent;
 
   PanelNeed need(const PanelMoment&) const override {
     const auto high = [&](double chart) {
@@ -111,16 +110,12 @@ class TreeCostPanel : public PanelContent {
     names_ = shown.names;
   }
 
-  const Frames& frames_;
-  float scale_;
   SeriesChart chart_;
   std::vector<std::string> names_;
 };
 
 }  // namespace
 
-std::unique_ptr<PanelContent> make_tree_cost_panel(const Staging& staging, const Frames& frames) {
-  return std::make_unique<TreeCostPanel>(staging, frames);
-}
+const PanelDrawing kTreeCostPanel{.needs = {&Stages::query}, .make = make_panel<TreeCostPanel>};
 
 }  // namespace contactscope::draw

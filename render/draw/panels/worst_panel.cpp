@@ -26,8 +26,7 @@ constexpr Ranking kRankings[] = {
 /// The pairs of a frame with the largest overlaps, impulses and changes, among any number of pairs.
 class WorstPanel : public PanelContent {
  public:
-  WorstPanel(const Staging& staging, const Frames& frames)
-      : staging_(staging), frames_(frames), scale_(staging.layout.scale) {
+  WorstPanel(const Staging& staging, const Frames& frames) : PanelContent(staging, frames) {
     for (const trace::Frame& frame : frames)
       for (const trace::Pair& pair : frame.pairs)
         has_impulses_ = has_impulses_ || impulse_of(pair) > 0;
@@ -55,8 +54,7 @@ class WorstPanel : public PanelContent {
       }
       draw_ranking(ranking, moment.frame, sheet);
     }
-    if (left_out == 0) return {};
-    return std::to_string(left_out) + (left_out == 1 ? " ranking" : " rankings");
+    return left_out == 0 ? "" : counted(left_out, "ranking", "rankings");
   }
 
  private:
@@ -127,16 +125,11 @@ class WorstPanel : public PanelContent {
     sheet.skip_to(static_cast<double>(end));
   }
 
-  const Staging& staging_;
-  const Frames& frames_;
-  float scale_;
   bool has_impulses_ = false;
 };
 
 }  // namespace
 
-std::unique_ptr<PanelContent> make_worst_panel(const Staging& staging, const Frames& frames) {
-  return std::make_unique<WorstPanel>(staging, frames);
-}
+const PanelDrawing kWorstPanel{.make = make_panel<WorstPanel>};
 
 }  // namespace contactscope::draw

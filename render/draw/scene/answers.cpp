@@ -36,8 +36,7 @@ std::string spell_containment(const trace::Pair& pair, const trace::Containment&
 /// Number of intersecting triangle pairs; without an overlap the meshes only touch.
 std::string spell_intersections(const trace::Pair& pair) {
   const std::size_t count = pair.intersections.size();
-  const std::string text =
-      ": " + std::to_string(count) + (count == 1 ? " pair of triangles " : " pairs of triangles ");
+  const std::string text = ": " + counted(count, "pair of triangles ", "pairs of triangles ");
   if (!pair.overlap.value_or(false))
     return text + (count == 1 ? "touches" : "touch") + ", none cross";
   return text + (count == 1 ? "meets" : "meet");
@@ -67,16 +66,7 @@ AnswerKind answer_kind(const trace::Pair& pair) {
 }
 
 Color answer_color(AnswerKind kind) {
-  switch (kind) {
-    case AnswerKind::No:
-      return kDropped;
-    case AnswerKind::Yes:
-      return kBox;
-    case AnswerKind::Missed:
-    case AnswerKind::FalsePositive:
-      break;
-  }
-  return kText;
+  return is_wrong(kind) ? kText : kind == AnswerKind::Yes ? kBox : kDropped;
 }
 
 std::string spell_question(const trace::Query& query) {
@@ -104,18 +94,13 @@ std::string spell_answer(const trace::Pair& pair, const LengthUnit& unit) {
   return (query.touching.value_or(overlap) ? "yes" : "no") + reason_of(pair, unit);
 }
 
+std::string spell_answer_kind(AnswerKind kind) {
+  const bool yes = kind == AnswerKind::Yes || kind == AnswerKind::FalsePositive;
+  return std::string(yes ? "yes" : "no") + (is_wrong(kind) ? ", falsely" : "");
+}
+
 std::string label_with_answer(const trace::Pair& pair) {
-  switch (answer_kind(pair)) {
-    case AnswerKind::Yes:
-      return pair.label + ": yes";
-    case AnswerKind::No:
-      return pair.label + ": no";
-    case AnswerKind::FalsePositive:
-      return pair.label + ": yes, falsely";
-    case AnswerKind::Missed:
-      break;
-  }
-  return pair.label + ": no, falsely";
+  return pair.label + ": " + spell_answer_kind(answer_kind(pair));
 }
 
 std::string spell_axis(const trace::Query& query, const trace::TestedAxis& axis) {

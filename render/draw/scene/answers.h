@@ -17,6 +17,10 @@ enum class AnswerKind {
   Missed,         // shapes overlap, bounds do not
 };
 
+constexpr bool is_wrong(AnswerKind kind) {
+  return kind == AnswerKind::FalsePositive || kind == AnswerKind::Missed;
+}
+
 /// Answer of a pair with a query: do the shapes, or their bounds, overlap or touch?
 AnswerKind answer_kind(const trace::Pair& pair);
 
@@ -28,6 +32,9 @@ std::string spell_question(const trace::Query& query);
 
 /// "yes, though the shapes are 12.0 cm apart: a false positive"
 std::string spell_answer(const trace::Pair& pair, const LengthUnit& unit = {});
+
+/// "yes", "no, falsely".
+std::string spell_answer_kind(AnswerKind kind);
 
 /// Label of a pair with a query of bounds, followed by the answer: "spheres: yes, falsely".
 std::string label_with_answer(const trace::Pair& pair);

@@ -70,13 +70,7 @@ void draw_curved_arrow(const Camera& camera, const Vec3d& center, const Vec3d& a
   for (int i = 0; i <= steps; ++i) arc.push_back(at((angle - head) * i / steps));
   sketch.curves.push_back({arc, {width + 3.5f, with_alpha(kWhite, 0.85f)}});
   sketch.curves.push_back({arc, {width, color}});
-  sketch.arrows.push_back({.from = at(angle - head),
-                           .to = at(angle),
-                           .width = width,
-                           .head = static_cast<float>(kHead),
-                           .color = color,
-                           .halo = false,
-                           .head_share = 1});
+  sketch.arrow_head(at(angle - head), at(angle), width, kHead, color);
 }
 
 }  // namespace contactscope::draw

@@ -93,6 +93,13 @@ double Camera::pixels_per_metre(const Vec3d& point) const {
   return perspective_ ? scale_ / std::max(to_camera(point).z(), near_) : scale_;
 }
 
+std::vector<Vec2d> projected(const Camera& camera, std::span<const Vec3d> points) {
+  std::vector<Vec2d> seen;
+  for (const Vec3d& p : points)
+    if (const std::optional<Point2> at = camera.project(p)) seen.push_back(flat(*at));
+  return seen;
+}
+
 std::optional<float> seen_distance(const Camera& camera, const Vec3d& a, const Vec3d& b) {
   const std::optional<Point2> from = camera.project(a), to = camera.project(b);
   return from && to ? std::optional(distance(*from, *to)) : std::nullopt;

@@ -1,12 +1,21 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
+#include "core/convex_polygon.h"
 #include "core/vec3.h"
 #include "draw/scene/drawing.h"
 
 namespace contactscope::draw {
+
+inline Vec2d flat(const Point2& p) {
+  return {p.x, p.y};
+}
+inline Point2 pixel(const Vec2d& p) {
+  return pixel(p.x(), p.y());
+}
 
 /// Camera at `eye` that looks at `target`, both in metres. Maps world space to the pixels of
 /// `viewport`. Perspective with a vertical field of view, or orthographic with a height in metres.
@@ -55,6 +64,9 @@ class Camera {
 
 /// Unit vector towards a directional light at the upper left of the camera.
 Vec3d key_light(const Camera& camera);
+
+/// The points in front of the near plane, in pixels.
+std::vector<Vec2d> projected(const Camera& camera, std::span<const Vec3d> points);
 
 /// Distance of two points on the screen, pixels; nothing if one is behind the near plane.
 std::optional<float> seen_distance(const Camera& camera, const Vec3d& a, const Vec3d& b);

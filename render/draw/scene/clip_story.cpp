@@ -27,10 +27,6 @@ bool has_corner(const trace::Polygon& polygon, const Vec3d& corner, double toler
       polygon, [&](const Vec3d& other) { return (other - corner).norm() <= tolerance; });
 }
 
-std::string count_spelled(std::size_t count, const char* one, const char* many) {
-  return std::to_string(count) + " " + (count == 1 ? one : many);
-}
-
 std::string words_of_step(const trace::Clip& clip, std::size_t steps) {
   const std::string of = " of " + std::to_string(clip.steps.size());
   const std::string plane = "Side plane " + std::to_string(steps) + of;
@@ -42,7 +38,7 @@ std::string words_of_step(const trace::Clip& clip, std::size_t steps) {
   const auto made = static_cast<std::size_t>(std::ranges::count_if(
       after, [&](const Vec3d& corner) { return !has_corner(before, corner, tolerance); }));
   if (lost == 0 && made == 0) return plane + " cuts nothing";
-  return plane + " cuts " + count_spelled(lost, "corner", "corners") + " away and makes " +
+  return plane + " cuts " + counted(lost, "corner", "corners") + " away and makes " +
          std::to_string(made);
 }
 
@@ -50,8 +46,7 @@ std::string words_of_result(const trace::Pair& pair) {
   const std::size_t kept = all_points(pair).size();
   const auto above = static_cast<std::size_t>(std::ranges::count_if(
       pair.clip->dropped, [&](const trace::DroppedPoint& point) { return !is_kept(pair, point); }));
-  std::string words =
-      count_spelled(kept, "corner is", "corners are") + " at or below the reference face";
+  std::string words = counted(kept, "corner is", "corners are") + " at or below the reference face";
   if (above > 0) words += ", " + std::to_string(above) + " above it dropped";
   return words;
 }

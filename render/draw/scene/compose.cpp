@@ -165,7 +165,7 @@ struct Composer {
     Color rest = color;  // adds up to the full colour over the faint one
     rest.a = (color.a - faint.a) / (1 - faint.a);
     for (const Outline& part : seen)
-      pen.fill(mapped(part, [](const Vec2d& p) { return pixel(p.x(), p.y()); }), rest);
+      pen.fill(mapped(part, [](const Vec2d& p) { return pixel(p); }), rest);
   }
 
   void draw_line(const Line& line) {
@@ -415,7 +415,7 @@ struct Composer {
       draw_leader(*at, place->leader_end, label.foot);
     draw_badge(label.badge, place->left_baseline + Point2{0.5f * width, -0.5f * up}, width, up,
                label.color, pen);
-    Callout callout{drawing.primitives.size(), *at, {}, {}, label.of};
+    Callout callout{drawing.primitives.size(), *at};
     if (current < sketch.parts.size()) {
       callout.layer = sketch.parts[current].layer;
       callout.pair = sketch.parts[current].pair;

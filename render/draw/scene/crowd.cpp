@@ -1,11 +1,10 @@
-#include "draw/scene/crowd.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "draw/scene/contact_facts.h"
 #include "draw/scene/ghost.h"
 #include "draw/scene/pair_words.h"
+#include "draw/scene/solid.h"
 #include "draw/scene/visibility.h"
 #include "view/shape_name.h"
 
@@ -19,8 +18,6 @@ constexpr LineStyle kMarkedOutline{2.6f, kContact};
 
 constexpr Swatch kSpeckSwatch{LegendGroup::Points, 3, [](auto& pen) { pen.dot(0, 2.4, kContact); }};
 constexpr Swatch kSizedSwatch{LegendGroup::Points, 3, [](auto& pen) { pen.dot(0, 4, kContact); }};
-constexpr Swatch kMarkedNormalSwatch{LegendGroup::Forces, 0,
-                                     [](auto& pen) { pen.arrow(3, 10, kNormal); }};
 
 bool is_much_larger(const Scene& scene, const PlacedShape& shape) {
   constexpr double kMuchLarger = 4;
@@ -39,13 +36,8 @@ void mark_pair(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   sketch.mark(MarkKind::Speck, place, kContact, kMaxSize);
   sketch.mark(MarkKind::WideRing, place, kContact);
   if (scene.shows(Layer::Normals)) {
-    sketch.arrows.push_back({.from = place,
-                             .direction = at->manifold->normal,
-                             .pixels = kNormalLength,
-                             .width = 3,
-                             .head = 12,
-                             .color = kNormal});
-    sketch.explain(kMarkedNormalSwatch, "normal, from A to B", place);
+    sketch.arrow(place, at->manifold->normal, kNormalLength, 3, 12, kNormal);
+    sketch.explain(kNormalSwatch, "normal, from A to B", place);
   }
   Label& label =
       sketch.label(place,
@@ -68,8 +60,7 @@ void number_pairs(const Scene& scene, const trace::Pair* marked, Sketch& sketch)
   }
 }
 
-}  // namespace
-
+/// The pair that stands out in a frame; nullptr if none overlaps.
 const trace::Pair* marked_pair(const Scene& scene) {
   const std::vector<std::string>& names = scene.view.focus_on;
   if (names.size() == 2) {
@@ -81,6 +72,8 @@ const trace::Pair* marked_pair(const Scene& scene) {
   const auto first = ranked_pairs(scene.frame, Rank::Overlap, 1, scene.meshes);
   return first.empty() || first[0].value <= scene.scales.touching ? nullptr : first[0].pair;
 }
+
+}  // namespace
 
 void draw_crowd(const Scene& scene, Sketch& sketch) {
   constexpr double kWithin = 6;    // pixels

@@ -28,6 +28,29 @@ void Drawing::begin(std::string_view layer, std::string_view pair, std::string_v
   parts.push_back({primitives.size(), std::string(layer), std::string(pair), std::string(role)});
 }
 
+Drawing Drawing::taken(const std::function<bool(const Part&)>& wanted) const {
+  Drawing left = *this;
+  left.primitives.clear();
+  left.parts.clear();
+  left.callouts.clear();
+  std::vector<std::size_t> moved(primitives.size());  // new index of each primitive
+  std::size_t part = 0;
+  bool is_left = wanted({});
+  for (std::size_t i = 0; i < primitives.size(); ++i) {
+    for (; part < parts.size() && parts[part].first == i; ++part) {
+      is_left = wanted(parts[part]);
+      if (is_left) left.begin(parts[part].layer, parts[part].pair, parts[part].role);
+    }
+    moved[i] = left.primitives.size();
+    if (is_left) left.primitives.push_back(primitives[i]);
+  }
+  for (Callout callout : callouts) {
+    callout.text = moved[callout.text];
+    left.callouts.push_back(std::move(callout));
+  }
+  return left;
+}
+
 void Drawing::append(const Drawing& other, const Point2& offset) {
   const std::size_t first = primitives.size();
   for (const Part& part : other.parts) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -48,6 +49,14 @@ inline Point2 pixel(double x, double y) {
 
 struct Segment2 {
   Point2 from, to;
+
+  /// The point of the segment that is nearest to `p`.
+  Point2 nearest(const Point2& p) const {
+    const Point2 offset = to - from;
+    const float squared = dot(offset, offset);
+    if (!(squared > 0)) return from;
+    return from + std::clamp(dot(p - from, offset) / squared, 0.0f, 1.0f) * offset;
+  }
 };
 
 /// Rectangle on the canvas, pixels.
@@ -64,6 +73,14 @@ struct Rect {
   }
   bool overlaps(const Rect& other) const {
     return x < other.right() && other.x < right() && y < other.bottom() && other.y < bottom();
+  }
+  /// One of equal cells, row by row, with gaps between them.
+  Rect cell(std::size_t i, std::size_t columns, std::size_t rows, double across,
+            double down) const {
+    const auto column = static_cast<double>(i % columns), row = static_cast<double>(i / columns);
+    const auto wide = static_cast<double>(columns), high = static_cast<double>(rows);
+    const double w = (width - across * (wide - 1)) / wide, h = (height - down * (high - 1)) / high;
+    return {x + column * (w + across), y + row * (h + down), w, h};
   }
   /// The rectangle with `by` pixels added on each side.
   Rect grown(double by) const { return {x - by, y - by, width + 2 * by, height + 2 * by}; }
@@ -137,7 +154,6 @@ struct Callout {
   std::size_t text = 0;  // the primitive, a Text
   Point2 at;             // the named place, pixels
   std::string layer{}, pair{};
-  std::string of{};  // "point b:v4"; empty if the layer does not record it
 };
 
 struct Drawing {
@@ -153,6 +169,9 @@ struct Drawing {
 
   /// Starts a new part: primitives added from here on belong to it.
   void begin(std::string_view layer, std::string_view pair = {}, std::string_view role = {});
+  /// The same without the parts for which `wanted` is false. Primitives before the first part belong
+  /// to a part without names.
+  Drawing taken(const std::function<bool(const Part&)>& wanted) const;
   /// Adds the contents of another drawing, moved by `offset` pixels. The canvas size stays.
   void append(const Drawing& other, const Point2& offset = {});
 };

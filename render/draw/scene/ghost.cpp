@@ -51,13 +51,7 @@ void draw_path(const Scene& scene, const Vec3d& from, const Vec3d& to, double be
   if (!seen || *seen < kMin * scene.scales.pixel) return sketch.line(from, end, style);
   const Vec3d neck = end - kHead * scene.scales.pixel / *seen * (end - from);
   sketch.line(from, neck, style);
-  sketch.arrows.push_back({.from = neck,
-                           .to = end,
-                           .width = style.width,
-                           .head = static_cast<float>(kHead),
-                           .color = style.color,
-                           .halo = false,
-                           .head_share = 1});
+  sketch.arrow_head(neck, end, style.width, kHead, style.color);
 }
 
 double border_of_ball(const PlacedShape& shape) {

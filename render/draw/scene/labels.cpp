@@ -20,13 +20,6 @@ constexpr float kPadding = 2;
 constexpr float kLineGap = 7;
 constexpr float kAlongLine = 0.9f;  // cosine
 
-float distance_to(const Segment2& line, const Point2& p) {
-  const Point2 offset = line.to - line.from;
-  const float squared = dot(offset, offset);
-  const float t = squared > 0 ? std::clamp(dot(p - line.from, offset) / squared, 0.0f, 1.0f) : 0;
-  return distance(line.from + t * offset, p);
-}
-
 }  // namespace
 
 void LabelPlacer::block(const Point2& center, float radius) {
@@ -53,7 +46,7 @@ bool LabelPlacer::misleads(const Point2& anchor, const Point2& end) const {
   };
   const auto runs_along = [&](const Segment2& line) {
     const float length = distance(line.from, line.to);
-    return length > 0 && distance_to(line, anchor) < kLineGap &&
+    return length > 0 && distance(line.nearest(anchor), anchor) < kLineGap &&
            std::abs(dot(line.to - line.from, offset)) > kAlongLine * length;
   };
   return std::ranges::any_of(texts_, is_crossed) || std::ranges::any_of(blocked_, runs_along);

@@ -65,29 +65,11 @@ std::vector<LegendEntry> Legend::sorted() const {
 LegendChoice choose_legend(const std::vector<LegendEntry>& sorted) {
   LegendChoice choice;
   if (sorted.size() <= kMaxLegendEntries) return {sorted, {}};
-  // Entries with smaller ranks are listed.
-  const auto rank = [](const LegendEntry& entry) {
+  // Entries with smaller ranks are listed: those of the legend's groups, in their order.
+  constexpr int kRanks[] = {5, 5, 3, 1, 2, 2, 5, 4, 4, 4, 4};
+  const auto rank = [&](const LegendEntry& entry) {
     if (entry.in_panel) return 6;
-    if (!entry.anchor) return 0;
-    switch (entry.swatch->group) {
-      case LegendGroup::Points:
-        return 1;
-      case LegendGroup::Forces:
-      case LegendGroup::Motion:
-        return 2;
-      case LegendGroup::Faces:
-        return 3;
-      case LegendGroup::Axes:
-      case LegendGroup::Trees:
-      case LegendGroup::Differences:
-      case LegendGroup::Directions:
-        return 4;
-      case LegendGroup::Shapes:
-      case LegendGroup::Cores:
-      case LegendGroup::Masses:
-        break;
-    }
-    return 5;
+    return entry.anchor ? kRanks[static_cast<std::size_t>(entry.swatch->group)] : 0;
   };
   const auto bears_words = [](const LegendEntry& entry) {
     const LegendGroup group = entry.swatch->group;
@@ -114,8 +96,7 @@ std::string label_of(const LegendEntry& entry) {
 }
 
 void SwatchPen::box(const Color& fill_color, const Color& border, double width, bool dashed) const {
-  const std::vector<Point2> corners = {at(0, -kHalfBox), at(kSwatchBox, -kHalfBox),
-                                       at(kSwatchBox, kHalfBox), at(0, kHalfBox)};
+  const std::vector<Point2> corners = block(0, kSwatchBox, kHalfBox);
   fill(corners, fill_color);
   outline(corners, width, border, dashed ? 5 : 0);
 }

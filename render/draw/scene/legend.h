@@ -103,6 +103,10 @@ class SwatchPen : public Pen {
     return {left_.x + px(right), left_.y + px(down)};
   }
   Point2 middle() const { return at(11); }
+  /// Corners of a box between two lengths, `half` above and below the middle.
+  std::vector<Point2> block(double left, double right, double half = 7) const {
+    return {at(left, -half), at(right, -half), at(right, half), at(left, half)};
+  }
 
   void level_line(double from, double to, double width, const Color& color, double down = 0) const {
     line(at(from, down), at(to, down), width, color);
@@ -170,6 +174,19 @@ inline constexpr Swatch kKeptSwatch{LegendGroup::Points, 11, [](auto& pen) {
                                       pen.dot(0, 3.6, kContact);
                                       pen.dot(6.2, 8.2, kContact);
                                     }};
+
+inline constexpr Swatch kNormalSwatch{LegendGroup::Forces, 0,
+                                      [](auto& pen) { pen.arrow(3, 10, kNormal); }};
+
+inline constexpr float kKeptFill = 0.22f;  // opacity of the area of the kept points
+/// A kept point and the border of that area.
+inline constexpr Swatch kSpannedSwatch{LegendGroup::Points, 11, [](auto& pen) {
+                                         pen.level_line(-4, 26, 2, kContact);
+                                         pen.dot(0, 8.2, kWhite);
+                                         pen.dot(0, 3.6, kContact);
+                                         pen.dot(6.2, 8.2, kContact);
+                                       }};
+inline constexpr const char* kSpannedWords = "kept, in order of choice, and their area";
 
 inline constexpr Swatch kFreeAxisSwatch{LegendGroup::Masses, 1,
                                         [](auto& pen) { pen.dashes(2.5, kNormal); }};

@@ -26,7 +26,28 @@ Outline cut(const Outline& polygon, const Vec2d& from, const Vec2d& to, bool lef
 }  // namespace
 
 Outline as_outline(const std::vector<Point2>& polygon) {
-  return convex_polygon(mapped(polygon, [](const Point2& p) { return Vec2d(p.x, p.y); }));
+  return convex_polygon(mapped(polygon, flat));
+}
+
+Outline outline_around(const Camera& camera, std::span<const Vec3d> points) {
+  std::vector<Vec2d> seen = projected(camera, points);
+  return seen.size() < 3 ? Outline() : convex_polygon(std::move(seen));
+}
+
+// Separating axis test.
+bool overlap(const Outline& polygon, const Eigen::AlignedBox2d& box) {
+  if (polygon.size() < 3) return false;
+  Eigen::AlignedBox2d around;
+  for (const Vec2d& p : polygon) around.extend(p);
+  if (!around.intersects(box)) return false;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const auto is_outside = [&](int corner) {
+      return turn(polygon[i], polygon[(i + 1) % polygon.size()],
+                  box.corner(static_cast<Eigen::AlignedBox2d::CornerType>(corner))) < 0;
+    };
+    if (is_outside(0) && is_outside(1) && is_outside(2) && is_outside(3)) return false;
+  }
+  return true;
 }
 
 std::vector<Outline> without(const std::vector<Outline>& polygons, const Outline& hole) {
@@ -55,11 +76,11 @@ std::vector<Outline> outlines_before(const std::vector<Point2>& polygon, const C
     std::vector<Point2> seen = project_polygon(camera, surface.polygon);
     if (seen.empty()) continue;
     if (surface.body >= 0) {
-      for (const Point2& p : seen) round[surface.body].emplace_back(p.x, p.y);
+      for (const Point2& p : seen) round[surface.body].push_back(flat(p));
       continue;
     }
     Eigen::AlignedBox2d own;
-    for (const Point2& p : seen) own.extend(Vec2d(p.x, p.y));
+    for (const Point2& p : seen) own.extend(flat(p));
     if (!own.intersects(box)) continue;
     if (found.size() == kMaxBodySides) return {};
     found.push_back(as_outline(seen));

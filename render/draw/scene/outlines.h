@@ -13,6 +13,12 @@ using Outline = std::vector<Vec2d>;  // convex, pixels, in the winding of convex
 
 Outline as_outline(const std::vector<Point2>& polygon);
 
+/// Convex outline of points in the world; empty if fewer than three are in front of the camera.
+Outline outline_around(const Camera& camera, std::span<const Vec3d> points);
+
+/// Whether a convex polygon and a box share a point.
+bool overlap(const Outline& polygon, const Eigen::AlignedBox2d& box);
+
 /// The parts of the polygons outside of a convex one, in pieces of at least a quarter of a pixel.
 std::vector<Outline> without(const std::vector<Outline>& polygons, const Outline& hole);
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 
+#include "core/convex_polygon.h"
 #include "draw/scene/pair_words.h"
 #include "draw/scene/points.h"
 #include "view/shape_name.h"
@@ -70,6 +71,20 @@ std::vector<PairPoint> kept_points(const trace::Pair& pair) {
       points.push_back({&manifold, &all[i]});
   }
   return points;
+}
+
+std::vector<Vec3d> kept_polygon(const trace::Reduction& reduction, const Vec3d& normal) {
+  const Vec3d u = any_perpendicular(normal), v = normal.cross(u);
+  const auto flat = [&](int i) -> Vec2d {
+    const Vec3d& place = at(reduction.points, i).position;
+    return {u.dot(place), v.dot(place)};
+  };
+  std::vector<Vec3d> corners;
+  for (const Vec2d& corner : convex_polygon(mapped(reduction.kept, flat))) {
+    const auto found = std::ranges::find(reduction.kept, corner, flat);
+    corners.push_back(at(reduction.points, *found).position);
+  }
+  return corners;
 }
 
 bool is_kept(const trace::Pair& pair, const trace::DroppedPoint& dropped) {

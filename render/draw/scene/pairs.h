@@ -25,6 +25,9 @@ std::vector<Vec3d> positions_of(const trace::Pair& pair);
 /// reduced separately, and the record contains only one of them, so all points are returned.
 std::vector<PairPoint> kept_points(const trace::Pair& pair);
 
+/// Convex border of the points that a reducer kept. Fewer than three points if they have no area.
+std::vector<Vec3d> kept_polygon(const trace::Reduction& reduction, const Vec3d& normal);
+
 /// Whether a corner was kept although the side planes cut it away, because nothing else was left.
 /// Its contact point is above it on the reference face.
 bool is_kept(const trace::Pair& pair, const trace::DroppedPoint& dropped);

@@ -8,10 +8,8 @@
 namespace contactscope::draw {
 namespace {
 
-// Range of values for which a length uses a unit other than its own.
+// Range of values for which a quantity uses a unit other than its own.
 constexpr double kMinInUnit = 1e-2, kMaxInUnit = 1e4;
-// The same for other quantities.
-constexpr double kMinInPrefix = 1e-2, kMaxInPrefix = 1e4;
 
 std::string with_minus_sign(const std::string& text) {
   return !text.empty() && text[0] == '-' ? "−" + text.substr(1) : text;
@@ -63,6 +61,10 @@ std::string spell_count(std::int64_t count) {
   const std::size_t first_digit = count < 0 ? 1 : 0;
   for (std::size_t i = text.size(); i > first_digit + 3;) text.insert(i -= 3, ",");
   return count < 0 ? with_minus_sign(text) : text;
+}
+
+std::string counted(std::size_t count, const char* one, const char* many) {
+  return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
 LengthUnit length_unit(double largest) {
@@ -148,7 +150,7 @@ std::string spell_quantity(double value, const std::string& unit, int digits,
                            const std::optional<Prefix>& of_all) {
   const double rounded = rounded_to(digits, value);
   const double in_all = of_all ? std::abs(rounded) / of_all->size : 0;
-  const bool fits = in_all >= kMinInPrefix && in_all < kMaxInPrefix;
+  const bool fits = in_all >= kMinInUnit && in_all < kMaxInUnit;
   const Prefix prefix = fits ? *of_all : prefix_for(rounded);
   return spelled(rounded / prefix.size, digits, prefix.name + unit);
 }

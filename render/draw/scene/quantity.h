@@ -26,6 +26,9 @@ std::string superscript(int exponent);
 /// A whole number in groups of three digits: "11,175".
 std::string spell_count(std::int64_t count);
 
+/// "1 pair", "2 pairs".
+std::string counted(std::size_t count, const char* one, const char* many);
+
 /// A unit prefix in powers of a thousand, from nano to giga.
 struct Prefix {
   double size = 1;

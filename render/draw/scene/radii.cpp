@@ -1,5 +1,3 @@
-#include "draw/scene/radii.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -8,9 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "core/convex_polygon.h"
+#include "draw/scene/outlines.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"
+#include "draw/scene/solid.h"
 
 /// Gregorius 2015, "Sphere vs Sphere", "Sphere vs Capsule", "Capsule vs Capsule", "Sphere vs Hull:
 /// Shallow Contact, Deep Contact": the line between the nearest points of the cores, and both radii.
@@ -49,9 +48,6 @@ struct Cores {
   double separation = 0;  // metres, between the surfaces
 };
 
-bool is_ball(const PlacedShape& shape) {
-  return shape.traced().radius > 0 && shape.vertices.size() == 1;
-}
 bool is_pill(const PlacedShape& shape) {
   return shape.traced().radius > 0 && shape.vertices.size() == 2;
 }
@@ -80,23 +76,6 @@ std::vector<Cores> cores_of(const Scene& scene, const trace::Pair& pair, const P
 std::string millimetres(double metres, double least) {
   const double digits = std::abs(least) >= 9.95e-3 ? 0 : std::abs(least) >= 0.995e-3 ? 1 : 2;
   return printed("%.*f", static_cast<int>(digits), 1e3 * metres);
-}
-
-/// Separating axis test of a convex polygon, with the winding of convex_polygon(), and a box.
-bool are_separated(const std::vector<Vec2d>& polygon, const Rect& box) {
-  Eigen::AlignedBox2d around;
-  for (const Vec2d& p : polygon) around.extend(p);
-  const Eigen::AlignedBox2d other(Vec2d(box.x, box.y), Vec2d(box.right(), box.bottom()));
-  if (!around.intersects(other)) return true;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec2d& p = polygon[i];
-    const Vec2d& q = polygon[(i + 1) % polygon.size()];
-    const auto is_outside = [&](const Vec2d& corner) { return turn(p, q, corner) < 0; };
-    if (is_outside({box.x, box.y}) && is_outside({box.right(), box.y}) &&
-        is_outside({box.x, box.bottom()}) && is_outside({box.right(), box.bottom()}))
-      return true;
-  }
-  return false;
 }
 
 bool is_end(const PlacedShape& pill, const Vec3d& place) {
@@ -167,12 +146,7 @@ struct RadiiSketch {
     const Vec3d sideways = metres(from, pixels) * outwards;
     const Vec3d beyond = metres(from, pixels + kBeyondColumn) * outwards;
     for (const Vec3d& end : {from, Vec3d(from + offset)}) sketch.line(end, end + beyond, kToColumn);
-    sketch.arrows.push_back({.from = from + sideways,
-                             .to = from + sideways + offset,
-                             .double_headed = true,
-                             .width = 1.8f,
-                             .head = 9,
-                             .color = line});
+    sketch.measure(from + sideways, from + sideways + offset, 1.8f, 9, line);
     sketch.label(from + sideways + kLabelled * offset, text, ink, kLengthSize, 8, outwards);
   }
 
@@ -216,12 +190,9 @@ struct RadiiSketch {
     std::vector<std::vector<Vec2d>> list;
     for (const PlacedShape* shape : {&a, &b}) {
       const double radius = shape->traced().radius;
-      if (!(radius > 0)) continue;
-      std::vector<Vec2d> seen;
-      for (const Vec3d& p : RoundBody{shape->vertices, radius}.outline(scene.camera))
-        if (const std::optional<Point2> at = scene.camera.project(p))
-          seen.emplace_back(at->x, at->y);
-      if (seen.size() > 2) list.push_back(convex_polygon(std::move(seen)));
+      if (radius > 0)
+        list.push_back(
+            outline_around(scene.camera, RoundBody{shape->vertices, radius}.outline(scene.camera)));
     }
     return list;
   }
@@ -271,9 +242,8 @@ struct RadiiSketch {
         const bool is_along =
             seen > 1 && std::abs(dot(offset, *ahead - *at)) > kAlong * length(offset) * seen;
         const Rect room = box.grown(6 * pixel);
-        const auto meets = [&](const std::vector<Vec2d>& polygon) {
-          return !are_separated(polygon, room);
-        };
+        const Eigen::AlignedBox2d taken(Vec2d(room.x, room.y), Vec2d(room.right(), room.bottom()));
+        const auto meets = [&](const auto& outline) { return overlap(outline, taken); };
         const auto crosses = [&](const Segment2& edge) {
           return clip_segment(room, edge.from, edge.to).has_value();
         };

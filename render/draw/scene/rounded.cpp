@@ -1,5 +1,3 @@
-#include "draw/scene/rounded.h"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -8,6 +6,7 @@
 
 #include "core/at.h"
 #include "draw/scene/points.h"
+#include "draw/scene/scene.h"
 
 namespace contactscope::draw {
 namespace {

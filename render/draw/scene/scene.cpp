@@ -6,7 +6,6 @@
 
 #include "core/at.h"
 #include "draw/scene/points.h"
-#include "draw/scene/rounded.h"
 
 namespace contactscope::draw {
 namespace {
@@ -164,6 +163,24 @@ double noise_of(const trace::Header& header, const ShapeMeshes& meshes, const tr
 
 Vec3d up_axis(const trace::Header& header) {
   return header.up == "z" ? Vec3d::UnitZ() : Vec3d::UnitY();
+}
+
+std::vector<trace::Body> scripted_bodies(const ShapeMeshes& meshes,
+                                         std::span<const trace::Placement> now,
+                                         std::span<const trace::Placement> later, double seconds) {
+  std::vector<trace::Body> bodies;
+  for (const auto& [name, pose] : now) {
+    const std::optional<std::size_t> place = meshes.find(name);
+    const auto then = std::ranges::find(later, name, &trace::Placement::first);
+    if (!place || then == later.end() || seconds == 0) continue;
+    const Vec3d& middle = meshes[*place].shape->center_of_mass;
+    trace::Body body{.name = name, .center_of_mass = pose.transform(middle)};
+    const Eigen::AngleAxisd turn(then->second.rotation * pose.rotation.conjugate());
+    body.velocity = (then->second.transform(middle) - body.center_of_mass) / seconds;
+    body.angular_velocity = turn.angle() / seconds * turn.axis();
+    if (!body.velocity.isZero(0) || turn.angle() != 0) bodies.push_back(std::move(body));
+  }
+  return bodies;
 }
 
 std::vector<PlacedShape> place_shapes(const ShapeMeshes& meshes, const trace::Frame& frame) {

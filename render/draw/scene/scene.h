@@ -44,6 +44,11 @@ struct ShapeMesh {
 
 ShapeMesh make_mesh(const trace::Shape& shape);
 
+/// Polygons for a convex shape that is rounded by a margin: faces moved outwards, strips around
+/// edges and caps around vertices, which are not quite flat. All corners are on the round surface;
+/// strips are inside it by at most 2 % of the margin. The result has no margin.
+trace::Shape rounded(const trace::Shape& shape);
+
 /// Meshes of a sequence, in the header's order. The header's shapes must outlive them.
 class ShapeMeshes : public std::vector<ShapeMesh> {
  public:
@@ -78,6 +83,10 @@ struct PlacedShape {
   /// a margin, the edge is the one in the trace, below the rounded surface.
   std::optional<std::array<Vec3d, 2>> edge(int index) const;
 };
+
+inline bool is_ball(const PlacedShape& shape) {
+  return shape.traced().radius > 0 && shape.vertices.size() == 1;
+}
 
 /// The shapes that exist in one frame, in the header's order.
 std::vector<PlacedShape> place_shapes(const ShapeMeshes& meshes, const trace::Frame& frame);
@@ -157,6 +166,12 @@ double noise_of(const trace::Header& header, const ShapeMeshes& meshes, const tr
                 const trace::Pair& pair);
 
 Vec3d up_axis(const trace::Header& header);
+
+/// Shapes that no solver moves and whose pose differs `seconds` later (earlier if negative), as
+/// bodies with that motion.
+std::vector<trace::Body> scripted_bodies(const ShapeMeshes& meshes,
+                                         std::span<const trace::Placement> now,
+                                         std::span<const trace::Placement> later, double seconds);
 
 enum class Measured { Gap, Overlap };
 

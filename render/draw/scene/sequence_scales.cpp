@@ -5,7 +5,6 @@
 #include "draw/scene/contact_facts.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"
-#include "draw/scene/scripted_bodies.h"
 
 namespace contactscope::draw {
 namespace {

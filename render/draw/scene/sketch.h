@@ -51,17 +51,6 @@ struct Arrow {
   bool may_leave = false;    // clipped at the border of the view; other arrows are left out
 };
 
-/// An arrow in true scale, clipped at the border of the view.
-inline Arrow arrow_to_scale(const Vec3d& from, const Vec3d& offset, float width, float head,
-                            const Color& color) {
-  return {.from = from,
-          .to = from + offset,
-          .width = width,
-          .head = head,
-          .color = color,
-          .may_leave = true};
-}
-
 enum class MarkKind {
   Dot,
   Half,  // left half filled
@@ -110,7 +99,6 @@ struct Label {
   bool leader = false;          // draw a line to the point even if near
   bool foot = false;            // end the leader in a small dot
   std::vector<Vec2d> ground{};  // convex, on the screen: needs no leader inside
-  std::string of{};             // identity of the point, "point b:v4", for other drawings
   Badge badge = Badge::None;
 };
 
@@ -166,6 +154,31 @@ struct Sketch {
                double clearance, const std::optional<Vec3d>& direction = std::nullopt) {
     labels.push_back({at, text, color, size, true, clearance, direction});
     return labels.back();
+  }
+  /// An arrow of a fixed length on the screen, along a unit direction.
+  Arrow& arrow(const Vec3d& from, const Vec3d& direction, float pixels, float width, float head,
+               const Color& color) {
+    return arrows.emplace_back(
+        Arrow{from, direction, pixels, {}, false, false, width, head, color});
+  }
+  /// A two-headed arrow between two points.
+  Arrow& measure(const Vec3d& from, const Vec3d& to, float width, float head, const Color& color) {
+    return arrows.emplace_back(Arrow{from, Vec3d::Zero(), 0, to, true, false, width, head, color});
+  }
+  /// An arrow in true scale, clipped at the border of the view.
+  Arrow& arrow_to_scale(const Vec3d& from, const Vec3d& offset, float width, float head,
+                        const Color& color) {
+    Arrow& added = measure(from, from + offset, width, head, color);
+    added.double_headed = false;
+    added.may_leave = true;
+    return added;
+  }
+  /// The head of a line or curve, from its neck to its tip.
+  void arrow_head(const Vec3d& neck, const Vec3d& tip, float width, float head,
+                  const Color& color) {
+    Arrow& added = measure(neck, tip, width, head, color);
+    added.double_headed = added.halo = false;
+    added.head_share = 1;
   }
   /// `anchor`: a position at which a label can replace the legend's entry.
   void explain(const Swatch& swatch, const std::string& text,

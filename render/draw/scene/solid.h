@@ -2,7 +2,8 @@
 
 #include "draw/scene/scene.h"
 
-/// Drawing of shapes: polyhedra, round shapes, triangle meshes and planes.
+/// Drawing of shapes: polyhedra, round shapes, triangle meshes and planes; contacts of round shapes
+/// and of heaps.
 namespace contactscope::draw {
 
 /// Draws faces that show their outside, or all if `both_sides`. Returns which show their outside.
@@ -52,6 +53,18 @@ struct PatchFit {
 
 /// World.
 std::vector<Vec3d> patch_corners(const PlanePatch& patch, const Pose<double>& pose);
+
+/// Measures the contact of a pair with a round shape. A sphere is a centre with a radius, a capsule
+/// a segment with a radius. Marked are the nearest points of these cores and the ball about a
+/// capsule's point (dashed: the virtual sphere). At the first point also the two radii, the
+/// distance of the cores, and the sum that gives the overlap or gap. Meshes and planes have none.
+void draw_radii(const Scene& scene, const trace::Pair& pair, Sketch& sketch);
+
+/// Contact points among many shapes, instead of dots with whiskers. In a heap their area is in
+/// proportion to the overlap, and one stands out: the point of the pair that the view focuses on,
+/// otherwise the deepest one, with its normal, its bodies' outlines, their names and the overlap.
+/// Next to the panel `worst` its other pairs have their numbers.
+void draw_crowd(const Scene& scene, Sketch& sketch);
 
 /// Whether part of the shape is in the picture. Always true for planes and meshes.
 bool in_view(const Camera& camera, const PlacedShape& shape);

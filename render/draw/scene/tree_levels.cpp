@@ -5,6 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include "draw/scene/box_outline.h"
+
 namespace contactscope::draw {
 namespace {
 
@@ -27,15 +29,10 @@ constexpr Swatch kNestedSwatch{
       pen.outline(inner, 1, kBoxNodeBorder.color);
     }};
 constexpr Swatch kLevelsSwatch{LegendGroup::Trees, 7, [](auto& pen) {
-                                 for (int i = 0; i < 3; ++i) {
-                                   const double in = 4.0 * i, down = 2.5 * i;
-                                   pen.fill({pen.at(in, -7 + down), pen.at(24 - in, -7 + down),
-                                             pen.at(24 - in, 7 - down), pen.at(in, 7 - down)},
+                                 for (int i = 0; i < 3; ++i)
+                                   pen.fill(pen.block(4.0 * i, 24 - 4.0 * i, 7 - 2.5 * i),
                                             kLevels[static_cast<std::size_t>(i)]);
-                                 }
-                                 pen.outline(
-                                     {pen.at(0, -7), pen.at(24, -7), pen.at(24, 7), pen.at(0, 7)},
-                                     1, kLevelBorder.color);
+                                 pen.outline(pen.block(0, 24), 1, kLevelBorder.color);
                                }};
 constexpr Swatch kLinkSwatch{LegendGroup::Trees, 8, [](auto& pen) {
                                pen.line(pen.at(0, 0), pen.at(24, 0), kLink.width, kLink.color);
@@ -45,10 +42,6 @@ constexpr Swatch kVainLinkSwatch{LegendGroup::Trees, 9, [](auto& pen) {
                                      pen.line(pen.at(from, 0), pen.at(from + 6, 0), kVainLink.width,
                                               kInVain);
                                  }};
-
-Eigen::AlignedBox3d solid_box(const trace::Box& box) {
-  return {box.lower, box.upper};
-}
 
 /// Index of each box's node: the smallest node that contains the box and is not full. Small boxes
 /// choose first, because a large node may contain boxes of other nodes as well.
@@ -88,25 +81,34 @@ std::size_t nodes_around(const trace::BroadPhase& phase, const trace::Cell& cell
   }));
 }
 
+/// The pairs of boxes for which `is_tested` is true.
+template <class IsTested>
+std::vector<TestedPair> pairs_where(const trace::BroadPhase& phase, const IsTested& is_tested) {
+  std::vector<TestedPair> pairs;
+  for (std::size_t i = 0; i < phase.bounds.size(); ++i) {
+    for (std::size_t j = i + 1; j < phase.bounds.size(); ++j) {
+      const trace::Bounds &a = phase.bounds[i], &b = phase.bounds[j];
+      if (is_tested(a, b, i, j))
+        pairs.push_back({&a, &b, solid_box(a.box).intersects(solid_box(b.box))});
+    }
+  }
+  return pairs;
+}
+
 /// Pairs tested by a grid: too large boxes with all, and boxes of a cell with each other.
 std::vector<TestedPair> find_tests_in_grid(const trace::BroadPhase& phase) {
   const auto is_in = [](const trace::Cell& cell, const trace::Bounds& bounds) {
     return !bounds.large && (bounds.box.lower.array() < cell.box.upper.array()).all() &&
            (bounds.box.upper.array() >= cell.box.lower.array()).all();
   };
-  std::vector<TestedPair> pairs;
   int tests = 0;
-  for (std::size_t i = 0; i < phase.bounds.size(); ++i) {
-    for (std::size_t j = i + 1; j < phase.bounds.size(); ++j) {
-      const trace::Bounds &a = phase.bounds[i], &b = phase.bounds[j];
-      const auto cells = std::ranges::count_if(
-          phase.cells, [&](const trace::Cell& cell) { return is_in(cell, a) && is_in(cell, b); });
-      const int of_pair = a.large || b.large ? 1 : static_cast<int>(cells);
-      if (of_pair == 0) continue;
-      tests += of_pair;
-      pairs.push_back({&a, &b, solid_box(a.box).intersects(solid_box(b.box))});
-    }
-  }
+  std::vector<TestedPair> pairs = pairs_where(phase, [&](const auto& a, const auto& b, auto, auto) {
+    const auto cells = std::ranges::count_if(
+        phase.cells, [&](const trace::Cell& cell) { return is_in(cell, a) && is_in(cell, b); });
+    const int of_pair = a.large || b.large ? 1 : static_cast<int>(cells);
+    tests += of_pair;
+    return of_pair > 0;
+  });
   if (tests != phase.comparisons) pairs.clear();
   return pairs;
 }
@@ -115,14 +117,9 @@ std::vector<TestedPair> find_tests_in_grid(const trace::BroadPhase& phase) {
 std::vector<TestedPair> find_tests_in_sweep(const trace::BroadPhase& phase) {
   if (phase.cells.size() != 1 || phase.swept.empty()) return {};
   const int axis = phase.swept == "x" ? 0 : phase.swept == "y" ? 1 : 2;
-  std::vector<TestedPair> pairs;
-  for (std::size_t i = 0; i < phase.bounds.size(); ++i) {
-    for (std::size_t j = i + 1; j < phase.bounds.size(); ++j) {
-      const trace::Bounds &a = phase.bounds[i], &b = phase.bounds[j];
-      if (a.box.lower[axis] > b.box.upper[axis] || b.box.lower[axis] > a.box.upper[axis]) continue;
-      pairs.push_back({&a, &b, solid_box(a.box).intersects(solid_box(b.box))});
-    }
-  }
+  std::vector<TestedPair> pairs = pairs_where(phase, [&](const auto& a, const auto& b, auto, auto) {
+    return a.box.lower[axis] <= b.box.upper[axis] && b.box.lower[axis] <= a.box.upper[axis];
+  });
   if (count_of(pairs) != phase.comparisons) pairs.clear();
   return pairs;
 }
@@ -141,19 +138,16 @@ std::vector<TestedPair> find_tests(const trace::BroadPhase& phase) {
   const std::optional<std::vector<std::size_t>> nodes = nodes_of_boxes(phase);
   if (!nodes) return {};
   const bool is_octree = phase.method == "octree";
-  std::vector<TestedPair> pairs;
   std::vector<int> tests(phase.cells.size());
-  for (std::size_t i = 0; i < phase.bounds.size(); ++i) {
-    for (std::size_t j = i + 1; j < phase.bounds.size(); ++j) {
-      const trace::Bounds &a = phase.bounds[i], &b = phase.bounds[j];
-      const trace::Box &a_node = phase.cells[(*nodes)[i]].box,
-                       &b_node = phase.cells[(*nodes)[j]].box;
-      // A tree compares leaves. An octree compares a box with the nodes of later boxes.
-      if (!solid_box(is_octree ? a.box : a_node).intersects(solid_box(b_node))) continue;
-      pairs.push_back({&a, &b, solid_box(a.box).intersects(solid_box(b.box))});
-      ++tests[(*nodes)[j]];
-    }
-  }
+  std::vector<TestedPair> pairs =
+      pairs_where(phase, [&](const auto& a, const auto&, std::size_t i, std::size_t j) {
+        const trace::Box &a_node = phase.cells[(*nodes)[i]].box,
+                         &b_node = phase.cells[(*nodes)[j]].box;
+        // A tree compares leaves. An octree compares a box with the nodes of later boxes.
+        const bool is_tested = solid_box(is_octree ? a.box : a_node).intersects(solid_box(b_node));
+        tests[(*nodes)[j]] += is_tested;
+        return is_tested;
+      });
   bool as_counted = count_of(pairs) == phase.comparisons;
   for (std::size_t i = 0; is_octree && i < tests.size(); ++i)
     as_counted = as_counted && tests[i] == phase.cells[i].tests;

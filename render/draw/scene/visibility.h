@@ -28,9 +28,8 @@ struct RoundBody {
     double lit = 0;              // cosine between its middle's normal and the key light
   };
   /// The visible surface in tiny facets. No facet crosses a border of tones or the outline.
-  std::vector<Facet> front(const Camera& camera) const { return front(camera, false); }
   /// `coarse`: a tenth of the facets, for one of many small bodies.
-  std::vector<Facet> front(const Camera& camera, bool coarse) const;
+  std::vector<Facet> front(const Camera& camera, bool coarse = false) const;
 
   /// The body hides all points behind all of these planes (normal . x <= offset). They touch the
   /// body on its front and along its outline; a convex body's shadow is convex.
@@ -93,13 +92,11 @@ struct Span {
 /// over all occluders is hidden. `shadows` hide in the same way.
 class HiddenLines {
  public:
-  HiddenLines(const Camera& camera, const Occluders& occluders,
-              const std::vector<ConvexShadow>& shadows = {})
-      : HiddenLines(camera, occluders, shadows, {}) {}
   /// `bodies`: those of the shadows, in the same order, so that with many of them a line is compared
   /// with those near it alone; may be empty.
   HiddenLines(const Camera& camera, const Occluders& occluders,
-              const std::vector<ConvexShadow>& shadows, const std::vector<RoundBody>& bodies);
+              const std::vector<ConvexShadow>& shadows = {},
+              const std::vector<RoundBody>& bodies = {});
 
   /// Visible and hidden parts in order, covering [0, 1]; valid inside the view.
   std::vector<Span> split(const Vec3d& from, const Vec3d& to) const;

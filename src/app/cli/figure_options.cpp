@@ -21,15 +21,6 @@ constexpr double kFigureMargin = 2;
 constexpr double kPaperLines = 0.65;
 constexpr double kMinContrast = 4.5;  // of text with its background (WCAG 2.2, 1.4.3)
 
-std::string utf8_of(char32_t code) {
-  const auto byte = [](char32_t bits) { return static_cast<char>(bits); };
-  const auto tail = [&](int shift) { return byte(0x80 | ((code >> shift) & 0x3F)); };
-  if (code < 0x80) return {byte(code)};
-  if (code < 0x800) return {byte(0xC0 | code >> 6), tail(0)};
-  if (code < 0x10000) return {byte(0xE0 | code >> 12), tail(6), tail(0)};
-  return {byte(0xF0 | code >> 18), tail(12), tail(6), tail(0)};
-}
-
 void check_ground(const draw::FigureStyle& style) {
   if (!style.background || style.background->a < 1) return;
   const draw::Color text =
