@@ -75,18 +75,18 @@ FigureStyle cell_style(FigureStyle page, float scale) {
 
 Strip::Strip(const trace::Header& header, const std::vector<trace::Frame>& frames,
              const std::vector<trace::Frame>& shown, const View& view, int width, int height,
-             int columns, const FigureStyle& style)
+             int columns, const FigureStyle& style, const FittedFrames* fitted)
     : header_(&header), shown_(&shown), style_(with_type(style, double(width) / columns)) {
   // Use the author's title without numbers, which differ from cell to cell, if possible. Otherwise,
   // or if the title changes over time, use the title of the last frame.
   const std::string requested = view.title.value_or(header.title);
   title_ = plain_title(requested);
   if (title_.find("…") != std::string::npos || requested.find("{from ") != std::string::npos) {
-    lay_out(frames, view, width, height, columns);
+    lay_out(frames, view, width, height, columns, fitted);
     title_ = fill_title(*cell_, shown.back());
   }
   // The legend follows from the cells, and their size from the rows of the legend.
-  lay_out(frames, view, width, height, columns);
+  lay_out(frames, view, width, height, columns, fitted);
   Legend legend;
   for (const trace::Frame& frame : shown) {
     headings_.push_back(sketch_frame(*cell_, frame).heading);
@@ -96,7 +96,7 @@ Strip::Strip(const trace::Header& header, const std::vector<trace::Frame>& frame
   }
   legend_ = choose_legend(legend.sorted()).listed;
   const bool any = std::ranges::any_of(headings_, [](const auto& text) { return !text.empty(); });
-  if (any || !legend_.empty()) lay_out(frames, view, width, height, columns);
+  if (any || !legend_.empty()) lay_out(frames, view, width, height, columns, fitted);
 }
 
 std::vector<std::string> Strip::heading_lines(int i) const {
@@ -106,7 +106,7 @@ std::vector<std::string> Strip::heading_lines(int i) const {
 }
 
 void Strip::lay_out(const std::vector<trace::Frame>& frames, const View& view, int width,
-                    int height, int columns) {
+                    int height, int columns, const FittedFrames* fitted) {
   const int cells = count_of(*shown_);
   const float scale = interface_scale(width, width, style_);
   std::vector<float> widths = mapped(legend_, [&](const LegendEntry& entry) {
@@ -127,7 +127,7 @@ void Strip::lay_out(const std::vector<trace::Frame>& frames, const View& view, i
   }
   grid_ = grid_of(page_.view, cells, columns, caption, gap, 0);
   cell_.emplace(stage(*header_, frames, view, std::max(grid_.width, 1), std::max(grid_.height, 1),
-                      cell_style(style_, page_.scale)));
+                      cell_style(style_, page_.scale), kLayers, {}, fitted));
 }
 
 Drawing Strip::page() const {

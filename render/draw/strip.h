@@ -30,11 +30,11 @@ int usual_columns(int cells);
 class Strip {
  public:
   /// `shown`: frames of the cells, in order; `frames`: frames of the sequence, to which the camera
-  /// is fitted. `height` 0: height for cells in the ratio 4:3. The view's panels are in each cell.
+  /// is fitted, or to `fitted` as in stage(). `height` 0: height for cells in the ratio 4:3. The view's panels are in each cell.
   /// Header and frames outlive the strip. The view must show a scene.
   Strip(const trace::Header& header, const std::vector<trace::Frame>& frames,
         const std::vector<trace::Frame>& shown, const View& view, int width, int height,
-        int columns, const FigureStyle& style);
+        int columns, const FigureStyle& style, const FittedFrames* fitted = nullptr);
 
   /// Staging of the cells.
   const Staging& cell() const { return *cell_; }
@@ -48,7 +48,7 @@ class Strip {
 
  private:
   void lay_out(const std::vector<trace::Frame>& frames, const View& view, int width, int height,
-               int columns);
+               int columns, const FittedFrames* fitted);
   /// Heading of a cell, broken into lines.
   std::vector<std::string> heading_lines(int i) const;
 

@@ -56,18 +56,18 @@ struct Anchors {
   const draw::Drawing& drawing;
   const draw::Camera& camera = staging.camera;
 
-  /// `numbers`: horizontal and vertical ones by turns.
-  Json place(const std::vector<double>& numbers) const {
-    Json pixels, fraction;
-    for (const double number : numbers) {
-      const int side = pixels.size() % 2 == 0 ? drawing.width : drawing.height;
-      fraction.push_back(rounded(number / side, 1e5));
-      pixels.push_back(rounded(number, 100));
+  /// `all`: horizontal and vertical numbers by turns.
+  Json numbers(const std::vector<double>& all) const {
+    Json json;
+    for (const double number : all) {
+      const int side = json["pixels"].size() % 2 == 0 ? drawing.width : drawing.height;
+      json["pixels"].push_back(rounded(number, 100));
+      json["fraction"].push_back(rounded(number / side, 1e5));
     }
-    return {{"pixels", pixels}, {"fraction", fraction}};
+    return json;
   }
-  Json place(const Point2& at) const { return place({at.x, at.y}); }
-  Json place(const Rect& rect) const { return place({rect.x, rect.y, rect.width, rect.height}); }
+  Json place(const Point2& at) const { return numbers({at.x, at.y}); }
+  Json place(const Rect& rect) const { return numbers({rect.x, rect.y, rect.width, rect.height}); }
 
   /// Position of a point in the view; nullopt if it is outside.
   std::optional<Point2> seen(const Vec3d& at) const {

@@ -61,17 +61,23 @@ function unpack(bytes) {
   // frame -> records of pairs -> manifolds -> points
   const contacts = data.contacts = { first: starts(next()), pair: next(), state: next() }, separation = next();
   Object.assign(contacts, { stages: next(), manifolds: starts(next()), separation: new Float64Array(separation.length),
-    before: new Int32Array(separation.length).fill(-1) });  // the pair's record in the frame before; -1: none
+    before: new Int32Array(separation.length).fill(-1),  // the pair's record in the frame before; -1: none
+    age: new Float32Array(separation.length).fill(NaN), away: new Float32Array(separation.length).fill(NaN) });  // as in `find`, frames
   const normal = several(3), manifolds = data.manifolds = { axis: next(), type: next(), triangle: next(), first: starts(next()) };
   manifolds.normal = new Float32Array(normal[0].length * 3);
   const point = several(7), count = point[0].length, points = data.points = { id: new Int32Array(count), position: new Float64Array(3 * count),
     separation: new Float64Array(count), impulse: new Float32Array(count), friction: new Float32Array(count) };
-  const last = data.pairs.map(() => ({ points: [], normal: new Int32Array(3), frame: -2, record: -1 }));
+  const last = data.pairs.map(() => ({ points: [], normal: new Int32Array(3), frame: -2, record: -1, touched: -1, since: 0, away: NaN }));
   for (let frame = 0; frame < frames; ++frame)
     for (let record = contacts.first[frame]; record < contacts.first[frame + 1]; ++record) {
       const known = last[contacts.pair[record]];
       if (known.frame === frame - 1) contacts.before[record] = known.record;
       Object.assign(known, { frame, record });
+      const touches = contacts.manifolds[record] < contacts.manifolds[record + 1], away = known.touched < 0 ? NaN : frame - known.touched;
+      if (touches && known.touched !== frame - 1) [known.since, known.away] = [frame, away - 1];
+      if (touches) known.touched = frame;
+      contacts.age[record] = touches ? frame - known.since : NaN;
+      contacts.away[record] = touches ? known.away : away;
       let place = 0, deepest = 2147483647;
       for (let m = contacts.manifolds[record]; m < contacts.manifolds[record + 1]; ++m) {
         for (let k = 0; k < 3; ++k) manifolds.normal[3 * m + k] = (known.normal[k] += normal[k][m]) / data.units;

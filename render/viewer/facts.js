@@ -79,7 +79,7 @@ class Facts {
     if (record < 0) {
       make('p', 'Not in this frame.', this.panel);
     } else {
-      const words = name => String(QUANTITIES[name](record) || '').replace(/_/g, ' '), normal = normalOf(record);
+      const words = name => String(QUANTITIES[name](record) || '').replace(/_/g, ' '), normal = normalsOf(record)[0] ?? [NaN, NaN, NaN];
       table([['kind', data.pairs[pair][3]], ['state', contacts.state[record] ? 'touching' : 'separated'], gapRow(contacts.separation[record]), ['points', words('points') || '0'],
         ['normal', Number.isNaN(normal[0]) ? '' : vectorText(normal)], ['axis', words('axis')], ['type', words('type')]].filter(([, value]) => value), this.panel);
       let number = 0;

@@ -197,7 +197,7 @@ async function start() {
     search(byId('expression').value);
     if (found.length) go(found.find(frame => frame > state.frame) ?? found[0]);
   });
-  byId('expression').title = 'Words: ' + Object.keys(QUANTITIES).join(', ');
+  byId('expression').title = 'Words: ' + Object.keys(data.quantities).join(', ') + '; previous.points, of the frame before';
   byId('findings').hidden = !data.findings.length;
   byId('count').textContent = 'lint: ' + count(data.findings.length, 'finding');
   for (const { what, said, is, remedy, index, a, b, ...finding } of data.findings) {

@@ -1,56 +1,69 @@
 // Expressions over the records of pairs, in the words of `find` and `shrink`: overlap > 5 mm and normal_turn > 20 deg
 
-const UNITS = { m: 1, cm: 0.01, mm: 1e-3, um: 1e-6, deg: 1, rad: 180 / Math.PI, s: 1, ms: 1e-3, Ns: 1 };
+const UNITS = { m: 1, cm: 0.01, mm: 1e-3, um: 1e-6, nm: 1e-9, deg: 1, rad: 180 / Math.PI, s: 1, ms: 1e-3, N: 1, Ns: 1 };
 
-const firstManifold = (record, value) => {
-  const m = data.contacts.manifolds[record];
-  return m < data.contacts.manifolds[record + 1] ? value(m) : NaN;
-};
-const normalOf = record => firstManifold(record, m => data.manifolds.normal.subarray(3 * m, 3 * m + 3)) || [NaN, NaN, NaN];
+// A record of -1 is a pair that is not in the frame: it has no contacts.
+const manifoldsOf = record => Array.from({ length: data.contacts.manifolds[record + 1] - data.contacts.manifolds[record] || 0 }, (_, i) => data.contacts.manifolds[record] + i);
+const normalsOf = record => manifoldsOf(record).map(m => data.manifolds.normal.subarray(3 * m, 3 * m + 3));
+const textOf = (record, column) => data.texts[column[manifoldsOf(record)[0]]] ?? '';
 /** A list with one entry for each point of a record. */
-const ofPoints = (record, value) => {
-  const all = [];
-  eachPoint(record, i => all.push(value(i)));
-  return all;
+const ofPoints = (record, value) => manifoldsOf(record).flatMap(m => Array.from(
+  { length: data.manifolds.first[m + 1] - data.manifolds.first[m] }, (_, i) => value(data.manifolds.first[m] + i, m)));
+/** From the frame before; unknown in the first frame. */
+const changeOf = compare => (record, frame) => frame ? compare(record, data.contacts.before[record]) : NaN;
+const differenceOf = (name, limit = value => value) => changeOf((now, then) => limit(QUANTITIES[name](now) - QUANTITIES[name](then)));
+/** Number of ids of a record that another one does not have. */
+function idsOnlyIn(record, other) {
+  const ids = of => ofPoints(of, (i, m) => data.texts[data.points.id[i]] && data.manifolds.triangle[m] + ' ' + data.texts[data.points.id[i]]).filter(Boolean), left = ids(other);
+  return ids(record).filter(id => !left.includes(id) || !left.splice(left.indexOf(id), 1)).length;
+}
+const chord = (a, b, sign = 1) => Math.hypot(...Array.from(a, (x, k) => x - sign * b[k]));
+const degrees = halfChord => 2 * Math.asin(Math.min(1, halfChord)) * 180 / Math.PI;
+/** The larger change of the two bodies' poses. */
+const ofPoses = change => (record, frame, pair) => {
+  const all = data.pairs[pair].slice(0, 2).map(body => [poseOf(body, frame - 1), poseOf(body, frame)]).filter(([then, now]) => then && now);
+  return frame && all.length ? Math.max(...all.map(([then, now]) => change(then, now))) : NaN;
 };
-const idsOf = record => ofPoints(record, i => data.texts[data.points.id[i]]);
-const sumOf = (record, column) => ofPoints(record, i => column[i] || 0).reduce((sum, one) => sum + one, 0);
-/** From the frame before; unknown where the pair has no record there. */
-const changeOf = compare => record => data.contacts.before[record] < 0 ? NaN : compare(record, data.contacts.before[record]);
-const differenceOf = name => changeOf((now, then) => QUANTITIES[name](now) - QUANTITIES[name](then));
 
-/** Values of a record: lengths in metres, angles in degrees, impulses in newton seconds. */
+/** Values of a record: lengths in metres, angles in degrees, impulses in newton seconds. data.quantities has the words of `find`. */
 const QUANTITIES = {
-  points: record => data.manifolds.first[data.contacts.manifolds[record + 1]] - data.manifolds.first[data.contacts.manifolds[record]],
-  manifolds: record => data.contacts.manifolds[record + 1] - data.contacts.manifolds[record],
-  separation: record => data.contacts.separation[record],
-  overlap: record => Math.max(0, -data.contacts.separation[record]),
-  touching: record => data.contacts.state[record],
-  axis: record => firstManifold(record, m => data.texts[data.manifolds.axis[m]]),
-  type: record => firstManifold(record, m => data.texts[data.manifolds.type[m]]),
-  ids: record => idsOf(record).join(' '),
-  normal_x: record => normalOf(record)[0],
-  normal_y: record => normalOf(record)[1],
-  normal_z: record => normalOf(record)[2],
-  impulse: record => sumOf(record, data.points.impulse),
-  friction_impulse: record => sumOf(record, data.points.friction),
-  a: record => namesOf(data.contacts.pair[record])[0],
-  b: record => namesOf(data.contacts.pair[record])[1],
+  points: record => ofPoints(record, i => i).length,
+  manifolds: record => manifoldsOf(record).length,
+  separation: record => data.contacts.separation[record] ?? NaN,
+  overlap: record => Math.max(0, ...ofPoints(record, i => -data.points.separation[i])),
+  touching: record => data.contacts.state[record] || 0,
+  axis: record => textOf(record, data.manifolds.axis),
+  type: record => textOf(record, data.manifolds.type),
+  ids: record => ofPoints(record, i => data.texts[data.points.id[i]]).join(', '),
+  normal_x: record => normalsOf(record)[0]?.[0] ?? NaN,
+  normal_y: record => normalsOf(record)[0]?.[1] ?? NaN,
+  normal_z: record => normalsOf(record)[0]?.[2] ?? NaN,
+  impulse: record => ofPoints(record, i => data.points.impulse[i] || 0).reduce((sum, one) => sum + one, 0),
+  a: (record, frame, pair) => namesOf(pair)[0],
+  b: (record, frame, pair) => namesOf(pair)[1],
+  label: (record, frame, pair) => namesOf(pair)[2],
   frame: (record, frame) => data.frames[frame],
   time: (record, frame) => data.times[frame],
-  normal_turn: changeOf((now, then) => {
-    const [a, b] = [normalOf(now), normalOf(then)];
-    return Math.acos(Math.min(1, Math.max(-1, a[0] * b[0] + a[1] * b[1] + a[2] * b[2]))) * 180 / Math.PI;
-  }),
-  points_change: differenceOf('points'),
+  age: record => data.contacts.age[record],
+  away: record => data.contacts.away[record],
+  normal_turn: changeOf((now, then) => normalsOf(now).length && normalsOf(then).length
+    ? degrees(Math.max(...normalsOf(now).map(a => Math.min(...normalsOf(then).map(b => chord(a, b))))) / 2) : NaN),
   overlap_change: differenceOf('overlap'),
   impulse_change: differenceOf('impulse'),
-  new_ids: changeOf((now, then) => idsOf(now).filter(id => !idsOf(then).includes(id)).length),
+  points_gained: differenceOf('points', gain => Math.max(0, gain)),
+  points_lost: differenceOf('points', gain => Math.max(0, -gain)),
+  ids_gained: changeOf(idsOnlyIn),
+  ids_lost: changeOf((now, then) => idsOnlyIn(then, now)),
+  motion: ofPoses((then, now) => chord(then.subarray(0, 3), now)),
+  turn: ofPoses((then, now) => 2 * degrees(Math.min(chord(then.subarray(3), now.subarray(3)), chord(then.subarray(3), now.subarray(3), -1)) / 2)),
 };
+/** A quantity of the pair in the frame before. Its age is not known there. */
+const previousOf = name => (record, frame, pair) =>
+  frame && name !== 'age' && name !== 'away' ? QUANTITIES[name](data.contacts.before[record], frame - 1, pair) : NaN;
 
 const isTrue = value => typeof value === 'string' ? value !== '' : !Number.isNaN(value) && value !== 0;
 const known = (a, b) => typeof a === typeof b && !Number.isNaN(a) && !Number.isNaN(b);
-// By precedence, the weakest first. Operands are functions of (record, frame).
+// By precedence, the weakest first. Operands are functions of (record, frame, pair).
 const LEVELS = [
   { or: (a, b) => (...of) => Number(isTrue(a(...of)) || isTrue(b(...of))) },
   { and: (a, b) => (...of) => Number(isTrue(a(...of)) && isTrue(b(...of))) },
@@ -61,9 +74,9 @@ const LEVELS = [
 ];
 const NOT_LEVEL = 2;
 
-/** The function of (record, frame) that a text stands for. Throws Error with what is wrong. */
+/** The function of (record, frame, pair) that a text stands for. Throws Error with what is wrong. */
 function parseExpression(text) {
-  const tokens = [...text.matchAll(/\s*("[^"]*"|'[^']*'|[\d.]+(?:e[+-]?\d+)?|\w+|[=!<>]=|&&|\|\||\S)/gi)]
+  const tokens = [...text.matchAll(/\s*("[^"]*"|'[^']*'|[\d.]+(?:e[+-]?\d+)?|[a-z_][\w.]*|[=!<>]=|&&|\|\||\S)/gi)]
     .map(([, token]) => ({ '&&': 'and', '||': 'or', '!': 'not' })[token] || token);
   let at = 0;
   const take = token => tokens[at] === token && ++at;
@@ -94,11 +107,14 @@ function parseExpression(text) {
     if (/^["']/.test(token)) return () => token.slice(1, -1);
     if (/^[\d.]/.test(token)) {
       const number = Number(token) * (Object.hasOwn(UNITS, tokens[at]) ? UNITS[tokens[at++]] : 1);
+      if (tokens[at - 1] === 'N') need('s', 'after N');
       if (Number.isNaN(number)) throw new Error("'" + token + "' is not a number");
       return () => number;
     }
-    if (Object.hasOwn(QUANTITIES, token)) return QUANTITIES[token];
-    throw new Error("'" + token + "' is not a quantity; known: " + Object.keys(QUANTITIES).join(', '));
+    const name = token.replace(/^previous\./, ''), isPrevious = name !== token;
+    if (!Object.hasOwn(data.quantities, name)) throw new Error("'" + token + "' is not a quantity; known: " + Object.keys(data.quantities).join(', '));
+    if (isPrevious && data.quantities[name]) throw new Error("'" + name + "' is a change from the frame before; leave out 'previous.'");
+    return isPrevious ? previousOf(name) : QUANTITIES[name];
   }
   const whole = level(0);
   if (at < tokens.length) throw new Error(tokens[at] === '=' ? "compare with '==', not '='" : "unexpected '" + tokens[at] + "'");
@@ -108,5 +124,5 @@ function parseExpression(text) {
 /** All [frame, record] for which the expression is true. */
 function findRecords(text) {
   const expression = parseExpression(text);
-  return data.frames.flatMap((_, frame) => recordsOf(frame).filter(record => isTrue(expression(record, frame))).map(record => [frame, record]));
+  return data.frames.flatMap((_, frame) => recordsOf(frame).filter(record => isTrue(expression(record, frame, data.contacts.pair[record]))).map(record => [frame, record]));
 }

@@ -7,9 +7,9 @@
 #include "core/at.h"
 #include "draw/scene/palette.h"
 #include "draw/scene/theme.h"
+#include "find/finder.h"
 #include "image/base64.h"
 #include "image/deflate.h"
-#include "shrink/judge.h"
 #include "vector/markup.h"
 
 namespace contactscope::viewer {
@@ -111,7 +111,9 @@ std::string Viewer::html() {
                      {draw::toned(draw::kWhite, 1).r, draw::toned(draw::kWhite, 0.3).r,
                       draw::toned(draw::kWhite, 0).r}},
                     {"tone_borders", draw::kToneBorders},
-                    {"quantities", mapped(shrink::vocabulary().quantities, &find::Quantity::name)}};
+                    {"quantities", ordered_json::object()}};
+  for (const find::Quantity& known : find::pair_quantities())
+    page["quantities"][known.name] = known.is_change;
   if (!staging_.cells) page["camera"] = camera_json(staging_.camera);
   page["layers"] = ordered_json::array();
   for (const Layer layer : kShown) {

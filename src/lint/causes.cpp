@@ -49,6 +49,7 @@ constexpr std::array kOthers = {"overlap_told_apart",
                                 "spins_of_a_step",
                                 "spins_in_frame_of_body",
                                 "shape",
+                                "large_margin",
                                 "torn"};
 
 }  // namespace

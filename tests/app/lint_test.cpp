@@ -83,6 +83,9 @@ TEST(LintVerb, KnownAndIgnoredFindingsExitWithZero) {
   EXPECT_EQ(run("lint --ignore half_depths '" + half + "'").exit_code, 0);
   EXPECT_EQ(run("lint --ignore half_depths:crate '" + half + "'").exit_code, 0);
   EXPECT_EQ(run("lint --ignore half_depths:other '" + half + "'").exit_code, 1);
+  const ProgramRun misspelled = run("lint --ignore half_depth:crate '" + half + "'");
+  EXPECT_EQ(misspelled.exit_code, 2);
+  EXPECT_THAT(misspelled.err, HasSubstr("did you mean 'half_depths'?"));
   EXPECT_EQ(run("lint --tolerance 0.02 '" + half + "'").exit_code, 0);
 }
 

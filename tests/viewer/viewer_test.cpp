@@ -7,7 +7,7 @@
 #include <cstdlib>
 
 #include "draw/crate_on_slab.h"
-#include "shrink/judge.h"
+#include "find/finder.h"
 #include "support/temporary_folder.h"
 
 namespace contactscope::viewer {
@@ -114,7 +114,7 @@ TEST_F(InChromium, ShowsTheFactsOfTheTraceAndAnswersClicksKeysAndSearch) {
     const key = key => document.dispatchEvent(new KeyboardEvent('keydown', { key }));
     for (let i = 0; i < data.points.id.length; ++i)
       all.push([...data.points.position.subarray(3 * i, 3 * i + 3), data.points.separation[i], data.points.impulse[i], data.texts[data.points.id[i]]]);
-    const seen = { title: document.title, points: all, pose: [...data.pose.subarray(7 * 23, 7 * 24)], start: state.frame, found: text('found'), quantities: contactscope.quantities,
+    const seen = { title: document.title, points: all, pose: [...data.pose.subarray(7 * 23, 7 * 24)], start: state.frame, found: text('found'),
       separation: data.contacts.separation[11] };
     // A click on the first point of frame 6, and one on nothing.
     const box = canvas.getBoundingClientRect(), at = data.manifolds.first[data.contacts.manifolds[2]];
@@ -164,9 +164,6 @@ TEST_F(InChromium, ShowsTheFactsOfTheTraceAndAnswersClicksKeysAndSearch) {
   EXPECT_EQ(page["points"].size(), i);
   EXPECT_NEAR(page["pose"][1].get<double>(), scene.frames[11].poses[1].second.position.y(), 1e-4);
   EXPECT_NEAR(page["separation"].get<double>(), scene.frames[11].pairs[0].separation, 3e-7);
-  for (const find::Quantity& known : shrink::vocabulary().quantities)
-    EXPECT_THAT(page["quantities"].get<std::vector<std::string>>(),
-                testing::Contains(std::string(known.name)));
   EXPECT_EQ(page["start"], 2);
   EXPECT_EQ(page["found"], "4 records in 4 frames");
   EXPECT_EQ(page["clicked"].dump(), R"({"pair":0,"point":"b:v4"})");
@@ -184,6 +181,48 @@ TEST_F(InChromium, ShowsTheFactsOfTheTraceAndAnswersClicksKeysAndSearch) {
   EXPECT_EQ(page["search"][0], "1 record in 1 frame");
   EXPECT_THAT(page["search"][1].get<std::string>(), HasSubstr("frame 3: slab and crate <b>&amp;"));
   EXPECT_THAT(page["wrong"].get<std::string>(), HasSubstr("a quantity is missing at the end"));
+}
+
+/// Number of records that `find` finds in the trace of the page.
+int found_by_find(const std::string& expression) {
+  find::Finder finder(find::Expression(expression, find::vocabulary()));
+  int hits = 0;
+  for (const trace::Frame& frame : rising().frames) hits += int(finder.next(frame).size());
+  return hits;
+}
+
+TEST_F(InChromium, SearchKnowsTheWordsOfFindAndFindsTheSame) {
+  const std::vector<std::string> expressions = {"age > 1",
+                                                "away >= 2",
+                                                "previous.points > points",
+                                                "previous.overlap > 15 mm and previous.frame < 9",
+                                                "previous.age >= 0",
+                                                "points_gained > 0 or points_lost == 4",
+                                                "ids_lost > 2 or ids_gained > 0",
+                                                "overlap > 17.5 mm",
+                                                "overlap_change < 0",
+                                                "impulse_change > 1 N s",
+                                                "normal_turn > 30 deg",
+                                                "motion > 0.5 mm",
+                                                "turn > 1 deg",
+                                                "label == '' and manifolds and touching",
+                                                "axis == ''",
+                                                "motion > 500000 nm and a == 'slab'"};
+  const json page = result("const found = " + json(expressions).dump() + R"(.map(one => {
+      contactscope.search(one);
+      return Number.parseInt(document.getElementById('found').textContent);
+    });
+    contactscope.search('previous.motion > 1');
+    return { found, quantities: contactscope.quantities, refused: document.getElementById('found').textContent };)");
+  ASSERT_FALSE(page.contains("error")) << page["error"];
+  for (std::size_t i = 0; i < expressions.size(); ++i)
+    EXPECT_EQ(page["found"][i], found_by_find(expressions[i])) << expressions[i];
+  EXPECT_EQ(found_by_find("age > 1"), 2);
+  EXPECT_THAT(page["refused"].get<std::string>(), HasSubstr("leave out 'previous.'"));
+  std::vector<std::string> words;
+  for (const find::Quantity& known : find::pair_quantities()) words.emplace_back(known.name);
+  EXPECT_THAT(page["quantities"].get<std::vector<std::string>>(),
+              testing::UnorderedElementsAreArray(words));
 }
 
 }  // namespace

@@ -31,10 +31,34 @@ void draw_core(const PlacedShape& shape, Sketch& sketch) {
 }
 
 // With more shapes than this, hidden edges would only be noise.
-constexpr std::size_t kManyShapes = 100;
+bool is_full(const Scene& scene) {
+  return scene.shapes.size() > 100 || scene.scales.heap;
+}
 
 // Shapes around those in focus, which they would hide.
 constexpr LineStyle kContextOutline{1.0f, with_alpha(kShapeEdge, 0.3f)};
+
+constexpr LineStyle kWallOutline{1.6f, with_alpha(kShapeEdge, 0.6f)};
+
+// A wall of a container between the eye and a heap: most shapes are much smaller, and nearly all of
+// these are behind one of its faces.
+bool is_front_wall(const Scene& scene, const PlacedShape& wall) {
+  if (!scene.scales.heap || wall.is_mesh() || wall.traced().half_space) return false;
+  constexpr double kWall = 4, kBehind = 0.85;  // radii of the smaller shapes; share of them
+  std::vector<Vec3d> centers;
+  for (const PlacedShape& shape : scene.shapes)
+    if (kWall * shape.mesh->radius < wall.mesh->radius)
+      centers.push_back(shape.pose.transform(shape.traced().center_of_mass));
+  if (2 * centers.size() < scene.shapes.size()) return false;
+  for (int f = 0; f < count_of(wall.traced().faces); ++f) {
+    const Vec3d on = wall.polygon(f).front(), normal = wall.normal(f);
+    if (scene.camera.faces(on, normal)) continue;
+    const auto behind =
+        std::ranges::count_if(centers, [&](const Vec3d& c) { return normal.dot(c - on) > 0; });
+    if (double(behind) > kBehind * double(centers.size())) return true;
+  }
+  return false;
+}
 
 // Surfaces of a heap hide what is behind them: translucent ones on each other have no outlines.
 void make_opaque(std::span<Surface> surfaces) {
@@ -132,8 +156,10 @@ void draw_shapes(const Scene& scene, Sketch& sketch) {
   const std::size_t lines = sketch.lines.size(), curves = sketch.curves.size(),
                     marks = sketch.marks.size();
   for (const PlacedShape& shape : scene.shapes) {
-    if (scene.is_context(shape)) {
-      if (!shape.traced().half_space) draw_ghost(scene.camera, shape, kContextOutline, sketch);
+    const bool is_wall = is_front_wall(scene, shape);
+    if (is_wall || scene.is_context(shape)) {
+      if (!shape.traced().half_space)
+        draw_ghost(scene.camera, shape, is_wall ? kWallOutline : kContextOutline, sketch);
       continue;
     }
     const Color fill = shape.is_a ? kShapeA : kShapeB;
@@ -154,13 +180,13 @@ void draw_shapes(const Scene& scene, Sketch& sketch) {
     }
     if (shows_margin(shape)) draw_core(shape, sketch);
   }
-  if (scene.shapes.size() > kManyShapes || scene.scales.heap)
-    hide_insides(lines, curves, marks, sketch);
+  if (is_full(scene)) hide_insides(lines, curves, marks, sketch);
   if (scene.scales.heap) make_opaque(sketch.surfaces);
 }
 
 // The widest margin, because a wrong margin is the first suspect if bodies float.
 void explain_margin(const Scene& scene, Legend& legend) {
+  if (is_full(scene)) return;
   const PlacedShape* widest = nullptr;
   for (const PlacedShape& shape : scene.shapes) {
     if (!shows_margin(shape) || !in_view(scene.camera, shape)) continue;

@@ -240,8 +240,7 @@ class Checker {
                       const View& view, Sequence& sequence, ScenarioOutcome& outcome,
                       std::vector<Finding>& findings) {
     const std::vector<int>& drawn = scenario.snapshots.frames;
-    std::optional<draw::FittedFrames> fitted;
-    if (!sequence.numbers.empty()) fitted = fitted_frames(sequence, drawn);
+    const std::optional<draw::FittedFrames> fitted = fitted_frames(sequence, drawn);
     const draw::Staging staging = draw::stage(
         sequence.header, sequence.frames, view, scenario.snapshots.width, scenario.snapshots.height,
         style_of(scenario), draw::kLayers, drawn, fitted ? &*fitted : nullptr);

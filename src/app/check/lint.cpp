@@ -9,6 +9,8 @@
 #include "app/cli/progress.h"
 #include "app/cli/verbs.h"
 #include "core/input_error.h"
+#include "lint/causes.h"
+#include "scenario/nearest_word.h"
 #include "scenario/run.h"
 #include "snapshot/store.h"
 
@@ -17,10 +19,16 @@ namespace {
 
 lint::LintOptions linter_options(const Options& options) {
   lint::LintOptions to{.strict = options.strict, .tolerance = options.tolerance};
+  const std::vector<std::string_view> causes = lint::causes();
   for (const std::string& text : options.ignored) {
     const std::size_t colon = std::min(text.find(':'), text.size());
-    to.ignored.push_back(
-        {text.substr(0, colon), colon < text.size() ? text.substr(colon + 1) : ""});
+    const std::string cause = text.substr(0, colon);
+    if (std::ranges::find(causes, cause) == causes.end()) {
+      const std::string near = did_you_mean(cause, causes);
+      throw UsageError("--ignore: '" + cause + "' is not a cause of findings; " +
+                       (near.empty() ? "there is " + quoted_list(causes) : near));
+    }
+    to.ignored.push_back({cause, colon < text.size() ? text.substr(colon + 1) : ""});
   }
   return to;
 }

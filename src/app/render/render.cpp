@@ -123,13 +123,12 @@ void draw_sequences(Input& input, const Options& options, Renderer& renderer, Si
   }
   const std::shared_ptr<const Words> words = words_of(input, options);
   const PictureOrigin origin = origin_of(input, sequence.header, options);
-  std::optional<draw::FittedFrames> fitted;
-  if (!sequence.numbers.empty()) fitted = fitted_frames(sequence, input.frames);
   if (options.strip) {
     draw_strips(input, sequence, origin, words, options, renderer, sinks);
     progress.advance(scenario.name);
     return;
   }
+  const std::optional<draw::FittedFrames> fitted = fitted_frames(sequence, input.frames);
   for (const View& view : views) {
     const FigureCanvas canvas =
         canvas_of(sequence.header, sequence.frames, view, options, Size{}, words);

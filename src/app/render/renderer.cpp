@@ -51,7 +51,9 @@ Sequence run_sequence(const Scenario& scenario, const trace::Stages& stages, boo
   return sequence;
 }
 
-draw::FittedFrames fitted_frames(Sequence& sequence, const std::vector<int>& numbers) {
+std::optional<draw::FittedFrames> fitted_frames(Sequence& sequence,
+                                                const std::vector<int>& numbers) {
+  if (sequence.numbers.empty()) return std::nullopt;
   constexpr std::size_t kMax = 16;  // frames of a heap are large
   std::vector<int> chosen = numbers;
   if (chosen.size() > kMax) {

@@ -29,8 +29,10 @@ namespace contactscope::app {
 Sequence run_sequence(const Scenario& scenario, const trace::Stages& stages, bool timing,
                       RunLog& log);
 
-/// Frames for fitting the camera of a trace: those that are drawn, at most a sample of them.
-draw::FittedFrames fitted_frames(Sequence& sequence, const std::vector<int>& numbers);
+/// Frames for fitting the camera of a trace: those that are drawn, at most a sample of them. Nothing
+/// for a scenario.
+std::optional<draw::FittedFrames> fitted_frames(Sequence& sequence,
+                                                const std::vector<int>& numbers);
 
 /// Turns drawings into pictures. OpenGL is opened with the first picture, so a run without pictures
 /// does not need it.

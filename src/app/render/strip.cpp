@@ -93,13 +93,14 @@ void draw_strips(const Input& input, Sequence& sequence, const PictureOrigin& or
   const std::vector<int> chosen = evenly(input.frames, *options.strip);
   std::vector<trace::Frame> shown;
   sequence.each(chosen, [&](std::size_t index) { shown.push_back(sequence.frames[index]); });
+  const std::optional<draw::FittedFrames> fitted = fitted_frames(sequence, chosen);
   for (View& view : views) {
     if (!options.panels) view.panels.clear();
     const int columns = options.columns.value_or(draw::usual_columns(count_of(shown)));
     const FigureCanvas canvas =
         page_canvas(sequence.header, sequence.frames, view, options, page_width(columns), words);
     const draw::Strip strip(sequence.header, sequence.frames, shown, view, canvas.size.width,
-                            canvas.size.height, columns, canvas.style);
+                            canvas.size.height, columns, canvas.style, fitted ? &*fitted : nullptr);
     draw::Drawing page = strip.page();
     renderer.finish(canvas.style, page);
     int cell = 0;
@@ -142,11 +143,12 @@ void draw_sheet(std::vector<Input>& inputs, const std::function<Sequence(Input&)
     if (scene != views.end()) {
       View view = *scene;
       if (!options.panels) view.panels.clear();
-      const draw::Staging staging =
-          draw::stage(sequence.header, sequence.frames, view, sheet.cell_width(),
-                      sheet.cell_height(), sheet.thumbnail_style());
       const std::vector<int>& stored = input.scenario.snapshots.frames;
       const int frame = options.frames || stored.empty() ? input.frames.front() : stored.front();
+      const std::optional<draw::FittedFrames> fitted = fitted_frames(sequence, {frame});
+      const draw::Staging staging = draw::stage(
+          sequence.header, sequence.frames, view, sheet.cell_width(), sheet.cell_height(),
+          sheet.thumbnail_style(), draw::kLayers, {}, fitted ? &*fitted : nullptr);
       renderer.each_drawing(staging, sequence, {frame},
                             [&](const trace::Frame& shown, draw::Drawing drawing) {
                               entries.back().title = draw::fill_title(staging, shown);
