@@ -81,7 +81,8 @@ struct ContactNormal {
 
   /// Whether this offset from a feature rises along the normal by more than the tolerance.
   bool rises(const Vec3<S>& edge_vector) const {
-    return direction.dot(edge_vector) > tolerance * edge_vector.norm();
+    const S rise = direction.dot(edge_vector);
+    return rise > S(0) && rise > tolerance * edge_vector.norm();  // most need no square root
   }
 };
 
