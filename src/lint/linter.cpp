@@ -155,8 +155,7 @@ std::vector<Finding> Linter::findings() {
     if (finding.marks.empty() && finding.line > 0)
       finding.marks.push_back({finding.frame, finding.line, finding.a, finding.b});
   }
-  std::ranges::stable_sort(
-      all, {}, [](const Finding& finding) { return std::pair(rank_of(finding), -finding.count); });
+  std::ranges::stable_sort(all, {}, &rank_of);
   return all;
 }
 

@@ -72,8 +72,8 @@ class Linter {
   /// Like frame(), for a frame that stays in memory until two more were seen.
   void look_at(const trace::Frame& frame);
 
-  /// After the last frame: mistakes, their effects, and claims that nothing explains, of each kind
-  /// the most frequent first; then those below a threshold, and hints.
+  /// After the last frame: mistakes, their effects, and claims that nothing explains, each in the
+  /// order of the watches; then those below a threshold, and hints.
   std::vector<Finding> findings();
 
  private:

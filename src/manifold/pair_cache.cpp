@@ -68,8 +68,8 @@ bool supports_along(const Hull<S>& hull, int edge, const Vec3<S>& direction) {
   return of_direction > S(1) + left.dot(right) + S(32) * std::numeric_limits<S>::epsilon();
 }
 
-/// `outward` (A's frame) tells the normal from its opposite. False if the edges are so nearly
-/// parallel that their cross product is unreliable (see kNoisySine).
+/// The normal has the direction of `outward` (A's frame) rather than the opposite. False if the
+/// edges are so nearly parallel that their cross product is unreliable (see kNoisySine).
 template <class S>
 bool measure_edges(const FeaturePair<S>& pair, int edge_a, int edge_b, const Vec3<S>& outward,
                    MeasuredAxis<S>& axis) {

@@ -6,7 +6,6 @@
 #include <set>
 
 #include "draw/insets/inset.h"
-#include "draw/panels/panel.h"
 #include "draw/scene/pair_words.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"
@@ -206,8 +205,6 @@ Vec3d gauss_map_direction(const std::vector<trace::Frame>& frames, const Vec3d& 
   }
   return usual;
 }
-
-const PanelDrawing kGaussMapPanel{.needs = {&Stages::gauss_map, &Stages::sat}};
 
 InsetPicture sketch_gauss_map(const Inset& inset, const Scene& scene) {
   InsetPicture picture;

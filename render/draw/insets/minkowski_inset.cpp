@@ -4,7 +4,6 @@
 
 #include "core/at.h"
 #include "draw/insets/inset.h"
-#include "draw/panels/panel.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/points.h"
 #include "draw/scene/quantity.h"
@@ -211,9 +210,6 @@ std::vector<Vec3d> minkowski_extent(const std::vector<trace::Frame>& frames) {
   }
   return points;
 }
-
-const PanelDrawing kMinkowskiPanel{
-    .needs = {&Stages::minkowski, &Stages::gjk, &Stages::penetration}};
 
 InsetPicture sketch_minkowski(const Inset& inset, const Scene& scene) {
   InsetPicture picture;

@@ -3,8 +3,8 @@ planted_bug(concave_faces_cut_outside FILE src/geometry/triangulate.cpp TESTS ge
   WAS [[if (!(area > rounding)) return kNoEar;]]
   IS [[if (!@BUG@ && !(area > rounding)) return kNoEar;]])
 planted_bug(normals_point_back FILE render/draw/layers/normals.cpp TESTS draw
-  WAS [[                      .direction = manifold.normal,]]
-  IS [[                      .direction = Vec3d((@BUG@ ? -1.0 : 1.0) * manifold.normal),]])
+  WAS [[                .direction = manifold.normal,]]
+  IS [[                .direction = Vec3d((@BUG@ ? -1.0 : 1.0) * manifold.normal),]])
 planted_bug(dots_two_pixels_off FILE render/draw/scene/compose.cpp TESTS draw
   WAS [[const float reach = draw_mark(mark.kind, *at, mark.color, pen, mark.size);]]
   IS [[const float reach = draw_mark(mark.kind, *at + Point2{@BUG@ ? 2.0f : 0.0f, 0}, mark.color, pen, mark.size);]])
