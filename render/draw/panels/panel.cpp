@@ -8,6 +8,7 @@ namespace contactscope::draw {
 const PanelDrawing kMinkowskiPanel{
     .needs = {&Stages::minkowski, &Stages::gjk, &Stages::penetration}};
 const PanelDrawing kGaussMapPanel{.needs = {&Stages::gauss_map, &Stages::sat}};
+
 std::vector<FilledPanel> make_panels(const Staging& staging, const Frames& frames) {
   std::vector<FilledPanel> panels;
   for (const Panel panel : staging.view.panels)
