@@ -12,7 +12,6 @@
 
 #include "core/at.h"
 #include "image/sha256.h"
-#include "image/whole_file.h"
 #include "snapshot/meshes.h"
 #include "snapshot/store.h"
 
@@ -40,8 +39,7 @@ std::string content_of(const Input& input, const fs::path& snapshots) {
   std::string all = input.scenario.path + "\n" + text;
   add_named_files(text, fs::path(input.scenario.path).parent_path(), all);
   for (const fs::path& file : snapshot::stored_files(snapshots, input.scenario.name)) {
-    const std::vector<std::uint8_t> bytes = read_whole_file(file.string());
-    const std::string stored(bytes.begin(), bytes.end());
+    const std::string stored = snapshot::read_text_file(file).value_or("");
     all += sha256(stored) + " " + file.string() + "\n";
     if (file.extension() != ".jsonl") continue;
     for (const std::string& name : snapshot::meshes_named(stored))
