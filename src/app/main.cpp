@@ -7,7 +7,6 @@
 #include <malloc.h>
 #endif
 
-#include "app/cli/manual.h"
 #include "app/cli/progress.h"
 #include "app/cli/verbs.h"
 #include "app/render/origin.h"

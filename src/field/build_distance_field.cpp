@@ -1,6 +1,5 @@
 #include <cmath>
 
-#include "core/at.h"
 #include "core/input_error.h"
 #include "field/closed_surface.h"
 #include "field/field_builder.h"

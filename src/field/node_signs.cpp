@@ -45,19 +45,12 @@ class SignSpreader {
   /// Takes a sign from any neighbour, along diagonals too; false if there is none.
   bool take_from_any(int x, int y, int z) const {
     const int to = index(x, y, z);
-    for (int w = std::max(z - 1, 0); w <= std::min(z + 1, counts_[2] - 1); ++w) {
-      for (int v = std::max(y - 1, 0); v <= std::min(y + 1, counts_[1] - 1); ++v) {
-        for (int u = std::max(x - 1, 0); u <= std::min(x + 1, counts_[0] - 1); ++u) {
-          const int from = index(u, v, w);
-          if (sign(from) == NodeSign::Unknown ||
-              !is_passable(from, to, (u != x) + (v != y) + (w != z)))
-            continue;
-          sign(to) = sign(from);
-          return true;
-        }
-      }
-    }
-    return false;
+    return any_around(x, y, z, [&](int u, int v, int w, int axes) {
+      const int from = index(u, v, w);
+      if (sign(from) == NodeSign::Unknown || !is_passable(from, to, axes)) return false;
+      sign(to) = sign(from);
+      return true;
+    });
   }
 
   /// Spreads signs from the open nodes to all neighbours, and on from those.
@@ -66,23 +59,27 @@ class SignSpreader {
       const auto [x, y, z] = open_.back();
       open_.pop_back();
       const int from = index(x, y, z);
-      for (int w = std::max(z - 1, 0); w <= std::min(z + 1, counts_[2] - 1); ++w) {
-        for (int v = std::max(y - 1, 0); v <= std::min(y + 1, counts_[1] - 1); ++v) {
-          for (int u = std::max(x - 1, 0); u <= std::min(x + 1, counts_[0] - 1); ++u) {
-            const int to = index(u, v, w);
-            if (sign(to) != NodeSign::Unknown ||
-                !is_passable(from, to, (u != x) + (v != y) + (w != z)))
-              continue;
-            sign(to) = sign(from);
-            open_.push_back({u, v, w});
-          }
-        }
-      }
+      any_around(x, y, z, [&](int u, int v, int w, int axes) {
+        const int to = index(u, v, w);
+        if (sign(to) != NodeSign::Unknown || !is_passable(from, to, axes)) return false;
+        sign(to) = sign(from);
+        open_.push_back({u, v, w});
+        return false;
+      });
     }
   }
   void open(int x, int y, int z) { open_.push_back({x, y, z}); }
 
  private:
+  /// Calls visit(u, v, w, axes) for the nodes around a node, `axes` apart, until one returns true.
+  template <class Visit>
+  bool any_around(int x, int y, int z, const Visit& visit) const {
+    for (int w = std::max(z - 1, 0); w <= std::min(z + 1, counts_[2] - 1); ++w)
+      for (int v = std::max(y - 1, 0); v <= std::min(y + 1, counts_[1] - 1); ++v)
+        for (int u = std::max(x - 1, 0); u <= std::min(x + 1, counts_[0] - 1); ++u)
+          if (visit(u, v, w, (u != x) + (v != y) + (w != z))) return true;
+    return false;
+  }
   bool is_passable(int from, int to, int axes) const {
     return at(nodes_, from)[0] + at(nodes_, to)[0] > at(lengths_, axes);
   }

@@ -1,7 +1,6 @@
-#include "lint/causes.h"
-
 #include <array>
 
+#include "lint/linter.h"
 #include "lint/reading.h"
 #include "lint/watch.h"
 

@@ -6,7 +6,6 @@
 
 #include "core/at.h"
 #include "core/input_error.h"
-#include "lint/forms.h"
 #include "trace/find.h"
 
 namespace contactscope::lint {

@@ -1,4 +1,4 @@
-#include "lint/forms.h"
+#include "lint/reading.h"
 
 namespace contactscope::lint {
 

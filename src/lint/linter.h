@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "trace/json.h"
@@ -39,6 +40,9 @@ struct Finding {
 inline bool is_reported(const Finding& finding) {
   return finding.below.empty() && !finding.is_hint;
 }
+
+/// Names of all causes that findings may have.
+std::vector<std::string_view> causes();
 
 /// Findings to leave out.
 struct Ignored {

@@ -2,7 +2,6 @@
 #include <map>
 #include <set>
 
-#include "core/at.h"
 #include "lint/own_contacts.h"
 #include "lint/watch.h"
 
@@ -22,13 +21,6 @@ Aabb<double> box_of(const Placed& placed) {
   const Vec3d reach = placed.pose.rotation.toRotationMatrix().cwiseAbs() * half;
   const Vec3d center = placed.pose.transform(middle);
   return {center - reach, center + reach};
-}
-
-/// For shapes of any kind; empty if it cannot be computed. The normal is zero for meshes.
-std::optional<Separation> separation_of(const Placed& a, const Placed& b) {
-  if (const std::optional<Separation> best = best_separation(a, b)) return best;
-  const std::optional<OwnContacts> own = own_contacts(a, b);
-  return own ? std::optional(Separation{own->separation}) : std::nullopt;
 }
 
 struct Missing {

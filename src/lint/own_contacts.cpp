@@ -20,4 +20,10 @@ std::optional<OwnContacts> own_contacts(const Placed& a, const Placed& b) {
   return found;
 }
 
+std::optional<Separation> separation_of(const Placed& a, const Placed& b) {
+  if (const std::optional<Separation> best = best_separation(a, b)) return best;
+  const std::optional<OwnContacts> own = own_contacts(a, b);
+  return own ? std::optional(Separation{own->separation}) : std::nullopt;
+}
+
 }  // namespace contactscope::lint

@@ -16,4 +16,8 @@ struct OwnContacts {
 /// At their own scale. Empty for kinds of shapes that do not collide here.
 std::optional<OwnContacts> own_contacts(const Placed& a, const Placed& b);
 
+/// For shapes of any kind; empty if it cannot be computed, as for two meshes. For a mesh the normal
+/// is zero, and the distance is infinite if nothing touches it.
+std::optional<Separation> separation_of(const Placed& a, const Placed& b);
+
 }  // namespace contactscope::lint

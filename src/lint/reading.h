@@ -1,10 +1,9 @@
 #pragma once
 
-#include <array>
 #include <string>
 #include <vector>
 
-#include "core/vec3.h"
+#include "trace/shape.h"
 
 namespace contactscope::lint {
 
@@ -35,6 +34,14 @@ enum class Form {
   OffsetsNegated,
   PlanesTurned,
 };
+
+// forms.cpp
+
+/// Whether a form applies to a shape.
+bool takes(const trace::Shape& shape, Form form);
+
+/// The shape with the form applied.
+trace::Shape reformed(trace::Shape shape, Form form);
 
 /// One interpretation of a trace. The default is the format of src/trace/README.md; every other
 /// value is a common mistake.

@@ -1,11 +1,8 @@
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <numbers>
 
-#include "core/at.h"
 #include "lint/tally.h"
-#include "trace/find.h"
 
 namespace contactscope::lint {
 namespace {

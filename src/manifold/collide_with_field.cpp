@@ -4,7 +4,6 @@
 #include <limits>
 #include <numbers>
 
-#include "geometry/bounds.h"
 #include "manifold/collide_pairs.h"
 #include "manifold/field_contact.h"
 #include "manifold/in_double.h"

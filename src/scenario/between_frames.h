@@ -9,7 +9,6 @@
 #include "continuous/motion_bounds.h"
 #include "core/at.h"
 #include "scenario/impact_facts.h"
-#include "scenario/mesh_impact_facts.h"
 #include "scenario/scenario.h"
 
 /// Handles shapes that meet between two frames: `continuous` of a scenario.

@@ -6,6 +6,7 @@
 #include "manifold/pair_query.h"
 #include "scenario/readers.h"
 #include "scenario/run.h"
+#include "trace/find.h"
 
 namespace contactscope::scenario_file {
 namespace {
@@ -248,15 +249,6 @@ std::vector<Direction> directions_of(const trace::Pair& pair) {
   return directions;
 }
 
-/// Mean force in newtons over `dt` seconds.
-double load_of(const trace::Pair& pair, double dt) {
-  double impulse = 0;
-  for (const trace::Manifold& manifold : pair.manifolds)
-    for (const trace::Point& point : manifold.points)
-      if (point.impulse) impulse += point.impulse->normal;
-  return impulse / dt;
-}
-
 void add_count(const char* thing, const std::optional<int>& wanted, int got,
                std::vector<Unmet>& list) {
   if (!wanted || got == *wanted) return;
@@ -337,7 +329,7 @@ std::vector<Unmet> unmet(const Expectation& expected, const trace::Pair& pair, d
     list.push_back({"expected separation " + spell(*expected.separation) + " m",
                     spell_got(pair.separation, *expected.separation) + " m" + tolerance + ")"});
   if (expected.load) {
-    const double load = load_of(pair, dt);
+    const double load = trace::impulse_of(pair) / dt;
     if (!(std::abs(load - *expected.load) <= expected.tolerance * *expected.load))
       list.push_back({"expected load " + spell(*expected.load) + " N",
                       spell_got(load, *expected.load) + " N" + tolerance + " of it)"});

@@ -1,9 +1,7 @@
-#include "scenario/field_slice.h"
+#include "scenario/run_facts.h"
 
 #include <algorithm>
 #include <cmath>
-
-#include "core/at.h"
 
 namespace contactscope {
 

@@ -95,4 +95,10 @@ trace::Stop stop_facts(const Scenario& scenario, const ImpactStop<S>& stop) {
           .for_good = stop.for_good};
 }
 
+/// When two meshes first meet between `from` and `to`, seconds. Each corner moves in a straight
+/// line at constant speed between its scripted positions, whether the mesh deforms, moves or turns.
+/// In double, whatever the scenario's scalar. Both shapes must be meshes.
+trace::Impact mesh_impact_facts(const ScenarioShape& a, const ScenarioShape& b, double from,
+                                double to);
+
 }  // namespace contactscope

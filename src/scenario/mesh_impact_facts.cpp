@@ -1,5 +1,3 @@
-#include "scenario/mesh_impact_facts.h"
-
 #include <vector>
 
 #include "continuous/impact_of_meshes.h"
@@ -7,6 +5,7 @@
 #include "core/at.h"
 #include "geometry/mesh.h"
 #include "scenario/deform.h"
+#include "scenario/impact_facts.h"
 
 namespace contactscope {
 namespace {

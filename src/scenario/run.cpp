@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <optional>
 #include <set>
 #include <utility>
@@ -16,11 +15,8 @@
 #include "scenario/active_pair.h"
 #include "scenario/between_frames.h"
 #include "scenario/deforming_mesh.h"
-#include "scenario/field_slice.h"
 #include "scenario/pair_chooser.h"
-#include "scenario/patch_facts.h"
 #include "scenario/run_facts.h"
-#include "scenario/shown_stages.h"
 
 namespace contactscope {
 namespace {

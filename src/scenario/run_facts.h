@@ -1,17 +1,89 @@
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
 #include "core/at.h"
 #include "dynamics/rest.h"
 #include "dynamics/solver.h"
+#include "field/distance_field.h"
+#include "manifold/recorder.h"
 #include "scenario/scenario.h"
-#include "scenario/shown_stages.h"
 #include "trace/trace.h"
 
-/// Trace records of shapes, and of the solver in dynamic scenarios.
+/// Trace records of shapes, patches and fields, and of the solver in dynamic scenarios.
 namespace contactscope {
+
+inline bool shown(const std::vector<View>& views, auto what) {
+  return std::ranges::any_of(views, [&](const View& view) { return view.shows(what); });
+}
+
+/// Adds stages that are too large to record unless a view shows them.
+inline trace::Stages with_insets(trace::Stages stages, const std::vector<View>& views) {
+  stages.gauss_map = stages.gauss_map || shown(views, Panel::GaussMap);
+  stages.minkowski = stages.minkowski || shown(views, Panel::Minkowski);
+  stages.cells = stages.cells || shown(views, Layer::Cells) || shown(views, Panel::Endpoints);
+  stages.node_pairs = stages.node_pairs || shown(views, Panel::NodePairs);
+  stages.fields = stages.fields || shown(views, Layer::Field);
+  stages.decisions = stages.decisions || shown(views, Layer::FlipDistance);
+  stages.flip = stages.flip || shown(views, Layer::FlipDistance);
+  return stages;
+}
+
+// field_slice.cpp
+
+/// The direction, world, any length, that slices through fields face: towards the eye of the first
+/// view that shows them and sets its eye, else towards a typical fitted camera.
+Vec3d facing_slices(const Scenario& scenario);
+
+/// Distances on a plane through the centre of the surface, the lattice plane whose normal is
+/// closest to `toward`; its axes are counter-clockwise from there. About as many values as a square
+/// with kSliceValues per side, eight per cell at most: cells that use their triangles resolve
+/// features thinner than a cell. `pose` places the field's shape in the world.
+trace::FieldSlice slice_through(const std::string& name, const PlacedField& field,
+                                const Pose<double>& pose, const Vec3d& toward);
+
+inline constexpr int kSliceValues = 96;
+
+/// A patch as a pair without shapes, labelled with its name: the manifold of the reduced points
+/// and, if recorded, all points with the choices. Points are rounded to the reducer's scalar; their
+/// ids are their numbers, from 1.
+template <class S>
+trace::Pair patch_facts(const ScenarioPatch& patch, const PipelineSettings& settings,
+                        const trace::Stages& stages) {
+  std::vector<ContactPoint<S>> points;
+  for (const ContactPoint<double>& point : patch.points)
+    points.push_back({point.position.cast<S>(), static_cast<S>(point.separation), FeatureId()});
+  const Vec3<S> normal = patch.normal.cast<S>();
+  const ReducerInfo* const reducer = find_reducer(settings.reducer);
+  ReduceOptions options;
+  options.max_points = settings.max_points;
+
+  trace::Pair pair;
+  pair.label = patch.name;
+  pair.kind = "patch";
+  pair.state = "touching";
+  trace::Stages recorded = stages;
+  recorded.reduction = stages.reduction && reducer != nullptr;
+  const KeptIndices kept =
+      Recorder<S>(ToWorld<S>(Pose<S>()), recorded, pair).reduce(reducer, points, normal, options);
+  const auto record = [&](int index) -> trace::Point {
+    const ContactPoint<S>& point = at(points, index);
+    return {point.position.template cast<double>(), static_cast<double>(point.separation),
+            std::to_string(index + 1)};
+  };
+  trace::Manifold& manifold = pair.manifolds.emplace_back();
+  manifold.normal = normal.template cast<double>();
+  for (const int index : kept) manifold.points.push_back(record(index));
+  if (pair.reduction) {
+    for (int i = 0; i < count_of(points); ++i) at(pair.reduction->points, i) = record(i);
+  }
+  pair.separation = manifold.points.front().separation;
+  for (const trace::Point& point : manifold.points)
+    pair.separation = std::min(pair.separation, point.separation);
+  return pair;
+}
 
 template <class S>
 void describe(const Sphere<S>& sphere, trace::Shape& traced) {

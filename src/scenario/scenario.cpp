@@ -11,7 +11,6 @@
 #include "core/input_file.h"
 #include "core/plain_text.h"
 #include "scenario/readers.h"
-#include "scenario/scenario_name.h"
 #include "scenario/words_file.h"
 #include "view/shape_name.h"
 

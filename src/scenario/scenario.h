@@ -200,6 +200,9 @@ inline bool walks_trees(const Scenario& scenario, const ScenarioPair& pair) {
          is_mesh(pair.b);
 }
 
+/// "<group>/<idea>": the folder and the name of a scenario file.
+std::string scenario_name(const std::string& path);
+
 /// Paths of all scenario files in a folder, sorted. Throws InputError if the folder does not exist.
 std::vector<std::string> scenario_files(const std::string& root);
 

@@ -6,7 +6,6 @@
 
 #include "core/input_error.h"
 #include "find/finder.h"
-#include "lint/causes.h"
 #include "lint/linter.h"
 #include "scenario/run.h"
 #include "versus/comparison.h"

@@ -1,7 +1,5 @@
 #include "shrink/pair_of_two.h"
 
-#include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <numbers>

@@ -2,9 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
-
-#include "core/at.h"
 
 namespace contactscope::shrink {
 namespace {

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <map>
 
-#include "core/at.h"
 #include "scenario/run.h"
 #include "study/study.h"
 

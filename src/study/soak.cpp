@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/at.h"
 #include "study/random_cases.h"
 
 namespace contactscope {

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "core/at.h"
 #include "query/gjk.h"

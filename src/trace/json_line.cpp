@@ -1,4 +1,4 @@
-#include "trace/json_line.h"
+#include "trace/json_node.h"
 
 #include <algorithm>
 #include <cctype>

@@ -3,7 +3,7 @@
 #include <istream>
 
 #include "core/input_error.h"
-#include "trace/json_line.h"
+#include "trace/json_node.h"
 #include "trace/reference.h"
 
 namespace contactscope::trace {

@@ -1,11 +1,9 @@
 #include "versus/comparison.h"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <set>
 
-#include "core/at.h"
 #include "trace/find.h"
 #include "trace/point_names.h"
 #include "versus/reference.h"

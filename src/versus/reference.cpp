@@ -1,7 +1,5 @@
 #include "versus/reference.h"
 
-#include <algorithm>
-
 #include "core/at.h"
 #include "core/convex_polygon.h"
 #include "lint/own_contacts.h"
@@ -18,12 +16,6 @@ double area_of_points(const std::vector<Vec3d>& points, const Vec3d& normal) {
 
 double area_of(const trace::Manifold& manifold) {
   return area_of_points(mapped(manifold.points, &trace::Point::position), manifold.normal);
-}
-
-std::optional<double> separation_of(const lint::Placed& a, const lint::Placed& b) {
-  if (const std::optional<lint::Separation> best = best_separation(a, b)) return best->distance;
-  const std::optional<lint::OwnContacts> own = lint::own_contacts(a, b);
-  return own ? std::optional(own->separation) : std::nullopt;
 }
 
 std::vector<Truth> truths_of(const lint::Solids& solids, const trace::Frame& frame) {

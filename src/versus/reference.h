@@ -23,10 +23,6 @@ struct Truth {
   bool is_separated() const { return separation && *separation > tolerance; }
 };
 
-/// Metres between two shapes, negative: penetration. Infinite for a mesh that nothing touches;
-/// empty if it cannot be computed, as for two meshes.
-std::optional<double> separation_of(const lint::Placed& a, const lint::Placed& b);
-
 /// For each pair of a frame, in order.
 std::vector<Truth> truths_of(const lint::Solids& solids, const trace::Frame& frame);
 

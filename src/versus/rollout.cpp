@@ -6,8 +6,9 @@
 #include <map>
 
 #include "core/at.h"
+#include "lint/claims.h"
+#include "lint/own_contacts.h"
 #include "trace/find.h"
-#include "versus/reference.h"
 
 namespace contactscope::versus {
 namespace {
@@ -29,10 +30,6 @@ Aabb<double> box_of(const lint::Placed& placed) {
     box.upper[axis] = placed.extent(Vec3d::Unit(axis));
   }
   return box;
-}
-
-bool meet(const Aabb<double>& a, const Aabb<double>& b) {
-  return (a.lower.array() <= b.upper.array()).all() && (b.lower.array() <= a.upper.array()).all();
 }
 
 struct Motion {
@@ -108,10 +105,10 @@ std::optional<Path> path_of(const lint::Solids& solids, const std::string& name,
 bool passes(const Path& body, const Path& other) {
   const double thin = std::min(body.thickness(), other.thickness());
   const double relative_motion = (body.move() - other.move()).norm();
-  if (!(relative_motion > body.thickness()) || !meet(body.box(), other.box())) return false;
+  if (!(relative_motion > body.thickness()) || !overlaps(body.box(), other.box())) return false;
   const auto is_inside = [&](double share) {
-    const std::optional<double> separation = separation_of(body.at(share), other.at(share));
-    return separation && *separation < -kInside * thin;
+    const auto separation = separation_of(body.at(share), other.at(share));
+    return separation && separation->distance < -kInside * thin;
   };
   if (is_inside(0) || is_inside(1)) return false;
   const int looks =
@@ -276,10 +273,10 @@ class Judge {
     for (std::size_t i = 0; i < shapes.size(); ++i)
       for (std::size_t k = i + 1; k < shapes.size(); ++k) {
         const Boxed &a = shapes[i], &b = shapes[k];
-        if ((!a.is_body && !b.is_body) || !meet(a.box, b.box)) continue;
-        const std::optional<double> separation = separation_of(a.placed, b.placed);
+        if ((!a.is_body && !b.is_body) || !overlaps(a.box, b.box)) continue;
+        const auto separation = separation_of(a.placed, b.placed);
         if (!separation && score_.unknown.empty()) score_.unknown = a.name + "-" + b.name;
-        const double depth = -separation.value_or(0);
+        const double depth = -separation.value_or(lint::Separation{}).distance;
         deepest = std::max(deepest, depth);
         if (depth <= score_.worst_penetration) continue;
         score_.worst_penetration = depth;

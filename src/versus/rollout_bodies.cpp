@@ -1,9 +1,8 @@
 #include <algorithm>
-#include <set>
 
 #include "core/at.h"
-#include "trace/find.h"
-#include "versus/reference.h"
+#include "lint/claims.h"
+#include "lint/own_contacts.h"
 #include "versus/rollout.h"
 
 namespace contactscope::versus {
@@ -21,8 +20,8 @@ bool bears(const lint::Placed& below, const lint::Placed& body, const Vec3d& up)
   // The orientation of a mesh is not considered; test whether it touches the lowered body.
   lint::Placed lowered = body;
   lowered.pose.position -= near * up;
-  const std::optional<double> separation = separation_of(below, lowered);
-  return separation && *separation < 0;
+  const auto separation = separation_of(below, lowered);
+  return separation && separation->distance < 0;
 }
 
 }  // namespace

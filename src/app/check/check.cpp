@@ -7,7 +7,6 @@
 #include "app/cli/progress.h"
 #include "app/cli/verbs.h"
 #include "gl/context.h"
-#include "snapshot/report_folder.h"
 
 namespace contactscope::app {
 namespace {

@@ -10,8 +10,6 @@
 #include <stdexcept>
 
 #include "app/check/known_same.h"
-#include "app/check/moved_layers.h"
-#include "app/check/program_id.h"
 #include "app/check/reports/report.h"
 #include "app/cli/progress.h"
 #include "app/cli/shard.h"

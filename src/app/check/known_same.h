@@ -37,6 +37,11 @@ class KnownSame {
   std::map<std::string, Entry> entries_;
 };
 
+/// Identifies this build by 64 hexadecimal digits: a hash of the linker's build id, or without one
+/// of the program file; empty if neither is available. Hashing the file of a sanitized build takes
+/// ten seconds, reading the build id almost none.
+std::string program_id();
+
 /// Content hashes of scenarios, in order; computed on several threads.
 std::vector<std::string> contents_of(const std::vector<Input>& inputs,
                                      const std::filesystem::path& snapshots);

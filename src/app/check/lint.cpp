@@ -9,7 +9,6 @@
 #include "app/cli/progress.h"
 #include "app/cli/verbs.h"
 #include "core/input_error.h"
-#include "lint/causes.h"
 #include "scenario/nearest_word.h"
 #include "scenario/run.h"
 #include "snapshot/store.h"

@@ -1,9 +1,8 @@
-#include "app/check/moved_layers.h"
-
 #include <algorithm>
 #include <cctype>
 #include <utility>
 
+#include "app/check/check_run.h"
 #include "draw/staging.h"
 #include "vector/svg.h"
 

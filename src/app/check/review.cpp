@@ -14,7 +14,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/check/reports/report.h"
-#include "app/check/show.h"
 #include "app/cli/progress.h"
 #include "app/cli/shard.h"
 #include "core/input_error.h"

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <iosfwd>
+#include <string>
 #include <vector>
 
 #include "app/cli/verbs.h"
@@ -17,5 +19,14 @@ std::vector<snapshot::Finding*> findings_named(snapshot::Outcome& outcome,
 
 /// `check --accept PATTERN...`: stores candidates of the last report, without running anything.
 ExitCode run_accept(const Options& options);
+
+enum class TerminalPictures { None, HalfBlocks, Sixel, Kitty };
+
+/// Capability of the terminal on standard output, by its environment; None without a terminal.
+TerminalPictures terminal_pictures();
+
+/// Prints a finding with its details, and its pictures or their paths.
+void show(const snapshot::Finding& finding, const std::string& folder, TerminalPictures how,
+          std::ostream& out);
 
 }  // namespace contactscope::app

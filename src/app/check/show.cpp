@@ -1,14 +1,10 @@
-#include "app/check/show.h"
-
 #include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
-#include <string_view>
 
-#include "app/check/reports/report.h"
 #include "app/check/review.h"
 #include "image/png.h"
 #include "image/terminal.h"

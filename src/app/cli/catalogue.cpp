@@ -16,7 +16,6 @@
 #include "draw/scene/contact_facts.h"
 #include "reduce/reducer.h"
 #include "scenario/nearest_word.h"
-#include "scenario/scenario_name.h"
 
 namespace contactscope::app {
 namespace {

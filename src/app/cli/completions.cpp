@@ -2,7 +2,6 @@
 #include <set>
 #include <sstream>
 
-#include "app/cli/manual.h"
 #include "app/cli/verbs.h"
 #include "core/at.h"
 

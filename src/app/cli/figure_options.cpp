@@ -5,7 +5,6 @@
 #include <ostream>
 
 #include "app/cli/options.h"
-#include "core/at.h"
 #include "draw/scene/layout.h"
 #include "draw/scene/palette.h"
 #include "image/font.h"

@@ -1,5 +1,3 @@
-#include "app/cli/manual.h"
-
 #include <sstream>
 
 #include "app/cli/verbs.h"

@@ -7,7 +7,6 @@
 #include <cstdio>
 #include <iomanip>
 #include <ostream>
-#include <stdexcept>
 
 namespace contactscope::app {
 namespace {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "trace/find.h"
 #include "trace/point_names.h"
 
 namespace contactscope::app {
@@ -11,10 +12,7 @@ namespace {
 /// Deepest penetration of a frame, metres.
 double penetration(const trace::Frame& frame) {
   double deepest = 0;
-  for (const trace::Pair& pair : frame.pairs)
-    for (const trace::Manifold& manifold : pair.manifolds)
-      for (const trace::Point& point : manifold.points)
-        deepest = std::max(deepest, -point.separation);
+  for (const trace::Pair& pair : frame.pairs) deepest = std::max(deepest, trace::overlap_of(pair));
   return deepest;
 }
 

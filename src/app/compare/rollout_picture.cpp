@@ -1,4 +1,4 @@
-#include "app/compare/rollout_picture.h"
+#include "app/compare/rollout.h"
 
 #include <algorithm>
 #include <cmath>

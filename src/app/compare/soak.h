@@ -19,9 +19,4 @@ std::vector<std::string> soak_parts(const std::vector<std::string>& names);
 /// InputError if one is unreadable, UsageError if one is missing, duplicate, or of another run.
 ExitCode merge_soak(const std::vector<std::string>& files, const Options& options);
 
-/// JSON of the file; `shard` is set for a part.
-std::string to_json(const Soak& soak, const std::optional<snapshot::Shard>& shard);
-Soak parse_soak(const std::string& text, const std::string& path,
-                std::optional<snapshot::Shard>& shard);
-
 }  // namespace contactscope::app

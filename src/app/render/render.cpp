@@ -16,6 +16,7 @@
 #include "core/at.h"
 #include "draw/staging.h"
 #include "snapshot/finding.h"
+#include "vector/font_subset.h"
 
 namespace contactscope::app {
 namespace {
@@ -159,8 +160,13 @@ void draw_sequences(Input& input, const Options& options, Renderer& renderer, Si
 ExitCode run_render(const Options& options) {
   note_interrupts();
   const std::vector<const Format*> chosen = formats_named(options.formats);
-  for (const Format* format : chosen)
-    if (format->require != nullptr) format->require();
+  for (const Format* format : chosen) {
+    try {
+      if (format->require != nullptr) format->require();
+    } catch (const vector::MissingLibrary& missing) {
+      throw UsageError("--format " + std::string(format->name) + ": " + missing.what());
+    }
+  }
   const bool cells = wants_cells(options, chosen);
   RunLog total;
   std::vector<Input> inputs;

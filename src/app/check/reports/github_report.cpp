@@ -1,6 +1,6 @@
 #include <iostream>
 
-#include "app/check/reports/rows.h"
+#include "app/check/reports/report.h"
 
 namespace contactscope::app {
 namespace {
@@ -53,7 +53,7 @@ void report_github(const ReportInput& input) {
 
 }  // namespace
 
-const Report kGithubReport{"github", [](const ReportInput& input) { return input.options.github; },
+const Report kGithubReport{[](const ReportInput& input) { return input.options.github; },
                            &report_github};
 
 }  // namespace contactscope::app

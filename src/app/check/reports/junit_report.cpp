@@ -1,7 +1,6 @@
-#include <fstream>
 #include <sstream>
 
-#include "app/check/reports/rows.h"
+#include "app/check/reports/report.h"
 #include "snapshot/store.h"
 #include "vector/markup.h"
 
@@ -64,7 +63,7 @@ void report_junit(const ReportInput& input) {
 
 }  // namespace
 
-const Report kJunitReport{
-    "junit", [](const ReportInput& input) { return !input.options.junit.empty(); }, &report_junit};
+const Report kJunitReport{[](const ReportInput& input) { return !input.options.junit.empty(); },
+                          &report_junit};
 
 }  // namespace contactscope::app

@@ -1,6 +1,6 @@
 #include <sstream>
 
-#include "app/check/reports/rows.h"
+#include "app/check/reports/report.h"
 #include "image/base64.h"
 #include "image/png.h"
 #include "image/terminal.h"
@@ -75,7 +75,6 @@ void report_markdown(const ReportInput& input) {
 }  // namespace
 
 const Report kMarkdownReport{
-    "markdown", [](const ReportInput& input) { return !input.options.markdown.empty(); },
-    &report_markdown};
+    [](const ReportInput& input) { return !input.options.markdown.empty(); }, &report_markdown};
 
 }  // namespace contactscope::app

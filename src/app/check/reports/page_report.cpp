@@ -1,14 +1,17 @@
 #include <algorithm>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "app/check/reports/page_data.h"
-#include "app/check/reports/rows.h"
+#include "app/check/reports/report.h"
 #include "image/base64.h"
 #include "snapshot/store.h"
 #include "vector/markup.h"
 
-namespace contactscope::app {
+namespace contactscope {
+
+/// page.html, embedded by the build.
+std::string_view check_page();
+
+namespace app {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -113,11 +116,11 @@ void report_page(const ReportInput& input) {
 
 }  // namespace
 
-const Report kPageReport{"page",
-                         [](const ReportInput& input) {
+const Report kPageReport{[](const ReportInput& input) {
                            return snapshot::tally(input.outcome).failing > 0 ||
                                   std::filesystem::exists(input.folder / "report.html");
                          },
                          &report_page};
 
-}  // namespace contactscope::app
+}  // namespace app
+}  // namespace contactscope

@@ -2,7 +2,6 @@
 
 #include <filesystem>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "app/cli/verbs.h"
@@ -19,13 +18,14 @@ struct ReportInput {
 };
 
 struct Report {
-  std::string_view name;
   /// True if the options request it.
   bool (*is_wanted)(const ReportInput& input);
   void (*write)(const ReportInput& input);
 };
 
-const std::vector<Report>& reports();
+// Each is defined in the file of its name.
+extern const Report kPageReport, kTerminalReport, kJsonReport, kJunitReport, kGithubReport,
+    kMarkdownReport;
 
 /// For verbs that run or read a check. Trouble if a scenario is unreadable, even if others differ.
 ExitCode exit_code(const snapshot::Outcome& outcome);

@@ -1,16 +1,10 @@
 #include <algorithm>
 
-#include "app/check/reports/rows.h"
+#include "app/check/reports/report.h"
 #include "app/render/origin.h"
 #include "snapshot/accept.h"
 
 namespace contactscope::app {
-
-const std::vector<Report>& reports() {
-  static const std::vector<Report> all = {kTerminalReport, kJsonReport, kJunitReport, kGithubReport,
-                                          kMarkdownReport};
-  return all;
-}
 
 ExitCode exit_code(const snapshot::Outcome& outcome) {
   const snapshot::Tally counts = snapshot::tally(outcome);
@@ -20,8 +14,9 @@ ExitCode exit_code(const snapshot::Outcome& outcome) {
 }
 
 void write_reports(const ReportInput& input) {
-  for (const Report& report : reports())
-    if (report.is_wanted(input)) report.write(input);
+  for (const Report* report :
+       {&kTerminalReport, &kJsonReport, &kJunitReport, &kGithubReport, &kMarkdownReport})
+    if (report->is_wanted(input)) report->write(input);
 }
 
 std::string path_in(const ReportInput& input, const std::string& file) {

@@ -2,7 +2,7 @@
 #include <iomanip>
 #include <iostream>
 
-#include "app/check/reports/rows.h"
+#include "app/check/reports/report.h"
 
 namespace contactscope::app {
 namespace {
@@ -152,7 +152,7 @@ void report_terminal(const ReportInput& input) {
 
 }  // namespace
 
-const Report kTerminalReport{
-    "terminal", [](const ReportInput& input) { return !input.options.json; }, &report_terminal};
+const Report kTerminalReport{[](const ReportInput& input) { return !input.options.json; },
+                             &report_terminal};
 
 }  // namespace contactscope::app

@@ -1,4 +1,4 @@
-#include "app/render/formats/animation.h"
+#include "app/render/formats/format.h"
 
 #include <cmath>
 #include <future>

@@ -1,5 +1,4 @@
-#include "app/render/formats/animation.h"
-#include "app/render/formats/rows.h"
+#include "app/render/formats/format.h"
 #include "image/apng.h"
 #include "image/whole_file.h"
 

@@ -49,6 +49,28 @@ class Reel {
   virtual void finish() = 0;
 };
 
+/// Display time of a picture. Milliseconds of a sequence add up to its rounded duration.
+struct Duration {
+  double seconds = 0;
+  int milliseconds = 0;
+};
+
+/// An animated raster file being written.
+class Animation {
+ public:
+  Animation() = default;
+  virtual ~Animation() = default;
+  Animation(const Animation&) = delete;
+  Animation& operator=(const Animation&) = delete;
+
+  virtual void add(const Image& image, const Duration& shown) = 0;
+  virtual void finish() = 0;
+};
+
+/// Feeds pictures to an animation on another thread, one behind the caller. Each is shown until the
+/// time of the next frame; the last as long as the one before it.
+std::unique_ptr<Reel> reel_of(const ReelPlan& plan, std::unique_ptr<Animation> animation);
+
 /// A file format. It has `encode`, `begin` or both: `encode` for a single picture, `begin` for
 /// several.
 struct Format {
@@ -61,9 +83,14 @@ struct Format {
   std::vector<std::uint8_t> (*encode)(const Shot& shot) = nullptr;
   /// Begins a file of a whole sequence.
   std::unique_ptr<Reel> (*begin)(const ReelPlan& plan) = nullptr;
-  /// Throws UsageError with a remedy if a dependency is missing. Called before rendering.
+  /// Throws UsageError or vector::MissingLibrary, with a remedy, if a dependency is missing. Called
+  /// before rendering.
   void (*require)() = nullptr;
 };
+
+// Each is defined in the file of its name.
+extern const Format kPngFormat, kSvgFormat, kPdfFormat, kHtmlFormat, kApngFormat, kWebpFormat,
+    kMp4Format, kViewerFormat;
 
 /// In listing order; the first is the default.
 const std::vector<Format>& formats();

@@ -2,7 +2,6 @@
 
 #include "app/cli/verbs.h"
 #include "app/render/formats/format.h"
-#include "app/render/formats/rows.h"
 #include "scenario/nearest_word.h"
 
 namespace contactscope::app {

@@ -2,10 +2,9 @@
 #include <cmath>
 #include <iostream>
 
-#include "app/cli/verbs.h"
-#include "app/render/formats/rows.h"
-#include "image/whole_file.h"
+#include "app/render/formats/format.h"
 #include "page/page.h"
+#include "snapshot/store.h"
 #include "vector/font_subset.h"
 
 namespace contactscope::app {
@@ -25,10 +24,7 @@ class HtmlReel : public Reel {
     std::cerr << path_ << " will have about " << std::lround(megabytes)
               << " MB; --format viewer writes a small page of the same frames that can be turned\n";
   }
-  void finish() override {
-    const std::string html = page_.html();
-    write_whole_file(path_, std::vector<std::uint8_t>(html.begin(), html.end()));
-  }
+  void finish() override { snapshot::write_text(path_, page_.html()); }
 
  private:
   static constexpr std::size_t kFramesOfEstimate = 4;
@@ -49,14 +45,7 @@ const Format kHtmlFormat{
     .begin = [](const ReelPlan& plan) -> std::unique_ptr<Reel> {
       return std::make_unique<HtmlReel>(plan);
     },
-    .require =
-        [] {
-          try {
-            vector::font_subset(FontWeight::Regular, {U'a'});
-          } catch (const vector::MissingLibrary& error) {
-            throw UsageError(std::string("--format html: ") + error.what());
-          }
-        },
+    .require = [] { vector::font_subset(FontWeight::Regular, {U'a'}); },
 };
 
 }  // namespace contactscope::app

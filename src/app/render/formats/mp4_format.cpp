@@ -11,8 +11,7 @@
 #include <system_error>
 
 #include "app/cli/verbs.h"
-#include "app/render/formats/animation.h"
-#include "app/render/formats/rows.h"
+#include "app/render/formats/format.h"
 #include "versus/engine.h"
 
 namespace contactscope::app {

@@ -1,6 +1,4 @@
-#include "app/cli/verbs.h"
-#include "app/render/formats/rows.h"
-#include "vector/font_subset.h"
+#include "app/render/formats/format.h"
 #include "vector/pdf.h"
 
 namespace contactscope::app {
@@ -14,14 +12,7 @@ const Format kPdfFormat{
           const std::string pdf = vector::pdf_of(*shot.drawing, {.origin = &shot.origin});
           return std::vector<std::uint8_t>(pdf.begin(), pdf.end());
         },
-    .require =
-        [] {
-          try {
-            vector::require_pdf();
-          } catch (const vector::MissingLibrary& missing) {
-            throw UsageError(std::string("--format pdf: ") + missing.what());
-          }
-        },
+    .require = &vector::require_pdf,
 };
 
 }  // namespace contactscope::app

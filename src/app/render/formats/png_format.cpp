@@ -1,4 +1,4 @@
-#include "app/render/formats/rows.h"
+#include "app/render/formats/format.h"
 #include "image/png.h"
 
 namespace contactscope::app {

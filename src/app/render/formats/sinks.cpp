@@ -21,10 +21,6 @@ PictureOrigin completed(PictureOrigin origin, const std::string& frames, const F
   return origin;
 }
 
-void write_text(const std::string& path, const std::string& text) {
-  write_whole_file(path, std::vector<std::uint8_t>(text.begin(), text.end()));
-}
-
 }  // namespace
 
 Sinks::Sinks(std::vector<const Format*> formats, const Options& options, Renderer& renderer)
@@ -93,7 +89,7 @@ void Sinks::encode(const Format& format, const std::string& path, const Shot& sh
 void Sinks::add(const trace::Frame& frame, draw::Drawing drawing) {
   const fs::path folder = snapshot::picture_folder(options_.out, series_.scenario, series_.view);
   if (options_.anchors) {
-    write_text(
+    snapshot::write_text(
         path_of(series_.scenario, folder / snapshot::frame_stem(frame.frame), ".anchors.json"),
         vector::anchors_of(*series_.staging, frame, drawing));
   }

@@ -1,5 +1,4 @@
-#include "app/cli/verbs.h"
-#include "app/render/formats/rows.h"
+#include "app/render/formats/format.h"
 #include "vector/svg.h"
 
 namespace contactscope::app {
@@ -15,14 +14,7 @@ const Format kSvgFormat{
               vector::svg_of(*shot.drawing, {.origin = &shot.origin, .fonts = &faces});
           return std::vector<std::uint8_t>(svg.begin(), svg.end());
         },
-    .require =
-        [] {
-          try {
-            vector::require_font_subsets();
-          } catch (const vector::MissingLibrary& missing) {
-            throw UsageError(std::string("--format svg: ") + missing.what());
-          }
-        },
+    .require = &vector::require_font_subsets,
 };
 
 }  // namespace contactscope::app

@@ -1,6 +1,6 @@
 #include "app/cli/verbs.h"
-#include "app/render/formats/rows.h"
-#include "image/whole_file.h"
+#include "app/render/formats/format.h"
+#include "snapshot/store.h"
 #include "viewer/viewer.h"
 
 namespace contactscope::app {
@@ -12,10 +12,7 @@ class ViewerReel : public Reel {
       : path_(plan.path), viewer_(*plan.staging, plan.origin) {}
 
   void add(const Shot&, const trace::Frame& frame) override { viewer_.add(frame); }
-  void finish() override {
-    const std::string html = viewer_.html();
-    write_whole_file(path_, std::vector<std::uint8_t>(html.begin(), html.end()));
-  }
+  void finish() override { snapshot::write_text(path_, viewer_.html()); }
 
  private:
   std::string path_;
