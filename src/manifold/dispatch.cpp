@@ -117,20 +117,27 @@ Entry<S> entry(ShapeKind a, ShapeKind b) {
   return kTable[static_cast<int>(a)][static_cast<int>(b)];
 }
 
+/// Not inlined: pairs without a record need none of its registers.
 template <class S>
-void collide_in_order(const PlacedPair<S>& pair, const CollideOptions& options,
-                      Manifolds<S>& manifolds, trace::Pair* record, const trace::Stages& given) {
-  manifolds.clear();
-  const Entry<S> collide_pair = entry<S>(kind_of(pair.a), kind_of(pair.b));
-  if (collide_pair == nullptr) return;
-  if (record == nullptr) return collide_pair(pair, options, manifolds, nullptr);
-  trace::Stages stages = given;
+[[gnu::noinline]] void collide_with_record(const PlacedPair<S>& pair, const CollideOptions& options,
+                                           Manifolds<S>& manifolds, trace::Pair& record,
+                                           trace::Stages stages, Entry<S> collide_pair) {
   // Each triangle has its own, and each part of a field its own reduction, but a record has room
   // for one of each.
   if (kind_of(pair.b) >= ShapeKind::Mesh)
     stages.sat = stages.clip = stages.reduction = stages.gjk = stages.decisions = false;
-  Recorder<S> recorder(ToWorld<S>(pair.pose_a), stages, *record);
+  Recorder<S> recorder(ToWorld<S>(pair.pose_a), stages, record);
   collide_pair(pair, options, manifolds, &recorder);
+}
+
+template <class S>
+void collide_in_order(const PlacedPair<S>& pair, const CollideOptions& options,
+                      Manifolds<S>& manifolds, trace::Pair* record, const trace::Stages& stages) {
+  manifolds.clear();
+  const Entry<S> collide_pair = entry<S>(kind_of(pair.a), kind_of(pair.b));
+  if (collide_pair == nullptr) return;
+  if (record == nullptr) return collide_pair(pair, options, manifolds, nullptr);
+  collide_with_record(pair, options, manifolds, *record, stages, collide_pair);
 }
 
 /// Rounds every number once.

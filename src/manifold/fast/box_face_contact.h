@@ -35,7 +35,8 @@ struct BoxContact {
   ContactPoint<S> points[kMaxPoints];
 
   /// `first` and `second` are indices into kEdgeRefs, in this order.
-  [[gnu::always_inline]] void put(const Three<S>& position, S separation, int first, int second);
+  [[gnu::always_inline]] void put(int place, const Three<S>& position, S separation, int first,
+                                  int second);
 };
 
 /// The edges of both boxes in the order of ids, A's before B's, as words: reading a reference as
@@ -65,15 +66,15 @@ template <class S>
 }
 
 template <class S>
-[[gnu::always_inline]] inline void BoxContact<S>::put(const Three<S>& position, S separation,
-                                                      int first, int second) {
+[[gnu::always_inline]] inline void BoxContact<S>::put(int place, const Three<S>& position,
+                                                      S separation, int first, int second) {
   static_assert(sizeof(ContactPoint<S>) == sizeof(Three<S>) + 16);
   // NOLINTNEXTLINE(modernize-use-using): GCC wants it so
   typedef std::uint64_t Words __attribute__((vector_size(16)));
   const Words id = {kEdgeRefs[static_cast<std::size_t>(first)],
                     kEdgeRefs[static_cast<std::size_t>(second)]};
   const Three<S> four = with_separation<S>(position, all_of<S>(separation));
-  auto* const to = reinterpret_cast<std::byte*>(&points[count++]);
+  auto* const to = reinterpret_cast<std::byte*>(&points[place]);
   std::memcpy(to, &four, sizeof four);
   std::memcpy(to + sizeof four, &id, sizeof id);
 }
@@ -345,6 +346,7 @@ template <class S>
   deepest = std::numeric_limits<S>::infinity();
   const S highest = highest_kept(margin, scale);
   std::uint64_t list = clipped.list;
+  int count = 0;
   for (int i = 0; i < clipped.count; ++i, list >>= 8) {
     const std::size_t place = list & 15U;
     const Three<S>& position = clipped.positions[place];
@@ -353,10 +355,12 @@ template <class S>
     const S separation = std::min(distance, margin);
     const unsigned crossing = clipped.crossings[place];
     const std::uint8_t one = edges[crossing & 7U], two = edges[crossing >> 4];
-    contact.put(position - distance * normal, separation, std::min(one, two), std::max(one, two));
-    contact.count -= is_kept ? 0 : 1;  // the next point replaces it; no branch to mispredict
+    contact.put(count, position - distance * normal, separation, std::min(one, two),
+                std::max(one, two));
+    count += is_kept ? 1 : 0;  // else the next point replaces it; no branch to mispredict
     deepest = is_kept && separation < deepest ? separation : deepest;
   }
+  contact.count = count;
   contact.type = face_contact_type(static_cast<std::size_t>(contact.count));
   return true;
 }

@@ -22,8 +22,9 @@ template <class S>
   contact.axis = AxisKind::EdgeEdge;
   contact.type = ContactType::EdgeEdge;
   contact.normal = axis.edge.normal;
-  contact.put(axis.edge.middle, axis.edge.separation, axis.edges.edge_a / 2,
+  contact.put(0, axis.edge.middle, axis.edge.separation, axis.edges.edge_a / 2,
               12 + axis.edges.edge_b / 2);
+  contact.count = 1;
 }
 
 /// The same steps as collide_hull_hull(). Returns false where the caller must use that instead;

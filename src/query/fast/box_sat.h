@@ -139,8 +139,9 @@ template <class S>
     return result;
   }
   const S floor = std::max(face_a.separation, face_b.separation);
-  const S handicap = edge_handicap(pair.scale, preference);  // as in sat()
   if (!(face_a.unique && face_b.unique && floor <= margin)) return result;
+  // What an edge pair must exceed, as in sat().
+  const S edge_floor = relative ? floor : floor + edge_handicap(pair.scale, preference);
 
   // About ten roundings here and ten in sat(), of products of lengths up to `scale`, with a
   // rotation whose columns are orthonormal within ten.
@@ -154,9 +155,9 @@ template <class S>
   const S spare = relative ? S(0.9) * preference_tolerance(floor, pair.min_radius) : S(0);
   S most = floor;  // largest of all axes
   bool has_edge = false;
-  if (!(most_upper < floor + handicap)) {
+  if (!(most_upper < edge_floor)) {
     const S most_lower = largest_of<S>(nine[0].lower, nine[1].lower, nine[2].lower);
-    if (most_lower > margin + tie + handicap) {
+    if (most_lower > margin + tie + (edge_floor - floor)) {
       result.verdict = Verdict::Separated;
       return result;
     }
@@ -169,7 +170,7 @@ template <class S>
           bits_of_nine<S>(nine[0].upper >= rival, nine[1].upper >= rival, nine[2].upper >= rival);
       const std::uint32_t best = bits_of_nine<S>(
           nine[0].lower == most_lower, nine[1].lower == most_lower, nine[2].lower == most_lower);
-      if (near != best || (best & (best - 1)) != 0 || !(most_lower > floor + tie + handicap))
+      if (near != best || (best & (best - 1)) != 0 || !(most_lower > edge_floor + tie))
         return result;
       const int bit = std::countr_zero(best | 0x1000U), i = bit & 3, j = bit >> 2;
       const S offset = nine[j].offset[i];
