@@ -1,6 +1,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cstdlib>
+#include <filesystem>
+
 #include "app/program.h"
 #include "image/png.h"
 #include "support/temporary_folder.h"
@@ -93,6 +97,35 @@ TEST(FigurePictures, AnEmptyTitleIsAllowed) {
             0);
   EXPECT_EQ(read_png(folder / "of_trace/my/box/frame_0001.png"),
             read_png(folder / "out/my/box/frame_0001.png"));
+}
+
+/// Each half of the page has one run's contact points.
+TEST(DiffVerb, DrawsBothRunsWhereTheyPart) {
+  const TemporaryFolder folder;
+  const auto trace = [&](const std::string& reducer) {
+    const std::string arguments = "trace hull/eight_points_to_four --frames 8 --reducer " + reducer;
+    return "'" + folder.write(reducer + ".jsonl", run(arguments).out) + "'";
+  };
+  const std::string area = trace("area"), first = trace("first");
+  const std::string file = folder / "parting.png";
+  EXPECT_EQ(run("diff " + area + " " + area + " --picture '" + file + "'").exit_code, 0);
+  EXPECT_FALSE(std::filesystem::exists(file));  // they do not part
+  EXPECT_EQ(run("diff " + area + " " + first + " --picture '" + file + "'").exit_code, 1);
+  const Image picture = read_png(file);
+  ASSERT_EQ(picture.width, 1280);
+  std::array<int, 2> orange{};
+  std::array<long, 2> column{};
+  for (std::size_t i = 0; i < picture.rgb.size() / 3; ++i) {
+    if (picture.rgb[3 * i] < picture.rgb[3 * i + 2] + 150) continue;
+    const long x = static_cast<long>(i) % picture.width, half = picture.width / 2;
+    const std::size_t side = x < half ? 0 : 1;
+    ++orange[side];
+    column[side] += x % half;
+  }
+  EXPECT_GT(orange[0], 300);
+  EXPECT_GT(orange[1], 300);
+  // One camera, but other points.
+  EXPECT_GT(std::abs(column[0] / orange[0] - column[1] / orange[1]), 2);
 }
 
 }  // namespace

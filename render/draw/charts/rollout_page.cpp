@@ -17,6 +17,7 @@ constexpr double kCellName = 40;   // name and note below a cell
 constexpr double kCellRow = 222;   // a row of cells with their names, if there is only one
 constexpr double kCellRows = 172;  // each of several rows
 constexpr double kLargeRow = 280;  // below a single chart
+constexpr double kPairRow = 410;   // of two cells below a single chart
 constexpr float kLarger = 1.2f;    // factor of text and lines on a page with one chart and one row
 constexpr int kPage = 720;         // height of a page with up to two rows of cells
 constexpr std::size_t kMaxInRow = 5;
@@ -54,8 +55,12 @@ RolloutPage rollout_page(const std::string& result, const std::string& title,
            pixel(left, top + pen.px(15)), Align::Left, kQuietText, Weight::Regular, 16);
   const double begin = top + pen.px(kScene), end = height - left - pen.px(kCaptions);
   const auto rows = static_cast<double>(std::max<std::size_t>(1, rows_of(cells.size())));
-  const bool is_large = charts.size() == 1 && rows_of(cells.size()) <= 1;
-  const double cell_row = rows > 1 ? kCellRows : is_large ? kLargeRow : kCellRow;
+  const bool is_large = charts.size() <= 1 && rows_of(cells.size()) <= 1;
+  const double one_row = !is_large ? kCellRow : cells.size() > 2 ? kLargeRow : kPairRow;
+  // Without charts, in pixels of this page as well: the cells have all the room.
+  const double cell_row = charts.empty() ? (end - begin) / rows / pen.px(1)
+                          : rows > 1     ? kCellRows
+                                         : one_row;
   const Pen writing(page.drawing, (is_large ? kLarger : 1) * layout.scale, kPlotText);
   const double cells_begin = end - rows * pen.px(cell_row);
   const auto count = static_cast<double>(charts.size());

@@ -118,6 +118,9 @@ const std::vector<Option>& option_table() {
        "Each engine steps the dynamic scene itself; judge the motion"},
       {"--while", "EXPRESSION", "shrink", &Options::condition,
        "The condition to preserve, as 'float.points != double.points'; see below"},
+      {"--picture", "FILE", "diff", &Options::picture,
+       "Also draw both runs in the frame in which they part, and their distance over time, as PNG",
+       kFile},
       {"--strict", "", "lint", &Options::strict, "Also report what is below a threshold"},
       {"--ignore", "CAUSE[:SHAPE]", "lint", &Options::ignored,
        "Leave out the findings of a cause, or those of it that are about a shape; several have "
@@ -154,7 +157,7 @@ const std::vector<Option>& option_table() {
        "How the terminal draws: blocks, sixel, kitty, none",
        only({"auto", "blocks", "sixel", "kitty", "none"})},
 
-      {"--size", "WxH", "render explore study versus", read<&Options::size, parse_size>,
+      {"--size", "WxH", "render explore study versus diff", read<&Options::size, parse_size>,
        "Default 1280x720, and 1280x1440 to compare more than 9 reducers or methods"},
       {"--width", "LENGTH", drawing, read<&Options::width, parse_length>,
        "Width of the figure, as 84mm, 8.4cm, 3.3in, 240pt or 992px, instead of --size; the layout "
@@ -268,7 +271,7 @@ const std::vector<Option>& option_table() {
        "Also run scenarios that have not changed since the last check"},
       {"--out", "DIR", "render check review show explore study versus shrink merge", &Options::out,
        "Folder to write to", kFolder, kUnrecorded},
-      {"--backend", "NAME", "render check explore study versus",
+      {"--backend", "NAME", "render check explore study versus diff",
        read<&Options::backend, parse_backend>,
        "auto, egl or osmesa; default: $CONTACTSCOPE_BACKEND, else auto",
        named(Kind::Words, std::array{"auto", "egl", "osmesa"}), kUnrecorded},

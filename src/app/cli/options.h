@@ -94,12 +94,13 @@ struct LintOptions {
   std::string known, write_known;    // files of findings
 };
 
-/// Options of `explore`, `study`, `versus` and `shrink`.
+/// Options of `explore`, `study`, `versus`, `diff` and `shrink`.
 struct CompareOptions {
   std::vector<std::string> engines;  // empty: all that are found
   bool rollout = false;              // engines step the scene themselves
   double time_limit = 60;            // seconds, for an engine's program
   std::string condition;             // for `shrink`: expression to preserve
+  std::string picture;               // file for `diff`; empty: draw nothing
   std::string study;                 // name of the study to run
   std::uint64_t seed = 1;            // for its cases
   std::optional<int> cases;          // per point of a study; nullopt: the study's default

@@ -1,10 +1,13 @@
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/progress.h"
 #include "app/cli/trace_file.h"
 #include "app/cli/verbs.h"
+#include "app/compare/diff_picture.h"
+#include "app/render/renderer.h"
 #include "snapshot/compare_runs.h"
 #include "snapshot/finding.h"
 #include "snapshot/spelling.h"
@@ -73,6 +76,23 @@ void print_text(const RunComparison& runs, const std::vector<std::string>& files
   for (const std::string& note : runs.notes) std::cout << "  " << note << '\n';
 }
 
+void write_picture(const RunComparison& runs, const std::array<trace::Header, 2>& headers,
+                   const Options& options) {
+  if (!runs.parting || runs.parting->frame < 0) {
+    std::cerr << "no frame differs, so there is no picture\n";
+    return;
+  }
+  std::array<std::string, 2> names{options.scenarios[0], options.scenarios[1]};
+  const auto file_of = [](const std::string& path) {
+    return std::filesystem::path(path).filename().string();
+  };
+  if (file_of(names[0]) != file_of(names[1])) names = {file_of(names[0]), file_of(names[1])};
+  RunLog log;
+  Renderer renderer(options.backend, log);
+  write_png(options.picture, diff_picture(runs, headers, names, options.size, renderer));
+  if (!options.quiet) std::cerr << "a picture in " << options.picture << '\n';
+}
+
 ExitCode run_diff(const Options& options) {
   note_interrupts();
   const std::vector<std::string>& names = options.scenarios;
@@ -89,6 +109,7 @@ ExitCode run_diff(const Options& options) {
     std::cout << json_of(runs, names, is_same).dump() << '\n';
   else
     print_text(runs, names);
+  if (!options.picture.empty()) write_picture(runs, {a.header(), b.header()}, options);
   return is_same ? ExitCode::Same : ExitCode::Different;
 }
 
@@ -103,6 +124,7 @@ coarser of the two scalars, do not count.
 Examples:
   contactscope diff before.jsonl after.jsonl
   contactscope diff before.jsonl after.jsonl --json
+  contactscope diff before.jsonl after.jsonl --picture parting.png
 Exit codes: 0 the same, 1 they differ, 2 an error.)"};
 }
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "app/cli/table.h"
+#include "app/compare/page_cells.h"
 #include "app/render/renderer.h"
 #include "core/at.h"
 #include "draw/charts/time_chart.h"
@@ -251,20 +251,6 @@ bool is_near(const trace::Frame& frame, const trace::Frame& start) {
   });
 }
 
-/// A canvas with a view, without captions and legend, in the size of a cell.
-draw::Staging staged(const trace::Header& header, const std::vector<trace::Frame>& frames,
-                     const View& view, const draw::Rect& cell) {
-  draw::FigureStyle on_page;
-  on_page.scale = 1.4;  // text on a small canvas must be legible on the page
-  int width = static_cast<int>(1.2 * cell.width), height = static_cast<int>(1.5 * cell.height);
-  for (int round = 0; round < 2; ++round) {
-    const draw::Rect room = draw::stage(header, frames, view, width, height, on_page).layout.view;
-    width += static_cast<int>(std::ceil(cell.width - room.width));
-    height += static_cast<int>(std::ceil(cell.height - room.height));
-  }
-  return draw::stage(header, frames, view, width, height, on_page);
-}
-
 /// Bounds of the bodies over the frames, in pixels of a canvas; the whole view without bodies.
 draw::Rect reach_of_bodies(const draw::Staging& staging, const std::vector<trace::Frame>& frames,
                            const trace::Trace& request) {
@@ -298,24 +284,6 @@ draw::Rect part_about(const draw::Rect& bodies, const draw::Rect& view, const dr
   const double y = bodies.y + 0.5 * (bodies.height - height);
   return {std::clamp(x, view.x, view.right() - width),
           std::clamp(y, view.y, view.bottom() - height), width, height};
-}
-
-/// Copies the centre of a crop to the centre of a cell.
-void paste(const Image& from, const draw::Rect& part, const draw::Rect& cell, Image& to) {
-  const int columns = static_cast<int>(std::min(part.width, cell.width));
-  const int rows = static_cast<int>(std::min(part.height, cell.height));
-  const auto begin = [&](const draw::Rect& rect) {
-    return std::pair(static_cast<int>(rect.x + (rect.width - columns) / 2),
-                     static_cast<int>(rect.y + (rect.height - rows) / 2));
-  };
-  const auto [from_x, from_y] = begin(part);
-  const auto [x, y] = begin(cell);
-  const auto pixel = [](const Image& image, int column, int row) {
-    return 3 * static_cast<std::size_t>(row * image.width + column);
-  };
-  for (int row = 0; row < rows; ++row)
-    std::memcpy(&to.rgb[pixel(to, x, y + row)], &from.rgb[pixel(from, from_x, from_y + row)],
-                3 * static_cast<std::size_t>(columns));
 }
 
 }  // namespace
@@ -361,13 +329,13 @@ Image rollout_picture(const Rollout& rollout, int shown, const std::optional<Siz
   // Zoom in on the bodies as far as the cell allows; the ground may be cut off.
   constexpr double kMaxNearer = 1.6, kOfCell = 0.88;
   const draw::Rect& cell = page.cells.front();
-  draw::Staging staging = staged(header, frames, view, cell);
+  draw::Staging staging = stage_cell(header, frames, view, cell);
   const draw::Rect far = reach_of_bodies(staging, frames, rollout.request);
   const double nearer = std::clamp(
       kOfCell * std::min(cell.width / far.width, cell.height / far.height), 1.0, kMaxNearer);
-  staging =
-      staged(header, frames, view,
-             {cell.x, cell.y, std::floor(nearer * cell.width), std::floor(nearer * cell.height)});
+  staging = stage_cell(
+      header, frames, view,
+      {cell.x, cell.y, std::floor(nearer * cell.width), std::floor(nearer * cell.height)});
   const draw::Rect part =
       part_about(reach_of_bodies(staging, frames, rollout.request), staging.layout.view, cell);
   for (std::size_t k = 0; k < drawn.size(); ++k) {

@@ -140,7 +140,7 @@ template <class S>
   }
   const S floor = std::max(face_a.separation, face_b.separation);
   if (!(face_a.unique && face_b.unique && floor <= margin)) return result;
-  // What an edge pair must exceed, as in sat().
+  // An edge pair must exceed this, as in sat().
   const S edge_floor = relative ? floor : floor + edge_handicap(pair.scale, preference);
 
   // About ten roundings here and ten in sat(), of products of lengths up to `scale`, with a
