@@ -194,10 +194,8 @@ TEST(HeapMarks, OnePointStandsOutAndTheOthersHaveAnAreaByOverlap) {
 TEST(HeapWalls, OnlyFrontWallsAreOutlinesAndTheseAreWhole) {
   Heap heap(7);
   const double side = 2.7, thick = 0.05;
-  std::map<std::string, Vec3d> outward = {{"east", {1, 0, 0}},
-                                          {"west", {-1, 0, 0}},
-                                          {"south", {0, 0, 1}},
-                                          {"north", {0, 0, -1}}};
+  std::map<std::string, Vec3d> outward = {
+      {"east", {1, 0, 0}}, {"west", {-1, 0, 0}}, {"south", {0, 0, 1}}, {"north", {0, 0, -1}}};
   const auto add = [&](const std::string& name, const Vec3d& half, const Vec3d& middle) {
     heap.header.shapes.push_back(box(name, half));
     heap.frames[0].poses.emplace_back(name, at(middle));
@@ -216,8 +214,7 @@ TEST(HeapWalls, OnlyFrontWallsAreOutlinesAndTheseAreWhole) {
     const auto own = [&](const Vec3d& p) { return std::ranges::count(shape.vertices, p) > 0; };
     const auto faces = std::ranges::count_if(
         sketch.surfaces, [&](const Surface& s) { return std::ranges::all_of(s.polygon, own); });
-    const bool front =
-        name != "block" && staging.camera.faces(side * outward[name], outward[name]);
+    const bool front = name != "block" && staging.camera.faces(side * outward[name], outward[name]);
     EXPECT_EQ(faces == 0, front) << name;
     fronts += front;
     if (!front) continue;
