@@ -102,8 +102,8 @@ const std::vector<std::string_view>& known_words() {
       "pairs in contact", "the shapes", "axis-aligned boxes", "oriented boxes",
       "worst of {n} in contact", "no pair in contact", "by overlap", "by impulse",
       "by change of overlap since the last frame", "no frame before this one", "none",
-      "overlaps of {n} points", "overlaps: no contact points", "no point overlaps in any frame", "1 shape has left the view",
-      "{n} shapes have left the view",
+      "overlaps of {n} points", "overlaps: no contact points", "no point overlaps in any frame",
+      "1 shape has left the view", "{n} shapes have left the view",
   };
   // clang-format on
   return words;
