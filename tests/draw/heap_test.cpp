@@ -14,6 +14,7 @@
 #include "draw/scene/home_region.h"
 #include "draw/scene/pair_words.h"
 #include "draw/staging.h"
+#include "draw/strip.h"
 
 namespace contactscope::draw {
 namespace {
@@ -139,6 +140,23 @@ TEST(HeapCamera, FramesTheShapesInFocus) {
   EXPECT_GT(share(staging, heap.frames[0].poses[31].second.position), 0.15);
 }
 
+TEST(HeapCamera, AStripFramesTheHeapOfItsCells) {
+  Heap heap(7);
+  heap.frames.push_back(heap.frames[0]);
+  heap.frames[1].frame = 1;
+  const auto pixels_per_metre = [&](bool as_trace) {
+    const FittedFrames fitted{heap.frames};
+    const Strip strip(heap.header, heap.frames, heap.frames, heap.view, 1200, 0, 2, {},
+                      as_trace ? &fitted : nullptr);
+    return strip.cell().camera.pixels_per_metre(Vec3d::Zero());
+  };
+  const double before = pixels_per_metre(true);
+  heap.frames[1].poses[4].second.position = {12, 3, 0};
+  std::erase_if(heap.frames[1].pairs, [](const trace::Pair& pair) { return pair.b == "crate_3"; });
+  EXPECT_NEAR(pixels_per_metre(true), before, 0.02 * before);
+  EXPECT_LT(pixels_per_metre(false), 0.6 * before) << "of a scenario, the crate is in view";
+}
+
 TEST(HeapFocus, TheWorstOverlapIsForTheSizeOfTheSmallerBody) {
   Heap heap(5);
   heap.header.shapes.push_back(box("pebble", {0.02, 0.02, 0.02}));
@@ -171,6 +189,64 @@ TEST(HeapMarks, OnePointStandsOutAndTheOthersHaveAnAreaByOverlap) {
   EXPECT_NEAR(sizes[36] / sizes[9], 2, 1e-3) << "four times the area";
   const Heap few(5);  // 25 manifolds
   EXPECT_EQ(sketch_frame(few.staged(), few.frames[0]).arrows.size(), 25u);
+}
+
+TEST(HeapWalls, OnlyFrontWallsAreOutlinesAndTheseAreWhole) {
+  Heap heap(7);
+  const double side = 2.7, thick = 0.05;
+  std::map<std::string, Vec3d> outward = {
+      {"east", {1, 0, 0}}, {"west", {-1, 0, 0}}, {"south", {0, 0, 1}}, {"north", {0, 0, -1}}};
+  const auto add = [&](const std::string& name, const Vec3d& half, const Vec3d& middle) {
+    heap.header.shapes.push_back(box(name, half));
+    heap.frames[0].poses.emplace_back(name, at(middle));
+  };
+  for (const auto& [name, out] : outward)
+    add(name, out.x() != 0 ? Vec3d(thick, 0.4, side) : Vec3d(side, 0.4, thick),
+        side * out + Vec3d(0, 0.4, 0));
+  add("block", {1, 0.8, 1}, {0, 1.31, 0});  // as large as a wall, but not thin
+  const Staging staging = heap.staged();
+  const Scene scene = scene_of(staging, heap.frames[0]);
+  const Sketch sketch = sketch_frame(staging, heap.frames[0]);
+  int fronts = 0;
+  for (const PlacedShape& shape : scene.shapes) {
+    const std::string& name = shape.traced().name;
+    if (!outward.contains(name) && name != "block") continue;
+    const auto own = [&](const Vec3d& p) { return std::ranges::count(shape.vertices, p) > 0; };
+    const auto faces = std::ranges::count_if(
+        sketch.surfaces, [&](const Surface& s) { return std::ranges::all_of(s.polygon, own); });
+    const bool front = name != "block" && staging.camera.faces(side * outward[name], outward[name]);
+    EXPECT_EQ(faces == 0, front) << name;
+    fronts += front;
+    if (!front) continue;
+    std::size_t seen = 0;
+    for (const ShapeMesh::Edge& edge : shape.mesh->edges) {
+      const auto in_front = [&](int f) {
+        return staging.camera.faces(shape.polygon(f).front(), shape.normal(f));
+      };
+      const Vec3d from = shape.vertex(edge.from), to = shape.vertex(edge.to);
+      const auto drawn = std::ranges::count_if(sketch.lines, [&](const Line& line) {
+        return (line.from == from && line.to == to) || (line.from == to && line.to == from);
+      });
+      EXPECT_EQ(drawn, in_front(edge.left) || in_front(edge.right)) << name;
+      seen += drawn > 0;
+    }
+    EXPECT_EQ(seen, 9u) << "three faces of a box are in front";
+  }
+  EXPECT_EQ(fronts, 2);
+}
+
+TEST(HeapLegend, NamesNoMarginThatCannotBeSeen) {
+  const auto entries = [](int side) {
+    Heap heap(side);
+    for (trace::Shape& shape : heap.header.shapes) shape.margin = 0.04;
+    std::vector<std::string> texts;
+    for (const LegendEntry& entry : legend_of(heap.staged(), heap.frames[0]).listed)
+      texts.push_back(entry.text);
+    return texts;
+  };
+  EXPECT_THAT(entries(3), Contains(HasSubstr("without its margin of 40")));
+  EXPECT_THAT(entries(6), Not(Contains(HasSubstr("margin"))));
+  EXPECT_THAT(entries(6), Contains(HasSubstr("area = overlap")));
 }
 
 /// Texts of a panel.
@@ -218,6 +294,8 @@ TEST(HeapFacts, PointsWithoutAnOverlapAreNoContradiction) {
   EXPECT_EQ(fill_title(heap.staged(), heap.frames[0]), "36 points, no overlap");
   EXPECT_THAT(panel_texts(heap, Panel::Worst), Contains("none"));
   EXPECT_THAT(panel_texts(heap, Panel::Overlaps), Contains("no point overlaps in any frame"));
+  for (trace::Frame& frame : heap.frames) frame.pairs.clear();
+  EXPECT_THAT(panel_texts(heap, Panel::Worst), testing::ElementsAre("no pair in contact"));
   EXPECT_TRUE(std::ranges::none_of(sketch_frame(heap.staged(), heap.frames[0]).marks,
                                    [](const Mark& m) { return m.kind == MarkKind::WideRing; }));
 }

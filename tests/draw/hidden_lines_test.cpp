@@ -36,6 +36,25 @@ TEST(HiddenLines, ASquareSeenEdgeOnHidesNothing) {
   }
 }
 
+TEST(HiddenLines, ASliverThatIsNotFlatHidesNothingBeyondIt) {
+  test::Random random(43);
+  int hiding = 0;
+  for (int i = 0; i < 2000; ++i) {
+    std::vector<Vec3d> sliver;
+    Eigen::AlignedBox3d box;
+    for (int k = 0; k < 5; ++k) {
+      sliver.push_back(random.vector(-1e-3, 1e-3).cwiseProduct(Vec3d(1, 0.02, 1)));
+      box.extend(sliver.back());
+    }
+    const HiddenLines lines(from_front(), {sliver});
+    const Vec3d from(-2, random.uniform(-2e-5, 2e-5), -1), to(2, random.uniform(-2e-5, 2e-5), -1);
+    const double hidden = 4 * hidden_length(lines.split(from, to));
+    ASSERT_LE(hidden, box.sizes().x()) << "sliver " << i;
+    hiding += hidden > 0;
+  }
+  EXPECT_GT(hiding, 50);
+}
+
 TEST(HiddenLines, MiddleOfALineBehindASquareIsHidden) {
   const HiddenLines lines(from_front(), {kSquare});
   const std::vector<Span> spans = lines.split({-2, 0, -1}, {2, 0, -1});

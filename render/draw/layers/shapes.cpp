@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <ranges>
 #include <span>
 
 #include "core/at.h"
@@ -40,11 +41,12 @@ constexpr LineStyle kContextOutline{1.0f, with_alpha(kShapeEdge, 0.3f)};
 
 constexpr LineStyle kWallOutline{1.6f, with_alpha(kShapeEdge, 0.6f)};
 
-// A wall of a container between the eye and a heap: most shapes are much smaller, and nearly all of
-// these are behind one of its faces.
+// A wall of a container between the eye and a heap: it is thin, most shapes are much smaller, and
+// nearly all of these are behind one of its faces.
 bool is_front_wall(const Scene& scene, const PlacedShape& wall) {
   if (!scene.scales.heap || wall.is_mesh() || wall.traced().half_space) return false;
-  constexpr double kWall = 4, kBehind = 0.85;  // radii of the smaller shapes; share of them
+  constexpr double kWall = 2.5, kBehind = 0.7;  // radii of the smaller shapes; share of them
+  constexpr double kThin = 0.5;                 // of its radius
   std::vector<Vec3d> centers;
   for (const PlacedShape& shape : scene.shapes)
     if (kWall * shape.mesh->radius < wall.mesh->radius)
@@ -52,12 +54,26 @@ bool is_front_wall(const Scene& scene, const PlacedShape& wall) {
   if (2 * centers.size() < scene.shapes.size()) return false;
   for (int f = 0; f < count_of(wall.traced().faces); ++f) {
     const Vec3d on = wall.polygon(f).front(), normal = wall.normal(f);
-    if (scene.camera.faces(on, normal)) continue;
+    const auto below = [&](const Vec3d& vertex) { return normal.dot(on - vertex); };
+    if (scene.camera.faces(on, normal) ||
+        std::ranges::max(wall.vertices | std::views::transform(below)) > kThin * wall.mesh->radius)
+      continue;
     const auto behind =
         std::ranges::count_if(centers, [&](const Vec3d& c) { return normal.dot(c - on) > 0; });
     if (double(behind) > kBehind * double(centers.size())) return true;
   }
   return false;
+}
+
+// With the edges between two front faces, so that the wall is seen to stand in front of the heap.
+void draw_wall(const Camera& camera, const PlacedShape& wall, Sketch& sketch) {
+  draw_ghost(camera, wall, kWallOutline, sketch);
+  const auto front = [&](int face) {
+    return face >= 0 && camera.faces(wall.polygon(face).front(), wall.normal(face));
+  };
+  for (const ShapeMesh::Edge& edge : wall.mesh->edges)
+    if (front(edge.left) && front(edge.right))
+      sketch.line(wall.vertex(edge.from), wall.vertex(edge.to), kWallOutline);
 }
 
 // Surfaces of a heap hide what is behind them: translucent ones on each other have no outlines.
@@ -158,8 +174,10 @@ void draw_shapes(const Scene& scene, Sketch& sketch) {
   for (const PlacedShape& shape : scene.shapes) {
     const bool is_wall = is_front_wall(scene, shape);
     if (is_wall || scene.is_context(shape)) {
-      if (!shape.traced().half_space)
-        draw_ghost(scene.camera, shape, is_wall ? kWallOutline : kContextOutline, sketch);
+      if (is_wall)
+        draw_wall(scene.camera, shape, sketch);
+      else if (!shape.traced().half_space)
+        draw_ghost(scene.camera, shape, kContextOutline, sketch);
       continue;
     }
     const Color fill = shape.is_a ? kShapeA : kShapeB;

@@ -52,8 +52,10 @@ class OverlapsPanel : public PanelContent {
     const auto overlapping = std::accumulate(bins.begin(), bins.end(), std::int64_t{0});
     double deepest = 0;
     each_overlap({&frame, 1}, [&](double overlap) { deepest = std::max(deepest, overlap); });
-    sheet.heading("overlaps of " + spell_count(overlapping) + " of " +
-                  spell_count(static_cast<std::int64_t>(count_contacts(frame).points)) + " points");
+    const auto points = static_cast<std::int64_t>(count_contacts(frame).points);
+    sheet.heading(points == 0 ? "overlaps: no contact points"
+                              : "overlaps of " + spell_count(overlapping) + " of " +
+                                    spell_count(points) + " points");
     if (most_ == 0) {
       sheet.line("no point overlaps in any frame", kText);
       return {};

@@ -42,6 +42,10 @@ class WorstPanel : public PanelContent {
   std::string lay_out(const PanelMoment& moment, Sheet& sheet) override {
     const trace::Frame& frame = frames_[moment.frame];
     const ContactCounts counts = count_contacts(frame);
+    if (counts.pairs == 0) {
+      sheet.heading("no pair in contact");
+      return {};
+    }
     sheet.heading("worst of " + spell_count(static_cast<std::int64_t>(counts.pairs)) +
                   (counts.pairs == 1 ? " pair" : " pairs") + " in contact");
     std::size_t left_out = 0;

@@ -80,12 +80,13 @@ HiddenLines::HiddenLines(const Camera& camera, const Occluders& occluders,
     for (std::size_t i = 0; i < polygon.size(); ++i) {
       const Vec3d& p = polygon[i];
       const Vec3d& q = polygon[(i + 1) % polygon.size()];
-      // The plane through the eye and the edge; its normal points away from the polygon's middle.
+      // The plane through the eye and the edge; its normal points out of the polygon. The winding
+      // decides, because the middle of a sliver that is not quite flat may be beyond an edge.
       Vec3d side = (q - p).cross(camera.to_eye(p));
       const double length = side.norm();
       if (length <= kBorder * (q - p).norm()) continue;
       side /= length;
-      if (side.dot(middle - p) > 0) side = -side;
+      if (facing < 0) side = -side;
       bounds_.push_back({side, side.dot(p) - border});
     }
     const int index = end_shadow();
