@@ -53,22 +53,15 @@ std::string in_words(std::string name) {
   return name;
 }
 
-ordered_json rows_of(const FactRows& rows) {
-  ordered_json list = ordered_json::array();
-  for (const auto& [name, value] : rows) list.push_back({name, value});
-  return list;
-}
-
 /// A resolution of 0.1 pixel is enough for the pointer.
 double tenths(double value) {
   return std::round(10 * value) / 10;
 }
 
 ordered_json point_json(const PointFacts& point) {
-  ordered_json json{
-      {"key", point.key},           {"name", point.name},      {"of", point.of},
-      {"x", tenths(point.at.x)},    {"y", tenths(point.at.y)}, {"layers", point.layers},
-      {"rows", rows_of(point.rows)}};
+  ordered_json json{{"key", point.key},        {"name", point.name},      {"of", point.of},
+                    {"x", tenths(point.at.x)}, {"y", tenths(point.at.y)}, {"layers", point.layers},
+                    {"rows", point.rows}};
   if (point.is_contact) json["row"] = true;
   return json;
 }
@@ -78,12 +71,11 @@ ordered_json area_json(const AreaFacts& area) {
   for (const draw::Point2& corner : area.polygon)
     polygon.push_back({std::round(corner.x), std::round(corner.y)});
   return {{"key", area.key},     {"name", area.name},  {"of", area.of},
-          {"layer", area.layer}, {"polygon", polygon}, {"rows", rows_of(area.rows)}};
+          {"layer", area.layer}, {"polygon", polygon}, {"rows", area.rows}};
 }
 
 ordered_json pair_json(const PairFacts& pair) {
-  return {
-      {"key", pair.key}, {"name", pair.name}, {"parts", pair.parts}, {"rows", rows_of(pair.rows)}};
+  return {{"key", pair.key}, {"name", pair.name}, {"parts", pair.parts}, {"rows", pair.rows}};
 }
 
 std::string view_box(const draw::Rect& rect) {

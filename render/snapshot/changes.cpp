@@ -103,28 +103,30 @@ void Changes::compare(const Wording& field, const Quatd& expected, Quatd& actual
   }
   actual = expected;
 }
-void Changes::compare(const Wording& field, const std::array<Vec3d, 2>& expected,
-                      std::array<Vec3d, 2>& actual) {
+template <class End>
+requires std::same_as<End, Vec3d> || std::same_as<End, double>
+void Changes::compare(const Wording& field, const std::array<End, 2>& expected,
+                      std::array<End, 2>& actual) {
+  const bool is_line = std::same_as<End, Vec3d>;
   Wording end = field;
-  end.words = "first point of the " + field.words;
+  end.words = (is_line ? "first point of the " : "lower end of the ") + field.words;
   compare(end, expected[0], actual[0]);
-  end.words = "second point of the " + field.words;
+  end.words = (is_line ? "second point of the " : "upper end of the ") + field.words;
   compare(end, expected[1], actual[1]);
 }
-void Changes::compare(const Wording& field, const std::array<double, 2>& expected,
-                      std::array<double, 2>& actual) {
-  Wording end = field;
-  end.words = "lower end of the " + field.words;
-  compare(end, expected[0], actual[0]);
-  end.words = "upper end of the " + field.words;
-  compare(end, expected[1], actual[1]);
+template void Changes::compare(const Wording&, const std::array<Vec3d, 2>&, std::array<Vec3d, 2>&);
+template void Changes::compare(const Wording&, const std::array<double, 2>&,
+                               std::array<double, 2>&);
+
+bool Changes::same_length(const Wording& field, std::size_t expected, std::size_t actual) {
+  if (expected != actual)
+    add({}, std::to_string(expected) + " -> " + std::to_string(actual) + " " +
+                field.words.substr(0, field.words.size() - 1) + "s");
+  return expected == actual;
 }
 void Changes::compare(const Wording& field, const std::vector<double>& expected,
                       std::vector<double>& actual) {
-  if (expected.size() != actual.size()) {
-    return add({}, std::to_string(expected.size()) + " -> " + std::to_string(actual.size()) + " " +
-                       field.words.substr(0, field.words.size() - 1) + "s");
-  }
+  if (!same_length(field, expected.size(), actual.size())) return;
   std::size_t first = 0, changed = 0;
   for (std::size_t i = 0; i < expected.size(); ++i) {
     if (settle(field.kind, expected[i], actual[i], tolerance_.of(field.kind, expected[i])))
@@ -140,10 +142,7 @@ template <class Face>
 requires std::same_as<typename Face::value_type, int>
 void Changes::compare(const Wording& field, const std::vector<Face>& expected,
                       std::vector<Face>& actual) {
-  if (expected.size() != actual.size()) {
-    return add({}, std::to_string(expected.size()) + " -> " + std::to_string(actual.size()) + " " +
-                       field.words.substr(0, field.words.size() - 1) + "s");
-  }
+  if (!same_length(field, expected.size(), actual.size())) return;
   for (std::size_t i = 0; i < expected.size(); ++i) {
     if (expected[i] == actual[i]) continue;
     return add(field, std::to_string(i) + " (" + spell_list(expected[i]) + ") -> (" +

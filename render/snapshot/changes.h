@@ -55,12 +55,11 @@ class Changes {
   void compare(const Wording& field, const Vec3d& expected, Vec3d& actual);
   /// q and -q are the same rotation.
   void compare(const Wording& field, const Quatd& expected, Quatd& actual);
-  /// End points of a line.
-  void compare(const Wording& field, const std::array<Vec3d, 2>& expected,
-               std::array<Vec3d, 2>& actual);
-  /// An interval.
-  void compare(const Wording& field, const std::array<double, 2>& expected,
-               std::array<double, 2>& actual);
+  /// End points of a line, or an interval.
+  template <class End>
+  requires std::same_as<End, Vec3d> || std::same_as<End, double>
+  void compare(const Wording& field, const std::array<End, 2>& expected,
+               std::array<End, 2>& actual);
   /// "120 -> 100 distances" or "distance 7 0.5 -> 0.6, 2 more".
   void compare(const Wording& field, const std::vector<double>& expected,
                std::vector<double>& actual);
@@ -103,6 +102,8 @@ class Changes {
 
  private:
   void add(const Wording& field, const std::string& change);
+  /// Adds "120 -> 100 distances" unless the lengths are equal.
+  bool same_length(const Wording& field, std::size_t expected, std::size_t actual);
 
   std::string subject_;
   Tolerance tolerance_;

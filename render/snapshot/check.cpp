@@ -72,6 +72,14 @@ std::vector<Checked> found_stale(const StoredScenario& archive, const std::vecto
   return all;
 }
 
+/// Whether to write a file: as its finding says, or without one if `all` are written. Adds the hash
+/// of the stored file to the finding.
+bool is_written(std::optional<Finding>& finding, const fs::path& stored, bool all) {
+  if (!finding) return all;
+  finding->stored_sha256 = sha256_of_file(stored);
+  return finding->done != Done::Nothing;
+}
+
 /// Note next to a known-bad baseline.
 std::string note_of(const fs::path& baseline) {
   fs::path note = baseline;
@@ -152,14 +160,10 @@ CheckedPicture check_picture(const StoredScenario& archive, const PictureKey& ke
   } else {
     finding(absent(archive), own);
   }
-  if (checked.finding)
-    checked.finding->stored_sha256 = sha256_of_file(archive.root / checked.finding->file);
-  const bool is_written = checked.finding ? checked.finding->done != Done::Nothing
-                                          : policy.allowed() == Update::All && is_same;
-  if (is_written) {
-    write_stored_picture(checked.finding ? archive.root / checked.finding->file : own, actual);
-    checked.is_written = true;
-  }
+  const fs::path file = checked.finding ? archive.root / checked.finding->file : own;
+  checked.is_written =
+      is_written(checked.finding, file, policy.allowed() == Update::All && is_same);
+  if (checked.is_written) write_stored_picture(file, actual);
   return checked;
 }
 
@@ -197,9 +201,7 @@ CheckedTrace check_trace(const StoredScenario& archive, const trace::Trace& actu
   } catch (const std::exception& error) {
     finding(FindingKind::Unreadable).sentence = archive.scenario + ": " + error.what();
   }
-  if (checked.finding) checked.finding->stored_sha256 = sha256_of_file(own);
-  checked.is_written =
-      checked.finding ? checked.finding->done != Done::Nothing : policy.allowed() == Update::All;
+  checked.is_written = is_written(checked.finding, own, policy.allowed() == Update::All);
   if (checked.is_written) write_stored_trace(archive.root, own, to_json_lines(actual));
   return checked;
 }
@@ -247,10 +249,9 @@ CheckedFrames check_frames(const StoredScenario& archive, const FrameHashes& act
   } catch (const std::exception& error) {
     finding(FindingKind::Unreadable).sentence = archive.scenario + ": " + error.what();
   }
-  if (checked.finding) checked.finding->stored_sha256 = sha256_of_file(own);
   const bool has_any = !actual.hashes.empty();
-  checked.is_written = checked.finding ? checked.finding->done != Done::Nothing
-                                       : policy.allowed() == Update::All && (has_any || text);
+  checked.is_written =
+      is_written(checked.finding, own, policy.allowed() == Update::All && (has_any || text));
   if (!checked.is_written) return checked;
   if (has_any)
     write_text(own, to_text(actual));

@@ -1,6 +1,7 @@
 #include "snapshot/first_cause.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <optional>
 #include <set>
@@ -21,57 +22,44 @@ const trace::Pair* find_pair(const trace::Frame* frame, const std::string& subje
 
 /// A consequence, as a countable noun.
 struct Thing {
-  const char* one;
-  const char* many;
+  const char* one = nullptr;
+  const char* many = nullptr;
 };
-std::optional<Thing> thing_of(const Difference& difference) {
-  switch (difference.stage) {
-    case Stage::Setup:
-      return Thing{"setting", "settings"};
-    case Stage::Motion:
-      return Thing{"pose", "poses"};
-    case Stage::BroadPhase:
-      return Thing{"fact of the broad phase", "facts of the broad phase"};
-    case Stage::Pairs:
-      return Thing{"pair", "pairs"};
-    case Stage::Cache:
-      return Thing{"cache entry", "cache entries"};
-    case Stage::Candidates:
-      return Thing{"fact of the tree", "facts of the tree"};
-    case Stage::Axes:
-      return Thing{"axis query", "axis queries"};
-    case Stage::Decision:
-      return Thing{"chosen axis", "chosen axes"};
-    case Stage::Faces: {
-      const bool is_another = std::ranges::any_of(difference.what, [](const Changes::What& what) {
-        return what.words == "face " || what.words == "shape ";
-      });
-      if (difference.text.starts_with("reference"))
-        return is_another ? Thing{"reference face", "reference faces"}
-                          : Thing{"position of the reference face", "positions of reference faces"};
-      return is_another ? Thing{"incident face", "incident faces"}
-                        : Thing{"position of the incident face", "positions of incident faces"};
-    }
-    case Stage::Clipping:
-      return Thing{"clip step", "clip steps"};
-    case Stage::Reduction:
-      return Thing{"fact of the reduction", "facts of the reduction"};
-    case Stage::Manifold:
-      return Thing{"normal or axis", "normals or axes"};
-    case Stage::Points:
-      return difference.text.starts_with("persistent")
-                 ? Thing{"persistent point", "persistent points"}
-                 : Thing{"point", "points"};
-    case Stage::Solver:
-      return Thing{"fact of the solver", "facts of the solver"};
-    case Stage::Ids:      // counted with the points
-    case Stage::Answers:  // mostly repeat facts of the points
-    case Stage::Sums:
-    case Stage::Words:
-    case Stage::Frames:
-      break;
+/// By Stage. Ids are counted with the points; answers mostly repeat facts of the points.
+constexpr std::array<Thing, kStages.size()> kThings = {{
+    {"setting", "settings"},
+    {"pose", "poses"},
+    {"fact of the broad phase", "facts of the broad phase"},
+    {"pair", "pairs"},
+    {"cache entry", "cache entries"},
+    {"fact of the tree", "facts of the tree"},
+    {"axis query", "axis queries"},
+    {"chosen axis", "chosen axes"},
+    {},  // faces, below
+    {"clip step", "clip steps"},
+    {"fact of the reduction", "facts of the reduction"},
+    {"normal or axis", "normals or axes"},
+    {"point", "points"},
+    {},
+    {},
+    {"fact of the solver", "facts of the solver"},
+}};
+
+/// Without a name if it is not counted.
+Thing thing_of(const Difference& difference) {
+  if (difference.stage == Stage::Faces) {
+    const bool is_another = std::ranges::any_of(difference.what, [](const Changes::What& what) {
+      return what.words == "face " || what.words == "shape ";
+    });
+    if (difference.text.starts_with("reference"))
+      return is_another ? Thing{"reference face", "reference faces"}
+                        : Thing{"position of the reference face", "positions of reference faces"};
+    return is_another ? Thing{"incident face", "incident faces"}
+                      : Thing{"position of the incident face", "positions of incident faces"};
   }
-  return {};
+  if (difference.stage == Stage::Points && difference.text.starts_with("persistent"))
+    return {"persistent point", "persistent points"};
+  return kThings[static_cast<std::size_t>(difference.stage)];
 }
 
 bool has_id(const Difference& difference) {
@@ -126,7 +114,7 @@ std::string spell_effects(const FrameDifferences& frame, const Origin& origin) {
     const bool is_named =
         &difference == origin.record || (origin.flip && origin.flip->says(difference));
     if (!is_named && difference.stage >= origin.stage) {
-      if (const auto thing = thing_of(difference)) add(difference.stage, *thing);
+      if (const Thing thing = thing_of(difference); thing.one) add(difference.stage, thing);
     }
     const bool is_kept = difference.stage == Stage::Points || difference.stage == Stage::Ids;
     if (is_kept && has_id(difference) && origin.stage < Stage::Ids)

@@ -1,9 +1,7 @@
 #include "snapshot/flipped.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "snapshot/spelling.h"
 
@@ -19,17 +17,12 @@ const trace::Decision* find_decision(const std::vector<trace::Decision>& margins
   return found == margins.end() ? nullptr : &*found;
 }
 
-std::string spell(const char* format, double value) {
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), format, value);
-  return text.data();
-}
-
 /// A margin as text: "3 um", "0.2 mm^2", "1e-06 of a cosine".
 std::string spell_margin(const trace::Decision& decision) {
   if (decision.margin) return spell_length(std::max(*decision.margin, 0.0));
-  if (decision.margin_area) return spell("%.2g mm^2", std::max(*decision.margin_area, 0.0) * 1e6);
-  return spell("%.2g of a cosine", std::max(decision.margin_cosine.value_or(0), 0.0));
+  if (decision.margin_area)
+    return format("%.*g mm^2", 2, std::max(*decision.margin_area, 0.0) * 1e6);
+  return format("%.*g of a cosine", 2, std::max(decision.margin_cosine.value_or(0), 0.0));
 }
 
 /// ", with 3 um to spare": the margin of the decision.
@@ -63,11 +56,12 @@ std::string spell_chosen(const trace::Sat& before, const trace::Sat& now,
   if (between > 0)
     text += ": " + a + " mm against " + b + " mm of " + spell_axis(before.chosen);
   else
-    text += " to " + spell_axis(before.chosen) + ": " + spell("%.4g mm", *taken * 1e3) + " both";
+    text +=
+        " to " + spell_axis(before.chosen) + ": " + format("%.*g mm", 4, *taken * 1e3) + " both";
   const bool is_tie = between <= kTie * std::max(std::abs(*taken), std::abs(*left));
   // In mm as the separations, unless that needs many digits.
   const std::string spelled =
-      between >= 1e-5 && between < 1 ? spell("%.2g mm", between * 1e3) : spell_length(between);
+      between >= 1e-5 && between < 1 ? format("%.*g mm", 2, between * 1e3) : spell_length(between);
   if (is_tie)
     text += between > 0 ? ", a tie of " + spelled : ", a tie";
   else

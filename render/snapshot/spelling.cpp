@@ -7,13 +7,14 @@
 #include <numbers>
 
 namespace contactscope::snapshot {
-namespace {
 
 std::string format(const char* pattern, int digits, double value) {
   std::array<char, 512> text;
   std::snprintf(text.data(), text.size(), pattern, digits, value);
   return text.data();
 }
+
+namespace {
 
 /// `value` with `digits` significant digits, without an exponent if that is readable.
 std::string significant(double value, int digits) {

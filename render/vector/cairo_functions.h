@@ -14,7 +14,6 @@ namespace contactscope::vector {
   ROW(cairo_create)                          \
   ROW(cairo_destroy)                         \
   ROW(cairo_fill)                            \
-  ROW(cairo_font_face_destroy)               \
   ROW(cairo_font_options_create)             \
   ROW(cairo_font_options_destroy)            \
   ROW(cairo_font_options_set_hint_metrics)   \
@@ -43,23 +42,13 @@ namespace contactscope::vector {
   ROW(cairo_surface_destroy)                 \
   ROW(cairo_surface_finish)                  \
   ROW(cairo_surface_status)                  \
-  ROW(FT_Done_Face)                          \
-  ROW(FT_Done_FreeType)                      \
   ROW(FT_Get_Char_Index)                     \
   ROW(FT_Init_FreeType)                      \
   ROW(FT_New_Memory_Face)
 
 struct CairoFunctions {
   SharedLibrary library{"libcairo.so.2", "libcairo2", "PDF"};
-#define CONTACTSCOPE_MEMBER(name) decltype(&::name) name = nullptr;
-  CONTACTSCOPE_CAIRO(CONTACTSCOPE_MEMBER)
-#undef CONTACTSCOPE_MEMBER
-
-  CairoFunctions() {
-#define CONTACTSCOPE_FIND(name) library.find(#name, name);
-    CONTACTSCOPE_CAIRO(CONTACTSCOPE_FIND)
-#undef CONTACTSCOPE_FIND
-  }
+  CONTACTSCOPE_FUNCTIONS(CairoFunctions, CONTACTSCOPE_CAIRO)
 };
 #undef CONTACTSCOPE_CAIRO
 

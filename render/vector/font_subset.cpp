@@ -29,16 +29,8 @@ struct HarfBuzz {
   ROW(hb_subset_input_set_flags)      \
   ROW(hb_subset_input_unicode_set)    \
   ROW(hb_subset_or_fail)
-#define CONTACTSCOPE_MEMBER(name) decltype(&::name) name = nullptr;
-  CONTACTSCOPE_HARFBUZZ(CONTACTSCOPE_MEMBER)
-#undef CONTACTSCOPE_MEMBER
-
-  HarfBuzz() {
-#define CONTACTSCOPE_FIND(name) library.find(#name, name);
-    CONTACTSCOPE_HARFBUZZ(CONTACTSCOPE_FIND)
-#undef CONTACTSCOPE_FIND
+  CONTACTSCOPE_FUNCTIONS(HarfBuzz, CONTACTSCOPE_HARFBUZZ)
 #undef CONTACTSCOPE_HARFBUZZ
-  }
 };
 
 const HarfBuzz& harfbuzz() {

@@ -7,10 +7,6 @@
 
 namespace contactscope::vector {
 
-void add_number(double value, std::string& out) {
-  add_hundredths(std::llround(value * 100), out);
-}
-
 void add_hundredths(std::int64_t hundredths, std::string& out) {
   const std::int64_t size = hundredths < 0 ? -hundredths : hundredths;
   if (hundredths < 0) out += '-';
@@ -24,7 +20,7 @@ void add_hundredths(std::int64_t hundredths, std::string& out) {
 
 std::string number(double value) {
   std::string out;
-  add_number(value, out);
+  add_hundredths(std::llround(value * 100), out);
   return out;
 }
 

@@ -9,9 +9,9 @@
 /// SVG syntax.
 namespace contactscope::vector {
 
-/// Appends a number with at most two decimals in its shortest form: "-.5", "12", "0".
-void add_number(double value, std::string& out);
+/// Appends a number in its shortest form: "-.5", "12", "0".
 void add_hundredths(std::int64_t value, std::string& out);
+/// With at most two decimals.
 std::string number(double value);
 
 /// "#d55e00", or its short form "#fff"; ignores alpha.

@@ -24,4 +24,14 @@ class SharedLibrary {
   void* handle_ = nullptr;
 };
 
+/// Members of a struct for the functions that a list of rows names, and its constructor, which finds
+/// them in its member `library`.
+#define CONTACTSCOPE_MEMBER(name) decltype(&::name) name = nullptr;
+#define CONTACTSCOPE_FIND(name) library.find(#name, name);
+#define CONTACTSCOPE_FUNCTIONS(Struct, ROWS) \
+  ROWS(CONTACTSCOPE_MEMBER)                  \
+  Struct() {                                 \
+    ROWS(CONTACTSCOPE_FIND)                  \
+  }
+
 }  // namespace contactscope::vector

@@ -21,6 +21,19 @@ class PathData {
  public:
   explicit PathData(std::string& out) : out_(out) {}
 
+  void trace(const std::vector<Point2>& points, bool closed) {
+    move_to(points.front());
+    for (std::size_t i = 1; i < points.size(); ++i) line_to(points[i]);
+    if (!closed) return;
+    out_ += 'z';
+    last_ = 'z';
+  }
+
+ private:
+  struct Place {
+    std::int64_t x = 0, y = 0;
+  };
+
   void move_to(const Point2& to) {
     const Place place = rounded(to);
     out_ += 'M';
@@ -45,16 +58,6 @@ class PathData {
     }
     at_ = place;
   }
-  void close() {
-    out_ += 'z';
-    last_ = 'z';
-  }
-
- private:
-  struct Place {
-    std::int64_t x = 0, y = 0;
-  };
-
   static Place rounded(const Point2& p) {
     return {std::llround(static_cast<double>(p.x) * 100),
             std::llround(static_cast<double>(p.y) * 100)};
@@ -104,13 +107,7 @@ struct SvgWriter {
     out += value;
     out += '"';
   }
-  void attribute(const char* name, double value) {
-    out += ' ';
-    out += name;
-    out += "=\"";
-    add_number(value, out);
-    out += '"';
-  }
+  void attribute(const char* name, double value) { attribute(name, number(value)); }
   void paint(const char* what, const char* opacity, const Color& color) {
     attribute(what, hex(color));
     if (color.a < 1) attribute(opacity, color.a);
@@ -207,11 +204,7 @@ struct SvgWriter {
   void add(const FillPath& fill, bool surface) {
     out += "<path d=\"";
     PathData data(out);
-    for (const std::vector<Point2>& polygon : fill.polygons) {
-      data.move_to(polygon.front());
-      for (std::size_t i = 1; i < polygon.size(); ++i) data.line_to(polygon[i]);
-      data.close();
-    }
+    for (const std::vector<Point2>& polygon : fill.polygons) data.trace(polygon, true);
     out += '"';
     paint("fill", "fill-opacity", fill.color);
     if (surface) attribute("shape-rendering", "crispEdges");
@@ -221,11 +214,7 @@ struct SvgWriter {
   void add(const StrokePath& stroke, bool) {
     out += "<path d=\"";
     PathData data(out);
-    for (const Polyline& line : stroke.lines) {
-      data.move_to(line.points.front());
-      for (std::size_t i = 1; i < line.points.size(); ++i) data.line_to(line.points[i]);
-      if (line.closed) data.close();
-    }
+    for (const Polyline& line : stroke.lines) data.trace(line.points, line.closed);
     out += '"';
     attribute("fill", "none");
     paint("stroke", "stroke-opacity", stroke.color);

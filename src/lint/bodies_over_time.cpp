@@ -24,7 +24,7 @@ class BodiesWatch final : public Watch {
       if (!now || now->solid->is_plane()) continue;
       const std::optional<Placed> before = place(solids, frames.before, name, {});
       const std::optional<Placed> after = place(solids, frames.after, name, {});
-      if (before && !jumped_.contains(name)) moved[name] = middle(*now) - middle(*before);
+      if (before && !jumped_.contains(name)) moved[name] = now->middle() - before->middle();
       if (!before || !after) continue;
       if (is_jump(solids, frames, name, *before, *now, *after))
         jumped.insert(name);
@@ -50,9 +50,6 @@ class BodiesWatch final : public Watch {
   }
 
  private:
-  static Vec3d middle(const Placed& placed) {
-    return placed.pose.transform(placed.solid->center_of_mass());
-  }
   static double turned(const Placed& from, const Placed& to) {
     return to.pose.rotation.angularDistance(from.pose.rotation) * to.size();
   }
@@ -62,15 +59,15 @@ class BodiesWatch final : public Watch {
                const Placed& before, const Placed& now, const Placed& after) {
     ++jumps_.of;
     const auto speed = last_.find(name);
-    const double out = (middle(now) - middle(before)).norm() + turned(before, now);
-    const double rest = (middle(after) - middle(before)).norm() + turned(before, after) +
+    const double out = (now.middle() - before.middle()).norm() + turned(before, now);
+    const double rest = (after.middle() - before.middle()).norm() + turned(before, after) +
                         (speed == last_.end() ? 0.0 : speed->second.norm());
     if (out < kLeap * now.size() || out < kTimes * rest) return false;
     jumps_.wrong(frames, name, "", [&] {
-      return std::pair("it is " + metres((middle(now) - middle(before)).norm()) +
+      return std::pair("it is " + metres((now.middle() - before.middle()).norm()) +
                            " m from its place in the frame before",
                        "in the frame after, it is " +
-                           metres((middle(after) - middle(before)).norm()) + " m from there");
+                           metres((after.middle() - before.middle()).norm()) + " m from there");
     });
     for (const trace::Pair& pair : frames.now->pairs)
       if (solids.body_of(pair.a) == solids.body_of(name) ||
@@ -84,8 +81,8 @@ class BodiesWatch final : public Watch {
   void see_flight(const Moments& frames, const std::string& name, const Placed& before,
                   const Placed& now, const Placed& after, double& fastest) {
     ++flights_.of;
-    const double step = (middle(after) - middle(now)).norm();
-    const double last = (middle(now) - middle(before)).norm();
+    const double step = (after.middle() - now.middle()).norm();
+    const double last = (now.middle() - before.middle()).norm();
     if (fastest_ > 0 && step > kLongStep * now.size() && step > kFaster * fastest_ &&
         step > kTimes * last)
       flights_.wrong(frames, name, "", [&] {

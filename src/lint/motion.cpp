@@ -119,11 +119,8 @@ class MotionWatch final : public Watch {
       const auto now = place(solids, frames.now, one.first, {});
       const auto after = place(solids, frames.after, one.first, {});
       if (!before || !now || !after || now->solid->is_plane()) continue;
-      const auto middle = [](const Placed& placed) {
-        return placed.pose.transform(placed.solid->center_of_mass());
-      };
-      const Vec3d bend = middle(*after) - 2 * middle(*now) + middle(*before);
-      const double moved = (middle(*after) - middle(*before)).norm();
+      const Vec3d bend = after->middle() - 2 * now->middle() + before->middle();
+      const double moved = (after->middle() - before->middle()).norm();
       if (!(bend.norm() > 1e-6 * moved)) continue;  // straight line
       const Vec3d acceleration = bend / (step * step);
       for (int axis = 0; axis < 3; ++axis) {
@@ -249,21 +246,22 @@ class MotionWatch final : public Watch {
                                           "its contacts carry " + metres(*share) + " of its weight",
                                           "it rests, so they carry all of it"));
     };
-    if (is_near(*share, -1))
-      return say("impulses_on_a", "impulses act on a", "negate them: an impulse acts on b");
-    if (is_near(*share, 1 / step_))
-      return say("impulses_are_forces", "impulses are forces, in newtons",
-                 "multiply each by the time of the step: an impulse is in newton seconds");
-    if (steps_ > 1 && is_near(*share, 1.0 / steps_))
-      return say("impulses_of_a_substep", "impulses are those of one sub-step",
-                 "sum those of all sub-steps: an impulse is over the whole step");
-    if (is_near(*share, 0.5))
-      return say(
-          "impulses_halved", "impulses carry half of the weight",
-          "maybe the points of one of two manifolds are missing, or steps are counted as frames");
-    if (is_near(*share, 2))
-      return say("impulses_doubled", "impulses carry twice the weight",
-                 "maybe each is reported for both bodies, or added twice");
+    const struct {
+      double share;
+      const char *cause, *what, *remedy;
+    } others[] = {
+        {-1, "impulses_on_a", "impulses act on a", "negate them: an impulse acts on b"},
+        {1 / step_, "impulses_are_forces", "impulses are forces, in newtons",
+         "multiply each by the time of the step: an impulse is in newton seconds"},
+        {steps_ > 1 ? 1.0 / steps_ : -1, "impulses_of_a_substep",
+         "impulses are those of one sub-step",
+         "sum those of all sub-steps: an impulse is over the whole step"},
+        {0.5, "impulses_halved", "impulses carry half of the weight",
+         "maybe the points of one of two manifolds are missing, or steps are counted as frames"},
+        {2, "impulses_doubled", "impulses carry twice the weight",
+         "maybe each is reported for both bodies, or added twice"}};
+    for (const auto& [times, cause, what, remedy] : others)
+      if (is_near(*share, times)) return say(cause, what, remedy);
     constexpr double kUnlike = 10;  // gravity may differ
     if (std::abs(*share) > kUnlike || std::abs(*share) < 1 / kUnlike)
       return say(

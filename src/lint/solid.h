@@ -93,6 +93,7 @@ struct Placed {
     return scale * solid->extent(pose.inverse_rotate(direction)) + direction.dot(pose.position);
   }
   double size() const { return scale * solid->size(); }
+  Vec3d middle() const { return pose.transform(solid->center_of_mass()); }
 };
 
 /// Metres between the solids along a direction (unit, from a to b), negative if they overlap: minus

@@ -10,34 +10,37 @@ namespace {
 /// A wrong meaning of a velocity; right are metres or radians per second in the world.
 struct Other {
   const char *cause, *what, *remedy;
-  Vec3d (*meant)(const Vec3d& record, const Quat<double>& rotation, double step);
+  double factor = 1;  // from the record to what is meant
+  enum class In { World, Step, Body } in = In::World;
+
+  Vec3d meant(const Vec3d& record, const Quat<double>& rotation, double step) const {
+    const Vec3d scaled = factor * record;
+    if (in == In::Body) return rotation * scaled;
+    return in == In::Step ? Vec3d(scaled / step) : scaled;
+  }
 };
 
 constexpr const char* kOfTheBody = "rotate them by the rotation of the body: they are in the world";
+constexpr double kDegree = std::numbers::pi / 180;
 constexpr Other kVelocities[] = {
-    {"velocities_negated", "velocities point backward", "negate them",
-     [](const Vec3d& v, const Quat<double>&, double) { return Vec3d(-v); }},
+    {"velocities_negated", "velocities point backward", "negate them", -1},
     {"velocities_of_a_step", "velocities are in metres per step",
-     "divide them by the time of a step",
-     [](const Vec3d& v, const Quat<double>&, double step) { return Vec3d(v / step); }},
+     "divide them by the time of a step", 1, Other::In::Step},
     {"velocities_in_centimetres", "velocities are in centimetres per second", "divide them by 100",
-     [](const Vec3d& v, const Quat<double>&, double) { return Vec3d(v / 100); }},
+     0.01},
     {"velocities_in_millimetres", "velocities are in millimetres per second", "divide them by 1000",
-     [](const Vec3d& v, const Quat<double>&, double) { return Vec3d(v / 1000); }},
-    {"velocities_in_frame_of_body", "velocities are in the frame of the body", kOfTheBody,
-     [](const Vec3d& v, const Quat<double>& q, double) { return Vec3d(q * v); }},
+     0.001},
+    {"velocities_in_frame_of_body", "velocities are in the frame of the body", kOfTheBody, 1,
+     Other::In::Body},
 };
 constexpr Other kSpins[] = {
-    {"spins_negated", "angular velocities turn backward", "negate them",
-     [](const Vec3d& v, const Quat<double>&, double) { return Vec3d(-v); }},
+    {"spins_negated", "angular velocities turn backward", "negate them", -1},
     {"spins_in_degrees", "angular velocities are in degrees per second",
-     "multiply them by pi / 180",
-     [](const Vec3d& v, const Quat<double>&, double) { return Vec3d(v * std::numbers::pi / 180); }},
+     "multiply them by pi / 180", kDegree},
     {"spins_of_a_step", "angular velocities are in radians per step",
-     "divide them by the time of a step",
-     [](const Vec3d& v, const Quat<double>&, double step) { return Vec3d(v / step); }},
-    {"spins_in_frame_of_body", "angular velocities are in the frame of the body", kOfTheBody,
-     [](const Vec3d& v, const Quat<double>& q, double) { return Vec3d(q * v); }},
+     "divide them by the time of a step", 1, Other::In::Step},
+    {"spins_in_frame_of_body", "angular velocities are in the frame of the body", kOfTheBody, 1,
+     Other::In::Body},
 };
 
 /// Compares reported velocities with displacements, and finds a common cause of most differences.
@@ -96,11 +99,8 @@ class VelocitiesWatch final : public Watch {
       const auto now = place(solids, frames.now, body.name, {});
       const auto after = place(solids, frames.after, body.name, {});
       if (!before || !now || !after) continue;
-      const auto middle = [](const Placed& placed) {
-        return placed.pose.transform(placed.solid->center_of_mass());
-      };
-      const std::array<Vec3d, 2> measured = {(middle(*now) - middle(*before)) / last,
-                                             (middle(*after) - middle(*now)) / step};
+      const std::array<Vec3d, 2> measured = {(now->middle() - before->middle()) / last,
+                                             (after->middle() - now->middle()) / step};
       constexpr double kMoving = 0.2,
                        kTurning = 0.5;  // metres and radians per second: more than solvers correct
       if (std::ranges::all_of(measured,

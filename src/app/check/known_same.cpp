@@ -4,13 +4,11 @@
 #include <link.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cstring>
-#include <future>
 #include <nlohmann/json.hpp>
-#include <thread>
 
 #include "core/at.h"
+#include "core/workers.h"
 #include "image/sha256.h"
 #include "snapshot/meshes.h"
 #include "snapshot/store.h"
@@ -136,17 +134,10 @@ std::string KnownSame::text() const {
 
 std::vector<std::string> contents_of(const std::vector<Input>& inputs, const fs::path& snapshots) {
   std::vector<std::string> contents(inputs.size());
-  std::atomic<std::size_t> next{0};
-  const auto work = [&] {
-    for (std::size_t i = next++; i < inputs.size(); i = next++)
-      if (!inputs[i].trace && inputs[i].unreadable.empty())
-        contents[i] = content_of(inputs[i], snapshots);
-  };
-  std::vector<std::future<void>> helpers;
-  for (unsigned i = 1; i < std::thread::hardware_concurrency(); ++i)
-    helpers.push_back(std::async(std::launch::async, work));
-  work();
-  for (std::future<void>& helper : helpers) helper.get();
+  Workers(hardware_threads()).for_each(count_of(inputs), [&](int i, int) {
+    const Input& input = at(inputs, i);
+    if (!input.trace && input.unreadable.empty()) at(contents, i) = content_of(input, snapshots);
+  });
   return contents;
 }
 

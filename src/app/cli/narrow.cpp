@@ -7,7 +7,6 @@
 #include <tuple>
 
 #include "core/at.h"
-#include "find/finder.h"
 #include "scenario/nearest_word.h"
 
 namespace contactscope::app {
@@ -60,9 +59,10 @@ std::size_t drawn_by(const draw::Sketch& sketch) {
 
 }  // namespace
 
-find::Expression condition_of(const std::string& option, const std::string& text) {
+find::Expression condition_of(const std::string& option, const std::string& text,
+                              const find::Vocabulary& words) {
   try {
-    return find::Expression(text, find::vocabulary());
+    return find::Expression(text, words);
   } catch (const find::ExpressionError& error) {
     throw UsageError(option + ", " + error.what());
   }

@@ -2,7 +2,7 @@
 
 #include "app/cli/catalogue.h"
 #include "app/render/renderer.h"
-#include "find/expression.h"
+#include "find/finder.h"
 
 namespace contactscope::app {
 
@@ -10,7 +10,8 @@ namespace contactscope::app {
 void narrow(Sequence& sequence, const Options& options);
 
 /// The condition in the text of an option or argument. Throws UsageError.
-find::Expression condition_of(const std::string& option, const std::string& text);
+find::Expression condition_of(const std::string& option, const std::string& text,
+                              const find::Vocabulary& words = find::vocabulary());
 
 /// Reduces the frames to draw to those with a pair for which --where holds, and their pairs to
 /// these.

@@ -159,15 +159,11 @@ void write_pictures(const Scenario& scenario, const Explorations& explorations,
   std::cerr << "; a larger --size has room for it\n";
 }
 
-/// On a trace, --reducer names one to try, not the one that made it.
-Options without_reducer(Options options) {
-  options.reducer.clear();
-  return options;
-}
-
 ExitCode run_explore(const Options& options) {
   note_interrupts();
-  std::vector<Input> inputs = load_inputs(without_reducer(options));
+  Options of_input = options;
+  of_input.reducer.clear();  // it names one to try, not the one that made a trace
+  std::vector<Input> inputs = load_inputs(of_input);
   if (inputs.size() != 1) throw UsageError("explore takes one scenario, or one trace");
   Input& input = inputs.front();
   Scenario scenario = input.scenario;

@@ -5,7 +5,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "app/cli/catalogue.h"
+#include "app/cli/narrow.h"
 #include "app/cli/progress.h"
 #include "app/cli/trace_file.h"
 #include "app/cli/verbs.h"
@@ -42,16 +42,12 @@ find::Expression read_expression(const Options& options, const Source& source) {
     throw UsageError(
         "shrink needs a condition to preserve: --while 'float.points != double.points', "
         "--while lint.flipped_normals, --while unmet");
-  try {
-    find::Expression expression(options.condition, shrink::vocabulary());
-    if (source.scenario && expression.sides().contains("recorded"))
-      throw UsageError(
-          "--while: nothing is recorded in a scenario; write float, double, or the "
-          "name of an engine");
-    return expression;
-  } catch (const find::ExpressionError& error) {
-    throw UsageError(std::string("--while, ") + error.what());
-  }
+  find::Expression expression = condition_of("--while", options.condition, shrink::vocabulary());
+  if (source.scenario && expression.sides().contains("recorded"))
+    throw UsageError(
+        "--while: nothing is recorded in a scenario; write float, double, or the name of an "
+        "engine");
+  return expression;
 }
 
 /// Engines among the sides of an expression.
@@ -71,10 +67,6 @@ std::map<std::string, shrink::Engine> engines_of(const find::Expression& express
   return engines;
 }
 
-bool is_named(const trace::Pair& pair, const std::vector<std::string>& names) {
-  return names.empty() || std::ranges::is_permutation(std::vector{pair.a, pair.b}, names);
-}
-
 struct Found {
   PairOfTwo pair;
   int frame = 0;
@@ -88,7 +80,9 @@ std::optional<Found> first_pair(const Source& source, const Options& options,
     if (options.frames && !options.frames->names(frame.frame)) continue;
     for (const trace::Pair& pair : frame.pairs) {
       stop_if_interrupted();
-      if (!is_named(pair, options.pair)) continue;
+      if (!options.pair.empty() &&
+          !std::ranges::is_permutation(std::vector{pair.a, pair.b}, options.pair))
+        continue;
       const auto two = shrink::pair_of_frame(source.trace.header, frame, pair,
                                              source.scenario ? &*source.scenario : nullptr);
       if (!two) continue;
@@ -110,8 +104,7 @@ void expect_what_double_has(PairOfTwo& pair) {
   }
   pair.expectation.emplace_back("state", shrink::quoted(right->state));
   if (right->manifolds.empty()) return;
-  int points = 0;
-  for (const trace::Manifold& manifold : right->manifolds) points += count_of(manifold.points);
+  const int points = count_of(joined(right->manifolds, &trace::Manifold::points));
   pair.expectation.emplace_back("points", std::to_string(points));
   if (right->manifolds.size() == 1)
     pair.expectation.emplace_back("normal", shrink::spell(right->manifolds.front().normal));
@@ -139,7 +132,6 @@ ExitCode run_shrink(const Options& options) {
                  "be shrunk\n";
     return ExitCode::Different;
   }
-  std::optional<Progress> progress;
   shrink::Shrunk shrunk =
       shrink::shrink(found->pair, judge, [](const PairOfTwo&) { stop_if_interrupted(); });
   expect_what_double_has(shrunk.pair);

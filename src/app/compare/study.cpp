@@ -23,10 +23,6 @@
 namespace contactscope::app {
 namespace {
 
-const StudyInfo& find_study(const std::string& name) {
-  return studies()[word_in("study", name, names_in(studies()))];
-}
-
 /// Scenarios of a study; empty if it makes its own cases.
 std::vector<Scenario> scenarios_of(const StudyInfo& info, const Options& options) {
   if (!info.of_scenarios && (!options.scenarios.empty() || options.frames))
@@ -69,7 +65,7 @@ Size size_of(const trace::Study& result) {
 // earlier run intact.
 ExitCode run_study(const Options& options) {
   note_interrupts();
-  const StudyInfo& info = find_study(options.study);
+  const StudyInfo& info = studies()[word_in("study", options.study, names_in(studies()))];
   if (options.shard) {
     if (info.name != "stability")
       throw UsageError("study " + info.name + " cannot be divided; --shard is for stability");

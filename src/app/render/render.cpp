@@ -65,14 +65,6 @@ void account_stages(const Scenario& scenario, const trace::Stages& stages, RunLo
     log.left_out("solver, because no shape is dynamic");
 }
 
-/// Warns about requested layers without data: most traces of engines lack data for many layers.
-void report_idle(const std::string& file, const std::vector<std::string>& layers) {
-  std::string names;
-  for (const std::string& layer : layers) names += (names.empty() ? "" : ", ") + layer;
-  std::cerr << file << ": nothing to draw in layer" << (layers.size() == 1 ? " " : "s ") << names
-            << "; src/trace/README.md lists what a trace needs for it\n";
-}
-
 /// Default title of an engine's trace: its engine, and the contacts of each frame.
 std::string title_of(const trace::Header& header) {
   const std::string engine =
@@ -103,13 +95,17 @@ Sequence sequence_of(Input& input, const std::vector<View>& views, bool every_st
   return sequence;
 }
 
-/// Warns about has_layers layers that stay empty.
+/// Warns about requested layers that stay empty: most traces of engines lack data for many layers.
 void report_idle_layers(const Input& input, const draw::Staging& staging, const Sequence& sequence,
                         const Options& options) {
   const bool has_layers = options.layers || views_are_of_file(options);
   if (!input.trace || !has_layers || options.quiet) return;
   const std::vector<std::string> idle = idle_layers(staging, sequence.frames);
-  if (!idle.empty()) report_idle(input.file, idle);
+  if (idle.empty()) return;
+  std::string names;
+  for (const std::string& layer : idle) names += (names.empty() ? "" : ", ") + layer;
+  std::cerr << input.file << ": nothing to draw in layer" << (idle.size() == 1 ? " " : "s ")
+            << names << "; src/trace/README.md lists what a trace needs for it\n";
 }
 
 void draw_sequences(Input& input, const Options& options, Renderer& renderer, Sinks& sinks,

@@ -20,10 +20,6 @@ int page_width(int columns) {
   return std::clamp(columns * kCell, kMin, kMax);
 }
 
-std::string group_of(const std::string& scenario) {
-  return scenario.substr(0, scenario.find('/'));
-}
-
 /// Only scenes: a contact plane has its own captions and no cells.
 bool has_cells(const View& view) {
   return view.kind == ViewKind::Scene;
@@ -121,7 +117,10 @@ void draw_strips(const Input& input, Sequence& sequence, const PictureOrigin& or
 void draw_sheet(std::vector<Input>& inputs, const std::function<Sequence(Input&)>& run,
                 const Options& options, Renderer& renderer, Sinks& sinks, Progress& progress) {
   std::set<std::string> groups;
-  for (const Input& input : inputs) groups.insert(group_of(input.scenario.name));
+  for (const Input& input : inputs) {
+    const std::string& name = input.scenario.name;
+    groups.insert(name.substr(0, name.find('/')));
+  }
   const std::string group = groups.size() == 1 ? *groups.begin() : "";
   const int count = count_of(inputs);
   const int columns = options.columns.value_or(draw::usual_columns(count));

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "app/cli/sequence.h"
@@ -12,6 +13,7 @@
 #include "draw/staging.h"
 #include "image/image.h"
 #include "image/picture_origin.h"
+#include "image/whole_file.h"
 #include "trace/trace.h"
 
 /// Formats of `render --format`: a row in formats.cpp and a file per format.
@@ -65,6 +67,24 @@ class Animation {
 
   virtual void add(const Image& image, const Duration& shown) = 0;
   virtual void finish() = 0;
+};
+
+/// An animation whose `encoder` returns the whole file at the end, with `about` in it.
+template <class Encoder, class About>
+class EncodedAnimation : public Animation {
+ public:
+  EncodedAnimation(const ReelPlan& plan, About about)
+      : path_(plan.path), about_(std::move(about)) {}
+
+  void add(const Image& image, const Duration& shown) override {
+    encoder_.add(image, shown.milliseconds);
+  }
+  void finish() override { write_whole_file(path_, encoder_.finish(about_)); }
+
+ private:
+  std::string path_;
+  About about_;
+  Encoder encoder_;
 };
 
 /// Feeds pictures to an animation on another thread, one behind the caller. Each is shown until the

@@ -7,6 +7,8 @@
 #include <cerrno>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
+#include <sstream>
 #include <stdexcept>
 #include <system_error>
 
@@ -93,46 +95,16 @@ class Mp4Animation : public Animation {
   }
 
   void start(int width, int height) {
-    std::vector<std::string> words = {program_,
-                                      "-y",
-                                      "-loglevel",
-                                      "error",
-                                      "-f",
-                                      "rawvideo",
-                                      "-pixel_format",
-                                      "rgb24",
-                                      "-video_size",
-                                      std::to_string(width) + "x" + std::to_string(height),
-                                      "-framerate",
-                                      std::to_string(rate_),
-                                      "-i",
-                                      "pipe:0",
-                                      "-an",
-                                      "-c:v",
-                                      "libx264",
-                                      "-crf",
-                                      "18",
-                                      "-vf",
-                                      "scale=out_color_matrix=bt709:out_range=tv",
-                                      "-pix_fmt",
-                                      "yuv420p",
-                                      "-colorspace",
-                                      "bt709",
-                                      "-color_primaries",
-                                      "bt709",
-                                      "-color_trc",
-                                      "bt709",
-                                      "-movflags",
-                                      "+faststart",
-                                      "-fflags",
-                                      "+bitexact",
-                                      "-metadata",
-                                      "title=" + title_,
-                                      "-metadata",
-                                      "comment=" + about_,
-                                      "-f",
-                                      "mp4",
-                                      aside_};
+    std::istringstream fixed(
+        "-y -loglevel error -f rawvideo -pixel_format rgb24 -video_size " + std::to_string(width) +
+        "x" + std::to_string(height) + " -framerate " + std::to_string(rate_) +
+        " -i pipe:0 -an -c:v libx264 -crf 18 -vf scale=out_color_matrix=bt709:out_range=tv "
+        "-pix_fmt yuv420p -colorspace bt709 -color_primaries bt709 -color_trc bt709 "
+        "-movflags +faststart -fflags +bitexact");
+    std::vector<std::string> words = {program_};
+    words.insert(words.end(), std::istream_iterator<std::string>(fixed), {});
+    words.insert(words.end(), {"-metadata", "title=" + title_, "-metadata", "comment=" + about_,
+                               "-f", "mp4", aside_});
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);

@@ -1,6 +1,5 @@
 #include "app/render/formats/format.h"
 #include "image/webp.h"
-#include "image/whole_file.h"
 #include "vector/markup.h"
 
 namespace contactscope::app {
@@ -18,20 +17,6 @@ std::string xmp_of(const PictureOrigin& origin) {
   return all + "</rdf:li></rdf:Alt></dc:description></rdf:Description></rdf:RDF></x:xmpmeta>";
 }
 
-class WebpReel : public Animation {
- public:
-  explicit WebpReel(const ReelPlan& plan) : path_(plan.path), about_(xmp_of(plan.origin)) {}
-
-  void add(const Image& image, const Duration& shown) override {
-    animation_.add(image, shown.milliseconds);
-  }
-  void finish() override { write_whole_file(path_, animation_.finish(about_)); }
-
- private:
-  std::string path_, about_;
-  WebpAnimation animation_;
-};
-
 }  // namespace
 
 const Format kWebpFormat{
@@ -40,7 +25,11 @@ const Format kWebpFormat{
     .what = "lossless WebP, animated if there are several frames",
     .needs_pixels = true,
     .encode = [](const Shot& shot) { return encode_webp(*shot.image, xmp_of(shot.origin)); },
-    .begin = [](const ReelPlan& plan) { return reel_of(plan, std::make_unique<WebpReel>(plan)); },
+    .begin =
+        [](const ReelPlan& plan) {
+          return reel_of(plan, std::make_unique<EncodedAnimation<WebpAnimation, std::string>>(
+                                   plan, xmp_of(plan.origin)));
+        },
 };
 
 }  // namespace contactscope::app
