@@ -12,7 +12,7 @@
 /// Gregorius 2015, "Hull vs Hull: The Separating Axis Test": the three queries next to each other,
 /// each with its own copy of the shapes. For each the best axis: the plane of the face, extended,
 /// and the parallel plane through the support point, or the plane of two edges; and the separation.
-/// With a parallel projection all columns show the shapes in the same way.
+/// With a parallel projection all columns show the same view of the shapes.
 namespace contactscope::draw {
 namespace {
 
@@ -82,7 +82,7 @@ struct Column {
 
   void draw_best(const BestAxis& best, bool chosen, double size) const {
     // The plane of two edges is centred on A's edge, to show where it belongs. A parallel plane
-    // through B's edge would only be in the way.
+    // through B's edge would only hide the edge.
     const bool of_edges = best.face.empty();
     const Vec3d along =
         of_edges ? Vec3d(best.edges[0][1] - best.edges[0][0]) : Vec3d(best.face[1] - best.face[0]);

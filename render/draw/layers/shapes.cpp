@@ -14,7 +14,7 @@
 namespace contactscope::draw {
 namespace {
 
-// A margin narrower than this share of the shape is not visible, and its core is only in the way.
+// A margin narrower than this share of the shape is not visible, and its core would hide marks.
 constexpr double kSeenMargin = 0.02;
 constexpr Color kInside = with_alpha(kShapeEdge, 0.6f);
 constexpr Swatch kMarginSwatch{LegendGroup::Shapes, 2,
