@@ -116,7 +116,8 @@ Owner preferred_face(const Mesh<S>& mesh, int triangle) {
   const Vec3<S> second = mesh.corner(triangle, 2) - mesh.corner(triangle, 1);
   const Vec3<S> third = mesh.corner(triangle, 0) - mesh.corner(triangle, 2);
   const S longest = std::max({first.squaredNorm(), second.squaredNorm(), third.squaredNorm()});
-  return first.cross(second).norm() < kSliver<S> * longest ? Owner::A : Owner::B;
+  const S least = kSliver<S> * longest;
+  return first.cross(second).squaredNorm() < least * least ? Owner::A : Owner::B;
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ constexpr LineStyle kWallOutline{1.6f, with_alpha(kShapeEdge, 0.6f)};
 bool is_front_wall(const Scene& scene, const PlacedShape& wall) {
   if (!scene.scales.heap || wall.is_mesh() || wall.traced().half_space) return false;
   constexpr double kWall = 2.5, kBehind = 0.7;  // radii of the smaller shapes; share of them
-  constexpr double kThin = 0.5;                 // of its radius
+  constexpr double kMaxThickness = 0.5;         // of its radius
   std::vector<Vec3d> centers;
   for (const PlacedShape& shape : scene.shapes)
     if (kWall * shape.mesh->radius < wall.mesh->radius)
@@ -56,7 +56,8 @@ bool is_front_wall(const Scene& scene, const PlacedShape& wall) {
     const Vec3d on = wall.polygon(f).front(), normal = wall.normal(f);
     const auto below = [&](const Vec3d& vertex) { return normal.dot(on - vertex); };
     if (scene.camera.faces(on, normal) ||
-        std::ranges::max(wall.vertices | std::views::transform(below)) > kThin * wall.mesh->radius)
+        std::ranges::max(wall.vertices | std::views::transform(below)) >
+            kMaxThickness * wall.mesh->radius)
       continue;
     const auto behind =
         std::ranges::count_if(centers, [&](const Vec3d& c) { return normal.dot(c - on) > 0; });
