@@ -84,6 +84,13 @@ FeatureId id_of(const Outline& a, const Outline& b, const Place& on_a, const Pla
       feature(other_outline, other_place, other(owner)));
 }
 
+/// The end of a segment that is nearest to a point.
+Place nearest_end(const Outline& segment, const Vec2d& point) {
+  const double first = (segment.corners.front() - point).norm();
+  const bool is_first = first <= (segment.corners.back() - point).norm();
+  return {FeatureKind::Vertex, is_first ? 0U : segment.corners.size() - 1};
+}
+
 void name_manifold(const PlacedShape& a, const PlacedShape& b, Manifold& manifold) {
   if (manifold.points.empty() || manifold.normal.squaredNorm() < 0.5) return;
   const Vec3d normal = manifold.normal.normalized();
@@ -94,9 +101,14 @@ void name_manifold(const PlacedShape& a, const PlacedShape& b, Manifold& manifol
                                                      : std::max(on_a.size, on_b.size);
   const bool is_clipped =
       on_a.is_face && on_b.is_face && (manifold.axis.empty() || manifold.axis.starts_with("face"));
+  // Parallel capsules touch in two points; each is named by the ends next to it, whichever cuts.
+  const bool has_ends = a.shape.type == "capsule" && b.shape.type == "capsule" &&
+                        manifold.points.size() == 2 && !on_a.corners.empty() &&
+                        !on_b.corners.empty();
   for (Point& point : manifold.points) {
     const Vec2d seen = plane.seen(point.position);
-    Place at_a = place_on(on_a, seen, kNear * size), at_b = place_on(on_b, seen, kNear * size);
+    Place at_a = has_ends ? nearest_end(on_a, seen) : place_on(on_a, seen, kNear * size);
+    Place at_b = has_ends ? nearest_end(on_b, seen) : place_on(on_b, seen, kNear * size);
     if (manifold.axis == "edge_edge") at_a.kind = at_b.kind = FeatureKind::Edge;
     point.id = to_string(id_of(on_a, on_b, at_a, at_b, is_clipped));
   }
