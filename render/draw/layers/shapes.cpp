@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <ranges>
 #include <span>
 
 #include "core/at.h"
@@ -56,8 +55,7 @@ bool is_front_wall(const Scene& scene, const PlacedShape& wall) {
     const Vec3d on = wall.polygon(f).front(), normal = wall.normal(f);
     const auto below = [&](const Vec3d& vertex) { return normal.dot(on - vertex); };
     if (scene.camera.faces(on, normal) ||
-        std::ranges::max(wall.vertices | std::views::transform(below)) >
-            kMaxThickness * wall.mesh->radius)
+        below(std::ranges::max(wall.vertices, {}, below)) > kMaxThickness * wall.mesh->radius)
       continue;
     const auto behind =
         std::ranges::count_if(centers, [&](const Vec3d& c) { return normal.dot(c - on) > 0; });
