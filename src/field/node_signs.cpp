@@ -71,7 +71,8 @@ class SignSpreader {
   void open(int x, int y, int z) { open_.push_back({x, y, z}); }
 
  private:
-  /// Calls visit(u, v, w, axes) for the nodes around a node, `axes` away, until one returns true.
+  /// Calls visit(u, v, w, axes) for the nodes around a node until one returns true; `axes` is the
+  /// number of axes along which the two differ.
   template <class Visit>
   bool any_around(int x, int y, int z, const Visit& visit) const {
     for (int w = std::max(z - 1, 0); w <= std::min(z + 1, counts_[2] - 1); ++w)

@@ -18,7 +18,7 @@ constexpr double kCellRow = 222;   // a row of cells with their names, if there 
 constexpr double kCellRows = 172;  // each of several rows
 constexpr double kLargeRow = 280;  // below a single chart
 constexpr double kPairRow = 410;   // of two cells below a single chart
-constexpr float kLarger = 1.2f;    // factor of text and lines on a page with one chart and one row
+constexpr float kLarger = 1.2f;    // factor of text and lines on a page with one row and one chart
 constexpr int kPage = 720;         // height of a page with up to two rows of cells
 constexpr std::size_t kMaxInRow = 5;
 
@@ -56,11 +56,13 @@ RolloutPage rollout_page(const std::string& result, const std::string& title,
   const double begin = top + pen.px(kScene), end = height - left - pen.px(kCaptions);
   const auto rows = static_cast<double>(std::max<std::size_t>(1, rows_of(cells.size())));
   const bool is_large = charts.size() <= 1 && rows_of(cells.size()) <= 1;
-  const double one_row = !is_large ? kCellRow : cells.size() > 2 ? kLargeRow : kPairRow;
-  // Without charts, in pixels of this page as well: the cells have all the room.
-  const double cell_row = charts.empty() ? (end - begin) / rows / pen.px(1)
-                          : rows > 1     ? kCellRows
-                                         : one_row;
+  double cell_row = kCellRow;
+  if (charts.empty())
+    cell_row = (end - begin) / rows / pen.px(1);  // all the room
+  else if (rows > 1)
+    cell_row = kCellRows;
+  else if (is_large)
+    cell_row = cells.size() > 2 ? kLargeRow : kPairRow;
   const Pen writing(page.drawing, (is_large ? kLarger : 1) * layout.scale, kPlotText);
   const double cells_begin = end - rows * pen.px(cell_row);
   const auto count = static_cast<double>(charts.size());

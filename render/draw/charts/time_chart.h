@@ -34,7 +34,7 @@ struct TimeChart {
 /// five times as far as the others leaves the axis, and its name contains its largest value.
 void draw_time_chart(const TimeChart& chart, const Rect& rect, const Pen& pen);
 
-/// A page of several rollouts: a result, charts side by side, and below them room for pictures.
+/// A page of several runs: a result, charts side by side if any, and below them room for pictures.
 struct RolloutPage {
   Drawing drawing;
   std::vector<Rect> cells;  // whole pixels

@@ -18,13 +18,6 @@ namespace {
 using snapshot::RunComparison;
 using snapshot::RunDistance;
 
-/// "frame 12, crate-floor".
-std::string place_of(const snapshot::Parting& parting) {
-  const std::string frame =
-      parting.frame < 0 ? "the header" : "frame " + std::to_string(parting.frame);
-  return parting.subject.empty() ? frame : frame + ", " + parting.subject;
-}
-
 /// "up to 3 mm in frame 9, at crate"; empty if no shape moved.
 std::string farthest(const RunComparison& runs) {
   const auto most = std::ranges::max_element(runs.distances, {}, &RunDistance::metres);
@@ -82,11 +75,11 @@ void write_picture(const RunComparison& runs, const std::array<trace::Header, 2>
     std::cerr << "no frame differs, so there is no picture\n";
     return;
   }
-  std::array<std::string, 2> names{options.scenarios[0], options.scenarios[1]};
-  const auto file_of = [](const std::string& path) {
-    return std::filesystem::path(path).filename().string();
-  };
-  if (file_of(names[0]) != file_of(names[1])) names = {file_of(names[0]), file_of(names[1])};
+  // Without folders, unless both files have the same name.
+  std::array<std::string, 2> names;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    names[i] = std::filesystem::path(options.scenarios[i]).filename().string();
+  if (names[0] == names[1]) std::copy_n(options.scenarios.begin(), 2, names.begin());
   RunLog log;
   Renderer renderer(options.backend, log);
   write_png(options.picture, diff_picture(runs, headers, names, options.size, renderer));

@@ -5,6 +5,7 @@
 #include "app/cli/table.h"
 #include "app/compare/page_cells.h"
 #include "app/render/renderer.h"
+#include "core/at.h"
 #include "draw/charts/time_chart.h"
 #include "draw/scene/quantity.h"
 #include "scenario/scenario.h"
@@ -30,23 +31,6 @@ std::vector<draw::TimeChart> charts_of(const RunComparison& runs) {
   return {{"Largest distance of a shape between the runs", "m", {line}}};
 }
 
-/// "4 points, 3.2 mm deep", of the pair that differs.
-std::string note_of(const RunComparison& runs, const trace::Frame& frame) {
-  if (runs.a.empty()) return "";
-  const auto pair = std::ranges::find_if(
-      frame.pairs, [&](const trace::Pair& one) { return one.a == runs.a && one.b == runs.b; });
-  if (pair == frame.pairs.end()) return "no such pair";
-  int points = 0;
-  double deepest = 0;
-  for (const trace::Manifold& manifold : pair->manifolds)
-    for (const trace::Point& point : manifold.points) {
-      ++points;
-      deepest = std::max(deepest, -point.separation);
-    }
-  if (points == 0) return "no contact";
-  return snapshot::counted(points, "point") + ", " + draw::spell_length(deepest) + " deep";
-}
-
 /// A frame with the pair that differs, or the pairs of the shape that differs.
 trace::Frame only_parting(const RunComparison& runs, trace::Frame frame) {
   const std::string& subject = runs.parting->subject;
@@ -55,6 +39,17 @@ trace::Frame only_parting(const RunComparison& runs, trace::Frame frame) {
                           : pair.a != runs.a || pair.b != runs.b;
   });
   return frame;
+}
+
+/// "4 points, 3.2 mm deep", from only_parting(); empty if a shape differs.
+std::string note_of(const RunComparison& runs, const trace::Frame& frame) {
+  if (runs.a.empty()) return "";
+  if (frame.pairs.empty()) return "no such pair";
+  const trace::Pair& pair = frame.pairs.front();
+  const int points = count_of(joined(pair.manifolds, &trace::Manifold::points));
+  if (points == 0) return "no contact";
+  return snapshot::counted(points, "point") + ", " + draw::spell_length(trace::overlap_of(pair)) +
+         " deep";
 }
 
 /// The view of a trace, on what differs, with the layer of its stage.
@@ -72,29 +67,36 @@ View view_of(const RunComparison& runs) {
 
 }  // namespace
 
+std::string place_of(const snapshot::Parting& parting) {
+  const std::string frame =
+      parting.frame < 0 ? "the header" : "frame " + std::to_string(parting.frame);
+  return parting.subject.empty() ? frame : frame + ", " + parting.subject;
+}
+
 Image diff_picture(const RunComparison& runs, const std::array<trace::Header, 2>& headers,
                    const std::array<std::string, 2>& names, const std::optional<Size>& size,
                    Renderer& renderer) {
+  const std::vector<trace::Frame> frames = {only_parting(runs, runs.frames[0]),
+                                            only_parting(runs, runs.frames[1])};
   std::vector<draw::RolloutCell> cells;
   for (std::size_t i = 0; i < names.size(); ++i)
-    cells.push_back({names[i], note_of(runs, runs.frames[i]), 0, true});
+    cells.push_back({names[i], note_of(runs, frames[i]), 0, true});
   const Size page_size = size.value_or(Size{1280, draw::rollout_page_height(cells.size())});
-  const std::string frame = "frame " + std::to_string(runs.parting->frame);
-  const std::string subject = runs.parting->subject.empty() ? "" : ", " + runs.parting->subject;
-  const draw::RolloutPage page = draw::rollout_page(
-      "The runs part in " + frame + subject + ": " + std::string(name_of(runs.parting->stage)),
-      runs.parting->chain, headers[0].source, "scenes: " + frame, charts_of(runs), cells,
-      page_size.width, page_size.height);
+  const draw::RolloutPage page =
+      draw::rollout_page("The runs part in " + place_of(*runs.parting) + ": " +
+                             std::string(name_of(runs.parting->stage)),
+                         runs.parting->chain, headers[0].source,
+                         "scenes: frame " + std::to_string(runs.parting->frame), charts_of(runs),
+                         cells, page_size.width, page_size.height);
   Image picture = renderer.paint(page.drawing);
+  const View view = view_of(runs);
   for (std::size_t i = 0; i < cells.size(); ++i) {
     trace::Header header = headers[i];
     header.title.clear();
     header.source.clear();
-    // One camera: both are staged from the frames of both.
-    const std::vector<trace::Frame> both = {only_parting(runs, runs.frames[0]),
-                                            only_parting(runs, runs.frames[1])};
-    const draw::Staging staging = stage_cell(header, both, view_of(runs), page.cells[i]);
-    paste(renderer.paint(draw::illustrate(staging, both[i])), staging.layout.view, page.cells[i],
+    // Both are staged from both frames, so that they have one camera.
+    const draw::Staging staging = stage_cell(header, frames, view, page.cells[i]);
+    paste(renderer.paint(draw::illustrate(staging, frames[i])), staging.layout.view, page.cells[i],
           picture);
   }
   return picture;
