@@ -32,9 +32,7 @@ constexpr double kFromFrame = 8;        // pixels between letters and the border
 constexpr double kInside = 16;          // pixels from the border of its shape to a leader's end
 
 /// "small crate" for "small_crate_3".
-std::string kind_in_words(std::string_view name) {
-  return name_in_words(kind_of_name(name));
-}
+std::string kind_in_words(std::string_view name) { return name_in_words(kind_of_name(name)); }
 
 /// Shapes with a common name; one of them is labelled.
 struct Named {

@@ -29,9 +29,7 @@ constexpr double kLargeShape = 2.2;    // radii of the smallest: a floor, may be
 constexpr double kMinContext = 0.45;   // of the smaller shape's radius: a point has no size
 constexpr double kSubjectShare = 0.5;  // share of the view of shapes that the view focuses on
 
-double radians(double degrees) {
-  return degrees * std::numbers::pi / 180;
-}
+double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
 // From the front right and a little above.
 Vec3d default_direction(const trace::Header& header) {

@@ -151,9 +151,7 @@ Drawing Strip::page() const {
   return drawing;
 }
 
-void Strip::place(int i, const Drawing& cell, Drawing& page) const {
-  put(grid_, i, cell, page);
-}
+void Strip::place(int i, const Drawing& cell, Drawing& page) const { put(grid_, i, cell, page); }
 
 ContactSheet::ContactSheet(std::string title, int cells, int width, int columns,
                            const FigureStyle& style)

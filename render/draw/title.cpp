@@ -257,9 +257,7 @@ bool is_nothing(const TitlePiece& piece, const std::string& value) {
   return piece.fact != TitleFact::Frame && (value == "0" || value.starts_with("0 "));
 }
 
-bool is_of_sequence(TitleFact fact) {
-  return fact >= TitleFact::Hits;
-}
+bool is_of_sequence(TitleFact fact) { return fact >= TitleFact::Hits; }
 
 std::string over_sequence(const TitlePiece& piece, const std::vector<trace::Frame>& frames,
                           const LengthUnit& unit) {

@@ -16,9 +16,7 @@ using draw::Point2;
 // driver's rounding of corners to 1/256 pixel.
 constexpr float kFringe = 0.7072f + 1.0f / 64;
 
-[[maybe_unused]] bool finite(const Point2& p) {
-  return std::isfinite(p.x) && std::isfinite(p.y);
-}
+[[maybe_unused]] bool finite(const Point2& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 
 /// Corners of a rectangle: `back` behind `from`, `ahead` before it, and `side` to both sides of
 /// `direction`.

@@ -26,8 +26,7 @@ std::unique_ptr<Context> started(std::unique_ptr<Context> context,
 struct Symbol {
   void* address;
 
-  template <class Function>
-  operator Function*() const {
+  template <class Function> operator Function*() const {
     return reinterpret_cast<Function*>(address);
   }
 };

@@ -13,9 +13,7 @@
 namespace contactscope {
 namespace {
 
-std::uint32_t as_u32(std::size_t size) {
-  return static_cast<std::uint32_t>(size);
-}
+std::uint32_t as_u32(std::size_t size) { return static_cast<std::uint32_t>(size); }
 
 // For stored files, which justify the time.
 Bytes small_stream(std::span<const std::uint8_t> bytes, int level) {

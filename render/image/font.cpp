@@ -55,9 +55,7 @@ std::deque<Font>& fonts() {
   return all;
 }
 
-const stbtt_fontinfo& font(FontWeight weight) {
-  return fonts().front().face(weight).info;
-}
+const stbtt_fontinfo& font(FontWeight weight) { return fonts().front().face(weight).info; }
 
 float scale_of(float size, FontWeight weight) {
   return stbtt_ScaleForPixelHeight(&font(weight), size);

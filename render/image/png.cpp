@@ -62,9 +62,7 @@ Image decode_png(std::span<const std::uint8_t> bytes, const std::string& name) {
   return image;
 }
 
-Image read_png(const std::string& path) {
-  return decode_png(read_whole_file(path), path);
-}
+Image read_png(const std::string& path) { return decode_png(read_whole_file(path), path); }
 
 PngText read_png_text(const std::string& path) {
   const std::vector<std::uint8_t> bytes = read_whole_file(path);

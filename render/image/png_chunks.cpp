@@ -13,9 +13,7 @@ bool is_plain(const std::string& text) {
   return std::ranges::all_of(text, [](char c) { return c == '\n' || (c >= ' ' && c <= '~'); });
 }
 
-void append(std::string_view text, Bytes& to) {
-  to.insert(to.end(), text.begin(), text.end());
-}
+void append(std::string_view text, Bytes& to) { to.insert(to.end(), text.begin(), text.end()); }
 
 }  // namespace
 

@@ -101,9 +101,7 @@ Windows::Windows(int width, int height, float scale) {
   apply_style(ImGui::GetStyle(), scale);
 }
 
-Windows::~Windows() {
-  ImGui::DestroyContext(imgui_);
-}
+Windows::~Windows() { ImGui::DestroyContext(imgui_); }
 
 void Windows::begin_frame() {
   ImGui::SetCurrentContext(imgui_);

@@ -54,9 +54,7 @@ std::string in_words(std::string name) {
 }
 
 /// A resolution of 0.1 pixel is enough for the pointer.
-double tenths(double value) {
-  return std::round(10 * value) / 10;
-}
+double tenths(double value) { return std::round(10 * value) / 10; }
 
 ordered_json point_json(const PointFacts& point) {
   ordered_json json{{"key", point.key},        {"name", point.name},      {"of", point.of},

@@ -15,9 +15,7 @@ constexpr Layer kPointLayers[] = {
     Layer::Contacts, Layer::Reduced,  Layer::Ids,      Layer::Persistent,       Layer::Impulses,
     Layer::Loads,    Layer::Friction, Layer::Coherent, Layer::RelativeVelocity, Layer::Normals};
 
-std::string pair_key(const trace::Pair& pair) {
-  return pair.a + "|" + pair.b + "|" + pair.label;
-}
+std::string pair_key(const trace::Pair& pair) { return pair.a + "|" + pair.b + "|" + pair.label; }
 
 void add_impulse(const trace::Point& point, FactRows& rows) {
   if (!point.impulse) return;
@@ -150,9 +148,7 @@ std::string feature_words(const std::string& id, const trace::Pair& pair) {
   return second.empty() ? first : first + ", " + second;
 }
 
-std::string parts_of(const trace::Pair& pair) {
-  return pair.a + " " + pair.b;
-}
+std::string parts_of(const trace::Pair& pair) { return pair.a + " " + pair.b; }
 
 bool shows_layer(const draw::Drawing& drawing, std::string_view layer, std::string_view pair) {
   return std::ranges::any_of(drawing.parts, [&](const draw::Part& part) {

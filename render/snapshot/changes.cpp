@@ -37,16 +37,13 @@ namespace {
 
 /// True if a number is within tolerance; settles it. Exact values are not settled: -0.0 equals 0.0
 /// but is written differently.
-template <class T>
-bool settle(Kind kind, const T& expected, T& actual, double tolerance) {
+template <class T> bool settle(Kind kind, const T& expected, T& actual, double tolerance) {
   if (!same(expected, actual, tolerance)) return false;
   if (kind != Kind::Exact) actual = expected;
   return true;
 }
 
-const std::vector<Vec3d>& points_of(const std::vector<Vec3d>& points) {
-  return points;
-}
+const std::vector<Vec3d>& points_of(const std::vector<Vec3d>& points) { return points; }
 std::vector<Vec3d> points_of(const trace::Simplex& simplex) {
   std::vector<Vec3d> all;
   for (const trace::SimplexVertex& vertex : simplex) all.insert(all.end(), {vertex.a, vertex.b});

@@ -34,29 +34,20 @@ struct Place {
 /// Tolerance for facts of one shape (a == b) or of a pair.
 using ToleranceOf = std::function<Tolerance(const std::string& a, const std::string& b)>;
 
-template <class T>
-inline constexpr bool kIsList = false;
-template <class T>
-inline constexpr bool kIsList<std::vector<T>> = trace::Listed<T>;
-template <>
-inline constexpr bool kIsList<trace::Simplex> = false;  // read as a polygon
-template <>
-inline constexpr bool kIsList<std::vector<trace::Simplex>> = true;
+template <class T> inline constexpr bool kIsList = false;
+template <class T> inline constexpr bool kIsList<std::vector<T>> = trace::Listed<T>;
+template <> inline constexpr bool kIsList<trace::Simplex> = false;  // read as a polygon
+template <> inline constexpr bool kIsList<std::vector<trace::Simplex>> = true;
 
 /// True if entries of this type are subjects of sentences.
-template <class Entry>
-constexpr bool is_subject() {
+template <class Entry> constexpr bool is_subject() {
   if constexpr (trace::Listed<Entry>) return trace::has_name<Entry>();
   return false;
 }
-template <>
-constexpr bool is_subject<trace::Pair>() {
-  return true;
-}
+template <> constexpr bool is_subject<trace::Pair>() { return true; }
 
 /// How the entries of two lists are matched: by a field of theirs or of a merged struct.
-template <class Entry>
-constexpr trace::Match match_of() {
+template <class Entry> constexpr trace::Match match_of() {
   trace::Match match = trace::Match::None;
   if constexpr (trace::Listed<Entry>) {
     trace::each_field<Entry>([&]<class Value>(const trace::Field<Entry, Value>& field) {
@@ -69,19 +60,14 @@ constexpr trace::Match match_of() {
   return match;
 }
 
-inline std::string spell_key(int key) {
-  return std::to_string(key);
-}
+inline std::string spell_key(int key) { return std::to_string(key); }
 inline std::string spell_key(const std::optional<int>& key) {
   return key ? std::to_string(*key) : std::string();
 }
-inline std::string spell_key(const std::string& key) {
-  return key;
-}
+inline std::string spell_key(const std::string& key) { return key; }
 
 /// Values of the matching fields: "3-7".
-template <class Entry>
-std::string key_of(const Entry& entry) {
+template <class Entry> std::string key_of(const Entry& entry) {
   std::string key;
   trace::each_field<Entry>([&]<class Value>(const trace::Field<Entry, Value>& field) {
     const Value& value = entry.*field.member;
@@ -98,8 +84,7 @@ inline std::string key_of(const trace::Pair& pair) {
 }
 
 /// Position of an entry that is a point with attributes; null for other entries.
-template <class Entry>
-const Vec3d* place_of(const Entry& entry) {
+template <class Entry> const Vec3d* place_of(const Entry& entry) {
   const Vec3d* place = nullptr;
   if constexpr (trace::Listed<Entry>) {
     trace::each_field<Entry>([&]<class Value>(const trace::Field<Entry, Value>& field) {
@@ -116,8 +101,7 @@ const Vec3d* place_of(const Entry& entry) {
 }
 
 /// Calls `take` with the kind and value of every magnitude in a fact.
-template <class T, class Take>
-void each_magnitude(const T& fact, const Take& take) {
+template <class T, class Take> void each_magnitude(const T& fact, const Take& take) {
   if constexpr (trace::Listed<T>) {
     trace::each_field<T>([&]<class Value>(const trace::Field<T, Value>& field) {
       const Value& value = fact.*field.member;
@@ -159,8 +143,7 @@ class Comparison {
   }
 
  private:
-  template <class Field>
-  static Wording wording(const Field& field) {
+  template <class Field> static Wording wording(const Field& field) {
     std::string words = field.words != nullptr ? field.words : field.key;
     std::replace(words.begin(), words.end(), '_', ' ');
     if (!words.empty()) words += ' ';
@@ -197,8 +180,7 @@ class Comparison {
     });
   }
 
-  template <class T, class Field>
-  static Place inside(const Field& field, Place place) {
+  template <class T, class Field> static Place inside(const Field& field, Place place) {
     place.stage = stage_of<T>(field.key, place.stage);
     return place;
   }

@@ -74,9 +74,7 @@ std::string spell_chosen(const trace::Sat& before, const trace::Sat& now,
   return text + to_spare(margin) + (is_of_another ? " over " + spell_axis(margin->over) : "");
 }
 
-std::string face(int number) {
-  return "face " + std::to_string(number);
-}
+std::string face(int number) { return "face " + std::to_string(number); }
 
 /// Points of a reduction, in canonical order.
 std::vector<int> sorted(std::vector<int> points) {

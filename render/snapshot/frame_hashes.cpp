@@ -48,12 +48,10 @@ class Mixer {
     add(vertex.a);
     add(vertex.b);
   }
-  template <class T, std::size_t N>
-  void add(const std::array<T, N>& values) {
+  template <class T, std::size_t N> void add(const std::array<T, N>& values) {
     for (const T& value : values) add(value);
   }
-  template <class T>
-  void add(const std::vector<T>& values) {
+  template <class T> void add(const std::vector<T>& values) {
     add(std::uint64_t{values.size()});
     for (const auto& value : values) add(static_cast<const T&>(value));
   }
@@ -62,8 +60,7 @@ class Mixer {
   void add(const T& value) {
     if (value) add(*value);
   }
-  template <trace::Listed T>
-  void add(const T& fact) {
+  template <trace::Listed T> void add(const T& fact) {
     trace::each_field<T>([&]<class Value>(const trace::Field<T, Value>& field) {
       const Value& value = fact.*field.member;
       if constexpr (requires { value.empty(); }) {
@@ -87,8 +84,7 @@ class Mixer {
   std::uint64_t state_ = 0;
 };
 
-template <class S>
-void add_rounding(Mixer& mixer) {
+template <class S> void add_rounding(Mixer& mixer) {
   // volatile: a constant folded by the compiler would round as on the build machine.
   volatile S start = S(0.1);
   S angle = start;

@@ -26,9 +26,7 @@ bool is_name(const std::string& name) {
   return name.size() == kDigits && name.find_first_not_of("0123456789abcdef") == std::string::npos;
 }
 
-std::string header_of(const std::string& text) {
-  return text.substr(0, text.find('\n'));
-}
+std::string header_of(const std::string& text) { return text.substr(0, text.find('\n')); }
 
 /// The default of readers of a trace without `edges`.
 Json edges_of(const Json& faces) {

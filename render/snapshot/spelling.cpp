@@ -24,9 +24,7 @@ std::string significant(double value, int digits) {
 }
 
 /// Exponent of the first significant digit: -3 for 0.0013.
-int exponent(double positive) {
-  return static_cast<int>(std::floor(std::log10(positive)));
-}
+int exponent(double positive) { return static_cast<int>(std::floor(std::log10(positive))); }
 
 std::string fixed(double value, int decimals) {
   const std::string text = format("%.*f", decimals, value);

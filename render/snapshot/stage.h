@@ -43,8 +43,7 @@ inline constexpr std::string_view name_of(Stage stage) {
 }
 
 /// Stage of the value under a key of a struct T; `within` is the stage of the struct.
-template <class T>
-constexpr Stage stage_of(std::string_view key, Stage within) {
+template <class T> constexpr Stage stage_of(std::string_view key, Stage within) {
   struct Row {
     std::string_view key;
     Stage stage;
@@ -85,8 +84,7 @@ constexpr Stage stage_of(std::string_view key, Stage within) {
 }
 
 /// Stage of the changed values of T itself.
-template <class T, class Changed>
-constexpr Stage stage_of_own(Stage within, const Changed& what) {
+template <class T, class Changed> constexpr Stage stage_of_own(Stage within, const Changed& what) {
   if constexpr (std::same_as<T, trace::Header>) {
     const bool are_words = std::ranges::all_of(
         what, [](const auto& one) { return one.words == "title " || one.words == "source "; });

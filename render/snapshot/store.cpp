@@ -26,9 +26,7 @@ constexpr const char* kPictureExtension = ".png";
 constexpr const char* kNoteExtension = ".txt";
 
 /// "osmesa" for "frame_0012.osmesa.png"; empty for "frame_0012.png".
-std::string word_of(const fs::path& file) {
-  return fs::path(file).stem().extension().string();
-}
+std::string word_of(const fs::path& file) { return fs::path(file).stem().extension().string(); }
 
 /// "frame_0012.png" for "frame_0012.osmesa.png" and for its note.
 fs::path without_word(const fs::path& file) {
@@ -101,9 +99,7 @@ std::vector<fs::path> baselines_of(const fs::path& own) {
   return files;
 }
 
-bool is_known_bad(const fs::path& baseline) {
-  return word_of(baseline).starts_with(".bad_");
-}
+bool is_known_bad(const fs::path& baseline) { return word_of(baseline).starts_with(".bad_"); }
 
 std::vector<fs::path> stored_files(const fs::path& root, const std::string& scenario) {
   std::vector<fs::path> files;

@@ -23,9 +23,7 @@ constexpr int kSchema = 1;
 constexpr double kNormalLength = 78;
 
 /// Rounds to 1 / steps.
-double rounded(double value, double steps) {
-  return std::round(value * steps) / steps;
-}
+double rounded(double value, double steps) { return std::round(value * steps) / steps; }
 
 Rect box_of(const draw::Text& text) {
   const double width = text_width(text.text, text.size, text.weight);

@@ -92,9 +92,7 @@ std::string font_subset(const FontKey& font, const std::set<char32_t>& character
   return {bytes, length};
 }
 
-void require_font_subsets() {
-  harfbuzz();
-}
+void require_font_subsets() { harfbuzz(); }
 
 std::string FontFaces::css(const UsedCharacters& used) {
   constexpr std::size_t kMaxKept = 64;  // rules; a sequence uses few sets of characters

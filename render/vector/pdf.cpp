@@ -49,8 +49,7 @@ void check(cairo_status_t status) {
     throw std::runtime_error(std::string("PDF: ") + cairo().cairo_status_to_string(status));
 }
 
-template <class Object>
-using Owned = std::unique_ptr<Object, void (*)(Object*)>;
+template <class Object> using Owned = std::unique_ptr<Object, void (*)(Object*)>;
 
 /// A font for FreeType and cairo. Cairo caches it beyond the lifetime of a picture.
 struct Typeface {
@@ -213,9 +212,7 @@ void set_metadata(cairo_surface_t* surface, const PictureOrigin* origin) {
 
 }  // namespace
 
-void require_pdf() {
-  cairo();
-}
+void require_pdf() { cairo(); }
 
 std::string pdf_of(const draw::Drawing& drawing, const PdfOptions& options) {
   // FreeType faces are not thread-safe.

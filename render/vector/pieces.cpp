@@ -63,8 +63,7 @@ struct Grouping {
   float run = 0;  // length of the current line, pixels
 
   std::vector<Piece>& pieces() { return groups.back().pieces; }
-  template <class Kind>
-  Kind* last() {
+  template <class Kind> Kind* last() {
     return pieces().empty() ? nullptr : std::get_if<Kind>(&pieces().back());
   }
 

@@ -12,8 +12,7 @@ class SharedLibrary {
   SharedLibrary(const std::string& name, const std::string& package, const std::string& purpose);
 
   /// Looks up a function, also in the library's dependencies.
-  template <class Function>
-  void find(const char* name, Function*& function) const {
+  template <class Function> void find(const char* name, Function*& function) const {
     function = reinterpret_cast<Function*>(address(name));
   }
 
@@ -30,8 +29,6 @@ class SharedLibrary {
 #define CONTACTSCOPE_FIND(name) library.find(#name, name);
 #define CONTACTSCOPE_FUNCTIONS(Struct, ROWS) \
   ROWS(CONTACTSCOPE_MEMBER)                  \
-  Struct() {                                 \
-    ROWS(CONTACTSCOPE_FIND)                  \
-  }
+  Struct() { ROWS(CONTACTSCOPE_FIND) }
 
 }  // namespace contactscope::vector

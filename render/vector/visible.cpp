@@ -15,9 +15,7 @@ constexpr float kFaintest = 0.5f / 255;
 // Soft borders extend this far beyond a shape, pixels.
 constexpr float kSoftBorder = 1;
 
-bool has_color(const draw::Color& color) {
-  return color.a >= kFaintest;
-}
+bool has_color(const draw::Color& color) { return color.a >= kFaintest; }
 
 /// Bitmap of the pixels that later primitives cover opaquely.
 class Covered {
@@ -100,8 +98,7 @@ class Covered {
     return true;
   }
 
-  template <class Use>
-  bool for_words(int row, int first, int last, const Use& use) {
+  template <class Use> bool for_words(int row, int first, int last, const Use& use) {
     std::uint64_t* words = bits_.data() + static_cast<std::size_t>(row) * words_;
     for (int word = first / 64; word <= last / 64; ++word) {
       std::uint64_t mask = ~std::uint64_t{0};

@@ -84,8 +84,7 @@ void PackedFacts::put(int column, std::int32_t value, std::int32_t predicted) {
   ++count;
 }
 
-template <std::size_t N>
-void PackedFacts::put_row(int first, const Row<N>& now, Row<N>& last) {
+template <std::size_t N> void PackedFacts::put_row(int first, const Row<N>& now, Row<N>& last) {
   for (int i = 0; i < count_of(now); ++i) put(first + i, at(now, i), at(last, i));
   last = now;
 }

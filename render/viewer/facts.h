@@ -46,16 +46,14 @@ class PackedFacts {
   std::string bytes(nlohmann::ordered_json page) const;
 
  private:
-  template <std::size_t N>
-  using Row = std::array<std::int32_t, N>;
+  template <std::size_t N> using Row = std::array<std::int32_t, N>;
   struct Column {
     std::string bytes;
     int count = 0;
   };
 
   void put(int column, std::int32_t value, std::int32_t predicted = 0);
-  template <std::size_t N>
-  void put_row(int first, const Row<N>& now, Row<N>& last);
+  template <std::size_t N> void put_row(int first, const Row<N>& now, Row<N>& last);
   int number_of(const std::string& text);
   void add_poses(const trace::Frame& frame);
   void add_pair(const trace::Pair& pair, const nlohmann::ordered_json& stages);

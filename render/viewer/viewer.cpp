@@ -54,9 +54,7 @@ ordered_json colors_of(draw::Theme theme) {
   return colors;
 }
 
-ordered_json vector_json(const Vec3d& v) {
-  return {v.x(), v.y(), v.z()};
-}
+ordered_json vector_json(const Vec3d& v) { return {v.x(), v.y(), v.z()}; }
 
 ordered_json camera_json(const draw::Camera& camera) {
   const Vec3d forward = camera.up().cross(camera.right());

@@ -36,8 +36,7 @@
 
 namespace contactscope {
 
-template <class S>
-class FclRecorder {
+template <class S> class FclRecorder {
  public:
   /// `scenario` is GROUP/IDEA, the folder of the pictures.
   explicit FclRecorder(const char* path, const char* scenario = "fcl/run", bool z_up = true) {
@@ -127,8 +126,7 @@ class FclRecorder {
     return is_mesh(geometry) ? int(index) : -1;
   }
 
-  template <class Shape>
-  static const Shape& as(const fcl::CollisionGeometry<S>& geometry) {
+  template <class Shape> static const Shape& as(const fcl::CollisionGeometry<S>& geometry) {
     return static_cast<const Shape&>(geometry);
   }
 
@@ -208,8 +206,7 @@ class FclRecorder {
     }
   }
 
-  template <class Vector>
-  static void put(const Vector& v, std::vector<double>& to) {
+  template <class Vector> static void put(const Vector& v, std::vector<double>& to) {
     for (int k = 0; k < 3; ++k) to.push_back(double(v[k]));
   }
 

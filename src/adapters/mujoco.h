@@ -66,8 +66,7 @@ class MujocoRecorder {
  private:
   typedef std::array<double, 3> Vector;
 
-  template <class Number>
-  static Vector vector_of(const Number* v) {
+  template <class Number> static Vector vector_of(const Number* v) {
     return {{double(v[0]), double(v[1]), double(v[2])}};
   }
 

@@ -285,8 +285,7 @@ class OdeRecorder {
     cs_part(recorder_, whole.shape, made.shape, place.data(), unturned);
   }
 
-  template <class Map>
-  static void forget_what_left(Map& map) {
+  template <class Map> static void forget_what_left(Map& map) {
     for (auto entry = map.begin(); entry != map.end();)
       entry = entry->second.is_there ? std::next(entry) : map.erase(entry);
   }

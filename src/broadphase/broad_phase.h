@@ -109,8 +109,7 @@ class BroadPhase {
   PairSorter sorter_;
 };
 
-template <class T>
-std::size_t bytes_of(const std::vector<T>& list) {
+template <class T> std::size_t bytes_of(const std::vector<T>& list) {
   return list.capacity() * sizeof(T);
 }
 
@@ -121,8 +120,7 @@ bool is_bounded(const Aabb<float>& box);
 
 /// Calls visit(node, depth, open) for the nodes of a tree, parents first. open(child) queues a
 /// child. `root`: -1 for an empty tree.
-template <class Visit>
-void from_root_down(int root, const Visit& visit) {
+template <class Visit> void from_root_down(int root, const Visit& visit) {
   std::vector<std::pair<int, int>> left;  // node, depth
   if (root >= 0) left.emplace_back(root, 0);
   while (!left.empty()) {
@@ -136,8 +134,7 @@ void from_root_down(int root, const Visit& visit) {
 Aabb<float> outward_box(const Aabb<double>& box);
 
 /// Implements clone() and BroadPhaseInfo::make: `class Tree : public Clonable<Tree>`.
-template <class Derived>
-class Clonable : public BroadPhase {
+template <class Derived> class Clonable : public BroadPhase {
  public:
   std::unique_ptr<BroadPhase> clone() const override {
     return std::make_unique<Derived>(static_cast<const Derived&>(*this));
@@ -151,8 +148,7 @@ struct BroadPhaseInfo {
 };
 
 /// Table row for a broad phase.
-template <class Derived>
-BroadPhaseInfo info_of(const char* name, const char* summary) {
+template <class Derived> BroadPhaseInfo info_of(const char* name, const char* summary) {
   return {name, summary, [] { return std::unique_ptr<BroadPhase>(std::make_unique<Derived>()); }};
 }
 

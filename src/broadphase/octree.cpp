@@ -113,8 +113,7 @@ class Octree : public Clonable<Octree> {
   }
 
   /// Calls test(handle) for all boxes in nodes that reach into a box.
-  template <class Test>
-  void visit(const Aabb<float>& box, Test&& test) {
+  template <class Test> void visit(const Aabb<float>& box, Test&& test) {
     open_.clear();
     if (root_ >= 0) open_.push_back(root_);
     while (!open_.empty()) {

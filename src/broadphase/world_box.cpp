@@ -13,8 +13,7 @@ namespace {
 constexpr double kRoundings = 8;
 
 /// World box of a shape before rounding.
-template <class S>
-struct Reach {
+template <class S> struct Reach {
   Pose<double> pose;
   Aabb<double> box{};
   double scale = 0;  // metres, largest number that the narrow phase adds for a point

@@ -10,7 +10,6 @@ namespace contactscope {
 /// the possible rounding of the narrow phase in S: if two boxes are separated, the narrow phase
 /// finds a distance above both margins. For a mesh it contains the corners of the mesh's box, for a
 /// plane everything below it.
-template <class S>
-Aabb<float> world_box(const Shape<S>& shape, const Pose<S>& pose, double margin);
+template <class S> Aabb<float> world_box(const Shape<S>& shape, const Pose<S>& pose, double margin);
 
 }  // namespace contactscope

@@ -10,8 +10,7 @@
 namespace contactscope {
 
 /// A shape that turns about its pivot, which is the origin here.
-template <class S>
-class Turning {
+template <class S> class Turning {
  public:
   explicit Turning(const MovingShape<S>& shape)
       : core_(shape.core), pivot_(shape.motion.pivot), start_(shape.motion.start.rotation) {
@@ -70,29 +69,23 @@ class Turning {
 };
 
 /// From A's pivot to B's at time 0. Subtracts positions first, which share digits far away.
-template <class S>
-Vec3<S> between_pivots(const Sweep<S>& a, const Sweep<S>& b) {
+template <class S> Vec3<S> between_pivots(const Sweep<S>& a, const Sweep<S>& b) {
   const Vec3<S> origins = b.start.position - a.start.position;
   return origins + (b.start.rotate(b.pivot) - a.start.rotate(a.pivot));
 }
 
 /// Closest points of both cores at a time, in a frame that moves with A's pivot without turning.
-template <class S>
-struct Closest {
+template <class S> struct Closest {
   S time = 0;
   S distance = 0;                   // metres; 0 when they touch or overlap
   Vec3<S> axis = Vec3<S>::UnitX();  // unit, from A to B
   Vec3<S> on_a, on_b;               // valid only when separated
 };
 
-template <class S>
-struct TimeSpan {
-  S begin, end;
-};
+template <class S> struct TimeSpan { S begin, end; };
 
 /// Two convex shapes in a frame that moves with A's pivot without turning.
-template <class S>
-class Approach {
+template <class S> class Approach {
  public:
   Approach(const MovingShape<S>& a, const MovingShape<S>& b)
       : a_(a),
@@ -177,8 +170,7 @@ class Approach {
 
 /// A convex shape B and the half-space below a plane, in a frame that moves with the plane's pivot
 /// without turning. The only separating axis is the plane's normal, which turns with the plane.
-template <class S>
-class ApproachToPlane {
+template <class S> class ApproachToPlane {
  public:
   ApproachToPlane(const MovingPlane<S>& a, const MovingShape<S>& b)
       : b_(b),

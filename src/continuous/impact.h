@@ -23,22 +23,19 @@ constexpr const char* to_string(ImpactStatus status) {
 }
 
 /// A convex shape that moves: its core, and the distance of its surface from the core.
-template <class S>
-struct MovingShape {
+template <class S> struct MovingShape {
   SupportSet<S> core;
   Sweep<S> motion;
   S radius = 0;  // metres, for spheres and capsules
 };
 
 /// A moving half-space, everything below a plane.
-template <class S>
-struct MovingPlane {
+template <class S> struct MovingPlane {
   Plane<S> plane;  // in the shape's frame
   Sweep<S> motion;
 };
 
-template <class S>
-struct ImpactResult {
+template <class S> struct ImpactResult {
   ImpactStatus status = ImpactStatus::OutOfIterations;
   S time = 0;  // fraction of the step; ImpactLimits::until when Separated
   /// Distance between the surfaces at `time`, metres. If not a Hit, the last measured one, or 0.
@@ -52,8 +49,7 @@ struct ImpactResult {
 };
 
 /// One step of the search, recorded for pictures.
-template <class S>
-struct ImpactStep {
+template <class S> struct ImpactStep {
   S time;        // of the distance
   S distance;    // between the surfaces, metres
   Vec3<S> axis;  // unit, from A to B, world; separates the shapes
@@ -66,8 +62,7 @@ struct ImpactStep {
   S safe;  // no impact until then
 };
 
-template <class S>
-struct ImpactRun {
+template <class S> struct ImpactRun {
   ImpactResult<S> result;
   std::vector<ImpactStep<S>> steps;
 };
@@ -78,8 +73,7 @@ inline constexpr int kMaxImpactSteps = 256;
 
 /// Tolerance of a hit, the larger of gap and of_motion, at least 32 roundings of the pair's extent;
 /// and the end of the search.
-template <class S>
-struct ImpactLimits {
+template <class S> struct ImpactLimits {
   S gap = 0;  // metres
   /// Fraction of the largest displacement of a point relative to the other shape in the step. A
   /// head-on impact is reported early by at most this fraction of the step.

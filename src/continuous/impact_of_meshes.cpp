@@ -15,14 +15,10 @@ constexpr double kNoOverlap = std::numeric_limits<double>::infinity();
 
 /// A box at time 0 and one at time 1. Points that move linearly from one to the other are in the
 /// linearly interpolated box at every time.
-template <class S>
-struct SweptBox {
-  const Aabb<S>&start, &end;
-};
+template <class S> struct SweptBox { const Aabb<S>&start, &end; };
 
 /// Lower bound of the first time at which two swept boxes are within the gap; kNoOverlap if never.
-template <class S>
-double first_overlap(const SweptBox<S>& a, const SweptBox<S>& b, double gap) {
+template <class S> double first_overlap(const SweptBox<S>& a, const SweptBox<S>& b, double gap) {
   constexpr double kUp = 0x1p-50;  // more than the rounding below
   double begin = 0, end = 1;
   const auto is_separated = [&](S low_at_start, S high_at_start, S low_at_end, S high_at_end) {
@@ -48,8 +44,7 @@ double first_overlap(const SweptBox<S>& a, const SweptBox<S>& b, double gap) {
 }
 
 /// A mesh with its tree at both ends of the step, and the features that each triangle owns.
-template <class S>
-class SweptMesh {
+template <class S> class SweptMesh {
  public:
   explicit SweptMesh(const MovingMesh<S>& moving)
       : mesh_(moving.start), end_(moving.end), end_tree_(moving.start.tree) {
@@ -109,8 +104,7 @@ class SweptMesh {
   std::vector<Owned> owned_;  // by triangle
 };
 
-template <class S>
-class MeshSearch {
+template <class S> class MeshSearch {
  public:
   MeshSearch(const MovingMesh<S>& a, const MovingMesh<S>& b, double gap)
       : a_(a), b_(b), gap_(gap) {}

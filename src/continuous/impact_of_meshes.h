@@ -9,8 +9,7 @@
 namespace contactscope {
 
 /// A mesh that deforms or moves in a step, each vertex on a straight line. Refers to its data.
-template <class S>
-struct MovingMesh {
+template <class S> struct MovingMesh {
   const Mesh<S>& start;          // vertices and tree at time 0
   std::span<const Vec3<S>> end;  // vertices at time 1, in the same frame, metres
 };

@@ -17,8 +17,7 @@ namespace {
 /// Core of a convex shape, or the vertices of a mesh against a plane. In double for any scalar:
 /// next to a floor of a kilometre, float gives a ball's height only to a few tenths of a
 /// millimetre. Refers to the shape.
-template <class S>
-class DoubleCore {
+template <class S> class DoubleCore {
  public:
   DoubleCore(const Shape<S>& shape, const Sweep<double>& motion) {
     moving_.motion = motion;
@@ -60,21 +59,18 @@ class DoubleCore {
 };
 
 /// Normalises the rotation to double's precision, so that a long lever keeps its length.
-template <class S>
-Sweep<double> in_double(const Sweep<S>& sweep) {
+template <class S> Sweep<double> in_double(const Sweep<S>& sweep) {
   Sweep<double> wide = sweep.template cast<double>();
   if constexpr (std::is_same_v<S, float>) wide.start.rotation.normalize();
   return wide;
 }
 
-template <class S>
-void swap_sides(ImpactResult<S>& result) {
+template <class S> void swap_sides(ImpactResult<S>& result) {
   result.normal = -result.normal;
   std::swap(result.on_a, result.on_b);
 }
 
-template <class S>
-ImpactResult<S> narrowed(const ImpactResult<double>& wide) {
+template <class S> ImpactResult<S> narrowed(const ImpactResult<double>& wide) {
   return {.status = wide.status,
           .time = rounded_down<S>(wide.time),
           .distance = static_cast<S>(wide.distance),
@@ -85,8 +81,7 @@ ImpactResult<S> narrowed(const ImpactResult<double>& wide) {
           .bounds = wide.bounds};
 }
 
-template <class S>
-ImpactStep<S> narrowed(const ImpactStep<double>& wide) {
+template <class S> ImpactStep<S> narrowed(const ImpactStep<double>& wide) {
   return {.time = static_cast<S>(wide.time),
           .distance = static_cast<S>(wide.distance),
           .axis = wide.axis.cast<S>(),
@@ -136,15 +131,13 @@ bool starts_inside(const Shape<S>& shape, const Sweep<S>& of_field, const Shape<
   return placed.sample(in_double(of_field).start.inverse_transform(point)).distance < 0;
 }
 
-template <class S>
-Sweep<S> without_turn(Sweep<S> sweep) {
+template <class S> Sweep<S> without_turn(Sweep<S> sweep) {
   sweep.turn.setZero();
   return sweep;
 }
 
 /// Two shapes in processing order: a plane first, or else a mesh.
-template <class S>
-struct Ordered {
+template <class S> struct Ordered {
   Ordered(const Shape<S>& a, const Sweep<double>& sweep_a, const Shape<S>& b,
           const Sweep<double>& sweep_b)
       : swapped(kind_of(b) == ShapeKind::Plane ||

@@ -32,8 +32,7 @@ constexpr const char* to_string(ImpactMethod method) {
   return kNames[static_cast<int>(method)];
 }
 
-template <class S>
-struct ShapeImpact {
+template <class S> struct ShapeImpact {
   ImpactResult<S> result;
   int triangle = -1;       // mesh triangle that is met first or overlaps; a's if both are meshes
   int triangle_of_b = -1;  // b's if both are meshes

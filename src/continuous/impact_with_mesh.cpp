@@ -72,8 +72,7 @@ ImpactResult<double> ball_against(const std::array<Vec3d, 3>& corners, const Swe
 }
 
 /// Casts to the scalar of the queried tree, rounded outwards.
-template <class S>
-Aabb<S> tree_box(const Aabb<double>& box) {
+template <class S> Aabb<S> tree_box(const Aabb<double>& box) {
   if constexpr (std::is_same_v<S, float>)
     return outward_box(box);
   else

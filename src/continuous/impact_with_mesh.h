@@ -23,8 +23,7 @@ ShapeImpact<double> impact_of_rigid_meshes(const Mesh<S>& a, const Sweep<double>
                                            ImpactRun<double>* run);
 
 /// Corners of a triangle, in the mesh's frame.
-template <class S>
-std::array<Vec3d, 3> corners_of(const Mesh<S>& mesh, int triangle) {
+template <class S> std::array<Vec3d, 3> corners_of(const Mesh<S>& mesh, int triangle) {
   const auto corner = [&](int k) -> Vec3d {
     return mesh.corner(triangle, k).template cast<double>();
   };

@@ -10,8 +10,7 @@
 
 namespace contactscope {
 
-template <class S>
-Pose<S> Sweep<S>::at(S time) const {
+template <class S> Pose<S> Sweep<S>::at(S time) const {
   const S angle = turn.norm();
   Pose<S> pose = start;
   if (angle > S(0))
@@ -25,8 +24,7 @@ template struct Sweep<double>;
 
 namespace {
 
-template <class S>
-struct ReachAbout {
+template <class S> struct ReachAbout {
   Vec3<S> pivot;
 
   S operator()(const Sphere<S>& sphere) const { return pivot.norm() + sphere.radius; }
@@ -50,16 +48,14 @@ struct ReachAbout {
 };
 
 /// Largest displacement of a point by the turn: the chord of its arc.
-template <class S>
-S chord(const Shape<S>& shape, const Sweep<S>& sweep) {
+template <class S> S chord(const Shape<S>& shape, const Sweep<S>& sweep) {
   if (sweep.turn.isZero(S(0))) return 0;
   return std::min(sweep.turn.norm(), S(2)) * reach_about_pivot(shape, sweep.pivot);
 }
 
 }  // namespace
 
-template <class S>
-S reach_about_pivot(const Shape<S>& shape, const Vec3<S>& pivot) {
+template <class S> S reach_about_pivot(const Shape<S>& shape, const Vec3<S>& pivot) {
   return std::visit(ReachAbout<S>{pivot}, shape);
 }
 

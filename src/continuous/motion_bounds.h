@@ -11,8 +11,7 @@
 namespace contactscope {
 
 /// Largest distance of the shape's points from the sweep's pivot, metres; infinite for a plane.
-template <class S>
-S reach_about_pivot(const Shape<S>& shape, const Vec3<S>& pivot);
+template <class S> S reach_about_pivot(const Shape<S>& shape, const Vec3<S>& pivot);
 
 /// World box of the whole sweep, metres, grown by `margin` and rounded outwards like world_box().
 template <class S>
@@ -25,8 +24,7 @@ S largest_approach(const Shape<S>& a, const Sweep<S>& sweep_a, const Shape<S>& b
                    const Sweep<S>& sweep_b);
 
 /// Casts a safe time >= 0 (no impact before it) to another scalar.
-template <class S>
-S rounded_down(double time) {
+template <class S> S rounded_down(double time) {
   const S near = static_cast<S>(time);
   return static_cast<double>(near) > time ? std::nextafter(near, S(0)) : near;
 }

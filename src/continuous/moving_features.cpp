@@ -15,8 +15,7 @@ struct ContactRoot {
 /// The equation of contact and its derivatives by time, u and v.
 class ContactEquation {
  public:
-  template <int kCorners>
-  explicit ContactEquation(const MovingPolygon<kCorners>& polygon) {
+  template <int kCorners> explicit ContactEquation(const MovingPolygon<kCorners>& polygon) {
     const auto& [from, to] = polygon;
     constexpr int kLast = MovingPolygon<kCorners>::kLast;
     corner_ = from[0];
@@ -128,8 +127,7 @@ double first_fall(double c, double b, double a, double most) {
 /// features. 4. When the distance is within rounding, prove the root.
 ///
 /// A step is conservative advancement (Mirtich 1996) with an exact bound on the motion.
-template <int kCorners>
-class FeatureSearch {
+template <int kCorners> class FeatureSearch {
  public:
   FeatureSearch(const MovingPolygon<kCorners>& polygon, double gap, double until)
       : polygon_(polygon), size_(polygon.size()), until_(until) {

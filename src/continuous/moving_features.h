@@ -8,17 +8,14 @@ namespace contactscope {
 
 /// Vertex of a deforming mesh, which moves on a straight line at constant speed in the step.
 /// Metres, both in one frame.
-template <class S>
-struct MovingCorner {
+template <class S> struct MovingCorner {
   Vec3<S> start, end;
 
   Vec3<S> at(S time) const { return start + time * (end - start); }
 };
 
-template <class S>
-using MovingEdge = std::array<MovingCorner<S>, 2>;
-template <class S>
-using MovingFace = std::array<MovingCorner<S>, 3>;
+template <class S> using MovingEdge = std::array<MovingCorner<S>, 2>;
+template <class S> using MovingFace = std::array<MovingCorner<S>, 3>;
 
 enum class FeatureStatus {
   Separated,    // at all times of the step farther than the gap: proved

@@ -17,8 +17,7 @@ namespace contactscope {
 ///     d[2] ---- d[1]... a ring of kCorners, spanned by d[1] - d[0] and d[kCorners - 1] - d[0]:
 ///       |  \  |         its points are d[0] + u (d[1] - d[0]) + v (d[last] - d[0])
 ///     d[0]
-template <int kCorners>
-struct MovingPolygon {
+template <int kCorners> struct MovingPolygon {
   static constexpr int kLast = kCorners - 1;
   using Ring = std::array<Vec3d, kCorners>;
 
@@ -62,8 +61,7 @@ struct NearestOfPolygon {
 
 /// Normal of the polygon, of length twice its area. Zero for a polygon whose height is within
 /// rounding, which is only its edges.
-template <std::size_t kCorners>
-Vec3d normal_of(const std::array<Vec3d, kCorners>& ring) {
+template <std::size_t kCorners> Vec3d normal_of(const std::array<Vec3d, kCorners>& ring) {
   const Vec3d a = kCorners == 4 ? ring[2] - ring[0] : ring[1] - ring[0];
   const Vec3d b = kCorners == 4 ? ring[3] - ring[1] : ring[2] - ring[0];
   const Vec3d normal = a.cross(b);

@@ -22,8 +22,7 @@ template <class S>
 constexpr S kMinSquare = std::numeric_limits<S>::min() / std::numeric_limits<S>::epsilon();
 
 /// A point of the core. A hull's are read from its lanes, which the support search has cached.
-template <class S>
-Vec3<S> point_of(const SupportSet<S>& set, int index) {
+template <class S> Vec3<S> point_of(const SupportSet<S>& set, int index) {
   if (set.hull == nullptr) return set.points[index];
   return VectorLanes<S>(set.hull->lanes.vertices.data(), set.count)[index];
 }
@@ -57,8 +56,7 @@ typename PortalCast<S>::Corner PortalCast<S>::corner(int index_a, int index_b) c
   return result;
 }
 
-template <class S>
-bool PortalCast<S>::measure(const Vec3<S>& outward, Corner& support) {
+template <class S> bool PortalCast<S>::measure(const Vec3<S>& outward, Corner& support) {
   ++supports_;
   plane_.normal = outward / outward.norm();
   const Vec3<S> against_a = -(rotation_a_.transpose() * outward);
@@ -75,8 +73,7 @@ bool PortalCast<S>::measure(const Vec3<S>& outward, Corner& support) {
   return safe_time_ >= limits_.until;
 }
 
-template <class S>
-CastStatus PortalCast<S>::discover() {
+template <class S> CastStatus PortalCast<S>::discover() {
   const S offset_squared = offset_.squaredNorm();
   const Vec3<S> arm_a = rotation_a_ * (middle_of(a_.core()) - a_.pivot());
   const Vec3<S> arm_b = rotation_b_ * (middle_of(b_.core()) - b_.pivot());
@@ -128,8 +125,7 @@ CastStatus PortalCast<S>::discover() {
   return CastStatus::Undecided;
 }
 
-template <class S>
-CastStatus PortalCast<S>::refine() {
+template <class S> CastStatus PortalCast<S>::refine() {
   for (int i = 0; i < kMaxRefinements; ++i) {
     const Vec3<S> side_01 = corners_[1].point - corners_[0].point;
     const Vec3<S> side_02 = corners_[2].point - corners_[0].point;
@@ -160,8 +156,7 @@ CastStatus PortalCast<S>::cast(const CastLimits<S>& limits, std::vector<SupportP
   return status == CastStatus::Hit ? refine() : status;
 }
 
-template <class S>
-CastStatus PortalCast<S>::cast_again(const CastLimits<S>& limits) {
+template <class S> CastStatus PortalCast<S>::cast_again(const CastLimits<S>& limits) {
   for (Corner& of : corners_) of = corner(of.index_a, of.index_b);
   const bool passes = side(corners_[0], corners_[1]) >= S(0) &&
                       side(corners_[1], corners_[2]) >= S(0) &&
@@ -172,14 +167,12 @@ CastStatus PortalCast<S>::cast_again(const CastLimits<S>& limits) {
   return refine();
 }
 
-template <class S>
-GjkVertex<S> PortalCast<S>::vertex(int i) const {
+template <class S> GjkVertex<S> PortalCast<S>::vertex(int i) const {
   const Corner& of = at(corners_, i);
   return {of.index_a, of.index_b, unit_ * of.arm_a, unit_ * of.arm_b};
 }
 
-template <class S>
-GjkSimplex<S> PortalCast<S>::portal() const {
+template <class S> GjkSimplex<S> PortalCast<S>::portal() const {
   GjkSimplex<S> result;
   for (int i = 0; i < 3; ++i) result.vertices.push_back(vertex(i));
   const S across[3] = {side(corners_[1], corners_[2]), side(corners_[2], corners_[0]),
@@ -190,8 +183,7 @@ GjkSimplex<S> PortalCast<S>::portal() const {
   return result;
 }
 
-template <class S>
-Closest<S> PortalCast<S>::closest(S time) const {
+template <class S> Closest<S> PortalCast<S>::closest(S time) const {
   const Vec3<S> gone = time * offset_;
   std::array<Vec3<S>, 4> points = {Vec3<S>::Zero(), Vec3<S>::Zero(), Vec3<S>::Zero(),
                                    Vec3<S>::Zero()};

@@ -13,16 +13,14 @@ enum class CastStatus {
   Undecided,  // the ray grazes the difference, or rounding hides on which side it passes
 };
 
-template <class S>
-struct CastLimits {
+template <class S> struct CastLimits {
   S target = 0;  // metres: smaller separations do not count as separated
   S slack = 0;   // metres by which the portal may lie below the surface
   S until = 1;   // later times are not searched
 };
 
 /// A moving support plane of the difference: proves separation up to `time`.
-template <class S>
-struct SupportPlane {
+template <class S> struct SupportPlane {
   Vec3<S> normal = Vec3<S>::UnitX();  // unit, outward: from B to A
   S separation = 0;                   // along it at time 0, metres
   S time = 0;                         // when the separation falls to the target
@@ -45,8 +43,7 @@ struct SupportPlane {
 /// third, so that the path passes between the three; 4. support point along the portal's normal; 5.
 /// done if it is beyond the portal by at most the slack; 6. else choose, of the three portals that
 /// it forms with the sides, the one that the path passes through, and go to 4.
-template <class S>
-class PortalCast {
+template <class S> class PortalCast {
  public:
   /// `scale` bounds all lengths, metres. The shapes must outlive this.
   PortalCast(const Turning<S>& a, const Turning<S>& b, S scale);

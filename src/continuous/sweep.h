@@ -7,8 +7,7 @@
 namespace contactscope {
 
 /// A rotation, followed by a rotation about a unit vector by an angle in radians.
-template <class S>
-Quat<S> turned(const Quat<S>& rotation, const Vec3<S>& axis, S angle) {
+template <class S> Quat<S> turned(const Quat<S>& rotation, const Vec3<S>& axis, S angle) {
   Quat<S> by;
   by.w() = std::cos(S(0.5) * angle);
   by.vec() = std::sin(S(0.5) * angle) * axis;
@@ -17,8 +16,7 @@ Quat<S> turned(const Quat<S>& rotation, const Vec3<S>& axis, S angle) {
 
 /// Motion of a rigid body in a step: its pivot moves on a straight line at constant speed, and the
 /// body turns about it at a constant rate. Time is a fraction of the step, from 0 to 1.
-template <class S>
-struct Sweep {
+template <class S> struct Sweep {
   Pose<S> start;                           // of the shape's frame in the world's, at time 0
   Vec3<S> pivot = Vec3<S>::Zero();         // in the shape's frame, metres
   Vec3<S> displacement = Vec3<S>::Zero();  // of the pivot in the whole step, world, metres
@@ -26,8 +24,7 @@ struct Sweep {
 
   Pose<S> at(S time) const;
 
-  template <class T>
-  Sweep<T> cast() const {
+  template <class T> Sweep<T> cast() const {
     return {start.template cast<T>(), pivot.template cast<T>(), displacement.template cast<T>(),
             turn.template cast<T>()};
   }

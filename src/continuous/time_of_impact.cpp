@@ -11,8 +11,7 @@ namespace contactscope {
 namespace {
 
 /// Two cores that are separated at some time, and the limits of the search after it.
-template <class S>
-struct Separation {
+template <class S> struct Separation {
   Vec3<S> axis = Vec3<S>::UnitX();  // unit, from A to B, world
   S separation = 0;                 // of the cores along the axis, metres
   S speed = 0;                      // closing speed of the nearest points along the axis, per step
@@ -111,8 +110,7 @@ ImpactResult<S> search_impact(Approach&& approach, S radius_a, S radius_b, const
 /// width^2 / 2 at the fraction u. A minimum of lines is never below its chord.
 ///
 /// Returns the fraction up to which the bound is above `target` (< `at_begin`); 1 if it always is.
-template <class S>
-S safe_fraction(S at_begin, S at_end, S acceleration, S width, S target) {
+template <class S> S safe_fraction(S at_begin, S at_end, S acceleration, S width, S target) {
   const S sag = S(0.5) * acceleration * width * width;
   const S c = at_begin - target;        // > 0
   const S b = at_end - at_begin - sag;  // the bound: sag u^2 + b u + c
@@ -124,14 +122,12 @@ S safe_fraction(S at_begin, S at_end, S acceleration, S width, S target) {
   return std::min(root, S(1));
 }
 
-template <class S>
-CastLimits<S> limits_from(S time, const Separation<S>& gap) {
+template <class S> CastLimits<S> limits_from(S time, const Separation<S>& gap) {
   return {gap.target, S(0.5) * (gap.near - gap.target), gap.until - time};
 }
 
 /// Only when recording. Measures on a copy, so that later results stay the same to the bit.
-template <class S>
-void record(Approach<S> approach, const ImpactStep<S>& step, ImpactRun<S>& run) {
+template <class S> void record(Approach<S> approach, const ImpactStep<S>& step, ImpactRun<S>& run) {
   run.steps.push_back(step);
   run.steps.back().distance = approach.measure(step.time).distance;
 }

@@ -10,21 +10,18 @@
 namespace contactscope {
 
 /// Element i >= 0 of a sequence. Features, points and triangles have int indices: -1 means none.
-template <class Sequence>
-constexpr decltype(auto) at(Sequence&& sequence, int i) {
+template <class Sequence> constexpr decltype(auto) at(Sequence&& sequence, int i) {
   assert(i >= 0);
   return std::forward<Sequence>(sequence)[static_cast<std::size_t>(i)];
 }
 
 /// Number of elements, as int.
-template <class Sequence>
-constexpr int count_of(const Sequence& sequence) {
+template <class Sequence> constexpr int count_of(const Sequence& sequence) {
   return static_cast<int>(sequence.size());
 }
 
 /// Applies `make` to each element, in order. A pointer to a member projects each element to it.
-template <class Sequence, class Make>
-auto mapped(const Sequence& sequence, const Make& make) {
+template <class Sequence, class Make> auto mapped(const Sequence& sequence, const Make& make) {
   std::vector<std::decay_t<decltype(std::invoke(make, *sequence.begin()))>> made;
   made.reserve(sequence.size());
   for (const auto& element : sequence) made.push_back(std::invoke(make, element));
@@ -41,8 +38,7 @@ auto joined(const Sequence& sequence, std::vector<Inner> Owner::*member) {
 }
 
 /// Casts each vector or box of a list to another scalar: cast_each<Vec3<float>>(vertices).
-template <class To, class Sequence>
-std::vector<To> cast_each(const Sequence& sequence) {
+template <class To, class Sequence> std::vector<To> cast_each(const Sequence& sequence) {
   return mapped(sequence, [](const auto& element) -> To {
     return element.template cast<typename To::Scalar>();
   });

@@ -7,8 +7,7 @@
 
 namespace contactscope {
 
-template <class S>
-using Vec2 = Eigen::Matrix<S, 2, 1>;
+template <class S> using Vec2 = Eigen::Matrix<S, 2, 1>;
 using Vec2d = Vec2<double>;
 
 /// 2D cross product: twice the signed area of the triangle of a and b, positive if b is left of a.
@@ -19,14 +18,11 @@ typename A::Scalar cross(const Eigen::MatrixBase<A>& a, const Eigen::MatrixBase<
 
 /// Twice the area of a triangle, positive when a, b, c run counter-clockwise: |b - a| times the
 /// distance of c to the left of line ab.
-inline double turn(const Vec2d& a, const Vec2d& b, const Vec2d& c) {
-  return cross(b - a, c - a);
-}
+inline double turn(const Vec2d& a, const Vec2d& b, const Vec2d& c) { return cross(b - a, c - a); }
 
 /// 2D coordinates in a plane, relative to a point of it, so points far from the world origin lose
 /// no digits. The orthonormal basis depends only on the unit normal.
-template <class S>
-struct PlaneFrame {
+template <class S> struct PlaneFrame {
   Vec3<S> origin, u, v;
 
   PlaneFrame(const Vec3<S>& at, const Vec3<S>& normal)

@@ -8,9 +8,7 @@ namespace contactscope {
 
 enum class Owner : std::uint8_t { A = 0, B = 1 };
 
-constexpr Owner other(Owner owner) {
-  return owner == Owner::A ? Owner::B : Owner::A;
-}
+constexpr Owner other(Owner owner) { return owner == Owner::A ? Owner::B : Owner::A; }
 
 enum class FeatureKind : std::uint8_t { Vertex = 0, Edge = 1, Face = 2 };
 

@@ -14,8 +14,7 @@ inline constexpr std::size_t kMaxFaceVertices = 128;
 inline constexpr std::size_t kMaxManifoldPoints = 2 * kMaxFaceVertices;
 
 /// Gregorius 2015, "Contact Points".
-template <class S>
-struct ContactPoint {
+template <class S> struct ContactPoint {
   Vec3<S> position;  // world, metres
   S separation;      // metres along the normal; negative = overlap
   FeatureId id;
@@ -99,8 +98,7 @@ constexpr ContactType face_contact_type(std::size_t points) {
 /// Gregorius 2015, "Contact Manifolds": contact points that share a normal. Empty when the
 /// separation exceeds the margin. Not empty when the shapes overlap, unless the geometry is
 /// degenerate and the options say to skip it.
-template <class S>
-struct Manifold {
+template <class S> struct Manifold {
   // Not "= default": with an empty body, Manifold() leaves the storage of the points uninitialised.
   // Otherwise it would clear eight kilobytes.
   Manifold() {}  // NOLINT(modernize-use-equals-default)

@@ -5,8 +5,7 @@
 namespace contactscope {
 
 /// Oriented plane: the points x with normal . x = offset. `normal` is unit, `offset` in metres.
-template <class S>
-struct Plane {
+template <class S> struct Plane {
   Vec3<S> normal = Vec3<S>::UnitX();
   S offset = 0;
 
@@ -15,8 +14,7 @@ struct Plane {
   /// Foot of the perpendicular from `point`.
   Vec3<S> project(const Vec3<S>& point) const { return point - distance(point) * normal; }
 
-  template <class T>
-  Plane<T> cast() const {
+  template <class T> Plane<T> cast() const {
     return {normal.template cast<T>(), static_cast<T>(offset)};
   }
 };

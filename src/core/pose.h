@@ -6,8 +6,7 @@ namespace contactscope {
 
 /// Rigid placement of a local frame in a parent frame: x_parent = R x_local + p. `rotation` is a
 /// unit quaternion, `position` in metres. `b_in_a` maps b's frame to a's.
-template <class S>
-struct Pose {
+template <class S> struct Pose {
   Quat<S> rotation = Quat<S>::Identity();
   Vec3<S> position = Vec3<S>::Zero();
 
@@ -24,22 +23,19 @@ struct Pose {
     return rotation.conjugate() * direction;
   }
 
-  template <class T>
-  Pose<T> cast() const {
+  template <class T> Pose<T> cast() const {
     return {rotation.template cast<T>(), position.template cast<T>()};
   }
 };
 
 /// The pose of b in a's frame, from both poses in one parent frame. The positions are subtracted
 /// first, so two close bodies far from the origin lose no further precision.
-template <class S>
-Pose<S> relative_pose(const Pose<S>& a, const Pose<S>& b) {
+template <class S> Pose<S> relative_pose(const Pose<S>& a, const Pose<S>& b) {
   return {a.rotation.conjugate() * b.rotation, a.inverse_transform(b.position)};
 }
 
 /// The pose of c in the parent of b, from c in b and b in its parent.
-template <class S>
-Pose<S> compose(const Pose<S>& b, const Pose<S>& c_in_b) {
+template <class S> Pose<S> compose(const Pose<S>& b, const Pose<S>& c_in_b) {
   return {b.rotation * c_in_b.rotation, b.transform(c_in_b.position)};
 }
 

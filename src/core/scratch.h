@@ -7,8 +7,7 @@ namespace contactscope {
 
 /// Scratch array of run-time size: on the stack up to `Inline` elements, on the heap beyond.
 /// Elements start uninitialised.
-template <class T, int Inline>
-class Scratch {
+template <class T, int Inline> class Scratch {
  public:
   explicit Scratch(int count) {
     if (count > Inline)

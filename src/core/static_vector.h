@@ -9,8 +9,7 @@ namespace contactscope {
 
 /// Sequence of at most `N` values without heap allocation. Elements beyond size() stay
 /// uninitialised, even if `T` has default member initialisers: a large capacity costs only stack.
-template <class T, std::size_t N>
-class StaticVector {
+template <class T, std::size_t N> class StaticVector {
   static_assert(std::is_trivially_destructible_v<T>);
 
  public:

@@ -7,31 +7,25 @@
 namespace contactscope::lanes {
 
 /// Three numbers side by side. The fourth lane is undefined and may be NaN.
-template <class S>
-using Three = typename Vector<S, 4>::Type;
+template <class S> using Three = typename Vector<S, 4>::Type;
 
 /// Entries 1, 2, 0 and 2, 0, 1 of a vector: the factors of a cross product.
-template <class T>
-[[gnu::always_inline]] inline T next(const T& v) {
+template <class T> [[gnu::always_inline]] inline T next(const T& v) {
   return __builtin_shufflevector(v, v, 1, 2, 0, 3);
 }
-template <class T>
-[[gnu::always_inline]] inline T after_next(const T& v) {
+template <class T> [[gnu::always_inline]] inline T after_next(const T& v) {
   return __builtin_shufflevector(v, v, 2, 0, 1, 3);
 }
-template <int kLane, class T>
-[[gnu::always_inline]] inline T spread(const T& v) {
+template <int kLane, class T> [[gnu::always_inline]] inline T spread(const T& v) {
   return __builtin_shufflevector(v, v, kLane, kLane, kLane, kLane);
 }
 
-template <class S>
-[[gnu::always_inline]] inline Vec3<S> vector(const Three<S>& v) {
+template <class S> [[gnu::always_inline]] inline Vec3<S> vector(const Three<S>& v) {
   return {v[0], v[1], v[2]};
 }
 
 /// The columns of a 3x3 matrix.
-template <class S>
-struct Columns {
+template <class S> struct Columns {
   Three<S> of[3];
 
   [[gnu::always_inline]] Columns transposed() const {

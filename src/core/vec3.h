@@ -6,12 +6,10 @@
 #ifdef EIGEN_VECTORIZE_NEON
 // Eigen sums three floats as a + (b + c), but as (a + b) + c where it has packets of two, which
 // rounds differently. Skip those packets, so that arm64 gives the bits of other processors.
-template <>
-struct Eigen::internal::find_best_packet<float, 3> {
+template <> struct Eigen::internal::find_best_packet<float, 3> {
   using type = Eigen::internal::Packet4f;
 };
-template <>
-struct Eigen::internal::find_best_packet<float, 9> {
+template <> struct Eigen::internal::find_best_packet<float, 9> {
   using type = Eigen::internal::Packet4f;
 };
 #endif
@@ -20,17 +18,14 @@ namespace contactscope {
 
 /// Column vector of three, with Eigen's algebra. Functions of this project take and return these by
 /// name, never Eigen expressions.
-template <class S>
-using Vec3 = Eigen::Matrix<S, 3, 1>;
+template <class S> using Vec3 = Eigen::Matrix<S, 3, 1>;
 
 /// 3x3 matrix, columns are the images of the axes.
-template <class S>
-using Mat3 = Eigen::Matrix<S, 3, 3>;
+template <class S> using Mat3 = Eigen::Matrix<S, 3, 3>;
 
 /// Unit quaternion. Unaligned, so that every build takes the same scalar code path and containers
 /// need no special allocator.
-template <class S>
-using Quat = Eigen::Quaternion<S, Eigen::DontAlign>;
+template <class S> using Quat = Eigen::Quaternion<S, Eigen::DontAlign>;
 
 using Vec3f = Vec3<float>;
 using Vec3d = Vec3<double>;
@@ -38,8 +33,7 @@ using Quatd = Quat<double>;
 
 /// A unit vector perpendicular to `v`, |v| > 0. Depends continuously on `v` except where the helper
 /// axis switches, which is the coordinate axis most perpendicular to `v`.
-template <class S>
-Vec3<S> any_perpendicular(const Vec3<S>& v) {
+template <class S> Vec3<S> any_perpendicular(const Vec3<S>& v) {
   int axis = 0;
   v.cwiseAbs().minCoeff(&axis);
   const Vec3<S> perpendicular = v.cross(Vec3<S>::Unit(axis));

@@ -16,8 +16,7 @@ struct MassProperties {
 
 /// For a density of 1 kg/m^3: the mass equals the volume. nullopt for shapes that cannot be
 /// dynamic: infinite planes, meshes, which need not be closed, and flat hulls without volume.
-template <class S>
-std::optional<MassProperties> mass_properties(const Shape<S>& shape);
+template <class S> std::optional<MassProperties> mass_properties(const Shape<S>& shape);
 
 /// The same body with another mass (kilograms, > 0) and the density that follows.
 MassProperties with_mass(const MassProperties& properties, double mass);
@@ -28,8 +27,7 @@ double shortest_edge(double mass, const Mat3<double>& inertia);
 
 /// A rigid body. Dynamic bodies are moved by the solver. All others have infinite mass and follow a
 /// script; contacts use their `velocity` and `angular_velocity`.
-template <class S>
-struct Body {
+template <class S> struct Body {
   Vec3<S> center = Vec3<S>::Zero();  // centre of mass, world, metres; if not dynamic the origin
   Quat<S> rotation = Quat<S>::Identity();      // the shape's axes to the world's
   Vec3<S> velocity = Vec3<S>::Zero();          // world, metres per second, of `center`
@@ -51,8 +49,7 @@ struct Body {
 };
 
 /// A body at rest with the `properties` of its shape, mass > 0.
-template <class S>
-Body<S> dynamic_body(const Pose<S>& pose, const MassProperties& properties) {
+template <class S> Body<S> dynamic_body(const Pose<S>& pose, const MassProperties& properties) {
   const Mat3<double> inverse = properties.inertia.inverse();
   Body<S> body;
   body.mass = static_cast<S>(properties.mass);
@@ -65,8 +62,7 @@ Body<S> dynamic_body(const Pose<S>& pose, const MassProperties& properties) {
 }
 
 /// A body at rest with infinite mass.
-template <class S>
-Body<S> static_body(const Pose<S>& pose) {
+template <class S> Body<S> static_body(const Pose<S>& pose) {
   Body<S> body;
   body.place(pose);
   return body;
@@ -86,8 +82,7 @@ void set_scripted_velocity(Body<S>& body, const Pose<double>& from, const Pose<d
 }
 
 /// About `center`, world, kg m^2 / s; 0 for bodies that are not dynamic.
-template <class S>
-Vec3d angular_momentum(const Body<S>& body) {
+template <class S> Vec3d angular_momentum(const Body<S>& body) {
   const Quatd rotation = body.rotation.template cast<double>();
   const Vec3d local = rotation.conjugate() * body.angular_velocity.template cast<double>();
   const Vec3d momentum = body.inertia.template cast<double>() * local;
@@ -95,8 +90,7 @@ Vec3d angular_momentum(const Body<S>& body) {
 }
 
 /// Joules; 0 for bodies that are not dynamic.
-template <class S>
-double kinetic_energy(const Body<S>& body) {
+template <class S> double kinetic_energy(const Body<S>& body) {
   const Vec3d velocity = body.velocity.template cast<double>();
   const Vec3d turning = body.angular_velocity.template cast<double>();
   return 0.5 * static_cast<double>(body.mass) * velocity.squaredNorm() +
@@ -104,8 +98,7 @@ double kinetic_energy(const Body<S>& body) {
 }
 
 /// Joules for `gravity` in m/s^2, 0 at the origin.
-template <class S>
-double potential_energy(const Body<S>& body, const Vec3d& gravity) {
+template <class S> double potential_energy(const Body<S>& body, const Vec3d& gravity) {
   return -static_cast<double>(body.mass) * gravity.dot(body.center.template cast<double>());
 }
 

@@ -14,8 +14,7 @@ namespace contactscope {
 
 /// A body during one step of the solver. Its position is its displacement since the step began: far
 /// from the origin, coordinates cannot resolve the motion of a sub-step; the displacement can.
-template <class S>
-struct SolverBody {
+template <class S> struct SolverBody {
   Body<S> body;                                     // `center` is that at the beginning of the step
   Vec3<S> moved = Vec3<S>::Zero();                  // of the centre since then, metres
   Mat3<S> inverse_inertia_world = Mat3<S>::Zero();  // at the current rotation
@@ -54,8 +53,7 @@ struct SolverBody {
 };
 
 /// Data of one contact point during a step. Impulses are newton seconds on b; a gets the opposite.
-template <class S>
-struct ConstraintPoint {
+template <class S> struct ConstraintPoint {
   Vec3<S> arm_a, arm_b;  // from the centres of mass to the points of action, world; see follow()
   // When the step began: from the centres of mass to the cores (a ball's centre, a capsule's axis,
   // a hull's contact point), in world axes and in the bodies' own axes; and the distance from there
@@ -86,8 +84,7 @@ struct ConstraintPoint {
 };
 
 /// Constraints of the points of one manifold.
-template <class S>
-struct ContactConstraint {
+template <class S> struct ContactConstraint {
   int a = 0, b = 0;                                                    // bodies
   int pair = 0;                                                        // index of the pair
   Vec3<S> normal = Vec3<S>::UnitY();                                   // unit, from a to b
@@ -102,8 +99,7 @@ struct ContactConstraint {
 };
 
 /// The two bodies of a contact.
-template <class S>
-struct BodyPair {
+template <class S> struct BodyPair {
   SolverBody<S>& a;
   SolverBody<S>& b;
 
@@ -159,8 +155,7 @@ void recall_impulses(const PairImpulses<S>& kept, ContactConstraint<S>& contact,
 }
 
 /// Appends the impulses of the points of `contact`.
-template <class S>
-void keep_impulses(const ContactConstraint<S>& contact, PairImpulses<S>& kept) {
+template <class S> void keep_impulses(const ContactConstraint<S>& contact, PairImpulses<S>& kept) {
   const auto along_plane = [&](S u, S v) -> Vec3<S> {
     return u * contact.tangent_u + v * contact.tangent_v;
   };
@@ -237,8 +232,7 @@ ConstraintPoint<S> prepare_point(const BodyPair<S>& bodies, const ContactConstra
 /// Share of the gap between two arms' ends that a's arm closes, see follow(). The point stays fixed
 /// on a round shape, because an arm off the normal would make a ball spin, and else on the lighter
 /// body, whose corner it usually is.
-template <class S>
-S share_of_a(const BodyPair<S>& bodies, const PairContacts<S>& pair) {
+template <class S> S share_of_a(const BodyPair<S>& bodies, const PairContacts<S>& pair) {
   const bool round_a = pair.round_a > S(0), round_b = pair.round_b > S(0);
   if (round_a != round_b && bodies.a.body.dynamic() && bodies.b.body.dynamic())
     return round_a ? S(0) : S(1);
@@ -331,8 +325,7 @@ S separation_now(const BodyPair<S>& bodies, const ContactConstraint<S>& contact,
 /// slid past each other, makes the arms meet in one point again: only then do an impulse and its
 /// opposite keep angular momentum. Arms do not turn with the bodies within a step (Catto 2024,
 /// "Solver2D": arms of the Jacobian are fixed), so a ball rolls on its lowest point.
-template <class S>
-void follow(const BodyPair<S>& bodies, ContactConstraint<S>& contact) {
+template <class S> void follow(const BodyPair<S>& bodies, ContactConstraint<S>& contact) {
   const Vec3<S> moved = bodies.b.moved - bodies.a.moved;
   if (moved.isZero(S(0))) return;
   contact.moved = moved;

@@ -22,8 +22,7 @@ namespace {
 constexpr int kMaxStopsOfAPair = 8;
 
 /// Motion of a body through the rest of the step.
-template <class S>
-struct Path {
+template <class S> struct Path {
   S from = 0;  // fraction of the step
   Sweep<S> rest;
   bool stays = false;  // until the next step, whatever hits it
@@ -38,15 +37,13 @@ struct Path {
   }
 };
 
-template <class S>
-bool finite(const Body<S>& body) {
+template <class S> bool finite(const Body<S>& body) {
   return body.center.allFinite() && body.rotation.coeffs().allFinite();
 }
 
 /// From one pose of a body to another. Chooses the rotation closest to the body's spin, so that
 /// turns of more than half a circle per step are kept.
-template <class S>
-Sweep<S> sweep_of_step(const Body<S>& before, const Body<S>& after, S dt) {
+template <class S> Sweep<S> sweep_of_step(const Body<S>& before, const Body<S>& after, S dt) {
   Sweep<S> sweep{before.pose(), before.local_center, after.center - before.center, Vec3<S>::Zero()};
   const Quat<S> by = after.rotation * before.rotation.conjugate();
   const Vec3<S> half = by.w() < S(0) ? Vec3<S>(-by.vec()) : Vec3<S>(by.vec());
@@ -62,8 +59,7 @@ Sweep<S> sweep_of_step(const Body<S>& before, const Body<S>& after, S dt) {
 }
 
 /// The next impact of two bodies, or the time up to which the search proved them separated.
-template <class S>
-struct Meeting {
+template <class S> struct Meeting {
   int a = 0, b = 0;
   S time = 0;  // fraction of the step
   Vec3<S> normal = Vec3<S>::UnitX();
@@ -73,8 +69,7 @@ struct Meeting {
   auto key() const { return std::tuple(time, a, b); }
 };
 
-template <class S>
-class Stopper {
+template <class S> class Stopper {
  public:
   Stopper(std::vector<Body<S>>& bodies, const std::vector<Body<S>>& before,
           const std::vector<Shape<S>>& shapes, const std::vector<ImpactCore>& cores,
@@ -289,9 +284,7 @@ ImpactCore core_of(const Shape<double>& shape, double depth) {
   return {shape, 0};
 }
 
-const Shape<double>& widened(const Shape<double>& shape) {
-  return shape;
-}
+const Shape<double>& widened(const Shape<double>& shape) { return shape; }
 
 /// Casts to double; a field is replaced by its source shape.
 Shape<double> widened(const Shape<float>& shape) {

@@ -13,22 +13,19 @@
 namespace contactscope {
 
 /// Motion of a body at its current velocities, for `dt` seconds.
-template <class S>
-Sweep<S> sweep_of(const Body<S>& body, S dt) {
+template <class S> Sweep<S> sweep_of(const Body<S>& body, S dt) {
   return {body.pose(), body.local_center, dt * body.velocity, dt * body.angular_velocity};
 }
 
 /// Settings of a pair of bodies that is stopped between frames.
-template <class S>
-struct ContinuousPair {
+template <class S> struct ContinuousPair {
   ImpactMethod method = ImpactMethod::TimeOfImpact;
   S friction = 0;
   S restitution = 0;
 };
 
 /// A stop of two bodies within a step.
-template <class S>
-struct ImpactStop {
+template <class S> struct ImpactStop {
   int a = 0, b = 0;                   // bodies, a < b
   S time = 0;                         // fraction of the step
   Vec3<S> normal = Vec3<S>::UnitX();  // unit, from a to b, world

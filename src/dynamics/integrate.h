@@ -20,22 +20,19 @@
 ///   3. the momentum in the world stays, so w' is that momentum through the turned inertia.
 namespace contactscope {
 
-template <class S>
-Mat3<S> cross_matrix(const Vec3<S>& v) {
+template <class S> Mat3<S> cross_matrix(const Vec3<S>& v) {
   Mat3<S> m;
   m << S(0), -v.z(), v.y(), v.z(), S(0), -v.x(), -v.y(), v.x(), S(0);
   return m;
 }
 
 /// Angular velocity at the midpoint of a free rotation, body's axes.
-template <class S>
-struct Midpoint {
+template <class S> struct Midpoint {
   Vec3<S> velocity;
   bool converged = false;  // false: this is Newton's best iterate
 };
 
-template <class S>
-Midpoint<S> midpoint_velocity(const Body<S>& body, const Vec3<S>& w, S h) {
+template <class S> Midpoint<S> midpoint_velocity(const Body<S>& body, const Vec3<S>& w, S h) {
   constexpr int kMaxIterations = 10;  // three or four at a radian per step
   const Vec3<S> momentum = body.inertia * w;
   Midpoint<S> best{w};
@@ -65,8 +62,7 @@ Midpoint<S> midpoint_velocity(const Body<S>& body, const Vec3<S>& w, S h) {
 /// Moves and turns a body by its velocities for `h` seconds. Turns a dynamic body's angular
 /// velocity by its gyroscopic term. Spins that the step cannot resolve (Newton fails at several
 /// radians per step) keep their momentum, scaled down if that adds energy.
-template <class S>
-void integrate_position(SolverBody<S>& moving, S h) {
+template <class S> void integrate_position(SolverBody<S>& moving, S h) {
   Body<S>& body = moving.body;
   moving.moved += h * body.velocity;
   if (body.angular_velocity.isZero(S(0))) return;

@@ -20,9 +20,7 @@
 namespace contactscope {
 namespace {
 
-Mat3<double> outer(const Vec3d& v) {
-  return v * v.transpose();
-}
+Mat3<double> outer(const Vec3d& v) { return v * v.transpose(); }
 
 /// Calls `visit` with the corners of every triangle of the surface, counter-clockwise from outside.
 template <class S, class Visit>
@@ -46,8 +44,7 @@ void for_each_surface_triangle(const Mesh<S>& mesh, const Visit& visit) {
 }
 
 /// For the volume inside a closed surface, whichever side is its front.
-template <class Surface>
-MassProperties of_inside(const Surface& surface) {
+template <class Surface> MassProperties of_inside(const Surface& surface) {
   MassProperties result;
   const Vec3d apex = surface.vertices.front().template cast<double>();
   Vec3d first_moment = Vec3d::Zero();
@@ -74,14 +71,12 @@ MassProperties of_inside(const Surface& surface) {
   return result;
 }
 
-template <class S>
-std::optional<MassProperties> of_unit_density(const Hull<S>& hull) {
+template <class S> std::optional<MassProperties> of_unit_density(const Hull<S>& hull) {
   if (hull.flat()) return std::nullopt;
   return of_inside(hull);
 }
 
-template <class S>
-std::optional<MassProperties> of_unit_density(const Sphere<S>& sphere) {
+template <class S> std::optional<MassProperties> of_unit_density(const Sphere<S>& sphere) {
   const double r = sphere.radius;
   MassProperties result;
   result.mass = 4.0 / 3.0 * std::numbers::pi * r * r * r;
@@ -90,8 +85,7 @@ std::optional<MassProperties> of_unit_density(const Sphere<S>& sphere) {
 }
 
 /// A cylinder and two half balls, whose centroids are 3/8 r beyond the ends of the axis.
-template <class S>
-std::optional<MassProperties> of_unit_density(const Capsule<S>& capsule) {
+template <class S> std::optional<MassProperties> of_unit_density(const Capsule<S>& capsule) {
   const double r = capsule.radius;
   const Vec3d end_a = capsule.points[0].template cast<double>();
   const Vec3d end_b = capsule.points[1].template cast<double>();
@@ -113,8 +107,7 @@ std::optional<MassProperties> of_unit_density(const Capsule<S>& capsule) {
 }
 
 /// Uses the source shape, or for a mesh the surface with its holes closed.
-template <class S>
-std::optional<MassProperties> of_unit_density(const Field<S>& field) {
+template <class S> std::optional<MassProperties> of_unit_density(const Field<S>& field) {
   if (!std::holds_alternative<Mesh<S>>(field.source->shape))
     return mass_properties(field.source->shape);
   // Converts length, volume and moment from cells to metres.
@@ -127,15 +120,13 @@ std::optional<MassProperties> of_unit_density(const Field<S>& field) {
 }
 
 /// Planes and meshes.
-template <class Massless>
-std::optional<MassProperties> of_unit_density(const Massless&) {
+template <class Massless> std::optional<MassProperties> of_unit_density(const Massless&) {
   return std::nullopt;
 }
 
 }  // namespace
 
-template <class S>
-std::optional<MassProperties> mass_properties(const Shape<S>& shape) {
+template <class S> std::optional<MassProperties> mass_properties(const Shape<S>& shape) {
   return std::visit([](const auto& kind) { return of_unit_density(kind); }, shape);
 }
 

@@ -43,8 +43,7 @@ Islands Sleepers<S>::join(const std::vector<Body<S>>& bodies,
   return islands;
 }
 
-template <class S>
-void Sleepers<S>::wake(int body) {
+template <class S> void Sleepers<S>::wake(int body) {
   if (!may_sleep()) return;
   at(asleep_, body) = false;
   at(still_, body) = 0;
@@ -98,8 +97,7 @@ void Sleepers<S>::settle(std::vector<Body<S>>& bodies, std::span<const Touch> to
   }
 }
 
-template <class S>
-double mean_speed(const Body<S>& body) {
+template <class S> double mean_speed(const Body<S>& body) {
   return std::sqrt(2 * kinetic_energy(body) / static_cast<double>(body.mass));
 }
 

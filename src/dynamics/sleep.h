@@ -32,8 +32,7 @@ class Islands {
 };
 
 /// Sleep state of all bodies. Copies are independent.
-template <class S>
-class Sleepers {
+template <class S> class Sleepers {
  public:
   /// Sleeping is off.
   Sleepers() = default;
@@ -61,8 +60,7 @@ class Sleepers {
 };
 
 /// Root mean square speed over a dynamic body's mass, from velocity and spin, metres per second.
-template <class S>
-double mean_speed(const Body<S>& body);
+template <class S> double mean_speed(const Body<S>& body);
 
 /// solve_step() for all awake bodies. Sleeping bodies stay in place, and the impulses between them
 /// are kept. Bit for bit solve_step() if no body sleeps.

@@ -21,8 +21,7 @@ namespace contactscope {
 /// Drives the relative normal velocity to -(velocity) with `mass_scale` of the mass, and takes back
 /// `impulse_scale` of the impulse so far: impulse = -mass mass_scale (v + velocity) - impulse_scale
 /// impulse.
-template <class S>
-struct PositionBias {
+template <class S> struct PositionBias {
   S velocity = 0;  // metres per second
   S mass_scale = 1;
   S impulse_scale = 0;
@@ -39,8 +38,7 @@ struct PositionBias {
 /// roots within the unit circle while 1 - g > b / (1 + b) (Jury): 9 % for 0.1. Ten sweeps do less
 /// for ten boxes, or for one under a hundred times its mass. So bodies keep at most the push speed,
 /// and correct_positions() moves them by the rest.
-template <class S>
-S baumgarte(S separation, const SolverSettings& settings, S h) {
+template <class S> S baumgarte(S separation, const SolverSettings& settings, S h) {
   const S overlap = std::min(separation + static_cast<S>(settings.slop.value_or(0)), S(0));
   return static_cast<S>(settings.baumgarte) / h * overlap;
 }
@@ -252,15 +250,13 @@ inline constexpr int kManifoldSweeps = 8;
 inline constexpr double kMaxTurn = 0.1;
 
 /// Relative displacement of a manifold's bodies.
-template <class S>
-struct Displacement {
+template <class S> struct Displacement {
   S gap = 0;  // of the centres along the normal, metres
   Vec3<S> turn_a = Vec3<S>::Zero(), turn_b = Vec3<S>::Zero();  // radians, world
 };
 
 /// One point at the bodies' current poses.
-template <class S>
-struct ProjectedPoint {
+template <class S> struct ProjectedPoint {
   Vec3<S> lever_a, lever_b;    // arm x normal
   Vec3<S> turned_a, turned_b;  // by the inverse inertia
   S separation = 0;

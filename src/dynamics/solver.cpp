@@ -7,8 +7,7 @@
 namespace contactscope {
 namespace {
 
-template <class S>
-std::vector<SolverBody<S>> solver_bodies(const std::vector<Body<S>>& bodies) {
+template <class S> std::vector<SolverBody<S>> solver_bodies(const std::vector<Body<S>>& bodies) {
   std::vector<SolverBody<S>> moving;
   for (const Body<S>& body : bodies) moving.push_back({body});
   for (SolverBody<S>& body : moving) body.turn_inertia();

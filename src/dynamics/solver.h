@@ -15,8 +15,7 @@
 namespace contactscope {
 
 /// Contacts that the pipeline found for one pair of bodies.
-template <class S>
-struct PairContacts {
+template <class S> struct PairContacts {
   int a = 0, b = 0;                         // bodies; normals point from a to b
   const Manifolds<S>* manifolds = nullptr;  // nullptr: none
   S friction = 0;                           // Coulomb's coefficient of the pair
@@ -28,16 +27,14 @@ struct PairContacts {
 };
 
 /// Radius of a sphere or capsule, metres; 0 for other shapes.
-template <class S>
-S round_radius(const Shape<S>& shape) {
+template <class S> S round_radius(const Shape<S>& shape) {
   if (const auto* sphere = std::get_if<Sphere<S>>(&shape)) return sphere->radius;
   const auto* capsule = std::get_if<Capsule<S>>(&shape);
   return capsule != nullptr ? capsule->radius : S(0);
 }
 
 /// Impulses of one point in the last step. On b, newton seconds, world.
-template <class S>
-struct PointImpulse {
+template <class S> struct PointImpulse {
   int triangle = -1;  // of a mesh; ids count within it
   FeatureId id;
   S normal = 0;  // of the last sub-step: the next one starts with it
@@ -48,8 +45,7 @@ struct PointImpulse {
 };
 
 /// Impulses of one pair, in the order of its manifolds and their points.
-template <class S>
-using PairImpulses = std::vector<PointImpulse<S>>;
+template <class S> using PairImpulses = std::vector<PointImpulse<S>>;
 
 /// Fills missing lengths from the smallest shortest_edge() of all dynamic bodies, or from 0 if
 /// there are none; see solver_settings.h.
@@ -83,8 +79,7 @@ void solve_impact(std::vector<Body<S>>& bodies, std::span<const PairContacts<S>>
                   const SolverSettings& settings, S dt);
 
 /// Two bodies that may touch, and the data kept for them between steps.
-template <class S>
-struct WorldPair {
+template <class S> struct WorldPair {
   int a = 0, b = 0;
   S friction = S(0.6);
   S restitution = 0;
@@ -93,8 +88,7 @@ struct WorldPair {
 };
 
 /// Everything that moves. A copy is a snapshot, and continues like the original.
-template <class S>
-struct World {
+template <class S> struct World {
   Vec3<S> gravity = Vec3<S>(S(0), S(-9.81), S(0));  // metres per second squared
   std::vector<Body<S>> bodies;
   std::vector<WorldPair<S>> pairs;
@@ -119,8 +113,7 @@ double speculative_reach(const World<S>& world, const std::vector<Shape<S>>& sha
 /// the step. `settings` are settled(). Contacts are found once per step. With sub-steps this
 /// includes points that are met in later ones, up to half of the smallest body away if the margin
 /// is not given. Faster bodies need continuous pairs.
-template <class Reach>
-double contact_margin(const SolverSettings& settings, const Reach& reach) {
+template <class Reach> double contact_margin(const SolverSettings& settings, const Reach& reach) {
   constexpr double kMaxMargins = 25;
   const double margin = settings.speculative_margin.value_or(0);
   if (settings.substeps == 1 || margin == 0) return margin;

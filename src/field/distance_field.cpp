@@ -16,8 +16,7 @@ Vec3d unit_or(const Vec3d& v, double length, const Vec3d& otherwise) {
 
 }  // namespace
 
-template <class Visit>
-void DistanceField::for_nodes(const Place& place, const Visit& visit) const {
+template <class Visit> void DistanceField::for_nodes(const Place& place, const Visit& visit) const {
   const NodeLayout& layout = *place.layout;
   const double side = 1 << layout.side_bits, step = double{layout.step};
   const Vec3d corner = place.corner();

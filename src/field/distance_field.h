@@ -126,8 +126,7 @@ class DistanceField {
     }
   };
   /// Calls visit(position, distance) for the eight nodes around until it returns false.
-  template <class Visit>
-  void for_nodes(const Place& place, const Visit& visit) const;
+  template <class Visit> void for_nodes(const Place& place, const Visit& visit) const;
 
   using Integers = lanes::Flags<float>;
   bool in_lattice(const Vec3d& point) const {
@@ -225,8 +224,7 @@ struct PlacedField {
   double cell = 1;               // metres
   double per_cell = 1 / cell;    // 1 / metres
 
-  template <class S>
-  static PlacedField of(const Field<S>& shape) {
+  template <class S> static PlacedField of(const Field<S>& shape) {
     return {shape.values, shape.origin, shape.cell};
   }
   Vec3d in_lattice(const Vec3d& point) const { return (point - origin) * per_cell; }

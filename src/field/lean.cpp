@@ -114,8 +114,6 @@ class LeanFinder {
 
 }  // namespace
 
-std::vector<float> largest_leans(const Mesh<double>& mesh) {
-  return LeanFinder(mesh).find();
-}
+std::vector<float> largest_leans(const Mesh<double>& mesh) { return LeanFinder(mesh).find(); }
 
 }  // namespace contactscope

@@ -38,12 +38,8 @@ struct alignas(16) NodePair {
   /// Queries need no other memory to know.
   std::array<std::array<std::int16_t, 2>, 3> gradient;
 
-  bool queries_triangles() const {
-    return (gradient[2][1] & 1) != 0;
-  }
-  void query_triangles() {
-    gradient[2][1] = static_cast<std::int16_t>(gradient[2][1] | 1);
-  }
+  bool queries_triangles() const { return (gradient[2][1] & 1) != 0; }
+  void query_triangles() { gradient[2][1] = static_cast<std::int16_t>(gradient[2][1] | 1); }
 };
 
 inline constexpr float kGradientScale = 32766;
@@ -115,8 +111,7 @@ inline Integers parts_of(const Vec3d& point) {
   return reinterpret_cast<Integers>(_mm_unpacklo_epi64(xy, z));
 }
 /// Lane i, a number from 0 to 2^16 - 1.
-template <int i>
-int small_lane(const Integers& numbers) {
+template <int i> int small_lane(const Integers& numbers) {
   return _mm_extract_epi16(reinterpret_cast<__m128i>(numbers), 2 * i);
 }
 /// 16-bit weights of the near and the far node, for each of the four numbers.
@@ -137,16 +132,11 @@ inline Integers parts_of(const Vec3d& point) {
   };
   return Integers{part(0), part(1), part(2), 0};
 }
-template <int i>
-int small_lane(const Integers& numbers) {
-  return numbers[i];
-}
+template <int i> int small_lane(const Integers& numbers) { return numbers[i]; }
 struct PairWeights {
   Integers near, far;
 };
-inline PairWeights pair_weights(const Integers& near, const Integers& far) {
-  return {near, far};
-}
+inline PairWeights pair_weights(const Integers& near, const Integers& far) { return {near, far}; }
 inline Floats sums(const NodePair& pair, const PairWeights& weights) {
   const auto& [distance, gradient] = pair;
   const Integers near = {distance[0], gradient[0][0], gradient[1][0], gradient[2][0]};
@@ -155,8 +145,7 @@ inline Floats sums(const NodePair& pair, const PairWeights& weights) {
 }
 #endif
 
-template <int i>
-Floats spread(const Floats& pack) {
+template <int i> Floats spread(const Floats& pack) {
   return __builtin_shufflevector(pack, pack, i, i, i, i);
 }
 /// Interpolates from `near` to `far`.

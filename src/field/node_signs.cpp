@@ -73,8 +73,7 @@ class SignSpreader {
  private:
   /// Calls visit(u, v, w, axes) for the nodes around a node until one returns true; `axes` is the
   /// number of axes along which the two differ.
-  template <class Visit>
-  bool any_around(int x, int y, int z, const Visit& visit) const {
+  template <class Visit> bool any_around(int x, int y, int z, const Visit& visit) const {
     for (int w = std::max(z - 1, 0); w <= std::min(z + 1, counts_[2] - 1); ++w)
       for (int v = std::max(y - 1, 0); v <= std::min(y + 1, counts_[1] - 1); ++v)
         for (int u = std::max(x - 1, 0); u <= std::min(x + 1, counts_[0] - 1); ++u)

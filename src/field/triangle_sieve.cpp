@@ -16,9 +16,7 @@ std::array<SieveFloats, 3> in_all_lanes(const Vec3d& point) {
           lanes::all(static_cast<float>(point.z()))};
 }
 
-SieveFloats magnitude(const SieveFloats& pack) {
-  return lanes::larger(pack, -pack);
-}
+SieveFloats magnitude(const SieveFloats& pack) { return lanes::larger(pack, -pack); }
 
 /// Distance of `along` beyond the ends of a segment from 0 to `length`, signed.
 SieveFloats beyond(const SieveFloats& along, const SieveFloats& length) {

@@ -181,8 +181,7 @@ class Expression::Parser {
     return one == Unit::Any ? other : one;
   }
 
-  template <class Below>
-  Node chain(std::initializer_list<const char*> names, const Below& below) {
+  template <class Below> Node chain(std::initializer_list<const char*> names, const Below& below) {
     Node left = below();
     for (;;) {
       const auto found = std::ranges::find(names, token_);
@@ -370,8 +369,6 @@ Value Expression::evaluate(const Node& node, const Lookup& lookup) {
   return double(compare(name, operand(0), operand(1)));
 }
 
-bool Expression::holds(const Lookup& lookup) const {
-  return is_true(evaluate(*root_, lookup));
-}
+bool Expression::holds(const Lookup& lookup) const { return is_true(evaluate(*root_, lookup)); }
 
 }  // namespace contactscope::find

@@ -5,9 +5,7 @@
 namespace contactscope::find {
 namespace {
 
-std::string name_of(const trace::Pair& pair) {
-  return pair.a + '\n' + pair.b + '\n' + pair.label;
-}
+std::string name_of(const trace::Pair& pair) { return pair.a + '\n' + pair.b + '\n' + pair.label; }
 
 /// The pair in a frame in which it is not.
 trace::Pair absent(const trace::Pair& pair) {

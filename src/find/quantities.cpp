@@ -21,26 +21,16 @@ double points_of(const Pair& pair) {
   return double(joined(pair.manifolds, &Manifold::points).size());
 }
 
-double manifolds_of(const Pair& pair) {
-  return double(pair.manifolds.size());
-}
+double manifolds_of(const Pair& pair) { return double(pair.manifolds.size()); }
 
-double touching(const Pair& pair) {
-  return double(pair.state == "touching");
-}
+double touching(const Pair& pair) { return double(pair.state == "touching"); }
 
-template <auto kOf>
-Value of_now(const M& m) {
-  return kOf(*m.now);
-}
-template <auto kOf, bool kGain = false>
-Value change_of(const M& m) {
+template <auto kOf> Value of_now(const M& m) { return kOf(*m.now); }
+template <auto kOf, bool kGain = false> Value change_of(const M& m) {
   const double change = kOf(*m.now) - kOf(*m.before);
   return kGain ? std::max(0.0, change) : change;
 }
-Value loss_of_points(const M& m) {
-  return std::max(0.0, points_of(*m.before) - points_of(*m.now));
-}
+Value loss_of_points(const M& m) { return std::max(0.0, points_of(*m.before) - points_of(*m.now)); }
 
 std::string ids_of(const Pair& pair) {
   std::string ids;
@@ -50,19 +40,15 @@ std::string ids_of(const Pair& pair) {
 }
 
 /// A text of the first manifold; empty without one.
-template <std::string Manifold::*kMember>
-Value text_of(const M& m) {
+template <std::string Manifold::*kMember> Value text_of(const M& m) {
   return m.now->manifolds.empty() ? std::string() : m.now->manifolds.front().*kMember;
 }
 
-template <int kAxis>
-Value normal_of(const M& m) {
+template <int kAxis> Value normal_of(const M& m) {
   return m.now->manifolds.empty() ? kUnknown : m.now->manifolds.front().normal[kAxis];
 }
 
-double degrees(double radians) {
-  return radians * 180 / std::numbers::pi;
-}
+double degrees(double radians) { return radians * 180 / std::numbers::pi; }
 
 /// Largest turn of a normal, each from the nearest one in the frame before. Unknown without a
 /// contact in both.
@@ -96,8 +82,7 @@ double turn_between(const Pose<double>& from, const Pose<double>& to) {
 }
 
 /// The larger change of the two shapes.
-template <auto kChange>
-Value of_poses(const M& m) {
+template <auto kChange> Value of_poses(const M& m) {
   double most = kUnknown;
   for (std::size_t i : {0u, 1u})
     if (m.poses[i] && m.poses_before[i])

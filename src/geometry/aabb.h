@@ -11,8 +11,7 @@ namespace contactscope {
 
 /// Axis-aligned bounding box, closed, metres. By default empty: lower is +infinity and upper
 /// -infinity, so merging needs no special case.
-template <class S>
-struct Aabb {
+template <class S> struct Aabb {
   using Scalar = S;
 
   Vec3<S> lower = Vec3<S>::Constant(std::numeric_limits<S>::infinity());
@@ -41,8 +40,7 @@ struct Aabb {
 
   /// Rounds each coordinate to the nearest. Rounding is monotone, so the box of some points becomes
   /// exactly the box of the rounded points.
-  template <class T>
-  Aabb<T> cast() const {
+  template <class T> Aabb<T> cast() const {
     return {lower.template cast<T>(), upper.template cast<T>()};
   }
 
@@ -56,8 +54,7 @@ inline Aabb<double> box_around(std::span<const Vec3d> points) {
 }
 
 /// Touching boxes overlap. An empty box, or one with NaN, overlaps nothing.
-template <class S>
-bool overlaps(const Aabb<S>& a, const Aabb<S>& b) {
+template <class S> bool overlaps(const Aabb<S>& a, const Aabb<S>& b) {
   // No short circuits: which comparison fails is random, so branches would be mispredicted.
   return (a.lower.x() <= b.upper.x()) & (b.lower.x() <= a.upper.x()) &
          (a.lower.y() <= b.upper.y()) & (b.lower.y() <= a.upper.y()) &
@@ -66,8 +63,7 @@ bool overlaps(const Aabb<S>& a, const Aabb<S>& b) {
 
 /// overlaps() for one box against many. A float box is read as two overlapping packs of four
 /// numbers; the fourth lane is compared with infinity and always passes.
-template <class S>
-class OverlapsWith {
+template <class S> class OverlapsWith {
  public:
   explicit OverlapsWith(const Aabb<S>& box) : box_(box) {
     if constexpr (kPacked) {
@@ -96,15 +92,13 @@ class OverlapsWith {
   lanes::Pack<S> lower_, upper_;
 };
 
-template <class S>
-Aabb<S> merged(Aabb<S> a, const Aabb<S>& b) {
+template <class S> Aabb<S> merged(Aabb<S> a, const Aabb<S>& b) {
   a.include(b);
   return a;
 }
 
 /// Total area of the six sides, square metres; 0 for an empty box.
-template <class S>
-S surface_area(const Aabb<S>& box) {
+template <class S> S surface_area(const Aabb<S>& box) {
   if (box.empty()) return S(0);
   const Vec3<S> e = box.extent();
   return S(2) * (e.x() * e.y() + e.y() * e.z() + e.z() * e.x());

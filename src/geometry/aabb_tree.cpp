@@ -12,15 +12,13 @@
 namespace contactscope {
 namespace {
 
-template <class S>
-trace::Box traced(const Aabb<S>& box) {
+template <class S> trace::Box traced(const Aabb<S>& box) {
   return {box.lower.template cast<double>(), box.upper.template cast<double>()};
 }
 
 }  // namespace
 
-template <class S>
-trace::Tree AabbTree<S>::recorded_query(const Aabb<S>& box) const {
+template <class S> trace::Tree AabbTree<S>::recorded_query(const Aabb<S>& box) const {
   trace::Tree record;
   record.box = traced(box);
   std::vector<int> ends;  // ends of the subtrees that contain node i
@@ -49,8 +47,7 @@ void AabbTree<S>::refit(std::span<const Vec3<S>> vertices,
   fit_nodes();
 }
 
-template <class S>
-void AabbTree<S>::fit_nodes() {
+template <class S> void AabbTree<S>::fit_nodes() {
   // Backwards: children come after their parent.
   for (std::size_t i = nodes.size(); i-- > 0;) {
     Node& node = nodes[i];
@@ -64,8 +61,7 @@ void AabbTree<S>::fit_nodes() {
   }
 }
 
-template <class S>
-double AabbTree<S>::expected_cost() const {
+template <class S> double AabbTree<S>::expected_cost() const {
   double weighted = 0;
   for (const Node& node : nodes) {
     const int boxes_tested = node.leaf() ? node.count : 2;
@@ -76,8 +72,7 @@ double AabbTree<S>::expected_cost() const {
   return all > 0 ? weighted / all : static_cast<double>(nodes.size() + triangles.size());
 }
 
-template <class T>
-AabbTree<T> aabb_tree_cast(const AabbTree<double>& tree) {
+template <class T> AabbTree<T> aabb_tree_cast(const AabbTree<double>& tree) {
   const auto cast = [](const AabbTree<double>::Node& node) -> typename AabbTree<T>::Node {
     return {node.box.cast<T>(), node.next, node.count};
   };
@@ -111,9 +106,7 @@ using Counts = lanes::Flags<float>;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr Lanes kInfinite = {kInfinity, kInfinity, kInfinity, kInfinity};
 
-float largest_of(const Lanes& lanes) {
-  return std::max({lanes[0], lanes[1], lanes[2]});
-}
+float largest_of(const Lanes& lanes) { return std::max({lanes[0], lanes[1], lanes[2]}); }
 
 /// A box in registers for choosing cuts: its lower corner and its negated upper corner, so that
 /// growing it takes two minima. Rounded to floats in the unit of its part of the tree. The boxes of
@@ -186,13 +179,9 @@ Lanes areas_of(const RoughBox& x, const RoughBox& y, const RoughBox& z) {
   return first + second + third;
 }
 
-Counts all_lanes(int count) {
-  return Counts{count, count, count, count};
-}
+Counts all_lanes(int count) { return Counts{count, count, count, count}; }
 
-Lanes floats(const Counts& counts) {
-  return __builtin_convertvector(counts, Lanes);
-}
+Lanes floats(const Counts& counts) { return __builtin_convertvector(counts, Lanes); }
 
 /// The best cut between two bins. On each axis the first and the last bin must have triangles; axes
 /// with `valid` 0 are skipped. Ties go to the first cut, x before y before z. All axes are swept in

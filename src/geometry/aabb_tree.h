@@ -24,8 +24,7 @@ struct Tree;
 ///
 /// Triangles are visited in array order: left before right, ascending within a leaf. The order
 /// depends only on the boxes.
-template <class S>
-struct AabbTree {
+template <class S> struct AabbTree {
   struct Node {
     Aabb<S> box;
     int next;   // leaf: its first triangle in `triangles`; else: the node after the subtree
@@ -49,8 +48,7 @@ struct AabbTree {
 
   /// Calls visit(triangle) for each triangle whose own box overlaps or touches `box`. Does not
   /// allocate.
-  template <class Visit>
-  void query(const Aabb<S>& box, Visit&& visit) const {
+  template <class Visit> void query(const Aabb<S>& box, Visit&& visit) const {
     any_of(box, [&](int triangle) {
       visit(triangle);
       return false;
@@ -59,13 +57,11 @@ struct AabbTree {
 
   /// True if holds(triangle) for any triangle that a query with `box` visits. Same order as query;
   /// stops at the first one.
-  template <class Holds>
-  bool any_of(const Aabb<S>& box, Holds&& holds) const {
+  template <class Holds> bool any_of(const Aabb<S>& box, Holds&& holds) const {
     return any_place_of(box, [&](int place) { return holds(at(triangles, place)); });
   }
   /// The same, but `holds` gets positions in `triangles` and `boxes`.
-  template <class Holds>
-  bool any_place_of(const Aabb<S>& box, Holds&& holds) const {
+  template <class Holds> bool any_place_of(const Aabb<S>& box, Holds&& holds) const {
     const OverlapsWith<S> overlaps_box(box);
     const int node_count = count_of(nodes);
     int i = 0;
@@ -120,7 +116,6 @@ AabbTree<double> build_aabb_tree(std::span<const Aabb<double>> boxes);
 
 /// The same tree in another scalar type. Its boxes are exactly those of the rounded triangles,
 /// because rounding is monotone.
-template <class T>
-AabbTree<T> aabb_tree_cast(const AabbTree<double>& tree);
+template <class T> AabbTree<T> aabb_tree_cast(const AabbTree<double>& tree);
 
 }  // namespace contactscope

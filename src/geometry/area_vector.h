@@ -26,8 +26,7 @@ inline Vec3d doubled_area(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
 
 /// Newell's area vector of a polygon, of length twice the area. All corners contribute, so three
 /// that are nearly on a line do not decide alone. `point(i)` returns one of the `count` corners.
-template <class Point>
-Vec3d doubled_area(int count, const Point& point) {
+template <class Point> Vec3d doubled_area(int count, const Point& point) {
   Vec3d area = Vec3d::Zero();
   for (int i = 2; i < count; ++i) area += doubled_area(point(0), point(i - 1), point(i));
   return area;

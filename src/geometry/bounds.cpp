@@ -18,8 +18,7 @@ namespace contactscope {
 namespace {
 
 /// The smallest number of the scalar type that is not below `value`.
-template <class S>
-S rounded_up(long double value) {
+template <class S> S rounded_up(long double value) {
   const S nearest = static_cast<S>(value);
   return static_cast<long double>(nearest) < value
              ? std::nextafter(nearest, std::numeric_limits<S>::infinity())
@@ -107,8 +106,7 @@ Ball smallest_ball(const std::vector<Vec3d>& points) {
 
 }  // namespace
 
-template <class S>
-BoundingSphere<S> sphere_around(std::span<const Vec3<S>> points) {
+template <class S> BoundingSphere<S> sphere_around(std::span<const Vec3<S>> points) {
   if (points.empty()) return {};
   // Relative to the first point and scaled to size 1, so neither distance nor size costs digits.
   const Vec3d origin = points.front().template cast<double>();
@@ -143,8 +141,7 @@ constexpr double kBetter = 1 - 1e-9;
 constexpr int kMaxPairedEdges = 64;
 
 /// Box along axes that are orthonormal up to rounding. The box has the same axes.
-template <class S>
-Obb<S> box_along(const Mat3<S>& axes, std::span<const Vec3<S>> points) {
+template <class S> Obb<S> box_along(const Mat3<S>& axes, std::span<const Vec3<S>> points) {
   const Mat3<long double> columns = axes.template cast<long double>();
   const Mat3<long double> to_axes = columns.inverse();
   Aabb<long double> extents;
@@ -260,8 +257,7 @@ class Principal {
 };
 
 /// Vertices relative to the first one, in double, so that far from the origin no digits are lost.
-template <class S>
-std::vector<Vec3d> near_origin(const std::vector<Vec3<S>>& vertices) {
+template <class S> std::vector<Vec3d> near_origin(const std::vector<Vec3<S>>& vertices) {
   return mapped(vertices, [&](const Vec3<S>& vertex) -> Vec3d {
     return vertex.template cast<double>() - vertices.front().template cast<double>();
   });
@@ -272,8 +268,7 @@ Obb<S> box_of_vertices(const SmallestBox& smallest, const std::vector<Vec3<S>>& 
   return box_along<S>(smallest.axes().template cast<S>(), vertices);
 }
 
-template <class S>
-Obb<S> obb_of_kind(const Hull<S>& hull) {
+template <class S> Obb<S> obb_of_kind(const Hull<S>& hull) {
   const std::vector<Vec3d> points = near_origin(hull.vertices);
   SmallestBox smallest(points);
   smallest.offer(Mat3<double>::Identity());
@@ -300,8 +295,7 @@ Obb<S> obb_of_kind(const Hull<S>& hull) {
   return box_of_vertices(smallest, hull.vertices);
 }
 
-template <class S>
-Obb<S> obb_of_kind(const Mesh<S>& mesh) {
+template <class S> Obb<S> obb_of_kind(const Mesh<S>& mesh) {
   const std::vector<Vec3d> points = near_origin(mesh.vertices);
   SmallestBox smallest(points);
   smallest.offer(Mat3<double>::Identity());
@@ -312,13 +306,11 @@ Obb<S> obb_of_kind(const Mesh<S>& mesh) {
   return box_of_vertices(smallest, mesh.vertices);
 }
 
-template <class S>
-Obb<S> obb_of_kind(const Sphere<S>& sphere) {
+template <class S> Obb<S> obb_of_kind(const Sphere<S>& sphere) {
   return {Vec3<S>::Zero(), Mat3<S>::Identity(), Vec3<S>::Constant(sphere.radius)};
 }
 
-template <class S>
-Obb<S> obb_of_kind(const Capsule<S>& capsule) {
+template <class S> Obb<S> obb_of_kind(const Capsule<S>& capsule) {
   const Vec3d along = (capsule.points[1] - capsule.points[0]).template cast<double>();
   Mat3<double> axes = Mat3<double>::Identity();
   const bool along_axis = (along.array() != 0).count() < 2;
@@ -348,26 +340,17 @@ Aabb<S> aabb_of_points(std::span<const Vec3<S>> points, const Pose<S>& pose, S r
   return box;
 }
 
-template <class S>
-std::span<const Vec3<S>> points_of(const Hull<S>& hull) {
-  return hull.vertices;
-}
-template <class S>
-std::span<const Vec3<S>> points_of(const Mesh<S>& mesh) {
-  return mesh.vertices;
-}
-template <class S>
-std::span<const Vec3<S>> points_of(const Capsule<S>& capsule) {
+template <class S> std::span<const Vec3<S>> points_of(const Hull<S>& hull) { return hull.vertices; }
+template <class S> std::span<const Vec3<S>> points_of(const Mesh<S>& mesh) { return mesh.vertices; }
+template <class S> std::span<const Vec3<S>> points_of(const Capsule<S>& capsule) {
   return capsule.points;
 }
-template <class S>
-std::span<const Vec3<S>> points_of(const Sphere<S>&) {
+template <class S> std::span<const Vec3<S>> points_of(const Sphere<S>&) {
   static const Vec3<S> middle = Vec3<S>::Zero();
   return {&middle, 1};
 }
 
-template <class S, class Kind>
-S radius_of(const Kind& kind) {
+template <class S, class Kind> S radius_of(const Kind& kind) {
   if constexpr (requires { kind.vertices; }) {
     return 0;
   } else {
@@ -393,20 +376,17 @@ std::optional<Bound> bound_of(const Shape<S>& shape, const Make& make) {
 
 }  // namespace
 
-template <class S>
-std::optional<Aabb<S>> aabb_of(const Shape<S>& shape, const Pose<S>& pose) {
+template <class S> std::optional<Aabb<S>> aabb_of(const Shape<S>& shape, const Pose<S>& pose) {
   return bound_of<Aabb<S>>(shape, [&]<class Kind>(const Kind& kind) {
     return aabb_of_points<S>(points_of(kind), pose, radius_of<S>(kind));
   });
 }
 
-template <class S>
-std::optional<Obb<S>> obb_of(const Shape<S>& shape) {
+template <class S> std::optional<Obb<S>> obb_of(const Shape<S>& shape) {
   return bound_of<Obb<S>>(shape, [](const auto& kind) { return obb_of_kind(kind); });
 }
 
-template <class S>
-std::optional<BoundingSphere<S>> bounding_sphere_of(const Shape<S>& shape) {
+template <class S> std::optional<BoundingSphere<S>> bounding_sphere_of(const Shape<S>& shape) {
   return bound_of<BoundingSphere<S>>(shape, []<class Kind>(const Kind& kind) {
     BoundingSphere<S> sphere = sphere_around<S>(points_of(kind));
     sphere.radius = rounded_up<S>((long double)(sphere.radius) + radius_of<S>(kind));

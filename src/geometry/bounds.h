@@ -13,8 +13,7 @@ namespace contactscope {
 
 /// Box of the shape in the parent of `pose`, around its vertices as rounded there. Exact for shapes
 /// at rest at the origin.
-template <class S>
-std::optional<Aabb<S>> aabb_of(const Shape<S>& shape, const Pose<S>& pose = {});
+template <class S> std::optional<Aabb<S>> aabb_of(const Shape<S>& shape, const Pose<S>& pose = {});
 
 /// Oriented box in the shape's own frame; `placed` moves it.
 ///
@@ -25,18 +24,15 @@ std::optional<Aabb<S>> aabb_of(const Shape<S>& shape, const Pose<S>& pose = {});
 /// and (up to 64 edges) each cross product of two edges, the sides of the outline seen from there.
 /// This is not always the smallest box (O'Rourke 1985). The own axes win ties, so a box is its own
 /// bounding box, exactly.
-template <class S>
-std::optional<Obb<S>> obb_of(const Shape<S>& shape);
+template <class S> std::optional<Obb<S>> obb_of(const Shape<S>& shape);
 
 /// Bounding sphere in the shape's own frame; `placed` moves it. For hulls and meshes it is the
 /// smallest one up to rounding, found by pivoting: the farthest vertex joins the at most four
 /// support points, and the smallest ball of these five is next (Gaertner 1999, "Fast and Robust
 /// Smallest Enclosing Balls").
-template <class S>
-std::optional<BoundingSphere<S>> bounding_sphere_of(const Shape<S>& shape);
+template <class S> std::optional<BoundingSphere<S>> bounding_sphere_of(const Shape<S>& shape);
 
 /// The smallest ball around points, metres; empty if there are none.
-template <class S>
-BoundingSphere<S> sphere_around(std::span<const Vec3<S>> points);
+template <class S> BoundingSphere<S> sphere_around(std::span<const Vec3<S>> points);
 
 }  // namespace contactscope

@@ -12,12 +12,9 @@ namespace contactscope {
 namespace {
 
 /// Number of elements in the lanes of `count` vectors.
-std::size_t lane_count(int count) {
-  return static_cast<std::size_t>(3 * padded(count));
-}
+std::size_t lane_count(int count) { return static_cast<std::size_t>(3 * padded(count)); }
 
-template <class S>
-void put(std::vector<S>& lanes, std::size_t i, const Vec3<S>& vector) {
+template <class S> void put(std::vector<S>& lanes, std::size_t i, const Vec3<S>& vector) {
   const std::size_t stride = lanes.size() / 3;
   for (std::size_t k = 0; k < 3; ++k) lanes[k * stride + i] = vector[static_cast<int>(k)];
 }
@@ -25,8 +22,7 @@ void put(std::vector<S>& lanes, std::size_t i, const Vec3<S>& vector) {
 /// Half extents of a box that equals the result of make_box in every number, else zero. Also zero
 /// if squared lengths would leave the range of S: a box's edges must follow from its half extents
 /// to the last bit.
-template <class S>
-Vec3<S> box_extents(const Hull<S>& hull) {
+template <class S> Vec3<S> box_extents(const Hull<S>& hull) {
   const Vec3<S> none = Vec3<S>::Zero();
   const auto same = [](const HalfEdge& one, const HalfEdge& other) {
     return one.origin == other.origin && one.next == other.next && one.face == other.face;
@@ -55,8 +51,7 @@ Vec3<S> box_extents(const Hull<S>& hull) {
 
 }  // namespace
 
-template <class S>
-void lay_out(Hull<S>& hull) {
+template <class S> void lay_out(Hull<S>& hull) {
   hull.half_extents = box_extents(hull);
   hull.lanes.vertices.assign(lane_count(hull.vertex_count()), S(0));
   for (std::size_t i = 0; i < hull.vertices.size(); ++i) {
@@ -70,8 +65,7 @@ void lay_out(Hull<S>& hull) {
   }
 }
 
-template <class T, class S>
-Hull<T> hull_cast(const Hull<S>& hull) {
+template <class T, class S> Hull<T> hull_cast(const Hull<S>& hull) {
   Hull<T> cast{
       .vertices = cast_each<Vec3<T>>(hull.vertices),
       .half_edges = hull.half_edges,
@@ -86,8 +80,7 @@ Hull<T> hull_cast(const Hull<S>& hull) {
   return cast;
 }
 
-template <class S>
-std::vector<int> face_vertices(const Hull<S>& hull, int face) {
+template <class S> std::vector<int> face_vertices(const Hull<S>& hull, int face) {
   std::vector<int> vertices;
   for (const int edge : hull.around_face(face))
     vertices.push_back(at(hull.half_edges, edge).origin);

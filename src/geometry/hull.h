@@ -19,8 +19,7 @@ struct HalfEdge {
 };
 
 /// Range over a ring of half-edges, each once. `next` maps a half-edge to its successor.
-template <class Next>
-struct EdgeRing {
+template <class Next> struct EdgeRing {
   struct Iterator {
     using value_type = int;
     using difference_type = std::ptrdiff_t;
@@ -45,12 +44,10 @@ struct EdgeRing {
   int first;
   Next next;
 };
-template <class Next>
-EdgeRing(int, Next) -> EdgeRing<Next>;
+template <class Next> EdgeRing(int, Next) -> EdgeRing<Next>;
 
 /// Copies of a hull's vertices and planes in the layout that loops over lanes read (lanes.h).
-template <class S>
-struct HullLanes {
+template <class S> struct HullLanes {
   std::vector<S> vertices;  // padded with zeros
   std::vector<S> normals;   // padded with zeros
   std::vector<S> offsets;   // padded with infinity: every point is behind such a face
@@ -64,8 +61,7 @@ struct HullLanes {
 /// face has more than kMaxFaceVertices vertices.
 ///
 /// A flat hull is a polygon: two faces on one plane with opposite normals, and no volume.
-template <class S>
-struct Hull {
+template <class S> struct Hull {
   std::vector<Vec3<S>> vertices;
   std::vector<HalfEdge> half_edges;    // two per edge, twins adjacent
   std::vector<int> vertex_edges;       // one outgoing half-edge per vertex
@@ -104,16 +100,13 @@ struct Hull {
 };
 
 /// Computes `hull.lanes` and `hull.half_extents`. Call it again after changing vertices or planes.
-template <class S>
-void lay_out(Hull<S>& hull);
+template <class S> void lay_out(Hull<S>& hull);
 
 /// The same hull in another scalar type. Vertices, planes and centroid are rounded once from the
 /// input.
-template <class T, class S>
-Hull<T> hull_cast(const Hull<S>& hull);
+template <class T, class S> Hull<T> hull_cast(const Hull<S>& hull);
 
 /// Vertex indices of a face, in the order of around_face.
-template <class S>
-std::vector<int> face_vertices(const Hull<S>& hull, int face);
+template <class S> std::vector<int> face_vertices(const Hull<S>& hull, int face);
 
 }  // namespace contactscope

@@ -9,14 +9,11 @@ namespace contactscope {
 /// Loops over lanes run to a multiple of this, so the compiler needs no remainder loop.
 inline constexpr int kLaneWidth = 4;
 
-constexpr int padded(int count) {
-  return (count + kLaneWidth - 1) / kLaneWidth * kLaneWidth;
-}
+constexpr int padded(int count) { return (count + kLaneWidth - 1) / kLaneWidth * kLaneWidth; }
 
 /// View of vectors stored as a structure of arrays: all x, then all y, then all z, each padded to
 /// the lane width. The owner chooses the padding values.
-template <class S>
-class VectorLanes {
+template <class S> class VectorLanes {
  public:
   /// `values` holds 3 * padded(count) elements and must outlive this.
   VectorLanes(const S* values, int count)
@@ -39,8 +36,7 @@ class VectorLanes {
 
 /// n . p with the order of additions that all queries use, so that a loop over lanes and a single
 /// evaluation give the same bits.
-template <class S>
-inline S dot(S nx, S ny, S nz, S px, S py, S pz) {
+template <class S> inline S dot(S nx, S ny, S nz, S px, S py, S pz) {
   return (nx * px + ny * py) + nz * pz;
 }
 

@@ -113,8 +113,7 @@ std::vector<std::array<int, 3>> find_neighbours(std::span<const Vec3d> vertices,
 }
 
 /// Classifies every edge, using neighbours and normals.
-template <class S>
-void classify_edges(Mesh<S>& mesh) {
+template <class S> void classify_edges(Mesh<S>& mesh) {
   using enum EdgeClass;
   mesh.edges.assign(mesh.triangles.size(), {Boundary, Boundary, Boundary});
   for (int t = 0; t < mesh.triangle_count(); ++t) {
@@ -125,16 +124,14 @@ void classify_edges(Mesh<S>& mesh) {
   }
 }
 
-template <class S>
-Vec3d normal_of(const Mesh<S>& mesh, int triangle) {
+template <class S> Vec3d normal_of(const Mesh<S>& mesh, int triangle) {
   const auto corner = [&](int k) -> Vec3d {
     return mesh.corner(triangle, k).template cast<double>();
   };
   return triangle_normal(corner(0), corner(1), corner(2));
 }
 
-template <class S>
-AabbTree<S> new_tree(const Mesh<S>& mesh) {
+template <class S> AabbTree<S> new_tree(const Mesh<S>& mesh) {
   return aabb_tree_cast<S>(
       build_aabb_tree(mapped(mesh.triangles, [&](const std::array<int, 3>& triangle) {
         return box_of<S>(mesh.vertices, triangle).template cast<double>();
@@ -170,8 +167,7 @@ Vec3d triangle_normal(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
 
 /// Angle between the normals about the edge. Its sine is the triple product of both normals and the
 /// edge, positive if the surface bends away from the front; its cosine is their dot product.
-template <class S>
-double bend_angle(const Mesh<S>& mesh, int triangle, int edge) {
+template <class S> double bend_angle(const Mesh<S>& mesh, int triangle, int edge) {
   const int neighbour = mesh.neighbour(triangle, edge);
   assert(neighbour >= 0);
   const Vec3d here = mesh.normal(triangle).template cast<double>();
@@ -236,8 +232,7 @@ Mesh<double> build_mesh_with_flat_triangles(std::vector<Vec3d> vertices,
                report != nullptr ? *report : ignored);
 }
 
-template <class T>
-Mesh<T> mesh_cast(const Mesh<double>& mesh) {
+template <class T> Mesh<T> mesh_cast(const Mesh<double>& mesh) {
   Mesh<T> cast;
   cast.vertices = cast_each<Vec3<T>>(mesh.vertices);
   cast.triangles = mesh.triangles;
@@ -253,22 +248,19 @@ Mesh<T> mesh_cast(const Mesh<double>& mesh) {
   return cast;
 }
 
-template <class S>
-void update_surface(Mesh<S>& mesh) {
+template <class S> void update_surface(Mesh<S>& mesh) {
   for (int i = 0; i < mesh.triangle_count(); ++i) {
     at(mesh.normals, i) = normal_of(mesh, i).template cast<S>();
   }
   classify_edges(mesh);
 }
 
-template <class S>
-void refit(Mesh<S>& mesh) {
+template <class S> void refit(Mesh<S>& mesh) {
   update_surface(mesh);
   mesh.tree.refit(mesh.vertices, mesh.triangles);
 }
 
-template <class S>
-bool update_tree(Mesh<S>& mesh, TreeUpdate how, double& cost_when_built) {
+template <class S> bool update_tree(Mesh<S>& mesh, TreeUpdate how, double& cost_when_built) {
   if (how != TreeUpdate::Rebuild) {
     mesh.tree.refit(mesh.vertices, mesh.triangles);
     if (how == TreeUpdate::Refit) return false;

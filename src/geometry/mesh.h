@@ -35,8 +35,7 @@ inline constexpr double kFlatEdgeAngle = 0.017453292519943295;
 ///     edge 2  edge 1    v[(k + 1) % 3]; so does entry k of neighbours and edges.
 ///       /        |
 ///     v[0]-edge 0-v[1]
-template <class S>
-struct Mesh {
+template <class S> struct Mesh {
   std::vector<Vec3<S>> vertices;               // as given, unused ones included
   std::vector<std::array<int, 3>> triangles;   // vertex indices
   std::vector<std::array<int, 3>> neighbours;  // triangle across edge k. -1 on a boundary, where
@@ -82,17 +81,14 @@ Mesh<double> build_mesh(std::vector<Vec3d> vertices, std::vector<std::array<int,
 /// tree come from the rounded triangles, so that plane and corners agree. A triangle that rounding
 /// turns over keeps its old normal; one that loses its area gets a zero normal. Neighbours and edge
 /// classes are copied, so that a flat floor far from the origin stays flat.
-template <class T>
-Mesh<T> mesh_cast(const Mesh<double>& mesh);
+template <class T> Mesh<T> mesh_cast(const Mesh<double>& mesh);
 
 /// Updates a mesh after its vertices moved: normals (zero for triangles without area), edge classes
 /// and the boxes of the tree. Neighbours stay.
-template <class S>
-void refit(Mesh<S>& mesh);
+template <class S> void refit(Mesh<S>& mesh);
 
 /// The same without the tree.
-template <class S>
-void update_surface(Mesh<S>& mesh);
+template <class S> void update_surface(Mesh<S>& mesh);
 
 /// How to update the tree of a deformed mesh.
 enum class TreeUpdate : std::uint8_t {
@@ -104,14 +100,12 @@ inline constexpr double kWorstTreeCost = 1.3;
 
 /// Updates only the tree of a mesh after its vertices moved. `cost_when_built` is expected_cost()
 /// after the last build; a rebuild updates it. Returns true if the tree was rebuilt.
-template <class S>
-bool update_tree(Mesh<S>& mesh, TreeUpdate how, double& cost_when_built);
+template <class S> bool update_tree(Mesh<S>& mesh, TreeUpdate how, double& cost_when_built);
 
 /// Angle in radians between the normals of the two triangles at an edge that has a neighbour:
 /// positive if convex, 0 if flat, the same from either triangle. Up to pi + kFlatEdgeAngle for a
 /// sheet folded onto itself and slightly beyond; never near -pi.
-template <class S>
-double bend_angle(const Mesh<S>& mesh, int triangle, int edge);
+template <class S> double bend_angle(const Mesh<S>& mesh, int triangle, int edge);
 
 /// Unit normal of a triangle, to the side from which a, b, c run counter-clockwise, correct up to a
 /// few roundings of its edges at every aspect ratio. Zero for a triangle without area: its height
@@ -123,14 +117,12 @@ Vec3d triangle_normal(const Vec3d& a, const Vec3d& b, const Vec3d& c);
 // Triangles without area collide as segments and points. A mesh can get them by deformation or by
 // rounding to float.
 
-template <class S>
-bool has_area(const Mesh<S>& mesh, int triangle) {
+template <class S> bool has_area(const Mesh<S>& mesh, int triangle) {
   return !mesh.normal(triangle).isZero(S(0));
 }
 
 /// Index of the longest edge. For a triangle without area it is the whole triangle.
-template <class S>
-int longest_edge(const Mesh<S>& mesh, int triangle) {
+template <class S> int longest_edge(const Mesh<S>& mesh, int triangle) {
   const auto squared = [&](int k) {
     return Vec3<S>(mesh.corner(triangle, (k + 1) % 3) - mesh.corner(triangle, k)).squaredNorm();
   };

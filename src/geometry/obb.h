@@ -13,8 +13,7 @@ namespace contactscope {
 ///
 /// The axes are the columns of `axes`, orthonormal to 8 epsilon: no entry of A^T A - I is larger. A
 /// rotation matrix from a unit quaternion satisfies this.
-template <class S>
-struct Obb {
+template <class S> struct Obb {
   using Scalar = S;
 
   Vec3<S> center = Vec3<S>::Zero();
@@ -29,8 +28,7 @@ struct Obb {
   /// Cubic metres; 0 for an empty box.
   S volume() const { return empty() ? S(0) : S(8) * half_extents.prod(); }
 
-  template <class T>
-  Obb<T> cast() const {
+  template <class T> Obb<T> cast() const {
     return {center.template cast<T>(), axes.template cast<T>(), half_extents.template cast<T>()};
   }
 
@@ -39,8 +37,7 @@ struct Obb {
 
 /// Transforms a box from its own frame to the parent of `pose`. Centre and axes are rounded like
 /// the shape's vertices.
-template <class S>
-Obb<S> placed(const Obb<S>& box, const Pose<S>& pose) {
+template <class S> Obb<S> placed(const Obb<S>& box, const Pose<S>& pose) {
   const Mat3<S> rotation = pose.rotation.toRotationMatrix();
   Obb<S> result = box;
   result.center = pose.transform(box.center);
@@ -49,8 +46,7 @@ Obb<S> placed(const Obb<S>& box, const Pose<S>& pose) {
 }
 
 /// Closed ball around a shape, metres. Empty by default: a radius of -1. A radius of 0 is a point.
-template <class S>
-struct BoundingSphere {
+template <class S> struct BoundingSphere {
   using Scalar = S;
 
   Vec3<S> center = Vec3<S>::Zero();
@@ -64,8 +60,7 @@ struct BoundingSphere {
 
 /// Transforms a sphere from its own frame to the parent of `pose`. Its centre is rounded like the
 /// shape's vertices.
-template <class S>
-BoundingSphere<S> placed(const BoundingSphere<S>& sphere, const Pose<S>& pose) {
+template <class S> BoundingSphere<S> placed(const BoundingSphere<S>& sphere, const Pose<S>& pose) {
   return {pose.transform(sphere.center), sphere.radius};
 }
 

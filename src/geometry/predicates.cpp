@@ -47,8 +47,7 @@ Exact two_product(double a, double b, const Exact& halves) {
 
 /// A number as an exact sum of terms. They do not overlap, ascend in magnitude and are never 0, so
 /// the last term has the sign of the sum.
-template <int kMax>
-struct Expansion {
+template <int kMax> struct Expansion {
   std::array<double, static_cast<std::size_t>(kMax)> terms;  // only the first `count` are set
   int count = 0;
 
@@ -98,8 +97,7 @@ Expansion<kA + kB> sum(const Expansion<kA>& a, const Expansion<kB>& b, double si
 }
 
 /// SCALE-EXPANSION without zeros.
-template <int kA>
-Expansion<2 * kA> scaled(const Expansion<kA>& a, double factor) {
+template <int kA> Expansion<2 * kA> scaled(const Expansion<kA>& a, double factor) {
   Expansion<2 * kA> result;
   if (a.count == 0 || factor == 0) return result;
   const Exact halves = split(factor);
@@ -119,8 +117,7 @@ Expansion<2 * kA> scaled(const Expansion<kA>& a, double factor) {
 }
 
 /// a times a difference of two doubles.
-template <int kA>
-Expansion<4 * kA> product(const Expansion<kA>& a, const Expansion<2>& b) {
+template <int kA> Expansion<4 * kA> product(const Expansion<kA>& a, const Expansion<2>& b) {
   Expansion<2 * kA> low, high;
   if (b.count > 0) low = scaled(a, b[0]);
   if (b.count > 1) high = scaled(a, b[1]);
@@ -138,8 +135,7 @@ Expansion<16> minor(const Expansion<2>& a, const Expansion<2>& b, const Expansio
 __extension__ using Wide = __int128;
 
 /// Numbers as integer multiples of 1 / `scale`.
-template <std::size_t kCount>
-struct Grid {
+template <std::size_t kCount> struct Grid {
   std::array<std::int64_t, kCount> numbers;
   double scale;
 };

@@ -35,9 +35,7 @@ inline constexpr double kOrient3dError = 4 * kUnit;
 double exact_orient2d(const Vec3d& a, const Vec3d& b, const Vec3d& c, int axis);
 double exact_orient3d(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d);
 
-inline int sign_of(double value) {
-  return (value > 0) - (value < 0);
-}
+inline int sign_of(double value) { return (value > 0) - (value < 0); }
 
 /// Result of a filter.
 struct Filtered {

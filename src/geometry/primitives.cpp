@@ -55,9 +55,7 @@ void require_cells(int cells_x, int cells_z) {
 }
 
 /// Line i of `cells` + 1 as a fraction of the side: -1/2 to 1/2, symmetric, exact at both ends.
-double part(int i, int cells) {
-  return (2.0 * i - cells) / (2.0 * cells);
-}
+double part(int i, int cells) { return (2.0 * i - cells) / (2.0 * cells); }
 
 /// Sets the exactly known centroid and radius of a hull, instead of the rounded ones.
 Hull<double> centred(Hull<double> hull, const Vec3d& centroid, double radius) {

@@ -11,23 +11,16 @@ namespace {
 constexpr double kFarthestMiddle = 4;
 
 /// Spheres are centred at the origin, and planes have no size.
-template <class Other>
-Vec3d origin_for(const Other&) {
-  return Vec3d::Zero();
-}
+template <class Other> Vec3d origin_for(const Other&) { return Vec3d::Zero(); }
 Vec3d origin_for(const Capsule<double>& capsule) {
   return middle_where_far(box_around(capsule.points), capsule.radius);
 }
 Vec3d origin_for(const Hull<double>& hull) {
   return middle_where_far(box_around(hull.vertices), 0);
 }
-Vec3d origin_for(const Mesh<double>& mesh) {
-  return middle_where_far(mesh.tree.bounds(), 0);
-}
+Vec3d origin_for(const Mesh<double>& mesh) { return middle_where_far(mesh.tree.bounds(), 0); }
 
-Vec3d origin_for(const Field<double>& field) {
-  return moved_origin(field.source->shape);
-}
+Vec3d origin_for(const Field<double>& field) { return moved_origin(field.source->shape); }
 
 std::shared_ptr<const FieldSource<double>> source_of(Shape<double> shape) {
   return std::make_shared<const FieldSource<double>>(FieldSource<double>{std::move(shape)});
@@ -60,13 +53,9 @@ void move(Field<double>& field, const Vec3d& origin) {
   field.source = source_of(seen_from(field.source->shape, origin));
 }
 
-void scale(Sphere<double>& sphere, double factor) {
-  sphere.radius *= factor;
-}
+void scale(Sphere<double>& sphere, double factor) { sphere.radius *= factor; }
 
-void scale(HalfSpace<double>& half_space, double factor) {
-  half_space.plane.offset *= factor;
-}
+void scale(HalfSpace<double>& half_space, double factor) { half_space.plane.offset *= factor; }
 
 void scale(Capsule<double>& capsule, double factor) {
   for (Vec3d& point : capsule.points) point *= factor;
@@ -107,8 +96,7 @@ Vec3d middle_where_far(const Aabb<double>& box, double margin) {
   return origin;
 }
 
-template <class T>
-Shape<T> shape_cast(const Shape<double>& shape) {
+template <class T> Shape<T> shape_cast(const Shape<double>& shape) {
   if (const auto* sphere = std::get_if<Sphere<double>>(&shape))
     return Sphere<T>{static_cast<T>(sphere->radius)};
   if (const auto* capsule = std::get_if<Capsule<double>>(&shape))

@@ -11,34 +11,27 @@
 namespace contactscope {
 
 /// A ball centred on the origin of its own frame.
-template <class S>
-struct Sphere {
+template <class S> struct Sphere {
   S radius = 0;  // metres, > 0
 };
 
 /// All points within `radius` of a segment. A segment of length zero makes a ball.
-template <class S>
-struct Capsule {
+template <class S> struct Capsule {
   std::array<Vec3<S>, 2> points;  // ends of the segment, own frame, metres
   S radius = 0;                   // metres, > 0
 };
 
 /// Everything below a plane: the points x with normal . x <= offset, own frame. Scenarios and
 /// engines call it "plane".
-template <class S>
-struct HalfSpace {
-  Plane<S> plane;
-};
+template <class S> struct HalfSpace { Plane<S> plane; };
 
 class DistanceField;  // src/field
-template <class S>
-struct FieldSource;
+template <class S> struct FieldSource;
 
 /// A solid given by a lattice of signed distances (field/distance_field.h) and the shape it was
 /// built from, in one frame. Scenarios call it "sdf". Bounds, mass and pictures use the source
 /// shape.
-template <class S>
-struct Field {
+template <class S> struct Field {
   std::shared_ptr<const DistanceField> values;   // unit: a cell
   Vec3d origin = Vec3d::Zero();                  // origin of the lattice, own frame, metres
   double cell = 1;                               // edge length, metres
@@ -51,14 +44,10 @@ template <class S>
 using Shape = std::variant<Sphere<S>, Capsule<S>, Hull<S>, HalfSpace<S>, Mesh<S>, Field<S>>;
 
 /// The shape that a field was built from: a sphere, a capsule, a hull or a mesh.
-template <class S>
-struct FieldSource {
-  Shape<S> shape;
-};
+template <class S> struct FieldSource { Shape<S> shape; };
 
 /// The source shape of a field; any other shape is returned unchanged.
-template <class S>
-const Shape<S>& made_of(const Shape<S>& shape) {
+template <class S> const Shape<S>& made_of(const Shape<S>& shape) {
   const auto* field = std::get_if<Field<S>>(&shape);
   return field == nullptr ? shape : field->source->shape;
 }
@@ -67,15 +56,12 @@ const Shape<S>& made_of(const Shape<S>& shape) {
 enum class ShapeKind { Sphere, Capsule, Hull, Plane, Mesh, Field };
 inline constexpr int kShapeKinds = 6;
 
-template <class S>
-ShapeKind kind_of(const Shape<S>& shape) {
+template <class S> ShapeKind kind_of(const Shape<S>& shape) {
   return static_cast<ShapeKind>(shape.index());
 }
 
 /// True for shapes with a support function: spheres, capsules and hulls.
-constexpr bool is_convex(ShapeKind kind) {
-  return kind <= ShapeKind::Hull;
-}
+constexpr bool is_convex(ShapeKind kind) { return kind <= ShapeKind::Hull; }
 
 /// Names of single shapes; a pair is called "sphere-hull".
 constexpr const char* to_string(ShapeKind kind) {
@@ -84,8 +70,7 @@ constexpr const char* to_string(ShapeKind kind) {
 }
 
 /// The same shape in another scalar type. Every coordinate is rounded once.
-template <class T>
-Shape<T> shape_cast(const Shape<double>& shape);
+template <class T> Shape<T> shape_cast(const Shape<double>& shape);
 
 /// New origin for a shape whose vertices are far from its own origin, as in level geometry; zero if
 /// the shape can stay as it is. Far from the origin, single precision loses the digits of the shape

@@ -16,8 +16,7 @@ namespace contactscope {
 ///
 /// Its frame has the mesh's axes and its origin at the triangle's corner 0, so coordinates stay
 /// small however large the mesh is.
-template <class S>
-struct TriangleHull {
+template <class S> struct TriangleHull {
   //        v2          half-edges of the front: 0 from v0 to v1, 2 from v1 to v2, 4 from v2 to v0;
   //       /  |         their twins 1, 3, 5 bound the back
   //      4   2

@@ -103,8 +103,6 @@ class BodiesWatch final : public Watch {
 
 }  // namespace
 
-std::unique_ptr<Watch> watch_bodies_over_time() {
-  return std::make_unique<BodiesWatch>();
-}
+std::unique_ptr<Watch> watch_bodies_over_time() { return std::make_unique<BodiesWatch>(); }
 
 }  // namespace contactscope::lint

@@ -278,8 +278,6 @@ class ContactsWatch final : public Watch {
 
 }  // namespace
 
-std::unique_ptr<Watch> watch_contacts_over_time() {
-  return std::make_unique<ContactsWatch>();
-}
+std::unique_ptr<Watch> watch_contacts_over_time() { return std::make_unique<ContactsWatch>(); }
 
 }  // namespace contactscope::lint

@@ -102,8 +102,6 @@ class FrictionWatch final : public Watch {
 
 }  // namespace
 
-std::unique_ptr<Watch> watch_friction() {
-  return std::make_unique<FrictionWatch>();
-}
+std::unique_ptr<Watch> watch_friction() { return std::make_unique<FrictionWatch>(); }
 
 }  // namespace contactscope::lint

@@ -130,8 +130,6 @@ class IdsWatch final : public Watch {
 
 }  // namespace
 
-std::unique_ptr<Watch> watch_ids() {
-  return std::make_unique<IdsWatch>();
-}
+std::unique_ptr<Watch> watch_ids() { return std::make_unique<IdsWatch>(); }
 
 }  // namespace contactscope::lint

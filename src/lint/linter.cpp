@@ -122,9 +122,7 @@ void Linter::frame(trace::Frame frame) {
   look_at(kept);
 }
 
-void Linter::shapes(const std::vector<trace::Shape>& added) {
-  state_->add(added);
-}
+void Linter::shapes(const std::vector<trace::Shape>& added) { state_->add(added); }
 
 void Linter::look_at(const trace::Frame& frame) {
   shapes(frame.shapes);

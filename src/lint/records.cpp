@@ -58,8 +58,6 @@ class RecordsWatch final : public Watch {
 
 }  // namespace
 
-std::unique_ptr<Watch> watch_records() {
-  return std::make_unique<RecordsWatch>();
-}
+std::unique_ptr<Watch> watch_records() { return std::make_unique<RecordsWatch>(); }
 
 }  // namespace contactscope::lint

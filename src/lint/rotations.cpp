@@ -41,8 +41,6 @@ class RotationsWatch final : public Watch {
 
 }  // namespace
 
-std::unique_ptr<Watch> watch_rotations() {
-  return std::make_unique<RotationsWatch>();
-}
+std::unique_ptr<Watch> watch_rotations() { return std::make_unique<RotationsWatch>(); }
 
 }  // namespace contactscope::lint

@@ -11,8 +11,7 @@
 namespace contactscope::lint {
 
 /// An evenly spaced subset of a sequence of any length: up to kMax, and at least half as many.
-template <class T, std::size_t kMax>
-class Thinned {
+template <class T, std::size_t kMax> class Thinned {
  public:
   void add(T one) {
     if (count_++ % every_ != 0) return;
@@ -38,8 +37,7 @@ struct Tally {
   Marks marks{};
 
   /// Adds an occurrence; `said` and `is` are only built for the first.
-  template <class Words>
-  void wrong_at(Mark mark, const Moments& frames, const Words& words) {
+  template <class Words> void wrong_at(Mark mark, const Moments& frames, const Words& words) {
     if (frames.options != nullptr && frames.options->ignores(cause, mark.a, mark.b)) return;
     if (count++ == 0) {
       const auto [said, is] = words();

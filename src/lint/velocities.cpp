@@ -44,8 +44,7 @@ constexpr Other kSpins[] = {
 };
 
 /// Compares reported velocities with displacements, and finds a common cause of most differences.
-template <std::size_t Count>
-class Readings {
+template <std::size_t Count> class Readings {
  public:
   Readings(const Other (&others)[Count], const char* name, const char* unit)
       : others_(others), name_(name), unit_(unit) {}
@@ -132,8 +131,6 @@ class VelocitiesWatch final : public Watch {
 
 }  // namespace
 
-std::unique_ptr<Watch> watch_velocities() {
-  return std::make_unique<VelocitiesWatch>();
-}
+std::unique_ptr<Watch> watch_velocities() { return std::make_unique<VelocitiesWatch>(); }
 
 }  // namespace contactscope::lint

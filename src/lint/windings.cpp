@@ -57,8 +57,6 @@ class WindingsWatch final : public Watch {
 
 }  // namespace
 
-std::unique_ptr<Watch> watch_windings() {
-  return std::make_unique<WindingsWatch>();
-}
+std::unique_ptr<Watch> watch_windings() { return std::make_unique<WindingsWatch>(); }
 
 }  // namespace contactscope::lint

@@ -46,9 +46,7 @@ constexpr const char* kNoTouch =
     "of two shapes without a radius GJK says that they meet, touching or not; ask \"sat\" or "
     "\"contacts\"";
 
-bool is_bound(QueryMethod method) {
-  return method <= QueryMethod::BoundingSphere;
-}
+bool is_bound(QueryMethod method) { return method <= QueryMethod::BoundingSphere; }
 
 /// Why a method does not support two shapes of these kinds; null if it does. `one` comes before
 /// `other` in the table.

@@ -8,8 +8,7 @@ namespace {
 
 /// Sutherland and Hodgman assume a convex polygon. Rounding of a face with almost straight corners
 /// can break that; then a plane may add more than one corner.
-template <class S>
-void append(ClipPolygon<S>& polygon, const ClipVertex<S>& vertex) {
+template <class S> void append(ClipPolygon<S>& polygon, const ClipVertex<S>& vertex) {
   if (polygon.size() < polygon.capacity()) polygon.push_back(vertex);
 }
 

@@ -36,8 +36,7 @@ struct Crossing {
 };
 
 /// Corner of the clipped polygon, in A's frame, metres.
-template <class S>
-struct ClipVertex {
+template <class S> struct ClipVertex {
   Vec3<S> position;
   EdgeKey leaving;    // the polygon's edge that starts here
   Crossing crossing;  // origin of this corner; later clips do not change it
@@ -45,12 +44,10 @@ struct ClipVertex {
 
 /// Counter-clockwise seen from outside its face. A reference face adds at most one corner per side,
 /// so the two faces together bound the size.
-template <class S>
-using ClipPolygon = StaticVector<ClipVertex<S>, kMaxManifoldPoints>;
+template <class S> using ClipPolygon = StaticVector<ClipVertex<S>, kMaxManifoldPoints>;
 
 /// A face of one of two hulls that are clipped, for the record: its outward normal in A's frame.
-template <class S>
-struct ClipFace {
+template <class S> struct ClipFace {
   int face;
   Vec3<S> normal;
   const ClipPolygon<S>& polygon;

@@ -12,8 +12,7 @@ namespace contactscope {
 namespace {
 
 /// Index of the farthest vertex, or most parallel normal, along a direction.
-template <class S>
-int farthest(const VectorLanes<S>& vectors, const Vec3<S>& direction) {
+template <class S> int farthest(const VectorLanes<S>& vectors, const Vec3<S>& direction) {
   int best = 0;
   S most = -std::numeric_limits<S>::infinity();
   for (int i = 0; i < vectors.count(); ++i) {
@@ -23,16 +22,14 @@ int farthest(const VectorLanes<S>& vectors, const Vec3<S>& direction) {
   return best;
 }
 
-template <class S>
-S measured_separation(const HullPair<S>& pair, const Vec3<S>& normal) {
+template <class S> S measured_separation(const HullPair<S>& pair, const Vec3<S>& normal) {
   const Vec3<S> on_a = pair.a.vertices[farthest(pair.a.vertices, normal)];
   const Vec3<S> on_b = pair.b.vertices[farthest(pair.b.vertices, Vec3<S>(-normal))];
   return normal.dot(Vec3<S>(on_b - on_a));
 }
 
 /// The pair of edges at the two support vertices whose cross product is nearest to the normal.
-template <class S>
-EdgeQuery<S> nearest_edge_pair(const HullPair<S>& pair, const Vec3<S>& normal) {
+template <class S> EdgeQuery<S> nearest_edge_pair(const HullPair<S>& pair, const Vec3<S>& normal) {
   const int vertex_a = farthest(pair.a.vertices, normal);
   const int vertex_b = farthest(pair.b.vertices, Vec3<S>(-normal));
   EdgeQuery<S> best;

@@ -13,16 +13,13 @@ namespace {
 /// times the sum of the radii. Two points then represent a contact as long as the stretch. If the
 /// axes cross in its middle, the surfaces at its ends are farther from each other than in the
 /// middle by at most 0.05^2 / 2 of the radii, which is below any slop.
-template <class S>
-inline constexpr S kNearlyParallel = S(0.1);
+template <class S> inline constexpr S kNearlyParallel = S(0.1);
 
 /// Two points closer than this times the sum of the radii are merged.
-template <class S>
-inline constexpr S kShortStretch = S(0.01);
+template <class S> inline constexpr S kShortStretch = S(0.01);
 
 /// An axis in A's frame, metres.
-template <class S>
-struct Axis {
+template <class S> struct Axis {
   Vec3<S> points[2];
   Vec3<S> along;  // from the first to the second
   S length;
@@ -31,23 +28,20 @@ struct Axis {
   Vec3<S> unit() const { return along / length; }
 };
 
-template <class S>
-Axis<S> axis_in_own_frame(const Capsule<S>& capsule) {
+template <class S> Axis<S> axis_in_own_frame(const Capsule<S>& capsule) {
   const Vec3<S> along = capsule.points[1] - capsule.points[0];
   return {{capsule.points[0], capsule.points[1]}, along, along.norm()};
 }
 
 /// Rotates the direction separately: it does not lose the digits that the ends lose far from A.
-template <class S>
-Axis<S> placed(const Axis<S>& axis, const Pose<S>& pose) {
+template <class S> Axis<S> placed(const Axis<S>& axis, const Pose<S>& pose) {
   return {{pose.transform(axis.points[0]), pose.transform(axis.points[1])},
           pose.rotate(axis.along),
           axis.length};
 }
 
 /// The common stretch of the two axes, along A's.
-template <class S>
-struct Stretch {
+template <class S> struct Stretch {
   S from_b = 0, to_b = 0;  // B's ends along A's axis, metres from A's first
   S length = 0;            // negative if they do not overlap
   /// Limit for the angle between nearly parallel axes.
@@ -55,8 +49,7 @@ struct Stretch {
 };
 
 /// Two axes and their relative position.
-template <class S>
-struct AxisPair {
+template <class S> struct AxisPair {
   AxisPair(const Axis<S>& one, const Axis<S>& other, S sum_of_radii)
       : a(one), b(other), radii(sum_of_radii), cross(a.along.cross(b.along)), sine(0) {
     const S lengths = a.length * b.length;
@@ -92,8 +85,7 @@ struct AxisPair {
 
 /// Removes the parts along the axes. For the cross product of nearly parallel axes they are
 /// rounding divided by the sine, and would appear as depth at the ends of the axes.
-template <class S>
-Vec3<S> perpendicular_to(const AxisPair<S>& axes, const Vec3<S>& direction) {
+template <class S> Vec3<S> perpendicular_to(const AxisPair<S>& axes, const Vec3<S>& direction) {
   const Vec3<S> to_a = axes.a.has_length() ? rejected(direction, axes.a.unit()) : direction;
   return safe_unit(axes.b.has_length() ? rejected(to_a, axes.b.unit()) : to_a);
 }
@@ -129,8 +121,7 @@ Vec3<S> normal_between(const AxisPair<S>& axes, const ClosestOfSegments<S>& clos
   return between.normalized();
 }
 
-template <class S>
-const char* degenerate_name(const AxisPair<S>& axes, const Stretch<S>& stretch) {
+template <class S> const char* degenerate_name(const AxisPair<S>& axes, const Stretch<S>& stretch) {
   if (!axes.a.has_length() && !axes.b.has_length()) return "coincident centres";
   if (!axes.a.has_length() || !axes.b.has_length()) return "centre on the axis";
   return axes.sine < stretch.largest_sine ? "overlapping axes" : "crossing axes";
@@ -138,8 +129,7 @@ const char* degenerate_name(const AxisPair<S>& axes, const Stretch<S>& stretch) 
 
 /// Up to this sine the direction of the axes' cross product is not trusted. A direction that leans
 /// along an axis by no more is still perpendicular to it within rounding.
-template <class S>
-inline constexpr S kUnsureSine = S(4) * kParallelSine<S>;
+template <class S> inline constexpr S kUnsureSine = S(4) * kParallelSine<S>;
 
 /// For axes that meet: their cross product, as for slightly separated axes; no other direction is
 /// perpendicular to both. For parallel axes it is only rounding, so a direction fixed to a body is

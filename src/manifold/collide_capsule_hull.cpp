@@ -11,31 +11,27 @@ namespace contactscope {
 namespace {
 
 /// A point of the segment that makes a contact point, in the hull's frame.
-template <class S>
-struct CorePoint {
+template <class S> struct CorePoint {
   S parameter;
   S distance;  // from the hull along the normal, negative in overlap
   FeatureId id;
 };
 
 /// One or two points, the deepest first up to rounding.
-template <class S>
-struct CorePoints {
+template <class S> struct CorePoints {
   StaticVector<CorePoint<S>, 2> points;
   ContactType type;
 };
 
 /// The point of a segment at a parameter, from its nearer end, which is exact.
-template <class S, class Ends>
-Vec3<S> segment_point(const Ends& ends, S parameter) {
+template <class S, class Ends> Vec3<S> segment_point(const Ends& ends, S parameter) {
   const Vec3<S> along = ends[1] - ends[0];
   if (parameter <= S(0.5)) return ends[0] + parameter * along;
   return ends[1] - (S(1) - parameter) * along;
 }
 
 /// The segment and the hull that it touches.
-template <class S>
-struct TouchingPair {
+template <class S> struct TouchingPair {
   const Hull<S>& hull;
   const Vec3<S> (&ends)[2];
   Vec3<S> along;
@@ -50,8 +46,7 @@ struct TouchingPair {
 
 /// Two points closer than this times the capsule's radius are merged, even on a face so large that
 /// rounding at its corners is more: the segment's ends are exact.
-template <class S>
-constexpr S kOnePoint = S(0.01);
+template <class S> constexpr S kOnePoint = S(0.01);
 
 template <class S>
 CorePoint<S> face_point(const TouchingPair<S>& pair, const ClippedSegment<S>& clipped, int face,
@@ -63,8 +58,7 @@ CorePoint<S> face_point(const TouchingPair<S>& pair, const ClippedSegment<S>& cl
 }
 
 /// The deeper one first; if equal up to rounding, the one nearer to the capsule's first end.
-template <class S>
-void in_order(CorePoint<S>& first, CorePoint<S>& second, S scale) {
+template <class S> void in_order(CorePoint<S>& first, CorePoint<S>& second, S scale) {
   if (second.distance < first.distance - tie_tolerance(scale)) std::swap(first, second);
 }
 
@@ -95,8 +89,7 @@ void for_each_edge(const Hull<S>& hull, const HullFeature& feature, const Visit&
 }
 
 /// The face at an edge or a vertex that is nearly aligned with the normal; -1 if there is none.
-template <class S>
-int face_along(const Hull<S>& hull, const CapsuleTouch<S>& touch) {
+template <class S> int face_along(const Hull<S>& hull, const CapsuleTouch<S>& touch) {
   int best = -1;
   S most = S(0);
   for_each_edge(hull, touch.feature, [&](int edge) {
@@ -114,8 +107,7 @@ int face_along(const Hull<S>& hull, const CapsuleTouch<S>& touch) {
 }
 
 /// The edge (or edge at a vertex) that is nearly parallel to the segment; -1 if there is none.
-template <class S>
-int edge_along(const TouchingPair<S>& pair, const CapsuleTouch<S>& touch) {
+template <class S> int edge_along(const TouchingPair<S>& pair, const CapsuleTouch<S>& touch) {
   int best = -1;
   S least = kNearlyParallelSine<S> * kNearlyParallelSine<S>;
   for_each_edge(pair.hull, touch.feature, [&](int edge) {
@@ -210,8 +202,7 @@ CorePoints<S> points_on_edge_or_vertex(const TouchingPair<S>& pair, const Capsul
 }
 
 /// The axis is a face's if two points are on it, or if the segment itself overlaps.
-template <class S>
-AxisKind axis_of(const CapsuleTouch<S>& touch, const CorePoints<S>& core) {
+template <class S> AxisKind axis_of(const CapsuleTouch<S>& touch, const CorePoints<S>& core) {
   if (touch.kind == CapsuleTouchKind::Face) {
     if (core.points.size() == 2 || touch.distance <= S(0)) return AxisKind::FaceB;
     return AxisKind::ClosestPoints;
@@ -221,8 +212,7 @@ AxisKind axis_of(const CapsuleTouch<S>& touch, const CorePoints<S>& core) {
 }
 
 /// To the hull; midway between two edges that have passed each other (talk, "Deep Contact").
-template <class S>
-S distance_to_hull(const CapsuleTouch<S>& touch, const CorePoint<S>& point) {
+template <class S> S distance_to_hull(const CapsuleTouch<S>& touch, const CorePoint<S>& point) {
   const bool midway = touch.kind == CapsuleTouchKind::EdgePair && touch.distance < S(0) &&
                       point.distance <= touch.distance;
   return midway ? S(0.5) * point.distance : point.distance;

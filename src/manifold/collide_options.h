@@ -39,8 +39,7 @@ struct CollideOptions {
   ReduceOptions reduction{};             // `previous` in the order of the arguments, like results
 
   /// `reduction` for points computed from coordinates up to `scale`, metres (ReduceOptions::scale).
-  template <class S>
-  ReduceOptions reduction_at(S scale) const {
+  template <class S> ReduceOptions reduction_at(S scale) const {
     ReduceOptions scaled = reduction;
     scaled.scale = static_cast<double>(scale);
     return scaled;

@@ -15,8 +15,7 @@ namespace contactscope {
 
 /// Moves a point with one store of all four numbers. A copy reads them as one and would wait for
 /// four separate stores.
-template <class S>
-void move(ContactPoint<S>& point, const Vec3<S>& to) {
+template <class S> void move(ContactPoint<S>& point, const Vec3<S>& to) {
   const typename lanes::Vector<S, 4>::Type four = {to.x(), to.y(), to.z(), point.separation};
   std::memcpy(static_cast<void*>(&point), &four, sizeof four);
 }
@@ -48,8 +47,7 @@ void finish_contact(const ToWorld<S>& to_world, const CollideOptions& options, C
 
 /// Collects the contacts of one pair and finishes each as its own manifold: one for convex shapes,
 /// one per triangle for meshes.
-template <class S>
-struct ContactSink {
+template <class S> struct ContactSink {
   ToWorld<S> to_world;
   const CollideOptions& options;
   std::vector<Manifold<S>>& manifolds;

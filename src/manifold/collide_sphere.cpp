@@ -17,8 +17,7 @@ namespace {
 
 /// How far rounding can move the centre off the axis, metres: the centre was turned into the
 /// capsule's frame, and points on an axis that is oblique there are rounded across it.
-template <class S>
-S rounding_across(const Vec3<S>& center, const Capsule<S>& capsule) {
+template <class S> S rounding_across(const Vec3<S>& center, const Capsule<S>& capsule) {
   const Vec3<S> along = capsule.points[1] - capsule.points[0];
   const Vec3<S> unit = safe_unit(along);
   const Vec3<S> squares = unit.cwiseAbs2();
@@ -88,22 +87,19 @@ S collide_sphere_sphere(const Sphere<S>& a, const Sphere<S>& b, const Pose<S>& b
 namespace {
 
 /// The closest feature of the hull to the centre, in the hull's frame.
-template <class S>
-struct Touch {
+template <class S> struct Touch {
   HullFeature feature;
   S distance;      // of the centre from the feature, negative inside
   Vec3<S> normal;  // unit, from the hull outward
 };
 
-template <class S>
-Touch<S> touch_face(const Hull<S>& hull, int face, S distance) {
+template <class S> Touch<S> touch_face(const Hull<S>& hull, int face, S distance) {
   return {{FeatureKind::Face, face}, distance, at(hull.planes, face).normal};
 }
 
 /// Perpendicular vector from an edge to a point outside, computed from the nearer vertex: its
 /// rounding is then relative to the vector, not to the coordinates.
-template <class S>
-Vec3<S> from_edge(const Hull<S>& hull, int half_edge, const Vec3<S>& point) {
+template <class S> Vec3<S> from_edge(const Hull<S>& hull, int half_edge, const Vec3<S>& point) {
   const Vec3<S> from_origin = point - hull.origin(half_edge);
   const Vec3<S> from_target = point - hull.target(half_edge);
   const Vec3<S> along = hull.target(half_edge) - hull.origin(half_edge);

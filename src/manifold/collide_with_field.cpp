@@ -27,8 +27,7 @@ struct Pieces {
   double radius = 0;
 };
 
-template <class S>
-class PieceMaker {
+template <class S> class PieceMaker {
  public:
   /// `near`: the part of a mesh to use, in the mesh's frame.
   PieceMaker(const Pose<double>& in_field, const Aabb<S>& near)
@@ -95,9 +94,7 @@ class PieceMaker {
   Pieces made_;
 };
 
-Pose<double> inverse(const Pose<double>& pose) {
-  return relative_pose(pose, Pose<double>{});
-}
+Pose<double> inverse(const Pose<double>& pose) { return relative_pose(pose, Pose<double>{}); }
 
 /// The surface's box in metres, grown by `around`, in the frame that the field is placed in.
 template <class S>

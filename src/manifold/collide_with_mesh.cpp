@@ -20,14 +20,12 @@ namespace {
 constexpr auto kNoneIsClear = [](int) { return false; };
 
 /// The triangle's closest point to the centre and its feature. Triangle's frame.
-template <class S>
-struct Closest {
+template <class S> struct Closest {
   FeatureRef feature;
   Vec3<S> outward = Vec3<S>::Zero();  // from the point to the centre, metres
 };
 
-template <class S>
-Closest<S> closest_on_outline(const Hull<S>& triangle, const Vec3<S>& center) {
+template <class S> Closest<S> closest_on_outline(const Hull<S>& triangle, const Vec3<S>& center) {
   Closest<S> best;
   S least = std::numeric_limits<S>::infinity();
   for (int edge = 0; edge < 3; ++edge) {
@@ -55,8 +53,7 @@ void add_point(const Vec3<S>& normal, S distance, S radius, const FeatureRef& fe
 
 /// A segment nearer to the triangle's plane than this fraction of the triangle's radius is in the
 /// plane. The separating axis test's axes all lead out of the plane and are then of little use.
-template <class S>
-constexpr S kInPlane = S(1e-3);
+template <class S> constexpr S kInPlane = S(1e-3);
 
 /// A segment in the triangle's plane against the triangle's outline, in the triangle's frame. No
 /// part is above or below the triangle, so the closest points are exactly on the outline. Empty if
@@ -93,8 +90,7 @@ std::optional<CapsuleTouch<S>> next_to_in_plane(const Hull<S>& triangle, const V
 }
 
 /// The hull in the mesh's frame: the box of its vertices.
-template <class S>
-SeenFromMesh<S> seen_from_mesh(const Hull<S>& hull, const Pose<S>& b_in_a) {
+template <class S> SeenFromMesh<S> seen_from_mesh(const Hull<S>& hull, const Pose<S>& b_in_a) {
   const Mat3<S> to_mesh = b_in_a.rotation.toRotationMatrix().transpose();
   SeenFromMesh<S> seen;
   for (const Vec3<S>& vertex : hull.vertices)
@@ -105,13 +101,11 @@ SeenFromMesh<S> seen_from_mesh(const Hull<S>& hull, const Pose<S>& b_in_a) {
 
 /// A triangle lower than this fraction of its longest edge is a sliver: a small displacement of a
 /// corner turns its normal by a large angle.
-template <class S>
-constexpr S kSliver = S(0.01);
+template <class S> constexpr S kSliver = S(0.01);
 
 /// The face that wins when both are nearly as deep: the surface's, because the hull's normal would
 /// turn with a small tilt on a large triangle. But a sliver's normal says little about the surface.
-template <class S>
-Owner preferred_face(const Mesh<S>& mesh, int triangle) {
+template <class S> Owner preferred_face(const Mesh<S>& mesh, int triangle) {
   const Vec3<S> first = mesh.corner(triangle, 1) - mesh.corner(triangle, 0);
   const Vec3<S> second = mesh.corner(triangle, 2) - mesh.corner(triangle, 1);
   const Vec3<S> third = mesh.corner(triangle, 0) - mesh.corner(triangle, 2);

@@ -19,12 +19,10 @@ namespace {
 /// Shapes whose ends differ in height by less than this fraction of their size are level. This
 /// equals the preference of the separating axis test: 0.2%, a tenth of a degree. It does not depend
 /// on the depth: the lowest feature does not change as it sinks.
-template <class S>
-constexpr S kLevel = S(0.002);
+template <class S> constexpr S kLevel = S(0.002);
 
 /// The boundary of `half_space` in A's frame.
-template <class S>
-Plane<S> plane_in_a(const HalfSpace<S>& half_space, const Pose<S>& b_in_a) {
+template <class S> Plane<S> plane_in_a(const HalfSpace<S>& half_space, const Pose<S>& b_in_a) {
   const Vec3<S> normal = b_in_a.rotate(half_space.plane.normal);
   return {normal, half_space.plane.offset + normal.dot(b_in_a.position)};
 }
@@ -45,8 +43,7 @@ ContactPoint<S> plane_point(const Plane<S>& plane, const Vec3<S>& core, S height
   return {core - height * plane.normal, height - radius, id};
 }
 
-template <class S>
-bool is_deeper(const ContactPoint<S>& one, const ContactPoint<S>& other) {
+template <class S> bool is_deeper(const ContactPoint<S>& one, const ContactPoint<S>& other) {
   return one.separation < other.separation;
 }
 

@@ -14,8 +14,7 @@ namespace contactscope {
 
 /// A triangle without an area: the segment between its two farthest corners, as a capsule of radius
 /// 0. A point is a segment of length zero.
-template <class S>
-struct FlatTriangle {
+template <class S> struct FlatTriangle {
   FlatTriangle(const Mesh<S>& mesh, int triangle, const Pose<S>& mesh_in_a)
       : edge(longest_edge(mesh, triangle)) {
     const Vec3<S>& from = mesh.corner(triangle, edge);
@@ -63,23 +62,20 @@ S collide_flat_triangle(const A& a, const Mesh<S>& mesh, int triangle, const Pos
 }
 
 /// A convex shape in the mesh's frame, metres.
-template <class S>
-struct SeenFromMesh {
+template <class S> struct SeenFromMesh {
   Aabb<S> box;
   Vec3<S> center;  // a point inside
   S radius = 0;    // of a round shape: distance of the surface from the core
 };
 
 /// Upper bound of the shape's coordinates in either frame, for rounding.
-template <class S>
-S reach_of(const SeenFromMesh<S>& shape, const Pose<S>& b_in_a) {
+template <class S> S reach_of(const SeenFromMesh<S>& shape, const Pose<S>& b_in_a) {
   return shape.box.lower.cwiseAbs().cwiseMax(shape.box.upper.cwiseAbs()).maxCoeff() +
          b_in_a.position.norm();
 }
 
 /// One triangle; on demand, the triangle as a flat hull and its pose in A's frame.
-template <class S>
-class PlacedTriangle {
+template <class S> class PlacedTriangle {
  public:
   /// All arguments must outlive this. `hull` is created, or set to this triangle, on demand.
   PlacedTriangle(const Mesh<S>& mesh, int triangle, const Pose<S>& mesh_in_a,
@@ -114,8 +110,7 @@ class PlacedTriangle {
 };
 
 /// The corner or the edge of a triangle hull at a parameter of that edge.
-template <class S>
-FeatureRef outline_feature(int edge, S parameter) {
+template <class S> FeatureRef outline_feature(int edge, S parameter) {
   if (parameter <= S(0)) return vertex_ref(Owner::B, edge);
   return parameter >= S(1) ? vertex_ref(Owner::B, (edge + 1) % 3) : edge_ref(Owner::B, edge);
 }
@@ -130,8 +125,7 @@ void remove_points(Contact<S>& contact, const Predicate& predicate) {
 }
 
 /// Points that are nearer to another part of the surface by this factor leave through it.
-template <class S>
-constexpr S kNearerSurface = S(0.5);
+template <class S> constexpr S kNearerSurface = S(0.5);
 
 /// A contact moved to the face of its triangle leads out through that face, however far that is: a
 /// box that dips over the edge of a table is deep behind the table's side. Removes the points to
@@ -152,8 +146,7 @@ void drop_detours(const NearTriangles<S>& near, int triangle, const Pose<S>& b_i
 
 /// Whether a contact is that of a round shape with its closest point on a triangle. At a depth
 /// above the radius the core has come through.
-template <class S>
-bool is_closest_of_round(const SeenFromMesh<S>& shape, S depth) {
+template <class S> bool is_closest_of_round(const SeenFromMesh<S>& shape, S depth) {
   return shape.radius > S(0) && depth > -shape.radius;
 }
 
@@ -172,15 +165,13 @@ S normal_tolerance(const SeenFromMesh<S>& shape, const Mesh<S>& mesh, int triang
   return std::max(kNormalTolerance<S>, tie_tolerance(std::sqrt(squared)) / distance);
 }
 
-template <class S>
-void drop_deeper(S separation, Contact<S>& contact) {
+template <class S> void drop_deeper(S separation, Contact<S>& contact) {
   remove_points(contact,
                 [&](const ContactPoint<S>& point) { return point.separation < separation; });
 }
 
 /// The deepest of the dropped contacts.
-template <class S>
-struct LeftOut {
+template <class S> struct LeftOut {
   Contact<S> contact;
   int triangle = -1;
   S depth = std::numeric_limits<S>::infinity();
@@ -212,16 +203,14 @@ struct LeftOut {
 };
 
 /// The triangle's edge that made a contact with an edge of a hull; -1 for other contacts.
-template <class S>
-int edge_of_triangle(const Contact<S>& contact) {
+template <class S> int edge_of_triangle(const Contact<S>& contact) {
   const FeatureRef& of_triangle = contact.points[0].id.second;
   const bool is_edge = contact.axis == AxisKind::EdgeEdge && of_triangle.kind == FeatureKind::Edge;
   return is_edge ? static_cast<int>(of_triangle.index) : -1;
 }
 
 /// Whether the surface falls off at an edge of a triangle.
-template <class S>
-bool at_rim(const Mesh<S>& b, int triangle) {
+template <class S> bool at_rim(const Mesh<S>& b, int triangle) {
   for (int k = 0; k < 3; ++k)
     if (b.edge_class(triangle, k) == EdgeClass::Convex) return true;
   return false;

@@ -12,8 +12,7 @@ namespace contactscope {
 
 /// Contact of one pair of convex shapes, in A's frame, before reduction. Empty when the separation
 /// is above the margin.
-template <class S>
-struct Contact {
+template <class S> struct Contact {
   AxisKind axis = AxisKind::FaceA;
   ContactType type = ContactType::FaceFace;
   Vec3<S> normal = Vec3<S>::UnitX();  // unit, from A to B
@@ -29,8 +28,7 @@ struct Contact {
 };
 
 /// From A's frame, where pairs are computed, to the world, where results are given.
-template <class S>
-class ToWorld {
+template <class S> class ToWorld {
  public:
   explicit ToWorld(const Pose<S>& a)
       : rotation_(a.rotation.toRotationMatrix()), position_(a.position) {}

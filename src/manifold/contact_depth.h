@@ -14,16 +14,12 @@ namespace contactscope {
 
 /// Clipping keeps points up to this separation. It allows for rounding: otherwise all four corners
 /// of a face exactly at the margin could be dropped.
-template <class S>
-S highest_kept(S margin, S scale) {
-  return margin + depth_rounding(scale);
-}
+template <class S> S highest_kept(S margin, S scale) { return margin + depth_rounding(scale); }
 
 /// Whether a manifold whose deepest point has separation `deepest` is as deep as the hulls overlap.
 /// `best` (<= 0) is the largest separation of any axis. A preference may cost at most 5% of the
 /// depth, however shallow: a solver does not push back what it does not see.
-template <class S>
-bool is_deep_enough(S deepest, S best, Preference preference, S scale) {
+template <class S> bool is_deep_enough(S deepest, S best, Preference preference, S scale) {
   const S part = preference == Preference::Relative ? S(0.95) : S(1);
   return deepest <= part * best + depth_rounding(scale);
 }
@@ -31,8 +27,7 @@ bool is_deep_enough(S deepest, S best, Preference preference, S scale) {
 /// The difference of two rotations that differ by an angle t moves no unit vector farther than 2
 /// sin(t / 2). That is at most twice the distance of their quaternions, 2 sin(t / 4), with the
 /// signs that bring them nearest.
-template <class S>
-S turn_since(const PairCache<S>& cache, const Quat<S>& rotation) {
+template <class S> S turn_since(const PairCache<S>& cache, const Quat<S>& rotation) {
   const S gap = (rotation.coeffs() - cache.rotation.coeffs()).squaredNorm();
   const S opposite = (rotation.coeffs() + cache.rotation.coeffs()).squaredNorm();
   return S(2) * std::sqrt(std::min(gap, opposite));
@@ -40,8 +35,7 @@ S turn_since(const PairCache<S>& cache, const Quat<S>& rotation) {
 
 /// Whether the preference accepts an axis of this separation if no axis has more than `bound`, and
 /// the pair touches within the margin.
-template <class S>
-bool preferred(S separation, S bound, S margin, S min_radius) {
+template <class S> bool preferred(S separation, S bound, S margin, S min_radius) {
   const S tolerance = preference_tolerance(std::min(bound, S(0)), min_radius);
   return bound <= margin && bound - separation <= tolerance;
 }
@@ -63,8 +57,7 @@ bool is_still_deep(const PairCache<S>& cache, S deepest, S separation, S moved, 
 
 /// The edges of A and B that cross at the deepest point, the first among equals; -1 if two edges of
 /// one hull do.
-template <class Points>
-std::pair<int, int> edges_at_deepest(const Points& points) {
+template <class Points> std::pair<int, int> edges_at_deepest(const Points& points) {
   const auto& deepest = *std::min_element(
       points.begin(), points.end(),
       [](const auto& one, const auto& two) { return one.separation < two.separation; });

@@ -14,8 +14,7 @@
 namespace contactscope {
 namespace {
 
-template <class S>
-const PlacedHull<S>& hull_of(const HullPair<S>& pair, Owner owner) {
+template <class S> const PlacedHull<S>& hull_of(const HullPair<S>& pair, Owner owner) {
   return owner == Owner::A ? pair.a : pair.b;
 }
 

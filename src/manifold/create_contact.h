@@ -7,8 +7,7 @@
 
 namespace contactscope {
 
-template <class S>
-class Recorder;
+template <class S> class Recorder;
 
 /// Gregorius 2015, "Hull vs Hull: Contact Creation": a face contact or an edge contact from the
 /// axis chosen by the separating axis test. `axes` must be touching.

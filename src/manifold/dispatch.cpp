@@ -95,8 +95,7 @@ void with_field(const PlacedPair<S>& pair, const CollideOptions& options, Manifo
 }
 
 /// The upper half of the table; null if the pair makes no contacts.
-template <class S>
-Entry<S> entry(ShapeKind a, ShapeKind b) {
+template <class S> Entry<S> entry(ShapeKind a, ShapeKind b) {
   using Sp = Sphere<S>;
   using Ca = Capsule<S>;
   using Hu = Hull<S>;

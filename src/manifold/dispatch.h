@@ -20,12 +20,10 @@
 namespace contactscope {
 
 /// One manifold for convex shapes, one per triangle for meshes, none when separated.
-template <class S>
-using Manifolds = std::vector<Manifold<S>>;
+template <class S> using Manifolds = std::vector<Manifold<S>>;
 
 /// "sphere-hull": the name of such a pair in traces.
-template <class S>
-std::string pair_kind(const Shape<S>& a, const Shape<S>& b) {
+template <class S> std::string pair_kind(const Shape<S>& a, const Shape<S>& b) {
   return std::string(to_string(kind_of(a))) + "-" + to_string(kind_of(b));
 }
 
@@ -67,16 +65,14 @@ template <class S>
 void record_manifolds(std::span<const Manifold<S>> manifolds, trace::Pair& record);
 
 /// The same contact with the shapes swapped: negates the normal, flips the ids.
-template <class S>
-void mirror(Manifold<S>& manifold) {
+template <class S> void mirror(Manifold<S>& manifold) {
   manifold.normal = -manifold.normal;
   manifold.axis = mirrored(manifold.axis);
   for (ContactPoint<S>& point : manifold.points) point.id = point.id.flipped();
 }
 
 /// Two shapes placed in the world, in processing order.
-template <class S>
-struct PlacedPair {
+template <class S> struct PlacedPair {
   const Shape<S>& a;
   const Pose<S>& pose_a;
   const Shape<S>& b;

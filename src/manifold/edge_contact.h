@@ -8,8 +8,7 @@
 namespace contactscope {
 
 /// A's frame, metres.
-template <class S>
-struct ClosestPoints {
+template <class S> struct ClosestPoints {
   Vec3<S> on_a;
   Vec3<S> on_b;
 };

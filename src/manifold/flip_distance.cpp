@@ -21,8 +21,7 @@ constexpr int kMaxPlaces = 1 << 20;
 /// The identity of a pair's points: ids, with the triangle of a mesh.
 using Names = std::vector<std::pair<int, FeatureId>>;
 
-template <class S>
-Names names_of(const Manifolds<S>& manifolds) {
+template <class S> Names names_of(const Manifolds<S>& manifolds) {
   Names names;
   for (const Manifold<S>& manifold : manifolds)
     for (const ContactPoint<S>& point : manifold.points)
@@ -32,8 +31,7 @@ Names names_of(const Manifolds<S>& manifolds) {
 }
 
 /// The least change, from `first` on, with `differs(change)`; `limit` if there is none below it.
-template <class Differs>
-double least_change(double first, double limit, const Differs& differs) {
+template <class Differs> double least_change(double first, double limit, const Differs& differs) {
   double same = 0, other = first;
   while (!differs(other)) {
     same = other;
@@ -48,8 +46,7 @@ double least_change(double first, double limit, const Differs& differs) {
 }
 
 /// Half the diagonal of its box; infinite for a plane.
-template <class S>
-double size_of(const Shape<S>& shape) {
+template <class S> double size_of(const Shape<S>& shape) {
   const std::optional<Aabb<S>> box = aabb_of(shape);
   return box ? 0.5 * static_cast<double>(box->extent().norm())
              : std::numeric_limits<double>::infinity();

@@ -50,8 +50,7 @@ inline Shape<double> in_double(const Shape<float>& shape) {
 }
 
 /// The rotation is normalized to double precision, so that a long lever keeps its length.
-template <class S>
-Pose<double> in_double(const Pose<S>& pose) {
+template <class S> Pose<double> in_double(const Pose<S>& pose) {
   Pose<double> wide = pose.template cast<double>();
   wide.rotation.normalize();
   return wide;

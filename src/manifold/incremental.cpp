@@ -12,8 +12,7 @@ namespace contactscope {
 namespace {
 
 /// `core_margin`: for hulls, metres. Not for meshes.
-template <class S>
-ShapeCore<S> core_of(const Shape<S>& shape, double core_margin) {
+template <class S> ShapeCore<S> core_of(const Shape<S>& shape, double core_margin) {
   ShapeCore<S> core;
   core.kind = kind_of(shape);
   core.points[0] = core.points[1] = Vec3<S>::Zero();
@@ -54,8 +53,7 @@ bool has_moved(const BrokenPoint<S>& old, const IncrementalStep<S>& step, double
 
 /// The contact type follows from the features: for one point those that meet; for several, whether
 /// the points form a line or a plane.
-template <class S>
-ContactType type_of(const IncrementalStep<S>& step) {
+template <class S> ContactType type_of(const IncrementalStep<S>& step) {
   if (step.points.size() > 1) return face_contact_type(step.points.size());
   const PersistentContact<S>& only = step.points[0].kept;
   return contact_type(only.of_a.kind, only.of_b.kind);

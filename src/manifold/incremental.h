@@ -44,8 +44,7 @@ struct CoreFeature {
 };
 
 /// A contact point kept between frames, in both bodies.
-template <class S>
-struct PersistentContact {
+template <class S> struct PersistentContact {
   FeatureId id;                    // its id in manifolds
   FeatureId found;                 // the features of the shapes that meet there now ...
   CoreFeature of_a, of_b;          // ... and those of their cores
@@ -54,13 +53,11 @@ struct PersistentContact {
   int age = 0;                     // frames since it was found
 };
 
-template <class S>
-struct ShapeCore;
+template <class S> struct ShapeCore;
 
 /// Persisted state of a pair; one per pair, always in the same order. The cores are built at the
 /// first call, for its shapes and margin.
-template <class S>
-struct PersistentManifold {
+template <class S> struct PersistentManifold {
   StaticVector<PersistentContact<S>, kMaxPersistentPoints> points;
   std::shared_ptr<const ShapeCore<S>> core_a, core_b;
 };

@@ -19,8 +19,7 @@ namespace contactscope {
 
 /// The core of a shape, own frame. Sphere: the centre; capsule: the segment; for both the margin is
 /// the radius. Hull: the result of core_hull(). A half-space is its own core, margin 0.
-template <class S>
-struct ShapeCore {
+template <class S> struct ShapeCore {
   ShapeKind kind = ShapeKind::Sphere;
   S margin = 0;                            // metres
   Vec3<S> points[2];                       // for spheres (one) and capsules
@@ -61,15 +60,13 @@ struct ShapeCore {
 };
 
 /// The closest (or, of overlapping cores, deepest) points of two cores, in A's frame, metres.
-template <class S>
-struct CoreContact {
+template <class S> struct CoreContact {
   Vec3<S> on_a, on_b;
   CoreFeature feature_a, feature_b;  // the smallest features that contain the points
 };
 
 /// Result for two cores in one frame. In A's frame.
-template <class S>
-struct CoreQuery {
+template <class S> struct CoreQuery {
   bool overlap = false;               // the cores meet; `method` measured the depth
   Vec3<S> normal = Vec3<S>::UnitX();  // unit, from A to B
   S distance = 0;                     // metres, of the cores along the normal; negative in overlap
@@ -80,8 +77,7 @@ struct CoreQuery {
 };
 
 /// Beyond this angle from a face's normal, a normal is a different one, whatever the rounding.
-template <class S>
-constexpr S kLargestSnap = S(0.01);
+template <class S> constexpr S kLargestSnap = S(0.01);
 
 template <class S>
 S scale_of_cores(const ShapeCore<S>& a, const ShapeCore<S>& b, const Pose<S>& b_in_a) {
@@ -107,8 +103,7 @@ CoreFeature simplex_feature(const ShapeCore<S>& core, const GjkSimplex<S>& simpl
 }
 
 /// The face of a hull whose outward normal is within `sine` of `direction` (unit, own frame).
-template <class S>
-int core_face_along(const Hull<S>& hull, const Vec3<S>& direction, S sine) {
+template <class S> int core_face_along(const Hull<S>& hull, const Vec3<S>& direction, S sine) {
   int best = -1;
   S least = sine;
   for (int face = 0; face < hull.face_count(); ++face) {
@@ -202,12 +197,10 @@ std::optional<CoreQuery<S>> query_cores(const ShapeCore<S>& a, const ShapeCore<S
 
 /// Maximum number of corners of the patch on which two cores are closest.
 inline constexpr std::size_t kMaxPatchPoints = 128;
-template <class S>
-using CorePatch = StaticVector<CoreContact<S>, kMaxPatchPoints>;
+template <class S> using CorePatch = StaticVector<CoreContact<S>, kMaxPatchPoints>;
 
 /// A vertex of a core, in A's frame and projected along the normal.
-template <class S>
-struct PatchCorner {
+template <class S> struct PatchCorner {
   int vertex;
   Vec3<S> place;
   Vec2<S> seen;
@@ -215,8 +208,7 @@ struct PatchCorner {
 
 /// The vertices of a core that are farthest along a direction, within rounding: the corners of its
 /// support feature in order: one, two, or more counter-clockwise; without points on edges.
-template <class S>
-using SupportFeature = std::vector<PatchCorner<S>>;
+template <class S> using SupportFeature = std::vector<PatchCorner<S>>;
 
 /// `towards` is unit, in A's frame; `core_in_a` places the core there.
 template <class S>
@@ -242,14 +234,12 @@ SupportFeature<S> support_feature(const ShapeCore<S>& core, const Pose<S>& core_
 }
 
 /// The number of edges of a support feature: none for a vertex, one for an edge.
-template <class S>
-std::size_t edge_count(const SupportFeature<S>& feature) {
+template <class S> std::size_t edge_count(const SupportFeature<S>& feature) {
   return feature.size() > 2 ? feature.size() : feature.size() / 2;
 }
 
 /// Whether a point is within `tolerance` of the feature, projected along the normal.
-template <class S>
-bool holds(const SupportFeature<S>& feature, const Vec2<S>& point, S tolerance) {
+template <class S> bool holds(const SupportFeature<S>& feature, const Vec2<S>& point, S tolerance) {
   const Vec2<S> from_first = point - feature[0].seen;
   if (feature.size() == 1) return from_first.norm() <= tolerance;
   if (feature.size() == 2) {
@@ -267,8 +257,7 @@ bool holds(const SupportFeature<S>& feature, const Vec2<S>& point, S tolerance) 
 }
 
 /// The edge of a hull between two of its vertices, half-edge / 2; -1 if there is none.
-template <class S>
-int edge_between(const Hull<S>& hull, int one, int other) {
+template <class S> int edge_between(const Hull<S>& hull, int one, int other) {
   for (const int edge : hull.around_vertex(one)) {
     if (at(hull.half_edges, Hull<S>::twin(edge)).origin == other) return edge / 2;
   }
@@ -303,8 +292,7 @@ CoreFeature edge_of(const ShapeCore<S>& core, const SupportFeature<S>& feature, 
   return edge >= 0 ? CoreFeature{FeatureKind::Edge, edge} : whole;
 }
 
-template <class S>
-auto order_of(const CoreContact<S>& contact) {
+template <class S> auto order_of(const CoreContact<S>& contact) {
   return std::tuple(contact.feature_a.kind, contact.feature_a.index, contact.feature_b.kind,
                     contact.feature_b.index);
 }

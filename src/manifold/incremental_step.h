@@ -119,8 +119,7 @@ std::optional<CoreContact<S>> closest_on_features(const ShapeCore<S>& a, const C
 }
 
 /// A point's state in this frame: A's frame, metres.
-template <class S>
-struct StandingPoint {
+template <class S> struct StandingPoint {
   PersistentContact<S> kept;
   Vec3<S> on_a, on_b;
   S separation = 0;
@@ -130,23 +129,20 @@ struct StandingPoint {
 };
 
 /// A point that was removed from the manifold.
-template <class S>
-struct BrokenPoint {
+template <class S> struct BrokenPoint {
   StandingPoint<S> point;
   const char* reason;  // "apart", "slid", "other features", "replaced", "reduced"
 };
 
 /// Has room for the persisted points and one new one.
-template <class S>
-struct IncrementalStep {
+template <class S> struct IncrementalStep {
   StaticVector<StandingPoint<S>, kMaxPersistentPoints + 1> points;
   StaticVector<BrokenPoint<S>, kMaxPersistentPoints + 1> broken;
 };
 
 /// Distances across the normal that differ by less than this fraction of the patch count as equal.
 /// Then the first by features is taken, whatever the rounding.
-template <class S>
-constexpr S kAsFar = S(1e-3);
+template <class S> constexpr S kAsFar = S(1e-3);
 
 /// Sets a point from two points on the cores, offset along the normal to the surfaces.
 template <class S>

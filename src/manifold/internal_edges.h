@@ -13,8 +13,7 @@ namespace contactscope {
 
 /// The triangles whose boxes touch the box of a shape. Many later queries lie near the shape as
 /// well; they test these few boxes instead of the tree, with the same answers in the same order.
-template <class S>
-class NearTriangles {
+template <class S> class NearTriangles {
  public:
   /// `mesh` must outlive this. `box`: mesh frame.
   NearTriangles(const Mesh<S>& mesh, const Aabb<S>& box) : mesh_(mesh), box_(box) {
@@ -27,15 +26,13 @@ class NearTriangles {
 
   const Mesh<S>& mesh() const { return mesh_; }
 
-  template <class Visit>
-  void each(const Visit& visit) const {
+  template <class Visit> void each(const Visit& visit) const {
     if (!is_whole_) return mesh_.tree.query(box_, visit);
     for (const int place : places_) visit(at(mesh_.tree.triangles, place));
   }
 
   /// As AabbTree::any_of, over all triangles of the mesh.
-  template <class Holds>
-  bool any_of(const Aabb<S>& box, const Holds& holds) const {
+  template <class Holds> bool any_of(const Aabb<S>& box, const Holds& holds) const {
     const AabbTree<S>& tree = mesh_.tree;
     if (!is_whole_ || !box_.contains(box)) return tree.any_of(box, holds);
     const OverlapsWith<S> hit(box);
@@ -56,15 +53,13 @@ class NearTriangles {
 /// rounding of a face normal turned into the other shape's frame and back. With more, a ball next
 /// to an edge of a flat floor would feel that edge and lean by that angle. Normals between close
 /// points are less exact, see normal_tolerance() in collide_with_triangles.h.
-template <class S>
-constexpr S kNormalTolerance = S(16) * std::numeric_limits<S>::epsilon();
+template <class S> constexpr S kNormalTolerance = S(16) * std::numeric_limits<S>::epsilon();
 
 /// Upper bound of triangles at a vertex; ends the walk around one whose neighbours contradict each
 /// other.
 inline constexpr int kMaxTrianglesAround = 1024;
 
-template <class S>
-int corner_of(const Mesh<S>& mesh, int triangle, int vertex_of, int k) {
+template <class S> int corner_of(const Mesh<S>& mesh, int triangle, int vertex_of, int k) {
   // Neighbours may use another index for an equal vertex, so corners are found by position.
   const Vec3<S>& place = mesh.corner(vertex_of, k);
   for (int i = 0; i < 3; ++i)
@@ -74,8 +69,7 @@ int corner_of(const Mesh<S>& mesh, int triangle, int vertex_of, int k) {
 
 /// The normal of a contact, unit, from the mesh to the other shape, mesh frame; and how far
 /// rounding may have turned it, radians.
-template <class S>
-struct ContactNormal {
+template <class S> struct ContactNormal {
   Vec3<S> direction;
   S tolerance = kNormalTolerance<S>;
 
@@ -202,8 +196,7 @@ bool flat_belongs_to_surface(const Mesh<S>& mesh, int triangle, const ContactNor
 }
 
 /// Whether the point projects into the triangle along its normal. False without an area.
-template <class S>
-bool over_triangle(const Mesh<S>& mesh, int triangle, const Vec3<S>& point) {
+template <class S> bool over_triangle(const Mesh<S>& mesh, int triangle, const Vec3<S>& point) {
   if (!has_area(mesh, triangle)) return false;
   for (int k = 0; k < 3; ++k) {
     const Vec3<S>& from = mesh.corner(triangle, k);
@@ -213,8 +206,7 @@ bool over_triangle(const Mesh<S>& mesh, int triangle, const Vec3<S>& point) {
   return true;
 }
 
-template <class S>
-S distance_to_triangle(const Mesh<S>& mesh, int triangle, const Vec3<S>& point) {
+template <class S> S distance_to_triangle(const Mesh<S>& mesh, int triangle, const Vec3<S>& point) {
   if (over_triangle(mesh, triangle, point))
     return std::abs(mesh.normal(triangle).dot(Vec3<S>(point - mesh.corner(triangle, 0))));
   S least = std::numeric_limits<S>::infinity();

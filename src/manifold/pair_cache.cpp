@@ -16,12 +16,10 @@ namespace {
 
 /// How much worse than the kept axis another must be to be ignored, as a fraction of the smaller
 /// radius. A pair that has moved this far gets a full test.
-template <class S>
-constexpr S kHorizon = S(0.2);
+template <class S> constexpr S kHorizon = S(0.2);
 
 /// Two hulls whose features are placed on demand.
-template <class S>
-struct FeaturePair {
+template <class S> struct FeaturePair {
   FeaturePair(const Hull<S>& hull_a, const Hull<S>& hull_b, const Pose<S>& b_in_a)
       : rotation(b_in_a.rotation.toRotationMatrix()),
         position(b_in_a.position),
@@ -36,8 +34,7 @@ struct FeaturePair {
 
 /// The kept axis at the new pose. `separation` is valid for any direction, whatever the features:
 /// it is that of the support points of both hulls.
-template <class S>
-struct MeasuredAxis {
+template <class S> struct MeasuredAxis {
   Vec3<S> normal;  // unit, from A to B
   S separation;
   FaceQuery<S> face;  // of a face axis
@@ -57,8 +54,7 @@ int support_of(const PlacedFeatures<S, kMoved>& placed, const Vec3<S>& direction
 /// Whether the support of a hull along `direction` (its own frame, unit, perpendicular to the edge)
 /// is certainly this edge: on the Gauss map the direction is on the edge's arc, between the normals
 /// of its faces and nearer to their middle than the ends are, by more than rounding.
-template <class S>
-bool supports_along(const Hull<S>& hull, int edge, const Vec3<S>& direction) {
+template <class S> bool supports_along(const Hull<S>& hull, int edge, const Vec3<S>& direction) {
   const auto normal = [&](int half_edge) -> const Vec3<S>& {
     return at(hull.planes, at(hull.half_edges, half_edge).face).normal;
   };
@@ -120,8 +116,7 @@ bool measure(const FeaturePair<S>& pair, const PairCache<S>& cache, S moved,
 }
 
 /// Whether the cache may belong to these hulls; if so, its indices are valid for them.
-template <class S>
-bool belongs_to(const PairCache<S>& cache, const Hull<S>& a, const Hull<S>& b) {
+template <class S> bool belongs_to(const PairCache<S>& cache, const Hull<S>& a, const Hull<S>& b) {
   if (cache.radius_a != a.radius || cache.radius_b != b.radius) return false;
   const auto first = static_cast<std::size_t>(cache.first);
   if (cache.axis == AxisKind::FaceA) return first < a.planes.size();
@@ -131,8 +126,7 @@ bool belongs_to(const PairCache<S>& cache, const Hull<S>& a, const Hull<S>& b) {
 }
 
 /// How far the pair has moved since the full test.
-template <class S>
-struct Motion {
+template <class S> struct Motion {
   S farthest;  // metres: of any point of one hull, seen from the other
   S turn;      // length of the change of any unit vector of one, seen from the other
 };
@@ -180,8 +174,7 @@ S rebuild(const FeaturePair<S>& pair, const PairCache<S>& cache, MeasuredAxis<S>
 }
 
 /// The separation along the incident face of a face axis's contact; -infinity without one.
-template <class S>
-S along_incident(const FeaturePair<S>& pair, AxisKind axis, int incident) {
+template <class S> S along_incident(const FeaturePair<S>& pair, AxisKind axis, int incident) {
   if (incident < 0) return -std::numeric_limits<S>::infinity();
   return from_reference(pair, axis, [&](const auto& reference, const auto& other) {
     const Plane<S> plane = other.plane(incident);
@@ -191,8 +184,7 @@ S along_incident(const FeaturePair<S>& pair, AxisKind axis, int incident) {
 
 /// The separation along the cross product of an edge of A and one of B; -infinity if it is
 /// unreliable, or without edges.
-template <class S>
-S along_edges(const FeaturePair<S>& pair, const std::pair<int, int>& edges) {
+template <class S> S along_edges(const FeaturePair<S>& pair, const std::pair<int, int>& edges) {
   const auto& [edge_a, edge_b] = edges;
   const Hull<S>& a = pair.a.hull;
   const auto normal = [&](int half_edge) -> const Vec3<S>& {

@@ -45,8 +45,7 @@
 /// A hit does not change the cache, so bounds do not add up over frames.
 namespace contactscope {
 
-template <class S>
-class Recorder;
+template <class S> class Recorder;
 
 enum class CachedKind : std::uint8_t { Empty, SeparatingAxis, Features };
 
@@ -58,8 +57,7 @@ constexpr const char* to_string(CachedKind kind) {
 /// Result of the last full test of one pair of hulls; keep one per pair. Use it for the same two
 /// hulls in the same order; only their poses may change. Other hulls count as an empty cache where
 /// the difference shows, and otherwise affect only the result.
-template <class S>
-struct PairCache {
+template <class S> struct PairCache {
   CachedKind kind = CachedKind::Empty;
   AxisKind axis = AxisKind::FaceA;
   int first = -1;                     // face of the axis's hull, or half-edge of A
@@ -82,8 +80,7 @@ struct PairCache {
   S incident_clearance = 0;  // how much lower its cosine is than the next face's
 };
 
-template <class S>
-struct CacheAnswer {
+template <class S> struct CacheAnswer {
   bool hit = false;
   CachedKind kind = CachedKind::Empty;  // the kind that was tried
   AxisKind axis = AxisKind::FaceA;      // the axis that was tried

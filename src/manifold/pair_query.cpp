@@ -22,19 +22,14 @@ void record_question(const Question& question, trace::Pair& record) {
 }
 
 /// The same numbers in double.
-template <class S>
-Pose<double> wide(const Pose<S>& pose) {
+template <class S> Pose<double> wide(const Pose<S>& pose) {
   if constexpr (std::is_same_v<S, float>)
     return in_double(pose);
   else
     return pose;
 }
-const Shape<double>& wide(const Shape<double>& shape) {
-  return shape;
-}
-Shape<double> wide(const Shape<float>& shape) {
-  return in_double(shape);
-}
+const Shape<double>& wide(const Shape<double>& shape) { return shape; }
+Shape<double> wide(const Shape<float>& shape) { return in_double(shape); }
 
 /// `shape` is convex and must outlive the result.
 PlacedCore core_of(const Shape<double>& shape, const Pose<double>& pose) {
@@ -225,8 +220,7 @@ Answer<S> query_pair(const QueriedShape<S>& a, const QueriedShape<S>& b, const Q
   return answer;
 }
 
-template <class S>
-void record_answer(const Answer<S>& answer, trace::Pair& record) {
+template <class S> void record_answer(const Answer<S>& answer, trace::Pair& record) {
   record.state = answer.overlap ? "touching" : "separated";
   record.overlap = answer.overlap;
   if (answer.gap) record.separation = static_cast<double>(*answer.gap);

@@ -32,8 +32,7 @@ struct Question {
 /// empty if they can. For a manifold: why collide() cannot do it.
 std::optional<std::string> refusal(const Question& question, ShapeKind one, ShapeKind other);
 
-template <class S>
-struct Answer {
+template <class S> struct Answer {
   bool overlap = false;            // they share a point, under the query's comparison
   std::optional<bool> touching{};  // for Touching: the surfaces meet and no more than that
   /// Metres between the shapes, negative: depth. For bounds the largest separation along an axis,
@@ -44,8 +43,7 @@ struct Answer {
 };
 
 /// Bounds of one shape in its own frame, computed at first use.
-template <class S>
-class OwnBounds {
+template <class S> class OwnBounds {
  public:
   const std::optional<Obb<S>>& obb(const Shape<S>& shape) {
     if (!obb_) obb_ = obb_of(shape);
@@ -63,8 +61,7 @@ class OwnBounds {
 
 /// A shape placed in the world, with its cached bounds. `bounds` belong to this shape alone; reset
 /// them when it deforms.
-template <class S>
-struct QueriedShape {
+template <class S> struct QueriedShape {
   const Shape<S>& shape;
   const Pose<S>& pose;
   OwnBounds<S>& bounds;
@@ -94,7 +91,6 @@ Answer<S> query_pair(const QueriedShape<S>& a, const QueriedShape<S>& b, const Q
 
 /// Records the state of a pair, the answer and, if known, the separation. Works without a Recorder.
 /// Without a separation the record keeps its own.
-template <class S>
-void record_answer(const Answer<S>& answer, trace::Pair& record);
+template <class S> void record_answer(const Answer<S>& answer, trace::Pair& record);
 
 }  // namespace contactscope

@@ -33,8 +33,7 @@ struct Gap {
 };
 
 /// The answer that follows from a separation: the only rule for overlap and touching.
-template <class S>
-Answer<S> answer_of(const Gap& gap, const Question& question) {
+template <class S> Answer<S> answer_of(const Gap& gap, const Question& question) {
   Answer<S> answer;
   answer.method = gap.method;
   if (gap.gap) answer.gap = static_cast<S>(*gap.gap);

@@ -6,14 +6,12 @@
 namespace contactscope {
 namespace {
 
-template <class S>
-trace::Volume recorded_volume(const Aabb<S>& box) {
+template <class S> trace::Volume recorded_volume(const Aabb<S>& box) {
   const Aabb<double> exact = box.template cast<double>();
   return {.center = exact.center(), .half_extents = 0.5 * exact.extent()};
 }
 
-template <class S>
-trace::Volume recorded_volume(const Obb<S>& box) {
+template <class S> trace::Volume recorded_volume(const Obb<S>& box) {
   const Obb<double> exact = box.template cast<double>();
   Mat3<double> axes = exact.axes;
   if (axes.determinant() < 0) axes.col(0) *= -1;  // the same box
@@ -22,27 +20,23 @@ trace::Volume recorded_volume(const Obb<S>& box) {
           .rotation = Quatd(axes).normalized()};
 }
 
-template <class S>
-trace::Volume recorded_volume(const BoundingSphere<S>& sphere) {
+template <class S> trace::Volume recorded_volume(const BoundingSphere<S>& sphere) {
   return {.center = sphere.center.template cast<double>(),
           .radius = static_cast<double>(sphere.radius)};
 }
 
 /// Metres, for separated bounds.
-template <class S>
-S distance_of(const Aabb<S>& a, const Aabb<S>& b) {
+template <class S> S distance_of(const Aabb<S>& a, const Aabb<S>& b) {
   const Vec3<S> above = b.lower - a.upper, below = a.lower - b.upper;
   return above.cwiseMax(below).cwiseMax(S(0)).norm();
 }
 
-template <class S>
-S distance_of(const BoundingSphere<S>& a, const BoundingSphere<S>& b) {
+template <class S> S distance_of(const BoundingSphere<S>& a, const BoundingSphere<S>& b) {
   return (b.center - a.center).norm() - (a.radius + b.radius);
 }
 
 /// Relative to its centre.
-template <class S>
-std::array<Vec3<S>, 8> corners_of(const Obb<S>& box) {
+template <class S> std::array<Vec3<S>, 8> corners_of(const Obb<S>& box) {
   std::array<Vec3<S>, 8> corners;
   for (int i = 0; i < 8; ++i) {
     const Vec3<S> signs(i & 1 ? S(1) : S(-1), i & 2 ? S(1) : S(-1), i & 4 ? S(1) : S(-1));
@@ -51,15 +45,13 @@ std::array<Vec3<S>, 8> corners_of(const Obb<S>& box) {
   return corners;
 }
 
-template <class S>
-S distance_of(const Obb<S>& a, const Obb<S>& b) {
+template <class S> S distance_of(const Obb<S>& a, const Obb<S>& b) {
   const std::array<Vec3<S>, 8> of_a = corners_of(a), of_b = corners_of(b);
   const Pose<S> b_from_a{Quat<S>::Identity(), b.center - a.center};
   return gjk<S>({of_a.data(), 8, nullptr}, {of_b.data(), 8, nullptr}, b_from_a).distance;
 }
 
-template <class S>
-trace::TestedAxis recorded_axis(const OverlapAxis<S>& axis) {
+template <class S> trace::TestedAxis recorded_axis(const OverlapAxis<S>& axis) {
   trace::TestedAxis recorded;
   recorded.kind = to_string(axis.kind);
   recorded.a = axis.kind == OverlapAxisKind::FaceB ? -1 : axis.a;
@@ -82,8 +74,7 @@ trace::TestedAxis recorded_axis(const OverlapAxis<S>& axis) {
 }
 
 /// The largest separation along the axes that were not skipped, metres.
-template <class S>
-std::optional<S> largest_gap(const OverlapRecord<S>& record) {
+template <class S> std::optional<S> largest_gap(const OverlapRecord<S>& record) {
   std::optional<S> largest;
   for (const OverlapAxis<S>& axis : record.axes)
     if (!axis.skipped && !axis.direction.isZero(0) && !(largest && *largest >= axis.gap))

@@ -11,9 +11,7 @@ namespace {
 
 /// Rounding of results computed in double. GJK and the separating axis test have differed by up to
 /// 36 epsilon, see may_overlap().
-double rounding_of_double(double lengths) {
-  return depth_rounding(2 * lengths);
-}
+double rounding_of_double(double lengths) { return depth_rounding(2 * lengths); }
 
 double rounding_along(const Vec3d& normal, const PlacedCore& core, const Vec3d& in_set,
                       Epsilon epsilon) {

@@ -42,8 +42,7 @@ void record_intersections(const MeshOverlap<S>& found, const Pose<S>& pose_a, tr
 }
 
 /// For each node, the range of triangles below it, in the order of the tree.
-template <class S>
-std::vector<std::pair<int, int>> triangles_below(const AabbTree<S>& tree) {
+template <class S> std::vector<std::pair<int, int>> triangles_below(const AabbTree<S>& tree) {
   std::vector<std::pair<int, int>> ranges(tree.nodes.size());  // first and count
   // Backwards, because a node's children come after it.
   for (int i = count_of(tree.nodes) - 1; i >= 0; --i) {

@@ -163,8 +163,7 @@ namespace {
 constexpr int kMaxMinkowskiPoints = 4096;
 
 /// A result of the pipeline, in the world, as a fact.
-template <class S>
-trace::Point trace_point(const ContactPoint<S>& in_world) {
+template <class S> trace::Point trace_point(const ContactPoint<S>& in_world) {
   return {in_world.position.template cast<double>(), static_cast<double>(in_world.separation),
           to_string(in_world.id)};
 }
@@ -190,8 +189,7 @@ void measure(ContactPoints<double> points, const Vec3d& normal, int max_points,
 
 }  // namespace
 
-template <class S>
-trace::Polygon Recorder<S>::polygon(const ClipPolygon<S>& in_a) const {
+template <class S> trace::Polygon Recorder<S>::polygon(const ClipPolygon<S>& in_a) const {
   return mapped(in_a, [&](const ClipVertex<S>& vertex) { return point(vertex.position); });
 }
 
@@ -231,8 +229,7 @@ void Recorder<S>::axes(const HullPair<S>& pair, const FaceSeparations<S>& faces_
                              direction(query.normal), point(closest.on_a), point(closest.on_b)};
 }
 
-template <class S>
-void Recorder<S>::cache(const CacheAnswer<S>& answer) {
+template <class S> void Recorder<S>::cache(const CacheAnswer<S>& answer) {
   trace::Cache& cache = pair_.cache.emplace();
   cache.hit = answer.hit;
   cache.kind = to_string(answer.kind);
@@ -254,8 +251,7 @@ void Recorder<S>::clip_begins(Owner reference, const ClipFace<S>& reference_face
   clip.incident = recorded_face(other(reference), incident_face);
 }
 
-template <class S>
-void Recorder<S>::clip_step(const Plane<S>& side, const ClipPolygon<S>& left) {
+template <class S> void Recorder<S>::clip_step(const Plane<S>& side, const ClipPolygon<S>& left) {
   if (!stages_.clip) return;
   const Plane<double> plane = to_world_.plane(side).template cast<double>();
   pair_.clip->steps.push_back({plane.normal, plane.offset, polygon(left)});
@@ -288,8 +284,7 @@ KeptIndices Recorder<S>::reduce(const ReducerInfo* reducer, ContactPoints<S> poi
   return kept;
 }
 
-template <class S>
-void Recorder<S>::gjk(const Pose<S>& frame) {
+template <class S> void Recorder<S>::gjk(const Pose<S>& frame) {
   if (!stages_.gjk || gjk_run_.steps.empty()) return;
   const auto placed = [&](const Vec3<S>& a, const Vec3<S>& b) {
     return vertex(frame.transform(a), frame.transform(b));

@@ -16,12 +16,9 @@
 
 namespace contactscope {
 
-template <class S>
-struct CoreQuery;
-template <class S>
-struct IncrementalStep;
-template <class S>
-struct PersistentManifold;
+template <class S> struct CoreQuery;
+template <class S> struct IncrementalStep;
+template <class S> struct PersistentManifold;
 struct IncrementalOptions;
 
 /// Writes each stage's decisions into a trace::Pair: from A's frame to the world in the pipeline's
@@ -31,8 +28,7 @@ struct IncrementalOptions;
 /// Stages get a pointer to it, null when not recording, and record as they go. Its functions are
 /// cold: without a recorder each costs the pipeline one untaken branch. A test checks that
 /// recording changes no bit of the result.
-template <class S>
-class Recorder {
+template <class S> class Recorder {
  public:
   /// `pair` must outlive this. It is empty except for the names of the shapes, in processing order.
   Recorder(const ToWorld<S>& to_world, const trace::Stages& stages, trace::Pair& pair)
@@ -145,12 +141,10 @@ class Recorder {
 };
 
 /// Records of GJK and of the penetration methods; null also without a recorder.
-template <class S>
-GjkRun<S>* gjk_run(Recorder<S>* recorder) {
+template <class S> GjkRun<S>* gjk_run(Recorder<S>* recorder) {
   return recorder ? recorder->gjk_run() : nullptr;
 }
-template <class S>
-PenetrationSteps<S>* penetration_steps(Recorder<S>* recorder) {
+template <class S> PenetrationSteps<S>* penetration_steps(Recorder<S>* recorder) {
   return recorder ? recorder->penetration_steps() : nullptr;
 }
 

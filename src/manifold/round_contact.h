@@ -10,15 +10,13 @@
 namespace contactscope {
 
 /// Length without intermediate overflow or underflow, whatever the components.
-template <class S>
-S safe_norm(const Vec3<S>& v) {
+template <class S> S safe_norm(const Vec3<S>& v) {
   const S largest = v.cwiseAbs().maxCoeff();
   return largest > S(0) ? largest * Vec3<S>(v / largest).norm() : S(0);
 }
 
 /// `v` at length one, also for denormal lengths of few digits; zero stays zero.
-template <class S>
-Vec3<S> safe_unit(const Vec3<S>& v) {
+template <class S> Vec3<S> safe_unit(const Vec3<S>& v) {
   const S largest = v.cwiseAbs().maxCoeff();
   if (!(largest > S(0))) return Vec3<S>::Zero();
   const Vec3<S> scaled = v / largest;
@@ -26,23 +24,20 @@ Vec3<S> safe_unit(const Vec3<S>& v) {
 }
 
 /// The part of `v` perpendicular to `unit`.
-template <class S>
-Vec3<S> rejected(const Vec3<S>& v, const Vec3<S>& unit) {
+template <class S> Vec3<S> rejected(const Vec3<S>& v, const Vec3<S>& unit) {
   return v - v.dot(unit) * unit;
 }
 
 /// A direction perpendicular to a capsule's axis `along`, both in the capsule's own frame; y if the
 /// axis has length zero. It depends on the shape alone, so it turns with the body.
-template <class S>
-Vec3<S> body_perpendicular(const Vec3<S>& along) {
+template <class S> Vec3<S> body_perpendicular(const Vec3<S>& along) {
   const Vec3<S> unit = safe_unit(along);
   return unit.isZero(S(0)) ? Vec3<S>(Vec3<S>::UnitY()) : any_perpendicular(unit);
 }
 
 /// The feature of a capsule's axis at `parameter`: an end or the edge between the ends. An axis of
 /// length zero is its first end.
-template <class S>
-FeatureRef axis_feature(Owner owner, S parameter, bool has_length = true) {
+template <class S> FeatureRef axis_feature(Owner owner, S parameter, bool has_length = true) {
   if (!has_length || parameter <= S(0)) return vertex_ref(owner, 0);
   return parameter >= S(1) ? vertex_ref(owner, 1) : edge_ref(owner, 0);
 }
@@ -71,20 +66,17 @@ void add_round_point(const Vec3<S>& core_a, S radius_a, const Vec3<S>& core_b, S
 /// A core nearer to a vertex or an edge than this touches it. Closer, the difference of the closest
 /// points is about an ulp of the coordinates in each component and could turn the normal by up to
 /// 90 degrees.
-template <class S>
-S touching_distance(S scale) {
+template <class S> S touching_distance(S scale) {
   return S(16) * std::numeric_limits<S>::epsilon() * scale;
 }
 
 /// Directions with a smaller sine of their angle are nearly parallel. Separations along both then
 /// differ by 0.1%, a fiftieth of what a preference between axes accepts.
-template <class S>
-constexpr S kNearlyParallelSine = S(0.05);
+template <class S> constexpr S kNearlyParallelSine = S(0.05);
 
 /// Upper bound of all coordinates in both frames and between them. `core_reach` is the round
 /// shape's in its own frame.
-template <class S>
-S length_scale(const Hull<S>& hull, const Pose<S>& b_in_a, S core_reach) {
+template <class S> S length_scale(const Hull<S>& hull, const Pose<S>& b_in_a, S core_reach) {
   return hull.centroid.norm() + hull.radius + b_in_a.position.norm() + core_reach;
 }
 

@@ -11,21 +11,18 @@
 namespace contactscope {
 
 /// Lexicographic comparison of two vectors: less (-1), equal (0) or more (1).
-template <class V>
-int order_of(const V& one, const V& other) {
+template <class V> int order_of(const V& one, const V& other) {
   for (int i = 0; i < static_cast<int>(one.size()); ++i) {
     if (one[i] != other[i]) return one[i] < other[i] ? -1 : 1;
   }
   return 0;
 }
 
-template <class S>
-int order_of(const Sphere<S>& a, const Sphere<S>& b) {
+template <class S> int order_of(const Sphere<S>& a, const Sphere<S>& b) {
   if (a.radius != b.radius) return a.radius < b.radius ? -1 : 1;
   return 0;
 }
-template <class S>
-int order_of(const Capsule<S>& a, const Capsule<S>& b) {
+template <class S> int order_of(const Capsule<S>& a, const Capsule<S>& b) {
   // Capsules of one scene usually have the same seven numbers: compared a pack at a time.
   constexpr int kNumbers = 7, kWidth = lanes::kWidth<S>;
   static_assert(sizeof(Capsule<S>) == kNumbers * sizeof(S));
@@ -40,8 +37,7 @@ int order_of(const Capsule<S>& a, const Capsule<S>& b) {
   const int order = order_of(a.points[0], b.points[0]);
   return order != 0 ? order : order_of(a.points[1], b.points[1]);
 }
-template <class S>
-int order_of(const Pose<S>& a, const Pose<S>& b) {
+template <class S> int order_of(const Pose<S>& a, const Pose<S>& b) {
   if (a.rotation.w() != b.rotation.w()) return a.rotation.w() < b.rotation.w() ? -1 : 1;
   if (const int order = order_of(a.rotation.vec(), b.rotation.vec())) return order;
   return order_of(a.position, b.position);

@@ -47,9 +47,7 @@ Inside inside(const Capsule& capsule) {
                                        capsule.radius};
 }
 
-Inside inside(const Box& box) {
-  return make_box(to_inside(box.half_extents));
-}
+Inside inside(const Box& box) { return make_box(to_inside(box.half_extents)); }
 
 Inside inside(const Hull& hull) {
   for (const Vec3& vertex : hull.vertices) require_finite(vertex, "a vertex of a hull");

@@ -30,9 +30,7 @@ const char* version() {
       CONTACTSCOPE_VERSION_MINOR) "." CONTACTSCOPE_WORD(CONTACTSCOPE_VERSION_PATCH);
 }
 
-const char* trace_schema() {
-  return contactscope::trace::kSchema;
-}
+const char* trace_schema() { return contactscope::trace::kSchema; }
 
 double separation_of(const Manifold& manifold) {
   if (manifold.points.empty()) return 0;
@@ -62,13 +60,9 @@ std::string to_string(const Manifold& manifold) {
   return text;
 }
 
-Vec3d to_inside(const Vec3& vector) {
-  return {vector.x, vector.y, vector.z};
-}
+Vec3d to_inside(const Vec3& vector) { return {vector.x, vector.y, vector.z}; }
 
-Vec3 to_outside(const Vec3d& vector) {
-  return {vector.x(), vector.y(), vector.z()};
-}
+Vec3 to_outside(const Vec3d& vector) { return {vector.x(), vector.y(), vector.z()}; }
 
 contactscope::Pose<double> to_inside(const Pose& pose) {
   const auto& [w, x, y, z] = pose.rotation;
@@ -130,9 +124,7 @@ Trace trace_of(contactscope::trace::Trace facts) {
   return Trace(std::make_shared<const Trace::Facts>(Trace::Facts{std::move(facts)}));
 }
 
-const char* name_of(Scalar scalar) {
-  return scalar == Scalar::Float ? "float" : "double";
-}
+const char* name_of(Scalar scalar) { return scalar == Scalar::Float ? "float" : "double"; }
 
 void refuse(const std::string& what, const std::string& word,
             const std::vector<std::string_view>& known) {

@@ -26,8 +26,7 @@ struct Collider::Built {
   const char* type;                     // "box", "hull", ... as in traces
 };
 
-template <class S>
-const contactscope::Shape<S>& shape_in(const Collider::Built& built) {
+template <class S> const contactscope::Shape<S>& shape_in(const Collider::Built& built) {
   if constexpr (std::is_same_v<S, float>) return built.in_float;
   if constexpr (std::is_same_v<S, double>) return built.in_double;
 }

@@ -106,13 +106,9 @@ std::vector<std::string> Trace::shapes() const {
   return mapped(facts_->trace.header.shapes, &contactscope::trace::Shape::name);
 }
 
-int Trace::cut_off_in() const {
-  return facts_->cut_off_in;
-}
+int Trace::cut_off_in() const { return facts_->cut_off_in; }
 
-int Trace::frame_count() const {
-  return count_of(facts_->trace.frames);
-}
+int Trace::frame_count() const { return count_of(facts_->trace.frames); }
 
 Frame Trace::frame(int index) const {
   const contactscope::trace::Frame& record = at(facts_->trace.frames, index);

@@ -18,13 +18,11 @@ namespace {
 
 /// Faces with a smaller sine of their angle count as parallel: a tie between them does not affect
 /// the normal.
-template <class S>
-constexpr S kSameDirection = S(0.05);
+template <class S> constexpr S kSameDirection = S(0.05);
 
 /// For every face: distances of both ends from its plane, the smaller of these, and the rise of the
 /// segment along its normal.
-template <class S>
-struct FaceDistances {
+template <class S> struct FaceDistances {
   FaceDistances(const Hull<S>& hull, const Vec3<S> (&ends)[2])
       : at_start(padded(hull.face_count())),
         at_end(padded(hull.face_count())),
@@ -261,8 +259,7 @@ bool settle_on_face(const Hull<S>& hull, const Vec3<S> (&ends)[2], S tie, Capsul
 }
 
 /// Component of `offset` perpendicular to `along`.
-template <class S>
-Vec3<S> across(const Vec3<S>& offset, const Vec3<S>& along) {
+template <class S> Vec3<S> across(const Vec3<S>& offset, const Vec3<S>& along) {
   return offset - (offset.dot(along) / along.squaredNorm()) * along;
 }
 

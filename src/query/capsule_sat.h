@@ -9,8 +9,7 @@ namespace contactscope {
 
 /// Result of the test. Separations are those of the segment, not of the capsule: negative if the
 /// segment overlaps the hull along that axis.
-template <class S>
-struct CapsuleSat {
+template <class S> struct CapsuleSat {
   int face = 0;            // best face of the hull
   S face_separation = 0;   // of the segment's lower end
   bool face_tied = false;  // tied with a face of another direction; valid in overlap

@@ -14,8 +14,7 @@ enum class CapsuleTouchKind {
 
 /// Closest feature of a hull to a segment, or in overlap the direction of least penetration. Hull's
 /// frame, metres.
-template <class S>
-struct CapsuleTouch {
+template <class S> struct CapsuleTouch {
   CapsuleTouchKind kind = CapsuleTouchKind::Face;
   HullFeature feature;  // of the hull
   S parameter = 0;      // of the segment's closest or deepest point

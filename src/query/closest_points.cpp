@@ -11,8 +11,7 @@
 namespace contactscope {
 namespace {
 
-template <class S>
-struct Segment {
+template <class S> struct Segment {
   Segment(const Vec3<S>& start, const Vec3<S>& end)
       : from(start), to(end), along(end - start), squared_length(along.squaredNorm()) {}
 
@@ -28,8 +27,7 @@ struct Segment {
 };
 
 /// Foot of the perpendicular from `point`, as a parameter of the segment's line; 0 without a line.
-template <class S>
-S foot(const Vec3<S>& point, const Segment<S>& segment) {
+template <class S> S foot(const Vec3<S>& point, const Segment<S>& segment) {
   if (!(segment.squared_length > S(0))) return S(0);
   // From the nearer end, so that the rounding of a long segment is relative to the distance.
   const Vec3<S> from_start = point - segment.from;
@@ -40,14 +38,10 @@ S foot(const Vec3<S>& point, const Segment<S>& segment) {
   return S(1) + from_end.dot(segment.along) / segment.squared_length;
 }
 
-template <class S>
-bool is_within(S parameter) {
-  return S(0) <= parameter && parameter <= S(1);
-}
+template <class S> bool is_within(S parameter) { return S(0) <= parameter && parameter <= S(1); }
 
 /// A candidate for the closest pair of points.
-template <class S>
-struct Candidate {
+template <class S> struct Candidate {
   S parameter_a, parameter_b;
   S squared_distance;
   S squared_overhang;  // square metres: from the foot of the perpendicular to the segment's end
@@ -136,8 +130,7 @@ void from_all_ends(const Segment<S>& a, const Segment<S>& b, Candidate<S>* candi
 
 /// Midpoint between the smallest and the largest parameters of some candidates. Independent of
 /// their order, and symmetric in A and B.
-template <class S>
-struct Middle {
+template <class S> struct Middle {
   bool empty() const { return low_a > high_a; }
   S a() const { return S(0.5) * (low_a + high_a); }
   S b() const { return S(0.5) * (low_b + high_b); }

@@ -7,8 +7,7 @@
 /// 1e9 m; beyond, fourth powers of lengths leave the range of float.
 namespace contactscope {
 
-template <class S>
-struct ClosestOnSegment {
+template <class S> struct ClosestOnSegment {
   Vec3<S> point;
   S parameter;  // 0 at `from`, 1 at `to`; 0 on a segment of length zero
 };
@@ -18,8 +17,7 @@ template <class S>
 ClosestOnSegment<S> closest_on_segment(const Vec3<S>& point, const Vec3<S>& from,
                                        const Vec3<S>& to);
 
-template <class S>
-struct ClosestOfSegments {
+template <class S> struct ClosestOfSegments {
   Vec3<S> on_a, on_b;
   S parameter_a, parameter_b;  // 0 at `from`, 1 at `to`; arbitrary on a segment of length zero
   S distance;                  // |on_b - on_a|; 0 up to rounding where segments cross

@@ -6,17 +6,14 @@
 namespace contactscope {
 namespace {
 
-template <class S>
-using StartPoints = std::array<DifferencePoint<S>, 4>;
+template <class S> using StartPoints = std::array<DifferencePoint<S>, 4>;
 
-template <class S>
-Vec3<S> start_side(const StartPoints<S>& points, int i) {
+template <class S> Vec3<S> start_side(const StartPoints<S>& points, int i) {
   return at(points, i).point - points[0].point;
 }
 
 /// Distance of a point from the affine span of the first `count` points.
-template <class S>
-S out_of(const StartPoints<S>& points, int count, const Vec3<S>& point) {
+template <class S> S out_of(const StartPoints<S>& points, int count, const Vec3<S>& point) {
   const Vec3<S> from = point - points[0].point;
   if (count == 1) return from.norm();
   const Vec3<S> along = start_side(points, 1);
@@ -27,8 +24,7 @@ S out_of(const StartPoints<S>& points, int count, const Vec3<S>& point) {
 
 /// Orders the points such that each is the farthest from the span of those before it, and stops
 /// when the rest is no farther than `least`. Returns the number of points that are.
-template <class S>
-int spread(StartPoints<S>& points, int count, S least) {
+template <class S> int spread(StartPoints<S>& points, int count, S least) {
   if (count > 1) {
     // The longest edge first: points on it within rounding are between its ends.
     S longest = S(-1);
@@ -105,8 +101,7 @@ StartSimplex<S> blow_up(const GjkSimplex<S>& simplex, BoundedDifference<S>& diff
 
 /// True if the origin is in a tetrahedron, or no farther outside than may_overlap() allows. Not
 /// certain for the simplex of an earlier pose.
-template <class S>
-bool holds_origin(const Polytope<S>& tetrahedron, S rounding) {
+template <class S> bool holds_origin(const Polytope<S>& tetrahedron, S rounding) {
   return std::ranges::none_of(tetrahedron.faces, [&](const PolytopeFace<S>& face) {
     return face.offset < -S(16) * rounding;
   });
@@ -136,8 +131,7 @@ void record(const Polytope<S>& polytope, int nearest, const MinkowskiDifference<
 
 /// The deepest points come from the face whose closest point is where the best plane touches. The
 /// face that was closest when that plane was found may have been replaced since.
-template <class S>
-void weigh(const Polytope<S>& polytope, BoundedDifference<S>& difference) {
+template <class S> void weigh(const Polytope<S>& polytope, BoundedDifference<S>& difference) {
   const Vec3<S> met = difference.upper() * difference.outward();
   const PolytopeFace<S>* best = nullptr;
   S least = std::numeric_limits<S>::infinity();

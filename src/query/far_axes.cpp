@@ -9,15 +9,13 @@ namespace contactscope {
 namespace {
 
 /// A unit direction from A to B, and B's deepest vertex along it.
-template <class S>
-struct Sample {
+template <class S> struct Sample {
   Vec3<S> direction;
   int support;
 };
 
 /// Common data of the searches along A's arcs.
-template <class S>
-struct Search {
+template <class S> struct Search {
   const HullPair<S>& pair;
   Mat3<S> a_to_b;
   Vec3<S> normal;

@@ -17,8 +17,7 @@ namespace {
 constexpr int kMaxGjkStalls = 3;
 
 /// Current simplex: only the points that carry its point closest to the origin.
-template <class S>
-struct Simplex {
+template <class S> struct Simplex {
   std::array<IndexPair, 4> pairs;
   std::array<Vec3<S>, 4> points;  // in units
   NearestOnSimplex<S> nearest;

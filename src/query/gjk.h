@@ -24,22 +24,19 @@ constexpr const char* to_string(GjkStatus status) {
 }
 
 /// A vertex of the Minkowski difference B - A, with the two points that it is the difference of.
-template <class S>
-struct GjkVertex {
+template <class S> struct GjkVertex {
   int index_a, index_b;  // indices into the support sets
   Vec3<S> a, b;          // both in A's frame
 };
 
 /// The indices give the closest features. On A: one distinct index_a is a vertex, two are an edge,
 /// three are a face; likewise on B.
-template <class S>
-struct GjkSimplex {
+template <class S> struct GjkSimplex {
   StaticVector<GjkVertex<S>, 4> vertices;
   std::array<S, 4> weights;  // barycentric, of the point closest to the origin; positive, sum 1
 };
 
-template <class S>
-struct GjkResult {
+template <class S> struct GjkResult {
   GjkStatus status = GjkStatus::OutOfIterations;
   S distance = 0;                     // metres; 0 in overlap
   Vec3<S> on_a, on_b;                 // closest points in A's frame; in overlap a common point
@@ -52,8 +49,7 @@ struct GjkResult {
 /// thousand random pairs, including needles and plates, took less than forty.
 inline constexpr int kMaxGjkIterations = 256;
 
-template <class S>
-struct GjkRun {
+template <class S> struct GjkRun {
   GjkResult<S> result;
   std::vector<GjkSimplex<S>> steps;  // one per iteration; empty if GJK was not needed
 };

@@ -14,16 +14,14 @@ bool has(const Corners& corners, int vertex) {
   return std::ranges::find(corners, vertex) != corners.end();
 }
 
-template <class S>
-bool has_all(const Hull<S>& hull, int face, const Corners& corners) {
+template <class S> bool has_all(const Hull<S>& hull, int face, const Corners& corners) {
   return std::ranges::count_if(hull.around_face(face), [&](int edge) {
            return has(corners, at(hull.half_edges, edge).origin);
          }) == count_of(corners);
 }
 
 /// Outward normal of a side plane with the length of its edge, which avoids a square root.
-template <class S>
-struct Side {
+template <class S> struct Side {
   Side(const Hull<S>& hull, int half_edge, const Vec3<S>& face_normal)
       : origin(hull.origin(half_edge)),
         normal(Vec3<S>(hull.target(half_edge) - origin).cross(face_normal)),
@@ -39,8 +37,7 @@ struct Side {
 
 /// Clips the interval where the distance from a plane, linear along the segment, exceeds
 /// `thickness`.
-template <class S>
-void cut(S start, S end, S thickness, int edge, ClippedSegment<S>& clipped) {
+template <class S> void cut(S start, S end, S thickness, int edge, ClippedSegment<S>& clipped) {
   if (start <= thickness && end <= thickness) return;
   if (start > thickness && end > thickness) {
     clipped.parameters[0] = S(2);
@@ -57,8 +54,7 @@ void cut(S start, S end, S thickness, int edge, ClippedSegment<S>& clipped) {
 
 }  // namespace
 
-template <class S>
-HullFeature feature_of_b(const Hull<S>& hull, const GjkSimplex<S>& simplex) {
+template <class S> HullFeature feature_of_b(const Hull<S>& hull, const GjkSimplex<S>& simplex) {
   Corners corners;
   for (const GjkVertex<S>& vertex : simplex.vertices) {
     if (!has(corners, vertex.index_b)) corners.push_back(vertex.index_b);
@@ -75,8 +71,7 @@ HullFeature feature_of_b(const Hull<S>& hull, const GjkSimplex<S>& simplex) {
   return face;
 }
 
-template <class S>
-int nearest_outside_edge(const Hull<S>& hull, int face, const Vec3<S>& point) {
+template <class S> int nearest_outside_edge(const Hull<S>& hull, int face, const Vec3<S>& point) {
   const Vec3<S>& normal = at(hull.planes, face).normal;
   int best = at(hull.face_edges, face);
   S farthest = S(0);  // squared

@@ -23,13 +23,11 @@ struct HullFeature {
 /// The smallest feature that contains all points of B in a GJK simplex, where B is `hull`: the
 /// feature of its closest point. Two vertices of a face that share no edge belong to the face. If
 /// rounding at nearly coplanar faces leaves no such feature, the result is a face with index -1.
-template <class S>
-HullFeature feature_of_b(const Hull<S>& hull, const GjkSimplex<S>& simplex);
+template <class S> HullFeature feature_of_b(const Hull<S>& hull, const GjkSimplex<S>& simplex);
 
 /// The closest edge of a face, as a half-edge of it, to a point that is not over the face: the edge
 /// whose side plane the point is farthest outside of. Hull's frame.
-template <class S>
-int nearest_outside_edge(const Hull<S>& hull, int face, const Vec3<S>& point);
+template <class S> int nearest_outside_edge(const Hull<S>& hull, int face, const Vec3<S>& point);
 
 /// True if the foot of the perpendicular from `point` to the face's plane is inside the face.
 template <class S>
@@ -37,8 +35,7 @@ bool projects_into(const Hull<S>& hull, int face, const Vec3<S>& point, S thickn
 
 /// Remaining part of a segment: from parameters[0] to parameters[1], both in [0, 1]; empty if they
 /// are reversed.
-template <class S>
-struct ClippedSegment {
+template <class S> struct ClippedSegment {
   S parameters[2] = {0, 1};
   /// Half-edges of the sides that clipped the two ends; -1: the segment's own end.
   int edges[2] = {-1, -1};
@@ -60,8 +57,7 @@ ClippedSegment<S> clip_to_edge(const Hull<S>& hull, int half_edge, const Vec3<S>
 
 /// Initial simplex for a warm start: a point of the core and a nearby edge of the hull. GJK needs
 /// only a few steps from there.
-template <class S>
-GjkSimplex<S> simplex_near(const Hull<S>& hull, int half_edge, int core_point) {
+template <class S> GjkSimplex<S> simplex_near(const Hull<S>& hull, int half_edge, int core_point) {
   GjkSimplex<S> simplex;
   simplex.weights = {};
   for (const int edge : {half_edge, Hull<S>::twin(half_edge)}) {

@@ -8,8 +8,7 @@ namespace contactscope {
 namespace {
 
 /// A matrix with each of its numbers broadcast to a pack.
-template <class S>
-struct PackedRotation {
+template <class S> struct PackedRotation {
   using Pack = lanes::Pack<S>;
 
   explicit PackedRotation(const Mat3<S>& rotation) {

@@ -12,8 +12,7 @@ namespace contactscope {
 /// A hull placed in the common frame of a pair, laid out for the loops of the queries. Topology
 /// stays in `hull`, which must outlive this; so do the lanes of a hull in its own frame. No heap
 /// allocation up to 64 vertices and 128 faces.
-template <class S>
-struct PlacedHull {
+template <class S> struct PlacedHull {
   using Scalar = S;
 
   /// `to_frame` and `position` transform from the hull's own frame to the common frame.
@@ -49,8 +48,7 @@ struct PlacedHull {
 /// PlacedHull, with bitwise equal results.
 ///
 /// `kMoved` is false for the hull whose own frame is the common frame.
-template <class S, bool kMoved>
-struct PlacedFeatures {
+template <class S, bool kMoved> struct PlacedFeatures {
   using Scalar = S;
 
   /// Keeps references to all arguments. `to_frame` and `move` transform from the hull's own frame
@@ -104,8 +102,7 @@ struct PlacedFeatures {
 
 /// Two hulls in A's frame. Computing there, near the origin, costs a pair far from the world's
 /// origin no more precision than its poses have lost already.
-template <class S>
-struct HullPair {
+template <class S> struct HullPair {
   HullPair(const Hull<S>& hull_a, const Hull<S>& hull_b, const Pose<S>& b_in_a);
 
   PlacedHull<S> a;

@@ -10,8 +10,7 @@
 
 namespace contactscope {
 
-template <class S>
-bool TreeLayout::update(const AabbTree<S>& tree) {
+template <class S> bool TreeLayout::update(const AabbTree<S>& tree) {
   const auto same = [](const Node& kept, const typename AabbTree<S>::Node& node) {
     return kept.next == node.next && kept.count == node.count;
   };
@@ -30,8 +29,7 @@ bool TreeLayout::update(const AabbTree<S>& tree) {
   return false;
 }
 
-template <class S>
-void MeshFront::begin(const AabbTree<S>& a, const AabbTree<S>& b) {
+template <class S> void MeshFront::begin(const AabbTree<S>& a, const AabbTree<S>& b) {
   const bool same_a = a_.update(a), same_b = b_.update(b);
   if (!same_a || !same_b || pairs.empty()) pairs = {{0, 0}};
   turn_ = (turn_ + 1) % kTurns;
@@ -60,8 +58,7 @@ Triangle<S> corners_of(const std::vector<Vec3<S>>& vertices, const std::array<in
 
 /// overlaps(); for floats with all axes at once. Lanes: lower x, y, z and an ignored upper x,
 /// against upper x, y, z and a lower z.
-template <class S>
-bool boxes_overlap(const Aabb<S>& a, const Aabb<S>& b) {
+template <class S> bool boxes_overlap(const Aabb<S>& a, const Aabb<S>& b) {
   if constexpr (std::is_same_v<S, float>) {
     static_assert(sizeof(Aabb<float>) == 6 * sizeof(float));
     using Four = lanes::Pack<float>;
@@ -76,8 +73,7 @@ bool boxes_overlap(const Aabb<S>& a, const Aabb<S>& b) {
   }
 }
 
-template <class S>
-class MeshTraversal {
+template <class S> class MeshTraversal {
  public:
   using Tree = AabbTree<S>;
 
@@ -181,8 +177,7 @@ class MeshTraversal {
   }
 
   /// Visits the child pairs of two nodes, not both leaves, in order.
-  template <class Visit>
-  void for_children(int i, int j, const Visit& visit) const {
+  template <class Visit> void for_children(int i, int j, const Visit& visit) const {
     if (at(a_.tree.nodes, i).leaf()) {
       visit(i, j + 1);
       visit(i, tree_b_.right_of(j));
@@ -230,8 +225,7 @@ class MeshTraversal {
 
 }  // namespace
 
-template <class S>
-std::vector<Vec3<S>> vertices_in(const Mesh<S>& mesh, const Pose<S>& pose) {
+template <class S> std::vector<Vec3<S>> vertices_in(const Mesh<S>& mesh, const Pose<S>& pose) {
   const Pose<double> exact = pose.template cast<double>();
   const Mat3<double> rotation = exact.rotation.toRotationMatrix();
   return mapped(mesh.vertices, [&](const Vec3<S>& vertex) -> Vec3<S> {

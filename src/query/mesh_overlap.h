@@ -23,8 +23,7 @@ class TreeLayout {
   };
 
   /// Copies the layout of a tree. Returns true if it did not change. O(nodes).
-  template <class S>
-  bool update(const AabbTree<S>& tree);
+  template <class S> bool update(const AabbTree<S>& tree);
 
   const Node& node(int index) const { return at(nodes_, index); }
 
@@ -58,8 +57,7 @@ class MeshFront {
 
   /// Call this before each traversal: an invalid front is reset to the pair of the roots. Neither
   /// tree may be empty.
-  template <class S>
-  void begin(const AabbTree<S>& a, const AabbTree<S>& b);
+  template <class S> void begin(const AabbTree<S>& a, const AabbTree<S>& b);
 
   /// The pair whose last children are these two nodes; none for the roots and other pairs.
   std::optional<ParentPair> parent_of_last_child(const NodeIndices& nodes) const;
@@ -80,8 +78,7 @@ class MeshFront {
 };
 
 /// A triangle of mesh a and one of mesh b that share a point.
-template <class S>
-struct MeshIntersection {
+template <class S> struct MeshIntersection {
   int a = -1;  // triangle indices
   int b = -1;
   TriangleOverlap<S> overlap;  // a's frame; its kind is never None
@@ -94,8 +91,7 @@ struct MeshOverlapCounts {
   std::int64_t triangle_pairs = 0;  // exact tests between triangles
 };
 
-template <class S>
-struct MeshOverlap {
+template <class S> struct MeshOverlap {
   std::vector<MeshIntersection<S>> intersections;  // by a, then by b
   MeshOverlapCounts counts;
 
@@ -137,7 +133,6 @@ MeshOverlap<S> mesh_overlap(const Mesh<S>& a, const Mesh<S>& b, const Pose<S>& b
 
 /// Vertices of a mesh in the parent frame of `pose`: transformed in double by the rotation matrix,
 /// then rounded to S. For S = double they are off by a few roundings.
-template <class S>
-std::vector<Vec3<S>> vertices_in(const Mesh<S>& mesh, const Pose<S>& pose);
+template <class S> std::vector<Vec3<S>> vertices_in(const Mesh<S>& mesh, const Pose<S>& pose);
 
 }  // namespace contactscope

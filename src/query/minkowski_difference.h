@@ -15,8 +15,7 @@
 namespace contactscope {
 
 /// Largest power of two up to `value`, a finite normal number > 0. Fast: clears only the mantissa.
-template <class S>
-S power_of_two_up_to(S value) {
+template <class S> S power_of_two_up_to(S value) {
   using Bits = std::conditional_t<sizeof(S) == 4, std::uint32_t, std::uint64_t>;
   constexpr Bits kMantissa = (Bits(1) << (std::numeric_limits<S>::digits - 1)) - 1;
   return std::bit_cast<S>(std::bit_cast<Bits>(value) & ~kMantissa);
@@ -32,8 +31,7 @@ struct IndexPair {
 /// The Minkowski difference B - A, in A's frame, scaled by a power of two so that its points have
 /// order 1 and no power of a length leaves the range of S. The sets overlap if it contains the
 /// origin. Refers to both sets.
-template <class S>
-class MinkowskiDifference {
+template <class S> class MinkowskiDifference {
  public:
   MinkowskiDifference(const SupportSet<S>& a, const SupportSet<S>& b, const Pose<S>& b_in_a)
       : a_(a), b_(b), rotation_(b_in_a.rotation.toRotationMatrix()), position_(b_in_a.position) {
@@ -103,8 +101,7 @@ class MinkowskiDifference {
 /// Weighted mean of a simplex's points on one shape. Summed relative to the heaviest vertex, so
 /// that rounding of the weights multiplies differences of vertices, not their distance from the
 /// origin.
-template <class S>
-Vec3<S> weighted(const GjkSimplex<S>& simplex, Vec3<S> GjkVertex<S>::*point) {
+template <class S> Vec3<S> weighted(const GjkSimplex<S>& simplex, Vec3<S> GjkVertex<S>::*point) {
   std::size_t heaviest = 0;
   for (std::size_t i = 1; i < simplex.vertices.size(); ++i) {
     if (simplex.weights[i] > simplex.weights[heaviest]) heaviest = i;

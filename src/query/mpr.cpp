@@ -11,8 +11,7 @@ namespace {
 
 /// The inner point, the ray from it through the origin, and the portal: a triangle of points of the
 /// difference that the ray passes through, counter-clockwise seen from outside.
-template <class S>
-struct Portal {
+template <class S> struct Portal {
   Portal(const SupportSet<S>& a, const SupportSet<S>& b, const Pose<S>& b_in_a,
          BoundedDifference<S>& difference)
       : inner_vertex{-1, -1, middle_of(a), b_in_a.transform(middle_of(b))},

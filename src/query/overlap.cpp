@@ -64,8 +64,7 @@ constexpr int kDistanceBound = 16;
 
 /// True if two bounds overlap, given the squared distance of their centres and their common reach.
 /// `size` is the sum of all lengths that were added.
-template <class S>
-bool within_reach(S squared, S reach, S size, const Comparison<S>& comparison) {
+template <class S> bool within_reach(S squared, S reach, S size, const Comparison<S>& comparison) {
   const S rounding = S(kDistanceBound) * std::numeric_limits<S>::epsilon() * size;
   if (comparison.touching) {
     const S limit = reach + comparison.tolerance + rounding;
@@ -76,8 +75,7 @@ bool within_reach(S squared, S reach, S size, const Comparison<S>& comparison) {
 }
 
 /// Gap along coordinate k, as in the test of two Aabbs.
-template <class S>
-S gap_along(const Aabb<S>& a, const Aabb<S>& b, int k) {
+template <class S> S gap_along(const Aabb<S>& a, const Aabb<S>& b, int k) {
   return std::max(b.lower[k] - a.upper[k], a.lower[k] - b.upper[k]);
 }
 
@@ -94,8 +92,7 @@ using boxes::BoxAxes;
 using boxes::Projections;
 using boxes::Three;
 
-template <class S>
-constexpr S kEpsilon = std::numeric_limits<S>::epsilon();
+template <class S> constexpr S kEpsilon = std::numeric_limits<S>::epsilon();
 /// In units of epsilon D: the quick test is undecided within this bound.
 constexpr int kQuickBound = 128;
 /// The quick test treats edges as parallel up to this sine, in epsilon.
@@ -118,8 +115,7 @@ template <class S>
   return gap;
 }
 
-template <class S>
-constexpr Three<S> kOnes = {1, 1, 1, 1};
+template <class S> constexpr Three<S> kOnes = {1, 1, 1, 1};
 
 /// Decides cases that are clear beyond rounding. `kTolerant`: there is a tolerance.
 template <bool kTolerant, class S>
@@ -176,14 +172,12 @@ bool for_each_axis(const Obb<S>& a, const Obb<S>& b, const Visit& visit) {
 }
 
 /// Measurements of the slow test along one axis, times the length of the axis.
-template <class S>
-struct Measured {
+template <class S> struct Measured {
   S distance, reach_a, reach_b, length;
   bool separates;
 };
 
-template <class S>
-S reach_along(const Obb<S>& box, const Vec3<S>& direction) {
+template <class S> S reach_along(const Obb<S>& box, const Vec3<S>& direction) {
   S reach = 0;
   for (int k = 0; k < 3; ++k) {
     const Vec3<S> axis = box.axes.col(k);
@@ -231,15 +225,13 @@ bool plain_overlap(const Obb<S>& a, const Obb<S>& b, const Comparison<S>& compar
          edges_pass(axes.template edges<2>(), axes.template squared_lengths<2>());
 }
 
-template <class S>
-bool all_finite(const Obb<S>& box) {
+template <class S> bool all_finite(const Obb<S>& box) {
   return !box.empty() && box.center.allFinite() && box.axes.allFinite() &&
          box.half_extents.allFinite();
 }
 
 /// Offset between the centres, and the D of the derivation.
-template <class S>
-struct BoxOffset {
+template <class S> struct BoxOffset {
   Vec3<S> offset;
   S size;
 

@@ -11,8 +11,7 @@ namespace contactscope {
 
 /// Definition of overlap, the same for all pairs of bounds. An axis is a unit direction; the gap
 /// along it is the distance between both projections, negative in overlap.
-template <class S>
-struct Comparison {
+template <class S> struct Comparison {
   bool touching = true;  // a gap of 0 counts as overlap
   S tolerance = 0;       // metres, >= 0: gaps up to this count as overlap
 
@@ -39,8 +38,7 @@ constexpr const char* to_string(ObbAxes axes) {
 }
 
 /// Method for testing two oriented boxes.
-template <class S>
-struct ObbTest {
+template <class S> struct ObbTest {
   ObbAxes axes = ObbAxes::Guarded;
   /// Fifteen only: skip cross products up to this length, the sine of the angle between two edges;
   /// 0 skips only null vectors.
@@ -63,8 +61,7 @@ constexpr const char* to_string(OverlapAxisKind kind) {
 }
 
 /// Measurements along one axis.
-template <class S>
-struct OverlapAxis {
+template <class S> struct OverlapAxis {
   OverlapAxisKind kind = OverlapAxisKind::FaceA;
   int a = -1, b = -1;
   /// Unit, from A towards B; zero if a cross product vanishes. The fields below are then undefined.
@@ -79,10 +76,7 @@ struct OverlapAxis {
 
 /// Record of an overlap test: all axes, including those after the first that separates. The bounds
 /// overlap if no axis separates them.
-template <class S>
-struct OverlapRecord {
-  std::vector<OverlapAxis<S>> axes;
-};
+template <class S> struct OverlapRecord { std::vector<OverlapAxis<S>> axes; };
 
 // All tests: an empty bound, one with NaN, or an oriented box with an infinity overlaps nothing,
 // and its record has no axes. `record` may be null; it is cleared first and does not affect the

@@ -39,8 +39,7 @@ PenetrationResult<S> edge_result(S separation, const Vec3<S>& normal, const Vec3
   return result;
 }
 
-template <class S>
-PenetrationResult<S> separated_along(const Vec3<S>& normal) {
+template <class S> PenetrationResult<S> separated_along(const Vec3<S>& normal) {
   return {.status = PenetrationStatus::Separated, .normal = normal, .iterations = 1};
 }
 
@@ -81,8 +80,7 @@ PenetrationResult<S> of_hull_and_segment(const Hull<S>& hull, const Vec3<S> (&en
   return axis_result(axes.separation(), normal, ends[lower], true);
 }
 
-template <class S>
-bool is_finite(const SupportSet<S>& set) {
+template <class S> bool is_finite(const SupportSet<S>& set) {
   return std::all_of(set.points, set.points + set.count,
                      [](const Vec3<S>& point) { return point.allFinite(); });
 }

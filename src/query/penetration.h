@@ -34,8 +34,7 @@ constexpr bool has_depth(PenetrationStatus status) {
   return status != PenetrationStatus::Separated && status != PenetrationStatus::NotFinite;
 }
 
-template <class S>
-struct PenetrationOptions {
+template <class S> struct PenetrationOptions {
   /// Depths within this fraction of the pair's length scale (see gjk.h) count as equal. Values
   /// below rounding are raised to it.
   S tolerance = 0;
@@ -45,8 +44,7 @@ struct PenetrationOptions {
   int samples = 256;
 };
 
-template <class S>
-struct PenetrationResult {
+template <class S> struct PenetrationResult {
   PenetrationStatus status = PenetrationStatus::NotFinite;
   S depth = 0;                        // metres, >= 0, along `normal`; an upper bound
   S least_depth = 0;                  // metres; a lower bound if the method has one, or 0
@@ -58,23 +56,20 @@ struct PenetrationResult {
 };
 
 /// The polytope of EPA before an expansion.
-template <class S>
-struct PolytopeStep {
+template <class S> struct PolytopeStep {
   std::vector<GjkVertex<S>> vertices;
   std::vector<std::array<int, 3>> faces;  // counter-clockwise seen from outside
   int nearest = -1;                       // face to expand
   S distance = 0;                         // metres, from the origin to that face
 };
 
-template <class S>
-struct DirectionStep {
+template <class S> struct DirectionStep {
   Vec3<S> normal;  // unit, from A to B, in A's frame
   S separation;    // metres along it, negative in overlap
 };
 
 /// Record of a run; each method fills its own list.
-template <class S>
-struct PenetrationSteps {
+template <class S> struct PenetrationSteps {
   std::vector<PolytopeStep<S>> polytopes;
   std::vector<std::array<GjkVertex<S>, 4>> portals;  // inner point (indices -1), then the portal
   std::vector<DirectionStep<S>> directions;

@@ -56,8 +56,7 @@ PenetrationResult<S> sampling(const SupportSet<S>& a, const SupportSet<S>& b, co
 
 /// Largest angle, radians, from any direction to the nearest of `count` sampled ones. For the
 /// Fibonacci sphere it occurs at the poles. The constant is measured; a test verifies it.
-template <class S>
-S sampling_angle(int count);
+template <class S> S sampling_angle(int count);
 
 /// Sequence of evenly distributed unit directions: the Fibonacci sphere (Gonzalez, "Measurement of
 /// Areas on a Sphere Using Fibonacci and Latitude-Longitude Lattices", 2010). Each is a little
@@ -75,15 +74,13 @@ class SamplingDirections {
 };
 
 /// A vertex of the difference, in units.
-template <class S>
-struct DifferencePoint {
+template <class S> struct DifferencePoint {
   Vec3<S> point;
   IndexPair pair;
 };
 
 /// Up to four points of the difference, with the weights of the deepest point.
-template <class S>
-struct WeightedPairs {
+template <class S> struct WeightedPairs {
   int count = 0;
   std::array<IndexPair, 4> pairs = {};
   std::array<S, 4> weights = {};
@@ -98,8 +95,7 @@ struct WeightedPairs {
 /// The difference with the common state of all methods: support points and the best direction so
 /// far. `outward` directions are unit and point from the origin out of the difference, from B to A;
 /// the contact normal is their opposite.
-template <class S>
-class BoundedDifference : public MinkowskiDifference<S> {
+template <class S> class BoundedDifference : public MinkowskiDifference<S> {
  public:
   BoundedDifference(const SupportSet<S>& a, const SupportSet<S>& b, const Pose<S>& b_in_a)
       : MinkowskiDifference<S>(a, b, b_in_a),
@@ -166,8 +162,7 @@ class BoundedDifference : public MinkowskiDifference<S> {
 };
 
 /// Maximum number of steps of a method whose own limit is `cap`.
-template <class S>
-int allowed_iterations(const PenetrationOptions<S>& options, int cap) {
+template <class S> int allowed_iterations(const PenetrationOptions<S>& options, int cap) {
   return options.max_iterations > 0 ? std::min(options.max_iterations, cap) : cap;
 }
 

@@ -10,8 +10,7 @@ namespace {
 constexpr int kNeedleRoundings = 8;
 
 /// Weight of `to` at the point of an edge closest to the origin.
-template <class S>
-S weight_on_edge(const Vec3<S>& from, const Vec3<S>& to) {
+template <class S> S weight_on_edge(const Vec3<S>& from, const Vec3<S>& to) {
   const Vec3<S> along = to - from;
   const S squared = along.squaredNorm();
   if (!(squared > S(0))) return S(0);
@@ -38,14 +37,12 @@ Polytope<S>::Polytope(const StartSimplex<S>& tetrahedron, S rounding) : rounding
   }
 }
 
-template <class S>
-void Polytope<S>::link(int one, int edge, int other, int other_edge) {
+template <class S> void Polytope<S>::link(int one, int edge, int other, int other_edge) {
   at(at(faces, one).neighbours, edge) = other;
   at(at(faces, other).neighbours, other_edge) = one;
 }
 
-template <class S>
-int Polytope<S>::add_face(int first, int second, int third) {
+template <class S> int Polytope<S>::add_face(int first, int second, int third) {
   PolytopeFace<S> added;
   added.vertices = {first, second, third};
   added.neighbours = {-1, -1, -1};
@@ -67,8 +64,7 @@ int Polytope<S>::add_face(int first, int second, int third) {
 /// its plane arbitrarily close to the origin, but not the triangle. Negative if the origin is
 /// beyond the plane: such a face comes first, and then a point is beyond it as well, or its plane
 /// separates the shapes.
-template <class S>
-void Polytope<S>::measure(PolytopeFace<S>& added) const {
+template <class S> void Polytope<S>::measure(PolytopeFace<S>& added) const {
   const Vec3<S> corners[4] = {corner(added, 0).point, corner(added, 1).point,
                               corner(added, 2).point, corner(added, 0).point};
   S length = S(0);
@@ -120,8 +116,7 @@ void Polytope<S>::measure(PolytopeFace<S>& added) const {
   if (!is_needle && added.offset < -rounding_) added.distance = added.offset;
 }
 
-template <class S>
-int Polytope<S>::nearest_open() const {
+template <class S> int Polytope<S>::nearest_open() const {
   int best = -1;
   S least = std::numeric_limits<S>::infinity();
   for (int i = 0; i < count_of(faces); ++i) {
@@ -134,8 +129,7 @@ int Polytope<S>::nearest_open() const {
   return best;
 }
 
-template <class S>
-S Polytope<S>::distance() const {
+template <class S> S Polytope<S>::distance() const {
   S least = std::numeric_limits<S>::infinity();
   for (const PolytopeFace<S>& candidate : faces) {
     if (candidate.is_alive) least = std::min(least, candidate.distance);
@@ -143,8 +137,7 @@ S Polytope<S>::distance() const {
   return least;
 }
 
-template <class S>
-bool Polytope<S>::has_vertex(const IndexPair& pair) const {
+template <class S> bool Polytope<S>::has_vertex(const IndexPair& pair) const {
   return std::ranges::find(vertices, pair, &DifferencePoint<S>::pair) != vertices.end();
 }
 
@@ -155,8 +148,7 @@ bool Polytope<S>::is_seen_from(const PolytopeFace<S>& candidate, const Vec3<S>& 
   return candidate.normal.dot(point) - candidate.offset > -rounding_;
 }
 
-template <class S>
-bool Polytope<S>::expand(int seen, const DifferencePoint<S>& point) {
+template <class S> bool Polytope<S>::expand(int seen, const DifferencePoint<S>& point) {
   // Flood fill over neighbours, starting at the visible face.
   StaticVector<int, kMaxFaces> region;
   std::array<bool, kMaxFaces> is_in_region;

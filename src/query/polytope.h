@@ -9,16 +9,14 @@
 namespace contactscope {
 
 /// A tetrahedron of the difference around the origin within rounding, or a degenerate simplex.
-template <class S>
-struct StartSimplex {
+template <class S> struct StartSimplex {
   int count = 0;  // 4: a tetrahedron; less: the difference does not extend beyond these points
   std::array<DifferencePoint<S>, 4> points;
   Vec3<S> outward = Vec3<S>::UnitX();  // if count < 4: unit, across the difference
 };
 
 /// A triangle of the polytope.
-template <class S>
-struct PolytopeFace {
+template <class S> struct PolytopeFace {
   std::array<int, 3> vertices;    // counter-clockwise seen from outside
   std::array<int, 3> neighbours;  // face across the edge from vertices[k] to the next
   bool is_alive;
@@ -32,8 +30,7 @@ struct PolytopeFace {
 
 /// The polytope of EPA: a closed triangle mesh around the origin inside the Minkowski difference,
 /// in units. Has capacity for all expansions of EPA, without heap allocations.
-template <class S>
-struct Polytope {
+template <class S> struct Polytope {
   static constexpr int kMaxVertices = 4 + kMaxEpaIterations;
   static constexpr int kMaxFaces = 2 * kMaxVertices;
 

@@ -12,8 +12,7 @@ namespace contactscope {
 namespace {
 
 /// End of an arc: a unit direction, B's support vertex along it, and the separation it gives.
-template <class S>
-struct ArcEnd {
+template <class S> struct ArcEnd {
   Vec3<S> direction;
   int support;
   S separation;  // metres
@@ -21,8 +20,7 @@ struct ArcEnd {
 
 /// An edge of A as an arc on the Gauss map, from the normal of the half-edge's left face to that of
 /// the other face. For a flat A, one half of it.
-template <class S>
-struct Arc {
+template <class S> struct Arc {
   int half_edge;
   Vec3<S> on_edge;  // a vertex of the edge
   ArcEnd<S> first, second;
@@ -55,8 +53,7 @@ bool arc_stays_below(const PlacedHull<S>& b, const Vec3<S>& on_edge, const ArcEn
 
 /// Separation along a unit direction by the support points of both hulls. Valid for every
 /// direction: the hulls' distance is never less.
-template <class S>
-S support_separation(const HullPair<S>& pair, const Vec3<S>& direction) {
+template <class S> S support_separation(const HullPair<S>& pair, const Vec3<S>& direction) {
   S a_most = -std::numeric_limits<S>::infinity();
   for (int v = 0; v < pair.a.vertices.count(); ++v) {
     const S along = direction.dot(pair.a.vertices[v]);
@@ -75,8 +72,7 @@ S support_separation(const HullPair<S>& pair, const Vec3<S>& direction) {
 /// x . (first + second) > 0. For an arc of more than a quarter turn the sum cancels. But it is
 /// k (1 + first . second) (first . edge_b - second . edge_b) with k > 0, and the walk uses edges of
 /// B for which the last factor is positive.
-template <class S>
-S orientation(const Arc<S>& arc, const Vec3<S>& cross) {
+template <class S> S orientation(const Arc<S>& arc, const Vec3<S>& cross) {
   const Vec3<S>&first = arc.first.direction, &second = arc.second.direction;
   const bool wide = first.dot(second) < S(0);
   return wide || cross.dot(Vec3<S>(first + second)) >= S(0) ? S(1) : S(-1);
@@ -163,8 +159,7 @@ void each_crossing(const HullPair<S>& pair, const FaceSeparations<S>& faces_a, c
 }
 
 /// Keeps the best of the visited crossings.
-template <class S>
-struct BestCrossing {
+template <class S> struct BestCrossing {
   void operator()(const Arc<S>& arc, const Vec3<S>& along_a, int edge_b) {
     if (measure(pair, arc, along_a, edge_b, to_beat, best)) to_beat = best.separation + tie;
   }
@@ -240,8 +235,7 @@ std::vector<EdgeQuery<S>> all_crossings(const HullPair<S>& pair,
   return crossings;
 }
 
-template <class S>
-EdgeQuery<S> query_sides(const HullPair<S>& pair) {
+template <class S> EdgeQuery<S> query_sides(const HullPair<S>& pair) {
   EdgeQuery<S> best;
   best.separation = -std::numeric_limits<S>::infinity();
   const auto look = [&](const PlacedHull<S>& hull, const PlacedHull<S>& other, Owner owner) {

@@ -11,8 +11,7 @@ namespace {
 constexpr double kGoldenCosine = -0.73736887807831975;
 constexpr double kGoldenSine = 0.67549029426152396;
 
-template <class S>
-S radius_about_middle(const SupportSet<S>& set) {
+template <class S> S radius_about_middle(const SupportSet<S>& set) {
   if (set.hull != nullptr) return set.hull->radius;
   const Vec3<S> middle = middle_of(set);
   S radius = S(0);
@@ -22,8 +21,7 @@ S radius_about_middle(const SupportSet<S>& set) {
 
 }  // namespace
 
-template <class S>
-S sampling_angle(int count) {
+template <class S> S sampling_angle(int count) {
   // Measured on the hull of the directions: 2.68 for six, at most 2.734, and 2.728 for many.
   return S(2.75) / std::sqrt(static_cast<S>(count));
 }

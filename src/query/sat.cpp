@@ -12,8 +12,7 @@ namespace {
 /// Talk: "the minimizing feature defines the contact type". Order: faces of the preferred hull,
 /// faces of the other, edges; strictly by depth without a preference, otherwise within its
 /// tolerance.
-template <class S>
-AxisKind choose(const SatResult<S>& queries, S tolerance, Owner preferred) {
+template <class S> AxisKind choose(const SatResult<S>& queries, S tolerance, Owner preferred) {
   const S least = queries.separation(queries.deepest) - tolerance;
   const AxisKind first = preferred == Owner::A ? AxisKind::FaceA : AxisKind::FaceB;
   const AxisKind second = preferred == Owner::A ? AxisKind::FaceB : AxisKind::FaceA;
@@ -22,8 +21,7 @@ AxisKind choose(const SatResult<S>& queries, S tolerance, Owner preferred) {
   return AxisKind::EdgeEdge;
 }
 
-template <class S>
-S tie_of(const HullPair<S>& pair, Preference preference) {
+template <class S> S tie_of(const HullPair<S>& pair, Preference preference) {
   return preference == Preference::Relative ? tie_tolerance(pair.scale) : S(0);
 }
 
@@ -37,8 +35,7 @@ bool is_separated(SatResult<S>& result, AxisKind kind, const FaceQuery<S>& query
 }
 
 /// The same for the edge query, which may have found no pair.
-template <class S>
-bool is_separated(SatResult<S>& result, const EdgeQuery<S>& query, S margin) {
+template <class S> bool is_separated(SatResult<S>& result, const EdgeQuery<S>& query, S margin) {
   result.edge = query;
   ++result.queries_run;
   result.chosen = result.deepest = AxisKind::EdgeEdge;
@@ -67,8 +64,7 @@ void touch(const HullPair<S>& pair, Preference preference, Owner preferred, SatR
 }
 
 /// The vertex of B farthest towards A's centroid: only a starting point.
-template <class S>
-int vertex_towards_a(const HullPair<S>& pair) {
+template <class S> int vertex_towards_a(const HullPair<S>& pair) {
   const Hull<S>& b = pair.b.hull;
   const Vec3<S> from_vertex = pair.a.hull.centroid - pair.b.vertices[0];
   const Vec3<S> in_b = pair.b.rotation.transpose() * from_vertex;
@@ -76,8 +72,7 @@ int vertex_towards_a(const HullPair<S>& pair) {
 }
 
 /// Starts B's faces with three corners of a face of A; no other vertex of A is beyond that face.
-template <class S>
-void look_at_face(const Hull<S>& a, int face, FaceBounds<S>& faces_b) {
+template <class S> void look_at_face(const Hull<S>& a, int face, FaceBounds<S>& faces_b) {
   const auto origin = [&](int edge) { return at(a.half_edges, edge).origin; };
   const int first = at(a.face_edges, face);
   const int second = at(a.half_edges, first).next;

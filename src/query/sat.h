@@ -12,16 +12,14 @@ namespace contactscope {
 
 /// Best face of one hull against the other. `separation` in metres: distance of the other hull's
 /// support vertex from the face plane, negative in overlap.
-template <class S>
-struct FaceQuery {
+template <class S> struct FaceQuery {
   int face = -1;
   int support = -1;  // vertex of the other hull that is deepest below the face
   S separation = 0;
 };
 
 /// Best edge pair that forms a face of the Minkowski difference.
-template <class S>
-struct EdgeQuery {
+template <class S> struct EdgeQuery {
   int edge_a = -1;  // half-edges; -1 if there is no such pair
   int edge_b = -1;
   S separation = 0;                   // metres, negative in overlap
@@ -30,8 +28,7 @@ struct EdgeQuery {
 
 /// Support vertex of the other hull for every face, and its distance from the face, as lanes. The
 /// index is stored as S, which is exact below 2^24, so that both fill the same vector registers.
-template <class S>
-struct FaceSeparations {
+template <class S> struct FaceSeparations {
   explicit FaceSeparations(const PlacedHull<S>& reference)
       : separations(reference.normals.padded_count()), supports(reference.normals.padded_count()) {}
 
@@ -50,8 +47,7 @@ enum class SatStatus {
 /// Result of the queries. They run in the order face A, face B, edges, and stop after the first
 /// that separates; the results of skipped queries keep their initial values. The edge query only
 /// finds pairs that beat both face queries by edge_handicap() (tolerance.h).
-template <class S>
-struct SatResult {
+template <class S> struct SatResult {
   SatStatus status = SatStatus::Separated;
   AxisKind chosen = AxisKind::FaceA;   // see SatStatus
   AxisKind deepest = AxisKind::FaceA;  // the axis of largest separation, regardless of preferences
@@ -90,8 +86,7 @@ std::vector<EdgeQuery<S>> all_crossings(const HullPair<S>& pair, const FaceSepar
 
 /// For two flat hulls: the direction away from an edge, in the plane of its hull, with the largest
 /// separation. If both are in one plane, all other axes are their common normal.
-template <class S>
-EdgeQuery<S> query_sides(const HullPair<S>& pair);
+template <class S> EdgeQuery<S> query_sides(const HullPair<S>& pair);
 
 /// Runs the queries and chooses the axis. The result is Separated if an axis separates the hulls by
 /// more than `margin` (metres, >= 0). Among faces of nearly equal depth, those of `preferred` win.

@@ -10,11 +10,9 @@
 namespace contactscope {
 namespace {
 
-template <class S>
-using Points = std::array<Vec3<S>, 4>;
+template <class S> using Points = std::array<Vec3<S>, 4>;
 
-template <class S>
-void on_vertex(const Points<S>& points, int i, NearestOnSimplex<S>& result) {
+template <class S> void on_vertex(const Points<S>& points, int i, NearestOnSimplex<S>& result) {
   result.count = 1;
   result.kept[0] = i;
   result.weights[0] = S(1);
@@ -51,8 +49,7 @@ bool on_edge(const Points<S>& points, int i, int j, NearestOnSimplex<S>& result)
 }
 
 /// A triangle relative to one of its corners.
-template <class S>
-struct Triangle {
+template <class S> struct Triangle {
   /// Starts at k, unless the triangle is a needle there.
   Triangle(const Points<S>& points, int i, int j, int k) {
     see_from(points, k, i, j, {2, 0, 1});
@@ -101,8 +98,7 @@ struct Triangle {
 };
 
 /// Foot of the perpendicular from the origin, inside or outside the triangle.
-template <class S>
-struct Foot {
+template <class S> struct Foot {
   explicit Foot(const Triangle<S>& triangle) : point(triangle.corner) {
     correct(triangle);
     // A flat triangle amplifies the rounding; the second pass starts with a small error.
@@ -124,8 +120,7 @@ struct Foot {
 /// Weights below this size are computed again from the corner closest to the origin, where the
 /// other weights are exact relative to the distance from the origin. Any fraction well above
 /// rounding works.
-template <class S>
-constexpr S kDoubtfulWeight = S(1) / S(32);
+template <class S> constexpr S kDoubtfulWeight = S(1) / S(32);
 
 /// Returns false unless the foot of the perpendicular lies inside.
 template <class S>
@@ -165,8 +160,7 @@ bool on_triangle(const Points<S>& points, Triangle<S>& triangle, int i, int j, i
 /// Keeps the nearest of the offered faces of a simplex, from triangles down to vertices. A lower
 /// face must be nearer by more than rounding: if the weights of a triangle are all positive, this
 /// locates the foot better than a length, which is second order in it.
-template <class S>
-class Nearest {
+template <class S> class Nearest {
  public:
   /// Stores the nearest face in `best`.
   Nearest(const Points<S>& points, S scale, NearestOnSimplex<S>& best)

@@ -7,8 +7,7 @@
 namespace contactscope {
 
 /// The point of a simplex closest to the origin, and the face of the simplex that contains it.
-template <class S>
-struct NearestOnSimplex {
+template <class S> struct NearestOnSimplex {
   int count;                 // 1: vertex, 2: edge, 3: triangle, 4: the origin is inside
   std::array<int, 4> kept;   // first `count` entries: indices of simplex points, ascending
   std::array<S, 4> weights;  // first `count` entries: barycentric, positive, sum 1

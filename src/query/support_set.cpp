@@ -20,8 +20,7 @@ static_assert(kLaneWidth % lanes::kWidth<float> == 0 && kLaneWidth % lanes::kWid
 ///
 /// Lane k holds the best of the vertices kWidth * n + k. Two packs are compared with each other
 /// before the best, because every step waits for the best.
-template <class S>
-int support_in_lanes(const VectorLanes<S>& vertices, const Vec3<S>& direction) {
+template <class S> int support_in_lanes(const VectorLanes<S>& vertices, const Vec3<S>& direction) {
   using lanes::Flags;
   using lanes::load;
   using lanes::Pack;
@@ -69,8 +68,7 @@ int support_in_lanes(const VectorLanes<S>& vertices, const Vec3<S>& direction) {
 
 }  // namespace
 
-template <class S>
-int support_index(const SupportSet<S>& set, const Vec3<S>& direction) {
+template <class S> int support_index(const SupportSet<S>& set, const Vec3<S>& direction) {
   // A triangle does not fill a pack of floats, and the padding is not a vertex.
   if (set.hull != nullptr && set.count >= lanes::kWidth<S>) {
     return support_in_lanes<S>({set.hull->lanes.vertices.data(), set.count}, direction);
@@ -88,14 +86,12 @@ int support_index(const SupportSet<S>& set, const Vec3<S>& direction) {
   return best;
 }
 
-template <class S>
-Vec3<S> middle_of(const SupportSet<S>& set) {
+template <class S> Vec3<S> middle_of(const SupportSet<S>& set) {
   if (set.hull != nullptr) return set.hull->centroid;
   return S(0.5) * (set.points[0] + set.points[set.count - 1]);
 }
 
-template <class S>
-S reach_of(const SupportSet<S>& set) {
+template <class S> S reach_of(const SupportSet<S>& set) {
   if (set.hull != nullptr) return set.hull->centroid.norm() + set.hull->radius;
   S squared = 0;
   for (int i = 0; i < set.count; ++i) squared = std::max(squared, set.points[i].squaredNorm());

@@ -18,9 +18,7 @@ struct TriangleEdge {
   const Vec3d& from;
   const Vec3d& to;
 };
-TriangleEdge edge_of(const FlatTriangle& t, int k) {
-  return {at(t, k), at(t, (k + 1) % 3)};
-}
+TriangleEdge edge_of(const FlatTriangle& t, int k) { return {at(t, k), at(t, (k + 1) % 3)}; }
 
 /// The axis of the largest projected area of a triangle, and the sign of that area; sign 0 if the
 /// triangle has no area.
@@ -201,9 +199,7 @@ TriangleOverlap<double> flat_triangle_overlap(const Triangle<double>& a, const T
 }
 
 /// Corners in double; the conversion is exact.
-const Triangle<double>& widened(const Triangle<double>& t) {
-  return t;
-}
+const Triangle<double>& widened(const Triangle<double>& t) { return t; }
 Triangle<double> widened(const Triangle<float>& t) {
   return {t[0].cast<double>(), t[1].cast<double>(), t[2].cast<double>()};
 }
@@ -221,9 +217,7 @@ struct Lie {
   bool lone_above;    // above the plane; a corner in the plane counts to the side without others
 };
 
-constexpr int code_of(int a, int b, int c) {
-  return 9 * a + 3 * b + c + 13;
-}
+constexpr int code_of(int a, int b, int c) { return 9 * a + 3 * b + c + 13; }
 
 constexpr Lie lie_of(int a, int b, int c) {
   const std::array<int, 3> signs{a, b, c};
@@ -332,8 +326,7 @@ TriangleOverlap<double> overlap(const Triangle<double>& a, const Triangle<double
 
 }  // namespace
 
-template <class S>
-TriangleOverlap<S> triangle_overlap(const Triangle<S>& a, const Triangle<S>& b) {
+template <class S> TriangleOverlap<S> triangle_overlap(const Triangle<S>& a, const Triangle<S>& b) {
   const TriangleOverlap<double> exact = overlap<true>(widened(a), widened(b));
   return {exact.kind,
           exact.a_degenerate,
@@ -346,8 +339,7 @@ TriangleOverlapKind triangle_overlap_kind(const Triangle<S>& a, const Triangle<S
   return overlap<false>(widened(a), widened(b)).kind;
 }
 
-template <class S>
-bool is_degenerate(const Triangle<S>& triangle) {
+template <class S> bool is_degenerate(const Triangle<S>& triangle) {
   const Triangle<double>& t = widened(triangle);
   return on_one_line(t[0], t[1], t[2]);
 }

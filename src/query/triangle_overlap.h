@@ -9,8 +9,7 @@ namespace contactscope {
 
 /// Three corners in one frame, metres. The front is the side from which they run counter-clockwise;
 /// overlap does not depend on it.
-template <class S>
-using Triangle = std::array<Vec3<S>, 3>;
+template <class S> using Triangle = std::array<Vec3<S>, 3>;
 
 /// Common points of two closed triangles. The interior of a triangle excludes its three edges, in
 /// its own plane; a triangle without area has none.
@@ -22,8 +21,7 @@ enum class TriangleOverlapKind : std::uint8_t {
   Coplanar,  // one plane, and the interiors intersect: they share an area
 };
 
-template <class S>
-struct TriangleOverlap {
+template <class S> struct TriangleOverlap {
   TriangleOverlapKind kind = TriangleOverlapKind::None;
   /// True if a (b) has no area and is a segment or a point. Not computed for kind None: false.
   bool a_degenerate = false;
@@ -47,15 +45,13 @@ struct TriangleOverlap {
 ///      lone corner. Two predicates order the ends.
 /// Deviations: we distinguish touching from overlap; both are an intersection there. Two more
 /// predicates choose the ends of the segment.
-template <class S>
-TriangleOverlap<S> triangle_overlap(const Triangle<S>& a, const Triangle<S>& b);
+template <class S> TriangleOverlap<S> triangle_overlap(const Triangle<S>& a, const Triangle<S>& b);
 
 /// The same without a segment.
 template <class S>
 TriangleOverlapKind triangle_overlap_kind(const Triangle<S>& a, const Triangle<S>& b);
 
 /// True if the corners are collinear, exactly.
-template <class S>
-bool is_degenerate(const Triangle<S>& triangle);
+template <class S> bool is_degenerate(const Triangle<S>& triangle);
 
 }  // namespace contactscope

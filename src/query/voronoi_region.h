@@ -9,8 +9,7 @@ namespace contactscope {
 
 /// The half-edge of a face whose side plane a point is farthest outside of; -1 if the point is over
 /// the face, as in projects_into() with thickness 0.
-template <class S>
-int outside_side(const Hull<S>& hull, int face, const Vec3<S>& point) {
+template <class S> int outside_side(const Hull<S>& hull, int face, const Vec3<S>& point) {
   const Vec3<S>& normal = at(hull.planes, face).normal;
   int best = -1;
   S farthest = S(0), squared_length = S(1);  // both scaled by the edge's squared length

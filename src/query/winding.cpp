@@ -63,8 +63,7 @@ Winding winding_around(const std::vector<Vec3<S>>& vertices,
 }
 
 /// One vertex of each part of the mesh that is connected across edges.
-template <class S>
-std::vector<int> vertex_of_each_part(const Mesh<S>& mesh) {
+template <class S> std::vector<int> vertex_of_each_part(const Mesh<S>& mesh) {
   std::vector<int> found, open;
   std::vector<bool> seen(mesh.triangles.size(), false);
   for (int first = 0; first < mesh.triangle_count(); ++first) {
@@ -87,8 +86,7 @@ std::vector<int> vertex_of_each_part(const Mesh<S>& mesh) {
 
 }  // namespace
 
-template <class S>
-Winding winding_number(const Mesh<S>& mesh, const Vec3<S>& point) {
+template <class S> Winding winding_number(const Mesh<S>& mesh, const Vec3<S>& point) {
   Winding winding;
   const Vec3d p = point.template cast<double>();
   Aabb<S> above;
@@ -100,8 +98,7 @@ Winding winding_number(const Mesh<S>& mesh, const Vec3<S>& point) {
   return winding;
 }
 
-template <class S>
-std::vector<MeshEdge> open_edges(const Mesh<S>& mesh) {
+template <class S> std::vector<MeshEdge> open_edges(const Mesh<S>& mesh) {
   std::vector<MeshEdge> open;
   for (int t = 0; t < mesh.triangle_count(); ++t) {
     for (int k = 0; k < 3; ++k)

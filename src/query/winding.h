@@ -25,8 +25,7 @@ struct Winding {
 ///
 /// Perturbation: Edelsbrunner and Muecke 1990, "Simulation of Simplicity". Visits the triangles
 /// whose boxes are above the point.
-template <class S>
-Winding winding_number(const Mesh<S>& mesh, const Vec3<S>& point);
+template <class S> Winding winding_number(const Mesh<S>& mesh, const Vec3<S>& point);
 
 struct MeshEdge {
   int triangle = -1;
@@ -37,8 +36,7 @@ struct MeshEdge {
 
 /// Edges without a neighbour (see Mesh::neighbours), sorted by triangle: holes, or places where the
 /// continuation is unknown. If there are none, the mesh is watertight and has an inside.
-template <class S>
-std::vector<MeshEdge> open_edges(const Mesh<S>& mesh);
+template <class S> std::vector<MeshEdge> open_edges(const Mesh<S>& mesh);
 
 /// Relative position of two meshes that do not intersect.
 enum class Containment : std::uint8_t {

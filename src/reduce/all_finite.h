@@ -6,8 +6,7 @@
 namespace contactscope {
 
 /// Whether all positions, separations and the normal are finite, without a branch for each.
-template <class S>
-bool all_finite(ContactPoints<S> points, const Vec3<S>& normal) {
+template <class S> bool all_finite(ContactPoints<S> points, const Vec3<S>& normal) {
   // Zero times a finite number is zero; times any other it is NaN.
   const S zero = S(0);
   lanes::Pack<S> sum = {};

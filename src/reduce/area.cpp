@@ -119,8 +119,7 @@ std::vector<ReducerInfo> area_reducers() {
 namespace {
 
 /// Both directions along two axes of the plane.
-template <class S>
-std::array<Vec3<S>, 4> directions_in_plane(const Vec3<S>& normal) {
+template <class S> std::array<Vec3<S>, 4> directions_in_plane(const Vec3<S>& normal) {
   const Vec3<S> u = any_perpendicular(normal);
   const Vec3<S> v = normal.cross(u);
   return {-u, u, -v, v};

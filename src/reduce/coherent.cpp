@@ -21,8 +21,7 @@ constexpr double kCoherentDepthOfSeparation = 0.05;
 constexpr int kMaxCoherentCorners = 8;
 
 /// The choice that others are compared with.
-template <class S>
-struct Reference {
+template <class S> struct Reference {
   KeptIndices kept;
   int inner = -1;  // its deep point that is not a corner of the ring, if any
   S size;          // measure()
@@ -73,8 +72,7 @@ Reference<S> find_reference(const Candidates<S>& points, Patch<S>& patch,
 }
 
 /// Requirements for a ring of corners.
-template <class S>
-struct CoherentWish {
+template <class S> struct CoherentWish {
   StaticVector<bool, kMaxManifoldPoints> is_old, is_deep;  // by corner
   // A deep point inside the patch that is kept in addition to the ring; the hull includes it.
   // Without it the ring must have a deep corner.
@@ -83,16 +81,14 @@ struct CoherentWish {
   int most;  // corners, 2 to kMaxCoherentCorners
 };
 
-template <class S>
-struct CoherentRing {
+template <class S> struct CoherentRing {
   int old = 0;
   CornerRing<S> ring;  // empty if no ring with an old corner meets the requirements
 };
 
 /// The best chain from the first corner to another with a given number of corners and of old
 /// corners, with or without a deep one.
-template <class S>
-struct Chain {
+template <class S> struct Chain {
   S doubled_area = -std::numeric_limits<S>::infinity();
   int before = -1;  // the chain without the last corner
 };

@@ -10,8 +10,7 @@
 namespace contactscope {
 namespace {
 
-template <class S>
-constexpr S kHandicap = S(0.95);
+template <class S> constexpr S kHandicap = S(0.95);
 
 /// Two points, the largest triangle with them, the most area outside it; one if they coincide.
 template <class S>
@@ -118,14 +117,12 @@ constexpr auto reduce_like_bullet = []<class S>(const Candidates<S>& points,
   return steps::first_of(choices, options);
 };
 
-template <class S>
-struct Corner {
+template <class S> struct Corner {
   Vec2<S> place;
   int index = 0;
 };
 
-template <class S>
-using Corners = StaticVector<Corner<S>, 2 * kMaxManifoldPoints>;
+template <class S> using Corners = StaticVector<Corner<S>, 2 * kMaxManifoldPoints>;
 
 /// The corners of the points' convex hull, projected into their plane, counter-clockwise, without
 /// points on edges.
@@ -142,8 +139,7 @@ Corners<S> convex_corners(const Candidates<S>& points, const PlaneFrame<S>& plan
 }
 
 /// The centroid of the points' convex hull; the mean of its corners if the area is zero.
-template <class S>
-Vec3<S> centroid(const Candidates<S>& points) {
+template <class S> Vec3<S> centroid(const Candidates<S>& points) {
   const PlaneFrame<S> plane(points[0], points.normal);
   const Corners<S> hull = convex_corners(points, plane);
   const Vec2<S> origin = hull[0].place;
@@ -228,8 +224,7 @@ constexpr auto reduce_like_physx_cluster = []<class S>(const Candidates<S>& poin
 
 /// Shamos 1978, "Computational Geometry": the farthest pair is antipodal. As the edge from corner i
 /// turns, the corner farthest from it only advances.
-template <class S>
-std::array<int, 2> diameter(const Corners<S>& hull) {
+template <class S> std::array<int, 2> diameter(const Corners<S>& hull) {
   std::array<int, 2> best = {hull[0].index, hull[0].index};
   S most = S(0);
   const auto measure = [&](std::size_t i, std::size_t k) {

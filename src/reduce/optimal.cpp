@@ -12,8 +12,7 @@ namespace {
 
 /// The best chains of corners that begin at one corner: row r, column j holds the largest doubled
 /// area of r + 1 corners that end at j. One column per corner of the patch.
-template <class S>
-using Chains = Scratch<S, 5 * 64>;
+template <class S> using Chains = Scratch<S, 5 * 64>;
 
 /// The best ring that begins at corner `first` and uses no corner after `last`, which may be in the
 /// second round. Replaces `best` if it is larger by more than rounding. `most` >= 2.
@@ -63,8 +62,7 @@ void improve_from(const Patch<S>& patch, const Vec2<S>& centre, int first, int l
   std::reverse(best.corners.begin(), best.corners.end());
 }
 
-template <class S>
-CornerRing<S> every_corner(const Patch<S>& patch) {
+template <class S> CornerRing<S> every_corner(const Patch<S>& patch) {
   CornerRing<S> ring;
   for (int i = 0; i < patch.count; ++i) ring.corners.push_back(i);
   ring.doubled_area = patch.doubled_area;
@@ -93,8 +91,7 @@ CornerRing<S> best_ring(const Patch<S>& patch, int most, const Vec2<S>* inner = 
 
 /// The largest polygon that contains corner `through`: the same with a single first corner. O(most
 /// n^2).
-template <class S>
-CornerRing<S> best_ring_through(const Patch<S>& patch, int through, int most) {
+template <class S> CornerRing<S> best_ring_through(const Patch<S>& patch, int through, int most) {
   if (patch.count <= most) return every_corner(patch);
   if (most == 4) return best_quadrilateral_through(patch, through);
   CornerRing<S> best;
@@ -116,8 +113,7 @@ void append(KeptIndices& kept, const Patch<S>& patch, const CornerRing<S>& ring,
 
 /// Position of the deepest point in a ring: the earliest of those whose separations differ by no
 /// more than `depth_tie`.
-template <class S>
-int deepest_of(const Patch<S>& patch, const CornerRing<S>& ring, S depth_tie) {
+template <class S> int deepest_of(const Patch<S>& patch, const CornerRing<S>& ring, S depth_tie) {
   S least = std::numeric_limits<S>::infinity();
   for (const int corner : ring.corners) least = std::min(least, patch.separation[corner]);
   int best = -1;
@@ -159,8 +155,7 @@ KeptIndices kept_four(const Patch<S>& patch, const CornerRing<S>& ring, S depth_
   return kept;
 }
 
-template <class S>
-int corner_at(const Patch<S>& patch, const Vec2<S>& place) {
+template <class S> int corner_at(const Patch<S>& patch, const Vec2<S>& place) {
   for (int i = 0; i < patch.count; ++i)
     if (patch.xs[i] == place.x() && patch.ys[i] == place.y()) return i;
   return -1;
@@ -185,8 +180,7 @@ CornerRing<S> ring_around(const Patch<S>& patch, const Vec2<S>& place, int most)
 
 }  // namespace
 
-template <class S>
-CornerRing<S> farthest_pair(const Patch<S>& patch) {
+template <class S> CornerRing<S> farthest_pair(const Patch<S>& patch) {
   const auto [first, second] = steps::farthest_two<S>(
       patch.count, [&](int i, int j) { return (patch.corner(j) - patch.corner(i)).squaredNorm(); },
       patch.tie);
@@ -220,8 +214,7 @@ KeptIndices points_of(const Patch<S>& patch, const CornerRing<S>& ring, S depth_
   return kept;
 }
 
-template <class S>
-S measure(const Candidates<S>& points, const KeptIndices& kept, bool by_length) {
+template <class S> S measure(const Candidates<S>& points, const KeptIndices& kept, bool by_length) {
   StaticVector<ContactPoint<S>, kMaxManifoldPoints> chosen;
   for (const int i : kept) chosen.push_back(at(points.points, i));
   const Patch<S> patch({{chosen.data(), chosen.size()}, points.normal});

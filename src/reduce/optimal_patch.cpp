@@ -22,15 +22,13 @@ constexpr std::array<int, kMaxManifoldPoints> kNumbers = [] {
   return numbers;
 }();
 
-template <class S>
-struct Positions {
+template <class S> struct Positions {
   Pack<S> x, y, z;
   Pack<S> separation = {};
 };
 
 /// Reads a pack of points; each separation follows its position in memory and is read with it.
-template <class S>
-Positions<S> read(const ContactPoint<S>* const (&points)[Patch<S>::kLanes]) {
+template <class S> Positions<S> read(const ContactPoint<S>* const (&points)[Patch<S>::kLanes]) {
   if constexpr (Patch<S>::kLanes == 2) {
     const Pack<S> first = lanes::load(*points[0], 0), second = lanes::load(*points[1], 0);
     return {__builtin_shufflevector(first, second, 0, 2),
@@ -89,8 +87,7 @@ Patch<S>::Patch(const Candidates<S>& points) : origin_(points[0]), count(points.
   }
 }
 
-template <class S>
-void Patch<S>::project_all(ContactPoints<S> points) {
+template <class S> void Patch<S>::project_all(ContactPoints<S> points) {
   // Local copies, so that the compiler need not reload the members after each store.
   const Positions<S> from = {all(origin_.x()), all(origin_.y()), all(origin_.z())};
   const Positions<S> u = {all(u_.x()), all(u_.y()), all(u_.z())};
@@ -126,8 +123,7 @@ void Patch<S>::project_all(ContactPoints<S> points) {
   if (2 * corners < kLanes) repeat();
 }
 
-template <class S>
-Vec2<S> Patch<S>::project(const Vec3<S>& position) const {
+template <class S> Vec2<S> Patch<S>::project(const Vec3<S>& position) const {
   // Relative to the first point, so that positions far from the origin lose no digits.
   const S dx = position.x() - origin_.x();
   const S dy = position.y() - origin_.y();
@@ -135,16 +131,14 @@ Vec2<S> Patch<S>::project(const Vec3<S>& position) const {
   return {u_.x() * dx + u_.y() * dy + u_.z() * dz, up_ * (v_.x() * dx + v_.y() * dy + v_.z() * dz)};
 }
 
-template <class S>
-void Patch<S>::repeat() {
+template <class S> void Patch<S>::repeat() {
   for (S* const values : {xs, ys}) {
     for (int i = count; i < 2 * count + 2 * kLanes; ++i) values[i] = values[i - count];
   }
 }
 
 /// Keeps the earliest of coincident points.
-template <class S>
-void Patch<S>::make_convex() {
+template <class S> void Patch<S>::make_convex() {
   StaticVector<int, kMaxManifoldPoints + 1> sorted;
   for (int i = 0; i < count; ++i) sorted.push_back(i);
   std::ranges::sort(sorted, {}, [this](int i) { return std::tuple(xs[i], ys[i], i); });
@@ -167,8 +161,7 @@ void Patch<S>::make_convex() {
 
 /// Corners are in convex order if all turns are to the left and they go round once. Then exactly
 /// one corner is higher than the one before and no lower than the next.
-template <class S>
-bool Patch<S>::measure() {
+template <class S> bool Patch<S>::measure() {
   const Pack<S> zero = {};
   Pack<S> least_turn = zero + std::numeric_limits<S>::infinity();
   Pack<S> high = zero;

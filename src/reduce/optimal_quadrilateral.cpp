@@ -194,8 +194,7 @@ inline void roll(const Patch<S>& patch, const S* edge_x, const S* edge_y, int i,
 /// corner; take the farthest corners on both sides of the diagonal from there to the end of the
 /// edge. Rotating calipers need O(n) steps for the pairs, but each waits for the previous one.
 /// O(n^2) parallel steps without branches are faster for the sizes of manifolds.
-template <class S>
-S area_of_best_quadrilateral(const Patch<S>& patch) {
+template <class S> S area_of_best_quadrilateral(const Patch<S>& patch) {
   constexpr int kLanes = Patch<S>::kLanes;
   const int count = patch.count;
   if (count <= kEight) return best_of_eight(patch, std::make_integer_sequence<int, kEight>{});
@@ -221,8 +220,7 @@ S area_of_best_quadrilateral(const Patch<S>& patch) {
 /// Tests only the diagonals at this corner, because a quadrilateral has a diagonal at each corner;
 /// among equals the first in order from there. The two sides need not be distinguished: beyond the
 /// ends of a diagonal of a convex polygon nothing is farther to the right or left.
-template <class S>
-CornerRing<S> best_quadrilateral_through(const Patch<S>& patch, int through) {
+template <class S> CornerRing<S> best_quadrilateral_through(const Patch<S>& patch, int through) {
   const int count = patch.count;
   const S* x = patch.xs;
   const S* y = patch.ys;

@@ -12,20 +12,13 @@ namespace contactscope {
 /// Packs as wide as the build allows; the rest of namespace lanes works on them, too.
 namespace widest {
 
-template <class S>
-using Pack = lanes::Widest<S>;
-template <class S>
-using Flags = decltype(Pack<S>{} < Pack<S>{});
-template <class S>
-Pack<S> load(const S* from) {
-  return lanes::load_pack<Pack<S>>(from);
-}
-template <class S, class Value>
-Pack<S> each(const Value& value) {
+template <class S> using Pack = lanes::Widest<S>;
+template <class S> using Flags = decltype(Pack<S>{} < Pack<S>{});
+template <class S> Pack<S> load(const S* from) { return lanes::load_pack<Pack<S>>(from); }
+template <class S, class Value> Pack<S> each(const Value& value) {
   return lanes::pack_of<Pack<S>>([&value](int lane) -> S { return value(lane); });
 }
-template <class S>
-Pack<S> all(S value) {
+template <class S> Pack<S> all(S value) {
   return each<S>([value](int) { return value; });
 }
 
@@ -34,8 +27,7 @@ Pack<S> all(S value) {
 /// Contact points seen along the normal: the corners of their convex hull, one array per
 /// coordinate. The arrays repeat at least twice, so that loops need not wrap: corner i + count is
 /// corner i again, also in the lanes after the last corner.
-template <class S>
-class Patch {
+template <class S> class Patch {
   // The plane.
   Vec3<S> origin_;
   Vec3<S> u_, v_;
@@ -86,23 +78,19 @@ extern template class Patch<float>;
 extern template class Patch<double>;
 
 /// Corners of a patch, counter-clockwise in its coordinates, each below count().
-template <class S>
-struct CornerRing {
+template <class S> struct CornerRing {
   S doubled_area = S(0);
   StaticVector<int, kMaxManifoldPoints> corners;
 };
 
 /// Doubled area of the largest quadrilateral, exact up to rounding. Needs at least four corners.
-template <class S>
-S area_of_best_quadrilateral(const Patch<S>& patch);
+template <class S> S area_of_best_quadrilateral(const Patch<S>& patch);
 
 /// The largest quadrilateral with corner `through`; among equals the first in order from there.
-template <class S>
-CornerRing<S> best_quadrilateral_through(const Patch<S>& patch, int through);
+template <class S> CornerRing<S> best_quadrilateral_through(const Patch<S>& patch, int through);
 
 /// The two farthest corners; one if they coincide.
-template <class S>
-CornerRing<S> farthest_pair(const Patch<S>& patch);
+template <class S> CornerRing<S> farthest_pair(const Patch<S>& patch);
 
 /// The ring of at most `most` >= 2 corners of a patch that keeps the most: the largest one, the two
 /// extremes if most is 2 or the patch is flat, or one corner if all coincide. Among equals the one
@@ -116,8 +104,7 @@ template <class S>
 KeptIndices points_of(const Patch<S>& patch, const CornerRing<S>& ring, S depth_tie);
 
 /// Doubled area of the convex hull of a choice, or squared distance of its extremes.
-template <class S>
-S measure(const Candidates<S>& points, const KeptIndices& kept, bool by_length);
+template <class S> S measure(const Candidates<S>& points, const KeptIndices& kept, bool by_length);
 
 /// The previous frame's points, in their order, if all exist, one has a separation of at most
 /// `deep`, metres, and they are as large as `kept` up to rounding. Otherwise `kept`.
@@ -126,8 +113,7 @@ KeptIndices as_before_if_equal(const Candidates<S>& points, const Patch<S>& patc
                                const KeptIndices& kept, S deep, const ReduceOptions& options);
 
 /// A choice of points that contains a given point.
-template <class S>
-struct ChoiceWith {
+template <class S> struct ChoiceWith {
   S doubled_area;   // of the hull of all kept points; 0 for a line or a point
   bool is_in_ring;  // otherwise the given point is not a corner and is kept in addition
 };
@@ -142,8 +128,7 @@ ChoiceWith<S> largest_with(const Candidates<S>& points, Patch<S>& patch, int poi
 /// The doubled area of the triangle of `centre` and the edge from corner i to j. 0 if the edge is
 /// seen from behind: `centre` is then outside the ring there, and its hull with the ring lacks that
 /// edge.
-template <class S>
-S seen(const Patch<S>& patch, const Vec2<S>& centre, int i, int j) {
+template <class S> S seen(const Patch<S>& patch, const Vec2<S>& centre, int i, int j) {
   return std::max(S(0), cross(patch.corner(i) - centre, patch.corner(j) - centre));
 }
 

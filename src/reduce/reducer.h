@@ -11,8 +11,7 @@
 
 namespace contactscope {
 
-template <class S>
-using ContactPoints = std::span<const ContactPoint<S>>;
+template <class S> using ContactPoints = std::span<const ContactPoint<S>>;
 
 /// Indices into the points given to a reducer, in the order of choice.
 using KeptIndices = StaticVector<int, kMaxManifoldPoints>;

@@ -65,8 +65,7 @@ int next_by_id(int count, const Id& id, int after, const Holds& holds) {
 /// A direction in the plane with unit `normal` that depends on it alone; not of unit length. It
 /// avoids the coordinate axes of boxes and floors: two corners of an aligned box would be equally
 /// far along an axis, and rounding would choose between them again in every frame.
-template <class S>
-Vec3<S> fixed_direction(const Vec3<S>& normal) {
+template <class S> Vec3<S> fixed_direction(const Vec3<S>& normal) {
   const Vec3<S> one(S(0.76), S(0.31), S(0.57));
   const Vec3<S> two(S(-0.57), S(0.76), S(0.31));
   // The steeper one would have a short projection and swing with the smallest change of the normal.
@@ -99,8 +98,7 @@ inline KeptIndices first_of(KeptIndices choices, const ReduceOptions& options) {
 
 /// The points that a reducer chooses from, and the steps that several reducers share. All use
 /// positions relative to one of the points, so that a place far from the origin loses no digits.
-template <class S>
-struct Candidates {
+template <class S> struct Candidates {
   ContactPoints<S> points;
   const Vec3<S>& normal;  // unit
 
@@ -140,8 +138,7 @@ struct Candidates {
     return farthest < 0 ? from : farthest;
   }
   /// See steps::next_by_id().
-  template <class Holds>
-  int next_by_id(int after, const Holds& holds) const {
+  template <class Holds> int next_by_id(int after, const Holds& holds) const {
     return steps::next_by_id(
         count(), [&](int i) { return id(i); }, after, holds);
   }

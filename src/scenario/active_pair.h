@@ -46,8 +46,7 @@ inline bool remembers(const Scenario& scenario, const ScenarioPair& pair) {
 }
 
 /// Initial state of a shape's body.
-template <class S>
-Body<S> body_of(const ScenarioShape& shape, const Shape<S>& rounded) {
+template <class S> Body<S> body_of(const ScenarioShape& shape, const Shape<S>& rounded) {
   const Pose<S> pose = collider_pose_at(shape, 0).template cast<S>();
   if (!shape.dynamic()) return static_body<S>(pose);
   Body<S> body = dynamic_body<S>(pose, with_mass(*mass_properties(rounded), shape.body->mass));
@@ -57,8 +56,7 @@ Body<S> body_of(const ScenarioShape& shape, const Shape<S>& rounded) {
 }
 
 /// A pair that is run, and its state from frame to frame.
-template <class S>
-struct ActivePair {
+template <class S> struct ActivePair {
   ScenarioPair pair;
   bool acts = false;            // the solver gets its contacts
   bool touches = false;         // it had contact points at its last collision

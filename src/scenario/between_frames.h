@@ -15,8 +15,7 @@
 namespace contactscope {
 
 /// Friction and restitution of two touching shapes.
-template <class S>
-std::pair<S, S> surfaces_of(const Scenario& scenario, int a, int b) {
+template <class S> std::pair<S, S> surfaces_of(const Scenario& scenario, int a, int b) {
   const auto own = [&](std::optional<double> ScenarioShape::*coefficient, double otherwise) {
     return std::pair((scenario.shape(a).*coefficient).value_or(otherwise),
                      (scenario.shape(b).*coefficient).value_or(otherwise));
@@ -29,8 +28,7 @@ std::pair<S, S> surfaces_of(const Scenario& scenario, int a, int b) {
 
 /// `frame` is the one at which the step begins. `bodies` is the state then, one body per shape, if
 /// any is dynamic. Deforming shapes are not handled. Keeps a reference to the scenario.
-template <class S>
-class BetweenFrames {
+template <class S> class BetweenFrames {
  public:
   using Bodies = std::vector<Body<S>>;
 

@@ -11,9 +11,7 @@ namespace contactscope {
 namespace {
 
 /// Only the fractional turns count, so that a sine far along a wave keeps its digits.
-double phase_of(double turns) {
-  return 2 * std::numbers::pi * (turns - std::floor(turns));
-}
+double phase_of(double turns) { return 2 * std::numbers::pi * (turns - std::floor(turns)); }
 
 std::vector<Vec3d> deformed(const TravellingWave& wave, const std::vector<Vec3d>& at_rest,
                             double time) {

@@ -12,8 +12,7 @@ namespace contactscope {
 
 /// A mesh with motion.deform, rounded to the pipeline's scalar. If the tree decides itself when to
 /// be rebuilt, it depends on earlier frames.
-template <class S>
-class DeformingMesh {
+template <class S> class DeformingMesh {
  public:
   /// At time 0, with a new tree. `shape` has a deformation and must outlive this.
   DeformingMesh(int index, const ScenarioShape& shape)

@@ -23,8 +23,7 @@ Sweep<S> sweep_between(const Pose<double>& from, const Pose<double>& to, const V
   return sweep.cast<S>();
 }
 
-template <class S>
-trace::Travel travel_of(const Sweep<S>& sweep) {
+template <class S> trace::Travel travel_of(const Sweep<S>& sweep) {
   const Sweep<double> exact = sweep.template cast<double>();
   return {exact.start.transform(exact.pivot), exact.displacement, exact.turn};
 }
@@ -85,8 +84,7 @@ inline void report_ghosts(trace::Pair& pair) {
   }
 }
 
-template <class S>
-trace::Stop stop_facts(const Scenario& scenario, const ImpactStop<S>& stop) {
+template <class S> trace::Stop stop_facts(const Scenario& scenario, const ImpactStop<S>& stop) {
   return {.a = scenario.shape(stop.a).name,
           .b = scenario.shape(stop.b).name,
           .time = static_cast<double>(stop.time),

@@ -13,8 +13,7 @@ std::string nearest(std::string_view word, const std::vector<std::string_view>& 
 /// "did you mean 'half_extents'? ", or empty.
 std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& candidates);
 
-template <class List>
-std::vector<std::string_view> names_in(const List& list) {
+template <class List> std::vector<std::string_view> names_in(const List& list) {
   std::vector<std::string_view> names;
   for (const auto& one : list) names.push_back(one.name);
   return names;

@@ -69,8 +69,7 @@ class Value {
   std::optional<Value> find(std::string_view key) const;
   /// Sets `target` to the value of a key, if the file has the key. An enumerator is at the position of
   /// its word among those of the key.
-  template <class Target>
-  void read(std::string_view key, Target& target) const {
+  template <class Target> void read(std::string_view key, Target& target) const {
     if (const std::optional<Value> value = find(key)) value->get(target);
   }
   /// The same with a reader.
@@ -91,10 +90,7 @@ class Value {
   void get(double& target) const { target = number(); }
   void get(std::string& target) const { target = string(); }
   void get(Vec3d& target) const { target = vector3(); }
-  template <class Target>
-  void get(std::optional<Target>& target) const {
-    get(target.emplace());
-  }
+  template <class Target> void get(std::optional<Target>& target) const { get(target.emplace()); }
   template <class Enum>
   requires std::is_enum_v<Enum>
   void get(Enum& target) const { target = static_cast<Enum>(word()); }
@@ -186,8 +182,7 @@ auto load_obj(const Value& file, const std::filesystem::path& folder, const Load
 
 /// The result of `build`; failure to build a hull or mesh is an error of the value that describes
 /// it.
-template <class Build>
-auto build_at(const Value& at, const char* kind, const Build& build) {
+template <class Build> auto build_at(const Value& at, const char* kind, const Build& build) {
   try {
     return build();
   } catch (const ShapeError& error) {

@@ -30,8 +30,7 @@ void move_boxes(trace::Tree& tree, const Vec3d& by) {
 
 }  // namespace
 
-template <class S>
-class Runner::In final : public Runner::InScalar {
+template <class S> class Runner::In final : public Runner::InScalar {
  public:
   In(const Scenario& scenario, const trace::Stages& stages)
       : scenario_(scenario),

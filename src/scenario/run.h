@@ -54,8 +54,7 @@ class Runner {
     virtual trace::Frame run(int frame, bool recorded) = 0;
     virtual void advance(int frame) = 0;
   };
-  template <class S>
-  class In;
+  template <class S> class In;
 
   std::unique_ptr<InScalar> in_scalar_;
 };

@@ -85,22 +85,19 @@ trace::Pair patch_facts(const ScenarioPatch& patch, const PipelineSettings& sett
   return pair;
 }
 
-template <class S>
-void describe(const Sphere<S>& sphere, trace::Shape& traced) {
+template <class S> void describe(const Sphere<S>& sphere, trace::Shape& traced) {
   traced.vertices = {Vec3d::Zero()};
   traced.radius = sphere.radius;
 }
 
-template <class S>
-void describe(const Capsule<S>& capsule, trace::Shape& traced) {
+template <class S> void describe(const Capsule<S>& capsule, trace::Shape& traced) {
   traced.vertices = cast_each<Vec3d>(capsule.points);
   traced.edges = {{0, 1}};
   traced.radius = capsule.radius;
   traced.center_of_mass = 0.5 * (traced.vertices[0] + traced.vertices[1]);
 }
 
-template <class S>
-void describe(const Hull<S>& hull, trace::Shape& traced) {
+template <class S> void describe(const Hull<S>& hull, trace::Shape& traced) {
   traced.vertices = cast_each<Vec3d>(hull.vertices);
   for (int face = 0; face < hull.face_count(); ++face)
     traced.faces.push_back(face_vertices(hull, face));
@@ -109,14 +106,12 @@ void describe(const Hull<S>& hull, trace::Shape& traced) {
   traced.center_of_mass = hull.centroid.template cast<double>();
 }
 
-template <class S>
-void describe(const HalfSpace<S>& half_space, trace::Shape& traced) {
+template <class S> void describe(const HalfSpace<S>& half_space, trace::Shape& traced) {
   const Plane<double> plane = half_space.plane.template cast<double>();
   traced.half_space = trace::HalfSpace{plane.normal, plane.offset};
 }
 
-template <class S>
-void describe(const Mesh<S>& mesh, trace::Shape& traced) {
+template <class S> void describe(const Mesh<S>& mesh, trace::Shape& traced) {
   traced.vertices = cast_each<Vec3d>(mesh.vertices);
   for (int triangle = 0; triangle < mesh.triangle_count(); ++triangle) {
     const std::array<int, 3>& corners = at(mesh.triangles, triangle);
@@ -133,14 +128,12 @@ void describe(const Mesh<S>& mesh, trace::Shape& traced) {
 }
 
 /// Described as its source shape.
-template <class S>
-void describe(const Field<S>& field, trace::Shape& traced) {
+template <class S> void describe(const Field<S>& field, trace::Shape& traced) {
   std::visit([&](const auto& kind) { describe(kind, traced); }, field.source->shape);
 }
 
 /// A scenario's shape for a trace, with the vertices of the pipeline.
-template <class S>
-trace::Shape traced_shape(const ScenarioShape& shape, const Shape<S>& rounded) {
+template <class S> trace::Shape traced_shape(const ScenarioShape& shape, const Shape<S>& rounded) {
   trace::Shape traced;
   traced.name = shape.name;
   traced.type = shape.type;
@@ -159,8 +152,7 @@ inline void report_vertices(const trace::Deformed& deformed, trace::Shape& trace
 }
 
 /// Velocity of a point of a body; `arm` is its offset from the centre.
-template <class S>
-Vec3d velocity_at(const Body<S>& body, const Vec3d& arm) {
+template <class S> Vec3d velocity_at(const Body<S>& body, const Vec3d& arm) {
   const Vec3d turning = body.angular_velocity.template cast<double>();
   return body.velocity.template cast<double>() + turning.cross(arm);
 }

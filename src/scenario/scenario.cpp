@@ -271,8 +271,6 @@ std::vector<std::string> scenario_files(const std::string& root) {
   return files;
 }
 
-Scenario load_scenario(const std::string& path) {
-  return parse_scenario(read_text(path), path);
-}
+Scenario load_scenario(const std::string& path) { return parse_scenario(read_text(path), path); }
 
 }  // namespace contactscope

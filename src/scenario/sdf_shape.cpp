@@ -5,9 +5,7 @@ namespace contactscope::scenario_file {
 namespace {
 
 /// Cells on each side of the surface; 0 for "dense".
-int read_band(const Value& value) {
-  return value.is_string() ? value.word() : value.integer();
-}
+int read_band(const Value& value) { return value.is_string() ? value.word() : value.integer(); }
 
 /// Which of the cells on the surface use their triangles: all, none, or the ones that are not
 /// smooth.

@@ -126,9 +126,7 @@ trace::Trace Judge::trace_of(const PairOfTwo& pair) {
   return trace;
 }
 
-void Judge::remember_unmet(const PairOfTwo& pair) {
-  unmet_ = unmet_of(Run(pair));
-}
+void Judge::remember_unmet(const PairOfTwo& pair) { unmet_ = unmet_of(Run(pair)); }
 
 bool Judge::holds(const PairOfTwo& pair) {
   const std::string text = to_scenario(pair, "", "");

@@ -103,9 +103,7 @@ std::string without_facts(const std::string& title) {
 
 }  // namespace
 
-Pose<double> SmallShape::pose() const {
-  return {rotation_of(turn), position};
-}
+Pose<double> SmallShape::pose() const { return {rotation_of(turn), position}; }
 
 int SmallShape::vertex_count() const {
   if (kind == Kind::Box) return 8;

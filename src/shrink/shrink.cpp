@@ -65,8 +65,7 @@ class Shrinker {
   }
 
   /// ddmin over `count` parts; without(pair, first, last) removes a range of them.
-  template <class Count, class Without>
-  void leave_out(const Count& count, const Without& without) {
+  template <class Count, class Without> void leave_out(const Count& count, const Without& without) {
     for (int size = std::max(1, count() / 2);; size /= 2) {
       for (int first = 0; first < count();) {
         PairOfTwo tried = best_;

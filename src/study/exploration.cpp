@@ -85,8 +85,7 @@ void find_supported(const Vec3d& up, const Vec3d& load, std::span<trace::Explora
 
 /// Explorations of consecutive frames, whose manifolds have all points. Manifolds with the same
 /// name are explored in order, different names in parallel once all frames are there.
-template <class S>
-class Explorations {
+template <class S> class Explorations {
  public:
   Explorations(const trace::Header& header, const std::string& scenario,
                const ExploreOptions& options)
@@ -97,8 +96,7 @@ class Explorations {
   }
 
   /// `max_points(i)`: limit for pair i of the frame.
-  template <class MaxPoints>
-  void add(const trace::Frame& frame, const MaxPoints& max_points) {
+  template <class MaxPoints> void add(const trace::Frame& frame, const MaxPoints& max_points) {
     for (int i = 0; i < count_of(frame.pairs); ++i) {
       const trace::Pair& pair = at(frame.pairs, i);
       const std::size_t first = result_.size();

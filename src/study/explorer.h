@@ -63,8 +63,7 @@ inline double patch_move(const Points& before, const Points& now) {
 }  // namespace explorer_detail
 
 /// Results for the manifolds of one pair, or of one triangle of a mesh, frame by frame.
-template <class S>
-class Explorer {
+template <class S> class Explorer {
   using Points = explorer_detail::Points;
 
  public:

@@ -11,8 +11,7 @@ namespace {
 
 constexpr double kLongestMinutes = 10;
 
-template <class List>
-void write_list(std::ostream& out, const char* word, const List& list) {
+template <class List> void write_list(std::ostream& out, const char* word, const List& list) {
   out << word << ' ' << list.size() << '\n';
   for (const auto& entry : list) out << entry[0] << ' ' << entry[1] << ' ' << entry[2] << '\n';
 }

@@ -27,8 +27,7 @@ Pose<double> earlier(const OverlappingHulls& hulls, int back) {
 }
 
 /// Fills the cache by running the steps before this pose.
-template <class S>
-void move_there(const OverlappingHulls& hulls, RoundedHulls<S>& rounded) {
+template <class S> void move_there(const OverlappingHulls& hulls, RoundedHulls<S>& rounded) {
   for (int back = kSteps; back > 0; --back) {
     collide_hull_hull(rounded.a, Pose<S>(), rounded.b, earlier(hulls, back).cast<S>(),
                       CollideOptions(), &rounded.cache);
@@ -39,24 +38,21 @@ void move_there(const OverlappingHulls& hulls, RoundedHulls<S>& rounded) {
 // return the largest separation over all axes, metres, negative if overlapping; face queries are as
 // in sat(). Source: Gregorius 2013 and 2015.
 
-template <class S>
-S best_face(const HullPair<S>& pair) {
+template <class S> S best_face(const HullPair<S>& pair) {
   FaceSeparations<S> faces_a(pair.a), faces_b(pair.b);
   return std::max(query_faces(pair.a, pair.b, S(0), faces_a).separation,
                   query_faces(pair.b, pair.a, S(0), faces_b).separation);
 }
 
 /// Unit directions of its edges.
-template <class S>
-std::vector<Vec3<S>> directions(const PlacedHull<S>& hull) {
+template <class S> std::vector<Vec3<S>> directions(const PlacedHull<S>& hull) {
   std::vector<Vec3<S>> list;
   for (int h = 0; h < 2 * hull.hull.edge_count(); h += 2) list.push_back(hull.direction(h));
   return list;
 }
 
 /// Minimum and maximum of its vertices along an axis.
-template <class S>
-std::pair<S, S> extent(const PlacedHull<S>& hull, const Vec3<S>& axis) {
+template <class S> std::pair<S, S> extent(const PlacedHull<S>& hull, const Vec3<S>& axis) {
   S least = std::numeric_limits<S>::infinity(), most = -least;
   for (int v = 0; v < hull.vertices.count(); ++v) {
     const S along = axis.dot(hull.vertices[v]);
@@ -67,8 +63,7 @@ std::pair<S, S> extent(const PlacedHull<S>& hull, const Vec3<S>& axis) {
 }
 
 /// Tests each cross product of two edges as an axis, using the support points of both hulls.
-template <class S>
-S separation_by_all_edge_pairs(const HullPair<S>& pair) {
+template <class S> S separation_by_all_edge_pairs(const HullPair<S>& pair) {
   S best = best_face(pair);
   const std::vector<Vec3<S>> of_b = directions(pair.b);
   for (const Vec3<S>& along_a : directions(pair.a)) {
@@ -87,8 +82,7 @@ S separation_by_all_edge_pairs(const HullPair<S>& pair) {
 
 /// Tests each pair of edges for a face of the Minkowski difference (the talk's IsMinkowskiFace),
 /// and measures only those, by a point of each edge.
-template <class S>
-S separation_by_minkowski_faces(const HullPair<S>& pair) {
+template <class S> S separation_by_minkowski_faces(const HullPair<S>& pair) {
   S best = best_face(pair);
   const std::vector<Vec3<S>> of_b = directions(pair.b);
   const Vec3<S> center_a = pair.a.rotation * pair.a.hull.centroid;
@@ -123,8 +117,7 @@ struct Found {
   std::optional<Vec3d> normal{};
 };
 
-template <Preference preference, bool cached, class S>
-Found contact(const RoundedHulls<S>& c) {
+template <Preference preference, bool cached, class S> Found contact(const RoundedHulls<S>& c) {
   PairCache<S> cache;
   if (cached) cache = c.cache;
   Contact<S> result;

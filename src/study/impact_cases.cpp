@@ -64,8 +64,7 @@ template <class S>
 using FindImpact = ImpactResult<S> (*)(const MovingShape<S>&, const MovingShape<S>&,
                                        const ImpactLimits<S>&, ImpactRun<S>*);
 
-template <class S>
-class OwnImpactFinder : public ImpactFinder {
+template <class S> class OwnImpactFinder : public ImpactFinder {
  public:
   OwnImpactFinder(std::span<const ImpactCase> cases, FindImpact<S> method) : find_(method) {
     hulls_.reserve(2 * cases.size());
@@ -91,8 +90,7 @@ class OwnImpactFinder : public ImpactFinder {
   std::vector<MovingShape<S>> shapes_;
 };
 
-template <class S>
-ImpactFinderInfo own_finder(const std::string& name, FindImpact<S> find) {
+template <class S> ImpactFinderInfo own_finder(const std::string& name, FindImpact<S> find) {
   return {name, true, [find](std::span<const ImpactCase> cases) {
             return std::make_unique<OwnImpactFinder<S>>(cases, find);
           }};

@@ -19,9 +19,7 @@ constexpr double kHalfMesh = 4;
 constexpr double kMinCrossing = 0.3;  // radians, between the axes of capsules
 constexpr double kShift = 0.2;        // of the size: the upper shape stays over the lower
 
-Quatd turn(const Vec3d& axis, double radians) {
-  return Quatd(Eigen::AngleAxisd(radians, axis));
-}
+Quatd turn(const Vec3d& axis, double radians) { return Quatd(Eigen::AngleAxisd(radians, axis)); }
 
 Shape<double> shape_of(Stacked kind, double size, double aspect) {
   switch (kind) {
@@ -147,8 +145,7 @@ struct Deepest {
   bool found() const { return separation < std::numeric_limits<double>::infinity(); }
 };
 
-template <class S>
-Deepest deepest_of(const Manifolds<S>& manifolds) {
+template <class S> Deepest deepest_of(const Manifolds<S>& manifolds) {
   Deepest deepest;
   for (const Manifold<S>& manifold : manifolds) {
     deepest.finite = deepest.finite && manifold.normal.allFinite();
@@ -164,8 +161,7 @@ Deepest deepest_of(const Manifolds<S>& manifolds) {
   return deepest;
 }
 
-template <class S>
-Deepest collided(const RoundedPair<S>& pair, Preference preference) {
+template <class S> Deepest collided(const RoundedPair<S>& pair, Preference preference) {
   CollideOptions options;
   options.preference = preference;
   Manifolds<S> manifolds;
@@ -194,13 +190,11 @@ RoundedPair<S>::RoundedPair(const StackedPair& pair)
   pose_b = moved(pair.pose_on_top);
 }
 
-template <class S>
-double RoundedPair<S>::collide_once() const {
+template <class S> double RoundedPair<S>::collide_once() const {
   return collided(*this, Preference::Relative).separation;
 }
 
-template <class S>
-PairVerdict judge_pair(const StackedPair& pair) {
+template <class S> PairVerdict judge_pair(const StackedPair& pair) {
   const RoundedPair<S> rounded(pair);
   const SeparationOracle oracle(rounded.a, rounded.pose_a, rounded.b, rounded.pose_b);
   const double separation = oracle.separation();

@@ -89,12 +89,10 @@ struct PairVerdict {
 
 /// Moves the pair, rounds it to S, and collides it without a preference, then with one, whose
 /// result must agree within what it allows.
-template <class S>
-PairVerdict judge_pair(const StackedPair& pair);
+template <class S> PairVerdict judge_pair(const StackedPair& pair);
 
 /// A pair in the world as stored in S, ready for repeated collision.
-template <class S>
-struct RoundedPair {
+template <class S> struct RoundedPair {
   Shape<S> a, b;
   Pose<S> pose_a, pose_b;
 

@@ -35,8 +35,7 @@ std::vector<Vec3f> twisted(const std::vector<Vec3f>& vertices, double angle) {
 }
 
 /// Time of `call`.
-template <class Call>
-trace::Nanoseconds timed(int repetitions, const Call& call) {
+template <class Call> trace::Nanoseconds timed(int repetitions, const Call& call) {
   PassTimes times;
   times.measure(repetitions, 1, [&](int) { return call(); });
   return times.summary();

@@ -61,8 +61,7 @@ struct BoundMethod {
 };
 
 constexpr auto kInclusive = Comparison<float>::inclusive();
-template <auto bound>
-bool bounds_overlap(const BoundedPair& pair) {
+template <auto bound> bool bounds_overlap(const BoundedPair& pair) {
   return overlaps(pair.a.*bound, pair.b.*bound, kInclusive);
 }
 const BoundMethod kBoundMethods[] = {
@@ -103,8 +102,7 @@ std::vector<trace::Study> study_bounds(const StudyOptions& options, const StudyP
 }
 
 /// Two boxes rounded to a scalar, and their gap.
-template <class S>
-struct NearParallelPair {
+template <class S> struct NearParallelPair {
   Obb<S> a, b;
   double gap;
 };
@@ -112,8 +110,7 @@ struct NearParallelPair {
 /// Sides of 0.2 to 2 m. A third of the pairs are parallel; the others are rotated by 1e-17 to 0.1
 /// rad about a random axis. In half of these, two edges' centres are 0.01 to 100 mm from each other
 /// or deep along the edges' cross product; all other pairs have random offsets up to 2.2 m.
-template <class S>
-NearParallelPair<S> near_parallel_pair(std::mt19937_64& engine, int index) {
+template <class S> NearParallelPair<S> near_parallel_pair(std::mt19937_64& engine, int index) {
   const auto half = [&]() -> Vec3d {
     return {uniform(engine, 0.1, 1), uniform(engine, 0.1, 1), uniform(engine, 0.1, 1)};
   };

@@ -32,8 +32,7 @@ HullCases make_deep_cases(std::uint64_t seed, int count) {
 enum class Effort { Same, Tolerance, Iterations, Directions, DirectionsInOneRound };
 
 /// `effort` counts from 0.
-template <class S>
-PenetrationOptions<S> options_at(Effort kind, std::size_t effort) {
+template <class S> PenetrationOptions<S> options_at(Effort kind, std::size_t effort) {
   constexpr double kTolerances[] = {1e-1, 1e-2, 1e-3,
                                     1e-4, 1e-5, 0};  // the last is limited by rounding
   PenetrationOptions<S> options;

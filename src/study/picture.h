@@ -46,8 +46,7 @@ void join_equal(trace::Study& study);
 void mark(trace::Study& study, const std::string& method, const std::string& panel,
           double parameter, const std::string& words);
 /// Calls change(point) for every point of a study.
-template <class Change>
-void each_point(trace::Study& study, const Change& change) {
+template <class Change> void each_point(trace::Study& study, const Change& change) {
   for (trace::StudySeries& series : study.series)
     for (trace::StudyPoint& point : series.points) change(point);
 }
@@ -58,9 +57,7 @@ void drop_worst(trace::Study& study);
 /// Multiplies errors, as to show metres in millimetres.
 void scale_errors(trace::Study& study, double factor);
 /// A point's mean error; 0 if all cases failed.
-inline double error_of(const trace::StudyPoint& point) {
-  return point.error.value_or(0);
-}
+inline double error_of(const trace::StudyPoint& point) { return point.error.value_or(0); }
 /// The largest mean error of a series, 0 without points.
 double largest_error(const trace::StudySeries& series);
 /// Uses the minimum of each time, which other programs disturb least.
@@ -69,8 +66,7 @@ void show_least_times(trace::Study& study);
 void drop_resolution(trace::Study& study);
 
 /// Sets the title to `result()`. If the study lacks a number for it, the title stays.
-template <class Result>
-void report(trace::Study& study, const Result& result) {
+template <class Result> void report(trace::Study& study, const Result& result) {
   try {
     study.title = result();
   } catch (const std::out_of_range&) {

@@ -20,8 +20,7 @@ __extension__ using Wide = __int128;
 ///
 /// In whole numbers (std::int64_t) it is exact while differences of coordinates are below 2^26: a
 /// product of a normal and a cross product then fits into 128 bits.
-template <class S>
-class PlainTriangleTest {
+template <class S> class PlainTriangleTest {
  public:
   explicit PlainTriangleTest(S epsilon = 0) : epsilon_(epsilon) {}
 
@@ -58,8 +57,7 @@ class PlainTriangleTest {
     else
       return v.norm();
   }
-  template <class Value>
-  int sign(Value value, S scale) const {
+  template <class Value> int sign(Value value, S scale) const {
     return (value > epsilon_ * scale) - (value < -epsilon_ * scale);
   }
   TriangleOverlapKind meets(const Vec3<S>& p, const Vec3<S>& q, const Triangle<S>& t) const {
@@ -110,8 +108,7 @@ class PlainTriangleTest {
 /// x - y + z = 0, and its corners use all digits of the scalar. For i = j that corner is well
 /// inside it, and they touch. The other corners of the second one are on the side of larger x, so
 /// the triangles are separated for i > j and cross for i < j. Every coordinate is exact.
-template <class S>
-std::array<Triangle<S>, 2> nearly_touching(int i, int j);
+template <class S> std::array<Triangle<S>, 2> nearly_touching(int i, int j);
 
 /// A map of the answers of three tests for these: plain signs in float and in double, and the exact
 /// test. After Kettner, Mehlhorn, Pion, Schirra and Yap 2008, "Classroom examples of robustness

@@ -57,8 +57,7 @@ struct OverlappingHulls {
 OverlappingHulls overlapping_hulls(std::mt19937_64& engine, int vertices);
 
 /// A pair rounded to one scalar.
-template <class S>
-struct RoundedHulls {
+template <class S> struct RoundedHulls {
   Hull<S> a, b;
   Pose<S> b_in_a;
   PairCache<S> cache{};  // empty unless a study fills it

@@ -12,8 +12,7 @@
 namespace contactscope {
 namespace {
 
-template <class T>
-std::vector<T> chosen(const std::vector<T>& all, std::span<const int> kept) {
+template <class T> std::vector<T> chosen(const std::vector<T>& all, std::span<const int> kept) {
   return mapped(kept, [&](int i) { return at(all, i); });
 }
 

@@ -24,9 +24,7 @@ Vec face_normal(const std::vector<Vec>& face) {
   return sum.normalized();
 }
 
-Real clamped(Real value) {
-  return std::clamp(value, Real(0), Real(1));
-}
+Real clamped(Real value) { return std::clamp(value, Real(0), Real(1)); }
 
 Real point_to_segment(const Vec& point, const std::pair<Vec, Vec>& segment) {
   const Vec along = segment.second - segment.first;
@@ -70,8 +68,7 @@ Core make_core(std::vector<Vec> vertices, const std::vector<std::vector<int>>& l
   return core;
 }
 
-template <class S>
-Mat3<Real> turn_of(const Pose<S>& pose) {
+template <class S> Mat3<Real> turn_of(const Pose<S>& pose) {
   return pose.rotation.template cast<Real>().normalized().toRotationMatrix();
 }
 
@@ -262,8 +259,7 @@ OracleAxis oracle_axis(const Hull<double>& a, const Hull<double>& b, const Pose<
   return {static_cast<double>(best.separation), best.normal.cast<double>()};
 }
 
-template <class S>
-double box_separation(const Obb<S>& a, const Obb<S>& b) {
+template <class S> double box_separation(const Obb<S>& a, const Obb<S>& b) {
   const auto core_of = [&](const Obb<S>& box) {
     const Vec center = box.center.template cast<Real>() - a.center.template cast<Real>();
     const Mat3<Real> axes = box.axes.template cast<Real>();

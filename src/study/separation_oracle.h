@@ -29,8 +29,7 @@ OracleAxis oracle_axis(const Hull<double>& a, const Hull<double>& b, const Pose<
 /// The largest separation of two boxes over their fifteen axes, metres, negative if overlapping. A
 /// cross product whose direction long double cannot represent is shorter than 1e-16, and faces give
 /// the separation that precisely.
-template <class S>
-double box_separation(const Obb<S>& a, const Obb<S>& b);
+template <class S> double box_separation(const Obb<S>& a, const Obb<S>& b);
 
 /// A placed shape for the oracle.
 struct OracleBody {

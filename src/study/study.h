@@ -85,8 +85,7 @@ class PassTimes {
  public:
   /// Times `calls` calls of `call(i)`, i = 0 .. calls - 1. Uses their results, so that the compiler
   /// cannot remove them.
-  template <class Call>
-  void measure(int calls, const Call& call) {
+  template <class Call> void measure(int calls, const Call& call) {
     double used = 0;
     const auto begin = std::chrono::steady_clock::now();
     for (int i = 0; i < calls; ++i) used += call(i);
@@ -94,8 +93,7 @@ class PassTimes {
     add(time.count() / calls);
     sink_ = used;
   }
-  template <class Call>
-  void measure(int repetitions, int calls, const Call& call) {
+  template <class Call> void measure(int repetitions, int calls, const Call& call) {
     for (int i = 0; i < repetitions; ++i) measure(calls, call);
   }
   void add(double nanoseconds) { times_.push_back(nanoseconds); }

@@ -57,8 +57,7 @@ NearlyCoplanar nearly_coplanar(std::mt19937_64& engine, double distance) {
 }
 
 /// A pair in metres.
-template <class S>
-struct Metric {
+template <class S> struct Metric {
   Triangle<S> a, b;
 
   Metric(const NearlyCoplanar& pair, double unit)
@@ -82,8 +81,7 @@ struct TriangleMethod {
   bool (*overlap)(const MetricPairs& pairs, std::size_t index);
 };
 
-template <class S>
-bool plain(const std::vector<Metric<S>>& pairs, std::size_t i, double epsilon) {
+template <class S> bool plain(const std::vector<Metric<S>>& pairs, std::size_t i, double epsilon) {
   return PlainTriangleTest<S>(static_cast<S>(epsilon)).overlap(pairs[i].a, pairs[i].b);
 }
 
@@ -116,8 +114,7 @@ TriangleOverlapKind right_answer(int i, int j) {
   return i > j ? TriangleOverlapKind::None : TriangleOverlapKind::Proper;
 }
 
-template <class S>
-TriangleOverlapKind plain_answer(int i, int j) {
+template <class S> TriangleOverlapKind plain_answer(int i, int j) {
   const auto [a, b] = nearly_touching<S>(i, j);
   return PlainTriangleTest<S>(0).kind(a, b);
 }
@@ -139,16 +136,14 @@ constexpr AnsweringTest kAnsweringTests[] = {{"float", "2⁻²⁴ m", &plain_ans
 
 /// Rounds a number below 32 to a fixed number of binary digits, so that differences of two are
 /// exact.
-template <class S>
-S in_all_digits(double number) {
+template <class S> S in_all_digits(double number) {
   constexpr int kDigits = std::numeric_limits<S>::digits - 5;
   return static_cast<S>(std::ldexp(std::nearbyint(std::ldexp(number, kDigits)), -kDigits));
 }
 
 }  // namespace
 
-template <class S>
-std::array<Triangle<S>, 2> nearly_touching(int i, int j) {
+template <class S> std::array<Triangle<S>, 2> nearly_touching(int i, int j) {
   constexpr S kUnit = std::numeric_limits<S>::epsilon() / 2;
   const auto corner = [](double x, double y) {
     const S exact_x = in_all_digits<S>(x), exact_y = in_all_digits<S>(y);

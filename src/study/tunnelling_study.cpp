@@ -128,8 +128,7 @@ Stopped by_impact(const Flight& flight, const Shape<float>& swept, ImpactMethod 
   return std::nullopt;
 }
 
-template <ImpactMethod method>
-Stopped by_impact_of_shape(const Flight& flight) {
+template <ImpactMethod method> Stopped by_impact_of_shape(const Flight& flight) {
   return by_impact(flight, flight.bullet, method);
 }
 

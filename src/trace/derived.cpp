@@ -49,10 +49,8 @@ requires(!kIsOptional<Corners> &&
                                                                             Mirrored how) {
   if (how == Mirrored::Rewound && !face.empty()) std::reverse(face.begin() + 1, face.end());
 }
-template <class T>
-void mirror_value(T&, Mirrored) {}  // a number
-template <Listed T>
-void mirror_value(T& fact, Mirrored);
+template <class T> void mirror_value(T&, Mirrored) {}  // a number
+template <Listed T> void mirror_value(T& fact, Mirrored);
 template <class T>
 requires kIsOptional<T>
 void mirror_value(T& value, Mirrored how) {
@@ -64,8 +62,7 @@ requires(!std::same_as<T, int>) void mirror_value(std::vector<T>& list, Mirrored
 }
 
 /// Only the first of two fields that swap values has a partner.
-template <Listed T>
-void mirror_value(T& fact, Mirrored) {
+template <Listed T> void mirror_value(T& fact, Mirrored) {
   each_field<T>([&](const auto& field) {
     if (field.partner != nullptr) std::swap(fact.*field.member, fact.*field.partner);
     mirror_value(fact.*field.member, field.mirrored);
@@ -74,9 +71,7 @@ void mirror_value(T& fact, Mirrored) {
 
 }  // namespace
 
-void mirror(Pair& pair) {
-  mirror_value(pair, Mirrored::Kept);
-}
+void mirror(Pair& pair) { mirror_value(pair, Mirrored::Kept); }
 
 void Shape::edges_from_faces(Shape& shape) {
   std::set<std::array<int, 2>> seen;

@@ -35,9 +35,7 @@ enum class Kind {
 inline constexpr std::size_t kKinds = static_cast<std::size_t>(Kind::Energy) + 1;
 
 /// Whether values are compared relative to the largest of their kind.
-constexpr bool is_magnitude(Kind kind) {
-  return kind >= Kind::Impulse;
-}
+constexpr bool is_magnitude(Kind kind) { return kind >= Kind::Impulse; }
 
 /// How a value changes when a and b of its pair are swapped.
 enum class Mirrored {
@@ -64,35 +62,19 @@ enum class Match {
   Finds,  // equal values are the same entry; others match by position
 };
 
-template <class T>
-inline constexpr bool kIsOptional = false;
-template <class T>
-inline constexpr bool kIsOptional<std::optional<T>> = true;
-template <class T>
-inline constexpr bool kIsOptional<Stage<T>> = true;
+template <class T> inline constexpr bool kIsOptional = false;
+template <class T> inline constexpr bool kIsOptional<std::optional<T>> = true;
+template <class T> inline constexpr bool kIsOptional<Stage<T>> = true;
 
 /// The type inside an optional or a list; any other type unchanged.
-template <class T>
-struct Unwrapped {
-  using type = T;
-};
-template <class T>
-struct Unwrapped<std::optional<T>> {
-  using type = T;
-};
-template <class T>
-struct Unwrapped<Stage<T>> {
-  using type = T;
-};
-template <class T>
-struct Unwrapped<std::vector<T>> {
-  using type = T;
-};
+template <class T> struct Unwrapped { using type = T; };
+template <class T> struct Unwrapped<std::optional<T>> { using type = T; };
+template <class T> struct Unwrapped<Stage<T>> { using type = T; };
+template <class T> struct Unwrapped<std::vector<T>> { using type = T; };
 
 /// One entry of a list of fields. The functions below create it; chained calls return a changed
 /// copy.
-template <class Owner, class Value>
-struct Field {
+template <class Owner, class Value> struct Field {
   using value_type = Value;
 
   const char* key;
@@ -162,8 +144,7 @@ struct Field {
 /// Builders of the lists: field::length("offset", &HalfSpace::offset).
 namespace field {
 
-template <Kind kKind, Mirrored kMirrored = Mirrored::Kept>
-struct Of {
+template <Kind kKind, Mirrored kMirrored = Mirrored::Kept> struct Of {
   template <class Owner, class Value>
   constexpr Field<Owner, Value> operator()(const char* key, Value Owner::*member) const {
     const Presence presence = kIsOptional<Value> ? Presence::WhereSet : Presence::Needed;
@@ -190,32 +171,26 @@ inline constexpr Of<Kind::Exact> fact;
 inline constexpr Of<Kind::Exact> facts;
 
 /// A struct whose keys are written into its owner's object.
-template <class Owner, class Value>
-constexpr auto merged(Value Owner::*member) {
+template <class Owner, class Value> constexpr auto merged(Value Owner::*member) {
   return fact("", member).with(&Field<Owner, Value>::is_merged, true);
 }
 /// The key under which its struct is stored in an object.
-template <class Owner, class Value>
-constexpr auto name(Value Owner::*member) {
+template <class Owner, class Value> constexpr auto name(Value Owner::*member) {
   return exact("name", member).names().with(&Field<Owner, Value>::is_object_key, true);
 }
 
 /// Fields in order, as a function that calls `visit` with each. A std::tuple of them takes the compiler
 /// ten times as long.
-template <class... Fields>
-constexpr auto list(Fields... fields) {
+template <class... Fields> constexpr auto list(Fields... fields) {
   return [=](auto&& visit) { (visit(fields), ...); };
 }
 
 }  // namespace field
 
 /// The fields of a struct. Types of other folders specialise this.
+template <class T> struct ListOf {};
 template <class T>
-struct ListOf {};
-template <class T>
-requires requires {
-  T::fields();
-}
+requires requires { T::fields(); }
 struct ListOf<T> {
   static constexpr auto fields() { return T::fields(); }
 };
@@ -226,24 +201,18 @@ concept Listed = requires {
 };
 
 /// The list as a constant, so that it is not built on each use.
-template <Listed T>
-inline constexpr auto kFieldsOf = ListOf<T>::fields();
+template <Listed T> inline constexpr auto kFieldsOf = ListOf<T>::fields();
 
 /// Calls `visit` with each field of T, in order.
-template <Listed T, class Visit>
-constexpr void each_field(Visit&& visit) {
-  kFieldsOf<T>(visit);
-}
+template <Listed T, class Visit> constexpr void each_field(Visit&& visit) { kFieldsOf<T>(visit); }
 
 /// Whether a struct is stored in an object under its name.
-template <Listed T>
-constexpr bool has_name() {
+template <Listed T> constexpr bool has_name() {
   bool named = false;
   each_field<T>([&](const auto& field) { named = named || field.is_object_key; });
   return named;
 }
-template <class T>
-auto& name_of(T& fact) {
+template <class T> auto& name_of(T& fact) {
   using Plain = std::remove_const_t<T>;
   std::conditional_t<std::is_const_v<T>, const std::string, std::string>* found = nullptr;
   each_field<Plain>([&]<class Value>(const Field<Plain, Value>& field) {

@@ -21,8 +21,7 @@ class JsonWriter {
  public:
   explicit JsonWriter(const char* document) : document_(document) {}
 
-  template <Listed T>
-  void add(Json& object, const T& fact) const {
+  template <Listed T> void add(Json& object, const T& fact) const {
     [[maybe_unused]] static const T kDefault{};
     each_field<T>([&]<class Value>(const Field<T, Value>& field) {
       const Value& value = fact.*field.member;
@@ -37,8 +36,7 @@ class JsonWriter {
   }
 
  private:
-  template <class T>
-  static bool is_unset(const T& value, const T& fallback) {
+  template <class T> static bool is_unset(const T& value, const T& fallback) {
     if constexpr (kIsOptional<T>) {
       return !value.has_value();
     } else if constexpr (requires(T filled) { filled.clear(); }) {
@@ -68,15 +66,13 @@ class JsonWriter {
   template <class T>
   requires kIsOptional<T> Json json(const T& value, const char* key)
   const { return value ? json(*value, key) : Json(nullptr); }
-  template <Listed T>
-  Json json(const T& fact, const char*) const {
+  template <Listed T> Json json(const T& fact, const char*) const {
     Json object = Json::object();
     add(object, fact);
     return object;
   }
   /// A vector of three, or any list.
-  template <std::ranges::range List>
-  Json json(const List& list, const char* key) const {
+  template <std::ranges::range List> Json json(const List& list, const char* key) const {
     using Entry = std::ranges::range_value_t<List>;
     if constexpr (Listed<Entry>) {
       if constexpr (has_name<Entry>()) {
@@ -116,20 +112,14 @@ std::string to_json_line(const Header& header) {
   return written("trace", header, {{"schema", kSchema}}).dump();
 }
 
-std::string to_json_line(const Frame& frame) {
-  return written("trace", frame).dump();
-}
+std::string to_json_line(const Frame& frame) { return written("trace", frame).dump(); }
 
 std::string to_json_line(const Exploration& exploration) {
   return written("trace", exploration, {{"schema", kExplorationSchema}}).dump();
 }
 
-std::string to_json(const Study& study) {
-  return written(study).dump(1) + "\n";
-}
+std::string to_json(const Study& study) { return written(study).dump(1) + "\n"; }
 
-std::string to_json_line(const Study& study) {
-  return written(study).dump();
-}
+std::string to_json_line(const Study& study) { return written(study).dump(); }
 
 }  // namespace contactscope::trace

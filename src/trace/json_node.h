@@ -98,8 +98,7 @@ class Node {
            things);
     return value;
   }
-  template <std::size_t Count>
-  std::array<double, Count> numbers(const char* complaint) const {
+  template <std::size_t Count> std::array<double, Count> numbers(const char* complaint) const {
     std::array<double, Count> list{};
     std::size_t i = 0;
     for (const Value item : array()) {

@@ -27,11 +27,9 @@ struct Counts {
   }
 };
 
-template <Listed T>
-T read(const Node& node, const Counts* around, Problems* problems = nullptr);
+template <Listed T> T read(const Node& node, const Counts* around, Problems* problems = nullptr);
 
-template <class Owner, class V>
-struct Value {
+template <class Owner, class V> struct Value {
   const Field<Owner, V>& field;
   const Counts& counts;
 
@@ -54,12 +52,10 @@ struct Value {
   template <class T>
   requires kIsOptional<T>
   void read(const Node& node, T& value) const { read(node, value.emplace()); }
-  template <Listed T>
-  void read(const Node& node, T& value) const {
+  template <Listed T> void read(const Node& node, T& value) const {
     value = trace::read<T>(node, &counts, counts.problems);
   }
-  template <class T>
-  void read(const Node& node, std::vector<T>& list) const {
+  template <class T> void read(const Node& node, std::vector<T>& list) const {
     if constexpr (Listed<T>) {
       if constexpr (has_name<T>()) {
         for (const auto& [name, item] : node.members()) {
@@ -83,8 +79,7 @@ struct Value {
   }
 };
 
-template <class T>
-void require_more(const Node&, const T&) {}
+template <class T> void require_more(const Node&, const T&) {}
 /// Only some rules measure against an edge; their measures require one.
 void require_more(const Node& node, const Choice& choice) {
   if (!choice.is_against_edges()) return;
@@ -93,10 +88,7 @@ void require_more(const Node& node, const Choice& choice) {
 }
 
 /// Whether the needed key of a fact follows from other keys.
-template <class T>
-bool is_derived(const Node&, T&) {
-  return false;
-}
+template <class T> bool is_derived(const Node&, T&) { return false; }
 /// The vertices of a shape: of a box from its half extents, of a sphere with a radius, of a plane.
 bool is_derived(const Node& node, Shape& shape) {
   if (shape.type == "sphere" && node.find("radius")) shape.vertices = {Vec3d::Zero()};
@@ -127,8 +119,7 @@ constexpr const char* kTableOf = std::same_as<T, Header>     ? "Header"
 }
 
 /// Calls `part`, and keeps its complaint if there is a list of problems.
-template <class Part>
-void collecting(Problems* problems, const Part& part) {
+template <class Part> void collecting(Problems* problems, const Part& part) {
   try {
     part();
   } catch (const Complaint& complaint) {
@@ -137,14 +128,11 @@ void collecting(Problems* problems, const Part& part) {
   }
 }
 
-template <class T>
-inline constexpr bool kIsStage = false;
-template <class T>
-inline constexpr bool kIsStage<Stage<T>> = true;
+template <class T> inline constexpr bool kIsStage = false;
+template <class T> inline constexpr bool kIsStage<Stage<T>> = true;
 
 /// Whether a field belongs to parts that are not read.
-template <class T, class V>
-bool is_left_out(const Field<T, V>& field, const Parts& parts) {
+template <class T, class V> bool is_left_out(const Field<T, V>& field, const Parts& parts) {
   const std::string_view key = field.key;
   if constexpr (std::same_as<T, Frame>)
     return key == "poses"   ? !parts.poses
@@ -155,8 +143,7 @@ bool is_left_out(const Field<T, V>& field, const Parts& parts) {
   return false;
 }
 
-template <Listed T>
-T read(const Node& node, const Counts* around, Problems* problems) {
+template <Listed T> T read(const Node& node, const Counts* around, Problems* problems) {
   T fact;
   Counts counts{around, problems, around != nullptr ? around->parts : nullptr};
   each_field<T>([&]<class V>(const Field<T, V>& field) {
@@ -313,8 +300,7 @@ void TraceReader::rewind() {
   torn_.reset();
 }
 
-template <class Read>
-bool TraceReader::next_line(const Read& read_it) {
+template <class Read> bool TraceReader::next_line(const Read& read_it) {
   while (std::getline(in_, line_)) {
     ++number_;
     if (is_blank(line_)) continue;

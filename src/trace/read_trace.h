@@ -78,8 +78,7 @@ class TraceReader {
 
  private:
   void know(const std::vector<Shape>& shapes);
-  template <class Read>
-  bool next_line(const Read& read_it);
+  template <class Read> bool next_line(const Read& read_it);
   void finish(Frame& frame, int line);
 
   std::istream& in_;

@@ -10,8 +10,7 @@ namespace contactscope::trace {
 /// on the heap: most stages of most pairs are empty, and a pair with all of them inline takes 3.4
 /// kB. That would cost memory and allocation time in long sequences of large heaps. Copies are
 /// deep.
-template <class T>
-class Stage {
+template <class T> class Stage {
  public:
   Stage() = default;
   Stage(std::nullopt_t) {}
@@ -38,8 +37,7 @@ class Stage {
   }
   T value_or(T other) const { return value_ ? *value_ : std::move(other); }
 
-  template <class... Arguments>
-  T& emplace(Arguments&&... arguments) {
+  template <class... Arguments> T& emplace(Arguments&&... arguments) {
     value_ = std::make_unique<T>(std::forward<Arguments>(arguments)...);
     return *value_;
   }

@@ -206,15 +206,13 @@ struct Totals {
 
 using Placement = std::pair<std::string, Pose<double>>;
 
-template <>
-struct ListOf<Pose<double>> {
+template <> struct ListOf<Pose<double>> {
   static constexpr auto fields() {
     return field::list(field::position("position", &Pose<double>::position).says(""),
                        field::rotation("quat_wxyz", &Pose<double>::rotation).says(""));
   }
 };
-template <>
-struct ListOf<Placement> {
+template <> struct ListOf<Placement> {
   static constexpr auto fields() {
     return field::list(field::name(&Placement::first), field::merged(&Placement::second));
   }

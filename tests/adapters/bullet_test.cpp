@@ -45,8 +45,7 @@ class BulletScene {
     return *recorder_;
   }
 
-  template <class Shape, class... Arguments>
-  Shape* shape(Arguments&&... arguments) {
+  template <class Shape, class... Arguments> Shape* shape(Arguments&&... arguments) {
     auto made = std::make_unique<Shape>(std::forward<Arguments>(arguments)...);
     Shape* plain = made.get();
     shapes_.push_back(std::move(made));

@@ -24,9 +24,7 @@ fcl::Transform3d pose(const Vec3d& at, const Quatd& turn = Quatd::Identity()) {
   return result;
 }
 
-Quatd about(const Vec3d& axis, double angle) {
-  return Quatd(Eigen::AngleAxisd(angle, axis));
-}
+Quatd about(const Vec3d& axis, double angle) { return Quatd(Eigen::AngleAxisd(angle, axis)); }
 
 class FclScene {
  public:

@@ -17,9 +17,7 @@ struct Foreign {
   const char* is_said;  // in the message
 };
 
-std::ostream& operator<<(std::ostream& out, const Foreign& foreign) {
-  return out << foreign.name;
-}
+std::ostream& operator<<(std::ostream& out, const Foreign& foreign) { return out << foreign.name; }
 
 class ForeignFile : public testing::TestWithParam<Foreign> {};
 

@@ -184,9 +184,7 @@ TEST(CommandLine, NumberBeyondADoubleIsNamedAsOne) {
   EXPECT_THAT(run("trace '" + (folder / "big.toml") + "'").err, HasSubstr("up to 1.8e308"));
 }
 
-TEST(CommandLine, HelpOnAFullDiskIsTrouble) {
-  EXPECT_EQ(run_on_full_disk("render --help"), 2);
-}
+TEST(CommandLine, HelpOnAFullDiskIsTrouble) { EXPECT_EQ(run_on_full_disk("render --help"), 2); }
 
 TEST(CommandLine, BadScenarioIsTroubleWithFileLineAndColumn) {
   const TemporaryFolder folder;

@@ -90,9 +90,7 @@ TEST_P(EveryScenario, MeetsItsExpectationsAndGivesTheStoredTraceByteForByte) {
   EXPECT_NE(snapshot::to_json_lines(given), stored) << "take it off the list";
 }
 
-TEST_P(EveryScenario, NamesItsSource) {
-  EXPECT_FALSE(load_scenario(GetParam()).source.empty());
-}
+TEST_P(EveryScenario, NamesItsSource) { EXPECT_FALSE(load_scenario(GetParam()).source.empty()); }
 
 INSTANTIATE_TEST_SUITE_P(Scenarios, EveryScenario, testing::ValuesIn(files()),
                          [](const testing::TestParamInfo<std::string>& file) {
@@ -100,9 +98,7 @@ INSTANTIATE_TEST_SUITE_P(Scenarios, EveryScenario, testing::ValuesIn(files()),
                            return name.substr(0, name.rfind('.'));
                          });
 
-TEST(Scenarios, AreThere) {
-  EXPECT_GE(files().size(), 11u);
-}
+TEST(Scenarios, AreThere) { EXPECT_GE(files().size(), 11u); }
 
 }  // namespace
 }  // namespace contactscope::test

@@ -29,9 +29,7 @@ std::map<std::string, std::vector<trace::Reduction>> reductions(const std::strin
   return result;
 }
 
-double share(const trace::Reduction& reduction) {
-  return reduction.area / reduction.best_area;
-}
+double share(const trace::Reduction& reduction) { return reduction.area / reduction.best_area; }
 
 bool keeps_deepest(const trace::Reduction& reduction) {
   const auto separation = [&](int i) {

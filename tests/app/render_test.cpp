@@ -210,9 +210,7 @@ TEST(Render, BackendComesFromTheEnvironmentToo) {
   EXPECT_THAT(result.err, HasSubstr("OpenGL through OSMesa"));
 }
 
-TEST(Doctor, FullDiskIsTrouble) {
-  EXPECT_EQ(run_on_full_disk("doctor"), 2);
-}
+TEST(Doctor, FullDiskIsTrouble) { EXPECT_EQ(run_on_full_disk("doctor"), 2); }
 
 }  // namespace
 }  // namespace contactscope::test

@@ -14,13 +14,9 @@ using test::Random;
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-Quatd turn(const Vec3d& axis, double angle) {
-  return Quatd(Eigen::AngleAxisd(angle, axis));
-}
+Quatd turn(const Vec3d& axis, double angle) { return Quatd(Eigen::AngleAxisd(angle, axis)); }
 
-Hull<double> unit_cube() {
-  return make_box(Vec3d(0.5, 0.5, 0.5));
-}
+Hull<double> unit_cube() { return make_box(Vec3d(0.5, 0.5, 0.5)); }
 
 SatResult<double> axes_of(const PairCase<double>& pair) {
   const HullPair<double> placed(pair.a, pair.b, relative_pose(pair.pose_a, pair.pose_b));

@@ -79,9 +79,7 @@ Quatd level(const Mesh<double>& grid, int triangle, Random& random) {
 
 }  // namespace
 
-Mesh<double> wavy_grid() {
-  return make_grid(50, 25, 100, 50, 0.5);
-}
+Mesh<double> wavy_grid() { return make_grid(50, 25, 100, 50, 0.5); }
 
 DrawnHull draw_on_mesh(Workload workload, const Mesh<double>& grid, Random& random) {
   // Avoid the rim.

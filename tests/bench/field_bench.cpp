@@ -43,8 +43,7 @@ std::vector<Vec3d> random_points(const Mesh<double>& mesh, int count) {
   return points;
 }
 
-template <class Query>
-double nanoseconds(const std::vector<Vec3d>& points, const Query& query) {
+template <class Query> double nanoseconds(const std::vector<Vec3d>& points, const Query& query) {
   double best = 1e9, sum = 0;
   for (int round = 0; round < 5; ++round) {
     const auto start = Clock::now();

@@ -21,8 +21,7 @@ double milliseconds_since(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-template <class Vector>
-std::vector<Vector> read_list(std::istream& in) {
+template <class Vector> std::vector<Vector> read_list(std::istream& in) {
   std::string word;
   std::size_t count = 0;
   in >> word >> count;

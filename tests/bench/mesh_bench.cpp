@@ -40,8 +40,7 @@ void twist(const Mesh<float>& from, float angle, Mesh<float>& to) {
   }
 }
 
-template <class Pass>
-void add(const std::string& name, const Pass& pass) {
+template <class Pass> void add(const std::string& name, const Pass& pass) {
   benchmark::RegisterBenchmark(name.c_str(), [run = pass](benchmark::State& state) mutable {
     for (auto _ : state) run(state);
   })->Unit(benchmark::kMillisecond);

@@ -9,9 +9,7 @@
 namespace contactscope::bench {
 namespace {
 
-btVector3 vector_of(const Vec3f& v) {
-  return btVector3(v.x(), v.y(), v.z());
-}
+btVector3 vector_of(const Vec3f& v) { return btVector3(v.x(), v.y(), v.z()); }
 
 struct BulletBox {
   btTransform pose;

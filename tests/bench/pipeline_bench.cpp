@@ -86,8 +86,7 @@ class SummaryReporter : public benchmark::BenchmarkReporter {
   }
 
  private:
-  template <class Pick>
-  void print(const char* title, const Pick& pick) const {
+  template <class Pick> void print(const char* title, const Pick& pick) const {
     std::printf("\n%-18s", title);
     for (const Variant& variant : variants_) std::printf("%11s", variant.name.c_str());
     std::printf("%21s%19s%17s\n", "recorded/unrecorded", "unrecorded/Bullet", "cold/unrecorded");

@@ -101,9 +101,7 @@ void run(benchmark::State& state, const Row& row, int size) {
   }
 }
 
-std::string name_of(const Row& row, int size) {
-  return row.name + "/" + std::to_string(size);
-}
+std::string name_of(const Row& row, int size) { return row.name + "/" + std::to_string(size); }
 
 /// Collects the nanoseconds per call of every repetition and prints only the table.
 class SummaryReporter : public benchmark::BenchmarkReporter {

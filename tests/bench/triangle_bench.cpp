@@ -16,15 +16,11 @@ using namespace contactscope;  // NOLINT(google-build-using-namespace): a progra
 
 constexpr int kPairs = 1'000'000;
 
-template <class S>
-struct Pair {
-  Triangle<S> a, b;
-};
+template <class S> struct Pair { Triangle<S> a, b; };
 
 /// Float coordinates for either scalar, so that all tests answer the same question. CGAL rejects
 /// pairs without an area, so they are left out.
-template <class S>
-const std::vector<Pair<S>>& pairs(bool mix) {
+template <class S> const std::vector<Pair<S>>& pairs(bool mix) {
   static std::vector<Pair<S>> made[2];
   std::vector<Pair<S>>& list = made[mix ? 1 : 0];
   test::Random random(41);
@@ -38,8 +34,7 @@ const std::vector<Pair<S>>& pairs(bool mix) {
   return list;
 }
 
-template <class S, class Test>
-void measure(benchmark::State& state, bool mix, const Test& test) {
+template <class S, class Test> void measure(benchmark::State& state, bool mix, const Test& test) {
   const std::vector<Pair<S>>& list = pairs<S>(mix);
   int overlapping = 0;
   for (auto _ : state) {
@@ -50,8 +45,7 @@ void measure(benchmark::State& state, bool mix, const Test& test) {
   state.counters["overlapping"] = overlapping;
 }
 
-template <class S, class Test>
-void add(const std::string& name, const Test& test) {
+template <class S, class Test> void add(const std::string& name, const Test& test) {
   for (const bool mix : {false, true}) {
     benchmark::RegisterBenchmark((name + (mix ? "/mix" : "/random")).c_str(),
                                  [=](benchmark::State& state) { measure<S>(state, mix, test); })

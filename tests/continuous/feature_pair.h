@@ -10,8 +10,7 @@
 namespace contactscope::test {
 
 /// A vertex (corner 0) and a face, or the edge of corners 0 and 1 and the edge of 2 and 3.
-template <class S>
-struct FeaturePair {
+template <class S> struct FeaturePair {
   bool edges = false;
   std::array<MovingCorner<S>, 4> corners;
 
@@ -20,8 +19,7 @@ struct FeaturePair {
     if (edges) return impact_of_edges<S>({a, b}, {c, d}, gap);
     return impact_of_vertex_face<S>(a, {b, c, d}, gap);
   }
-  template <class T>
-  FeaturePair<T> cast() const {
+  template <class T> FeaturePair<T> cast() const {
     FeaturePair<T> result;
     result.edges = edges;
     for (std::size_t i = 0; i < 4; ++i)

@@ -83,8 +83,7 @@ MeshImpact impact_of(const MovingTriangle& a, const MovingTriangle& b, double un
   return impact_of_meshes<S>({of_a.mesh, of_a.end}, {of_b.mesh, of_b.end});
 }
 
-template <class S>
-void are_never_met_late(int cases) {
+template <class S> void are_never_met_late(int cases) {
   Random random(91);
   int hits = 0, overlapping = 0, separated = 0;
   for (int i = 0; i < cases; ++i) {

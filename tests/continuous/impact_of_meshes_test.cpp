@@ -45,8 +45,7 @@ Deforming random_deforming(Random& random, double size, const Vec3d& place, cons
   return result;
 }
 
-template <class S>
-struct RoundedMesh {
+template <class S> struct RoundedMesh {
   explicit RoundedMesh(const Deforming& exact)
       : start(mesh_cast<S>(exact.start)), end(cast_each<Vec3<S>>(exact.end)) {}
   MovingMesh<S> moving() const { return {start, end}; }
@@ -63,8 +62,7 @@ struct RoundedMesh {
 };
 
 /// Every corner against every triangle, and every side against every side.
-template <class S>
-double first_of_all_features(const RoundedMesh<S>& a, const RoundedMesh<S>& b) {
+template <class S> double first_of_all_features(const RoundedMesh<S>& a, const RoundedMesh<S>& b) {
   const auto corner = [](const RoundedMesh<S>& mesh, int t, int k) -> MovingCorner<S> {
     const int vertex = at(at(mesh.start.triangles, t), k % 3);
     return {at(mesh.start.vertices, vertex), at(mesh.end, vertex)};
@@ -90,8 +88,7 @@ double first_of_all_features(const RoundedMesh<S>& a, const RoundedMesh<S>& b) {
   return first;
 }
 
-template <class S>
-void are_met_as_their_features_are() {
+template <class S> void are_met_as_their_features_are() {
   Random random(41);
   int hits = 0, separated = 0, overlapping = 0;
   for (int i = 0; i < 100; ++i) {

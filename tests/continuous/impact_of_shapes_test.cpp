@@ -68,8 +68,7 @@ std::vector<Shape<double>> triangles_of(const Mesh<double>& mesh) {
 }
 
 /// A mesh is hit at the time of its first triangle, each tested alone as a flat hull.
-template <class S>
-void meshes_are_met_as_their_triangles_are() {
+template <class S> void meshes_are_met_as_their_triangles_are() {
   Random random(21);
   int hits = 0, separation = 0, few = 0;
   for (int i = 0; i < 150; ++i) {

@@ -32,12 +32,10 @@ struct Fall {
   double speed = 0;  // vertical, metres per step
 };
 
-template <class S>
-Pose<double> rounded(const Pose<double>& pose) {
+template <class S> Pose<double> rounded(const Pose<double>& pose) {
   return pose.cast<S>().template cast<double>();
 }
-template <class S>
-Vec3d rounded(const Vec3d& vector) {
+template <class S> Vec3d rounded(const Vec3d& vector) {
   return vector.cast<S>().template cast<double>();
 }
 
@@ -83,8 +81,7 @@ double radius_of(const Shape<double>& shape) {
 }
 
 /// In numbers that S represents.
-template <class S>
-Fall random_fall(Random& random) {
+template <class S> Fall random_fall(Random& random) {
   Fall fall;
   fall.kind = static_cast<Floor>(random.index(3));
   fall.size = random.decade(-4, 4);
@@ -142,8 +139,7 @@ ShapeImpact<S> impact_of(const Fall& fall, const ImpactLimits<S>& limits, bool s
                                     ImpactMethod::TimeOfImpact, limits);
 }
 
-template <class S>
-void judge_falls(int count, std::uint64_t seed) {
+template <class S> void judge_falls(int count, std::uint64_t seed) {
   constexpr double kOfMotion = 1e-8;
   Random random(seed);
   for (int i = 0; i < count && !testing::Test::HasFailure(); ++i) {
@@ -180,12 +176,8 @@ TEST(ImpactOnFloor, AFloorsReachMakesNoImpactEarly) {
   }
 }
 
-TEST(ImpactOnFloor, RandomFallsInDouble) {
-  judge_falls<double>(2000, 349);
-}
-TEST(ImpactOnFloor, RandomFallsInFloat) {
-  judge_falls<float>(2000, 350);
-}
+TEST(ImpactOnFloor, RandomFallsInDouble) { judge_falls<double>(2000, 349); }
+TEST(ImpactOnFloor, RandomFallsInFloat) { judge_falls<float>(2000, 350); }
 TEST(ImpactOnFloor, SlowRandomFalls) {
   judge_falls<double>(20000, 351);
   judge_falls<float>(20000, 352);

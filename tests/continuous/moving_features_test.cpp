@@ -73,8 +73,7 @@ std::optional<Extended> marched(const FeaturePair<double>& pair, Extended gap, b
   return time;
 }
 
-template <class S>
-void compare_with_marching(double away) {
+template <class S> void compare_with_marching(double away) {
   Random random(31);
   int hits = 0, separated = 0, near = 0, overlapping = 0, undecided = 0, unproved = 0;
   std::int64_t steps = 0;

@@ -18,13 +18,11 @@
 namespace contactscope::test {
 
 /// Core of a moving shape: a hull, a segment or a point.
-template <class S>
-struct Core {
+template <class S> struct Core {
   std::vector<Vec3<S>> points;  // one or two, if there is no hull
   std::optional<Hull<S>> hull;
 
-  template <class T>
-  Core<T> cast() const {
+  template <class T> Core<T> cast() const {
     Core<T> result;
     for (const Vec3<S>& point : points) result.points.push_back(point.template cast<T>());
     if (hull) result.hull = hull_cast<T>(*hull);
@@ -36,14 +34,12 @@ struct Core {
   }
 };
 
-template <class S>
-struct MovingPair {
+template <class S> struct MovingPair {
   Core<S> core_a, core_b;
   Sweep<S> motion_a, motion_b;
   S radius_a = 0, radius_b = 0;
 
-  template <class T>
-  MovingPair<T> cast() const {
+  template <class T> MovingPair<T> cast() const {
     return {core_a.template cast<T>(),   core_b.template cast<T>(), motion_a.template cast<T>(),
             motion_b.template cast<T>(), static_cast<T>(radius_a),  static_cast<T>(radius_b)};
   }
@@ -153,8 +149,7 @@ inline MovingPair<double> random_moving_pair(Random& random, double size, double
 }
 
 /// 32 roundings of the reach and motion of both shapes, with a margin for how these are bounded.
-template <class S>
-double least_tolerance(const MovingPair<double>& pair) {
+template <class S> double least_tolerance(const MovingPair<double>& pair) {
   const auto reach = [](const Core<double>& core) {
     double most = 0;
     for (const Vec3d& point : core.hull ? core.hull->vertices : core.points)
@@ -182,8 +177,7 @@ template <class S>
 inline constexpr std::array<Find<S>, 2> kMethods = {&time_of_impact<S>,
                                                     &conservative_advancement<S>};
 
-template <class S>
-void judge(Find<S> find, const MovingPair<double>& exact, Tally& tally) {
+template <class S> void judge(Find<S> find, const MovingPair<double>& exact, Tally& tally) {
   constexpr double kOfMotion = 1e-5;
   const MovingPair<S> pair = exact.template cast<S>();
   // The oracle uses the rounded numbers that the function gets.

@@ -12,8 +12,7 @@ namespace {
 
 using namespace test;
 
-template <class S>
-class PolyhedraImpact : public testing::Test {};
+template <class S> class PolyhedraImpact : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(PolyhedraImpact, Scalars);
 
@@ -102,8 +101,7 @@ TYPED_TEST(PolyhedraImpact, SlowBarsThatSpinAsTheyComeAreNotLate) {
 
 /// Two boxes with half extents of one size, in a frame that is turned and moved. B starts `offset`
 /// sizes from A and moves by `shift` sizes.
-template <class S>
-struct BoxPair {
+template <class S> struct BoxPair {
   BoxPair(Random& random, double size, double away, const Vec3d& offset, const Vec3d& shift)
       : box(hull_cast<S>(make_box(Vec3d(size, size, size)))) {
     const Quatd frame = random.rotation();

@@ -91,8 +91,7 @@ Flight random_flight(Random& random, double size) {
   return of;
 }
 
-template <class S>
-struct Cast {
+template <class S> struct Cast {
   explicit Cast(const Flight& of)
       : a(hull_cast<S>(of.a)),
         b(hull_cast<S>(of.b)),
@@ -117,8 +116,7 @@ struct Cast {
   PortalCast<S> cast;
 };
 
-template <class S>
-class PortalCasts : public testing::Test {};
+template <class S> class PortalCasts : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(PortalCasts, Scalars);
 

@@ -83,8 +83,7 @@ Case random_case(Random& random, double size) {
   return of;
 }
 
-template <class S>
-void compare_with_marching(double away, double slack) {
+template <class S> void compare_with_marching(double away, double slack) {
   Random random(11);
   int hits[3] = {}, separated = 0;
   for (int i = 0; i < 20'000; ++i) {
@@ -139,9 +138,7 @@ TEST(SweptSphere, SlowMatchesMarching) {
   compare_with_marching<float>(0, 1e-9);
 }
 
-TEST(SweptSphere, SlowIsRightAKilometreFromTheOrigin) {
-  compare_with_marching<float>(1000, 1e-9);
-}
+TEST(SweptSphere, SlowIsRightAKilometreFromTheOrigin) { compare_with_marching<float>(1000, 1e-9); }
 
 TEST(SweptSphere, DistinguishesInitialOverlapFromAHit) {
   const std::array<Vec3d, 3> triangle = {Vec3d(0, 0, 0), Vec3d(1, 0, 0), Vec3d(0, 1, 0)};

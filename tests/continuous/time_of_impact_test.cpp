@@ -14,8 +14,7 @@ namespace {
 
 using namespace test;
 
-template <class S>
-class TimeOfImpact : public testing::Test {};
+template <class S> class TimeOfImpact : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(TimeOfImpact, Scalars);
 

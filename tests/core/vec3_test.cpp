@@ -8,8 +8,7 @@
 namespace contactscope {
 namespace {
 
-template <class S>
-class AnyPerpendicular : public ::testing::Test {};
+template <class S> class AnyPerpendicular : public ::testing::Test {};
 using Scalars = ::testing::Types<float, double>;
 TYPED_TEST_SUITE(AnyPerpendicular, Scalars);
 

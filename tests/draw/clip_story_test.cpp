@@ -42,9 +42,7 @@ struct ClippedSquare : crate_sample::CrateOnSlab {
   }
 };
 
-double area_in_space(const trace::Polygon& polygon) {
-  return 0.5 * newell_normal(polygon).norm();
-}
+double area_in_space(const trace::Polygon& polygon) { return 0.5 * newell_normal(polygon).norm(); }
 
 TEST(CutAway, IsWhatLiesBeyondThePlane) {
   ClippedSquare scene;

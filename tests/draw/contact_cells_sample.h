@@ -63,8 +63,7 @@ inline Drawing drawn(const std::vector<ContactMoment>& moments, int frame, int w
       .frame(frame);
 }
 
-template <class T>
-std::vector<T> all(const Drawing& drawing) {
+template <class T> std::vector<T> all(const Drawing& drawing) {
   std::vector<T> list;
   for (const Primitive& primitive : drawing.primitives) {
     if (const T* one = std::get_if<T>(&primitive)) list.push_back(*one);

@@ -120,8 +120,6 @@ inline std::vector<std::string> texts(const Drawing& drawing) {
   return result;
 }
 
-inline bool same(const Color& a, const Color& b) {
-  return a.r == b.r && a.g == b.g && a.b == b.b;
-}
+inline bool same(const Color& a, const Color& b) { return a.r == b.r && a.g == b.g && a.b == b.b; }
 
 }  // namespace contactscope::draw::crate_sample

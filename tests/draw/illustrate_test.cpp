@@ -73,9 +73,7 @@ std::vector<std::string> picture_texts(const Drawing& drawing) {
   return result;
 }
 
-bool same(const Color& a, const Color& b) {
-  return a.r == b.r && a.g == b.g && a.b == b.b;
-}
+bool same(const Color& a, const Color& b) { return a.r == b.r && a.g == b.g && a.b == b.b; }
 
 std::vector<Point2> dots(const Drawing& drawing) {
   std::vector<Point2> result;

@@ -42,8 +42,7 @@ struct Counts {
   int drawn = 0, explained = 0;
 };
 
-template <class Work>
-Counts counted(const Work& work) {
+template <class Work> Counts counted(const Work& work) {
   drawings = explanations = 0;
   work();
   return {drawings, explanations};

@@ -94,8 +94,7 @@ trace::Study answers() {
   return study;
 }
 
-template <class T>
-std::vector<T> all_of(const Drawing& drawing) {
+template <class T> std::vector<T> all_of(const Drawing& drawing) {
   std::vector<T> list;
   for (const Primitive& primitive : drawing.primitives) {
     if (const auto* one = std::get_if<T>(&primitive)) list.push_back(*one);

@@ -112,8 +112,7 @@ Change random_encounter(Random& random, const SolverSettings& settings, double r
 }
 
 /// Every correction, 1, 4 and 32 sub-steps, with and without friction and restitution, in turn.
-template <class S>
-void expect_momenta_kept(int count, double tolerance) {
+template <class S> void expect_momenta_kept(int count, double tolerance) {
   Random random(7);
   int hits = 0;
   for (int i = 0; i < count; ++i) {

@@ -13,8 +13,7 @@ enum class Wall { Box, Triangles, Flying };
 constexpr double kHalfWall = 0.005;  // metres
 
 /// A wall across x, 1 cm thick or without thickness, and a bullet that flies at it from the left.
-template <class S>
-struct Shot {
+template <class S> struct Shot {
   Scene<S> scene;
 
   Shot(Bullet bullet, Wall wall, double speed, std::optional<ImpactMethod> method, Random& random) {
@@ -73,8 +72,7 @@ int come_through(Bullet bullet, Wall wall, double speed, std::optional<ImpactMet
   return through;
 }
 
-template <class S>
-class Tunnelling : public ::testing::Test {};
+template <class S> class Tunnelling : public ::testing::Test {};
 using Scalars = ::testing::Types<float, double>;
 TYPED_TEST_SUITE(Tunnelling, Scalars);
 

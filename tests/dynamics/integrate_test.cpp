@@ -45,8 +45,7 @@ TEST(Integrate, FreeFallIsTheParabolaOfSemiImplicitEuler) {
   }
 }
 
-template <class S>
-class Tumbling : public ::testing::Test {};
+template <class S> class Tumbling : public ::testing::Test {};
 using Scalars = ::testing::Types<float, double>;
 TYPED_TEST_SUITE(Tumbling, Scalars);
 

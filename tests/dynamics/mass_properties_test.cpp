@@ -12,9 +12,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-Mat3<double> diagonal(double x, double y, double z) {
-  return Vec3d(x, y, z).asDiagonal();
-}
+Mat3<double> diagonal(double x, double y, double z) { return Vec3d(x, y, z).asDiagonal(); }
 
 /// The largest difference of two tensors, relative to the largest entry.
 double difference(const Mat3<double>& a, const Mat3<double>& b) {

@@ -25,8 +25,7 @@ std::vector<WorldPair<S>> pair_all(const std::vector<Body<S>>& bodies, S frictio
   return pairs;
 }
 
-template <class S>
-struct Scene {
+template <class S> struct Scene {
   World<S> world;
   std::vector<Shape<S>> shapes;
   SolverSettings settings;

@@ -118,8 +118,7 @@ TEST(Sleepers, AScriptedBodyWakesItsContactsOnlyIfItMoves) {
   }
 }
 
-template <class S>
-struct Step {
+template <class S> struct Step {
   std::vector<Body<S>> bodies;
   std::vector<PairImpulses<S>> impulses;
 };
@@ -149,16 +148,14 @@ Step<S> one_step(const Sleepers<S>* sleepers, const std::vector<PairImpulses<S>>
   return result;
 }
 
-template <class S>
-void expect_same_body(const Body<S>& got, const Body<S>& expected) {
+template <class S> void expect_same_body(const Body<S>& got, const Body<S>& expected) {
   EXPECT_EQ(got.center, expected.center);
   EXPECT_EQ(got.rotation.coeffs(), expected.rotation.coeffs());
   EXPECT_EQ(got.velocity, expected.velocity);
   EXPECT_EQ(got.angular_velocity, expected.angular_velocity);
 }
 
-template <class S>
-void expect_the_awake_are_solved_alike() {
+template <class S> void expect_the_awake_are_solved_alike() {
   const Step<S> all = one_step<S>(nullptr, {});
   const Step<S> begin = one_step<S>(nullptr, {});
   Scene<S> scene;

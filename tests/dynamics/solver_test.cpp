@@ -14,9 +14,7 @@ struct Method {
   PositionCorrection correction;
   int substeps;
 };
-std::ostream& operator<<(std::ostream& out, const Method& method) {
-  return out << method.name;
-}
+std::ostream& operator<<(std::ostream& out, const Method& method) { return out << method.name; }
 
 class EveryMethod : public ::testing::TestWithParam<Method> {
  protected:

@@ -36,9 +36,7 @@ struct Case {
   const char* name;
   PositionCorrection correction;
 };
-std::ostream& operator<<(std::ostream& out, const Case& one) {
-  return out << one.name;
-}
+std::ostream& operator<<(std::ostream& out, const Case& one) { return out << one.name; }
 
 class Stack : public ::testing::TestWithParam<Case> {};
 INSTANTIATE_TEST_SUITE_P(Corrections, Stack,
@@ -132,8 +130,7 @@ TEST(WarmStarting, FewSweepsCarryAStackOfTenOnlyIfTheyGoOnFromTheLast) {
 }
 
 /// Equal cubes of 1 kg, one exactly on another, with only the method set.
-template <class S>
-Scene<S> plain_stack(PositionCorrection correction, int boxes, double size = 1) {
+template <class S> Scene<S> plain_stack(PositionCorrection correction, int boxes, double size = 1) {
   Scene<S> scene;
   scene.settings.position_correction = correction;
   scene.add_plane();
@@ -216,8 +213,7 @@ TEST_P(Stack, TheDefaultsAreOfTheSizeOfTheBodies) {
     EXPECT_LT((1000 * small.body(box).center - large.body(box).center).norm(), 1e-9) << box;
 }
 
-template <class S>
-void expect_equal(const World<S>& a, const World<S>& b) {
+template <class S> void expect_equal(const World<S>& a, const World<S>& b) {
   ASSERT_EQ(a.bodies.size(), b.bodies.size());
   for (std::size_t i = 0; i < a.bodies.size(); ++i) {
     EXPECT_EQ(a.bodies[i].center, b.bodies[i].center);

@@ -38,8 +38,7 @@ inline ThinPlate thin_plate(double shift) {
 }
 
 /// Number of kPlatePlaces places in the middle of the plate for which `is_inside` returns false.
-template <class IsInside>
-int places_lost(const ThinPlate& plate, const IsInside& is_inside) {
+template <class IsInside> int places_lost(const ThinPlate& plate, const IsInside& is_inside) {
   Random random(11);
   int lost = 0;
   for (int k = 0; k < kPlatePlaces; ++k) {

@@ -43,9 +43,7 @@ Surface random_surface(Random& random, int number) {
   return {std::make_shared<const Mesh<double>>(build_mesh(vertices, triangles)), size};
 }
 
-Vec3d on_eighths(const Vec3d& point) {
-  return (8 * point).array().round().matrix() / 8;
-}
+Vec3d on_eighths(const Vec3d& point) { return (8 * point).array().round().matrix() / 8; }
 
 TEST(TriangleSieve, SlowLosesNoTriangleThatIsNearestToAPointOfACube) {
   Random random(23);

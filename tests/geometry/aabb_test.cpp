@@ -14,8 +14,7 @@ using Box = Aabb<double>;
 
 const Box kUnit{Vec3d(0, 0, 0), Vec3d(1, 1, 1)};
 
-template <class Part>
-Box grown(Box box, const Part& part) {
+template <class Part> Box grown(Box box, const Part& part) {
   box.include(part);
   return box;
 }
@@ -38,8 +37,7 @@ TEST(Aabb, AGapAlongOneAxisIsEnough) {
 }
 
 // Traces are compared byte for byte, and a flat mesh has zeros of both signs.
-template <class S>
-void expect_first_zero_stays() {
+template <class S> void expect_first_zero_stays() {
   const Vec3<S> zero = Vec3<S>::Zero(), minus_zero = -zero;
   Aabb<S> box{zero, minus_zero};
   box.include(minus_zero);
@@ -55,8 +53,7 @@ TEST(Aabb, TheFirstOfTwoZerosIsKept) {
   expect_first_zero_stays<double>();
 }
 
-template <class S>
-void expect_queried_as_overlaps() {
+template <class S> void expect_queried_as_overlaps() {
   Random random(7);
   const S numbers[] = {0,
                        1,

@@ -14,16 +14,14 @@
 namespace contactscope::test {
 namespace {
 
-template <class S>
-std::vector<int> found(const AabbTree<S>& tree, const Aabb<S>& box) {
+template <class S> std::vector<int> found(const AabbTree<S>& tree, const Aabb<S>& box) {
   std::vector<int> triangles;
   tree.query(box, [&](int triangle) { triangles.push_back(triangle); });
   return triangles;
 }
 
 /// Every triangle whose extent along each axis meets the box's.
-template <class S>
-std::vector<int> brute_force(const Mesh<S>& mesh, const Aabb<S>& box) {
+template <class S> std::vector<int> brute_force(const Mesh<S>& mesh, const Aabb<S>& box) {
   std::vector<int> triangles;
   for (int t = 0; t < mesh.triangle_count(); ++t) {
     bool separated = false;
@@ -38,8 +36,7 @@ std::vector<int> brute_force(const Mesh<S>& mesh, const Aabb<S>& box) {
 }
 
 /// Boxes anywhere about the mesh, over four decades; points; boxes that end at a triangle's start.
-template <class S>
-Aabb<S> random_query(Random& random, const Mesh<S>& mesh) {
+template <class S> Aabb<S> random_query(Random& random, const Mesh<S>& mesh) {
   const Aabb<S> bounds = mesh.tree.bounds();
   const Vec3<S> extent = bounds.extent();
   const Vec3<S> corner = mesh.corner(random.index(mesh.triangle_count()), random.index(3));
@@ -79,24 +76,21 @@ void expect_queries_equal_brute_force(Random& random, const Mesh<S>& mesh, int c
 }
 
 /// Number of nodes on the longest path from the root to a leaf, both counted.
-template <class S>
-int depth_of(const AabbTree<S>& tree) {
+template <class S> int depth_of(const AabbTree<S>& tree) {
   int depth = 0;
   for (const trace::TreeVisit& visit : tree.recorded_query(tree.bounds()).visits)
     depth = std::max(depth, visit.depth + 1);
   return depth;
 }
 
-template <class S, class Part>
-bool contains(const Aabb<S>& box, const Part& part) {
+template <class S, class Part> bool contains(const Aabb<S>& box, const Part& part) {
   Aabb<S> both = box;
   both.include(part);
   return both == box;
 }
 
 /// Boxes contain everything below them, every triangle is in one leaf, and no path is too long.
-template <class S>
-void expect_well_formed(const Mesh<S>& mesh) {
+template <class S> void expect_well_formed(const Mesh<S>& mesh) {
   const AabbTree<S>& tree = mesh.tree;
   EXPECT_LE(depth_of(tree), kMaxAabbTreeDepth);
   std::vector<int> sorted = tree.triangles;
@@ -147,9 +141,7 @@ void check(Random& random, const Mesh<double>& mesh, int queries = 300) {
   expect_queries_equal_brute_force(random, rounded, queries);
 }
 
-Mesh<double> mesh_of(const MeshInput& input) {
-  return build_mesh(input.vertices, input.triangles);
-}
+Mesh<double> mesh_of(const MeshInput& input) { return build_mesh(input.vertices, input.triangles); }
 
 TEST(AabbTree, StopsAfterTheFirstAcceptedTriangle) {
   Random random(31);

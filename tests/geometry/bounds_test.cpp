@@ -14,15 +14,13 @@ namespace {
 using test::Random;
 using Extended = Vec3<long double>;
 
-template <class S>
-class Bounds : public testing::Test {};
+template <class S> class Bounds : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(Bounds, Scalars);
 
 /// Distance of the point outside the box that the columns span, relative to the point's distance
 /// from the centre, in long double.
-template <class S>
-double outside(const Obb<S>& box, const Vec3<S>& point) {
+template <class S> double outside(const Obb<S>& box, const Vec3<S>& point) {
   const Mat3<long double> axes = box.axes.template cast<long double>();
   const Extended offset =
       point.template cast<long double>() - box.center.template cast<long double>();
@@ -35,14 +33,12 @@ double outside(const Obb<S>& box, const Vec3<S>& point) {
   return most;
 }
 
-template <class S>
-double surface(const Obb<S>& box) {
+template <class S> double surface(const Obb<S>& box) {
   const Vec3d h = box.half_extents.template cast<double>();
   return 8 * (h.x() * h.y() + h.y() * h.z() + h.z() * h.x());
 }
 
-template <class S>
-Hull<S> moved(Hull<double> hull, const Pose<double>& pose) {
+template <class S> Hull<S> moved(Hull<double> hull, const Pose<double>& pose) {
   for (Vec3d& vertex : hull.vertices) vertex = pose.transform(vertex);
   return hull_cast<S>(build_hull(hull.vertices));
 }

@@ -16,9 +16,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-Hull<double> flat_hull_of(const Points& points) {
-  return build_hull(points, {.allow_flat = true});
-}
+Hull<double> flat_hull_of(const Points& points) { return build_hull(points, {.allow_flat = true}); }
 
 /// Expects the promised topology and planes of a flat hull, and convexity within `tolerance`.
 void expect_flat(const Hull<double>& hull, double tolerance) {

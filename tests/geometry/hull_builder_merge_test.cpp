@@ -127,9 +127,7 @@ TEST(BuildHull, CentroidIsByVolumeAndNotByVertices) {
   EXPECT_NEAR(hull.centroid.x(), 0, 1e-12);
 }
 
-Hull<double> unmerged(const Points& points) {
-  return triangulate_faces(build_hull(points));
-}
+Hull<double> unmerged(const Points& points) { return triangulate_faces(build_hull(points)); }
 
 TEST(UnmergedHull, AGridIsACubeOfTwelveTriangles) {
   const Hull<double> hull = unmerged(box_grid(3));

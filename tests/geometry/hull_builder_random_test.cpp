@@ -45,9 +45,7 @@ struct PointSet {
   double lateral = 0;
 };
 
-void PrintTo(const PointSet& set, std::ostream* out) {
-  *out << set.name;
-}
+void PrintTo(const PointSet& set, std::ostream* out) { *out << set.name; }
 
 class HullOfRandomPoints : public ::testing::TestWithParam<PointSet> {};
 
@@ -75,9 +73,7 @@ Points with_noise(Generator& random, const Points& points, double size) {
   return noisy;
 }
 
-Points grid(Generator& random) {
-  return box_grid(1 + static_cast<int>(random() % 6));
-}
+Points grid(Generator& random) { return box_grid(1 + static_cast<int>(random() % 6)); }
 
 Points flattened(Points points, double height) {
   for (Vec3d& point : points) point.y() *= height;

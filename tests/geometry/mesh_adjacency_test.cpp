@@ -22,8 +22,7 @@ Mesh<double> mesh_of(const MeshInput& input, MeshReport* report = nullptr) {
 }
 
 /// Neighbours across an edge refer to each other by the same edge.
-template <class S>
-void expect_mutual(const Mesh<S>& mesh) {
+template <class S> void expect_mutual(const Mesh<S>& mesh) {
   for (int t = 0; t < mesh.triangle_count(); ++t) {
     for (int k = 0; k < 3; ++k) {
       const int other = mesh.neighbour(t, k);

@@ -97,9 +97,7 @@ TEST_F(Obj, AFolderIsRefused) {
   EXPECT_THROW(load_obj_vertices(CONTACTSCOPE_BINARY_DIR), InputError);
 }
 
-TEST_F(Obj, AnEmptyFileIsRefused) {
-  EXPECT_THAT(refusal_of(""), HasSubstr("empty"));
-}
+TEST_F(Obj, AnEmptyFileIsRefused) { EXPECT_THAT(refusal_of(""), HasSubstr("empty")); }
 
 TEST_F(Obj, AFileWithoutVerticesIsRefused) {
   EXPECT_THAT(refusal_of("# nothing here\n"), HasSubstr("no vertex"));

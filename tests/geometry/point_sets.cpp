@@ -8,9 +8,7 @@
 namespace contactscope::test {
 namespace {
 
-double uniform(Generator& random) {
-  return std::uniform_real_distribution<double>(-1, 1)(random);
-}
+double uniform(Generator& random) { return std::uniform_real_distribution<double>(-1, 1)(random); }
 
 }  // namespace
 

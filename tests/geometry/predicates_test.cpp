@@ -53,9 +53,7 @@ int oracle_2d(const std::vector<Vec3d>& points, int axis) {
       .sign();
 }
 
-int orient_four(const std::vector<Vec3d>& p) {
-  return orient3d(p[0], p[1], p[2], p[3]);
-}
+int orient_four(const std::vector<Vec3d>& p) { return orient3d(p[0], p[1], p[2], p[3]); }
 
 Vec3d random_point(Random& random, double size) {
   return {random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size)};

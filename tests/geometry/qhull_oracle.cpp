@@ -24,9 +24,7 @@ QhullAnswer run_qhull(const std::vector<Vec3d>& points) {
   answer.volume = qh->totvol;
   answer.area = qh->totarea;
   vertexT* vertex = nullptr;
-  FORALLvertices {
-    answer.vertices.push_back(qh_pointid(qh, vertex->point));
-  }
+  FORALLvertices { answer.vertices.push_back(qh_pointid(qh, vertex->point)); }
   std::sort(answer.vertices.begin(), answer.vertices.end());
   qh_freeqhull(qh, qh_ALL);
   int long_count = 0;

@@ -43,9 +43,7 @@ int boxes_tested(const Mesh<double>& mesh) {
   return tested;
 }
 
-Mesh<double> sphere() {
-  return test::built(test::sphere_mesh(1, 40, 30, 0));
-}
+Mesh<double> sphere() { return test::built(test::sphere_mesh(1, 40, 30, 0)); }
 
 TEST(TreeUpdate, ARefitTreeHoldsTheMovedTriangles) {
   Mesh<double> mesh = sphere();

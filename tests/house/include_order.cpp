@@ -155,9 +155,7 @@ std::string floor_violation(std::string_view folder, const std::string& path,
   return {};
 }
 
-bool is_source(const std::string& path) {
-  return path.ends_with(".h") || path.ends_with(".cpp");
-}
+bool is_source(const std::string& path) { return path.ends_with(".h") || path.ends_with(".cpp"); }
 
 void check_include(const SourceFile& file, int line, const std::string& included,
                    const Folder& folder, const std::set<std::string>& known,

@@ -76,9 +76,7 @@ TEST(Webp, AnimationShowsEachPictureForItsTime) {
   WebPAnimDecoderDelete(decoder);
 }
 
-TEST(Webp, TooLargePicturesAreRefused) {
-  EXPECT_THROW(encode_webp(Image(16384, 1)), WebpError);
-}
+TEST(Webp, TooLargePicturesAreRefused) { EXPECT_THROW(encode_webp(Image(16384, 1)), WebpError); }
 
 }  // namespace
 }  // namespace contactscope

@@ -48,9 +48,7 @@ Mistaken rotations_by(const std::function<Quat<double>(const Quat<double>&)>& ch
   };
 }
 
-Quat<double> written_xyzw(const Quat<double>& q) {
-  return {q.x(), q.y(), q.z(), q.w()};
-}
+Quat<double> written_xyzw(const Quat<double>& q) { return {q.x(), q.y(), q.z(), q.w()}; }
 
 Mistaken shapes_times(double factor) {
   return [=](Trace& trace) {

@@ -27,8 +27,6 @@ inline double scattered(int n, int axis) {
 }
 
 /// Half extents of the n-th body, metres.
-inline double half_extent(int n, int axis) {
-  return 0.25 + 0.1 * scattered(n + 1000, axis);
-}
+inline double half_extent(int n, int axis) { return 0.25 + 0.1 * scattered(n + 1000, axis); }
 
 }  // namespace contactscope::test

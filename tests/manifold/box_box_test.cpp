@@ -21,22 +21,19 @@ namespace {
 
 using test::Random;
 
-template <class S>
-bool same_bits(const S& one, const S& other) {
+template <class S> bool same_bits(const S& one, const S& other) {
   return std::memcmp(&one, &other, sizeof one) == 0;
 }
 
 /// Zeros of either sign are equal.
-template <class S>
-bool same(const Vec3<S>& one, const Vec3<S>& other) {
+template <class S> bool same(const Vec3<S>& one, const Vec3<S>& other) {
   for (int k = 0; k < 3; ++k) {
     if (!same_bits(one[k] + S(0), other[k] + S(0))) return false;
   }
   return true;
 }
 
-template <class S>
-void expect_same(const Manifold<S>& contact, const Manifold<S>& expected) {
+template <class S> void expect_same(const Manifold<S>& contact, const Manifold<S>& expected) {
   ASSERT_EQ(contact.points.size(), expected.points.size());
   EXPECT_EQ(contact.axis, expected.axis);
   EXPECT_EQ(contact.type, expected.type);
@@ -152,8 +149,7 @@ struct Setting {
 constexpr Setting kSettings[] = {
     {Preference::Relative, 0}, {Preference::Relative, 0.02}, {Preference::None, 0}};
 
-template <class S>
-class BoxBox : public testing::Test {};
+template <class S> class BoxBox : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(BoxBox, Scalars);
 

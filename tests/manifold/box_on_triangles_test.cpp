@@ -19,15 +19,13 @@ namespace {
 using test::Random;
 
 /// Zeros of either sign are equal.
-template <class S>
-void expect_same_bits(S one, S other) {
+template <class S> void expect_same_bits(S one, S other) {
   one += S(0);
   other += S(0);
   EXPECT_EQ(std::memcmp(&one, &other, sizeof one), 0) << one << " for " << other;
 }
 
-template <class S>
-void expect_same(const Contact<S>& contact, const Contact<S>& expected) {
+template <class S> void expect_same(const Contact<S>& contact, const Contact<S>& expected) {
   ASSERT_EQ(contact.points.size(), expected.points.size());
   if (expected.points.empty()) return;
   EXPECT_EQ(contact.axis, expected.axis);
@@ -89,8 +87,7 @@ void expect_general(const Hull<S>& box, const Mesh<S>& mesh, const Pose<S>& mesh
   }
 }
 
-template <class S>
-class BoxOnTriangle : public testing::Test {};
+template <class S> class BoxOnTriangle : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(BoxOnTriangle, Scalars);
 

@@ -71,8 +71,7 @@ struct Said {
 
 constexpr double kTolerance = 1e-9;
 
-template <class Bound>
-Said query_bounds(QueryKind query, const Bound& a, const Bound& b) {
+template <class Bound> Said query_bounds(QueryKind query, const Bound& a, const Bound& b) {
   using C = Comparison<double>;
   if (query == QueryKind::Overlap) return {overlaps(a, b, C::inclusive())};
   return {overlaps(a, b, C::within(kTolerance)) && !overlaps(a, b, C::exclusive())};
@@ -129,8 +128,7 @@ Said query_pair(QueryMethod method, QueryKind query, const PlacedShapes& pair) {
 }
 
 /// Calls visit(method, query, one, other) for every cell of the table.
-template <class Visit>
-void for_every_cell(const Visit& visit) {
+template <class Visit> void for_every_cell(const Visit& visit) {
   for (int m = 0; m < kQueryMethods; ++m) {
     for (const QueryKind query : kEveryQuery) {
       for (int one = 0; one < kShapeKinds; ++one) {

@@ -10,23 +10,20 @@ namespace {
 using test::kDegree;
 using test::PlacedShapes;
 
-template <class S>
-class CapsuleFallback : public testing::Test {
+template <class S> class CapsuleFallback : public testing::Test {
  protected:
   static constexpr double kEps = std::numeric_limits<S>::epsilon();
 };
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(CapsuleFallback, Scalars);
 
-template <class S>
-CollideOptions skip() {
+template <class S> CollideOptions skip() {
   CollideOptions options;
   options.degenerate = Degenerate::Skip;
   return options;
 }
 
-template <class S>
-void expect_recorded(const PlacedShapes& pair, const std::string& geometry) {
+template <class S> void expect_recorded(const PlacedShapes& pair, const std::string& geometry) {
   const trace::Pair record = test::record_of<S>(pair);
   ASSERT_TRUE(record.degenerate.has_value()) << geometry;
   EXPECT_EQ(record.degenerate->geometry, geometry);

@@ -51,8 +51,7 @@ std::string ids(const auto& manifold) {
   return result;
 }
 
-template <class S>
-class CapsuleHull : public testing::Test {
+template <class S> class CapsuleHull : public testing::Test {
  protected:
   static constexpr double kEpsilon = std::numeric_limits<S>::epsilon();
 

@@ -11,8 +11,7 @@ using test::kDegree;
 using test::PlacedShapes;
 using testing::ElementsAre;
 
-template <class S>
-class CapsulePairs : public testing::Test {
+template <class S> class CapsulePairs : public testing::Test {
  protected:
   static constexpr double kEps = std::numeric_limits<S>::epsilon();
 };

@@ -16,8 +16,7 @@ namespace {
 
 using test::Random;
 
-template <class S>
-struct HullOnGrid {
+template <class S> struct HullOnGrid {
   Hull<S> hull;
   Mesh<S> grid;
   Pose<S> in_hull;
@@ -37,8 +36,7 @@ Hull<double> draw_hull(double size, Random& random) {
   return std::get<Hull<double>>(seen_from(hull, size * random.vector(-1, 1)));
 }
 
-template <class S>
-HullOnGrid<S> draw(Random& random) {
+template <class S> HullOnGrid<S> draw(Random& random) {
   const double size = random.chance(0.5) ? 1 : random.decade(-4, 4);
   const double amplitude = random.chance(0.3) ? 0 : size * random.uniform(0, 0.2);
   // Triangles may be thousands of times larger than the hull, too.
@@ -51,8 +49,7 @@ HullOnGrid<S> draw(Random& random) {
   return {hull, std::get<Mesh<S>>(shape_cast<S>(grid)), in_hull.cast<S>()};
 }
 
-template <class S>
-class ClearTriangles : public testing::Test {};
+template <class S> class ClearTriangles : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(ClearTriangles, Scalars);
 

@@ -7,9 +7,7 @@
 namespace contactscope {
 namespace {
 
-constexpr EdgeKey b_edge(int edge) {
-  return edge_key(Owner::B, 2 * edge);
-}
+constexpr EdgeKey b_edge(int edge) { return edge_key(Owner::B, 2 * edge); }
 
 /// A square with corners (+-1, 0, +-1), counter-clockwise seen from above, edges B 0 to 3.
 ClipPolygon<double> square() {

@@ -52,8 +52,7 @@ PairCase<double> standing_pair(Random& random) {
 }
 
 /// Number of points that clipping alone finds for the chosen face of A or B; -1 for an edge pair.
-template <class S>
-int points_of_clipping(const PairCase<S>& pair, Preference preference) {
+template <class S> int points_of_clipping(const PairCase<S>& pair, Preference preference) {
   const HullPair<S> placed(pair.a, pair.b, relative_pose(pair.pose_a, pair.pose_b));
   const SatResult<S> axes = sat(placed, S(0), preference);
   if (axes.status != SatStatus::Touching || axes.chosen == AxisKind::EdgeEdge) return -1;
@@ -64,8 +63,7 @@ int points_of_clipping(const PairCase<S>& pair, Preference preference) {
   return static_cast<int>(contact.points.size());
 }
 
-template <class S>
-double area_seen_from_above(const Manifold<S>& manifold) {
+template <class S> double area_seen_from_above(const Manifold<S>& manifold) {
   std::vector<Vec2d> seen;
   for (const ContactPoint<S>& point : manifold.points) {
     seen.emplace_back(static_cast<double>(point.position.z()),
@@ -74,8 +72,7 @@ double area_seen_from_above(const Manifold<S>& manifold) {
   return area_of(convex_polygon(seen));
 }
 
-template <class S>
-class Coplanar : public testing::Test {
+template <class S> class Coplanar : public testing::Test {
  protected:
   static constexpr double kEpsilon = std::numeric_limits<S>::epsilon();
 };

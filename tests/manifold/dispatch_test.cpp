@@ -17,8 +17,7 @@ namespace {
 using test::manifolds_of;
 using test::PlacedShapes;
 
-template <class T>
-bool same_bits(const T& one, const T& other) {
+template <class T> bool same_bits(const T& one, const T& other) {
   return std::memcmp(&one, &other, sizeof(T)) == 0;
 }
 
@@ -77,8 +76,7 @@ PlacedShapes random_pair(test::Random& random, ShapeKind a, ShapeKind b) {
 constexpr ShapeKind kKinds[] = {ShapeKind::Sphere, ShapeKind::Capsule, ShapeKind::Hull,
                                 ShapeKind::Plane,  ShapeKind::Mesh,    ShapeKind::Field};
 
-template <class S>
-CollideOptions some_options(int number) {
+template <class S> CollideOptions some_options(int number) {
   CollideOptions options;
   options.degenerate = number % 5 == 0 ? Degenerate::Skip : Degenerate::Fallback;
   options.margin = number % 3 == 0 ? S(0.05) : S(0);
@@ -90,8 +88,7 @@ PlacedShapes swapped(const PlacedShapes& pair) {
   return {pair.b, pair.pose_b, pair.a, pair.pose_a};
 }
 
-template <class S>
-class Dispatch : public testing::Test {};
+template <class S> class Dispatch : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(Dispatch, Scalars);
 

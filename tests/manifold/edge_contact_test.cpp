@@ -10,8 +10,7 @@ using test::crossed_edges;
 using test::deepest;
 using test::PairCase;
 
-template <class S>
-class EdgeContact : public testing::Test {};
+template <class S> class EdgeContact : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(EdgeContact, Scalars);
 

@@ -17,11 +17,9 @@ using test::PairCase;
 using test::stacked_cubes;
 
 /// A few roundings of coordinates of about a metre.
-template <class S>
-constexpr double kRounding = 16 * std::numeric_limits<S>::epsilon();
+template <class S> constexpr double kRounding = 16 * std::numeric_limits<S>::epsilon();
 
-template <class S>
-class FaceContact : public testing::Test {};
+template <class S> class FaceContact : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(FaceContact, Scalars);
 

@@ -48,8 +48,7 @@ Vec3d overlaps(const Level& a, const Level& b) {
 
 /// Through the table of pairs, and as general hulls: every point is on both boxes, and the deepest
 /// one is as deep as the overlap along the best of the world's axes.
-template <class S>
-void expect_points_on_both(const TurnedBox& a, const TurnedBox& b) {
+template <class S> void expect_points_on_both(const TurnedBox& a, const TurnedBox& b) {
   const Level level_a = a.level(), level_b = b.level();
   const double depth = overlaps(level_a, level_b).minCoeff();
   const double rounding =
@@ -81,8 +80,7 @@ void expect_points_on_both(const TurnedBox& a, const TurnedBox& b) {
   }
 }
 
-template <class S>
-class FaceOverEdge : public testing::Test {};
+template <class S> class FaceOverEdge : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(FaceOverEdge, Scalars);
 

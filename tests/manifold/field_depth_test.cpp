@@ -120,8 +120,7 @@ Truth truth_of(const Capsule<double>& capsule, const Pose<double>& pose, const V
   return truth;
 }
 
-template <class S>
-void as_deep_as_the_deepest_point(int fields) {
+template <class S> void as_deep_as_the_deepest_point(int fields) {
   Random random(21);
   int near = 0, deep = 0;
   for (int i = 0; i < fields; ++i) {

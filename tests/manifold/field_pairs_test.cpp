@@ -140,8 +140,7 @@ double largest_of_four(const std::vector<Vec3d>& corners) {
 /// A prism of 4 to 10 sides slides for 50 frames on the flat face of a field, anywhere. All its
 /// corners are equally deep except for rounding, which must never change the selected points.
 /// Returns the number of changes.
-template <class S>
-int jumps_of_a_prism(Random& random) {
+template <class S> int jumps_of_a_prism(Random& random) {
   const double size = random.decade(-4, 4);
   const int sides = 4 + random.index(7);
   std::vector<Vec3d> corners;

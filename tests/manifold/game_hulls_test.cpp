@@ -163,8 +163,7 @@ double farthest_outside(const PairCase<double>& pair, const Manifold<S>& manifol
   return most;
 }
 
-template <class S>
-class GameHulls : public testing::Test {};
+template <class S> class GameHulls : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(GameHulls, Scalars);
 

@@ -12,15 +12,13 @@ using test::collide;
 using test::PairCase;
 using test::sorted_ids;
 
-template <class S>
-std::vector<FeatureId> flipped(std::vector<FeatureId> ids) {
+template <class S> std::vector<FeatureId> flipped(std::vector<FeatureId> ids) {
   for (FeatureId& id : ids) id = id.flipped();
   std::sort(ids.begin(), ids.end());
   return ids;
 }
 
-template <class S>
-class ContactIds : public testing::Test {};
+template <class S> class ContactIds : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(ContactIds, Scalars);
 

@@ -19,8 +19,7 @@ using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
 /// A pair that is stepped frame by frame, with poses from the test.
-template <class S>
-class Stepped {
+template <class S> class Stepped {
  public:
   Stepped(const Shape<double>& a, const Shape<double>& b, const IncrementalSettings& settings = {})
       : a_(shape_cast<S>(a)), b_(shape_cast<S>(b)) {
@@ -52,16 +51,13 @@ class Stepped {
   PersistentManifold<S> persistent_;
 };
 
-Shape<double> box(double x, double y, double z) {
-  return make_box(Vec3d(x, y, z));
-}
+Shape<double> box(double x, double y, double z) { return make_box(Vec3d(x, y, z)); }
 
 IncrementalSettings scaled(double scale, Confirm confirm = Confirm::Distance) {
   return {confirm, 0.02 * scale, 0.02 * scale};
 }
 
-template <class S>
-class Incremental : public ::testing::Test {};
+template <class S> class Incremental : public ::testing::Test {};
 using Scalars = ::testing::Types<float, double>;
 TYPED_TEST_SUITE(Incremental, Scalars);
 
@@ -352,9 +348,7 @@ TEST(IncrementalManifold, AThinShapeHasASmallerMargin) {
 }
 
 /// Level on the floor, 5 mm deep: all corners are equally good.
-Pose<double> standing(double turn = 0) {
-  return {about(Vec3d::UnitY(), turn), Vec3d(0, 0.995, 0)};
-}
+Pose<double> standing(double turn = 0) { return {about(Vec3d::UnitY(), turn), Vec3d(0, 0.995, 0)}; }
 
 TEST(IncrementalManifold, EveryReducerLeavesFourPointsOfAPrismWithManyCorners) {
   for (const ReducerInfo& info : reducers()) {

@@ -131,8 +131,7 @@ double farthest_of(const Manifold<S>& manifold, const std::vector<Vec3d>& corner
   return farthest;
 }
 
-template <class S>
-class KissingFaces : public testing::Test {
+template <class S> class KissingFaces : public testing::Test {
  protected:
   static constexpr double kEpsilon = std::numeric_limits<S>::epsilon();
 };

@@ -13,8 +13,7 @@ using test::about;
 using test::kDegree;
 using test::PlacedShapes;
 
-template <class S>
-class LargeAndSmall : public testing::Test {};
+template <class S> class LargeAndSmall : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(LargeAndSmall, Scalars);
 
@@ -35,9 +34,7 @@ std::vector<Small> small_shapes(double size) {
 }
 
 /// On the x-z plane, with the origin inside.
-Shape<double> large_box(double reach) {
-  return make_box(Vec3d(reach, 0.25, reach));
-}
+Shape<double> large_box(double reach) { return make_box(Vec3d(reach, 0.25, reach)); }
 Shape<double> large_triangle(double reach) {
   return build_mesh({{-reach, 0, -reach}, {reach, 0, -reach}, {0, 0, reach}}, {{{0, 2, 1}}});
 }

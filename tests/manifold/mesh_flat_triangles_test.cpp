@@ -75,8 +75,7 @@ Extended depth_of(const Hull<double>& hull, const Pose<double>& pose,
   return best;
 }
 
-template <class S>
-void shapes_are_as_near_as_the_segment(int cases) {
+template <class S> void shapes_are_as_near_as_the_segment(int cases) {
   Random random(81);
   int touching = 0, deep = 0;
   for (int i = 0; i < cases; ++i) {
@@ -141,8 +140,7 @@ TEST(MeshFlatTriangles, SlowShapesAreAsNearAsTheSegmentOrThePoint) {
 }
 
 // A strip whose corners have moved onto an edge or each other; some triangles have an area.
-template <class S>
-void ball_is_as_near_as_all_triangles(int cases) {
+template <class S> void ball_is_as_near_as_all_triangles(int cases) {
   Random random(82);
   int touching = 0;
   for (int i = 0; i < cases; ++i) {

@@ -16,16 +16,14 @@ using test::at;
 using test::kDegree;
 using test::PlacedShapes;
 
-template <class S>
-Manifolds<S> manifolds_of(const PlacedShapes& pair) {
+template <class S> Manifolds<S> manifolds_of(const PlacedShapes& pair) {
   Manifolds<S> manifolds;
   collide(shape_cast<S>(pair.a), pair.pose_a.template cast<S>(), shape_cast<S>(pair.b),
           pair.pose_b.template cast<S>(), CollideOptions{}, manifolds);
   return manifolds;
 }
 
-template <class S>
-double deepest(const Manifolds<S>& manifolds) {
+template <class S> double deepest(const Manifolds<S>& manifolds) {
   double least = std::numeric_limits<double>::infinity();
   for (const Manifold<S>& manifold : manifolds) least = std::min(least, test::deepest(manifold));
   return least;
@@ -39,9 +37,7 @@ Mesh<double> ledge(double scale) {
   return build_mesh(vertices, {{{0, 1, 3}}, {{0, 3, 2}}, {{2, 3, 5}}, {{2, 5, 4}}});
 }
 
-Shape<double> crate(double scale) {
-  return make_box(scale * Vec3d(0.5, 0.25, 0.3));
-}
+Shape<double> crate(double scale) { return make_box(scale * Vec3d(0.5, 0.25, 0.3)); }
 
 // The overhanging part is in front of the side, but the crate is on the top and not behind it.
 TEST(MeshLedge, ACrateThatPeeksOverIsNotPushedBack) {
@@ -59,8 +55,7 @@ TEST(MeshLedge, ACrateThatPeeksOverIsNotPushedBack) {
 
 // The low end digs 3.6 cm into the top. The other end overhangs the side; the exit through the side
 // would be as long as the crate.
-template <class S>
-void expect_direction_up(double scale, double tolerance) {
+template <class S> void expect_direction_up(double scale, double tolerance) {
   for (const double x : {0.2, 0.3, 0.45, 0.48, 0.55, 0.6}) {
     Pose<double> pose = at(scale * x, scale * 0.24, 0);
     pose.rotation = about(Vec3d::UnitZ(), 3 * kDegree);

@@ -21,8 +21,7 @@ using test::manifolds_of;
 using test::PlacedShapes;
 
 /// Largest angle between a normal and `direction`, radians.
-template <class S>
-double worst_turn(const Manifolds<S>& manifolds, const Vec3d& direction) {
+template <class S> double worst_turn(const Manifolds<S>& manifolds, const Vec3d& direction) {
   double worst = 0;
   for (const Manifold<S>& manifold : manifolds) {
     const Vec3d normal = manifold.normal.template cast<double>();
@@ -284,8 +283,7 @@ TEST(MeshPairs, SlowNothingTripsOverTheEdgesOfAFlatFloor) {
 
 /// Places on the edges and corners of the floor's cells. Each is approached along a line in none of
 /// them, from a nanometre to a tenth of a millimetre, on both sides.
-template <class Visit>
-void next_to_edges(double size, const Visit& visit) {
+template <class Visit> void next_to_edges(double size, const Visit& visit) {
   for (const Vec3d& on_edge :
        {Vec3d(0, 0, 0.3), Vec3d(0.3, 0, 1), Vec3d(0.5, 0, 0.5), Vec3d(1, 0, -1)})
     for (const Vec3d& displacement : {Vec3d(0.9, 0, 0.2), Vec3d(-0.9, 0, -0.2)})
@@ -430,8 +428,7 @@ TEST(MeshPairs, ABoxIsPushedOutBehindATriangleWhenItsCentreIsThere) {
 
 // A centre on a triangle, its edges or corners has only the triangle's front as normal. The
 // neighbours, which push sideways, must not replace a skipped contact.
-template <class S>
-void expect_recorded_and_skipped(const PlacedShapes& pair, const Vec3d& front) {
+template <class S> void expect_recorded_and_skipped(const PlacedShapes& pair, const Vec3d& front) {
   const trace::Pair recorded = test::record_of<S>(pair);
   ASSERT_TRUE(recorded.degenerate.has_value());
   EXPECT_EQ(recorded.degenerate->answer, "fallback");

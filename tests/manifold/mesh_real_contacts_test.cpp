@@ -104,8 +104,7 @@ Surface crossing_pairs(Random& random) {
 }
 
 /// Any size, away from the origin, with vertices that scalar S represents.
-template <class S>
-Surface random_surface(Random& random, double& size) {
+template <class S> Surface random_surface(Random& random, double& size) {
   const int kind = random.index(3);
   Surface surface = kind == 0 ? strip(random) : kind == 1 ? house(random) : crossing_pairs(random);
   size = random.decade(-4, 4);
@@ -148,8 +147,7 @@ TEST(MeshRealContacts, TheOpenEdgeOfASliverIsTouched) {
   EXPECT_NEAR(deepest_of(manifolds), distance - 1, 1e-14);
 }
 
-template <class S>
-void ball_is_as_deep_as_the_closest_point(int cases) {
+template <class S> void ball_is_as_deep_as_the_closest_point(int cases) {
   Random random(71);
   int touching = 0;
   for (int i = 0; i < cases; ++i) {
@@ -198,8 +196,7 @@ double distance_of_segment(const Surface& surface, const Vec3d& from, const Vec3
   return least;
 }
 
-template <class S>
-void capsule_is_as_deep_as_its_closest_points(int cases) {
+template <class S> void capsule_is_as_deep_as_its_closest_points(int cases) {
   Random random(72);
   int touching = 0;
   for (int i = 0; i < cases; ++i) {
@@ -253,8 +250,7 @@ long double rise_across(const Mesh<double>& mesh, int triangle, int k, const Vec
 
 // Each triangle alone makes a contact. A contact with an edge must stay if its normal is clearly
 // between the normals of the adjacent faces.
-template <class S>
-void hull_keeps_its_contacts_with_edges(int cases) {
+template <class S> void hull_keeps_its_contacts_with_edges(int cases) {
   Random random(73);
   int edges = 0;
   for (int i = 0; i < cases; ++i) {

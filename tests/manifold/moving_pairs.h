@@ -12,8 +12,7 @@
 /// Pairs of touching hulls, and motions for them.
 namespace contactscope::test {
 
-template <class S>
-bool same_bits(const Manifold<S>& one, const Manifold<S>& other) {
+template <class S> bool same_bits(const Manifold<S>& one, const Manifold<S>& other) {
   if (one.axis != other.axis || one.type != other.type ||
       one.points.size() != other.points.size() ||
       std::memcmp(&one.normal, &other.normal, sizeof one.normal) != 0) {

@@ -12,13 +12,11 @@ namespace {
 
 using test::Random;
 
-template <class S>
-class NearTrianglesOfGrids : public testing::Test {};
+template <class S> class NearTrianglesOfGrids : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(NearTrianglesOfGrids, Scalars);
 
-template <class S>
-Aabb<S> box_at(const Vec3d& middle, double reach) {
+template <class S> Aabb<S> box_at(const Vec3d& middle, double reach) {
   const Vec3d to_side = Vec3d::Constant(reach);
   return Aabb<double>{middle - to_side, middle + to_side}.cast<S>();
 }

@@ -15,8 +15,7 @@ double oracle(const PairCase<double>& pair) {
   return test::brute_force_sat(pair.a, pair.pose_a, pair.b, pair.pose_b).separation;
 }
 
-template <class S>
-class Overlap : public testing::Test {};
+template <class S> class Overlap : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(Overlap, Scalars);
 

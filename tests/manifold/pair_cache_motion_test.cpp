@@ -21,16 +21,14 @@ using test::Random;
 using test::same_bits;
 using test::touching_pair;
 
-template <class S>
-double best_separation(const PairCase<S>& pair) {
+template <class S> double best_separation(const PairCase<S>& pair) {
   const PairCase<double> exact = pair.template cast<double>();
   const HullPair<double> placed(exact.a, exact.b, relative_pose(exact.pose_a, exact.pose_b));
   const SatResult<double> axes = sat(placed, 0.0, Preference::None);
   return axes.separation(axes.status == SatStatus::Separated ? axes.chosen : axes.deepest);
 }
 
-template <class S>
-class PairCacheMotion : public testing::Test {};
+template <class S> class PairCacheMotion : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(PairCacheMotion, Scalars);
 

@@ -17,8 +17,7 @@ using test::Random;
 using test::same_bits;
 using test::touching_pair;
 
-template <class S>
-PairCase<S> resting() {
+template <class S> PairCase<S> resting() {
   return test::stacked_cubes(0.4, 0.005).template cast<S>();
 }
 

@@ -85,8 +85,7 @@ Shape<double> random_convex(Random& random, double size) {
 
 /// Pairs that nearly touch, by some roundings of S or by fractions of their size, and pairs that
 /// are separated or deep. The whole is moved by a random rigid motion. Sizes from 1e-4 to 1e4 m.
-template <class S>
-PlacedShapes near_pair(Random& random) {
+template <class S> PlacedShapes near_pair(Random& random) {
   const double size = random.decade(-4, 4);
   PlacedShapes pair{random_convex(random, size), {}, random_convex(random, size), {}};
   pair.pose_b = {random.rotation(), Vec3d::Zero()};
@@ -111,8 +110,7 @@ struct Bounds {
   double computed;  // rounding of a separation that is computed in double and reported in S
 };
 
-template <class S>
-Bounds bounds_of(const Truth& truth, const PlacedShapes& pair) {
+template <class S> Bounds bounds_of(const Truth& truth, const PlacedShapes& pair) {
   const double epsilon = std::numeric_limits<S>::epsilon();
   const double places = pair.pose_a.position.norm() + pair.pose_b.position.norm();
   const double computed = 64 * std::numeric_limits<double>::epsilon() * (2 * truth.extent + places);
@@ -120,8 +118,7 @@ Bounds bounds_of(const Truth& truth, const PlacedShapes& pair) {
           computed + epsilon * std::abs(truth.gap)};
 }
 
-template <class S>
-void judge_random_pairs(int count, std::uint64_t seed) {
+template <class S> void judge_random_pairs(int count, std::uint64_t seed) {
   Random random(seed);
   int separated = 0, together = 0;
   for (int i = 0; i < count && !testing::Test::HasFailure(); ++i) {
@@ -182,12 +179,8 @@ void judge_random_pairs(int count, std::uint64_t seed) {
   EXPECT_GT(together, count / 4);
 }
 
-TEST(PairQuery, ConvexPairsAreJudgedRightInDouble) {
-  judge_random_pairs<double>(600, 71);
-}
-TEST(PairQuery, ConvexPairsAreJudgedRightInFloat) {
-  judge_random_pairs<float>(600, 72);
-}
+TEST(PairQuery, ConvexPairsAreJudgedRightInDouble) { judge_random_pairs<double>(600, 71); }
+TEST(PairQuery, ConvexPairsAreJudgedRightInFloat) { judge_random_pairs<float>(600, 72); }
 TEST(PairQuery, SlowConvexPairs) {
   judge_random_pairs<double>(test::cases(3'000), 73);
   judge_random_pairs<float>(test::cases(3'000), 74);
@@ -208,8 +201,7 @@ std::vector<PlacedShapes> kissing_pairs(double size) {
       {HalfSpace<double>{{Vec3d::UnitY(), size}}, here, box, above(2 * size)}};
 }
 
-template <class S>
-void judge_kisses() {
+template <class S> void judge_kisses() {
   Random random(75);
   for (const double size : {1.0 / 8192, 0.25, 1.0, 8192.0}) {
     for (const PlacedShapes& still : kissing_pairs(size)) {

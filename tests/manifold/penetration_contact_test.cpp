@@ -20,8 +20,7 @@ using test::Random;
 constexpr PenetrationMethod kDeepMethods[] = {PenetrationMethod::Epa, PenetrationMethod::Mpr,
                                               PenetrationMethod::Sampling};
 
-template <class S>
-CollideOptions by(PenetrationMethod method) {
+template <class S> CollideOptions by(PenetrationMethod method) {
   CollideOptions options;
   options.penetration = method;
   return options;
@@ -48,8 +47,7 @@ trace::Pair recorded_swapped(const PairCase<S>& pair, CollideOptions options,
   return record;
 }
 
-template <class S>
-bool equal_contacts(const Manifold<S>& one, const Manifold<S>& other) {
+template <class S> bool equal_contacts(const Manifold<S>& one, const Manifold<S>& other) {
   if (one.normal != other.normal || one.axis != other.axis) return false;
   if (one.points.size() != other.points.size()) return false;
   for (std::size_t i = 0; i < one.points.size(); ++i) {
@@ -62,8 +60,7 @@ bool equal_contacts(const Manifold<S>& one, const Manifold<S>& other) {
   return true;
 }
 
-template <class S>
-class PenetrationContact : public testing::Test {};
+template <class S> class PenetrationContact : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(PenetrationContact, Scalars);
 

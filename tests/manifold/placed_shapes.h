@@ -28,9 +28,7 @@ Manifolds<S> manifolds_of(const PlacedShapes& pair, const CollideOptions& option
   return manifolds;
 }
 
-inline Shape<double> ball(double radius) {
-  return Sphere<double>{radius};
-}
+inline Shape<double> ball(double radius) { return Sphere<double>{radius}; }
 /// Along its y axis.
 inline Shape<double> upright_capsule(double half_height, double radius) {
   return Capsule<double>{{Vec3d(0, -half_height, 0), Vec3d(0, half_height, 0)}, radius};
@@ -40,9 +38,7 @@ inline Shape<double> lying_capsule(double half_length, double radius) {
   return Capsule<double>{{Vec3d(-half_length, 0, 0), Vec3d(half_length, 0, 0)}, radius};
 }
 /// Everything below the x-z plane.
-inline Shape<double> ground() {
-  return HalfSpace<double>{{Vec3d::UnitY(), 0}};
-}
+inline Shape<double> ground() { return HalfSpace<double>{{Vec3d::UnitY(), 0}}; }
 
 /// Moves the whole pair; the relative pose stays.
 inline PlacedShapes moved(const PlacedShapes& pair, const Pose<double>& by) {
@@ -53,16 +49,13 @@ inline PlacedShapes moved(const PlacedShapes& pair, const Pose<double>& by) {
 }
 
 /// `value` rounded to scalar S.
-template <class S>
-Vec3d rounded(const Vec3d& value) {
+template <class S> Vec3d rounded(const Vec3d& value) {
   return value.cast<S>().template cast<double>();
 }
-template <class S>
-double rounded(double value) {
+template <class S> double rounded(double value) {
   return static_cast<double>(static_cast<S>(value));
 }
-template <class S>
-Shape<double> rounded(const Shape<double>& shape) {
+template <class S> Shape<double> rounded(const Shape<double>& shape) {
   if (const auto* sphere = std::get_if<Sphere<double>>(&shape))
     return Sphere<double>{rounded<S>(sphere->radius)};
   if (const auto* capsule = std::get_if<Capsule<double>>(&shape))
@@ -75,8 +68,7 @@ Shape<double> rounded(const Shape<double>& shape) {
 }
 
 /// The exact input of the pipeline in scalar S.
-template <class S>
-PlacedShapes rounded(const PlacedShapes& pair) {
+template <class S> PlacedShapes rounded(const PlacedShapes& pair) {
   return {rounded<S>(pair.a), pair.pose_a.template cast<S>().template cast<double>(),
           rounded<S>(pair.b), pair.pose_b.template cast<S>().template cast<double>()};
 }
@@ -123,8 +115,7 @@ inline Core core_of(const Shape<double>& shape, const Pose<double>& pose) {
 }
 
 /// Minimum of a convex function over [0, 1], by ternary search.
-template <class F>
-double least_by_search(const F& f) {
+template <class F> double least_by_search(const F& f) {
   double low = 0;
   double high = 1;
   for (int i = 0; i < 80; ++i) {  // to 1e-14 of the interval
@@ -163,8 +154,7 @@ inline double extent(const Core& a, const Core& b) {
          (b.from - a.from).norm();
 }
 
-template <class S>
-double deepest_of(const Manifold<S>& manifold) {
+template <class S> double deepest_of(const Manifold<S>& manifold) {
   double least = std::numeric_limits<double>::infinity();
   for (const ContactPoint<S>& point : manifold.points) {
     least = std::min(least, static_cast<double>(point.separation));
@@ -172,32 +162,27 @@ double deepest_of(const Manifold<S>& manifold) {
   return least;
 }
 
-template <class S>
-double deepest_of(const Manifolds<S>& manifolds) {
+template <class S> double deepest_of(const Manifolds<S>& manifolds) {
   double least = std::numeric_limits<double>::infinity();
   for (const Manifold<S>& manifold : manifolds) least = std::min(least, deepest_of(manifold));
   return least;
 }
 
-template <class S>
-Vec3d normal_of(const Manifold<S>& manifold) {
+template <class S> Vec3d normal_of(const Manifold<S>& manifold) {
   return manifold.normal.template cast<double>();
 }
 
-template <class S>
-Vec3d position_of(const Manifold<S>& manifold, std::size_t index) {
+template <class S> Vec3d position_of(const Manifold<S>& manifold, std::size_t index) {
   return manifold.points[index].position.template cast<double>();
 }
 
-template <class S>
-std::vector<std::string> ids_of(const Manifold<S>& manifold) {
+template <class S> std::vector<std::string> ids_of(const Manifold<S>& manifold) {
   std::vector<std::string> ids;
   for (const ContactPoint<S>& point : manifold.points) ids.push_back(to_string(point.id));
   return ids;
 }
 
-template <class S>
-bool is_finite(const Manifold<S>& manifold) {
+template <class S> bool is_finite(const Manifold<S>& manifold) {
   bool finite = manifold.normal.allFinite();
   for (const ContactPoint<S>& point : manifold.points) {
     finite = finite && point.position.allFinite() && std::isfinite(point.separation);

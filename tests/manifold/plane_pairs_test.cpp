@@ -15,8 +15,7 @@ using test::PlacedShapes;
 using testing::ElementsAre;
 using testing::UnorderedElementsAre;
 
-template <class S>
-class PlanePairs : public testing::Test {
+template <class S> class PlanePairs : public testing::Test {
  protected:
   static constexpr double kEps = std::numeric_limits<S>::epsilon();
 };

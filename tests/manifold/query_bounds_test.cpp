@@ -17,8 +17,7 @@ using test::Random;
 constexpr QueryMethod kBounds[] = {QueryMethod::Aabb, QueryMethod::Obb,
                                    QueryMethod::BoundingSphere};
 
-template <class S>
-struct Queried {
+template <class S> struct Queried {
   Answer<S> answer;
   trace::Pair record;
 };

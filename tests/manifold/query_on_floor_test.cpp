@@ -91,8 +91,7 @@ struct Scene {
   }
 };
 
-template <class S>
-Shape<double> rounded_floor(const Shape<double>& shape) {
+template <class S> Shape<double> rounded_floor(const Shape<double>& shape) {
   if (const auto* mesh = std::get_if<Mesh<double>>(&shape)) {
     std::vector<Vec3d> vertices;
     for (const Vec3d& vertex : mesh->vertices) vertices.push_back(test::rounded<S>(vertex));
@@ -101,8 +100,7 @@ Shape<double> rounded_floor(const Shape<double>& shape) {
   return test::rounded<S>(shape);
 }
 
-template <class S>
-Scene random_scene(Random& random) {
+template <class S> Scene random_scene(Random& random) {
   Scene scene;
   scene.kind = static_cast<Floor>(random.index(3));
   scene.size = random.decade(-4, 4);
@@ -150,8 +148,7 @@ double rounding_of_double(const Scene& scene) {
 
 /// A few roundings in S, plus those of double, in metres. Only the heights over a level floor
 /// count; all coordinates count for an inclined floor or a turned shape.
-template <class S>
-double bound_of(const Scene& scene, double gap) {
+template <class S> double bound_of(const Scene& scene, double gap) {
   const double epsilon = std::numeric_limits<S>::epsilon();
   const PlacedShapes& pair = scene.pair;
   const auto height = [&](const Pose<double>& pose) {
@@ -167,8 +164,7 @@ struct Tally {
   int separated = 0, together = 0, near = 0;
 };
 
-template <class S>
-void judge(const Scene& scene, bool swapped, Tally& tally) {
+template <class S> void judge(const Scene& scene, bool swapped, Tally& tally) {
   const double gap = scene.gap(), bound = bound_of<S>(scene, gap);
   const double computed = rounding_of_double(scene);
   const double rounded = static_cast<double>(std::numeric_limits<S>::epsilon()) * std::abs(gap);
@@ -219,8 +215,7 @@ void judge(const Scene& scene, bool swapped, Tally& tally) {
   }
 }
 
-template <class S>
-void judge_random_scenes(int count, std::uint64_t seed) {
+template <class S> void judge_random_scenes(int count, std::uint64_t seed) {
   Random random(seed);
   Tally tally;
   for (int i = 0; i < count && !testing::Test::HasFailure(); ++i) {
@@ -253,12 +248,8 @@ TEST(QueryOnFloor, ABallOverAFloorOfAKilometreDoesNotTouchIt) {
   }
 }
 
-TEST(QueryOnFloor, RandomFloorsInDouble) {
-  judge_random_scenes<double>(1000, 345);
-}
-TEST(QueryOnFloor, RandomFloorsInFloat) {
-  judge_random_scenes<float>(1000, 346);
-}
+TEST(QueryOnFloor, RandomFloorsInDouble) { judge_random_scenes<double>(1000, 345); }
+TEST(QueryOnFloor, RandomFloorsInFloat) { judge_random_scenes<float>(1000, 346); }
 TEST(QueryOnFloor, SlowRandomFloors) {
   judge_random_scenes<double>(test::cases(10'000), 347);
   judge_random_scenes<float>(test::cases(10'000), 348);

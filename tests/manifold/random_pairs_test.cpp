@@ -20,8 +20,7 @@ using test::Random;
 
 constexpr int kPairs = 10000;
 
-template <class S>
-bool all_finite(const Manifold<S>& manifold) {
+template <class S> bool all_finite(const Manifold<S>& manifold) {
   bool finite = manifold.normal.allFinite();
   for (const ContactPoint<S>& point : manifold.points) {
     finite = finite && point.position.allFinite() && std::isfinite(point.separation);
@@ -37,8 +36,7 @@ Manifold<S> collide(const PairCase<S>& pair, Preference preference, const Reduce
   return collide_hull_hull(pair.a, pair.pose_a, pair.b, pair.pose_b, options);
 }
 
-template <class S>
-class RandomPairs : public testing::Test {};
+template <class S> class RandomPairs : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(RandomPairs, Scalars);
 

@@ -15,8 +15,7 @@ namespace {
 using test::Random;
 using test::RoundHull;
 
-template <class S>
-class RandomRoundHull : public testing::Test {
+template <class S> class RandomRoundHull : public testing::Test {
  protected:
   static constexpr double kEpsilon = std::numeric_limits<S>::epsilon();
 

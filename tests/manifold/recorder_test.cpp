@@ -24,13 +24,11 @@ Manifold<S> recorded(const PairCase<S>& pair, const CollideOptions& options, tra
 }
 
 /// Compares bits, so that a zero and a negative zero differ.
-template <class T>
-bool same_bits(const T& one, const T& other) {
+template <class T> bool same_bits(const T& one, const T& other) {
   return std::memcmp(&one, &other, sizeof(T)) == 0;
 }
 
-template <class S>
-bool same_bits(const Manifold<S>& one, const Manifold<S>& other) {
+template <class S> bool same_bits(const Manifold<S>& one, const Manifold<S>& other) {
   if (!same_bits(one.normal, other.normal) || one.axis != other.axis) return false;
   if (one.points.size() != other.points.size()) return false;
   for (std::size_t i = 0; i < one.points.size(); ++i) {
@@ -60,8 +58,7 @@ void expect_same_when_watched(const PairCase<S>& pair, const CollideOptions& opt
   touching += watched.points.empty() ? 0 : 1;
 }
 
-template <class S>
-class RecordOfAPair : public testing::Test {};
+template <class S> class RecordOfAPair : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(RecordOfAPair, Scalars);
 

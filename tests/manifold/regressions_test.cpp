@@ -15,15 +15,13 @@ using test::cube;
 using test::deepest;
 using test::PairCase;
 
-template <class S>
-CollideOptions margin(double metres) {
+template <class S> CollideOptions margin(double metres) {
   CollideOptions options;
   options.margin = static_cast<S>(metres);
   return options;
 }
 
-template <class S>
-class Regressions : public testing::Test {
+template <class S> class Regressions : public testing::Test {
  protected:
   static constexpr double kEpsilon = std::numeric_limits<S>::epsilon();
 };

@@ -62,8 +62,7 @@ Vec3d RoundHull::core_point(double parameter) const {
   return round_pose.transform(core.front() + parameter * (core.back() - core.front()));
 }
 
-template <class S>
-RoundHull rounded(const RoundHull& exact) {
+template <class S> RoundHull rounded(const RoundHull& exact) {
   const auto twice = [](const Vec3d& v) {
     const Vec3<S> once = v.cast<S>();
     return Vec3d(once.template cast<double>());
@@ -77,8 +76,7 @@ RoundHull rounded(const RoundHull& exact) {
   return result;
 }
 
-template <class S>
-Manifold<S> collide(const RoundHull& pair, const CollideOptions& options) {
+template <class S> Manifold<S> collide(const RoundHull& pair, const CollideOptions& options) {
   Manifolds<S> manifolds;
   collide<S>(shape_cast<S>(round_shape(pair)), pair.round_pose.cast<S>(),
              shape_cast<S>(Shape<double>(pair.hull)), pair.hull_pose.cast<S>(), options, manifolds);

@@ -25,12 +25,10 @@ struct RoundHull {
 };
 
 /// The input of the pipeline in S: every number rounded once.
-template <class S>
-RoundHull rounded(const RoundHull& exact);
+template <class S> RoundHull rounded(const RoundHull& exact);
 
 /// The one manifold, with the round shape as A; it has no points if there is no contact.
-template <class S>
-Manifold<S> collide(const RoundHull& pair, const CollideOptions& options = {});
+template <class S> Manifold<S> collide(const RoundHull& pair, const CollideOptions& options = {});
 
 /// The distance of the core from the hull; in overlap, minus the least translation that separates
 /// them. Outside, by brute_force_distance. Inside, by every axis: face normals from vertices, and

@@ -23,8 +23,7 @@ RoundHull in_cube(const Vec3d& center, double radius) {
           at(0, 0, 0)};
 }
 
-template <class S>
-class SphereHull : public testing::Test {
+template <class S> class SphereHull : public testing::Test {
  protected:
   static constexpr double kEpsilon = std::numeric_limits<S>::epsilon();
 

@@ -10,8 +10,7 @@ namespace {
 using test::PlacedShapes;
 using testing::ElementsAre;
 
-template <class S>
-class SpherePairs : public testing::Test {
+template <class S> class SpherePairs : public testing::Test {
  protected:
   static constexpr double kEps = std::numeric_limits<S>::epsilon();
 };

@@ -16,8 +16,7 @@ using test::PlacedShapes;
 using test::Random;
 
 /// Zeros of either sign are equal.
-template <class S>
-void expect_same_bits(S one, S other) {
+template <class S> void expect_same_bits(S one, S other) {
   one += S(0);
   other += S(0);
   EXPECT_EQ(std::memcmp(&one, &other, sizeof one), 0) << one << " for " << other;
@@ -84,8 +83,7 @@ PlacedShapes any_pair(Random& random) {
   return pair;
 }
 
-template <class S>
-class TwoCapsules : public testing::Test {};
+template <class S> class TwoCapsules : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(TwoCapsules, Scalars);
 

@@ -46,9 +46,7 @@ std::vector<float> extent(const std::vector<draw::Fill>& list) {
   return result;
 }
 
-void sample() {
-  window("sample", {40, 30}, {200, 140});
-}
+void sample() { window("sample", {40, 30}, {200, 140}); }
 
 TEST(Windows, AreWhiteRectanglesWhereTheyStand) {
   Windows windows(320, 200, 1);

@@ -13,9 +13,7 @@ using testing::IsEmpty;
 
 constexpr double kQuarter = 0.70710678118654752;  // sine and cosine of 45 degrees
 
-Pose at_height(double y) {
-  return {{0, y, 0}, {}};
-}
+Pose at_height(double y) { return {{0, y, 0}, {}}; }
 
 bool same_bits(const std::vector<Manifold>& one, const std::vector<Manifold>& other) {
   if (one.size() != other.size()) return false;

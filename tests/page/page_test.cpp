@@ -123,9 +123,7 @@ TEST(Page, FetchesNothingAndLeavesNothingUnfilled) {
   EXPECT_THAT(html, Not(testing::ContainsRegex("@[A-Z_]+@")));
 }
 
-TEST(Page, IsTheSameEachTime) {
-  EXPECT_EQ(page_of(moving()), page_of(moving()));
-}
+TEST(Page, IsTheSameEachTime) { EXPECT_EQ(page_of(moving()), page_of(moving())); }
 
 TEST(Page, ATitleThatWouldEndTheScriptDoesNot) {
   CrateOnSlab scene = moving();

@@ -119,8 +119,6 @@ class Bullet : public Peer {
 
 }  // namespace
 
-std::unique_ptr<Peer> make_bullet() {
-  return std::make_unique<Bullet>();
-}
+std::unique_ptr<Peer> make_bullet() { return std::make_unique<Bullet>(); }
 
 }  // namespace contactscope::peers

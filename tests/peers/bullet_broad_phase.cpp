@@ -7,16 +7,10 @@
 namespace contactscope::peers {
 namespace {
 
-btVector3 vector_of(const Vec3<float>& v) {
-  return {v.x(), v.y(), v.z()};
-}
+btVector3 vector_of(const Vec3<float>& v) { return {v.x(), v.y(), v.z()}; }
 
-void* name_of(int index) {
-  return reinterpret_cast<void*>(static_cast<std::intptr_t>(index));
-}
-int index_of(void* name) {
-  return static_cast<int>(reinterpret_cast<std::intptr_t>(name));
-}
+void* name_of(int index) { return reinterpret_cast<void*>(static_cast<std::intptr_t>(index)); }
+int index_of(void* name) { return static_cast<int>(reinterpret_cast<std::intptr_t>(name)); }
 
 /// The broad phase of a Bullet world: two trees, with pairs kept from step to step.
 class Broadphase : public PairFinder {

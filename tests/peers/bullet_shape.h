@@ -15,9 +15,7 @@ inline btVector3 vector_of(const Vec3d& v) {
   return btVector3(btScalar(v.x()), btScalar(v.y()), btScalar(v.z()));
 }
 
-inline Vec3d vector_of(const btVector3& v) {
-  return Vec3d(v.x(), v.y(), v.z());
-}
+inline Vec3d vector_of(const btVector3& v) { return Vec3d(v.x(), v.y(), v.z()); }
 
 inline btTransform transform_of(const Pose<double>& pose) {
   const Quatd& q = pose.rotation;

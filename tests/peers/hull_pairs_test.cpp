@@ -47,8 +47,7 @@ bool both_boxes(const PairCase<double>& pair) {
          std::holds_alternative<Box>(shape_of(pair.b));
 }
 
-template <class S>
-Manifold<S> ours(const PairCase<double>& pair) {
+template <class S> Manifold<S> ours(const PairCase<double>& pair) {
   CollideOptions options;
   options.preference = Preference::None;
   return test::collide(pair.template cast<S>(), options);

@@ -29,9 +29,7 @@ constexpr double kNearlyTouching = 1e-4;
 
 /// Metres. Bullet rounds coordinates of up to 30 m to float, and its GJK stops at a tenth of a
 /// millimetre; the others iterate to a millionth.
-double tolerance_on_mesh(const Peer& peer) {
-  return peer.epsilon() > 1e-10 ? 1e-4 : 1e-6;
-}
+double tolerance_on_mesh(const Peer& peer) { return peer.epsilon() > 1e-10 ? 1e-4 : 1e-6; }
 
 Comparison compare_with(const WithTriangle& triangle, const PeerContact& answer, double tolerance) {
   if (const auto* hulls = std::get_if<test::PairCase<double>>(&triangle.pair)) {

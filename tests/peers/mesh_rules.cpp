@@ -18,9 +18,7 @@ bool wins_by_edge_factor_on_mesh(const Comparison& c) {
   return c.overlap <= kFactor * c.depth() + c.tolerance;
 }
 
-bool within_epa_accuracy(const Comparison& c) {
-  return c.overlap - c.depth() <= kEpaMetres;
-}
+bool within_epa_accuracy(const Comparison& c) { return c.overlap - c.depth() <= kEpaMetres; }
 
 /// The triangle is clipped to the box, or the box's face to the triangle. The remaining part may be
 /// less deep than the whole along that normal, but not less than the least overlap.

@@ -2,8 +2,6 @@
 
 namespace contactscope::peers {
 
-std::vector<PairFinderInfo> embree_broad_phases() {
-  return {};
-}
+std::vector<PairFinderInfo> embree_broad_phases() { return {}; }
 
 }  // namespace contactscope::peers

@@ -83,8 +83,6 @@ class Ode : public Peer {
 
 }  // namespace
 
-std::unique_ptr<Peer> make_ode() {
-  return std::make_unique<Ode>();
-}
+std::unique_ptr<Peer> make_ode() { return std::make_unique<Ode>(); }
 
 }  // namespace contactscope::peers

@@ -14,9 +14,7 @@ namespace {
 constexpr int kMaxPointsOfPair = 64;  // per pair of geoms
 constexpr double kSlowBounce = 0.01;  // m/s: no bounce below this speed
 
-Vec3d vector_of(const dReal* v) {
-  return {v[0], v[1], v[2]};
-}
+Vec3d vector_of(const dReal* v) { return {v[0], v[1], v[2]}; }
 
 class OdeWorld : public RolloutWorld {
  public:

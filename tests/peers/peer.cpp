@@ -38,9 +38,7 @@ const PeerPoint* PeerContact::deepest() const {
   return found == points.end() ? nullptr : &*found;
 }
 
-bool PeerContact::touching() const {
-  return !points.empty() && deepest()->separation <= 0;
-}
+bool PeerContact::touching() const { return !points.empty() && deepest()->separation <= 0; }
 
 std::vector<std::unique_ptr<Peer>> make_peers() {
   std::vector<std::unique_ptr<Peer>> result;

@@ -56,8 +56,7 @@ void expect_answer(const char* who, double tolerance, const OnPlane& pair, bool 
   EXPECT_LE((normal + pair.up).norm(), 1e-5) << who << ": from the shape into the plane";
 }
 
-template <class S>
-void expect_ours(const OnPlane& pair, double tolerance) {
+template <class S> void expect_ours(const OnPlane& pair, double tolerance) {
   Manifolds<S> manifolds;
   collide<S>(shape_cast<S>(pair.shape), pair.pose.cast<S>(),
              shape_cast<S>(Shape<double>(pair.plane)), pair.plane_pose.cast<S>(), {}, manifolds);
@@ -114,17 +113,11 @@ void compare_all(ShapeKind kind) {
   EXPECT_LE(excused, kPairs / 5);
 }
 
-TEST(PlanePairs, SpheresAgreeWithAll) {
-  compare_all(ShapeKind::Sphere);
-}
+TEST(PlanePairs, SpheresAgreeWithAll) { compare_all(ShapeKind::Sphere); }
 
-TEST(PlanePairs, CapsulesAgreeWithAll) {
-  compare_all(ShapeKind::Capsule);
-}
+TEST(PlanePairs, CapsulesAgreeWithAll) { compare_all(ShapeKind::Capsule); }
 
-TEST(PlanePairs, BoxesAndHullsAgreeWithAll) {
-  compare_all(ShapeKind::Hull);
-}
+TEST(PlanePairs, BoxesAndHullsAgreeWithAll) { compare_all(ShapeKind::Hull); }
 
 }  // namespace
 }  // namespace contactscope::peers

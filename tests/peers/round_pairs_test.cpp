@@ -23,8 +23,7 @@ using test::Random;
 constexpr int kPairs = 600;
 
 /// Checks contact or none, depth, and a normal along which the overlap is least.
-template <class S>
-void expect_right(const RoundPair& pair, double separation) {
+template <class S> void expect_right(const RoundPair& pair, double separation) {
   // Hulls have planes that were rounded to float.
   const double rounding = 32 * std::numeric_limits<float>::epsilon() * length_scale(pair);
   if (std::abs(separation) <= rounding) return;

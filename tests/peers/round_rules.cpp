@@ -31,8 +31,7 @@ Vec3d mean_of_vertices(const Shape<double>& shape) {
 using Centre = Vec3d (*)(const Shape<double>&);
 
 /// As for hulls in rules.cpp: between the least depth and the exit distance along the centres.
-template <Centre centre>
-bool on_the_exit(const Comparison& c) {
+template <Centre centre> bool on_the_exit(const Comparison& c) {
   if (c.reported < c.depth() - c.tolerance) return false;
   RoundPair moved = *c.round;
   const Vec3d line =
@@ -42,8 +41,7 @@ bool on_the_exit(const Comparison& c) {
   return separation_by_exhaustion(moved) <= c.tolerance;
 }
 
-template <Centre centre>
-bool nearest_on_triangle(const Comparison& c) {
+template <Centre centre> bool nearest_on_triangle(const Comparison& c) {
   return c.reported <= c.overlap && on_the_exit<centre>(c);
 }
 
@@ -73,9 +71,7 @@ bool cores_overlap(const Comparison& c) {
   return c.depth() >= radius_of(c.round->a) + radius_of(c.round->b) - kGjkMinDistance;
 }
 
-bool within_epa_accuracy(const Comparison& c) {
-  return cores_overlap(c) && off(c) <= kEpaMetres;
-}
+bool within_epa_accuracy(const Comparison& c) { return cores_overlap(c) && off(c) <= kEpaMetres; }
 
 /// Closest point to the shape without its radius, on the triangle, world.
 Vec3d closest_on_triangle(const RoundPair& pair) {

@@ -21,9 +21,7 @@ constexpr double kEdgeFudge = 1.05;
 /// btBoxBoxDetector: fudge2. FCL's eps is smaller.
 constexpr double kCosineFudgeSize = 1e-5;
 
-double sine_between(const Vec3d& one, const Vec3d& other) {
-  return one.cross(other).norm();
-}
+double sine_between(const Vec3d& one, const Vec3d& other) { return one.cross(other).norm(); }
 
 /// The largest cosine between an axis and a face normal, either sign.
 double face_alignment(const Hull<double>& hull, const Pose<double>& pose, const Vec3d& axis) {
@@ -119,9 +117,7 @@ bool replaced_by_a_neighbour(const Comparison& c) {
 }
 
 /// The origin that ODE gets for a hull: see ode.cpp.
-Vec3d centroid(const Hull<double>& hull) {
-  return hull.centroid;
-}
+Vec3d centroid(const Hull<double>& hull) { return hull.centroid; }
 
 /// fcl::Convex::getInteriorPoint; for a box this equals the centre.
 Vec3d mean_of_vertices(const Hull<double>& hull) {
@@ -136,8 +132,7 @@ using Centre = Vec3d (*)(const Hull<double>&);
 /// difference, and returns the distance to the triangle that it crosses there. This is at least the
 /// least depth and at most the exit distance along the line. So B must still touch A after moving
 /// by the depth along the line. The normal is that of the triangle's nearest point.
-template <Centre centre>
-bool on_the_exit(const Comparison& c) {
+template <Centre centre> bool on_the_exit(const Comparison& c) {
   if (c.reported < c.depth() - c.tolerance) return false;
   const Vec3d line =
       c.hulls->pose_b.transform(centre(c.hulls->b)) - c.hulls->pose_a.transform(centre(c.hulls->a));
@@ -149,19 +144,14 @@ bool on_the_exit(const Comparison& c) {
 }
 
 /// The distance from a triangle's corner or edge is less than the overlap along it.
-template <Centre centre>
-bool nearest_on_triangle(const Comparison& c) {
+template <Centre centre> bool nearest_on_triangle(const Comparison& c) {
   return c.reported <= c.overlap && on_the_exit<centre>(c);
 }
 
-bool within_min_distance(const Comparison& c) {
-  return std::abs(c.separation) <= kGjkMinDistance;
-}
+bool within_min_distance(const Comparison& c) { return std::abs(c.separation) <= kGjkMinDistance; }
 
 /// EPA starts from a simplex that GJK mistook for an overlap.
-bool normal_near_min_distance(const Comparison& c) {
-  return c.depth() <= 2 * kGjkMinDistance;
-}
+bool normal_near_min_distance(const Comparison& c) { return c.depth() <= 2 * kGjkMinDistance; }
 
 /// If the simplex degenerates, btGjkPairDetector returns its current points, which are separated.
 bool gave_up_near_the_surface(const Comparison& c) {

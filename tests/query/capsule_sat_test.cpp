@@ -103,8 +103,7 @@ TEST(CapsuleSat, FaceBeyondTheReachSparesTheEdges) {
 
 /// Axes outside the ring on the Gauss map never have the largest separation, and axes found by it
 /// are true axes. In float and double, from needles to plates.
-template <class S>
-void expect_best_axis(std::uint64_t seed) {
+template <class S> void expect_best_axis(std::uint64_t seed) {
   Random random(seed);
   int edges = 0, overlaps = 0, gaps = 0;
   for (int i = 0; i < 5000; ++i) {
@@ -152,12 +151,8 @@ void expect_best_axis(std::uint64_t seed) {
   EXPECT_GT(gaps, 500);
 }
 
-TEST(CapsuleSat, SlowFindsTheBestOfAllAxesInSinglePrecision) {
-  expect_best_axis<float>(1);
-}
-TEST(CapsuleSat, SlowFindsTheBestOfAllAxesInDoublePrecision) {
-  expect_best_axis<double>(2);
-}
+TEST(CapsuleSat, SlowFindsTheBestOfAllAxesInSinglePrecision) { expect_best_axis<float>(1); }
+TEST(CapsuleSat, SlowFindsTheBestOfAllAxesInDoublePrecision) { expect_best_axis<double>(2); }
 
 /// A segment is a hull with two faces that face both directions: its ring consists of all arcs
 /// between n and -n. The pipeline's two signs agree with the talk's triple products.

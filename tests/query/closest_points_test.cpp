@@ -12,8 +12,7 @@ namespace {
 
 using test::Random;
 
-template <class S>
-struct Segments {
+template <class S> struct Segments {
   Vec3<S> from_a, to_a, from_b, to_b;
 
   Segments swapped() const { return {from_b, to_b, from_a, to_a}; }
@@ -39,8 +38,7 @@ Segments<S> moved(const Segments<double>& segments, double size, const Pose<doub
           place(segments.to_b)};
 }
 
-template <class S>
-class ClosestPoints : public testing::Test {
+template <class S> class ClosestPoints : public testing::Test {
  protected:
   static constexpr double kUlp = static_cast<double>(std::numeric_limits<S>::epsilon());
 

@@ -21,21 +21,18 @@ namespace {
 using test::PairCase;
 using test::Random;
 
-template <class S>
-bool same_bits(const S& one, const S& other) {
+template <class S> bool same_bits(const S& one, const S& other) {
   return std::memcmp(&one, &other, sizeof one) == 0;
 }
 
-template <class S>
-void expect_same(const FaceQuery<S>& query, const FaceQuery<S>& expected) {
+template <class S> void expect_same(const FaceQuery<S>& query, const FaceQuery<S>& expected) {
   EXPECT_EQ(query.face, expected.face);
   EXPECT_EQ(query.support, expected.support);
   EXPECT_TRUE(same_bits(query.separation, expected.separation))
       << query.separation << " for " << expected.separation;
 }
 
-template <class S>
-void expect_same(const SatResult<S>& axes, const SatResult<S>& expected) {
+template <class S> void expect_same(const SatResult<S>& axes, const SatResult<S>& expected) {
   EXPECT_EQ(axes.status, expected.status);
   EXPECT_EQ(axes.chosen, expected.chosen);
   EXPECT_EQ(axes.deepest, expected.deepest);
@@ -70,9 +67,7 @@ void leave_overlap(PairCase<double>& pair, const Vec3d& direction, double overla
   pair.pose_b.position += (a_most - b_least - overlap) * direction;
 }
 
-double overlap(Random& random) {
-  return random.chance(0.2) ? 0 : random.uniform(-0.02, 0.1);
-}
+double overlap(Random& random) { return random.chance(0.2) ? 0 : random.uniform(-0.02, 0.1); }
 
 PairCase<double> at_random(Random& random) {
   PairCase<double> pair{any_hull(random), {}, any_hull(random), {}};
@@ -124,8 +119,7 @@ constexpr Family kFamilies[] = {
     {"at random", at_random}, {"deep", deep}, {"twins", twins}, {"images", images}};
 
 /// The hull in units of `size` metres.
-template <class S>
-Hull<S> scaled(Hull<double> hull, double size) {
+template <class S> Hull<S> scaled(Hull<double> hull, double size) {
   for (Vec3d& vertex : hull.vertices) vertex *= size;
   for (Plane<double>& plane : hull.planes) plane.offset *= size;
   hull.centroid *= size;
@@ -134,8 +128,7 @@ Hull<S> scaled(Hull<double> hull, double size) {
   return hull_cast<S>(hull);
 }
 
-template <class S>
-void expect_the_same_by_bounds(std::uint64_t seed) {
+template <class S> void expect_the_same_by_bounds(std::uint64_t seed) {
   Random random(seed);
   for (const Family& family : kFamilies) {
     SCOPED_TRACE(family.name);

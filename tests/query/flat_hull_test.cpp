@@ -79,8 +79,7 @@ double largest_separation(const PairCase<double>& pair) {
   return std::max({axes, separation_by_sides(pair, false), separation_by_sides(pair, true)});
 }
 
-template <class S>
-class FlatHulls : public testing::Test {};
+template <class S> class FlatHulls : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(FlatHulls, Scalars);
 

@@ -19,13 +19,11 @@ using test::Features;
 using test::Random;
 
 /// A point, a segment or a hull.
-template <class S>
-struct Shape {
+template <class S> struct Shape {
   std::vector<Vec3<S>> points;  // one or two, if there is no hull
   std::optional<Hull<S>> hull;
 
-  template <class T>
-  Shape<T> cast() const {
+  template <class T> Shape<T> cast() const {
     Shape<T> result;
     for (const Vec3<S>& point : points) result.points.push_back(point.template cast<T>());
     if (hull) result.hull = hull_cast<T>(*hull);
@@ -45,8 +43,7 @@ struct Shape {
   }
 };
 
-template <class S>
-struct ShapePair {
+template <class S> struct ShapePair {
   Shape<S> a, b;
   Pose<S> pose_a, pose_b;  // in the world
 
@@ -125,8 +122,7 @@ ShapePair<double> random_pair(Random& random, double largest_ratio, double farth
   return pair;
 }
 
-template <class S>
-ShapePair<S> rounded(const ShapePair<double>& pair) {
+template <class S> ShapePair<S> rounded(const ShapePair<double>& pair) {
   return {pair.a.cast<S>(), pair.b.cast<S>(), pair.pose_a.cast<S>(), pair.pose_b.cast<S>()};
 }
 
@@ -149,8 +145,7 @@ double off(const Shape<double>& shape, const Vec3d& point) {
 }
 
 /// Separation of the projections of both shapes on the normal.
-template <class S>
-double gap_along(const ShapePair<S>& pair, const Vec3d& normal) {
+template <class S> double gap_along(const ShapePair<S>& pair, const Vec3d& normal) {
   const Pose<double> b_in_a = pair.b_in_a().template cast<double>();
   double end_of_a = -std::numeric_limits<double>::infinity();
   double start_of_b = std::numeric_limits<double>::infinity();
@@ -164,8 +159,7 @@ double gap_along(const ShapePair<S>& pair, const Vec3d& normal) {
   return start_of_b - end_of_a;
 }
 
-template <class S>
-void count(const ShapePair<S>& pair, double tolerance, Sweep& sweep) {
+template <class S> void count(const ShapePair<S>& pair, double tolerance, Sweep& sweep) {
   const GjkResult<S> result = pair.distance();
   const BruteForceDistance exact =
       brute_force_distance(pair.a.features(pair.pose_a), pair.b.features(pair.pose_b));
@@ -205,8 +199,7 @@ void expect_all_kinds(const Sweep& sweep, int pairs) {
   EXPECT_LT(sweep.most_iterations, 40);
 }
 
-template <class S>
-class GjkRandom : public testing::Test {};
+template <class S> class GjkRandom : public testing::Test {};
 
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(GjkRandom, Scalars);

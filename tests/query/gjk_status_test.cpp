@@ -74,22 +74,19 @@ HullPairInA symmetric_pair(Random& random) {
   return pair;
 }
 
-template <class S>
-HullPairInA rounded(const HullPairInA& pair) {
+template <class S> HullPairInA rounded(const HullPairInA& pair) {
   const auto same = [](const Hull<double>& hull) { return hull_cast<double>(hull_cast<S>(hull)); };
   Pose<double> b_in_a = pair.b_in_a.cast<S>().template cast<double>();
   b_in_a.rotation.normalize();
   return {same(pair.a), same(pair.b), b_in_a};
 }
 
-template <class S>
-GjkResult<S> gjk_of(const HullPairInA& pair) {
+template <class S> GjkResult<S> gjk_of(const HullPairInA& pair) {
   const Hull<S> a = hull_cast<S>(pair.a), b = hull_cast<S>(pair.b);
   return gjk(support_set(a), support_set(b), pair.b_in_a.cast<S>());
 }
 
-template <class S>
-void judge_endings(int count, std::uint64_t seed) {
+template <class S> void judge_endings(int count, std::uint64_t seed) {
   Random random(seed);
   int separated = 0, together = 0, planar = 0;
   for (int i = 0; i < count; ++i) {

@@ -16,8 +16,7 @@ namespace {
 
 using test::at;
 
-template <class S>
-Hull<S> box(double x, double y, double z) {
+template <class S> Hull<S> box(double x, double y, double z) {
   return hull_cast<S>(make_box(Vec3d(x, y, z)));
 }
 
@@ -26,22 +25,19 @@ GjkResult<S> distance(const Hull<S>& a, const Hull<S>& b, const Pose<double>& b_
   return gjk(support_set(a), support_set(b), b_in_a.cast<S>());
 }
 
-template <class S>
-GjkResult<S> distance_to_point(const Hull<S>& a, const Vec3d& point) {
+template <class S> GjkResult<S> distance_to_point(const Hull<S>& a, const Vec3d& point) {
   const Vec3<S> centre = Vec3<S>::Zero();
   return gjk(support_set(a), support_set(centre), at(point.x(), point.y(), point.z()).cast<S>());
 }
 
 /// Number of distinct points of one shape in a simplex.
-template <class S>
-std::size_t distinct(const GjkSimplex<S>& simplex, int GjkVertex<S>::*index) {
+template <class S> std::size_t distinct(const GjkSimplex<S>& simplex, int GjkVertex<S>::*index) {
   std::set<int> points;
   for (const GjkVertex<S>& vertex : simplex.vertices) points.insert(vertex.*index);
   return points.size();
 }
 
-template <class S>
-class Gjk : public testing::Test {
+template <class S> class Gjk : public testing::Test {
  protected:
   static constexpr double kUlp = static_cast<double>(std::numeric_limits<S>::epsilon());
 

@@ -163,8 +163,7 @@ std::size_t expect_same_with_front(const Mesh<S>& a, const Mesh<S>& b, const Pos
 
 /// Two meshes of this size that randomly move, jump, deform and get new trees from frame to frame,
 /// with one front throughout. Returns the number of frames in which they crossed.
-template <class S>
-int expect_same_through_changes(double size, int seed, int frames) {
+template <class S> int expect_same_through_changes(double size, int seed, int frames) {
   Random random(static_cast<unsigned>(seed));
   const Mesh<double> made_a = built(test::sphere_mesh(size, 16, 11, 0.1));
   const Mesh<double> made_b = built(test::sphere_mesh(0.7 * size, 13, 9, 0.05));

@@ -23,16 +23,14 @@ namespace {
 using test::Random;
 
 /// The hull that a scenario with this scalar builds.
-template <class S>
-Hull<S> hull_of(const std::vector<Vec3d>& points) {
+template <class S> Hull<S> hull_of(const std::vector<Vec3d>& points) {
   HullOptions options{.for_float = std::is_same_v<S, float>};
   if (!options.for_float) options.epsilon = epsilon_of_digits(points);
   return hull_cast<S>(build_hull(points, options));
 }
 
 /// Coordinates rounded to this scalar.
-template <class S>
-std::vector<Vec3d> rounded(std::vector<Vec3d> points) {
+template <class S> std::vector<Vec3d> rounded(std::vector<Vec3d> points) {
   for (Vec3d& point : points) {
     for (double& x : point) {
       const volatile S kept = static_cast<S>(x);
@@ -83,8 +81,7 @@ std::vector<Vec3d> near_points(Random& random) {
   return points;
 }
 
-template <class S>
-class NearPoints : public testing::Test {};
+template <class S> class NearPoints : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(NearPoints, Scalars);
 

@@ -11,8 +11,7 @@ using test::exact_gap;
 using test::Random;
 using test::Turned;
 
-template <class S>
-class OverlapOfBoxes : public testing::Test {};
+template <class S> class OverlapOfBoxes : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(OverlapOfBoxes, Scalars);
 
@@ -35,8 +34,7 @@ void for_random_boxes(std::uint64_t seed, int trials, const Check& check) {
 }
 
 /// The three promises of overlap.h.
-template <class S>
-void expect_nothing_lost(int trials) {
+template <class S> void expect_nothing_lost(int trials) {
   int overlapping = 0, undecided = 0;
   for_random_boxes<S>(1, trials, [&](const Obb<S>& a, const Obb<S>& b, int trial) {
     const double gap = exact_gap(a, b);
@@ -66,12 +64,8 @@ void expect_nothing_lost(int trials) {
   EXPECT_GT(undecided, trials / 20);
 }
 
-TYPED_TEST(OverlapOfBoxes, LosesNothing) {
-  expect_nothing_lost<TypeParam>(2000);
-}
-TYPED_TEST(OverlapOfBoxes, SlowLosesNothing) {
-  expect_nothing_lost<TypeParam>(40000);
-}
+TYPED_TEST(OverlapOfBoxes, LosesNothing) { expect_nothing_lost<TypeParam>(2000); }
+TYPED_TEST(OverlapOfBoxes, SlowLosesNothing) { expect_nothing_lost<TypeParam>(40000); }
 
 TYPED_TEST(OverlapOfBoxes, ARecordNamesEveryAxisAndChangesNoAnswer) {
   using S = TypeParam;

@@ -9,30 +9,25 @@ namespace {
 
 using test::Random;
 
-template <class S>
-class Overlap : public testing::Test {};
+template <class S> class Overlap : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(Overlap, Scalars);
 
-template <class S>
-BoundingSphere<S> ball(double x, double y, double z, double radius) {
+template <class S> BoundingSphere<S> ball(double x, double y, double z, double radius) {
   return {Vec3d(x, y, z).cast<S>(), static_cast<S>(radius)};
 }
 
-template <class S>
-Aabb<S> cube_at(double x, double y, double z, double half) {
+template <class S> Aabb<S> cube_at(double x, double y, double z, double half) {
   const Vec3d middle(x, y, z), reach = Vec3d::Constant(half);
   return {Vec3d(middle - reach).cast<S>(), Vec3d(middle + reach).cast<S>()};
 }
 
-template <class S>
-Obb<S> oriented_cube_at(double x) {
+template <class S> Obb<S> oriented_cube_at(double x) {
   return {Vec3d(x, 0.5, 0).cast<S>(), Mat3<S>::Identity(), Vec3<S>::Ones()};
 }
 
 /// Results of the inclusive and exclusive tests and of the one within 0.25.
-template <class S, class A, class B>
-std::array<bool, 3> answers(const A& a, const B& b) {
+template <class S, class A, class B> std::array<bool, 3> answers(const A& a, const B& b) {
   return {overlaps(a, b, Comparison<S>::inclusive()), overlaps(a, b, Comparison<S>::exclusive()),
           overlaps(a, b, Comparison<S>::within(S(0.25)))};
 }

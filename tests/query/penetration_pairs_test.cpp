@@ -89,8 +89,7 @@ struct Tally {
   }
 };
 
-template <class S>
-class PenetrationPairs : public testing::Test {};
+template <class S> class PenetrationPairs : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(PenetrationPairs, Scalars);
 

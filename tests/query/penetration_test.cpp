@@ -29,8 +29,7 @@ PenetrationResult<S> penetration_of(PenetrationMethod method, const PairCase<S>&
                      relative_pose(pair.pose_a, pair.pose_b), options);
 }
 
-template <class S>
-class Penetration : public testing::Test {};
+template <class S> class Penetration : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(Penetration, Scalars);
 

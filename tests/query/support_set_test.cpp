@@ -11,8 +11,7 @@
 namespace contactscope {
 namespace {
 
-template <class S>
-class Support : public testing::Test {};
+template <class S> class Support : public testing::Test {};
 
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(Support, Scalars);

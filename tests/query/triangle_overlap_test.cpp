@@ -134,8 +134,7 @@ void agrees(const TrianglePair& pair, const ExactOverlap& expected, double size,
 }
 
 /// Tries all kinds of pairs at every scale. Returns the number of each kind of overlap.
-template <class S>
-std::map<TriangleOverlapKind, int> compare_with_oracle(int count) {
+template <class S> std::map<TriangleOverlapKind, int> compare_with_oracle(int count) {
   constexpr bool kInFloat = std::is_same_v<S, float>;
   Random random(kInFloat ? 21 : 22);
   std::map<TriangleOverlapKind, int> kinds;

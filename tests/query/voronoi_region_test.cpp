@@ -37,8 +37,7 @@ double distance_to(const Hull<S>& hull, const HullFeature& feature, const Vec3<S
   return (p - origin - foot * along).norm();
 }
 
-template <class S>
-void expect_nearest_features(std::uint64_t seed) {
+template <class S> void expect_nearest_features(std::uint64_t seed) {
   Random random(seed);
   int edges = 0, vertices = 0;
   for (int i = 0; i < 4000; ++i) {

@@ -17,8 +17,7 @@ namespace {
 using test::Random;
 
 /// Five to eight random points in a plane, in metres; `kind` selects their distribution.
-template <class S>
-std::vector<ContactPoint<S>> draw(Random& random, int kind, Vec3<S>& normal) {
+template <class S> std::vector<ContactPoint<S>> draw(Random& random, int kind, Vec3<S>& normal) {
   const Pose<double> pose = random.pose(random.chance(0.5) ? 1 : 1000);
   const double size = random.chance(0.5) ? 1 : random.decade(-4, 4);
   normal = pose.rotate(Vec3d::UnitZ()).template cast<S>();
@@ -39,8 +38,7 @@ std::vector<ContactPoint<S>> draw(Random& random, int kind, Vec3<S>& normal) {
   return points;
 }
 
-template <class S>
-class AreaOfEight : public testing::Test {};
+template <class S> class AreaOfEight : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(AreaOfEight, Scalars);
 

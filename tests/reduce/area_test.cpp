@@ -44,8 +44,7 @@ double area_of(const std::vector<ContactPoint<S>>& points, const std::vector<int
   return convex_area(chosen, Vec3d::UnitY());
 }
 
-template <class S>
-class AreaReducer : public testing::Test {};
+template <class S> class AreaReducer : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(AreaReducer, Scalars);
 

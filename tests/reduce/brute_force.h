@@ -65,9 +65,7 @@ std::vector<Place> at(const std::vector<Place>& places, const Indices& indices) 
   return chosen;
 }
 
-inline double distance(const Place& a, const Place& b) {
-  return std::hypot(b.x - a.x, b.y - a.y);
-}
+inline double distance(const Place& a, const Place& b) { return std::hypot(b.x - a.x, b.y - a.y); }
 
 /// Largest distance between two places.
 inline double extent(const std::vector<Place>& places) {
@@ -165,16 +163,14 @@ inline constexpr Shape kShapes[] = {Shape::Polygon,    Shape::Clockwise, Shape::
                                     Shape::Scattered,  Shape::Lattice,   Shape::Sliver,
                                     Shape::OffThePlane};
 
-template <class S>
-struct RandomPatch {
+template <class S> struct RandomPatch {
   std::vector<ContactPoint<S>> points;
   Vec3<S> normal;
 };
 
 /// Points with the separations of a tilted plane, moved to a random pose, 1e-4 to 1e4 metres in
 /// size. Their ids are all different.
-template <class S>
-RandomPatch<S> random_patch(Random& random, Shape shape, int count) {
+template <class S> RandomPatch<S> random_patch(Random& random, Shape shape, int count) {
   std::vector<Place> places;
   const double flat = random.uniform(0.2, 1);
   for (int i = 0; i < count; ++i) {

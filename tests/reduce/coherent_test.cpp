@@ -49,8 +49,7 @@ struct Promise {
   double deepest;
 };
 
-template <class S>
-double separation(const std::vector<ContactPoint<S>>& points, int i) {
+template <class S> double separation(const std::vector<ContactPoint<S>>& points, int i) {
   return static_cast<double>(points[static_cast<std::size_t>(i)].separation);
 }
 
@@ -87,8 +86,7 @@ void expect_kept(const Promise& promise, const std::vector<ContactPoint<S>>& poi
   EXPECT_LE(deepest_of(points, kept), promise.deepest + 1.0001 * promise.slack);
 }
 
-template <class S>
-class CoherentReducer : public testing::Test {};
+template <class S> class CoherentReducer : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(CoherentReducer, Scalars);
 

@@ -64,8 +64,7 @@ std::vector<Place> level_patch(test::Random& random, int kind) {
   return places;
 }
 
-template <class S>
-struct LevelPatch {
+template <class S> struct LevelPatch {
   std::vector<ContactPoint<S>> points;
   Vec3<S> normal;
   ReduceOptions options;
@@ -82,8 +81,7 @@ struct LevelPatch {
 };
 
 /// Places the patch anywhere, 1e-4 to 1e4 metres in size. All ids differ and are unordered.
-template <class S>
-LevelPatch<S> place(test::Random& random, const std::vector<Place>& places) {
+template <class S> LevelPatch<S> place(test::Random& random, const std::vector<Place>& places) {
   LevelPatch<S> patch;
   const double size = random.decade(-4, 4);
   patch.options.scale = 4 * size;
@@ -98,8 +96,7 @@ LevelPatch<S> place(test::Random& random, const std::vector<Place>& places) {
   return patch;
 }
 
-template <class S>
-std::vector<int> reduced(const char* name, const LevelPatch<S>& patch) {
+template <class S> std::vector<int> reduced(const char* name, const LevelPatch<S>& patch) {
   const KeptIndices kept = reduce<S>(find_reducer(name), patch.points, patch.normal, patch.options);
   return {kept.begin(), kept.end()};
 }
@@ -122,8 +119,7 @@ double area_before_rounding(const std::vector<Place>& flat, const LevelPatch<S>&
   return test::hull_area(kept);
 }
 
-template <class S>
-class DepthTies : public testing::Test {};
+template <class S> class DepthTies : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(DepthTies, Scalars);
 
@@ -199,8 +195,7 @@ TYPED_TEST(DepthTies, SlowTheLargestAreaBreaksATieOfDepths) {
   }
 }
 
-template <class S>
-LevelPatch<S> octagon() {
+template <class S> LevelPatch<S> octagon() {
   LevelPatch<S> patch{{}, Vec3<S>::UnitZ(), {}};
   for (std::uint32_t i = 0; i < 8; ++i) {
     const double angle = 2 * std::numbers::pi * i / 8;

@@ -100,8 +100,7 @@ std::vector<Case> cases() {
           ellipse("None", 0)};
 }
 
-template <class S>
-std::vector<ContactPoint<S>> points_of(const Case& c) {
+template <class S> std::vector<ContactPoint<S>> points_of(const Case& c) {
   std::vector<ContactPoint<S>> points;
   for (const ContactPoint<double>& point : c.points) {
     points.push_back({point.position.cast<S>(), static_cast<S>(point.separation), point.id});
@@ -117,8 +116,7 @@ std::vector<std::string> reducer_names() {
 
 class EveryReducer : public testing::TestWithParam<std::string> {};
 
-template <class S>
-void keeps_its_contract(const std::string& name, const Case& c, int max_points) {
+template <class S> void keeps_its_contract(const std::string& name, const Case& c, int max_points) {
   SCOPED_TRACE(c.name + ", max_points " + std::to_string(max_points));
   const std::vector<ContactPoint<S>> points = points_of<S>(c);
   const Vec3<S> normal = c.normal.cast<S>();

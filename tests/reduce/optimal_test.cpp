@@ -38,8 +38,7 @@ std::vector<ContactPoint<S>> points_at(const std::vector<Place>& places,
   return points;
 }
 
-template <class S>
-int deepest(const std::vector<ContactPoint<S>>& points) {
+template <class S> int deepest(const std::vector<ContactPoint<S>>& points) {
   int best = 0;
   for (int i = 1; i < static_cast<int>(points.size()); ++i) {
     if (points[static_cast<std::size_t>(i)].separation <
@@ -50,8 +49,7 @@ int deepest(const std::vector<ContactPoint<S>>& points) {
   return best;
 }
 
-template <class S>
-class OptimalReducer : public testing::Test {
+template <class S> class OptimalReducer : public testing::Test {
  protected:
   static std::vector<int> best(const std::vector<ContactPoint<S>>& points, int max_points) {
     return reduced<S>(find_reducer("optimal"), points, Vec3<S>::UnitZ(), max_points);

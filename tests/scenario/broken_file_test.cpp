@@ -30,9 +30,7 @@ TEST(BrokenFileMessage, IsOneLineOfBoundedLength) {
 }
 
 // If the surrounding file of these tests were rejected, the tables would prove nothing.
-TEST(BrokenFileFrame, IsAGoodFile) {
-  EXPECT_EQ(complaint(two_boxes()), "no complaint");
-}
+TEST(BrokenFileFrame, IsAGoodFile) { EXPECT_EQ(complaint(two_boxes()), "no complaint"); }
 
 std::string nested(int depth, const std::string& open, const std::string& close) {
   std::string text = "deep = ";

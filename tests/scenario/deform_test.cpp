@@ -38,9 +38,7 @@ const char* const kWave =
     "{ wave = { axis = [2, 0, 0], direction = [0, 3, 0], amplitude = 0.1, wavelength = 0.8, "
     "speed = 0.4 } }";
 
-std::vector<Vec3d> vertices_in(const trace::Frame& frame) {
-  return frame.deformed.at(0).vertices;
-}
+std::vector<Vec3d> vertices_in(const trace::Frame& frame) { return frame.deformed.at(0).vertices; }
 
 std::vector<Vec3d> at_rest(const Scenario& scenario) {
   return std::get<Mesh<double>>(*scenario.shape(0).geometry).vertices;

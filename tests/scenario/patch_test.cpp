@@ -20,9 +20,7 @@ points = [[1, 0, 1, 0.001], [1, 0, -1, 0], [0, 0, 0.1, -0.004], [-1, 0, -1, 0], 
 )" + rest;
 }
 
-trace::Frame frame_of(const Scenario& scenario) {
-  return Runner(scenario).frame(0);
-}
+trace::Frame frame_of(const Scenario& scenario) { return Runner(scenario).frame(0); }
 
 TEST(Patch, IsAFileWithoutShapesTitleOrPairs) {
   const Scenario scenario = parse_scenario(five(), "mine/five.toml");

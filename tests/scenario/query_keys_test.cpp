@@ -17,9 +17,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-Scenario parsed(const std::string& text) {
-  return parse_scenario(text, "group/idea.toml");
-}
+Scenario parsed(const std::string& text) { return parse_scenario(text, "group/idea.toml"); }
 
 const std::string kFloorAndWall =
     "title = \"Meshes\"\n"

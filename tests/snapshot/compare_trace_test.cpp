@@ -385,9 +385,7 @@ class CompareWithStored : public testing::Test {
   std::string text_;
 };
 
-TEST_F(CompareWithStored, AFileAsItWouldBeWrittenIsTheSame) {
-  EXPECT_THAT(compare(), IsEmpty());
-}
+TEST_F(CompareWithStored, AFileAsItWouldBeWrittenIsTheSame) { EXPECT_THAT(compare(), IsEmpty()); }
 
 TEST_F(CompareWithStored, NumbersWithinTheirToleranceAreTheSameThoughTheirBytesDiffer) {
   for (double* const number : numbers_of(trace_))

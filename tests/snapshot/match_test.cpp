@@ -17,9 +17,7 @@ TEST(Match, EqualKeysBelongTogetherWhereverTheyStand) {
   EXPECT_FALSE(match.reordered());
 }
 
-TEST(Match, AnotherOrderIsSeen) {
-  EXPECT_TRUE(match_keys({"a", "b"}, {"b", "a"}).reordered());
-}
+TEST(Match, AnotherOrderIsSeen) { EXPECT_TRUE(match_keys({"a", "b"}, {"b", "a"}).reordered()); }
 
 TEST(Match, RepeatedKeysGoInOrder) {
   const Match match = match_keys({"a", "a", "a"}, {"a", "b", "a"});

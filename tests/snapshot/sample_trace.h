@@ -9,9 +9,7 @@ namespace contactscope {
 trace::Trace sample_trace();
 
 /// The same contact as frame 12 of sample_trace(), for changes.
-inline trace::Pair& sample_pair(trace::Trace& trace) {
-  return trace.frames[1].pairs[0];
-}
+inline trace::Pair& sample_pair(trace::Trace& trace) { return trace.frames[1].pairs[0]; }
 inline trace::Manifold& sample_manifold(trace::Trace& trace) {
   return sample_pair(trace).manifolds[0];
 }

@@ -26,8 +26,7 @@ struct Outcome {
   int count(ContactFault fault) const { return faults[static_cast<int>(fault)]; }
 };
 
-template <class S>
-Outcome run(const LimitSweep& sweep) {
+template <class S> Outcome run(const LimitSweep& sweep) {
   Outcome outcome;
   for (const double value : sweep.values()) {
     for (const PairKind& kind : sweep.kinds) {
@@ -59,9 +58,7 @@ Outcome run(const LimitSweep& sweep) {
 
 class LimitSweeps : public testing::TestWithParam<LimitSweep> {};
 
-std::string name_of(const testing::TestParamInfo<LimitSweep>& info) {
-  return info.param.name;
-}
+std::string name_of(const testing::TestParamInfo<LimitSweep>& info) { return info.param.name; }
 
 /// Except for overlaps that are no larger than rounding.
 void expect_no_wrong_answer(const Outcome& outcome) {

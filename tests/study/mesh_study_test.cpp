@@ -45,14 +45,12 @@ TEST(TriangleStudy, TheExactTestIsNeverWrongAndAnEpsilonIsRightAtNoMoreThanItsOw
             2 * last("triangles of 8 km", "float, epsilon 1e-6 m"));
 }
 
-template <class S>
-Triangle<double> in_double(const Triangle<S>& triangle) {
+template <class S> Triangle<double> in_double(const Triangle<S>& triangle) {
   return {triangle[0].template cast<double>(), triangle[1].template cast<double>(),
           triangle[2].template cast<double>()};
 }
 
-template <class S>
-void expect_exact_answers() {
+template <class S> void expect_exact_answers() {
   using enum TriangleOverlapKind;
   for (int i = -24; i < 24; i += 3) {
     for (int j = -24; j < 24; j += 3) {

@@ -15,9 +15,7 @@ namespace {
 
 using test::Random;
 
-Pose<double> at(double x, double y, double z) {
-  return {Quatd::Identity(), Vec3d(x, y, z)};
-}
+Pose<double> at(double x, double y, double z) { return {Quatd::Identity(), Vec3d(x, y, z)}; }
 
 double separation(const Shape<double>& a, const Pose<double>& pose_a, const Shape<double>& b,
                   const Pose<double>& pose_b) {

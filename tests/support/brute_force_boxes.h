@@ -29,8 +29,7 @@ struct QuadBox {
   std::array<QuadVector, 3> axes;
   std::array<QuadVector, 8> corners;
 
-  template <class S>
-  QuadBox(const Obb<S>& box, const Vec3<S>& origin) {
+  template <class S> QuadBox(const Obb<S>& box, const Vec3<S>& origin) {
     for (int k = 0; k < 3; ++k)
       for (int i = 0; i < 3; ++i) axes[std::size_t(k)][std::size_t(i)] = Quad(box.axes(i, k));
     for (std::size_t corner = 0; corner < 8; ++corner) {
@@ -65,8 +64,7 @@ inline double gap_along(const QuadVector& axis, const QuadBox& a, const QuadBox&
 
 /// The largest separation over all face normals (cross products of the columns) and all cross
 /// products of edges. Positive exactly if the boxes are separated, and then at most their distance.
-template <class S>
-double exact_gap(const Obb<S>& a, const Obb<S>& b) {
+template <class S> double exact_gap(const Obb<S>& a, const Obb<S>& b) {
   const QuadBox of_a(a, a.center), of_b(b, a.center);
   double largest = -std::numeric_limits<double>::infinity();
   const auto add = [&](const QuadVector& axis) {
@@ -81,8 +79,7 @@ double exact_gap(const Obb<S>& a, const Obb<S>& b) {
 }
 
 /// The length that rounding is relative to: all half extents plus the offset of the centres.
-template <class S>
-double size_of_pair(const Obb<S>& a, const Obb<S>& b) {
+template <class S> double size_of_pair(const Obb<S>& a, const Obb<S>& b) {
   const Vec3d offset = b.center.template cast<double>() - a.center.template cast<double>();
   return offset.lpNorm<1>() + double(a.half_extents.sum()) + double(b.half_extents.sum());
 }

@@ -19,9 +19,7 @@ Cloud world_vertices(const Hull<double>& hull, const Pose<double>& pose) {
   return result;
 }
 
-Vec3d vertex(const Cloud& cloud, int i) {
-  return cloud.row(i).transpose();
-}
+Vec3d vertex(const Cloud& cloud, int i) { return cloud.row(i).transpose(); }
 
 /// Each normal comes from the fan of triangles about the first vertex.
 std::vector<Vec3d> face_normals(const Hull<double>& hull, const Cloud& cloud) {

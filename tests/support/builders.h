@@ -15,13 +15,9 @@ namespace contactscope::test {
 
 inline constexpr double kDegree = std::numbers::pi / 180;
 
-inline Hull<double> cube(double half) {
-  return make_box(Vec3d(half, half, half));
-}
+inline Hull<double> cube(double half) { return make_box(Vec3d(half, half, half)); }
 
-inline Pose<double> at(double x, double y, double z) {
-  return {Quatd::Identity(), Vec3d(x, y, z)};
-}
+inline Pose<double> at(double x, double y, double z) { return {Quatd::Identity(), Vec3d(x, y, z)}; }
 
 inline Quatd about(const Vec3d& axis, double radians) {
   return Quatd(Eigen::AngleAxisd(radians, axis.normalized()));
@@ -48,8 +44,7 @@ Manifold<S> collide(const PairCase<S>& pair, const CollideOptions& options = {})
   return collide_hull_hull(pair.a, pair.pose_a, pair.b, pair.pose_b, options);
 }
 
-template <class S>
-double deepest(const Manifold<S>& manifold) {
+template <class S> double deepest(const Manifold<S>& manifold) {
   double result = std::numeric_limits<double>::infinity();
   for (const ContactPoint<S>& point : manifold.points) {
     result = std::min(result, static_cast<double>(point.separation));
@@ -57,8 +52,7 @@ double deepest(const Manifold<S>& manifold) {
   return result;
 }
 
-template <class S>
-std::vector<FeatureId> sorted_ids(const Manifold<S>& manifold) {
+template <class S> std::vector<FeatureId> sorted_ids(const Manifold<S>& manifold) {
   std::vector<FeatureId> ids;
   for (const ContactPoint<S>& point : manifold.points) ids.push_back(point.id);
   std::sort(ids.begin(), ids.end());
@@ -66,8 +60,7 @@ std::vector<FeatureId> sorted_ids(const Manifold<S>& manifold) {
 }
 
 /// Distance from a place to the nearest point of the manifold; +infinity without points.
-template <class S>
-double distance_to_nearest(const Manifold<S>& manifold, const Vec3d& place) {
+template <class S> double distance_to_nearest(const Manifold<S>& manifold, const Vec3d& place) {
   double least = std::numeric_limits<double>::infinity();
   for (const ContactPoint<S>& point : manifold.points) {
     least = std::min(least, (point.position.template cast<double>() - place).norm());

@@ -38,9 +38,7 @@ class ExactInteger {
 };
 
 /// -1, 0 or 1.
-inline int sign_of(const ExactInteger& value) {
-  return value.sign();
-}
+inline int sign_of(const ExactInteger& value) { return value.sign(); }
 
 /// An exponent e for which every finite double of the list is a multiple of 2^e.
 int common_exponent(const std::vector<double>& values);

@@ -9,18 +9,14 @@ namespace {
 
 using Exact3 = std::array<ExactInteger, 3>;
 
-Exact3 minus(const Exact3& a, const Exact3& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
+Exact3 minus(const Exact3& a, const Exact3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 ExactInteger inner(const Exact3& a, const Exact3& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 Exact3 outer(const Exact3& a, const Exact3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
-bool is_zero(const Exact3& a) {
-  return a[0].sign() == 0 && a[1].sign() == 0 && a[2].sign() == 0;
-}
+bool is_zero(const Exact3& a) { return a[0].sign() == 0 && a[1].sign() == 0 && a[2].sign() == 0; }
 
 /// The point numerator / denominator, denominator > 0.
 struct Rational3 {

@@ -5,8 +5,6 @@
 namespace contactscope::test {
 
 /// Mesa 25.1 dropped OSMesa. Tests that compare with it are skipped if it is not installed.
-inline bool osmesa_is_installed() {
-  return dlopen("libOSMesa.so.8", RTLD_LAZY) != nullptr;
-}
+inline bool osmesa_is_installed() { return dlopen("libOSMesa.so.8", RTLD_LAZY) != nullptr; }
 
 }  // namespace contactscope::test

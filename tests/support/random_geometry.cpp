@@ -18,9 +18,7 @@ double Random::decade(double low_exponent, double high_exponent) {
   return std::pow(10.0, uniform(low_exponent, high_exponent));
 }
 
-int Random::index(int count) {
-  return static_cast<int>(uniform(0, count));
-}
+int Random::index(int count) { return static_cast<int>(uniform(0, count)); }
 
 Vec3d Random::vector(double low, double high) {
   const double z = uniform(low, high), y = uniform(low, high);
@@ -52,9 +50,7 @@ Quatd Random::rotation() {
       .normalized();
 }
 
-Quatd Random::rotation_by(double angle) {
-  return Quatd(Eigen::AngleAxisd(angle, unit_vector()));
-}
+Quatd Random::rotation_by(double angle) { return Quatd(Eigen::AngleAxisd(angle, unit_vector())); }
 
 Pose<double> Random::pose(double radius) {
   const Quatd turned = rotation();

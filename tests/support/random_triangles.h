@@ -9,8 +9,7 @@ namespace contactscope::test {
 
 using TrianglePair = std::pair<Triangle<double>, Triangle<double>>;
 
-template <class S>
-Triangle<S> rounded(const Triangle<double>& t) {
+template <class S> Triangle<S> rounded(const Triangle<double>& t) {
   return {t[0].template cast<S>(), t[1].template cast<S>(), t[2].template cast<S>()};
 }
 

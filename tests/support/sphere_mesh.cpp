@@ -10,9 +10,7 @@ SpherePair sphere_pair(double waves, const Pose<double>& b_in_a) {
   return {built(sphere_mesh(1, 110, 44, waves)), built(sphere_mesh(1, 110, 44, -waves)), b_in_a};
 }
 
-Quatd some_rotation() {
-  return Quatd(Eigen::AngleAxisd(0.7, Vec3d(1, 2, 3).normalized()));
-}
+Quatd some_rotation() { return Quatd(Eigen::AngleAxisd(0.7, Vec3d(1, 2, 3).normalized())); }
 
 }  // namespace
 
@@ -67,12 +65,8 @@ Mesh<double> cube_mesh(double half_side) {
                                {1, 7, 5}});
 }
 
-SpherePair crossing_spheres() {
-  return sphere_pair(0, {some_rotation(), Vec3d(0.9, 0.6, 0.53)});
-}
+SpherePair crossing_spheres() { return sphere_pair(0, {some_rotation(), Vec3d(0.9, 0.6, 0.53)}); }
 
-SpherePair concentric_spheres() {
-  return sphere_pair(0.1, {some_rotation(), Vec3d::Zero()});
-}
+SpherePair concentric_spheres() { return sphere_pair(0.1, {some_rotation(), Vec3d::Zero()}); }
 
 }  // namespace contactscope::test

@@ -29,9 +29,7 @@ std::string TemporaryFolder::write(const std::string& name, const std::string& c
   return path.string();
 }
 
-std::set<std::string> TemporaryFolder::files() const {
-  return files_below(path_);
-}
+std::set<std::string> TemporaryFolder::files() const { return files_below(path_); }
 
 std::set<std::string> files_below(const fs::path& folder) {
   std::set<std::string> files;

@@ -37,8 +37,7 @@ std::string complaint(const ordered_json& header, const ordered_json& frame) {
 }
 
 // Compares facts, not JSON, in which a field that reader and writer both forgot would be equal.
-template <class T>
-bool identical(const T& one, const T& other) {
+template <class T> bool identical(const T& one, const T& other) {
   if constexpr (Listed<T>) {
     bool all = true;
     each_field<T>(
@@ -90,8 +89,7 @@ TEST(EveryFact, HasItsKeyInTheReference) {
 }
 
 /// Visits the JSON of a fact by its list: `visit(object, key, is_needed)` for every key in it.
-template <Listed T, class Visit>
-void each_key(ordered_json& object, const Visit& visit) {
+template <Listed T, class Visit> void each_key(ordered_json& object, const Visit& visit) {
   each_field<T>([&]<class Value>(const Field<T, Value>& field) {
     if (field.is_object_key) return;
     if constexpr (Listed<Value>) {
@@ -111,8 +109,7 @@ void each_key(ordered_json& object, const Visit& visit) {
 class EveryKey : public testing::Test {
  protected:
   /// Calls `attempt` for every key of the header and of a frame.
-  template <class Try>
-  void each(const Try& attempt) {
+  template <class Try> void each(const Try& attempt) {
     each_key<Header>(header_, attempt);
     each_key<Frame>(frame_, attempt);
   }

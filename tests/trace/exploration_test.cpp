@@ -119,8 +119,7 @@ TEST(ExplorationJson, HasNanosecondsOnlyWhereMeasured) {
 }
 
 /// The error that rejects a number which is not finite.
-template <class Spoil>
-std::string refused(Spoil&& spoil) {
+template <class Spoil> std::string refused(Spoil&& spoil) {
   Exploration exploration = sample();
   spoil(exploration);
   try {

@@ -8,8 +8,7 @@ namespace contactscope::trace {
 namespace {
 
 /// The sample's first pair as JSON, after `change`.
-template <class Change>
-std::string line_after(Change&& change) {
+template <class Change> std::string line_after(Change&& change) {
   Frame frame = sample_frame();
   change(frame.pairs[0]);
   return to_json_line(frame);

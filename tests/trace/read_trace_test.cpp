@@ -29,9 +29,7 @@ std::string complaint(const std::string& text) {
   return "no complaint";
 }
 
-std::string header_line() {
-  return to_json_line(sample_header()) + "\n";
-}
+std::string header_line() { return to_json_line(sample_header()) + "\n"; }
 
 /// The sample frame with the value at a JSON pointer replaced.
 std::string frame_with(const char* pointer, const ordered_json& value) {

@@ -19,8 +19,7 @@ using testing::Not;
 
 const std::string kSchemaFile = CONTACTSCOPE_SOURCE_DIR "/src/trace/trace.schema.json";
 
-template <Listed T>
-void expect_keys(const std::string& table, std::set<std::string> others) {
+template <Listed T> void expect_keys(const std::string& table, std::set<std::string> others) {
   std::set<std::string>& keys = others;
   each_field<T>([&]<class V>(const Field<T, V>& field) {
     if (field.is_object_key) return;

@@ -21,9 +21,7 @@ std::vector<std::string> key_names(const ordered_json& object) {
   return keys;
 }
 
-ordered_json written(const Frame& frame) {
-  return ordered_json::parse(to_json_line(frame));
-}
+ordered_json written(const Frame& frame) { return ordered_json::parse(to_json_line(frame)); }
 
 Frame frame_read(const ordered_json& line) {
   std::istringstream in(to_json_line(sample_header()) + "\n" + line.dump() + "\n");
@@ -31,8 +29,7 @@ Frame frame_read(const ordered_json& line) {
 }
 
 /// The error of reading the sample frame after `change`.
-template <class Change>
-std::string complaint_after(Change&& change) {
+template <class Change> std::string complaint_after(Change&& change) {
   ordered_json line = written(sample_frame());
   change(line);
   try {

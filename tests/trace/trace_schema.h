@@ -46,8 +46,7 @@ class SchemaMaker {
   }
 
   /// The name of a fact: "Manifold".
-  template <class T>
-  static std::string name() {
+  template <class T> static std::string name() {
     int status = 0;
     const std::unique_ptr<char, void (*)(void*)> whole(
         abi::__cxa_demangle(typeid(T).name(), nullptr, nullptr, &status), std::free);
@@ -83,8 +82,7 @@ class SchemaMaker {
     return json;
   }
 
-  template <Listed T>
-  void add() {
+  template <Listed T> void add() {
     if (definitions_.contains(name<T>())) return;
     definitions_[name<T>()] = Json();  // its place, also for a fact that contains itself
     Json required = Json::array(), properties = Json::object();
@@ -95,8 +93,7 @@ class SchemaMaker {
     definitions_[name<T>()] = definition;
   }
 
-  template <Listed T>
-  void add_keys(const std::string& fact, Json& required, Json& properties) {
+  template <Listed T> void add_keys(const std::string& fact, Json& required, Json& properties) {
     each_field<T>([&]<class V>(const Field<T, V>& field) {
       if (field.is_object_key) return;
       if constexpr (Listed<V>) {
@@ -129,8 +126,7 @@ class SchemaMaker {
     });
   }
 
-  template <class T>
-  Json schema() {
+  template <class T> Json schema() {
     if constexpr (std::same_as<T, double>) {
       return of("type", "number");
     } else if constexpr (std::same_as<T, int>) {

@@ -16,8 +16,7 @@ namespace contactscope::trace {
 /// optionals have values, lists have two entries, and indices point into their lists.
 class Filler {
  public:
-  template <Listed T>
-  void fill(T& fact) {
+  template <Listed T> void fill(T& fact) {
     each_field<T>([&]<class Value>(const Field<T, Value>& field) {
       is_index_ = field.counts_in != nullptr;
       fill(fact.*field.member);
@@ -34,13 +33,11 @@ class Filler {
   template <class T>
   requires kIsOptional<T>
   void fill(T& value) { fill(value.emplace()); }
-  template <class T>
-  void fill(std::vector<T>& list) {
+  template <class T> void fill(std::vector<T>& list) {
     list.clear();
     for (int i = 0; i < 2; ++i) fill(list.emplace_back());
   }
-  template <class T, std::size_t Count>
-  void fill(std::array<T, Count>& list) {
+  template <class T, std::size_t Count> void fill(std::array<T, Count>& list) {
     for (T& entry : list) fill(entry);
   }
 
@@ -68,13 +65,11 @@ struct Change {
 /// Changes every field of a fact and everything in it, one at a time and in place, calls `visit`
 /// with each Change, and reverts it. Empties optionals; shortens lists, and changes only their last
 /// entry.
-template <class Visit>
-class Changer {
+template <class Visit> class Changer {
  public:
   explicit Changer(Visit visit) : visit_(std::move(visit)) {}
 
-  template <Listed T>
-  void each(T& fact) {
+  template <Listed T> void each(T& fact) {
     const Change around = change_;
     each_field<T>([&]<class Value>(const Field<T, Value>& field) {
       change_ = {field.key, "", field.match == Match::Names};
@@ -103,21 +98,18 @@ class Changer {
     with(value, T());
     each(*value);
   }
-  template <class T>
-  void each(std::vector<T>& list) {
+  template <class T> void each(std::vector<T>& list) {
     change_.is_shorter = true;
     with(list, std::vector<T>(list.begin(), list.end() - 1));
     change_.is_shorter = false;
     each(list.back());
   }
-  template <class T, std::size_t Count>
-  void each(std::array<T, Count>& list) {
+  template <class T, std::size_t Count> void each(std::array<T, Count>& list) {
     for (T& entry : list) each(entry);
   }
 
  private:
-  template <class T>
-  void with(T& value, T other) {
+  template <class T> void with(T& value, T other) {
     std::swap(value, other);
     visit_(change_);
     std::swap(value, other);

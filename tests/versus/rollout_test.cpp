@@ -75,9 +75,7 @@ EngineRun moved(const trace::Trace& request, Path path, bool has_velocities = fa
   return engine_run;
 }
 
-Pose<double> at_height(double height) {
-  return {Quatd::Identity(), {0, height, 0}};
-}
+Pose<double> at_height(double height) { return {Quatd::Identity(), {0, height, 0}}; }
 
 /// Semi-implicit Euler loses m g^2 dt^2 / 2 of energy a step: y = y0 - g dt^2 k (k + 1) / 2.
 TEST(Rollout, AFreeFallGainsNoEnergy) {

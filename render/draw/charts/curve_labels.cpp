@@ -23,9 +23,7 @@ constexpr float kWidest = 150;   // of a row of a name
 constexpr float kAtBorder = 12;  // a line that ends this near to the border ends there
 constexpr float kOverhang = 12;  // of names, below the chart's lower border
 
-Weight weight_of(const NamedLine& line) {
-  return line.quiet ? Weight::Regular : Weight::Bold;
-}
+Weight weight_of(const NamedLine& line) { return line.quiet ? Weight::Regular : Weight::Bold; }
 
 /// Splits a name into words; a number and its unit stay together.
 std::vector<std::string> words_of(const std::string& name) {

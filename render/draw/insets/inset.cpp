@@ -17,9 +17,7 @@ constexpr double kInsetNote = 15;
 constexpr double kInsetHeadingRow = 26;
 constexpr double kInsetPadding = 10;
 
-bool is_inset(Panel panel) {
-  return panel == Panel::Minkowski || panel == Panel::GaussMap;
-}
+bool is_inset(Panel panel) { return panel == Panel::Minkowski || panel == Panel::GaussMap; }
 
 /// Orthographic camera, with the scale of `camera` if all points fit. A gap between the shapes then
 /// has the same length as the distance from the origin to the difference.

@@ -68,9 +68,7 @@ void draw_clip_face(const Scene& scene, const trace::Pair& pair, Sketch& sketch)
                  kReference ? "reference face" : "incident face", near_corner(polygon));
 }
 
-double rise_of(const trace::Polygon& face) {
-  return 0.5 * kPlaneHeight * reach_of(face);
-}
+double rise_of(const trace::Polygon& face) { return 0.5 * kPlaneHeight * reach_of(face); }
 
 Vec3d top_of_side_plane(const trace::Clip& clip, std::size_t step) {
   const trace::Polygon& face = clip.reference.polygon;

@@ -57,9 +57,7 @@ void draw_break(const Scene& scene, const Vec3d& at, const Vec3d& along, const C
   }
 }
 
-bool shows_loads(const Scene& scene) {
-  return scene.shows(Layer::Loads) && scene.scales.step > 0;
-}
+bool shows_loads(const Scene& scene) { return scene.shows(Layer::Loads) && scene.scales.step > 0; }
 
 std::string spell_scale(const Scene& scene, double metres) {
   return shows_loads(scene) ? spell_impulse_scale(metres * scene.scales.step, "N")

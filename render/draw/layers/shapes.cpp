@@ -31,9 +31,7 @@ void draw_core(const PlacedShape& shape, Sketch& sketch) {
 }
 
 // With more shapes than this, hidden edges would only be noise.
-bool is_full(const Scene& scene) {
-  return scene.shapes.size() > 100 || scene.scales.heap;
-}
+bool is_full(const Scene& scene) { return scene.shapes.size() > 100 || scene.scales.heap; }
 
 // Shapes around those in focus, which they would hide.
 constexpr LineStyle kContextOutline{1.0f, with_alpha(kShapeEdge, 0.3f)};

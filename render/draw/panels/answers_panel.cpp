@@ -19,9 +19,7 @@ constexpr double kMinBetween = 8;      // pixels at 720 lines, between two rows
 constexpr double kMaxBetween = 16;
 constexpr double kLargestAnswers = 1.25;  // factor of all sizes if there is room
 
-bool has_query(const trace::Pair& pair) {
-  return pair.query.has_value();
-}
+bool has_query(const trace::Pair& pair) { return pair.query.has_value(); }
 
 bool is_measure(const trace::Query& query) {
   return query.requested == "distance" || query.requested == "penetration";

@@ -15,9 +15,7 @@ constexpr double kMinApproach = 130, kGoodApproach = 220;  // pixels at 720 line
 constexpr double kTogether = 22;  // pixels: distance at which the numbers of dots would overlap
 constexpr double kApproachGutter = 52, kApproachAbove = 18, kApproachBelow = 36, kApproachDot = 3.5;
 
-bool is_query_of_time(const trace::Pair& pair) {
-  return pair.impact.has_value();
-}
+bool is_query_of_time(const trace::Pair& pair) { return pair.impact.has_value(); }
 
 /// Distance of two shapes over a step. From each measured point a straight lower bound leads to the
 /// time before which they cannot meet: the next point.

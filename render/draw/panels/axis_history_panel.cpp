@@ -26,9 +26,7 @@ constexpr float kMinHistory = kAroundHistory + kMinRow * static_cast<float>(kAxi
 constexpr double kNameColumn = 78;    // pixels at 720 lines
 constexpr double kHeadlineSize = 30;  // pixels at 720 lines
 
-bool from_cache(const trace::Pair& pair) {
-  return pair.cache && pair.cache->hit;
-}
+bool from_cache(const trace::Pair& pair) { return pair.cache && pair.cache->hit; }
 
 /// Counts up to a frame.
 struct AxisCounts {

@@ -19,9 +19,7 @@ constexpr float kBelowPair = 8;
 constexpr float kHeadRow = 4;
 constexpr double kLargestIntervals = 1.25;  // factor of all sizes if there is room
 
-bool has_axes(const trace::Pair& pair) {
-  return pair.query && !pair.query->axes.empty();
-}
+bool has_axes(const trace::Pair& pair) { return pair.query && !pair.query->axes.empty(); }
 
 class AxisIntervalsPanel : public PanelContent {
  public:

@@ -15,18 +15,12 @@ constexpr float kLineSpacing = 4;
 constexpr float kUnderRule = 4;
 constexpr double kValueColumn = 84;
 
-float whole_size(float size, float scale) {
-  return std::round(size * scale);
-}
+float whole_size(float size, float scale) { return std::round(size * scale); }
 
-float spacing_at(float scale) {
-  return std::floor(kLineSpacing * scale);
-}
+float spacing_at(float scale) { return std::floor(kLineSpacing * scale); }
 
 /// Offset of the value from the left end of a row.
-float value_column(float scale) {
-  return std::floor(scale * static_cast<float>(kValueColumn));
-}
+float value_column(float scale) { return std::floor(scale * static_cast<float>(kValueColumn)); }
 
 /// Baseline of text whose top is at `top`, rounded so that letters start on whole pixels.
 float baseline_below(float top, float size, Weight weight) {
@@ -61,9 +55,7 @@ Sheet::Sheet(const Rect& rect, float scale, Drawing& drawing)
       spacing_(spacing_at(scale)),
       y_(static_cast<float>(rect.y)) {}
 
-void Sheet::skip(float pixels) {
-  y_ = std::floor(y_ + pixels + spacing_);
-}
+void Sheet::skip(float pixels) { y_ = std::floor(y_ + pixels + spacing_); }
 
 void Sheet::heading(const std::string& text) {
   const float scale = pen_.scale(), size = whole_size(kHeadingSize, scale);
@@ -120,13 +112,9 @@ std::string Sheet::more(std::size_t count, const char* one, const char* many) {
   return counted(count, one, many);
 }
 
-Rect Sheet::rest() const {
-  return {rect_.x, y_, rect_.width, rect_.bottom() - y_};
-}
+Rect Sheet::rest() const { return {rect_.x, y_, rect_.width, rect_.bottom() - y_}; }
 
-float Sheet::line_height(float scale) {
-  return whole_size(kTextSize, scale) + spacing_at(scale);
-}
+float Sheet::line_height(float scale) { return whole_size(kTextSize, scale) + spacing_at(scale); }
 
 std::size_t Sheet::row_lines(const std::string& value, float width, float scale,
                              const Words* words) {

@@ -6,9 +6,7 @@
 
 namespace contactscope::draw {
 
-inline Eigen::AlignedBox3d solid_box(const trace::Box& box) {
-  return {box.lower, box.upper};
-}
+inline Eigen::AlignedBox3d solid_box(const trace::Box& box) { return {box.lower, box.upper}; }
 
 /// Faces of a box: along each axis the lower one, then the upper one.
 inline std::vector<std::vector<Vec3d>> sides_of(const Eigen::AlignedBox3d& box) {

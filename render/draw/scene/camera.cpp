@@ -68,9 +68,7 @@ Vec3d key_light(const Camera& camera) {
       .normalized();
 }
 
-Vec3d Camera::to_camera(const Vec3d& point) const {
-  return axes_.transpose() * (point - eye_);
-}
+Vec3d Camera::to_camera(const Vec3d& point) const { return axes_.transpose() * (point - eye_); }
 
 Point2 Camera::to_pixels(const Vec3d& p) const {
   const double scale = perspective_ ? scale_ / p.z() : scale_;

@@ -10,12 +10,8 @@
 
 namespace contactscope::draw {
 
-inline Vec2d flat(const Point2& p) {
-  return {p.x, p.y};
-}
-inline Point2 pixel(const Vec2d& p) {
-  return pixel(p.x(), p.y());
-}
+inline Vec2d flat(const Point2& p) { return {p.x, p.y}; }
+inline Point2 pixel(const Vec2d& p) { return pixel(p.x(), p.y()); }
 
 /// Camera at `eye` that looks at `target`, both in metres. Maps world space to the pixels of
 /// `viewport`. Perspective with a vertical field of view, or orthographic with a height in metres.

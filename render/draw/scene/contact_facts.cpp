@@ -14,9 +14,7 @@ constexpr std::size_t kManyPairs = 12;  // fewer, as with a mesh, are not a heap
 
 using PairKey = std::tuple<std::string_view, std::string_view, std::string_view>;
 
-PairKey key_of(const trace::Pair& pair) {
-  return {pair.a, pair.b, pair.label};
-}
+PairKey key_of(const trace::Pair& pair) { return {pair.a, pair.b, pair.label}; }
 
 /// Radius of the smaller body, metres; infinite if both are unknown.
 double smaller_radius(const trace::Pair& pair, const ShapeMeshes& meshes) {

@@ -25,9 +25,7 @@ struct Item {
   bool parts = false;
 };
 
-bool is_small(const Item* item) {
-  return item->surface.body == kSmallSurface;
-}
+bool is_small(const Item* item) { return item->surface.body == kSmallSurface; }
 
 /// Items are large, so lists hold pointers to them.
 using Items = std::vector<Item*>;

@@ -10,12 +10,8 @@ void move_by(const Point2& offset, Stroke& stroke) {
   stroke.from = stroke.from + offset;
   stroke.to = stroke.to + offset;
 }
-void move_by(const Point2& offset, Disc& disc) {
-  disc.center = disc.center + offset;
-}
-void move_by(const Point2& offset, Text& text) {
-  text.at = text.at + offset;
-}
+void move_by(const Point2& offset, Disc& disc) { disc.center = disc.center + offset; }
+void move_by(const Point2& offset, Text& text) { text.at = text.at + offset; }
 
 }  // namespace
 

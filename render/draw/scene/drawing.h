@@ -43,9 +43,7 @@ struct Point2 {
 };
 
 /// Converts from double.
-inline Point2 pixel(double x, double y) {
-  return {static_cast<float>(x), static_cast<float>(y)};
-}
+inline Point2 pixel(double x, double y) { return {static_cast<float>(x), static_cast<float>(y)}; }
 
 struct Segment2 {
   Point2 from, to;

@@ -38,9 +38,7 @@ Vec3d median_of(const std::vector<Spot>& spots) {
   return middle;
 }
 
-bool is_body(const ShapeMesh& mesh) {
-  return mesh.radius > 0 && std::isfinite(mesh.radius);
-}
+bool is_body(const ShapeMesh& mesh) { return mesh.radius > 0 && std::isfinite(mesh.radius); }
 
 }  // namespace
 

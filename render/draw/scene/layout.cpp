@@ -66,9 +66,7 @@ float interface_scale(int width, int height, const FigureStyle& style) {
   return requested * std::max(kMinScale, static_cast<float>(fit));
 }
 
-double type_of_em(double em_pixels) {
-  return em_pixels * line_of_em(FontWeight::Regular);
-}
+double type_of_em(double em_pixels) { return em_pixels * line_of_em(FontWeight::Regular); }
 
 std::string fitted(const std::string& text, float size, FontWeight weight, float available) {
   if (text_width(text, size, weight) <= available) return text;

@@ -35,9 +35,7 @@ std::string spell_state(PairState state) {
   return "overlap, contact skipped";
 }
 
-const char* gap_or_overlap(double separation) {
-  return separation > 0 ? "gap" : "overlap";
-}
+const char* gap_or_overlap(double separation) { return separation > 0 ? "gap" : "overlap"; }
 
 std::string spell_separation(double separation, double noise, const LengthUnit& unit) {
   return std::string(gap_or_overlap(separation)) + " " +

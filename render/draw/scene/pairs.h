@@ -59,9 +59,7 @@ bool has_whisker(const Scene& scene, const trace::Pair& pair, const PairPoint& a
 inline constexpr std::size_t kFewManifolds = 2;
 
 /// Whether two unit vectors are within 30 degrees of each other.
-inline bool is_like(const Vec3d& normal, const Vec3d& other) {
-  return normal.dot(other) > 0.866;
-}
+inline bool is_like(const Vec3d& normal, const Vec3d& other) { return normal.dot(other) > 0.866; }
 
 /// The most common normal, over pairs with many manifolds. Pictures highlight the manifolds that
 /// differ from it. Nothing if all agree, or if no normal is shared by more than half of them.

@@ -138,9 +138,7 @@ void Pen::fill(std::vector<Point2> polygon, const Color& color) const {
   out_.primitives.push_back(Fill{std::move(polygon), color});
 }
 
-void Pen::fill(const Rect& rect, const Color& color) const {
-  fill(corners_of(rect), color);
-}
+void Pen::fill(const Rect& rect, const Color& color) const { fill(corners_of(rect), color); }
 
 void Pen::disc(const Point2& center, double radius, const Color& color) const {
   ring(center, 0, radius, color);

@@ -18,9 +18,7 @@ inline Eigen::AlignedBox3d box_around(std::span<const Vec3d> points) {
 }
 
 /// Centre of the bounding box; needs at least one point.
-inline Vec3d center_of(std::span<const Vec3d> points) {
-  return box_around(points).center();
-}
+inline Vec3d center_of(std::span<const Vec3d> points) { return box_around(points).center(); }
 
 /// Mean of the points; at least one.
 inline Vec3d mean_of(std::span<const Vec3d> points) {

@@ -107,9 +107,7 @@ std::string spell_share(double share) {
   return with_minus_sign(printed("%.*f %%", std::clamp(2 - whole, 0, 2), percent));
 }
 
-std::string spell_factor(double factor) {
-  return factor == 1 ? "" : " × " + spell_number(factor);
-}
+std::string spell_factor(double factor) { return factor == 1 ? "" : " × " + spell_number(factor); }
 
 std::string spell_margin(double metres) {
   if (metres < 1e-4 || metres >= 1) return spell_length(metres);

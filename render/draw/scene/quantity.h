@@ -9,8 +9,7 @@
 namespace contactscope::draw {
 
 /// Formats like std::printf; at most 95 characters.
-template <class... Values>
-std::string printed(const char* format, Values... values) {
+template <class... Values> std::string printed(const char* format, Values... values) {
   std::array<char, 96> text{};
   std::snprintf(text.data(), text.size(), format, values...);
   return text.data();

@@ -123,8 +123,6 @@ class Rounding {
 
 }  // namespace
 
-trace::Shape rounded(const trace::Shape& shape) {
-  return Rounding(shape).made();
-}
+trace::Shape rounded(const trace::Shape& shape) { return Rounding(shape).made(); }
 
 }  // namespace contactscope::draw

@@ -133,9 +133,7 @@ const trace::Body* Scene::body(std::string_view name) const {
   return found == bodies().end() ? nullptr : &*found;
 }
 
-double Scene::noise(const trace::Pair& pair) const {
-  return noise_of(header, meshes, frame, pair);
-}
+double Scene::noise(const trace::Pair& pair) const { return noise_of(header, meshes, frame, pair); }
 
 double noise_of(const trace::Header& header, const ShapeMeshes& meshes, const trace::Frame& frame,
                 const trace::Pair& pair) {

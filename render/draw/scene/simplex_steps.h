@@ -31,8 +31,6 @@ std::optional<SimplexStep> simplex_step(const View& view, const trace::Frame& fr
 Vec3d nearest_to_origin(const std::vector<Vec3d>& points);
 
 /// Point of the Minkowski difference.
-inline Vec3d difference(const trace::SimplexVertex& vertex) {
-  return vertex.b - vertex.a;
-}
+inline Vec3d difference(const trace::SimplexVertex& vertex) { return vertex.b - vertex.a; }
 
 }  // namespace contactscope::draw

@@ -64,9 +64,7 @@ double luminance(const Color& color) {
   return 0.2126 * linear(color.r) + 0.7152 * linear(color.g) + 0.0722 * linear(color.b);
 }
 
-bool is_white(const Color& color) {
-  return color.r >= 1 && color.g >= 1 && color.b >= 1;
-}
+bool is_white(const Color& color) { return color.r >= 1 && color.g >= 1 && color.b >= 1; }
 
 double least_contrast(ColorUse use) {
   return use == ColorUse::Text ? kTextContrast : kLineContrast;
@@ -168,9 +166,7 @@ void widen(Primitive& primitive, float factor) {
 
 }  // namespace
 
-Color ground_of(Theme theme) {
-  return theme == Theme::Dark ? rgb(0x14171A) : kWhite;
-}
+Color ground_of(Theme theme) { return theme == Theme::Dark ? rgb(0x14171A) : kWhite; }
 
 double contrast(const Color& a, const Color& b) {
   const auto [low, high] = std::minmax({luminance(a), luminance(b)});

@@ -105,8 +105,7 @@ class HiddenLines {
   // Ends the current shadow and returns its index.
   int end_shadow();
   // Visits the view's cells in the bounding box of points.
-  template <class Visit>
-  void each_cell(std::span<const Point2> points, const Visit& visit) const;
+  template <class Visit> void each_cell(std::span<const Point2> points, const Visit& visit) const;
 
   Camera camera_;
   std::vector<Plane<double>> bounds_;    // of all shadows, concatenated

@@ -123,9 +123,7 @@ using Shares = std::map<std::pair<std::string, std::string>, double>;
 Shares::key_type key_of(const std::string& file, const std::string& cause) {
   return {std::filesystem::path(file).filename().string(), cause};
 }
-double share(int count, int of) {
-  return of > 0 ? static_cast<double>(count) / of : count;
-}
+double share(int count, int of) { return of > 0 ? static_cast<double>(count) / of : count; }
 
 /// The findings of a file that --json or --write-known has written. Throws InputError.
 Shares known_findings(const std::string& path) {

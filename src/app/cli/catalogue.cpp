@@ -172,9 +172,7 @@ void override_views(std::vector<View>& views, const Options& options) {
 
 }  // namespace
 
-void require_reducer(const std::string& name) {
-  word_in("--reducer", name, names_in(reducers()));
-}
+void require_reducer(const std::string& name) { word_in("--reducer", name, names_in(reducers())); }
 
 std::string installed_scenarios() {
   std::error_code unknown;

@@ -58,8 +58,7 @@ void require_reducer(const std::string& name);
 std::vector<View> selected_views(const Scenario& scenario, const Options& options);
 
 /// Names of a list for error messages: "a, b, c".
-template <class List>
-std::string names_of(const List& list) {
+template <class List> std::string names_of(const List& list) {
   std::string names;
   for (const auto& one : list) names += (names.empty() ? "" : ", ") + one.name;
   return names;

@@ -18,29 +18,21 @@ using Kind = OptionValues::Kind;
 const OptionValues kAny{}, kScenario{Kind::Scenario}, kFile{Kind::File}, kFolder{Kind::Folder};
 constexpr bool kUnrecorded = false;
 
-template <class Names>
-OptionValues named(Kind kind, const Names& names) {
+template <class Names> OptionValues named(Kind kind, const Names& names) {
   return {kind, mapped(names, [](const auto& name) { return std::string(name); })};
 }
 
-template <class Names>
-OptionValues list_or_none(const Names& names) {
+template <class Names> OptionValues list_or_none(const Names& names) {
   OptionValues values = named(Kind::List, names);
   values.words.insert(values.words.begin(), "none");
   return values;
 }
 
-OptionValues only(const std::vector<std::string>& names) {
-  return {Kind::Words, names, true};
-}
+OptionValues only(const std::vector<std::string>& names) { return {Kind::Words, names, true}; }
 
-OptionValues implied(const std::string& value) {
-  return {.implied = value};
-}
+OptionValues implied(const std::string& value) { return {.implied = value}; }
 
-OptionValues between(double min, double max) {
-  return {.min = min, .max = max};
-}
+OptionValues between(double min, double max) { return {.min = min, .max = max}; }
 
 std::string help_of_formats() {
   std::string help = "Formats, as png,apng:";

@@ -34,9 +34,7 @@ struct Size {
 
 /// Default size of a picture that compares `methods` reducers or other methods: taller for more
 /// than nine, to keep them legible.
-inline Size roomy_size(std::size_t methods) {
-  return methods > 9 ? Size{1280, 1440} : Size{};
-}
+inline Size roomy_size(std::size_t methods) { return methods > 9 ? Size{1280, 1440} : Size{}; }
 
 /// Invalid command line; what() has the problem and the remedy. Exit status 2.
 class UsageError : public std::runtime_error {

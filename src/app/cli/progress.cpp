@@ -13,9 +13,7 @@ namespace {
 
 volatile std::sig_atomic_t requested = 0;
 
-void note(int signal) {
-  requested = signal;
-}
+void note(int signal) { requested = signal; }
 
 }  // namespace
 
@@ -30,9 +28,7 @@ void stop_if_interrupted() {
 Progress::Progress(int total, bool quiet)
     : total_(total), shown_(!quiet && total > 1 && isatty(STDERR_FILENO) == 1) {}
 
-Progress::~Progress() {
-  clear();
-}
+Progress::~Progress() { clear(); }
 
 void Progress::clear() const {
   if (shown_) std::fputs("\r\033[K", stderr);
@@ -59,9 +55,7 @@ void RunLog::left_out(const std::string& what) {
   if (std::ranges::find(left_out_, what) == left_out_.end()) left_out_.push_back(what);
 }
 
-void RunLog::note(const std::string& text) {
-  notes_.push_back(text);
-}
+void RunLog::note(const std::string& text) { notes_.push_back(text); }
 
 void RunLog::print(std::ostream& out, const std::string& heading) const {
   out << heading << '\n';

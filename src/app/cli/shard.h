@@ -31,8 +31,7 @@ std::vector<std::string> keep_shard(std::vector<Input>& inputs, const Options& o
 
 /// Throws UsageError if a shard of a run is missing or there twice. `parts`: sorted, each with its
 /// `shard` and where it is `from`.
-template <class Part>
-void require_every_shard(const std::vector<Part>& parts) {
+template <class Part> void require_every_shard(const std::vector<Part>& parts) {
   const int shards = parts.front().shard.of;
   const auto name = [&](int part) {
     return "shard " + std::to_string(part) + " of " + std::to_string(shards);

@@ -23,8 +23,7 @@ constexpr Range kWide[] = {{0x1100, 0x115f}, {0x2e80, 0xa4cf},   {0xac00, 0xd7a3
 constexpr Range kNone[] = {{0x0300, 0x036f}, {0x0483, 0x0489}, {0x0591, 0x05bd}, {0x064b, 0x065f},
                            {0x200b, 0x200f}, {0x20d0, 0x20ff}, {0xfe00, 0xfe0f}, {0xfe20, 0xfe2f}};
 
-template <std::size_t Count>
-bool is_in(const Range (&ranges)[Count], char32_t character) {
+template <std::size_t Count> bool is_in(const Range (&ranges)[Count], char32_t character) {
   return std::ranges::any_of(ranges, [&](const Range& range) {
     return character >= range.first && character <= range.last;
   });

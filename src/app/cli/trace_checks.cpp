@@ -33,8 +33,7 @@ void require(bool is_right, const std::string& otherwise) {
   if (!is_right) throw Wrong{otherwise};
 }
 /// For frequent checks: builds the message only on failure.
-template <std::invocable Words>
-void require(bool is_right, const Words& otherwise) {
+template <std::invocable Words> void require(bool is_right, const Words& otherwise) {
   if (!is_right) throw Wrong{otherwise()};
 }
 

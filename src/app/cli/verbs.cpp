@@ -83,16 +83,14 @@ std::string option_name(const std::string& argument) {
 }
 
 /// Reads all of a text as a number.
-template <class Number>
-std::optional<Number> number_in(const std::string& text) {
+template <class Number> std::optional<Number> number_in(const std::string& text) {
   Number number{};
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   return error == std::errc() && end == text.data() + text.size() ? std::optional(number)
                                                                   : std::nullopt;
 }
 
-template <class Number>
-void check_number(const Option& option, const std::string& text) {
+template <class Number> void check_number(const Option& option, const std::string& text) {
   const std::optional<Number> number = number_in<Number>(text);
   const auto [low, high] = std::pair(option.values.min, option.values.max);
   std::ostringstream limits;

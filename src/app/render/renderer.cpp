@@ -29,8 +29,7 @@ struct TimedDrawing {
   std::chrono::nanoseconds time;
 };
 
-template <class Draw>
-TimedDrawing timed_drawing(const Draw& draw) {
+template <class Draw> TimedDrawing timed_drawing(const Draw& draw) {
   const auto begin = std::chrono::steady_clock::now();
   draw::Drawing drawing = draw();
   return {std::move(drawing), std::chrono::steady_clock::now() - begin};
@@ -76,9 +75,7 @@ gl::Context& Renderer::context() {
   return *context_;
 }
 
-std::string Renderer::driver() {
-  return context().route() + ", " + context().driver();
-}
+std::string Renderer::driver() { return context().route() + ", " + context().driver(); }
 
 gl::Rasterizer& Renderer::canvas(int width, int height) {
   gl::Context& open = context();

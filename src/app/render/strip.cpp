@@ -21,9 +21,7 @@ int page_width(int columns) {
 }
 
 /// Only scenes: a contact plane has its own captions and no cells.
-bool has_cells(const View& view) {
-  return view.kind == ViewKind::Scene;
-}
+bool has_cells(const View& view) { return view.kind == ViewKind::Scene; }
 
 /// Size and style of a page of cells; height 0: as needed.
 FigureCanvas page_canvas(const trace::Header& header, const std::vector<trace::Frame>& frames,

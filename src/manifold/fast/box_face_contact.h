@@ -25,8 +25,7 @@ namespace contactscope::boxes {
 inline constexpr int kMaxPoints = 8;
 
 /// In A's frame.
-template <class S>
-struct BoxContact {
+template <class S> struct BoxContact {
   AxisKind axis;
   ContactType type;
   int count = 0;
@@ -80,10 +79,8 @@ template <class S>
 }
 
 /// ToWorld for packs, with the same bits.
-template <class S>
-class PacksToWorld;
-template <>
-class PacksToWorld<float> {
+template <class S> class PacksToWorld;
+template <> class PacksToWorld<float> {
  public:
   [[gnu::always_inline]] explicit PacksToWorld(const Pose<float>& a)
       : columns_(lanes::rotation_columns(a.rotation)), position_(three(a.position)) {}
@@ -100,8 +97,7 @@ class PacksToWorld<float> {
   Three<float> position_;
 };
 /// In double Eigen's matrix products may add by rows or by columns, so this calls Eigen.
-template <>
-class PacksToWorld<double> {
+template <> class PacksToWorld<double> {
  public:
   explicit PacksToWorld(const Pose<double>& a) : to_world_(a) {}
   Three<double> direction(const Three<double>& v) const {
@@ -145,8 +141,7 @@ template <class S>
 }
 
 /// The vertex of a box that is deepest below a plane.
-template <class S>
-struct Support {
+template <class S> struct Support {
   int vertex;     // the earliest among equals
   S least;        // its distance, metres
   bool is_alone;  // the others are farther by more than the slack
@@ -162,16 +157,14 @@ template <class S>
   return {std::countr_zero(below(least) | 0x100U), least[0], (near & (near - 1)) == 0};
 }
 
-template <class S>
-struct FacePair {
+template <class S> struct FacePair {
   Plane<S> plane;         // of the reference face, A's frame
   int incident;           // face of the other box
   Support<S> separation;  // of the other box from the plane
 };
 
 /// The eight sums of x, y and z with signs, in the order of a box's vertices, in two packs.
-template <class S>
-struct EightSums {
+template <class S> struct EightSums {
   [[gnu::always_inline]] EightSums(S x, S y, S z) {
     const Three<S> low = Three<S>{-x, x, -x, x} + Three<S>{-y, -y, y, y};
     of[0] = low - z;
@@ -195,8 +188,7 @@ template <class S>
 }
 
 /// Constants of a face's side planes for any box: a lane per side, in the order of the ring.
-template <class S>
-struct FaceSides {
+template <class S> struct FaceSides {
   std::array<S, 4> x{}, y{}, z{};  // of the normals, in the box's own frame
   int axes[2] = {};                // axes of edges 0 and 1 of the ring; 2 and 3 run back along them
   std::array<S, 4> up{};           // edge direction along its axis: 1 or -1

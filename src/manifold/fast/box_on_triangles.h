@@ -12,8 +12,7 @@ namespace contactscope {
 /// bit, in a third of the time. The triangle stays three corners in registers; no hull is built.
 ///
 /// Where rounding would decide between axes, the caller must use collide_hull_hull() instead.
-template <class S>
-class BoxOnTriangles {
+template <class S> class BoxOnTriangles {
  public:
   /// All arguments must outlive this. `box` must be a box (Hull::is_box).
   BoxOnTriangles(const Hull<S>& box, const Mesh<S>& mesh, const Pose<S>& mesh_in_box,

@@ -36,8 +36,7 @@ template <class S>
 /// Metres: separation along a face of the box that does not own the kept face, or less by the
 /// rounding of either sum, so that a hit here is one of the general path. Neither this nor
 /// along_edges() is inlined, which would slow down the rest.
-template <class S>
-[[gnu::noinline]] S along_face(const BoxPair<S>& pair, Owner kept, int face) {
+template <class S> [[gnu::noinline]] S along_face(const BoxPair<S>& pair, Owner kept, int face) {
   const int axis = face / 2;
   const S sign = face % 2 == 0 ? S(1) : S(-1);
   const Three<S> half_a = boxes::three(pair.a.half_extents);

@@ -21,8 +21,7 @@ namespace contactscope {
 /// That test measures along faces and edges alone. For corners separated by a margin it may find
 /// only half the margin. So other axes are used only without a margin, and must be clearer, because
 /// the test finds only a small part of the separation of sharp corners.
-template <class S>
-class ClearOfTriangle {
+template <class S> class ClearOfTriangle {
  public:
   /// `reach`, metres: no coordinate of the hull in either frame is larger.
   ClearOfTriangle(const Hull<S>& hull, const Mesh<S>& mesh, const Pose<S>& mesh_in_hull, S margin,

@@ -25,8 +25,7 @@ namespace contactscope::boxes {
 
 /// Two rectangles. A triangle lacks the fourth corner, or has a fourth side that excludes nothing.
 /// Three packs have a lane per coordinate; `side` has one per side plane.
-template <class S>
-struct RectanglePair {
+template <class S> struct RectanglePair {
   Three<S> corners[4];  // of the incident face, in the order of its ring, A's frame, metres
   Three<S> side_x, side_y, side_z, side_offset;  // unit normals, outward
   S thickness;                                   // metres, see clip()
@@ -34,8 +33,7 @@ struct RectanglePair {
 
 /// The result. Corner i is positions[place(i)]. Its two edges in `crossings` are those of the
 /// incident face (below 4) or sides (4 + side), both in the order of their rings.
-template <class S>
-struct ClippedRectangle {
+template <class S> struct ClippedRectangle {
   static constexpr int kPlaces = 4 + 2 * 4;  // a side makes two corners at most
 
   int place(int i) const { return static_cast<int>(list >> (8 * i) & 15U); }

@@ -26,15 +26,13 @@ using boxes::Turn;
 using boxes::TurnMatrix;
 
 /// A capsule's axis between its ends, in A's frame.
-template <class S>
-struct Axis {
+template <class S> struct Axis {
   Three<S> ends[2];
   Three<S> along = ends[1] - ends[0];
 };
 
 /// Products of the axes and of the offset between their first ends, square metres.
-template <class S>
-struct Products {
+template <class S> struct Products {
   [[gnu::always_inline]] Products(const Axis<S>& a, const Axis<S>& b) {
     const Three<S> offset = a.ends[0] - b.ends[0];
     const Three<S> a_offset = a.along * offset, b_offset = b.along * offset;
@@ -65,8 +63,7 @@ struct Nearest {
 ///
 /// closest_of_segments() takes the least of measured distances. It certainly finds the same minimum
 /// if the slopes exceed rounding and no corner is within rounding of the foot.
-template <class S>
-[[gnu::always_inline]] inline Nearest nearest(const Products<S>& products) {
+template <class S> [[gnu::always_inline]] inline Nearest nearest(const Products<S>& products) {
   constexpr S kUnsure = S(2048) * std::numeric_limits<S>::epsilon();
   const Three<S>& squares = products.squares;
   const Three<S> aa = spread<0>(squares), bb = spread<1>(squares), ab = spread<2>(squares);

@@ -13,9 +13,7 @@
 namespace contactscope::package {
 
 /// Printers for GoogleTest.
-inline void PrintTo(const Manifold& manifold, std::ostream* out) {
-  *out << to_string(manifold);
-}
+inline void PrintTo(const Manifold& manifold, std::ostream* out) { *out << to_string(manifold); }
 inline void PrintTo(const Contacts& contacts, std::ostream* out) {
   *out << to_string(contacts.status) << ", " << contacts.manifolds.size() << " manifolds";
   for (const Manifold& manifold : contacts.manifolds) *out << "; " << to_string(manifold);

@@ -26,16 +26,14 @@ template <class S, int kFirst, class T>
   return pack;
 }
 
-template <class S>
-[[gnu::always_inline]] inline Three<S> absolute(const Three<S>& v) {
+template <class S> [[gnu::always_inline]] inline Three<S> absolute(const Three<S>& v) {
   using Bits = decltype(v < v);
   constexpr auto kAllButSign = std::numeric_limits<std::remove_cvref_t<decltype(Bits{}[0])>>::max();
   return (Three<S>)((Bits)v & kAllButSign);  // NOLINT: GCC reinterprets the bits
 }
 
 /// True if the first three lanes are true; `holds` is a comparison of two Three.
-template <class S, class Flags>
-[[gnu::always_inline]] inline bool all(const Flags& holds) {
+template <class S, class Flags> [[gnu::always_inline]] inline bool all(const Flags& holds) {
   if constexpr (sizeof(S) == 4) {
     return (lanes::bits<S>(holds) & 7U) == 7U;
   } else {
@@ -45,16 +43,14 @@ template <class S, class Flags>
 
 /// Projections on three axes of any length: distance of the centres, and extent of each box to
 /// either side of its centre.
-template <class S>
-struct Projections {
+template <class S> struct Projections {
   Three<S> distance, reach_a, reach_b;
 
   /// Gap between the boxes times the length of the axis; negative in overlap.
   [[gnu::always_inline]] Three<S> gap() const { return distance - (reach_a + reach_b); }
 };
 
-template <class S>
-class BoxAxes {
+template <class S> class BoxAxes {
  public:
   [[gnu::always_inline]] BoxAxes(const Obb<S>& a, const Obb<S>& b) {
     const Columns<S> axes_a{{four_of<S, 3>(a), four_of<S, 6>(a), four_of<S, 9>(a)}};
@@ -80,8 +76,7 @@ class BoxAxes {
     return {absolute<S>(rows.times(offset_)), sizes.times(half_a_), half_b_};
   }
   /// Projections on the cross products of the three axes of A with axis j of B.
-  template <int kJ>
-  [[gnu::always_inline]] Projections<S> edges() const {
+  template <int kJ> [[gnu::always_inline]] Projections<S> edges() const {
     constexpr int kNext = (kJ + 1) % 3, kAfter = (kJ + 2) % 3;
     const Three<S>& column = rotation_.of[kJ];
     const Three<S>& size = absolute_.of[kJ];
@@ -91,14 +86,12 @@ class BoxAxes {
                 spread<kAfter>(half_b_) * absolute_.of[kNext]};
   }
   /// Squared lengths of the same cross products: squared sines of the angles.
-  template <int kJ>
-  [[gnu::always_inline]] Three<S> squared_lengths() const {
+  template <int kJ> [[gnu::always_inline]] Three<S> squared_lengths() const {
     const Three<S> squares = rotation_.of[kJ] * rotation_.of[kJ];
     return next(squares) + after_next(squares);
   }
   /// Sums of their absolute entries: from the sine to sqrt(2) times the sine.
-  template <int kJ>
-  [[gnu::always_inline]] Three<S> rough_lengths() const {
+  template <int kJ> [[gnu::always_inline]] Three<S> rough_lengths() const {
     return next(absolute_.of[kJ]) + after_next(absolute_.of[kJ]);
   }
 

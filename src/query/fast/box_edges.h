@@ -12,8 +12,7 @@
 /// entries of the other vector.
 namespace contactscope::boxes {
 
-template <class S>
-[[gnu::always_inline]] inline S dot(const Three<S>& a, const Three<S>& b) {
+template <class S> [[gnu::always_inline]] inline S dot(const Three<S>& a, const Three<S>& b) {
   const Three<S> products = a * b;
   return dot_sum<S>(S(products[0]), S(products[1]), S(products[2]));
 }
@@ -67,14 +66,12 @@ template <class S>
 template <class S>
 inline constexpr std::array<std::array<S, 4>, 5> kUnits = {
     {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {1, 0, 0, 0}, {0, 1, 0, 0}}};
-template <class S>
-[[gnu::always_inline]] inline Three<S> unit(int i) {
+template <class S> [[gnu::always_inline]] inline Three<S> unit(int i) {
   return lanes::load_pack<Three<S>>(kUnits<S>[static_cast<std::size_t>(i)].data());
 }
 
 /// Measurement of two crossed edges, A's frame.
-template <class S>
-struct EdgeMeasure {
+template <class S> struct EdgeMeasure {
   Three<S> normal;  // unit, from A to B
   S separation;     // metres
   Three<S> middle;  // midpoint of their closest points

@@ -33,12 +33,10 @@ template <class S, class Flags>
   }
 }
 
-template <class S>
-[[gnu::always_inline]] inline Three<S> three(const Vec3<S>& v, S fourth = S(0)) {
+template <class S> [[gnu::always_inline]] inline Three<S> three(const Vec3<S>& v, S fourth = S(0)) {
   return Three<S>{v.x(), v.y(), v.z(), fourth};
 }
-template <class S>
-[[gnu::always_inline]] inline Three<S> all_of(S value) {
+template <class S> [[gnu::always_inline]] inline Three<S> all_of(S value) {
   return Three<S>{value, value, value, value};
 }
 
@@ -52,8 +50,7 @@ inline constexpr std::array<std::array<S, 4>, 8> kVertexSigns = [] {
   return signs;
 }();
 
-template <class S>
-[[gnu::always_inline]] inline Three<S> square_roots(const Three<S>& of) {
+template <class S> [[gnu::always_inline]] inline Three<S> square_roots(const Three<S>& of) {
   Three<S> roots;
   for (int i = 0; i < 4; ++i) roots[i] = std::sqrt(of[i]);
   return roots;
@@ -66,8 +63,7 @@ template <class S>
          lanes::load_pack<Three<S>>(kVertexSigns<S>[static_cast<std::size_t>(vertex)].data());
 }
 
-template <class S>
-struct BoxPair {
+template <class S> struct BoxPair {
   [[gnu::always_inline]] BoxPair(const Hull<S>& hull_a, const Hull<S>& hull_b,
                                  const Pose<S>& b_in_a)
       : a(hull_a),
@@ -110,8 +106,7 @@ struct BoxPair {
 };
 
 /// The vertices of A in its own frame.
-template <class S>
-class VerticesOfA {
+template <class S> class VerticesOfA {
  public:
   [[gnu::always_inline]] explicit VerticesOfA(const BoxPair<S>& pair)
       : half_(three(pair.a.half_extents)) {}
@@ -124,8 +119,7 @@ class VerticesOfA {
 };
 
 /// The vertices of B in A's frame, summed as in place(): opposite sums differ only in sign.
-template <class S>
-class VerticesOfB {
+template <class S> class VerticesOfB {
  public:
   [[gnu::always_inline]] explicit VerticesOfB(const BoxPair<S>& pair) {
     const auto& [x, y, z] = pair.arms.of;

@@ -27,8 +27,7 @@ enum class Verdict {
   Undecided,
 };
 
-template <class S>
-struct BoxAxis {
+template <class S> struct BoxAxis {
   Verdict verdict = Verdict::Undecided;
   Owner reference = Owner::A;
   FaceQuery<S> face{};    // its support vertex is not set
@@ -39,8 +38,7 @@ struct BoxAxis {
 };
 
 /// Face with the largest separation of one of two boxes.
-template <class S>
-struct BestFace {
+template <class S> struct BestFace {
   bool unique;  // the general path chooses this face, regardless of the order
   int face;
   S separation;
@@ -67,8 +65,7 @@ template <class S>
 }
 
 /// Offset of B's centre from A's origin along each axis of B.
-template <class S>
-[[gnu::always_inline]] inline Three<S> middle_of_b(const BoxPair<S>& pair) {
+template <class S> [[gnu::always_inline]] inline Three<S> middle_of_b(const BoxPair<S>& pair) {
   return (pair.rows.of[0] * spread<0>(pair.offset) + pair.rows.of[1] * spread<1>(pair.offset)) +
          pair.rows.of[2] * spread<2>(pair.offset);
 }
@@ -83,8 +80,7 @@ template <class S>
 }
 
 /// Cross products of the three axes of A with axis j of B: three of the nine.
-template <class S>
-struct Crosses {
+template <class S> struct Crosses {
   Three<S> offset;  // B's centre along the cross product: the sign gives the direction from A to B
   Three<S> sine, over_sine;  // length of the cross product, and 1 over it
   Three<S> lower, upper;     // metres: bounds of the separation along it

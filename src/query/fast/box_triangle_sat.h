@@ -19,8 +19,7 @@
 namespace contactscope::boxes {
 
 /// A triangle in the box's frame. Every number equals that of a HullPair with a TriangleHull.
-template <class S>
-struct TriangleByBox {
+template <class S> struct TriangleByBox {
   /// `box_radius` is the radius of the box's hull.
   [[gnu::always_inline]] TriangleByBox(const Mesh<S>& mesh, int triangle,
                                        const Pose<S>& mesh_in_box, const TurnMatrix<S>& turn,
@@ -61,8 +60,7 @@ struct TriangleByBox {
 };
 
 /// One of two crossing edges, with the interface that closest_points() needs.
-template <class S>
-struct MetEdge {
+template <class S> struct MetEdge {
   [[gnu::always_inline]] Vec3<S> direction(int) const { return along; }
   [[gnu::always_inline]] Vec3<S> origin(int half_edge) const {
     return half_edge == edge ? from : to;
@@ -96,8 +94,7 @@ template <class S>
 }
 
 /// Cross products of the box's axes, one per lane, with one edge of the triangle.
-template <class S>
-struct EdgeAxes {
+template <class S> struct EdgeAxes {
   Three<S> displacement;  // from the edge to the third corner along the cross product
   Three<S> sine;
   Three<S> lower, upper;  // metres: bounds of the separation
@@ -128,8 +125,7 @@ template <class S>
   return axes;
 }
 
-template <class S>
-struct BoxTriangleAxis {
+template <class S> struct BoxTriangleAxis {
   enum Verdict {
     Undecided,
     Separated,  // by more than `margin`

@@ -56,8 +56,7 @@ inline FaceQuery<S> measure_face(const PlacedHull<S>& reference, int face,
 /// find_best() is the cutting-plane method (Kelley 1960): measure the face with the largest bound,
 /// add the vertex that was deepest below it, and repeat until the face's separation is the largest
 /// bound. Two hulls of 32 vertices take two rounds.
-template <class S>
-class FaceBounds {
+template <class S> class FaceBounds {
  public:
   /// Both arguments must outlive this.
   FaceBounds(const PlacedHull<S>& reference, const PlacedHull<S>& other)
@@ -69,8 +68,7 @@ class FaceBounds {
 
   /// Lowers the bounds of all faces by some vertices of the other hull. Must be called before all
   /// other functions.
-  template <int kVertices>
-  void look_at(const int (&vertices)[kVertices]) {
+  template <int kVertices> void look_at(const int (&vertices)[kVertices]) {
     if (looked_at_ == 0)
       lower<kVertices, true>(vertices);
     else
@@ -135,8 +133,7 @@ class FaceBounds {
  private:
   static constexpr int kMaxVertices = 8;
 
-  template <int kVertices, bool kFirst>
-  void lower(const int (&vertices)[kVertices]) {
+  template <int kVertices, bool kFirst> void lower(const int (&vertices)[kVertices]) {
     using lanes::all;
     using lanes::load;
     using lanes::Pack;

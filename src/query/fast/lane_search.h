@@ -25,8 +25,7 @@ struct Hits {
   bool is_single = false;
 };
 
-template <class S, class Test>
-inline Hits hits(const S* values, int count, const Test& test) {
+template <class S, class Test> inline Hits hits(const S* values, int count, const Test& test) {
   Hits result;
   for (int from = 0; from < count; from += 64) {
     const std::uint64_t bits = bits_where(values + from, count - from, test);

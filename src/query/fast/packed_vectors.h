@@ -19,12 +19,10 @@ template <class S>
 }
 
 /// Sum of the three entries, in the order of Eigen's dot().
-template <class S>
-[[gnu::always_inline]] inline S sum_of(const Three<S>& v) {
+template <class S> [[gnu::always_inline]] inline S sum_of(const Three<S>& v) {
   return dot_sum<S>(v[0], v[1], v[2]);
 }
-template <class S>
-[[gnu::always_inline]] inline S largest_of(const Three<S>& v) {
+template <class S> [[gnu::always_inline]] inline S largest_of(const Three<S>& v) {
   return std::max(std::max(v[0], v[1]), v[2]);
 }
 
@@ -40,8 +38,7 @@ template <class S, class F>
 }
 
 /// Four vectors as x, y and z packs.
-template <class S>
-struct Coordinates {
+template <class S> struct Coordinates {
   [[gnu::always_inline]] Coordinates(const Three<S>& one, const Three<S>& two,
                                      const Three<S>& three, const Three<S>& four) {
     const Three<S> low = __builtin_shufflevector(one, two, 0, 4, 1, 5);
@@ -63,8 +60,7 @@ struct Coordinates {
 };
 
 /// A rotation as a quaternion, real part in the last lane.
-template <class S>
-struct Turn {
+template <class S> struct Turn {
   /// Rotates a vector as Eigen does with a quaternion.
   [[gnu::always_inline]] Three<S> of(const Three<S>& v) const {
     const Three<S> half = cross<S>(quaternion, v);
@@ -76,8 +72,7 @@ struct Turn {
 };
 
 /// A rotation matrix whose products equal Eigen's.
-template <class S>
-class TurnMatrix {
+template <class S> class TurnMatrix {
  public:
   [[gnu::always_inline]] explicit TurnMatrix(const Quat<S>& rotation) {
     if constexpr (kInPacks) {

@@ -16,8 +16,7 @@
 namespace contactscope {
 
 /// The largest of `count` values; `count` is a multiple of the lane width.
-template <class S>
-inline S largest_in_lanes(const S* values, int count) {
+template <class S> inline S largest_in_lanes(const S* values, int count) {
   lanes::Pack<S> best = lanes::all(-std::numeric_limits<S>::infinity());
   for (int i = 0; i < count; i += lanes::kWidth<S>) {
     best = lanes::larger(lanes::load(values + i), best);
@@ -61,8 +60,7 @@ inline void for_each_with_bits(const int* values, int count, int bits, const Vis
 
 /// True if the sine of the angle between two face normals is at most `sine`, so that a tie between
 /// these faces hardly affects the normal.
-template <class S>
-bool face_the_same_direction(const Hull<S>& hull, int one, int other, S sine) {
+template <class S> bool face_the_same_direction(const Hull<S>& hull, int one, int other, S sine) {
   const Vec3<S>& n = at(hull.planes, one).normal;
   const Vec3<S>& m = at(hull.planes, other).normal;
   return n.dot(m) > S(0) && n.cross(m).squaredNorm() <= sine * sine;
@@ -71,8 +69,7 @@ bool face_the_same_direction(const Hull<S>& hull, int one, int other, S sine) {
 /// Signed distances of a point from all face planes of a hull, in the hull's frame, metres: the
 /// separating axis test of a point, with the faces as the only axes (Gregorius 2015, "Sphere vs
 /// Hull: Deep Penetration").
-template <class S>
-class PointFaces {
+template <class S> class PointFaces {
  public:
   PointFaces(const Hull<S>& hull, const Vec3<S>& point)
       : hull_(hull), point_(point), distances_(padded(hull.face_count())) {

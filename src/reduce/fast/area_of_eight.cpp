@@ -11,12 +11,10 @@ namespace {
 
 constexpr int kEight = 8;
 
-template <class S>
-constexpr int kPacks = kEight / lanes::kWidest<S>;
+template <class S> constexpr int kPacks = kEight / lanes::kWidest<S>;
 
 /// One number for each of eight points.
-template <class S>
-struct Eight {
+template <class S> struct Eight {
   using P = lanes::Widest<S>;
   P of[kPacks<S>];
 
@@ -38,16 +36,14 @@ template <class S, class Holds, class... Others>
   return bits;
 }
 
-template <class S>
-[[gnu::always_inline]] inline S most_of(const Eight<S>& values) {
+template <class S> [[gnu::always_inline]] inline S most_of(const Eight<S>& values) {
   typename Eight<S>::P most = values.of[0];
   for (int i = 1; i < kPacks<S>; ++i) most = lanes::larger(most, values.of[i]);
   return lanes::largest<S>(most)[0];
 }
 
 /// The earliest point with this score.
-template <class S>
-[[gnu::always_inline]] inline int earliest(const Eight<S>& scores, S most) {
+template <class S> [[gnu::always_inline]] inline int earliest(const Eight<S>& scores, S most) {
   using P = typename Eight<S>::P;
   return std::countr_zero(bits_of<S>([&](const P& score) { return score == most; }, scores) |
                           1U << kEight);
@@ -55,8 +51,7 @@ template <class S>
 
 /// Eight positions, one array per coordinate. Missing points repeat the first, which is the
 /// earliest among equals only at its own index.
-template <class S>
-struct Positions {
+template <class S> struct Positions {
   Eight<S> x, y, z;
 
   /// Vectors from, and to, a position.

@@ -10,7 +10,6 @@ namespace contactscope {
 ///
 /// Returns false and keeps nothing if all points are on a line, or if squared lengths leave the
 /// range of S. The reducer then proceeds point by point.
-template <class S>
-bool area_of_eight(const Candidates<S>& points, KeptIndices& kept);
+template <class S> bool area_of_eight(const Candidates<S>& points, KeptIndices& kept);
 
 }  // namespace contactscope

@@ -70,8 +70,7 @@ class Animation {
 };
 
 /// An animation whose `encoder` returns the whole file at the end, with `about` in it.
-template <class Encoder, class About>
-class EncodedAnimation : public Animation {
+template <class Encoder, class About> class EncodedAnimation : public Animation {
  public:
   EncodedAnimation(const ReelPlan& plan, About about)
       : path_(plan.path), about_(std::move(about)) {}

@@ -40,9 +40,7 @@ bool Sinks::needs_drawings() const {
   return options_.anchors || std::ranges::any_of(formats_, &Format::needs_drawings);
 }
 
-bool Sinks::needs_stages() const {
-  return !std::ranges::all_of(formats_, &Format::needs_drawings);
-}
+bool Sinks::needs_stages() const { return !std::ranges::all_of(formats_, &Format::needs_drawings); }
 
 std::string Sinks::path_of(const std::string& scenario, const fs::path& stem,
                            std::string_view extension) {
