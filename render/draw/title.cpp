@@ -56,6 +56,11 @@ const trace::Pair* reduced_one(const Pairs& pairs) {
 
 /// Number of points before the reduction of a pair.
 std::size_t candidates_of(const trace::Pair& pair) {
+  if (pair.merge) {
+    int merged = 0;
+    for (const trace::MergedManifold& one : pair.merge->manifolds) merged += one.points;
+    return static_cast<std::size_t>(merged);
+  }
   const std::size_t kept = all_points(pair).size();
   return pair.reduction && pair.manifolds.size() < 2 ? std::max(kept, pair.reduction->points.size())
                                                      : kept;

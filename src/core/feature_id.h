@@ -14,8 +14,9 @@ enum class FeatureKind : std::uint8_t { Vertex = 0, Edge = 1, Face = 2 };
 
 /// One feature of one shape; an edge unless a kind is given. Edges are undirected: index =
 /// half-edge index / 2. A sphere is vertex 0. A capsule has vertices 0 and 1 and edge 0 between
-/// them. Features of a mesh triangle are numbered within the triangle: face 0 is its front, 1 its
-/// back. A plane is face 0.
+/// them. In the manifold of a mesh triangle its features are numbered within the triangle: face 0
+/// is its front, 1 its back. In a manifold of a mesh (merge_triangles.h) they are numbered within
+/// the mesh. A plane is face 0.
 struct FeatureRef {
   Owner owner = Owner::A;
   FeatureKind kind = FeatureKind::Edge;

@@ -106,7 +106,7 @@ template <class S> struct Manifold {
   Vec3<S> normal = Vec3<S>::Zero();  // world, unit, from A to B
   AxisKind axis = AxisKind::FaceA;
   ContactType type = ContactType::FaceFace;
-  int triangle = -1;  // mesh triangle of the manifold; -1: neither shape is a mesh
+  int triangle = -1;  // mesh triangle of the manifold; -1: of a whole pair
   StaticVector<ContactPoint<S>, kMaxManifoldPoints> points;
 };
 

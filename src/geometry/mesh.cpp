@@ -112,16 +112,29 @@ std::vector<std::array<int, 3>> find_neighbours(std::span<const Vec3d> vertices,
   return neighbours;
 }
 
-/// Classifies every edge, using neighbours and normals.
+/// Classifies every edge and finds the flat regions, using neighbours and normals. A region is a
+/// tree of triangles whose parents have lower numbers.
 template <class S> void classify_edges(Mesh<S>& mesh) {
   using enum EdgeClass;
   mesh.edges.assign(mesh.triangles.size(), {Boundary, Boundary, Boundary});
+  mesh.regions.resize(mesh.triangles.size());
+  std::iota(mesh.regions.begin(), mesh.regions.end(), 0);
+  const auto root = [&](int triangle) {
+    while (mesh.region(triangle) != triangle)
+      triangle = at(mesh.regions, triangle) = mesh.region(mesh.region(triangle));
+    return triangle;
+  };
   for (int t = 0; t < mesh.triangle_count(); ++t) {
     for (int k = 0; k < 3; ++k) {
       if (mesh.neighbour(t, k) < 0) continue;
-      at(at(mesh.edges, t), k) = bend_angle(mesh, t, k) > kFlatEdgeAngle ? Convex : Internal;
+      const double bend = bend_angle(mesh, t, k);
+      at(at(mesh.edges, t), k) = bend > kFlatEdgeAngle ? Convex : Internal;
+      if (std::abs(bend) > kFlatEdgeAngle) continue;
+      const int here = root(t), there = root(mesh.neighbour(t, k));
+      at(mesh.regions, std::max(here, there)) = std::min(here, there);
     }
   }
+  for (int t = 0; t < mesh.triangle_count(); ++t) at(mesh.regions, t) = root(t);
 }
 
 template <class S> Vec3d normal_of(const Mesh<S>& mesh, int triangle) {
@@ -129,6 +142,19 @@ template <class S> Vec3d normal_of(const Mesh<S>& mesh, int triangle) {
     return mesh.corner(triangle, k).template cast<double>();
   };
   return triangle_normal(corner(0), corner(1), corner(2));
+}
+
+/// Marks the slivers. Squares of lengths below 1e-77 m vanish, and such triangles are no slivers.
+template <class S> void find_slivers(Mesh<S>& mesh) {
+  mesh.slivers.resize(mesh.triangles.size());
+  for (int t = 0; t < mesh.triangle_count(); ++t) {
+    const auto edge = [&](int k) -> Vec3d {
+      return (mesh.corner(t, (k + 1) % 3) - mesh.corner(t, k)).template cast<double>();
+    };
+    const double least =
+        kSliver * std::max({edge(0).squaredNorm(), edge(1).squaredNorm(), edge(2).squaredNorm()});
+    at(mesh.slivers, t) = edge(0).cross(edge(1)).squaredNorm() < least * least ? 1 : 0;
+  }
 }
 
 template <class S> AabbTree<S> new_tree(const Mesh<S>& mesh) {
@@ -211,6 +237,7 @@ Mesh<double> build(std::vector<Vec3d> vertices, std::vector<std::array<int, 3>> 
   mesh.triangles.resize(kept);
   mesh.neighbours = find_neighbours(mesh.vertices, mesh.triangles, found);
   classify_edges(mesh);
+  find_slivers(mesh);
   mesh.tree = new_tree(mesh);
   return mesh;
 }
@@ -238,12 +265,14 @@ template <class T> Mesh<T> mesh_cast(const Mesh<double>& mesh) {
   cast.triangles = mesh.triangles;
   cast.neighbours = mesh.neighbours;
   cast.edges = mesh.edges;
+  cast.regions = mesh.regions;
   cast.normals.reserve(mesh.normals.size());
   for (int i = 0; i < mesh.triangle_count(); ++i) {
     const Vec3d normal = normal_of(cast, i);
     const bool turned_over = normal.dot(mesh.normal(i)) < 0;
     cast.normals.push_back((turned_over ? mesh.normal(i) : normal).template cast<T>());
   }
+  find_slivers(cast);
   cast.tree = aabb_tree_cast<T>(mesh.tree);
   return cast;
 }
@@ -253,6 +282,7 @@ template <class S> void update_surface(Mesh<S>& mesh) {
     at(mesh.normals, i) = normal_of(mesh, i).template cast<S>();
   }
   classify_edges(mesh);
+  find_slivers(mesh);
 }
 
 template <class S> void refit(Mesh<S>& mesh) {

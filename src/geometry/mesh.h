@@ -26,6 +26,10 @@ enum class EdgeClass : std::uint8_t {
 /// length.
 inline constexpr double kFlatEdgeAngle = 0.017453292519943295;
 
+/// A triangle lower than this fraction of its longest edge is a sliver: a small displacement of a
+/// corner turns its normal by a large angle.
+inline constexpr double kSliver = 0.01;
+
 /// Triangles with one front side and shared edges, local frame, metres. Made by build_mesh, or by
 /// build_mesh_with_flat_triangles, which keeps triangles without area. In both cases vectors with
 /// an entry per triangle have the same size, and neighbours are mutual.
@@ -43,6 +47,9 @@ template <class S> struct Mesh {
                                                // the windings of two disagree
   std::vector<Vec3<S>> normals;                // unit, to the front; zero if the area is zero
   std::vector<std::array<EdgeClass, 3>> edges;
+  std::vector<int> regions;           // lowest triangle of the flat region: connected across edges
+                                      // bent by at most kFlatEdgeAngle
+  std::vector<std::uint8_t> slivers;  // 1: lower than kSliver of the longest edge; otherwise 0
   AabbTree<S> tree;
 
   int triangle_count() const { return static_cast<int>(triangles.size()); }
@@ -54,6 +61,8 @@ template <class S> struct Mesh {
   /// -1 for none.
   int neighbour(int triangle, int edge) const { return at(at(neighbours, triangle), edge); }
   EdgeClass edge_class(int triangle, int edge) const { return at(at(edges, triangle), edge); }
+  int region(int triangle) const { return at(regions, triangle); }
+  bool is_sliver(int triangle) const { return at(slivers, triangle) != 0; }
 };
 
 /// Findings of build_mesh. None of them is an error.
@@ -79,12 +88,12 @@ Mesh<double> build_mesh(std::vector<Vec3d> vertices, std::vector<std::array<int,
 
 /// The same mesh in another scalar type; each vertex is rounded once. Normals and the boxes of the
 /// tree come from the rounded triangles, so that plane and corners agree. A triangle that rounding
-/// turns over keeps its old normal; one that loses its area gets a zero normal. Neighbours and edge
-/// classes are copied, so that a flat floor far from the origin stays flat.
+/// turns over keeps its old normal; one that loses its area gets a zero normal. Neighbours,
+/// edge classes and regions are copied, so that a flat floor far from the origin stays flat.
 template <class T> Mesh<T> mesh_cast(const Mesh<double>& mesh);
 
-/// Updates a mesh after its vertices moved: normals (zero for triangles without area), edge classes
-/// and the boxes of the tree. Neighbours stay.
+/// Updates a mesh after its vertices moved: normals (zero for triangles without area), edge classes,
+/// regions, slivers and the boxes of the tree. Neighbours stay.
 template <class S> void refit(Mesh<S>& mesh);
 
 /// The same without the tree.

@@ -25,12 +25,23 @@ constexpr const char* to_string(FieldSearch search) {
   return search == FieldSearch::Conservative ? "conservative" : "sampled";
 }
 
+/// The manifolds of a convex shape and a mesh.
+enum class MeshManifolds {
+  Pair,      // of all triangles: one per direction, see merge_triangles.h
+  Triangle,  // one per triangle (Gregorius 2015, "Mesh Contacts")
+};
+
+constexpr const char* to_string(MeshManifolds manifolds) {
+  return manifolds == MeshManifolds::Pair ? "pair" : "triangle";
+}
+
 struct CollideOptions {
   double margin = 0;  // metres; points up to this separation are kept
   Preference preference = Preference::Relative;
   Degenerate degenerate = Degenerate::Fallback;
   FieldSearch field = FieldSearch::Conservative;
   bool internal_edges = true;  // for meshes: fixes contacts on edges that the surface lacks
+  MeshManifolds mesh_manifolds = MeshManifolds::Pair;
   /// For two overlapping hulls. Meshes and round shapes have methods of their own.
   PenetrationMethod penetration = PenetrationMethod::Sat;
   /// Processes two shapes without an order in the table as if the arguments were swapped.

@@ -45,17 +45,24 @@ void finish_contact(const ToWorld<S>& to_world, const CollideOptions& options, C
   for (const int index : kept) manifold.points.push_back(at(points, index));
 }
 
+template <class S> class TriangleContacts;
+/// TriangleContacts::add().
+template <class S>
+void add_to_merge(TriangleContacts<S>& contacts, const Contact<S>& contact, int triangle);
+
 /// Collects the contacts of one pair and finishes each as its own manifold: one for convex shapes,
-/// one per triangle for meshes.
+/// one per triangle for meshes, unless these are to be merged.
 template <class S> struct ContactSink {
   ToWorld<S> to_world;
   const CollideOptions& options;
   std::vector<Manifold<S>>& manifolds;
-  Recorder<S>* recorder;  // null when not recording
+  Recorder<S>* recorder;                  // null when not recording
+  TriangleContacts<S>* merged = nullptr;  // gets the contacts instead of `manifolds`; null: none
 
   /// Ignores a contact without points. `triangle`: index in a mesh.
   void add(Contact<S>& contact, int triangle = -1) {
     if (contact.points.empty()) return;
+    if (merged != nullptr) return add_to_merge(*merged, contact, triangle);
     Manifold<S>& manifold = manifolds.emplace_back();
     manifold.triangle = triangle;
     finish_contact(to_world, options, contact, manifold, recorder);

@@ -99,21 +99,6 @@ template <class S> SeenFromMesh<S> seen_from_mesh(const Hull<S>& hull, const Pos
   return seen;
 }
 
-/// A triangle lower than this fraction of its longest edge is a sliver: a small displacement of a
-/// corner turns its normal by a large angle.
-template <class S> constexpr S kSliver = S(0.01);
-
-/// The face that wins when both are nearly as deep: the surface's, because the hull's normal would
-/// turn with a small tilt on a large triangle. But a sliver's normal says little about the surface.
-template <class S> Owner preferred_face(const Mesh<S>& mesh, int triangle) {
-  const Vec3<S> first = mesh.corner(triangle, 1) - mesh.corner(triangle, 0);
-  const Vec3<S> second = mesh.corner(triangle, 2) - mesh.corner(triangle, 1);
-  const Vec3<S> third = mesh.corner(triangle, 0) - mesh.corner(triangle, 2);
-  const S longest = std::max({first.squaredNorm(), second.squaredNorm(), third.squaredNorm()});
-  const S least = kSliver<S> * longest;
-  return first.cross(second).squaredNorm() < least * least ? Owner::A : Owner::B;
-}
-
 }  // namespace
 
 template <class S>
@@ -225,7 +210,9 @@ S collide_hull_mesh(const Hull<S>& a, const Mesh<S>& b, const Pose<S>& b_in_a,
   const auto collide = [&](const PlacedTriangle<S>& triangle, Contact<S>& contact) {
     if (!has_area(b, triangle.index)) [[unlikely]]
       return collide_flat_triangle(a, b, triangle.index, b_in_a, options, contact, recorder);
-    const Owner preferred = preferred_face(b, triangle.index);
+    // If both faces are nearly as deep, the surface's wins, because the hull's normal would turn with
+    // a small tilt on a large triangle. But a sliver's normal says little about the surface.
+    const Owner preferred = b.is_sliver(triangle.index) ? Owner::A : Owner::B;
     if (as_box && preferred == Owner::B && as_box->collide(triangle.index, contact))
       return S(0);  // used only for a record or a skipped contact
     PairCache<S>* const nothing_kept = nullptr;

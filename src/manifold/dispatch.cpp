@@ -1,6 +1,7 @@
 #include "manifold/dispatch.h"
 
 #include <algorithm>
+#include <optional>
 #include <type_traits>
 
 #include "geometry/prefetch.h"
@@ -8,6 +9,7 @@
 #include "manifold/fast/collide_box_box.h"
 #include "manifold/fast/collide_two_capsules.h"
 #include "manifold/in_double.h"
+#include "manifold/merge_triangles.h"
 #include "manifold/round_order.h"
 
 namespace contactscope {
@@ -67,15 +69,19 @@ void hulls(const PlacedPair<S>& pair, const CollideOptions& options, Manifolds<S
 template <class S, class A, CollideWithMesh<S, A>* kCollide>
 void with_mesh(const PlacedPair<S>& pair, const CollideOptions& options, Manifolds<S>& manifolds,
                Recorder<S>* recorder) {
-  // Ids are local to a triangle, so previous ids mean nothing without the triangle: every manifold
-  // is reduced as if new.
   CollideOptions of_triangle = options;
-  of_triangle.reduction.previous = {};
   of_triangle.penetration = PenetrationMethod::Sat;
+  const Mesh<S>& mesh = *std::get_if<Mesh<S>>(&pair.b);
   ContactSink<S> sink{ToWorld<S>(pair.pose_a), of_triangle, manifolds, recorder};
+  std::optional<TriangleContacts<S>> merged;
+  if (options.mesh_manifolds == MeshManifolds::Pair)
+    sink.merged = &merged.emplace(pair.a, mesh);
+  else  // Ids are local to a triangle, so previous ids mean nothing without the triangle.
+    of_triangle.reduction.previous = {};
   const S separation =
-      kCollide(*std::get_if<A>(&pair.a), *std::get_if<Mesh<S>>(&pair.b),
-               relative_pose(pair.pose_a, pair.pose_b), of_triangle, sink, recorder);
+      kCollide(*std::get_if<A>(&pair.a), mesh, relative_pose(pair.pose_a, pair.pose_b), of_triangle,
+               sink, recorder);
+  if (merged) merged->merge(sink.to_world, of_triangle, manifolds, recorder);
   if (recorder) [[unlikely]]
     recorder->separation(separation);
 }
@@ -123,8 +129,11 @@ template <class S>
                                            trace::Stages stages, Entry<S> collide_pair) {
   // Each triangle has its own, and each part of a field its own reduction, but a record has room
   // for one of each.
-  if (kind_of(pair.b) >= ShapeKind::Mesh)
-    stages.sat = stages.clip = stages.reduction = stages.gjk = stages.decisions = false;
+  if (kind_of(pair.b) >= ShapeKind::Mesh) {
+    stages.sat = stages.clip = stages.gjk = stages.decisions = false;
+    stages.reduction = stages.reduction && kind_of(pair.b) == ShapeKind::Mesh &&
+                       options.mesh_manifolds == MeshManifolds::Pair;
+  }
   Recorder<S> recorder(ToWorld<S>(pair.pose_a), stages, record);
   collide_pair(pair, options, manifolds, &recorder);
 }

@@ -86,6 +86,7 @@ Manifolds<S> contacts_within(double margin, const PlacedPair<S>& pair, trace::Pa
   options.margin = margin;
   options.preference = Preference::None;
   options.internal_edges = false;
+  options.mesh_manifolds = MeshManifolds::Triangle;
   Manifolds<S> manifolds;
   collide(pair.a, pair.pose_a, pair.b, pair.pose_b, options, manifolds, nullptr, record, stages);
   if (record) [[unlikely]] {

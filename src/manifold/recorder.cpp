@@ -284,6 +284,33 @@ KeptIndices Recorder<S>::reduce(const ReducerInfo* reducer, ContactPoints<S> poi
   return kept;
 }
 
+template <class S> void Recorder<S>::merged(std::vector<int> triangles, int points) {
+  if (!stages_.reduction) return;
+  if (!pair_.merge) pair_.merge.emplace();
+  std::ranges::sort(triangles);
+  pair_.merge->manifolds.push_back({std::move(triangles), points});
+}
+
+template <class S>
+void Recorder<S>::reduced_outline_of(ContactPoints<S> all, const std::vector<int>& indices) {
+  if (!pair_.reduction) return;
+  trace::Reduction& reduction = *pair_.reduction;
+  const auto map = [&](int& index) {
+    if (index >= 0) index = at(indices, index);
+  };
+  for (int& index : reduction.kept) map(index);
+  for (int& index : reduction.best) map(index);
+  for (trace::Choice& choice : reduction.choices) {
+    for (trace::Measure& measure : choice.measures) {
+      map(measure.point);
+      for (int& index : measure.edge) map(index);
+    }
+  }
+  reduction.points = mapped(all, [&](const ContactPoint<S>& in_a) {
+    return trace_point<S>({to_world_.point(in_a.position), in_a.separation, in_a.id});
+  });
+}
+
 template <class S> void Recorder<S>::gjk(const Pose<S>& frame) {
   if (!stages_.gjk || gjk_run_.steps.empty()) return;
   const auto placed = [&](const Vec3<S>& a, const Vec3<S>& b) {

@@ -83,6 +83,12 @@ template <class S> class Recorder {
   /// the world.
   KeptIndices reduce(const ReducerInfo* reducer, ContactPoints<S> points, const Vec3<S>& normal,
                      const ReduceOptions& options);
+  /// `points` contact points of these triangles of a mesh became the next manifold.
+  void merged(std::vector<int> triangles, int points);
+  /// The points of the recorded reduction were those of `all` (A's frame) with these indices.
+  void reduced_outline_of(ContactPoints<S> all, const std::vector<int>& indices);
+  /// Record of merged manifolds; null if they are not recorded.
+  trace::Merge* merge_record() { return pair_.merge ? &*pair_.merge : nullptr; }
   /// Record of a run of GJK; null if it is not recorded.
   GjkRun<S>* gjk_run() { return stages_.gjk ? &gjk_run_ : nullptr; }
   /// Writes the run from gjk_run(), if any. `frame` is the pose of its frame in A's.

@@ -38,9 +38,9 @@ std::string idle_question(std::string_view key, const Question& question) {
 }
 
 constexpr const char* kContactKeys[] = {
-    "manifold", "reducer",     "max_points",        "margin",
-    "cache",    "preference",  "degenerate",        "internal_edges",
-    "field",    "core_margin", "breaking_distance", "confirm"};
+    "manifold",    "reducer",           "max_points",     "margin",         "cache",
+    "preference",  "degenerate",        "internal_edges", "mesh_manifolds", "field",
+    "core_margin", "breaking_distance", "confirm"};
 constexpr const char* kQuestionKeys[] = {"comparison", "tolerance", "axes", "skip_up_to"};
 
 /// Why `key` has no effect on a pair; empty if it has one.

@@ -93,6 +93,7 @@ struct PipelineSettings {
   Degenerate degenerate = Degenerate::Fallback;
   FieldSearch field = FieldSearch::Conservative;
   bool internal_edges = true;
+  MeshManifolds mesh_manifolds = MeshManifolds::Pair;
   PenetrationMethod penetration = PenetrationMethod::Sat;
   ManifoldKind manifold = ManifoldKind::OneShot;
   IncrementalSettings incremental;

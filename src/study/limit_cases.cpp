@@ -164,6 +164,8 @@ template <class S> Deepest deepest_of(const Manifolds<S>& manifolds) {
 template <class S> Deepest collided(const RoundedPair<S>& pair, Preference preference) {
   CollideOptions options;
   options.preference = preference;
+  options.mesh_manifolds =
+      MeshManifolds::Triangle;  // the oracle measures along one triangle's axes
   Manifolds<S> manifolds;
   collide(pair.a, pair.pose_a, pair.b, pair.pose_b, options, manifolds);
   return deepest_of(manifolds);

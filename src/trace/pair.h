@@ -71,6 +71,27 @@ struct Reduction {
   }
 };
 
+/// The contacts of a mesh's triangles that became one manifold.
+struct MergedManifold {
+  std::vector<int> triangles;  // ascending
+  int points = 0;              // of all triangles; the reduction counts shared points once
+
+  static constexpr auto fields() {
+    using M = MergedManifold;
+    return field::list(field::exact("triangles", &M::triangles),
+                       field::exact("points", &M::points));
+  }
+};
+
+/// How the contacts of a mesh's triangles became manifolds of the pair.
+struct Merge {
+  std::vector<MergedManifold> manifolds;  // in the order of Pair::manifolds
+
+  static constexpr auto fields() {
+    return field::list(field::facts("manifolds", &Merge::manifolds).entries("merged manifold"));
+  }
+};
+
 // Stages that depend on earlier frames, or that predict the stability of a manifold.
 
 /// Temporal coherence: the result of an earlier frame was tried before the full test.
@@ -246,6 +267,7 @@ struct Pair {
   Stage<Reduction> reduction;
   Stage<Degenerate> degenerate{};
   Stage<Tree> tree{};
+  Stage<Merge> merge{};  // the reduction is that of the first manifold
   Stage<Gjk> gjk{};
   Stage<Cache> cache{};  // also empty if there was nothing to try
   Stage<Penetration> penetration{};
@@ -281,6 +303,7 @@ struct Pair {
         field::fact("reduction", &Pair::reduction).called("reduction"),
         field::fact("gjk", &Pair::gjk).called("gjk"),     //
         field::fact("tree", &Pair::tree).called("tree"),  //
+        field::fact("merge", &Pair::merge).called("merge"),
         field::fact("degenerate", &Pair::degenerate).called("degenerate"),
         field::fact("cache", &Pair::cache).called("cache"),
         field::fact("penetration", &Pair::penetration).called("penetration"),

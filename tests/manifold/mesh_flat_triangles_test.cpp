@@ -115,6 +115,7 @@ template <class S> void shapes_are_as_near_as_the_segment(int cases) {
     }
     CollideOptions options;
     options.margin = test::rounded<S>(0.2 * size);
+    options.mesh_manifolds = MeshManifolds::Triangle;
     const double separation = distance - radius;
     const double tolerance =
         128 * static_cast<double>(std::numeric_limits<S>::epsilon()) * (40 * unit + 2 * size);

@@ -97,7 +97,7 @@ TEST(MeshPairs, ASphereIsAsFarFromATriangleAsItsClosestPoint) {
     if (manifolds.empty()) continue;
     ++touching;
     ASSERT_NEAR(deepest_of(manifolds), separation, tolerance) << i;
-    ASSERT_EQ(manifolds[0].triangle, 0);
+    ASSERT_EQ(manifolds[0].triangle, -1);
   }
   EXPECT_GT(touching, 400);
 }
@@ -467,7 +467,9 @@ TEST(MeshPairs, ACentreInTheSurfaceIsDegenerateAndCanBeSkipped) {
 TEST(MeshPairs, ARecordHasTheTraversalOfTheTree) {
   const Mesh<double> floor = make_grid(8, 8, 16, 16, 0);
   const PlacedShapes pair{test::ball(0.3), at(0.1, 0.25, 0.2), floor, at(0, 0, 0)};
-  const trace::Pair record = test::record_of<double>(pair);
+  CollideOptions by_triangle;
+  by_triangle.mesh_manifolds = MeshManifolds::Triangle;
+  const trace::Pair record = test::record_of<double>(pair, by_triangle);
   EXPECT_EQ(record.kind, "sphere-mesh");
   EXPECT_EQ(record.state, "touching");
   ASSERT_TRUE(record.tree.has_value());

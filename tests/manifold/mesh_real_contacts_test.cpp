@@ -262,9 +262,10 @@ template <class S> void hull_keeps_its_contacts_with_edges(int cases) {
     Pose<double> pose = random.pose(0);
     pose.position = place_on(random, surface) + 0.9 * size * random.vector(-1, 1);
     const PlacedShapes pair{hull, pose, mesh, {}};
-    CollideOptions by_itself;
+    CollideOptions care, by_itself;
+    care.mesh_manifolds = by_itself.mesh_manifolds = MeshManifolds::Triangle;
     by_itself.internal_edges = false;
-    const Manifolds<S> all = manifolds_of<S>(pair, by_itself), kept = manifolds_of<S>(pair);
+    const Manifolds<S> all = manifolds_of<S>(pair, by_itself), kept = manifolds_of<S>(pair, care);
     for (const Manifold<S>& manifold : all) {
       if (manifold.axis != AxisKind::EdgeEdge) continue;
       const Vec3d normal = -test::normal_of(manifold);

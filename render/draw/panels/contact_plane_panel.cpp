@@ -215,9 +215,10 @@ class ContactPlanePanel : public PanelContent {
       plane.area(plane.at(corners), with_alpha(kContact, kKeptFill));
       plane.border(plane.at(corners), 2, kContact, 0);
     }
+    constexpr std::size_t kCrowd = 40;  // crosses that would cover each other
     for (std::size_t i = 0; i < places.size(); ++i) {
       if (std::ranges::find(kept, static_cast<int>(i)) == kept.end())
-        draw_dropped_point(places[i], plane, 1);
+        draw_dropped_point(places[i], plane, places.size() > kCrowd ? 0.5 : 1);
       else if (fewer)
         draw_kept_point(places[i], plane, 1);
       else

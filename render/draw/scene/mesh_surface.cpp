@@ -77,21 +77,29 @@ struct Touched {
   bool incident;
 };
 
+/// The triangles of a mesh that made a manifold of the pair.
+std::vector<int> triangles_of(const trace::Pair& pair, std::size_t manifold) {
+  if (const auto& one = pair.manifolds[manifold].triangle) return {*one};
+  if (!pair.merge || manifold >= pair.merge->manifolds.size()) return {};
+  return pair.merge->manifolds[manifold].triangles;
+}
+
 std::vector<Touched> touched_triangles(const Scene& scene) {
   std::vector<Touched> touched;
   for (const trace::Pair& pair : scene.frame.pairs) {
     for (const bool of_a : {true, false}) {
       const PlacedShape* mesh = scene.find(of_a ? pair.a : pair.b);
       if (mesh == nullptr || !mesh->is_mesh()) continue;
-      for (const trace::Manifold& manifold : pair.manifolds) {
-        const int triangle = manifold.triangle.value_or(-1);
-        if (triangle < 0 || triangle >= count_of(mesh->traced().faces)) continue;
-        const bool incident = manifold.axis == (of_a ? "face_b" : "face_a");
-        auto known = std::ranges::find_if(touched, [&](const Touched& other) {
-          return other.mesh == mesh && other.triangle == triangle;
-        });
-        if (known == touched.end()) known = touched.insert(known, Touched{mesh, triangle, true});
-        known->incident &= incident;
+      for (std::size_t m = 0; m < pair.manifolds.size(); ++m) {
+        const bool incident = pair.manifolds[m].axis == (of_a ? "face_b" : "face_a");
+        for (const int triangle : triangles_of(pair, m)) {
+          if (triangle < 0 || triangle >= count_of(mesh->traced().faces)) continue;
+          auto known = std::ranges::find_if(touched, [&](const Touched& other) {
+            return other.mesh == mesh && other.triangle == triangle;
+          });
+          if (known == touched.end()) known = touched.insert(known, Touched{mesh, triangle, true});
+          known->incident &= incident;
+        }
       }
     }
   }

@@ -1,0 +1,374 @@
+#include "manifold/merge_triangles.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <memory_resource>
+#include <numeric>
+
+#include "core/instantiate.h"
+#include "manifold/collide_pairs.h"
+#include "query/tolerance.h"
+
+namespace contactscope {
+namespace {
+
+using Arena = std::pmr::memory_resource;
+using Numbers = std::pmr::vector<int>;
+
+/// The vertex that two undirected edges share; -1 for none.
+template <class S> int common_vertex(const Hull<S>& hull, std::uint32_t one, std::uint32_t other) {
+  if (one == other) return -1;
+  for (const std::uint32_t half : {2 * one, 2 * one + 1}) {
+    const int vertex = hull.half_edges[half].origin;
+    for (const std::uint32_t next : {2 * other, 2 * other + 1})
+      if (hull.half_edges[next].origin == vertex) return vertex;
+  }
+  return -1;
+}
+
+/// Points that differ in their id, or are of one triangle; of others the deepest.
+template <class S> class DistinctPoints {
+ public:
+  DistinctPoints(std::size_t most, Arena& arena)
+      : slots_(std::bit_ceil(2 * most), -1, &arena), points_(&arena), triangles_(&arena) {
+    points_.reserve(most);
+    triangles_.reserve(most);
+  }
+
+  void add(const ContactPoint<S>& point, int triangle) {
+    const std::size_t mask = slots_.size() - 1;
+    const auto mix = [](const FeatureRef& ref) {
+      return (std::uint64_t{ref.index} * 3 + static_cast<std::uint64_t>(ref.kind)) * 2 +
+             static_cast<std::uint64_t>(ref.owner);
+    };
+    const std::uint64_t key =
+        (mix(point.id.first) << 32 ^ mix(point.id.second)) * std::uint64_t{0x9e3779b97f4a7c15};
+    for (std::size_t slot = key >> 32 & mask;; slot = (slot + 1) & mask) {
+      if (slots_[slot] < 0) {
+        slots_[slot] = count_of(points_);
+        points_.push_back(point);
+        triangles_.push_back(triangle);
+        return;
+      }
+      ContactPoint<S>& known = at(points_, slots_[slot]);
+      if (known.id != point.id || at(triangles_, slots_[slot]) == triangle) continue;
+      if (point.separation < known.separation) known = point;
+      return;
+    }
+  }
+
+  ContactPoints<S> points() const { return points_; }
+
+ private:
+  Numbers slots_;  // indices into points_; -1: free
+  std::pmr::vector<ContactPoint<S>> points_;
+  Numbers triangles_;  // of which a point was first
+};
+
+/// The corners of the convex hull of points in a plane, within rounding, by quickhull (Barber et al.
+/// 1996): no mistake of rounding can lose a corner, because each is the farthest in some direction.
+template <class S> class Outline {
+ public:
+  /// `near`: metres by which rounding may have moved a point.
+  Outline(ContactPoints<S> points, const Vec3<S>& normal, S near, Arena& arena)
+      : near_(near), places_(&arena), corners_(&arena), candidates_(&arena) {
+    const Vec3<S> u = any_perpendicular(normal);
+    const Vec3<S> v = normal.cross(u);
+    places_.reserve(points.size());
+    Place middle = Place::Zero();
+    for (const ContactPoint<S>& point : points) {
+      const Vec3<S> from_first = point.position - points[0].position;
+      places_.emplace_back(from_first.dot(u), from_first.dot(v));
+      middle += places_.back();
+    }
+    middle /= static_cast<S>(points.size());
+    const int first = farthest_from(middle);
+    const int second = farthest_from(at(places_, first));
+    corners_.push_back(first);
+    if (!((at(places_, second) - at(places_, first)).norm() > near)) return;
+    corners_.push_back(second);
+    candidates_.resize(points.size());
+    std::iota(candidates_.begin(), candidates_.end(), 0);
+    add_beyond(first, second, candidates_);
+    add_beyond(second, first, candidates_);
+    std::ranges::sort(corners_);
+  }
+
+  /// Ascending indices.
+  const Numbers& corners() const { return corners_; }
+
+ private:
+  using Place = Eigen::Matrix<S, 2, 1>;
+
+  int farthest_from(const Place& place) const {
+    int best = 0;
+    S most = S(-1);
+    for (int i = 0; i < count_of(places_); ++i) {
+      const S squared = (at(places_, i) - place).squaredNorm();
+      if (squared > most) most = squared, best = i;
+    }
+    return best;
+  }
+
+  /// Adds the corners to the right of the line between two corners, from among `candidates`, which
+  /// it reorders. Of points that are equally far from the line the first along it is a corner.
+  void add_beyond(int from, int to, std::span<int> candidates) {
+    const Place start = at(places_, from);
+    const Place along = (at(places_, to) - start).normalized();
+    const auto height = [&](int i) {
+      const Place place = at(places_, i) - start;
+      return along.y() * place.x() - along.x() * place.y();
+    };
+    S most = near_;
+    const auto end = std::partition(candidates.begin(), candidates.end(), [&](int i) {
+      const S here = height(i);
+      most = std::max(most, here);
+      return here > near_;
+    });
+    if (end == candidates.begin()) return;
+    std::span<int> beyond(candidates.begin(), end);
+    S least = std::numeric_limits<S>::infinity();
+    for (int& i : beyond) {
+      const S place = (at(places_, i) - start).dot(along);
+      if (!(place < least && height(i) >= most - near_)) continue;
+      least = place;
+      std::swap(i, beyond.front());
+    }
+    const int best = beyond.front();
+    beyond = beyond.subspan(1);
+    corners_.push_back(best);
+    add_beyond(from, best, beyond);
+    add_beyond(best, to, beyond);
+  }
+
+  S near_;
+  std::pmr::vector<Place> places_;  // in the plane, metres, from the first point
+  Numbers corners_, candidates_;
+};
+
+/// The largest coordinate, metres.
+template <class S> S scale_of(ContactPoints<S> points) {
+  S scale = S(0);
+  for (const ContactPoint<S>& point : points)
+    scale = std::max(scale, point.position.cwiseAbs().maxCoeff());
+  return scale;
+}
+
+/// Step 4: ascending indices, at most kMaxManifoldPoints.
+template <class S>
+Numbers outline_of(ContactPoints<S> points, const Vec3<S>& normal, S near, Arena& arena) {
+  const Outline<S> outline(points, normal, near, arena);
+  // A face has too few vertices for more corners; only a mesh that bends within kFlatEdgeAngle may.
+  const std::size_t corners = outline.corners().size();
+  const std::size_t count = std::min(corners, kMaxManifoldPoints - 1);
+  Numbers kept(&arena);
+  kept.reserve(count + 1);
+  for (std::size_t i = 0; i < count; ++i) kept.push_back(outline.corners()[i * corners / count]);
+  const auto separation = [&](int i) { return at(points, i).separation; };
+  const auto found = std::ranges::min_element(points, {}, &ContactPoint<S>::separation);
+  const int deepest = static_cast<int>(found - points.begin());
+  if (separation(deepest) < separation(*std::ranges::min_element(kept, {}, separation)) - near)
+    kept.insert(std::ranges::upper_bound(kept, deepest), deepest);
+  return kept;
+}
+
+/// A unit impulse at a point: its direction, and its torque about the middle of all points in units
+/// of their radius.
+template <class S> struct PointWrench {
+  std::size_t manifold, point;
+  Vec3<S> force, torque;
+  S distance = std::numeric_limits<S>::infinity();  // squared, from the nearest kept wrench
+  bool kept = false;
+};
+
+/// Step 6. Manifolds without points go, also from the record.
+template <class S>
+void keep_most_different(std::size_t most, Manifolds<S>& manifolds, trace::Merge* record) {
+  Vec3<S> middle = Vec3<S>::Zero();
+  std::vector<PointWrench<S>> wrenches;
+  for (std::size_t m = 0; m < manifolds.size(); ++m) {
+    for (std::size_t p = 0; p < manifolds[m].points.size(); ++p) {
+      wrenches.push_back({m, p, manifolds[m].normal, manifolds[m].points[p].position});
+      middle += wrenches.back().torque;
+    }
+  }
+  if (wrenches.size() <= most) return;
+  middle /= static_cast<S>(wrenches.size());
+  S radius = S(0);
+  for (const PointWrench<S>& one : wrenches)
+    radius = std::max(radius, (one.torque - middle).norm());
+  for (PointWrench<S>& one : wrenches) {
+    const Vec3<S> arm = one.torque - middle;
+    one.torque = radius > S(0) ? Vec3<S>(arm.cross(one.force) / radius) : Vec3<S>(Vec3<S>::Zero());
+  }
+  const auto separation = [&](const PointWrench<S>& one) {
+    return manifolds[one.manifold].points[one.point].separation;
+  };
+  auto next = std::ranges::min_element(wrenches, {}, separation);
+  for (std::size_t kept = 1;; ++kept) {
+    next->kept = true;
+    if (kept == most) break;
+    for (PointWrench<S>& one : wrenches) {
+      const S squared =
+          (one.force - next->force).squaredNorm() + (one.torque - next->torque).squaredNorm();
+      one.distance = one.kept ? S(-1) : std::min(one.distance, squared);
+    }
+    next = std::ranges::max_element(wrenches, {}, &PointWrench<S>::distance);
+  }
+  for (Manifold<S>& manifold : manifolds) manifold.points.clear();
+  // Kept points move to the front, so none is overwritten before it is read.
+  for (const PointWrench<S>& one : wrenches) {
+    auto& points = manifolds[one.manifold].points;
+    if (one.kept) points.push_back(points.data()[one.point]);
+  }
+  for (std::size_t m = manifolds.size(); m-- > 0;) {
+    if (!manifolds[m].points.empty()) continue;
+    const auto place = static_cast<std::ptrdiff_t>(m);
+    manifolds.erase(manifolds.begin() + place);
+    if (record != nullptr) record->manifolds.erase(record->manifolds.begin() + place);
+  }
+}
+
+}  // namespace
+
+// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): the memory stays uninitialised.
+template <class S>
+TriangleContacts<S>::TriangleContacts(const Shape<S>& a, const Mesh<S>& b)
+    : a_(a), b_(b), arena_(memory_.data(), memory_.size()), parts_(&arena_), points_(&arena_) {
+  parts_.reserve(16);
+  points_.reserve(64);
+}
+
+template <class S> FeatureRef TriangleContacts<S>::in_mesh(const FeatureRef& ref, int t) const {
+  const int k = static_cast<int>(ref.index);
+  if (ref.owner == Owner::A) return ref;
+  if (ref.kind == FeatureKind::Face) return face_ref(Owner::B, b_.region(t));
+  if (ref.kind == FeatureKind::Vertex) return vertex_ref(Owner::B, at(at(b_.triangles, t), k));
+  const int there = b_.neighbour(t, k);
+  if (there < 0 || there > t) return edge_ref(Owner::B, 3 * t + k);
+  const auto& back = at(b_.neighbours, there);
+  return edge_ref(Owner::B,
+                  3 * there + static_cast<int>(std::ranges::find(back, t) - back.begin()));
+}
+
+/// Two edges of one shape cross at a vertex of it, on the face of the mesh.
+template <class S> FeatureId TriangleContacts<S>::in_mesh(const FeatureId& id, int t) const {
+  const auto& [first, second] = id;
+  const bool both_edges = first.kind == FeatureKind::Edge && second.kind == FeatureKind::Edge;
+  if (both_edges && first.owner == second.owner) {
+    const FeatureRef face = face_ref(Owner::B, b_.region(t));
+    if (first.owner == Owner::B && first != second) {
+      // Edges 1 and 2 meet at vertex 2, 2 and 0 at 0, 0 and 1 at 1.
+      const std::uint32_t missing = 3 - first.index - second.index;
+      return FeatureId::of(in_mesh({Owner::B, FeatureKind::Vertex, (missing + 2) % 3}, t), face);
+    }
+    const Hull<S>* hull = std::get_if<Hull<S>>(&a_);
+    const int vertex = hull != nullptr && first.owner == Owner::A
+                           ? common_vertex(*hull, first.index, second.index)
+                           : -1;
+    if (vertex >= 0) return FeatureId::of(vertex_ref(Owner::A, vertex), face);
+  }
+  // A vertex on an edge or a corner within a flat region is on its face.
+  const int k = static_cast<int>(second.index);
+  const auto is_within = [&](int edge) {
+    const int there = b_.neighbour(t, edge);
+    return there >= 0 && b_.region(there) == b_.region(t);
+  };
+  const bool on_face = first.kind == FeatureKind::Vertex && second.owner == Owner::B &&
+                       second.kind != FeatureKind::Face && is_within(k) &&
+                       (second.kind == FeatureKind::Edge || is_within((k + 2) % 3));
+  if (on_face) return FeatureId::of(first, face_ref(Owner::B, b_.region(t)));
+  return FeatureId::of(in_mesh(first, t), in_mesh(second, t));
+}
+
+template <class S> void TriangleContacts<S>::add(const Contact<S>& contact, int triangle) {
+  const int begin = count_of(points_);
+  for (const ContactPoint<S>& point : contact.points)
+    points_.push_back({point.position, point.separation, in_mesh(point.id, triangle)});
+  parts_.push_back({contact.normal, contact.axis, contact.type, contact.scale, contact.deepest(),
+                    triangle, begin, count_of(points_)});
+}
+
+/// Step 2: sorts the parts by depth and numbers their groups. Returns the number of groups.
+template <class S> int TriangleContacts<S>::group_parts() {
+  std::ranges::sort(parts_, [](const Part& one, const Part& other) {
+    return std::pair(one.deepest, one.triangle) < std::pair(other.deepest, other.triangle);
+  });
+  // The distance of unit vectors is accurate where their cosine is not.
+  const S nearest = static_cast<S>(2 * std::sin(kFlatEdgeAngle / 2));
+  std::pmr::vector<Vec3<S>> normals(&arena_);
+  for (Part& part : parts_) {
+    const auto same = std::ranges::find_if(normals, [&](const Vec3<S>& normal) {
+      return (normal - part.normal).squaredNorm() <= nearest * nearest;
+    });
+    part.group = static_cast<int>(same - normals.begin());
+    if (same == normals.end()) normals.push_back(part.normal);
+  }
+  return count_of(normals);
+}
+
+/// Steps 3 to 5.
+template <class S>
+void TriangleContacts<S>::finish_group(int group, const ToWorld<S>& to_world,
+                                       const CollideOptions& options, Manifolds<S>& manifolds,
+                                       Recorder<S>* recorder) {
+  const Part& lead = *std::ranges::find(parts_, group, &Part::group);
+  DistinctPoints<S> distinct(points_.size(), arena_);
+  Numbers triangles(&arena_);
+  int found = 0;
+  S scale = S(0);
+  for (const Part& part : parts_) {
+    if (part.group != group) continue;
+    triangles.push_back(part.triangle);
+    found += part.end - part.begin;
+    scale = std::max(scale, part.scale);
+    for (int i = part.begin; i < part.end; ++i) distinct.add(at(points_, i), part.triangle);
+  }
+  const ContactPoints<S> all = distinct.points();
+  scale = std::max(scale, scale_of(all));
+  Numbers chosen(all.size(), 0, &arena_);
+  std::iota(chosen.begin(), chosen.end(), 0);
+  if (options.reducer != nullptr && triangles.size() > 1 && all.size() > 1)
+    chosen = outline_of<S>(all, lead.normal, depth_rounding(scale), arena_);
+  for (std::size_t begin = 0; begin < chosen.size(); begin += kMaxManifoldPoints) {
+    Contact<S> contact;
+    contact.axis = lead.axis;
+    contact.type =
+        triangles.size() == 1 || chosen.size() == 1 ? lead.type : face_contact_type(chosen.size());
+    contact.normal = lead.normal;
+    contact.scale = scale;
+    const std::size_t end = std::min(chosen.size(), begin + kMaxManifoldPoints);
+    for (std::size_t i = begin; i < end; ++i) contact.points.push_back(at(all, chosen[i]));
+    const bool first = group == 0 && begin == 0;
+    finish_contact(to_world, options, contact, manifolds.emplace_back(),
+                   first ? recorder : nullptr);
+    if (recorder) [[unlikely]] {
+      recorder->merged({triangles.begin(), triangles.end()}, found);
+      if (first) recorder->reduced_outline_of(all, {chosen.begin(), chosen.end()});
+    }
+  }
+}
+
+template <class S>
+void TriangleContacts<S>::merge(const ToWorld<S>& to_world, const CollideOptions& options,
+                                Manifolds<S>& manifolds, Recorder<S>* recorder) {
+  const int groups = group_parts();
+  for (int group = 0; group < groups; ++group)
+    finish_group(group, to_world, options, manifolds, recorder);
+  if (options.reducer != nullptr)
+    keep_most_different(static_cast<std::size_t>(kMergedManifolds * options.reduction.max_points),
+                        manifolds, recorder ? recorder->merge_record() : nullptr);
+}
+
+template <class S>
+void add_to_merge(TriangleContacts<S>& contacts, const Contact<S>& contact, int triangle) {
+  contacts.add(contact, triangle);
+}
+
+CONTACTSCOPE_FLOAT_AND_DOUBLE(add_to_merge);
+template class TriangleContacts<float>;
+template class TriangleContacts<double>;
+
+}  // namespace contactscope
