@@ -65,6 +65,7 @@ struct Linter::State {
     // These come first: what they explain is no wrong claim.
     if (!options.shapes_are_given) watches.push_back(watch_bodies_over_time());
     watches.push_back(watch_contacts_over_time());
+    watches.push_back(watch_internal_edges());
     watches.push_back(watch_claims(header, options));
     watches.push_back(watch_overlaps(header));
     watches.push_back(watch_ids());

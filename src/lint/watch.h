@@ -28,6 +28,8 @@ std::unique_ptr<Watch> watch_claims(const trace::Header& header, const LintOptio
 std::vector<const char*> unexplained_causes();
 /// overlaps.cpp: overlapping shapes without contacts, also of bodies at rest on one another.
 std::unique_ptr<Watch> watch_overlaps(const trace::Header& header);
+/// internal_edges.cpp: contacts with edges of a mesh where its surface continues.
+std::unique_ptr<Watch> watch_internal_edges();
 /// ids.cpp: ids of points that change while nothing moves.
 std::unique_ptr<Watch> watch_ids();
 /// rotations.cpp: quaternions with w last that look like half turns.

@@ -1,0 +1,134 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "geometry/mesh.h"
+#include "lint/tally.h"
+#include "query/closest_points.h"
+
+namespace contactscope::lint {
+namespace {
+
+/// A normal may lean from the faces around its point by this much, radians: engines approximate.
+constexpr double kLeaning = 10 * std::numbers::pi / 180;
+
+double angle_between(const Vec3d& one, const Vec3d& other) {
+  return std::atan2(one.cross(other).norm(), one.dot(other));
+}
+
+/// The surface of a mesh around a point, in the mesh's frame.
+struct SurfaceAround {
+  std::vector<Vec3d> faces;  // unit normals, to the side of the other shape
+  bool ends = false;         // it has a boundary there
+  bool is_convex = false;    // an edge or a corner sticks out
+};
+
+double distance_to_edge(const Mesh<double>& mesh, int triangle, int k, const Vec3d& point) {
+  return (closest_on_segment(point, mesh.corner(triangle, k), mesh.corner(triangle, (k + 1) % 3))
+              .point -
+          point)
+      .norm();
+}
+
+/// Whether the point is beside no edge, seen along the normal.
+bool is_over(const Mesh<double>& mesh, int triangle, const Vec3d& point) {
+  for (int k = 0; k < 3; ++k) {
+    const Vec3d along = mesh.corner(triangle, (k + 1) % 3) - mesh.corner(triangle, k);
+    if (along.cross(point - mesh.corner(triangle, k)).dot(mesh.normal(triangle)) < 0) return false;
+  }
+  return true;
+}
+
+SurfaceAround surface_around(const Mesh<double>& mesh, const Vec3d& point, double reach,
+                             const Vec3d& outward) {
+  SurfaceAround around;
+  const Vec3d by = Vec3d::Constant(reach);
+  mesh.tree.query({point - by, point + by}, [&](int triangle) {
+    const Vec3d& normal = mesh.normal(triangle);
+    const double height = std::abs(normal.dot(point - mesh.corner(triangle, 0)));
+    bool is_near = height <= reach && is_over(mesh, triangle, point);
+    for (int k = 0; k < 3; ++k) {
+      if (!(distance_to_edge(mesh, triangle, k, point) <= reach)) continue;
+      is_near = true;
+      around.ends |= mesh.edge_class(triangle, k) == EdgeClass::Boundary;
+      around.is_convex |= mesh.edge_class(triangle, k) == EdgeClass::Convex;
+    }
+    if (is_near) around.faces.push_back(normal.dot(outward) < 0 ? Vec3d(-normal) : normal);
+  });
+  return around;
+}
+
+/// Radians by which a normal leans away from all that the surface allows: the directions of its
+/// faces, and where an edge or a corner sticks out those between them.
+double lean_from(const SurfaceAround& around, const Vec3d& outward) {
+  if (around.faces.empty() || around.ends) return 0;
+  double least = std::numbers::pi;
+  Vec3d middle = Vec3d::Zero();
+  for (const Vec3d& face : around.faces) {
+    least = std::min(least, angle_between(face, outward));
+    middle += face;
+  }
+  if (!around.is_convex) return least;
+  double spread = 0;
+  for (const Vec3d& face : around.faces) spread = std::max(spread, angle_between(face, middle));
+  return std::min(least, std::max(0.0, angle_between(middle, outward) - spread));
+}
+
+/// Contacts with an edge between triangles although the surface continues there: the "ghost
+/// collisions" at which bodies trip. Terdiman, "Contact generation for meshes".
+class InternalEdgesWatch final : public Watch {
+ public:
+  void see(const Solids& solids, const Moments& frames) override {
+    for (const trace::Pair& pair : frames.now->pairs) {
+      see_mesh(solids, frames, pair, pair.a, pair.b, 1);
+      see_mesh(solids, frames, pair, pair.b, pair.a, -1);
+    }
+  }
+
+  void report(std::vector<Finding>& findings) override {
+    tally_.report(
+        "contacts push against edges within the surface of a mesh",
+        "no shape can be touched there in that direction, because the surface continues: "
+        "turn on the engine's handling of internal edges (active edges, welding), or give "
+        "the contact the normal of its face",
+        1, 0, findings);
+  }
+
+ private:
+  /// `away`: 1 if normals point away from the mesh.
+  void see_mesh(const Solids& solids, const Moments& frames, const trace::Pair& pair,
+                const std::string& name, const std::string& other, double away) {
+    const std::optional<Placed> placed = place(solids, frames.now, name, {});
+    const std::optional<Placed> on_top = place(solids, frames.now, other, {});
+    const auto* mesh = placed ? std::get_if<Mesh<double>>(&placed->solid->shape()) : nullptr;
+    if (mesh == nullptr || !on_top || placed->scale != 1) return;
+    const double tolerance = solids.tolerance_of(*placed, *on_top);
+    for (const trace::Manifold& manifold : pair.manifolds) {
+      const Vec3d outward = placed->pose.inverse_rotate(away * manifold.normal);
+      for (const trace::Point& point : manifold.points) {
+        if (point.separation > tolerance) continue;
+        ++tally_.of;
+        const double reach = 2 * std::max(tolerance, -point.separation);
+        const double lean = lean_from(
+            surface_around(*mesh, placed->pose.inverse_transform(point.position), reach, outward),
+            outward);
+        if (!(lean > kLeaning)) continue;
+        frames.explained->insert(&pair);
+        tally_.wrong(frames, name, other, [&] {
+          return std::pair("normal " + spelled(manifold.normal) + ", at " + spelled(point.position),
+                           "it leans by " + metres(lean * 180 / std::numbers::pi) +
+                               " degrees from the surface, which continues there");
+        });
+      }
+    }
+  }
+
+  Tally tally_{"internal_edge"};
+};
+
+}  // namespace
+
+std::unique_ptr<Watch> watch_internal_edges() { return std::make_unique<InternalEdgesWatch>(); }
+
+}  // namespace contactscope::lint

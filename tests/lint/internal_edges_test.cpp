@@ -1,0 +1,105 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "lint/recorded.h"
+
+/// Contacts with edges that a surface does not have. The pipeline makes them when it is told not to
+/// care, and makes none when it cares; on a ridge the same direction is right.
+namespace contactscope::lint {
+namespace {
+
+/// A shape slides over 2 m of a mesh, as recorded by another engine.
+Trace slide(const std::string& shape, double height, const std::string& mesh, double size,
+            bool internal_edges) {
+  const auto number = [&](double metres) { return std::to_string(metres * size * 1e4) + "e-4"; };
+  const Scenario scenario = parse_scenario(
+      "title = \"slide\"\nsource = \"test\"\ntags = []\n[time]\nframes = 41\ndt = 0.025\n"
+      "[pipeline]\nscalar = \"double\"\ninternal_edges = " +
+          std::string(internal_edges ? "true" : "false") + "\n[shapes.slider]\n" + shape +
+          "\n[shapes.slider.motion]\nkeyframes = [\n" + "{ time = 0, position = [" + number(-1) +
+          ", " + number(height) + ", " + number(0.1) + "] },\n{ time = 1, position = [" +
+          number(1) + ", " + number(height) + ", " + number(0.3) +
+          "] } ]\n[shapes.floor]\ntype = \"mesh\"\n" + mesh + "\n",
+      "slide.toml");
+  Runner runner(scenario, trace::Stages::none());
+  Trace trace{runner.header(), {}};
+  for (int f = 0; f < 41; ++f) {
+    trace.frames.push_back(runner.frame(f));
+    trace.frames.back().line = f + 2;
+  }
+  return trace;
+}
+
+std::string grid(double size) {
+  return "grid = { size = [" + std::to_string(4 * size) + ", " + std::to_string(4 * size) +
+         "], cells = [13, 11] }";
+}
+
+std::vector<std::pair<std::string, double>> sliders(double size) {
+  const auto number = [&](double metres) { return std::to_string(metres * size); };
+  return {{"type = \"sphere\"\nradius = " + number(0.4), 0.39},
+          {"type = \"box\"\nhalf_extents = [" + number(0.4) + ", " + number(0.3) + ", " +
+               number(0.4) + "]",
+           0.29},
+          {"type = \"capsule\"\nradius = " + number(0.2) + "\nhalf_height = " + number(0.3), 0.49}};
+}
+
+TEST(InternalEdges, AreNamedWhereAFlatFloorPushesSideways) {
+  for (const double size : {0.1, 1.0, 100.0}) {
+    for (const auto& [shape, height] : sliders(size)) {
+      const std::vector<Finding> findings = lint(slide(shape, height, grid(size), size, false));
+      ASSERT_FALSE(findings.empty()) << shape;
+      EXPECT_EQ(findings.front().cause, "internal_edge") << shape;
+      EXPECT_EQ(findings.front().a, "floor") << shape;
+      EXPECT_EQ(causes_of(lint(slide(shape, height, grid(size), size, true))),
+                std::vector<std::string>{})
+          << shape;
+    }
+  }
+}
+
+// The ridge is real: while the sphere passes, its normal turns from one slope to the other.
+TEST(InternalEdges, AreNotTheEdgesThatASurfaceHas) {
+  const std::string ridge =
+      "vertices = [[0, 0, -2], [0, 0, 2], [2, -1, 2], [2, -1, -2], [-2, -1, -2], [-2, -1, 2]]\n"
+      "triangles = [[0, 1, 2], [0, 2, 3], [0, 4, 5], [0, 5, 1]]";
+  const Trace trace = slide("type = \"sphere\"\nradius = 0.4", 0.39, ridge, 1, true);
+  int upright = 0;  // between the normals of the slopes
+  for (const trace::Frame& frame : trace.frames)
+    for (const trace::Pair& pair : frame.pairs)
+      for (const trace::Manifold& manifold : pair.manifolds)
+        upright += std::abs(manifold.normal.y()) > std::cos(0.2);
+  EXPECT_GT(upright, 1);
+  EXPECT_EQ(causes_of(lint(trace)), std::vector<std::string>{});
+}
+
+// A valley has the directions of its two faces, and none between.
+TEST(InternalEdges, OfAValleyAreNotTouched) {
+  const std::string valley =
+      "vertices = [[0, 0, -2], [0, 0, 2], [2, 2, 2], [2, 2, -2], [-2, 2, -2], [-2, 2, 2]]\n"
+      "triangles = [[0, 1, 2], [0, 2, 3], [0, 4, 5], [0, 5, 1]]";
+  Trace trace = slide("type = \"sphere\"\nradius = 0.4", 0.6, valley, 1, true);
+  EXPECT_EQ(causes_of(lint(trace)), std::vector<std::string>{});
+  // The engine takes the edge itself, straight up, as deep as it is along that direction.
+  int changed = 0;
+  for (trace::Frame& frame : trace.frames) {
+    const Vec3d center = pose_of(frame, "slider").position;
+    if (std::abs(center.x()) > 0.05) continue;
+    for (trace::Pair& pair : frame.pairs) {
+      trace::Manifold edge;
+      edge.normal = Vec3d(-center.x(), -center.y(), 0).normalized();
+      if (pair.a == "floor") edge.normal = -edge.normal;
+      edge.points.push_back({Vec3d(0, 0, center.z()), -0.001, ""});
+      pair.manifolds = {edge};
+      ++changed;
+    }
+  }
+  ASSERT_GT(changed, 0);
+  const std::vector<Finding> findings = lint(trace);
+  ASSERT_FALSE(findings.empty());
+  EXPECT_EQ(findings.front().cause, "internal_edge");
+}
+
+}  // namespace
+}  // namespace contactscope::lint
