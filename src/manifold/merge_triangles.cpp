@@ -28,6 +28,13 @@ template <class S> int common_vertex(const Hull<S>& hull, std::uint32_t one, std
   return -1;
 }
 
+/// The face that looks most along a direction.
+template <class S> int facing(const Hull<S>& hull, const Vec3<S>& direction) {
+  const auto best = std::ranges::max_element(
+      hull.planes, {}, [&](const Plane<S>& plane) { return plane.normal.dot(direction); });
+  return static_cast<int>(best - hull.planes.begin());
+}
+
 /// Points that differ in their id, or are of one triangle; of others the deepest.
 template <class S> class DistinctPoints {
  public:
@@ -64,7 +71,7 @@ template <class S> class DistinctPoints {
  private:
   Numbers slots_;  // indices into points_; -1: free
   std::pmr::vector<ContactPoint<S>> points_;
-  Numbers triangles_;  // of which a point was first
+  Numbers triangles_;  // the first one of each point
 };
 
 /// The corners of the convex hull of points in a plane, within rounding, by quickhull (Barber et al.
@@ -253,22 +260,22 @@ template <class S> FeatureRef TriangleContacts<S>::in_mesh(const FeatureRef& ref
                   3 * there + static_cast<int>(std::ranges::find(back, t) - back.begin()));
 }
 
-/// Two edges of one shape cross at a vertex of it, on the face of the mesh.
-template <class S> FeatureId TriangleContacts<S>::in_mesh(const FeatureId& id, int t) const {
+/// Two edges of one shape cross at a vertex of it, on a face of the other.
+template <class S>
+FeatureId TriangleContacts<S>::in_mesh(const FeatureId& id, int t, const Vec3<S>& normal) const {
   const auto& [first, second] = id;
-  const bool both_edges = first.kind == FeatureKind::Edge && second.kind == FeatureKind::Edge;
-  if (both_edges && first.owner == second.owner) {
-    const FeatureRef face = face_ref(Owner::B, b_.region(t));
-    if (first.owner == Owner::B && first != second) {
+  const Hull<S>* hull = std::get_if<Hull<S>>(&a_);
+  if (hull != nullptr && first.kind == FeatureKind::Edge && first != second &&
+      first.owner == second.owner) {
+    if (first.owner == Owner::B) {
       // Edges 1 and 2 meet at vertex 2, 2 and 0 at 0, 0 and 1 at 1.
       const std::uint32_t missing = 3 - first.index - second.index;
-      return FeatureId::of(in_mesh({Owner::B, FeatureKind::Vertex, (missing + 2) % 3}, t), face);
+      return FeatureId::of(face_ref(Owner::A, facing(*hull, normal)),
+                           in_mesh({Owner::B, FeatureKind::Vertex, (missing + 2) % 3}, t));
     }
-    const Hull<S>* hull = std::get_if<Hull<S>>(&a_);
-    const int vertex = hull != nullptr && first.owner == Owner::A
-                           ? common_vertex(*hull, first.index, second.index)
-                           : -1;
-    if (vertex >= 0) return FeatureId::of(vertex_ref(Owner::A, vertex), face);
+    const int vertex = common_vertex(*hull, first.index, second.index);
+    if (vertex >= 0)
+      return FeatureId::of(vertex_ref(Owner::A, vertex), face_ref(Owner::B, b_.region(t)));
   }
   // A vertex on an edge or a corner within a flat region is on its face.
   const int k = static_cast<int>(second.index);
@@ -286,7 +293,8 @@ template <class S> FeatureId TriangleContacts<S>::in_mesh(const FeatureId& id, i
 template <class S> void TriangleContacts<S>::add(const Contact<S>& contact, int triangle) {
   const int begin = count_of(points_);
   for (const ContactPoint<S>& point : contact.points)
-    points_.push_back({point.position, point.separation, in_mesh(point.id, triangle)});
+    points_.push_back(
+        {point.position, point.separation, in_mesh(point.id, triangle, contact.normal)});
   parts_.push_back({contact.normal, contact.axis, contact.type, contact.scale, contact.deepest(),
                     triangle, begin, count_of(points_)});
 }

@@ -46,7 +46,7 @@ template <class S> class TriangleContacts {
              Recorder<S>* recorder);
 
  private:
-  /// Of a triangle: the range of its points, and what they have in common.
+  /// The contact of one triangle: what its points have in common, and their range.
   struct Part {
     Vec3<S> normal;
     AxisKind axis;
@@ -57,7 +57,7 @@ template <class S> class TriangleContacts {
   };
 
   FeatureRef in_mesh(const FeatureRef& ref, int triangle) const;
-  FeatureId in_mesh(const FeatureId& id, int triangle) const;
+  FeatureId in_mesh(const FeatureId& id, int triangle, const Vec3<S>& normal) const;
   int group_parts();
   void finish_group(int group, const ToWorld<S>& to_world, const CollideOptions& options,
                     Manifolds<S>& manifolds, Recorder<S>* recorder);

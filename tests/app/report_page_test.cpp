@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "app/program.h"
@@ -87,6 +88,25 @@ class ReportPage : public testing::Test {
 
   TemporaryFolder folder_;
 };
+
+TEST_F(ReportPage, LinksPagesIn3DOfBothTraces) {
+  const std::string viewer = folder_ / "viewer";
+  if (run("render '" + (folder_ / "scenarios/group/one.toml") + "' --format viewer --out '" +
+          viewer + "'")
+          .exit_code != 0)
+    GTEST_SKIP() << "built without three.js";
+  const nlohmann::json links = in_page(
+      "return [...document.querySelectorAll('a[href$=\"viewer.html\"]')]"
+      ".map(link => link.getAttribute('href'));");
+  EXPECT_EQ(links,
+            nlohmann::json({"group/one/actual.viewer.html", "group/one/expected.viewer.html"}));
+  const auto page = [&](const std::string& which) {
+    return read_text(folder_ / ("out/check/group/one/" + which + ".viewer.html"));
+  };
+  EXPECT_THAT(page("actual"), HasSubstr("\"actual: "));
+  EXPECT_THAT(page("expected"), HasSubstr("\"expected: "));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out/check/group/two/actual.viewer.html"));
+}
 
 TEST_F(ReportPage, GroupsByCauseWithContentsAndEveryComparisonMode) {
   const nlohmann::json page = in_page(R"(

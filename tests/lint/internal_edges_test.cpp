@@ -4,8 +4,8 @@
 
 #include "lint/recorded.h"
 
-/// Contacts with edges that a surface does not have. The pipeline makes them when it is told not to
-/// care, and makes none when it cares; on a ridge the same direction is right.
+/// Contacts with edges that a surface does not have. The pipeline makes them with
+/// internal_edges = false, and makes none otherwise; on a ridge the same direction is right.
 namespace contactscope::lint {
 namespace {
 

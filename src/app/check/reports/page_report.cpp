@@ -73,6 +73,11 @@ Json finding_json(const ReportInput& input, const Finding& finding, Pictures& pi
     json["accept"] = accept_command(input, {finding.key()});
   else
     json["remedy"] = remedy(input, finding);
+  for (const char* which : {"actual", "expected"}) {
+    const std::string viewer = viewer_path(finding.candidate, which);
+    if (!finding.candidate.empty() && std::filesystem::exists(input.folder / viewer))
+      json["viewers"].push_back({{"name", which}, {"file", viewer}});
+  }
   if (!finding.is_picture()) return json;
   json["frame"] = *finding.frame;
   json["facts"] = facts_of(input.outcome, finding);

@@ -19,6 +19,10 @@ void write_reports(const ReportInput& input) {
     if (report->is_wanted(input)) report->write(input);
 }
 
+std::string viewer_path(const std::string& candidate, const std::string& which) {
+  return std::filesystem::path(candidate).replace_filename(which + ".viewer.html").generic_string();
+}
+
 std::string path_in(const ReportInput& input, const std::string& file) {
   return (input.folder / file).lexically_normal().generic_string();
 }
