@@ -36,7 +36,7 @@ int rank_of(const Finding& finding) {
   if (is("separation", "surface", "side", "normal", "deepest")) return 3;
   if (is("pairs_flicker", "points_flicker", "impulses_flicker", "overlap_without_contact"))
     return 2;
-  return is("poses_jump", "normals_jump", "depths_jump") ? 1 : 0;
+  return is("poses_jump", "normals_jump", "depths_jump", "internal_edge") ? 1 : 0;
 }
 
 /// Corners and edges are rounded by a margin.
@@ -147,7 +147,8 @@ std::vector<Finding> Linter::findings() {
   });
   if (is_explained)
     std::erase_if(all, [](const Finding& finding) {
-      return finding.cause == "depths_jump" || finding.cause == "impulses_flicker";
+      return finding.cause == "depths_jump" || finding.cause == "impulses_flicker" ||
+             finding.cause == "internal_edge";
     });
   for (Finding& finding : all) {
     if (state_->options.strict) finding.below.clear();

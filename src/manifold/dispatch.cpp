@@ -1,7 +1,6 @@
 #include "manifold/dispatch.h"
 
 #include <algorithm>
-#include <optional>
 #include <type_traits>
 
 #include "geometry/prefetch.h"
@@ -73,17 +72,22 @@ void with_mesh(const PlacedPair<S>& pair, const CollideOptions& options, Manifol
   of_triangle.penetration = PenetrationMethod::Sat;
   const Mesh<S>& mesh = *std::get_if<Mesh<S>>(&pair.b);
   ContactSink<S> sink{ToWorld<S>(pair.pose_a), of_triangle, manifolds, recorder};
-  std::optional<TriangleContacts<S>> merged;
-  if (options.mesh_manifolds == MeshManifolds::Pair)
-    sink.merged = &merged.emplace(pair.a, mesh);
-  else  // Ids are local to a triangle, so previous ids mean nothing without the triangle.
+  const auto collide_all = [&] {
+    const S separation =
+        kCollide(*std::get_if<A>(&pair.a), mesh, relative_pose(pair.pose_a, pair.pose_b),
+                 of_triangle, sink, recorder);
+    if (recorder) [[unlikely]]
+      recorder->separation(separation);
+  };
+  if (options.mesh_manifolds == MeshManifolds::Triangle) {
+    // Ids are local to a triangle, so previous ids mean nothing without the triangle.
     of_triangle.reduction.previous = {};
-  const S separation =
-      kCollide(*std::get_if<A>(&pair.a), mesh, relative_pose(pair.pose_a, pair.pose_b), of_triangle,
-               sink, recorder);
-  if (merged) merged->merge(sink.to_world, of_triangle, manifolds, recorder);
-  if (recorder) [[unlikely]]
-    recorder->separation(separation);
+    return collide_all();
+  }
+  TriangleContacts<S> merged(pair.a, mesh);
+  sink.merged = &merged;
+  collide_all();
+  merged.merge(sink.to_world, of_triangle, manifolds, recorder);
 }
 
 template <class S>

@@ -19,7 +19,8 @@
 /// result once if it swapped the shapes.
 namespace contactscope {
 
-/// One manifold for convex shapes, one per triangle for meshes, none when separated.
+/// One manifold for convex shapes; one per direction, or per triangle, for meshes; none when
+/// separated.
 template <class S> using Manifolds = std::vector<Manifold<S>>;
 
 /// "sphere-hull": the name of such a pair in traces.

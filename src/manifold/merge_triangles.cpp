@@ -6,6 +6,7 @@
 #include <limits>
 #include <memory_resource>
 #include <numeric>
+#include <tuple>
 
 #include "core/instantiate.h"
 #include "manifold/collide_pairs.h"
@@ -193,6 +194,9 @@ template <class S> struct PointWrench {
 /// Step 6. Manifolds without points go, also from the record.
 template <class S>
 void keep_most_different(std::size_t most, Manifolds<S>& manifolds, trace::Merge* record) {
+  std::size_t points = 0;
+  for (const Manifold<S>& manifold : manifolds) points += manifold.points.size();
+  if (points <= most) return;
   Vec3<S> middle = Vec3<S>::Zero();
   std::vector<PointWrench<S>> wrenches;
   for (std::size_t m = 0; m < manifolds.size(); ++m) {
@@ -201,7 +205,6 @@ void keep_most_different(std::size_t most, Manifolds<S>& manifolds, trace::Merge
       middle += wrenches.back().torque;
     }
   }
-  if (wrenches.size() <= most) return;
   middle /= static_cast<S>(wrenches.size());
   S radius = S(0);
   for (const PointWrench<S>& one : wrenches)
@@ -227,8 +230,8 @@ void keep_most_different(std::size_t most, Manifolds<S>& manifolds, trace::Merge
   for (Manifold<S>& manifold : manifolds) manifold.points.clear();
   // Kept points move to the front, so none is overwritten before it is read.
   for (const PointWrench<S>& one : wrenches) {
-    auto& points = manifolds[one.manifold].points;
-    if (one.kept) points.push_back(points.data()[one.point]);
+    auto& kept = manifolds[one.manifold].points;
+    if (one.kept) kept.push_back(kept.data()[one.point]);
   }
   for (std::size_t m = manifolds.size(); m-- > 0;) {
     if (!manifolds[m].points.empty()) continue;
@@ -292,68 +295,92 @@ FeatureId TriangleContacts<S>::in_mesh(const FeatureId& id, int t, const Vec3<S>
 
 template <class S> void TriangleContacts<S>::add(const Contact<S>& contact, int triangle) {
   const int begin = count_of(points_);
-  for (const ContactPoint<S>& point : contact.points)
-    points_.push_back(
-        {point.position, point.separation, in_mesh(point.id, triangle, contact.normal)});
+  points_.insert(points_.end(), contact.points.begin(), contact.points.end());
   parts_.push_back({contact.normal, contact.axis, contact.type, contact.scale, contact.deepest(),
                     triangle, begin, count_of(points_)});
 }
 
-/// Step 2: sorts the parts by depth and numbers their groups. Returns the number of groups.
-template <class S> int TriangleContacts<S>::group_parts() {
-  std::ranges::sort(parts_, [](const Part& one, const Part& other) {
-    return std::pair(one.deepest, one.triangle) < std::pair(other.deepest, other.triangle);
-  });
-  // The distance of unit vectors is accurate where their cosine is not.
-  const S nearest = static_cast<S>(2 * std::sin(kFlatEdgeAngle / 2));
+/// Step 2: sorts the parts by group and depth, and returns the end of each group.
+template <class S> std::pmr::vector<int> TriangleContacts<S>::group_parts() {
+  const auto by = [](auto... keys) {
+    return [=](const Part& one, const Part& other) {
+      return std::tie(one.*keys...) < std::tie(other.*keys...);
+    };
+  };
+  Numbers ends(&arena_);
+  if (parts_.size() == 1) {
+    ends.push_back(1);
+    return ends;
+  }
+  std::ranges::sort(parts_, by(&Part::deepest, &Part::triangle));
+  constexpr S kNearest = static_cast<S>(kFlatEdgeAngle);  // as the distance of unit vectors
   std::pmr::vector<Vec3<S>> normals(&arena_);
   for (Part& part : parts_) {
     const auto same = std::ranges::find_if(normals, [&](const Vec3<S>& normal) {
-      return (normal - part.normal).squaredNorm() <= nearest * nearest;
+      return (normal - part.normal).squaredNorm() <= kNearest * kNearest;
     });
     part.group = static_cast<int>(same - normals.begin());
-    if (same == normals.end()) normals.push_back(part.normal);
+    if (same == normals.end()) {
+      normals.push_back(part.normal);
+      ends.push_back(0);
+    }
+    ++at(ends, part.group);
   }
-  return count_of(normals);
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  if (ends.size() > 1) std::ranges::sort(parts_, by(&Part::group, &Part::deepest, &Part::triangle));
+  return ends;
 }
 
-/// Steps 3 to 5.
+/// Steps 1 and 3 to 5 for a group, the deepest part first.
 template <class S>
-void TriangleContacts<S>::finish_group(int group, const ToWorld<S>& to_world,
+void TriangleContacts<S>::finish_group(std::span<const Part> parts, const ToWorld<S>& to_world,
                                        const CollideOptions& options, Manifolds<S>& manifolds,
                                        Recorder<S>* recorder) {
-  const Part& lead = *std::ranges::find(parts_, group, &Part::group);
-  DistinctPoints<S> distinct(points_.size(), arena_);
-  Numbers triangles(&arena_);
-  int found = 0;
-  S scale = S(0);
-  for (const Part& part : parts_) {
-    if (part.group != group) continue;
-    triangles.push_back(part.triangle);
-    found += part.end - part.begin;
-    scale = std::max(scale, part.scale);
-    for (int i = part.begin; i < part.end; ++i) distinct.add(at(points_, i), part.triangle);
+  const Part& lead = parts.front();
+  Contact<S> contact;
+  contact.axis = lead.axis;
+  contact.type = lead.type;
+  contact.normal = lead.normal;
+  contact.scale = lead.scale;
+  const auto in_mesh_of = [&](const Part& part, int i) -> ContactPoint<S> {
+    const ContactPoint<S>& point = at(points_, i);
+    return {point.position, point.separation, in_mesh(point.id, part.triangle, part.normal)};
+  };
+  if (parts.size() == 1) {
+    for (int i = lead.begin; i < lead.end; ++i) contact.points.push_back(in_mesh_of(lead, i));
+    finish_contact(to_world, options, contact, manifolds.emplace_back(),
+                   lead.group == 0 ? recorder : nullptr);
+    if (recorder) [[unlikely]]
+      recorder->merged({lead.triangle}, lead.end - lead.begin);
+    return;
   }
+  std::size_t found = 0;
+  for (const Part& part : parts) {
+    found += static_cast<std::size_t>(part.end - part.begin);
+    contact.scale = std::max(contact.scale, part.scale);
+  }
+  DistinctPoints<S> distinct(found, arena_);
+  for (const Part& part : parts)
+    for (int i = part.begin; i < part.end; ++i) distinct.add(in_mesh_of(part, i), part.triangle);
   const ContactPoints<S> all = distinct.points();
-  scale = std::max(scale, scale_of(all));
-  Numbers chosen(all.size(), 0, &arena_);
-  std::iota(chosen.begin(), chosen.end(), 0);
-  if (options.reducer != nullptr && triangles.size() > 1 && all.size() > 1)
-    chosen = outline_of<S>(all, lead.normal, depth_rounding(scale), arena_);
+  contact.scale = std::max(contact.scale, scale_of(all));
+  Numbers chosen(&arena_);
+  if (options.reducer != nullptr) {
+    chosen = outline_of<S>(all, lead.normal, depth_rounding(contact.scale), arena_);
+  } else {
+    chosen.resize(all.size());
+    std::iota(chosen.begin(), chosen.end(), 0);
+  }
+  if (chosen.size() > 1) contact.type = face_contact_type(chosen.size());
   for (std::size_t begin = 0; begin < chosen.size(); begin += kMaxManifoldPoints) {
-    Contact<S> contact;
-    contact.axis = lead.axis;
-    contact.type =
-        triangles.size() == 1 || chosen.size() == 1 ? lead.type : face_contact_type(chosen.size());
-    contact.normal = lead.normal;
-    contact.scale = scale;
     const std::size_t end = std::min(chosen.size(), begin + kMaxManifoldPoints);
+    contact.points.clear();
     for (std::size_t i = begin; i < end; ++i) contact.points.push_back(at(all, chosen[i]));
-    const bool first = group == 0 && begin == 0;
+    const bool first = lead.group == 0 && begin == 0;
     finish_contact(to_world, options, contact, manifolds.emplace_back(),
                    first ? recorder : nullptr);
     if (recorder) [[unlikely]] {
-      recorder->merged({triangles.begin(), triangles.end()}, found);
+      recorder->merged(mapped(parts, &Part::triangle), static_cast<int>(found));
       if (first) recorder->reduced_outline_of(all, {chosen.begin(), chosen.end()});
     }
   }
@@ -362,9 +389,12 @@ void TriangleContacts<S>::finish_group(int group, const ToWorld<S>& to_world,
 template <class S>
 void TriangleContacts<S>::merge(const ToWorld<S>& to_world, const CollideOptions& options,
                                 Manifolds<S>& manifolds, Recorder<S>* recorder) {
-  const int groups = group_parts();
-  for (int group = 0; group < groups; ++group)
-    finish_group(group, to_world, options, manifolds, recorder);
+  int begin = 0;
+  for (const int end : group_parts()) {
+    finish_group(std::span<const Part>(parts_.data() + begin, parts_.data() + end), to_world,
+                 options, manifolds, recorder);
+    begin = end;
+  }
   if (options.reducer != nullptr)
     keep_most_different(static_cast<std::size_t>(kMergedManifolds * options.reduction.max_points),
                         manifolds, recorder ? recorder->merge_record() : nullptr);

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <memory_resource>
+#include <span>
 #include <vector>
 
 #include "geometry/shape.h"
@@ -53,14 +54,14 @@ template <class S> class TriangleContacts {
     ContactType type;
     S scale, deepest;
     int triangle, begin, end;
-    int group = -1;
+    int group = 0;
   };
 
   FeatureRef in_mesh(const FeatureRef& ref, int triangle) const;
   FeatureId in_mesh(const FeatureId& id, int triangle, const Vec3<S>& normal) const;
-  int group_parts();
-  void finish_group(int group, const ToWorld<S>& to_world, const CollideOptions& options,
-                    Manifolds<S>& manifolds, Recorder<S>* recorder);
+  std::pmr::vector<int> group_parts();
+  void finish_group(std::span<const Part> parts, const ToWorld<S>& to_world,
+                    const CollideOptions& options, Manifolds<S>& manifolds, Recorder<S>* recorder);
 
   const Shape<S>& a_;
   const Mesh<S>& b_;

@@ -251,7 +251,8 @@ TEST(BulletAdapter, AHullWithAMarginOnAMesh) {
   EXPECT_NEAR(shape_of(trace, "small").margin, 0.01, 1e-6);
   EXPECT_NEAR(shape_of(trace, "small").vertices[0].x(), -0.25, 1e-6);
   EXPECT_EQ(shape_of(trace, "ground").faces.size(), 48u);
-  expect_right(trace, {.surface = 2e-4, .along = 2e-4});
+  // Bullet tests triangles alone, unless a callback fixes edges within the surface.
+  expect_right(trace, {.surface = 2e-4, .along = 2e-4}, {}, {"internal_edge"});
   expect_momentum(trace);
   EXPECT_EQ(trace.frames.back().pairs.size(), 3u);
   for (const trace::Frame& frame : trace.frames)

@@ -181,7 +181,7 @@ TEST(FclAdapter, KnownFaultEdgesOfAMeshPushHullsAside) {
   scene.collide();
   const trace::Trace trace = scene.trace();
   EXPECT_EQ(shape_of(trace, "ground").faces.size(), 48u);
-  expect_right(trace, {.surface = 1e-6}, {}, {"separation"});
+  expect_right(trace, {.surface = 1e-6}, {}, {"internal_edge"});
   int upright = 0;
   for (const trace::Frame& frame : trace.frames) {
     ASSERT_EQ(frame.pairs.size(), 2u);

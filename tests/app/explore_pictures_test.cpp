@@ -43,7 +43,8 @@ TEST(ExplorePictures, AreTallWhereManyReducersStandSideBySide) {
 TEST(ExplorePictures, TrianglesOfAMeshHaveFoldersWhereSomethingIsReduced) {
   const TemporaryFolder folder;
   folder.write("g/mesh.toml",
-               "title = \"Mesh\"\n[pipeline]\nmax_points = 3\n[shapes.crate]\ntype = \"box\"\n"
+               "title = \"Mesh\"\n[pipeline]\nmesh_manifolds = \"triangle\"\nmax_points = "
+               "3\n[shapes.crate]\ntype = \"box\"\n"
                "half_extents = [0.4, 0.3, 0.4]\nposition = [0.05, 0.29, 0.07]\n"
                "[shapes.floor]\ntype = \"mesh\"\ngrid = { size = [4, 4], cells = [8, 8] }\n");
   const ProgramRun result = run("explore '" + (folder / "g/mesh.toml") +

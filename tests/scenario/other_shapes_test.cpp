@@ -141,7 +141,8 @@ TEST(OtherShapes, AMeshStandsInTheTraceWithEveryEdgeOnce) {
 
 TEST(OtherShapes, ASphereOnAMeshHasAManifoldForEachTriangle) {
   const Scenario scenario = parse_scenario(
-      "title = \"Sphere\"\n[shapes.ball]\ntype = \"sphere\"\nradius = 0.5\n"
+      "title = \"Sphere\"\n[pipeline]\nmesh_manifolds = \"triangle\"\n[shapes.ball]\ntype = "
+      "\"sphere\"\nradius = 0.5\n"
       "position = [0.3, 0.45, 0.2]\n"
       "[shapes.floor]\ntype = \"mesh\"\ngrid = { size = 4, cells = 4 }\n",
       "hull/a.toml");

@@ -254,8 +254,10 @@ TEST_P(Explore, ATowerOnARampTipsWherePlumbBelowItsMiddleIsNoBase) {
 }
 
 /// A box of 0.8 by 0.8 on a flat mesh from -2 to 2 m of triangles with sides of 0.5 m.
-std::vector<trace::Exploration> box_on_mesh(const std::string& scalar, const std::string& x) {
+std::vector<trace::Exploration> box_on_mesh(const std::string& scalar, const std::string& x,
+                                            const std::string& manifolds = "triangle") {
   return explore(parse_scenario("title = \"Mesh\"\n[pipeline]\nscalar = \"" + scalar +
+                                    "\"\nmesh_manifolds = \"" + manifolds +
                                     "\"\n[shapes.crate]\ntype = \"box\"\n"
                                     "half_extents = [0.4, 0.3, 0.4]\nposition = [" +
                                     x +
@@ -263,6 +265,15 @@ std::vector<trace::Exploration> box_on_mesh(const std::string& scalar, const std
                                     "grid = { size = [4, 4], cells = [8, 8] }\n",
                                 "mesh/crate.toml"),
                  0, untimed({"none", "first", "area"}));
+}
+
+TEST_P(Explore, AMeshIsReducedAsAWhole) {
+  const auto explorations = box_on_mesh(GetParam(), "0.05", "pair");
+  ASSERT_EQ(explorations.size(), 1u);
+  EXPECT_FALSE(explorations[0].triangle);
+  EXPECT_GT(explorations[0].points.size(), 12u);
+  EXPECT_NEAR(answer_of(explorations[0], "none").area, 0.8 * 0.8, 1e-5);
+  EXPECT_NEAR(answer_of(explorations[0], "area").area, 0.8 * 0.8, 1e-5);
 }
 
 TEST_P(Explore, EveryTriangleOfAMeshIsReduced) {

@@ -11,6 +11,7 @@
 
 #include "app/check/known_same.h"
 #include "app/check/reports/report.h"
+#include "app/check/viewers.h"
 #include "app/cli/progress.h"
 #include "app/cli/shard.h"
 #include "app/render/figure_canvas.h"
@@ -25,8 +26,6 @@
 #include "snapshot/report_folder.h"
 #include "snapshot/spelling.h"
 #include "snapshot/store.h"
-#include "view/title.h"
-#include "viewer/viewer.h"
 
 namespace contactscope::app {
 namespace {
@@ -126,7 +125,7 @@ class Checker {
     const snapshot::TraceDifferences differences = trace.differences;
     if (trace.finding) report_.add_text(*trace.finding, snapshot::to_json_lines(stored));
     if (trace.finding && trace.finding->kind == FindingKind::Changed)
-      add_viewers(archive, scenario, sequence, trace.finding->candidate);
+      viewers_.add(scenario, archive, sequence, trace.finding->candidate, report_);
     Explanation facts{&differences, has_hashes && has_unstored(scenario) ? &frames : nullptr, {}};
     if (trace.finding && trace.finding->kind == FindingKind::Changed)
       facts.cause = trace.finding->cause;
@@ -298,32 +297,6 @@ class Checker {
     }
   }
 
-  /// Stores pages in 3D of all frames as they are now, and of the stored ones. Only for the first
-  /// scenarios, because each page contains three.js.
-  void add_viewers(const snapshot::StoredScenario& archive, const Scenario& scenario,
-                   const Sequence& sequence, const std::string& candidate) {
-    constexpr int kMax = 20;
-    if (viewer::three_script().empty() || viewers_++ >= kMax) return;
-    const Timed timed(log_, "write viewers");
-    const auto add = [&](const char* which, const trace::Header& header,
-                         const std::vector<trace::Frame>& frames) {
-      const draw::Staging staging =
-          draw::stage(header, frames, scenario.views.front(), scenario.snapshots.width,
-                      scenario.snapshots.height, style_of(scenario), draw::kLayers,
-                      mapped(frames, &trace::Frame::frame));
-      PictureOrigin origin;
-      origin.scenario = scenario.name;
-      origin.title = std::string(which) + ": " + plain_title(scenario.title);
-      viewer::Viewer page(staging, origin);
-      for (const trace::Frame& frame : frames) page.add(frame);
-      report_.add_file(viewer_path(candidate, which), page.html());
-    };
-    std::istringstream text(*snapshot::read_stored_trace(archive.root, archive.scenario));
-    const trace::Trace stored = trace::read_trace(text, "stored");
-    add("actual", sequence.header, sequence.frames);
-    add("expected", stored.header, stored.frames);
-  }
-
   void check_stale(const snapshot::StoredScenario& archive, const Scenario& scenario,
                    ScenarioOutcome& outcome) {
     std::vector<std::string> views;
@@ -335,7 +308,7 @@ class Checker {
 
   const Options& options_;
   RunLog log_;
-  int viewers_ = 0;  // scenarios with pages in 3D
+  Viewers viewers_;
   Renderer renderer_;
   snapshot::ReportFolder& report_;
   snapshot::Policy policy_;

@@ -36,7 +36,7 @@ const char* to_string(ContactStatus status);
 
 struct Contacts {
   ContactStatus status = ContactStatus::Separated;
-  std::vector<Manifold> manifolds{};  // one for convex shapes, one per triangle for meshes
+  std::vector<Manifold> manifolds{};  // one for convex shapes; one per direction for meshes
   /// Separation of the deepest point, metres. For separated shapes: along the best axis if it was
   /// recorded, else 0.
   double separation = 0;

@@ -43,7 +43,7 @@ struct Manifold {
   std::vector<ContactPoint> points{};
   std::string axis{};  // "face_a", "face_b", "edge_edge", "closest_points"; empty: not recorded
   std::string type{};  // features in contact: "point-face", ...; empty: not recorded
-  int triangle = -1;   // index in the mesh; -1: neither shape is a mesh
+  int triangle = -1;   // index in the mesh; -1: of a whole pair
 };
 
 /// Separation of the deepest point in metres, negative = overlap; 0 without points.
