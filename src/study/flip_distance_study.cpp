@@ -76,34 +76,4 @@ std::vector<trace::Study> study_flip_distance(const StudyOptions& options,
   return results;
 }
 
-using namespace record;
-
-/// The title contains the smallest change of all, and its point is marked.
-trace::Study picture_flip_distance(const trace::Study& measured) {
-  trace::Study study = measured;
-  trace::StudySeries* pair = nullptr;
-  trace::StudyPoint* least = nullptr;
-  for (trace::StudySeries& series : study.series)
-    for (trace::StudyPoint& point : series.points)
-      if (point.error && (least == nullptr || *point.error < *least->error))
-        pair = &series, least = &point;
-  if (least == nullptr) return study;
-  const bool is_distance = study.measure == "way", is_turn = study.measure == "turn";
-  least->mark = is_distance ? length(*least->error)
-                : is_turn   ? power(*least->error) + " rad"
-                            : count(*least->error);
-  const std::string change = is_distance ? "a way of " + least->mark
-                             : is_turn   ? "a turn of " + least->mark
-                                         : least->mark + " last places of a coordinate";
-  const bool is_one_scenario = std::ranges::all_of(
-      study.series, [&](const trace::StudySeries& one) { return one.panel == pair->panel; });
-  study.title = "At the least " + change + " gives " + pair->method + " other points, in frame " +
-                count(least->parameter) + (is_one_scenario ? "" : " of " + pair->panel);
-  if (is_distance) scale_errors(study, 1000);  // millimetres
-  const std::string unit = is_distance ? "mm" : study.unit;
-  study.shown = "Up: " + study.error + " of the second shape after which a pair has other points" +
-                (unit.empty() ? "" : ", " + unit) + ". Crosses: nothing changes it";
-  return study;
-}
-
 }  // namespace contactscope

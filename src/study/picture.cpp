@@ -4,49 +4,11 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <stdexcept>
 
 #include "core/at.h"
 
 namespace contactscope::record {
 namespace {
-
-/// Index in the list of all methods of the study, without duplicates.
-int look_of(const trace::Study& study, const std::string& method) {
-  std::vector<std::string> methods;
-  for (const trace::StudySeries& series : study.series)
-    if (std::ranges::find(methods, series.method) == methods.end())
-      methods.push_back(series.method);
-  return static_cast<int>(std::ranges::find(methods, method) - methods.begin());
-}
-
-bool is_at(const trace::StudyPoint& point, double parameter) {
-  return std::abs(point.parameter - parameter) <= 1e-9 * std::abs(parameter);
-}
-
-bool same_places(const trace::StudySeries& one, const trace::StudySeries& other) {
-  return one.panel == other.panel &&
-         std::ranges::equal(one.points, other.points,
-                            [](const trace::StudyPoint& a, const trace::StudyPoint& b) {
-                              return a.parameter == b.parameter && a.error == b.error &&
-                                     a.error_worst == b.error_worst && a.failed == b.failed;
-                            });
-}
-
-/// Keeps the series with one of these names, which they then get; colours as in the full study.
-void keep(trace::Study& study, const std::vector<Named>& named,
-          std::string trace::StudySeries::*name) {
-  std::vector<trace::StudySeries> kept;
-  for (const auto& [from, to] : named) {
-    for (const trace::StudySeries& series : study.series) {
-      if (series.*name != from) continue;
-      kept.push_back(series);
-      if (!series.look) kept.back().look = look_of(study, series.method);
-      kept.back().*name = to;
-    }
-  }
-  study.series = std::move(kept);
-}
 
 /// Units, the largest first; a value uses the first in which it is at least one.
 struct Unit {
@@ -72,107 +34,14 @@ std::string superscript(int exponent) {
 
 }  // namespace
 
-const trace::StudySeries& series_of(const trace::Study& study, const std::string& method,
-                                    const std::string& panel) {
-  for (const trace::StudySeries& series : study.series)
-    if (series.method == method && series.panel == panel) return series;
-  throw std::out_of_range(study.study + ": no series '" + method + "' in panel '" + panel + "'");
-}
-
-const trace::StudyPoint& point_at(const trace::StudySeries& series, double parameter) {
-  for (const trace::StudyPoint& point : series.points)
-    if (is_at(point, parameter)) return point;
-  throw std::out_of_range("'" + series.method + "' has no point at " + number(parameter));
-}
-
-double error_at(const trace::StudySeries& series, double parameter) {
-  const trace::StudyPoint& point = point_at(series, parameter);
-  if (!point.error) throw std::out_of_range("'" + series.method + "' failed in all cases");
-  return *point.error;
-}
-
-void keep_methods(trace::Study& study, const std::vector<Named>& named) {
-  keep(study, named, &trace::StudySeries::method);
-}
-
-void keep_panels(trace::Study& study, const std::vector<Named>& named) {
-  keep(study, named, &trace::StudySeries::panel);
-}
-
-void join_equal(trace::Study& study) {
-  struct Group {
-    std::vector<std::string> methods;
-    std::vector<trace::StudySeries> series;  // of the first method, one per panel
-  };
-  std::vector<Group> methods, groups;
-  for (const trace::StudySeries& series : study.series) {
-    const auto known = std::ranges::find_if(
-        methods, [&](const Group& one) { return one.methods.front() == series.method; });
-    if (known == methods.end())
-      methods.push_back({{series.method}, {series}});
-    else
-      known->series.push_back(series);
-  }
-  for (Group& one : methods) {
-    const auto same = std::ranges::find_if(groups, [&](const Group& group) {
-      return std::ranges::equal(group.series, one.series, same_places);
-    });
-    if (same == groups.end())
-      groups.push_back(std::move(one));
-    else
-      same->methods.push_back(one.methods.front());
-  }
-  std::vector<trace::StudySeries> joined;
-  for (trace::StudySeries& series : study.series)
-    for (const Group& group : groups)
-      if (group.methods.front() == series.method) {
-        joined.push_back(std::move(series));
-        joined.back().method = listed(group.methods);
-        break;
-      }
-  study.series = std::move(joined);
-}
-
-void mark(trace::Study& study, const std::string& method, const std::string& panel,
-          double parameter, const std::string& words) {
-  for (trace::StudySeries& series : study.series) {
-    if (series.method != method || series.panel != panel) continue;
-    for (trace::StudyPoint& point : series.points)
-      if (is_at(point, parameter)) point.mark = words;
-  }
-}
-
-void name_parameter(trace::Study& study, const std::string& name) {
-  for (trace::StudySeries& series : study.series) series.parameter = name;
-}
-
 void drop_worst(trace::Study& study) {
   each_point(study, [](trace::StudyPoint& point) { point.error_worst.reset(); });
-}
-
-double largest_error(const trace::StudySeries& series) {
-  double largest = 0;
-  for (const trace::StudyPoint& point : series.points) largest = std::max(largest, error_of(point));
-  return largest;
 }
 
 void scale_errors(trace::Study& study, double factor) {
   each_point(study, [&](trace::StudyPoint& point) {
     for (std::optional<double>* error : {&point.error, &point.error_worst})
       if (*error) **error *= factor;
-  });
-}
-
-void show_least_times(trace::Study& study) {
-  each_point(study, [](trace::StudyPoint& point) {
-    point.nanoseconds.median = point.nanoseconds.max = point.nanoseconds.min;
-  });
-}
-
-void drop_resolution(trace::Study& study) {
-  each_point(study, [&](trace::StudyPoint& point) {
-    for (std::optional<double>* error : {&point.error, &point.error_worst})
-      if (*error && **error <= study.resolution) *error = 0;
   });
 }
 

@@ -48,8 +48,7 @@ struct StudyInfo {
   std::string name;
   std::string summary;  // one line
   RunStudy* run;
-  StudyPicture* picture = nullptr;  // makes the picture of a result; null: drawn unchanged
-  bool of_scenarios = false;        // needs scenarios
+  bool of_scenarios = false;  // needs scenarios
 };
 
 /// Every study, in listing order.

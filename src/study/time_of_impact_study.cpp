@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include "core/at.h"
 #include "query/gjk.h"
 #include "study/impact_cases.h"
@@ -129,67 +127,6 @@ std::vector<trace::Study> study_time_of_impact(const StudyOptions& options,
   finders.push_back(sampled(8));
   finders.push_back(sampled(64));
   return study_impact_finders(finders, options, progress);
-}
-
-using namespace record;
-
-namespace {
-
-constexpr double kUsualDistance = 10;  // metres in the step
-constexpr double kPercent = 100;       // of one
-constexpr const char* kSearch = "search for the time of impact";
-constexpr const char* kSampled = "64 samples of the step";
-
-std::string result_of(const trace::Study& measured, trace::Study& study) {
-  const auto at_usual = [&](const char* method) -> const trace::StudyPoint& {
-    return point_at(series_of(measured, method, "rotating"), kUsualDistance);
-  };
-  const trace::StudyPoint &own = at_usual("time of impact"), &sampled = at_usual("64 samples");
-  if (!own.error || !sampled.error) throw std::out_of_range("all failed");
-  mark(study, kSearch, "", kUsualDistance, "off by " + percent(*own.error));
-  mark(study, kSampled, "", kUsualDistance, "off by " + percent(*sampled.error));
-  return "Over " + number(kUsualDistance) +
-         " m in a step a search for the time of impact is off by " + percent(*own.error) +
-         " of the step, 64 samples by " + percent(*sampled.error);
-}
-
-/// Text for the most hits that a line misses at a point; empty if it misses none. Its means exclude
-/// them.
-std::string take_missed(trace::StudySeries& series) {
-  const auto most = std::ranges::max_element(series.points, {}, &trace::StudyPoint::failed);
-  if (most == series.points.end() || most->failed == 0) return "";
-  const std::string words = " Up to " + count(most->failed) + " of " + count(most->of) +
-                            " hits are missed by " + series.method + ", and left out here.";
-  for (trace::StudyPoint& point : series.points) point.failed = 0;
-  return words;
-}
-
-}  // namespace
-
-trace::Study picture_time_of_impact(const trace::Study& measured) {
-  trace::Study study = measured;
-  // Conservative advancement is as accurate in twice the time, and eight samples miss most fast
-  // hits; tables contain both, and all times.
-  keep_methods(study, {{"time of impact", kSearch}, {"64 samples", kSampled}});
-  // Hulls without rotation have the same errors in less time; tables contain them.
-  keep_panels(study, {{"rotating", ""}});
-  name_parameter(study, "metres that a hull goes in the step");
-  if (study.measure != "error") {
-    study.unit = trace::kShare;
-    return study;
-  }
-  study.shown =
-      "Up: mean error of the time of impact, in % of the step, of hulls that turn by up to 2 rad.";
-  study.resolution *= kPercent;
-  for (trace::StudySeries& series : study.series) {
-    if (series.method == kSampled) series.look = 1;  // distinct from the blue of the search
-    study.shown += take_missed(series);
-  }
-  drop_worst(study);
-  scale_errors(study, kPercent);
-  study.form = trace::StudyForm::Curves;
-  report(study, [&] { return result_of(measured, study); });
-  return study;
 }
 
 }  // namespace contactscope

@@ -1,4 +1,4 @@
-#include "study/picture.h"
+#include "study/picture_row.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -46,12 +46,46 @@ TEST(ReportInput, NumbersHaveTwoDigitsAndNoExponent) {
 TEST(ReportInput, KeptMethodsHaveNamesAndTheLooksOfTheWholeStudy) {
   trace::Study study;
   study.series = {line("a", {1}), line("b", {2}), line("c", {3})};
-  record::keep_methods(study, {{"c", "third"}, {"a", "first"}});
+  const record::PictureRow row{.methods = {{"c", "third"}, {"a", "first", record::kQuiet}}};
+  study = record::drawn_by(row, study);
   ASSERT_EQ(study.series.size(), 2u);
   EXPECT_EQ(study.series[0].method, "third");
   EXPECT_EQ(study.series[0].look, 2);
   EXPECT_EQ(study.series[1].method, "first");
   EXPECT_EQ(study.series[1].look, 0);
+  EXPECT_FALSE(study.series[0].quiet);
+  EXPECT_TRUE(study.series[1].quiet);
+}
+
+TEST(ReportInput, ARowChangesWhatItNamesAndLeavesTheRest) {
+  trace::Study study;
+  study.title = "measured";
+  study.error = "way";
+  study.unit = "m";
+  study.resolution = 0.25;
+  study.reference = "a; many; and seed 1";
+  study.series = {line("peer 1.2", {0.125, 0.5}, "p"), line("own", {1, 2}, "p"),
+                  line("own", {3, 4}, "q")};
+  const record::PictureRow row{
+      .methods = {{"peer*", "peer"}, {"own", "own"}},
+      .panels = {{"p", ""}},
+      .parameter = "frames",
+      .unit = "mm",
+      .shown = "Up: {error}",
+      .options = {.drop_resolution = true, .scale = 1000, .left_out = {";", ";"}}};
+  const trace::Study drawn = record::drawn_by(row, study);
+  EXPECT_EQ(drawn.title, "measured");
+  EXPECT_EQ(drawn.error, "way");
+  EXPECT_EQ(drawn.unit, "mm");
+  EXPECT_EQ(drawn.shown, "Up: way");
+  EXPECT_EQ(drawn.reference, "a; and seed 1");
+  EXPECT_EQ(drawn.resolution, 250);
+  ASSERT_EQ(drawn.series.size(), 2u);
+  EXPECT_EQ(drawn.series[0].method, "peer");
+  EXPECT_EQ(drawn.series[0].parameter, "frames");
+  EXPECT_EQ(drawn.series[0].points[0].error, 0) << "within the resolution";
+  EXPECT_EQ(drawn.series[0].points[1].error, 500);
+  EXPECT_EQ(drawn.series[1].points[1].error_worst, 2000);
 }
 
 TEST(ReportInput, LinesAreJoinedWhereTheyAreOneInEveryPanel) {
@@ -59,7 +93,11 @@ TEST(ReportInput, LinesAreJoinedWhereTheyAreOneInEveryPanel) {
   study.series = {line("some", {0.1, 0.2}, "p"), line("none", {0, 0}, "p"),
                   line("neither", {0, 0}, "p"),  line("some", {0, 0}, "q"),
                   line("none", {0, 0}, "q"),     line("neither", {0, 0}, "q")};
-  record::join_equal(study);
+  const record::PictureRow row{.result = [](record::Picture& plot) {
+    plot.join_equal();
+    return std::string();
+  }};
+  study = record::drawn_by(row, study);
   ASSERT_EQ(study.series.size(), 4u);
   EXPECT_EQ(study.series[0].method, "some");
   EXPECT_EQ(study.series[1].method, "none and neither");
@@ -67,6 +105,7 @@ TEST(ReportInput, LinesAreJoinedWhereTheyAreOneInEveryPanel) {
 
 TEST(Picture, TheTitleIsTheResultOfTheRun) {
   trace::Study study;
+  study.study = "tunnelling";
   study.measure = "passed";
   study.title = "Bullets that pass a wall";
   for (const char* method : {"discrete", "speculative margin of 2 cm", "swept bounding sphere",
@@ -74,24 +113,25 @@ TEST(Picture, TheTitleIsTheResultOfTheRun) {
     study.series.push_back(line(method, {0, 0}, "spheres, a wall of 1 cm"));
   study.series[0].points[1] = {10, 0.4, 0.4, {}, 0, 10};
   study.series[1].points[1] = {10, 0.3, 0.3, {}, 0, 10};
-  EXPECT_EQ(picture_tunnelling(study).title,
+  EXPECT_EQ(picture_of(study).title,
             "At 10 m/s 40 % of the spheres pass a wall of 1 cm; of those that are swept none");
-  const trace::Study record = picture_tunnelling(study);
+  const trace::Study record = picture_of(study);
   EXPECT_EQ(record.series[0].points[1].mark, "40 %");
   EXPECT_EQ(record.series[1].points[1].mark, "30 %");
   EXPECT_EQ(record.series[0].points[0].mark, "") << "the title does not speak of it";
   study.series[3].points[1].error = 0.01;
-  EXPECT_THAT(picture_tunnelling(study).title, HasSubstr("swept up to 1 %"));
+  EXPECT_THAT(picture_of(study).title, HasSubstr("swept up to 1 %"));
 }
 
 TEST(Picture, TheSmallestFlipDistanceIsShownWithItsUnit) {
   trace::Study study;
+  study.study = "flip_distance";
   study.measure = "way";
   study.error = "smallest way";
   study.unit = "m";
   study.series = {line("crate-floor", {0.01, 0.004}, "hull/one"),
                   line("lid-crate", {0.02, 0.002}, "hull/two")};
-  const trace::Study record = picture_flip_distance(study);
+  const trace::Study record = picture_of(study);
   EXPECT_EQ(record.title,
             "At the least a way of 2 mm gives lid-crate other points, in frame 2 of hull/two");
   EXPECT_EQ(record.series[1].points[1].mark, "2 mm");
@@ -101,17 +141,17 @@ TEST(Picture, TheSmallestFlipDistanceIsShownWithItsUnit) {
   study.unit = "";
   for (trace::StudySeries& series : study.series)
     for (trace::StudyPoint& point : series.points) *point.error *= 1e3;
-  EXPECT_THAT(picture_flip_distance(study).title, HasSubstr("2 last places of a coordinate"));
+  EXPECT_THAT(picture_of(study).title, HasSubstr("2 last places of a coordinate"));
 }
 
 TEST(Picture, AStudyWithoutNumbersKeepsItsTitle) {
   for (const StudyInfo& info : studies()) {
-    if (info.picture == nullptr) continue;
     for (const char* measure : {"area", "passed", "error", "map", "jitter", "time", "wrong"}) {
       trace::Study study;
+      study.study = info.name;
       study.measure = measure;
       study.title = "What it measures";
-      EXPECT_EQ(info.picture(study).title, "What it measures") << info.name << ", " << measure;
+      EXPECT_EQ(picture_of(study).title, "What it measures") << info.name << ", " << measure;
     }
   }
 }

@@ -93,7 +93,7 @@ ExitCode run_study(const Options& options) {
     keep("results" + suffix + ".json", trace::to_json(result));
     keep("results" + suffix + ".csv", trace::to_csv(result));
     if (options.tables_only) continue;
-    const trace::Study record = info.picture ? info.picture(result) : result;
+    const trace::Study record = picture_of(result);
     const Size size = options.size.value_or(size_of(record));
     keep("plot" + suffix + ".png",
          encode_png(renderer.paint(draw::plot(record, size.width, size.height))));
