@@ -156,9 +156,13 @@ class ClaimsWatch final : public Watch {
     wrong.severe =
         !(verdict->farthest <= kSevere * verdict->tolerance) && wrong.problem.kind <= Wrong::Side;
     put_in_words(pair, wrong);
+    Reading flipped;
+    flipped.normals_flipped = true;
     const std::vector<Explanation>& all = explanations();
     for (std::size_t e = 0; e < std::min(all.size(), kMaxExplanations); ++e) {
-      if (wrong_.count() >= kTried && !has_explained_.test(e)) continue;
+      const bool is_tried = wrong_.count() < kTried || has_explained_.test(e) ||
+                            (wrong.severe && all[e].reading == flipped);
+      if (!is_tried) continue;
       if (options_.shapes_are_given && all[e].reading.moves_shapes()) continue;
       if (after_step_ && all[e].reading.moment == Moment::FrameBefore) continue;
       if (!is_about(all[e].reading.form, solids, pair)) continue;

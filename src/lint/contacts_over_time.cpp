@@ -25,6 +25,8 @@ constexpr double kDepthNoise = 0.25;
 constexpr double kSpeculativeNoise = 0.25;
 /// Radians that a normal may turn more than the bodies.
 constexpr double kTurn = 3 * std::numbers::pi / 180;
+/// Cosine: a plane is infinite along a normal that rounding has turned.
+constexpr double kAligned = 0.9994;
 /// A flipped normal: the claims of this frame name it.
 constexpr double kFlipped = 150 * std::numbers::pi / 180;
 
@@ -164,7 +166,8 @@ class ContactsWatch final : public Watch {
                   at.a.pose.inverse_rotate(manifold.normal).normalized(), point.separation};
         spot.manifold = &manifold, spot.point = &point;
         spot.measured = measure(at, spot.in_a, spot.normal);
-        if (best) spot.excess = best->distance - separation_along(at.a, at.b, manifold.normal);
+        if (best && manifold.normal.dot(best->normal) < kAligned)
+          spot.excess = best->distance - separation_along(at.a, at.b, manifold.normal);
         spots.push_back(spot);
       }
     return spots;

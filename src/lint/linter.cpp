@@ -33,15 +33,18 @@ namespace {
 /// approximate some kinds of shapes all the time: that comes after things that come and go.
 int rank_of(const Finding& finding) {
   constexpr double kPart = 0.5;
-  if (!is_reported(finding)) return finding.is_hint ? 6 : 5;
+  if (!is_reported(finding)) return finding.is_hint ? 8 : 7;
   const auto is = [&](auto... names) { return ((finding.cause == names) || ...); };
-  if (is("separation", "surface", "side", "normal", "deepest")) return finding.is_severe ? 2 : 4;
-  const bool is_some = finding.count < kPart * finding.of;
-  if (is("points_twice", "ids_alike", "margin_added", "margin_taken_off", "half_depths") && is_some)
-    return 3;
-  if (is("overlap_without_contact")) return finding.is_severe ? 2 : 3;
-  if (is("pairs_flicker", "points_flicker", "impulses_flicker")) return 2;
-  return is("poses_jump", "normals_jump", "depths_jump") ? 1 : 0;
+  if (is("separation", "surface", "side", "normal", "deepest")) return finding.is_severe ? 2 : 6;
+  if (is("overlap_without_contact")) return finding.is_severe ? 2 : 5;
+  if (finding.count < kPart * finding.of &&
+      is("points_twice", "ids_alike", "margin_added", "margin_taken_off", "half_depths",
+         "depths_in_centimetres", "depths_in_millimetres"))
+    return 5;
+  if (is("impulses_flicker")) return 4;
+  if (is("normals_jump", "depths_jump")) return 3;
+  if (is("pairs_flicker", "points_flicker")) return 2;
+  return is("poses_jump") ? 1 : 0;
 }
 
 /// Corners and edges are rounded by a margin.

@@ -54,7 +54,6 @@ bool is_near(double value, double target) {
 struct Load {
   Vec3d impulse = Vec3d::Zero();
   Vec3d once = Vec3d::Zero();  // without points that are there already
-  double total = 0;            // of the norms
   bool is_known = true;        // no active point is without an impulse
   bool has_friction = false;   // some engines report none
   std::set<std::array<double, 4>> points{};
@@ -72,7 +71,6 @@ Loads loads_of(const Solids& solids, const trace::Frame& frame) {
     if (load.points.insert({at.x(), at.y(), at.z(), point.impulse->normal}).second)
       load.once += impulse;
     load.impulse += impulse;
-    load.total += impulse.norm();
     if (friction.norm() > kSomeFriction * std::abs(point.impulse->normal)) load.has_friction = true;
   };
   for (const trace::Pair& pair : frame.pairs) {
@@ -197,15 +195,13 @@ class MotionWatch final : public Watch {
     const bool is_between = before != before_.end() && after != after_.end() &&
                             earlier != nullptr &&
                             (body.velocity - earlier->velocity).norm() <= kAlike * in_a_step;
-    // Friction that is not reported may take a share of it from one normal to another.
-    const auto most = [&](const Load& of) {
-      return now.has_friction ? of.impulse.norm() : of.total;
-    };
+    // Without friction, a share of it may go from one normal to another.
+    const double least = now.has_friction ? kOff : 1.5 * kOff;
     const auto jumps = [&](Vec3d Load::*impulse) {
       if (!is_between) return false;
       const Vec3d& then = before->second.*impulse;
       const double jump = (now.*impulse - then).norm();
-      return jump > kOff * std::max(most(now), most(before->second)) &&
+      return jump > least * std::max((now.*impulse).norm(), then.norm()) &&
              (after->second.*impulse - then).norm() < jump / 4;
     };
     const auto is_off = [&](const Vec3d& impulse) {

@@ -208,11 +208,17 @@ std::vector<Target> targets(const Trace& trace, std::size_t count) {
     const trace::Body* const body = trace::find_body(trace.frames.front(), name);
     return body != nullptr && body->mass > 0 && std::isfinite(body->mass);
   };
-  constexpr double kTouching = -2e-5;  // metres; of less, rounding decides
+  // If an engine reports no gaps, rounding decides of overlaps of less metres.
+  double touching = -2e-5;
+  for (const trace::Frame& frame : trace.frames)
+    for (const trace::Pair& pair : frame.pairs)
+      for (const trace::Manifold& manifold : pair.manifolds)
+        for (const trace::Point& point : manifold.points)
+          if (point.separation > 1e-5) touching = 1e-5;
   for (const trace::Frame& frame : trace.frames)
     for (const trace::Pair& pair : frame.pairs) {
       const trace::Point* const deepest = trace::deepest_point(pair);
-      if (deepest == nullptr || !deepest->impulse || deepest->separation > kTouching) continue;
+      if (deepest == nullptr || deepest->separation > touching) continue;
       if (pair.manifolds.size() > 1 || pair.manifolds.front().points.size() < 2) continue;
       Candidate& one = all[{pair.a, pair.b}];
       one.target = {pair.a, pair.b, is_dynamic(pair.b) ? pair.b : pair.a};
