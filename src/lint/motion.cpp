@@ -196,7 +196,7 @@ class MotionWatch final : public Watch {
                             earlier != nullptr &&
                             (body.velocity - earlier->velocity).norm() <= kAlike * in_a_step;
     // Without friction, a share of it may go from one normal to another.
-    const double least = now.has_friction ? kOff : 1.5 * kOff;
+    const double least = now.has_friction ? kOff : 0.7;
     const auto jumps = [&](Vec3d Load::*impulse) {
       if (!is_between) return false;
       const Vec3d& then = before->second.*impulse;
