@@ -8,7 +8,7 @@ namespace contactscope::lint {
 namespace {
 
 /// Relative to its size: a smaller displacement within a step is no jump.
-constexpr double kLeap = 0.02, kLongStep = 0.5;
+constexpr double kLeap = 0.02, kStir = 1e-3, kLongStep = 0.5;
 /// A displacement is a jump if it is this many times the others.
 constexpr double kTimes = 10, kFaster = 4;
 
@@ -62,7 +62,9 @@ class BodiesWatch final : public Watch {
     const double out = (now.middle() - before.middle()).norm() + turned(before, now);
     const double rest = (after.middle() - before.middle()).norm() + turned(before, after) +
                         (speed == last_.end() ? 0.0 : speed->second.norm());
-    if (out < kLeap * now.size() || out < kTimes * rest) return false;
+    // Nothing that moves comes back to the very same place.
+    const double least = rest > 0 ? kLeap : kStir;
+    if (out < least * now.size() || out < kTimes * rest) return false;
     jumps_.wrong(frames, name, "", [&] {
       return std::pair("it is " + metres((now.middle() - before.middle()).norm()) +
                            " m from its place in the frame before",
@@ -72,7 +74,7 @@ class BodiesWatch final : public Watch {
     for (const trace::Pair& pair : frames.now->pairs)
       if (solids.body_of(pair.a) == solids.body_of(name) ||
           solids.body_of(pair.b) == solids.body_of(name))
-        frames.explained->insert(&pair);
+        frames.explained->try_emplace(&pair, Explained::ButForSigns);
     return true;
   }
 

@@ -187,6 +187,17 @@ std::optional<Placed> place(const Solids& solids, const trace::Frame* frame,
   return placed;
 }
 
+bool stands_still(const Solids& solids, const Moments& frames, const std::string& name) {
+  const bool is_last = frames.after == nullptr || frames.after_step;
+  const auto from = place(solids, is_last ? frames.before : frames.now, name, {});
+  const auto to = place(solids, is_last ? frames.now : frames.after, name, {});
+  const trace::Body* const body =
+      trace::find_body(is_last ? *frames.now : *frames.after, solids.body_of(name));
+  return from && to && from->pose.position == to->pose.position &&
+         from->pose.rotation.coeffs() == to->pose.rotation.coeffs() &&
+         (body == nullptr || (body->velocity.isZero() && body->angular_velocity.isZero()));
+}
+
 std::optional<Verdict> judge(const Solids& solids, const Moments& frames, const trace::Pair& pair,
                              const Reading& reading) {
   const trace::Frame* const frame = reading.moment == Moment::OfFrame       ? frames.now

@@ -2,7 +2,6 @@
 
 #include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -66,6 +65,9 @@ class Solids {
 
 struct LintOptions;
 
+/// A sign may be wrong in a single frame, and then explains a jump.
+enum class Explained { Wholly, ButForSigns };
+
 /// A frame and its neighbours; nullptr if there is none.
 struct Moments {
   const trace::Frame* before = nullptr;
@@ -73,12 +75,19 @@ struct Moments {
   const trace::Frame* after = nullptr;
   const LintOptions* options = nullptr;
   /// Pairs of this frame whose errors a check over time explains.
-  std::set<const trace::Pair*>* explained = nullptr;
+  std::map<const trace::Pair*, Explained>* explained = nullptr;
+  bool after_step = false;  // poses are those after the step of the contacts
+
+  /// The frame with the poses of the contacts.
+  const trace::Frame* of_contacts() const { return after_step ? before : now; }
 };
 
 /// Pose of a shape in a frame under a reading; empty if there is none.
 std::optional<Placed> place(const Solids& solids, const trace::Frame* frame,
                             const std::string& name, const Reading& reading);
+
+/// Whether the step of the contacts leaves a shape exactly where it is, as of a sleeping body.
+bool stands_still(const Solids& solids, const Moments& frames, const std::string& name);
 
 /// Tests every claim of a pair's manifolds under one reading; empty without shapes or poses.
 std::optional<Verdict> judge(const Solids& solids, const Moments& frames, const trace::Pair& pair,

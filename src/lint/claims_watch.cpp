@@ -15,7 +15,7 @@ namespace {
 constexpr int kTried = 1000;
 /// A few small errors are approximations of engines: leaning capsules, cut corners, points kept
 /// while bodies turn. Report errors only at this frequency, or beyond this many tolerances.
-constexpr double kOften = 0.02, kGross = 15;
+constexpr double kOften = 0.02, kGross = 15, kSevere = 40;
 constexpr const char* kFewAndSmall = "2 %, or 15 tolerances";
 constexpr double kFewLeft = 0.25;
 /// Minimum share of the remaining wrong pairs for a cause, and minimum number if it may be chance.
@@ -143,6 +143,7 @@ class ClaimsWatch final : public Watch {
       if (auto then = judge(solids, frames, pair, before); then) verdict = std::move(then);
     }
     ++judged_;
+    moving_ += moves(solids, frames, pair, verdict->tolerance);
     if (verdict->wrong == 0) return count_small_depths(*verdict);
     WrongPair wrong;
     wrong.line = frames.now->line;
@@ -152,10 +153,16 @@ class ClaimsWatch final : public Watch {
     wrong.problem = *verdict->worst;
     wrong.deeper = common_depth(*verdict);
     wrong.gross = !(verdict->farthest <= kGross * verdict->tolerance);
+    wrong.severe =
+        !(verdict->farthest <= kSevere * verdict->tolerance) && wrong.problem.kind <= Wrong::Side;
     put_in_words(pair, wrong);
+    Reading flipped;
+    flipped.normals_flipped = true;
     const std::vector<Explanation>& all = explanations();
     for (std::size_t e = 0; e < std::min(all.size(), kMaxExplanations); ++e) {
-      if (wrong_.count() >= kTried && !has_explained_.test(e)) continue;
+      const bool is_tried = wrong_.count() < kTried || has_explained_.test(e) ||
+                            (wrong.severe && all[e].reading == flipped);
+      if (!is_tried) continue;
       if (options_.shapes_are_given && all[e].reading.moves_shapes()) continue;
       if (after_step_ && all[e].reading.moment == Moment::FrameBefore) continue;
       if (!is_about(all[e].reading.form, solids, pair)) continue;
@@ -165,17 +172,32 @@ class ClaimsWatch final : public Watch {
       const std::optional<Verdict> then = judge(solids, frames, pair, all[e].reading);
       if (!then) continue;
       // Or a gross error becomes one of an engine's approximations.
-      const bool is_smaller = wrong.gross && 2 * then->wrong <= verdict->wrong &&
-                              then->farthest <= kGross * then->tolerance;
+      const bool is_fewer =
+          2 * then->wrong <= verdict->wrong ||
+          (then->wrong < verdict->wrong && kGross * then->farthest <= verdict->farthest);
+      const bool is_smaller = wrong.gross && is_fewer && then->farthest <= kGross * then->tolerance;
       wrong.explained_by.set(e, is_smaller || kFixed * then->wrong <= verdict->wrong);
     }
-    if (frames.explained->contains(&pair)) {
+    if (const auto jump = frames.explained->find(&pair); jump != frames.explained->end()) {
+      if (jump->second == Explained::Wholly) return;
       for (std::size_t e = 0; e < std::min(all.size(), kMaxExplanations); ++e)
         if (!may_be_rare(all[e].reading)) wrong.explained_by.reset(e);
       if (wrong.explained_by.none()) return;
     }
     has_explained_ |= wrong.explained_by;
     wrong_.add(std::move(wrong));
+  }
+
+  /// Whether another frame has b elsewhere, as seen from a.
+  static bool moves(const Solids& solids, const Moments& frames, const trace::Pair& pair,
+                    double tolerance) {
+    const trace::Frame* const other = frames.before != nullptr ? frames.before : frames.after;
+    const auto b_in_a = [&](const trace::Frame* frame) {
+      const auto a = place(solids, frame, pair.a, {}), b = place(solids, frame, pair.b, {});
+      return a && b ? std::optional(relative_pose(a->pose, b->pose).position) : std::nullopt;
+    };
+    const std::optional<Vec3d> now = b_in_a(frames.now), then = b_in_a(other);
+    return now && then && (*now - *then).norm() > tolerance;
   }
 
   // Overlaps of a millimetre are within the tolerance whatever is reported. But if all are reported
@@ -213,9 +235,11 @@ class ClaimsWatch final : public Watch {
       if (wrong.record || !fits(wrong) || options_.ignores(cause, wrong.a, wrong.b)) continue;
       finding.count += wrong.times;
       marks.add({wrong.frame, wrong.line, wrong.a, wrong.b});
-      if (first == nullptr || (wrong.gross && !first->gross)) first = &wrong;
+      const auto level = [](const WrongPair& of) { return of.gross + of.severe; };
+      if (first == nullptr || level(wrong) > level(*first)) first = &wrong;
     }
     if (first == nullptr) return finding;
+    finding.is_severe = first->severe;
     finding.line = first->line;
     finding.frame = first->frame;
     finding.a = first->a, finding.b = first->b;
@@ -223,6 +247,12 @@ class ClaimsWatch final : public Watch {
     finding.marks = marks.kept();
     if (!first->gross && finding.count < kOften * judged_) finding.below = kFewAndSmall;
     return finding;
+  }
+
+  bool explains_gross(std::size_t e) {
+    return std::ranges::any_of(wrong_, [&](const WrongPair& wrong) {
+      return !wrong.record && wrong.gross && wrong.explained_by.test(e);
+    });
   }
 
   /// Reports the reading that makes most of the remaining wrong pairs right; of several the first,
@@ -241,13 +271,21 @@ class ClaimsWatch final : public Watch {
       const bool several = all[e].made.size() > 1 && !(reading == signs);
       // So do other axes, and another moment unless it explains at least half of all pairs.
       const bool moved = reading.moment != Moment::OfFrame && 2 * counts[e] < judged_;
+      if (moved && 2 * counts[e] < moving_) counts[e] = 0;
       if ((several || moved || all[e].made[0]->alone) && counts[e] < kNoChance) counts[e] = 0;
       // All points have one unit.
       if (reading.point_scale != 1 && 2 * counts[e] < judged_) counts[e] = 0;
     }
+    // One cause has many effects, so an explanation of few of many wrong pairs is chance. But a
+    // normal may be flipped in a single frame.
+    const int untold = wrong_.untold();
+    Reading flipped;
+    flipped.normals_flipped = true;
+    for (std::size_t e = 0; e < all.size(); ++e)
+      if (counts[e] < kOfWrong * untold && !(all[e].reading == flipped && explains_gross(e)))
+        counts[e] = 0;
     const auto most = std::ranges::max_element(counts);
-    // One cause has many effects, so an explanation of few of many wrong pairs is chance.
-    if (most == counts.end() || *most == 0 || *most < kOfWrong * wrong_.untold()) return false;
+    if (most == counts.end() || *most == 0) return false;
     // A simple one that explains nearly as many is more likely.
     const auto chosen = std::ranges::find_if(counts, [&](int n) { return n >= 0.9 * *most; });
     const auto e = static_cast<std::size_t>(chosen - counts.begin());
@@ -313,6 +351,7 @@ class ClaimsWatch final : public Watch {
   bool after_step_;
   LintOptions options_;
   int judged_ = 0;
+  int moving_ = 0;  // pairs for which another frame has other poses
   int small_ = 0;
   int small_by_[std::size(kFactors)] = {};
   WrongPairs wrong_;

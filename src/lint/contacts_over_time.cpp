@@ -16,13 +16,17 @@ constexpr double kBeyond = std::numeric_limits<double>::infinity();
 constexpr int kMaxGap = 10;
 /// Relative to the smaller shape: displacement of b as seen from a, and distance of two points that
 /// are the same point in two frames.
-constexpr double kAtRest = 2e-3, kOnePoint = 1e-2;
+constexpr double kAtRest = 2e-3, kPairAtRest = 2e-2, kOnePoint = 1e-2;
 /// Points closer than this share of the smaller shape are one point.
 constexpr double kDoubled = 1e-6;
 /// Share of the tolerance by which a separation may change although the surfaces do not move.
 constexpr double kDepthNoise = 0.25;
+/// Likewise as a share of a positive separation: those serve the next step, and are measured roughly.
+constexpr double kSpeculativeNoise = 0.25;
 /// Radians that a normal may turn more than the bodies.
 constexpr double kTurn = 3 * std::numbers::pi / 180;
+/// Cosine: a plane is infinite along a normal that rounding has turned.
+constexpr double kAligned = 0.9994;
 /// A flipped normal: the claims of this frame name it.
 constexpr double kFlipped = 150 * std::numbers::pi / 180;
 
@@ -33,6 +37,18 @@ struct Spot {
   double reported = 0;  // separation
   double measured = 0;  // likewise; positive infinity: cannot be measured
   double excess = 0;    // overlap along the normal beyond the least overlap; 0 for meshes
+  // Where it is in its frame.
+  const trace::Manifold* manifold = nullptr;
+  const trace::Point* point = nullptr;
+};
+
+/// A separation or a normal that changed although the shapes stayed. It is a fault if it changes back.
+struct Jump {
+  Spot before, then;
+  int line = 0, frame = 0;  // of `then`
+  int frames = 1;           // since `before`
+  double moved = 0;         // metres, b as seen from a, since `before`
+  double turned = 0;        // radians, likewise
 };
 
 /// A point that was reported, and is not in some frames since.
@@ -43,6 +59,7 @@ struct LostSpot {
   int frames = 0;              // without it, until now
   double farthest = -kBeyond;  // the largest separation measured in them
   double moved = 0;            // metres, b as seen from a
+  bool slept = false;          // both shapes stood still in them
 };
 
 /// State of a pair in earlier frames.
@@ -50,6 +67,7 @@ struct Known {
   Pose<double> b_in_a;
   std::vector<Spot> spots;  // of the frame before; empty: not reported there
   std::vector<LostSpot> lost;
+  std::optional<Jump> depth, normal;
 };
 
 class ContactsWatch final : public Watch {
@@ -107,8 +125,8 @@ class ContactsWatch final : public Watch {
 
   static std::optional<Placement> placed(const Solids& solids, const Moments& frames,
                                          const std::string& a, const std::string& b) {
-    const std::optional<Placed> at = place(solids, frames.now, a, {});
-    const std::optional<Placed> bt = place(solids, frames.now, b, {});
+    const std::optional<Placed> at = place(solids, frames.of_contacts(), a, {});
+    const std::optional<Placed> bt = place(solids, frames.of_contacts(), b, {});
     if (!at || !bt) return std::nullopt;
     const double size = std::min({at->size(), bt->size(), 1e6});
     const double reach = std::max(at->pose.position.norm(), bt->pose.position.norm());
@@ -131,6 +149,13 @@ class ContactsWatch final : public Watch {
     return of_a && of_b ? -*of_a - *of_b : kBeyond;
   }
 
+  /// Likewise at a point that is not reported, or of the shapes if none of the pair is.
+  static double measure_lost(const Placement& at, const LostSpot& lost) {
+    if (lost.points == 0 && !at.is_mesh)
+      if (const std::optional<Separation> best = best_separation(at.a, at.b)) return best->distance;
+    return measure(at, lost.spot.in_a, lost.spot.normal);
+  }
+
   static std::vector<Spot> spots_of(const Placement& at, const trace::Pair& pair) {
     std::vector<Spot> spots;
     std::optional<Separation> best;
@@ -139,8 +164,10 @@ class ContactsWatch final : public Watch {
       for (const trace::Point& point : manifold.points) {
         Spot spot{at.a.pose.inverse_transform(point.position),
                   at.a.pose.inverse_rotate(manifold.normal).normalized(), point.separation};
+        spot.manifold = &manifold, spot.point = &point;
         spot.measured = measure(at, spot.in_a, spot.normal);
-        if (best) spot.excess = best->distance - separation_along(at.a, at.b, manifold.normal);
+        if (best && manifold.normal.dot(best->normal) < kAligned)
+          spot.excess = best->distance - separation_along(at.a, at.b, manifold.normal);
         spots.push_back(spot);
       }
     return spots;
@@ -155,22 +182,30 @@ class ContactsWatch final : public Watch {
       reach_ = std::max(reach_, std::min(spot.reported, spot.measured));
     const double moved = (at->b_in_a.position - known.b_in_a.position).norm() +
                          at->size * at->b_in_a.rotation.angularDistance(known.b_in_a.rotation);
-    see_lost(frames, *at, key, known, spots, moved);
-    if (!known.spots.empty() && !spots.empty()) see_jumps(frames, *at, pair, known, spots, moved);
+    see_lost(solids, frames, *at, key, known, spots, moved);
+    if (!known.spots.empty() && !spots.empty())
+      see_jumps(frames, *at, key, pair, known, spots, moved);
     see_doubled(frames, *at, pair, spots);
     known.b_in_a = at->b_in_a;
     known.spots = std::move(spots);
   }
 
-  static const Spot* same_place(const std::vector<Spot>& spots, const Spot& as, double near) {
+  /// The nearest spot. On a mesh several triangles have one there: then that with the same normal.
+  static const Spot* same_place(const std::vector<Spot>& spots, const Spot& as, double near,
+                                bool by_normal = false) {
+    const auto distance = [&](const Spot& spot) {
+      return by_normal ? -spot.normal.dot(as.normal) : (spot.in_a - as.in_a).norm();
+    };
     const Spot* best = nullptr;
     for (const Spot& spot : spots) {
-      const double distance = (spot.in_a - as.in_a).norm();
-      if (distance > near) continue;
-      if (best == nullptr || distance < (best->in_a - as.in_a).norm()) best = &spot;
+      if ((spot.in_a - as.in_a).norm() > near) continue;
+      if (best == nullptr || distance(spot) < distance(*best)) best = &spot;
     }
     return best;
   }
+
+  /// A lost pair is measured as a whole, wherever it touches.
+  static double rest_of(const LostSpot& lost) { return lost.points == 0 ? kPairAtRest : kAtRest; }
 
   /// Whether a point was about as close while it was not reported as before or after, and clearly
   /// within the separations up to which the engine reports contacts.
@@ -178,23 +213,31 @@ class ContactsWatch final : public Watch {
     constexpr double kClear = 4;
     const double farther =
         std::max(lost.farthest - std::max(lost.spot.measured, now.measured), 0.0);
-    return lost.moved <= kAtRest * at.size &&
-           lost.farthest < reach_ - at.rounding - kClear * farther;
+    // What an engine reports of separated shapes may depend on their velocities.
+    const double reach = lost.moved <= kAtRest * at.size ? reach_ : 0;
+    return lost.moved <= rest_of(lost) * at.size &&
+           lost.farthest < reach - at.rounding - kClear * farther;
   }
 
-  void see_lost(const Moments& frames, const Placement& at, const Key& key, Known& known,
-                const std::vector<Spot>& spots, double moved) {
+  void see_lost(const Solids& solids, const Moments& frames, const Placement& at, const Key& key,
+                Known& known, const std::vector<Spot>& spots, double moved) {
     const double near = kOnePoint * at.size;
     if (!spots.empty()) ++points_.of, ++pairs_.of;
+    const bool are_still = stands_still(solids, frames, std::get<0>(key)) &&
+                           stands_still(solids, frames, std::get<1>(key));
     bool is_counted = false;
     std::erase_if(known.lost, [&](LostSpot& lost) {
       lost.moved += moved;
-      const Spot* const now = same_place(spots, lost.spot, near);
+      lost.slept = lost.slept && (are_still || !spots.empty());
+      const Spot* const now = same_place(spots, lost.spot, lost.points == 0 ? kBeyond : near);
       if (now == nullptr) {
-        lost.farthest = std::max(lost.farthest, measure(at, lost.spot.in_a, lost.spot.normal));
-        return ++lost.frames >= kMaxGap || lost.moved > kAtRest * at.size;
+        lost.farthest = std::max(lost.farthest, measure_lost(at, lost));
+        return ++lost.frames >= kMaxGap || lost.moved > rest_of(lost) * at.size;
       }
-      if (is_counted || lost.points >= spots.size() || !returns(at, lost, *now)) return true;
+      // A sleeping body has no contacts, and moves when it wakes.
+      const bool wakes = lost.points == 0 && lost.slept && !are_still;
+      if (is_counted || wakes || lost.points >= spots.size() || !returns(at, lost, *now))
+        return true;
       is_counted = true;
       (lost.points == 0 ? pairs_ : points_)
           .wrong_at({lost.frame, lost.line, std::get<0>(key), std::get<1>(key)}, frames, [&] {
@@ -208,61 +251,132 @@ class ContactsWatch final : public Watch {
       return true;
     });
     if (spots.size() >= known.spots.size()) return;
-    for (const Spot& spot : known.spots)
-      if (same_place(spots, spot, near) == nullptr)
-        known.lost.push_back({spot, spots.size(), frames.now->line, frames.now->frame, 1,
-                              measure(at, spot.in_a, spot.normal), moved});
+    for (const Spot& spot : known.spots) {
+      if (same_place(spots, spot, near) != nullptr) continue;
+      known.lost.push_back(
+          {spot, spots.size(), frames.now->line, frames.now->frame, 1, 0, moved, are_still});
+      known.lost.back().farthest = measure_lost(at, known.lost.back());
+    }
   }
 
-  /// Changes of separations and normals that the poses do not explain.
-  void see_jumps(const Moments& frames, const Placement& at, const trace::Pair& pair, Known& known,
-                 const std::vector<Spot>& spots, double moved) {
+  static double off(const Spot& spot) { return spot.reported - spot.measured; }
+  static double angle(const Spot& one, const Spot& other) {
+    return std::acos(std::clamp(one.normal.dot(other.normal), -1.0, 1.0));
+  }
+
+  /// Elsewhere no separation is measured.
+  static bool is_on_surfaces(const Placement& at, const Spot& spot) {
+    if (!std::isfinite(spot.measured)) return false;
+    if (at.is_mesh) return true;
+    const Vec3d point = at.a.pose.transform(spot.in_a);
+    const double farthest =
+        std::max(std::abs(at.a.distance(point)), std::abs(at.b.distance(point)));
+    return farthest <= std::abs(spot.reported) + std::abs(spot.measured) + 4 * at.tolerance;
+  }
+
+  /// Whether a jump is undone; forgets it if the shapes have moved, or after too many frames.
+  template <class IsBack>
+  static bool returns(std::optional<Jump>& jump, const Placement& at,
+                      const std::vector<Spot>& spots, double moved, double turned,
+                      const IsBack& is_back) {
+    if (!jump) return false;
+    jump->moved += moved, jump->turned += turned;
+    const Spot* const now = same_place(spots, jump->before, kOnePoint * at.size, true);
+    const bool is_undone = now != nullptr && is_back(*now, *jump);
+    if (!is_undone && ++jump->frames > kMaxGap) jump.reset();
+    return is_undone;
+  }
+
+  /// Changes of separations and normals that the poses do not explain, and that are undone.
+  void see_jumps(const Moments& frames, const Placement& at, const Key& key,
+                 const trace::Pair& pair, Known& known, const std::vector<Spot>& spots,
+                 double moved) {
     ++depths_.of, ++normals_.of;
-    double jump = 0, error = 0, error_before = 0, turn = 0;
-    const Spot *deep = nullptr, *deep_before = nullptr, *turned = nullptr, *turned_before = nullptr;
-    for (const Spot& now : spots) {
-      const Spot* const before = same_place(known.spots, now, kOnePoint * at.size);
-      if (before == nullptr) continue;
-      const double angle = std::acos(std::clamp(now.normal.dot(before->normal), -1.0, 1.0));
-      if (angle > turn) turn = angle, turned = &now, turned_before = before;
-      if (!std::isfinite(now.measured) || !std::isfinite(before->measured)) continue;
-      const double off = now.reported - now.measured,
-                   off_before = before->reported - before->measured;
-      if (angle > kTurn || std::abs(off - off_before) <= jump) continue;
-      jump = std::abs(off - off_before);
-      error = std::abs(off), error_before = std::abs(off_before);
-      deep = &now, deep_before = before;
-    }
-    const bool jumps = deep != nullptr && jump > kDepthNoise * at.tolerance + moved;
-    if (jumps && error > error_before) {
-      depths_.wrong(frames, pair.a, pair.b, [&] {
-        return std::pair(
-            "separation " + metres(deep->reported) + ", and " + metres(deep_before->reported) +
-                " in the frame before",
-            "the surfaces moved by " + metres(deep->measured - deep_before->measured) + " m");
+    const double turned = known.b_in_a.rotation.angularDistance(at.b_in_a.rotation);
+    const auto degrees = [](double radians) { return metres(radians * 180 / std::numbers::pi); };
+    const auto mark = [&](const Jump& jump) {
+      return Mark{jump.frame, jump.line, std::get<0>(key), std::get<1>(key)};
+    };
+    const auto allowed = [&](const Spot& one, const Spot& other, double by) {
+      return kDepthNoise * at.tolerance + by +
+             kSpeculativeNoise * std::max({one.reported, other.reported, 0.0});
+    };
+    const bool is_back =
+        returns(known.depth, at, spots, moved, turned, [&](const Spot& now, const Jump& jump) {
+          const double half = std::abs(off(jump.then) - off(jump.before)) / 2;
+          return jump.moved < 2 * half && std::abs(off(now) - off(jump.before)) < half;
+        });
+    if (is_back) {
+      depths_.wrong_at(mark(*known.depth), frames, [&] {
+        const Spot &before = known.depth->before, &then = known.depth->then;
+        return std::pair("separation " + metres(then.reported) + ", and " +
+                             metres(before.reported) + " in the frame before",
+                         "the surfaces moved by " + metres(then.measured - before.measured) + " m");
       });
-      frames.explained->insert(&pair);
+      known.depth.reset();
     }
-    const double own_turn = known.b_in_a.rotation.angularDistance(at.b_in_a.rotation);
-    if (turned == nullptr || turn < kTurn + 4 * own_turn || turn > kFlipped) return;
-    if (!(turned->excess > turned_before->excess + at.tolerance / 4)) return;
-    normals_.wrong(frames, pair.a, pair.b, [&] {
-      return std::pair("normal " + spelled(at.a.pose.rotate(turned->normal)) + ", and " +
-                           spelled(at.a.pose.rotate(turned_before->normal)) +
-                           " in the frame before",
-                       "it turns by " + metres(turn * 180 / std::numbers::pi) +
-                           " degrees, the shapes by " + metres(own_turn * 180 / std::numbers::pi));
-    });
-    frames.explained->insert(&pair);
+    const bool is_turned_back =
+        returns(known.normal, at, spots, moved, turned, [&](const Spot& now, const Jump& jump) {
+          return angle(now, jump.before) < angle(jump.then, jump.before) / 2;
+        });
+    if (is_turned_back) {
+      normals_.wrong_at(mark(*known.normal), frames, [&] {
+        const Jump& jump = *known.normal;
+        return std::pair("normal " + spelled(at.a.pose.rotate(jump.then.normal)) + ", and " +
+                             spelled(at.a.pose.rotate(jump.before.normal)) + " in the frame before",
+                         "it turns by " + degrees(angle(jump.then, jump.before)) +
+                             " degrees, the shapes by " + degrees(jump.turned));
+      });
+      known.normal.reset();
+    }
+    double jump = 0, turn = 0;
+    const Jump here{{}, {}, frames.now->line, frames.now->frame, 1, moved, turned};
+    std::optional<Jump> depth, normal;
+    for (const Spot& now : spots) {
+      const Spot* const before = same_place(known.spots, now, kOnePoint * at.size, at.is_mesh);
+      if (before == nullptr) continue;
+      const double by = angle(now, *before), change = std::abs(off(now) - off(*before));
+      const bool is_worse =
+          at.is_mesh ? moved <= kAtRest * at.size : now.excess > before->excess + at.tolerance / 4;
+      if (by > turn && by >= kTurn + 4 * turned && by <= kFlipped && is_worse) {
+        turn = by;
+        normal = here;
+        normal->before = *before, normal->then = now;
+      }
+      const double least = std::min(change, std::abs(now.reported - before->reported));
+      if (by > kTurn || !(change > jump) || !(least > allowed(now, *before, moved))) continue;
+      if (!is_on_surfaces(at, now) || !is_on_surfaces(at, *before)) continue;
+      jump = change;
+      depth = here;
+      depth->before = *before, depth->then = now;
+    }
+    if (depth && !is_back && !known.depth) known.depth = depth;
+    if (normal && !is_turned_back && !known.normal) known.normal = normal;
+    if (normal && !is_turned_back)
+      (*frames.explained)[&pair] = Explained::Wholly;
+    else if (depth && !is_back)
+      frames.explained->try_emplace(&pair, Explained::ButForSigns);
   }
 
   void see_doubled(const Moments& frames, const Placement& at, const trace::Pair& pair,
                    const std::vector<Spot>& spots) {
-    if (at.is_mesh || spots.empty()) return;
+    if (spots.empty()) return;
     ++doubled_.of;
+    // Triangles of a mesh share points: there it is the same point of the same manifold, or all of a
+    // triangle's.
+    const auto are_alike = [](const trace::Point& one, const trace::Point& other) {
+      return one.position == other.position && one.separation == other.separation;
+    };
+    const auto is_same = [&](const Spot& one, const Spot& other) {
+      if (!at.is_mesh) return (one.in_a - other.in_a).norm() <= kDoubled * at.size;
+      if (one.manifold == other.manifold) return are_alike(*one.point, *other.point);
+      return one.manifold->triangle == other.manifold->triangle && one.normal == other.normal &&
+             (one.manifold->triangle || one.manifold->points.size() > 2) &&
+             std::ranges::equal(one.manifold->points, other.manifold->points, are_alike);
+    };
     for (std::size_t i = 0; i < spots.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)
-        if ((spots[i].in_a - spots[j].in_a).norm() <= kDoubled * at.size)
+        if (is_same(spots[i], spots[j]))
           return doubled_.wrong(frames, pair.a, pair.b, [&] {
             return std::pair("points " + std::to_string(j) + " and " + std::to_string(i) +
                                  " are at " + spelled(at.a.pose.transform(spots[i].in_a)),

@@ -77,15 +77,21 @@ class FrictionWatch final : public Watch {
   void see_sliding(const Solids& solids, const Moments& frames, const trace::Pair& pair,
                    const trace::Manifold& manifold, const trace::Point& point,
                    const Vec3d& friction) {
-    const auto velocity = [&](const std::string& shape) {
-      const trace::Body* const body = trace::find_body(*frames.now, solids.body_of(shape));
+    if (frames.after == nullptr) return;
+    const auto velocity = [&](const trace::Frame* frame, const std::string& shape) {
+      const trace::Body* const body = trace::find_body(*frame, solids.body_of(shape));
       if (body == nullptr) return Vec3d(Vec3d::Zero());
       return Vec3d(body->velocity +
                    body->angular_velocity.cross(point.position - body->center_of_mass));
     };
-    Vec3d sliding = velocity(pair.b) - velocity(pair.a);
-    sliding -= sliding.dot(manifold.normal) * manifold.normal;
-    if (sliding.norm() < kSliding) return;
+    const auto sliding_in = [&](const trace::Frame* frame) {
+      const Vec3d all = velocity(frame, pair.b) - velocity(frame, pair.a);
+      return Vec3d(all - all.dot(manifold.normal) * manifold.normal);
+    };
+    const Vec3d sliding = sliding_in(frames.now);
+    // A body that rocks turns round within the step: friction opposes what it does after that.
+    const double continued = sliding.dot(sliding_in(frames.after));
+    if (sliding.norm() < kSliding || continued < sliding.squaredNorm() / 2) return;
     const double cosine = sliding.dot(friction) / (sliding.norm() * friction.norm());
     constexpr double kClear = 0.7;
     if (std::abs(cosine) < kClear) return;

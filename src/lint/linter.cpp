@@ -29,14 +29,22 @@ bool LintOptions::ignores(const std::string& cause, const std::string& a,
 
 namespace {
 
-/// Mistakes that explain wrong claims come first, effects and unexplained claims late.
+/// Mistakes that explain wrong claims come first, effects and unexplained claims late. Engines
+/// approximate some kinds of shapes all the time: that comes after things that come and go.
 int rank_of(const Finding& finding) {
-  if (!is_reported(finding)) return finding.is_hint ? 5 : 4;
+  constexpr double kPart = 0.5;
+  if (!is_reported(finding)) return finding.is_hint ? 8 : 7;
   const auto is = [&](auto... names) { return ((finding.cause == names) || ...); };
-  if (is("separation", "surface", "side", "normal", "deepest")) return 3;
-  if (is("pairs_flicker", "points_flicker", "impulses_flicker", "overlap_without_contact"))
-    return 2;
-  return is("poses_jump", "normals_jump", "depths_jump", "internal_edge") ? 1 : 0;
+  if (is("separation", "surface", "side", "normal", "deepest")) return finding.is_severe ? 2 : 6;
+  if (is("overlap_without_contact")) return finding.is_severe ? 2 : 5;
+  if (finding.count < kPart * finding.of &&
+      is("points_twice", "ids_alike", "margin_added", "margin_taken_off", "half_depths",
+         "depths_in_centimetres", "depths_in_millimetres"))
+    return 5;
+  if (is("impulses_flicker")) return 4;
+  if (is("normals_jump", "depths_jump", "internal_edge")) return 3;
+  if (is("pairs_flicker", "points_flicker")) return 2;
+  return is("poses_jump") ? 1 : 0;
 }
 
 /// Corners and edges are rounded by a margin.
@@ -59,7 +67,8 @@ void add_hint(const trace::Shape& shape, std::vector<Finding>& hints) {
 }  // namespace
 
 struct Linter::State {
-  State(const trace::Header& header, const LintOptions& given) : options(given) {
+  State(const trace::Header& header, const LintOptions& given)
+      : options(given), after_step(header.poses_at == "after_step") {
     solids.tolerance = options.tolerance;
     add(header.shapes);
     // These come first: what they explain is no wrong claim.
@@ -98,12 +107,14 @@ struct Linter::State {
     const auto neighbour = [&](const trace::Frame* frame, int offset) {
       return frame != nullptr && frame->frame == now->frame + offset ? frame : nullptr;
     };
-    std::set<const trace::Pair*> explained;
-    const Moments moments{neighbour(before, -1), now, neighbour(after, 1), &options, &explained};
+    std::map<const trace::Pair*, Explained> explained;
+    const Moments moments{
+        neighbour(before, -1), now, neighbour(after, 1), &options, &explained, after_step};
     for (const std::unique_ptr<Watch>& watch : watches) watch->see(solids, moments);
   }
 
   LintOptions options;
+  bool after_step;
   Solids solids;
   std::vector<Finding> hints;
   std::vector<std::unique_ptr<Watch>> watches;

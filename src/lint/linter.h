@@ -33,7 +33,8 @@ struct Finding {
   std::vector<Mark> marks{};  // in the order of frames; of many, an evenly spaced subset
   /// The threshold that it does not reach: "2 % of them, or 15 tolerances". Empty: it is reported.
   std::string below{};
-  bool is_hint = false;  // no fault, but worth knowing
+  bool is_hint = false;    // no fault, but worth knowing
+  bool is_severe = false;  // farther off than engines approximate
 };
 
 /// Whether it is a fault, and often or large enough.

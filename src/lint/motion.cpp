@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "core/at.h"
@@ -10,9 +11,10 @@
 namespace contactscope::lint {
 namespace {
 
-constexpr double kGravity = 9.81;  // metres per second squared
-constexpr int kEnough = 5;         // minimum number of samples
-constexpr double kAlike = 0.1;     // samples differ by at most this share
+constexpr double kGravity = 9.81;       // metres per second squared
+constexpr int kEnough = 5;              // minimum number of samples
+constexpr double kAlike = 0.1;          // samples differ by at most this share
+constexpr double kSomeFriction = 1e-5;  // of the normal impulse; less is rounding
 
 /// A number from many frames or bodies.
 struct Samples {
@@ -48,24 +50,41 @@ bool is_near(double value, double target) {
   return std::abs(value - target) <= kAlike * std::abs(target);
 }
 
-/// Contact impulse on a body in a frame, N s; empty if an active point has no impulse.
-std::optional<Vec3d> impulse_on(const Solids& solids, const trace::Frame& frame,
-                                const std::string& name) {
-  Vec3d sum = Vec3d::Zero();
-  bool any = false;
+/// Sums of the contact impulses on a body in a frame, N s.
+struct Load {
+  Vec3d impulse = Vec3d::Zero();
+  Vec3d once = Vec3d::Zero();  // without points that are there already
+  bool is_known = true;        // no active point is without an impulse
+  bool has_friction = false;   // some engines report none
+  std::set<std::array<double, 4>> points{};
+};
+using Loads = std::map<std::string, Load>;  // by body
+
+Loads loads_of(const Solids& solids, const trace::Frame& frame) {
+  Loads loads;
+  const auto add = [&](Load& load, double sign, const Vec3d& normal, const trace::Point& point) {
+    load.is_known = load.is_known && point.impulse;
+    if (!point.impulse) return;
+    const Vec3d& friction = point.impulse->friction;
+    const Vec3d impulse = sign * (point.impulse->normal * normal + friction);
+    const Vec3d& at = point.position;
+    if (load.points.insert({at.x(), at.y(), at.z(), point.impulse->normal}).second)
+      load.once += impulse;
+    load.impulse += impulse;
+    if (friction.norm() > kSomeFriction * std::abs(point.impulse->normal)) load.has_friction = true;
+  };
   for (const trace::Pair& pair : frame.pairs) {
-    const double sign =
-        (solids.body_of(pair.b) == name ? 1 : 0) - (solids.body_of(pair.a) == name ? 1 : 0);
-    if (sign == 0) continue;  // also for two parts of one body
+    const std::string &a = solids.body_of(pair.a), &b = solids.body_of(pair.b);
+    if (a == b) continue;  // two parts of one body
     for (const trace::Manifold& manifold : pair.manifolds)
       for (const trace::Point& point : manifold.points) {
         if (!point.active) continue;
-        if (!point.impulse) return std::nullopt;
-        any = true;
-        sum += sign * (point.impulse->normal * manifold.normal + point.impulse->friction);
+        add(loads[a], -1, manifold.normal, point);
+        add(loads[b], 1, manifold.normal, point);
       }
   }
-  return any ? std::optional(sum) : std::nullopt;
+  std::erase_if(loads, [](const auto& one) { return !one.second.is_known; });
+  return loads;
 }
 
 class MotionWatch final : public Watch {
@@ -75,11 +94,15 @@ class MotionWatch final : public Watch {
 
   void see(const Solids& solids, const Moments& frames) override {
     see_densities(solids, frames);
+    before_ = std::move(now_);
+    now_ = frames.before == nullptr ? loads_of(solids, *frames.now) : std::move(after_);
+    if (frames.before == nullptr) before_.clear();
     if (frames.after == nullptr) return;
+    after_ = loads_of(solids, *frames.after);
     const double step = frames.after->time - frames.now->time;
     if (!(step > 0)) return;
     if (frames.before != nullptr) see_falls(solids, frames, step);
-    see_rests(solids, frames, step);
+    see_rests(frames, step);
   }
 
   void report(std::vector<Finding>& findings) override {
@@ -131,32 +154,69 @@ class MotionWatch final : public Watch {
   }
 
   /// Contacts of a resting body bear its weight.
-  void see_rests(const Solids& solids, const Moments& frames, double step) {
-    if (!frames.now->solver) return;
+  void see_rests(const Moments& frames, double step) {
+    // The impulses lead from the velocities of one frame to those of the other.
+    const trace::Frame* const other = frames.after_step ? frames.before : frames.after;
+    if (!frames.now->solver || other == nullptr) return;
     for (const trace::Body& body : frames.now->solver->bodies) {
-      const trace::Body* const after = trace::find_body(*frames.after, body.name);
+      const trace::Body* const after = trace::find_body(*other, body.name);
       if (after == nullptr || !(body.mass > 0) || !std::isfinite(body.mass)) continue;
       const double in_a_step = kGravity * step;  // velocity gained by gravity
       if (body.velocity.norm() > in_a_step ||
           (after->velocity - body.velocity).norm() > kAlike * in_a_step)
         continue;
-      const std::optional<Vec3d> impulse = impulse_on(solids, *frames.now, body.name);
-      if (!impulse) continue;
-      const Vec3d weights = *impulse / (body.mass * in_a_step);
+      const auto load = now_.find(body.name);
+      if (load == now_.end()) continue;
+      const Vec3d weights = load->second.impulse / (body.mass * in_a_step);
+      // The solver leaves sleeping bodies out.
+      const auto earlier = before_.find(body.name);
+      if (weights.isZero() && body.velocity.isZero() && after->velocity.isZero() &&
+          (earlier == before_.end() || earlier->second.impulse.isZero()))
+        continue;
       for (int axis = 0; axis < 3; ++axis)
         if (std::abs(weights[axis]) > 0.95 * weights.norm())
           at(rests_, axis).add(weights[axis], frames.now->line, frames.now->frame, body.name);
       weights_.add(weights.dot(up_), frames.now->line, frames.now->frame, body.name);
-      ++rests_now_.of;
-      constexpr double kOff = 0.5;
-      if ((weights - up_).norm() > kOff)
-        rests_now_.wrong(frames, body.name, "", [&] {
-          return std::pair("its contacts carry " + metres(weights.dot(up_)) + " of its weight",
-                           std::string("it rests, and they carry all of it in other frames"));
-        });
+      see_flicker(frames, body, load->second, in_a_step);
       steps_ = frames.now->solver->substeps;
       step_ = step;
     }
+  }
+
+  /// Impulses that are others for a frame, or that do not carry the weight. If they do so without
+  /// points that are there twice, those are the fault.
+  void see_flicker(const Moments& frames, const trace::Body& body, const Load& now,
+                   double in_a_step) {
+    constexpr double kOff = 0.5;
+    const double weight = body.mass * in_a_step;
+    const auto before = before_.find(body.name), after = after_.find(body.name);
+    const trace::Body* const earlier =
+        frames.before == nullptr ? nullptr : trace::find_body(*frames.before, body.name);
+    const bool is_between = before != before_.end() && after != after_.end() &&
+                            earlier != nullptr &&
+                            (body.velocity - earlier->velocity).norm() <= kAlike * in_a_step;
+    // Without friction, a share of it may go from one normal to another.
+    const double least = now.has_friction ? kOff : 0.7;
+    const auto jumps = [&](Vec3d Load::*impulse) {
+      if (!is_between) return false;
+      const Vec3d& then = before->second.*impulse;
+      const double jump = (now.*impulse - then).norm();
+      return jump > least * std::max((now.*impulse).norm(), then.norm()) &&
+             (after->second.*impulse - then).norm() < jump / 4;
+    };
+    const auto is_off = [&](const Vec3d& impulse) {
+      return now.has_friction && (impulse / weight - up_).norm() > kOff;
+    };
+    ++rests_now_.of, ++jumps_.of;
+    const auto words = [&] {
+      return std::pair(
+          "its contacts carry " + metres(now.impulse.dot(up_) / weight) + " of its weight",
+          std::string("it rests, and they carry another share in other frames"));
+    };
+    const bool is_other = jumps(&Load::impulse) && jumps(&Load::once);
+    if (is_other) jumps_.wrong(frames, body.name, "", words);
+    if (is_other || (is_off(now.impulse) && is_off(now.once)))
+      rests_now_.wrong(frames, body.name, "", words);
   }
 
   void report_axis(std::vector<Finding>& findings) const {
@@ -235,12 +295,12 @@ class MotionWatch final : public Watch {
 
   void report_impulses(std::vector<Finding>& findings) const {
     const std::optional<double> share = weights_.common();
+    (share && is_near(*share, 1) ? rests_now_ : jumps_)
+        .report("impulses on bodies at rest come and go",
+                "check warm starting, and that the impulses of all points and of the last "
+                "iteration are written",
+                1, 0, findings);
     if (!share) return;
-    if (is_near(*share, 1))
-      rests_now_.report("impulses on bodies at rest come and go",
-                        "check warm starting, and that the impulses of all points and of the last "
-                        "iteration are written",
-                        1, 0, findings);
     const auto say = [&](const char* cause, const char* what, const char* remedy) {
       findings.push_back(weights_.finding(cause, what, remedy,
                                           "its contacts carry " + metres(*share) + " of its weight",
@@ -273,7 +333,8 @@ class MotionWatch final : public Watch {
   std::string up_name_;
   std::array<Samples, 3> falls_, rests_;
   Samples weights_, densities_;
-  Tally rests_now_{"impulses_flicker"};
+  Loads before_, now_, after_;
+  Tally rests_now_{"impulses_flicker"}, jumps_{"impulses_flicker"};
   int steps_ = 0;
   double step_ = 1;
 };

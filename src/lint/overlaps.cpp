@@ -14,10 +14,12 @@ Names in_order(const std::string& a, const std::string& b) {
   return a < b ? Names{a, b} : Names{b, a};
 }
 
-/// Bounding box of a placed solid, world.
+/// Bounding box of a placed solid and what is near, world.
 Aabb<double> box_of(const Placed& placed) {
   const Vec3d middle = (placed.solid->lower() + placed.solid->upper()) / 2;
-  const Vec3d half = (placed.solid->upper() - placed.solid->lower()) / 2;
+  constexpr double kNear = 1e-3;  // relative to its size: bodies at rest may not overlap
+  const Vec3d half =
+      (placed.solid->upper() - placed.solid->lower()) / 2 + Vec3d::Constant(kNear * placed.size());
   const Vec3d reach = placed.pose.rotation.toRotationMatrix().cwiseAbs() * half;
   const Vec3d center = placed.pose.transform(middle);
   return {center - reach, center + reach};
@@ -27,10 +29,13 @@ struct Missing {
   int count = 0;
   int line = 0, frame = 0;
   double deepest = 0;
+  bool is_gross = false;
 
-  void add(const Moments& frames, double overlap) {
-    ++count;
-    if (overlap <= deepest) return;
+  /// Engines that round corners miss a few tolerances.
+  void add(const Moments& frames, double overlap, double tolerance) {
+    constexpr double kGrossly = 15;
+    is_gross = is_gross || overlap > kGrossly * tolerance;
+    if (count++ > 0 && overlap <= deepest) return;
     deepest = overlap;
     line = frames.now->line;
     frame = frames.now->frame;
@@ -45,6 +50,15 @@ class OverlapsWatch final : public Watch {
   void see(const Solids& solids, const Moments& frames) override {
     options_ = frames.options;
     std::set<Names> record;
+    touched_.clear(), held_.clear();
+    for (const trace::Pair& pair : frames.now->pairs)
+      for (const trace::Manifold& manifold : pair.manifolds) {
+        const std::string &a = solids.body_of(pair.a), &b = solids.body_of(pair.b);
+        touched_.insert(a), touched_.insert(b);
+        constexpr double kUpward = 0.2;
+        const double up = manifold.normal.dot(up_);
+        if (std::abs(up) > kUpward) held_.insert(up > 0 ? b : a);
+      }
     for (const trace::Pair& pair : frames.now->pairs) {
       const Names names = in_order(pair.a, pair.b);
       record.insert(names);
@@ -54,7 +68,7 @@ class OverlapsWatch final : public Watch {
     }
     std::vector<std::pair<Aabb<double>, const std::string*>> boxes;
     for (const trace::Placement& one : frames.now->poses) {
-      const std::optional<Placed> placed = place(solids, frames.now, one.first, {});
+      const std::optional<Placed> placed = place(solids, frames.of_contacts(), one.first, {});
       if (!placed) continue;
       // A plane's box is infinite.
       const Vec3d all = Vec3d::Constant(std::numeric_limits<double>::infinity());
@@ -84,7 +98,7 @@ class OverlapsWatch final : public Watch {
         untold_, findings);
     std::erase_if(resting_, [&](const auto& one) {
       return one.second.count < kResting || with_contacts_.contains(one.first) ||
-             deep_.contains(one.first);
+             (deep_.contains(one.first) && !hanging_.contains(one.first));
     });
     report_kind("pair_never_reported", "a body rests on another, and no contact is reported",
                 "check the broad phase, the filter of pairs, and what is left out when a frame is "
@@ -99,29 +113,43 @@ class OverlapsWatch final : public Watch {
   static constexpr int kResting = 10;
 
   void look(const Solids& solids, const Moments& frames, const Names& names, List& list) {
-    const std::optional<Placed> a = place(solids, frames.now, names.first, {});
-    const std::optional<Placed> b = place(solids, frames.now, names.second, {});
+    const std::optional<Placed> a = place(solids, frames.of_contacts(), names.first, {});
+    const std::optional<Placed> b = place(solids, frames.of_contacts(), names.second, {});
     if (!a || !b) return;
     const std::optional<Separation> separation = separation_of(*a, *b);
-    if (!separation || !(separation->distance < 0)) return;
-    const double overlap = -separation->distance;
-    if (overlap > 4 * solids.tolerance_of(*a, *b)) {
-      deep_.insert(names);
-      return list[names].add(frames, overlap);
-    }
+    if (!separation) return;
+    const double overlap = -separation->distance, tolerance = solids.tolerance_of(*a, *b);
     // A sleeping body has no contacts, and keeps its pose.
-    const auto moves = [&](const std::string& name) {
-      const auto before = place(solids, frames.before, name, {});
-      const auto now = place(solids, frames.now, name, {});
-      return before && (before->pose.position != now->pose.position ||
-                        before->pose.rotation.coeffs() != now->pose.rotation.coeffs());
+    const auto is_still = [&](const std::string& name) {
+      return stands_still(solids, frames, name);
     };
+    const bool both_still = is_still(names.first) && is_still(names.second);
+    const bool is_asleep = both_still && (!touched_.contains(solids.body_of(names.first)) ||
+                                          !touched_.contains(solids.body_of(names.second)));
+    const bool is_deep = overlap > 4 * tolerance;
+    if (is_deep) deep_.insert(names);
+    if (is_deep && !(&list == &untold_ && is_asleep)) list[names].add(frames, overlap, tolerance);
+    if (both_still || solids.body_of(names.first) == solids.body_of(names.second)) return;
     constexpr double kMinimum = 1e-6, kUpright = 0.5;
     const double reach = a->pose.position.norm() + b->pose.position.norm();
-    if (overlap > kMinimum * reach && std::abs(separation->normal.dot(up_)) > kUpright &&
-        solids.body_of(names.first) != solids.body_of(names.second) &&
-        (moves(names.first) || moves(names.second)))
-      resting_[names].add(frames, overlap);
+    const double up = separation->normal.isZero() ? (a->solid->is_convex() ? -1 : 1)
+                                                  : separation->normal.dot(up_);
+    if (std::abs(up) < kUpright) return;
+    const bool rests = !is_deep && overlap > kMinimum * reach && !separation->normal.isZero();
+    const bool is_hanging =
+        overlap > -tolerance / 4 && hangs(solids, frames, up > 0 ? names.second : names.first);
+    if (is_hanging) hanging_.insert(names);
+    if (rests || is_hanging) resting_[names].add(frames, overlap, tolerance);
+  }
+
+  /// Whether nothing is reported that holds a body, and it does not fall.
+  bool hangs(const Solids& solids, const Moments& frames, const std::string& name) const {
+    if (held_.contains(solids.body_of(name))) return false;
+    const std::optional<Placed> before = place(solids, frames.before, name, {});
+    const std::optional<Placed> now = place(solids, frames.now, name, {});
+    constexpr double kHanging = 2e-3;  // relative to its size, in a step
+    return before && now && !now->solid->is_plane() &&
+           (now->middle() - before->middle()).norm() < kHanging * now->size();
   }
 
   void report_kind(const char* cause, const char* what, const char* remedy, List& list,
@@ -137,11 +165,15 @@ class OverlapsWatch final : public Watch {
     findings.push_back({cause, what, remedy, count, 0, deepest->second.line, deepest->second.frame,
                         deepest->first.first, deepest->first.second, "no contact",
                         "they overlap by " + metres(deepest->second.deepest) + " m"});
+    findings.back().is_severe = deepest->second.is_gross;
   }
 
   std::set<Names> with_contacts_;
+  // Bodies that have a contact in this frame, and those that one pushes up.
+  std::set<std::string> touched_, held_;
   List separation_, untold_, resting_;
-  std::set<Names> deep_;  // pairs without a contact that overlap more than bodies at rest
+  std::set<Names> hanging_;  // pairs without a contact of a body that nothing else holds
+  std::set<Names> deep_;     // pairs without a contact that overlap more than bodies at rest
   const LintOptions* options_ = nullptr;
   Vec3d up_;
 };

@@ -14,7 +14,7 @@ constexpr double kSameDepth = 1.05;
 /// Key of everything that is reported of a pair, except its position in the trace.
 std::string signature_of(const WrongPair& pair) {
   std::string signature = pair.explained_by.to_string();
-  signature += pair.gross ? '!' : '.';
+  signature += pair.severe ? '#' : pair.gross ? '!' : '.';
   signature += std::to_string(static_cast<int>(pair.problem.kind));
   if (pair.deeper != 0) {
     signature += pair.deeper > 0 ? '+' : '-';

@@ -20,7 +20,8 @@ struct WrongPair {
   std::string said, is;
   double deeper = 0;  // metres of excess overlap if all points agree; else 0
   std::bitset<kMaxExplanations> explained_by;
-  bool gross = false;  // beyond an engine's approximations
+  bool gross = false;   // beyond most of an engine's approximations
+  bool severe = false;  // beyond all of them
   bool record = false;
   int times = 1;  // number of pairs
 };

@@ -1,6 +1,7 @@
 #include "lint/faults.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numbers>
 #include <set>
@@ -88,7 +89,10 @@ void twice(trace::Frame& frame, const Target& target, bool is_turned) {
     if (!is_between(pair, target)) continue;
     if (is_turned) {
       std::swap(pair.a, pair.b);
-      for (trace::Manifold& manifold : pair.manifolds) manifold.normal = -manifold.normal;
+      for (trace::Manifold& manifold : pair.manifolds) {
+        manifold.normal = -manifold.normal;
+        for (trace::Point& point : manifold.points) std::swap(point.on_a, point.on_b);
+      }
     }
     frame.pairs.push_back(pair);
   }
@@ -193,19 +197,32 @@ std::vector<Target> targets(const Trace& trace, std::size_t count) {
     double moved = 0;
   };
   std::map<std::pair<std::string, std::string>, Candidate> all;
-  const auto moved = [&](const std::string& name) {
-    return (pose_of(const_cast<trace::Frame&>(trace.frames.front()), name).position -
-            pose_of(const_cast<trace::Frame&>(trace.frames.back()), name).position)
-        .norm();
+  const auto position = [&](std::size_t frame, const std::string& name) {
+    return pose_of(const_cast<trace::Frame&>(trace.frames[frame]), name).position;
   };
+  std::map<std::string, double> moved;  // the most in a frame, metres
+  for (const auto& [name, pose] : trace.frames.front().poses)
+    for (std::size_t f = 1; f < trace.frames.size(); ++f)
+      moved[name] = std::max(moved[name], (position(f, name) - position(f - 1, name)).norm());
+  const auto is_dynamic = [&](const std::string& name) {
+    const trace::Body* const body = trace::find_body(trace.frames.front(), name);
+    return body != nullptr && body->mass > 0 && std::isfinite(body->mass);
+  };
+  // If an engine reports no gaps, rounding decides of overlaps of less metres.
+  double touching = -2e-5;
+  for (const trace::Frame& frame : trace.frames)
+    for (const trace::Pair& pair : frame.pairs)
+      for (const trace::Manifold& manifold : pair.manifolds)
+        for (const trace::Point& point : manifold.points)
+          if (point.separation > 1e-5) touching = 1e-5;
   for (const trace::Frame& frame : trace.frames)
     for (const trace::Pair& pair : frame.pairs) {
       const trace::Point* const deepest = trace::deepest_point(pair);
-      if (deepest == nullptr || !deepest->impulse || deepest->separation > -1e-6) continue;
+      if (deepest == nullptr || deepest->separation > touching) continue;
       if (pair.manifolds.size() > 1 || pair.manifolds.front().points.size() < 2) continue;
       Candidate& one = all[{pair.a, pair.b}];
-      one.target = {pair.a, pair.b, moved(pair.b) > 0 ? pair.b : pair.a};
-      one.moved = moved(pair.a) + moved(pair.b);
+      one.target = {pair.a, pair.b, is_dynamic(pair.b) ? pair.b : pair.a};
+      one.moved = moved[pair.a] + moved[pair.b];
       ++one.frames;
     }
   std::vector<Candidate> best;

@@ -32,7 +32,7 @@ const std::vector<Fault>& faults();
 /// Seeds a fault. Rarely: 1 frame in 30.
 void seed(Trace& trace, const Fault& fault, const Target& target, Often often);
 
-/// Pairs of convex shapes with contacts and impulses in all frames that move least.
+/// Pairs with a manifold of several points in all frames that move least.
 std::vector<Target> targets(const Trace& trace, std::size_t count);
 
 }  // namespace contactscope::lint

@@ -2,7 +2,7 @@
 
 #include <string>
 
-/// Programs of two engines: they step a world, and record it with their adapters.
+/// Programs of three engines: they step a world, and record it with their adapters.
 namespace contactscope::test {
 
 enum class World { Stack, Heap };
@@ -19,6 +19,8 @@ struct Recording {
 
 void record_in_bullet(const Recording& recording);
 void record_in_ode(const Recording& recording);
+/// If the tests have MuJoCo.
+void record_in_mujoco(const Recording& recording);
 
 /// A number from -1 to 1 for the n-th body, along one of the axes: irregular, and always the same.
 inline double scattered(int n, int axis) {
