@@ -115,7 +115,7 @@ class InternalEdgesWatch final : public Watch {
             surface_around(*mesh, placed->pose.inverse_transform(point.position), reach, outward),
             outward);
         if (!(lean > kLeaning)) continue;
-        frames.explained->insert(&pair);
+        frames.explained->try_emplace(&pair, Explained::ButForSigns);
         tally_.wrong(frames, name, other, [&] {
           return std::pair("normal " + spelled(manifold.normal) + ", at " + spelled(point.position),
                            "it leans by " + metres(lean * 180 / std::numbers::pi) +

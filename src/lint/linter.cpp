@@ -161,6 +161,9 @@ std::vector<Finding> Linter::findings() {
       return finding.cause == "depths_jump" || finding.cause == "impulses_flicker" ||
              finding.cause == "internal_edge";
     });
+  const auto flipped = std::ranges::find(all, "flipped_normals", &Finding::cause);
+  if (flipped != all.end() && is_reported(*flipped))
+    std::erase_if(all, [](const Finding& finding) { return finding.cause == "impulses_on_a"; });
   for (Finding& finding : all) {
     if (state_->options.strict) finding.below.clear();
     if (finding.marks.empty() && finding.line > 0)

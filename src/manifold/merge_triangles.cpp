@@ -296,8 +296,10 @@ FeatureId TriangleContacts<S>::in_mesh(const FeatureId& id, int t, const Vec3<S>
 template <class S> void TriangleContacts<S>::add(const Contact<S>& contact, int triangle) {
   const int begin = count_of(points_);
   points_.insert(points_.end(), contact.points.begin(), contact.points.end());
-  parts_.push_back({contact.normal, contact.axis, contact.type, contact.scale, contact.deepest(),
-                    triangle, begin, count_of(points_)});
+  // Adding zero makes -0 a 0: the special path of boxes may differ in its sign.
+  const Vec3<S> normal = contact.normal.array() + S(0);
+  parts_.push_back({normal, contact.axis, contact.type, contact.scale, contact.deepest(), triangle,
+                    begin, count_of(points_)});
 }
 
 /// Step 2: sorts the parts by group and depth, and returns the end of each group.

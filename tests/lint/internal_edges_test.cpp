@@ -38,11 +38,11 @@ std::string grid(double size) {
 
 std::vector<std::pair<std::string, double>> sliders(double size) {
   const auto number = [&](double metres) { return std::to_string(metres * size); };
-  return {{"type = \"sphere\"\nradius = " + number(0.4), 0.39},
+  return {{"type = \"sphere\"\nradius = " + number(0.4), 0.36},
           {"type = \"box\"\nhalf_extents = [" + number(0.4) + ", " + number(0.3) + ", " +
                number(0.4) + "]",
            0.29},
-          {"type = \"capsule\"\nradius = " + number(0.2) + "\nhalf_height = " + number(0.3), 0.49}};
+          {"type = \"capsule\"\nradius = " + number(0.2) + "\nhalf_height = " + number(0.3), 0.46}};
 }
 
 TEST(InternalEdges, AreNamedWhereAFlatFloorPushesSideways) {

@@ -12,7 +12,7 @@ namespace contactscope::app {
 namespace {
 
 std::string viewer_of(const Scenario& scenario, const trace::Header& header,
-                      const std::vector<trace::Frame>& frames, const std::string& which) {
+                      const std::vector<trace::Frame>& frames) {
   draw::FigureStyle style;
   style.words = words_of(scenario);
   const draw::Staging staging = draw::stage(
@@ -20,7 +20,7 @@ std::string viewer_of(const Scenario& scenario, const trace::Header& header,
       style, draw::kLayers, mapped(frames, &trace::Frame::frame));
   PictureOrigin origin;
   origin.scenario = scenario.name;
-  origin.title = which + ": " + plain_title(scenario.title);
+  origin.title = plain_title(scenario.title);
   viewer::Viewer page(staging, origin);
   for (const trace::Frame& frame : frames) page.add(frame);
   return page.html();
@@ -32,12 +32,12 @@ void Viewers::add(const Scenario& scenario, const snapshot::StoredScenario& arch
                   const Sequence& sequence, const std::string& candidate,
                   snapshot::ReportFolder& report) {
   constexpr int kMax = 20;
-  if (viewer::three_script().empty() || scenarios_++ >= kMax) return;
+  if (candidate.empty() || viewer::three_script().empty() || scenarios_++ >= kMax) return;
   std::istringstream text(*snapshot::read_stored_trace(archive.root, archive.scenario));
   const trace::Trace stored = trace::read_trace(text, "stored");
   const auto add_page = [&](const trace::Header& header, const std::vector<trace::Frame>& frames,
                             const char* which) {
-    report.add_file(viewer_path(candidate, which), viewer_of(scenario, header, frames, which));
+    report.add_file(viewer_path(candidate, which), viewer_of(scenario, header, frames));
   };
   add_page(sequence.header, sequence.frames, "actual");
   add_page(stored.header, stored.frames, "expected");

@@ -13,7 +13,8 @@ namespace contactscope::app {
 /// stored ones. Only for the first scenarios, because each page contains three.js.
 class Viewers {
  public:
-  /// `candidate`: path of the run's trace in the report. Does nothing without three.js.
+  /// `candidate`: path of the run's trace in the report; empty if it has been accepted. Does nothing
+  /// then, and without three.js.
   void add(const Scenario& scenario, const snapshot::StoredScenario& archive,
            const Sequence& sequence, const std::string& candidate, snapshot::ReportFolder& report);
 

@@ -99,10 +99,16 @@ ExitCode merge_checks(const Options& options) {
   for (const Part& part : parts) {
     for (const snapshot::ScenarioOutcome& scenario : part.outcome.scenarios) {
       outcome.scenarios.push_back(scenario);
-      for (const snapshot::Finding& finding : scenario.findings)
+      for (const snapshot::Finding& finding : scenario.findings) {
         for (const std::string& file :
              {finding.candidate, finding.expected, finding.difference, finding.layers_picture})
           if (!file.empty()) report.copy_file(fs::path(part.from) / file, file);
+        for (const char* which : {"actual", "expected"}) {
+          const std::string viewer = viewer_path(finding.candidate, which);
+          if (!viewer.empty() && fs::exists(fs::path(part.from) / viewer))
+            report.copy_file(fs::path(part.from) / viewer, viewer);
+        }
+      }
     }
     if (const auto text = snapshot::read_text_file(fs::path(part.from) / "times.json"))
       times.update(Json::parse(*text));

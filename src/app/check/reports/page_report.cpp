@@ -75,7 +75,7 @@ Json finding_json(const ReportInput& input, const Finding& finding, Pictures& pi
     json["remedy"] = remedy(input, finding);
   for (const char* which : {"actual", "expected"}) {
     const std::string viewer = viewer_path(finding.candidate, which);
-    if (!finding.candidate.empty() && std::filesystem::exists(input.folder / viewer))
+    if (!viewer.empty() && std::filesystem::exists(input.folder / viewer))
       json["viewers"].push_back({{"name", which}, {"file", viewer}});
   }
   if (!finding.is_picture()) return json;

@@ -33,7 +33,8 @@ ExitCode exit_code(const snapshot::Outcome& outcome);
 /// Writes all requested reports.
 void write_reports(const ReportInput& input);
 
-/// Path of a page in 3D next to a candidate trace; `which`: "actual" or "expected".
+/// Path of a page in 3D next to a candidate trace; `which`: "actual" or "expected". Empty for
+/// other candidates.
 std::string viewer_path(const std::string& candidate, const std::string& which);
 
 /// Path of a file in the report folder, relative to the current directory.

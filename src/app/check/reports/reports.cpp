@@ -20,6 +20,7 @@ void write_reports(const ReportInput& input) {
 }
 
 std::string viewer_path(const std::string& candidate, const std::string& which) {
+  if (!candidate.ends_with(".jsonl")) return {};
   return std::filesystem::path(candidate).replace_filename(which + ".viewer.html").generic_string();
 }
 
