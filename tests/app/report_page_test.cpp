@@ -96,18 +96,18 @@ TEST_F(ReportPage, LinksPagesIn3DOfBothTraces) {
           .exit_code != 0)
     GTEST_SKIP() << "built without three.js";
   const nlohmann::json links = in_page(
-      "return [...document.querySelectorAll('a[href$=\"viewer.html\"]')]"
+      "return [...document.querySelectorAll('a[href*=\"/viewer.\"]')]"
       ".map(link => link.getAttribute('href'));");
   EXPECT_EQ(links,
-            nlohmann::json({"group/one/actual.viewer.html", "group/one/expected.viewer.html"}));
+            nlohmann::json({"group/one/viewer.actual.html", "group/one/viewer.expected.html"}));
   const auto page = [&](const std::string& which) {
-    return read_text(folder_ / ("out/check/group/one/" + which + ".viewer.html"));
+    return read_text(folder_ / ("out/check/group/one/viewer." + which + ".html"));
   };
   EXPECT_THAT(page("actual"), HasSubstr("THREE"));
   EXPECT_NE(page("actual"), page("expected"));
-  EXPECT_FALSE(std::filesystem::exists(folder_ / "out/check/group/two/actual.viewer.html"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out/check/group/two/viewer.actual.html"));
   EXPECT_EQ(check("--update").exit_code, 0);
-  EXPECT_FALSE(std::filesystem::exists(folder_ / "out/check/group/one/actual.viewer.html"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out/check/group/one/viewer.actual.html"));
 }
 
 TEST_F(ReportPage, GroupsByCauseWithContentsAndEveryComparisonMode) {

@@ -21,7 +21,9 @@ void write_reports(const ReportInput& input) {
 
 std::string viewer_path(const std::string& candidate, const std::string& which) {
   if (!candidate.ends_with(".jsonl")) return {};
-  return std::filesystem::path(candidate).replace_filename(which + ".viewer.html").generic_string();
+  return std::filesystem::path(candidate)
+      .replace_filename("viewer." + which + ".html")
+      .generic_string();
 }
 
 std::string path_in(const ReportInput& input, const std::string& file) {
