@@ -15,8 +15,9 @@ constexpr double kTimes = 10, kFaster = 4;
 class BodiesWatch final : public Watch {
  public:
   void see(const Solids& solids, const Moments& frames) override {
-    if (frames.before == nullptr) last_.clear(), jumped_.clear();
+    if (frames.before == nullptr) last_.clear(), last_turn_.clear(), jumped_.clear();
     std::map<std::string, Vec3d> moved;
+    std::map<std::string, double> turns;
     std::set<std::string> jumped;
     double fastest = fastest_;
     for (const auto& [name, pose] : frames.now->poses) {
@@ -24,7 +25,10 @@ class BodiesWatch final : public Watch {
       if (!now || now->solid->is_plane()) continue;
       const std::optional<Placed> before = place(solids, frames.before, name, {});
       const std::optional<Placed> after = place(solids, frames.after, name, {});
-      if (before && !jumped_.contains(name)) moved[name] = now->middle() - before->middle();
+      if (before && !jumped_.contains(name)) {
+        moved[name] = now->middle() - before->middle();
+        turns[name] = turned(*before, *now);
+      }
       if (!before || !after) continue;
       if (is_jump(solids, frames, name, *before, *now, *after))
         jumped.insert(name);
@@ -33,6 +37,7 @@ class BodiesWatch final : public Watch {
     }
     fastest_ = fastest;
     last_ = std::move(moved);
+    last_turn_ = std::move(turns);
     jumped_ = std::move(jumped);
   }
 
@@ -61,7 +66,7 @@ class BodiesWatch final : public Watch {
     const auto speed = last_.find(name);
     const double out = (now.middle() - before.middle()).norm() + turned(before, now);
     const double rest = (after.middle() - before.middle()).norm() + turned(before, after) +
-                        (speed == last_.end() ? 0.0 : speed->second.norm());
+                        (speed == last_.end() ? 0.0 : speed->second.norm() + last_turn_[name]);
     // Nothing that moves comes back to the very same place.
     const double least = rest > 0 ? kLeap : kStir;
     if (out < least * now.size() || out < kTimes * rest) return false;
@@ -97,9 +102,10 @@ class BodiesWatch final : public Watch {
       fastest = std::max(fastest, step);
   }
 
-  std::map<std::string, Vec3d> last_;  // displacements to this frame
-  double fastest_ = 0;                 // metres within a step, of any body
-  std::set<std::string> jumped_;       // bodies that were elsewhere in the frame before
+  std::map<std::string, Vec3d> last_;        // displacements to this frame
+  std::map<std::string, double> last_turn_;  // metres at the rim
+  double fastest_ = 0;                       // metres within a step, of any body
+  std::set<std::string> jumped_;             // bodies that were elsewhere in the frame before
   Tally jumps_{"poses_jump"}, flights_{"bodies_fly_off"};
 };
 

@@ -129,7 +129,6 @@ TEST(LintVerb, SlowOnlyScenariosThatShowAFaultHaveFindings) {
               testing::UnorderedElementsAre(
                   "scenarios/field/plate_that_vanishes.toml",  // a field without exact cells
                   "scenarios/field/sampling_misses.toml",      // sampled too coarsely
-                  "scenarios/hull/flip_flop.toml",             // a box that rocks each frame
                   "scenarios/incremental/margin.toml",         // a core too thin
                   "scenarios/incremental/rotating_out.toml",   // one point a frame
                   "scenarios/incremental/sliding.toml",        // points that slide away
