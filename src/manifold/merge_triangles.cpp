@@ -8,6 +8,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "core/convex_polygon.h"
 #include "core/instantiate.h"
 #include "manifold/collide_pairs.h"
 #include "query/tolerance.h"
@@ -82,13 +83,11 @@ template <class S> class Outline {
   /// `near`: metres by which rounding may have moved a point.
   Outline(ContactPoints<S> points, const Vec3<S>& normal, S near, Arena& arena)
       : near_(near), places_(&arena), corners_(&arena), candidates_(&arena) {
-    const Vec3<S> u = any_perpendicular(normal);
-    const Vec3<S> v = normal.cross(u);
+    const PlaneFrame<S> plane(points[0].position, normal);
     places_.reserve(points.size());
-    Place middle = Place::Zero();
+    Vec2<S> middle = Vec2<S>::Zero();
     for (const ContactPoint<S>& point : points) {
-      const Vec3<S> from_first = point.position - points[0].position;
-      places_.emplace_back(from_first.dot(u), from_first.dot(v));
+      places_.push_back(plane.seen(point.position));
       middle += places_.back();
     }
     middle /= static_cast<S>(points.size());
@@ -108,9 +107,7 @@ template <class S> class Outline {
   const Numbers& corners() const { return corners_; }
 
  private:
-  using Place = Eigen::Matrix<S, 2, 1>;
-
-  int farthest_from(const Place& place) const {
+  int farthest_from(const Vec2<S>& place) const {
     int best = 0;
     S most = S(-1);
     for (int i = 0; i < count_of(places_); ++i) {
@@ -123,12 +120,9 @@ template <class S> class Outline {
   /// Adds the corners to the right of the line between two corners, from among `candidates`, which
   /// it reorders. Of points that are equally far from the line the first along it is a corner.
   void add_beyond(int from, int to, std::span<int> candidates) {
-    const Place start = at(places_, from);
-    const Place along = (at(places_, to) - start).normalized();
-    const auto height = [&](int i) {
-      const Place place = at(places_, i) - start;
-      return along.y() * place.x() - along.x() * place.y();
-    };
+    const Vec2<S> start = at(places_, from);
+    const Vec2<S> along = (at(places_, to) - start).normalized();
+    const auto height = [&](int i) -> S { return cross(at(places_, i) - start, along); };
     S most = near_;
     const auto end = std::partition(candidates.begin(), candidates.end(), [&](int i) {
       const S here = height(i);
@@ -152,7 +146,7 @@ template <class S> class Outline {
   }
 
   S near_;
-  std::pmr::vector<Place> places_;  // in the plane, metres, from the first point
+  std::pmr::vector<Vec2<S>> places_;  // in the plane, metres, from the first point
   Numbers corners_, candidates_;
 };
 
