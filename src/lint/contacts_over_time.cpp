@@ -21,7 +21,7 @@ constexpr double kAtRest = 2e-3, kPairAtRest = 2e-2, kOnePoint = 1e-2;
 constexpr double kDoubled = 1e-6;
 /// Share of the tolerance by which a separation may change although the surfaces do not move.
 constexpr double kDepthNoise = 0.25;
-/// Likewise as a share of a positive separation: those serve the next step, and are measured roughly.
+/// The same as a share of a positive separation: engines measure it roughly, for the next step.
 constexpr double kSpeculativeNoise = 0.25;
 /// Radians that a normal may turn more than the bodies.
 constexpr double kTurn = 3 * std::numbers::pi / 180;
@@ -213,7 +213,7 @@ class ContactsWatch final : public Watch {
     constexpr double kClear = 4;
     const double farther =
         std::max(lost.farthest - std::max(lost.spot.measured, now.measured), 0.0);
-    // What an engine reports of separated shapes may depend on their velocities.
+    // The reports of separated shapes may depend on their velocities.
     const double reach = lost.moved <= kAtRest * at.size ? reach_ : 0;
     return lost.moved <= rest_of(lost) * at.size &&
            lost.farthest < reach - at.rounding - kClear * farther;
@@ -362,8 +362,8 @@ class ContactsWatch final : public Watch {
                    const std::vector<Spot>& spots) {
     if (spots.empty()) return;
     ++doubled_.of;
-    // Triangles of a mesh share points: there it is the same point of the same manifold, or all of a
-    // triangle's.
+    // Triangles of a mesh share points. So there a point counts as doubled only within one manifold,
+    // or with all points of a triangle.
     const auto are_alike = [](const trace::Point& one, const trace::Point& other) {
       return one.position == other.position && one.separation == other.separation;
     };

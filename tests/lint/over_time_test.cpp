@@ -2,7 +2,7 @@
 
 #include "lint/recorded.h"
 
-/// What changes over time and is no fault, next to what is: the same trace with and without.
+/// Changes over time that are no fault, next to those that are: the same trace with and without.
 namespace contactscope::lint {
 namespace {
 
