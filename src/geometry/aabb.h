@@ -1,6 +1,8 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <limits>
 #include <span>
 
@@ -91,6 +93,20 @@ template <class S> class OverlapsWith {
   Aabb<S> box_;
   lanes::Pack<S> lower_, upper_;
 };
+
+/// Whether holds(i) for any i below `count` with hit(i), tried in order. Many boxes are tested before
+/// the first `holds`: which ones are hit is random, and branches on it would be mispredicted.
+template <class Hit, class Holds> bool any_hit(int count, const Hit& hit, const Holds& holds) {
+  constexpr int kMany = 64;
+  for (int begin = 0; begin < count; begin += kMany) {
+    const int end = std::min(count, begin + kMany);
+    std::uint64_t hits = 0;
+    for (int i = begin; i < end; ++i) hits |= std::uint64_t{hit(i)} << (i - begin);
+    for (; hits != 0; hits &= hits - 1)
+      if (holds(begin + std::countr_zero(hits))) return true;
+  }
+  return false;
+}
 
 template <class S> Aabb<S> merged(Aabb<S> a, const Aabb<S>& b) {
   a.include(b);

@@ -93,10 +93,9 @@ template <class S> struct AabbTree {
  private:
   template <class Holds>
   bool any_of_leaf(const Node& node, const OverlapsWith<S>& overlaps_box, Holds&& holds) const {
-    for (int k = node.next; k < node.next + node.count; ++k) {
-      if (overlaps_box(at(boxes, k)) && holds(k)) return true;
-    }
-    return false;
+    return any_hit(
+        node.count, [&](int k) { return overlaps_box(at(boxes, node.next + k)); },
+        [&](int k) { return holds(node.next + k); });
   }
 };
 

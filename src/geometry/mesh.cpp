@@ -11,6 +11,7 @@
 
 #include "core/at.h"
 #include "core/instantiate.h"
+#include "geometry/mesh_seams.h"
 
 namespace contactscope {
 namespace {
@@ -86,9 +87,11 @@ std::vector<Side> sides_of(Triangles triangles, const std::vector<int>& welded) 
   return sides;
 }
 
-/// Mesh::neighbours of these triangles. Edges that have none for a reason are reported. O(n log n).
+/// Mesh::neighbours of these triangles. Edges that have none for a reason are reported; those of one
+/// triangle alone are added to `alone`. O(n log n).
 std::vector<std::array<int, 3>> find_neighbours(std::span<const Vec3d> vertices,
-                                                Triangles triangles, MeshReport& report) {
+                                                Triangles triangles, MeshReport& report,
+                                                std::vector<TriangleEdge>& alone) {
   std::vector<std::array<int, 3>> neighbours(triangles.size(), {-1, -1, -1});
   const std::vector<Side> sides = sides_of(triangles, weld(vertices));
   for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end) {
@@ -97,7 +100,10 @@ std::vector<std::array<int, 3>> find_neighbours(std::span<const Vec3d> vertices,
       ++end;
     }
     const std::span<const Side> shared = std::span(sides).subspan(begin, end - begin);
-    if (shared.size() == 1) continue;
+    if (shared.size() == 1) {
+      alone.push_back({shared[0].triangle, shared[0].edge});
+      continue;
+    }
     // Two sides of one triangle without area.
     if (shared.size() == 2 && shared[0].triangle == shared[1].triangle) continue;
     if (shared.size() > 2) {
@@ -112,7 +118,7 @@ std::vector<std::array<int, 3>> find_neighbours(std::span<const Vec3d> vertices,
   return neighbours;
 }
 
-/// Classifies every edge and finds the flat regions, using neighbours and normals. A region is a
+/// Classifies every edge and finds the flat regions, using neighbours, seams and normals. A region is a
 /// tree of triangles whose parents have lower numbers.
 template <class S> void classify_edges(Mesh<S>& mesh) {
   using enum EdgeClass;
@@ -126,11 +132,11 @@ template <class S> void classify_edges(Mesh<S>& mesh) {
   };
   for (int t = 0; t < mesh.triangle_count(); ++t) {
     for (int k = 0; k < 3; ++k) {
-      if (mesh.neighbour(t, k) < 0) continue;
+      if (mesh.beyond(t, k) < 0) continue;
       const double bend = bend_angle(mesh, t, k);
       at(at(mesh.edges, t), k) = bend > kFlatEdgeAngle ? Convex : Internal;
       if (std::abs(bend) > kFlatEdgeAngle) continue;
-      const int here = root(t), there = root(mesh.neighbour(t, k));
+      const int here = root(t), there = root(mesh.beyond(t, k));
       at(mesh.regions, std::max(here, there)) = std::min(here, there);
     }
   }
@@ -194,10 +200,10 @@ Vec3d triangle_normal(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
 /// Angle between the normals about the edge. Its sine is the triple product of both normals and the
 /// edge, positive if the surface bends away from the front; its cosine is their dot product.
 template <class S> double bend_angle(const Mesh<S>& mesh, int triangle, int edge) {
-  const int neighbour = mesh.neighbour(triangle, edge);
-  assert(neighbour >= 0);
+  const int beyond = mesh.beyond(triangle, edge);
+  assert(beyond >= 0);
   const Vec3d here = mesh.normal(triangle).template cast<double>();
-  const Vec3d there = mesh.normal(neighbour).template cast<double>();
+  const Vec3d there = mesh.normal(beyond).template cast<double>();
   const Vec3d along = mesh.corner(triangle, (edge + 1) % 3).template cast<double>() -
                       mesh.corner(triangle, edge).template cast<double>();
   const double sine = here.cross(there).dot(along.stableNormalized());
@@ -235,7 +241,9 @@ Mesh<double> build(std::vector<Vec3d> vertices, std::vector<std::array<int, 3>> 
                          : "every triangle of the mesh has zero area; give one whose corners are "
                            "not on a line");
   mesh.triangles.resize(kept);
-  mesh.neighbours = find_neighbours(mesh.vertices, mesh.triangles, found);
+  std::vector<TriangleEdge> alone;
+  mesh.neighbours = find_neighbours(mesh.vertices, mesh.triangles, found, alone);
+  mesh.seams = find_seams(mesh, alone);
   classify_edges(mesh);
   find_slivers(mesh);
   mesh.tree = new_tree(mesh);
@@ -264,6 +272,7 @@ template <class T> Mesh<T> mesh_cast(const Mesh<double>& mesh) {
   cast.vertices = cast_each<Vec3<T>>(mesh.vertices);
   cast.triangles = mesh.triangles;
   cast.neighbours = mesh.neighbours;
+  cast.seams = mesh.seams;
   cast.edges = mesh.edges;
   cast.regions = mesh.regions;
   cast.normals.reserve(mesh.normals.size());
@@ -280,6 +289,13 @@ template <class T> Mesh<T> mesh_cast(const Mesh<double>& mesh) {
 template <class S> void update_surface(Mesh<S>& mesh) {
   for (int i = 0; i < mesh.triangle_count(); ++i) {
     at(mesh.normals, i) = normal_of(mesh, i).template cast<S>();
+  }
+  if (!mesh.seams.empty()) {
+    std::vector<TriangleEdge> on_seams;
+    for (int t = 0; t < mesh.triangle_count(); ++t)
+      for (int k = 0; k < 3; ++k)
+        if (at(at(mesh.seams, t), k) >= 0) on_seams.push_back({t, k});
+    mesh.seams = find_seams(mesh, on_seams);
   }
   classify_edges(mesh);
   find_slivers(mesh);

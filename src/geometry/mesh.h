@@ -45,6 +45,9 @@ template <class S> struct Mesh {
   std::vector<std::array<int, 3>> neighbours;  // triangle across edge k. -1 on a boundary, where
                                                // more than two triangles share the edge, and where
                                                // the windings of two disagree
+  std::vector<std::array<int, 3>> seams;       // triangle that continues the surface at an edge
+                                               // without a neighbour, see find_seams(); -1: none.
+                                               // Empty if all are -1
   std::vector<Vec3<S>> normals;                // unit, to the front; zero if the area is zero
   std::vector<std::array<EdgeClass, 3>> edges;
   std::vector<int> regions;           // lowest triangle of the flat region: connected across edges
@@ -60,6 +63,11 @@ template <class S> struct Mesh {
   const Vec3<S>& normal(int triangle) const { return at(normals, triangle); }
   /// -1 for none.
   int neighbour(int triangle, int edge) const { return at(at(neighbours, triangle), edge); }
+  /// The triangle in which the surface continues: the neighbour, or that across a seam; -1: none.
+  int beyond(int triangle, int edge) const {
+    const int across = neighbour(triangle, edge);
+    return across >= 0 || seams.empty() ? across : at(at(seams, triangle), edge);
+  }
   EdgeClass edge_class(int triangle, int edge) const { return at(at(edges, triangle), edge); }
   int region(int triangle) const { return at(regions, triangle); }
   bool is_sliver(int triangle) const { return at(slivers, triangle) != 0; }
@@ -68,7 +76,7 @@ template <class S> struct Mesh {
 /// Findings of build_mesh. None of them is an error.
 struct MeshReport {
   /// Removed triangles, as ascending indices into the input. If one lay between two others with
-  /// three corners on a line, these two now meet in a T-junction, which is a boundary of both.
+  /// three corners on a line, these two now meet in a T-junction, see Mesh::seams.
   std::vector<int> zero_area_triangles;
   /// Per edge, the triangles that meet there, as ascending indices into Mesh::triangles; none has a
   /// neighbour across it. Non-manifold: more than two triangles. Flipped: two triangles with the
@@ -89,11 +97,11 @@ Mesh<double> build_mesh(std::vector<Vec3d> vertices, std::vector<std::array<int,
 /// The same mesh in another scalar type; each vertex is rounded once. Normals and the boxes of the
 /// tree come from the rounded triangles, so that plane and corners agree. A triangle that rounding
 /// turns over keeps its old normal; one that loses its area gets a zero normal. Neighbours,
-/// edge classes and regions are copied, so that a flat floor far from the origin stays flat.
+/// seams, edge classes and regions are copied, so that a flat floor far from the origin stays flat.
 template <class T> Mesh<T> mesh_cast(const Mesh<double>& mesh);
 
 /// Updates a mesh after its vertices moved: normals (zero for triangles without area), edge classes,
-/// regions, slivers and the boxes of the tree. Neighbours stay.
+/// regions, slivers and the boxes of the tree. Neighbours stay, and so do seams that do not open.
 template <class S> void refit(Mesh<S>& mesh);
 
 /// The same without the tree.
@@ -111,7 +119,7 @@ inline constexpr double kWorstTreeCost = 1.3;
 /// after the last build; a rebuild updates it. Returns true if the tree was rebuilt.
 template <class S> bool update_tree(Mesh<S>& mesh, TreeUpdate how, double& cost_when_built);
 
-/// Angle in radians between the normals of the two triangles at an edge that has a neighbour:
+/// Angle in radians between the normals of the two triangles at an edge beyond which there is one:
 /// positive if convex, 0 if flat, the same from either triangle. Up to pi + kFlatEdgeAngle for a
 /// sheet folded onto itself and slightly beyond; never near -pi.
 template <class S> double bend_angle(const Mesh<S>& mesh, int triangle, int edge);

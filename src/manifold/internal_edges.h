@@ -36,10 +36,9 @@ template <class S> class NearTriangles {
     const AabbTree<S>& tree = mesh_.tree;
     if (!is_whole_ || !box_.contains(box)) return tree.any_of(box, holds);
     const OverlapsWith<S> hit(box);
-    for (const int place : places_) {
-      if (hit(at(tree.boxes, place)) && holds(at(tree.triangles, place))) return true;
-    }
-    return false;
+    return any_hit(
+        count_of(places_), [&](int i) { return hit(at(tree.boxes, at(places_, i))); },
+        [&](int i) { return holds(at(tree.triangles, at(places_, i))); });
   }
 
  private:
@@ -87,38 +86,22 @@ bool is_along_face(const Mesh<S>& mesh, int triangle, const ContactNormal<S>& no
   return sine.squaredNorm() <= normal.tolerance * normal.tolerance;
 }
 
-/// Walks around corner k of `triangle`, first across the edges that leave it. If that does not lead
-/// back, it walks across those that arrive. Tests every triangle met.
-template <class S>
-bool supports_around(const Mesh<S>& mesh, int triangle, int k, const ContactNormal<S>& normal) {
-  const Vec3<S>& vertex = mesh.corner(triangle, k);
-  for (const bool leaving : {true, false}) {
-    int corner = k;
-    int next = triangle;
-    for (int step = 0; step < kMaxTrianglesAround; ++step) {
-      next = mesh.neighbour(next, leaving ? corner : (corner + 2) % 3);
-      if (next == triangle) return true;
-      corner = next < 0 ? -1 : corner_of(mesh, next, triangle, k);
-      if (corner < 0) break;
-      for (int i = 1; i < 3; ++i)
-        if (normal.rises(mesh.corner(next, (corner + i) % 3) - vertex)) return false;
-    }
-  }
-  return true;
-}
-
 /// Upper bound of adjacent triangles without an area that the surface is followed across; ends the
 /// walk where they form a ring.
 inline constexpr int kMaxFlatNeighbours = 16;
 
-/// Whether the surface beyond edge k of a triangle rises from it along the normal, so that the edge
-/// is not an edge of the surface. Crosses a neighbour without an area: from one of its short edges
+/// Whether the surface beyond edge k of a triangle, which may be a seam, rises from it along the
+/// normal, so that the edge is not an edge of the surface. Crosses a neighbour without an area: from one of its short edges
 /// the surface continues beyond its longest, and from its longest beyond both others.
 template <class S>
 bool rises_across(const Mesh<S>& mesh, int triangle, int k, const ContactNormal<S>& normal,
                   int crossed = 0) {
-  const int across = mesh.neighbour(triangle, k);
+  const int across = mesh.beyond(triangle, k);
   if (across < 0 || crossed > kMaxFlatNeighbours) return false;
+  if (mesh.neighbour(triangle, k) < 0) {
+    const Vec3<S> back = mesh.corner(triangle, k) - mesh.corner(triangle, (k + 1) % 3);
+    return normal.rises(mesh.normal(across).cross(back));
+  }
   int shared = 0;
   while (shared < 3 && mesh.neighbour(across, shared) != triangle) ++shared;
   if (shared == 3) return false;
@@ -136,6 +119,29 @@ bool rises_across(const Mesh<S>& mesh, int triangle, int k, const ContactNormal<
   // the edge, and the rounded rest of it may point anywhere.
   const Vec3<S> along = mesh.corner(across, (shared + 1) % 3) - mesh.corner(across, shared);
   return normal.rises(mesh.normal(across).cross(along));
+}
+
+/// Walks around corner k of `triangle`, first across the edges that leave it. If that does not lead
+/// back, it walks across those that arrive. Tests every triangle met, and those beyond seams.
+template <class S>
+bool supports_around(const Mesh<S>& mesh, int triangle, int k, const ContactNormal<S>& normal) {
+  const Vec3<S>& vertex = mesh.corner(triangle, k);
+  for (const bool leaving : {true, false}) {
+    int corner = k;
+    int next = triangle;
+    for (int step = 0; step < kMaxTrianglesAround; ++step) {
+      const int edge = leaving ? corner : (corner + 2) % 3;
+      const int across = mesh.neighbour(next, edge);
+      if (across < 0 && rises_across(mesh, next, edge, normal)) return false;
+      next = across;
+      if (next == triangle) return true;
+      corner = next < 0 ? -1 : corner_of(mesh, next, triangle, k);
+      if (corner < 0) break;
+      for (int i = 1; i < 3; ++i)
+        if (normal.rises(mesh.corner(next, (corner + i) % 3) - vertex)) return false;
+    }
+  }
+  return true;
 }
 
 /// Whether a contact normal can come from a mesh, or only from one of its triangles alone. A single
@@ -206,9 +212,14 @@ template <class S> bool over_triangle(const Mesh<S>& mesh, int triangle, const V
   return true;
 }
 
-template <class S> S distance_to_triangle(const Mesh<S>& mesh, int triangle, const Vec3<S>& point) {
-  if (over_triangle(mesh, triangle, point))
-    return std::abs(mesh.normal(triangle).dot(Vec3<S>(point - mesh.corner(triangle, 0))));
+/// Stops at `enough`, metres: a lower bound of the distance from there on.
+template <class S>
+S distance_to_triangle(const Mesh<S>& mesh, int triangle, const Vec3<S>& point, S enough) {
+  const S from_plane =
+      std::abs(mesh.normal(triangle).dot(Vec3<S>(point - mesh.corner(triangle, 0))));
+  // A sliver's plane may not contain all of the sliver.
+  if (from_plane >= enough && !mesh.is_sliver(triangle)) return from_plane;
+  if (over_triangle(mesh, triangle, point)) return from_plane;
   S least = std::numeric_limits<S>::infinity();
   for (int k = 0; k < 3; ++k) {
     const ClosestOnSegment<S> closest =
@@ -258,7 +269,7 @@ template <class S>
 bool surface_within(const NearTriangles<S>& near, const Vec3<S>& point, S distance) {
   const Vec3<S> reach = Vec3<S>::Constant(distance);
   return near.any_of({point - reach, point + reach}, [&](int triangle) {
-    return distance_to_triangle(near.mesh(), triangle, point) < distance;
+    return distance_to_triangle(near.mesh(), triangle, point, distance) < distance;
   });
 }
 

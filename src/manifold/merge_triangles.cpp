@@ -21,13 +21,13 @@ using Numbers = std::pmr::vector<int>;
 
 /// The vertex that two undirected edges share; -1 for none.
 template <class S> int common_vertex(const Hull<S>& hull, std::uint32_t one, std::uint32_t other) {
-  if (one == other) return -1;
-  for (const std::uint32_t half : {2 * one, 2 * one + 1}) {
-    const int vertex = hull.half_edges[half].origin;
-    for (const std::uint32_t next : {2 * other, 2 * other + 1})
-      if (hull.half_edges[next].origin == vertex) return vertex;
-  }
-  return -1;
+  const auto end = [&](std::uint32_t half) { return hull.half_edges[half].origin; };
+  const int from = end(2 * one), to = end(2 * one + 1);
+  // No short circuits: which ends meet is random, and branches would be mispredicted.
+  const bool at_from = (from == end(2 * other)) | (from == end(2 * other + 1));
+  const bool at_to = (to == end(2 * other)) | (to == end(2 * other + 1));
+  if (at_from == at_to) return -1;
+  return at_from ? from : to;
 }
 
 /// The face that looks most along a direction.
@@ -258,33 +258,35 @@ template <class S> FeatureRef TriangleContacts<S>::in_mesh(const FeatureRef& ref
 }
 
 /// Two edges of one shape cross at a vertex of it, on a face of the other.
-template <class S>
-FeatureId TriangleContacts<S>::in_mesh(const FeatureId& id, int t, const Vec3<S>& normal) const {
+template <class S> FeatureId TriangleContacts<S>::in_mesh(const FeatureId& id, Part& part) const {
   const auto& [first, second] = id;
-  const Hull<S>* hull = std::get_if<Hull<S>>(&a_);
-  if (hull != nullptr && first.kind == FeatureKind::Edge && first != second &&
-      first.owner == second.owner) {
+  const int t = part.triangle;
+  if (first.owner == Owner::B || second.owner == Owner::A) {
+    const Hull<S>* hull = std::get_if<Hull<S>>(&a_);
+    if (hull == nullptr || first == second || first.kind != FeatureKind::Edge)
+      return FeatureId::of(in_mesh(first, t), in_mesh(second, t));
     if (first.owner == Owner::B) {
       // Edges 1 and 2 meet at vertex 2, 2 and 0 at 0, 0 and 1 at 1.
       const std::uint32_t missing = 3 - first.index - second.index;
-      return FeatureId::of(face_ref(Owner::A, facing(*hull, normal)),
-                           in_mesh({Owner::B, FeatureKind::Vertex, (missing + 2) % 3}, t));
+      if (part.facing < 0) part.facing = facing(*hull, part.normal);
+      return {face_ref(Owner::A, part.facing),
+              in_mesh({Owner::B, FeatureKind::Vertex, (missing + 2) % 3}, t)};
     }
     const int vertex = common_vertex(*hull, first.index, second.index);
-    if (vertex >= 0)
-      return FeatureId::of(vertex_ref(Owner::A, vertex), face_ref(Owner::B, b_.region(t)));
+    if (vertex < 0) return id;
+    return {vertex_ref(Owner::A, vertex), face_ref(Owner::B, b_.region(t))};
   }
   // A vertex on an edge or a corner within a flat region is on its face.
-  const int k = static_cast<int>(second.index);
-  const auto is_within = [&](int edge) {
-    const int there = b_.neighbour(t, edge);
-    return there >= 0 && b_.region(there) == b_.region(t);
-  };
-  const bool on_face = first.kind == FeatureKind::Vertex && second.owner == Owner::B &&
-                       second.kind != FeatureKind::Face && is_within(k) &&
-                       (second.kind == FeatureKind::Edge || is_within((k + 2) % 3));
-  if (on_face) return FeatureId::of(first, face_ref(Owner::B, b_.region(t)));
-  return FeatureId::of(in_mesh(first, t), in_mesh(second, t));
+  if (first.kind == FeatureKind::Vertex && second.kind != FeatureKind::Face) {
+    const int k = static_cast<int>(second.index);
+    const auto is_within = [&](int edge) {
+      const int there = b_.beyond(t, edge);
+      return there >= 0 && b_.region(there) == b_.region(t);
+    };
+    if (is_within(k) && (second.kind == FeatureKind::Edge || is_within((k + 2) % 3)))
+      return {first, face_ref(Owner::B, b_.region(t))};
+  }
+  return {first, in_mesh(second, t)};
 }
 
 template <class S> void TriangleContacts<S>::add(const Contact<S>& contact, int triangle) {
@@ -296,68 +298,39 @@ template <class S> void TriangleContacts<S>::add(const Contact<S>& contact, int 
                     begin, count_of(points_)});
 }
 
-/// Step 2: sorts the parts by group and depth, and returns the end of each group.
-template <class S> std::pmr::vector<int> TriangleContacts<S>::group_parts() {
-  const auto by = [](auto... keys) {
-    return [=](const Part& one, const Part& other) {
-      return std::tie(one.*keys...) < std::tie(other.*keys...);
-    };
-  };
-  Numbers ends(&arena_);
-  if (parts_.size() == 1) {
-    ends.push_back(1);
-    return ends;
-  }
-  std::ranges::sort(parts_, by(&Part::deepest, &Part::triangle));
-  constexpr S kNearest = static_cast<S>(kFlatEdgeAngle);  // as the distance of unit vectors
-  std::pmr::vector<Vec3<S>> normals(&arena_);
-  for (Part& part : parts_) {
-    const auto same = std::ranges::find_if(normals, [&](const Vec3<S>& normal) {
-      return (normal - part.normal).squaredNorm() <= kNearest * kNearest;
-    });
-    part.group = static_cast<int>(same - normals.begin());
-    if (same == normals.end()) {
-      normals.push_back(part.normal);
-      ends.push_back(0);
-    }
-    ++at(ends, part.group);
-  }
-  std::partial_sum(ends.begin(), ends.end(), ends.begin());
-  if (ends.size() > 1) std::ranges::sort(parts_, by(&Part::group, &Part::deepest, &Part::triangle));
-  return ends;
-}
-
 /// Steps 1 and 3 to 5 for a group, the deepest part first.
 template <class S>
-void TriangleContacts<S>::finish_group(std::span<const Part> parts, const ToWorld<S>& to_world,
+void TriangleContacts<S>::finish_group(std::span<Part* const> parts, const ToWorld<S>& to_world,
                                        const CollideOptions& options, Manifolds<S>& manifolds,
                                        Recorder<S>* recorder) {
-  const Part& lead = parts.front();
+  Part& lead = *parts.front();
+  const bool is_first = manifolds.empty();
   Contact<S> contact;
   contact.axis = lead.axis;
   contact.type = lead.type;
   contact.normal = lead.normal;
   contact.scale = lead.scale;
-  const auto in_mesh_of = [&](const Part& part, int i) -> ContactPoint<S> {
+  const auto in_mesh_of = [&](Part& part, int i) -> ContactPoint<S> {
     const ContactPoint<S>& point = at(points_, i);
-    return {point.position, point.separation, in_mesh(point.id, part.triangle, part.normal)};
+    return {point.position, point.separation, in_mesh(point.id, part)};
   };
   if (parts.size() == 1) {
     for (int i = lead.begin; i < lead.end; ++i) contact.points.push_back(in_mesh_of(lead, i));
     finish_contact(to_world, options, contact, manifolds.emplace_back(),
-                   lead.group == 0 ? recorder : nullptr);
+                   is_first ? recorder : nullptr);
     if (recorder) [[unlikely]]
       recorder->merged({lead.triangle}, lead.end - lead.begin);
     return;
   }
   std::size_t found = 0;
-  for (const Part& part : parts) {
-    found += static_cast<std::size_t>(part.end - part.begin);
-    contact.scale = std::max(contact.scale, part.scale);
+  for (const Part* part : parts) {
+    found += static_cast<std::size_t>(part->end - part->begin);
+    contact.scale = std::max(contact.scale, part->scale);
   }
   DistinctPoints<S> distinct(found, arena_);
-  for (const Part& part : parts)
-    for (int i = part.begin; i < part.end; ++i) distinct.add(in_mesh_of(part, i), part.triangle);
+  for (Part* part : parts)
+    for (int i = part->begin; i < part->end; ++i)
+      distinct.add(in_mesh_of(*part, i), part->triangle);
   const ContactPoints<S> all = distinct.points();
   contact.scale = std::max(contact.scale, scale_of(all));
   Numbers chosen(&arena_);
@@ -372,7 +345,7 @@ void TriangleContacts<S>::finish_group(std::span<const Part> parts, const ToWorl
     const std::size_t end = std::min(chosen.size(), begin + kMaxManifoldPoints);
     contact.points.clear();
     for (std::size_t i = begin; i < end; ++i) contact.points.push_back(at(all, chosen[i]));
-    const bool first = lead.group == 0 && begin == 0;
+    const bool first = is_first && begin == 0;
     finish_contact(to_world, options, contact, manifolds.emplace_back(),
                    first ? recorder : nullptr);
     if (recorder) [[unlikely]] {
@@ -385,10 +358,21 @@ void TriangleContacts<S>::finish_group(std::span<const Part> parts, const ToWorl
 template <class S>
 void TriangleContacts<S>::merge(const ToWorld<S>& to_world, const CollideOptions& options,
                                 Manifolds<S>& manifolds, Recorder<S>* recorder) {
-  int begin = 0;
-  for (const int end : group_parts()) {
-    finish_group(std::span<const Part>(parts_.data() + begin, parts_.data() + end), to_world,
-                 options, manifolds, recorder);
+  std::pmr::vector<Part*> parts(&arena_);
+  parts.reserve(parts_.size());
+  for (Part& part : parts_) parts.push_back(&part);
+  std::ranges::sort(parts, [](const Part* one, const Part* other) {
+    return std::tie(one->deepest, one->triangle) < std::tie(other->deepest, other->triangle);
+  });
+  constexpr S kNearest = static_cast<S>(kFlatEdgeAngle);  // as the distance of unit vectors
+  for (auto begin = parts.begin(); begin != parts.end();) {
+    const Vec3<S>& normal = (*begin)->normal;
+    auto end = begin + 1;  // of the group of the first part, which moves in front of the others
+    for (auto part = end; part != parts.end(); ++part) {
+      if (((*part)->normal - normal).squaredNorm() <= kNearest * kNearest)
+        std::rotate(end++, part, part + 1);
+    }
+    finish_group({begin, end}, to_world, options, manifolds, recorder);
     begin = end;
   }
   if (options.reducer != nullptr)

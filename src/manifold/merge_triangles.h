@@ -54,13 +54,12 @@ template <class S> class TriangleContacts {
     ContactType type;
     S scale, deepest;
     int triangle, begin, end;
-    int group = 0;
+    int facing = -1;  // the face of a hull that looks most along the normal; -1: not yet searched
   };
 
   FeatureRef in_mesh(const FeatureRef& ref, int triangle) const;
-  FeatureId in_mesh(const FeatureId& id, int triangle, const Vec3<S>& normal) const;
-  std::pmr::vector<int> group_parts();
-  void finish_group(std::span<const Part> parts, const ToWorld<S>& to_world,
+  FeatureId in_mesh(const FeatureId& id, Part& part) const;
+  void finish_group(std::span<Part* const> parts, const ToWorld<S>& to_world,
                     const CollideOptions& options, Manifolds<S>& manifolds, Recorder<S>* recorder);
 
   const Shape<S>& a_;

@@ -74,6 +74,8 @@ const std::vector<StudyInfo>& studies() {
        &study_time_of_impact},
       {"tunnelling", "share of bullets that pass a wall, by speed and thickness",
        &study_tunnelling},
+      {"ghost", "how far flat floors of meshes and boxes throw and slow what slides over them",
+       &study_ghosts},
       {"distance_field",
        "distance fields: error against time and memory, what sampling misses, thin plates",
        &study_distance_field},

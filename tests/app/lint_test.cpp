@@ -133,6 +133,7 @@ TEST(LintVerb, SlowOnlyScenariosThatShowAFaultHaveFindings) {
                   "scenarios/incremental/rotating_out.toml",   // one point a frame
                   "scenarios/incremental/sliding.toml",        // points that slide away
                   "scenarios/mesh/sliding_over_edges.toml",    // internal edges
+                  "scenarios/mesh/t_junction.toml",            // internal edges
                   "scenarios/regressions/rapier_95_ramp_of_segments.toml",  // internal edges
                   "scenarios/pipeline/whole.toml"));  // the second point of a steep capsule
 }

@@ -1,0 +1,34 @@
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+
+#include "study/study.h"
+
+namespace contactscope {
+namespace {
+
+// Right is nothing, on floors of one mesh: at most 1 mm up and a thousandth slower.
+TEST(GhostStudy, NothingIsThrownOrSlowedByOneMesh) {
+  const std::set<std::string> right = {"half-space", "one mesh", "cracks of 1 nm",
+                                       "cracks of 1 µm", "T-junctions"};
+  const auto results = study_ghosts({}, [](int, int, const std::string&) {});
+  ASSERT_EQ(results.size(), 2u);
+  int slides = 0;
+  for (std::size_t measure = 0; measure < 2; ++measure) {
+    for (const trace::StudySeries& series : results[measure].series) {
+      for (const trace::StudyPoint& point : series.points) {
+        ASSERT_TRUE(point.error);
+        EXPECT_GE(*point.error, 0);
+        if (!right.contains(series.method)) continue;
+        EXPECT_LT(*point.error, 0.001) << results[measure].measure << ": " << series.panel
+                                       << " on " << series.method << " at " << point.parameter;
+        ++slides;
+      }
+    }
+  }
+  EXPECT_EQ(slides, 2 * 4 * 5 * 4);  // shapes, floors, speeds
+}
+
+}  // namespace
+}  // namespace contactscope
