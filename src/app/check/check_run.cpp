@@ -12,6 +12,7 @@
 #include "app/check/known_same.h"
 #include "app/check/reports/report.h"
 #include "app/check/viewers.h"
+#include "app/cli/faults.h"
 #include "app/cli/progress.h"
 #include "app/cli/shard.h"
 #include "app/render/figure_canvas.h"
@@ -118,7 +119,9 @@ class Checker {
     });
     std::vector<Finding> pictures;
     if (!options_.facts_only) {
-      for (const View& view : selected_views(scenario, options_))
+      std::vector<View> views = selected_views(scenario, options_);
+      add_faults(input, scenario.snapshots.frames, views);
+      for (const View& view : views)
         check_pictures(archive, scenario, view, sequence, outcome, pictures);
     }
     snapshot::CheckedTrace trace = pending.get();

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/catalogue.h"
+#include "app/cli/faults.h"
 #include "app/cli/narrow.h"
 #include "app/cli/progress.h"
 #include "app/cli/shard.h"
@@ -111,7 +112,8 @@ void report_idle_layers(const Input& input, const draw::Staging& staging, const 
 void draw_sequences(Input& input, const Options& options, Renderer& renderer, Sinks& sinks,
                     Progress& progress, RunLog& log) {
   const Scenario& scenario = input.scenario;
-  const std::vector<View> views = selected_views(scenario, options);
+  std::vector<View> views = selected_views(scenario, options);
+  add_faults(input, input.frames, views);
   Sequence sequence = sequence_of(input, views, sinks.needs_stages(), options, log);
   if (input.frames.empty()) {
     std::cerr << "in no frame of " << scenario.name << " is there a pair with " << options.condition
