@@ -56,6 +56,8 @@ struct Ignored {
 struct LintOptions {
   /// Shapes and poses were given to the engine, so do not check them.
   bool shapes_are_given = false;
+  /// Ids are made from geometry (trace::name_points), so do not check them.
+  bool ids_are_made = false;
   /// Reports every occurrence: no finding is below a threshold.
   bool strict = false;
   /// Allowed error of separations and positions, metres; 0: a share of the smaller shape.
