@@ -358,8 +358,9 @@ std::string made_of(const std::vector<Input>& inputs) {
   std::string all = program_id();
   for (const Input& input : inputs)
     all += "\n" + input.scenario.name + " " +
-           (input.unreadable.empty() ? snapshot::sha256_of_file(input.scenario.path)
-                                     : input.unreadable);
+           (input.unreadable.empty()
+                ? snapshot::sha256_of_file(input.trace ? input.file : input.scenario.path)
+                : input.unreadable);
   return sha256(all);
 }
 
