@@ -195,6 +195,12 @@ TEST(LintPanel, NamesWhatLintNames) {
     EXPECT_EQ(is_named, marked.contains(frame)) << frame;
     EXPECT_THAT(picture(frame), testing::HasSubstr("lint: 2 findings"));
   }
+  const std::string strip = "render scenarios/heap/ode_flicker.jsonl --strip 3 --panels lint";
+  ASSERT_EQ(run(strip + out).exit_code, 0);
+  std::ifstream in(folder / "heap/ode_flicker/strip.svg");
+  const std::string all{std::istreambuf_iterator<char>(in), {}};
+  EXPECT_THAT(all, testing::HasSubstr("lint: 2 findings"));
+  EXPECT_THAT(all, testing::Not(testing::HasSubstr("nothing is wrong")));
 }
 
 }  // namespace

@@ -329,19 +329,21 @@ TEST(HeapPanels, LintListsThePairsOfTheFrameAndTheViewMarksThem) {
   Heap heap(6);
   EXPECT_THAT(panel_texts(heap, Panel::Lint), testing::ElementsAre("lint: nothing is wrong"));
   heap.throw_off(9, {0.4, 0.9, 0.1});
+  heap.throw_off(24, {5, -1e9, 1});  // not in view
   const auto on_floor = [](int frame, int crate) {
     return Fault::Place{frame, "floor", "crate_" + std::to_string(crate)};
   };
   heap.view.faults = {
       {"pairs_flicker", 3, 40, 0, {{0, "crate_3", "crate_9"}, {0, "crate_3", "crate_9"}}},
       {"points_twice", 9, 0, 0, {on_floor(0, 1), on_floor(0, 2), on_floor(0, 4), on_floor(0, 5)}},
-      {"normals_jump", 1, 36, 7, {on_floor(7, 2)}}};
+      {"normals_jump", 1, 36, 7, {on_floor(7, 2)}},
+      {"poses_jump", 1, 0, 0, {{0, "crate_24", ""}}}};
   EXPECT_THAT(panel_texts(heap, Panel::Lint),
-              testing::ElementsAre("lint: 3 findings", "3 of 40", "pairs flicker",
-                                   "!1  crate 3 and crate 9", "9 times", "points twice",
-                                   "!2  floor and crate 1", "!3  floor and crate 2",
-                                   "!4  floor and crate 4", "and 1 more pair", "1 of 36",
-                                   "normals jump", "the first in frame 7"));
+              testing::ElementsAre(
+                  "lint: 4 findings", "3 of 40", "pairs flicker", "!1  crate 3 and crate 9",
+                  "9 times", "points twice", "!2  floor and crate 1", "!3  floor and crate 2",
+                  "!4  floor and crate 4", "and 1 more pair", "1 of 36", "normals jump",
+                  "the first in frame 7", "1 time", "poses jump", "!5  crate 24"));
   const Sketch sketch = sketch_frame(heap.staged(), heap.frames[0]);
   std::map<std::string, Vec3d> marked;
   for (const Label& label : sketch.labels)

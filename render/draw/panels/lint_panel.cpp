@@ -119,7 +119,7 @@ void draw_faults(const Scene& scene, Sketch& sketch) {
       for (const trace::Pair& pair : scene.frame.pairs)
         if (pair.a == a && pair.b == b)
           if (const auto deepest = deepest_contact(pair)) at = deepest->point->position;
-      if (!at) continue;
+      if (!at || !scene.camera.sees(*at)) continue;
       sketch.mark(MarkKind::WideRing, *at, kText);
       sketch.label(*at, one.number(i), kText, 16, 10);
       sketch.explain(kFaultSwatch, "named by lint", *at);

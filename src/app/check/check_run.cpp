@@ -119,9 +119,8 @@ class Checker {
     });
     std::vector<Finding> pictures;
     if (!options_.facts_only) {
-      std::vector<View> views = selected_views(scenario, options_);
-      add_faults(input, scenario.snapshots.frames, views);
-      for (const View& view : views)
+      add_faults(input, scenario.snapshots.frames, input.scenario.views);
+      for (const View& view : selected_views(scenario, options_))
         check_pictures(archive, scenario, view, sequence, outcome, pictures);
     }
     snapshot::CheckedTrace trace = pending.get();

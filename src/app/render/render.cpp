@@ -112,8 +112,8 @@ void report_idle_layers(const Input& input, const draw::Staging& staging, const 
 void draw_sequences(Input& input, const Options& options, Renderer& renderer, Sinks& sinks,
                     Progress& progress, RunLog& log) {
   const Scenario& scenario = input.scenario;
-  std::vector<View> views = selected_views(scenario, options);
-  add_faults(input, input.frames, views);
+  add_faults(input, input.frames, input.scenario.views);
+  const std::vector<View> views = selected_views(scenario, options);
   Sequence sequence = sequence_of(input, views, sinks.needs_stages(), options, log);
   if (input.frames.empty()) {
     std::cerr << "in no frame of " << scenario.name << " is there a pair with " << options.condition
