@@ -73,6 +73,7 @@ Sketch sketched(const Staging& staging, const Scene& scene, bool legend_alone) {
   }
   pair_name.clear();
   draw(&LayerDrawing::above);
+  draw_faults(scene, sketch);
   return sketch;
 }
 

@@ -38,13 +38,6 @@ Words spelled_count(std::int64_t count, const TitlePiece& piece) {
   return text;
 }
 
-template <class Count>
-Words sum_over(const Pairs& pairs, const TitlePiece& piece, const Count& count) {
-  std::int64_t total = 0;
-  for (const trace::Pair* pair : pairs) total += static_cast<std::int64_t>(count(*pair));
-  return spelled_count(total, piece);
-}
-
 const trace::Pair* first_of(const Pairs& pairs, const auto& holds) {
   const auto found = std::ranges::find_if(pairs, [&](const auto* pair) { return holds(*pair); });
   return found == pairs.end() ? nullptr : *found;
@@ -72,6 +65,40 @@ std::size_t persistent(const trace::Pair& pair, const char* state) {
       std::ranges::count(pair.incremental->points, state, &trace::PersistentPoint::state));
 }
 
+/// Counts of a pair, which titles sum up.
+struct PairCount {
+  TitleFact fact;
+  std::size_t (*of)(const trace::Pair&);
+};
+constexpr PairCount kPairCounts[] = {
+    {TitleFact::Touching, [](const auto& pair) { return std::size_t{!pair.manifolds.empty()}; }},
+    {TitleFact::Kept, [](const auto& pair) { return all_points(pair).size(); }},
+    {TitleFact::Candidates, &candidates_of},
+    {TitleFact::Dropped,
+     [](const auto& pair) { return candidates_of(pair) - all_points(pair).size(); }},
+    {TitleFact::Clipped,
+     [](const auto& pair) { return pair.clip ? pair.clip->dropped.size() : 0; }},
+    {TitleFact::Manifolds, [](const auto& pair) { return pair.manifolds.size(); }},
+    {TitleFact::Ids,
+     [](const auto& pair) {
+       std::set<std::string> ids;
+       for (const PairPoint& any : all_points(pair)) ids.insert(any.point->id);
+       return ids.size();
+     }},
+    {TitleFact::New, [](const auto& pair) { return persistent(pair, "new"); }},
+    {TitleFact::Persisted, [](const auto& pair) { return persistent(pair, "persisted"); }},
+    {TitleFact::Broken, [](const auto& pair) { return persistent(pair, "broken"); }},
+    {TitleFact::Ghosts,
+     [](const auto& pair) { return pair.impact ? pair.impact->ghosts.size() : 0; }},
+    {TitleFact::Triangles,
+     [](const auto& pair) { return pair.tree ? pair.tree->candidates.size() : 0; }},
+    {TitleFact::Intersections, [](const auto& pair) { return pair.intersections.size(); }},
+    {TitleFact::NodePairs, [](const auto& pair) {
+       return pair.query && pair.query->trees
+                  ? static_cast<std::size_t>(pair.query->trees->node_pairs)
+                  : 0;
+     }}};
+
 double impulse_of(const Pairs& pairs) {
   double total = 0;
   for (const trace::Pair* pair : pairs) total += trace::impulse_of(*pair);
@@ -85,6 +112,12 @@ struct Filler {
 
   Words operator()(const TitlePiece& piece) const {
     const Pairs pairs = pairs_of(piece, frame);
+    const auto count = std::ranges::find(kPairCounts, *piece.fact, &PairCount::fact);
+    if (count != std::end(kPairCounts)) {
+      std::size_t total = 0;
+      for (const trace::Pair* pair : pairs) total += count->of(*pair);
+      return spelled_count(static_cast<std::int64_t>(total), piece);
+    }
     switch (*piece.fact) {
       case TitleFact::Frame:
         return spelled_count(frame.frame, piece);
@@ -102,37 +135,12 @@ struct Filler {
                              piece);
       case TitleFact::Pairs:
         return spelled_count(count_of(pairs), piece);
-      case TitleFact::Touching:
-        return sum_over(pairs, piece,
-                        [](const trace::Pair& pair) { return !pair.manifolds.empty(); });
       case TitleFact::State:
         if (pairs.empty() || pairs.front()->query) return {};
         return spell_state(state_of(*pairs.front(), staging.scales.touching));
       case TitleFact::Overlap:
       case TitleFact::Gap:
         return gap(pairs, *piece.fact == TitleFact::Gap);
-      case TitleFact::Kept:
-        return sum_over(pairs, piece,
-                        [](const trace::Pair& pair) { return all_points(pair).size(); });
-      case TitleFact::Candidates:
-        return sum_over(pairs, piece, candidates_of);
-      case TitleFact::Dropped:
-        return sum_over(pairs, piece, [](const trace::Pair& pair) {
-          return candidates_of(pair) - all_points(pair).size();
-        });
-      case TitleFact::Clipped:
-        return sum_over(pairs, piece, [](const trace::Pair& pair) {
-          return pair.clip ? pair.clip->dropped.size() : 0;
-        });
-      case TitleFact::Manifolds:
-        return sum_over(pairs, piece,
-                        [](const trace::Pair& pair) { return pair.manifolds.size(); });
-      case TitleFact::Ids:
-        return sum_over(pairs, piece, [](const trace::Pair& pair) {
-          std::set<std::string> ids;
-          for (const PairPoint& any : all_points(pair)) ids.insert(any.point->id);
-          return ids.size();
-        });
       case TitleFact::Area:
       case TitleFact::BestArea:
       case TitleFact::AreaKept:
@@ -156,13 +164,6 @@ struct Filler {
         if (*piece.fact == TitleFact::Stability) return spell_balance(balance_of(*pair->stability));
         return spell_margin(std::abs(pair->stability->margin));
       }
-      case TitleFact::New:
-        return sum_over(pairs, piece, [](const auto& pair) { return persistent(pair, "new"); });
-      case TitleFact::Persisted:
-        return sum_over(pairs, piece,
-                        [](const auto& pair) { return persistent(pair, "persisted"); });
-      case TitleFact::Broken:
-        return sum_over(pairs, piece, [](const auto& pair) { return persistent(pair, "broken"); });
       case TitleFact::Impulse:
         return spell_quantity(impulse_of(pairs), "N s", 3, staging.scales.load);
       case TitleFact::Load:
@@ -178,35 +179,15 @@ struct Filler {
         if (pair == nullptr) return {};
         return spell_share(pair->impact->time);
       }
-      case TitleFact::Ghosts:
-        return sum_over(pairs, piece, [](const trace::Pair& pair) {
-          return pair.impact ? pair.impact->ghosts.size() : 0;
-        });
       case TitleFact::Stops:
         if (!frame.solver) return {};
         return spelled_count(count_of(frame.solver->stops), piece);
-      case TitleFact::Triangles:
-        return sum_over(pairs, piece, [](const trace::Pair& pair) {
-          return pair.tree ? pair.tree->candidates.size() : 0;
-        });
-      case TitleFact::Intersections:
-        return sum_over(pairs, piece,
-                        [](const trace::Pair& pair) { return pair.intersections.size(); });
-      case TitleFact::NodePairs:
-        return sum_over(pairs, piece, [](const trace::Pair& pair) {
-          return pair.query && pair.query->trees ? pair.query->trees->node_pairs : 0;
-        });
       case TitleFact::Comparisons:
         if (!frame.broad_phase) return {};
         return spelled_count(frame.broad_phase->comparisons, piece);
-      case TitleFact::Hits:
-      case TitleFact::HitRate:
-      case TitleFact::Frames:
-      case TitleFact::FalsePositives:
-      case TitleFact::DeepestOverlap:
-        break;  // over the sequence
+      default:
+        return {};  // over the sequence
     }
-    return {};
   }
 
   // The largest overlap, or the smallest gap if nothing overlaps or touches.

@@ -89,8 +89,11 @@ std::string packed(std::string_view bytes) {
 
 }  // namespace
 
-Viewer::Viewer(const draw::Staging& staging, const PictureOrigin& origin)
-    : staging_(staging), origin_(origin), facts_(*staging.header), linter_(*staging.header) {}
+Viewer::Viewer(const draw::Staging& staging, const PictureOrigin& origin, bool ids_are_made)
+    : staging_(staging),
+      origin_(origin),
+      facts_(*staging.header),
+      linter_(*staging.header, {.ids_are_made = ids_are_made}) {}
 
 void Viewer::add(const trace::Frame& frame) {
   titles_.push_back(draw::fill_title(staging_, frame));
@@ -125,7 +128,7 @@ std::string Viewer::html() {
   }
   page["findings"] = ordered_json::array();
   for (const lint::Finding& finding : linter_.findings())
-    page["findings"].push_back(finding_json(finding));
+    if (lint::is_reported(finding)) page["findings"].push_back(finding_json(finding));
 
   const std::map<std::string_view, std::string> values{
       {"GENERATOR", vector::escaped("contactscope " + origin_.version)},

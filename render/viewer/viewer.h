@@ -20,8 +20,9 @@ std::string_view three_script();
 
 class Viewer {
  public:
-  /// Takes camera, layers and header of `staging`, which must outlive the viewer.
-  Viewer(const draw::Staging& staging, const PictureOrigin& origin);
+  /// Takes camera, layers and header of `staging`, which must outlive the viewer. `ids_are_made`:
+  /// not those of the engine, so lint does not judge them.
+  Viewer(const draw::Staging& staging, const PictureOrigin& origin, bool ids_are_made = false);
 
   /// Adds the next frame, and checks its claims.
   void add(const trace::Frame& frame);

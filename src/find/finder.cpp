@@ -26,9 +26,10 @@ const Vocabulary& vocabulary() {
 }
 
 Finder::Finder(Expression expression) : expression_(std::move(expression)) {
-  wants_poses_ = std::ranges::any_of(expression_.facts(), [](const Expression::Fact& fact) {
-    return fact.quantity == "motion" || fact.quantity == "turn";
-  });
+  for (const Expression::Fact& fact : expression_.facts()) {
+    wants_poses_ = wants_poses_ || fact.quantity == "motion" || fact.quantity == "turn";
+    wants_ids_ = wants_ids_ || fact.quantity.starts_with("ids");
+  }
 }
 
 std::vector<Hit> Finder::next(trace::Frame frame) {

@@ -51,7 +51,9 @@ class Finder {
 
   const Expression& expression() const { return expression_; }
   /// The parts of a frame that the expression needs.
-  trace::Parts parts() const { return {.poses = wants_poses_, .stages = false}; }
+  trace::Parts parts() const { return {.poses = wants_poses_ || wants_ids_, .stages = false}; }
+  /// Whether points without an id of their engine should have one from trace::name_points().
+  bool wants_ids() const { return wants_ids_; }
   /// The hits of the next frame, in the order of its pairs.
   std::vector<Hit> next(trace::Frame frame);
 
@@ -72,7 +74,7 @@ class Finder {
                 std::vector<Hit>& hits) const;
 
   Expression expression_;
-  bool wants_poses_ = false;
+  bool wants_poses_ = false, wants_ids_ = false;
   std::optional<Moment> now_, before_;
   int place_ = -1;  // of the frame in the trace
   std::unordered_map<std::string, Contact> contacts_;

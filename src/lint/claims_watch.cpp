@@ -185,7 +185,7 @@ class ClaimsWatch final : public Watch {
       if (wrong.explained_by.none()) return;
     }
     has_explained_ |= wrong.explained_by;
-    wrong_.add(std::move(wrong));
+    wrong_.add(std::move(wrong), options_.marks(frames.now->frame));
   }
 
   /// Whether another frame has b elsewhere, as seen from a.
@@ -234,7 +234,7 @@ class ClaimsWatch final : public Watch {
     for (const WrongPair& wrong : wrong_) {
       if (wrong.record || !fits(wrong) || options_.ignores(cause, wrong.a, wrong.b)) continue;
       finding.count += wrong.times;
-      marks.add({wrong.frame, wrong.line, wrong.a, wrong.b});
+      add_mark(marks, {wrong.frame, wrong.line, wrong.a, wrong.b}, &options_);
       const auto level = [](const WrongPair& of) { return of.gross + of.severe; };
       if (first == nullptr || level(wrong) > level(*first)) first = &wrong;
     }

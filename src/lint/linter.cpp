@@ -77,7 +77,7 @@ struct Linter::State {
     watches.push_back(watch_internal_edges());
     watches.push_back(watch_claims(header, options));
     watches.push_back(watch_overlaps(header));
-    watches.push_back(watch_ids());
+    if (!options.ids_are_made) watches.push_back(watch_ids());
     watches.push_back(watch_records());
     watches.push_back(watch_friction());
     if (options.shapes_are_given) return;

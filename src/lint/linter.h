@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -30,7 +31,8 @@ struct Finding {
   int frame = 0;
   std::string a{}, b{};       // shapes; b may be empty
   std::string said{}, is{};   // "separation -0.02", "the surfaces are 0.04 m apart"
-  std::vector<Mark> marks{};  // in the order of frames; of many, an evenly spaced subset
+  std::vector<Mark> marks{};  // in the order of frames; of many, an evenly spaced subset, unless
+                              // LintOptions::marked names the frames
   /// The threshold that it does not reach: "2 % of them, or 15 tolerances". Empty: it is reported.
   std::string below{};
   bool is_hint = false;    // no fault, but worth knowing
@@ -54,13 +56,19 @@ struct Ignored {
 struct LintOptions {
   /// Shapes and poses were given to the engine, so do not check them.
   bool shapes_are_given = false;
+  /// Ids are made from geometry (trace::name_points), so do not check them.
+  bool ids_are_made = false;
   /// Reports every occurrence: no finding is below a threshold.
   bool strict = false;
   /// Allowed error of separations and positions, metres; 0: a share of the smaller shape.
   double tolerance = 0;
   std::vector<Ignored> ignored{};
+  /// Frames, in order, in which every occurrence is marked, and none in the others. Empty: a sample
+  /// of all frames.
+  std::vector<int> marked{};
 
   bool ignores(const std::string& cause, const std::string& a, const std::string& b) const;
+  bool marks(int frame) const { return std::ranges::binary_search(marked, frame); }
 };
 
 /// Checks a trace frame by frame. Keeps sums and some examples of earlier frames, so memory does

@@ -13,10 +13,11 @@ namespace contactscope::lint {
 /// An evenly spaced subset of a sequence of any length: up to kMax, and at least half as many.
 template <class T, std::size_t kMax> class Thinned {
  public:
-  void add(T one) {
-    if (count_++ % every_ != 0) return;
+  /// `always`: it stays, whatever the number; then all others have to as well.
+  void add(T one, bool always = false) {
+    if (!always && count_++ % every_ != 0) return;
     kept_.push_back(std::move(one));
-    if (kept_.size() < kMax) return;
+    if (always || kept_.size() < kMax) return;
     every_ *= 2;
     for (std::size_t i = 0; 2 * i < kMax; ++i) kept_[i] = std::move(kept_[2 * i]);
     kept_.resize((kMax + 1) / 2);
@@ -27,7 +28,12 @@ template <class T, std::size_t kMax> class Thinned {
   std::vector<T> kept_;
   std::size_t count_ = 0, every_ = 1;
 };
+
 using Marks = Thinned<Mark, 1000>;
+inline void add_mark(Marks& marks, Mark mark, const LintOptions* options) {
+  const bool always = options != nullptr && !options->marked.empty();
+  if (!always || options->marks(mark.frame)) marks.add(std::move(mark), always);
+}
 
 /// Counts occurrences of one problem among all cases, and keeps the first.
 struct Tally {
@@ -43,7 +49,7 @@ struct Tally {
       const auto [said, is] = words();
       first = {"", "", "", 0, 0, mark.line, mark.frame, mark.a, mark.b, said, is};
     }
-    marks.add(std::move(mark));
+    add_mark(marks, std::move(mark), frames.options);
   }
   template <class Words>
   void wrong(const Moments& frames, const std::string& a, const std::string& b,

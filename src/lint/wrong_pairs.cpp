@@ -26,10 +26,10 @@ std::string signature_of(const WrongPair& pair) {
 
 }  // namespace
 
-void WrongPairs::add(WrongPair pair) {
+void WrongPairs::add(WrongPair pair, bool individually) {
   ++count_;
   std::string signature;
-  if (kept_.size() >= kWhole) {
+  if (kept_.size() >= kWhole && !individually) {
     if (places_.empty())
       for (std::size_t i = 0; i < kept_.size(); ++i) places_.emplace(signature_of(kept_[i]), i);
     signature = signature_of(pair);

@@ -30,7 +30,7 @@ struct WrongPair {
 /// if they differ, with their count.
 class WrongPairs {
  public:
-  void add(WrongPair pair);
+  void add(WrongPair pair, bool individually = false);
 
   int count() const { return count_; }
   /// Number of pairs that are not reported yet.

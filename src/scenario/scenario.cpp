@@ -256,16 +256,15 @@ std::vector<View> load_views(const std::string& path) {
   return read_views(*views);
 }
 
-std::vector<std::string> scenario_files(const std::string& root) {
+std::vector<std::string> scenario_files(const std::string& root, const char* ending) {
   std::vector<std::string> files;
   if (!fs::is_directory(root)) {
     throw InputError(root, 0, 0,
                      "no such folder; run where scenarios/ is, or give --scenarios DIR");
   }
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root)) {
-    if (entry.is_regular_file() && entry.path().extension() == ".toml") {
+    if (entry.is_regular_file() && entry.path().extension() == ending)
       files.push_back(entry.path().string());
-    }
   }
   std::ranges::sort(files);
   return files;

@@ -204,8 +204,9 @@ inline bool walks_trees(const Scenario& scenario, const ScenarioPair& pair) {
 /// "<group>/<idea>": the folder and the name of a scenario file.
 std::string scenario_name(const std::string& path);
 
-/// Paths of all scenario files in a folder, sorted. Throws InputError if the folder does not exist.
-std::vector<std::string> scenario_files(const std::string& root);
+/// Paths of all scenario files in a folder, or of files with another ending, sorted. Throws
+/// InputError if the folder does not exist.
+std::vector<std::string> scenario_files(const std::string& root, const char* ending = ".toml");
 
 /// Reads a scenario file; relative file names are relative to its folder. Throws InputError with
 /// line, column and remedy.

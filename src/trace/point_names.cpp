@@ -129,8 +129,8 @@ bool has_ids(const Pair& pair) {
 
 }  // namespace
 
-void name_points(const std::vector<Shape>& shapes, Frame& frame) {
-  if (std::ranges::all_of(frame.pairs, has_ids)) return;
+bool name_points(const std::vector<Shape>& shapes, Frame& frame) {
+  if (std::ranges::all_of(frame.pairs, has_ids)) return false;
   std::unordered_map<std::string_view, const Shape*> shape_of;
   for (const Shape& shape : shapes) shape_of.emplace(shape.name, &shape);
   std::unordered_map<std::string_view, const Pose<double>*> pose_of;
@@ -151,6 +151,7 @@ void name_points(const std::vector<Shape>& shapes, Frame& frame) {
       if (knows_triangle(a->shape, manifold) && knows_triangle(b->shape, manifold))
         name_manifold(*a, *b, manifold);
   }
+  return true;
 }
 
 }  // namespace contactscope::trace

@@ -61,6 +61,7 @@
 #define CONTACTSCOPE_PANELS(ROW)               \
   ROW(Summary, "summary")                      \
   ROW(Worst, "worst")                          \
+  ROW(Lint, "lint")                            \
   ROW(Overlaps, "overlaps")                    \
   ROW(ContactPlane, "contact_plane")           \
   ROW(AxisHistory, "axis_history")             \

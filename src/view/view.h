@@ -35,6 +35,18 @@ enum class Focus {
 inline constexpr std::array kFocusNames = {std::string_view("contact"), std::string_view("shapes"),
                                            std::string_view("deepest"), std::string_view("worst")};
 
+/// A finding of `lint`.
+struct Fault {
+  struct Place {
+    int frame = 0;
+    std::string a, b;  // shapes; b may be empty
+  };
+  std::string cause;            // "flipped_normals"
+  int count = 0, of = 0;        // occurrences, out of this many; 0: not counted
+  int first = 0;                // frame
+  std::vector<Place> places{};  // in the frames that are drawn
+};
+
 /// One camera on a scenario, with the layers and panels that it shows.
 struct View {
   std::string name = "main";
@@ -60,6 +72,7 @@ struct View {
   std::vector<Panel> panels;
   /// Charts of the panels plots and stability; default: all for which the sequence has values.
   std::optional<std::vector<Chart>> charts;
+  std::vector<Fault> faults{};  // for the panel lint
 
   bool shows(Layer layer) const { return std::ranges::find(layers, layer) != layers.end(); }
   bool shows(Panel panel) const { return std::ranges::find(panels, panel) != panels.end(); }

@@ -100,7 +100,7 @@ const std::vector<std::string_view>& known_words() {
       "full test", "frames need no full test", "faces of A", "faces of B", "edges",
       "pairs of edges", "not tested", "pairs of {n} shapes", "whose boxes overlap",
       "pairs in contact", "the shapes", "axis-aligned boxes", "oriented boxes",
-      "worst of {n} in contact", "no pair in contact", "by overlap", "by impulse",
+      "lint: {n}", "lint: nothing is wrong", "named by lint", "worst of {n} in contact", "no pair in contact", "by overlap", "by impulse",
       "by change of overlap since the last frame", "no frame before this one", "none",
       "overlaps of {n} points", "overlaps: no contact points", "no point overlaps in any frame",
       "1 shape has left the view", "{n} shapes have left the view",

@@ -54,6 +54,21 @@ TEST(FindVerb, ListsFramesAndPairsAndRenderDrawsThem) {
   EXPECT_THAT(drawn.out, Not(HasSubstr("frame_0001.svg")));
 }
 
+TEST(FindVerb, GivesPointsWithoutIdsTheSameOnesAsPictures) {
+  const TemporaryFolder folder;
+  // The third point, at another corner, is new in the second frame.
+  const std::string file = folder.write("run.jsonl", crate_trace({2, 3, 3}));
+  const ProgramRun found = run("find '" + file + "' 'ids_gained > 0 or ids_lost > 0' --json");
+  const auto json = nlohmann::json::parse(found.out)["found"];
+  ASSERT_EQ(json.size(), 1u) << found.out;
+  EXPECT_EQ(json[0]["frame"], 1);
+  EXPECT_EQ(json[0]["values"]["ids_gained"], 1);
+  const ProgramRun drawn = run("render '" + file + "' --where 'ids_gained == 1' --format svg " +
+                               "--json --out '" + folder.path().string() + "'");
+  EXPECT_THAT(drawn.out, HasSubstr("frame_0001.svg"));
+  EXPECT_THAT(drawn.out, Not(HasSubstr("frame_0002.svg")));
+}
+
 TEST(FindVerb, ExitCodesAndErrors) {
   const TemporaryFolder folder;
   const std::string file = folder.write("run.jsonl", crate_trace({4, 4}));

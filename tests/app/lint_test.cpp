@@ -1,6 +1,11 @@
 #include <gmock/gmock.h>
 
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "app/program.h"
 
@@ -123,7 +128,8 @@ TEST(LintVerb, SlowOnlyScenariosThatShowAFaultHaveFindings) {
   const auto json = nlohmann::json::parse(result.out);
   std::vector<std::string> record;
   for (const auto& file : json["files"])
-    if (!file["findings"].empty()) record.push_back(file["file"]);
+    if (!file["findings"].empty() && !std::string(file["file"]).ends_with(".jsonl"))
+      record.push_back(file["file"]);  // StoredTraces has those of engines
   EXPECT_GT(json["files"].size(), 100u);
   EXPECT_THAT(record,
               testing::UnorderedElementsAre(
@@ -136,6 +142,66 @@ TEST(LintVerb, SlowOnlyScenariosThatShowAFaultHaveFindings) {
                   "scenarios/mesh/t_junction.toml",            // internal edges
                   "scenarios/regressions/rapier_95_ramp_of_segments.toml",  // internal edges
                   "scenarios/pipeline/whole.toml"));  // the second point of a steep capsule
+}
+
+/// Traces that engines have written, next to the scenarios.
+TEST(StoredTraces, AreSmallAndLintAndPicturesSayWhatTheyShow) {
+  const std::map<std::string, std::pair<std::string, std::string>> expected = {
+      // the first finding of lint, and a text of the last picture
+      {"bullet_car", {"separation", "1 shape has left the view"}},
+      {"bullet_dolls", {"separation", "step_3, doll_2/1"}},
+      {"bullet_explosion", {"", "4 shapes have left the view"}},
+      {"bullet_twenty", {"separation", "worst of 48 pairs in contact"}},
+      {"ode_flicker", {"pairs_flicker", "brick_3, brick_4"}},
+      {"ode_pyramid", {"", "worst of 36 pairs in contact"}}};
+  const auto json = nlohmann::json::parse(run("lint --json scenarios/heap").out);
+  std::map<std::string, std::string> found;
+  for (const auto& file : json["files"]) {
+    const std::filesystem::path path = file["file"].get<std::string>();
+    if (path.extension() != ".jsonl") continue;
+    found[path.stem()] = file["findings"].empty() ? "" : file["findings"][0]["cause"];
+    EXPECT_LT(std::filesystem::file_size(std::filesystem::path(CONTACTSCOPE_SOURCE_DIR) / path),
+              100'000u)
+        << path;
+  }
+  ASSERT_EQ(found.size(), expected.size());
+  const TemporaryFolder folder;
+  run("render scenarios/heap/*.jsonl --format svg --out '" + folder.path().string() + "'");
+  for (const auto& [name, facts] : expected) {
+    EXPECT_EQ(found[name], facts.first) << name;
+    std::string last;
+    for (const auto& entry : std::filesystem::directory_iterator(folder / ("heap/" + name)))
+      last = std::max(last, entry.path().string());
+    std::ifstream in(last);
+    const std::string picture{std::istreambuf_iterator<char>(in), {}};
+    EXPECT_THAT(picture, testing::HasSubstr(facts.second)) << name;
+  }
+}
+
+TEST(LintPanel, NamesWhatLintNames) {
+  const TemporaryFolder folder;
+  const std::string out = " --format svg --out '" + folder.path().string() + "'";
+  ASSERT_EQ(run("render scenarios/heap/ode_flicker.jsonl --panels lint" + out).exit_code, 0);
+  const auto picture = [&](int frame) {
+    std::ifstream in(folder / ("heap/ode_flicker/frame_000" + std::to_string(frame) + ".svg"));
+    return std::string{std::istreambuf_iterator<char>(in), {}};
+  };
+  const auto json = nlohmann::json::parse(run("lint --json scenarios/heap/ode_flicker.jsonl").out);
+  const auto& finding = json["files"][0]["findings"][0];
+  std::set<int> marked;
+  for (const auto& mark : finding["marks"]) marked.insert(mark["frame"].get<int>());
+  ASSERT_FALSE(marked.empty());
+  for (int frame = 0; frame < 8; ++frame) {
+    const bool is_named = picture(frame).find("!1  brick 1 and brick 2") != std::string::npos;
+    EXPECT_EQ(is_named, marked.contains(frame)) << frame;
+    EXPECT_THAT(picture(frame), testing::HasSubstr("lint: 2 findings"));
+  }
+  const std::string strip = "render scenarios/heap/ode_flicker.jsonl --strip 3 --panels lint";
+  ASSERT_EQ(run(strip + out).exit_code, 0);
+  std::ifstream in(folder / "heap/ode_flicker/strip.svg");
+  const std::string all{std::istreambuf_iterator<char>(in), {}};
+  EXPECT_THAT(all, testing::HasSubstr("lint: 2 findings"));
+  EXPECT_THAT(all, testing::Not(testing::HasSubstr("nothing is wrong")));
 }
 
 }  // namespace

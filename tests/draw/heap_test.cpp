@@ -325,6 +325,42 @@ TEST(HeapPanels, WorstRanksByOverlapImpulseAndChange) {
   EXPECT_THAT(texts, Contains("9.00 N s"));
 }
 
+TEST(HeapPanels, LintListsThePairsOfTheFrameAndTheViewMarksThem) {
+  Heap heap(6);
+  EXPECT_THAT(panel_texts(heap, Panel::Lint), testing::ElementsAre("lint: nothing is wrong"));
+  heap.throw_off(9, {0.4, 0.9, 0.1});
+  heap.throw_off(24, {5, -1e9, 1});  // not in view
+  const auto on_floor = [](int frame, int crate) {
+    return Fault::Place{frame, "floor", "crate_" + std::to_string(crate)};
+  };
+  heap.view.faults = {
+      {"pairs_flicker", 3, 40, 0, {{0, "crate_3", "crate_9"}, {0, "crate_3", "crate_9"}}},
+      {"points_twice", 9, 0, 0, {on_floor(0, 1), on_floor(0, 2), on_floor(0, 4), on_floor(0, 5)}},
+      {"normals_jump", 1, 36, 7, {on_floor(7, 2)}},
+      {"poses_jump", 1, 0, 0, {{0, "crate_24", ""}}}};
+  EXPECT_THAT(panel_texts(heap, Panel::Lint),
+              testing::ElementsAre(
+                  "lint: 4 findings", "3 of 40", "pairs flicker", "!1  crate 3 and crate 9",
+                  "9 times", "points twice", "!2  floor and crate 1", "!3  floor and crate 2",
+                  "!4  floor and crate 4", "and 1 more pair", "1 of 36", "normals jump",
+                  "the first in frame 7", "1 time", "poses jump", "!5  crate 24"));
+  const Sketch sketch = sketch_frame(heap.staged(), heap.frames[0]);
+  std::map<std::string, Vec3d> marked;
+  for (const Label& label : sketch.labels)
+    if (label.text.starts_with("!")) marked.emplace(label.text, label.at);
+  ASSERT_EQ(marked.size(), 4u);
+  // Without a contact it is at one of the two crates, which are equal.
+  const bool is_at_crate = std::ranges::any_of(heap.frames[0].poses, [&](const auto& pose) {
+    return (pose.first == "crate_3" || pose.first == "crate_9") &&
+           (marked["!1"] - pose.second.position).norm() < 1e-9;
+  });
+  EXPECT_TRUE(is_at_crate);
+  for (const trace::Pair& pair : heap.frames[0].pairs)
+    if (pair.b == "crate_2") {
+      EXPECT_EQ(marked["!3"], pair.manifolds[0].points[0].position);
+    }
+}
+
 TEST(HeapPanels, OverlapsCountEachPointOnce) {
   Heap heap(8);
   heap.touch("crate_1", "crate_2", Vec3d::Zero(), 0.01);

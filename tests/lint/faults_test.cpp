@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <fstream>
+#include <set>
 #include <sstream>
 
+#include "core/at.h"
 #include "lint/worlds.h"
 #include "support/temporary_folder.h"
 #include "trace/read_trace.h"
@@ -128,6 +130,32 @@ TEST(LintFaults, ABodyThatFliesOffIsNamedWithItsFrame) {
   ASSERT_NE(flight, findings.end()) << named_in(findings);
   EXPECT_EQ(flight->frame, trace.frames[30].frame);
   EXPECT_EQ(flight->a, body);
+}
+
+TEST(LintFaults, EveryOccurrenceInTheRequestedFramesIsMarked) {
+  // So many that a sample would leave out most of them.
+  Trace trace = stacks()[0].trace;
+  const std::vector<trace::Frame> frames = trace.frames;
+  trace.frames.clear();
+  for (int n = 0; n < 60; ++n)
+    for (const trace::Frame& frame : frames) {
+      trace.frames.push_back(frame);
+      trace.frames.back().frame = count_of(trace.frames) - 1;
+      for (trace::Pair& pair : trace.frames.back().pairs)
+        for (trace::Manifold& manifold : pair.manifolds) manifold.normal = -manifold.normal;
+    }
+  const int last = trace.frames.back().frame;
+  for (const Finding& finding : lint(trace, {.marked = {7, last - 1}})) {
+    if (finding.cause != "flipped_normals") continue;
+    std::set<std::pair<int, std::string>> marked, expected;
+    for (const Mark& mark : finding.marks) marked.emplace(mark.frame, mark.a + "-" + mark.b);
+    for (const int frame : {7, last - 1})
+      for (const trace::Pair& pair : at(trace.frames, frame).pairs)
+        expected.emplace(frame, pair.a + "-" + pair.b);
+    EXPECT_EQ(marked, expected);
+    return;
+  }
+  ADD_FAILURE() << "the flipped normals are not named";
 }
 
 TEST(LintFaults, AFindingHasAMarkForEachFrameAndCanBeIgnored) {

@@ -23,6 +23,12 @@ constexpr std::size_t kManyOccluders = 96;
 constexpr int kColumns = 48, kRows = 32;
 constexpr std::size_t kManyBodies = 12;
 
+/// Column and row of the cell at or nearest to a place, in cells.
+Eigen::Vector2i cell_at(const Eigen::Vector2d& place) {
+  return {static_cast<int>(std::clamp(place.x(), 0.0, kColumns - 1.0)),
+          static_cast<int>(std::clamp(place.y(), 0.0, kRows - 1.0))};
+}
+
 /// Corners of a rectangle on the screen that holds the body; nothing if a part may be behind the eye.
 std::vector<Point2> corners_around(const RoundBody& body, const Camera& camera) {
   constexpr double kWider = 1.2;  // a ball in perspective is an ellipse, off the middle
@@ -44,16 +50,25 @@ HiddenLines::HiddenLines(const Camera& camera, const Occluders& occluders,
                          const std::vector<ConvexShadow>& shadows,
                          const std::vector<RoundBody>& bodies)
     : camera_(camera), begins_{0}, cells_(kColumns * kRows) {
+  std::vector<double> away;  // of each shadow from the eye
+  // Ends a shadow, and puts it into the cells of the box around its corners; without any it is
+  // everywhere.
+  const auto put = [&](std::span<const Point2> seen, const Vec3d& place) {
+    const int index = count_of(boxes_);
+    begins_.push_back(bounds_.size());
+    boxes_.push_back(box_of(seen));
+    away.push_back(camera.to_camera(place).norm());
+    if (seen.empty()) return everywhere_.push_back(index);
+    const Eigen::Vector2i first = cell_at(boxes_.back().min()), last = cell_at(boxes_.back().max());
+    for (int row = first.y(); row <= last.y(); ++row)
+      for (int column = first.x(); column <= last.x(); ++column)
+        at(cells_, row * kColumns + column).push_back(index);
+  };
   const bool many_bodies = shadows.size() >= kManyBodies && bodies.size() == shadows.size();
   for (std::size_t i = 0; i < shadows.size(); ++i) {
     bounds_.insert(bounds_.end(), shadows[i].begin(), shadows[i].end());
-    const int index = end_shadow();
-    const std::vector<Point2> seen =
-        many_bodies ? corners_around(bodies[i], camera) : std::vector<Point2>();
-    if (seen.empty())
-      everywhere_.push_back(index);
-    else
-      each_cell(seen, [&](std::size_t cell) { cells_[cell].push_back(index); });
+    put(many_bodies ? corners_around(bodies[i], camera) : std::vector<Point2>(),
+        many_bodies ? bodies[i].core.front() : Vec3d::Zero());
   }
   const bool few = occluders.size() < kManyOccluders;
   for (const std::vector<Vec3d>& polygon : occluders) {
@@ -89,55 +104,52 @@ HiddenLines::HiddenLines(const Camera& camera, const Occluders& occluders,
       if (facing < 0) side = -side;
       bounds_.push_back({side, side.dot(p) - border});
     }
-    const int index = end_shadow();
-    if (few)
-      everywhere_.push_back(index);
-    else
-      each_cell(seen, [&](std::size_t cell) { cells_[cell].push_back(index); });
+    put(seen, middle);
   }
+  for (std::vector<int>& cell : cells_)
+    std::ranges::sort(cell, {}, [&](int index) { return std::pair(at(away, index), index); });
 }
 
-int HiddenLines::end_shadow() {
-  begins_.push_back(bounds_.size());
-  return count_of(begins_) - 2;
-}
-
-template <class Visit>
-void HiddenLines::each_cell(std::span<const Point2> points, const Visit& visit) const {
+HiddenLines::Box HiddenLines::box_of(std::span<const Point2> points) const {
   const Rect& view = camera_.viewport();
-  Eigen::AlignedBox2i box;
-  for (const Point2& at : points) {
-    const double x = (at.x - view.x) / view.width * kColumns;
-    const double y = (at.y - view.y) / view.height * kRows;
-    box.extend(Eigen::Vector2i(static_cast<int>(std::clamp(x, 0.0, kColumns - 1.0)),
-                               static_cast<int>(std::clamp(y, 0.0, kRows - 1.0))));
-  }
-  for (int row = box.min().y(); row <= box.max().y(); ++row) {
-    for (int column = box.min().x(); column <= box.max().x(); ++column)
-      visit(static_cast<std::size_t>(row * kColumns + column));
-  }
+  Box box;
+  for (const Point2& at : points)
+    box.extend(Eigen::Vector2d((at.x - view.x) / view.width * kColumns,
+                               (at.y - view.y) / view.height * kRows));
+  return box;
 }
 
 std::vector<Span> HiddenLines::split(const Vec3d& from, const Vec3d& to) const {
   std::vector<std::pair<double, double>> hidden;
-  const auto look = [&](int index) {
+  // Whether the shadow hides the whole line, so that no other one matters.
+  const auto hides_all = [&](int index) {
     const auto shadow = static_cast<std::size_t>(index);
     double first = 0, last = 1;
     for (std::size_t i = begins_[shadow]; i < begins_[shadow + 1]; ++i) {
       const double d0 = bounds_[i].distance(from);
       const double d1 = bounds_[i].distance(to);
-      if (d0 > 0 && d1 > 0) return;
+      if (d0 > 0 && d1 > 0) return false;
       if (d0 > 0) first = std::max(first, d0 / (d0 - d1));
       if (d1 > 0) last = std::min(last, d0 / (d0 - d1));
+      if (!(first < last)) return false;
     }
-    if (first < last) hidden.emplace_back(first, last);
+    hidden.emplace_back(first, last);
+    return first == 0 && last == 1;
   };
-  std::ranges::for_each(everywhere_, look);
-  if (everywhere_.size() + 1 < begins_.size()) {
-    // A shadow is examined in each of its cells. Its repeated interval changes nothing.
-    if (const std::optional<Segment2> seen = project_segment(camera_, from, to))
-      each_cell(std::array{seen->from, seen->to},
-                [&](std::size_t cell) { std::ranges::for_each(cells_[cell], look); });
+  const Span whole{0, 1, true};
+  if (std::ranges::any_of(everywhere_, hides_all)) return {whole};
+  if (const auto seen =
+          everywhere_.size() == boxes_.size() ? std::nullopt : project_segment(camera_, from, to)) {
+    const Box line = box_of(std::array{seen->from, seen->to});
+    const Eigen::Vector2i first = cell_at(line.min()), last = cell_at(line.max());
+    for (int row = first.y(); row <= last.y(); ++row)
+      for (int column = first.x(); column <= last.x(); ++column)
+        for (const int index : at(cells_, row * kColumns + column)) {
+          // A shadow counts only in the first cell that it shares with the line.
+          const Box both = at(boxes_, index).intersection(line);
+          if (both.isEmpty() || cell_at(both.min()) != Eigen::Vector2i(column, row)) continue;
+          if (hides_all(index)) return {whole};
+        }
   }
   std::ranges::sort(hidden);
 

@@ -160,8 +160,8 @@ void draw_touched_triangles(const Scene& scene, Sketch& sketch) {
   const float width = touched.size() > 6 ? 1.5f : touched.size() > 2 ? 2.0f : 3.0f;
   for (const auto& [mesh, triangle, incident] : touched) {
     const Color color = incident ? kIncidentFace : kReferenceFace;
-    // On a landscape, surfaces in front of a triangle hide it.
-    const bool many = mesh->traced().faces.size() > kFewTriangles;
+    // On a landscape, and in a heap, surfaces in front of a triangle hide it.
+    const bool many = mesh->traced().faces.size() > kFewTriangles || scene.scales.heap;
     sketch.face(
         mesh->polygon(triangle), with_alpha(color, 0.35f),
         {width, color, incident, many ? LineStyle::Hidden::Faint : LineStyle::Hidden::Same});

@@ -36,15 +36,8 @@ Vec3d cut_between(const Vec3d& p, const Vec3d& q, double at_p, double at_q) {
   return zero_between(p, q, at_p, at_q).normalized();
 }
 
-struct Patch {
-  std::vector<Vec3d> normals;
-  double lit = 0;
-};
-
-// The sphere of directions in bands around the light, so that no patch crosses a tone border.
-std::vector<Patch> patches_around(const Vec3d& light, bool coarse = false) {
-  const int longitudes = coarse ? kCoarseLongitudes : kLongitudes;
-  const double step = coarse ? kCoarseLatitudeStep : kLatitudeStep;
+// From pole to pole, so that no tone border is between two of them.
+std::vector<double> latitudes_of(double step) {
   std::vector<double> latitudes = {0};
   const auto reach = [&](double angle) {
     const double from = latitudes.back();
@@ -53,20 +46,47 @@ std::vector<Patch> patches_around(const Vec3d& light, bool coarse = false) {
   };
   for (const double border : kToneBorders) reach(std::acos(border));
   reach(kPi);
+  return latitudes;
+}
 
-  const Vec3d u = any_perpendicular(light);
-  const Vec3d v = light.cross(u);
-  const auto at = [&](std::size_t latitude, int longitude) -> Vec3d {
-    if (latitude == 0) return light;
-    if (latitude + 1 == latitudes.size()) return -light;
-    const double angle = 2 * kPi * (longitude % longitudes) / longitudes;
-    const double across = std::sin(latitudes[latitude]);
-    return std::cos(latitudes[latitude]) * light + across * std::cos(angle) * u +
-           across * std::sin(angle) * v;
-  };
+// The sphere of directions about a pole, latitude by latitude.
+std::vector<Vec3d> directions_around(const Vec3d& pole, const std::vector<double>& latitudes,
+                                     int longitudes) {
+  const Vec3d u = any_perpendicular(pole);
+  const Vec3d v = pole.cross(u);
+  std::vector<std::pair<double, double>> around;  // cosines and sines
+  for (int i = 0; i < longitudes; ++i) {
+    const double angle = 2 * kPi * i / longitudes;
+    around.emplace_back(std::cos(angle), std::sin(angle));
+  }
+  std::vector<Vec3d> all;
+  for (const double latitude : latitudes) {
+    const double along = std::cos(latitude), across = std::sin(latitude);
+    for (const auto& [cosine, sine] : around)
+      all.push_back(latitude == 0 ? pole
+                    : latitude == latitudes.back()
+                        ? Vec3d(-pole)
+                        : Vec3d(along * pole + across * cosine * u + across * sine * v));
+  }
+  return all;
+}
+
+struct Patch {
+  std::vector<Vec3d> normals;
+  double lit = 0;
+};
+
+std::vector<Patch> patches_around(const Vec3d& light, bool coarse) {
+  const int longitudes = coarse ? kCoarseLongitudes : kLongitudes;
+  const std::vector<double> latitudes = latitudes_of(coarse ? kCoarseLatitudeStep : kLatitudeStep);
+  const std::vector<Vec3d> directions = directions_around(light, latitudes, longitudes);
+  const auto count = static_cast<std::size_t>(longitudes);
   std::vector<Patch> patches;
   for (std::size_t i = 0; i + 1 < latitudes.size(); ++i) {
-    for (int j = 0; j < longitudes; ++j) {
+    for (std::size_t j = 0; j < count; ++j) {
+      const auto at = [&](std::size_t latitude, std::size_t longitude) {
+        return directions[latitude * count + longitude % count];
+      };
       Patch patch{{at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)},
                   std::cos(0.5 * (latitudes[i] + latitudes[i + 1]))};
       if (i == 0) patch.normals.erase(patch.normals.begin());
@@ -184,15 +204,21 @@ std::vector<Plane<double>> RoundBody::shadow(const Camera& camera) const {
     planes.push_back({normal, std::max(normal.dot(core.front()), normal.dot(core.back())) +
                                   (1 - kBorder) * radius});
   };
-  // The outline first, because most lines are off the body.
-  for (const OutlinePoint& point : outline_of(*this, camera)) touching(point.normal);
+  // The outline first, because most lines are off the body, and there every eighth point first.
+  const std::vector<OutlinePoint> outline = outline_of(*this, camera);
+  for (std::size_t first = 0; first < 8; ++first)
+    for (std::size_t i = first; i < outline.size(); i += 8) touching(outline[i].normal);
   if (planes.empty()) return planes;
-  for (const Patch& patch : patches_around(camera.to_eye(core.front()))) {
-    const Vec3d& normal = patch.normals.front();
+  const std::vector<Vec3d> directions =
+      directions_around(camera.to_eye(core.front()), latitudes_of(kLatitudeStep), kLongitudes);
+  for (std::size_t i = kLongitudes; i + kLongitudes < directions.size(); ++i) {
+    const Vec3d& normal = directions[i];
     const Vec3d& farthest =
         normal.dot(core.back()) > normal.dot(core.front()) ? core.back() : core.front();
     if (Tangency(camera, farthest, radius).front(normal) > 0) touching(normal);
   }
+  // Many others are in front of it.
+  if (planes.size() > outline.size()) std::swap(planes.front(), planes[outline.size()]);
   return planes;
 }
 

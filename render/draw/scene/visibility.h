@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -102,16 +103,16 @@ class HiddenLines {
   std::vector<Span> split(const Vec3d& from, const Vec3d& to) const;
 
  private:
-  // Ends the current shadow and returns its index.
-  int end_shadow();
-  // Visits the view's cells in the bounding box of points.
-  template <class Visit> void each_cell(std::span<const Point2> points, const Visit& visit) const;
+  using Box = Eigen::AlignedBox2d;  // on the screen, in cells
+
+  Box box_of(std::span<const Point2> points) const;
 
   Camera camera_;
   std::vector<Plane<double>> bounds_;    // of all shadows, concatenated
   std::vector<std::size_t> begins_;      // first bound of each shadow, and the end of the last
   std::vector<int> everywhere_;          // shadows that are checked for all lines
-  std::vector<std::vector<int>> cells_;  // the other shadows, by screen cell
+  std::vector<std::vector<int>> cells_;  // the other shadows, by screen cell, the nearest first
+  std::vector<Box> boxes_;               // of all shadows
   double border_ = 0;                    // metres
 };
 

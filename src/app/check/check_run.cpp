@@ -12,6 +12,7 @@
 #include "app/check/known_same.h"
 #include "app/check/reports/report.h"
 #include "app/check/viewers.h"
+#include "app/cli/faults.h"
 #include "app/cli/progress.h"
 #include "app/cli/shard.h"
 #include "app/render/figure_canvas.h"
@@ -118,6 +119,7 @@ class Checker {
     });
     std::vector<Finding> pictures;
     if (!options_.facts_only) {
+      add_faults(input, scenario.snapshots.frames, input.scenario.views);
       for (const View& view : selected_views(scenario, options_))
         check_pictures(archive, scenario, view, sequence, outcome, pictures);
     }
@@ -355,8 +357,9 @@ std::string made_of(const std::vector<Input>& inputs) {
   std::string all = program_id();
   for (const Input& input : inputs)
     all += "\n" + input.scenario.name + " " +
-           (input.unreadable.empty() ? snapshot::sha256_of_file(input.scenario.path)
-                                     : input.unreadable);
+           (input.unreadable.empty()
+                ? snapshot::sha256_of_file(input.trace ? input.file : input.scenario.path)
+                : input.unreadable);
   return sha256(all);
 }
 

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/check/lint.h"
+#include "app/cli/faults.h"
 #include "app/cli/verbs.h"
 #include "image/font.h"
 
@@ -66,8 +67,8 @@ ExitCode run_doctor(const Options& options) {
   nlohmann::ordered_json findings = nlohmann::ordered_json::array();
   const auto look_through = [&](TraceFile& file) {
     Inventory inventory;
-    const auto found =
-        lint_trace(file, options, [&](const trace::Frame& frame) { inventory.add(frame); });
+    const auto found = lint_trace(file, {}, options.frames,
+                                  [&](const trace::Frame& frame) { inventory.add(frame); });
     files.push_back(inventory.words(file.header()));
     for (const lint::Finding& finding : found) {
       if (!lint::is_reported(finding)) continue;

@@ -6,70 +6,12 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "app/cli/progress.h"
+#include "app/cli/faults.h"
 #include "app/cli/verbs.h"
 #include "core/input_error.h"
-#include "scenario/nearest_word.h"
-#include "scenario/run.h"
 #include "snapshot/store.h"
 
 namespace contactscope::app {
-namespace {
-
-lint::LintOptions linter_options(const Options& options) {
-  lint::LintOptions to{.strict = options.strict, .tolerance = options.tolerance};
-  const std::vector<std::string_view> causes = lint::causes();
-  for (const std::string& text : options.ignored) {
-    const std::size_t colon = std::min(text.find(':'), text.size());
-    const std::string cause = text.substr(0, colon);
-    if (std::ranges::find(causes, cause) == causes.end()) {
-      const std::string near = did_you_mean(cause, causes);
-      throw UsageError("--ignore: '" + cause + "' is not a cause of findings; " +
-                       (near.empty() ? "there is " + quoted_list(causes) : near));
-    }
-    to.ignored.push_back({cause, colon < text.size() ? text.substr(colon + 1) : ""});
-  }
-  return to;
-}
-
-}  // namespace
-
-std::vector<lint::Finding> lint_scenario(const Input& input, const Options& options) {
-  trace::Stages stages = trace::Stages::none();
-  stages.reduction = true;  // shows which points were dropped on purpose
-  Runner runner(input.scenario, stages);
-  lint::Linter linter(runner.header(), linter_options(options));
-  for (const int frame : input.frames) {
-    trace::Frame facts = runner.frame(frame);
-    facts.line = frame + 2;
-    linter.frame(std::move(facts));
-  }
-  return linter.findings();
-}
-
-std::vector<lint::Finding> lint_trace(TraceFile& file, const Options& options,
-                                      const std::function<void(const trace::Frame&)>& look) {
-  lint::Linter linter(file.header(), linter_options(options));
-  bool any = false;
-  while (std::optional<trace::Frame> frame = file.next()) {
-    stop_if_interrupted();
-    if (look) look(*frame);
-    if (options.frames && !options.frames->names(frame->frame)) {
-      linter.shapes(frame->shapes);
-      continue;
-    }
-    any = true;
-    linter.frame(std::move(*frame));
-  }
-  if (!any) throw UsageError("--frames names no frame of " + file.name());
-  std::vector<lint::Finding> findings = linter.findings();
-  if (const std::optional<trace::Torn>& torn = file.torn(); torn)
-    findings.push_back(
-        {"torn", "the file is cut off within its last line",
-         "the lines before it were checked; the process that wrote it crashed, or is still writing",
-         1, 0, torn->line, 0});
-  return findings;
-}
 
 std::string record(const std::string& file, const lint::Finding& finding) {
   std::string text = file + ":" + std::to_string(std::max(finding.line, 1)) +
@@ -178,8 +120,13 @@ ExitCode run_lint(const Options& options) {
   };
   each_input(
       options,
-      [&](const Input& input) { report(input.scenario.path, lint_scenario(input, options)); },
-      [&](TraceFile& file) { report(file.name(), lint_trace(file, options)); });
+      [&](const Input& input) {
+        report(input.scenario.path,
+               lint_scenario(input.scenario, input.frames, linter_options(options)));
+      },
+      [&](TraceFile& file) {
+        report(file.name(), lint_trace(file, linter_options(options), options.frames));
+      });
   if (options.json) std::cout << json.dump() << '\n';
   if (!options.write_known.empty()) {
     snapshot::write_text(options.write_known, json.dump(1) + "\n");

@@ -258,6 +258,26 @@ std::vector<Scenario> load_scenarios(const Options& options) {
   return read_scenarios(options, nullptr);
 }
 
+namespace {
+
+/// The traces next to the scenarios of the folders and groups which the command names, unless an
+/// option is for scenarios alone.
+std::vector<std::string> stored_traces(const Options& options) {
+  std::vector<std::string> folders = options.scenarios, traces;
+  if (folders.empty()) folders = {options.scenario_root};
+  if (!options.reducer.empty() || options.timing || !options.view.empty() || options.frames)
+    folders.clear();
+  std::error_code unknown;
+  for (std::string& folder : folders) {
+    if (!fs::is_directory(folder, unknown)) folder = fs::path(options.scenario_root) / folder;
+    if (!fs::is_directory(folder, unknown)) continue;
+    for (std::string& trace : scenario_files(folder, ".jsonl")) traces.push_back(std::move(trace));
+  }
+  return traces;
+}
+
+}  // namespace
+
 std::vector<Input> load_inputs(const Options& options, Hold hold, Unreadable unreadable) {
   std::vector<std::string> traces;
   Options others = options;
@@ -268,6 +288,8 @@ std::vector<Input> load_inputs(const Options& options, Hold hold, Unreadable unr
   std::vector<Input> inputs;
   Paths paths;
   if (traces.empty() || !others.scenarios.empty()) {
+    const std::vector<std::string> stored = stored_traces(others);
+    traces.insert(traces.end(), stored.begin(), stored.end());
     const bool is_kept = unreadable == Unreadable::Kept;
     for (Scenario& scenario : read_scenarios(others, is_kept ? &inputs : nullptr)) {
       paths.emplace(scenario.name, scenario.path);
@@ -305,7 +327,14 @@ void each_input(const Options& options, const std::function<void(const Input&)>&
     }
     Options one = options;
     one.scenarios = {argument};
-    for (const Input& input : load_inputs(one)) scenario(input);
+    for (const Input& input : load_inputs(one)) {
+      if (!input.trace) {
+        scenario(input);
+        continue;
+      }
+      TraceFile file(input.file);
+      trace(file);
+    }
   }
 }
 

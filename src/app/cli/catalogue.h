@@ -42,7 +42,7 @@ std::string installed_scenarios();
 bool is_found_by_name(const Scenario& scenario, const Options& options);
 
 /// Like load_scenarios(), but files may be traces, which have one fitted view with the default
-/// layers and the summary. Also throws UsageError for an option that does not apply to traces.
+/// layers and the summary. Folders include the traces in them. Also throws UsageError for an option that does not apply to traces.
 std::vector<Input> load_inputs(const Options& options, Hold hold = Hold::Whole,
                                Unreadable unreadable = Unreadable::Thrown);
 

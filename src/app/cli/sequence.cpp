@@ -106,7 +106,7 @@ Sequence read_sequence(const std::string& path, Hold hold, std::size_t budget) {
   Sampler sampler(hold == Hold::Sample ? budget : SIZE_MAX);
   while (std::optional<trace::Frame> frame = file->next()) {
     frame->shapes.clear();  // they are in the header now
-    trace::name_points(file->header().shapes, *frame);
+    if (trace::name_points(file->header().shapes, *frame)) sequence.ids_are_made = true;
     sequence.numbers.push_back(frame->frame);
     sampler.add(std::move(*frame), file->bytes());
   }

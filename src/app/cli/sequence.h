@@ -17,6 +17,7 @@ struct Sequence {
   std::vector<double> nanoseconds{};  // measured pipeline time per frame; empty unless requested
   std::vector<int> numbers{};         // for a trace: numbers of all frames, in order
   std::size_t every = 1;
+  bool ids_are_made = false;          // see trace::name_points()
   std::shared_ptr<TraceFile> file{};  // for a long trace: source of the other frames
   std::function<void(trace::Frame&)>
       trim{};  // applies --pair and --shapes to a frame; empty without them

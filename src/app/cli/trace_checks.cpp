@@ -202,7 +202,7 @@ void TraceChecks::add(trace::Shape shape) {
   header_.shapes.push_back(std::move(shape));
 }
 
-void TraceChecks::frame(trace::Frame& frame) {
+void TraceChecks::shapes(trace::Frame& frame) {
   // Some writers repeat all shapes in each frame.
   std::erase_if(frame.shapes, [&](const trace::Shape& shape) {
     const auto known = places_.find(shape.name);
@@ -212,6 +212,10 @@ void TraceChecks::frame(trace::Frame& frame) {
     add(shape);
     shape = header_.shapes.back();  // with generated faces
   }
+}
+
+void TraceChecks::frame(trace::Frame& frame) {
+  shapes(frame);
   require(!header_.shapes.empty(),
           "there is no shape yet, here or in the header; name in 'shapes' what there is");
   facts(frame);

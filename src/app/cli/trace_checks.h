@@ -21,6 +21,8 @@ class TraceChecks {
 
   /// Checks the next frame and adds its shapes to the header. Throws Wrong.
   void frame(trace::Frame& frame);
+  /// Only its shapes.
+  void shapes(trace::Frame& frame);
 
   int last_frame() const { return last_; }
 

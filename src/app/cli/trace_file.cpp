@@ -151,6 +151,13 @@ std::vector<trace::Frame> TraceFile::next(const trace::Parts& parts, Workers& wo
   if (texts.empty() && frames_ == 0) throw InputError(name_, reader_->line(), 1, kOnlyHeader);
   std::vector<trace::Frame> frames = reader_->read(texts, parts, workers);
   frames_ += static_cast<int>(frames.size());
+  for (trace::Frame& frame : frames) {
+    try {
+      checks_->shapes(frame);
+    } catch (const TraceChecks::Wrong& wrong) {
+      throw InputError(name_, frame.line, 1, printable(wrong.text));
+    }
+  }
   if (reader_->header().impulses)
     for (trace::Frame& frame : frames) convert_impulses(*reader_->header().impulses, frame);
   return frames;

@@ -41,7 +41,7 @@ class TraceFile {
   /// Nullopt after the last frame; there is at least one.
   std::optional<trace::Frame> next();
   /// Some of the next frames, of each only these parts, parsed on several threads; empty after the
-  /// last one. Only their form is checked. `impulses` are converted.
+  /// last one. Only their form and new shapes are checked. `impulses` are converted.
   std::vector<trace::Frame> next(const trace::Parts& parts, Workers& workers);
   /// Reads frames without checks.
   trace::TraceReader& reader() { return *reader_; }

@@ -8,8 +8,10 @@
 #include "app/cli/table.h"
 #include "app/cli/trace_file.h"
 #include "app/cli/verbs.h"
+#include "core/at.h"
 #include "find/finder.h"
 #include "snapshot/finding.h"
+#include "trace/point_names.h"
 
 namespace contactscope::app {
 namespace {
@@ -84,6 +86,9 @@ ExitCode run_find(const Options& options) {
     stop_if_interrupted();
     std::vector<trace::Frame> some = file.next(finder.parts(), workers);
     if (some.empty()) break;
+    if (finder.wants_ids())
+      workers.for_each(count_of(some),
+                       [&](int i, int) { trace::name_points(file.header().shapes, at(some, i)); });
     for (trace::Frame& frame : some) {
       const bool is_wanted = !options.frames || options.frames->names(frame.frame);
       frames += is_wanted;
@@ -114,8 +119,8 @@ Verb find_verb() {
 deg, rad, s, ms, N s), and texts in quotes, with + - * /, == != < <= > >=, and, or, not, parentheses and
 abs(x). Without a unit lengths are in metres, angles in degrees.
 Quantities: frame, time, a, b, label (the names of the pair), points, manifolds, separation (negative in
-overlap), overlap (0 when separated), touching, impulse (normal, sum over the points), axis, type, ids,
-normal_x, normal_y, normal_z. previous.QUANTITY is the value in the frame before.
+overlap), overlap (0 when separated), touching, impulse (normal, sum over the points), axis, type, ids
+(from geometry where the engine has none), normal_x, normal_y, normal_z. previous.QUANTITY is the value in the frame before.
 Since the frame before: normal_turn, overlap_change, impulse_change, points_gained, points_lost, ids_gained,
 ids_lost, and of the shape that moves more motion (of its origin) and turn. age: frames of contact without a
 break, 0 in the first. away: frames without contact before that. A pair that leaves the trace is tried once

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/catalogue.h"
+#include "app/cli/faults.h"
 #include "app/cli/narrow.h"
 #include "app/cli/progress.h"
 #include "app/cli/shard.h"
@@ -111,6 +112,7 @@ void report_idle_layers(const Input& input, const draw::Staging& staging, const 
 void draw_sequences(Input& input, const Options& options, Renderer& renderer, Sinks& sinks,
                     Progress& progress, RunLog& log) {
   const Scenario& scenario = input.scenario;
+  add_faults(input, input.frames, input.scenario.views);
   const std::vector<View> views = selected_views(scenario, options);
   Sequence sequence = sequence_of(input, views, sinks.needs_stages(), options, log);
   if (input.frames.empty()) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "app/cli/faults.h"
 #include "app/render/figure_canvas.h"
 #include "app/render/origin.h"
 #include "core/at.h"
@@ -132,6 +133,7 @@ void draw_sheet(std::vector<Input>& inputs, const std::function<Sequence(Input&)
   std::vector<draw::ContactSheet::Entry> entries;
   std::vector<draw::Drawing> thumbnails;
   for (Input& input : inputs) {
+    add_faults(input, input.frames, input.scenario.views);
     const std::vector<View> views = selected_views(input.scenario, options);
     const auto scene = std::ranges::find_if(views, has_cells);
     Sequence sequence = run(input);

@@ -9,7 +9,7 @@ namespace {
 class ViewerReel : public Reel {
  public:
   explicit ViewerReel(const ReelPlan& plan)
-      : path_(plan.path), viewer_(*plan.staging, plan.origin) {}
+      : path_(plan.path), viewer_(*plan.staging, plan.origin, plan.sequence->ids_are_made) {}
 
   void add(const Shot&, const trace::Frame& frame) override { viewer_.add(frame); }
   void finish() override { snapshot::write_text(path_, viewer_.html()); }

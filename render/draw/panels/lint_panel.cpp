@@ -1,0 +1,132 @@
+#include <algorithm>
+
+#include "draw/panels/panel.h"
+#include "draw/scene/contact_facts.h"
+#include "draw/scene/ghost.h"
+#include "draw/scene/pair_words.h"
+#include "draw/scene/palette.h"
+#include "draw/scene/points.h"
+#include "draw/scene/quantity.h"
+#include "view/shape_name.h"
+
+namespace contactscope::draw {
+namespace {
+
+constexpr std::size_t kRows = 9;     // the panel's, without its heading
+constexpr std::size_t kOfFault = 3;  // places of a fault that are listed
+constexpr LineStyle kFaultOutline{1.8f, kText, true};
+
+constexpr double kMuchLarger = 4;  // than the smallest body: no outline
+
+constexpr Swatch kFaultSwatch{LegendGroup::Points, 12, [](auto& pen) { pen.dot(5.6, 7.4, kText); }};
+
+/// The places of a fault in one frame, each pair once, numbered over all faults.
+struct InFrame {
+  const Fault* fault;
+  std::vector<const Fault::Place*> places{};
+  std::size_t before = 0;  // listed places of the faults before
+
+  std::size_t listed() const { return std::min(places.size(), kOfFault); }
+  /// "!2": of a place, in the panel and in the view.
+  std::string number(std::size_t i) const { return "!" + std::to_string(before + i + 1); }
+};
+
+std::vector<InFrame> faults_in(const View& view, int frame) {
+  std::vector<InFrame> all;
+  for (const Fault& fault : view.faults) {
+    InFrame here{&fault};
+    if (!all.empty()) here.before = all.back().before + all.back().listed();
+    for (const Fault::Place& place : fault.places)
+      if (place.frame == frame && std::ranges::none_of(here.places, [&](const auto* other) {
+            return other->a == place.a && other->b == place.b;
+          }))
+        here.places.push_back(&place);
+    all.push_back(std::move(here));
+  }
+  return all;
+}
+
+/// The findings of lint, and the pairs that they name in the drawn frame, with their numbers in the
+/// view.
+class LintPanel : public PanelContent {
+ public:
+  using PanelContent::PanelContent;
+
+  PanelNeed need(const PanelMoment&) const override {
+    const auto high = [&](std::size_t rows) {
+      return Sheet::heading_height(scale_) + static_cast<float>(rows) * Sheet::line_height(scale_);
+    };
+    const std::size_t rows = std::min(kRows, 4 * staging_.view.faults.size());
+    return {high(std::min<std::size_t>(rows, 2)), high(rows), high(rows), 0};
+  }
+
+  std::string lay_out(const PanelMoment& moment, Sheet& sheet) override {
+    const std::vector<InFrame> faults = faults_in(staging_.view, frames_[moment.frame].frame);
+    sheet.heading(faults.empty() ? "lint: nothing is wrong"
+                                 : "lint: " + counted(faults.size(), "finding", "findings"));
+    std::size_t left_out = 0;
+    const auto row = [&](const std::string& text, const std::string& value = "") {
+      const Rect rest = sheet.rest();
+      const auto height = static_cast<double>(sheet.line_height());
+      if (left_out > 0 || rest.height + 1 < height) return void(++left_out);
+      const double baseline = rest.y + 0.78 * height;
+      const Pen& pen = sheet.pen();
+      const Weight weight = value.empty() ? Weight::Regular : Weight::Bold;
+      const float room = static_cast<float>(rest.width) - pen.px(10) - pen.width_of(Said{value});
+      if (!value.empty())
+        pen.text(Said{value}, pixel(rest.right(), baseline), Align::Right, kQuietText);
+      pen.text(pen.fitted(text, weight, room), pixel(rest.x, baseline), Align::Left, kText, weight);
+      sheet.skip_to(rest.y + height);
+    };
+    for (const InFrame& one : faults) {
+      const Fault& fault = *one.fault;
+      row(in_words(fault.cause),
+          fault.of > 0 ? spell_count(fault.count) + " of " + spell_count(fault.of)
+                       : counted(static_cast<std::size_t>(fault.count), "time", "times"));
+      for (std::size_t i = 0; i < one.listed(); ++i) {
+        const auto& [frame, a, b] = *one.places[i];
+        row(one.number(i) + "  " + name_in_words(a) +
+            (b.empty() ? "" : " and " + name_in_words(b)));
+      }
+      if (one.places.empty())
+        row("the first in frame " + std::to_string(fault.first));
+      else if (one.places.size() > kOfFault)
+        row("and " + counted(one.places.size() - kOfFault, "more pair", "more pairs"));
+    }
+    return left_out == 0 ? "" : counted(left_out, "line", "lines");
+  }
+};
+
+}  // namespace
+
+void draw_faults(const Scene& scene, Sketch& sketch) {
+  for (const InFrame& one : faults_in(scene.view, scene.frame.frame)) {
+    for (std::size_t i = 0; i < one.listed(); ++i) {
+      const auto& [frame, a, b] = *one.places[i];
+      sketch.begin("lint", b.empty() ? a : a + " " + b);
+      std::optional<Vec3d> at;
+      double least = std::numeric_limits<double>::infinity();
+      for (const std::string* name : {&a, &b}) {
+        const PlacedShape* const shape = scene.find(*name);
+        if (shape == nullptr || shape->traced().half_space) continue;
+        if (one.before + i == 0 &&
+            shape->mesh->radius < kMuchLarger * scene.meshes.smallest_radius())
+          draw_ghost(scene.camera, *shape, kFaultOutline, sketch);
+        // Where the pair has no contact: the smaller body.
+        if (shape->mesh->radius < least) at = mean_of(shape->vertices);
+        least = std::min(least, shape->mesh->radius);
+      }
+      for (const trace::Pair& pair : scene.frame.pairs)
+        if (pair.a == a && pair.b == b)
+          if (const auto deepest = deepest_contact(pair)) at = deepest->point->position;
+      if (!at || !scene.camera.sees(*at)) continue;
+      sketch.mark(MarkKind::WideRing, *at, kText);
+      sketch.label(*at, one.number(i), kText, 16, 10);
+      sketch.explain(kFaultSwatch, "named by lint", *at);
+    }
+  }
+}
+
+const PanelDrawing kLintPanel{.make = make_panel<LintPanel>};
+
+}  // namespace contactscope::draw
