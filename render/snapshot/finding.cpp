@@ -13,13 +13,13 @@ int weight(const Finding& finding) {
       finding.kind == FindingKind::UnreadableScenario)
     return 1 << 30;
   if (!finding.is_picture()) return 1 << 29;
-  return finding.pixels ? finding.pixels->found.differing : 0;
+  return finding.pixels ? finding.pixels->differing : 0;
 }
 
 int largest(const Cause& cause) {
   int most = 0;
   for (const Finding* finding : cause.findings)
-    if (finding->pixels) most = std::max(most, finding->pixels->found.differing);
+    if (finding->pixels) most = std::max(most, finding->pixels->differing);
   return most;
 }
 

@@ -58,7 +58,7 @@ void put_cause(const Cause& cause, bool is_verbose) {
     const Finding& finding = *cause.findings[i];
     if (i > 0) put_line("", finding.sentence);
     const bool is_named = finding.kind == FindingKind::UnmetExpectation || is_verbose ||
-                          (finding.pixels && finding.pixels->limits != PixelLimits{});
+                          (finding.pixels && finding.pixels->allowed != PixelLimits{});
     for (const std::string& detail : finding.details)
       if (is_named && detail != finding.sentence) put_line("", "  " + detail);
   }
