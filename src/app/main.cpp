@@ -122,13 +122,15 @@ int run(int argc, char** argv) {
     subcommand.footer(verb.footer);
     for (const Option* option : options_of(verb.name)) add(subcommand, *option, options);
   }
-  if (argc > 1 && argv[1] == std::string_view("--manual")) {
-    std::cout << manual(argc > 2 ? argv[2] : "", CONTACTSCOPE_VERSION);
+  std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
+  const std::string first = arguments.empty() ? "" : arguments.front();
+  if (first == "--manual" || first == "--complete") {
+    std::cout << (first == "--manual" ? manual(argc > 2 ? argv[2] : "", CONTACTSCOPE_VERSION)
+                                      : completions({arguments.begin() + 1, arguments.end()}));
     flush_output();
     return static_cast<int>(ExitCode::Same);
   }
 
-  std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
   std::string format;  // keys, after the help of a verb
   if (arguments.size() == 2 && arguments[0] == "help") format = reference(arguments[1]);
   if (arguments.size() == 2 && arguments[1] == "scenario" && !format.empty()) {
