@@ -62,10 +62,6 @@ Tally tally(const Outcome& outcome) {
   return tally;
 }
 
-std::string counted(int count, const std::string& one, const std::string& many) {
-  return std::to_string(count) + " " + (count == 1 ? one : many.empty() ? one + "s" : many);
-}
-
 std::string summary(const Tally& tally) {
   const int own = tally.failing - tally.without_file;
   std::string text = counted(tally.scenarios, "scenario") + ": ";

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/spell.h"
 #include "image/compare.h"
 #include "trace/field.h"
 
@@ -204,9 +205,6 @@ Tally tally(const Outcome& outcome);
 /// "154 scenarios: 150 the same, 4 fail (3 changed, 1 new, 0 missing, 0 orphaned, 0 unreadable,
 /// 0 known bad, 1 unmet expectation)".
 std::string summary(const Tally& tally);
-
-/// "1 frame", "2 frames".
-std::string counted(int count, const std::string& one, const std::string& many = "");
 
 /// Findings with the same cause.
 struct Cause {

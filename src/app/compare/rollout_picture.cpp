@@ -11,14 +11,12 @@
 #include "draw/scene/quantity.h"
 #include "draw/staging.h"
 #include "snapshot/finding.h"
-#include "study/picture.h"
 #include "trace/find.h"
 #include "view/title.h"
 
 namespace contactscope::app {
 namespace {
 
-using contactscope::record::listed;
 using versus::RolloutScore;
 
 /// Name in the engine's own spelling; the requested name if it returned nothing.
@@ -83,7 +81,7 @@ std::string result_of(const Rollout& rollout) {
   for (const std::size_t i : by_outcome(rollout)) {
     const RolloutScore& score = rollout.scores[i];
     if (score.fell_at)
-      fallen.push_back(name_of(rollout, i) + " (" + spelled("%.2f", *score.fell_at) + " s)");
+      fallen.push_back(name_of(rollout, i) + " (" + printed("%.2f", *score.fell_at) + " s)");
     else if (stands(score))
       standing.push_back(name_of(rollout, i));
   }
@@ -123,15 +121,15 @@ std::string note_of(const RolloutScore& score) {
   if (!score.failure.empty())
     return "broke off after " + std::to_string(score.time.size()) + " frames";
   if (score.resting == 0) return "";
-  if (score.fell_at) return "falls after " + spelled("%.2f", *score.fell_at) + " s";
+  if (score.fell_at) return "falls after " + printed("%.2f", *score.fell_at) + " s";
   return "stands, " + millimetres(score.worst_drift) + " mm off its place";
 }
 
 /// Bodies and duration of a request.
 std::string scene_of(const trace::Trace& request) {
   const int bodies = count_of(versus::rollout_bodies(request));
-  return snapshot::counted(bodies, "body", "bodies") + ", for " +
-         spelled("%.3g", request.frames.back().time) +
+  return counted(bodies, "body", "bodies") + ", for " +
+         printed("%.3g", request.frames.back().time) +
          " s; other engines have the settings that they come with";
 }
 
@@ -169,7 +167,7 @@ std::vector<draw::TimeChart> charts_of(const Rollout& rollout, const std::vector
     if (!score.fell_at) continue;
     const auto after = std::ranges::lower_bound(score.time, *score.fell_at) - score.time.begin();
     height.lines.back().marked = std::min(static_cast<std::size_t>(after), score.time.size() - 1);
-    height.lines.back().mark = spelled("%.2f", *score.fell_at) + " s";
+    height.lines.back().mark = printed("%.2f", *score.fell_at) + " s";
   }
   if (any_fell(rollout)) return {height};
   return {height, energy, overlap};
@@ -235,7 +233,7 @@ Image rollout_picture(const Rollout& rollout, int shown, const std::optional<Siz
   const trace::Header& requested = rollout.request.header;
   const draw::RolloutPage page = draw::rollout_page(
       result_of(rollout), scene_of(rollout.request), requested.source,
-      "scenes at " + spelled("%.3g", at(rollout.request.frames, shown).time) + " s",
+      "scenes at " + printed("%.3g", at(rollout.request.frames, shown).time) + " s",
       charts_of(rollout, looks), cells, page_size.width, page_size.height);
   Image picture = renderer.paint(page.drawing);
   if (drawn.empty()) return picture;

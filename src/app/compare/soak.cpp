@@ -84,7 +84,7 @@ std::string within(const SoakLine& line, double share) {
   if (static_cast<double>(seen) >= wanted) return all == 0 ? "-" : "0";
   for (const auto& [exponent, count] : line.errors) {
     seen += count;
-    if (static_cast<double>(seen) >= wanted) return spelled("%g", std::ldexp(1.0, exponent));
+    if (static_cast<double>(seen) >= wanted) return printed("%g", std::ldexp(1.0, exponent));
   }
   return "-";
 }
@@ -98,12 +98,12 @@ ExitCode report(const Soak& soak, const std::string& file, const Options& option
     for (SoakLine& line : by_sweep(soak))
       table.push_back({line.sweep, line.scalar, std::to_string(line.pairs),
                        std::to_string(line.wrong()), std::to_string(line.faults["drowned"]),
-                       within(line, 0.5), within(line, 0.999), spelled("%.3g", line.worst_ulps)});
+                       within(line, 0.5), within(line, 0.999), printed("%.3g", line.worst_ulps)});
     print(table, std::cout);
     for (const SoakFailure& failure : soak.failures)
       std::cout << "case " << failure.number << ": " << failure.pair << " in " << failure.scalar
-                << ", " << failure.sweep << " " << spelled("%.3g", failure.value) << ": "
-                << failure.fault << ", off by " << spelled("%.3g", failure.ulps) << " ulps\n";
+                << ", " << failure.sweep << " " << printed("%.3g", failure.value) << ": "
+                << failure.fault << ", off by " << printed("%.3g", failure.ulps) << " ulps\n";
   }
   if (!options.quiet) {
     std::int64_t pairs = 0;
