@@ -17,11 +17,6 @@
 namespace contactscope {
 namespace {
 
-std::uint32_t be32(const std::uint8_t* at) {
-  return std::uint32_t{at[0]} << 24 | std::uint32_t{at[1]} << 16 | std::uint32_t{at[2]} << 8 |
-         at[3];
-}
-
 bool has_signature(std::span<const std::uint8_t> bytes) {
   return bytes.size() >= kPngSignature.size() &&
          std::equal(kPngSignature.begin(), kPngSignature.end(), bytes.begin(),
@@ -63,29 +58,5 @@ Image decode_png(std::span<const std::uint8_t> bytes, const std::string& name) {
 }
 
 Image read_png(const std::string& path) { return decode_png(read_whole_file(path), path); }
-
-PngText read_png_text(const std::string& path) {
-  const std::vector<std::uint8_t> bytes = read_whole_file(path);
-  if (!has_signature(bytes)) throw PngError(path + ": cannot be read as a PNG: it is not one");
-  PngText text;
-  for (std::size_t at = kPngSignature.size(); at + 12 <= bytes.size();) {
-    const std::size_t length = be32(&bytes[at]);
-    if (length > bytes.size() - at - 12)
-      throw PngError(path + ": cannot be read as a PNG: it is cut off or damaged");
-    const auto* data = reinterpret_cast<const char*>(&bytes[at + 8]);
-    const std::string_view type(data - 4, 4), all(data, length);
-    const std::size_t end = std::min(all.find('\0'), length);
-    const std::string key(all.substr(0, end));
-    if (type == "tEXt" && end < length) text.emplace_back(key, all.substr(end + 1));
-    // Only uncompressed iTXt: two flags, a language and a translated keyword.
-    if (type == "iTXt" && end + 2 < length && all[end + 1] == 0) {
-      const std::size_t keyword = all.find('\0', end + 3);
-      const std::size_t value = keyword == all.npos ? keyword : all.find('\0', keyword + 1);
-      if (value != all.npos) text.emplace_back(key, all.substr(value + 1));
-    }
-    at += 12 + length;
-  }
-  return text;
-}
 
 }  // namespace contactscope

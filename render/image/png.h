@@ -34,7 +34,4 @@ Image read_png(const std::string& path);
 /// Decodes bytes; `name` identifies them in a PngError.
 Image decode_png(std::span<const std::uint8_t> bytes, const std::string& name);
 
-/// Reads the text chunks without decoding pixels. Throws like read_png().
-PngText read_png_text(const std::string& path);
-
 }  // namespace contactscope

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/at.h"
+#include "core/spell.h"
 #include "page/facts.h"
 #include "page/page_data.h"
 #include "vector/markup.h"
@@ -77,10 +78,7 @@ ordered_json pair_json(const PairFacts& pair) {
 }
 
 std::string view_box(const draw::Rect& rect) {
-  std::string text;
-  for (const double number : {rect.x, rect.y, rect.width, rect.height})
-    text += (text.empty() ? "" : " ") + vector::number(number);
-  return text;
+  return separated(std::array{rect.x, rect.y, rect.width, rect.height}, " ", vector::number);
 }
 
 /// Fills in a template's @NAMES@.

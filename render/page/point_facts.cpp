@@ -116,9 +116,7 @@ struct PairPoints {
     return found == points.end() ? nullptr : &*found;
   }
 
-  static std::string frames(int age) {
-    return std::to_string(age) + (age == 1 ? " frame old" : " frames old");
-  }
+  static std::string frames(int age) { return counted(age, "frame old", "frames old"); }
 };
 
 }  // namespace

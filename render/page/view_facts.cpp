@@ -80,15 +80,14 @@ void add_clip(const trace::Pair& pair, const draw::Staging& staging, const trace
     const int done = std::min(story ? frame.frame : count_of(clip.steps), count_of(clip.steps));
     if (done > 0) {
       const trace::Polygon& left = at(clip.steps, done - 1).polygon;
-      all.push_back(
-          {.key = "clip|" + parts + "|" + pair.label,
-           .name = "clip polygon",
-           .of = draw::pair_name(pair),
-           .layer = std::string(name_of(Layer::ClipPolygons)),
-           .polygon = seen(staging, left),
-           .rows = {{"cut by", std::to_string(done) + " of " + std::to_string(clip.steps.size()) +
-                                   (clip.steps.size() == 1 ? " side plane" : " side planes")},
-                    {"corners", std::to_string(left.size())}}});
+      all.push_back({.key = "clip|" + parts + "|" + pair.label,
+                     .name = "clip polygon",
+                     .of = draw::pair_name(pair),
+                     .layer = std::string(name_of(Layer::ClipPolygons)),
+                     .polygon = seen(staging, left),
+                     .rows = {{"cut by", std::to_string(done) + " of " +
+                                             counted(clip.steps.size(), "side plane")},
+                              {"corners", std::to_string(left.size())}}});
     }
   }
   if (shows_layer(drawing, name_of(Layer::IncidentFace), parts))

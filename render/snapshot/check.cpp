@@ -149,7 +149,13 @@ CheckedPicture check_picture(const StoredScenario& archive, const PictureKey& ke
     // known bad
   } else if (nearest) {
     Finding& changed = finding(FindingKind::Changed, checked.nearest);
-    changed.pixels = PixelMeasures{*nearest, limits};
+    const PixelBox& box = nearest->largest_cluster_at;
+    changed.pixels = PixelMeasures{nearest->verdict == PixelVerdict::SizeDiffers,
+                                   nearest->differing,
+                                   nearest->largest_cluster,
+                                   {box.left, box.top, box.right, box.bottom},
+                                   nearest->largest_channel_difference,
+                                   limits};
     changed.sentence = to_string(key) + ": " + describe(*nearest, *checked.expected, actual);
     changed.details = {spell(limits)};
     if (baselines.size() > 1)

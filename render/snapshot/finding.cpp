@@ -13,13 +13,13 @@ int weight(const Finding& finding) {
       finding.kind == FindingKind::UnreadableScenario)
     return 1 << 30;
   if (!finding.is_picture()) return 1 << 29;
-  return finding.pixels ? finding.pixels->found.differing : 0;
+  return finding.pixels ? finding.pixels->differing : 0;
 }
 
 int largest(const Cause& cause) {
   int most = 0;
   for (const Finding* finding : cause.findings)
-    if (finding->pixels) most = std::max(most, finding->pixels->found.differing);
+    if (finding->pixels) most = std::max(most, finding->pixels->differing);
   return most;
 }
 
@@ -60,10 +60,6 @@ Tally tally(const Outcome& outcome) {
     }
   }
   return tally;
-}
-
-std::string counted(int count, const std::string& one, const std::string& many) {
-  return std::to_string(count) + " " + (count == 1 ? one : many.empty() ? one + "s" : many);
 }
 
 std::string summary(const Tally& tally) {

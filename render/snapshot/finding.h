@@ -7,10 +7,24 @@
 #include <string_view>
 #include <vector>
 
+#include "core/spell.h"
 #include "image/compare.h"
+#include "trace/field.h"
 
 /// Results of a check as data. Reports (terminal, page, other programs) and later reviews read only
 /// these structs.
+namespace contactscope::trace {
+
+template <> struct ListOf<PixelLimits> {
+  static constexpr auto fields() {
+    using L = PixelLimits;
+    return field::list(field::exact("channel", &L::channel), field::exact("cluster", &L::cluster),
+                       field::exact("total", &L::total));
+  }
+};
+
+}  // namespace contactscope::trace
+
 namespace contactscope::snapshot {
 
 enum class FindingKind {
@@ -26,7 +40,8 @@ enum class FindingKind {
 inline constexpr std::array<std::string_view, 8> kFindingKinds = {
     "changed",           "new",        "missing",   "orphaned",
     "unmet_expectation", "unreadable", "known_bad", "unreadable_scenario"};
-inline constexpr std::string_view name_of(FindingKind kind) {
+constexpr const auto& words_of(FindingKind) { return kFindingKinds; }
+constexpr std::string_view name_of(FindingKind kind) {
   return kFindingKinds[static_cast<std::size_t>(kind)];
 }
 
@@ -37,15 +52,30 @@ inline constexpr std::string_view kInputCause = "scenario: ";
 enum class Done { Nothing, Written, Updated, Removed };
 inline constexpr std::array<std::string_view, 4> kDone = {"nothing", "written", "updated",
                                                           "removed"};
+constexpr const auto& words_of(Done) { return kDone; }
 
 /// Decision of a reviewer.
 enum class Review { Open, Accepted, Rejected };
 inline constexpr std::array<std::string_view, 3> kReviews = {"open", "accepted", "rejected"};
+constexpr const auto& words_of(Review) { return kReviews; }
 
 /// Measured difference of two pictures and the limits.
 struct PixelMeasures {
-  PixelComparison found{};
-  PixelLimits limits{};
+  bool size_differs = false;
+  int differing = 0, largest_cluster = 0;
+  std::array<int, 4> largest_cluster_at{};  // left, top, right, bottom; the last two are outside
+  int largest_channel_difference = 0;
+  PixelLimits allowed{};
+
+  static constexpr auto fields() {
+    using M = PixelMeasures;
+    using namespace trace::field;
+    return list(exact("size_differs", &M::size_differs), exact("differing", &M::differing),
+                exact("largest_cluster", &M::largest_cluster),
+                exact("largest_cluster_at", &M::largest_cluster_at),
+                exact("largest_channel_difference", &M::largest_channel_difference),
+                exact("allowed", &M::allowed));
+  }
 };
 
 /// A stored file or an expectation that the run did not match.
@@ -82,6 +112,24 @@ struct Finding {
   bool is_picture() const { return frame.has_value(); }
   /// There is a candidate, or a file to remove. Expectations and known bugs need a fix instead.
   bool is_acceptable() const { return !file.empty() && kind != FindingKind::KnownBad; }
+
+  /// In files it is an entry of its scenario.
+  static constexpr auto fields() {
+    using F = Finding;
+    using namespace trace::field;
+    return list(exact("key", &F::key), exact("kind", &F::kind), exact("view", &F::view).where_set(),
+                exact("frame", &F::frame), exact("file", &F::file).where_set(),
+                exact("sentence", &F::sentence), exact("details", &F::details).where_set(),
+                exact("cause", &F::cause), exact("pixels", &F::pixels),
+                exact("layers", &F::layers).where_set(),
+                exact("layers_picture", &F::layers_picture).where_set(),
+                exact("candidate", &F::candidate).where_set(),
+                exact("expected", &F::expected).where_set(),
+                exact("difference", &F::difference).where_set(),
+                exact("stored_sha256", &F::stored_sha256).where_set(),
+                exact("candidate_sha256", &F::candidate_sha256).where_set(),
+                exact("done", &F::done), exact("review", &F::review), exact("fails", &F::fails));
+  }
 };
 
 /// Result of one scenario.
@@ -101,12 +149,28 @@ struct ScenarioOutcome {
       if (finding.fails()) return true;
     return false;
   }
+  bool same() const { return !fails(); }
+
+  static constexpr auto fields() {
+    using S = ScenarioOutcome;
+    using namespace trace::field;
+    return list(exact("scenario", &S::scenario), exact("file", &S::file).where_set(),
+                exact("same", &S::same), exact("frames", &S::frames),
+                exact("pictures", &S::pictures), exact("written", &S::written),
+                exact("notes", &S::notes).where_set(), exact("brittle", &S::brittle).where_set(),
+                exact("findings", &S::findings));
+  }
 };
 
 /// Part of all scenarios in a run.
 struct Shard {
   int part = 1, of = 1;
   friend bool operator==(const Shard&, const Shard&) = default;
+
+  static constexpr auto fields() {
+    using namespace trace::field;
+    return list(exact("part", &Shard::part), exact("of", &Shard::of));
+  }
 };
 
 /// Result of a run.
@@ -116,7 +180,15 @@ struct Outcome {
   std::optional<Shard> shard{};
   std::vector<std::string> all{};  // for a shard: names of all scenarios, sorted
   std::string made_of{};           // for a shard: hash of the program and all scenario files
-  std::vector<ScenarioOutcome> scenarios{};  // sorted by name
+  std::vector<ScenarioOutcome> scenarios{};  // sorted by name; in files after the counts
+
+  static constexpr auto fields() {
+    using O = Outcome;
+    using namespace trace::field;
+    return list(exact("snapshots", &O::snapshots), exact("facts_only", &O::facts_only).where_set(),
+                exact("shard", &O::shard), exact("all", &O::all).where_set(),
+                exact("made_of", &O::made_of).where_set());
+  }
 };
 
 /// Counts of a run.
@@ -133,9 +205,6 @@ Tally tally(const Outcome& outcome);
 /// "154 scenarios: 150 the same, 4 fail (3 changed, 1 new, 0 missing, 0 orphaned, 0 unreadable,
 /// 0 known bad, 1 unmet expectation)".
 std::string summary(const Tally& tally);
-
-/// "1 frame", "2 frames".
-std::string counted(int count, const std::string& one, const std::string& many = "");
 
 /// Findings with the same cause.
 struct Cause {

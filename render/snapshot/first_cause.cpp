@@ -123,18 +123,16 @@ std::string spell_effects(const FrameDifferences& frame, const Origin& origin) {
       add(Stage::Solver, {"impulse", "impulses"}, points);
   }
   std::ranges::stable_sort(effects, {}, &Effect::stage);
-  std::string text;
-  for (std::size_t i = 0; i < effects.size(); ++i) {
-    const auto& [stage, thing, count, of] = effects[i];
-    text += i == 0 ? "" : i + 1 == effects.size() ? " and " : ", ";
+  std::vector<std::string> texts;
+  for (const auto& [stage, thing, count, of] : effects) {
     if (of >= count && of > 1)
-      text += std::to_string(count) + " of " + std::to_string(of) + " " + thing.many;
+      texts.push_back(std::to_string(count) + " of " + std::to_string(of) + " " + thing.many);
     else
-      text += count == 1 && (stage == Stage::Faces || stage == Stage::Decision)
-                  ? std::string("the ") + thing.one
-                  : counted(count, thing.one, thing.many);
+      texts.push_back(count == 1 && (stage == Stage::Faces || stage == Stage::Decision)
+                          ? std::string("the ") + thing.one
+                          : counted(count, thing.one, thing.many));
   }
-  return text.empty() ? text : text + " changed";
+  return texts.empty() ? "" : listed(texts) + " changed";
 }
 
 /// The first flipped choice in a frame; of the pair of `first`, if that is a pair.

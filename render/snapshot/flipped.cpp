@@ -21,8 +21,8 @@ const trace::Decision* find_decision(const std::vector<trace::Decision>& margins
 std::string spell_margin(const trace::Decision& decision) {
   if (decision.margin) return spell_length(std::max(*decision.margin, 0.0));
   if (decision.margin_area)
-    return format("%.*g mm^2", 2, std::max(*decision.margin_area, 0.0) * 1e6);
-  return format("%.*g of a cosine", 2, std::max(decision.margin_cosine.value_or(0), 0.0));
+    return printed("%.*g mm^2", 2, std::max(*decision.margin_area, 0.0) * 1e6);
+  return printed("%.*g of a cosine", 2, std::max(decision.margin_cosine.value_or(0), 0.0));
 }
 
 /// ", with 3 um to spare": the margin of the decision.
@@ -57,11 +57,11 @@ std::string spell_chosen(const trace::Sat& before, const trace::Sat& now,
     text += ": " + a + " mm against " + b + " mm of " + spell_axis(before.chosen);
   else
     text +=
-        " to " + spell_axis(before.chosen) + ": " + format("%.*g mm", 4, *taken * 1e3) + " both";
+        " to " + spell_axis(before.chosen) + ": " + printed("%.*g mm", 4, *taken * 1e3) + " both";
   const bool is_tie = between <= kTie * std::max(std::abs(*taken), std::abs(*left));
   // In mm as the separations, unless that needs many digits.
   const std::string spelled =
-      between >= 1e-5 && between < 1 ? format("%.*g mm", 2, between * 1e3) : spell_length(between);
+      between >= 1e-5 && between < 1 ? printed("%.*g mm", 2, between * 1e3) : spell_length(between);
   if (is_tie)
     text += between > 0 ? ", a tie of " + spelled : ", a tie";
   else

@@ -4,7 +4,6 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <sstream>
 #include <stdexcept>
 
@@ -74,11 +73,7 @@ class Mixer {
     });
   }
 
-  std::string text() const {
-    std::array<char, 17> digits;
-    std::snprintf(digits.data(), digits.size(), "%016llx", static_cast<unsigned long long>(state_));
-    return digits.data();
-  }
+  std::string text() const { return printed("%016llx", static_cast<unsigned long long>(state_)); }
 
  private:
   std::uint64_t state_ = 0;

@@ -3,23 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 namespace contactscope::snapshot {
-
-std::string format(const char* pattern, int digits, double value) {
-  std::array<char, 512> text;
-  std::snprintf(text.data(), text.size(), pattern, digits, value);
-  return text.data();
-}
 
 namespace {
 
 /// `value` with `digits` significant digits, without an exponent if that is readable.
 std::string significant(double value, int digits) {
   const bool plain = std::abs(value) >= std::pow(10.0, digits) && std::abs(value) < 1e7;
-  const std::string text = plain ? format("%.*f", 0, value) : format("%.*g", digits, value);
+  const std::string text = plain ? printed("%.*f", 0, value) : printed("%.*g", digits, value);
   return text == "-0" ? "0" : text;
 }
 
@@ -27,7 +20,7 @@ std::string significant(double value, int digits) {
 int exponent(double positive) { return static_cast<int>(std::floor(std::log10(positive))); }
 
 std::string fixed(double value, int decimals) {
-  const std::string text = format("%.*f", decimals, value);
+  const std::string text = printed("%.*f", decimals, value);
   const bool zero = text.find_first_not_of("-0.") == std::string::npos;
   return zero && text.front() == '-' ? text.substr(1) : text;
 }
@@ -49,22 +42,10 @@ std::string spell_length(double metres) {
 }
 
 std::string spell_vector(const Vec3d& vector) {
-  std::string text;
-  for (const double component : {vector.x(), vector.y(), vector.z()}) {
-    text += text.empty() ? "(" : ", ";
-    text += significant(component, 3);
-  }
-  return text + ")";
+  return "(" + separated(vector, ", ", [](double one) { return significant(one, 3); }) + ")";
 }
 
-std::string spell_list(std::span<const int> numbers) {
-  std::string text;
-  for (const int number : numbers) {
-    if (!text.empty()) text += ' ';
-    text += std::to_string(number);
-  }
-  return text;
-}
+std::string spell_list(std::span<const int> numbers) { return separated(numbers, " "); }
 
 std::string spell_numbers(std::span<const int> numbers) {
   std::string text;
@@ -92,7 +73,7 @@ std::array<std::string, 2> spell_both(double expected, double actual) {
   }
   const bool large = std::max(std::abs(expected), std::abs(actual)) >= 1e15;
   if (decimals > kMaxDecimals || large) {
-    return {format("%.*g", 17, expected), format("%.*g", 17, actual)};
+    return {printed("%.*g", 17, expected), printed("%.*g", 17, actual)};
   }
   return {fixed(expected, decimals), fixed(actual, decimals)};
 }

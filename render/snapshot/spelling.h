@@ -4,13 +4,11 @@
 #include <span>
 #include <string>
 
+#include "core/spell.h"
 #include "core/vec3.h"
 
 /// Formats quantities for reports: suitable units, few digits.
 namespace contactscope::snapshot {
-
-/// As printf does; `digits` is for the star of the pattern, "%.*g".
-std::string format(const char* pattern, int digits, double value);
 
 /// "1.3 mm", "12.4 um", "1.25 m": three significant digits, no sign.
 std::string spell_length(double metres);

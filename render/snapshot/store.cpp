@@ -1,9 +1,7 @@
 #include "snapshot/store.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
-#include <cstdio>
 #include <fstream>
 #include <iterator>
 #include <set>
@@ -12,6 +10,7 @@
 #include <stdexcept>
 
 #include "core/input_file.h"
+#include "core/spell.h"
 #include "image/sha256.h"
 #include "image/whole_file.h"
 #include "snapshot/meshes.h"
@@ -47,11 +46,7 @@ std::string to_string(const PictureKey& key) {
   return text;
 }
 
-std::string frame_stem(int frame) {
-  std::array<char, 32> text;
-  std::snprintf(text.data(), text.size(), "frame_%04d", frame);
-  return text.data();
-}
+std::string frame_stem(int frame) { return printed("frame_%04d", frame); }
 
 fs::path scenario_folder(const fs::path& root, const std::string& scenario) {
   const std::size_t slash = scenario.find('/');

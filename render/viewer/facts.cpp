@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <limits>
 
 #include "core/at.h"
+#include "core/spell.h"
 #include "trace/find.h"
 #include "trace/json.h"
 
@@ -47,9 +47,7 @@ std::int32_t float_steps(double value) {
 /// Keeps seven digits of each number, so that floats become short texts.
 void shorten(ordered_json& json) {
   if (json.is_number_float()) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.7g", json.get<double>());
-    json = std::strtod(text.data(), nullptr);
+    json = std::strtod(printed("%.7g", json.get<double>()).c_str(), nullptr);
   } else if (json.is_structured()) {
     for (ordered_json& inner : json) shorten(inner);
   }

@@ -102,7 +102,7 @@ void request_help(std::vector<std::string>& arguments) {
   arguments.push_back("--help");
 }
 
-int run(int argc, char** argv) {
+ExitCode run(int argc, char** argv) {
   CLI::App program("Draws and checks contact manifolds of physics engines, without a display.",
                    "contactscope");
   program.require_subcommand(1);
@@ -122,19 +122,19 @@ int run(int argc, char** argv) {
     subcommand.footer(verb.footer);
     for (const Option* option : options_of(verb.name)) add(subcommand, *option, options);
   }
-  if (argc > 1 && argv[1] == std::string_view("--manual")) {
-    std::cout << manual(argc > 2 ? argv[2] : "", CONTACTSCOPE_VERSION);
-    flush_output();
-    return static_cast<int>(ExitCode::Same);
+  std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
+  const std::string first = arguments.empty() ? "" : arguments.front();
+  if (first == "--manual" || first == "--complete") {
+    std::cout << (first == "--manual" ? manual(argc > 2 ? argv[2] : "", CONTACTSCOPE_VERSION)
+                                      : completions({arguments.begin() + 1, arguments.end()}));
+    return ExitCode::Same;
   }
 
-  std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
   std::string format;  // keys, after the help of a verb
   if (arguments.size() == 2 && arguments[0] == "help") format = reference(arguments[1]);
   if (arguments.size() == 2 && arguments[1] == "scenario" && !format.empty()) {
     std::cout << format;
-    flush_output();
-    return static_cast<int>(ExitCode::Same);
+    return ExitCode::Same;
   }
   request_help(arguments);
   check_usage(arguments);
@@ -146,16 +146,13 @@ int run(int argc, char** argv) {
     if (error.get_exit_code() != 0) throw UsageError(error.what());
     program.exit(error);
     std::cout << format;
-    flush_output();
-    return static_cast<int>(ExitCode::Same);
+    return ExitCode::Same;
   }
   const CLI::App& chosen = *program.get_subcommands().front();
   read_texts(chosen, options);
   finish(options);
   options.given = given_options(chosen);
-  const ExitCode code = std::ranges::find(verbs(), chosen.get_name(), &Verb::name)->run(options);
-  flush_output();
-  return static_cast<int>(code);
+  return std::ranges::find(verbs(), chosen.get_name(), &Verb::name)->run(options);
 }
 
 /// Each picture allocates and frees some megabytes. Returning them to the kernel causes new page
@@ -176,7 +173,9 @@ int main(int argc, char** argv) {
   using contactscope::InputError;
   contactscope::app::keep_freed_memory();
   try {
-    return contactscope::app::run(argc, argv);
+    const contactscope::app::ExitCode code = contactscope::app::run(argc, argv);
+    contactscope::app::flush_output();
+    return static_cast<int>(code);
   } catch (const contactscope::app::Interrupted& interrupted) {
     std::cerr << "contactscope: " << interrupted.what() << '\n';
     return interrupted.exit_code();

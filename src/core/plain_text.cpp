@@ -1,7 +1,5 @@
 #include "core/plain_text.h"
-
-#include <array>
-#include <cstdio>
+#include "core/spell.h"
 
 namespace contactscope {
 namespace {
@@ -38,9 +36,7 @@ std::string not_plain(std::string_view text) {
     if (is_control(text, i)) {
       const auto code = static_cast<unsigned char>(text[i + length - 1]);
       if (code == 0) return "a NUL character";
-      std::array<char, 40> what{};
-      std::snprintf(what.data(), what.size(), "the control character U+%04X", code);
-      return what.data();
+      return printed("the control character U+%04X", code);
     }
     i += length;
   }
@@ -56,11 +52,8 @@ std::string printable(std::string_view text) {
       i += length;
       continue;
     }
-    for (const std::size_t end = i + (length > 0 ? length : 1); i < end; ++i) {
-      std::array<char, 8> byte{};
-      std::snprintf(byte.data(), byte.size(), "\\x%02x", static_cast<unsigned char>(text[i]));
-      shown += byte.data();
-    }
+    for (const std::size_t end = i + (length > 0 ? length : 1); i < end; ++i)
+      shown += printed("\\x%02x", static_cast<unsigned char>(text[i]));
   }
   return shown;
 }

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/at.h"
+#include "core/spell.h"
 #include "trace/find.h"
 
 namespace contactscope::find {
@@ -33,10 +34,8 @@ template <auto kOf, bool kGain = false> Value change_of(const M& m) {
 Value loss_of_points(const M& m) { return std::max(0.0, points_of(*m.before) - points_of(*m.now)); }
 
 std::string ids_of(const Pair& pair) {
-  std::string ids;
-  for (const trace::Point& point : joined(pair.manifolds, &Manifold::points))
-    ids += (ids.empty() ? "" : ", ") + point.id;
-  return ids;
+  const auto id_of = [](const trace::Point& point) { return point.id; };
+  return separated(joined(pair.manifolds, &Manifold::points), ", ", id_of);
 }
 
 /// A text of the first manifold; empty without one.

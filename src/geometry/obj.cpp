@@ -18,6 +18,7 @@
 #include "core/at.h"
 #include "core/input_error.h"
 #include "core/input_file.h"
+#include "core/spell.h"
 #include "geometry/triangulate.h"
 
 namespace contactscope {
@@ -242,8 +243,7 @@ ObjMesh load_obj_mesh(const std::string& path) {
     const std::vector<int>& face = contents.faces[i];
     if (face.size() < 3) {
       throw InputError(path, contents.lines[i], 1,
-                       "the face has " + std::to_string(face.size()) +
-                           (face.size() == 1 ? " vertex" : " vertices") +
+                       "the face has " + counted(face.size(), "vertex", "vertices") +
                            "; a face of a mesh has at least three");
     }
     const auto place = [&](int vertex) { return at(mesh.vertices, vertex); };

@@ -3,18 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "core/at.h"
+#include "core/spell.h"
 #include "lint/watch.h"
 
 namespace contactscope::lint {
 
-std::string metres(double length) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.3g", length);
-  return text.data();
-}
+std::string metres(double length) { return printed("%.3g", length); }
 
 std::string spelled(const Vec3d& vector) {
   return "[" + metres(vector.x()) + ", " + metres(vector.y()) + ", " + metres(vector.z()) + "]";

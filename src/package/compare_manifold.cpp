@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "core/at.h"
+#include "core/spell.h"
 #include "package/contactscope/snapshot.h"
 #include "package/facts.h"
 #include "snapshot/spelling.h"
@@ -59,8 +60,7 @@ Comparison compare_manifold(const Manifold& manifold, const Vec3& normal, double
     wrong.push_back("depth " + snapshot::spell_length(deep) + " instead of " +
                     snapshot::spell_length(depth));
   if (manifold.points.size() != points.size())
-    wrong.push_back(std::to_string(manifold.points.size()) +
-                    (manifold.points.size() == 1 ? " point" : " points") + " instead of " +
+    wrong.push_back(counted(manifold.points.size(), "point") + " instead of " +
                     std::to_string(points.size()));
   const auto places = [](const auto& list, const auto& place) {
     return mapped(list, [&](const auto& one) { return to_inside(place(one)); });
@@ -81,9 +81,7 @@ Comparison compare_manifold(const Manifold& manifold, const Vec3& normal, double
     if (!is_met[i]) wrong.push_back("no point at " + snapshot::spell_vector(expected[i]));
   for (std::size_t i = 0; i < is_used.size(); ++i)
     if (!is_used[i]) wrong.push_back("an extra point at " + snapshot::spell_vector(actual[i]));
-  Comparison found{wrong.empty()};
-  for (const std::string& one : wrong) found.message += (found.message.empty() ? "" : "; ") + one;
-  return found;
+  return {wrong.empty(), separated(wrong, "; ")};
 }
 
 }  // namespace contactscope::package

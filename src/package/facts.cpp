@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 #include <stdexcept>
 
 #include "core/at.h"
+#include "core/spell.h"
 #include "package/contactscope/version.h"
 #include "scenario/nearest_word.h"
 #include "scenario/run_facts.h"
@@ -18,9 +18,7 @@ namespace contactscope::package {
 namespace {
 
 std::string spelled(const Vec3& vector) {
-  std::array<char, 128> text;
-  std::snprintf(text.data(), text.size(), "(%.6g, %.6g, %.6g)", vector.x, vector.y, vector.z);
-  return text.data();
+  return printed("(%.6g, %.6g, %.6g)", vector.x, vector.y, vector.z);
 }
 
 }  // namespace
@@ -47,17 +45,12 @@ double separation_of(const std::vector<Manifold>& manifolds) {
 }
 
 std::string to_string(const Manifold& manifold) {
-  std::string text = "normal " + spelled(manifold.normal) + ", " +
-                     std::to_string(manifold.points.size()) +
-                     (manifold.points.size() == 1 ? " point" : " points");
-  const char* before = ": ";
-  for (const ContactPoint& point : manifold.points) {
-    std::array<char, 32> separation;
-    std::snprintf(separation.data(), separation.size(), " %.6g", point.separation);
-    text += before + spelled(point.position) + separation.data();
-    before = ", ";
-  }
-  return text;
+  std::string text =
+      "normal " + spelled(manifold.normal) + ", " + counted(manifold.points.size(), "point");
+  const auto spell = [](const ContactPoint& point) {
+    return spelled(point.position) + printed(" %.6g", point.separation);
+  };
+  return text + (manifold.points.empty() ? "" : ": ") + separated(manifold.points, ", ", spell);
 }
 
 Vec3d to_inside(const Vec3& vector) { return {vector.x, vector.y, vector.z}; }

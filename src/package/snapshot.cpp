@@ -5,6 +5,7 @@
 
 #include "core/at.h"
 #include "core/convex_polygon.h"
+#include "core/spell.h"
 #include "image/compare.h"
 #include "image/png.h"
 #include "package/facts.h"
@@ -108,12 +109,6 @@ bool is_set(const char* variable) {
   return snapshot::is_ci(std::getenv(variable));  // "1" or "true"
 }
 
-std::string joined(const std::vector<std::string>& sentences) {
-  std::string text;
-  for (const std::string& sentence : sentences) text += (text.empty() ? "" : "\n") + sentence;
-  return text;
-}
-
 /// The first frame that a sentence mentions, else the first frame.
 std::optional<std::size_t> recorded_frame(const std::string& name, const Facts& facts,
                                           const std::vector<std::string>& sentences) {
@@ -209,8 +204,8 @@ Comparison compare(Facts actual, const std::string& name, const SnapshotOptions&
   const std::vector<std::string> sentences =
       snapshot::compare_with_stored(*text, stored.string(), compared).sentences;
   if (sentences.empty()) return {true, {}};
-  if (update) return write(joined(sentences) + "\nrewrote " + file);
-  std::string message = joined(sentences);
+  if (update) return write(separated(sentences, "\n") + "\nrewrote " + file);
+  std::string message = separated(sentences, "\n");
   if (options.pictures)
     message += "\n" + pictures_of(name, expected, compared, sentences,
                                   given_or(options.out, "CONTACTSCOPE_OUT", "out"));

@@ -1,8 +1,8 @@
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "core/at.h"
+#include "core/spell.h"
 #include "manifold/pair_query.h"
 #include "scenario/readers.h"
 #include "scenario/run.h"
@@ -196,25 +196,12 @@ std::vector<Expectation> read_expectations(const Value& value, const Scenario& s
 namespace contactscope {
 namespace {
 
-/// Shortest decimal that round-trips to the same number.
-std::string spell(double value) {
-  char buffer[32];
-  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
-  return {buffer, end};
-}
-
-std::string spell(const Vec3d& v) {
-  return std::string("[") + spell(v.x()) + ", " + spell(v.y()) + ", " + spell(v.z()) + "]";
-}
+std::string spell(const Vec3d& v) { return "[" + separated(v, ", ", shortest) + "]"; }
 
 /// A computed number in six digits, or in all if six do not distinguish it from the expected one.
 std::string spell_got(double value, double expected) {
-  constexpr int kDigits = 6;
-  char buffer[32];
-  const auto end =
-      std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, kDigits).ptr;
-  const std::string text(buffer, end);
-  return text == spell(expected) && value != expected ? spell(value) : text;
+  const std::string text = printed("%.6g", value);
+  return text == shortest(expected) && value != expected ? shortest(value) : text;
 }
 
 std::string spell_got(const Vec3d& v, const Vec3d& expected) {
@@ -252,8 +239,7 @@ std::vector<Direction> directions_of(const trace::Pair& pair) {
 void add_count(const char* thing, const std::optional<int>& wanted, int got,
                std::vector<Unmet>& list) {
   if (!wanted || got == *wanted) return;
-  list.push_back({"expected " + std::to_string(*wanted) + " " + thing + (*wanted == 1 ? "" : "s"),
-                  std::to_string(got)});
+  list.push_back({"expected " + counted(*wanted, thing), std::to_string(got)});
 }
 
 /// Adds what is not as expected in the step after the frame.
@@ -265,7 +251,7 @@ void add_between_frames(const Expectation& expected, const trace::Pair& pair,
   if (expected.impact_time) {
     const double time = status == "hit" ? pair.impact->time : -1;
     if (!(std::abs(time - *expected.impact_time) <= expected.tolerance))
-      list.push_back({"expected an impact at " + spell(*expected.impact_time) + " of the step",
+      list.push_back({"expected an impact at " + shortest(*expected.impact_time) + " of the step",
                       status == "hit" ? spell_got(time, *expected.impact_time) : status});
   }
   add_count("ghost", expected.ghosts, pair.impact ? count_of(pair.impact->ghosts) : 0, list);
@@ -311,7 +297,7 @@ std::vector<Unmet> unmet(const Expectation& expected, const trace::Pair& pair, d
   const auto wants_normal = [&] { return "expected normal " + spell(*expected.normal); };
   if (expected.axis && directions.empty()) list.push_back({wants_axis(), "none"});
   if (expected.normal && directions.empty()) list.push_back({wants_normal(), "none"});
-  const std::string tolerance = " (tolerance " + spell(expected.tolerance);
+  const std::string tolerance = " (tolerance " + shortest(expected.tolerance);
   for (const auto& [axis, normal] : directions) {
     if (expected.axis && axis != *expected.axis) list.push_back({wants_axis(), axis});
     // Negated so that nan is never within the tolerance.
@@ -326,12 +312,12 @@ std::vector<Unmet> unmet(const Expectation& expected, const trace::Pair& pair, d
       list.push_back({"expected type " + *expected.type, manifold.type});
   if (expected.separation &&
       !(std::abs(pair.separation - *expected.separation) <= expected.tolerance))
-    list.push_back({"expected separation " + spell(*expected.separation) + " m",
+    list.push_back({"expected separation " + shortest(*expected.separation) + " m",
                     spell_got(pair.separation, *expected.separation) + " m" + tolerance + ")"});
   if (expected.load) {
     const double load = trace::impulse_of(pair) / dt;
     if (!(std::abs(load - *expected.load) <= expected.tolerance * *expected.load))
-      list.push_back({"expected load " + spell(*expected.load) + " N",
+      list.push_back({"expected load " + shortest(*expected.load) + " N",
                       spell_got(load, *expected.load) + " N" + tolerance + " of it)"});
   }
   return list;

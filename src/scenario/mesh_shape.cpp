@@ -1,3 +1,4 @@
+#include "core/spell.h"
 #include "geometry/mesh.h"
 #include "geometry/obj.h"
 #include "geometry/primitives.h"
@@ -11,9 +12,9 @@ constexpr std::size_t kMaxTriangles = 4'000'000;  // limit of a grid
 /// "triangle 3 has", "triangles 3, 5 and 9 more have"
 std::string some_triangles(const std::vector<int>& triangles) {
   constexpr std::size_t kMaxListed = 3;
+  const auto listed = std::span(triangles).first(std::min(triangles.size(), kMaxListed));
   std::string text = triangles.size() == 1 ? "triangle " : "triangles ";
-  for (std::size_t i = 0; i < std::min(triangles.size(), kMaxListed); ++i)
-    text += (i == 0 ? "" : ", ") + std::to_string(triangles[i]);
+  text += separated(listed, ", ");
   if (triangles.size() > kMaxListed)
     text += " and " + std::to_string(triangles.size() - kMaxListed) + " more";
   return text + (triangles.size() == 1 ? " has" : " have");

@@ -8,6 +8,7 @@
 #include "core/at.h"
 #include "core/input_error.h"
 #include "core/plain_text.h"
+#include "core/spell.h"
 
 namespace contactscope::scenario_file {
 namespace {
@@ -53,9 +54,8 @@ std::string on_one_line(std::string text) {
 /// "a string", "an array of two values", for messages.
 std::string describe(const toml::node& node) {
   if (const toml::array* array = node.as_array()) {
-    const std::size_t size = array->size();
-    if (size == 0) return "an empty array";
-    return "an array of " + std::to_string(size) + (size == 1 ? " value" : " values");
+    if (array->empty()) return "an empty array";
+    return "an array of " + counted(array->size(), "value");
   }
   if (node.is_table()) return "a table";
   if (node.is_string()) return "a string";

@@ -1,10 +1,10 @@
 #include "shrink/pair_of_two.h"
 
-#include <charconv>
 #include <cmath>
 #include <numbers>
 
 #include "core/at.h"
+#include "core/spell.h"
 
 namespace contactscope::shrink {
 namespace {
@@ -34,9 +34,7 @@ int digits_of(double number) {
 
 template <class List, class Spell>
 std::string spell_list(const List& list, const Spell& spell_one) {
-  std::string text;
-  for (const auto& one : list) text += (text.empty() ? "" : ", ") + spell_one(one);
-  return "[" + text + "]";
+  return "[" + separated(list, ", ", spell_one) + "]";
 }
 
 std::string spell_points(const std::vector<Vec3d>& points) {
@@ -113,9 +111,7 @@ int SmallShape::vertex_count() const {
 
 std::string spell(double number) {
   if (number == 0) return "0";
-  std::array<char, 32> text;
-  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), number);
-  std::string spelled(text.data(), end);
+  std::string spelled = shortest(number);
   // TOML integers have 64 bits and no exponent.
   if (std::abs(number) >= 1e18 && spelled.find_first_of(".e") == std::string::npos) spelled += ".0";
   return spelled;

@@ -2,21 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <numbers>
 #include <tuple>
 
 #include "core/at.h"
+#include "core/spell.h"
 
 namespace contactscope::shrink {
 namespace {
 
 /// Rounded to this many significant digits.
 double rounded(double number, int digits) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.*e", digits - 1, number);
-  return std::strtod(text, nullptr);
+  return std::strtod(printed("%.*e", digits - 1, number).c_str(), nullptr);
 }
 
 constexpr int kAllDigits = 17;

@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
-#include "core/at.h"
+#include "core/spell.h"
 
 namespace contactscope::record {
 namespace {
@@ -22,14 +21,6 @@ std::string in_unit(double value, int digits, const std::array<Unit, Count>& uni
   const auto found = std::ranges::find_if(units, fits);
   const Unit& unit = found == units.end() ? units.back() : *found;
   return number(value / unit.size, digits) + " " + unit.name;
-}
-
-std::string superscript(int exponent) {
-  constexpr std::array<const char*, 10> kDigits = {"⁰", "¹", "²", "³", "⁴",
-                                                   "⁵", "⁶", "⁷", "⁸", "⁹"};
-  std::string text = exponent < 0 ? "⁻" : "";
-  for (const char digit : std::to_string(std::abs(exponent))) text += at(kDigits, digit - '0');
-  return text;
 }
 
 }  // namespace
@@ -52,10 +43,7 @@ std::string number(double value, int digits) {
   // Rounding may add a digit: 9.96 is "10".
   if (std::round(size * std::pow(10, decimals)) >= std::pow(10, digits)) --decimals;
   const double unit = std::pow(10, -decimals);
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%.*f", std::max(decimals, 0),
-                std::round(size / unit) * unit);
-  std::string spelled = text.data();
+  std::string spelled = printed("%.*f", std::max(decimals, 0), std::round(size / unit) * unit);
   if (spelled.find('.') != std::string::npos) {
     spelled.erase(spelled.find_last_not_of('0') + 1);
     if (spelled.back() == '.') spelled.pop_back();
@@ -68,11 +56,7 @@ std::string percent(double share) {
   return number(100 * share * (1 + 1e-12)) + " %";
 }
 
-std::string count(double value) {
-  std::string digits = std::to_string(std::llround(value));
-  for (std::size_t i = digits.size(); i > 3; i -= 3) digits.insert(i - 3, ",");
-  return digits;
-}
+std::string count(double value) { return spell_count(std::llround(value)); }
 
 std::string length(double metres, int digits) {
   constexpr std::array<Unit, 5> kUnits = {
@@ -90,13 +74,6 @@ std::string power(double value) {
   const double factor = value / std::pow(10.0, exponent);
   if (exponent >= -3 && exponent < 4) return number(value);
   return (std::abs(factor - 1) < 0.05 ? "" : number(factor) + " × ") + "10" + superscript(exponent);
-}
-
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
-  return text;
 }
 
 }  // namespace contactscope::record

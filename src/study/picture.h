@@ -40,8 +40,6 @@ std::string length(double metres, int digits = 2);
 std::string duration(double nanoseconds, int digits = 2);
 /// "10⁻⁵", or "0.001" if that is as short.
 std::string power(double value);
-/// "spheres, boxes and rods".
-std::string listed(const std::vector<std::string>& names);
 
 }  // namespace record
 }  // namespace contactscope

@@ -12,10 +12,13 @@ constexpr const char* kScalars[] = {"float", "double"};
 
 /// An empty line for each sweep, kind and scalar, in this order.
 std::vector<SoakLine> empty_lines() {
+  std::map<std::string, std::int64_t> faults;
+  for (std::size_t i = 1; i < kContactFaults.size(); ++i) faults[kContactFaults[i]] = 0;
   std::vector<SoakLine> lines;
   for (const LimitSweep& sweep : limit_sweeps())
     for (const PairKind& kind : sweep.kinds)
-      for (const char* scalar : kScalars) lines.push_back({sweep.name, to_string(kind), scalar});
+      for (const char* scalar : kScalars)
+        lines.push_back({sweep.name, to_string(kind), scalar, 0, faults});
   return lines;
 }
 
@@ -50,8 +53,10 @@ void keep_worst(SoakLine& line, double ulps, std::int64_t number) {
 
 void count(SoakLine& line, const PairVerdict& verdict, std::int64_t number) {
   ++line.pairs;
-  ++line.faults[static_cast<std::size_t>(verdict.fault)];
-  if (verdict.fault != ContactFault::None) return;
+  if (verdict.fault != ContactFault::None) {
+    ++line.faults[kContactFaults[static_cast<std::size_t>(verdict.fault)]];
+    return;
+  }
   if (verdict.ulps == 0) {
     ++line.exact;
     return;
@@ -74,8 +79,7 @@ void keep_first(std::vector<SoakFailure>& failures) {
 
 std::int64_t SoakLine::wrong() const {
   std::int64_t sum = 0;
-  for (std::size_t i = 0; i < faults.size(); ++i)
-    sum += is_wrong(static_cast<ContactFault>(i)) ? faults[i] : 0;
+  for (const auto& [fault, count] : faults) sum += fault == "drowned" ? 0 : count;
   return sum;
 }
 
@@ -125,7 +129,7 @@ Soak soak_pairs(std::uint64_t seed, std::int64_t cases, std::int64_t first, std:
 void SoakLine::add(const SoakLine& more) {
   pairs += more.pairs;
   exact += more.exact;
-  for (std::size_t fault = 0; fault < faults.size(); ++fault) faults[fault] += more.faults[fault];
+  for (const auto& [fault, count] : more.faults) faults[fault] += count;
   for (const auto& [exponent, number] : more.errors) errors[exponent] += number;
   keep_worst(*this, more.worst_ulps, more.worst_case);
 }

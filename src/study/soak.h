@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "study/limits_study.h"
+#include "trace/field.h"
 
 /// The study of numerical limits for as many pairs as time allows: random positions on its sweeps,
 /// in float and double, each tested by the oracle and not stored. Results are integers, maxima and
@@ -30,7 +31,7 @@ struct SoakLine {
   std::string pair;    // "capsule on box"
   std::string scalar;  // "float", "double"
   std::int64_t pairs = 0;
-  std::array<std::int64_t, kContactFaults.size()> faults{};  // by ContactFault
+  std::map<std::string, std::int64_t> faults{};  // by name
   // Without faults:
   double worst_ulps = 0;                 // largest error, in ulps of the pair's coordinates
   std::int64_t worst_case = -1;          // the first with that error; -1: all are exact
@@ -39,6 +40,15 @@ struct SoakLine {
 
   std::int64_t wrong() const;
   void add(const SoakLine& more);
+
+  static constexpr auto fields() {
+    using L = SoakLine;
+    constexpr auto fact = trace::field::fact;
+    return trace::field::list(
+        fact("sweep", &L::sweep), fact("pair", &L::pair), fact("scalar", &L::scalar),
+        fact("pairs", &L::pairs), fact("faults", &L::faults), fact("worst_ulps", &L::worst_ulps),
+        fact("worst_case", &L::worst_case), fact("exact", &L::exact), fact("errors", &L::errors));
+  }
 };
 
 /// A wrong result, to be examined later.
@@ -47,6 +57,14 @@ struct SoakFailure {
   std::string sweep, pair, scalar, fault;
   double value = 0;  // of the sweep's parameter
   double ulps = 0;   // its error
+
+  static constexpr auto fields() {
+    using F = SoakFailure;
+    using namespace trace::field;
+    return list(exact("case", &F::number), exact("sweep", &F::sweep), exact("pair", &F::pair),
+                exact("scalar", &F::scalar), exact("fault", &F::fault), exact("value", &F::value),
+                exact("ulps", &F::ulps));
+  }
 };
 
 struct Soak {
@@ -56,6 +74,13 @@ struct Soak {
   std::vector<SoakFailure> failures{};  // the first kSoakFailures, by number and scalar
 
   std::int64_t wrong() const;
+
+  static constexpr auto fields() {
+    using namespace trace::field;
+    return list(exact("seed", &Soak::seed), exact("cases", &Soak::cases),
+                exact("wrong", &Soak::wrong), exact("lines", &Soak::lines),
+                exact("failures", &Soak::failures));
+  }
 };
 inline constexpr std::size_t kSoakFailures = 20;
 

@@ -1,4 +1,5 @@
 #include "view/title.h"
+#include "core/spell.h"
 
 #include <algorithm>
 #include <charconv>
@@ -14,11 +15,7 @@ std::string trimmed(std::string_view text) {
   return std::string(text.substr(first, text.find_last_not_of(' ') - first + 1));
 }
 
-std::string known_facts() {
-  std::string all;
-  for (const std::string_view name : kTitleFactNames) (all += all.empty() ? "" : ", ").append(name);
-  return all;
-}
+std::string known_facts() { return separated(kTitleFactNames, ", "); }
 
 /// Parses the text between braces. Returns an error message, or an empty string.
 std::string read_placeholder(std::string_view text, TitlePiece& piece) {

@@ -120,6 +120,23 @@ TEST(CommandLine, UsageErrorsNameTheRemedy) {
   EXPECT_THAT(run("trace nowhere").err, HasSubstr("list scenarios"));
 }
 
+TEST(CommandLine, CompletionsAreWordsOfTheTable) {
+  using testing::EndsWith;
+  const auto lines = [](const std::string& words) { return run("--complete " + words).out; };
+  EXPECT_THAT(lines("ren"), HasSubstr("render\tWrite pictures"));
+  EXPECT_EQ(lines("--manual ''"), "man\nbash\nzsh\nfish\n");
+  EXPECT_THAT(lines("render --red"), HasSubstr("\n--reducer\t"));
+  EXPECT_THAT(lines("render --reducer ''"), HasSubstr("\noptimal_deepest\n"));
+  EXPECT_THAT(lines("render --layers shapes,cont"), HasSubstr("\nshapes,contacts\n"));
+  EXPECT_THAT(lines("render --layers ''"), EndsWith("\n:nospace\n"));
+  EXPECT_THAT(lines("render --panels=summ"), HasSubstr("--panels=summary\n"));
+  EXPECT_THAT(lines("render --panels = summ"), HasSubstr("\nsummary\n")) << "words of bash";
+  EXPECT_THAT(lines("trace ''"), HasSubstr("\nhull/face_contact\n"));
+  EXPECT_THAT(lines("trace ''"), EndsWith("\n:files\n"));
+  EXPECT_EQ(lines("merge ''"), ":folders\n");
+  EXPECT_THAT(lines("study ''"), HasSubstr("tunnelling\n"));
+}
+
 TEST(CommandLine, MisspeltWordsAreNamedWithTheNearest) {
   EXPECT_THAT(run("rendr my.toml").err, HasSubstr("'rendr' is not a verb; did you mean 'render'?"));
   EXPECT_THAT(run("--quiet render").err, HasSubstr("is before the verb"));

@@ -7,6 +7,7 @@
 #include "app/program.h"
 #include "image/png.h"
 #include "image/sha256.h"
+#include "support/png_text.h"
 
 // `render --format`: the files that it writes, and their metadata.
 namespace contactscope::test {
@@ -93,7 +94,7 @@ TEST_F(Formats, AFileOfOneFrameHasItsName) {
 
 TEST_F(Formats, APngContainsTheCommandThatMadeIt) {
   ASSERT_EQ(render("--layers shapes,contacts --frames 1 --quiet --jobs 1").exit_code, 0);
-  const PngText said = read_png_text(folder_ / "out/group/idea/frame_0001.png");
+  const PngText said = texts_of_png(folder_ / "out/group/idea/frame_0001.png");
   const std::map<std::string, std::string> all(said.begin(), said.end());
   EXPECT_THAT(all.at("Software"), StartsWith("contactscope "));
   EXPECT_EQ(all.at("Scenario"), "group/idea");
@@ -161,7 +162,7 @@ TEST_F(Formats, AStripIsOnePictureInEachFormat) {
   const Image image = read_png(folder_ / "out/hull/clip_step_by_step/strip.png");
   EXPECT_EQ(image.width, 640);
   EXPECT_EQ(image.height, 480);
-  const PngText said = read_png_text(folder_ / "out/hull/clip_step_by_step/strip.png");
+  const PngText said = texts_of_png(folder_ / "out/hull/clip_step_by_step/strip.png");
   EXPECT_THAT(said, testing::Contains(std::pair<std::string, std::string>("Frames", "0, 2, 3, 5")));
 }
 

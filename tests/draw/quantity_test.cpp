@@ -5,15 +5,6 @@
 namespace contactscope::draw {
 namespace {
 
-TEST(SpellCount, GroupsDigitsByThree) {
-  EXPECT_EQ(spell_count(0), "0");
-  EXPECT_EQ(spell_count(999), "999");
-  EXPECT_EQ(spell_count(1000), "1,000");
-  EXPECT_EQ(spell_count(1234567), "1,234,567");
-  EXPECT_EQ(spell_count(-100), "−100");
-  EXPECT_EQ(spell_count(-123456), "−123,456");
-}
-
 TEST(SpellLength, PicksTheUnitThatFits) {
   EXPECT_EQ(spell_length(-0.005), "−5.00 mm");
   EXPECT_EQ(spell_length(0.25), "0.250 m");

@@ -20,6 +20,12 @@ grep -o '](\(src\|render\|scenarios\|snapshots\|tests\)[^)]*\.\(md\|png\)' "$doc
   while read -r link; do
     test -s "$documents/$link" || { echo "README.md links to $link, which is not installed"; exit 1; }
   done
+if command -v zsh >/dev/null; then zsh -fn "$tree/share/zsh/site-functions/_contactscope"; fi
+if command -v fish >/dev/null; then
+  found=$(PATH=$tree/bin:$PATH fish --no-config -c 'source $argv[1]; complete -C "contactscope study tu"' \
+    "$tree/share/fish/vendor_completions.d/contactscope.fish")
+  test "$found" = tunnelling || { echo "fish completes tu to $found"; exit 1; }
+fi
 if ! command -v bash >/dev/null; then exit 0; fi
 PATH=$tree/bin:$PATH bash -eu -c '
   source "$1"

@@ -88,7 +88,7 @@ TEST_F(Check, AMovedDotFailsWithItsNumbersAndTheLimits) {
   EXPECT_TRUE(finding.fails());
   EXPECT_EQ(finding.key(), "hull/face_contact/frame_0012");
   ASSERT_TRUE(finding.pixels.has_value());
-  EXPECT_GT(finding.pixels->found.differing, 8);
+  EXPECT_GT(finding.pixels->differing, 8);
   EXPECT_THAT(finding.details, Contains("allowed: 100 pixels, fewer than 8 of them together, "
                                         "and a channel by 2"));
   EXPECT_EQ(finding.stored_sha256, sha256_of_file(picture()));

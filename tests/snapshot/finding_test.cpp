@@ -21,7 +21,7 @@ Finding picture(const std::string& scenario, const std::string& cause, int diffe
   Finding finding{FindingKind::Changed, scenario, "", 0, scenario + "/frame_0000.png"};
   finding.cause = cause;
   finding.pixels = PixelMeasures{};
-  finding.pixels->found.differing = differing;
+  finding.pixels->differing = differing;
   return finding;
 }
 

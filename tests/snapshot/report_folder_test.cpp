@@ -86,8 +86,8 @@ TEST_F(ReportFiles, FindingsReadBack) {
   const Outcome written = report(dot_picture(82, 45));
   const Outcome read = read_outcome(folder());
   EXPECT_EQ(to_json(read), to_json(written));
-  EXPECT_EQ(read.scenarios[0].findings[0].pixels->found.differing,
-            written.scenarios[0].findings[0].pixels->found.differing);
+  EXPECT_EQ(read.scenarios[0].findings[0].pixels->differing,
+            written.scenarios[0].findings[0].pixels->differing);
   EXPECT_THROW(read_outcome(out_.path()), InputError);
   EXPECT_THROW(parse_outcome("{}", "findings.json"), InputError);
 }

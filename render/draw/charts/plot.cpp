@@ -63,22 +63,19 @@ std::vector<std::pair<float, std::string>> counts_of(const Axis& axis, float roo
 
 /// "CPU · compiler · build · date", optionally with the scalar.
 std::string spell_context(const trace::StudyContext& context, bool with_scalar) {
-  std::string line;
-  for (const std::string& part : {context.cpu, context.compiler, context.build_type,
-                                  with_scalar ? context.scalar : "", context.date.substr(0, 10)}) {
-    if (!part.empty()) line += (line.empty() ? "" : " · ") + part;
-  }
-  return line;
+  std::vector<std::string> parts = {context.cpu, context.compiler, context.build_type,
+                                    with_scalar ? context.scalar : "", context.date.substr(0, 10)};
+  std::erase(parts, "");
+  return separated(parts, " · ");
 }
 
 std::string subtitle(const trace::Study& study) {
   if (!study.shown.empty()) return study.shown;
   std::set<double> parameters;
   for (const trace::StudyPoint& point : points_of(study)) parameters.insert(point.parameter);
-  std::string along;
-  for (const double parameter : parameters)
-    along += (along.empty() ? "" : ", ") + spell_number(parameter);
-  along = "Along a line: " + along + " " + study.parameter + ". Strong: at half ";
+  const auto spell = [](double parameter) { return spell_number(parameter); };
+  const std::string along = "Along a line: " + separated(parameters, ", ", spell) + " " +
+                            study.parameter + ". Strong: at half ";
   if (!trace::has_panels(study))
     return along + "of these or more, nothing else is both as fast and as close.";
   // Panels have their own headings, so the error is named here.

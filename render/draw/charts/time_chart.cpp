@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "core/at.h"
 #include "draw/charts/curve_labels.h"
@@ -16,11 +15,7 @@ namespace {
 constexpr double kNameRow = 24;  // above the lines
 constexpr double kTicksLeft = 46;
 constexpr double kTicksBelow = 38;  // including the axis' name
-constexpr double kLabelGap = 16;    // between the end of a line and its name
-constexpr double kLabelRow = 17;
-constexpr double kOnePlace = 14;         // ends within this distance look like one
-constexpr std::size_t kMinTogether = 4;  // lines
-constexpr double kFarOut = 5;            // times the others' reach: the axis leaves the line out
+constexpr double kFarOut = 5;       // times the others' reach: the axis leaves the line out
 
 struct Range {
   double low = 0, high = 0;
@@ -71,45 +66,30 @@ std::vector<double> round_ticks(double low, double high, int most) {
   return ticks;
 }
 
-/// Moves label rows so that none overlap.
-std::vector<float> spread_out(std::vector<float> wanted, float row, float top, float bottom) {
-  std::vector<std::size_t> order(wanted.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return wanted[i]; });
-  // Move crowded rows down, then back up from the bottom.
-  float least = top;
-  for (const std::size_t i : order) least = (wanted[i] = std::max(wanted[i], least)) + row;
-  float most = bottom;
-  for (auto i = order.rbegin(); i != order.rend(); ++i)
-    most = (wanted[*i] = std::min(wanted[*i], most)) - row;
-  return wanted;
-}
-
 struct ChartOverTime : Pen {
   const TimeChart& chart;
   const Rect& rect;
 
   Range range = shown_range(chart.lines);
-  std::vector<std::string> labels = labels_of();
+  std::vector<NamedLine> names = mapped(chart.lines, [&](const auto& one) { return named(one); });
   Rect area = area_of();
   Axis x = time_axis();
   Axis y = value_axis();
 
-  std::vector<std::string> labels_of() const {
-    return mapped(chart.lines, [&](const TimeLine& line) {
-      const Range own = range_of(line);
-      if (own.is_in(range)) return line.name;
+  /// The name of a line, without its points. A marked line is named at its mark.
+  NamedLine named(const TimeLine& line) const {
+    const Range own = range_of(line);
+    std::string name = line.marked ? "" : line.name;
+    if (!name.empty() && !own.is_in(range)) {
       const double far = own.high - range.high > range.low - own.low ? own.high : own.low;
-      return line.name + ", to " + spell_quantity(far, chart.unit, 2);
-    });
+      name += ", to " + spell_quantity(far, chart.unit, 2);
+    }
+    return {name, style_of(line).text, line.quiet, {}};
   }
 
   Rect area_of() const {
-    float widest = 0;
-    for (const std::string& label : labels)
-      widest = std::max(widest, width_of(label, Weight::Bold));
     const double left = rect.x + px(kTicksLeft), top = rect.y + px(kNameRow);
-    return {left, top, rect.right() - left - widest - px(kLabelGap + 2),
+    return {left, top, rect.right() - left - side_room(names, *this),
             rect.bottom() - px(kTicksBelow) - top};
   }
 
@@ -133,8 +113,7 @@ struct ChartOverTime : Pen {
     for (const bool quiet : {true, false})
       for (std::size_t i = chart.lines.size(); i-- > 0;)
         if (chart.lines[i].quiet == quiet) draw_line(chart.lines[i]);
-    draw_early_labels();
-    draw_labels();
+    draw_names();
   }
 
   void draw_ticks() const {
@@ -180,109 +159,15 @@ struct ChartOverTime : Pen {
     if (one.breaks_off && !points.empty()) cross(points.back(), 5, 2.4, style.color);
   }
 
-  Point2 end_of(std::size_t i) const {
-    return place(chart.lines[i], chart.lines[i].values.size() - 1);
-  }
-
-  bool ends_early(std::size_t i) const {
-    return end_of(i).x < static_cast<float>(area.right()) - px(2);
-  }
-
-  bool is_named_inside(std::size_t i) const {
-    return ends_early(i) || chart.lines[i].marked.has_value();
-  }
-
-  /// Lines that end early are named at their end, marked ones at their mark.
-  void draw_early_labels() const {
-    std::vector<NamedLine> lines;
-    for (std::size_t i = 0; i < chart.lines.size(); ++i) {
-      const TimeLine& one = chart.lines[i];
-      NamedLine& line = lines.emplace_back(NamedLine{labels[i], style_of(one).text, one.quiet, {}});
-      for (std::size_t k = 0; k < one.values.size(); ++k) line.points.push_back(place(one, k));
-      if (one.marked) line.marks.push_back({place(one, *one.marked), one.name + " " + one.mark});
-    }
-    std::vector<const NamedLine*> named;
-    std::vector<std::vector<Point2>> anchors;
+  void draw_names() const {
+    std::vector<NamedLine> lines = names;
     for (std::size_t i = 0; i < lines.size(); ++i) {
-      if (lines[i].points.empty() || !ends_early(i) || chart.lines[i].marked) continue;
-      named.push_back(&lines[i]);
-      const std::vector<Point2>& points = lines[i].points;
-      anchors.push_back(
-          {points.back(), points[points.size() * 9 / 10], points[points.size() * 3 / 4]});
+      const TimeLine& one = chart.lines[i];
+      for (std::size_t k = 0; k < one.values.size(); ++k) lines[i].points.push_back(place(one, k));
+      if (one.marked)
+        lines[i].marks.push_back({place(one, *one.marked), one.name + " " + one.mark});
     }
-    name_near(named, anchors, lines, area, *this);
-  }
-
-  /// Lines by their end. Those that end within a row of each other form a group.
-  std::vector<std::vector<std::size_t>> crowds() const {
-    std::vector<std::size_t> order;
-    for (std::size_t i = 0; i < chart.lines.size(); ++i)
-      if (!chart.lines[i].values.empty()) order.push_back(i);
-    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return end_of(i).y; });
-    std::vector<std::vector<std::size_t>> groups;
-    for (const std::size_t i : order) {
-      const bool is_near = !groups.empty() && end_of(i).x == end_of(groups.back().front()).x &&
-                           end_of(i).y - end_of(groups.back().front()).y < px(kOnePlace);
-      if (is_near)
-        groups.back().push_back(i);
-      else
-        groups.push_back({i});
-    }
-    return groups;
-  }
-
-  std::string all_of(std::size_t count) const {
-    return count == chart.lines.size() ? "all " + std::to_string(count)
-                                       : "the " + std::to_string(count) + " others";
-  }
-
-  /// Many lines that end at one place cannot be distinguished there and get a single label. Quiet
-  /// lines look alike anyway: each has its name, and they share a bracket and a leader.
-  void draw_labels() const {
-    std::vector<std::size_t> which;
-    std::vector<float> wanted;
-    std::vector<std::size_t> how_many;
-    std::vector<std::pair<std::size_t, std::size_t>> brackets;  // first and last label of each
-    for (const std::vector<std::size_t>& crowd : crowds()) {
-      const bool is_quiet =
-          std::ranges::all_of(crowd, [&](std::size_t i) { return chart.lines[i].quiet; });
-      const bool is_large = crowd.size() >= kMinTogether;
-      const bool together = is_large && !is_quiet;
-      const std::size_t begin = which.size();
-      for (const std::size_t i : crowd) {
-        if (together && i != crowd[crowd.size() / 2]) continue;
-        if (is_named_inside(i)) continue;
-        which.push_back(i);
-        wanted.push_back(end_of(i).y);
-        how_many.push_back(together ? crowd.size() : 1);
-      }
-      if (is_large && is_quiet && which.size() > begin)
-        brackets.emplace_back(begin, which.size() - 1);
-    }
-    const float row = px(kLabelRow);
-    const auto top = static_cast<float>(area.y) + 0.4f * row;
-    const auto bottom = static_cast<float>(area.bottom()) + px(kTicksBelow - 12);
-    const std::vector<float> heights = spread_out(wanted, row, top, bottom);
-    const auto left = static_cast<float>(area.right()) + px(kLabelGap);
-    for (const auto& [first, last] : brackets) {
-      const float before = left - px(5);
-      line({before, heights[first] - px(6)}, {before, heights[last] + px(6)}, 1.2, kQuietText);
-      line(end_of(which[first]), {before, heights[first]}, 1, kQuietText);
-    }
-    for (std::size_t k = 0; k < which.size(); ++k) {
-      const TimeLine& one = chart.lines[which[k]];
-      const MethodStyle style = style_of(one);
-      const Point2 end = place(one, one.values.size() - 1);
-      const bool is_bracketed = std::ranges::any_of(
-          brackets, [&](const auto& bracket) { return bracket.first <= k && k <= bracket.second; });
-      if (how_many[k] > 1) {
-        line(end, {left - px(3), heights[k]}, 1, kText);
-        text(all_of(how_many[k]), {left, heights[k] + px(5)}, Align::Left, kText, Weight::Bold);
-        continue;
-      }
-      if (!is_bracketed) line(end, {left - px(3), heights[k]}, 1, style.text);
-      text(labels[which[k]], {left, heights[k] + px(5)}, Align::Left, style.text, Weight::Bold);
-    }
+    name_at_side(lines, area, *this);
   }
 };
 

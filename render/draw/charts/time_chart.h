@@ -29,9 +29,9 @@ struct TimeChart {
 };
 
 /// Draws a chart into `rect`, with its name above, ticks to the left and below, and names of lines
-/// to the right. A line that ends early is named there, and a marked one at its mark. Several lines
-/// that end at one place are named together, unless they are quiet. A line that reaches more than
-/// five times as far as the others leaves the axis, and its name contains its largest value.
+/// to the right. A line that ends early is named there, and a marked one at its mark. A line that
+/// reaches more than five times as far as the others leaves the axis, and its name contains its
+/// largest value.
 void draw_time_chart(const TimeChart& chart, const Rect& rect, const Pen& pen);
 
 /// A page of several runs: a result, charts side by side if any, and below them room for pictures.

@@ -55,9 +55,7 @@ void draw_simplex_points(const Scene& scene, const trace::Pair& pair, Sketch& sk
     for (std::size_t i = 0; i < points.size(); ++i) {
       for (std::size_t j = i + 1; j < points.size(); ++j)
         sketch.line(points[i].at, points[j].at, {2.5f, color, !of_a});  // dashed on B
-      std::string text;
-      for (const int number : points[i].numbers)
-        text += (text.empty() ? "" : ", ") + std::to_string(number);
+      const std::string text = separated(points[i].numbers, ", ");
       sketch.mark(MarkKind::Dot, points[i].at, color);
       sketch.label(points[i].at, text, color, 15, 10).badge = Badge::Support;
     }

@@ -121,9 +121,8 @@ class PlotsPanel : public PanelContent {
     const bool same_points = std::ranges::all_of(points.curves, is_constant);
     const View& view = staging_.view;
     if (same_points && !points.curves.empty() && frames_.size() > 1 && view.shows(Chart::Points)) {
-      std::string counts;
-      for (const std::vector<double>& curve : points.curves)
-        counts += (counts.empty() ? "" : ", ") + spell_number(curve.front());
+      const auto count = [](const auto& curve) { return spell_number(curve.front()); };
+      const std::string counts = separated(points.curves, ", ", count);
       constants_.push_back("contact points: " + counts + " in every frame");
     }
     if (ids_->row_count() > 0 && ids_->is_constant() && frames_.size() > 1 &&

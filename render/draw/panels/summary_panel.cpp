@@ -21,9 +21,7 @@ std::string types_of(const trace::Pair& pair) {
   for (const trace::Manifold& manifold : pair.manifolds) {
     if (std::ranges::find(types, manifold.type) == types.end()) types.push_back(manifold.type);
   }
-  std::string text;
-  for (const std::string& type : types) text += (text.empty() ? "" : ", ") + spell_features(type);
-  return text;
+  return separated(types, ", ", spell_features);
 }
 
 // "hull and hull" for "hull-hull".

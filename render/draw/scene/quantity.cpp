@@ -31,15 +31,6 @@ std::string spelled(double value, int digits, const std::string& unit) {
 
 }  // namespace
 
-std::string superscript(int exponent) {
-  constexpr std::array<const char*, 10> kDigits = {"⁰", "¹", "²", "³", "⁴",
-                                                   "⁵", "⁶", "⁷", "⁸", "⁹"};
-  std::string text = exponent < 0 ? "⁻" : "";
-  for (const char digit : std::to_string(std::abs(exponent)))
-    text += kDigits[static_cast<std::size_t>(digit - '0')];
-  return text;
-}
-
 std::string spell_number(double value, int digits) {
   constexpr double kMinPlain = 1e-3;  // smaller ones would have zeros to count
   const bool small = value != 0 && std::abs(value) < kMinPlain * (1 - 1e-9);
@@ -54,17 +45,6 @@ std::string spell_number(double value, int digits) {
     if (text.back() == '.') text.pop_back();
   }
   return text + " × 10" + superscript(exponent);
-}
-
-std::string spell_count(std::int64_t count) {
-  std::string text = std::to_string(count);
-  const std::size_t first_digit = count < 0 ? 1 : 0;
-  for (std::size_t i = text.size(); i > first_digit + 3;) text.insert(i -= 3, ",");
-  return count < 0 ? with_minus_sign(text) : text;
-}
-
-std::string counted(std::size_t count, const char* one, const char* many) {
-  return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
 LengthUnit length_unit(double largest) {

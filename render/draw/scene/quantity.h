@@ -1,32 +1,15 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <cstdio>
 #include <optional>
 #include <string>
 
-namespace contactscope::draw {
+#include "core/spell.h"
 
-/// Formats like std::printf; at most 95 characters.
-template <class... Values> std::string printed(const char* format, Values... values) {
-  std::array<char, 96> text{};
-  std::snprintf(text.data(), text.size(), format, values...);
-  return text.data();
-}
+namespace contactscope::draw {
 
 /// A plain number with at most `digits` significant digits and a real minus sign. Very large and
 /// very small numbers get a power of ten: "6.7 × 10⁻⁴".
 std::string spell_number(double value, int digits = 4);
-
-/// "⁻⁴", for a power of ten.
-std::string superscript(int exponent);
-
-/// A whole number in groups of three digits: "11,175".
-std::string spell_count(std::int64_t count);
-
-/// "1 pair", "2 pairs".
-std::string counted(std::size_t count, const char* one, const char* many);
 
 /// A unit prefix in powers of a thousand, from nano to giga.
 struct Prefix {

@@ -19,6 +19,7 @@
 #include "app/render/renderer.h"
 #include "core/at.h"
 #include "core/input_error.h"
+#include "core/spell.h"
 #include "draw/staging.h"
 #include "image/sha256.h"
 #include "scenario/run.h"
@@ -55,8 +56,7 @@ void explain(Finding& picture, const Explanation& facts) {
     picture.sentence += "; " + why;
   };
   if (contains(facts.trace->frames, *picture.frame)) {
-    std::string layers;
-    for (const std::string& layer : picture.layers) layers += (layers.empty() ? "" : ", ") + layer;
+    const std::string layers = separated(picture.layers, ", ");
     return follow("its facts changed" + (layers.empty() ? "" : ", and with them " + layers));
   }
   if (facts.trace->is_setup || facts.trace->is_words)

@@ -5,19 +5,18 @@
 
 #include <algorithm>
 #include <cstring>
-#include <nlohmann/json.hpp>
 
 #include "core/at.h"
 #include "core/workers.h"
 #include "image/sha256.h"
 #include "snapshot/meshes.h"
 #include "snapshot/store.h"
+#include "trace/listed_json.h"
 
 namespace contactscope::app {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 /// Adds files that a scenario names: any quoted string that is a file relative to its folder.
 void add_named_files(const std::string& text, const fs::path& folder, std::string& all) {
@@ -89,47 +88,32 @@ std::string program_id() {
 }
 
 KnownSame::KnownSame(const fs::path& folder, std::string surroundings)
-    : surroundings_(std::move(surroundings)) {
+    : file_{std::move(surroundings)} {
   const std::optional<std::string> text = snapshot::read_text_file(folder / "known_same.json");
   if (!text) return;
-  const Json json = Json::parse(*text, nullptr, false);
-  if (json.is_discarded() || json.value("surroundings", "") != surroundings_) return;
-  for (const auto& [name, entry] : json.at("scenarios").items())
-    entries_[name] = {entry.at("content"), entry.at("frames"), entry.at("pictures"),
-                      entry.at("notes").get<std::vector<std::string>>(),
-                      entry.at("brittle").get<std::vector<std::string>>()};
+  const trace::Json json = trace::Json::parse(*text, nullptr, false);
+  if (!json.is_discarded() && json.value("surroundings", "") == file_.surroundings)
+    trace::read_json(json, file_);
 }
 
 std::optional<snapshot::ScenarioOutcome> KnownSame::find(const std::string& scenario,
                                                          const std::string& content) const {
-  const auto found = entries_.find(scenario);
-  if (found == entries_.end() || found->second.content != content) return {};
-  snapshot::ScenarioOutcome outcome{scenario};
-  outcome.frames = found->second.frames;
-  outcome.pictures = found->second.pictures;
-  outcome.notes = found->second.notes;
-  outcome.brittle = found->second.brittle;
+  const auto found = file_.scenarios.find(scenario);
+  if (found == file_.scenarios.end() || found->second.content != content) return {};
+  snapshot::ScenarioOutcome outcome = found->second.outcome;
   outcome.is_known_same = true;
   return outcome;
 }
 
 void KnownSame::add(const snapshot::ScenarioOutcome& outcome, const std::string& content) {
   if (!outcome.findings.empty() || outcome.written > 0)
-    entries_.erase(outcome.scenario);
+    file_.scenarios.erase(outcome.scenario);
   else
-    entries_[outcome.scenario] = {content, outcome.frames, outcome.pictures, outcome.notes,
-                                  outcome.brittle};
+    file_.scenarios[outcome.scenario] = {content, outcome};
 }
 
 std::string KnownSame::text() const {
-  Json json{{"surroundings", surroundings_}, {"scenarios", Json::object()}};
-  for (const auto& [name, entry] : entries_)
-    json["scenarios"][name] = {{"content", entry.content},
-                               {"frames", entry.frames},
-                               {"pictures", entry.pictures},
-                               {"notes", entry.notes},
-                               {"brittle", entry.brittle}};
-  return json.dump(1) + "\n";
+  return trace::written("known_same.json", file_).dump(1) + "\n";
 }
 
 std::vector<std::string> contents_of(const std::vector<Input>& inputs, const fs::path& snapshots) {

@@ -30,11 +30,23 @@ class KnownSame {
  private:
   struct Entry {
     std::string content;
-    int frames = 0, pictures = 0;
-    std::vector<std::string> notes{}, brittle{};
+    snapshot::ScenarioOutcome outcome;
+
+    static constexpr auto fields() {
+      using namespace trace::field;
+      return list(exact("content", &Entry::content), merged(&Entry::outcome));
+    }
   };
-  std::string surroundings_;
-  std::map<std::string, Entry> entries_;
+  struct File {
+    std::string surroundings;
+    std::map<std::string, Entry> scenarios{};
+
+    static constexpr auto fields() {
+      using namespace trace::field;
+      return list(exact("surroundings", &File::surroundings), exact("scenarios", &File::scenarios));
+    }
+  };
+  File file_;
 };
 
 /// Identifies this build by 64 hexadecimal digits: a hash of the linker's build id, or without one

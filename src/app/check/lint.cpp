@@ -114,8 +114,7 @@ ExitCode run_lint(const Options& options) {
     json["files"].push_back(one);
     if (!clean_here || options.json || options.quiet) return;
     std::cout << "ok  " << file;
-    if (known_here > 0)
-      std::cout << ", " << known_here << (known_here > 1 ? " known findings" : " known finding");
+    if (known_here > 0) std::cout << ", " << counted(known_here, "known finding");
     std::cout << '\n';
   };
   each_input(

@@ -236,9 +236,8 @@ ExitCode run_decisions(const Options& options, snapshot::Outcome& outcome) {
   snapshot::write_outcome(report_folder(options), outcome);
   rewrite_page(report_folder(options), outcome, options);
   if (!options.quiet)
-    std::cerr << snapshot::counted(accepted, "finding") << " accepted, " << turned_down
-              << " rejected, " << refused << " refused; "
-              << snapshot::summary(snapshot::tally(outcome)) << '\n';
+    std::cerr << counted(accepted, "finding") << " accepted, " << turned_down << " rejected, "
+              << refused << " refused; " << snapshot::summary(snapshot::tally(outcome)) << '\n';
   return exit_code(outcome);
 }
 
@@ -303,7 +302,7 @@ ExitCode run_accept(const Options& options) {
   snapshot::write_outcome(report_folder(options), outcome);
   rewrite_page(report_folder(options), outcome, options);
   if (!options.quiet)
-    std::cerr << snapshot::counted(accepted, "finding") << " accepted, " << refused << " refused; "
+    std::cerr << counted(accepted, "finding") << " accepted, " << refused << " refused; "
               << snapshot::summary(snapshot::tally(outcome)) << '\n';
   return refused == 0 ? ExitCode::Same : ExitCode::Different;
 }

@@ -59,9 +59,7 @@ std::vector<View> selected_views(const Scenario& scenario, const Options& option
 
 /// Names of a list for error messages: "a, b, c".
 template <class List> std::string names_of(const List& list) {
-  std::string names;
-  for (const auto& one : list) names += (names.empty() ? "" : ", ") + one.name;
-  return names;
+  return separated(list, ", ", [](const auto& one) { return one.name; });
 }
 
 }  // namespace contactscope::app

@@ -1,195 +1,137 @@
-#include <map>
-#include <set>
-#include <sstream>
+#include <algorithm>
 
 #include "app/cli/verbs.h"
-#include "core/at.h"
+#include "scenario/scenario.h"
 
 namespace contactscope::app {
 namespace {
 
 using Kind = OptionValues::Kind;
 
-// Scenario names come from the program, which knows the folder.
-constexpr const char* kNames = "contactscope list scenarios 2>/dev/null | sed 's/  .*//'";
-
-std::string spaced(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
-  return text;
+std::string line_of(const std::string& word, std::string description) {
+  std::ranges::replace(description, '\n', ' ');
+  return word + "\t" + description + "\n";
 }
 
-/// Single-quotes a string for a shell; `quote` is the escaped quote.
-std::string quoted(const std::string& text, const std::string& quote) {
-  std::string escaped = "'";
-  for (const char c : text) escaped += c == '\'' ? quote : std::string(1, c);
-  return escaped + "'";
-}
-
-/// Puts a backslash before each character of `special`.
-std::string escaped(const std::string& text, std::string_view special) {
-  std::string all;
-  for (const char c : text) {
-    if (special.find(c) != std::string_view::npos) all += '\\';
-    all += c == '\n' ? ' ' : c;
+/// `before` is the part of the word that stays; lists also keep what is `typed` before the last
+/// comma.
+std::string values_of(const OptionValues& values, std::string before, const std::string& typed) {
+  std::vector<std::string> words = values.words;
+  if (values.kind == Kind::List) before += typed.substr(0, typed.rfind(',') + 1);
+  if (values.kind == Kind::Scenario) {
+    Options options;
+    finish(options);  // finds the folder of scenarios
+    for (const std::string& file : scenario_files(options.scenario_root))
+      words.push_back(scenario_name(file));
   }
-  return all;
+  std::string lines;
+  for (const std::string& word : words) lines += before + word + "\n";
+  if (values.kind == Kind::Scenario || values.kind == Kind::File) lines += ":files\n";
+  if (values.kind == Kind::Folder) lines += ":folders\n";
+  if (values.kind == Kind::List) lines += ":nospace\n";
+  return lines;
 }
 
-/// The first argument of a verb; null if it takes none.
-const Option* argument_of(const Verb& verb) {
-  for (const Option* option : options_of(verb.name))
-    if (option->is_argument()) return option;
-  return nullptr;
-}
+constexpr const char* kBash =
+    R"bash(# bash completion of contactscope; made by contactscope --manual bash
 
-/// Completion of a value in each shell; % stands for the words.
-struct Snippets {
-  std::string bash;  // sets COMPREPLY
-  std::string zsh;   // action of _arguments
-  std::string fish;  // end of a `complete` line
-};
-
-Snippets snippets_of(const OptionValues& values) {
-  static const std::string names = kNames;
-  static const std::map<Kind, Snippets> all = {
-      {Kind::Free, {"", " ", " -x"}},
-      {Kind::Words, {"COMPREPLY=($(compgen -W '%' -- \"$cur\"))", "(%)", " -x -a '%'"}},
-      {Kind::List,
-       {"_contactscope_list '%'", "_values -s , word %",
-        R"fish( -x -a "(__fish_complete_list , 'string split \' \' \'%\'')")fish"}},
-      {Kind::Scenario,
-       {"_contactscope_words < <(" + names + "; compgen -f -- \"$cur\")", "_contactscope_scenarios",
-        " -a \"(" + names + ")\""}},
-      {Kind::File, {"COMPREPLY=($(compgen -f -- \"$cur\"))", "_files", " -r -F"}},
-      {Kind::Folder,
-       {"COMPREPLY=($(compgen -d -- \"$cur\"))", "_files -/",
-        " -x -a '(__fish_complete_directories)'"}},
-  };
-  Snippets snippets = all.at(values.kind);
-  if (values.words.empty()) return snippets;
-  for (std::string* snippet : {&snippets.bash, &snippets.zsh, &snippets.fish})
-    snippet->replace(snippet->find('%'), 1, spaced(values.words));
-  return snippets;
+_contactscope() {
+  local cur=${COMP_WORDS[COMP_CWORD]} word
+  if [ "$cur" = = ]; then cur=; fi
+  COMPREPLY=()
+  while IFS= read -r word; do
+    word=${word%%$'\t'*}
+    case $word in
+      :files) COMPREPLY+=($(compgen -f -- "$cur")) ;;
+      :folders) COMPREPLY+=($(compgen -d -- "$cur")) ;;
+      :nospace) compopt -o nospace 2>/dev/null || true ;;
+      "$cur"*)
+        [[ $word == *[!A-Za-z0-9_./+@%:,=~-]* ]] && word=$(printf %q "$word")
+        COMPREPLY+=("$word") ;;
+    esac
+  done < <(contactscope --complete "${COMP_WORDS[@]:1:COMP_CWORD}" 2>/dev/null)
 }
+complete -o bashdefault -F _contactscope contactscope
+)bash";
+
+constexpr const char* kZsh = R"zsh(#compdef contactscope
+# zsh completion of contactscope; made by contactscope --manual zsh
+
+local line
+local -a found space
+for line in ${(f)"$(contactscope --complete "${(@Q)words[2,CURRENT]}" 2>/dev/null)"}; do
+  case $line in
+    :files) _files ;;
+    :folders) _files -/ ;;
+    :nospace) space=(-S '') ;;
+    *) found+=("${${line//:/\\:}/$'\t'/:}") ;;
+  esac
+done
+_describe contactscope found $space
+)zsh";
+
+constexpr const char* kFish =
+    R"fish(# fish completion of contactscope; made by contactscope --manual fish
+
+function __contactscope_complete
+    set -l typed (commandline -ct)
+    set -l words (commandline -opc)
+    for line in (contactscope --complete $words[2..-1] "$typed" 2>/dev/null)
+        switch $line
+            case :files
+                __fish_complete_path "$typed"
+            case :folders
+                __fish_complete_directories "$typed"
+            case :nospace
+            case '*'
+                echo $line
+        end
+    end
+end
+complete -c contactscope -f -a '(__contactscope_complete)'
+)fish";
 
 }  // namespace
 
-std::string bash_completion() {
-  std::ostringstream out;
-  out << R"(# bash completion of contactscope; made by contactscope --manual bash
-
-# Words with commas between them: keep the text before the last comma.
-_contactscope_list() {
-  local before=
-  case $cur in *,*) before=${cur%,*}, ;; esac
-  COMPREPLY=($(compgen -P "$before" -W "$1" -- "${cur##*,}"))
-  compopt -o nospace 2>/dev/null || true
+std::string completions(std::vector<std::string> words) {
+  std::string typed = words.empty() ? "" : words.back(), before;
+  if (!words.empty()) words.pop_back();
+  // --option=value is three words to bash.
+  if (typed == "=") typed.clear();
+  std::erase(words, "=");
+  std::string lines;
+  if (words.empty()) {
+    for (const Verb& verb : verbs()) lines += line_of(verb.name, verb.summary);
+    return lines + "--help\n--version\n--manual\n";
+  }
+  if (words.back() == "--manual") return "man\nbash\nzsh\nfish\n";
+  std::string name = words.back();
+  if (const std::size_t end = typed.find('='); typed.starts_with("--") && end != typed.npos) {
+    name = typed.substr(0, end);
+    before = typed.substr(0, end + 1);
+    typed.erase(0, end + 1);
+  }
+  const std::vector<const Option*> options = options_of(words.front());
+  for (const Option* option : options)
+    if (option->name() == name && !option->is_argument() && option->takes_value())
+      return values_of(option->values, before, typed);
+  if (typed.starts_with('-')) {
+    for (const Option* option : options)
+      if (!option->is_argument()) lines += line_of(option->name(), option->description());
+    return lines + line_of("--help", "Print the options");
+  }
+  for (const Option* option : options) {
+    if (!option->is_argument()) continue;
+    lines += values_of(option->values, "", typed);
+    if (words.size() == 1) break;  // the verb is followed by its first argument
+  }
+  return lines;
 }
 
-# Lines of the standard input that begin with the typed text. Not by compgen -W, which would run a name such as $(this).
-_contactscope_words() {
-  local word
-  while IFS= read -r word; do
-    [[ $word == "$cur"* ]] || continue
-    [[ $word == *[!A-Za-z0-9_./+@%:,=~-]* ]] && word=$(printf %q "$word")
-    COMPREPLY+=("$word")
-  done
-}
-
-_contactscope() {
-  local cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD - 1]} verb=${COMP_WORDS[1]}
-  # --option=value is three words to bash.
-  if [ "$cur" = = ]; then cur=; elif [ "$prev" = = ]; then prev=${COMP_WORDS[COMP_CWORD - 2]}; fi
-  COMPREPLY=()
-  if [ "$COMP_CWORD" -eq 1 ]; then
-    COMPREPLY=($(compgen -W ')"
-      << spaced(mapped(verbs(), &Verb::name)) << R"( --help --version --manual' -- "$cur"))
-    return
-  fi
-  case $prev in
-    --manual) COMPREPLY=($(compgen -W 'man bash zsh fish' -- "$cur")); return ;;
-)";
-  std::set<std::string> done;
-  for (const Option& option : option_table()) {
-    if (option.is_argument() || !option.takes_value() || !done.insert(option.name()).second)
-      continue;
-    const std::string reply = snippets_of(option.values).bash;
-    out << "    " << option.name() << ") " << reply << (reply.empty() ? "" : "; ") << "return ;;\n";
-  }
-  out << "  esac\n  case $cur in\n    -*)\n      case $verb in\n";
-  for (const Verb& verb : verbs())
-    out << "        " << verb.name << ") COMPREPLY=($(compgen -W '" << spaced(option_names(verb))
-        << "' -- \"$cur\")) ;;\n";
-  out << "      esac\n      return ;;\n  esac\n  case $verb in\n";
-  for (const Verb& verb : verbs()) {
-    const Option* const argument = argument_of(verb);
-    const std::string reply = argument ? snippets_of(argument->values).bash : "";
-    if (!reply.empty()) out << "    " << verb.name << ") " << reply << " ;;\n";
-  }
-  out << "  esac\n}\ncomplete -o bashdefault -F _contactscope contactscope\n";
-  return out.str();
-}
-
-std::string zsh_completion() {
-  constexpr std::string_view kSpecial = "[]:\\";
-  std::ostringstream out;
-  out << "#compdef contactscope\n# zsh completion of contactscope; made by contactscope --manual "
-         "zsh\n\n_contactscope_scenarios() {\n  local -a names\n  names=(${(f)\"$("
-      << kNames << ")\"})\n  compadd -a names\n  _files\n}\n\n_contactscope() {\n"
-      << "  local -a verbs\n  verbs=(\n";
-  for (const Verb& verb : verbs())
-    out << "    " << quoted(verb.name + ":" + escaped(verb.summary, ":\\"), "'\\''") << '\n';
-  out << "  )\n  if (( CURRENT == 2 )); then\n    _describe verb verbs\n"
-         "    compadd -- --help --version --manual\n    return\n  fi\n"
-         "  local verb=$words[2]\n  shift words\n  (( CURRENT-- ))\n  case $verb in\n"
-         "    --manual) compadd man bash zsh fish ;;\n";
-  for (const Verb& verb : verbs()) {
-    out << "    " << verb.name << ")\n      _arguments '--help[Print the options]'";
-    for (const Option* option : options_of(verb.name)) {
-      const std::string action = snippets_of(option->values).zsh;
-      std::string spec;
-      if (option->is_argument()) {
-        spec = (option->repeats() ? "*:" : ":") + option->name() + ":" + action;
-      } else {
-        spec = option->name() + (option->takes_value() ? "=" : "") + "[" +
-               escaped(option->description(), kSpecial) + "]";
-        if (option->takes_value()) spec += ":" + option->name().substr(2) + ":" + action;
-      }
-      out << " \\\n        " << quoted(spec, "'\\''");
-    }
-    out << " ;;\n";
-  }
-  out << "  esac\n}\n_contactscope \"$@\"\n";
-  return out.str();
-}
-
-std::string fish_completion() {
-  std::ostringstream out;
-  const std::string begin = "complete -c contactscope ";
-  out << "# fish completion of contactscope; made by contactscope --manual fish\n"
-      << begin << "-f\n"
-      << begin << "-n __fish_use_subcommand -l help -d 'Print the options'\n"
-      << begin << "-n __fish_use_subcommand -l version\n"
-      << begin << "-n __fish_use_subcommand -l manual -x -a 'man bash zsh fish'\n";
-  for (const Verb& verb : verbs()) {
-    out << begin << "-n __fish_use_subcommand -a " << verb.name << " -d "
-        << quoted(verb.summary, "\\'") << '\n';
-    const std::string here = begin + "-n '__fish_seen_subcommand_from " + verb.name + "' ";
-    out << here << "-l help -d 'Print the options'\n";
-    for (const Option* option : options_of(verb.name)) {
-      const std::string values =
-          option->takes_value() ? snippets_of(option->values).fish : std::string();
-      if (!option->is_argument())
-        out << here << "-l " << option->name().substr(2) << " -d "
-            << quoted(escaped(option->description(), "\\"), "\\'") << values << '\n';
-      else if (option->values.kind == Kind::Scenario)
-        out << here << "-F" << values << '\n';
-      else
-        out << here << (values == " -x" ? " -F" : values) << '\n';
-    }
-  }
-  return out.str();
+std::string completion_script(const std::string& shell) {
+  if (shell == "bash") return kBash;
+  if (shell == "zsh") return kZsh;
+  return shell == "fish" ? kFish : "";
 }
 
 }  // namespace contactscope::app

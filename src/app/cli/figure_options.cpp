@@ -1,10 +1,10 @@
 #include "app/cli/figure_options.h"
 
-#include <array>
 #include <cstdio>
 #include <ostream>
 
 #include "app/cli/options.h"
+#include "core/spell.h"
 #include "draw/scene/layout.h"
 #include "draw/scene/palette.h"
 #include "image/font.h"
@@ -77,9 +77,7 @@ void MissingGlyphs::report(std::ostream& out) const {
   std::size_t record = 0;
   for (const char32_t code : missing_) {
     if (record++ == kMax) break;
-    std::array<char, 16> number{};
-    std::snprintf(number.data(), number.size(), "U+%04X", static_cast<unsigned>(code));
-    out << ' ' << utf8_of(code) << " (" << number.data() << ')';
+    out << ' ' << utf8_of(code) << printed(" (U+%04X)", static_cast<unsigned>(code));
   }
   if (missing_.size() > kMax) out << " and " << missing_.size() - kMax << " more";
   out << "; '?' stands for " << (missing_.size() == 1 ? "it" : "them")

@@ -104,9 +104,7 @@ std::string man_page(const std::string& version) {
 
 std::string manual(const std::string& what, const std::string& version) {
   if (what == "man") return man_page(version);
-  if (what == "bash") return bash_completion();
-  if (what == "zsh") return zsh_completion();
-  if (what == "fish") return fish_completion();
+  if (const std::string script = completion_script(what); !script.empty()) return script;
   throw UsageError("--manual '" + what + "' is not known; it is man, bash, zsh or fish");
 }
 

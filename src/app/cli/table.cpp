@@ -1,9 +1,7 @@
 #include "app/cli/table.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <functional>
 #include <span>
 #include <string>
@@ -62,12 +60,6 @@ void print(const Table& table, std::ostream& out) {
   }
 }
 
-std::string spelled(const char* format, double value) {
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), format, value);
-  return text.data();
-}
-
 namespace {
 
 /// True if both fit into one table, which has a column per parameter.
@@ -115,7 +107,7 @@ void print_panel(const SeriesRange& panel, std::ostream& out, bool may_leave_out
       may_leave_out ? columns_shown(panel) : std::vector<bool>(panel.front().points.size(), true);
   std::vector<std::string> heads = {panel.front().panel.empty() ? "method" : panel.front().panel};
   for (std::size_t i = 0; i < shown.size(); ++i)
-    if (shown[i]) heads.push_back(spelled("%g", panel.front().points[i].parameter));
+    if (shown[i]) heads.push_back(printed("%g", panel.front().points[i].parameter));
   if (sum != nullptr) heads.push_back("failed");
   Table table = {heads};
   for (const trace::StudySeries& series : panel) {
@@ -145,8 +137,8 @@ void print_errors(const trace::Study& result, const SeriesRange& panel, std::ost
       << (has_worst ? ": mean / worst" : ": mean") << ", by " << parameter_of(result, panel)
       << '\n';
   const auto cell = [&](const trace::StudyPoint& point) {
-    std::string text = point.error ? spelled("%.2g", *point.error) : "-";
-    if (has_worst) text += point.error_worst ? spelled(" / %.2g", *point.error_worst) : " / -";
+    std::string text = point.error ? printed("%.2g", *point.error) : "-";
+    if (has_worst) text += point.error_worst ? printed(" / %.2g", *point.error_worst) : " / -";
     return text;
   };
   print_panel(panel, out, false, cell, [](int failed, int) { return std::to_string(failed); });
@@ -155,7 +147,7 @@ void print_errors(const trace::Study& result, const SeriesRange& panel, std::ost
 void print_times(const trace::Study& result, const SeriesRange& panel, std::ostream& out) {
   out << "nanoseconds per call: median / minimum, by " << parameter_of(result, panel) << '\n';
   const auto cell = [](const trace::StudyPoint& point) {
-    return spelled("%.0f", point.nanoseconds.median) + spelled(" / %.0f", point.nanoseconds.min);
+    return printed("%.0f", point.nanoseconds.median) + printed(" / %.0f", point.nanoseconds.min);
   };
   print_panel(panel, out, false, cell, nullptr);
 }
@@ -169,7 +161,7 @@ void print_curves(const trace::Study& result, const SeriesRange& panel, std::ost
   out << result.error << (says_unit ? "" : " (" + result.unit + ")") << ": largest, by "
       << parameter_of(result, panel) << '\n';
   const auto cell = [](const trace::StudyPoint& point) {
-    return (point.error_worst ? spelled("%.1e", *point.error_worst) : "-") +
+    return (point.error_worst ? printed("%.1e", *point.error_worst) : "-") +
            (point.failed > 0 ? "!" : "");
   };
   print_panel(panel, out, true, cell, share);
@@ -192,8 +184,8 @@ void print_map(const trace::Study& result, std::ostream& out) {
     }
     std::ranges::sort(errors);
     table.push_back({panel.front().panel,
-                     errors.empty() ? "-" : spelled("%.2g", errors[errors.size() / 2]),
-                     errors.empty() ? "-" : spelled("%.2g", errors.back()), std::to_string(cells),
+                     errors.empty() ? "-" : printed("%.2g", errors[errors.size() / 2]),
+                     errors.empty() ? "-" : printed("%.2g", errors.back()), std::to_string(cells),
                      std::to_string(failing), share(failed, of)});
   }
   print(table, out);

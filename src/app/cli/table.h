@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/spell.h"
 #include "trace/study.h"
 
 namespace contactscope::app {
@@ -19,11 +20,8 @@ void print(const Table& table, std::ostream& out);
 /// combining accents.
 std::size_t columns_of(std::string_view text);
 
-/// Formats like printf.
-std::string spelled(const char* format, double value);
-
 /// Metres as millimetres with three digits, without the unit.
-inline std::string millimetres(double length) { return spelled("%.3g", 1000 * length); }
+inline std::string millimetres(double length) { return printed("%.3g", 1000 * length); }
 
 /// Prints the results of studies: errors and times of all methods. Curves get one table per panel
 /// at whole decades of the parameter, with failures after errors. Maps get only the number of cells

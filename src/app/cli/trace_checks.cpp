@@ -257,7 +257,7 @@ void TraceChecks::pair(std::size_t index, const trace::Pair& pair) const {
     if (!manifold.axis.empty()) require_word(axis, manifold.axis, [&] { return one() + ".axis"; });
     const double length = manifold.normal.norm();
     require(is_unit(length), [&] {
-      return one() + ".normal has length " + spelled("%.4g", length) +
+      return one() + ".normal has length " + printed("%.4g", length) +
              "; it must be 1, and point from a to b";
     });
     require(!manifold.points.empty(),
@@ -301,7 +301,7 @@ void TraceChecks::facts(const trace::Frame& frame) const {
     named(name, [] { return std::string("poses"); });
     const double length = pose.rotation.norm();
     require(is_unit(length), [&, &shape = name] {
-      return "poses." + shape + ": 'quat_wxyz' has length " + spelled("%.4g", length) +
+      return "poses." + shape + ": 'quat_wxyz' has length " + printed("%.4g", length) +
              "; it must be 1";
     });
   }

@@ -34,9 +34,14 @@ void check_usage(const std::vector<std::string>& arguments);
 /// roff, section 1.
 std::string man_page(const std::string& version);
 
-std::string bash_completion();
-std::string zsh_completion();
-std::string fish_completion();
+/// Script for "bash", "zsh" or "fish" that completes by `contactscope --complete WORD...`; empty for
+/// another word.
+std::string completion_script(const std::string& shell);
+
+/// Output of --complete: words that may stand in place of the last of `words`, which follow the
+/// program's name. One per line; a description follows a tab. ":files" and ":folders" stand for
+/// names that the shell completes itself, ":nospace" for no space after the word.
+std::string completions(std::vector<std::string> words);
 
 /// Output of `--manual WHAT`: "man", "bash", "zsh" or "fish". Throws UsageError.
 std::string manual(const std::string& what, const std::string& version);

@@ -49,7 +49,7 @@ nlohmann::ordered_json json_of(const RunComparison& runs, const std::vector<std:
 }
 
 void print_text(const RunComparison& runs, const std::vector<std::string>& files) {
-  const std::string frames = snapshot::counted(static_cast<int>(runs.distances.size()), "frame");
+  const std::string frames = counted(runs.distances.size(), "frame");
   if (runs.parting) {
     std::cout << files[1] << " differs from " << files[0] << " first in " << place_of(*runs.parting)
               << ", stage: " << name_of(runs.parting->stage) << "\n  " << runs.parting->chain
@@ -64,8 +64,7 @@ void print_text(const RunComparison& runs, const std::vector<std::string>& files
     std::cout << "  from frame " << *runs.rounding << " on there are differences by rounding\n";
   for (std::size_t i = 0; i < files.size(); ++i)
     if (runs.alone[i] > 0)
-      std::cout << "  " << snapshot::counted(runs.alone[i], "frame") << " only in " << files[i]
-                << '\n';
+      std::cout << "  " << counted(runs.alone[i], "frame") << " only in " << files[i] << '\n';
   for (const std::string& note : runs.notes) std::cout << "  " << note << '\n';
 }
 

@@ -48,8 +48,7 @@ std::string note_of(const RunComparison& runs, const trace::Frame& frame) {
   const trace::Pair& pair = frame.pairs.front();
   const int points = count_of(joined(pair.manifolds, &trace::Manifold::points));
   if (points == 0) return "no contact";
-  return snapshot::counted(points, "point") + ", " + draw::spell_length(trace::overlap_of(pair)) +
-         " deep";
+  return counted(points, "point") + ", " + draw::spell_length(trace::overlap_of(pair)) + " deep";
 }
 
 /// The view of a trace, on what differs, with the layer of its stage.

@@ -27,15 +27,15 @@ void print_table(const Explorations& explorations, std::ostream& out) {
   Table table = {{"reducer", "area %", "worst", "lost arm % of radius", "worst", "depth error mm",
                   "deepest kept %", "weight held %", "ids changed", "patch/bodies", "ns", "least",
                   "upper quartile"}};
-  const auto time = [](double ns) { return ns > 0 ? spelled("%.0f", ns) : std::string("-"); };
+  const auto time = [](double ns) { return ns > 0 ? printed("%.0f", ns) : std::string("-"); };
   for (const ReducerSummary& row : summarize(explorations)) {
     table.push_back(
-        {row.name, spelled("%.2f", 100 * row.mean_area_ratio),
-         spelled("%.2f", 100 * row.worst_area_ratio), spelled("%.2f", 100 * row.mean_wrench_error),
-         spelled("%.2f", 100 * row.worst_wrench_error),
-         spelled("%.3g", 1000 * row.worst_depth_error), spelled("%.0f", 100 * row.deepest_kept),
-         row.supported ? spelled("%.0f", 100 * *row.supported) : "-",
-         std::to_string(row.ids_changed), row.moves ? spelled("%.3g", *row.moves) : "-",
+        {row.name, printed("%.2f", 100 * row.mean_area_ratio),
+         printed("%.2f", 100 * row.worst_area_ratio), printed("%.2f", 100 * row.mean_wrench_error),
+         printed("%.2f", 100 * row.worst_wrench_error),
+         printed("%.3g", 1000 * row.worst_depth_error), printed("%.0f", 100 * row.deepest_kept),
+         row.supported ? printed("%.0f", 100 * *row.supported) : "-",
+         std::to_string(row.ids_changed), row.moves ? printed("%.3g", *row.moves) : "-",
          time(row.median), time(row.min), time(row.quarter)});
   }
   print(table, out);
@@ -61,7 +61,7 @@ void print_note(const Explorations& explorations, const Scenario& scenario) {
     return;
   }
   const int most = most_points(explorations);
-  std::cerr << scenario.name << ": " << snapshot::counted(count_of(explorations), "manifold")
+  std::cerr << scenario.name << ": " << counted(count_of(explorations), "manifold")
             << " of at most " << most << " points";
   if (most <= most_kept(scenario)) std::cerr << ", which every reducer keeps whole";
   std::cerr << '\n';
@@ -147,16 +147,14 @@ void write_pictures(const Scenario& scenario, const Explorations& explorations,
   }
   if (options.quiet) return;
   if (pictures > 0)
-    std::cerr << snapshot::counted(pictures, "picture") << " in "
+    std::cerr << counted(pictures, "picture") << " in "
               << folder_of(options, explorations.front(), false).string() << '\n';
   if (const int kept_whole = count_of(explorations) - pictures; kept_whole > 0)
-    std::cerr << "no picture of " << snapshot::counted(kept_whole, "manifold")
+    std::cerr << "no picture of " << counted(kept_whole, "manifold")
               << " on triangles whose points every reducer keeps\n";
   if (left_out.empty()) return;
-  std::cerr << size.width << 'x' << size.height << " leaves out ";
-  for (const std::string& what : left_out)
-    std::cerr << (&what == &left_out.front() ? "" : ", ") << what;
-  std::cerr << "; a larger --size has room for it\n";
+  std::cerr << size.width << 'x' << size.height << " leaves out " << separated(left_out, ", ")
+            << "; a larger --size has room for it\n";
 }
 
 ExitCode run_explore(const Options& options) {

@@ -26,7 +26,7 @@ std::string cell_of(const find::Value& value, Unit unit) {
   const double number = std::get<double>(value);
   if (std::isnan(number)) return "-";
   if (unit == Unit::Metres) return millimetres(number);
-  return spelled(unit == Unit::Count ? "%.9g" : "%.4g", number);
+  return printed(unit == Unit::Count ? "%.9g" : "%.4g", number);
 }
 
 std::string heading_of(const Fact& fact) {
@@ -43,7 +43,7 @@ void print_table(const std::vector<Hit>& hits, const std::vector<Fact>& facts) {
   for (const Hit& hit : hits) {
     if (table.size() > kMaxRows) break;
     const std::string label = hit.label.empty() ? "" : " (" + hit.label + ")";
-    table.push_back({std::to_string(hit.frame), spelled("%.6g", hit.time), hit.a, hit.b + label});
+    table.push_back({std::to_string(hit.frame), printed("%.6g", hit.time), hit.a, hit.b + label});
     for (std::size_t i = 0; i < facts.size(); ++i)
       if (!in_each_row.contains(facts[i].name()))
         table.back().push_back(cell_of(hit.values[i], facts[i].unit));
@@ -105,8 +105,7 @@ ExitCode run_find(const Options& options) {
     print_json(hits, finder.expression(), frames, file.name());
   else if (!hits.empty())
     print_table(hits, finder.expression().facts());
-  if (!options.quiet)
-    std::cerr << found.size() << " of " << snapshot::counted(frames, "frame") << '\n';
+  if (!options.quiet) std::cerr << found.size() << " of " << counted(frames, "frame") << '\n';
   return hits.empty() ? ExitCode::Different : ExitCode::Same;
 }
 

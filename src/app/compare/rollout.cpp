@@ -129,12 +129,12 @@ Table table_of(const Rollout& rollout) {
     const auto where = [](bool known, const std::string& text) { return known ? text : "-"; };
     table.push_back({score.name, std::to_string(score.time.size()), std::to_string(score.resting),
                      where(rests, std::to_string(score.fallen)),
-                     score.fell_at ? spelled("%.2f", *score.fell_at) : "-",
+                     score.fell_at ? printed("%.2f", *score.fell_at) : "-",
                      where(rests, millimetres(score.worst_drift)),
                      where(ran, millimetres(score.worst_penetration)),
                      where(ran, std::to_string(score.passed)),
-                     where(ran, spelled("%.3g", score.energy_gained)),
-                     where(ran, spelled("%.1f", score.points)), causes_of(score)});
+                     where(ran, printed("%.3g", score.energy_gained)),
+                     where(ran, printed("%.1f", score.points)), causes_of(score)});
   }
   return table;
 }
@@ -175,7 +175,7 @@ void print_notes(const Rollout& rollout, std::ostream& out) {
     print_words(rollout.engine_runs[i], out);
     note(!score.failure.empty(), score.failure);
     note(score.fell_at.has_value(), "'" + score.first_fallen + "' is the first to fall, at " +
-                                        spelled("%.2f", score.fell_at.value_or(0)) + " s");
+                                        printed("%.2f", score.fell_at.value_or(0)) + " s");
     note(score.worst_penetration > 0, "deepest in " + score.worst_place);
     note(score.passed > 0, "the first to pass through another in " + score.first_passed);
     note(!score.unknown.empty(), "the depth of " + score.unknown + " is not known, of two meshes");

@@ -10,14 +10,13 @@
 #include "draw/charts/time_chart.h"
 #include "draw/scene/quantity.h"
 #include "draw/staging.h"
-#include "study/picture.h"
+#include "snapshot/finding.h"
 #include "trace/find.h"
 #include "view/title.h"
 
 namespace contactscope::app {
 namespace {
 
-using contactscope::record::listed;
 using versus::RolloutScore;
 
 /// Name in the engine's own spelling; the requested name if it returned nothing.
@@ -72,65 +71,34 @@ bool have_masses(const std::vector<versus::RolloutBody>& bodies) {
          });
 }
 
-/// The body that falls: by mass, if that is unique and the same for all engines.
-std::string fallen_body(const Rollout& rollout) {
-  const std::vector<versus::RolloutBody> bodies = versus::rollout_bodies(rollout.request);
-  std::vector<std::string> names;
-  for (const RolloutScore& score : rollout.scores)
-    if (score.fell_at && std::ranges::find(names, score.first_fallen) == names.end())
-      names.push_back(score.first_fallen);
-  if (bodies.size() == 1) return "The body";
-  const auto body = names.size() == 1
-                        ? std::ranges::find(bodies, names.front(), &versus::RolloutBody::name)
-                        : bodies.end();
-  if (body == bodies.end() || !have_masses(bodies) ||
-      std::ranges::count(bodies, body->mass, &versus::RolloutBody::mass) > 1)
-    return "A body";
-  return "The body of " + draw::spell_number(body->mass) + " kg";
+bool stands(const RolloutScore& score) {
+  return score.resting > 0 && !score.fell_at && score.failure.empty();
 }
 
-/// Heading for scenes with resting bodies: the engines in which bodies fell or stood.
+/// Heading: the engines in which a body fell, with the time, and those in which all stand.
 std::string result_of(const Rollout& rollout) {
   std::vector<std::string> fallen, standing;
-  int resting = 0;
   for (const std::size_t i : by_outcome(rollout)) {
     const RolloutScore& score = rollout.scores[i];
-    if (score.resting == 0) continue;
-    resting = score.resting;
     if (score.fell_at)
-      fallen.push_back(name_of(rollout, i) + " (" + spelled("%.2f", *score.fell_at) + " s)");
-    else if (score.failure.empty())  // a failed engine has no result
+      fallen.push_back(name_of(rollout, i) + " (" + printed("%.2f", *score.fell_at) + " s)");
+    else if (stands(score))
       standing.push_back(name_of(rollout, i));
   }
-  const std::string bodies = resting == 1   ? "The body"
-                             : resting == 2 ? "Both bodies"
-                                            : "All " + std::to_string(resting) + " bodies";
+  if (fallen.empty() && standing.empty()) return overlaps_of(rollout);
   constexpr std::size_t kMaxNamed = 4;
-  const std::string stand = resting == 1 ? " stands in " : " stand in ";
-  if (resting == 0 || (fallen.empty() && standing.empty())) return overlaps_of(rollout);
-  if (fallen.empty())
-    return bodies + stand +
-           (standing.size() > kMaxNamed ? "all " + std::to_string(standing.size()) + " engines"
-                                        : listed(standing));
-  const std::string falls = fallen_body(rollout) + " falls in " + listed(fallen);
-  if (standing.empty()) return falls;
-  // Engines with falls are always named with times; the others if there is room.
   const std::string others =
-      standing.size() > 3 ? std::to_string(standing.size()) + " others" : listed(standing);
-  return falls + "; " +
-         (resting == 1   ? "it stands in "
-          : resting == 2 ? "both stand in "
-                         : "all stand in ") +
-         others;
+      standing.size() > kMaxNamed
+          ? std::to_string(standing.size()) + (fallen.empty() ? " engines" : " others")
+          : listed(standing);
+  if (fallen.empty()) return "Nothing falls in " + others;
+  const std::string falls = "A body falls in " + listed(fallen);
+  return standing.empty() ? falls : falls + "; nothing falls in " + others;
 }
 
 /// Limit of scenes in a row. Beyond it, only engines in which a body falls get a scene, and the one
 /// with the largest drift of the others. The chart shows all engines.
 constexpr std::size_t kMaxScenes = 5;
-
-bool stands(const RolloutScore& score) {
-  return score.resting > 0 && !score.fell_at && score.failure.empty();
-}
 
 bool any_fell(const Rollout& rollout) {
   return std::ranges::any_of(rollout.scores,
@@ -153,21 +121,15 @@ std::string note_of(const RolloutScore& score) {
   if (!score.failure.empty())
     return "broke off after " + std::to_string(score.time.size()) + " frames";
   if (score.resting == 0) return "";
-  if (score.fell_at) return "falls after " + spelled("%.2f", *score.fell_at) + " s";
+  if (score.fell_at) return "falls after " + printed("%.2f", *score.fell_at) + " s";
   return "stands, " + millimetres(score.worst_drift) + " mm off its place";
 }
 
-/// Bodies, masses and duration of a request.
+/// Bodies and duration of a request.
 std::string scene_of(const trace::Trace& request) {
-  const std::vector<versus::RolloutBody> bodies = versus::rollout_bodies(request);
-  if (bodies.empty() || request.frames.empty()) return plain_title(request.header.title);
-  const auto [lightest, heaviest] =
-      std::ranges::minmax(bodies, {}, [](const versus::RolloutBody& body) { return body.mass; });
-  std::string masses = draw::spell_number(lightest.mass);
-  if (heaviest.mass > lightest.mass)
-    masses += (bodies.size() == 2 ? " and " : " to ") + draw::spell_number(heaviest.mass);
-  return std::string(bodies.size() == 1 ? "A body" : std::to_string(bodies.size()) + " bodies") +
-         " of " + masses + " kg, for " + spelled("%.3g", request.frames.back().time) +
+  const int bodies = count_of(versus::rollout_bodies(request));
+  return counted(bodies, "body", "bodies") + ", for " +
+         printed("%.3g", request.frames.back().time) +
          " s; other engines have the settings that they come with";
 }
 
@@ -205,7 +167,7 @@ std::vector<draw::TimeChart> charts_of(const Rollout& rollout, const std::vector
     if (!score.fell_at) continue;
     const auto after = std::ranges::lower_bound(score.time, *score.fell_at) - score.time.begin();
     height.lines.back().marked = std::min(static_cast<std::size_t>(after), score.time.size() - 1);
-    height.lines.back().mark = spelled("%.2f", *score.fell_at) + " s";
+    height.lines.back().mark = printed("%.2f", *score.fell_at) + " s";
   }
   if (any_fell(rollout)) return {height};
   return {height, energy, overlap};
@@ -251,41 +213,6 @@ bool is_near(const trace::Frame& frame, const trace::Frame& start) {
   });
 }
 
-/// Bounds of the bodies over the frames, in pixels of a canvas; the whole view without bodies.
-draw::Rect reach_of_bodies(const draw::Staging& staging, const std::vector<trace::Frame>& frames,
-                           const trace::Trace& request) {
-  const std::vector<versus::RolloutBody> bodies = versus::rollout_bodies(request);
-  std::optional<draw::Rect> reach;
-  for (const trace::Frame& frame : frames) {
-    const draw::Scene scene = draw::scene_of(staging, frame);
-    for (const draw::PlacedShape& shape : scene.shapes) {
-      if (std::ranges::count(bodies, shape.traced().name, &versus::RolloutBody::name) == 0)
-        continue;
-      for (const Vec3d& corner : draw::extent_points(shape)) {
-        const std::optional<draw::Point2> at = scene.camera.project(corner);
-        if (!at) continue;
-        if (!reach) reach = draw::Rect{at->x, at->y, 0, 0};
-        const double left = std::min<double>(reach->x, at->x);
-        const double top = std::min<double>(reach->y, at->y);
-        const double right = std::max<double>(reach->right(), at->x);
-        const double bottom = std::max<double>(reach->bottom(), at->y);
-        reach = draw::Rect{left, top, right - left, bottom - top};
-      }
-    }
-  }
-  return reach.value_or(staging.layout.view);
-}
-
-/// Crop of a view in the size of a cell, centred on the bodies as well as possible.
-draw::Rect part_about(const draw::Rect& bodies, const draw::Rect& view, const draw::Rect& cell) {
-  const double width = std::min(cell.width, view.width);
-  const double height = std::min(cell.height, view.height);
-  const double x = bodies.x + 0.5 * (bodies.width - width);
-  const double y = bodies.y + 0.5 * (bodies.height - height);
-  return {std::clamp(x, view.x, view.right() - width),
-          std::clamp(y, view.y, view.bottom() - height), width, height};
-}
-
 }  // namespace
 
 Image rollout_picture(const Rollout& rollout, int shown, const std::optional<Size>& size,
@@ -306,7 +233,7 @@ Image rollout_picture(const Rollout& rollout, int shown, const std::optional<Siz
   const trace::Header& requested = rollout.request.header;
   const draw::RolloutPage page = draw::rollout_page(
       result_of(rollout), scene_of(rollout.request), requested.source,
-      "scenes at " + spelled("%.3g", at(rollout.request.frames, shown).time) + " s",
+      "scenes at " + printed("%.3g", at(rollout.request.frames, shown).time) + " s",
       charts_of(rollout, looks), cells, page_size.width, page_size.height);
   Image picture = renderer.paint(page.drawing);
   if (drawn.empty()) return picture;
@@ -317,7 +244,9 @@ Image rollout_picture(const Rollout& rollout, int shown, const std::optional<Siz
   View view;
   view.focus = Focus::Shapes;
   view.layers = {Layer::Shapes};
-  const bool with_masses = have_masses(versus::rollout_bodies(rollout.request));
+  const std::vector<versus::RolloutBody> bodies = versus::rollout_bodies(rollout.request);
+  view.focus_on = mapped(bodies, &versus::RolloutBody::name);  // the ground may be cut off
+  const bool with_masses = have_masses(bodies);
   if (with_masses) view.layers.push_back(Layer::Masses);
   // One camera for all engines; ignores bodies that flew away.
   std::vector<trace::Frame> frames = {rollout.request.frames.front()};
@@ -326,22 +255,17 @@ Image rollout_picture(const Rollout& rollout, int shown, const std::optional<Siz
     trace::Frame frame = frame_of(rollout, i, shown);
     if (is_near(frame, frames.front())) frames.push_back(std::move(frame));
   }
-  // Zoom in on the bodies as far as the cell allows; the ground may be cut off.
-  constexpr double kMaxNearer = 1.6, kOfCell = 0.88;
+  // The camera leaves half of the view around the bodies, and the cell has less of it.
+  constexpr double kNearer = 1.7;
   const draw::Rect& cell = page.cells.front();
-  draw::Staging staging = stage_cell(header, frames, view, cell);
-  const draw::Rect far = reach_of_bodies(staging, frames, rollout.request);
-  const double nearer = std::clamp(
-      kOfCell * std::min(cell.width / far.width, cell.height / far.height), 1.0, kMaxNearer);
-  staging = stage_cell(
+  const draw::Staging staging = stage_cell(
       header, frames, view,
-      {cell.x, cell.y, std::floor(nearer * cell.width), std::floor(nearer * cell.height)});
-  const draw::Rect part =
-      part_about(reach_of_bodies(staging, frames, rollout.request), staging.layout.view, cell);
+      {cell.x, cell.y, std::floor(kNearer * cell.width), std::floor(kNearer * cell.height)});
   for (std::size_t k = 0; k < drawn.size(); ++k) {
     trace::Frame frame = frame_of(rollout, drawn[k], shown);
     if (with_masses) place_masses(rollout.request, frame);
-    paste(renderer.paint(draw::illustrate(staging, frame)), part, page.cells[k], picture);
+    paste(renderer.paint(draw::illustrate(staging, frame)), staging.layout.view, page.cells[k],
+          picture);
   }
   return picture;
 }

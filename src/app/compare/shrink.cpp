@@ -10,6 +10,7 @@
 #include "app/cli/trace_file.h"
 #include "app/cli/verbs.h"
 #include "app/compare/engine_runs.h"
+#include "core/spell.h"
 #include "shrink/source_facts.h"
 #include "snapshot/store.h"
 #include "versus/request.h"
@@ -126,8 +127,7 @@ ExitCode run_shrink(const Options& options) {
   const std::optional<Found> found = first_pair(source, options, judge);
   if (!found) {
     std::cerr << "in no frame of " << source.name << " do two shapes alone satisfy "
-              << expression.text() << "; " << judge.requested()
-              << (judge.requested() == 1 ? " pair was" : " pairs were")
+              << expression.text() << "; " << counted(judge.requested(), "pair was", "pairs were")
               << " tried. A condition that needs more than two shapes, or earlier frames, cannot "
                  "be shrunk\n";
     return ExitCode::Different;

@@ -4,19 +4,18 @@
 #include <cmath>
 #include <filesystem>
 #include <iostream>
-#include <nlohmann/json.hpp>
 
 #include "app/cli/progress.h"
 #include "app/cli/shard.h"
 #include "app/cli/table.h"
 #include "core/input_error.h"
 #include "snapshot/store.h"
+#include "trace/listed_json.h"
 
 namespace contactscope::app {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 constexpr int kCases = 100000;  // default of --cases
 constexpr const char* kSoakSchema = "contactscope.soak/1";
@@ -25,69 +24,32 @@ std::string file_of(const snapshot::Shard& shard) {
   return "soak_" + std::to_string(shard.part) + "_of_" + std::to_string(shard.of) + ".json";
 }
 
-Json line_to_json(const SoakLine& line) {
-  Json faults = Json::object(), errors = Json::array();
-  for (std::size_t i = 1; i < line.faults.size(); ++i) faults[kContactFaults[i]] = line.faults[i];
-  for (const auto& [exponent, count] : line.errors) errors.push_back({exponent, count});
-  return {{"sweep", line.sweep},           {"pair", line.pair},
-          {"scalar", line.scalar},         {"pairs", line.pairs},
-          {"faults", std::move(faults)},   {"worst_ulps", line.worst_ulps},
-          {"worst_case", line.worst_case}, {"exact", line.exact},
-          {"errors", std::move(errors)}};
-}
+/// The file; `shard` is set for a part.
+struct SoakFile {
+  std::optional<snapshot::Shard> shard{};
+  Soak soak{};
 
-SoakLine parse_line(const Json& json) {
-  SoakLine line{json.at("sweep"), json.at("pair"), json.at("scalar"), json.at("pairs")};
-  line.faults[0] = line.pairs;
-  for (std::size_t i = 1; i < line.faults.size(); ++i) {
-    line.faults[i] = json.at("faults").at(kContactFaults[i]);
-    line.faults[0] -= line.faults[i];
+  static constexpr auto fields() {
+    using namespace trace::field;
+    return list(exact("shard", &SoakFile::shard), merged(&SoakFile::soak));
   }
-  line.worst_ulps = json.at("worst_ulps");
-  line.worst_case = json.at("worst_case");
-  line.exact = json.at("exact");
-  for (const Json& bin : json.at("errors")) line.errors[bin.at(0).get<int>()] = bin.at(1);
-  return line;
+};
+
+std::string to_json(const SoakFile& file) {
+  const trace::Json start = {{"schema", kSoakSchema}, {"study", "stability"}};
+  return trace::written("soak", file, start).dump(1) + "\n";
 }
 
-/// JSON of the file; `shard` is set for a part.
-std::string to_json(const Soak& soak, const std::optional<snapshot::Shard>& shard) {
-  Json json{
-      {"schema", kSoakSchema}, {"study", "stability"}, {"seed", soak.seed}, {"cases", soak.cases}};
-  if (shard) json["shard"] = {{"part", shard->part}, {"of", shard->of}};
-  json["wrong"] = soak.wrong();
-  json["lines"] = Json::array();
-  for (const SoakLine& line : soak.lines) json["lines"].push_back(line_to_json(line));
-  json["failures"] = Json::array();
-  for (const SoakFailure& failure : soak.failures)
-    json["failures"].push_back({{"case", failure.number},
-                                {"sweep", failure.sweep},
-                                {"pair", failure.pair},
-                                {"scalar", failure.scalar},
-                                {"fault", failure.fault},
-                                {"value", failure.value},
-                                {"ulps", failure.ulps}});
-  return json.dump(1) + "\n";
-}
-
-Soak parse_soak(const std::string& text, const std::string& path,
-                std::optional<snapshot::Shard>& shard) {
+SoakFile parse_soak(const std::string& text, const std::string& path) {
   try {
-    const Json json = Json::parse(text);
+    const trace::Json json = trace::Json::parse(text);
     if (json.at("schema") != kSoakSchema)
       throw InputError(
           path, 0, 0,
           std::string("this is not a part of study stability: its schema is not ") + kSoakSchema);
-    Soak soak{json.at("seed"), json.at("cases")};
-    shard.reset();
-    if (json.contains("shard"))
-      shard = snapshot::Shard{json.at("shard").at("part"), json.at("shard").at("of")};
-    for (const Json& line : json.at("lines")) soak.lines.push_back(parse_line(line));
-    for (const Json& failure : json.at("failures"))
-      soak.failures.push_back({failure.at("case"), failure.at("sweep"), failure.at("pair"),
-                               failure.at("scalar"), failure.at("fault"), failure.at("value"),
-                               failure.at("ulps")});
-    return soak;
+    SoakFile file;
+    trace::read_json(json, file);
+    return file;
   } catch (const nlohmann::json::exception& error) {
     throw InputError(path, 0, 0,
                      std::string("this part of study stability cannot be read: ") + error.what() +
@@ -122,27 +84,26 @@ std::string within(const SoakLine& line, double share) {
   if (static_cast<double>(seen) >= wanted) return all == 0 ? "-" : "0";
   for (const auto& [exponent, count] : line.errors) {
     seen += count;
-    if (static_cast<double>(seen) >= wanted) return spelled("%g", std::ldexp(1.0, exponent));
+    if (static_cast<double>(seen) >= wanted) return printed("%g", std::ldexp(1.0, exponent));
   }
   return "-";
 }
 
 ExitCode report(const Soak& soak, const std::string& file, const Options& options) {
   if (options.json) {
-    std::cout << to_json(soak, options.shard);
+    std::cout << to_json({options.shard, soak});
   } else {
     Table table = {{"sweep", "scalar", "pairs", "wrong", "drowned", "half within (ulps)",
                     "99.9% within", "largest error"}};
-    for (const SoakLine& line : by_sweep(soak))
+    for (SoakLine& line : by_sweep(soak))
       table.push_back({line.sweep, line.scalar, std::to_string(line.pairs),
-                       std::to_string(line.wrong()),
-                       std::to_string(line.faults[static_cast<std::size_t>(ContactFault::Drowned)]),
-                       within(line, 0.5), within(line, 0.999), spelled("%.3g", line.worst_ulps)});
+                       std::to_string(line.wrong()), std::to_string(line.faults["drowned"]),
+                       within(line, 0.5), within(line, 0.999), printed("%.3g", line.worst_ulps)});
     print(table, std::cout);
     for (const SoakFailure& failure : soak.failures)
       std::cout << "case " << failure.number << ": " << failure.pair << " in " << failure.scalar
-                << ", " << failure.sweep << " " << spelled("%.3g", failure.value) << ": "
-                << failure.fault << ", off by " << spelled("%.3g", failure.ulps) << " ulps\n";
+                << ", " << failure.sweep << " " << printed("%.3g", failure.value) << ": "
+                << failure.fault << ", off by " << printed("%.3g", failure.ulps) << " ulps\n";
   }
   if (!options.quiet) {
     std::int64_t pairs = 0;
@@ -161,10 +122,9 @@ struct SoakPart {
 SoakPart read_part(const std::string& file) {
   const std::optional<std::string> text = snapshot::read_text_file(file);
   if (!text) throw InputError(file, 0, 0, "no such file");
-  std::optional<snapshot::Shard> shard;
-  Soak soak = parse_soak(*text, file, shard);
-  if (!shard) throw InputError(file, 0, 0, "this is a merged result, not a part of one");
-  return {file, std::move(soak), *shard};
+  SoakFile read = parse_soak(*text, file);
+  if (!read.shard) throw InputError(file, 0, 0, "this is a merged result, not a part of one");
+  return {file, std::move(read.soak), *read.shard};
 }
 
 void require_one_run(const std::vector<SoakPart>& parts) {
@@ -195,7 +155,7 @@ ExitCode run_soak(const Options& options) {
       progress.advance(std::to_string(done) + " pairs");
   });
   const std::string file = (fs::path(options.out) / file_of(shard)).generic_string();
-  snapshot::write_text(file, to_json(soak, shard));
+  snapshot::write_text(file, to_json({shard, soak}));
   return report(soak, file, options);
 }
 
@@ -225,7 +185,7 @@ ExitCode merge_soak(const std::vector<std::string>& files, const Options& option
   for (std::size_t i = 1; i < parts.size(); ++i) add(whole, parts[i].soak);
   const std::string file =
       (fs::path(options.out) / "study" / "stability" / "soak.json").generic_string();
-  snapshot::write_text(file, to_json(whole, {}));
+  snapshot::write_text(file, to_json({{}, whole}));
   return report(whole, file, options);
 }
 

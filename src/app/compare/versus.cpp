@@ -69,18 +69,16 @@ Table table_of(const std::vector<Score>& scores) {
                   "normal costs mm", "points", "area %", "ids kept %", "lint"}};
   for (const Score& score : scores) {
     const bool touched = score.touching > 0;
-    std::string causes;
-    for (const lint::Finding& finding : score.findings)
-      causes += (causes.empty() ? "" : ",") + finding.cause;
+    const std::string causes = separated(score.findings, ",", &lint::Finding::cause);
     table.push_back(
         {score.name, std::to_string(score.pairs), std::to_string(score.missed),
          std::to_string(score.invented), touched ? millimetres(score.mean_depth_error) : "-",
          touched ? millimetres(score.worst_depth_error) : "-",
          touched ? millimetres(score.worst_normal) : "-",
-         touched ? spelled("%.1f", score.points) : "-",
-         score.patches > 0 ? spelled("%.0f", 100 * score.area) : "-",
+         touched ? printed("%.1f", score.points) : "-",
+         score.patches > 0 ? printed("%.0f", 100 * score.area) : "-",
          score.id_frames > 0
-             ? (score.ids_are_made_up ? "~" : "") + spelled("%.0f", 100 * score.ids_kept)
+             ? (score.ids_are_made_up ? "~" : "") + printed("%.0f", 100 * score.ids_kept)
              : "-",
          causes.empty() ? "-" : causes});
   }
@@ -146,7 +144,7 @@ draw::ContactCell cell_of(const EngineRun& engine_run, const trace::Frame* frame
       cell.kept.push_back(count_of(cell.points));
       cell.points.push_back(point);
     }
-  const std::string points = snapshot::counted(count_of(cell.points), "point");
+  const std::string points = counted(count_of(cell.points), "point");
   cell.rows.push_back({points, "", points});
   const std::string depth = draw::spell_length(trace::deepest_point(*pair)->separation);
   cell.rows.push_back({"deepest " + depth, "", depth});
@@ -184,8 +182,7 @@ void write_pictures(const Match& match, const Options& options, Renderer& render
     }
   }
   encoders.finish();
-  if (!options.quiet)
-    std::cerr << snapshot::counted(pictures, "picture") << " in " << root.string() << '\n';
+  if (!options.quiet) std::cerr << counted(pictures, "picture") << " in " << root.string() << '\n';
 }
 
 ExitCode run_versus(const Options& options) {

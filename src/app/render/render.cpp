@@ -103,10 +103,8 @@ void report_idle_layers(const Input& input, const draw::Staging& staging, const 
   if (!input.trace || !has_layers || options.quiet) return;
   const std::vector<std::string> idle = idle_layers(staging, sequence.frames);
   if (idle.empty()) return;
-  std::string names;
-  for (const std::string& layer : idle) names += (names.empty() ? "" : ", ") + layer;
   std::cerr << input.file << ": nothing to draw in layer" << (idle.size() == 1 ? " " : "s ")
-            << names << "; src/trace/README.md lists what a trace needs for it\n";
+            << separated(idle, ", ") << "; src/trace/README.md lists what a trace needs for it\n";
 }
 
 void draw_sequences(Input& input, const Options& options, Renderer& renderer, Sinks& sinks,
@@ -225,9 +223,9 @@ ExitCode run_render(const Options& options) {
   if (!options.quiet) {
     std::filesystem::path where = options.out;
     if (inputs.size() == 1 && !options.sheet) where /= inputs.front().scenario.name;
-    std::cerr << snapshot::counted(pictures, "picture");
+    std::cerr << counted(pictures, "picture");
     if (const int files = sinks.files(); files != pictures)
-      std::cerr << ", " << snapshot::counted(files, "file");
+      std::cerr << ", " << counted(files, "file");
     std::cerr << " in " << where.string() << '\n';
   }
   return pictures > 0 ? ExitCode::Same : ExitCode::Different;

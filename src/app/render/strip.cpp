@@ -34,12 +34,6 @@ FigureCanvas page_canvas(const trace::Header& header, const std::vector<trace::F
   return canvas;
 }
 
-std::string joined(const std::vector<int>& frames) {
-  std::string text;
-  for (const int frame : frames) text += (text.empty() ? "" : ", ") + std::to_string(frame);
-  return text;
-}
-
 }  // namespace
 
 bool wants_cells(const Options& options, const std::vector<const Format*>& formats) {
@@ -105,7 +99,7 @@ void draw_strips(const Input& input, Sequence& sequence, const PictureOrigin& or
                           });
     const bool is_one_of_several = scenario.views.size() > 1;
     PictureOrigin of_strip = of_view(origin, view, is_one_of_several, options);
-    of_strip.frames = joined(chosen);
+    of_strip.frames = separated(chosen, ", ");
     of_strip.command += frames_option(options);
     std::filesystem::path stem = scenario.name;
     if (is_one_of_several) stem /= view.name;
@@ -127,9 +121,8 @@ void draw_sheet(std::vector<Input>& inputs, const std::function<Sequence(Input&)
   View none;  // not a scene: thumbnails determine the height
   none.kind = ViewKind::ContactPlane;
   const FigureCanvas canvas = page_canvas({}, {}, none, options, page_width(columns), words);
-  const draw::ContactSheet sheet(
-      (group.empty() ? "" : group + ": ") + snapshot::counted(count, "scenario"), count,
-      canvas.size.width, columns, canvas.style);
+  const draw::ContactSheet sheet((group.empty() ? "" : group + ": ") + counted(count, "scenario"),
+                                 count, canvas.size.width, columns, canvas.style);
   std::vector<draw::ContactSheet::Entry> entries;
   std::vector<draw::Drawing> thumbnails;
   for (Input& input : inputs) {

@@ -3,6 +3,7 @@
 #include <iostream>
 
 #include "app/check/reports/report.h"
+#include "core/spell.h"
 
 namespace contactscope::app {
 namespace {
@@ -27,9 +28,7 @@ std::string kind_in_words(const Finding& finding) {
 }
 
 std::string list_of(const std::vector<std::string>& names, std::size_t most) {
-  std::string text;
-  for (std::size_t i = 0; i < names.size() && i < most; ++i)
-    text += (text.empty() ? "" : ", ") + names[i];
+  std::string text = separated(std::span(names).first(std::min(most, names.size())), ", ");
   if (names.size() > most) text += " and " + std::to_string(names.size() - most) + " more";
   return text;
 }
@@ -42,9 +41,8 @@ void put_cause(const Cause& cause, bool is_verbose) {
   if (cause.scenarios.size() > 1) {
     int pictures = 0;
     for (const Finding* finding : cause.findings) pictures += finding->is_picture();
-    put_line("", "the same cause in " +
-                     snapshot::counted(static_cast<int>(cause.scenarios.size()), "scenario") +
-                     (pictures > 0 ? " and " + snapshot::counted(pictures, "picture") : "") + ": " +
+    put_line("", "the same cause in " + counted(cause.scenarios.size(), "scenario") +
+                     (pictures > 0 ? " and " + counted(pictures, "picture") : "") + ": " +
                      list_of(cause.scenarios, is_verbose ? cause.scenarios.size() : kMaxNames));
   }
   // New, missing and orphaned files all have the same message.
@@ -58,7 +56,7 @@ void put_cause(const Cause& cause, bool is_verbose) {
     const Finding& finding = *cause.findings[i];
     if (i > 0) put_line("", finding.sentence);
     const bool is_named = finding.kind == FindingKind::UnmetExpectation || is_verbose ||
-                          (finding.pixels && finding.pixels->limits != PixelLimits{});
+                          (finding.pixels && finding.pixels->allowed != PixelLimits{});
     for (const std::string& detail : finding.details)
       if (is_named && detail != finding.sentence) put_line("", "  " + detail);
   }
@@ -74,7 +72,7 @@ void print_written(const ScenarioOutcome& scenario) {
   };
   const int stored = count(Done::Written), removed = count(Done::Removed);
   const bool is_one = stored == scenario.written || removed == scenario.written;
-  std::string text = scenario.scenario + ", " + snapshot::counted(scenario.written, "file");
+  std::string text = scenario.scenario + ", " + counted(scenario.written, "file");
   if (!is_one && stored > 0) text += ", " + std::to_string(stored) + " of them new";
   if (!is_one && removed > 0)
     text += (stored > 0 ? " and " : ", ") + std::to_string(removed) + " removed";
@@ -111,8 +109,8 @@ void print_brittle(const snapshot::Outcome& outcome, bool is_verbose) {
       if (is_verbose) std::cerr << scenario.scenario << ": " << sentence << '\n';
   }
   if (decisions == 0 || is_verbose) return;
-  std::cerr << snapshot::counted(decisions, "decision") << " in "
-            << snapshot::counted(scenarios, "scenario") << (decisions == 1 ? " is" : " are")
+  std::cerr << counted(decisions, "decision") << " in " << counted(scenarios, "scenario")
+            << (decisions == 1 ? " is" : " are")
             << " within rounding: another machine may decide differently; --verbose lists "
             << (decisions == 1 ? "it" : "them") << '\n';
 }

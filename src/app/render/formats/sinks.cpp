@@ -5,6 +5,7 @@
 
 #include "app/render/origin.h"
 #include "core/at.h"
+#include "core/spell.h"
 #include "image/whole_file.h"
 #include "snapshot/store.h"
 #include "vector/anchors.h"
@@ -68,8 +69,7 @@ void Sinks::begin(const Series& series) {
                   series.sequence,
                   series.frames,
                   options_.fps};
-    for (const int frame : series.frames)
-      plan.origin.frames += (plan.origin.frames.empty() ? "" : ", ") + std::to_string(frame);
+    plan.origin.frames = separated(series.frames, ", ");
     reels_.back() = format->begin(plan);
   }
 }
