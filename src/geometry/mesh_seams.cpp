@@ -78,7 +78,7 @@ std::vector<std::array<int, 3>> find_seams(const Mesh<S>& mesh,
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const int triangle = edges[i].triangle;
     const double length = lines[i].along.norm();
-    // Edges that are hardly longer than a seam may lie beside each other by chance.
+    // Edges that are hardly longer than a seam may lie next to each other by chance.
     const double width = std::min(kSeam * reach, kSliver * length);
     if (!has_area(mesh, triangle)) continue;
     std::vector<Part> parts;

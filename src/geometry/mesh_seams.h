@@ -19,7 +19,7 @@ struct TriangleEdge {
 ///
 ///     +-----+-----+     Steps for an edge:
 ///     |   / |   / |     1. collect the other edges whose boxes meet its box;
-///     | /   | /   |     2. of each that runs the other way, take the part along the edge, if both
+///     | /   | /   |     2. of each in the other direction, take the part along the edge, if both
 ///     +-----T-----+        ends of that part are on the edge within the width of a seam;
 ///      \         /      3. if the parts leave no gap, and the surface bends equally at all of them
 ///        \     /           within kFlatEdgeAngle, it continues in the triangle of the longest.

@@ -155,8 +155,8 @@ Slide slide(const Floor& floor, const GhostSlider& slider, double speed) {
 
 /// Shapes that slide 2 m over floors without friction, at 60 steps a second: how far a floor that is
 /// flat throws them up, and how much it slows them. Right is nothing. Floors are meshes of 10 cm
-/// tiles, some of which share no vertices, and bodies that share a face plane. The other names for
-/// such faults are ghost collisions and internal edges.
+/// tiles, with and without shared vertices, and bodies that share a face plane. Engines call this
+/// ghost collisions, or internal edges.
 std::vector<trace::Study> study_ghosts(const StudyOptions& options, const StudyProgress& progress) {
   std::vector<trace::Study> results = results_of(
       "ghost", "float", "m/s", "sliding without friction, 2 m, 60 steps a second",

@@ -1,4 +1,5 @@
 #include "core/at.h"
+#include "core/spell.h"
 #include "study/picture_results.h"
 
 namespace contactscope {

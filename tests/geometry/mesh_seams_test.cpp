@@ -47,7 +47,7 @@ TEST(MeshSeams, AWideCrackIsTheEndOfASurface) {
   }
 }
 
-// Edge 1 0 of the first triangle along two others, the second of which is turned up.
+// Edge 1 0 of the first triangle along two others. The second one is turned up.
 Mesh<double> three_sides(double gap, double bend) {
   return build_mesh({{0, 0, 0},
                      {2, 0, 0},
@@ -77,7 +77,7 @@ TEST(MeshSeams, BendsOfSeamsAreClassified) {
   EXPECT_EQ(three_sides(0, steep).edge_class(2, 2), Internal);  // concave
   EXPECT_EQ(three_sides(0, steep).region(2), 2);
   EXPECT_EQ(three_sides(0, -steep).edge_class(2, 2), Convex);
-  EXPECT_EQ(three_sides(0, -steep).edge_class(0, 0), Boundary);  // bends in two ways
+  EXPECT_EQ(three_sides(0, -steep).edge_class(0, 0), Boundary);  // two bends
 }
 
 // As for neighbours: which of three surfaces continues is not known.

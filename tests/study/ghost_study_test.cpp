@@ -10,8 +10,8 @@ namespace {
 
 // Right is nothing, on floors of one mesh: at most 1 mm up and a thousandth slower.
 TEST(GhostStudy, NothingIsThrownOrSlowedByOneMesh) {
-  const std::set<std::string> right = {"half-space", "one mesh", "cracks of 1 nm",
-                                       "cracks of 1 µm", "T-junctions"};
+  const std::set<std::string> right = {"half-space", "one mesh", "cracks of 1 nm", "cracks of 1 µm",
+                                       "T-junctions"};
   const auto results = study_ghosts({}, [](int, int, const std::string&) {});
   ASSERT_EQ(results.size(), 2u);
   int slides = 0;
@@ -21,8 +21,8 @@ TEST(GhostStudy, NothingIsThrownOrSlowedByOneMesh) {
         ASSERT_TRUE(point.error);
         EXPECT_GE(*point.error, 0);
         if (!right.contains(series.method)) continue;
-        EXPECT_LT(*point.error, 0.001) << results[measure].measure << ": " << series.panel
-                                       << " on " << series.method << " at " << point.parameter;
+        EXPECT_LT(*point.error, 0.001) << results[measure].measure << ": " << series.panel << " on "
+                                       << series.method << " at " << point.parameter;
         ++slides;
       }
     }
