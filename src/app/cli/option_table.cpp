@@ -144,8 +144,7 @@ const std::vector<Option>& option_table() {
        "saves; - is the standard input",
        kFile},
       {"--pictures", "METHOD", "show", &Options::pictures,
-       "How the terminal draws: blocks, sixel, kitty, none",
-       only({"auto", "blocks", "sixel", "kitty", "none"})},
+       "How the terminal draws: blocks, kitty, none", only({"auto", "blocks", "kitty", "none"})},
 
       {"--size", "WxH", "render explore study versus diff", read<&Options::size, parse_size>,
        "Default 1280x720, and 1280x1440 to compare more than 9 reducers or methods"},
