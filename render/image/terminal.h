@@ -11,9 +11,6 @@ namespace contactscope {
 /// Kitty graphics protocol, also supported by other terminals: the PNG itself, in pieces.
 std::string to_kitty(std::string_view png);
 
-/// Sixel graphics, DEC STD 070 of 1990: 216 colours, six rows at a time.
-std::string to_sixel(const Image& image);
-
 /// Two pixels per character in 24-bit colours, for any modern terminal. Scales the picture to
 /// `columns` by averaging pixels.
 std::string to_half_blocks(const Image& image, int columns);

@@ -1,11 +1,8 @@
-#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include "manifold/collide_pairs.h"
 #include "query/sat.h"
-#include "query/tolerance.h"
 #include "study/random_cases.h"
 #include "study/study.h"
 
@@ -13,7 +10,6 @@ namespace contactscope {
 namespace {
 
 constexpr int kVertexCounts[] = {8, 16, 32, 64};
-// The slowest method takes milliseconds per pair.
 constexpr int kCases = 100;
 constexpr int kRepetitions = 7;
 constexpr int kSteps = 8;  // of the motion before, which fills the cache
@@ -32,83 +28,6 @@ template <class S> void move_there(const OverlappingHulls& hulls, RoundedHulls<S
     collide_hull_hull(rounded.a, Pose<S>(), rounded.b, earlier(hulls, back).cast<S>(),
                       CollideOptions(), &rounded.cache);
   }
-}
-
-// Two slower edge tests that the Gauss map (gauss_map.h) replaces, to measure its benefit. Both
-// return the largest separation over all axes, metres, negative if overlapping; face queries are as
-// in sat(). Source: Gregorius 2013 and 2015.
-
-template <class S> S best_face(const HullPair<S>& pair) {
-  FaceSeparations<S> faces_a(pair.a), faces_b(pair.b);
-  return std::max(query_faces(pair.a, pair.b, S(0), faces_a).separation,
-                  query_faces(pair.b, pair.a, S(0), faces_b).separation);
-}
-
-/// Unit directions of its edges.
-template <class S> std::vector<Vec3<S>> directions(const PlacedHull<S>& hull) {
-  std::vector<Vec3<S>> list;
-  for (int h = 0; h < 2 * hull.hull.edge_count(); h += 2) list.push_back(hull.direction(h));
-  return list;
-}
-
-/// Minimum and maximum of its vertices along an axis.
-template <class S> std::pair<S, S> extent(const PlacedHull<S>& hull, const Vec3<S>& axis) {
-  S least = std::numeric_limits<S>::infinity(), most = -least;
-  for (int v = 0; v < hull.vertices.count(); ++v) {
-    const S along = axis.dot(hull.vertices[v]);
-    least = along < least ? along : least;
-    most = along > most ? along : most;
-  }
-  return {least, most};
-}
-
-/// Tests each cross product of two edges as an axis, using the support points of both hulls.
-template <class S> S separation_by_all_edge_pairs(const HullPair<S>& pair) {
-  S best = best_face(pair);
-  const std::vector<Vec3<S>> of_b = directions(pair.b);
-  for (const Vec3<S>& along_a : directions(pair.a)) {
-    for (const Vec3<S>& along_b : of_b) {
-      const Vec3<S> cross = along_a.cross(along_b);
-      const S sine = cross.norm();
-      if (sine < kParallelSine<S>) continue;
-      const Vec3<S> axis = cross / sine;
-      const auto [least_a, most_a] = extent(pair.a, axis);
-      const auto [least_b, most_b] = extent(pair.b, axis);
-      best = std::max({best, least_b - most_a, least_a - most_b});
-    }
-  }
-  return best;
-}
-
-/// Tests each pair of edges for a face of the Minkowski difference (the talk's IsMinkowskiFace),
-/// and measures only those, by a point of each edge.
-template <class S> S separation_by_minkowski_faces(const HullPair<S>& pair) {
-  S best = best_face(pair);
-  const std::vector<Vec3<S>> of_b = directions(pair.b);
-  const Vec3<S> center_a = pair.a.rotation * pair.a.hull.centroid;
-  for (int h = 0; h < 2 * pair.a.hull.edge_count(); h += 2) {
-    const Vec3<S> a1 = pair.a.normal(pair.a.half_edge(h).face);
-    const Vec3<S> a2 = pair.a.normal(pair.a.half_edge(h + 1).face);
-    const Vec3<S> along_a = pair.a.direction(h), on_a = pair.a.origin(h);
-    for (int g = 0; g < 2 * pair.b.hull.edge_count(); g += 2) {
-      const Vec3<S> b1 = pair.b.normal(pair.b.half_edge(g).face);
-      const Vec3<S> b2 = pair.b.normal(pair.b.half_edge(g + 1).face);
-      const Vec3<S>& along_b = of_b[static_cast<std::size_t>(g / 2)];
-      // Along the edges instead of the talk's cross products of normals: the same planes.
-      const S b1_side = -b1.dot(along_a), b2_side = -b2.dot(along_a);
-      const S a1_side = a1.dot(along_b), a2_side = a2.dot(along_b);
-      if (!(b1_side * b2_side < S(0)) || !(a1_side * a2_side < S(0))) continue;
-      // Both arcs cross the other's great circle; they share a hemisphere only if these agree.
-      if (!(b1_side * a2_side > S(0))) continue;
-      const Vec3<S> cross = along_a.cross(along_b);
-      const S sine = cross.norm();
-      if (sine < kParallelSine<S>) continue;
-      Vec3<S> axis = cross / sine;
-      if (axis.dot(Vec3<S>(on_a - center_a)) < S(0)) axis = -axis;
-      best = std::max(best, axis.dot(Vec3<S>(pair.b.origin(g) - on_a)));
-    }
-  }
-  return best;
 }
 
 /// Result of a method. If it has a normal, the separation is along it and need not be the least.
@@ -141,22 +60,14 @@ struct Method {
 };
 
 std::vector<Method> methods() {
-  const auto walked = [](const auto& c) -> Found {
+  const auto tested = [](const auto& c) -> Found {
     const auto result = sat(HullPair(c.a, c.b, c.b_in_a), {}, Preference::None);
     const bool separated = result.status == SatStatus::Separated;
     return {static_cast<double>(result.separation(separated ? result.chosen : result.deepest))};
   };
-  const auto requested = [](const auto& c) -> Found {
-    return {static_cast<double>(separation_by_minkowski_faces(HullPair(c.a, c.b, c.b_in_a)))};
-  };
-  const auto all_pairs = [](const auto& c) -> Found {
-    return {static_cast<double>(separation_by_all_edge_pairs(HullPair(c.a, c.b, c.b_in_a)))};
-  };
   constexpr auto kDeepest = Preference::None, kCoherent = Preference::Relative;
   const Method in_both[] = {
-      {"walked arcs", walked, walked},
-      {"every pair asked", requested, requested},
-      {"every pair measured", all_pairs, all_pairs},
+      {"separating axis test", tested, tested},
       {"contact", contact<kDeepest, false>, contact<kDeepest, false>},
       {"coherent contact", contact<kCoherent, false>, contact<kCoherent, false>},
       {"the same with a cache", contact<kCoherent, true>, contact<kCoherent, true>},
@@ -188,10 +99,9 @@ void judge_all(const Method& method, const HullCases& cases, Measurement& measur
 }  // namespace
 
 /// Depth by the separating axis test, in float and in double, for hulls of 8, 16, 32 and 64
-/// vertices: with the Gauss map as in sat(), testing every pair of edges for a Minkowski face, and
-/// measuring every pair by support points. Also whole contacts by collide_hull_hull(): with the
-/// deepest axis, without the preference for coherent features; and with it, from scratch and with
-/// the cache left by the pair's motion (only coherent features are cached).
+/// vertices, as in sat(). Also whole contacts by collide_hull_hull(): with the deepest axis, without
+/// the preference for coherent features; and with it, from scratch and with the cache left by the
+/// pair's motion (only coherent features are cached).
 ///
 /// The error is |separation - oracle| over the size of the hulls. Coherent contacts may prefer a
 /// slightly deeper axis, so the oracle measures the axis that they chose. Float errors include

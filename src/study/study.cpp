@@ -50,7 +50,7 @@ trace::StudyContext study_context(const std::string& scalar) {
 const std::vector<StudyInfo>& studies() {
   static const std::vector<StudyInfo> list = {
       {"reducers", "contact area that each reducer loses, against its run time", &study_reducers},
-      {"hull_precision", "float against double, and how many edge pairs the Gauss map saves",
+      {"hull_precision", "float against double: the depth of hulls by the separating axis test",
        &study_hull_precision},
       {"penetration", "depth and normal by EPA, MPR, sampling and SAT, by effort",
        &study_penetration},

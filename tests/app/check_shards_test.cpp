@@ -72,6 +72,13 @@ TEST_F(CheckShards, AMissingShardIsNamed) {
   EXPECT_EQ(check("--shard two").exit_code, 2);
 }
 
+TEST_F(CheckShards, AShardThatIsThereTwiceIsNamed) {
+  check("--shard 1/2");
+  check("--shard 2/2");
+  std::filesystem::copy(folder_ / "out/check_1_of_2", folder_ / "out/check_copy");
+  EXPECT_THAT(merge().err, HasSubstr("shard 1 of 2 is there twice"));
+}
+
 TEST_F(CheckShards, ShardsOfDifferentRunsAreRefused) {
   check("--shard 1/2");
   check("--shard 2/2 --facts-only");

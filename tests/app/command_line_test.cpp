@@ -59,7 +59,7 @@ TEST(CommandLine, TheHelpOfEveryVerbHasExamplesValuesAndExitCodes) {
                                                           {"--shard", "part K of N"},
                                                           {"--format", "webp"},
                                                           {"--update", "--update=all"},
-                                                          {"--pictures", "sixel"}};
+                                                          {"--pictures", "kitty"}};
     for (const auto& [option, value] : values) {
       if (known.contains(option)) {
         EXPECT_THAT(before, HasSubstr(value)) << name;

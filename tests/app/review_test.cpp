@@ -165,8 +165,8 @@ TEST_F(ReviewTest, ShowPrintsOneFindingAndItsPictures) {
   EXPECT_THAT(plain.out, HasSubstr("check/group/idea/frame_0001.difference.png"));
   EXPECT_THAT(run("show group/idea/frame_0001 --pictures kitty " + out()).out,
               HasSubstr("\033_Gf=100,a=T,m="));
-  EXPECT_THAT(run("show group/idea/frame_0001 --pictures sixel " + out()).out,
-              HasSubstr("\033Pq\"1;1;320;180"));
+  EXPECT_THAT(run("show group/idea/frame_0001 --pictures blocks " + out()).out,
+              HasSubstr("\xE2\x96\x80"));
   EXPECT_EQ(run("show group/idea/frame_0009 " + out()).exit_code, 2);
 }
 

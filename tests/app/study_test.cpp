@@ -154,12 +154,21 @@ TEST(Study, UnknownNameIsTroubleAndListsTheStudies) {
 
 TEST(Study, UsageErrorsAreTrouble) {
   for (const char* arguments :
-       {"study", "study reducers --cases 0", "study reducers --seed x", "study reducers --size 5",
-        "study reducers --backend vulkan", "study reducers --out ''"}) {
+       {"study", "study reducers --cases 0", "study reducers --cases 1000001",
+        "study reducers --seed x", "study reducers --size 5", "study reducers --backend vulkan",
+        "study reducers --out ''"}) {
     const ProgramRun result = run(arguments);
     EXPECT_EQ(result.exit_code, 2) << arguments;
     EXPECT_THAT(result.out, IsEmpty()) << arguments;
   }
+}
+
+TEST(Study, CtrlCExitsWith130AndLeavesNoFile) {
+  const TemporaryFolder folder;
+  const ProgramRun result = run("study stability --cases 1000 --out '" + (folder / "out") + "'",
+                                "timeout -s INT --preserve-status 0.5");
+  EXPECT_EQ(result.exit_code, 130);
+  EXPECT_THAT(files_below(folder / "out"), IsEmpty());
 }
 
 TEST(Study, UnwritableFolderIsTroubleAndNamed) {

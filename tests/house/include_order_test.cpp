@@ -79,8 +79,9 @@ TEST(IncludeOrder, NoArrowRunsUpInDraw) {
 TEST(IncludeOrder, NoVerbOfAppUsesALaterOne) {
   const std::vector<SourceFile> files = {
       {"src/app/cli/verbs.h", "#include \"app/check/review.h\""},
-      {"src/app/check/review.h", "#include \"app/compare/soak.h\""},
-      {"src/app/compare/soak.h", "#include \"app/cli/verbs.h\"\n#include \"app/check/review.h\""}};
+      {"src/app/check/review.h", "#include \"app/compare/engine_runs.h\""},
+      {"src/app/compare/engine_runs.h",
+       "#include \"app/cli/verbs.h\"\n#include \"app/check/review.h\""}};
   EXPECT_THAT(include_violations(files),
               ElementsAre("src/app/cli/verbs.h:1: cli must not use check",
                           "src/app/check/review.h:1: check must not use compare"));

@@ -66,13 +66,6 @@ same_as_one_run() {
   done
 }
 
-# Merged parts of a study are those of one, byte for byte.
-same_soak() {
-  contactscope study stability --cases 20000 --shard 1/1 --out one --quiet > /dev/null
-  contactscope merge one --out one --quiet > /dev/null || fail "one part is no whole"
-  cmp one/study/stability/soak.json out/study/stability/soak.json || fail "the parts are not the whole"
-}
-
 # As many pictures as all scenarios have.
 all_rendered() {
   count=$(find out/hull -name 'frame_*.png' | wc -l)

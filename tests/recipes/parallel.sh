@@ -10,6 +10,3 @@ recipe 1 "contactscope merge shards"
 same_as_one_run
 recipe 0 "parallel contactscope render hull --shard {}/4 ::: 1 2 3 4"
 all_rendered
-recipe 0 "parallel contactscope study stability --cases 20000 --shard {}/4 --out soak ::: 1 2 3 4"
-recipe 0 "contactscope merge soak"
-same_soak

@@ -77,6 +77,3 @@ recipe 1 "contactscope merge shards"
 same_as_one_run
 recipe 0 "sbatch --wait --array=1-4 --wrap='contactscope render hull --shard \$SLURM_ARRAY_TASK_ID/\$SLURM_ARRAY_TASK_COUNT'"
 all_rendered
-recipe 0 "sbatch --wait --array=1-4 --wrap='contactscope study stability --cases 20000 --shard \$SLURM_ARRAY_TASK_ID/\$SLURM_ARRAY_TASK_COUNT --out soak'"
-recipe 0 "contactscope merge soak"
-same_soak

@@ -57,7 +57,7 @@ TEST(OverlappingHulls, HaveTheirVerticesOverlapAndSize) {
 TEST(HullPrecisionStudy, DoubleIsFarCloserThanFloatAndNothingFails) {
   const std::vector<trace::Study> studies = study_hull_precision(small(), ignore_progress);
   ASSERT_EQ(studies.size(), 1u);
-  ASSERT_EQ(studies[0].series.size(), 12u);
+  ASSERT_EQ(studies[0].series.size(), 8u);
   for (const trace::StudySeries& series : studies[0].series) {
     std::vector<double> parameters;
     for (const trace::StudyPoint& point : series.points) {

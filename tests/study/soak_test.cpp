@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <set>
+#include <sstream>
 
 namespace contactscope {
 namespace {
@@ -10,9 +11,7 @@ namespace {
 constexpr std::uint64_t kSeed = 3;
 constexpr std::int64_t kCases = 600;
 
-Soak part(std::int64_t first, std::int64_t last) {
-  return soak_pairs(kSeed, kCases, first, last, [](std::int64_t) {});
-}
+Soak part(std::int64_t first, std::int64_t last) { return soak_pairs(kSeed, first, last); }
 
 void expect_same(const Soak& one, const Soak& other) {
   ASSERT_EQ(one.lines.size(), other.lines.size());
@@ -80,10 +79,10 @@ TEST(Soak, APointNearAnEndTiltsTheNormalByRoundingOnly) {
   }
 }
 
-// A thousandth of the soak `study stability --cases 100000000`.
+// A thousandth of `soak 100000000`.
 TEST(Soak, SlowAHundredThousandCasesHaveNoWrongAnswer) {
   constexpr std::int64_t kThousandth = 100'000;
-  const Soak soak = soak_pairs(1, kThousandth, 0, kThousandth, [](std::int64_t) {});
+  const Soak soak = soak_pairs(1, 0, kThousandth);
   EXPECT_EQ(soak.wrong(), 0);
   EXPECT_THAT(soak.failures, testing::IsEmpty());
 }
@@ -112,6 +111,19 @@ TEST(Soak, TheFirstWrongAnswersAreKeptWhicheverPartsTheyAreIn) {
   ASSERT_EQ(whole.failures.size(), kSoakFailures);
   EXPECT_EQ(whole.failures.front().number, 0);
   EXPECT_EQ(whole.failures.back().number, static_cast<int>(kSoakFailures) - 1);
+}
+
+TEST(Soak, TheReportNamesAWrongAnswerAndItsCase) {
+  Soak soak = part(0, kCases);
+  std::ostringstream right, wrong;
+  EXPECT_TRUE(report(soak, right));
+  EXPECT_THAT(right.str(), testing::EndsWith("\n1200 pairs judged, 0 wrong\n"));
+  soak.lines.front().faults["missing"] = 1;
+  soak.failures.push_back({42, "tilt", "box on box", "float", "missing", 0.5, 99});
+  EXPECT_FALSE(report(soak, wrong));
+  EXPECT_THAT(wrong.str(), testing::EndsWith(
+                               "\ncase 42: box on box in float, tilt 0.5: missing, off by 99 ulps\n"
+                               "1200 pairs judged, 1 wrong\n"));
 }
 
 }  // namespace

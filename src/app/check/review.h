@@ -20,7 +20,7 @@ std::vector<snapshot::Finding*> findings_named(snapshot::Outcome& outcome,
 /// `check --accept PATTERN...`: stores candidates of the last report, without running anything.
 ExitCode run_accept(const Options& options);
 
-enum class TerminalPictures { None, HalfBlocks, Sixel, Kitty };
+enum class TerminalPictures { None, HalfBlocks, Kitty };
 
 /// Capability of the terminal on standard output, by its environment; None without a terminal.
 TerminalPictures terminal_pictures();

@@ -33,8 +33,6 @@ std::string drawn(const std::string& path, TerminalPictures how) {
       const std::vector<std::uint8_t> png = encode_png(shrunk(image, kPixels));
       return to_kitty({reinterpret_cast<const char*>(png.data()), png.size()});
     }
-    case TerminalPictures::Sixel:
-      return to_sixel(shrunk(image, kPixels));
     case TerminalPictures::HalfBlocks:
       return to_half_blocks(image, columns());
     case TerminalPictures::None:
@@ -48,7 +46,6 @@ ExitCode run_show(const Options& options) {
   TerminalPictures how = terminal_pictures();
   if (options.pictures == "none") how = TerminalPictures::None;
   if (options.pictures == "blocks") how = TerminalPictures::HalfBlocks;
-  if (options.pictures == "sixel") how = TerminalPictures::Sixel;
   if (options.pictures == "kitty") how = TerminalPictures::Kitty;
   for (const snapshot::Finding* finding : findings_named(outcome, options.scenarios))
     show(*finding, report_folder(options).string(), how, std::cout);
@@ -63,9 +60,6 @@ TerminalPictures terminal_pictures() {
   if (!variable("KITTY_WINDOW_ID").empty() || term == "xterm-kitty" || program == "WezTerm" ||
       program == "ghostty")
     return TerminalPictures::Kitty;
-  if (term.find("sixel") != std::string::npos || term.starts_with("foot") ||
-      term.starts_with("mlterm") || program == "mintty")
-    return TerminalPictures::Sixel;
   return term == "dumb" ? TerminalPictures::None : TerminalPictures::HalfBlocks;
 }
 
@@ -90,7 +84,7 @@ Verb show_verb() {
   return {"show", "Show findings of the last check in the terminal, with pictures", &run_show,
           "Examples:\n"
           "  contactscope show hull/face_contact\n"
-          "  contactscope show '*/frame_0012' --pictures sixel\n"
+          "  contactscope show '*/frame_0012' --pictures kitty\n"
           "Exit codes: 0 done, 2 an error, such as a name that is not in the report."};
 }
 

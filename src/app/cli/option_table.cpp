@@ -92,9 +92,7 @@ const std::vector<Option>& option_table() {
       {"KEY...", "", "show", kInputs,
        "Findings, such as hull/face_contact/frame_0012, folders, or patterns with *"},
       {"DIR...", "", "merge", kInputs,
-       "The folders that the shards had as --out, one for all or one each. Parts of a study and of "
-       "a check need separate folders",
-       kFolder},
+       "The folders that the shards had as --out, one for all or one each", kFolder},
       {"[WHAT]", "", "list", &Options::what,
        "scenarios, reducers, broad_phases, continuous, layers, panels, studies, or words, the "
        "texts "
@@ -146,8 +144,7 @@ const std::vector<Option>& option_table() {
        "saves; - is the standard input",
        kFile},
       {"--pictures", "METHOD", "show", &Options::pictures,
-       "How the terminal draws: blocks, sixel, kitty, none",
-       only({"auto", "blocks", "sixel", "kitty", "none"})},
+       "How the terminal draws: blocks, kitty, none", only({"auto", "blocks", "kitty", "none"})},
 
       {"--size", "WxH", "render explore study versus diff", read<&Options::size, parse_size>,
        "Default 1280x720, and 1280x1440 to compare more than 9 reducers or methods"},
@@ -220,10 +217,8 @@ const std::vector<Option>& option_table() {
        "Also write a JSON file per picture with the places of points, faces and labels in it", kAny,
        kUnrecorded},
 
-      {"--cases", "N", "study", &Options::cases,
-       "Cases per point of a line; default: the study's. With --shard: of all parts together; "
-       "default 100000",
-       between(1, 2000000000)},
+      {"--cases", "N", "study", &Options::cases, "Cases per point of a line; default: the study's",
+       between(1, 1000000)},
       {"--seed", "N", "study", &Options::seed, "Seed of the random cases"},
       {"--table", "", "explore study versus", &Options::tables_only,
        "Write no pictures, and open no OpenGL"},
@@ -254,9 +249,6 @@ const std::vector<Option>& option_table() {
        "Only part K of N of the scenarios, as 2/5; their pictures are in --out", kAny, kUnrecorded},
       {"--shard", "K/N", "check", read<&Options::shard, parse_shard>,
        "Only part K of N of all scenarios, as 2/5; `merge` joins the parts"},
-      {"--shard", "K/N", "study", read<&Options::shard, parse_shard>,
-       "For stability: judge only part K of N of the --cases random pairs, as 2/5, and store only "
-       "sums; `merge` joins the parts"},
       {"--times", "FILE", "check", &Options::times,
        "Times of the scenarios in an earlier run, OUT/check/times.json, to balance --shard", kFile},
       {"--fresh", "", "check", &Options::fresh,

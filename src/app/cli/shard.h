@@ -29,23 +29,6 @@ std::vector<std::string> names_in_shard(std::vector<Costed> scenarios,
 std::vector<std::string> keep_shard(std::vector<Input>& inputs, const Options& options,
                                     const std::function<double(const Input&)>& cost);
 
-/// Throws UsageError if a shard of a run is missing or there twice. `parts`: sorted, each with its
-/// `shard` and where it is `from`.
-template <class Part> void require_every_shard(const std::vector<Part>& parts) {
-  const int shards = parts.front().shard.of;
-  const auto name = [&](int part) {
-    return "shard " + std::to_string(part) + " of " + std::to_string(shards);
-  };
-  int wanted = 1;
-  for (const Part& one : parts) {
-    if (one.shard.part < wanted)
-      throw UsageError(name(one.shard.part) + " is there twice, in " + one.from + " too");
-    if (one.shard.part > wanted) break;
-    ++wanted;
-  }
-  if (wanted <= shards) throw UsageError(name(wanted) + " is missing");
-}
-
 /// Name of the shard's report folder: "check_2_of_5", so that shards with one --out do not collide.
 std::string folder_of(const snapshot::Shard& shard);
 

@@ -5,9 +5,7 @@
 
 #include "app/check/reports/report.h"
 #include "app/check/review.h"
-#include "app/cli/shard.h"
 #include "app/cli/verbs.h"
-#include "app/compare/soak.h"
 #include "app/render/origin.h"
 #include "core/input_error.h"
 #include "snapshot/report_folder.h"
@@ -60,6 +58,21 @@ std::vector<Part> read_parts(const std::vector<std::string>& names) {
   return parts;
 }
 
+void require_every_shard(const std::vector<Part>& parts) {
+  const int shards = parts.front().shard.of;
+  const auto name = [&](int part) {
+    return "shard " + std::to_string(part) + " of " + std::to_string(shards);
+  };
+  int wanted = 1;
+  for (const Part& one : parts) {
+    if (one.shard.part < wanted)
+      throw UsageError(name(one.shard.part) + " is there twice, in " + one.from + " too");
+    if (one.shard.part > wanted) break;
+    ++wanted;
+  }
+  if (wanted <= shards) throw UsageError(name(wanted) + " is missing");
+}
+
 /// Checks that all shards of one run are present, each shard and scenario once. Throws UsageError.
 void require_whole(const std::vector<Part>& parts) {
   const snapshot::Outcome& first = parts.front().outcome;
@@ -90,7 +103,7 @@ void require_whole(const std::vector<Part>& parts) {
       throw UsageError(name + " is in no shard; they had different --times");
 }
 
-ExitCode merge_checks(const Options& options) {
+ExitCode run_merge(const Options& options) {
   const std::vector<Part> parts = read_parts(options.scenarios);
   require_whole(parts);
   snapshot::ReportFolder report(options.out);
@@ -121,19 +134,13 @@ ExitCode merge_checks(const Options& options) {
   return exit_code(outcome);
 }
 
-ExitCode run_merge(const Options& options) {
-  const std::vector<std::string> soak = soak_parts(options.scenarios);
-  return soak.empty() ? merge_checks(options) : merge_soak(soak, options);
-}
-
 }  // namespace
 
 Verb merge_verb() {
   return {
-      "merge", "Join the parts of check --shard or study --shard", &run_merge,
+      "merge", "Join the parts of check --shard", &run_merge,
       "Examples:\n"
       "  contactscope merge shards --out out --junit junit.xml\n"
-      "  contactscope merge soak\n"
       "Exit codes: 0 no difference, 1 a difference, 2 an error, such as a part that is missing."};
 }
 

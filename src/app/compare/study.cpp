@@ -12,7 +12,6 @@
 #include "app/cli/progress.h"
 #include "app/cli/table.h"
 #include "app/cli/verbs.h"
-#include "app/compare/soak.h"
 #include "app/render/renderer.h"
 #include "draw/charts/plot.h"
 #include "image/png.h"
@@ -66,16 +65,6 @@ Size size_of(const trace::Study& result) {
 ExitCode run_study(const Options& options) {
   note_interrupts();
   const StudyInfo& info = studies()[word_in("study", options.study, names_in(studies()))];
-  if (options.shard) {
-    if (info.name != "stability")
-      throw UsageError("study " + info.name + " cannot be divided; --shard is for stability");
-    return run_soak(options);
-  }
-  constexpr int kMaxCases = 1000000;
-  if (options.cases.value_or(1) > kMaxCases)
-    throw UsageError("--cases " + std::to_string(*options.cases) +
-                     " is more than a study stores; write at most 1000000, or judge stability in "
-                     "parts with --shard 1/1 or more");
   RunLog log;
   const std::vector<trace::Study> results = run_study(info, options, log);
   if (info.of_scenarios && results.front().series.empty())
@@ -120,9 +109,8 @@ Verb study_verb() {
   return {"study", "Measure error against run time: plot, CSV and JSON", &run_study,
           "Examples:\n"
           "  contactscope study reducers --cases 100 --seed 2\n"
-          "  contactscope study stability --cases 100000000 --shard 1/64 --out soak\n"
           "  contactscope list studies\n"
-          "Exit codes: 0 done, 1 a pair of --shard has a wrong answer, 2 an error."};
+          "Exit codes: 0 done, 2 an error."};
 }
 
 }  // namespace contactscope::app

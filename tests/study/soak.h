@@ -2,20 +2,19 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
+#include <iosfwd>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "study/limits_study.h"
-#include "trace/field.h"
 
 /// The study of numerical limits for as many pairs as time allows: random positions on its sweeps,
 /// in float and double, each tested by the oracle and not stored. Results are integers, maxima and
-/// smallest case numbers, so that any split into parts, run anywhere, merges to the same result.
+/// smallest case numbers, so that any split into parts adds up to the same result.
 namespace contactscope {
 
-/// Names of ContactFault in files.
+/// Names of ContactFault.
 inline constexpr std::array<const char*, 7> kContactFaults = {
     "none", "not_finite", "missing", "phantom", "imprecise", "drifting", "drowned"};
 
@@ -40,15 +39,6 @@ struct SoakLine {
 
   std::int64_t wrong() const;
   void add(const SoakLine& more);
-
-  static constexpr auto fields() {
-    using L = SoakLine;
-    constexpr auto fact = trace::field::fact;
-    return trace::field::list(
-        fact("sweep", &L::sweep), fact("pair", &L::pair), fact("scalar", &L::scalar),
-        fact("pairs", &L::pairs), fact("faults", &L::faults), fact("worst_ulps", &L::worst_ulps),
-        fact("worst_case", &L::worst_case), fact("exact", &L::exact), fact("errors", &L::errors));
-  }
 };
 
 /// A wrong result, to be examined later.
@@ -57,30 +47,13 @@ struct SoakFailure {
   std::string sweep, pair, scalar, fault;
   double value = 0;  // of the sweep's parameter
   double ulps = 0;   // its error
-
-  static constexpr auto fields() {
-    using F = SoakFailure;
-    using namespace trace::field;
-    return list(exact("case", &F::number), exact("sweep", &F::sweep), exact("pair", &F::pair),
-                exact("scalar", &F::scalar), exact("fault", &F::fault), exact("value", &F::value),
-                exact("ulps", &F::ulps));
-  }
 };
 
 struct Soak {
-  std::uint64_t seed = 1;
-  std::int64_t cases = 0;  // total, in all parts
   std::vector<SoakLine> lines{};
   std::vector<SoakFailure> failures{};  // the first kSoakFailures, by number and scalar
 
   std::int64_t wrong() const;
-
-  static constexpr auto fields() {
-    using namespace trace::field;
-    return list(exact("seed", &Soak::seed), exact("cases", &Soak::cases),
-                exact("wrong", &Soak::wrong), exact("lines", &Soak::lines),
-                exact("failures", &Soak::failures));
-  }
 };
 inline constexpr std::size_t kSoakFailures = 20;
 
@@ -93,12 +66,13 @@ struct SoakCase {
 };
 SoakCase soak_case(std::uint64_t seed, std::int64_t number);
 
-/// Tests the cases from `first` up to but excluding `last`, out of `cases`. `step` is called now
-/// and then with the number done, and may throw to stop.
-Soak soak_pairs(std::uint64_t seed, std::int64_t cases, std::int64_t first, std::int64_t last,
-                const std::function<void(std::int64_t done)>& step);
+/// Tests the cases from `first` up to but excluding `last`.
+Soak soak_pairs(std::uint64_t seed, std::int64_t first, std::int64_t last);
 
 /// Adds the results of another part.
 void add(Soak& whole, const Soak& part);
+
+/// Prints a table of the sweeps, each wrong result, and the sum. Returns whether none is wrong.
+bool report(const Soak& soak, std::ostream& out);
 
 }  // namespace contactscope

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
+#include <ostream>
 
-#include "study/random_cases.h"
+#include "core/spell.h"
 
 namespace contactscope {
 namespace {
@@ -75,6 +77,36 @@ void keep_first(std::vector<SoakFailure>& failures) {
   if (failures.size() > kSoakFailures) failures.resize(kSoakFailures);
 }
 
+/// Sums over all kinds of pairs for each sweep and scalar.
+std::vector<SoakLine> by_sweep(const Soak& soak) {
+  std::vector<SoakLine> sums;
+  for (const SoakLine& line : soak.lines) {
+    const auto is_same = [&](const SoakLine& sum) {
+      return sum.sweep == line.sweep && sum.scalar == line.scalar;
+    };
+    const auto sum = std::ranges::find_if(sums, is_same);
+    if (sum == sums.end())
+      sums.push_back(line);
+    else
+      sum->add(line);
+  }
+  std::ranges::stable_sort(sums, {}, &SoakLine::scalar);
+  return sums;
+}
+
+/// Bound in ulps, a power of two, on the errors of this share of the pairs without a fault.
+std::string within(const SoakLine& line, double share) {
+  std::int64_t all = line.exact, seen = line.exact;
+  for (const auto& [exponent, count] : line.errors) all += count;
+  const double wanted = share * static_cast<double>(all);
+  if (static_cast<double>(seen) >= wanted) return all == 0 ? "-" : "0";
+  for (const auto& [exponent, count] : line.errors) {
+    seen += count;
+    if (static_cast<double>(seen) >= wanted) return printed("%g", std::ldexp(1.0, exponent));
+  }
+  return "-";
+}
+
 }  // namespace
 
 std::int64_t SoakLine::wrong() const {
@@ -104,12 +136,9 @@ SoakCase soak_case(std::uint64_t seed, std::int64_t number) {
   return one;
 }
 
-Soak soak_pairs(std::uint64_t seed, std::int64_t cases, std::int64_t first, std::int64_t last,
-                const std::function<void(std::int64_t done)>& step) {
-  constexpr std::int64_t kStep = 1000;
-  Soak soak{seed, cases, empty_lines()};
+Soak soak_pairs(std::uint64_t seed, std::int64_t first, std::int64_t last) {
+  Soak soak{empty_lines()};
   for (std::int64_t number = first; number < last; ++number) {
-    if ((number - first) % kStep == 0) step(number - first);
     const SoakCase one = soak_case(seed, number);
     const PairVerdict verdicts[] = {judge_pair<float>(one.pair), judge_pair<double>(one.pair)};
     const std::size_t line = line_of(one);
@@ -139,6 +168,30 @@ void add(Soak& whole, const Soak& part) {
     whole.lines[i].add(part.lines[i]);
   whole.failures.insert(whole.failures.end(), part.failures.begin(), part.failures.end());
   keep_first(whole.failures);
+}
+
+bool report(const Soak& soak, std::ostream& out) {
+  const auto row = [&](const std::string& sweep, const std::vector<std::string>& cells) {
+    out << std::left << std::setw(10) << sweep << std::right;
+    for (const std::string& cell : cells) out << std::setw(13) << cell;
+    out << '\n';
+  };
+  row("sweep", {"scalar", "pairs", "wrong", "drowned", "half within", "99.9% within",
+                "worst (ulps)", "worst case"});
+  std::int64_t pairs = 0;
+  for (const SoakLine& line : by_sweep(soak)) {
+    pairs += line.pairs;
+    row(line.sweep,
+        {line.scalar, std::to_string(line.pairs), std::to_string(line.wrong()),
+         std::to_string(line.faults.at("drowned")), within(line, 0.5), within(line, 0.999),
+         printed("%.3g", line.worst_ulps), std::to_string(line.worst_case)});
+  }
+  for (const SoakFailure& failure : soak.failures)
+    out << "case " << failure.number << ": " << failure.pair << " in " << failure.scalar << ", "
+        << failure.sweep << " " << printed("%.3g", failure.value) << ": " << failure.fault
+        << ", off by " << printed("%.3g", failure.ulps) << " ulps\n";
+  out << pairs << " pairs judged, " << soak.wrong() << " wrong\n";
+  return soak.wrong() == 0;
 }
 
 }  // namespace contactscope
