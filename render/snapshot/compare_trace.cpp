@@ -157,11 +157,6 @@ TraceDifferences compare_and_settle(const Trace& expected, Trace& actual, const 
   return record;
 }
 
-std::vector<std::string> compare_traces(const Trace& expected, const Trace& actual) {
-  Trace settled = actual;
-  return compare_and_settle(expected, settled).sentences;
-}
-
 TraceDifferences compare_with_stored(const std::string& text, const std::string& path,
                                      const Trace& actual, const Margins& margins) {
   std::istringstream stored(text);

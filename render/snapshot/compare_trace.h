@@ -13,17 +13,6 @@ namespace contactscope::snapshot {
 /// Limit of sentences per frame; "and N more" follows.
 inline constexpr int kMaxSentences = 8;
 
-/// Differences between a stored trace and the one of this run, as sentences such as
-/// "hull/face_contact frame 12, crate-floor: point 2 moved 1.3 mm along x, separation -0.0050 ->
-/// -0.0037". Empty if they are the same.
-///
-/// Every field listed in trace.h is compared. Names, ids, indices and counts compare exactly, and
-/// so does the presence of frames, pairs and stages. Numbers compare within a few ulps of the
-/// expected trace's scalar at the size and position of the two shapes (some facts of a pair are
-/// recorded in single precision only). A number that is not finite always differs. Frames match by
-/// number, shapes by name, pairs by names and label, points by id.
-std::vector<std::string> compare_traces(const trace::Trace& expected, const trace::Trace& actual);
-
 /// The first difference: in the first frame that has one, the earliest stage of the pipeline.
 struct Parting {
   int frame = -1;         // number; -1: the headers differ
@@ -35,7 +24,9 @@ struct Parting {
 
 /// Differences and their first cause.
 struct TraceDifferences {
-  std::vector<std::string> sentences{};  // from compare_traces()
+  /// "hull/face_contact frame 12, crate-floor: point 2 moved 1.3 mm along x, separation -0.0050 ->
+  /// -0.0037". Empty if the traces are the same.
+  std::vector<std::string> sentences{};
   std::optional<Parting> first{};
   std::string cause{};        // the first difference that may explain the others
   std::string signature{};    // of the cause; see FirstCause
@@ -45,7 +36,14 @@ struct TraceDifferences {
   bool is_words = false;      // title or source differ
 };
 
-/// Compares; numbers of `actual` within tolerance become the expected ones.
+/// Compares a stored trace with the one of this run; numbers of `actual` within tolerance become
+/// the expected ones.
+///
+/// Every field listed in trace.h is compared. Names, ids, indices and counts compare exactly, and
+/// so does the presence of frames, pairs and stages. Numbers compare within a few ulps of the
+/// expected trace's scalar at the size and position of the two shapes (some facts of a pair are
+/// recorded in single precision only). A number that is not finite always differs. Frames match by
+/// number, shapes by name, pairs by names and label, points by id.
 TraceDifferences compare_and_settle(const trace::Trace& expected, trace::Trace& actual,
                                     const Margins& margins = {});
 

@@ -96,7 +96,6 @@ class JsonWriter {
     for (const auto& [name, value] : map) object[name] = json(value, key);
     return object;
   }
-  template <class T> Json json(const std::map<int, T>& map, const char*) const { return map; }
   /// A vector of three, or any list.
   template <std::ranges::range List> Json json(const List& list, const char* key) const {
     using Entry = std::ranges::range_value_t<List>;

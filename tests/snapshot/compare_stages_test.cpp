@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "snapshot/compare_trace.h"
+#include "snapshot/compared_sentences.h"
 #include "snapshot/sample_trace.h"
 
 namespace contactscope::snapshot {

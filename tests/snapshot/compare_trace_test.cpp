@@ -7,6 +7,7 @@
 #include <limits>
 #include <sstream>
 
+#include "snapshot/compared_sentences.h"
 #include "snapshot/sample_trace.h"
 #include "snapshot/store.h"
 #include "trace/walk_facts.h"
