@@ -58,17 +58,33 @@ template <class S> bool bend_equally(const Mesh<S>& mesh, const std::vector<Part
   });
 }
 
+/// Of these edges those whose triangle is wider than a seam: the sides of a strip as narrow as one
+/// would be a seam of it with itself.
+template <class S>
+std::vector<TriangleEdge> of_wide_triangles(const Mesh<S>& mesh, std::vector<TriangleEdge> edges,
+                                            double seam) {
+  std::erase_if(edges, [&](const TriangleEdge& edge) {
+    const Line line = line_of(mesh, edge);
+    const Line next = line_of(mesh, {edge.triangle, edge.edge + 1});
+    return !has_area(mesh, edge.triangle) ||
+           !(line.along.cross(next.along).norm() > 2 * seam * line.along.norm());
+  });
+  return edges;
+}
+
 }  // namespace
 
 template <class S>
 std::vector<std::array<int, 3>> find_seams(const Mesh<S>& mesh,
-                                           const std::vector<TriangleEdge>& edges) {
+                                           const std::vector<TriangleEdge>& alone) {
+  double reach = 0;
+  for (const TriangleEdge& edge : alone)
+    reach = std::max(reach, line_of(mesh, edge).from.cwiseAbs().maxCoeff());
   std::vector<std::array<int, 3>> seams;
+  const std::vector<TriangleEdge> edges = of_wide_triangles(mesh, alone, kSeam * reach);
   if (edges.size() < 2) return seams;
   const std::vector<Line> lines =
       mapped(edges, [&](const TriangleEdge& edge) { return line_of(mesh, edge); });
-  double reach = 0;
-  for (const Line& line : lines) reach = std::max(reach, line.from.cwiseAbs().maxCoeff());
   const Vec3d margin = Vec3d::Constant(kSeam * reach);
   const auto boxes = mapped(lines, [&](const Line& line) -> Aabb<double> {
     const Vec3d to = line.from + line.along;
@@ -80,11 +96,10 @@ std::vector<std::array<int, 3>> find_seams(const Mesh<S>& mesh,
     const double length = lines[i].along.norm();
     // Edges that are hardly longer than a seam may lie next to each other by chance.
     const double width = std::min(kSeam * reach, kSliver * length);
-    if (!has_area(mesh, triangle)) continue;
     std::vector<Part> parts;
     tree.query(boxes[i], [&](int other) {
       const int beyond = at(edges, other).triangle;
-      if (beyond == triangle || !has_area(mesh, beyond)) return;
+      if (beyond == triangle) return;
       const Part part = part_along(lines[i], at(lines, other), beyond, width);
       if (part.end - part.begin > width) parts.push_back(part);
     });

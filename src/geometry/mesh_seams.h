@@ -24,10 +24,11 @@ struct TriangleEdge {
 ///      \         /      3. if the parts leave no gap, and the surface bends equally at all of them
 ///        \     /           within kFlatEdgeAngle, it continues in the triangle of the longest.
 ///
-/// Vertices and triangles stay as given. Empty if there are no seams. `edges` are not shared by
-/// triangles; the mesh's neighbours and normals are set. O(n log n) unless very many edges meet.
+/// Vertices and triangles stay as given. Triangles as thin as a seam have none. Empty if there are no
+/// seams. `alone`: edges of one triangle each; the mesh's neighbours and normals are set. O(n log n)
+/// unless very many edges meet.
 template <class S>
 std::vector<std::array<int, 3>> find_seams(const Mesh<S>& mesh,
-                                           const std::vector<TriangleEdge>& edges);
+                                           const std::vector<TriangleEdge>& alone);
 
 }  // namespace contactscope

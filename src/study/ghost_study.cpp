@@ -160,7 +160,7 @@ Slide slide(const Floor& floor, const GhostSlider& slider, double speed) {
 std::vector<trace::Study> study_ghosts(const StudyOptions& options, const StudyProgress& progress) {
   std::vector<trace::Study> results = results_of(
       "ghost", "float", "m/s", "sliding without friction, 2 m, 60 steps a second",
-      {{"thrown", "How high flat floors throw what slides over them", "height", "m", 1e-6},
+      {{"thrown", "How high flat floors throw what slides over them", "height", "m", 1e-5},
        {"slowed", "How much flat floors slow what slides over them", "share of the speed", "",
         1e-6}},
       trace::StudyForm::Curves);

@@ -65,6 +65,18 @@ const std::vector<Kept> kBulletPanels = {
     {"boxes, a wall of 1 cm", "Boxes of about 8 cm"},
     {"spinning rods, a wall of 1 cm", "Spinning rods of 62 cm"}};
 
+const std::vector<Kept> kGhostFloors = {{"one mesh", "one mesh"},
+                                        {"T-junctions", "T-junctions"},
+                                        {"cracks of 1 µm", "cracks of 1 µm"},
+                                        {"cracks of 0.1 mm", "cracks of 0.1 mm"},
+                                        {"two meshes", "two meshes, tile next to tile"},
+                                        {"boxes", "boxes next to each other"}};
+
+const std::vector<Kept> kGhostSliders = {{"sphere", "Sphere of 40 cm"},
+                                         {"box", "Box of 60 cm by 30 cm by 40 cm"},
+                                         {"lying capsule", "Capsule of 20 cm by 60 cm, lying"},
+                                         {"cylinder", "Cylinder of 24 sides, standing"}};
+
 const std::vector<Kept> kFields = {
     {"trilinear", "trilinear"},
     {"cubic", "cubic"},
@@ -120,6 +132,18 @@ std::string result_of_reducers(Picture& plot, const std::string& best) {
   return best + own + " of the area, the choices of " +
          listed(mapped(engines, &std::pair<double, std::string>::second)) + " " +
          percent(engines.front().first) + " to " + percent(engines.back().first);
+}
+
+std::string result_of_ghosts(Picture& plot) {
+  plot.join_equal();
+  const double within = largest_error(plot.measured, {"one mesh", "cracks of 1 µm", "T-junctions"});
+  const std::string thrown = length(plot.error("two meshes"));
+  // The title is about the first panel.
+  for (trace::StudySeries& line : plot.lines)
+    if (line.method.starts_with("two meshes") && line.panel == plot.lines.front().panel)
+      line.points.back().mark = thrown;
+  return "Cracks of 1 µm and T-junctions of a flat mesh throw nothing higher than " +
+         length(within) + ", the seam of two meshes a sphere " + thrown;
 }
 
 /// The least change of a pose that gives other points, spelled, with words around it.
@@ -230,6 +254,10 @@ const std::vector<PictureRow>& picture_rows() {
           "wall with its middle beyond is pushed out there: it has passed",
           {.at = 10}, &result_of_bullets),
       row("tunnelling", "early", kStops, kBulletPanels, "m/s", "", ""),
+
+      row("ghost", "thrown", kGhostFloors, kGhostSliders, "m/s", "", "",
+          {.at = 12, .drop_resolution = true, .error = "height, on floors that are all flat"},
+          &result_of_ghosts),
 
       row("distance_field", "distance", kMarkedFields, kByCells, "cells", "µm", kMarkers,
           {.at = 64, .only_at = true, .scale = 1e6, .left_out = {", by band", ", seed"}},

@@ -80,6 +80,13 @@ TEST(MeshSeams, BendsOfSeamsAreClassified) {
   EXPECT_EQ(three_sides(0, -steep).edge_class(0, 0), Boundary);  // two bends
 }
 
+TEST(MeshSeams, AStripAsThinAsASeamIsNoSeamWithItself) {
+  for (const double width : {1e-9, 1e-6, 1e-4})
+    EXPECT_TRUE(build_mesh({{0, 0, 0}, {1, 0, 0}, {1, width, 0}, {0, width, 0}},
+                           {{0, 1, 2}, {0, 2, 3}})
+                    .seams.empty());
+}
+
 // As for neighbours: which of three surfaces continues is not known.
 TEST(MeshSeams, NoneAtAnEdgeThatThreeTrianglesShare) {
   const Mesh<double> mesh = build_mesh({{0, 0, 0}, {1, 0, 0}, {0, 0, -1}, {0, 0, 1}, {0, 1, 0}},
