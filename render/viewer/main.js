@@ -9,7 +9,7 @@ async function start() {
   // Layers of stages are only there with the stages.
   const stage = { reference_face: 'clip', side_planes: 'clip', clip_polygons: 'clip', dropped: 'clip', incident_face: 'clip', candidates: 'reduction', reduced: 'reduction' };
   data.layers = data.layers.filter(({ name }) => !stage[name] || data.stages.some(stages => stages[stage[name]]));
-  byId('source').textContent = [data.header.source, data.header.engine && data.header.engine + ' ' + data.header.version, data.command].filter(Boolean).join(' \u00b7 ');
+  byId('source').textContent = [data.header.source, [data.header.engine, data.header.version].filter(Boolean).join(' '), data.command].filter(Boolean).join(' \u00b7 ');
 
   const usual = data.layers.filter(layer => layer.on).map(layer => layer.name).join(), { contacts, manifolds } = data, count = (n, word) => n + ' ' + word + (n === 1 ? '' : 's');
   // A selection: { body }, { pair } or { pair, point }, with numbers of bodies and pairs and the key of a point.

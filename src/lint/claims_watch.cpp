@@ -170,7 +170,7 @@ class ClaimsWatch final : public Watch {
       const bool are_far = verdict->farthest > kFar * verdict->tolerance;
       if (all[e].reading.point_scale < 1 && !are_far) continue;
       const std::optional<Verdict> then = judge(solids, frames, pair, all[e].reading);
-      if (!then) continue;
+      if (!then || !have_their_size(all[e].reading, *then)) continue;
       // Or a gross error becomes one of an engine's approximations.
       const bool is_fewer =
           2 * then->wrong <= verdict->wrong ||
@@ -186,6 +186,20 @@ class ClaimsWatch final : public Watch {
     }
     has_explained_ |= wrong.explained_by;
     wrong_.add(std::move(wrong), options_.marks(frames.now->frame));
+  }
+
+  /// Whether the largest separation, read with another sign or unit, has the size of the measured
+  /// one. Any small number is near enough for surfaces that nearly touch.
+  static bool have_their_size(const Reading& reading, const Verdict& verdict) {
+    constexpr double kAbout = 1.25;
+    if (reading.separation_scale == 1 && !reading.separations_negated) return true;
+    double largest = 0, measured = 0;
+    for (std::size_t i = 0; i < verdict.separations.size(); ++i) {
+      const double is = std::abs(verdict.separations[i]);
+      const double said = std::abs(verdict.separations[i] - verdict.deeper[i]);
+      if (said > largest) largest = said, measured = is;
+    }
+    return largest <= kAbout * measured && measured <= kAbout * largest;
   }
 
   /// Whether another frame has b elsewhere, as seen from a.

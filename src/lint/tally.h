@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -35,20 +36,35 @@ inline void add_mark(Marks& marks, Mark mark, const LintOptions* options) {
   if (!always || options->marks(mark.frame)) marks.add(std::move(mark), always);
 }
 
-/// Counts occurrences of one problem among all cases, and keeps the first.
+/// Counts occurrences of one problem among all cases, and keeps the first of each pair.
 struct Tally {
+  static constexpr std::size_t kMaxPairs = 1000;  // later ones are only counted
+
+  /// The first occurrence of a pair, and how many follow.
+  struct OfPair {
+    Finding first{};
+    int count = 0;
+  };
+
   std::string cause{};
   int count = 0, of = 0;
+  std::map<std::pair<std::string, std::string>, OfPair> pairs{};
   Finding first{};
   Marks marks{};
 
-  /// Adds an occurrence; `said` and `is` are only built for the first.
+  /// Adds an occurrence; `said` and `is` are only built for the first of a pair.
   template <class Words> void wrong_at(Mark mark, const Moments& frames, const Words& words) {
     if (frames.options != nullptr && frames.options->ignores(cause, mark.a, mark.b)) return;
-    if (count++ == 0) {
+    const std::pair key(mark.a, mark.b);
+    if (const auto known = pairs.find(key); known != pairs.end()) {
+      ++known->second.count;
+    } else if (pairs.size() < kMaxPairs) {
       const auto [said, is] = words();
-      first = {"", "", "", 0, 0, mark.line, mark.frame, mark.a, mark.b, said, is};
+      OfPair& pair = pairs[key];
+      pair = {{"", "", "", 0, 0, mark.line, mark.frame, mark.a, mark.b, said, is}, 1};
+      if (count == 0) first = pair.first;
     }
+    ++count;
     add_mark(marks, std::move(mark), frames.options);
   }
   template <class Words>
@@ -62,7 +78,10 @@ struct Tally {
   void report(const char* what, const char* remedy, int least, double share,
               std::vector<Finding>& findings) const {
     if (count == 0) return;
-    Finding finding = first;
+    // One pair may have nearly all of them, and another one the first.
+    const auto most =
+        std::ranges::max_element(pairs, {}, [](const auto& pair) { return pair.second.count; });
+    Finding finding = 2 * most->second.count > count ? most->second.first : first;
     finding.cause = cause;
     finding.what = what;
     finding.remedy = remedy;

@@ -343,7 +343,7 @@ TEST(HeapPanels, LintListsThePairsOfTheFrameAndTheViewMarksThem) {
                   "lint: 4 findings", "3 of 40", "pairs flicker", "!1  crate 3 and crate 9",
                   "9 times", "points twice", "!2  floor and crate 1", "!3  floor and crate 2",
                   "!4  floor and crate 4", "and 1 more pair", "1 of 36", "normals jump",
-                  "the first in frame 7", "1 time", "poses jump", "!5  crate 24"));
+                  "as in frame 7", "1 time", "poses jump", "!5  crate 24"));
   const Sketch sketch = sketch_frame(heap.staged(), heap.frames[0]);
   std::map<std::string, Vec3d> marked;
   for (const Label& label : sketch.labels)

@@ -82,9 +82,9 @@ TEST(MeshSeams, BendsOfSeamsAreClassified) {
 
 TEST(MeshSeams, AStripAsThinAsASeamIsNoSeamWithItself) {
   for (const double width : {1e-9, 1e-6, 1e-4})
-    EXPECT_TRUE(build_mesh({{0, 0, 0}, {1, 0, 0}, {1, width, 0}, {0, width, 0}},
-                           {{0, 1, 2}, {0, 2, 3}})
-                    .seams.empty());
+    EXPECT_TRUE(
+        build_mesh({{0, 0, 0}, {1, 0, 0}, {1, width, 0}, {0, width, 0}}, {{0, 1, 2}, {0, 2, 3}})
+            .seams.empty());
 }
 
 // As for neighbours: which of three surfaces continues is not known.

@@ -179,6 +179,12 @@ std::vector<Seed> seeds() {
          each_point(trace, [](auto&, auto&, trace::Point& point) { point.separation -= 0.04; });
        },
        "margin_added"},
+      // In another unit these separations would fit as well, being small.
+      {"a margin taken off", heap,
+       [](Trace& trace) {
+         each_point(trace, [](auto&, auto&, trace::Point& point) { point.separation += 0.02; });
+       },
+       "margin_taken_off"},
       {"contacts left out", heap, no_contacts_in_half_of_the_frames, "pairs_flicker"},
       {"told apart", heap, with_noise, "overlap_told_apart"},
       {"ids by chance", stack, ids_by_chance, "ids_change"},

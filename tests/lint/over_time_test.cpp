@@ -76,6 +76,20 @@ TEST(LintOverTime, PosesAfterTheStepAreThoseOfTheNextContacts) {
   EXPECT_EQ(found_in(trace).front(), "pairs_flicker");
 }
 
+TEST(LintOverTime, OfManyPairsThatFlickerTheOneThatDoesMostIsNamed) {
+  Trace trace = stack();
+  const trace::Pair once = trace.frames.front().pairs[2], most = trace.frames.front().pairs[5];
+  for (std::size_t f = 8; f < trace.frames.size(); f += 2)
+    std::erase_if(trace.frames[f].pairs, [&](const trace::Pair& pair) {
+      return pair.a == (f == 8 ? once.a : most.a) && pair.b == (f == 8 ? once.b : most.b);
+    });
+  const std::vector<Finding> findings = lint(trace);
+  ASSERT_EQ(findings.front().cause, "pairs_flicker");
+  EXPECT_EQ(findings.front().a, most.a);
+  EXPECT_EQ(findings.front().b, most.b);
+  EXPECT_GT(findings.front().frame, trace.frames[8].frame);
+}
+
 TEST(LintOverTime, PointsThatAreThereTwiceExplainTheirImpulses) {
   Trace trace = stack();
   each_of(trace, 5,

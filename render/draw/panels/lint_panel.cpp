@@ -89,7 +89,7 @@ class LintPanel : public PanelContent {
             (b.empty() ? "" : " and " + name_in_words(b)));
       }
       if (one.places.empty())
-        row("the first in frame " + std::to_string(fault.first));
+        row("as in frame " + std::to_string(fault.first));
       else if (one.places.size() > kOfFault)
         row("and " + counted(one.places.size() - kOfFault, "more pair", "more pairs"));
     }
