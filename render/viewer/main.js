@@ -5,7 +5,7 @@ async function start() {
   make('script', new TextDecoder().decode(three), document.head);
   data = unpack(bytes);
   data.totals = totals();
-  for (const finding of data.findings) finding.index = data.frames.indexOf(finding.frame);
+  for (const finding of data.findings) [finding.index, ...finding.places] = [finding.frame, ...finding.frames || []].map(frame => data.frames.indexOf(frame));
   // Layers of stages are only there with the stages.
   const stage = { reference_face: 'clip', side_planes: 'clip', clip_polygons: 'clip', dropped: 'clip', incident_face: 'clip', candidates: 'reduction', reduced: 'reduction' };
   data.layers = data.layers.filter(({ name }) => !stage[name] || data.stages.some(stages => stages[stage[name]]));
@@ -171,9 +171,11 @@ async function start() {
 
   // ---- Search and findings
 
-  function jump(list, frame, pair, text, more) {
+  function jump(list, frame, selection, text, more) {
     button(text, more, make('li', undefined, list), () => {
-      if (pair >= 0) state.selection = { pair };
+      if (selection) state.selection = selection;
+      const pose = selection && selection.body !== undefined && poseOf(selection.body, frame);
+      if (pose) orbit.target.copy(point3(pose));
       go(frame);
     });
   }
@@ -186,7 +188,7 @@ async function start() {
       found = [...new Set(hits.map(([frame]) => frame))];
       foundRecords = new Set(hits.map(([, record]) => record));
       byId('found').textContent = text.trim() ? count(hits.length, 'record') + ' in ' + count(found.length, 'frame') : '';
-      for (const [frame, record] of hits.slice(0, 100)) jump(byId('hits'), frame, contacts.pair[record], 'frame ' + data.frames[frame] + ': ' + pairName(contacts.pair[record]), '');
+      for (const [frame, record] of hits.slice(0, 100)) jump(byId('hits'), frame, { pair: contacts.pair[record] }, 'frame ' + data.frames[frame] + ': ' + pairName(contacts.pair[record]), '');
     } catch (error) {
       byId('found').textContent = error.message;
     }
@@ -203,7 +205,8 @@ async function start() {
   for (const { what, said, is, remedy, index, a, b, ...finding } of data.findings) {
     const many = finding.of ? ', ' + finding.count + ' of ' + finding.of : finding.count > 1 ? ', ' + finding.count + ' times' : '';
     const pair = data.pairs.findIndex((_, i) => [a, b].sort().join('\n') === namesOf(i).slice(0, 2).sort().join('\n'));
-    jump(byId('lint'), Math.max(0, index), pair, what + many, [said, is, remedy].filter(Boolean).join('; '));
+    const body = data.shapes.findIndex(shape => shape.name === a), place = index < 0 ? '' : ' \u00b7 frame ' + data.frames[index] + ': ' + [a, b].filter(Boolean).join(' and ');
+    jump(byId('lint'), Math.max(0, index), pair >= 0 ? { pair } : body >= 0 ? { body } : null, what + many + place, [said, is, remedy].filter(Boolean).join('; '));
   }
 
   // ---- The link's hash

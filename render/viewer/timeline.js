@@ -46,7 +46,7 @@ class Timeline {
       pen.fillText(text, 11, floor - row + 18);
     });
     for (const at of found) rect('finding', 1, this.x(at) - 0.75, 9, 1.5, 5);
-    for (const at of data.findings.map(finding => finding.index).filter(index => index >= 0)) {
+    for (const at of new Set(data.findings.flatMap(finding => finding.places).filter(index => index >= 0))) {
       pen.beginPath();
       for (const [x, y] of [[-5, 0], [5, 0], [0, 9]]) pen.lineTo(this.x(at) + x, y);
       Object.assign(pen, { fillStyle: css('finding') }).fill();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <set>
 
 #include "core/at.h"
 #include "draw/scene/palette.h"
@@ -77,6 +78,9 @@ ordered_json finding_json(const lint::Finding& finding) {
                {"b", finding.b},
                {"said", finding.said},
                {"is", finding.is}});
+  std::set<int> frames;
+  for (const lint::Mark& mark : finding.marks) frames.insert(mark.frame);
+  json["frames"] = frames;
   return json;
 }
 

@@ -183,6 +183,26 @@ TEST_F(InChromium, ShowsTheFactsOfTheTraceAndAnswersClicksKeysAndSearch) {
   EXPECT_THAT(page["wrong"].get<std::string>(), HasSubstr("a quantity is missing at the end"));
 }
 
+TEST_F(InChromium, FindingsNameTheirFrameAndShapesAndSelectThem) {
+  const json page = result(R"(
+    const { state, data } = contactscope, click = button => {
+      state.selection = null;
+      button.click();
+      return [button.textContent, state.selection, data.frames[state.frame]];
+    };
+    return { rows: [...document.querySelectorAll('#lint button')].map(click), places: data.findings.map(finding => finding.places) };)");
+  ASSERT_FALSE(page.contains("error")) << page["error"];
+  ASSERT_FALSE(page["rows"].empty());
+  for (std::size_t i = 0; i < page["rows"].size(); ++i) {
+    const json& row = page["rows"][i];
+    EXPECT_THAT(row[0].get<std::string>(),
+                HasSubstr("frame " + std::to_string(row[2].get<int>()) + ": "));
+    EXPECT_THAT(row[0].get<std::string>(), HasSubstr("crate <b>&amp;"));
+    EXPECT_TRUE(row[1].is_object()) << row[0];
+    EXPECT_THAT(page["places"][i], testing::Contains(row[2].get<int>() / 3)) << row[0];
+  }
+}
+
 /// Number of records that `find` finds in the trace of the page.
 int found_by_find(const std::string& expression) {
   find::Finder finder(find::Expression(expression, find::vocabulary()));
