@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/check/lint.h"
+#include "app/cli/catalogue.h"
 #include "app/cli/progress.h"
 #include "app/cli/table.h"
 #include "app/compare/engine_runs.h"
