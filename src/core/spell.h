@@ -21,8 +21,7 @@ template <class... Values> std::string printed(const char* format, Values... val
 /// "1 pair", "2 pairs"; `many` is only needed if it is not `one` with an "s".
 std::string counted(std::size_t count, const std::string& one, const std::string& many = "");
 
-/// A whole number in groups of three digits and with a real minus sign:
-/// "11,175".
+/// A whole number in groups of three digits and with a real minus sign: "11,175".
 std::string spell_count(std::int64_t count);
 
 /// "⁻⁴", for a power of ten.
@@ -37,8 +36,7 @@ struct SpellPlainly {
   std::string operator()(int number) const { return std::to_string(number); }
 };
 
-/// The entries of a list with `between` between them: "a, b, c". `spell` makes
-/// the text of each.
+/// The entries of a list with `between` between them: "a, b, c". `spell` makes the text of each.
 template <class List, class Spell = SpellPlainly>
 std::string separated(const List& list, std::string_view between, const Spell& spell = {}) {
   std::string text, before;

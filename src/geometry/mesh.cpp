@@ -118,8 +118,8 @@ std::vector<std::array<int, 3>> find_neighbours(std::span<const Vec3d> vertices,
   return neighbours;
 }
 
-/// Classifies every edge and finds the flat regions, using neighbours, seams and normals. A region is a
-/// tree of triangles whose parents have lower numbers.
+/// Classifies every edge and finds the flat regions, using neighbours, seams and normals. A region
+/// is a tree of triangles whose parents have lower numbers.
 template <class S> void classify_edges(Mesh<S>& mesh) {
   using enum EdgeClass;
   mesh.edges.assign(mesh.triangles.size(), {Boundary, Boundary, Boundary});

@@ -40,7 +40,7 @@ inline void add_mark(Marks& marks, Mark mark, const LintOptions* options) {
 struct Tally {
   static constexpr std::size_t kMaxPairs = 1000;  // later ones are only counted
 
-  /// The first occurrence of a pair, and how many follow.
+  /// The first occurrence of a pair, and the number of all.
   struct OfPair {
     Finding first{};
     int count = 0;

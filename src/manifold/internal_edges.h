@@ -6,7 +6,6 @@
 
 #include "core/static_vector.h"
 #include "geometry/mesh.h"
-#include "manifold/internal_edges.h"
 #include "query/closest_points.h"
 
 namespace contactscope {
@@ -91,8 +90,9 @@ bool is_along_face(const Mesh<S>& mesh, int triangle, const ContactNormal<S>& no
 inline constexpr int kMaxFlatNeighbours = 16;
 
 /// Whether the surface beyond edge k of a triangle, which may be a seam, rises from it along the
-/// normal, so that the edge is not an edge of the surface. Crosses a neighbour without an area: from one of its short edges
-/// the surface continues beyond its longest, and from its longest beyond both others.
+/// normal, so that the edge is not an edge of the surface. Crosses a neighbour without an area:
+/// from one of its short edges the surface continues beyond its longest, and from its longest
+/// beyond both others.
 template <class S>
 bool rises_across(const Mesh<S>& mesh, int triangle, int k, const ContactNormal<S>& normal,
                   int crossed = 0) {

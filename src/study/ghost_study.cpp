@@ -13,9 +13,9 @@ namespace contactscope {
 namespace {
 
 constexpr double kTile = 0.1;      // metres, edge of a tile of the floors
-constexpr double kRunLength = 2;   // metres; the runway is longer and as wide as needed
-constexpr double kRunway = 3;      // metres
-constexpr double kRunwaySide = 1;  // metres
+constexpr double kRunLength = 2;   // metres that a shape slides, about the middle of the runway
+constexpr double kRunway = 3;      // metres, half of its length
+constexpr double kRunwaySide = 1;  // metres, half of its width
 constexpr float kGhostFrame = 1.0F / 60;
 constexpr std::array<double, 4> kGhostSpeeds = {1, 3, 6, 12};  // m/s
 
