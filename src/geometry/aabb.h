@@ -96,12 +96,14 @@ template <class S> class OverlapsWith {
 
 /// Whether holds(i) for any i below `count` with hit(i), tried in order. Many boxes are tested before
 /// the first `holds`: which ones are hit is random, and branches on it would be mispredicted.
-template <class Hit, class Holds> bool any_hit(int count, const Hit& hit, const Holds& holds) {
+/// `hit` answers for `kAtOnce` boxes from i on, with a bit each; none beyond `count` may be hit.
+template <int kAtOnce = 1, class Hit, class Holds>
+bool any_hit(int count, const Hit& hit, const Holds& holds) {
   constexpr int kMany = 64;
   for (int begin = 0; begin < count; begin += kMany) {
     const int end = std::min(count, begin + kMany);
     std::uint64_t hits = 0;
-    for (int i = begin; i < end; ++i) hits |= std::uint64_t{hit(i)} << (i - begin);
+    for (int i = begin; i < end; i += kAtOnce) hits |= std::uint64_t{hit(i)} << (i - begin);
     for (; hits != 0; hits &= hits - 1)
       if (holds(begin + std::countr_zero(hits))) return true;
   }

@@ -291,31 +291,34 @@ template <class S> FeatureId TriangleContacts<S>::in_mesh(const FeatureId& id, P
 
 template <class S> void TriangleContacts<S>::add(const Contact<S>& contact, int triangle) {
   const int begin = count_of(points_);
-  points_.insert(points_.end(), contact.points.begin(), contact.points.end());
   // Adding zero makes -0 a 0: the special path of boxes may differ in its sign.
   const Vec3<S> normal = contact.normal.array() + S(0);
-  parts_.push_back({normal, contact.axis, contact.type, contact.scale, contact.deepest(), triangle,
-                    begin, count_of(points_)});
+  Part& part =
+      parts_.emplace_back(Part{normal, contact.axis, contact.type, contact.scale, contact.deepest(),
+                               triangle, begin, begin + count_of(contact.points)});
+  for (const ContactPoint<S>& point : contact.points)
+    points_.push_back({point.position, point.separation, in_mesh(point.id, part)});
 }
 
-/// Steps 1 and 3 to 5 for a group, the deepest part first.
+template <class S> ContactPoints<S> TriangleContacts<S>::points_of(const Part& part) const {
+  return ContactPoints<S>(points_).subspan(static_cast<std::size_t>(part.begin),
+                                           static_cast<std::size_t>(part.end - part.begin));
+}
+
+/// Steps 3 to 5 for a group, the deepest part first.
 template <class S>
 void TriangleContacts<S>::finish_group(std::span<Part* const> parts, const ToWorld<S>& to_world,
                                        const CollideOptions& options, Manifolds<S>& manifolds,
                                        Recorder<S>* recorder) {
-  Part& lead = *parts.front();
+  const Part& lead = *parts.front();
   const bool is_first = manifolds.empty();
   Contact<S> contact;
   contact.axis = lead.axis;
   contact.type = lead.type;
   contact.normal = lead.normal;
   contact.scale = lead.scale;
-  const auto in_mesh_of = [&](Part& part, int i) -> ContactPoint<S> {
-    const ContactPoint<S>& point = at(points_, i);
-    return {point.position, point.separation, in_mesh(point.id, part)};
-  };
   if (parts.size() == 1) {
-    for (int i = lead.begin; i < lead.end; ++i) contact.points.push_back(in_mesh_of(lead, i));
+    for (const ContactPoint<S>& point : points_of(lead)) contact.points.push_back(point);
     finish_contact(to_world, options, contact, manifolds.emplace_back(),
                    is_first ? recorder : nullptr);
     if (recorder) [[unlikely]]
@@ -328,9 +331,8 @@ void TriangleContacts<S>::finish_group(std::span<Part* const> parts, const ToWor
     contact.scale = std::max(contact.scale, part->scale);
   }
   DistinctPoints<S> distinct(found, arena_);
-  for (Part* part : parts)
-    for (int i = part->begin; i < part->end; ++i)
-      distinct.add(in_mesh_of(*part, i), part->triangle);
+  for (const Part* part : parts)
+    for (const ContactPoint<S>& point : points_of(*part)) distinct.add(point, part->triangle);
   const ContactPoints<S> all = distinct.points();
   contact.scale = std::max(contact.scale, scale_of(all));
   Numbers chosen(&arena_);

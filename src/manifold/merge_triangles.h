@@ -39,7 +39,7 @@ template <class S> class TriangleContacts {
   /// Both must outlive this.
   TriangleContacts(const Shape<S>& a, const Mesh<S>& b);
 
-  /// Appends a contact with points, in A's frame.
+  /// Appends a contact with points, in A's frame: step 1.
   void add(const Contact<S>& contact, int triangle);
 
   /// Steps 2 to 6, into the world. `recorder` is null when not recording.
@@ -59,6 +59,7 @@ template <class S> class TriangleContacts {
 
   FeatureRef in_mesh(const FeatureRef& ref, int triangle) const;
   FeatureId in_mesh(const FeatureId& id, Part& part) const;
+  ContactPoints<S> points_of(const Part& part) const;
   void finish_group(std::span<Part* const> parts, const ToWorld<S>& to_world,
                     const CollideOptions& options, Manifolds<S>& manifolds, Recorder<S>* recorder);
 

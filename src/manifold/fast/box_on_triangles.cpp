@@ -93,7 +93,9 @@ template <class S>
 [[gnu::flatten]] bool BoxOnTriangles<S>::collide(int index, Contact<S>& contact) const {
   using Axis = BoxTriangleAxis<S>;
   if (!is_turn_) return false;
-  const TriangleByBox<S> triangle(mesh_, index, mesh_in_box_, turn_, box_.radius);
+  const TriangleByBox<S>& triangle =
+      triangle_.emplace(mesh_, index, mesh_in_box_, turn_, box_.radius);
+  index_ = index;
   const Axis axis = boxes::box_triangle_sat(half_, box_.radius, triangle, margin_, preference_);
   if (axis.verdict == Axis::Separated) return true;
   if (axis.verdict == Axis::Undecided) return false;
@@ -114,8 +116,11 @@ template <class S>
 template <class S>
 [[gnu::flatten]] bool BoxOnTriangles<S>::collide_face(int index, int face,
                                                       Contact<S>& contact) const {
-  const TriangleByBox<S> triangle(mesh_, index, mesh_in_box_, turn_, box_.radius);
-  return face_of_triangle(triangle, face, kAsDistance<S>, contact);
+  if (index != index_) {
+    triangle_.emplace(mesh_, index, mesh_in_box_, turn_, box_.radius);
+    index_ = index;
+  }
+  return face_of_triangle(*triangle_, face, kAsDistance<S>, contact);
 }
 
 /// create_face_contact() for the triangle's face and the box's incident face at its lowest vertex,

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "geometry/mesh.h"
 #include "manifold/collide_options.h"
 #include "manifold/contact.h"
@@ -38,7 +40,9 @@ template <class S> class BoxOnTriangles {
   Preference preference_;
   bool is_turn_;  // the rotation is unit
   boxes::TurnMatrix<S> turn_;
-  boxes::Three<S> half_;  // half extents of the box
+  boxes::Three<S> half_;                                     // half extents of the box
+  mutable std::optional<boxes::TriangleByBox<S>> triangle_;  // the last one
+  mutable int index_ = -1;
 };
 
 }  // namespace contactscope
