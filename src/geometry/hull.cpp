@@ -75,7 +75,8 @@ template <class T, class S> Hull<T> hull_cast(const Hull<S>& hull) {
       .lanes = {},
       .centroid = hull.centroid.template cast<T>(),
       .radius = static_cast<T>(hull.radius),
-      .half_extents = Vec3<T>::Zero()};
+      .half_extents = Vec3<T>::Zero(),
+      .seams = {hull.seams.covered, cast_each<Vec3<T>>(hull.seams.beyond)}};
   lay_out(cast);
   return cast;
 }

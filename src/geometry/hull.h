@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
 #include <vector>
 
@@ -55,6 +56,15 @@ template <class S> struct HullLanes {
   friend bool operator==(const HullLanes&, const HullLanes&) = default;
 };
 
+/// Where the surface of a hull continues in shapes next to it, see join_seams().
+template <class S> struct HullSeams {
+  std::vector<std::uint8_t> covered;  // per face: 1 if other hulls lie against all of it
+  std::vector<Vec3<S>> beyond;  // per half-edge: unit normal of the surface that continues its face
+                                // there; zero: none
+
+  bool empty() const { return covered.empty(); }
+};
+
 /// Convex polyhedron with half-edges, local frame, metres. Only the hull builder makes hulls, with
 /// these invariants: faces are planar within rounding; coplanar faces are merged, unless cut again
 /// by triangulate_faces; every vertex is used; V - E + F = 2; twins run in opposite directions; no
@@ -72,6 +82,7 @@ template <class S> struct Hull {
   S radius = 0;                        // largest distance of a vertex from the centroid
   /// Set by lay_out for boxes that equal the result of make_box in every number; otherwise zero.
   Vec3<S> half_extents = Vec3<S>::Zero();
+  HullSeams<S> seams;  // empty: nowhere
 
   int vertex_count() const { return static_cast<int>(vertices.size()); }
   int edge_count() const { return static_cast<int>(half_edges.size() / 2); }

@@ -118,31 +118,6 @@ std::vector<std::array<int, 3>> find_neighbours(std::span<const Vec3d> vertices,
   return neighbours;
 }
 
-/// Classifies every edge and finds the flat regions, using neighbours, seams and normals. A region
-/// is a tree of triangles whose parents have lower numbers.
-template <class S> void classify_edges(Mesh<S>& mesh) {
-  using enum EdgeClass;
-  mesh.edges.assign(mesh.triangles.size(), {Boundary, Boundary, Boundary});
-  mesh.regions.resize(mesh.triangles.size());
-  std::iota(mesh.regions.begin(), mesh.regions.end(), 0);
-  const auto root = [&](int triangle) {
-    while (mesh.region(triangle) != triangle)
-      triangle = at(mesh.regions, triangle) = mesh.region(mesh.region(triangle));
-    return triangle;
-  };
-  for (int t = 0; t < mesh.triangle_count(); ++t) {
-    for (int k = 0; k < 3; ++k) {
-      if (mesh.beyond(t, k) < 0) continue;
-      const double bend = bend_angle(mesh, t, k);
-      at(at(mesh.edges, t), k) = bend > kFlatEdgeAngle ? Convex : Internal;
-      if (std::abs(bend) > kFlatEdgeAngle) continue;
-      const int here = root(t), there = root(mesh.beyond(t, k));
-      at(mesh.regions, std::max(here, there)) = std::min(here, there);
-    }
-  }
-  for (int t = 0; t < mesh.triangle_count(); ++t) at(mesh.regions, t) = root(t);
-}
-
 template <class S> Vec3d normal_of(const Mesh<S>& mesh, int triangle) {
   const auto corner = [&](int k) -> Vec3d {
     return mesh.corner(triangle, k).template cast<double>();
@@ -214,6 +189,30 @@ template <class S> double bend_angle(const Mesh<S>& mesh, int triangle, int edge
   return angle < kFlatEdgeAngle - std::numbers::pi ? angle + 2 * std::numbers::pi : angle;
 }
 
+/// A region is a tree of triangles whose parents have lower numbers.
+template <class S> void classify_edges(Mesh<S>& mesh) {
+  using enum EdgeClass;
+  mesh.edges.assign(mesh.triangles.size(), {Boundary, Boundary, Boundary});
+  mesh.regions.resize(mesh.normals.size());
+  std::iota(mesh.regions.begin(), mesh.regions.end(), 0);
+  const auto root = [&](int triangle) {
+    while (mesh.region(triangle) != triangle)
+      triangle = at(mesh.regions, triangle) = mesh.region(mesh.region(triangle));
+    return triangle;
+  };
+  for (int t = 0; t < mesh.triangle_count(); ++t) {
+    for (int k = 0; k < 3; ++k) {
+      if (mesh.beyond(t, k) < 0) continue;
+      const double bend = bend_angle(mesh, t, k);
+      at(at(mesh.edges, t), k) = bend > kFlatEdgeAngle ? Convex : Internal;
+      if (std::abs(bend) > kFlatEdgeAngle || mesh.beyond(t, k) >= mesh.triangle_count()) continue;
+      const int here = root(t), there = root(mesh.beyond(t, k));
+      at(mesh.regions, std::max(here, there)) = std::min(here, there);
+    }
+  }
+  for (int t = 0; t < mesh.triangle_count(); ++t) at(mesh.regions, t) = root(t);
+}
+
 namespace {
 
 Mesh<double> build(std::vector<Vec3d> vertices, std::vector<std::array<int, 3>> triangles,
@@ -281,6 +280,8 @@ template <class T> Mesh<T> mesh_cast(const Mesh<double>& mesh) {
     const bool turned_over = normal.dot(mesh.normal(i)) < 0;
     cast.normals.push_back((turned_over ? mesh.normal(i) : normal).template cast<T>());
   }
+  for (std::size_t i = mesh.triangles.size(); i < mesh.normals.size(); ++i)
+    cast.normals.push_back(mesh.normals[i].template cast<T>());
   find_slivers(cast);
   cast.tree = aabb_tree_cast<T>(mesh.tree);
   return cast;
@@ -317,6 +318,7 @@ template <class S> bool update_tree(Mesh<S>& mesh, TreeUpdate how, double& cost_
   return true;
 }
 
+CONTACTSCOPE_FLOAT_AND_DOUBLE(classify_edges);
 CONTACTSCOPE_FLOAT_AND_DOUBLE(bend_angle, mesh_cast, update_surface, refit, update_tree);
 
 }  // namespace contactscope

@@ -47,11 +47,13 @@ template <class S> struct Mesh {
                                                // the windings of two disagree
   std::vector<std::array<int, 3>> seams;       // triangle that continues the surface at an edge
                                                // without a neighbour, see find_seams(); -1: none.
-                                               // Empty if all are -1
-  std::vector<Vec3<S>> normals;                // unit, to the front; zero if the area is zero
+                                               // Empty if all are -1. From triangle_count() on:
+                                               // surfaces of other shapes, see join_seams()
+  std::vector<Vec3<S>> normals;                // unit, to the front; zero if the area is zero. Then
+                                               // those of the surfaces of other shapes
   std::vector<std::array<EdgeClass, 3>> edges;
   std::vector<int> regions;           // lowest triangle of the flat region: connected across edges
-                                      // bent by at most kFlatEdgeAngle
+                                      // bent by at most kFlatEdgeAngle. An entry per normal
   std::vector<std::uint8_t> slivers;  // 1: lower than kSliver of the longest edge; otherwise 0
   AabbTree<S> tree;
 
@@ -104,7 +106,10 @@ template <class T> Mesh<T> mesh_cast(const Mesh<double>& mesh);
 /// regions, slivers and the boxes of the tree. Neighbours stay, and so do seams that do not open.
 template <class S> void refit(Mesh<S>& mesh);
 
-/// The same without the tree.
+/// Edge classes and regions, from neighbours, seams and normals.
+template <class S> void classify_edges(Mesh<S>& mesh);
+
+/// The same as refit() without the tree.
 template <class S> void update_surface(Mesh<S>& mesh);
 
 /// How to update the tree of a deformed mesh.

@@ -13,6 +13,26 @@ struct TriangleEdge {
   int triangle, edge;
 };
 
+/// An edge of a surface, which is to the left of it, seen from the surface's front.
+struct SurfaceEdge {
+  Vec3d from, along;  // metres
+  Vec3d normal;       // unit, of the surface at the edge
+};
+
+/// The width of a seam at an edge. Edges that are hardly longer than a seam may lie next to each
+/// other by chance. `reach`: the largest coordinate, metres.
+double seam_width(const SurfaceEdge& edge, double reach);
+
+/// Steps 2 and 3 of find_seams: the index of the edge in which the surface continues, of those that
+/// are near; -1: none.
+int continuation(const SurfaceEdge& edge, const std::vector<SurfaceEdge>& near, double width);
+
+/// The edges whose triangle is wider than a seam: the sides of a strip as narrow as one
+/// would be a seam of it with itself. `edges` is shortened to the same.
+template <class S>
+std::vector<SurfaceEdge> edges_of_wide_triangles(const Mesh<S>& mesh,
+                                                 std::vector<TriangleEdge>& edges);
+
 /// Mesh::seams of some boundary edges: where the surface continues although no edge is shared.
 /// Either the vertices on both sides of a crack differ by rounding, or one long edge meets several
 /// short ones in T-junctions.
@@ -25,10 +45,11 @@ struct TriangleEdge {
 ///        \     /           within kFlatEdgeAngle, it continues in the triangle of the longest.
 ///
 /// Vertices and triangles stay as given. Triangles as thin as a seam have none. Empty if there are no
-/// seams. `alone`: edges of one triangle each; the mesh's neighbours and normals are set. O(n log n)
-/// unless very many edges meet.
+/// seams. `alone`: edges of one triangle each; the mesh's neighbours and normals are set. Edges of
+/// other surfaces, in the mesh's frame, are numbered from triangle_count() on. O(n log n) unless very
+/// many edges meet.
 template <class S>
-std::vector<std::array<int, 3>> find_seams(const Mesh<S>& mesh,
-                                           const std::vector<TriangleEdge>& alone);
+std::vector<std::array<int, 3>> find_seams(const Mesh<S>& mesh, std::vector<TriangleEdge> alone,
+                                           const std::vector<SurfaceEdge>& others = {});
 
 }  // namespace contactscope

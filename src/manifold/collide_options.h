@@ -40,7 +40,7 @@ struct CollideOptions {
   Preference preference = Preference::Relative;
   Degenerate degenerate = Degenerate::Fallback;
   FieldSearch field = FieldSearch::Conservative;
-  bool internal_edges = true;  // for meshes: fixes contacts on edges that the surface lacks
+  bool internal_edges = true;  // replaces contacts with edges and faces that the surface lacks
   MeshManifolds mesh_manifolds = MeshManifolds::Pair;
   /// For two overlapping hulls. Meshes and round shapes have methods of their own.
   PenetrationMethod penetration = PenetrationMethod::Sat;

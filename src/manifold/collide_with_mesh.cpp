@@ -178,24 +178,8 @@ S collide_capsule_mesh(const Capsule<S>& a, const Mesh<S>& b, const Pose<S>& b_i
   const auto on_face = [&](const PlacedTriangle<S>& triangle, int face, Contact<S>& contact) {
     const Vec3<S>& origin = b.corner(triangle.index, 0);
     const Vec3<S> in_triangle[2] = {ends[0] - origin, ends[1] - origin};
-    const ClippedSegment<S> clipped = clip_to_prism(triangle.hull(), face, in_triangle, S(0));
-    if (clipped.empty()) return;
-    const Plane<S>& plane = at(triangle.hull().planes, face);
-    contact.axis = AxisKind::FaceB;
-    contact.normal = -b_in_a.rotate(plane.normal);
-    const int count = clipped.parameters[0] < clipped.parameters[1] ? 2 : 1;
-    for (int end = 0; end < count; ++end) {
-      const S parameter = clipped.parameters[end];
-      const Vec3<S> core = in_triangle[0] + parameter * (in_triangle[1] - in_triangle[0]);
-      const S distance = plane.distance(core);
-      if (distance - a.radius > options.margin) continue;
-      const int cut_by = clipped.edges[end];
-      const FeatureId id =
-          clip_id(end, cut_by, face_ref(Owner::B, face), edge_ref(Owner::B, cut_by / 2));
-      contact.points.push_back(
-          {triangle.in_a().transform(plane.project(core)), distance - a.radius, id});
-    }
-    contact.type = face_contact_type(contact.points.size());
+    touch_along_face(triangle.hull(), triangle.in_a(), face, in_triangle, a.radius,
+                     static_cast<S>(options.margin), contact);
   };
   return collide_with_triangles(seen, b, b_in_a, options, sink, recorder, collide, on_face,
                                 kNoneIsClear);

@@ -175,13 +175,15 @@ template <class S> struct LeftOut {
   Contact<S> contact;
   int triangle = -1;
   S depth = std::numeric_limits<S>::infinity();
+  bool is_of_other = false;  // another shape, which continues the surface, makes it
 
-  void add(const Contact<S>& given, int index) {
+  void add(const Contact<S>& given, int index, bool of_other) {
     const S given_depth = given.deepest();
     if (!(given_depth < depth)) return;
     contact = given;
     triangle = index;
     depth = given_depth;
+    is_of_other = of_other;
   }
 
   /// Reduces the contact to the part that is restored next to others as deep as `kept`: all of it
@@ -197,7 +199,7 @@ template <class S> struct LeftOut {
     const bool is_needed = is_closest ? depth < kept - rounding : lifted < -depth;
     for (ContactPoint<S>& point : contact.points) point.separation += lifted;
     remove_points(contact, [&](const ContactPoint<S>& point) {
-      return !is_needed || !(point.separation <= margin);
+      return !is_needed || is_of_other || !(point.separation <= margin);
     });
   }
 };
@@ -257,7 +259,8 @@ void fix_near_points(const SeenFromMesh<S>& shape, const NearTriangles<S>& near,
 ///    from the shape's centre: a box on a table is not behind the table's side;
 /// 5. the deepest dropped contact, as step 2 made it, is restored if no kept contact is about half
 ///    as deep, see LeftOut::ease. To separate from the whole mesh the shape must separate from that
-///    triangle, so this is never deeper than the mesh.
+///    triangle, so this is never deeper than the mesh. But where the surface of another shape
+///    continues this one, that shape makes the contact.
 ///
 /// A triangle without an area is a segment or a point. It has no face, so step 3 drops its contact.
 ///
@@ -315,8 +318,9 @@ S collide_with_triangles(const SeenFromMesh<S>& shape, const Mesh<S>& b, const P
         const bool is_closest = is_closest_of_round(shape, given_depth);
         // Behind the face: a core that does not cross the triangle has come around its edge.
         if (is_closest) drop_deeper(given_depth - depth_rounding(reach), contact);
-        if (contact.points.empty() || (is_closest && contact.deepest() > given_depth))
-          left_out.add(given, index);
+        const bool is_less =
+            contact.points.empty() || (is_closest && contact.deepest() > given_depth);
+        if (is_less) left_out.add(given, index, normal.is_of_other);
       }
     }
     kept = std::min(kept, contact.deepest());

@@ -7,6 +7,7 @@
 #include "manifold/collide_pairs.h"
 #include "manifold/fast/collide_box_box.h"
 #include "manifold/fast/collide_two_capsules.h"
+#include "manifold/hull_seams.h"
 #include "manifold/in_double.h"
 #include "manifold/merge_triangles.h"
 #include "manifold/round_order.h"
@@ -37,7 +38,11 @@ void convex(const PlacedPair<S>& pair, const CollideOptions& options, Manifolds<
   const A& a = *std::get_if<A>(&pair.a);
   const B& b = *std::get_if<B>(&pair.b);
   one_manifold(pair, options, manifolds, recorder, [&](const Pose<S>& b_in_a, Contact<S>& contact) {
-    return kCollide(a, b, b_in_a, options, contact, recorder);
+    const S separation = kCollide(a, b, b_in_a, options, contact, recorder);
+    if constexpr (std::is_same_v<B, Hull<S>>)
+      if (!b.seams.empty()) [[unlikely]]
+        respect_seams(a, b, b_in_a, Owner::B, options, contact, recorder);
+    return separation;
   });
 }
 
@@ -46,7 +51,7 @@ void hulls(const PlacedPair<S>& pair, const CollideOptions& options, Manifolds<S
            Recorder<S>* recorder) {
   const Hull<S>& a = *std::get_if<Hull<S>>(&pair.a);
   const Hull<S>& b = *std::get_if<Hull<S>>(&pair.b);
-  if (recorder == nullptr && a.is_box() && b.is_box() &&
+  if (recorder == nullptr && a.is_box() && b.is_box() && a.seams.empty() == b.seams.empty() &&
       options.penetration == PenetrationMethod::Sat) {
     const bool done = pair.cache == nullptr
                           ? collide_box_box(a, pair.pose_a, b, pair.pose_b, options, manifolds)
@@ -61,7 +66,12 @@ void hulls(const PlacedPair<S>& pair, const CollideOptions& options, Manifolds<S
   one_manifold(pair, options, manifolds, recorder, [&](const Pose<S>& b_in_a, Contact<S>& contact) {
     if (recorder) [[unlikely]]
       recorder->minkowski(a, b, b_in_a);
-    return collide_hull_hull(a, b, b_in_a, options, pair.cache, contact, recorder);
+    const S separation = collide_hull_hull(a, b, b_in_a, options, pair.cache, contact, recorder);
+    // Two hulls with seams may be parts of one surface.
+    if (a.seams.empty() != b.seams.empty()) [[unlikely]]
+      respect_seams(a, b, b_in_a, a.seams.empty() ? Owner::B : Owner::A, options, contact,
+                    recorder);
+    return separation;
   });
 }
 

@@ -1,10 +1,14 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
+#include "core/pack.h"
 #include "core/static_vector.h"
+#include "geometry/lanes.h"
 #include "geometry/mesh.h"
 #include "query/closest_points.h"
 
@@ -34,17 +38,40 @@ template <class S> class NearTriangles {
   template <class Holds> bool any_of(const Aabb<S>& box, const Holds& holds) const {
     const AabbTree<S>& tree = mesh_.tree;
     if (!is_whole_ || !box_.contains(box)) return tree.any_of(box, holds);
-    const OverlapsWith<S> hit(box);
-    return any_hit(
-        count_of(places_), [&](int i) { return hit(at(tree.boxes, at(places_, i))); },
+    if (lower_[0].empty()) lay_boxes();
+    return any_hit<lanes::kWidth<S>>(
+        count_of(places_), [&](int i) { return overlapping(box, i); },
         [&](int i) { return holds(at(tree.triangles, at(places_, i))); });
   }
 
  private:
+  using Lanes = StaticVector<S, 128>;
+
+  /// Padded with boxes that overlap nothing.
+  void lay_boxes() const {
+    const Aabb<S> none;
+    for (int i = 0; i < padded(count_of(places_)); ++i) {
+      const Aabb<S>& box = i < count_of(places_) ? at(mesh_.tree.boxes, at(places_, i)) : none;
+      for (int k = 0; k < 3; ++k)
+        lower_[k].push_back(box.lower[k]), upper_[k].push_back(box.upper[k]);
+    }
+  }
+
+  /// overlaps() for boxes i, i + 1, ...: a bit each.
+  std::uint32_t overlapping(const Aabb<S>& box, int i) const {
+    lanes::Flags<S> all = ~lanes::Flags<S>{};
+    for (int k = 0; k < 3; ++k) {
+      all &= lanes::load(lower_[k].data() + i) <= box.upper[k];
+      all &= lanes::load(upper_[k].data() + i) >= box.lower[k];
+    }
+    return lanes::bits<S>(all);
+  }
+
   const Mesh<S>& mesh_;
   Aabb<S> box_;
-  StaticVector<int, 128> places_;  // positions in the tree
-  bool is_whole_;                  // all of them fit into places_
+  StaticVector<int, 128> places_;      // positions in the tree
+  bool is_whole_;                      // all of them fit into places_
+  mutable Lanes lower_[3], upper_[3];  // of their boxes; empty before the first query
 };
 
 /// Radians. A normal this near to the limit of a feature's normals counts as the feature's: the
@@ -70,6 +97,8 @@ template <class S> int corner_of(const Mesh<S>& mesh, int triangle, int vertex_o
 template <class S> struct ContactNormal {
   Vec3<S> direction;
   S tolerance = kNormalTolerance<S>;
+  /// Set where the surface of another shape rises: that shape makes the contact.
+  mutable bool is_of_other = false;
 
   /// Whether this offset from a feature rises along the normal by more than the tolerance.
   bool rises(const Vec3<S>& edge_vector) const {
@@ -100,7 +129,9 @@ bool rises_across(const Mesh<S>& mesh, int triangle, int k, const ContactNormal<
   if (across < 0 || crossed > kMaxFlatNeighbours) return false;
   if (mesh.neighbour(triangle, k) < 0) {
     const Vec3<S> back = mesh.corner(triangle, k) - mesh.corner(triangle, (k + 1) % 3);
-    return normal.rises(mesh.normal(across).cross(back));
+    const bool rises = normal.rises(mesh.normal(across).cross(back));
+    normal.is_of_other = normal.is_of_other || (rises && across >= mesh.triangle_count());
+    return rises;
   }
   int shared = 0;
   while (shared < 3 && mesh.neighbour(across, shared) != triangle) ++shared;

@@ -410,6 +410,15 @@ void record_manifolds(std::span<const Manifold<S>> manifolds, trace::Pair& recor
   }
 }
 
+template <class S>
+void Recorder<S>::voided(Owner owner, const char* reason, const Contact<S>& contact) {
+  pair_.voided = trace::Voided{
+      owner == Owner::A ? pair_.a : pair_.b, reason, direction(contact.normal),
+      mapped(contact.points, [&](const ContactPoint<S>& one) -> trace::Point {
+        return {point(one.position), static_cast<double>(one.separation), to_string(one.id)};
+      })};
+}
+
 template class Recorder<float>;
 template class Recorder<double>;
 CONTACTSCOPE_FLOAT_AND_DOUBLE(record_manifolds);

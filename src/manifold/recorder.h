@@ -109,6 +109,8 @@ template <class S> class Recorder {
   void degenerate(const char* geometry, Degenerate answer) {
     pair_.degenerate = trace::Degenerate{geometry, to_string(answer)};
   }
+  /// A contact that the surface of a shape does not have; see respect_seams().
+  void voided(Owner owner, const char* reason, const Contact<S>& contact);
   /// The pair's separation, metres, for a record without points.
   void separation(S separation) { pair_.separation = separation; }
   /// Record of the points that the search in a distance field sampled, in the field's frame; null

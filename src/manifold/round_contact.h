@@ -5,6 +5,7 @@
 
 #include "geometry/hull.h"
 #include "manifold/contact.h"
+#include "query/hull_feature.h"
 
 /// Shared by spheres and capsules: a contact between two points with radii.
 namespace contactscope {
@@ -78,6 +79,29 @@ template <class S> constexpr S kNearlyParallelSine = S(0.05);
 /// shape's in its own frame.
 template <class S> S length_scale(const Hull<S>& hull, const Pose<S>& b_in_a, S core_reach) {
   return hull.centroid.norm() + hull.radius + b_in_a.position.norm() + core_reach;
+}
+
+/// The contact of a capsule's axis, from one end to the other in the hull's frame, with a face of the
+/// hull: the ends of its part over the face. No points where it is not over the face.
+template <class S>
+void touch_along_face(const Hull<S>& hull, const Pose<S>& hull_in_a, int face,
+                      const Vec3<S> (&ends)[2], S radius, S margin, Contact<S>& contact) {
+  const ClippedSegment<S> clipped = clip_to_prism(hull, face, ends, S(0));
+  if (clipped.empty()) return;
+  const Plane<S>& plane = at(hull.planes, face);
+  contact.axis = AxisKind::FaceB;
+  contact.normal = -hull_in_a.rotate(plane.normal);
+  const int count = clipped.parameters[0] < clipped.parameters[1] ? 2 : 1;
+  for (int end = 0; end < count; ++end) {
+    const Vec3<S> core = ends[0] + clipped.parameters[end] * (ends[1] - ends[0]);
+    const S distance = plane.distance(core);
+    if (distance - radius > margin) continue;
+    const int cut_by = clipped.edges[end];
+    const FeatureId id =
+        clip_id(end, cut_by, face_ref(Owner::B, face), edge_ref(Owner::B, cut_by / 2));
+    contact.points.push_back({hull_in_a.transform(plane.project(core)), distance - radius, id});
+  }
+  contact.type = face_contact_type(contact.points.size());
 }
 
 }  // namespace contactscope

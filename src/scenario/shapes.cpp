@@ -7,6 +7,7 @@
 #include "geometry/obj.h"
 #include "geometry/primitives.h"
 #include "geometry/shape.h"
+#include "geometry/shape_seams.h"
 #include "geometry/triangulate.h"
 #include "scenario/readers.h"
 
@@ -196,6 +197,27 @@ void refuse_deforming_with_bodies(const Value& value, const std::vector<Scenario
              body->name + "' by keyframes");
 }
 
+/// Joins the surfaces of shapes that do not move; see join_seams().
+void join_unmoved(std::vector<ScenarioShape>& shapes) {
+  std::vector<ScenarioShape*> unmoved;
+  for (ScenarioShape& shape : shapes) {
+    const Motion& motion = shape.motion;
+    const bool is_joined = shape.hull() != nullptr || shape.is_mesh();
+    if (!is_joined || shape.dynamic() || shape.deforms() || !motion.keyframes.empty() ||
+        !motion.velocity.isZero(0) || !motion.angular_velocity.isZero(0))
+      continue;
+    unmoved.push_back(&shape);
+  }
+  if (unmoved.size() < 2) return;
+  std::vector<Shape<double>> colliders =
+      mapped(unmoved, [](const ScenarioShape* shape) { return *shape->collider; });
+  std::vector<PlacedSurface> placed;
+  for (std::size_t i = 0; i < unmoved.size(); ++i)
+    placed.push_back({&colliders[i], collider_pose_at(*unmoved[i], 0)});
+  for (const std::size_t joined : join_seams(placed))
+    unmoved[joined]->collider = std::make_shared<const Shape<double>>(std::move(colliders[joined]));
+}
+
 }  // namespace
 
 Shape<double> read_plain_shape(const Value& value, const Surroundings& surroundings) {
@@ -255,6 +277,7 @@ std::vector<ScenarioShape> read_shapes(const Value& value, const Surroundings& s
                  "', one of them a copy from 'scatter'; rename the other");
   if (shapes.empty()) value.fail("[shapes] is empty; add a shape as [shapes.NAME]");
   refuse_deforming_with_bodies(value, shapes);
+  join_unmoved(shapes);
   return shapes;
 }
 

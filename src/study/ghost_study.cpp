@@ -6,6 +6,7 @@
 #include "dynamics/solver.h"
 #include "geometry/hull_builder.h"
 #include "geometry/primitives.h"
+#include "geometry/shape_seams.h"
 #include "study/random_cases.h"
 #include "study/study.h"
 
@@ -20,6 +21,14 @@ constexpr float kGhostFrame = 1.0F / 60;
 constexpr std::array<double, 4> kGhostSpeeds = {1, 3, 6, 12};  // m/s
 
 using Floor = std::vector<Shape<double>>;
+
+/// With the seams between its parts.
+Floor joined(Floor floor) {
+  std::vector<PlacedSurface> parts;
+  for (Shape<double>& part : floor) parts.push_back({&part, Pose<double>()});
+  join_seams(parts);
+  return floor;
+}
 
 /// A mesh of rectangles that share no vertex. Each is given by its corners in x and z, low and high.
 class Tiles {
@@ -171,7 +180,7 @@ std::vector<trace::Study> study_ghosts(const StudyOptions& options, const StudyP
     const StudyLines lines(results, kGhostFloors, slider.name, "m/s");
     for (std::size_t i = 0; i < std::size(kGhostFloors); ++i) {
       report(slider.name + std::string(" on ") + kGhostFloors[i].name);
-      const Floor floor = kGhostFloors[i].make();
+      const Floor floor = joined(kGhostFloors[i].make());
       for (const double speed : kGhostSpeeds) {
         Measurement measured(2, 1);
         measured.times.measure(options.repetitions.value_or(1), 1, [&](int) {

@@ -223,6 +223,22 @@ struct Degenerate {
   friend bool operator==(const Degenerate&, const Degenerate&) = default;
 };
 
+/// A contact with an edge or a face that the surface does not have, because a shape next to it
+/// continues it there. A contact with a face of the surface took its place, if there is one.
+struct Voided {
+  std::string shape;             // whose edge or face it was
+  std::string reason;            // "covered face" or "continued edge"
+  Vec3d normal = Vec3d::Zero();  // unit, from a to b
+  std::vector<Point> points;
+
+  static constexpr auto fields() {
+    return field::list(field::exact("shape", &Voided::shape).names(),
+                       field::exact("reason", &Voided::reason),
+                       field::direction_to_b("normal", &Voided::normal),
+                       field::facts("points", &Voided::points).entries("point"));
+  }
+};
+
 /// Optional stages to record; stages that no picture shows can be left out. Gauss map arcs, the
 /// Minkowski difference, broad phase cells, node pairs of two trees and distance field slices are
 /// large and follow from the shapes, so they are only recorded if a view needs them.
@@ -267,6 +283,7 @@ struct Pair {
   Stage<Reduction> reduction;
   Stage<Degenerate> degenerate{};
   Stage<Tree> tree{};
+  Stage<Voided> voided{};
   Stage<Merge> merge{};  // the reduction is that of the first manifold
   Stage<Gjk> gjk{};
   Stage<Cache> cache{};  // also empty if there was nothing to try
@@ -304,6 +321,7 @@ struct Pair {
         field::fact("gjk", &Pair::gjk).called("gjk"),     //
         field::fact("tree", &Pair::tree).called("tree"),  //
         field::fact("merge", &Pair::merge).called("merge"),
+        field::fact("voided", &Pair::voided).called("voided contact"),
         field::fact("degenerate", &Pair::degenerate).called("degenerate"),
         field::fact("cache", &Pair::cache).called("cache"),
         field::fact("penetration", &Pair::penetration).called("penetration"),

@@ -30,6 +30,10 @@ class TiledFloor {
     return std::max(std::abs(sum.x()), std::abs(sum.z())) > 1.999 * size_;
   }
 
+  double size() const { return size_; }
+  /// Tile i has the vertices 4 i to 4 i + 3, around it.
+  int tile_count() const { return static_cast<int>(vertices.size() / 4); }
+
   std::vector<Vec3d> vertices;
   std::vector<std::array<int, 3>> triangles;
 

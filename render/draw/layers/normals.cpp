@@ -21,6 +21,8 @@ constexpr double kAsNear = 1e-5;    // of a hull's radius
 
 constexpr Swatch kRivalSwatch{LegendGroup::Forces, 2,
                               [](auto& pen) { pen.open_arrow(2, kDropped); }};
+constexpr Swatch kVoidedSwatch{LegendGroup::Forces, 3,
+                               [](auto& pen) { pen.open_arrow(2, kDropped); }};
 constexpr Swatch kUsualNormalSwatch{LegendGroup::Forces, 1,
                                     [](auto& pen) { pen.arrow(2, 8, kDropped); }};
 
@@ -141,9 +143,27 @@ void draw_rivals(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   }
 }
 
+// A contact that the surface does not have, in grey.
+void draw_voided(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+  if (!pair.voided || pair.voided->points.empty()) return;
+  const Arrow arrow{.from = mean_of(mapped(pair.voided->points, &trace::Point::position)),
+                    .direction = pair.voided->normal,
+                    .pixels = kUsualLength,
+                    .width = 2,
+                    .head = 10,
+                    .color = kDropped,
+                    .open = true};
+  if (has_room(scene.camera, arrow)) sketch.arrows.push_back(arrow);
+  sketch.explain(kVoidedSwatch,
+                 pair.voided->reason == "covered face" ? "void: the face is covered"
+                                                       : "void: the surface continues there",
+                 arrow.from);
+}
+
 void draw_normals(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   if (scene.scales.heap) return;  // see draw_crowd()
   draw_rivals(scene, pair, sketch);
+  draw_voided(scene, pair, sketch);
   // Full-length arrows on a mesh would be too dense.
   const bool many = pair.manifolds.size() > kFewManifolds;
   const std::optional<Vec3d> usual = usual_normal(scene.frame);
