@@ -285,10 +285,6 @@ std::vector<std::vector<float>> legend_widths(const Staging& staging,
   return widths;
 }
 
-}  // namespace
-
-namespace {
-
 /// The two shapes of the pair that `focus` means, in the frame where it is largest.
 std::vector<std::string> names_in_focus(const std::vector<trace::Frame>& frames, Focus focus,
                                         const ShapeMeshes& meshes) {

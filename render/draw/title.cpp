@@ -10,7 +10,6 @@
 #include "draw/scene/contact_facts.h"
 #include "draw/scene/pair_words.h"
 #include "draw/scene/pairs.h"
-#include "draw/scene/quantity.h"
 #include "draw/staging.h"
 
 namespace contactscope::draw {

@@ -1,7 +1,5 @@
 #include "image/base64.h"
 
-#include <cstdint>
-
 namespace contactscope {
 
 std::string base64(std::string_view bytes) {

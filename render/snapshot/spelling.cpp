@@ -1,7 +1,6 @@
 #include "snapshot/spelling.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 

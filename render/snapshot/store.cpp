@@ -5,7 +5,6 @@
 #include <fstream>
 #include <iterator>
 #include <set>
-#include <span>
 #include <sstream>
 #include <stdexcept>
 

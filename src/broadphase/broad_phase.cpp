@@ -5,7 +5,6 @@
 #include <limits>
 #include <numeric>
 #include <stdexcept>
-#include <utility>
 
 #include "core/at.h"
 
@@ -16,12 +15,14 @@ namespace {
 class BruteForce : public Clonable<BruteForce> {
   void find_pairs(BroadPhaseRecord* /*record*/) override {
     for (int i = 0; i < handles(); ++i) {
-      for (int j = i + 1; has(i) && j < handles(); ++j) {
-        if (has(j)) compare(i, j);
-      }
+      for (int j = i + 1; j < handles(); ++j) compare(i, j);
     }
   }
 };
+
+void refuse_empty(const Aabb<float>& box) {
+  if (box.empty()) throw std::invalid_argument("a box of a broad phase is empty or has NaN");
+}
 
 }  // namespace
 
@@ -61,54 +62,27 @@ Aabb<float> outward_box(const Aabb<double>& box) {
   return rounded;
 }
 
-namespace {
-
-void refuse_empty(const Aabb<float>& box) {
-  if (box.empty()) throw std::invalid_argument("a box of a broad phase is empty or has NaN");
-}
-
-}  // namespace
-
 int BroadPhase::add(const Aabb<float>& box) {
   refuse_empty(box);
-  int handle = handles();
-  if (free_.empty()) {
-    boxes_.push_back(box);
-  } else {
-    handle = free_.back();
-    free_.pop_back();
-    at(boxes_, handle) = box;
-  }
-  added(handle);
-  return handle;
+  boxes_.push_back(box);
+  added(handles() - 1);
+  return handles() - 1;
 }
 
 void BroadPhase::move(int handle, const Aabb<float>& box) {
   refuse_empty(box);
-  const Aabb<float> from = at(boxes_, handle);
   at(boxes_, handle) = box;
-  moved(handle, from);
-}
-
-void BroadPhase::remove(int handle) {
-  removing(handle);
-  at(boxes_, handle) = {};
-  free_.push_back(handle);
+  moved(handle);
 }
 
 void BroadPhase::compare_with_all(std::vector<int> large, BroadPhaseRecord* record) {
   std::ranges::sort(large);
   for (const int i : large) {
     for (int j = 0; j < handles(); ++j) {
-      if (!has(j) || j == i) continue;
-      if (j > i || !std::ranges::binary_search(large, j)) compare(i, j);
+      if (j > i || (j < i && !std::ranges::binary_search(large, j))) compare(i, j);
     }
   }
   if (record != nullptr) record->large = std::move(large);
-}
-
-bool BroadPhase::has(int handle) const {
-  return handle >= 0 && handle < handles() && !box(handle).empty();
 }
 
 const std::vector<BoxPair>& BroadPhase::pairs(BroadPhaseRecord* record) {
@@ -120,7 +94,7 @@ const std::vector<BoxPair>& BroadPhase::pairs(BroadPhaseRecord* record) {
 }
 
 std::size_t BroadPhase::memory() const {
-  return bytes_of(boxes_) + bytes_of(free_) + bytes_of(found_) + sorter_.memory() + own_memory();
+  return bytes_of(boxes_) + bytes_of(found_) + sorter_.memory() + own_memory();
 }
 
 void PairSorter::sort(std::vector<BoxPair>& pairs, int handles) {

@@ -59,20 +59,18 @@ class BroadPhase {
   /// An independent copy with the same boxes.
   virtual std::unique_ptr<BroadPhase> clone() const = 0;
 
-  /// Returns the box's handle: that of a removed box, or the next number. Throws
-  /// std::invalid_argument for an empty box or one with NaN, without changing anything.
+  /// Returns the box's handle, the next number. Throws std::invalid_argument for an empty box or one
+  /// with NaN, without changing anything.
   int add(const Aabb<float>& box);
   /// Moves a box any distance. Throws like add().
   void move(int handle, const Aabb<float>& box);
-  void remove(int handle);
 
   /// All pairs that overlap now, ascending. The next call overwrites them. `record`: emptied first;
   /// null: not recorded, no cost. Does not change the pairs.
   const std::vector<BoxPair>& pairs(BroadPhaseRecord* record = nullptr);
 
-  bool has(int handle) const;
   const Aabb<float>& box(int handle) const { return boxes_[static_cast<std::size_t>(handle)]; }
-  /// One past the largest handle ever used.
+  /// Number of boxes, which are never removed.
   int handles() const { return static_cast<int>(boxes_.size()); }
   const BroadPhaseCounts& counts() const { return counts_; }
   /// Bytes in use, including the reserved capacity of its lists.
@@ -82,10 +80,9 @@ class BroadPhase {
   BroadPhase() = default;
   BroadPhase(const BroadPhase&) = default;
 
-  /// A box was added, was moved from `from`, or is about to be removed.
+  /// A box was added or moved.
   virtual void added(int /*handle*/) {}
-  virtual void moved(int /*handle*/, const Aabb<float>& /*from*/) {}
-  virtual void removing(int /*handle*/) {}
+  virtual void moved(int /*handle*/) {}
   /// Reports each overlapping pair once, in any order, by report(). `record`: as in pairs().
   virtual void find_pairs(BroadPhaseRecord* record) = 0;
   virtual std::size_t own_memory() const { return 0; }
@@ -103,8 +100,7 @@ class BroadPhase {
   mutable BroadPhaseCounts counts_;
 
  private:
-  std::vector<Aabb<float>> boxes_;  // by handle; empty if unused
-  std::vector<int> free_;
+  std::vector<Aabb<float>> boxes_;  // by handle
   std::vector<BoxPair> found_;
   PairSorter sorter_;
 };

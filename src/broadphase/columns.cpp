@@ -56,9 +56,7 @@ class Columns : public Clonable<Columns> {
   void gather() {
     const std::array<int, 3> axes = axes_ = axes_by_spread();
     keys_.clear();
-    for (int i = 0; i < handles(); ++i) {
-      if (has(i)) keys_.push_back({sortable(box(i).lower[axes[0]]), i});
-    }
+    for (int i = 0; i < handles(); ++i) keys_.push_back({sortable(box(i).lower[axes[0]]), i});
     sort_keys();
     if (entries_.size() < keys_.size()) entries_.resize(3 * keys_.size());
     for (std::size_t k = 0; k < keys_.size(); ++k) {
@@ -78,7 +76,7 @@ class Columns : public Clonable<Columns> {
     double count = 0;
     const int step = std::max(1, handles() / 1024);
     for (int i = 0; i < handles(); i += step) {
-      if (!has(i) || !is_bounded(box(i))) continue;
+      if (!is_bounded(box(i))) continue;
       const Vec3<double> middle = box(i).center().cast<double>();
       sum += middle;
       squares += middle.cwiseProduct(middle);

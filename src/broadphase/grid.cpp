@@ -65,7 +65,7 @@ class Grid : public Clonable<Grid> {
   void choose_cells() {
     sides_.clear();
     for (int i = 0; i < handles(); ++i) {
-      if (has(i) && is_bounded(box(i))) sides_.push_back(box(i).extent().maxCoeff());
+      if (is_bounded(box(i))) sides_.push_back(box(i).extent().maxCoeff());
     }
     cell_ = 1;
     if (sides_.empty()) return;
@@ -90,7 +90,6 @@ class Grid : public Clonable<Grid> {
     entries_.clear();
     large_.clear();
     for (int i = 0; i < handles(); ++i) {
-      if (!has(i)) continue;
       Cell lower{}, upper{};
       std::int64_t cells = kMaxCells + 1;
       if (is_bounded(box(i)) && cell_at(box(i).lower, lower) && cell_at(box(i).upper, upper)) {

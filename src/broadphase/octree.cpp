@@ -74,12 +74,7 @@ class Octree : public Clonable<Octree> {
     at(homes_, handle) = node;
   }
 
-  void moved(int handle, const Aabb<float>& /*from*/) override {
-    removing(handle);
-    added(handle);
-  }
-
-  void removing(int handle) override {
+  void moved(int handle) override {
     int node = at(homes_, handle);
     std::vector<int>& list = node < 0 ? endless_ : at(nodes_, node).here;
     *std::ranges::find(list, handle) = list.back();
@@ -87,13 +82,14 @@ class Octree : public Clonable<Octree> {
     for (; node >= 0; node = at(nodes_, node).parent) {
       if (--at(nodes_, node).below == 0) at(nodes_, node).reach = {};
     }
+    added(handle);
   }
 
   void find_pairs(BroadPhaseRecord* record) override {
     std::vector<int> tests(record != nullptr ? nodes_.size() : 0);  // of each node's boxes
     compare_with_all(endless_, record);
     for (int i = 0; i < handles(); ++i) {
-      if (!has(i) || at(homes_, i) < 0) continue;
+      if (at(homes_, i) < 0) continue;
       visit(box(i), [&](int j) {
         if (j <= i) return;
         compare(i, j);

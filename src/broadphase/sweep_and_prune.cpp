@@ -29,12 +29,9 @@ class SweepAndPrune : public Clonable<SweepAndPrune> {
   };
 
   void added(int handle) override { came_.push_back(handle); }
-  void removing(int handle) override { went_.push_back(handle); }
 
   void find_pairs(BroadPhaseRecord* record) override {
-    if (!went_.empty()) forget_gone();
     for (const int handle : came_) {
-      if (!has(handle)) continue;
       for (std::vector<End>& ends : axes_) {
         ends.push_back({0, handle, false});
         ends.push_back({0, handle, true});
@@ -43,25 +40,10 @@ class SweepAndPrune : public Clonable<SweepAndPrune> {
     // Each new end moves past about a third of the others.
     const bool many_came = came_.size() > 4 * static_cast<std::size_t>(kMaxSwaps);
     came_.clear();
-    went_.clear();
     update_ends();
     if (many_came || !restore_order(record)) sort_from_scratch();
     for (const std::uint64_t key : kept_)
       report(static_cast<int>(key >> 32), static_cast<int>(key & 0xffffffffu));
-  }
-
-  void forget_gone() {
-    std::vector<bool> gone(static_cast<std::size_t>(handles()));
-    for (const int handle : went_) gone[static_cast<std::size_t>(handle)] = true;
-    const auto is_gone = [&](int handle) { return gone[static_cast<std::size_t>(handle)]; };
-    for (std::vector<End>& ends : axes_)
-      std::erase_if(ends, [&](const End& end) { return is_gone(end.handle); });
-    std::erase_if(kept_, [&](std::uint64_t key) {
-      return is_gone(static_cast<int>(key >> 32)) || is_gone(static_cast<int>(key & 0xffffffffu));
-    });
-    // Reused handles have been added since, possibly twice.
-    std::ranges::sort(came_);
-    came_.erase(std::unique(came_.begin(), came_.end()), came_.end());
   }
 
   void update_ends() {
@@ -153,7 +135,7 @@ class SweepAndPrune : public Clonable<SweepAndPrune> {
   }
 
   std::size_t own_memory() const override {
-    std::size_t bytes = bytes_of(came_) + bytes_of(went_) + bytes_of(open_) + bytes_of(place_);
+    std::size_t bytes = bytes_of(came_) + bytes_of(open_) + bytes_of(place_);
     for (const std::vector<End>& ends : axes_) bytes += bytes_of(ends);
     // A node has its key and a pointer; a bucket is one pointer.
     return bytes + kept_.size() * 2 * sizeof(void*) + kept_.bucket_count() * sizeof(void*);
@@ -161,7 +143,7 @@ class SweepAndPrune : public Clonable<SweepAndPrune> {
 
   std::vector<End> axes_[3];
   std::unordered_set<std::uint64_t> kept_;  // pairs that overlap
-  std::vector<int> came_, went_;            // since the last call
+  std::vector<int> came_;                   // since the last call
   std::vector<int> open_, place_;           // boxes at the sweep's position, and their index there
 };
 

@@ -34,18 +34,18 @@ class Tree : public Clonable<Tree> {
     }
   }
 
-  void moved(int handle, const Aabb<float>& /*from*/) override {
+  void moved(int handle) override {
     const int leaf = at(leaves_, handle);
     // Leaves that have become far too wide are also inserted again.
     if (leaf >= 0 && is_bounded(box(handle)) && at(nodes_, leaf).box.contains(box(handle)) &&
         widened(widened(box(handle))).contains(at(nodes_, leaf).box)) {
       return;
     }
-    removing(handle);
+    take_out(handle);
     added(handle);
   }
 
-  void removing(int handle) override {
+  void take_out(int handle) {
     const int leaf = std::exchange(at(leaves_, handle), -1);
     if (leaf < 0) {
       std::erase(endless_, handle);

@@ -17,18 +17,13 @@ constexpr double kNoOverlap = std::numeric_limits<double>::infinity();
 /// linearly interpolated box at every time.
 template <class S> struct SweptBox { const Aabb<S>&start, &end; };
 
-/// Lower bound of the first time at which two swept boxes are within the gap; kNoOverlap if never.
-template <class S> double first_overlap(const SweptBox<S>& a, const SweptBox<S>& b, double gap) {
+/// Lower bound of the first time at which two swept boxes overlap; kNoOverlap if never.
+template <class S> double first_overlap(const SweptBox<S>& a, const SweptBox<S>& b) {
   constexpr double kUp = 0x1p-50;  // more than the rounding below
   double begin = 0, end = 1;
   const auto is_separated = [&](S low_at_start, S high_at_start, S low_at_end, S high_at_end) {
-    double at_start = static_cast<double>(low_at_start) - static_cast<double>(high_at_start);
-    double at_end = static_cast<double>(low_at_end) - static_cast<double>(high_at_end);
-    if (gap > 0) {
-      const double more = gap + kUp * (gap + std::abs(at_start) + std::abs(at_end));
-      at_start -= more;
-      at_end -= more;
-    }
+    const double at_start = static_cast<double>(low_at_start) - static_cast<double>(high_at_start);
+    const double at_end = static_cast<double>(low_at_end) - static_cast<double>(high_at_end);
     if (at_start > 0 && at_end > 0) return true;
     const double crossing = at_start / (at_start - at_end);
     if (at_start > 0) begin = std::max(begin, crossing * (1 - kUp));
@@ -106,8 +101,7 @@ template <class S> class SweptMesh {
 
 template <class S> class MeshSearch {
  public:
-  MeshSearch(const MovingMesh<S>& a, const MovingMesh<S>& b, double gap)
-      : a_(a), b_(b), gap_(gap) {}
+  MeshSearch(const MovingMesh<S>& a, const MovingMesh<S>& b) : a_(a), b_(b) {}
 
   MeshImpact first() {
     push(0, 0);
@@ -147,14 +141,14 @@ template <class S> class MeshSearch {
 
   void push(int a, int b) {
     ++found_.counts.node_pairs;
-    const double begin = first_overlap(a_.node(a), b_.node(b), gap_);
+    const double begin = first_overlap(a_.node(a), b_.node(b));
     if (begin < best_) stack_.push_back({a, b, begin});
   }
 
   void leaves(const Node& node_a, const Node& node_b) {
     for (int i = node_a.next; i < node_a.next + node_a.count; ++i) {
       for (int j = node_b.next; j < node_b.next + node_b.count; ++j) {
-        if (!(first_overlap(a_.leaf_box(i), b_.leaf_box(j), gap_) < best_)) continue;
+        if (!(first_overlap(a_.leaf_box(i), b_.leaf_box(j)) < best_)) continue;
         ++found_.counts.triangle_pairs;
         triangles(at(a_.tree().triangles, i), at(b_.tree().triangles, j));
       }
@@ -164,17 +158,16 @@ template <class S> class MeshSearch {
   void triangles(int a, int b) {
     for (int i = 0; i < 3; ++i) {
       if (a_.owns_vertex(a, i))
-        offer(impact_of_vertex_face(a_.corner(a, i), b_.face(b), gap_, best_), a, i, b, -1);
+        offer(impact_of_vertex_face(a_.corner(a, i), b_.face(b), best_), a, i, b, -1);
       if (b_.owns_vertex(b, i)) {
-        FeatureImpact impact = impact_of_vertex_face(b_.corner(b, i), a_.face(a), gap_, best_);
+        FeatureImpact impact = impact_of_vertex_face(b_.corner(b, i), a_.face(a), best_);
         impact.normal = -impact.normal;  // from a to b
         offer(impact, a, -1, b, i);
       }
       if (!a_.owns_edge(a, i)) continue;
       const MovingEdge<S> edge = a_.edge(a, i);
       for (int j = 0; j < 3; ++j) {
-        if (b_.owns_edge(b, j))
-          offer(impact_of_edges(edge, b_.edge(b, j), gap_, best_), a, i, b, j);
+        if (b_.owns_edge(b, j)) offer(impact_of_edges(edge, b_.edge(b, j), best_), a, i, b, j);
       }
     }
   }
@@ -187,7 +180,6 @@ template <class S> class MeshSearch {
   }
 
   SweptMesh<S> a_, b_;
-  double gap_;
   double best_ = kNoOverlap;  // time
   std::vector<NodePair> stack_;
   MeshImpact found_;
@@ -195,8 +187,7 @@ template <class S> class MeshSearch {
 
 }  // namespace
 
-template <class S>
-MeshImpact impact_of_meshes(const MovingMesh<S>& a, const MovingMesh<S>& b, double gap) {
+template <class S> MeshImpact impact_of_meshes(const MovingMesh<S>& a, const MovingMesh<S>& b) {
   const MeshOverlap<S> at_start = mesh_overlap(a.start, b.start, Pose<S>());
   if (at_start.overlapping()) {
     MeshImpact found;
@@ -205,7 +196,7 @@ MeshImpact impact_of_meshes(const MovingMesh<S>& a, const MovingMesh<S>& b, doub
     found.triangle_b = at_start.intersections[0].b;
     return found;
   }
-  return MeshSearch<S>(a, b, gap).first();
+  return MeshSearch<S>(a, b).first();
 }
 
 template decltype(impact_of_meshes<float>) impact_of_meshes<float>;

@@ -31,8 +31,7 @@ struct MeshImpact {
   MeshImpactCounts counts;
 };
 
-/// The first time in a step at which two deforming meshes are within `gap` metres, both in one
-/// frame. Never late, like impact_of_vertex_face() and impact_of_edges(): triangles that are
+/// The first time in a step at which two deforming meshes meet, both in one frame. Never late, like impact_of_vertex_face() and impact_of_edges(): triangles that are
 /// separated at the start first meet at such features. Triangles that share a point at the start
 /// (an exact test) are Overlapping, whatever comes later. A Near before every Hit is returned. Both
 /// meshes need one end per vertex.
@@ -42,7 +41,6 @@ struct MeshImpact {
 /// begins after the best time are skipped. Shared vertices and edges are tested once: one of their
 /// triangles owns them (Curtis, Tamstorf and Manocha 2008, "Fast Collision Detection for Deformable
 /// Models Using Representative-Triangles").
-template <class S>
-MeshImpact impact_of_meshes(const MovingMesh<S>& a, const MovingMesh<S>& b, double gap = 0);
+template <class S> MeshImpact impact_of_meshes(const MovingMesh<S>& a, const MovingMesh<S>& b);
 
 }  // namespace contactscope

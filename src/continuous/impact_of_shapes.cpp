@@ -1,7 +1,6 @@
 #include "continuous/impact_of_shapes.h"
 
 #include <algorithm>
-#include <optional>
 #include <type_traits>
 #include <utility>
 

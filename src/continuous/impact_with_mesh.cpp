@@ -1,7 +1,6 @@
 #include "continuous/impact_with_mesh.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <type_traits>

@@ -1,11 +1,9 @@
 #include "continuous/motion_bounds.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "broadphase/world_box.h"
-#include "continuous/sweep.h"
 #include "core/instantiate.h"
 
 namespace contactscope {

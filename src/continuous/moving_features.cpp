@@ -1,5 +1,7 @@
 #include "continuous/moving_features.h"
 
+#include <optional>
+
 #include "continuous/moving_polygon.h"
 #include "core/instantiate.h"
 
@@ -120,7 +122,7 @@ double first_fall(double c, double b, double a, double most) {
 ///
 /// Along a fixed axis every corner moves linearly. An axis that separates the origin from the
 /// polygon at one time is therefore valid, exactly, until the first of at most four lines reaches
-/// the gap. Along an axis that turns at a constant rate the lines are parabolas, and the axis can
+/// zero. Along an axis that turns at a constant rate the lines are parabolas, and the axis can
 /// follow the edge or plane that carries the nearest point. Steps: 1. take the nearest point as the
 /// axis; 2. find how long it separates, fixed and turning; 3. repeat from there. This converges
 /// like Newton's method on the distance, from the safe side, without boxes of places on the
@@ -129,12 +131,10 @@ double first_fall(double c, double b, double a, double most) {
 /// A step is conservative advancement (Mirtich 1996) with an exact bound on the motion.
 template <int kCorners> class FeatureSearch {
  public:
-  FeatureSearch(const MovingPolygon<kCorners>& polygon, double gap, double until)
+  FeatureSearch(const MovingPolygon<kCorners>& polygon, double until)
       : polygon_(polygon), size_(polygon.size()), until_(until) {
     rounding_ = kProductRounding * size_;
-    gap_ = gap;
-    separation_ = gap * (1 + 0x1p-50) + rounding_;
-    near_ = separation_ + 3 * rounding_;
+    near_ = rounding_ + 3 * rounding_;
     for (int i = 0; i < kCorners; ++i) at(offset_, i) = at(polygon.end, i) - at(polygon.start, i);
   }
 
@@ -200,7 +200,7 @@ template <int kCorners> class FeatureSearch {
                          offset_[1] - offset_[0], offset_[kLast] - offset_[0]);
   }
 
-  /// Raises `safe_` to the time for which all corners are farther along the axis than the gap.
+  /// Raises `safe_` to the time for which all corners are surely in front of the origin along the axis.
   void extend(const TurningAxis& turning) {
     const double length = turning.direction.norm();
     if (!(length > 0)) return;
@@ -215,10 +215,9 @@ template <int kCorners> class FeatureSearch {
     for (int i = 0; i < kCorners; ++i) {
       const Vec3d& corner = at(ring_, i);
       const Vec3d& offset = at(offset_, i);
-      const double now = axis.dot(corner) - separation_;
+      const double now = axis.dot(corner) - rounding_;
       if (!(now > 0)) return;
-      until = first_fall(now, axis.dot(offset) + turn.dot(corner), turn.dot(offset) - gap_ * longer,
-                         until);
+      until = first_fall(now, axis.dot(offset) + turn.dot(corner), turn.dot(offset), until);
       if (until <= safe_) return;
     }
     safe_ = until;
@@ -231,10 +230,6 @@ template <int kCorners> class FeatureSearch {
       const Vec3d normal = normal_of(ring_);
       if (impact_.distance <= rounding_ && normal.squaredNorm() > 0) axis_ = normal.normalized();
       return ended(FeatureStatus::Overlapping);
-    }
-    if (gap_ > 0) {
-      impact_.end = impact_.begin;
-      return ended(FeatureStatus::Hit);
     }
     const auto root = prove_contact(polygon_, impact_.begin, impact_.u, impact_.v);
     // Newton's method may have found a root elsewhere, which is not this contact.
@@ -254,8 +249,8 @@ template <int kCorners> class FeatureSearch {
   }
 
   const MovingPolygon<kCorners>& polygon_;
-  double size_, until_, rounding_, gap_;
-  double separation_, near_;     // metres along a unit axis: surely separated; a hit
+  double size_, until_;
+  double rounding_, near_;       // metres along a unit axis: surely separated beyond; a hit within
   Ring offset_, ring_;           // of the corners: motion in the step; current place
   double safe_ = 0;              // separated for this much of the step from now on
   Vec3d axis_ = Vec3d::UnitX();  // the last separating axis, from the second to the first
@@ -263,9 +258,9 @@ template <int kCorners> class FeatureSearch {
 };
 
 template <int kCorners>
-FeatureImpact first_impact(const MovingPolygon<kCorners>& polygon, double gap, double until) {
-  if (polygon.is_separated_along_coordinates(gap)) return {};
-  return FeatureSearch<kCorners>(polygon, gap, until).first();
+FeatureImpact first_impact(const MovingPolygon<kCorners>& polygon, double until) {
+  if (polygon.is_separated_along_coordinates()) return {};
+  return FeatureSearch<kCorners>(polygon, until).first();
 }
 
 /// Sets corner `i` of a moving polygon. The difference of two floats is taken in double.
@@ -281,21 +276,20 @@ void set_corner(MovingPolygon<kCorners>& polygon, int i, const MovingCorner<S>& 
 
 template <class S>
 FeatureImpact impact_of_vertex_face(const MovingCorner<S>& vertex, const MovingFace<S>& face,
-                                    double gap, double until) {
+                                    double until) {
   MovingPolygon<3> polygon;
   for (int i = 0; i < 3; ++i) set_corner(polygon, i, vertex, at(face, i));
-  return first_impact(polygon, gap, until);
+  return first_impact(polygon, until);
 }
 
 template <class S>
-FeatureImpact impact_of_edges(const MovingEdge<S>& a, const MovingEdge<S>& b, double gap,
-                              double until) {
+FeatureImpact impact_of_edges(const MovingEdge<S>& a, const MovingEdge<S>& b, double until) {
   MovingPolygon<4> polygon;
   set_corner(polygon, 0, a[0], b[0]);
   set_corner(polygon, 1, a[1], b[0]);
   set_corner(polygon, 2, a[1], b[1]);
   set_corner(polygon, 3, a[0], b[1]);
-  return first_impact(polygon, gap, until);
+  return first_impact(polygon, until);
 }
 
 CONTACTSCOPE_FLOAT_AND_DOUBLE(impact_of_vertex_face, impact_of_edges);

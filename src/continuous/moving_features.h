@@ -18,7 +18,7 @@ template <class S> using MovingEdge = std::array<MovingCorner<S>, 2>;
 template <class S> using MovingFace = std::array<MovingCorner<S>, 3>;
 
 enum class FeatureStatus {
-  Separated,    // at all times of the step farther than the gap: proved
+  Separated,    // at all times of the step: proved
   Hit,          // they meet between `begin` and `end`: proved, including rounding
   Near,         // at `begin` closer than rounding or the search can resolve: possibly a hit
   Overlapping,  // at time 0, or closer than rounding then
@@ -48,12 +48,11 @@ struct FeatureImpact {
 inline constexpr int kMaxFeatureSteps = 256;
 
 /// First impact of a vertex and a triangle, or of two edges, when every corner moves on its own
-/// straight line. Never misses: reports all features that come within `gap` (metres, at least about
-/// 1e-14 of the largest coordinate difference) at any time, for exactly the given coordinates.
+/// straight line. Never misses: reports all features that meet at any time, for exactly the given
+/// coordinates.
 ///
-/// With a gap of 0 a Hit is proved: the equation of contact has a root between `begin` and `end`. A
-/// contact at the border of a feature cannot be proved in rounded arithmetic and is Near. With a
-/// gap > 0 a Hit is within the gap up to rounding.
+/// A Hit is proved: the equation of contact has a root between `begin` and `end`. A contact at the
+/// border of a feature cannot be proved in rounded arithmetic and is Near.
 ///
 /// Coordinates are subtracted first, so nothing is lost far from the origin. Edges of zero length,
 /// flat triangles, features at rest and motion in one plane are fine. If differences are outside
@@ -67,9 +66,8 @@ inline constexpr int kMaxFeatureSteps = 256;
 /// Impacts later than `until`, a fraction of the step, may be reported as Separated.
 template <class S>
 FeatureImpact impact_of_vertex_face(const MovingCorner<S>& vertex, const MovingFace<S>& face,
-                                    double gap = 0, double until = 1);
+                                    double until = 1);
 template <class S>
-FeatureImpact impact_of_edges(const MovingEdge<S>& a, const MovingEdge<S>& b, double gap = 0,
-                              double until = 1);
+FeatureImpact impact_of_edges(const MovingEdge<S>& a, const MovingEdge<S>& b, double until = 1);
 
 }  // namespace contactscope

@@ -36,16 +36,15 @@ template <int kCorners> struct MovingPolygon {
       most = most.cwiseMax(at(start, i).cwiseAbs()).cwiseMax(at(end, i).cwiseAbs());
     return most.maxCoeff();
   }
-  /// Whether a coordinate axis separates the features by more than `gap` from 0 to 1. Differences
-  /// are rounded, but their signs are exact.
-  bool is_separated_along_coordinates(double gap) const {
+  /// Whether a coordinate axis separates the features from 0 to 1. Differences are rounded, but
+  /// their signs are exact.
+  bool is_separated_along_coordinates() const {
     Vec3d least = start[0], most = start[0];
     for (int i = 0; i < kCorners; ++i) {
       least = least.cwiseMin(at(start, i)).cwiseMin(at(end, i));
       most = most.cwiseMax(at(start, i)).cwiseMax(at(end, i));
     }
-    const double more = gap * (1 + 0x1p-50);
-    return (least.array() > more).any() || (most.array() < -more).any();
+    return (least.array() > 0).any() || (most.array() < 0).any();
   }
 };
 

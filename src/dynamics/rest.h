@@ -2,7 +2,6 @@
 
 #include <span>
 #include <string>
-#include <vector>
 
 #include "core/vec3.h"
 #include "trace/trace.h"

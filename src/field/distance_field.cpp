@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/at.h"
 #include "query/closest_points.h"
 #include "query/winding.h"
 

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <variant>
 
 #include "core/at.h"
 #include "field/nearest_point.h"

@@ -1,7 +1,5 @@
 #include "field/nearest_point.h"
 
-#include <utility>
-
 #include "core/at.h"
 
 namespace contactscope {

@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <vector>
 
 #include <Eigen/Eigenvalues>
@@ -103,35 +102,6 @@ Ball smallest_ball(const std::vector<Vec3d>& points) {
   }
   return ball;
 }
-
-}  // namespace
-
-template <class S> BoundingSphere<S> sphere_around(std::span<const Vec3<S>> points) {
-  if (points.empty()) return {};
-  // Relative to the first point and scaled to size 1, so neither distance nor size costs digits.
-  const Vec3d origin = points.front().template cast<double>();
-  std::vector<Vec3d> local;
-  double size = 0;
-  for (const Vec3<S>& point : points) {
-    local.push_back(point.template cast<double>() - origin);
-    size = std::max(size, local.back().template lpNorm<Eigen::Infinity>());
-  }
-  if (!(size > 0)) return {points.front(), 0};
-  for (Vec3d& point : local) point /= size;
-  const Vec3d center = origin + size * smallest_ball(local).center;
-  BoundingSphere<S> sphere{center.cast<S>(), 0};
-  // This radius contains all points, whatever error the search has left.
-  long double squared = 0;
-  for (const Vec3<S>& point : points) {
-    const Vec3<long double> offset =
-        point.template cast<long double>() - sphere.center.template cast<long double>();
-    squared = std::max(squared, offset.squaredNorm());
-  }
-  sphere.radius = rounded_up<S>(std::sqrt(squared));
-  return sphere;
-}
-
-namespace {
 
 using Extended = Vec3<long double>;
 
@@ -375,6 +345,31 @@ std::optional<Bound> bound_of(const Shape<S>& shape, const Make& make) {
 }
 
 }  // namespace
+
+template <class S> BoundingSphere<S> sphere_around(std::span<const Vec3<S>> points) {
+  if (points.empty()) return {};
+  // Relative to the first point and scaled to size 1, so neither distance nor size costs digits.
+  const Vec3d origin = points.front().template cast<double>();
+  std::vector<Vec3d> local;
+  double size = 0;
+  for (const Vec3<S>& point : points) {
+    local.push_back(point.template cast<double>() - origin);
+    size = std::max(size, local.back().template lpNorm<Eigen::Infinity>());
+  }
+  if (!(size > 0)) return {points.front(), 0};
+  for (Vec3d& point : local) point /= size;
+  const Vec3d center = origin + size * smallest_ball(local).center;
+  BoundingSphere<S> sphere{center.cast<S>(), 0};
+  // This radius contains all points, whatever error the search has left.
+  long double squared = 0;
+  for (const Vec3<S>& point : points) {
+    const Vec3<long double> offset =
+        point.template cast<long double>() - sphere.center.template cast<long double>();
+    squared = std::max(squared, offset.squaredNorm());
+  }
+  sphere.radius = rounded_up<S>(std::sqrt(squared));
+  return sphere;
+}
 
 template <class S> std::optional<Aabb<S>> aabb_of(const Shape<S>& shape, const Pose<S>& pose) {
   return bound_of<Aabb<S>>(shape, [&]<class Kind>(const Kind& kind) {

@@ -59,42 +59,6 @@ bool merge_face(Mesh& mesh, int face, Judge judge, double tolerance, double stee
   return any;
 }
 
-}  // namespace
-
-void merge_cone(Mesh& mesh, const std::vector<int>& fresh, double tolerance,
-                std::vector<int>& touched) {
-  for (const int face : fresh) merge_face(mesh, face, Judge::LargerFace, tolerance, 1, touched);
-  for (const int face : fresh) {
-    if (mesh.face(face).gone || !mesh.face(face).suspect) continue;
-    mesh.face(face).suspect = false;
-    merge_face(mesh, face, Judge::BothFaces, tolerance, 1, touched);
-  }
-}
-
-void merge_all(Mesh& mesh, double tolerance, double steepest) {
-  std::vector<int> touched;
-  bool any = true;
-  while (any && !mesh.broken()) {
-    any = false;
-    for (int face = 0; face < mesh.face_count(); ++face) {
-      touched.clear();
-      if (merge_face(mesh, face, Judge::BothFaces, tolerance, steepest, touched)) any = true;
-    }
-  }
-}
-
-// If three faces differ by about the tolerance, two of them can merge while the third is convex
-// towards both and stays in a notch of their common outline. Planes do not reveal this, but such a
-// face is useless as a clip polygon: its side planes cut through it.
-//
-//      o-------o       Filling the notch with the third face would bend the plane further,
-//      |  /\   |       and could spread from face to face on a finely rounded shape. Cutting at the
-//      | /  \  |       notch leaves two faces that are coplanar within the tolerance: harmless.
-//      o     o-o       Steps: find the deepest notch; try a cut from it to each other corner; keep
-//                      the one that leaves the shallowest notches on both sides; repeat.
-
-namespace {
-
 /// The edges of a face, starting with `first`.
 std::vector<int> loop_from(const Mesh& mesh, int first) {
   std::vector<int> edges;
@@ -142,6 +106,38 @@ std::size_t best_cut(const Mesh& mesh, const std::vector<int>& edges, const Vec3
 }
 
 }  // namespace
+
+void merge_cone(Mesh& mesh, const std::vector<int>& fresh, double tolerance,
+                std::vector<int>& touched) {
+  for (const int face : fresh) merge_face(mesh, face, Judge::LargerFace, tolerance, 1, touched);
+  for (const int face : fresh) {
+    if (mesh.face(face).gone || !mesh.face(face).suspect) continue;
+    mesh.face(face).suspect = false;
+    merge_face(mesh, face, Judge::BothFaces, tolerance, 1, touched);
+  }
+}
+
+void merge_all(Mesh& mesh, double tolerance, double steepest) {
+  std::vector<int> touched;
+  bool any = true;
+  while (any && !mesh.broken()) {
+    any = false;
+    for (int face = 0; face < mesh.face_count(); ++face) {
+      touched.clear();
+      if (merge_face(mesh, face, Judge::BothFaces, tolerance, steepest, touched)) any = true;
+    }
+  }
+}
+
+// If three faces differ by about the tolerance, two of them can merge while the third is convex
+// towards both and stays in a notch of their common outline. Planes do not reveal this, but such a
+// face is useless as a clip polygon: its side planes cut through it.
+//
+//      o-------o       Filling the notch with the third face would bend the plane further,
+//      |  /\   |       and could spread from face to face on a finely rounded shape. Cutting at the
+//      | /  \  |       notch leaves two faces that are coplanar within the tolerance: harmless.
+//      o     o-o       Steps: find the deepest notch; try a cut from it to each other corner; keep
+//                      the one that leaves the shallowest notches on both sides; repeat.
 
 Notch deepest_notch(const Mesh& mesh, int face) {
   return deepest(mesh, loop_from(mesh, mesh.face(face).edge), mesh.face(face).plane.normal);

@@ -14,7 +14,6 @@
 // their plane moved; step 7; the tolerance is limited by the thickness; and the result is verified.
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numeric>
 #include <queue>

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/at.h"
 #include "core/manifold.h"
 #include "core/plane.h"
 #include "core/pose.h"

@@ -1,7 +1,6 @@
 #include "manifold/dispatch.h"
 
 #include <algorithm>
-#include <type_traits>
 
 #include "geometry/prefetch.h"
 #include "manifold/collide_pairs.h"

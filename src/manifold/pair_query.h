@@ -2,7 +2,6 @@
 
 #include <optional>
 #include <string>
-#include <type_traits>
 
 #include "geometry/bounds.h"
 #include "manifold/capabilities.h"

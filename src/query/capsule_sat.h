@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/scratch.h"
 #include "geometry/hull.h"
 
 /// The separating axis test for a segment (a capsule's core) and a hull. Source: Gregorius 2015,

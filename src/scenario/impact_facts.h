@@ -1,7 +1,5 @@
 #pragma once
 
-#include <algorithm>
-
 #include "continuous/impact_of_shapes.h"
 #include "dynamics/continuous_step.h"
 #include "scenario/scenario.h"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <algorithm>
-
 #include "core/key_table.h"
 
 /// The keys of scenario files. The tables are those of scenarios/README.md, which is built in.

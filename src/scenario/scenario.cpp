@@ -7,7 +7,6 @@
 #include <string_view>
 #include <system_error>
 
-#include "core/at.h"
 #include "core/input_file.h"
 #include "core/plain_text.h"
 #include "scenario/readers.h"

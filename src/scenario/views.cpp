@@ -105,6 +105,15 @@ View read_view(const Value& value) {
   return view;
 }
 
+PictureLimits read_limits(const Value& value) {
+  const Value table = value.table({"limits"});
+  PictureLimits limits;
+  table.read("channel", limits.channel);
+  table.read("cluster", limits.cluster);
+  table.read("total", limits.total);
+  return limits;
+}
+
 }  // namespace
 
 void check_title(const Value& value, const Scenario& scenario) {
@@ -134,19 +143,6 @@ std::vector<View> read_views(const Value& value) {
   if (views.empty()) value.fail("'views' is empty; leave it out for one view of all shapes");
   return views;
 }
-
-namespace {
-
-PictureLimits read_limits(const Value& value) {
-  const Value table = value.table({"limits"});
-  PictureLimits limits;
-  table.read("channel", limits.channel);
-  table.read("cluster", limits.cluster);
-  table.read("total", limits.total);
-  return limits;
-}
-
-}  // namespace
 
 SnapshotSettings read_snapshots(const std::optional<Value>& value, int frames,
                                 const std::vector<View>& views) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
 #include "scenario/scenario.h"
 #include "shrink/pair_of_two.h"

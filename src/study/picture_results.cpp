@@ -157,35 +157,19 @@ std::string result_of_refitting(Picture& plot) {
 
 std::string result_of_coherence(Picture& plot) {
   plot.drawn.reference.clear();  // for results; these are times
-  if (plot.lines.empty()) return {};
   double least = 1e9, most = 0;
   for (StudySeries& line : plot.lines) {
     divide_by(line, series_of(plot.measured, "from roots", line.panel));
-    const bool is_outside = std::exchange(line.panel, "").find("beside") != std::string::npos;
-    line.method = is_outside ? "one ball beside the other" : "one ball inside the other";
+    line.method = std::exchange(line.panel, "");
     line.look = static_cast<int>(&line - plot.lines.data());
-    for (StudyPoint& point : line.points) {
-      point.parameter /= 1000;  // millimetres
+    for (const StudyPoint& point : line.points) {
       least = std::min(least, point.error.value_or(least));
       most = std::max(most, error_of(point));
     }
   }
-  StudySeries roots = plot.lines.front();
-  for (StudyPoint& point : roots.points) point.error = point.error_worst = 1;
-  roots.method = "from the roots";
-  roots.quiet = true;
-  roots.look.reset();
-  for (StudySeries& line : plot.lines) {
-    for (StudyPoint& point : line.points)
-      if (least < 1 && point.error == least) point.mark = percent(1 - least) + " less";
-    // Both lines end close together: put values into their names.
-    const double last = line.points.empty() ? 1 : line.points.back().error.value_or(1);
-    if (last > 1.005) line.method += ": " + percent(last - 1) + " more";
-  }
-  plot.lines.push_back(roots);
-  return "To begin where the last frame's query ended saves " +
-         (least < 1 ? "at most " + percent(1 - least) : std::string("nothing")) + " of its time" +
-         (most > 1.005 ? ", and costs up to " + percent(most - 1) + " more" : "");
+  if (most == 0) return {};
+  return "To begin where the last frame's query ended takes " + percent(least) + " to " +
+         percent(most) + " of the time from the roots";
 }
 
 std::string result_near_plane(Picture& plot) {
@@ -280,32 +264,16 @@ std::string result_of_fields(Picture& plot) {
 }
 
 std::string result_of_building(Picture& plot) {
-  // "all triangles in long double, 2000 points within 2 cm of a wavy ball, by band": the mesh.
-  const std::string& reference = plot.drawn.reference;
-  const std::size_t begin = reference.find(" of a "), end = reference.find(", by band");
-  plot.drawn.shown = "Up: milliseconds to build";
-  if (begin < end && end != std::string::npos)
-    plot.drawn.shown += " the field" + reference.substr(begin, end - begin);
-  plot.drawn.shown += ", on one thread";
-  constexpr const char* kPeer = "OpenVDB, trilinear";
-  std::map<std::string, double> times;
-  std::string slow;
-  for (const StudySeries& line : plot.lines) {
-    times[line.method] = 1e6 * error_at(line, plot.row.options.at);
-    if (line.method != kPeer && times[line.method] > times[slow]) slow = line.method;
-  }
-  if (times.empty()) return {};
-  // Other kinds are faster, so only tables contain them, except OpenVDB's kind.
-  std::erase_if(plot.lines, [&](const StudySeries& line) {
-    return line.method != kPeer && line.method != slow && line.method != "trilinear";
-  });
-  for (StudySeries& line : plot.lines) line.method += ": " + duration(times[line.method]);
   plot.drawn.reference.clear();  // it describes errors
-  const std::string field = "field of " + number(plot.row.options.at, 3) + " cells";
-  if (!times.contains(kPeer))
-    return "A " + field + " takes up to " + duration(times[slow]) + " to build";
-  return "OpenVDB takes " + duration(times[kPeer]) + " to build a " + field +
-         ", contactscope's slowest kind " + duration(times[slow]);
+  double slowest = 0;
+  for (StudySeries& line : plot.lines) {
+    const double time = 1e6 * error_at(line, plot.row.options.at);
+    line.method += ": " + duration(time);
+    slowest = std::max(slowest, time);
+  }
+  if (slowest == 0) return {};
+  return "A field of " + number(plot.row.options.at, 3) + " cells takes up to " +
+         duration(slowest) + " to build";
 }
 
 std::string result_of_points(Picture& plot) {

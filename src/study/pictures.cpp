@@ -220,7 +220,7 @@ const std::vector<PictureRow>& picture_rows() {
           "Up: node pairs that a query compares, over those with a tree that is rebuilt in each "
           "frame",
           {}, &result_of_refitting),
-      row("mesh_mesh", "motion", {{"coherent", ""}}, kAll, "mm that a ball moves in a frame",
+      row("mesh_mesh", "motion", {{"coherent", ""}}, kAll, "µm that a ball moves in a frame",
           kShare,
           "Up: time of a query that begins where the last frame's ended, of the time of one from "
           "the roots",
@@ -264,8 +264,8 @@ const std::vector<PictureRow>& picture_rows() {
           &result_of_fields),
       row("distance_field", "normal", kMarkedFields, kByCells, "cells", "", kMarkers,
           {.at = 64, .only_at = true, .left_out = {", by band", ", seed"}}),
-      row("distance_field", "build", kFields, kByCells, "cells along the longest side", "", "",
-          {.at = 128}, &result_of_building),
+      row("distance_field", "build", kFields, kByCells, "cells along the longest side", "",
+          "Up: milliseconds to build, on one thread", {.at = 128}, &result_of_building),
       row("distance_field", "memory", kFields, kByCells, "cells along the longest side", "",
           "Up: megabytes"),
       row("distance_field", "missed", {{"sampled", "at points: "}}, kDepths,

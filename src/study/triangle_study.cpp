@@ -2,7 +2,6 @@
 #include <cstdint>
 #include <limits>
 
-#include "core/at.h"
 #include "query/triangle_overlap.h"
 #include "study/plain_triangle_test.h"
 #include "study/random_cases.h"

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/at.h"
 #include "core/newell_normal.h"
 
 namespace contactscope::trace {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <algorithm>
-
 #include "core/key_table.h"
 
 /// The keys of a trace. The tables are those of README.md, which is built in.

@@ -14,10 +14,10 @@ template <class S> struct FeaturePair {
   bool edges = false;
   std::array<MovingCorner<S>, 4> corners;
 
-  FeatureImpact impact(double gap = 0) const {
+  FeatureImpact impact() const {
     const auto& [a, b, c, d] = corners;
-    if (edges) return impact_of_edges<S>({a, b}, {c, d}, gap);
-    return impact_of_vertex_face<S>(a, {b, c, d}, gap);
+    if (edges) return impact_of_edges<S>({a, b}, {c, d});
+    return impact_of_vertex_face<S>(a, {b, c, d});
   }
   template <class T> FeaturePair<T> cast() const {
     FeaturePair<T> result;

@@ -269,20 +269,5 @@ TEST(MovingFeatures, DegenerateOnesAreAnswered) {
   }
 }
 
-TEST(MovingFeatures, AGapIsKept) {
-  const Vec3d none = Vec3d::Zero(), x = Vec3d::UnitX(), y = Vec3d::UnitY(), z = Vec3d::UnitZ();
-  const MovingFace<double> face = {moves(none, none), moves(x, none), moves(y, none)};
-  const MovingCorner<double> falls = moves(Vec3d(0.25, 0.25, 1), -4 * z);
-  const FeatureImpact hit = impact_of_vertex_face(falls, face, 0.2);
-  EXPECT_EQ(hit.status, FeatureStatus::Hit);
-  EXPECT_NEAR(hit.begin, 0.2, 1e-12);
-  EXPECT_LE(hit.begin, 0.2);
-  EXPECT_NEAR(hit.distance, 0.2, 1e-12);
-  const MovingCorner<double> passes = moves(Vec3d(-0.1, 0.25, 1), -4 * z);
-  EXPECT_EQ(impact_of_vertex_face(passes, face, 0.11).status, FeatureStatus::Hit);
-  EXPECT_EQ(impact_of_vertex_face(passes, face, 0.09).status, FeatureStatus::Separated);
-  EXPECT_EQ(impact_of_vertex_face(falls, face, 1.5).status, FeatureStatus::Overlapping);
-}
-
 }  // namespace
 }  // namespace contactscope

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "draw/charts/plot.h"
-#include "draw/charts/time_chart.h"
+#include "draw/charts/rollout_page.h"
 #include "draw/drawn_texts.h"
 #include "draw/scene/pen.h"
 
@@ -87,16 +87,30 @@ TEST(ChartNames, EachCrossHasItsOwnCountWhereThereIsRoom) {
 
 TEST(ChartNames, AMarkedLineOverTimeIsNamedThereAndQuietOnesAllTheSame) {
   const std::vector<double> time = {0, 1, 2, 3};
-  TimeChart chart{"Height", "m"};
-  chart.lines.push_back({"falling", 0, time, {1.5, 1.4, 0.5, 0.5}});
-  chart.lines.back().marked = 2;
-  chart.lines.back().mark = "2.00 s";
-  for (const char* name : {"one", "two", "three", "four"})
-    chart.lines.push_back({name, 1, time, {1.5, 1.49, 1.49, 1.49}, false, true});
+  trace::Study chart;
+  chart.error = "Height";
+  chart.unit = "m";
+  chart.series.push_back(line_over_time("", time, {1.5, 1.4, 0.5, 0.5}));
+  chart.series.back().points[2].mark = "falling 2.00 s";
+  for (const char* name : {"one", "two", "three", "four"}) {
+    chart.series.push_back(line_over_time(name, time, {1.5, 1.49, 1.49, 1.49}));
+    chart.series.back().quiet = true;
+  }
   Drawing drawing{.width = 900, .height = 300};
-  draw_time_chart(chart, {10, 10, 880, 280}, Pen(drawing, 1, kPlotText));
+  draw_over_time(chart, {10, 10, 880, 280}, Pen(drawing, 1, kPlotText));
   EXPECT_THAT(words(drawing), IsSupersetOf({"falling 2.00 s", "one", "two", "three", "four"}));
-  EXPECT_THAT(words(drawing), Not(Contains("falling")));
+  EXPECT_THAT(words(drawing), IsSupersetOf({"Height, m", "time, s", "0", "0.5", "1.5"}));
+}
+
+TEST(ChartNames, ALineThatReachesTooFarOverTimeSaysHowFar) {
+  trace::Study chart;
+  chart.error = "Energy";
+  chart.unit = "J";
+  for (const double most : {-2.0, 3.0, 500.0})
+    chart.series.push_back(line_over_time("line", {0, 1}, {0, most}));
+  Drawing drawing{.width = 900, .height = 300};
+  draw_over_time(chart, {10, 10, 880, 280}, Pen(drawing, 1, kPlotText));
+  EXPECT_THAT(words(drawing), IsSupersetOf({"line", "line, to 500 J", "−2", "3", "Energy, J"}));
 }
 
 }  // namespace

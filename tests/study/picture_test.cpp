@@ -143,6 +143,31 @@ TEST(Picture, TheSmallestFlipDistanceIsShownWithItsUnit) {
   EXPECT_THAT(picture_of(study).title, HasSubstr("2 last places of a coordinate"));
 }
 
+TEST(Picture, TimesAreDividedByThoseOfTheSamePanel) {
+  trace::Study study;
+  study.study = "mesh_mesh";
+  study.measure = "motion";
+  study.series = {line("from roots", {4, 4}, "beside"), line("coherent", {1, 5}, "beside"),
+                  line("from roots", {8, 8}, "inside"), line("coherent", {6, 4}, "inside")};
+  const trace::Study record = picture_of(study);
+  EXPECT_THAT(record.title, HasSubstr("takes 25 % to 130 % of the time"));
+  ASSERT_EQ(record.series.size(), 2u);
+  EXPECT_EQ(record.series[1].method, "inside");
+  EXPECT_EQ(record.series[1].points[0].error, 0.75);
+  EXPECT_NE(record.series[0].look, record.series[1].look);
+}
+
+TEST(Picture, TheSlowestFieldIsInTheTitleAndEachTimeAtItsLine) {
+  trace::Study study;
+  study.study = "distance_field";
+  study.measure = "build";
+  study.series = {line("trilinear", {2}, "by cells"), line("cubic", {250}, "by cells")};
+  for (trace::StudySeries& series : study.series) series.points[0].parameter = 128;
+  const trace::Study record = picture_of(study);
+  EXPECT_EQ(record.title, "A field of 128 cells takes up to 250 ms to build");
+  EXPECT_EQ(record.series[0].method, "trilinear: 2 ms");
+}
+
 TEST(Picture, AStudyWithoutNumbersKeepsItsTitle) {
   for (const StudyInfo& info : studies()) {
     for (const char* measure : {"area", "passed", "error", "map", "jitter", "time", "wrong"}) {

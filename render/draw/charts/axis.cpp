@@ -38,6 +38,13 @@ float Axis::at(double value) const {
   return from + static_cast<float>(std::clamp(share, 0.0, 1.0)) * (to - from);
 }
 
+std::vector<double> Axis::multiples_of(double step) const {
+  std::vector<double> values;
+  for (double i = std::ceil(low / step - kRounding); i * step <= high + kRounding * step; ++i)
+    values.push_back(i == 0 ? 0 : i * step);  // not -0
+  return values;
+}
+
 std::vector<Axis::Tick> Axis::ticks(float least_decade) const {
   const bool minor = std::abs(to - from) >= least_decade * (high - low);
   std::vector<Tick> list;
@@ -63,7 +70,7 @@ std::string spell_tick_time(double nanoseconds) {
 
 std::string spell_tick_error(double value, const std::string& unit) {
   if (unit == trace::kShare) return spell_tick_error(100 * value, "%");
-  const bool short_enough = value > 0.9e-3 && value < 1e4;
+  const bool short_enough = value == 0 || (value > 0.9e-3 && value < 1e4);
   const std::string number = short_enough ? printed("%.6g", value) : power_of_ten(value);
   return unit.empty() ? number : number + " " + unit;
 }

@@ -24,6 +24,9 @@ struct Axis {
   /// Values beyond the axis are clamped to its ends.
   float at(double value) const;
 
+  /// The multiples of a step on a linear axis, ascending.
+  std::vector<double> multiples_of(double step) const;
+
   struct Tick {
     double value = 0;
     float at = 0;         // pixels

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <set>
 
-#include "core/at.h"
 #include "draw/scene/layout.h"
 #include "draw/scene/pair_words.h"
 #include "draw/scene/palette.h"
@@ -53,12 +52,8 @@ std::vector<std::pair<float, std::string>> decades_of(const Axis& axis, float ro
 /// Round numbers on a linear axis, with at least `room` pixels per label.
 std::vector<std::pair<float, std::string>> counts_of(const Axis& axis, float room) {
   const double pixel = (axis.high - axis.low) / std::max(1.0f, std::abs(axis.to - axis.from));
-  double step = 1;
-  for (int i = 0; step < room * pixel; ++i) step *= i % 3 == 1 ? 2.5 : 2;  // 1, 2, 5, 10, 20
-  std::vector<std::pair<float, std::string>> list;
-  for (double value = std::ceil(axis.low / step) * step; value <= axis.high; value += step)
-    list.emplace_back(axis.at(value), spell_number(value));
-  return list;
+  return mapped(axis.multiples_of(std::max(1.0, round_up(room * pixel))),
+                [&](double value) { return std::pair(axis.at(value), spell_number(value)); });
 }
 
 /// "CPU · compiler · build · date", optionally with the scalar.
@@ -129,6 +124,25 @@ void draw_decades_up(const Axis& axis, const Rect& area, bool grid, bool labels,
     pen.line({left - pen.px(label.empty() ? 3 : 5), at}, {left, at}, 1.2, kChartBorder);
     if (label.empty() || !labels) continue;
     pen.text(label, {left - pen.px(8), at + pen.px(5)}, Align::Right, kQuietText);
+  }
+}
+
+void draw_linear_up(const Axis& axis, const Rect& area, double factor, const std::string& unit,
+                    bool labels, const Pen& pen) {
+  const auto left = static_cast<float>(area.x), right = static_cast<float>(area.right());
+  const double step = round_up((axis.high - axis.low) / 6);
+  // If the axis does not begin at zero, use as many digits as distinguish neighbouring ticks.
+  const double largest = std::max(axis.high, -axis.low);
+  const int digits = std::max(4, static_cast<int>(std::ceil(std::log10(largest / step))) + 1);
+  for (const double value : axis.multiples_of(step)) {
+    const float at = axis.at(value);
+    const bool is_zero = value == 0 && axis.low < 0;
+    if (value > axis.low)
+      pen.line({left, at}, {right, at}, is_zero ? 1.4 : 1, is_zero ? kChartBorder : kChartGrid);
+    pen.line({left - pen.px(5), at}, {left, at}, 1.2, kChartBorder);
+    if (labels)
+      pen.text(spell_number(factor * value, digits) + unit, {left - pen.px(8), at + pen.px(5)},
+               Align::Right, kQuietText);
   }
 }
 

@@ -36,6 +36,13 @@ Drawing plot(const trace::Study& study, int width, int height);
 /// at the top, with counts; zeros are in a row below a logarithmic axis; lines separate both.
 Drawing plot_curves(const trace::Study& study, int width, int height);
 
+/// Lines over time into a part of a picture: a study with one panel, at least one line and an error
+/// at every point, whose parameter is the time in seconds. Both axes are linear; that of the errors
+/// has zero unless all are far from it, and a suitable prefix for the unit. A line that reaches more
+/// than five times as far as usual leaves it, and its name says how far. A point with failures is
+/// the early end of its line: a cross.
+void draw_over_time(trace::Study study, const Rect& rect, const Pen& pen);
+
 /// Panels of a study of form Map: a cell for every parameter (to the right, logarithmic) and row
 /// (up, logarithmic, or one line each for named rows), in the colour of the decade of its largest
 /// error, with a cross if cases failed. Darker is worse; a cell without successful cases is
@@ -53,6 +60,11 @@ void draw_decades_along(const Axis& axis, const Rect& area, bool grid, const Pen
                         const std::vector<double>& values = {});
 /// The same along the left edge; without labels only the grid.
 void draw_decades_up(const Axis& axis, const Rect& area, bool grid, bool labels, const Pen& pen);
+
+/// The same for about six round numbers on a linear axis, times `factor` and with `unit`. Zero is
+/// strong if values may be negative.
+void draw_linear_up(const Axis& axis, const Rect& area, double factor, const std::string& unit,
+                    bool labels, const Pen& pen);
 
 /// Range of the positive values on an axis.
 struct PositiveRange {

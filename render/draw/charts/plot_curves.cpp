@@ -2,6 +2,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <optional>
 #include <set>
 
 #include "draw/charts/curve_labels.h"
@@ -14,10 +15,11 @@ namespace {
 
 constexpr double kLeft = 52;
 constexpr double kFailureRow = 15;
-constexpr double kZeroRow = 18;           // below a logarithmic axis, which has no zero
-constexpr std::size_t kMaxTicks = 8;      // with more points the axis shows decades
-constexpr double kBetweenTicks = 7;       // pixels between their labels
-constexpr double kFarFromZero = 0.7;      // share of the maximum; above it zero would waste room
+constexpr double kZeroRow = 18;       // below a logarithmic axis, which has no zero
+constexpr std::size_t kMaxTicks = 8;  // with more points the axis shows decades
+constexpr double kBetweenTicks = 7;   // pixels between their labels
+constexpr double kFarOut = 5;         // times the usual reach of lines: the axis leaves a line out
+constexpr double kFarFromZero = 0.7;  // share of the maximum; above it zero would waste room
 constexpr std::size_t kMaxWithNames = 3;  // panels; with more the lines have a legend
 
 /// Place of the line names of a panel.
@@ -123,11 +125,11 @@ struct LinearUnit {
 constexpr std::array<LinearUnit, 3> kLinearUnits = {
     {{trace::kShare, 100, " %"}, {trace::kTimes, 1, " ×"}, {trace::kSum, 1, " ms"}}};
 
-/// Null for a logarithmic axis.
-const LinearUnit* linear_unit(const trace::Study& study) {
+/// None for a logarithmic axis.
+std::optional<LinearUnit> linear_unit(const trace::Study& study) {
   const auto found = std::ranges::find_if(
       kLinearUnits, [&](const LinearUnit& one) { return study.unit == one.unit; });
-  return found == kLinearUnits.end() ? nullptr : &*found;
+  return found == kLinearUnits.end() ? std::nullopt : std::optional(*found);
 }
 
 struct Curves : Pen {
@@ -136,8 +138,8 @@ struct Curves : Pen {
   double least_error;    // zero included
   int failure_rows;
   bool has_zero_row;
-
-  bool is_linear() const { return linear_unit(study) != nullptr; }
+  std::optional<LinearUnit> linear;
+  bool is_over_time = false;  // a linear axis of seconds; a failure is the end of a line
 
   /// The parameters of a panel, if ticks at each of them have room and short names; otherwise none.
   std::vector<double> ticks_at_points(const PlotPanel& panel, const Axis& x) const {
@@ -159,10 +161,11 @@ struct Curves : Pen {
   }
 
   double top_of_axis() const { return errors.high + 0.04 * (errors.high - bottom_of_axis()); }
-  /// Zero, unless all values are far from it: then a whole step below the least.
+  /// Zero, unless some values are negative, or all far from it: then a whole step below the least.
   double bottom_of_axis() const {
+    if (least_error < 0) return least_error - 0.04 * (errors.high - least_error);
     if (least_error < kFarFromZero * errors.high) return 0;
-    const double step = linear_step(errors.high - least_error);
+    const double step = round_up((errors.high - least_error) / 6);
     return step * std::floor(least_error / step - 0.5);
   }
 
@@ -198,20 +201,23 @@ struct Curves : Pen {
     const auto above = static_cast<float>(area.y), bottom = static_cast<float>(area.bottom());
     // All panels have equal room for these rows, so that one height means one error everywhere.
     const float top = above + px(failure_rows * kFailureRow + 4);
-    const Axis x = counts ? Axis{parameters.low, parameters.high, left + px(8), right - px(8)}
-                          : parameters.axis(left, right, px(8), px(8));
+    const Axis x = is_over_time ? Axis{0, parameters.high, left, right}
+                   : counts     ? Axis{parameters.low, parameters.high, left + px(8), right - px(8)}
+                                : parameters.axis(left, right, px(8), px(8));
     const float floor = has_zero_row ? bottom - px(kZeroRow) : bottom;
-    const Axis y = is_linear() ? Axis{bottom_of_axis(), top_of_axis(), bottom, top}
-                               : errors.axis(floor, top, px(6), px(failure_rows > 0 ? 20 : 6));
+    const Axis y = linear ? Axis{bottom_of_axis(), top_of_axis(), bottom, top}
+                          : errors.axis(floor, top, px(6), px(failure_rows > 0 ? 20 : 6));
     const auto place = [&](const trace::StudyPoint& point) {
       const double error = largest_error(point);
       return Point2{x.at(point.parameter),
                     has_zero_row && error == 0 ? 0.5f * (floor + bottom) : y.at(error)};
     };
     draw_decades_along(x, area, true, *this,
-                       counts ? std::vector<double>{} : ticks_at_points(panel, x));
-    if (is_linear())
-      draw_linear_up(y, area, panel.begins_row);
+                       is_over_time ? x.multiples_of(round_up(px(56) * x.high / (right - left)))
+                       : counts     ? std::vector<double>{}
+                                    : ticks_at_points(panel, x));
+    if (linear)
+      draw_linear_up(y, area, linear->factor, linear->suffix, panel.begins_row, *this);
     else
       draw_decades_up(y, area, true, panel.begins_row, *this);
     frame(area, 1.2, kChartBorder);
@@ -243,6 +249,7 @@ struct Curves : Pen {
     if (names_signal) name_signal(panel, x, y);
     if (naming == Naming::SideLabel) name_at_side(lines, area, *this);
     if (naming == Naming::Inside) name_inside(lines, area, *this);
+    if (is_over_time) return;
     float row = above + px(2 + 0.5 * kFailureRow);
     for (const trace::StudySeries* series : panel.series) {
       if (failures(*series, x, left, right, row)) row += px(kFailureRow);
@@ -269,31 +276,6 @@ struct Curves : Pen {
     return lines;
   }
 
-  /// Round numbers of the linear unit from the bottom of the axis.
-  void draw_linear_up(const Axis& y, const Rect& area, bool labels) const {
-    const auto left = static_cast<float>(area.x), right = static_cast<float>(area.right());
-    const LinearUnit& unit = *linear_unit(study);
-    const double step = linear_step(y.high - y.low);
-    for (int i = static_cast<int>(std::ceil(y.low / step - 1e-9));; ++i) {
-      const double value = i * step;
-      if (value > y.high) break;
-      const float at = y.at(value);
-      if (value > y.low) line({left, at}, {right, at}, 1, kChartGrid);
-      line({left - px(5), at}, {left, at}, 1.2, kChartBorder);
-      if (labels)
-        text(spell_number(unit.factor * value) + unit.suffix, {left - px(8), at + px(5)},
-             Align::Right, kQuietText);
-    }
-  }
-
-  /// About a fifth of `high`: 1, 2 or 5 times a power of ten.
-  static double linear_step(double high) {
-    const double least = high / 6, decade = std::pow(10.0, std::floor(std::log10(least)));
-    for (const double factor : {1.0, 2.0, 5.0})
-      if (factor * decade >= least) return factor * decade;
-    return 10 * decade;
-  }
-
   void marker(const Point2& at, const CurveStyle& style) const {
     draw_marker(Marker::Circle, at, px((style.quiet ? 2.4 : 3.4) + style.wider()), style.color,
                 drawing());
@@ -303,17 +285,19 @@ struct Curves : Pen {
   /// Dashed towards a zero that is below the axis.
   template <class Place>
   void curve(const trace::StudySeries& series, const CurveStyle& style, const Place& place) const {
-    for (std::size_t i = 1; i < series.points.size(); ++i) {
+    const double width = style.signal || style.quiet ? 1.5 : 2.2 + style.wider();
+    if (is_over_time) path(mapped(series.points, place), width, style.color);
+    for (std::size_t i = 1; i < series.points.size() && !is_over_time; ++i) {
       const trace::StudyPoint &before = series.points[i - 1], &point = series.points[i];
       if (!before.error || !point.error) continue;
       const bool leaves_axis =
           has_zero_row && (largest_error(before) == 0) != (largest_error(point) == 0);
-      line(place(before), place(point), style.signal || style.quiet ? 1.5 : 2.2 + style.wider(),
-           style.color, leaves_axis ? 3 : style.dash());
+      line(place(before), place(point), width, style.color, leaves_axis ? 3 : style.dash());
     }
     if (style.signal) return;
     for (const trace::StudyPoint& point : series.points) {
-      if (point.error) marker(place(point), style);
+      if (is_over_time && point.failed > 0) cross(place(point), 5, 2.4, style.color);
+      if (point.error && !is_over_time) marker(place(point), style);
     }
   }
 
@@ -403,9 +387,9 @@ Drawing plot_curves(const trace::Study& study, int width, int height) {
     if (point.error) least = std::min(least, largest_error(point));
   }
   if (errors.high == 0) errors = {1e-16, 1};
-  const bool has_zero_row = linear_unit(study) == nullptr && std::ranges::any_of(all, has_zero);
-  Curves curves{
-      Pen(page.drawing, page.scale, kPlotText), study, errors, least, failure_rows, has_zero_row};
+  const bool has_zero_row = !linear_unit(study) && std::ranges::any_of(all, has_zero);
+  const Pen writing(page.drawing, page.scale, kPlotText);
+  Curves curves{writing, study, errors, least, failure_rows, has_zero_row, linear_unit(study)};
   if (has_legend) curves.legend(page.legend, naming == Naming::None);
   // If all panels have the same lines, they are named once.
   const bool once = all.size() > 1 && same_lines(all);
@@ -422,6 +406,44 @@ Drawing plot_curves(const trace::Study& study, int width, int height) {
                  is_first && naming == Naming::None);
   }
   return page.drawing;
+}
+
+void draw_over_time(trace::Study study, const Rect& rect, const Pen& pen) {
+  const auto reach = [](const trace::StudySeries& line) {
+    double most = 0;
+    for (const trace::StudyPoint& point : line.points)
+      most = std::max(most, std::abs(*point.error));
+    return most;
+  };
+  std::vector<double> reaches = mapped(study.series, reach);
+  std::ranges::sort(reaches);
+  const double usual = reaches[(reaches.size() - 1) / 2];
+  PositiveRange values;
+  double least = std::numeric_limits<double>::infinity();
+  for (trace::StudySeries& line : study.series) {
+    const bool is_far = usual > 0 && reach(line) > kFarOut * usual;
+    if (is_far && !line.method.empty())
+      line.method += ", to " + spell_quantity(reach(line), study.unit, 2);
+    for (const trace::StudyPoint& point : line.points) {
+      if (is_far) break;
+      values.include(*point.error);
+      least = std::min(least, *point.error);
+    }
+  }
+  const double largest = std::max(values.high, -least);
+  if (!(largest > 0)) values.high = 1;
+  const bool is_small_length = study.unit == "m" && largest < 1;
+  const Prefix prefix = is_small_length ? Prefix{1e-3, "m"} : prefix_for(largest);
+  PlotPanel panel = panels_of(study).front();
+  panel.name = study.error + ", " + prefix.name + study.unit;
+  panel.parameter = "time, s";
+  panel.begins_row = true;
+  const Curves curves{pen, study, values, least, 0, false, LinearUnit{"", 1 / prefix.size, ""},
+                      true};
+  panel.area = {rect.x + pen.px(kLeft), rect.y + pen.px(24),
+                rect.width - pen.px(kLeft) - side_room(curves.named_lines(panel), curves),
+                rect.height - pen.px(62)};
+  curves.panel(panel, Naming::SideLabel, false);
 }
 
 }  // namespace contactscope::draw

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "core/at.h"
 #include "draw/charts/curve_labels.h"

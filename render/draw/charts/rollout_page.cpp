@@ -1,7 +1,9 @@
+#include "draw/charts/rollout_page.h"
+
 #include <algorithm>
 #include <cmath>
 
-#include "draw/charts/time_chart.h"
+#include "draw/charts/plot.h"
 #include "draw/scene/layout.h"
 #include "draw/scene/palette.h"
 
@@ -34,6 +36,17 @@ std::size_t rows_of(std::size_t cells) {
 
 }  // namespace
 
+trace::StudySeries line_over_time(const std::string& name, const std::vector<double>& time,
+                                  const std::vector<double>& values) {
+  trace::StudySeries line{name, {}};
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    trace::StudyPoint& point = line.points.emplace_back();
+    point.parameter = time[i];
+    point.error = values[i];
+  }
+  return line;
+}
+
 int rollout_page_height(std::size_t cells) {
   const std::size_t rows = std::max<std::size_t>(2, rows_of(cells));
   return kPage + static_cast<int>(rows - 2) * static_cast<int>(kCellRows);
@@ -41,7 +54,7 @@ int rollout_page_height(std::size_t cells) {
 
 RolloutPage rollout_page(const std::string& result, const std::string& title,
                          const std::string& source, const std::string& moment,
-                         const std::vector<TimeChart>& charts,
+                         const std::vector<trace::Study>& charts,
                          const std::vector<RolloutCell>& cells, int width, int height) {
   // Text size follows the usual aspect ratio, even if the page is higher for more rows.
   Layout layout = make_layout(width, height, false, {});
@@ -68,10 +81,10 @@ RolloutPage rollout_page(const std::string& result, const std::string& title,
   const auto count = static_cast<double>(charts.size());
   const double chart_width = (whole - (count - 1) * pen.px(kChartGap)) / count;
   for (std::size_t i = 0; i < charts.size(); ++i)
-    draw_time_chart(charts[i],
-                    {left + static_cast<double>(i) * (chart_width + pen.px(kChartGap)), begin,
-                     chart_width, cells_begin - pen.px(kCellGap) - begin},
-                    writing);
+    draw_over_time(charts[i],
+                   {left + static_cast<double>(i) * (chart_width + pen.px(kChartGap)), begin,
+                    chart_width, cells_begin - pen.px(kCellGap) - begin},
+                   writing);
   const std::size_t columns = columns_of(cells.size());
   const double cell_width = std::min(
       (whole - static_cast<double>(columns - 1) * pen.px(kCellGap)) / static_cast<double>(columns),

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
-#include <optional>
 
-#include "core/at.h"
 #include "draw/scene/quantity.h"
 
 namespace contactscope::draw {

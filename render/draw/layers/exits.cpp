@@ -2,7 +2,6 @@
 
 #include "draw/layers/layer.h"
 #include "draw/scene/ghost.h"
-#include "draw/scene/points.h"
 #include "draw/scene/quantity.h"
 
 /// Catto 2007, "Extreme Fuzziness": deeply overlapping hulls have several ways out. The shortest is

@@ -2,7 +2,6 @@
 
 #include "draw/layers/layer.h"
 #include "draw/scene/pairs.h"
-#include "draw/scene/points.h"
 
 /// The touching features: a corner, edge or face of one shape on a face of the other, or two edges.
 /// They name the contact and determine how many points it can have.

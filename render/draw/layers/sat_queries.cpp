@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "draw/layers/layer.h"
 #include "draw/scene/ghost.h"

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "draw/panels/panel.h"
 #include "draw/scene/answers.h"

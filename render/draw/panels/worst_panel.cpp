@@ -1,4 +1,3 @@
-#include <algorithm>
 
 #include "draw/panels/panel.h"
 #include "draw/scene/contact_facts.h"

@@ -4,7 +4,6 @@
 
 #include "draw/scene/pair_words.h"
 #include "draw/scene/palette.h"
-#include "draw/scene/quantity.h"
 
 namespace contactscope::draw {
 namespace {

@@ -7,7 +7,6 @@
 #include "draw/scene/labels.h"
 #include "draw/scene/outlines.h"
 #include "draw/scene/pen.h"
-#include "draw/scene/points.h"
 #include "draw/scene/sketch.h"
 #include "image/font.h"
 

@@ -6,7 +6,6 @@
 #include "draw/scene/pair_words.h"
 #include "draw/scene/solid.h"
 #include "draw/scene/visibility.h"
-#include "view/shape_name.h"
 
 namespace contactscope::draw {
 namespace {

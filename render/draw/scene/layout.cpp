@@ -6,7 +6,6 @@
 
 #include "draw/scene/palette.h"
 #include "draw/scene/pen.h"
-#include "image/font.h"
 
 namespace contactscope::draw {
 namespace {

@@ -3,7 +3,6 @@
 #include <string>
 #include <vector>
 
-#include "draw/scene/camera.h"
 #include "draw/scene/drawing.h"
 #include "draw/scene/figure_style.h"
 #include "image/font.h"

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "draw/scene/quantity.h"
-
 namespace contactscope::draw {
 namespace {
 

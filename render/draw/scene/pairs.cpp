@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <optional>
 #include <set>
 
 #include "core/convex_polygon.h"
@@ -43,6 +42,18 @@ std::array<int, 2> chosen_features(const trace::Sat& sat) {
   if (sat.chosen == "face_b" && sat.face_b) return {sat.face_b->face, -1};
   if (sat.edge) return {sat.edge->a, sat.edge->b};
   return {-1, -1};
+}
+
+OnBoth surfaces_scaled(const Scene& scene, const trace::Pair& pair, const PairPoint& at,
+                       double scale) {
+  const auto& [manifold, point] = at;
+  const auto radius = [&](const std::string& name) {
+    const PlacedShape* shape = scene.find(name);
+    return shape == nullptr ? 0.0 : shape->traced().radius;
+  };
+  const double behind_a = share_behind_a(pair, *manifold, *point, radius(pair.a), radius(pair.b));
+  const Vec3d overlap = scale * point->separation * manifold->normal;
+  return {point->position - behind_a * overlap, point->position + (1 - behind_a) * overlap};
 }
 
 }  // namespace
@@ -95,22 +106,6 @@ bool is_kept(const trace::Pair& pair, const trace::DroppedPoint& dropped) {
     return (offset - offset.dot(normal) * normal).norm() < 1e-5 * size;
   });
 }
-
-namespace {
-
-OnBoth surfaces_scaled(const Scene& scene, const trace::Pair& pair, const PairPoint& at,
-                       double scale) {
-  const auto& [manifold, point] = at;
-  const auto radius = [&](const std::string& name) {
-    const PlacedShape* shape = scene.find(name);
-    return shape == nullptr ? 0.0 : shape->traced().radius;
-  };
-  const double behind_a = share_behind_a(pair, *manifold, *point, radius(pair.a), radius(pair.b));
-  const Vec3d overlap = scale * point->separation * manifold->normal;
-  return {point->position - behind_a * overlap, point->position + (1 - behind_a) * overlap};
-}
-
-}  // namespace
 
 OnBoth surfaces_at(const Scene& scene, const trace::Pair& pair, const PairPoint& at) {
   return surfaces_scaled(scene, pair, at, 1);

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "draw/scene/layout.h"
-#include "view/words.h"
 
 namespace contactscope::draw {
 namespace {

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "core/convex_polygon.h"
-#include "draw/scene/camera.h"
 #include "draw/scene/drawing.h"
 #include "image/font.h"
 

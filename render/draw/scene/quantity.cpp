@@ -112,6 +112,13 @@ double round_down(double value) {
   return decade;
 }
 
+double round_up(double value) {
+  const double decade = std::pow(10.0, std::floor(std::log10(value)));
+  for (const double factor : {1.0, 2.0, 5.0})
+    if (factor * decade >= value) return factor * decade;
+  return 10 * decade;
+}
+
 Prefix prefix_for(double value) {
   constexpr std::array<Prefix, 7> kPrefixes{
       {{1e9, "G"}, {1e6, "M"}, {1e3, "k"}, {1, ""}, {1e-3, "m"}, {1e-6, "µ"}, {1e-9, "n"}}};

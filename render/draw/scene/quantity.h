@@ -51,7 +51,9 @@ std::string spell_quantity(double value, const std::string& unit, int digits = 3
 /// "1 N s = 0.2 m", or "10 mN s = 50 mm" for small impulses; other units likewise.
 std::string spell_impulse_scale(double metres_per_unit, const std::string& unit = "N s");
 
-/// The largest 1, 2 or 5 times a power of ten that is at most `value` > 0.
+/// The largest 1, 2 or 5 times a power of ten that is at most `value` > 0, and the smallest that is
+/// at least that.
 double round_down(double value);
+double round_up(double value);
 
 }  // namespace contactscope::draw

@@ -4,7 +4,6 @@
 #include <limits>
 #include <map>
 
-#include "core/at.h"
 #include "draw/scene/points.h"
 
 namespace contactscope::draw {

@@ -13,6 +13,20 @@ constexpr LineStyle kFeature{1.5f, with_alpha(kShapeEdge, 0.85f), false, LineSty
 constexpr LineStyle kSmooth{1.0f, with_alpha(kShapeEdge, 0.16f), false, LineStyle::Hidden::Faint};
 constexpr LineStyle kTick{1.0f, with_alpha(kShapeEdge, 0.55f), false, LineStyle::Hidden::Faint};
 
+void add_body(const Camera& camera, const RoundBody& body, const Color& fill,
+              const LineStyle& outline, bool coarse, Sketch& sketch) {
+  const int index = count_of(sketch.bodies);
+  for (RoundBody::Facet& facet : body.front(camera, coarse))
+    sketch.surfaces.push_back(
+        {std::move(facet.polygon), toned(fill, facet.lit), index, Surface::Kind::Body});
+  const std::vector<Vec3d> around = body.outline(camera);
+  if (!around.empty()) {
+    sketch.shadows.push_back(body.shadow(camera));
+    sketch.curves.push_back({around, outline, true});
+  }
+  sketch.bodies.push_back(body);
+}
+
 }  // namespace
 
 std::vector<bool> draw_faces(const Camera& camera, const PlacedShape& shape, const Color& fill,
@@ -46,24 +60,6 @@ void draw_solid(const Camera& camera, const PlacedShape& shape, const Color& fil
                               : kFeature);
   }
 }
-
-namespace {
-
-void add_body(const Camera& camera, const RoundBody& body, const Color& fill,
-              const LineStyle& outline, bool coarse, Sketch& sketch) {
-  const int index = count_of(sketch.bodies);
-  for (RoundBody::Facet& facet : body.front(camera, coarse))
-    sketch.surfaces.push_back(
-        {std::move(facet.polygon), toned(fill, facet.lit), index, Surface::Kind::Body});
-  const std::vector<Vec3d> around = body.outline(camera);
-  if (!around.empty()) {
-    sketch.shadows.push_back(body.shadow(camera));
-    sketch.curves.push_back({around, outline, true});
-  }
-  sketch.bodies.push_back(body);
-}
-
-}  // namespace
 
 void draw_body(const Camera& camera, const RoundBody& body, const Color& fill,
                const LineStyle& outline, Sketch& sketch) {

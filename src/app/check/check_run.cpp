@@ -20,7 +20,6 @@
 #include "core/at.h"
 #include "core/input_error.h"
 #include "core/spell.h"
-#include "draw/staging.h"
 #include "image/sha256.h"
 #include "scenario/run.h"
 #include "snapshot/brittle.h"

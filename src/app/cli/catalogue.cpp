@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <iterator>
 #include <map>
-#include <optional>
 
 #include "app/cli/narrow.h"
 #include "app/cli/option_readers.h"
@@ -170,39 +169,6 @@ void override_views(std::vector<View>& views, const Options& options) {
   place_focus(views, options);
 }
 
-}  // namespace
-
-void require_reducer(const std::string& name) { word_in("--reducer", name, names_in(reducers())); }
-
-std::string installed_scenarios() {
-  std::error_code unknown;
-  const fs::path program = fs::read_symlink("/proc/self/exe", unknown);
-  const fs::path installed =
-      program.parent_path().parent_path() / "share" / "contactscope" / "scenarios";
-  return fs::is_directory(installed, unknown) ? installed.string() : "";
-}
-
-bool is_found_by_name(const Scenario& scenario, const Options& options) {
-  for (const std::string& root : roots_of(options)) {
-    const std::vector<std::string> files = files_in(root, scenario.name);
-    if (!files.empty())
-      return fs::path(scenario.path).lexically_normal() ==
-             fs::path(files.front()).lexically_normal();
-  }
-  return false;
-}
-
-std::vector<View> selected_views(const Scenario& scenario, const Options& options) {
-  std::vector<View> views = scenario.views;
-  std::erase_if(views, [&](const View& view) {
-    const bool by_file = views_are_of_file(options);
-    return !by_file && !options.view.empty() && view.name != options.view;
-  });
-  return views;
-}
-
-namespace {
-
 /// Adds unreadable ones to `unreadable`, or throws if that is null.
 std::vector<Scenario> read_scenarios(const Options& options, std::vector<Input>* unreadable) {
   std::vector<std::string> files;
@@ -252,14 +218,6 @@ std::vector<Scenario> read_scenarios(const Options& options, std::vector<Input>*
   return scenarios;
 }
 
-}  // namespace
-
-std::vector<Scenario> load_scenarios(const Options& options) {
-  return read_scenarios(options, nullptr);
-}
-
-namespace {
-
 /// The traces next to the scenarios of the folders and groups which the command names, unless an
 /// option is for scenarios alone.
 std::vector<std::string> stored_traces(const Options& options) {
@@ -277,6 +235,39 @@ std::vector<std::string> stored_traces(const Options& options) {
 }
 
 }  // namespace
+
+void require_reducer(const std::string& name) { word_in("--reducer", name, names_in(reducers())); }
+
+std::string installed_scenarios() {
+  std::error_code unknown;
+  const fs::path program = fs::read_symlink("/proc/self/exe", unknown);
+  const fs::path installed =
+      program.parent_path().parent_path() / "share" / "contactscope" / "scenarios";
+  return fs::is_directory(installed, unknown) ? installed.string() : "";
+}
+
+bool is_found_by_name(const Scenario& scenario, const Options& options) {
+  for (const std::string& root : roots_of(options)) {
+    const std::vector<std::string> files = files_in(root, scenario.name);
+    if (!files.empty())
+      return fs::path(scenario.path).lexically_normal() ==
+             fs::path(files.front()).lexically_normal();
+  }
+  return false;
+}
+
+std::vector<View> selected_views(const Scenario& scenario, const Options& options) {
+  std::vector<View> views = scenario.views;
+  std::erase_if(views, [&](const View& view) {
+    const bool by_file = views_are_of_file(options);
+    return !by_file && !options.view.empty() && view.name != options.view;
+  });
+  return views;
+}
+
+std::vector<Scenario> load_scenarios(const Options& options) {
+  return read_scenarios(options, nullptr);
+}
 
 std::vector<Input> load_inputs(const Options& options, Hold hold, Unreadable unreadable) {
   std::vector<std::string> traces;

@@ -1,7 +1,6 @@
 #include "app/cli/sequence.h"
 
 #include <algorithm>
-#include <cstdint>
 
 #include "trace/find.h"
 #include "trace/point_names.h"

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <functional>
 #include <span>
-#include <string>
 
 namespace contactscope::app {
 
@@ -26,41 +25,6 @@ template <std::size_t Count> bool is_in(const Range (&ranges)[Count], char32_t c
     return character >= range.first && character <= range.last;
   });
 }
-
-}  // namespace
-
-std::size_t columns_of(std::string_view text) {
-  std::size_t columns = 0;
-  for (std::size_t i = 0; i < text.size();) {
-    const auto lead = static_cast<unsigned char>(text[i++]);
-    // Payload of the first byte, then six bits of each continuation byte.
-    char32_t character = lead < 0xc0 ? lead
-                                     : lead & (lead < 0xe0   ? 0x1f
-                                               : lead < 0xf0 ? 0x0f
-                                                             : 0x07);
-    while (i < text.size() && (static_cast<unsigned char>(text[i]) & 0xc0) == 0x80)
-      character = character << 6 | (static_cast<unsigned char>(text[i++]) & 0x3f);
-    columns += is_in(kNone, character) ? 0 : (is_in(kWide, character) ? 2 : 1);
-  }
-  return columns;
-}
-
-void print(const Table& table, std::ostream& out) {
-  std::vector<std::size_t> widths(table.front().size(), 0);
-  for (const std::vector<std::string>& row : table) {
-    for (std::size_t i = 0; i < row.size(); ++i)
-      widths[i] = std::max(widths[i], columns_of(row[i]));
-  }
-  for (const std::vector<std::string>& row : table) {
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      const std::string space(widths[i] - columns_of(row[i]), ' ');
-      out << (i == 0 ? row[i] + space : "  " + space + row[i]);
-    }
-    out << '\n';
-  }
-}
-
-namespace {
 
 /// True if both fit into one table, which has a column per parameter.
 bool share_table(const trace::StudySeries& one, const trace::StudySeries& other) {
@@ -193,6 +157,37 @@ void print_map(const trace::Study& result, std::ostream& out) {
 }
 
 }  // namespace
+
+std::size_t columns_of(std::string_view text) {
+  std::size_t columns = 0;
+  for (std::size_t i = 0; i < text.size();) {
+    const auto lead = static_cast<unsigned char>(text[i++]);
+    // Payload of the first byte, then six bits of each continuation byte.
+    char32_t character = lead < 0xc0 ? lead
+                                     : lead & (lead < 0xe0   ? 0x1f
+                                               : lead < 0xf0 ? 0x0f
+                                                             : 0x07);
+    while (i < text.size() && (static_cast<unsigned char>(text[i]) & 0xc0) == 0x80)
+      character = character << 6 | (static_cast<unsigned char>(text[i++]) & 0x3f);
+    columns += is_in(kNone, character) ? 0 : (is_in(kWide, character) ? 2 : 1);
+  }
+  return columns;
+}
+
+void print(const Table& table, std::ostream& out) {
+  std::vector<std::size_t> widths(table.front().size(), 0);
+  for (const std::vector<std::string>& row : table) {
+    for (std::size_t i = 0; i < row.size(); ++i)
+      widths[i] = std::max(widths[i], columns_of(row[i]));
+  }
+  for (const std::vector<std::string>& row : table) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const std::string space(widths[i] - columns_of(row[i]), ' ');
+      out << (i == 0 ? row[i] + space : "  " + space + row[i]);
+    }
+    out << '\n';
+  }
+}
 
 void print_tables(const std::vector<trace::Study>& results, std::ostream& out) {
   for (const trace::Study& result : results) {

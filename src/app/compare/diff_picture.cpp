@@ -6,7 +6,7 @@
 #include "app/compare/page_cells.h"
 #include "app/render/renderer.h"
 #include "core/at.h"
-#include "draw/charts/time_chart.h"
+#include "draw/charts/rollout_page.h"
 #include "draw/scene/quantity.h"
 #include "scenario/scenario.h"
 #include "snapshot/finding.h"
@@ -19,16 +19,19 @@ namespace {
 using snapshot::RunComparison;
 
 /// The distance over time, with a ring at the parting; none if no shape moved.
-std::vector<draw::TimeChart> charts_of(const RunComparison& runs) {
-  draw::TimeLine line{"", 0, {}, {}};
-  for (const auto& [frame, time, metres, shape] : runs.distances) {
-    if (frame == runs.parting->frame) line.marked = line.time.size();
-    line.time.push_back(time);
-    line.values.push_back(metres);
-  }
-  if (std::ranges::count(line.values, 0.0) == std::ssize(line.values)) return {};
-  line.mark = "frame " + std::to_string(runs.parting->frame);
-  return {{"Largest distance of a shape between the runs", "m", {line}}};
+std::vector<trace::Study> charts_of(const RunComparison& runs) {
+  trace::Study chart;
+  chart.error = "Largest distance of a shape between the runs";
+  chart.unit = "m";
+  const auto distance = mapped(runs.distances, [](const auto& one) { return one.metres; });
+  if (std::ranges::count(distance, 0.0) == std::ssize(distance)) return {};
+  const auto time = mapped(runs.distances, [](const auto& one) { return one.time; });
+  trace::StudySeries& line = chart.series.emplace_back(draw::line_over_time("", time, distance));
+  line.look = 0;
+  for (std::size_t i = 0; i < line.points.size(); ++i)
+    if (runs.distances[i].frame == runs.parting->frame)
+      line.points[i].mark = "frame " + std::to_string(runs.parting->frame);
+  return {chart};
 }
 
 /// A frame with the pair that differs, or the pairs of the shape that differs.

@@ -17,7 +17,6 @@
 #include "dynamics/body.h"
 #include "scenario/run.h"
 #include "versus/request.h"
-#include "versus/rollout.h"
 
 namespace contactscope::app {
 namespace {

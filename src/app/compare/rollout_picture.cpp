@@ -7,12 +7,11 @@
 #include "app/compare/page_cells.h"
 #include "app/render/renderer.h"
 #include "core/at.h"
-#include "draw/charts/time_chart.h"
+#include "draw/charts/rollout_page.h"
 #include "draw/scene/quantity.h"
 #include "draw/staging.h"
 #include "snapshot/finding.h"
 #include "trace/find.h"
-#include "view/title.h"
 
 namespace contactscope::app {
 namespace {
@@ -32,24 +31,18 @@ std::vector<std::size_t> with_frames(const Rollout& rollout) {
   return engines;
 }
 
-/// Heading for scenes without resting bodies: engines that keep bodies separated.
+/// Heading for scenes without resting bodies: engines that do not keep bodies separated.
 std::string overlaps_of(const Rollout& rollout) {
-  std::vector<std::size_t> engines = with_frames(rollout);
+  const std::vector<std::size_t> engines = with_frames(rollout);
   if (engines.empty()) return "No engine steps it";
-  std::vector<std::string> passed, stopped;
-  for (const std::size_t i : engines)
-    (rollout.scores[i].passed > 0 ? passed : stopped).push_back(name_of(rollout, i));
-  if (stopped.empty()) return "Bodies pass through each other in all engines";
-  if (!passed.empty())
-    return "Bodies pass through each other in " + listed(passed) + ", and not in " +
-           listed(stopped);
-  const auto overlap = [&](std::size_t i) { return rollout.scores[i].worst_penetration; };
-  std::ranges::sort(engines, {}, overlap);
-  const auto record = [&](std::size_t i) {
-    return draw::spell_length(overlap(i)) + " in " + name_of(rollout, i);
-  };
-  if (engines.size() == 1) return "Overlaps of up to " + record(engines.front());
-  return "Overlaps of up to " + record(engines.front()) + ", and " + record(engines.back());
+  std::vector<std::string> passed;
+  double deepest = 0;
+  for (const std::size_t i : engines) {
+    if (rollout.scores[i].passed > 0) passed.push_back(name_of(rollout, i));
+    deepest = std::max(deepest, rollout.scores[i].worst_penetration);
+  }
+  return passed.empty() ? "Overlaps of up to " + draw::spell_length(deepest)
+                        : "Bodies pass through each other in " + listed(passed);
 }
 
 /// Engines with frames: first those in which a body fell, by time, then by increasing drift.
@@ -148,27 +141,38 @@ std::vector<Look> looks_of(const Rollout& rollout) {
   return looks;
 }
 
+trace::Study chart_of(const std::string& name, const std::string& unit) {
+  trace::Study chart;
+  chart.error = name;
+  chart.unit = unit;
+  return chart;
+}
+
 /// If a body falls, only the height is plotted, with a mark at the fall.
-std::vector<draw::TimeChart> charts_of(const Rollout& rollout, const std::vector<Look>& looks) {
-  draw::TimeChart height{"Height of the highest body", "m"}, energy{"Energy since the start", "J"},
-      overlap{"Deepest overlap", "m"};
-  const auto frames = rollout.request.frames.size();
+std::vector<trace::Study> charts_of(const Rollout& rollout, const std::vector<Look>& looks) {
+  trace::Study height = chart_of("Height of the highest body", "m"),
+               energy = chart_of("Energy since the start", "J"),
+               overlap = chart_of("Deepest overlap", "m");
   for (std::size_t i = 0; i < rollout.scores.size(); ++i) {
     const RolloutScore& score = rollout.scores[i];
     if (score.time.empty()) continue;
-    const std::string name = name_of(rollout, i);
-    std::vector<double> joules = score.energy;
-    for (double& one : joules) one -= score.energy.front();
-    const bool breaks_off = score.time.size() < frames;
-    const auto& [style, quiet] = looks[i];
-    height.lines.push_back({name, style, score.time, score.height, breaks_off, quiet});
-    energy.lines.push_back({name, style, score.time, joules, breaks_off, quiet});
-    overlap.lines.push_back({name, style, score.time, score.penetration, breaks_off, quiet});
+    const auto add = [&](trace::Study& chart, const std::vector<double>& values) {
+      trace::StudySeries& line =
+          chart.series.emplace_back(draw::line_over_time(name_of(rollout, i), score.time, values));
+      line.look = static_cast<int>(looks[i].style);
+      line.quiet = looks[i].quiet;
+      line.points.back().failed = score.time.size() < rollout.request.frames.size();
+    };
+    add(height, score.height);
+    add(overlap, score.penetration);
+    add(energy, mapped(score.energy, [&](double one) { return one - score.energy.front(); }));
     if (!score.fell_at) continue;
     const auto after = std::ranges::lower_bound(score.time, *score.fell_at) - score.time.begin();
-    height.lines.back().marked = std::min(static_cast<std::size_t>(after), score.time.size() - 1);
-    height.lines.back().mark = printed("%.2f", *score.fell_at) + " s";
+    trace::StudySeries& line = height.series.back();
+    at(line.points, std::min(static_cast<int>(after), count_of(line.points) - 1)).mark =
+        std::exchange(line.method, "") + " " + printed("%.2f", *score.fell_at) + " s";
   }
+  if (height.series.empty()) return {};
   if (any_fell(rollout)) return {height};
   return {height, energy, overlap};
 }

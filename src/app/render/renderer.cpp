@@ -1,9 +1,7 @@
 #include "app/render/renderer.h"
 
-#include <algorithm>
 #include <limits>
 
-#include "app/cli/progress.h"
 #include "overlay/panels.h"
 #include "scenario/run.h"
 

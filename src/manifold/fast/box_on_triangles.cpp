@@ -10,7 +10,6 @@
 #include "core/at.h"
 #include "manifold/edge_contact.h"
 #include "manifold/fast/box_face_contact.h"
-#include "query/fast/box_triangle_sat.h"
 
 namespace contactscope {
 namespace {

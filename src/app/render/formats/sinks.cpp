@@ -1,7 +1,6 @@
 #include "app/render/formats/sinks.h"
 
 #include <algorithm>
-#include <filesystem>
 
 #include "app/render/origin.h"
 #include "core/at.h"
