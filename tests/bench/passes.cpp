@@ -103,8 +103,8 @@ double pass(int index, Memory& memory, bool cached, const Collide& collide_pair)
   return sum;
 }
 
-double pass_without_recorder(int index, Memory& memory, bool cached) {
-  const CollideOptions settings = options();
+double pass_without_recorder(int index, Memory& memory, bool cached,
+                             const CollideOptions& settings = options()) {
   Manifolds<float> manifolds;
   return pass(index, memory, cached,
               [&](const TimedPair& pair, const Step& step, PairCache<float>* cache) {
@@ -123,6 +123,13 @@ double pass_unrecorded(int workload) {
 double pass_cold(int workload) {
   static std::map<int, Memory> memories;
   return pass_without_recorder(workload, memories[workload], false);
+}
+
+double pass_by_triangle(int workload) {
+  static std::map<int, Memory> memories;
+  CollideOptions settings = options();
+  settings.mesh_manifolds = MeshManifolds::Triangle;
+  return pass_without_recorder(workload, memories[workload], false, settings);
 }
 
 double pass_general(int workload) {

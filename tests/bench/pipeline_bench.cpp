@@ -31,6 +31,9 @@ constexpr const char* kWorkloadNames[kWorkloads] = {
 std::vector<Variant> all_variants() {
   const auto always = [](int) { return true; };
   const auto moving = [](int workload) { return is_moving(static_cast<Workload>(workload)); };
+  const auto of_mesh = [](int workload) {
+    return static_cast<Workload>(workload) >= Workload::BoxMesh;
+  };
   const auto with_own_path = [](int workload) {
     const auto of = static_cast<Workload>(workload);
     return of <= Workload::Hull32 || of == Workload::CapsuleCapsule ||
@@ -40,6 +43,7 @@ std::vector<Variant> all_variants() {
       {"unrecorded", contactscope::bench::pass_unrecorded, always},
       {"recorded", contactscope::bench::pass_recorded, always},
       {"cold", contactscope::bench::pass_cold, moving},
+      {"triangle", contactscope::bench::pass_by_triangle, of_mesh},
       {"general", contactscope::bench::pass_general, with_own_path},
   };
   for (Variant& variant : contactscope::bench::peer_variants()) {

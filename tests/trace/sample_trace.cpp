@@ -83,6 +83,7 @@ Frame sample_frame() {
       {"support", {0.6, -0.0, 0.8}, {{0, kNoEdge, -0.0}, {1, kNoEdge, double(0.1f)}}},
       {"outside", {0, 0, 0}, {{0, {{1, 0}}, -1e-300}}}};
   pair.degenerate = Degenerate{"coincident centres", "skip"};
+  pair.voided = Voided{"zebra", "covered face", {0.6, -0.0, 0.8}, manifold.points};
   pair.gjk = Gjk{"separated", 3, 0.25, {1, 2, 3}, {4, 5, 6}, {}};
   pair.gjk->steps = {{{{0, 1, 0}, {-0.0, 2, 1}}}, {{{1, 0, 0}, {0, 0, 1}}, {{7, 8, 9}, {1, 1, 1}}}};
   pair.tree = Tree{"apple", {{-1, -2, -3}, {1, 2, 3}}, {}, {4, 17}};
