@@ -281,4 +281,53 @@ std::optional<Verdict> judge(const Solids& solids, const Moments& frames, const 
   return verdict;
 }
 
+double scale_of(const Solids& solids, const Moments& frames, const trace::Pair& pair, bool of_a,
+                bool of_b) {
+  const std::optional<Placed> a = place(solids, frames.of_contacts(), pair.a, {});
+  const std::optional<Placed> b = place(solids, frames.of_contacts(), pair.b, {});
+  if (!a || !b) return 0;
+  // The extent is linear as long as the point leaves through the same face, so a few steps do.
+  const auto root_of = [](const auto& function, const auto& is_right) {
+    for (const double start : {1.0, 1.5, 0.7}) {
+      double last = start, at = 0.9 * start, value = function(last);
+      for (int step = 0; step < 4; ++step) {
+        const double now = function(at), next = at - now * (at - last) / (now - value);
+        if (!(next > 0.1 && next < 10)) break;
+        last = at, value = now, at = next;
+        if (is_right(at)) return at;
+      }
+    }
+    return 0.0;
+  };
+  const auto with = [&](double scale) {
+    std::pair<Placed, Placed> placed(*a, *b);
+    if (of_a && !a->solid->is_plane()) placed.first.scale = scale;
+    if (of_b && !b->solid->is_plane()) placed.second.scale = scale;
+    return placed;
+  };
+  double least = std::numeric_limits<double>::infinity(), most = 0;
+  for (const trace::Manifold& manifold : pair.manifolds)
+    for (const trace::Point& point : manifold.points) {
+      const auto missing = [&](double scale) {  // of the overlap at the point
+        const auto [scaled_a, scaled_b] = with(scale);
+        const auto exit_a = scaled_a.exit(point.position, manifold.normal);
+        const auto exit_b = scaled_b.exit(point.position, -manifold.normal);
+        return exit_a && exit_b ? -point.separation - *exit_a - *exit_b
+                                : std::numeric_limits<double>::infinity();
+      };
+      const auto is_right = [&](double scale) {
+        const auto [scaled_a, scaled_b] = with(scale);
+        const double off = std::max(std::abs(scaled_a.distance(point.position)),
+                                    std::abs(scaled_b.distance(point.position)));
+        const double tolerance = solids.tolerance_of(scaled_a, scaled_b);
+        return off <= std::abs(point.separation) + tolerance &&
+               std::abs(missing(scale)) <= tolerance / 2;
+      };
+      const double scale = root_of(missing, is_right);
+      if (scale == 0) return 0;
+      least = std::min(least, scale), most = std::max(most, scale);
+    }
+  return most <= kSameScale * least && std::abs(most - 1) > kSameScale - 1 ? (least + most) / 2 : 0;
+}
+
 }  // namespace contactscope::lint
