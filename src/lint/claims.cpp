@@ -26,47 +26,20 @@ constexpr double kSpeculativeShare = 0.25;
 /// Likewise for 'on_a' and 'on_b' of a point.
 constexpr double kSideTolerances = 4;
 
-Quat<double> read(const Quat<double>& record, Rotation how) {
-  switch (how) {
-    case Rotation::Wxyz:
-      break;
-    case Rotation::Xyzw:  // written as x, y, z, w but read as w, x, y, z
-      return {record.z(), record.w(), record.x(), record.y()};
-    case Rotation::Inverse:
-      return record.conjugate();
-    case Rotation::HalfTheAngle: {
-      const Quat<double> half(1 + std::abs(record.w()), record.x(), record.y(), record.z());
-      return (record.w() < 0 ? Quat<double>(half.w(), -half.x(), -half.y(), -half.z()) : half)
-          .normalized();
-    }
-    case Rotation::MirroredX:
-      return {record.w(), record.x(), -record.y(), -record.z()};
-    case Rotation::MirroredY:
-      return {record.w(), -record.x(), record.y(), -record.z()};
-    case Rotation::MirroredZ:
-      return {record.w(), -record.x(), -record.y(), record.z()};
+Quat<double> read(const Quat<double>& record, const Rotation& how) {
+  if (how == kHalfTheAngle) {
+    const Quat<double> turn =
+        record.w() < 0 ? Quat<double>(-record.coeffs()) : record;  // the same rotation
+    return Quat<double>(1 + turn.w(), turn.x(), turn.y(), turn.z()).normalized();
   }
-  return record;
+  const std::array recorded = {record.w(), record.x(), record.y(), record.z()};
+  const auto part = [&](int i) { return i < 0 ? -at(recorded, -i - 1) : at(recorded, i - 1); };
+  return {part(how[0]), part(how[1]), part(how[2]), part(how[3])};
 }
 
-Vec3d read(const Vec3d& record, Axes axes) {
-  switch (axes) {
-    case Axes::Same:
-      break;
-    case Axes::MirroredX:
-      return {-record.x(), record.y(), record.z()};
-    case Axes::MirroredY:
-      return {record.x(), -record.y(), record.z()};
-    case Axes::MirroredZ:
-      return {record.x(), record.y(), -record.z()};
-    case Axes::YzSwapped:
-      return {record.x(), record.z(), record.y()};
-    case Axes::ZUp:
-      return {record.x(), record.z(), -record.y()};
-    case Axes::YUp:
-      return {record.x(), -record.z(), record.y()};
-  }
-  return record;
+Vec3d read(const Vec3d& record, const Axes& axes) {
+  const auto part = [&](int i) { return i < 0 ? -record[-i - 1] : record[i - 1]; };
+  return {part(axes[0]), part(axes[1]), part(axes[2])};
 }
 
 Vec3d in_world(Frame frame, const Placed& a, const Placed& b, const Vec3d& point) {

@@ -173,10 +173,11 @@ std::vector<Finding> Linter::findings() {
   std::erase_if(all, [&](const Finding& finding) {
     return state_->options.ignores(finding.cause, finding.a, finding.b);
   });
-  for (const auto& [is, effects] : causes_and_effects())
-    if (std::ranges::any_of(all, [&](auto& one) { return is_reported(one) && is(one.cause); }))
+  for (const Cause& cause : causes_and_effects())
+    if (std::ranges::any_of(all,
+                            [&](auto& one) { return is_reported(one) && cause.is(one.cause); }))
       std::erase_if(all, [&](const Finding& finding) {
-        return std::ranges::find(effects, finding.cause) != effects.end();
+        return std::ranges::find(cause.effects, finding.cause) != cause.effects.end();
       });
   for (Finding& finding : all) {
     if (state_->options.strict) finding.below.clear();
