@@ -106,6 +106,7 @@ HiddenLines::HiddenLines(const Camera& camera, const Occluders& occluders,
     }
     put(seen, middle);
   }
+  excludes_.assign(begins_.begin(), begins_.end() - 1);
   for (std::vector<int>& cell : cells_)
     std::ranges::sort(cell, {}, [&](int index) { return std::pair(at(away, index), index); });
 }
@@ -124,14 +125,16 @@ std::vector<Span> HiddenLines::split(const Vec3d& from, const Vec3d& to) const {
   // Whether the shadow hides the whole line, so that no other one matters.
   const auto hides_all = [&](int index) {
     const auto shadow = static_cast<std::size_t>(index);
+    const std::size_t begin = begins_[shadow], end = begins_[shadow + 1];
+    std::size_t& excludes = excludes_[shadow];
     double first = 0, last = 1;
-    for (std::size_t i = begins_[shadow]; i < begins_[shadow + 1]; ++i) {
+    for (std::size_t i = excludes, n = begin; n < end; ++n, i = i + 1 < end ? i + 1 : begin) {
       const double d0 = bounds_[i].distance(from);
       const double d1 = bounds_[i].distance(to);
-      if (d0 > 0 && d1 > 0) return false;
+      if (d0 > 0 && d1 > 0) return excludes = i, false;
       if (d0 > 0) first = std::max(first, d0 / (d0 - d1));
       if (d1 > 0) last = std::min(last, d0 / (d0 - d1));
-      if (!(first < last)) return false;
+      if (!(first < last)) return excludes = i, false;
     }
     hidden.emplace_back(first, last);
     return first == 0 && last == 1;

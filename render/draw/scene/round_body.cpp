@@ -76,12 +76,17 @@ struct Patch {
   double lit = 0;
 };
 
-std::vector<Patch> patches_around(const Vec3d& light, bool coarse) {
+/// All bodies of a picture have the same.
+const std::vector<Patch>& patches_around(const Vec3d& light, bool coarse) {
+  thread_local std::pair<Vec3d, bool> known(Vec3d::Zero(), false);
+  thread_local std::vector<Patch> patches;
+  if (known == std::pair(light, coarse)) return patches;
+  known = {light, coarse};
+  patches.clear();
   const int longitudes = coarse ? kCoarseLongitudes : kLongitudes;
   const std::vector<double> latitudes = latitudes_of(coarse ? kCoarseLatitudeStep : kLatitudeStep);
   const std::vector<Vec3d> directions = directions_around(light, latitudes, longitudes);
   const auto count = static_cast<std::size_t>(longitudes);
-  std::vector<Patch> patches;
   for (std::size_t i = 0; i + 1 < latitudes.size(); ++i) {
     for (std::size_t j = 0; j < count; ++j) {
       const auto at = [&](std::size_t latitude, std::size_t longitude) {

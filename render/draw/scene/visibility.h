@@ -108,9 +108,10 @@ class HiddenLines {
   Box box_of(std::span<const Point2> points) const;
 
   Camera camera_;
-  std::vector<Plane<double>> bounds_;    // of all shadows, concatenated
-  std::vector<std::size_t> begins_;      // first bound of each shadow, and the end of the last
-  std::vector<int> everywhere_;          // shadows that are checked for all lines
+  std::vector<Plane<double>> bounds_;  // of all shadows, concatenated
+  std::vector<std::size_t> begins_;    // first bound of each shadow, and the end of the last
+  mutable std::vector<std::size_t> excludes_;  // the bound of each that excluded the last line
+  std::vector<int> everywhere_;                // shadows that are checked for all lines
   std::vector<std::vector<int>> cells_;  // the other shadows, by screen cell, the nearest first
   std::vector<Box> boxes_;               // of all shadows
   double border_ = 0;                    // metres
