@@ -29,7 +29,7 @@ struct Cause {
   bool (*is)(const std::string& cause);
   std::vector<std::string> effects;
 };
-/// What is left out when its cause is reported.
+/// Effects are left out when their cause is reported.
 const std::vector<Cause>& causes_and_effects() {
   static const std::vector<Cause> all = {
       {[](const std::string& cause) {

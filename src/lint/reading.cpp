@@ -11,7 +11,7 @@ constexpr const char* kOneWorld =
 
 constexpr Rotation kXyzw = {4, 1, 2, 3}, kInverse = {1, -2, -3, -4};
 constexpr Axes kZUp = {1, 3, -2}, kYUp = {1, -3, 2};
-/// Of a world with that axis negated.
+/// The rotation in a world with that axis negated.
 void mirror(Rotation& rotation, std::size_t axis) {
   for (std::size_t i = 0; i < 3; ++i) rotation[i + 1] *= i == axis ? 1 : -1;
 }
