@@ -66,7 +66,10 @@ HiddenLines::HiddenLines(const Camera& camera, const Occluders& occluders,
   };
   const bool many_bodies = shadows.size() >= kManyBodies && bodies.size() == shadows.size();
   for (std::size_t i = 0; i < shadows.size(); ++i) {
-    bounds_.insert(bounds_.end(), shadows[i].begin(), shadows[i].end());
+    const ConvexShadow& shadow = shadows[i];
+    sides_.push_back(bounds_.size() + shadow.sides);
+    behind_.push_back(shadow.behind);
+    bounds_.insert(bounds_.end(), shadow.bounds.begin(), shadow.bounds.end());
     put(many_bodies ? corners_around(bodies[i], camera) : std::vector<Point2>(),
         many_bodies ? bodies[i].core.front() : Vec3d::Zero());
   }
@@ -106,7 +109,6 @@ HiddenLines::HiddenLines(const Camera& camera, const Occluders& occluders,
     }
     put(seen, middle);
   }
-  excludes_.assign(begins_.begin(), begins_.end() - 1);
   for (std::vector<int>& cell : cells_)
     std::ranges::sort(cell, {}, [&](int index) { return std::pair(at(away, index), index); });
 }
@@ -125,16 +127,20 @@ std::vector<Span> HiddenLines::split(const Vec3d& from, const Vec3d& to) const {
   // Whether the shadow hides the whole line, so that no other one matters.
   const auto hides_all = [&](int index) {
     const auto shadow = static_cast<std::size_t>(index);
-    const std::size_t begin = begins_[shadow], end = begins_[shadow + 1];
-    std::size_t& excludes = excludes_[shadow];
     double first = 0, last = 1;
-    for (std::size_t i = excludes, n = begin; n < end; ++n, i = i + 1 < end ? i + 1 : begin) {
+    for (std::size_t i = begins_[shadow]; i < begins_[shadow + 1]; ++i) {
+      // Polygons are after the round bodies.
+      if (shadow < sides_.size() && i == sides_[shadow] &&
+          std::ranges::all_of(behind_[shadow], [&](const Plane<double>& plane) {
+            return plane.distance(from) <= 0 && plane.distance(to) <= 0;
+          }))
+        break;
       const double d0 = bounds_[i].distance(from);
       const double d1 = bounds_[i].distance(to);
-      if (d0 > 0 && d1 > 0) return excludes = i, false;
+      if (d0 > 0 && d1 > 0) return false;
       if (d0 > 0) first = std::max(first, d0 / (d0 - d1));
       if (d1 > 0) last = std::min(last, d0 / (d0 - d1));
-      if (!(first < last)) return excludes = i, false;
+      if (!(first < last)) return false;
     }
     hidden.emplace_back(first, last);
     return first == 0 && last == 1;
